@@ -22,8 +22,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 48) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
-    389 operations.
+    gives c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
+    379 operations.
     """
     p = ca.SX.sym("p", 48)
     gravity_y = p[0]
@@ -70,7 +70,7 @@ def constants() -> ca.Function:
     ground_P5_quaternion_1_0_0 = p[45]
     ground_P5_quaternion_3_0_0 = p[46]
     ground_P5_z = p[47]
-    # intermediate terms (64)
+    # intermediate terms (61)
     w0 = (bar3_inertia_xx + bar3_inertia_yy + bar3_inertia_zz) / 2.0
     w1 = w0 - bar3_inertia_zz + bar3_mass * bar3_center_of_mass_z**2
     w2 = w0 - bar3_inertia_yy
@@ -78,63 +78,60 @@ def constants() -> ca.Function:
     w4 = (bar2_inertia_xx + bar2_inertia_yy + bar2_inertia_zz) / 2.0
     w5 = w4 - bar2_inertia_yy + bar2_mass * bar2_center_of_mass_y**2
     w6 = bar3_mass * bar2_end_y
-    w7 = w5 + bar2_end_y * w6
-    w8 = w4 - bar2_inertia_xx
-    w9 = w0 - bar3_inertia_xx
-    w10 = w8 + w9
-    w11 = bar2_mass * bar2_center_of_mass_y
-    w12 = w6 + w11
-    w13 = (bar1_inertia_xx + bar1_inertia_yy + bar1_inertia_zz) / 2.0
-    w14 = w13 - bar1_inertia_xx + bar1_mass * bar1_center_of_mass_x**2
-    w15 = w13 - bar1_inertia_zz
-    w16 = w4 - bar2_inertia_zz
-    w17 = bar4_mass * bar4_center_of_mass_x
-    w18 = w17 - bar4_end_x * bar4_mass
-    w19 = (bar4_inertia_xx + bar4_inertia_yy + bar4_inertia_zz) / 2.0
-    w20 = w19 - bar4_inertia_xx + bar4_mass * bar4_center_of_mass_x**2
-    w21 = w20 - (bar4_end_x * w17 + bar4_end_x * w18)
-    w22 = w19 - bar4_inertia_yy
-    w23 = bar5_end_y * w18
-    w24 = (bar5_inertia_xx + bar5_inertia_yy + bar5_inertia_zz) / 2.0
-    w25 = w24 - bar5_inertia_yy + bar5_mass * bar5_center_of_mass_y**2
-    w26 = bar5_mass * bar5_center_of_mass_y
-    w27 = bar5_end_y * bar5_mass - w26
-    w28 = bar5_end_y * bar4_mass
-    w29 = w24 - bar5_inertia_zz
-    w30 = w19 - bar4_inertia_zz
-    w31 = w1 + w2
-    w32 = ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0 + ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
-    w33 = bar1_start_quaternion_0_0_0 * ground_P0_quaternion_1_0_0 + ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0
-    w34 = bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0 + bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
-    w35 = bar3_start_quaternion_1_0_0 * bar2_end_quaternion_3_0_0 + bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
-    w36 = ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 + ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
-    w37 = bar5_end_quaternion_1_0_0 * ground_P5_quaternion_1_0_0 + ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
-    w38 = w13 - bar1_inertia_yy
-    w39 = w15 + w38
-    w40 = w14 + w15
-    w41 = w14 + w38
-    w42 = -4.0 * w41
-    w43 = -4.0 * w40
-    w44 = w5 + w16
-    w45 = w8 + w16
-    w46 = w5 + w8
-    w47 = -4.0 * w46
-    w48 = -4.0 * w45
-    w49 = w1 + w9
-    w50 = w2 + w9
-    w51 = -4.0 * w50
-    w52 = -4.0 * w49
-    w53 = w22 + w30
-    w54 = w20 + w30
-    w55 = w20 + w22
-    w56 = -4.0 * w55
-    w57 = -4.0 * w54
-    w58 = w25 + w29
-    w59 = w24 - bar5_inertia_xx
-    w60 = w29 + w59
-    w61 = w25 + w59
-    w62 = -4.0 * w61
-    w63 = -4.0 * w60
+    w7 = w4 - bar2_inertia_xx
+    w8 = w0 - bar3_inertia_xx
+    w9 = bar2_mass * bar2_center_of_mass_y
+    w10 = (bar1_inertia_xx + bar1_inertia_yy + bar1_inertia_zz) / 2.0
+    w11 = w10 - bar1_inertia_xx + bar1_mass * bar1_center_of_mass_x**2
+    w12 = w10 - bar1_inertia_zz
+    w13 = w4 - bar2_inertia_zz
+    w14 = bar4_mass * bar4_center_of_mass_x
+    w15 = w14 - bar4_end_x * bar4_mass
+    w16 = (bar4_inertia_xx + bar4_inertia_yy + bar4_inertia_zz) / 2.0
+    w17 = w16 - bar4_inertia_xx + bar4_mass * bar4_center_of_mass_x**2
+    w18 = w17 - (bar4_end_x * w14 + bar4_end_x * w15)
+    w19 = w16 - bar4_inertia_yy
+    w20 = bar5_end_y * w15
+    w21 = (bar5_inertia_xx + bar5_inertia_yy + bar5_inertia_zz) / 2.0
+    w22 = w21 - bar5_inertia_yy + bar5_mass * bar5_center_of_mass_y**2
+    w23 = bar5_mass * bar5_center_of_mass_y
+    w24 = bar5_end_y * bar5_mass - w23
+    w25 = bar5_end_y * bar4_mass
+    w26 = w21 - bar5_inertia_zz
+    w27 = w16 - bar4_inertia_zz
+    w28 = w1 + w2
+    w29 = ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0 + ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
+    w30 = bar1_start_quaternion_0_0_0 * ground_P0_quaternion_1_0_0 + ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0
+    w31 = bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0 + bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
+    w32 = bar3_start_quaternion_1_0_0 * bar2_end_quaternion_3_0_0 + bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w33 = ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 + ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
+    w34 = bar5_end_quaternion_1_0_0 * ground_P5_quaternion_1_0_0 + ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
+    w35 = w10 - bar1_inertia_yy
+    w36 = w12 + w35
+    w37 = w11 + w12
+    w38 = w11 + w35
+    w39 = -4.0 * w38
+    w40 = -4.0 * w37
+    w41 = w5 + w13
+    w42 = w7 + w13
+    w43 = w5 + w7
+    w44 = -4.0 * w43
+    w45 = -4.0 * w42
+    w46 = w1 + w8
+    w47 = w2 + w8
+    w48 = -4.0 * w47
+    w49 = -4.0 * w46
+    w50 = w19 + w27
+    w51 = w17 + w27
+    w52 = w17 + w19
+    w53 = -4.0 * w52
+    w54 = -4.0 * w51
+    w55 = w22 + w26
+    w56 = w21 - bar5_inertia_xx
+    w57 = w26 + w56
+    w58 = w22 + w56
+    w59 = -4.0 * w58
+    w60 = -4.0 * w57
     # outputs
     c = ca.vertcat(
         w1,  # c0
@@ -142,128 +139,123 @@ def constants() -> ca.Function:
         w1 - w2,  # c2
         bar2_end_y,  # bar2_end_y
         w3,  # c4
-        w7,  # c5
-        w10,  # c6
+        w5 + bar2_end_y * w6,  # c5
+        w7 + w8,  # c6
         bar1_end_x,  # bar1_end_x
-        w12,  # c8
+        w6 + w9,  # c8
         2 * bar1_end_x,  # c9
-        w14 + bar1_end_x * (bar1_end_x * (bar3_mass + bar2_mass)) + (w15 + w16),  # c10
+        w11 + bar1_end_x * (bar1_end_x * (bar3_mass + bar2_mass)) + (w12 + w13),  # c10
         bar3_end_z,  # bar3_end_z
         bar4_end_x,  # bar4_end_x
         bar5_end_y,  # bar5_end_y
-        w18,  # c14
-        w21,  # c15
-        w22,  # c16
-        w21 - w22,  # c17
-        w23,  # c18
-        2 * w23,  # c19
-        w25 + (bar5_end_y * w27 - bar5_end_y * w26) + bar5_end_y * w28 + (w29 + w30),  # c20
-        w21 + w22,  # c21
-        w31,  # c22
+        w15,  # c14
+        w18,  # c15
+        w19,  # c16
+        w18 - w19,  # c17
+        w20,  # c18
+        2 * w20,  # c19
+        w22 + (bar5_end_y * w24 - bar5_end_y * w23) + bar5_end_y * w25 + (w26 + w27),  # c20
+        w18 + w19,  # c21
+        w28,  # c22
         bar2_end_y * w3,  # c23
         gravity_y,  # gravity_y
-        w27 + w28,  # c25
+        w24 + w25,  # c25
         ground_P0_quaternion_0_0_0,  # ground_P0_quaternion_0_0_0
         bar1_start_quaternion_0_0_0,  # bar1_start_quaternion_0_0_0
         ground_P0_quaternion_1_0_0,  # ground_P0_quaternion_1_0_0
         bar1_start_quaternion_1_0_0,  # bar1_start_quaternion_1_0_0
-        w32,  # c30
-        w33,  # c31
+        w29,  # c30
+        w30,  # c31
         ground_P5_z,  # ground_P5_z
         bar2_end_quaternion_1_0_0,  # bar2_end_quaternion_1_0_0
         bar3_start_quaternion_1_0_0,  # bar3_start_quaternion_1_0_0
         bar2_end_quaternion_3_0_0,  # bar2_end_quaternion_3_0_0
         bar3_start_quaternion_3_0_0,  # bar3_start_quaternion_3_0_0
-        w34,  # c37
-        w35,  # c38
+        w31,  # c37
+        w32,  # c38
         ground_P5_quaternion_3_0_0,  # ground_P5_quaternion_3_0_0
         bar5_end_quaternion_1_0_0,  # bar5_end_quaternion_1_0_0
         ground_P5_quaternion_1_0_0,  # ground_P5_quaternion_1_0_0
         bar5_end_quaternion_3_0_0,  # bar5_end_quaternion_3_0_0
-        w36,  # c43
-        w37,  # c44
-        -w32,  # c45
-        -w37,  # c46
+        w33,  # c43
+        w34,  # c44
+        -w29,  # c45
+        -w34,  # c46
         bar3_mass,  # bar3_mass
         bar2_mass,  # bar2_mass
         w5,  # c49
-        w8,  # c50
-        w9,  # c51
-        w11,  # c52
+        w7,  # c50
+        w8,  # c51
+        w9,  # c52
         bar1_mass,  # bar1_mass
-        w14,  # c54
-        w15,  # c55
-        w16,  # c56
+        w11,  # c54
+        w12,  # c55
+        w13,  # c56
         bar4_mass,  # bar4_mass
-        w20,  # c58
-        w17,  # c59
+        w17,  # c58
+        w14,  # c59
         bar5_mass,  # bar5_mass
-        w25,  # c61
-        w26,  # c62
-        w29,  # c63
-        w30,  # c64
+        w22,  # c61
+        w23,  # c62
+        w26,  # c63
+        w27,  # c64
         bar1_mass * bar1_center_of_mass_x,  # c65
-        w38,  # c66
-        w39,  # c67
-        w40,  # c68
-        w41,  # c69
-        4.0 * w40 + w42,  # c70
-        4.0 * w41 + -4.0 * w39,  # c71
-        4.0 * w39 + w43,  # c72
-        w43 + 4.0 * w39,  # c73
-        4.0 * w41 + -4.0 * w39,  # c74
-        w42 + 4.0 * w40,  # c75
-        w44,  # c76
-        w45,  # c77
-        w46,  # c78
-        4.0 * w45 + w47,  # c79
-        4.0 * w46 + -4.0 * w44,  # c80
-        4.0 * w44 + w48,  # c81
-        w48 + 4.0 * w44,  # c82
-        4.0 * w46 + -4.0 * w44,  # c83
-        w47 + 4.0 * w45,  # c84
-        w49,  # c85
-        w50,  # c86
-        4.0 * w49 + w51,  # c87
-        4.0 * w50 + -4.0 * w31,  # c88
-        4.0 * w31 + w52,  # c89
-        w52 + 4.0 * w31,  # c90
-        4.0 * w50 + -4.0 * w31,  # c91
-        w51 + 4.0 * w49,  # c92
-        w53,  # c93
-        w54,  # c94
-        w55,  # c95
-        4.0 * w54 + w56,  # c96
-        4.0 * w55 + -4.0 * w53,  # c97
-        4.0 * w53 + w57,  # c98
-        w57 + 4.0 * w53,  # c99
-        4.0 * w55 + -4.0 * w53,  # c100
-        w56 + 4.0 * w54,  # c101
-        w58,  # c102
-        w59,  # c103
-        w60,  # c104
-        w61,  # c105
-        4.0 * w60 + w62,  # c106
-        4.0 * w61 + -4.0 * w58,  # c107
-        4.0 * w58 + w63,  # c108
-        w63 + 4.0 * w58,  # c109
-        4.0 * w61 + -4.0 * w58,  # c110
-        w62 + 4.0 * w60,  # c111
+        w35,  # c66
+        w36,  # c67
+        w37,  # c68
+        w38,  # c69
+        4.0 * w37 + w39,  # c70
+        4.0 * w38 + -4.0 * w36,  # c71
+        4.0 * w36 + w40,  # c72
+        w40 + 4.0 * w36,  # c73
+        4.0 * w38 + -4.0 * w36,  # c74
+        w39 + 4.0 * w37,  # c75
+        w41,  # c76
+        w42,  # c77
+        w43,  # c78
+        4.0 * w42 + w44,  # c79
+        4.0 * w43 + -4.0 * w41,  # c80
+        4.0 * w41 + w45,  # c81
+        w45 + 4.0 * w41,  # c82
+        4.0 * w43 + -4.0 * w41,  # c83
+        w44 + 4.0 * w42,  # c84
+        w46,  # c85
+        w47,  # c86
+        4.0 * w46 + w48,  # c87
+        4.0 * w47 + -4.0 * w28,  # c88
+        4.0 * w28 + w49,  # c89
+        w49 + 4.0 * w28,  # c90
+        4.0 * w47 + -4.0 * w28,  # c91
+        w48 + 4.0 * w46,  # c92
+        w50,  # c93
+        w51,  # c94
+        w52,  # c95
+        4.0 * w51 + w53,  # c96
+        4.0 * w52 + -4.0 * w50,  # c97
+        4.0 * w50 + w54,  # c98
+        w54 + 4.0 * w50,  # c99
+        4.0 * w52 + -4.0 * w50,  # c100
+        w53 + 4.0 * w51,  # c101
+        w55,  # c102
+        w56,  # c103
+        w57,  # c104
+        w58,  # c105
+        4.0 * w57 + w59,  # c106
+        4.0 * w58 + -4.0 * w55,  # c107
+        4.0 * w55 + w60,  # c108
+        w60 + 4.0 * w55,  # c109
+        4.0 * w58 + -4.0 * w55,  # c110
+        w59 + 4.0 * w57,  # c111
         bar1_mass * gravity_y,  # c112
         bar2_mass * gravity_y,  # c113
         bar3_mass * gravity_y,  # c114
         bar4_mass * gravity_y,  # c115
         bar5_mass * gravity_y,  # c116
-        -w34,  # c117
-        2 * w10,  # c118
-        0.0,  # c119
-        w7 + w10,  # c120
-        bar1_end_x * w12,  # c121
-        2 * bar3_end_z,  # c122
-        2 * bar5_end_y,  # c123
-        2 * bar2_end_y,  # c124
-        2.0,  # c125
-        2 * bar4_end_x,  # c126
+        -w31,  # c117
+        2 * bar2_end_y,  # c118
+        2 * bar5_end_y,  # c119
+        2 * bar4_end_x,  # c120
+        2.0,  # c121
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -276,7 +268,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
     674 operations.
@@ -285,7 +277,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 122)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -514,7 +506,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 39) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 4) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -522,7 +514,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 122)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -735,14 +727,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
     810 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 122)
     hinge0_angle = q_i[0]
     bar1_e0 = q_d[3]
     bar1_e1 = q_d[4]
@@ -1045,7 +1037,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 39) [mixed]: accelerations of the dependent coordinates
     1455 operations.
     """
@@ -1054,7 +1046,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 122)
     hinge0_angle = q_i[0]
     bar1_e0 = q_d[3]
     bar1_e1 = q_d[4]
@@ -1519,7 +1511,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 40) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 40 x 40) [SI]: constraint Jacobian
     gives C_t (n_c = 40) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -1529,7 +1521,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 122)
     bar1_x = q[0]
     bar1_y = q[1]
     bar1_z = q[2]
@@ -2199,7 +2191,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 40 x 40) [SI]: mass matrix in all coordinates
     gives K (n x n = 40 x 40) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 40) [N, N m]: quadratic velocity force in all coordinates
@@ -2211,7 +2203,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 122)
     bar1_e0 = q[3]
     bar1_e1 = q[4]
     bar1_e2 = q[5]
@@ -3623,7 +3615,7 @@ def reactions() -> ca.Function:
     takes q_dot (n = 40) [mixed]: rates of all coordinates
     takes q_ddot (n = 40) [mixed]: accelerations of all coordinates
     takes lam_R (n_R = 1) [N, N m]: multipliers of the redundant rows, which no equation determines
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 40) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 6) [N, N m]: world force and moment of a joint on its body b, at b
     3007 operations.
@@ -3632,7 +3624,7 @@ def reactions() -> ca.Function:
     q_dot = ca.SX.sym("q_dot", 40)
     q_ddot = ca.SX.sym("q_ddot", 40)
     lam_R = ca.SX.sym("lam_R", 1)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 122)
     bar1_e0 = q[3]
     bar1_e1 = q[4]
     bar1_e2 = q[5]
@@ -4602,7 +4594,7 @@ def energy() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -4612,7 +4604,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 122)
     bar1_y = q[1]
     bar1_e0 = q[3]
     bar1_e1 = q[4]
@@ -4998,13 +4990,13 @@ def measures() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives measures (measures = 6) [mixed]: measures of the scene and their rates
     71 operations.
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 122)
     bar3_x = q[14]
     bar3_y = q[15]
     bar3_z = q[16]
@@ -5165,15 +5157,15 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
-    3100 operations.
+    1636 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 122)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -5200,619 +5192,386 @@ def dQ_hat_dq_i() -> ca.Function:
     c16 = c[16]
     c18 = c[18]
     c20 = c[20]
-    c21 = c[21]
-    c22 = c[22]
     c23 = c[23]
     gravity_y = c[24]
     c25 = c[25]
-    c118 = c[118]
-    c119 = c[119]
-    c120 = c[120]
-    c121 = c[121]
-    c122 = c[122]
-    c123 = c[123]
-    # intermediate terms (599)
+    # intermediate terms (374)
     w0 = ca.cos(hinge1_angle)
     w1 = ca.sin(hinge2_angle)
-    w2 = ca.cos(hinge2_angle)
-    w3 = ca.sin(hinge0_angle)
-    w4 = hinge1_angle_dot * w3
-    w5 = hinge0_angle_dot * w4
-    w6 = w0 * bar2_end_y
-    w7 = w5 * w6
+    w2 = ca.sin(hinge1_angle)
+    w3 = w2 * hinge0_angle_dot
+    w4 = w3 * hinge1_angle_dot
+    w5 = ca.cos(hinge2_angle)
+    w6 = ca.sin(hinge0_angle)
+    w7 = w0 * w6
     w8 = ca.cos(hinge0_angle)
-    w9 = w8 * bar1_end_x
-    w10 = hinge0_angle_dot * (hinge0_angle_dot * w9)
-    w11 = ca.sin(hinge1_angle)
-    w12 = w8 * w11
-    w13 = w12 * bar2_end_y
-    w14 = w4 * w6 + hinge0_angle_dot * w13
-    w15 = hinge1_angle_dot * w8
-    w16 = w3 * w11
-    w17 = w16 * bar2_end_y
-    w18 = hinge1_angle_dot * w11 * bar2_end_y
-    w19 = hinge0_angle_dot * w14 + w15 * w18
-    w20 = w0 * w8
-    w21 = hinge2_angle_dot * w20
-    w22 = w0 * w3
-    w23 = hinge2_angle_dot * w22
-    w24 = hinge2_angle_dot * (w0 * hinge1_angle_dot)
-    w25 = (w2 * w8 - w1 * w16) * bar3_end_z
-    w26 = w24 * w25
-    w27 = w11 * hinge2_angle_dot
-    w28 = w4 * w27
-    w29 = hinge0_angle_dot * w21
-    w30 = w28 - w29 - w5
-    w31 = w0 * w1
-    w32 = w31 * bar3_end_z
-    w33 = hinge0_angle_dot + w27
-    w34 = w4 + w21
-    w35 = (w1 * w12 + w2 * w3) * bar3_end_z
-    w36 = w32 * w34 + w33 * w35
-    w37 = w15 - w23
-    w38 = w35 * w37 - w25 * w34
-    w39 = w33 * w36 + w37 * w38
-    w40 = ca.cos(hinge5_angle)
-    w41 = hinge4_angle_dot * w40
-    w42 = hinge5_angle_dot * w41
-    w43 = ca.sin(hinge4_angle)
-    w44 = ca.sin(hinge5_angle)
-    w45 = w43 * w44
-    w46 = w45 * bar4_end_x
-    w47 = hinge4_angle_dot * w44
-    w48 = hinge5_angle_dot * w47
-    w49 = w40 * w43
-    w50 = w49 * bar4_end_x
-    w51 = ca.cos(hinge4_angle)
-    w52 = w51 * bar4_end_x
-    w53 = hinge5_angle_dot * w50 + w47 * w52
-    w54 = w41 * w52 - hinge5_angle_dot * w46
-    w55 = w7 - w10 + w19 + (w26 + w30 * w32) - w39 - (w42 * w46 - w48 * w50 + (w47 * w53 + w41 * w54))
-    w56 = w44 * w52
-    w57 = w44 * w51
-    w58 = w11 * w57
-    w59 = w40 * w51
-    w60 = w22 * w59
-    w61 = w58 - w60
-    w62 = w40 * bar5_end_y
-    w63 = w50 - w62
-    w64 = w22 * w43
-    w65 = w20 * w57
-    w66 = w64 - w65
-    w67 = w11 * w43
-    w68 = w20 * w59
-    w69 = w67 - w68
-    w70 = w44 * w66 + w40 * w69
-    w71 = w56 * w61 - w63 * w70
-    w72 = w22 * w35 + w20 * w25
-    w73 = w22 * w57
-    w74 = w20 * w43 + w73
-    w75 = w44 * w74 + w40 * w60
-    w76 = w56 * w68 + w63 * w75
-    w77 = w40 * w52
-    w78 = w60 - w58
-    w79 = w68 - w67
-    w80 = w20 * w68 - w22 * w78 - w11 * w74 - (w20 * w79 - w22 * w60)
-    w81 = w11 * w25 - w22 * w32
-    w82 = w20 * w32 + w11 * w35
-    w83 = w63 * w80 - (w61 * w81 - w68 * w82)
-    w84 = w44 * bar5_end_y
-    w85 = w84 - w46
-    w86 = w56 * w80 - (w70 * w81 + w75 * w82)
-    w87 = w85 * w86 - (w72 * w76 + w77 * w83)
-    w88 = w65 - w64
-    w89 = w20 * w78 + w11 * w88 - w22 * w79
-    w90 = w63 * w89 - w61 * w82
-    w91 = w56 * w89 - w70 * w82
-    w92 = w71 * w72 - w77 * w90 + w85 * w91
-    w93 = hinge0_angle_dot * w15
-    w94 = w3 * bar1_end_x
-    w95 = w6 * w93 + hinge0_angle_dot * (hinge0_angle_dot * w94)
-    w96 = w6 * w15
-    w97 = hinge0_angle_dot * w17
-    w98 = w96 - w97
-    w99 = w4 * w18
-    w100 = w24 * w35
-    w101 = w15 * w27 + hinge0_angle_dot * w23
-    w102 = w101 - w93
-    w103 = w32 * w37 + w25 * w33
-    w104 = w33 * w103
-    w105 = w34 * w38
-    w106 = w95 + (hinge0_angle_dot * w98 - w99) + (w32 * w102 - w100) - (w104 - w105)
-    w107 = w97 - w96
-    w108 = w93 - w101
-    w109 = w5 * w13 - w17 * w93 + (w15 * w107 - w4 * w14) + (w30 * w35 - w25 * w108) + (w37 * w103 + w34 * w36)
-    w110 = hinge5_angle_dot * w62
-    w111 = hinge4_angle_dot * w43 * bar4_end_x
-    w112 = w109 - (hinge5_angle_dot * w110 - w48 * w52 - (w41 * w111 + hinge5_angle_dot * w53))
-    w113 = w43 * bar4_end_x
-    w114 = w71 * w81 + w90 * w113
-    w115 = w14 * w15
-    w116 = w5 + (w29 - w28)
-    w117 = w115 - w4 * w107 - (w115 + w4 * w98) + (w35 * w102 + w25 * w30 + (w25 * w116 + w35 * w108))
-    w118 = w95 - (w99 + hinge0_angle_dot * w107) - (w100 + w32 * w108) + (w105 - w104) - (w47 * w111 - hinge5_angle_dot * w54 - (hinge5_angle_dot * (hinge5_angle_dot * w84) + w42 * w52))
-    w119 = w85 * w113
-    w120 = w81 * w85
-    w121 = w82 * w85
-    w122 = w77 * w82
-    w123 = w77 * w81 + w72 * w113
-    w124 = w80 * w119 - (w75 * w120 - w70 * w121) - (w61 * w122 + w68 * w123)
-    w125 = w89 * w119 - w70 * w120 + w61 * w123
-    w126 = w39 + (w10 - w7 - w19 - (w26 - w32 * w116))
-    w127 = w55 * w87 + w92 * w106 + (w112 * (w83 * w113 - (w71 * w82 + w76 * w81)) + w114 * w117) + (w118 * w124 + w125 * w126)
-    w128 = w43 * w47 - hinge5_angle_dot * w59
-    w129 = hinge4_angle_dot * w51
-    w130 = hinge5_angle_dot * w128 - w41 * w129
-    w131 = w41 * w43 + hinge5_angle_dot * w57
-    w132 = w47 * w128 + w41 * w131
-    w133 = hinge5_angle_dot * w131 + w47 * w129
-    w134 = w11 * w34
-    w135 = w20 * w33
-    w136 = w134 - w135
-    w137 = w20 * w37 + w22 * w34
-    w138 = w37 * w137
-    w139 = w33 * w136 - w138
-    w140 = w22 * w33 + w11 * w37
-    w141 = w37 * w140 + w34 * w136
-    w142 = w34 * w137 + w33 * w140
-    w143 = 2 * -w140
-    w144 = 2 * w137
-    w145 = w11 * w130 - w20 * w132 - w22 * w133 + w43 * w139 - w59 * w141 - w57 * w142 + w129 * w143 - w131 * w144
-    w146 = 2 * w136
-    w147 = w42 * w66 - (w145 + w128 * w146 + w78 * w108 + w24 * w88 + w30 * w79) - w48 * w69
-    w148 = w81 * w119 + w56 * w121 - w63 * w122
-    w149 = w82 * w119 - w56 * w120 + w63 * w123
-    w150 = w135 - w134
-    w151 = w34 * w140
-    w152 = w22 * w132 - w20 * w133 + w43 * w142 - w59 * (w37 * w150 - w151 + (w151 + w37 * w136)) - w57 * (w138 + w33 * w150)
-    w153 = w152 + w129 * (2 * -w150) - w131 * c119 + w128 * (2 * w140) + (w68 * w108 - w78 * w116) - w24 * w74
-    w154 = w42 * w74 - (w153 + (w79 * w102 - w30 * w60)) - w48 * w60
-    w155 = w6 - w32
-    w156 = w8 * w155
-    w157 = w3 * w155
-    w158 = w3 * w78 + w8 * w79
-    w159 = w70 * w157 + w56 * w158
-    w160 = w35 - w13
-    w161 = w17 + w25
-    w162 = w8 * w160 - w3 * w161
-    w163 = w61 * w157 + w63 * w158
-    w164 = w85 * w159 - (w71 * w162 + w77 * w163)
-    w165 = w89 * w157 + w82 * w158
-    w166 = w90 * w162 + w72 * w163 + w85 * w165
-    w167 = w92 * w156 + w81 * w164 - w113 * w166
-    w168 = (w55 * w92 + w112 * w114 + w118 * w125 - w147 * w149) / w167
-    w169 = w168 / w167
-    w170 = w3 * w68 + w8 * w78 - (w8 * w60 + w3 * w79)
-    w171 = w70 * w156 + w75 * w157 + w56 * w170
-    w172 = w8 * w161
-    w173 = w13 - w35
-    w174 = w172 - w3 * w160 - (w172 + w3 * w173)
-    w175 = w61 * w156 - w68 * w157 + w63 * w170
-    w176 = w85 * w171 - (w71 * w174 - w76 * w162 + w77 * w175)
-    w177 = w89 * w156 + w80 * w157 + (w81 * w158 + w82 * w170)
-    w178 = w90 * w174 + w83 * w162 + w72 * w175 + w85 * w177
-    w179 = w87 * w156 - w92 * w157 + (w81 * w176 - w82 * w164) - w113 * w178
-    w180 = (w127 - (w147 * w148 + w149 * w154)) / w167 - w169 * w179
-    w181 = w2 * w180 * c1
-    w182 = w1 * w180
-    w183 = w180 * c23 - w182 * c0
-    w184 = w71 * w156 - w113 * w163
-    w185 = w85 * w156
-    w186 = w85 * w157
-    w187 = w113 * w174 - w77 * w157
-    w188 = w77 * w156 + w113 * w162
-    w189 = w119 * w170 + (w75 * w185 - w70 * w186) - (w61 * w187 - w68 * w188)
-    w190 = w119 * w158 + w70 * w185 - w61 * w188
-    w191 = w117 * w184 - w112 * (w71 * w157 + w76 * w156 + w113 * w175) - (w55 * w176 + w106 * w164) - (w118 * w189 + w126 * w190)
-    w192 = w56 * w185 - w119 * w157 - w63 * w188
-    w193 = w56 * w186 + w119 * w156 + w63 * w187
-    w194 = (w112 * w184 - w55 * w164 - w118 * w190 + w147 * w192) / w167
-    w195 = w194 / w167
-    w196 = (w191 + (w154 * w192 - w147 * w193)) / w167 - w179 * w195
-    w197 = w1 * (w196 * c4)
-    w198 = w196 * c22
-    w199 = hinge5_angle_dot * w43
-    w200 = hinge4_angle_dot * w199
-    w201 = w91 * w162 + w72 * w159 + w77 * w165
-    w202 = w91 * w156 + w81 * w159 - w113 * w165
-    w203 = w72 * w156 - w81 * w162
-    w204 = w123 * w158 + w89 * w188 + w70 * w203
-    w205 = w123 * w157 - w82 * w188 - w56 * w203
-    w206 = (w55 * w201 + w112 * w202 + w118 * w204 + w147 * w205) / w167
-    w207 = (w200 + (w200 - w51 * w206)) * c16
-    w208 = w44 * gravity_y
-    w209 = hinge5_angle_dot * w51
-    w210 = hinge4_angle_dot * w209
-    w211 = w210 + (w210 + w43 * w206)
-    w212 = (w208 - w206 * bar5_end_y) * c14 - w211 * c15
-    w213 = w51 * w207 + w43 * w212 - w211 * c18 + (w208 * c25 - w206 * c20)
-    w214 = w161 - w94
-    w215 = w91 * w174 + w86 * w162 + w72 * w171 + w77 * w177
-    w216 = w173 - w9
-    w217 = w9 + w160
-    w218 = w72 * w157 + (w81 * w174 - w82 * w162)
-    w219 = w123 * w170 - w122 * w158 + (w80 * w188 + w89 * w187) + (w75 * w203 - w70 * w218)
-    w220 = w123 * w156 - w122 * w157 - (w81 * w188 + w82 * w187) + w56 * w218
-    w221 = (w201 * w214 - w204 * w217 - w88 * w205) / w167
-    w222 = w221 / w167
-    w223 = (w214 * w215 + w201 * w216 - (w217 * w219 + w204 * w214) - (w88 * w220 - w74 * w205)) / w167 - w179 * w222
-    w224 = w55 * w215 + w106 * w201 + (w112 * (w86 * w156 - w91 * w157 + (w81 * w171 - w82 * w159) - w113 * w177) + w117 * w202)
-    w225 = w206 / w167
-    w226 = (w224 + (w118 * w219 + w126 * w204) + (w147 * w220 + w154 * w205)) / w167 - w179 * w225
-    w227 = w43 * w226
-    w228 = w213 * w223 - w221 * (w51 * (w51 * w226 * c16) + w43 * (w226 * c18 + w227 * c15) + w227 * c18 + w226 * c20)
-    w229 = w120 * w158 + w89 * w185 + w61 * w203
-    w230 = w120 * w157 - w82 * w185 - w63 * w203
-    w231 = (w217 * w229 - w166 * w214 + w88 * w230) / w167
-    w232 = w90 * w156 + w81 * w163
-    w233 = w55 * w178 + w106 * w166 + (w112 * (w83 * w156 - w90 * w157 + (w81 * w175 - w82 * w163)) + w117 * w232)
-    w234 = w120 * w170 - w121 * w158 + (w80 * w185 - w89 * w186) - (w61 * w218 + w68 * w203)
-    w235 = w120 * w156 - w121 * w157 - (w81 * w185 - w82 * w186) + w63 * w218
-    w236 = (w55 * w166 + w112 * w232 + w118 * w229 + w147 * w230) / w167
-    w237 = w236 / w167
-    w238 = w231 * (((w233 + (w118 * w234 + w126 * w229) + (w147 * w235 + w154 * w230)) / w167 - w179 * w237) * c21)
-    w239 = w199 * w209
-    w240 = w40 * gravity_y - hinge5_angle_dot**2 * bar5_end_y
-    w241 = (w236 + w239) * c15 - (w239 - w236) * c16 - w51 * w240 * c14
-    w242 = w231 / w167
-    w243 = (w217 * w234 + w214 * w229 - (w178 * w214 + w166 * w216) + (w88 * w235 - w74 * w230)) / w167 - w179 * w242
-    w244 = w0 * (w1 * w181 + w2 * w183) + w11 * (w197 * bar2_end_y - w198) - w197 * bar1_end_x + w228 + (w238 + w241 * w243)
-    w245 = (w190 * w217 - w164 * w214 - w88 * w192) / w167
-    w246 = w0 * hinge0_angle_dot
-    w247 = hinge1_angle_dot * w246
-    w248 = w194 + w247
-    w249 = w2 * hinge1_angle_dot - w1 * w246
-    w250 = w2 * w246 + w1 * hinge1_angle_dot
-    w251 = w249 * w250
-    w252 = w248 - w251
-    w253 = hinge0_angle_dot**2 * bar1_end_x
-    w254 = hinge0_angle_dot * w11
-    w255 = w11 * w253 - w0 * gravity_y - (w254**2 + hinge1_angle_dot**2) * bar2_end_y
-    w256 = 2 * w247
-    w257 = w256 * bar2_end_y
-    w258 = w252 * c0 + (w248 + w251) * c1 - (w2 * w255 + w1 * w257) * c4
-    w259 = w245 / w167
-    w260 = (w189 * w217 + w190 * w214 - (w176 * w214 + w164 * w216) + (w88 * w193 + w74 * w192)) / w167 - w179 * w259
-    w261 = (w92 * w214 - w125 * w217 + w88 * w149) / w167
-    w262 = hinge1_angle_dot * w254
-    w263 = hinge2_angle_dot + w254
-    w264 = (w1 * w262 + w2 * w168 - hinge2_angle_dot * w250 - w250 * w263) * c1
-    w265 = w0 * w253 + w11 * gravity_y
-    w266 = w246 * w254
-    w267 = w168 - w266
-    w268 = w249 * w263 - (w2 * w262 - w1 * w168 - hinge2_angle_dot * w249)
-    w269 = (w265 + w267 * bar2_end_y) * c4 - w268 * c0
-    w270 = w2 * w264 - w1 * w269 - w268 * c23 + (w265 * c8 + (w267 * c5 + (w168 + w266) * c6))
-    w271 = w261 / w167
-    w272 = (w87 * w214 + w92 * w216 - (w124 * w217 + w125 * w214) + (w88 * w148 - w74 * w149)) / w167 - w179 * w271
-    w273 = w244 - (w198 * w245 + w258 * w260) - (w261 * (w2 * w181 - w1 * w183 - w182 * c23 + w180 * c120) + w270 * w272)
-    w274 = (w250**2 + w263**2) * c4
-    w275 = w252 * c4
-    w276 = w11 + w245
-    w277 = w276 * c4
-    w278 = w2 * w277
-    w279 = w0 * w2
-    w280 = w1 * w261 + w279
-    w281 = w280 * c4
-    w282 = w281 - w261 * c8
-    w283 = w231 * c16
-    w284 = w231 * c15
-    w285 = w283 + w284
-    w286 = w285 / w167
-    w287 = w43 * w221
-    w288 = w221 * c18 + w287 * c15
-    w289 = w287 * c14
-    w290 = w51 * w221 * c16
-    w291 = w221 * c20 + w43 * w288 + w289 * bar5_end_y + w51 * w290
-    w292 = w291 / w167
-    w293 = w11 * bar2_end_y
-    w294 = w293 - bar1_end_x
-    w295 = w1 * w294 * c4 - w276 * c0
-    w296 = w276 * c1
-    w297 = w295 - w296
-    w298 = w297 / w167
-    w299 = w261 * c23 - w280 * c0
-    w300 = w261 * c6
-    w301 = w281 * bar2_end_y - w261 * c5
-    w302 = (w31 - w2 * w261) * c1
-    w303 = w1 * w299 - w300 + w301 + w2 * w302
-    w304 = w303 / w167
-    w305 = w230 * w286 - w205 * w292 + w192 * w298 - w149 * w304
-    w306 = w57 * w305
-    w307 = w59 * w305
-    w308 = w33 * w306 - 2 * -(w129 * w305) + w37 * w307
-    w309 = (w2 * w274 + w1 * w275) * bar2_end_y - w258 - w256 * c5 + w253 * w278 + w282 * gravity_y + w37 * w308
-    w310 = w43 * w305
-    w311 = 2 * -(w128 * w305) + w34 * w307 - w33 * w310
-    w312 = w112 * w286
-    w313 = w241 / w167
-    w314 = w217 * w313 + w118 * w286
-    w315 = w88 * w313 + w147 * w286
-    w316 = w213 / w167
-    w317 = w88 * w316 + w147 * w292
-    w318 = w217 * w316 + w118 * w292
-    w319 = w61 * w314 - w63 * w315 + w56 * w317 - w70 * w318
-    w320 = w112 * w292
-    w321 = w270 * w271 + w258 * w259 - w241 * w242 - w237 * w285 - w213 * w222 + w225 * w291 - w195 * w297 - w169 * w303
-    w322 = w270 / w167
-    w323 = w217 * w322 + w118 * w304
-    w324 = w88 * w322 + w147 * w304
-    w325 = w61 * w323 - (w157 * w317 + w158 * w318 + w63 * w324)
-    w326 = w157 * w315 + w158 * w314 + w56 * w324 - w70 * w323
-    w327 = w112 * w304
-    w328 = w163 * w312 - w162 * w319 - w159 * w320 + w164 * w321 + w77 * w325 + w85 * w326 + w71 * w327
-    w329 = w229 * w286 - w204 * w292 - w190 * w298 + w125 * w304
-    w330 = w232 * w286 - w202 * w292 + w184 * w298 + w114 * w304
-    w331 = w78 * w305 + w32 * w329 + w25 * w330
-    w332 = w37 * w330 - w33 * w329
-    w333 = w166 * w286 - w201 * w292 - w164 * w298 + w92 * w304
-    w334 = w34 * w330 - w33 * w333
-    w335 = w140 * w306 + w22 * w308 - w136 * w310 - w20 * w311 - w103 * w329 + w25 * w332 - w36 * w333 + w35 * w334
-    w336 = w35 * w330 - w79 * w305 + w32 * w333
-    w337 = w15 * w331 + w335 + w4 * w336
-    w338 = w214 * w316 - w55 * w292
-    w339 = w55 * w286 - w214 * w313 - w113 * w321
-    w340 = w113 * w320 + w77 * w338 + w85 * w339
-    w341 = w156 * w321 - w214 * w322 + w55 * w304
-    w342 = w162 * w338 - w156 * w320 + w85 * w341
-    w343 = w156 * w312 + w162 * w339 + w113 * w327 - w77 * w341
-    w344 = w188 * w317 - w185 * w315 + w158 * w340 - w119 * w324 - w70 * w342 - w61 * w343
-    w345 = w185 * w314 - w188 * w318 + w157 * w340 + w119 * w323 + w56 * w342 + w63 * w343
-    w346 = w258 / w167
-    w347 = w214 * w346 - w55 * w298 + w81 * w321
-    w348 = w72 * w338 - w81 * w320 + w85 * w347
-    w349 = w217 * w346 + w118 * w298
-    w350 = w112 * w298
-    w351 = w156 * w350 - w162 * w347 + w81 * w327 + w72 * w341
-    w352 = w157 * w348 - (w203 * w318 + w185 * w349) - w120 * w323 - w82 * w342 - w63 * w351
-    w353 = w40 * w352 - w48 * w305
-    w354 = w81 * w312 - w113 * w350 + w72 * w339 - w77 * w347
-    w355 = w120 * w314 - w123 * w318 - w119 * w349 + w82 * w340 + w63 * w354 + w56 * w348
-    w356 = w8 * w355 - w30 * w305 - w22 * w345
-    w357 = w353 - w356
-    w358 = w309 + w34 * w311 - w130 * w305 + w25 * w328 + hinge2_angle_dot * w337 + w35 * w344 + w88 * w345 + w43 * w357
-    w359 = w203 * w314 + w188 * w349 + w157 * w354 + w123 * w323 - w82 * w343 + w56 * w351
-    w360 = w3 * w355 - w108 * w305 + w20 * w345
-    w361 = w359 - w360
-    w362 = w88 * w346 + w147 * w298
-    w363 = w82 * w317 - w89 * w318 - w63 * w362 + w61 * w349
-    w364 = w91 * w338 - w81 * w319 + w113 * w363 + w90 * w339 - w71 * w347
-    w365 = w164 * w346 - w92 * w322 - w166 * w313 + w201 * w316 - w3 * w364
-    w366 = w15 * w330 - hinge0_angle_dot * w329
-    w367 = w15 * w333 - w4 * w329
-    w368 = w34 * w329 - w37 * w333
-    w369 = w156 * w319 + w159 * w338 + w163 * w339 + w113 * w325 + w71 * w341
-    w370 = (w365 + w33 * w332 - w108 * w330 + w11 * w328 - w34 * w368 + w24 * w333 + w20 * w369) * bar3_end_z
-    w371 = w358 + w57 * w361 + w3 * ((w365 + hinge0_angle_dot * w366 - w93 * w330 + w4 * w367) * bar2_end_y - w1 * w370)
-    w372 = w125 * w322 - w190 * w346 + w229 * w313 - w204 * w316 + w8 * w364
-    w373 = hinge0_angle_dot * w333 - w4 * w330
-    w374 = (w372 - w24 * w329 + w30 * w330 + w37 * w368 + w33 * w334 + w11 * w344 + w22 * w369) * bar3_end_z
-    w375 = w0 * c118
-    w376 = w278 * bar2_end_y
-    w377 = w300 + w301
-    w378 = w2 * w294 * c4
-    w379 = w249 * w299
-    w380 = w250 * w302
-    w381 = 2 * w263 * w378 + w379 - w380
-    w382 = w1 * w302 - w2 * w299
-    w383 = hinge0_angle_dot * (hinge1_angle_dot * w375 - 2 * w254 * w376 - w246 * w377 + w381 + hinge1_angle_dot * w382)
-    w384 = w371 + w8 * ((w5 * w330 - w372 + w15 * w367 + hinge0_angle_dot * w373) * bar2_end_y + w1 * w374) + w383
-    w385 = 2 * (c121 - w11 * c5 + w1 * w277 * bar2_end_y)
-    w386 = w295 + w296
-    w387 = hinge2_angle_dot * w299 - w250 * w386 + w263 * w299
-    w388 = w378 * (2 * w250) - w249 * w386 - w263 * w302 - hinge2_angle_dot * w302
-    w389 = hinge0_angle_dot * (hinge1_angle_dot * w385 + hinge1_angle_dot * w297 - w1 * w387 - w254 * w377 + w2 * w388)
-    w390 = w89 * w314 - w82 * w315 + w56 * w362 - w70 * w349
-    w391 = w3 * (w120 * w315 - w123 * w317 - w119 * w362 + w89 * w340 + w61 * w354 + w70 * w348) + w8 * (w90 * w312 + w72 * w319 - w91 * w320 + w77 * w363 + w85 * w390 + w71 * w350 + w92 * w321)
-    w392 = w1 * w264 + w2 * w269 + 2 * w262 * c6 - w278 * gravity_y + w253 * w282 + w389 + (w391 + w93 * w329 - w15 * w366 + w4 * w373 + w5 * w333) * bar2_end_y
-    w393 = (w37 * w332 - (w391 + w108 * w329) - w22 * w328 + w34 * w334 + w30 * w333 + w20 * w344) * bar3_end_z
-    w394 = 2 * (w131 * w305) + w34 * w306 + w37 * w310
-    w395 = w137 * w306 + w136 * w307 + w22 * w394 + w11 * w311 + w38 * w329 + w36 * w330 - w25 * w368 + w32 * w334
-    w396 = w25 * w333 - (w88 * w305 + w35 * w329)
-    w397 = w395 - hinge0_angle_dot * w336 + w15 * w396
-    w398 = w356 - w353
-    w399 = w37 * w394 - w33 * w311 + w132 * w305 + hinge2_angle_dot * w397 + w32 * w344 + w78 * w345 + w59 * w398
-    w400 = w192 * w346 - w149 * w322 + w230 * w313 - w205 * w316 - w24 * w305 + w11 * w345
-    w401 = w42 * w305 + w44 * w352
-    w402 = w400 - w401
-    w403 = w140 * w307 + w11 * w308 + w137 * w310 + w20 * w394 + w103 * w330 + w32 * w332 - w38 * w333 + w35 * w368
-    w404 = hinge0_angle_dot * w331 - w403 + w4 * w396
-    w405 = w401 - w400
-    w406 = w33 * w308 + w34 * w394 + w133 * w305 - w32 * w328 + hinge2_angle_dot * w404 - w79 * w345 + w43 * w405
-    w407 = w360 - w359
-    w408 = w11 * (w392 + w1 * w393 + w8 * (w399 + w57 * w402 + w25 * w369) + w3 * (w406 + w59 * w407 + w35 * w369))
-    w409 = w261 * w269 + w257 * w277 + w275 * w294 + w168 * w299 - w246 * w387 + w0 * w264 + hinge1_angle_dot * w388
-    w410 = w255 * w277 - w261 * w264 + w274 * w294 + w0 * w269 - w262 * w299 + hinge1_angle_dot * w387 + w246 * w388
-    w411 = w2 * (w409 + w0 * w393 - w16 * w370 + w12 * w374 + w262 * w302) - w1 * (w410 + w168 * w302 + w8 * w370 + w3 * w374)
-    w412 = w284 - w283
-    w413 = hinge4_angle_dot * w290
-    w414 = w413 + (w209 * w412 + w413)
-    w415 = w22 * w305
-    w416 = w20 * w305
-    w417 = w144 * w305 + hinge5_angle_dot * w415 + w41 * w416
-    w418 = w11 * w305
-    w419 = w47 * w416 - w146 * w305 - hinge5_angle_dot * w418
-    w420 = w41 * w330 - w47 * w329
-    w421 = w89 * w323 - (w157 * w362 + w158 * w349 + w82 * w324)
-    w422 = w165 * w320 + w162 * w363 - w163 * w350 - w166 * w321 + w72 * w325 + w85 * w421 + w90 * w327
-    w423 = hinge5_angle_dot * w329
-    w424 = w423 - w41 * w333
-    w425 = w156 * w390 + w165 * w339 + w159 * w347 + w81 * w326 + w113 * w421 + w91 * w341
-    w426 = (w47 * w420 + w44 * w422 - hinge5_angle_dot * w424 - w42 * w333 - w425) * bar4_end_x
-    w427 = w212 * w221 - w206 * w288 + hinge5_angle_dot * w414 - w139 * w305 + w41 * w417 + w47 * w419 + w44 * w426
-    w428 = hinge5_angle_dot * w330
-    w429 = w428 - w47 * w333
-    w430 = w158 * w354 - (w203 * w315 + w188 * w362) - w123 * w324 + w89 * w343 - w70 * w351
-    w431 = (w41 * w420 + w40 * w422 + hinge5_angle_dot * w429 + w48 * w333 + w430) * bar4_end_x
-    w432 = hinge4_angle_dot * w288
-    w433 = w199 * w412 - w432 - w432
-    w434 = w231 * c14
-    w435 = w47 * w415 - w143 * w305 + w41 * w418
-    w436 = w141 * w305 + w41 * w435 - hinge5_angle_dot * w419 + w20 * w398 + w22 * w407
-    w437 = w142 * w305 + hinge5_angle_dot * w417 + w47 * w435 + w20 * w402 + w11 * w361
-    w438 = w165 * w338 + w156 * w363 - w163 * w347 + w81 * w325 - w90 * w341
-    w439 = w203 * w317 + w185 * w362 + w158 * w348 + w120 * w324 + w89 * w342 + w61 * w351
-    w440 = hinge5_angle_dot * w433 - w240 * w434 + w207 * w221 - w206 * w290 + w40 * w436 + w44 * w437 + (w42 * w329 + w48 * w330 + w41 * w424 + w47 * w429 + w40 * w438 + w44 * w439) * bar4_end_x
-    w441 = w261 * (w0 * w384 - w408) + w245 * w411 + w231 * (w51 * (w427 + w11 * w357 + w22 * w405 + w40 * w431) - w43 * w440)
-    w442 = w129 * w415 + w128 * w416 + w57 * w435 + w43 * w419 - w111 * w329 + w46 * w420 - w53 * w333 + w52 * w429
-    w443 = w52 * w330 - w69 * w305 + w50 * w333
-    w444 = w442 + hinge5_angle_dot * w443
-    w445 = (w289 + w221 * c25) * gravity_y + w46 * w422 + hinge4_angle_dot * w444 + w43 * w426 + (w425 + hinge5_angle_dot * w423) * bar5_end_y
-    w446 = w51 * w434
-    w447 = w131 * w416 + w43 * w417 + w129 * w418 + w59 * w435 + w111 * w330 + w50 * w420 - w54 * w333 + w52 * w424
-    w448 = w66 * w305 + w52 * w329 - w46 * w333
-    w449 = w447 + hinge5_angle_dot * w448
-    w450 = w50 * w422 - w446 * gravity_y + hinge4_angle_dot * w449 + w52 * w438 + w69 * w352 - (w430 + hinge5_angle_dot * w428) * bar5_end_y
-    w451 = w221 * (w40 * (w445 + w66 * w352 + w51 * w437 + w52 * w439) - w44 * (w450 + w43 * w431 + w51 * w436))
-    w452 = w403 + (w27 * w331 + w107 * w330 - w6 * w366 + hinge0_angle_dot * (w6 * w329 - w331 - w17 * w330))
-    w453 = w246 * w385 - w376 * (2 * hinge1_angle_dot) + w246 * w297 + w254 * w375 + w2 * w387 + w1 * w388 + w8 * (w452 + w21 * w396 + w18 * w333 + w13 * w367)
-    w454 = w395 - (w18 * w329 + w14 * w330) + w27 * w336 + w23 * w396 + w17 * w367 + w6 * w373 + hinge0_angle_dot * (w13 * w330 - w336 + w6 * w333)
-    w455 = w1 * w20 * bar3_end_z
-    w456 = w1 * w22 * bar3_end_z
-    w457 = w22 * w455 - w16 * w35 - (w12 * w25 + w20 * w456)
-    w458 = w0 * w57 + w16 * w59
-    w459 = w12 * w57
-    w460 = w16 * w43
-    w461 = w0 * w43 + w12 * w59
-    w462 = w44 * (w459 - w460) + w40 * w461
-    w463 = w56 * w458 - w63 * w462
-    w464 = w460 - w459
-    w465 = w11 * w464 + w0 * w88 - (w20 * w458 + w12 * w78) + (w22 * w461 + w16 * w79)
-    w466 = w0 * w35 + w11 * w455 - w11 * (w8 * w31) * c122
-    w467 = w63 * w465 - (w61 * w466 + w82 * w458)
-    w468 = w56 * w465 - (w70 * w466 + w82 * w462)
-    w469 = w71 * w457 + w72 * w463 - w77 * w467 + w85 * w468
-    w470 = w22 * bar2_end_y - w456
-    w471 = w0 * w25 - w11 * w456 + w11 * (w3 * w31) * c122
-    w472 = w85 * w471
-    w473 = w77 * w471 + w113 * w457
-    w474 = w455 - w20 * bar2_end_y
-    w475 = w214 * w469 + w92 * w470 - (w217 * (w119 * w465 - (w120 * w462 + w70 * w472) + (w123 * w458 + w61 * w473)) + w125 * w474)
-    w476 = w1 * w11 * bar3_end_z - w293
-    w477 = w8 * w476
-    w478 = w3 * w476
-    w479 = w3 * w458 + w8 * w461
-    w480 = w70 * w478 + w157 * w462 - w56 * w479
-    w481 = w8 * w474 - w3 * w470
-    w482 = w61 * w478 + w157 * w458 - w63 * w479
-    w483 = w85 * w480 - (w71 * w481 + w162 * w463 + w77 * w482)
-    w484 = w89 * w478 + w157 * w465 + (w158 * w466 - w82 * w479)
-    w485 = w90 * w481 + w162 * w467 + (w163 * w457 + w72 * w482) + w85 * w484
-    w486 = w92 * w477 + w156 * w469 + (w164 * w471 + w81 * w483) - w113 * w485
-    w487 = hinge0_angle_dot * ((w475 + (w88 * (w119 * w466 - w56 * w472 + w63 * w473) + w149 * w464)) / w167 - w271 * w486)
-    w488 = (w2 * w12 - w1 * w3) * bar3_end_z
-    w489 = (w1 * w8 + w2 * w16) * bar3_end_z
-    w490 = w22 * w488 - w20 * w489
-    w491 = w279 * bar3_end_z
-    w492 = w20 * w491 + w11 * w488
-    w493 = w61 * w492
-    w494 = w70 * w492
-    w495 = w71 * w490 + w77 * w493 - w85 * w494
-    w496 = w11 * w489 + w22 * w491
-    w497 = w85 * w496
-    w498 = w113 * w490 - w77 * w496
-    w499 = w214 * w495 - w92 * w489 - (w217 * (w70 * w497 + w61 * w498) + w125 * w488) + w88 * (w119 * w492 + w56 * w497 + w63 * w498)
-    w500 = w8 * w491
-    w501 = w3 * w491
-    w502 = w70 * w501
-    w503 = w8 * w488 + w3 * w489
-    w504 = w61 * w501
-    w505 = w85 * w502 + (w71 * w503 - w77 * w504)
-    w506 = w158 * w492 - w89 * w501
-    w507 = w90 * w503 - w162 * w493 + (w163 * w490 - w72 * w504) + w85 * w506
-    w508 = w156 * w495 - w92 * w500 - (w164 * w496 + w81 * w505) - w113 * w507
-    w509 = w22 * w49
-    w510 = w11 * w45
-    w511 = w509 - w510
-    w512 = w44 * w113
-    w513 = w59 * bar4_end_x
-    w514 = w22 * w51 + w20 * w45
-    w515 = w11 * w51 + w20 * w49
-    w516 = w44 * w514 + w40 * w515
-    w517 = w56 * w511 - w61 * w512 - (w70 * w513 + w63 * w516)
-    w518 = w510 - w509
-    w519 = w20 * w518 - w11 * w514 + w22 * w515
-    w520 = w89 * w513 + w63 * w519 - w82 * w511
-    w521 = w40 * w113
-    w522 = w56 * w519 - w89 * w512 - w82 * w516
-    w523 = w57 * bar4_end_x
-    w524 = w72 * w517 - (w77 * w520 - w90 * w521) + (w85 * w522 - w91 * w523)
-    w525 = w52 * w85 - w113 * w523
-    w526 = w81 * w523
-    w527 = w52 * w72 - w81 * w521
-    w528 = w214 * w524 - w217 * (w119 * w519 + w89 * w525 - (w120 * w516 - w70 * w526) + (w123 * w511 + w61 * w527))
-    w529 = w528 + (w88 * (w82 * w525 + (w120 * w512 + w56 * w526) + (w123 * w513 + w63 * w527)) - w149 * w514)
-    w530 = w3 * w518 - w8 * w515
-    w531 = w157 * w516 + (w56 * w530 - w158 * w512)
-    w532 = w157 * w511 + (w158 * w513 + w63 * w530)
-    w533 = w85 * w531 - w159 * w523 - (w162 * w517 + (w77 * w532 - w163 * w521))
-    w534 = w157 * w519 + w82 * w530
-    w535 = w162 * w520 + w72 * w532 + (w85 * w534 - w165 * w523)
-    w536 = w156 * w524 + w81 * w533 - (w52 * w166 + w113 * w535)
-    w537 = w261 * w487 + w245 * (hinge0_angle_dot * (w499 / w167 - w271 * w508)) + w231 * (hinge0_angle_dot * (w529 / w167 - w271 * w536))
-    w538 = w73 + w11 * w59
-    w539 = w40 * w66 - w44 * w68 + (w40 * w65 - w44 * w69)
-    w540 = w61 * w77 + w56 * w538 - (w70 * w85 + w63 * w539)
-    w541 = w11 * w68 - w20 * w538 + w22 * w65
-    w542 = w85 * w89 + w63 * w541 - w82 * w538
-    w543 = w62 - w50
-    w544 = w77 * w89 + w56 * w541 - w82 * w539
-    w545 = w72 * w540 - (w77 * w542 - w56 * w90) + (w91 * w543 + w85 * w544)
-    w546 = w113 * w543
-    w547 = w81 * w543
-    w548 = w56 * w81
-    w549 = w214 * w545 - w217 * (w119 * w541 + w89 * w546 - (w120 * w539 + w70 * w547) + (w123 * w538 - w61 * w548))
-    w550 = (w549 + (w88 * (w82 * w546 - (w77 * w120 + w56 * w547) + (w85 * w123 - w63 * w548)) + w68 * w149)) / w167
-    w551 = w3 * w538 + w8 * w65
-    w552 = w157 * w539 + (w77 * w158 - w56 * w551)
-    w553 = w157 * w538 + (w85 * w158 - w63 * w551)
-    w554 = w159 * w543 + w85 * w552 - (w162 * w540 + (w77 * w553 - w56 * w163))
-    w555 = w157 * w541 - w82 * w551
-    w556 = w162 * w542 + w72 * w553 + (w165 * w543 + w85 * w555)
-    w557 = w156 * w545 + w81 * w554 - w113 * w556
-    w558 = (w453 + w3 * w454 + w254 * w382) * (hinge0_angle_dot * w272 + (w537 + w221 * (hinge0_angle_dot * (w550 - w271 * w557))))
-    w559 = w85 * w477
-    w560 = w77 * w477 + w113 * w481
-    w561 = w217 * (w185 * w462 + w70 * w559 - w119 * w479 - (w188 * w458 + w61 * w560)) + w190 * w474 - (w214 * w483 + w164 * w470)
-    w562 = hinge0_angle_dot * ((w561 - (w88 * (w56 * w559 - w119 * w478 - w63 * w560) + w192 * w464)) / w167 - w259 * w486)
-    w563 = w85 * w500
-    w564 = w113 * w503 - w77 * w500
-    w565 = w190 * w488 - w217 * (w70 * w563 + w61 * w564) + (w214 * w505 + w164 * w489) - w88 * (w119 * w501 - w56 * w563 - w63 * w564)
-    w566 = w156 * w523
-    w567 = w52 * w162 - w156 * w521
-    w568 = w217 * (w119 * w530 + w158 * w525 + (w185 * w516 - w70 * w566) - (w188 * w511 + w61 * w567)) - w214 * w533
-    w569 = w568 + (w88 * (w185 * w512 + w56 * w566 + w157 * w525 + (w188 * w513 + w63 * w567)) + w192 * w514)
-    w570 = w261 * w562 + w245 * (hinge0_angle_dot * (w565 / w167 - w259 * w508)) + w231 * (hinge0_angle_dot * (w569 / w167 - w259 * w536))
-    w571 = w156 * w543
-    w572 = w56 * w156
-    w573 = w217 * (w158 * w546 - w119 * w551 + (w185 * w539 + w70 * w571) - (w188 * w538 - w61 * w572)) - w214 * w554
-    w574 = (w573 - (w88 * (w77 * w185 + w56 * w571 - w157 * w546 - (w85 * w188 - w63 * w572)) + w68 * w192)) / w167
-    w575 = (w379 + w381 - w380 + w11 * w337 + w22 * w404 + w20 * w397) * (hinge0_angle_dot * w260 + (w570 + w221 * (hinge0_angle_dot * (w574 - w259 * w557))))
-    w576 = w199 * w290
-    w577 = w72 * w477 + w156 * w457 - (w162 * w471 + w81 * w481)
-    w578 = w217 * (w158 * w472 - w120 * w479 + (w185 * w465 + w89 * w559) + (w203 * w458 + w61 * w577)) + w229 * w474
-    w579 = w578 - (w214 * w485 + w166 * w470) + (w88 * (w120 * w478 + w157 * w472 - (w185 * w466 + w82 * w559) - w63 * w577) + w230 * w464)
-    w580 = w156 * w490 - w72 * w500 - (w81 * w503 - w162 * w496)
-    w581 = w217 * (w61 * w580 - (w158 * w497 + w89 * w563)) + w229 * w488 - (w214 * w507 - w166 * w489) - w88 * (w120 * w501 + w157 * w497 + (w185 * w492 - w82 * w563) + w63 * w580)
-    w582 = w261 * (hinge0_angle_dot * (w579 / w167 - w242 * w486)) + w245 * (hinge0_angle_dot * (w581 / w167 - w242 * w508))
-    w583 = w217 * (w120 * w530 - w158 * w526 + (w185 * w519 - w89 * w566) + w203 * w511) - w214 * w535 + (w88 * (w82 * w566 - w157 * w526 - w203 * w513) - w230 * w514)
-    w584 = w217 * (w158 * w547 - w120 * w551 + (w185 * w541 + w89 * w571) + w203 * w538) - w214 * w556 + (w88 * (w157 * w547 - w82 * w571 - w85 * w203) + w68 * w230)
-    w585 = w582 + w231 * (hinge0_angle_dot * (w583 / w167 - w242 * w536)) + w221 * (hinge0_angle_dot * (w584 / w167 - w242 * w557))
-    w586 = w558 + w575 + (w576 + (w576 - 2 * (w209 * w288)) + w44 * w444 + w40 * w449) * (hinge0_angle_dot * w243 + w585)
-    w587 = 2 * hinge5_angle_dot * (w446 * bar5_end_y) + w51 * w433 + w43 * w414 + w131 * w415 + w57 * w417 - w128 * w418
-    w588 = w587 - w59 * w419 + w329 * (hinge5_angle_dot * w44) * c123 + w54 * w329 + w53 * w330 - w110 * w330
-    w589 = w217 * (w158 * w473 - w123 * w479 + (w188 * w465 + w89 * w560) + (w203 * w462 + w70 * w577)) + w204 * w474
-    w590 = w214 * (w91 * w481 + w162 * w468 + (w159 * w457 + w72 * w480) + w77 * w484) + w201 * w470 - w589 - (w88 * (w123 * w478 + w157 * w473 - (w188 * w466 + w82 * w560) - w56 * w577) + w205 * w464)
-    w591 = w214 * (w91 * w503 - w162 * w494 + (w159 * w490 - w72 * w502) + w77 * w506) - w201 * w489 - (w217 * (w158 * w498 + w89 * w564 + w70 * w580) + w204 * w488)
-    w592 = (w591 - w88 * (w157 * w498 - w123 * w501 - (w188 * w492 + w82 * w564) - w56 * w580)) / w167 - w222 * w508
-    w593 = w214 * (w162 * w522 + w72 * w531 + (w77 * w534 - w165 * w521)) - w217 * (w123 * w530 + w158 * w527 + (w188 * w519 + w89 * w567) + w203 * w516)
-    w594 = hinge0_angle_dot * ((w593 - (w88 * (w157 * w527 - w82 * w567 + w203 * w512) - w205 * w514)) / w167 - w222 * w536)
-    w595 = w261 * (hinge0_angle_dot * (w590 / w167 - w222 * w486)) + w245 * (hinge0_angle_dot * w592) + w231 * w594
-    w596 = w214 * (w162 * w544 + w72 * w552 + (w77 * w555 - w56 * w165)) - w217 * (w188 * w541 - w89 * w572 - (w158 * w548 + w123 * w551) + w203 * w539)
-    w597 = hinge0_angle_dot * ((w596 - (w88 * (w82 * w572 - w157 * w548 - w77 * w203) + w68 * w205)) / w167 - w222 * w557)
-    w598 = (w588 - w62 * w428 - w46 * w424 + w50 * w429 + w47 * w443 + w41 * w448) * (hinge0_angle_dot * w223 + (w595 + w221 * w597))
+    w9 = w2 * w8
+    w10 = w5 * w6
+    w11 = (w1 * w9 + w10) * bar3_end_z
+    w12 = w0 * w8
+    w13 = w5 * w8
+    w14 = w2 * w6
+    w15 = (w13 - w1 * w14) * bar3_end_z
+    w16 = w7 * w11 + w12 * w15
+    w17 = ca.sin(hinge5_angle)
+    w18 = ca.cos(hinge4_angle)
+    w19 = w18 * bar4_end_x
+    w20 = w17 * w19
+    w21 = w17 * w18
+    w22 = w2 * w21
+    w23 = ca.cos(hinge5_angle)
+    w24 = w18 * w23
+    w25 = w7 * w24
+    w26 = w22 - w25
+    w27 = ca.sin(hinge4_angle)
+    w28 = w23 * w27 * bar4_end_x
+    w29 = w23 * bar5_end_y
+    w30 = w28 - w29
+    w31 = w7 * w27
+    w32 = w12 * w21
+    w33 = w31 - w32
+    w34 = w2 * w27
+    w35 = w12 * w24
+    w36 = w34 - w35
+    w37 = w17 * w33 + w23 * w36
+    w38 = w20 * w26 - w30 * w37
+    w39 = w16 * w38
+    w40 = w19 * w23
+    w41 = w25 - w22
+    w42 = w32 - w31
+    w43 = w35 - w34
+    w44 = w12 * w41 + w2 * w42 - w7 * w43
+    w45 = w0 * w1 * bar3_end_z
+    w46 = w12 * w45 + w2 * w11
+    w47 = w30 * w44 - w26 * w46
+    w48 = w17 * bar5_end_y
+    w49 = w17 * w27 * bar4_end_x
+    w50 = w48 - w49
+    w51 = w20 * w44 - w37 * w46
+    w52 = w39 - w40 * w47 + w50 * w51
+    w53 = hinge1_angle_dot * w6
+    w54 = hinge0_angle_dot * w53
+    w55 = w0 * bar2_end_y
+    w56 = w8 * bar1_end_x
+    w57 = hinge0_angle_dot * (hinge0_angle_dot * w56)
+    w58 = w9 * bar2_end_y
+    w59 = w53 * w55 + hinge0_angle_dot * w58
+    w60 = hinge1_angle_dot * w8
+    w61 = w14 * bar2_end_y
+    w62 = w2 * hinge1_angle_dot * bar2_end_y
+    w63 = w12 * hinge2_angle_dot
+    w64 = w7 * hinge2_angle_dot
+    w65 = hinge2_angle_dot * (w0 * hinge1_angle_dot)
+    w66 = w2 * hinge2_angle_dot
+    w67 = w53 * w66 - hinge0_angle_dot * w63 - w54
+    w68 = hinge0_angle_dot + w66
+    w69 = w53 + w63
+    w70 = w45 * w69 + w11 * w68
+    w71 = w60 - w64
+    w72 = w11 * w71 - w15 * w69
+    w73 = w54 * w55 - w57 + (hinge0_angle_dot * w59 + w60 * w62) + (w15 * w65 + w45 * w67) - (w68 * w70 + w71 * w72)
+    w74 = w23 * hinge4_angle_dot
+    w75 = hinge5_angle_dot * w74
+    w76 = w17 * hinge4_angle_dot
+    w77 = hinge5_angle_dot * w76
+    w78 = w28 * hinge5_angle_dot + w19 * w76
+    w79 = w19 * w74 - w49 * hinge5_angle_dot
+    w80 = w73 - (w49 * w75 - w28 * w77 + (w76 * w78 + w74 * w79))
+    w81 = w2 * w15 - w7 * w45
+    w82 = w38 * w81
+    w83 = w27 * bar4_end_x
+    w84 = w82 + w47 * w83
+    w85 = hinge0_angle_dot * w60
+    w86 = hinge0_angle_dot * w61 - w55 * w60
+    w87 = w85 - (hinge0_angle_dot * w64 + w60 * w66)
+    w88 = w15 * w68 + w45 * w71
+    w89 = w54 * w58 - w61 * w85 + (w60 * w86 - w53 * w59) + (w11 * w67 - w15 * w87) + (w71 * w88 + w69 * w70)
+    w90 = w29 * hinge5_angle_dot
+    w91 = w27 * hinge4_angle_dot * bar4_end_x
+    w92 = w89 - (hinge5_angle_dot * w90 - w19 * w77 - (w74 * w91 + hinge5_angle_dot * w78))
+    w93 = w50 * w83
+    w94 = w44 * w93
+    w95 = w50 * w81
+    w96 = w40 * w81 + w16 * w83
+    w97 = w94 - w37 * w95 + w26 * w96
+    w98 = w6 * bar1_end_x
+    w99 = hinge0_angle_dot * (hinge0_angle_dot * w98)
+    w100 = w99 + w55 * w85 - (w53 * w62 + hinge0_angle_dot * w86) - (w45 * w87 + w11 * w65) + (w69 * w72 - w68 * w88)
+    w101 = w48 * hinge5_angle_dot
+    w102 = w100 - (w76 * w91 - hinge5_angle_dot * w79 - (hinge5_angle_dot * w101 + w19 * w75))
+    w103 = w46 * w93
+    w104 = w103 - w20 * w95 + w30 * w96
+    w105 = w27 * w76 - w24 * hinge5_angle_dot
+    w106 = w18 * hinge4_angle_dot
+    w107 = hinge5_angle_dot * w105 - w74 * w106
+    w108 = w27 * w74 + w21 * hinge5_angle_dot
+    w109 = w76 * w105 + w74 * w108
+    w110 = hinge5_angle_dot * w108 + w76 * w106
+    w111 = w2 * w69 - w12 * w68
+    w112 = w12 * w71 + w7 * w69
+    w113 = w68 * w111 - w71 * w112
+    w114 = w7 * w68 + w2 * w71
+    w115 = w71 * w114 + w69 * w111
+    w116 = w69 * w112 + w68 * w114
+    w117 = 2 * -w114
+    w118 = 2 * w112
+    w119 = w2 * w107 - w12 * w109 - w7 * w110 + w27 * w113 - w24 * w115 - w21 * w116 + w106 * w117 - w108 * w118
+    w120 = 2 * w111
+    w121 = w33 * w75 - (w119 + w105 * w120 + w41 * w87 + w42 * w65 + w43 * w67) - w36 * w77
+    w122 = w55 - w45
+    w123 = w8 * w122
+    w124 = w6 * w122
+    w125 = w6 * w41 + w8 * w43
+    w126 = w37 * w124 + w20 * w125
+    w127 = w11 - w58
+    w128 = w15 + w61
+    w129 = w8 * w127 - w6 * w128
+    w130 = w38 * w129
+    w131 = w26 * w124 + w30 * w125
+    w132 = w50 * w126 - (w130 + w40 * w131)
+    w133 = w44 * w124 + w46 * w125
+    w134 = w50 * w133
+    w135 = w47 * w129 + w16 * w131 + w134
+    w136 = w52 * w123 + w81 * w132 - w83 * w135
+    w137 = (w52 * w80 + w84 * w92 + w97 * w102 - w104 * w121) / w136
+    w138 = w0 * hinge0_angle_dot
+    w139 = w5 * w138 + w1 * hinge1_angle_dot
+    w140 = w3 + hinge2_angle_dot
+    w141 = (w1 * w4 + w5 * w137 - hinge2_angle_dot * w139 - w139 * w140) * c1
+    w142 = w93 * w125
+    w143 = w50 * w123
+    w144 = w40 * w123 + w83 * w129
+    w145 = w142 + w37 * w143 - w26 * w144
+    w146 = w56 + w127
+    w147 = w128 - w98
+    w148 = w93 * w124
+    w149 = w20 * w143 - w148 - w30 * w144
+    w150 = (w145 * w146 - w132 * w147 - w42 * w149) / w136
+    w151 = w5 * w150
+    w152 = (w52 * w147 - w97 * w146 + w42 * w104) / w136
+    w153 = w0 * w152
+    w154 = hinge0_angle_dot * w153
+    w155 = w2 * w152
+    w156 = w12 - w6 * w155
+    w157 = w16 * w123 - w81 * w129
+    w158 = w26 * w157
+    w159 = w95 * w125 + w44 * w143 + w158
+    w160 = w30 * w157
+    w161 = w95 * w124 - w46 * w143 - w160
+    w162 = (w146 * w159 - w135 * w147 + w42 * w161) / w136
+    w163 = w27 * w162
+    w164 = w40 * w133
+    w165 = w51 * w129 + w16 * w126 + w164
+    w166 = w37 * w157
+    w167 = w96 * w125 + w44 * w144 + w166
+    w168 = w20 * w157
+    w169 = w96 * w124 - w46 * w144 - w168
+    w170 = (w147 * w165 - w146 * w167 - w42 * w169) / w136
+    w171 = w17 * w170
+    w172 = w23 * w163 + w18 * w171
+    w173 = w24 * w156 - w7 * w172
+    w174 = w23 * w170
+    w175 = w18 * w174 - w17 * w163
+    w176 = w21 * w153 + w2 * w175
+    w177 = w173 - w176
+    w178 = w7 + w8 * w155
+    w179 = w18 * w162
+    w180 = w24 * w178 + w12 * w172 + (w27 * w153 + w2 * w179)
+    w181 = w6 * w177 + w8 * w41 - (w8 * w180 + w6 * w43)
+    w182 = w12 * w175 - w21 * w178
+    w183 = w27 * w156 + w7 * w179
+    w184 = w182 - w183
+    w185 = w12 * w177 - w41 * w178 + (w2 * w184 + w42 * w153) - (w43 * w156 - w7 * w180)
+    w186 = w176 - w173
+    w187 = hinge1_angle_dot * w181 + hinge2_angle_dot * w185 + hinge0_angle_dot * w184 - hinge5_angle_dot * w186
+    w188 = w183 - w182
+    w189 = w17 * w188 + w33 * w174 + (w23 * w180 - w36 * w171)
+    w190 = w187 - hinge4_angle_dot * w189
+    w191 = (w17 * w179 + w27 * w174) * bar4_end_x
+    w192 = (w23 * w179 - w27 * w171) * bar4_end_x
+    w193 = w49 * w174 + w17 * w191 + (w23 * w192 - w28 * w171)
+    w194 = w155 * bar2_end_y
+    w195 = (w0 * w151 - w1 * w155) * bar3_end_z
+    w196 = w194 + w195
+    w197 = w124 + w8 * w196
+    w198 = w9 + w6 * w153
+    w199 = w198 * bar2_end_y
+    w200 = w1 * w150
+    w201 = (w10 + w8 * w200 + (w14 * w151 + w1 * w198)) * bar3_end_z
+    w202 = w199 - w201
+    w203 = w202 - w56
+    w204 = w15 * w153 - w2 * w201 - (w45 * w156 + w7 * w195)
+    w205 = hinge4_angle_dot * w193 - (hinge1_angle_dot * w197 + hinge0_angle_dot * w203 + hinge2_angle_dot * w204)
+    w206 = w8 * w153 - w14
+    w207 = (w9 * w151 + w1 * w206 + (w13 - w6 * w200)) * bar3_end_z
+    w208 = w11 * w156 + w7 * w207 - (w15 * w178 + w12 * w201)
+    w209 = w206 * bar2_end_y
+    w210 = w207 - w209
+    w211 = w8 * w210 - w6 * w127 - (w8 * w128 + w6 * w202)
+    w212 = w174 * bar5_end_y
+    w213 = w212 - w191
+    w214 = w163 * bar4_end_x
+    w215 = w19 * w171 + w23 * w214
+    w216 = hinge2_angle_dot * w208 - hinge1_angle_dot * w211 + hinge5_angle_dot * w213 - hinge4_angle_dot * w215
+    w217 = w210 - w98
+    w218 = w123 - w6 * w196
+    w219 = w12 * w195 - w45 * w178 + (w11 * w153 + w2 * w207)
+    w220 = w171 * bar5_end_y
+    w221 = w192 + w220
+    w222 = hinge0_angle_dot * w217 - hinge1_angle_dot * w218 + hinge2_angle_dot * w219 - hinge5_angle_dot * w221
+    w223 = w19 * w174 - w17 * w214
+    w224 = w222 - hinge4_angle_dot * w223
+    w225 = (w104 * w190 - (w52 * w205 + w84 * w216 + w97 * w224)) / w136
+    w226 = hinge1_angle_dot * w154 + w3 * w225
+    w227 = w38 * w123
+    w228 = w227 - w83 * w131
+    w229 = (w92 * w228 - w80 * w132 - w102 * w145 + w121 * w149) / w136
+    w230 = w83 * w133
+    w231 = w51 * w123 + w81 * w126 - w230
+    w232 = (w80 * w165 + w92 * w231 + w102 * w167 + w121 * w169) / w136
+    w233 = w47 * w123 + w81 * w131
+    w234 = (w80 * w135 + w92 * w233 + w102 * w159 + w121 * w161) / w136
+    w235 = (w135 * w205 + w216 * w233 + w159 * w224 + w161 * w190) / w136
+    w236 = w23 * w235 - hinge4_angle_dot * w171
+    w237 = (w165 * w205 + w216 * w231 + w167 * w224 + w169 * w190) / w136
+    w238 = hinge5_angle_dot * w236 - w74 * w237
+    w239 = w17 * w235 + hinge4_angle_dot * w174
+    w240 = w27 * w239 + w76 * w179 + (w24 * w237 + hinge5_angle_dot * w172)
+    w241 = w21 * w239 + w76 * w175 + (w24 * w236 - w74 * w172)
+    w242 = w27 * w236 + w74 * w179 + (hinge5_angle_dot * w175 - w21 * w237)
+    w243 = w2 * (hinge5_angle_dot * w240 - w105 * w237 - (w106 * w236 + w74 * w241)) + w107 * w153 - (w12 * (w105 * w239 + w76 * w240 + (w108 * w236 + w74 * w242)) - w109 * w178)
+    w244 = (w132 * w205 - w216 * w228 + w145 * w224 - w149 * w190) / w136
+    w245 = w2 * w244 + hinge2_angle_dot * w153
+    w246 = w60 + w6 * w225
+    w247 = w12 * w244 - hinge2_angle_dot * w178
+    w248 = w246 + w247
+    w249 = w2 * w248 + w69 * w153 - (w12 * w245 - w68 * w178)
+    w250 = w8 * w225 - w53
+    w251 = w7 * w244 + hinge2_angle_dot * w156
+    w252 = w250 - w251
+    w253 = w12 * w252 - w71 * w178 + (w7 * w248 + w69 * w156)
+    w254 = w243 - (w7 * (hinge5_angle_dot * w242 - w108 * w237 + (w106 * w239 + w76 * w241)) + w110 * w156) + (w27 * (w111 * w245 + w68 * w249 - (w112 * w252 + w71 * w253)) + w113 * w179)
+    w255 = w7 * w245 + w68 * w156 + (w2 * w252 + w71 * w153)
+    w256 = w254 - (w24 * (w114 * w252 + w71 * w255 + (w111 * w248 + w69 * w249)) - w115 * w172) - (w21 * (w112 * w248 + w69 * w253 + (w114 * w245 + w68 * w255)) + w116 * w175)
+    w257 = w256 + (w106 * (2 * -w255) + w117 * w241) - (w108 * (2 * w253) + w118 * w242) + (w105 * (2 * w249) + w120 * w240)
+    w258 = hinge0_angle_dot * w250
+    w259 = w258 - (hinge0_angle_dot * w251 + (w66 * w250 + w60 * w245))
+    w260 = w63 * w250 + w60 * w247 + (w64 * w246 + w53 * w251)
+    w261 = hinge0_angle_dot * w246
+    w262 = w66 * w246 + w53 * w245 - hinge0_angle_dot * w247 - w261
+    w263 = w75 * w188 + w33 * w238 - (w257 + (w87 * w177 + w41 * w259) + (w65 * w184 + w42 * w260) + (w43 * w262 - w67 * w180))
+    w264 = hinge5_angle_dot * w239 - w76 * w237
+    w265 = w137 * w181 + w185 * w229 - w186 * w232 + w189 * w234 - (w263 - (w77 * w180 + w36 * w264))
+    w266 = hinge0_angle_dot * w199 - (w55 * w250 - w60 * w194)
+    w267 = w55 * w246 - w53 * w194 + hinge0_angle_dot * w209
+    w268 = w58 * w261 + w54 * w209 - (w61 * w258 + w85 * w199) + (w86 * w250 + w60 * w266 - (w59 * w246 + w53 * w267))
+    w269 = w15 * w245 - w68 * w201 + (w45 * w252 + w71 * w195)
+    w270 = w45 * w248 + w69 * w195 + (w11 * w245 + w68 * w207)
+    w271 = w268 + (w11 * w262 + w67 * w207 - (w15 * w259 - w87 * w201)) + (w88 * w252 + w71 * w269 + (w70 * w248 + w69 * w270))
+    w272 = w90 * w237 + hinge5_angle_dot * (w29 * w237 + hinge5_angle_dot * w220) + (w19 * w264 - w77 * w214)
+    w273 = w49 * w239 + w76 * w191 + (w28 * w236 + w74 * w192)
+    w274 = hinge5_angle_dot * w192 - w28 * w237 + (w19 * w239 - w76 * w214)
+    w275 = w208 * w229 - w137 * w211 + w213 * w232 + w215 * w234 - (w271 + (w272 + (w91 * w236 + w74 * w273 + (hinge5_angle_dot * w274 - w78 * w237))))
+    w276 = w58 * w250 + w60 * w209 + (w61 * w246 + w53 * w199)
+    w277 = w99 + (w55 * w261 - w54 * w194) + (hinge0_angle_dot * w267 + (w62 * w250 + w60 * w276)) + (w15 * w260 - w65 * w201 + (w45 * w262 + w67 * w195))
+    w278 = w11 * w252 + w71 * w207 - (w15 * w248 - w69 * w201)
+    w279 = w19 * w236 - w74 * w214 - (hinge5_angle_dot * w191 - w49 * w237)
+    w280 = w49 * w238 + w75 * w191 - (w28 * w264 + w77 * w192) + (w78 * w239 + w76 * w274 + (w79 * w236 + w74 * w279))
+    w281 = w193 * w234 + (w137 * w197 + w204 * w229) + (w277 - (w70 * w245 + w68 * w270 + (w72 * w252 + w71 * w278)) - w280)
+    w282 = w57 + (w55 * w258 - w85 * w194) - (w62 * w246 + w53 * w276 + hinge0_angle_dot * w266) - (w45 * w259 + w87 * w195 + (w11 * w260 + w65 * w207))
+    w283 = hinge5_angle_dot * (hinge5_angle_dot * w212 - w48 * w237) - w101 * w237 + (w19 * w238 - w75 * w214)
+    w284 = w282 + (w72 * w248 + w69 * w278 - (w88 * w245 + w68 * w269)) - (w91 * w239 + w76 * w273 - (hinge5_angle_dot * w279 - w79 * w237) - w283)
+    w285 = w219 * w229 - w137 * w218 - w221 * w232 + w223 * w234 - w284
+    w286 = (w104 * w265 - (w84 * w275 - w52 * w281 + w97 * w285)) / w136
+    w287 = hinge0_angle_dot * w155
+    w288 = hinge1_angle_dot * w151 + w1 * w225 - (w138 * w200 + w5 * w287)
+    w289 = w154 + w244
+    w290 = w4 * w151 + w1 * w226 + (w5 * w286 - w137 * w200) - (hinge2_angle_dot * w288 + w139 * w244) - (w140 * w288 + w139 * w289)
+    w291 = w290 * c1
+    w292 = hinge0_angle_dot**2 * bar1_end_x
+    w293 = w153 * gravity_y - w155 * w292
+    w294 = w138 * w154 - w3 * w287
+    w295 = w286 - w294
+    w296 = w5 * w225 - hinge1_angle_dot * w200 - (w138 * w151 - w1 * w287)
+    w297 = hinge1_angle_dot * w5 - w1 * w138
+    w298 = w140 * w296 + w289 * w297 - (w5 * w226 - w4 * w200 - (w137 * w151 + w1 * w286) - (hinge2_angle_dot * w296 + w244 * w297))
+    w299 = (w293 + w295 * bar2_end_y) * c4 - w298 * c0
+    w300 = w0 * w292 + w2 * gravity_y
+    w301 = w3 * w138
+    w302 = w137 - w301
+    w303 = w140 * w297 - (w4 * w5 - w1 * w137 - hinge2_angle_dot * w297)
+    w304 = (w300 + w302 * bar2_end_y) * c4 - w303 * c0
+    w305 = w0 * (w141 * w151 + w1 * w291 + (w5 * w299 - w200 * w304) + 2 * w226 * c6) - w155 * (w1 * w141 + w5 * w304 + 2 * w4 * c6)
+    w306 = (w139**2 + w140**2) * c4
+    w307 = hinge1_angle_dot * w138
+    w308 = w229 + w307
+    w309 = w139 * w297
+    w310 = w308 - w309
+    w311 = w310 * c4
+    w312 = w2 * w292 - w0 * gravity_y - (w3**2 + hinge1_angle_dot**2) * bar2_end_y
+    w313 = 2 * w307
+    w314 = w313 * bar2_end_y
+    w315 = w310 * c0 + (w308 + w309) * c1 - (w5 * w312 + w1 * w314) * c4
+    w316 = w138 * w225 - hinge1_angle_dot * w287
+    w317 = w316 + (w145 * w285 - (w132 * w281 + w228 * w275) - w149 * w265) / w136
+    w318 = w139 * w296 + w288 * w297
+    w319 = w317 - w318
+    w320 = w5 * ((w288 * (2 * w139) + w289 * (2 * w140)) * c4) - w200 * w306 + (w151 * w311 + w1 * (w319 * c4))
+    w321 = w5 * (w153 * w292 + w155 * gravity_y - (w154 * (2 * w3) + w225 * (2 * hinge1_angle_dot)) * bar2_end_y)
+    w322 = 2 * w316
+    w323 = w319 * c0 + (w317 + w318) * c1 - (w321 - w200 * w312 + (w151 * w314 + w1 * (w322 * bar2_end_y))) * c4
+    w324 = w153 * ((w5 * w306 + w1 * w311) * bar2_end_y - w315 - w313 * c5) + w2 * (w320 * bar2_end_y - w323 - w322 * c5)
+    w325 = w37 * w50 - w26 * w40
+    w326 = w20 * w50 - w30 * w40
+    w327 = w39 - w46 * w325 + w44 * w326
+    w328 = w5 * w141 - w1 * w304 - w303 * c23 + (w300 * c8 + (w302 * c5 + (w137 + w301) * c6))
+    w329 = w44 * w129 + w16 * w125
+    w330 = w16 * w124 - w46 * w129
+    w331 = w18 * hinge5_angle_dot
+    w332 = w27 * hinge5_angle_dot
+    w333 = w331 * w332
+    w334 = w23 * gravity_y - hinge5_angle_dot**2 * bar5_end_y
+    w335 = (w234 + w333) * c15 - (w333 - w234) * c16 - w18 * w334 * c14
+    w336 = w315 * (w124 * w325 - w130 + w125 * w326) - w327 * w328 - (w134 + w30 * w329 + w26 * w330) * w335
+    w337 = hinge4_angle_dot * w332
+    w338 = (w337 + (w337 - w18 * w232)) * c16
+    w339 = w17 * gravity_y
+    w340 = hinge4_angle_dot * w331
+    w341 = w340 + (w340 + w27 * w232)
+    w342 = (w339 - w232 * bar5_end_y) * c14 - w341 * c15
+    w343 = w18 * w338 + w27 * w342 - w341 * c18 + (w339 * c25 - w232 * c20)
+    w344 = w26 * w83
+    w345 = w30 * w83
+    w346 = w46 * w344 - w82 - w44 * w345
+    w347 = w94 + (w16 * w344 - w81 * w325)
+    w348 = w103 + (w16 * w345 - w81 * w326)
+    w349 = w123 * w327 + w129 * w346 - w124 * w347 - w125 * w348
+    w350 = (w336 + (w164 + w20 * w329 + w37 * w330) * w343) / w349
+    w351 = w44 * w123 + w81 * w125
+    w352 = w315 * (w142 + (w123 * w325 - w129 * w344)) - w328 * w347 - w335 * (w158 + w50 * w351) + w343 * (w166 + (w83 * w329 + w40 * w351))
+    w353 = w352 / w349
+    w354 = w46 * w123 - w81 * w124
+    w355 = w328 * w348 - w315 * (w123 * w326 - w129 * w345 - w148) + w335 * (w160 + w50 * w354) + w343 * (w83 * w330 - w40 * w354 - w168)
+    w356 = w355 / w349
+    w357 = w328 * w346 - w315 * (w227 - w124 * w344 - w125 * w345) - w335 * (w30 * w351 - w26 * w354) + w343 * (w20 * w351 - w230 - w37 * w354)
+    w358 = w357 / w349
+    w359 = w5 * w291 - w141 * w200 - (w151 * w304 + w1 * w299) - w298 * c23 + (w293 * c8 + (w295 * c5 + (w286 + w294) * c6))
+    w360 = w305 + w324 + (w322 * c8 - w320) * bar1_end_x + w203 * w350 - w217 * w353 - w184 * w356 + w152 * (w211 * w358 - (w359 - w197 * w350) + w218 * w353 - w181 * w356)
+    w361 = hinge5_angle_dot * w179 - w27 * w237
+    w362 = hinge5_angle_dot * w163 + w18 * w237
+    w363 = w331 * w361 - w332 * w362
+    w364 = (w233 * w275 - w135 * w281 + w159 * w285 + w161 * w265) / w136
+    w365 = (w363 - w364) * c15 - (w363 + w364) * c16 - (w18 * (w237 * (2 * hinge5_angle_dot) * bar5_end_y - w171 * gravity_y) - w163 * w334) * c14
+    w366 = w360 + w150 * (w204 * w350 - w323 - w208 * w358 - w219 * w353 - w185 * w356) + w162 * (w365 - w193 * w350 + w215 * w358 + w223 * w353 + w189 * w356)
+    w367 = hinge4_angle_dot * w361 + w235 * w332
+    w368 = (w231 * w275 - w165 * w281 + w167 * w285 + w169 * w265) / w136
+    w369 = w174 * gravity_y
+    w370 = w235 * w331 - hinge4_angle_dot * w362
+    w371 = w370 + (w370 + (w179 * w232 - w27 * w368))
+    w372 = w18 * ((w367 + (w367 + (w163 * w232 + w18 * w368))) * c16) - w163 * w338 + (w179 * w342 + w27 * ((w369 + w368 * bar5_end_y) * c14 - w371 * c15))
+    w373 = w366 + w170 * (w372 - w371 * c18 + (w369 * c25 + w368 * c20) - w213 * w358 + w221 * w353 + w186 * w356)
     # outputs
-    dQ_hat_dq_i = ca.vertcat(w273 + (w441 + w451) + (w586 + w598))
+    dQ_hat_dq_i = ca.vertcat(w373)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
 
@@ -5823,20 +5582,26 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    768 operations.
+    764 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 127)
+    q_d_dot = ca.SX.sym("q_d_dot", 39)
+    c = ca.SX.sym("c", 122)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
     hinge4_angle = q_d[37]
     hinge5_angle = q_d[38]
     hinge0_angle_dot = q_i_dot[0]
+    hinge1_angle_dot = q_d_dot[35]
+    hinge2_angle_dot = q_d_dot[36]
+    hinge4_angle_dot = q_d_dot[37]
+    hinge5_angle_dot = q_d_dot[38]
     c0 = c[0]
     c1 = c[1]
     bar2_end_y = c[3]
@@ -5854,212 +5619,207 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c18 = c[18]
     c20 = c[20]
     c23 = c[23]
-    c123 = c[123]
-    c124 = c[124]
-    c125 = c[125]
-    c126 = c[126]
-    # intermediate terms (197)
+    c118 = c[118]
+    c119 = c[119]
+    c120 = c[120]
+    c121 = c[121]
+    # intermediate terms (192)
     w0 = ca.cos(hinge1_angle)
     w1 = ca.sin(hinge2_angle)
-    w2 = ca.sin(hinge0_angle)
-    w3 = w0 * w2
-    w4 = ca.sin(hinge1_angle)
-    w5 = ca.cos(hinge0_angle)
-    w6 = w4 * w5
-    w7 = ca.cos(hinge2_angle)
-    w8 = (w1 * w6 + w2 * w7) * bar3_end_z
-    w9 = w0 * w5
-    w10 = w2 * w4
-    w11 = (w5 * w7 - w1 * w10) * bar3_end_z
-    w12 = w3 * w8 + w9 * w11
-    w13 = ca.sin(hinge5_angle)
-    w14 = ca.cos(hinge4_angle)
-    w15 = w14 * bar4_end_x
-    w16 = w13 * w15
-    w17 = w13 * w14
-    w18 = w4 * w17
-    w19 = ca.cos(hinge5_angle)
-    w20 = w14 * w19
-    w21 = w3 * w20
-    w22 = w18 - w21
-    w23 = ca.sin(hinge4_angle)
-    w24 = w19 * w23
-    w25 = w24 * bar4_end_x
-    w26 = w25 - w19 * bar5_end_y
-    w27 = w3 * w23
-    w28 = w9 * w17
-    w29 = w27 - w28
-    w30 = w4 * w23
-    w31 = w9 * w20
-    w32 = w30 - w31
-    w33 = w13 * w29 + w19 * w32
-    w34 = w16 * w22 - w26 * w33
-    w35 = w15 * w19
-    w36 = w21 - w18
-    w37 = w28 - w27
-    w38 = w31 - w30
-    w39 = w9 * w36 + w4 * w37 - w3 * w38
-    w40 = w0 * w1
-    w41 = w40 * bar3_end_z
-    w42 = w9 * w41 + w4 * w8
-    w43 = w26 * w39 - w22 * w42
-    w44 = w13 * w23
-    w45 = w44 * bar4_end_x
-    w46 = w13 * bar5_end_y - w45
-    w47 = w16 * w39 - w33 * w42
-    w48 = w12 * w34 - w35 * w43 + w46 * w47
-    w49 = w10 * bar2_end_y
-    w50 = w11 + w49
-    w51 = w2 * bar1_end_x
-    w52 = w50 - w51
-    w53 = w23 * bar4_end_x
-    w54 = w46 * w53
-    w55 = w4 * w11 - w3 * w41
-    w56 = w46 * w55
-    w57 = w35 * w55 + w12 * w53
-    w58 = w39 * w54 - w33 * w56 + w22 * w57
-    w59 = w5 * bar1_end_x
-    w60 = w6 * bar2_end_y
-    w61 = w8 - w60
-    w62 = w59 + w61
-    w63 = w42 * w54 - w16 * w56 + w26 * w57
-    w64 = w0 * bar2_end_y
-    w65 = w64 - w41
-    w66 = w5 * w65
-    w67 = w2 * w65
-    w68 = w2 * w36 + w5 * w38
-    w69 = w33 * w67 + w16 * w68
-    w70 = w5 * w61 - w2 * w50
-    w71 = w22 * w67 + w26 * w68
-    w72 = w46 * w69 - (w34 * w70 + w35 * w71)
-    w73 = w39 * w67 + w42 * w68
-    w74 = w43 * w70 + w12 * w71 + w46 * w73
-    w75 = w48 * w66 + w55 * w72 - w53 * w74
-    w76 = (w48 * w52 - w58 * w62 + w37 * w63) / w75
-    w77 = w76 * hinge0_angle_dot
-    w78 = w4 * hinge0_angle_dot
-    w79 = hinge0_angle_dot * (w4 * w76) * c125
-    w80 = w2 * w77
-    w81 = w2 * w76
+    w2 = ca.sin(hinge1_angle)
+    w3 = hinge1_angle_dot * w2
+    w4 = w2 * hinge0_angle_dot
+    w5 = ca.sin(hinge0_angle)
+    w6 = w0 * w5
+    w7 = ca.cos(hinge0_angle)
+    w8 = w2 * w7
+    w9 = ca.cos(hinge2_angle)
+    w10 = (w1 * w8 + w5 * w9) * bar3_end_z
+    w11 = w0 * w7
+    w12 = w2 * w5
+    w13 = (w7 * w9 - w1 * w12) * bar3_end_z
+    w14 = w6 * w10 + w11 * w13
+    w15 = ca.sin(hinge5_angle)
+    w16 = ca.cos(hinge4_angle)
+    w17 = w16 * bar4_end_x
+    w18 = w15 * w17
+    w19 = w15 * w16
+    w20 = w2 * w19
+    w21 = ca.cos(hinge5_angle)
+    w22 = w16 * w21
+    w23 = w6 * w22
+    w24 = w20 - w23
+    w25 = ca.sin(hinge4_angle)
+    w26 = w21 * w25
+    w27 = w26 * bar4_end_x
+    w28 = w27 - w21 * bar5_end_y
+    w29 = w6 * w25
+    w30 = w11 * w19
+    w31 = w29 - w30
+    w32 = w2 * w25
+    w33 = w11 * w22
+    w34 = w32 - w33
+    w35 = w15 * w31 + w21 * w34
+    w36 = w18 * w24 - w28 * w35
+    w37 = w17 * w21
+    w38 = w23 - w20
+    w39 = w30 - w29
+    w40 = w33 - w32
+    w41 = w11 * w38 + w2 * w39 - w6 * w40
+    w42 = w0 * w1
+    w43 = w42 * bar3_end_z
+    w44 = w11 * w43 + w2 * w10
+    w45 = w28 * w41 - w24 * w44
+    w46 = w15 * w25
+    w47 = w46 * bar4_end_x
+    w48 = w15 * bar5_end_y - w47
+    w49 = w18 * w41 - w35 * w44
+    w50 = w14 * w36 - w37 * w45 + w48 * w49
+    w51 = w12 * bar2_end_y
+    w52 = w13 + w51
+    w53 = w5 * bar1_end_x
+    w54 = w52 - w53
+    w55 = w25 * bar4_end_x
+    w56 = w48 * w55
+    w57 = w2 * w13 - w6 * w43
+    w58 = w48 * w57
+    w59 = w37 * w57 + w14 * w55
+    w60 = w41 * w56 - w35 * w58 + w24 * w59
+    w61 = w7 * bar1_end_x
+    w62 = w8 * bar2_end_y
+    w63 = w10 - w62
+    w64 = w61 + w63
+    w65 = w44 * w56 - w18 * w58 + w28 * w59
+    w66 = w0 * bar2_end_y
+    w67 = w66 - w43
+    w68 = w7 * w67
+    w69 = w5 * w67
+    w70 = w5 * w38 + w7 * w40
+    w71 = w35 * w69 + w18 * w70
+    w72 = w7 * w63 - w5 * w52
+    w73 = w24 * w69 + w28 * w70
+    w74 = w48 * w71 - (w36 * w72 + w37 * w73)
+    w75 = w41 * w69 + w44 * w70
+    w76 = w45 * w72 + w14 * w73 + w48 * w75
+    w77 = w50 * w68 + w57 * w74 - w55 * w76
+    w78 = (w50 * w54 - w60 * w64 + w39 * w65) / w77
+    w79 = w3 + w4 * w78
+    w80 = hinge1_angle_dot * w5
+    w81 = w5 * w78
     w82 = w80 + hinge0_angle_dot * w81
-    w83 = w64 * w80 + w60 * hinge0_angle_dot
-    w84 = w60 + w64 * w81
-    w85 = w5 * w77
-    w86 = w5 * w76
-    w87 = w6 * w76
-    w88 = w64 * w82 - 2 * (w59 * hinge0_angle_dot) + (w83 + hinge0_angle_dot * w84 + hinge0_angle_dot * (w76 * w87) * c124)
-    w89 = w46 * w66
-    w90 = w35 * w66 + w53 * w70
-    w91 = w54 * w68 + w33 * w89 - w22 * w90
-    w92 = w16 * w89 - w54 * w67 - w26 * w90
-    w93 = (w62 * w91 - w52 * w72 - w37 * w92) / w75
-    w94 = hinge0_angle_dot * w93
-    w95 = w9 * w94
-    w96 = w9 * w93
-    w97 = w3 * w94
-    w98 = w3 * w93
-    w99 = hinge0_angle_dot * (w0 * w76)
-    w100 = w93 * w99 * c125
-    w101 = w10 * w76
-    w102 = w93 * (hinge0_angle_dot * w101) * c125 - (w95 + hinge0_angle_dot * w96) - w82
-    w103 = w80 + w95
-    w104 = hinge0_angle_dot + w4 * w94
-    w105 = w41 * w103 + w8 * w104
-    w106 = 1.0 + w4 * w93
-    w107 = w81 + w96
-    w108 = w41 * w107 + w8 * w106
-    w109 = w85 - w97
-    w110 = w8 * w109 - w11 * w103
-    w111 = w86 - w98
-    w112 = w8 * w111 - w11 * w107
-    w113 = w12 * w66 - w55 * w70
-    w114 = w56 * w68 + w39 * w89 + w22 * w113
-    w115 = w56 * w67 - w42 * w89 - w26 * w113
-    w116 = (w62 * w114 - w52 * w74 + w37 * w115) / w75
-    w117 = hinge0_angle_dot * w116
-    w118 = w19 * w117
-    w119 = w47 * w70 + w12 * w69 + w35 * w73
-    w120 = w57 * w68 + w39 * w90 + w33 * w113
-    w121 = w57 * w67 - w42 * w90 - w16 * w113
-    w122 = (w52 * w119 - w62 * w120 - w37 * w121) / w75
-    w123 = hinge0_angle_dot * w122
-    w124 = w19 * w116
-    w125 = w19 * hinge0_angle_dot
-    w126 = w122 * (w116 * w125) * c125
-    w127 = w13 * w117
-    w128 = w13 * w116
-    w129 = w13 * hinge0_angle_dot
-    w130 = w122 * (w116 * w129) * c125
-    w131 = w25 * w123 + w15 * w127
-    w132 = w25 * w122 + w15 * w128
-    w133 = w15 * w118 - w45 * w123
-    w134 = w15 * w124 - w45 * w122
-    w135 = w88 + (w11 * w100 + w41 * w102) - (w105 * w106 + w104 * w108 + (w110 * w111 + w109 * w112)) - (w45 * w126 - w25 * w130 + (w128 * w131 + w127 * w132 + (w124 * w133 + w118 * w134)))
-    w136 = w85 + hinge0_angle_dot * w86
-    w137 = w49 * hinge0_angle_dot - w64 * w85
-    w138 = w49 - w64 * w86
-    w139 = w136 - (w97 + hinge0_angle_dot * w98 + w93 * (hinge0_angle_dot * w87) * c125)
-    w140 = w60 * w82 - w49 * w136 + (w86 * w137 + w85 * w138 - (w81 * w83 + w80 * w84)) + (w8 * w102 - w11 * w139)
-    w141 = w11 * w104 + w41 * w109
-    w142 = w11 * w106 + w41 * w111
-    w143 = w122 * (w122 * w125) * c123 - w15 * w130 - (w116 * (w116 * (w24 * hinge0_angle_dot)) * c126 + (w122 * w131 + w123 * w132))
-    w144 = w140 + (w111 * w141 + w109 * w142 + (w105 * w107 + w103 * w108)) - w143
-    w145 = 2 * (w51 * hinge0_angle_dot) + w64 * w136 - (hinge0_angle_dot * (w76 * w101) * c124 + (w137 + hinge0_angle_dot * w138))
-    w146 = w116 * (w116 * (w44 * hinge0_angle_dot)) * c126 - (w122 * w133 + w123 * w134) - (w122 * (w122 * w129) * c123 + w15 * w126)
-    w147 = w145 - (w41 * w139 + w8 * w100) + (w107 * w110 + w103 * w112 - (w106 * w141 + w104 * w142)) - w146
-    w148 = w23 * w127 - w20 * w123
-    w149 = w23 * w128 - w20 * w122
-    w150 = w116 * (w14 * hinge0_angle_dot)
-    w151 = w23 * w118 + w17 * w123
-    w152 = w23 * w124 + w17 * w122
-    w153 = w4 * (w122 * w148 + w123 * w149 - w116 * (w116 * (w20 * hinge0_angle_dot)) * c125) - w9 * (w128 * w148 + w127 * w149 + (w124 * w151 + w118 * w152))
-    w154 = w4 * w103 - w9 * w104
-    w155 = w4 * w107 - w9 * w106
-    w156 = w9 * w109 + w3 * w103
-    w157 = w9 * w111 + w3 * w107
-    w158 = w153 - w3 * (w122 * w151 + w123 * w152 + w116 * (w116 * (w17 * hinge0_angle_dot)) * c125) + w23 * (w106 * w154 + w104 * w155 - (w111 * w156 + w109 * w157))
-    w159 = w3 * w104 + w4 * w109
-    w160 = w3 * w106 + w4 * w111
-    w161 = w158 - w20 * (w111 * w159 + w109 * w160 + (w107 * w154 + w103 * w155)) - w17 * (w107 * w156 + w103 * w157 + (w106 * w159 + w104 * w160))
-    w162 = w161 + (w150 * (2 * -w160) + w14 * w116 * (2 * -w159)) - (w151 * (2 * w157) + w152 * (2 * w156)) + (w148 * (2 * w155) + w149 * (2 * w154))
-    w163 = w29 * w126 - (w162 + w36 * w139 + w37 * w100 + w38 * w102) - w32 * w130
-    w164 = (w48 * w135 + (w34 * w55 + w43 * w53) * w144 + w58 * w147 - w63 * w163) / w75
-    w165 = w0 * w7 + w1 * w76
-    w166 = w0 * hinge0_angle_dot
-    w167 = w7 * w166 + w1 * w77
-    w168 = w78 + w94
-    w169 = w4 + w93
-    w170 = (w1 * w79 + w7 * w164 - (w94 * w165 + w93 * w167) - (w165 * w168 + w167 * w169)) * c1
-    w171 = 2 * hinge0_angle_dot * bar1_end_x
-    w172 = w0 * w171
-    w173 = hinge0_angle_dot * (w0 * w4) * c125
-    w174 = w164 - w173
-    w175 = w7 * w76 - w40
-    w176 = w7 * w77 - w1 * w166
-    w177 = w168 * w175 + w169 * w176 - (w7 * w79 - w1 * w164 - (w94 * w175 + w93 * w176))
-    w178 = (w172 + w174 * bar2_end_y) * c4 - w177 * c0
-    w179 = w99 * c125
-    w180 = w179 + (w144 * (w34 * w66 - w53 * w71) - w72 * w135 - w91 * w147 + w92 * w163) / w75
-    w181 = w167 * w175 + w165 * w176
-    w182 = w180 - w181
-    w183 = w7 * ((w165 * (2 * w167) + w169 * (2 * w168)) * c4) + w1 * (w182 * c4)
-    w184 = 2 * w179
-    w185 = (w7 * (w4 * w171 - (w4 * (2 * w78) + w76 * (2 * w77)) * bar2_end_y) + w1 * (w184 * bar2_end_y)) * c4
-    w186 = w182 * c0 + (w180 + w181) * c1 - w185
-    w187 = w0 * (w1 * w170 + w7 * w178 + 2 * w79 * c6) + w4 * (w183 * bar2_end_y - w186 - w184 * c5) + (w184 * c8 - w183) * bar1_end_x
-    w188 = w122 * (w116 * (w23 * hinge0_angle_dot)) * c125
-    w189 = (w119 * w135 + w144 * (w47 * w66 + w55 * w69 - w53 * w73) + w120 * w147 + w121 * w163) / w75
-    w190 = w122 * w150 * c125
-    w191 = w190 + (w190 + w23 * w189)
-    w192 = w14 * ((w188 + (w188 - w14 * w189)) * c16) - w23 * (w189 * c18 + w191 * c15) - w191 * c18 - w189 * c20
-    w193 = w122 * (w122 * (hinge0_angle_dot * (w14 * w23))) * c125
-    w194 = (w74 * w135 + w144 * (w43 * w66 + w55 * w71) + w114 * w147 + w115 * w163) / w75
-    w195 = w116 * ((w193 + w194) * c15 - (w193 - w194) * c16 + w14 * (w122 * (2 * w123) * bar5_end_y) * c14)
-    w196 = w187 + w122 * w192 + w195 - w93 * w186 - w76 * (w7 * w170 - w1 * w178 - w177 * c23 + (w172 * c8 + (w174 * c5 + (w164 + w173) * c6)))
+    w83 = w66 * w80 + hinge0_angle_dot * w62
+    w84 = w62 + w66 * w81
+    w85 = hinge1_angle_dot * w7
+    w86 = w7 * w78
+    w87 = w66 * w82 - 2 * (hinge0_angle_dot * w61) + (w83 + hinge0_angle_dot * w84 + w78 * (w3 * w7) * c118)
+    w88 = w11 * hinge2_angle_dot
+    w89 = w48 * w68
+    w90 = w37 * w68 + w55 * w72
+    w91 = w56 * w70 + w35 * w89 - w24 * w90
+    w92 = w18 * w89 - w56 * w69 - w28 * w90
+    w93 = (w64 * w91 - w54 * w74 - w39 * w92) / w77
+    w94 = w11 * w93
+    w95 = w6 * hinge2_angle_dot
+    w96 = w6 * w93
+    w97 = w0 * hinge1_angle_dot
+    w98 = hinge2_angle_dot * (w0 * w78) + w93 * w97
+    w99 = w2 * hinge2_angle_dot
+    w100 = w2 * w93
+    w101 = w81 * w99 + w80 * w100 - (w88 + hinge0_angle_dot * w94) - w82
+    w102 = w80 + w88
+    w103 = hinge0_angle_dot + w99
+    w104 = w43 * w102 + w10 * w103
+    w105 = 1.0 + w100
+    w106 = w81 + w94
+    w107 = w43 * w106 + w10 * w105
+    w108 = w85 - w95
+    w109 = w10 * w108 - w13 * w102
+    w110 = w86 - w96
+    w111 = w10 * w110 - w13 * w106
+    w112 = w21 * hinge4_angle_dot
+    w113 = w49 * w72 + w14 * w71 + w37 * w75
+    w114 = w14 * w68 - w57 * w72
+    w115 = w59 * w70 + w41 * w90 + w35 * w114
+    w116 = w59 * w69 - w44 * w90 - w18 * w114
+    w117 = (w54 * w113 - w64 * w115 - w39 * w116) / w77
+    w118 = w58 * w70 + w41 * w89 + w24 * w114
+    w119 = w58 * w69 - w44 * w89 - w28 * w114
+    w120 = (w64 * w118 - w54 * w76 + w39 * w119) / w77
+    w121 = w21 * w120
+    w122 = w112 * w117 + hinge5_angle_dot * w121
+    w123 = w15 * hinge4_angle_dot
+    w124 = w15 * w120
+    w125 = w117 * w123 + hinge5_angle_dot * w124
+    w126 = w27 * hinge5_angle_dot + w17 * w123
+    w127 = w27 * w117 + w17 * w124
+    w128 = w17 * w112 - w47 * hinge5_angle_dot
+    w129 = w17 * w121 - w47 * w117
+    w130 = w87 + (w13 * w98 + w43 * w101) - (w104 * w105 + w103 * w107 + (w109 * w110 + w108 * w111)) - (w47 * w122 - w27 * w125 + (w124 * w126 + w123 * w127 + (w121 * w128 + w112 * w129)))
+    w131 = w85 + hinge0_angle_dot * w86
+    w132 = hinge0_angle_dot * w51 - w66 * w85
+    w133 = w51 - w66 * w86
+    w134 = w131 - (w95 + hinge0_angle_dot * w96 + (w86 * w99 + w85 * w100))
+    w135 = w62 * w82 - w51 * w131 + (w86 * w132 + w85 * w133 - (w81 * w83 + w80 * w84)) + (w10 * w101 - w13 * w134)
+    w136 = w13 * w103 + w43 * w108
+    w137 = w13 * w105 + w43 * w110
+    w138 = hinge5_angle_dot * (w21 * w117) * c119 - w17 * w125 - (w120 * (w26 * hinge4_angle_dot) * c120 + (w117 * w126 + hinge5_angle_dot * w127))
+    w139 = w135 + (w110 * w136 + w108 * w137 + (w104 * w106 + w102 * w107)) - w138
+    w140 = 2 * (hinge0_angle_dot * w53) + w66 * w131 - (w78 * (w3 * w5) * c118 + (w132 + hinge0_angle_dot * w133))
+    w141 = w120 * (w46 * hinge4_angle_dot) * c120 - (w117 * w128 + hinge5_angle_dot * w129) - (hinge5_angle_dot * (w15 * w117) * c119 + w17 * w122)
+    w142 = w140 - (w43 * w134 + w10 * w98) + (w106 * w109 + w102 * w111 - (w105 * w136 + w103 * w137)) - w141
+    w143 = w25 * w123 - w22 * hinge5_angle_dot
+    w144 = w25 * w124 - w22 * w117
+    w145 = w25 * w112 + w19 * hinge5_angle_dot
+    w146 = w25 * w121 + w19 * w117
+    w147 = w2 * (w117 * w143 + hinge5_angle_dot * w144 - w120 * (w22 * hinge4_angle_dot) * c121) - w11 * (w124 * w143 + w123 * w144 + (w121 * w145 + w112 * w146))
+    w148 = w2 * w102 - w11 * w103
+    w149 = w2 * w106 - w11 * w105
+    w150 = w11 * w108 + w6 * w102
+    w151 = w11 * w110 + w6 * w106
+    w152 = w147 - w6 * (w117 * w145 + hinge5_angle_dot * w146 + w120 * (w19 * hinge4_angle_dot) * c121) + w25 * (w105 * w148 + w103 * w149 - (w110 * w150 + w108 * w151))
+    w153 = w6 * w103 + w2 * w108
+    w154 = w6 * w105 + w2 * w110
+    w155 = w152 - w22 * (w110 * w153 + w108 * w154 + (w106 * w148 + w102 * w149)) - w19 * (w106 * w150 + w102 * w151 + (w105 * w153 + w103 * w154))
+    w156 = w155 + (w16 * hinge4_angle_dot * (2 * -w154) + w16 * w120 * (2 * -w153)) - (w145 * (2 * w151) + w146 * (2 * w150))
+    w157 = w31 * w122 - (w156 + (w143 * (2 * w149) + w144 * (2 * w148)) + w38 * w134 + w39 * w98 + w40 * w101)
+    w158 = w157 - w34 * w125
+    w159 = (w50 * w130 + (w36 * w57 + w45 * w55) * w139 + w60 * w142 - w65 * w158) / w77
+    w160 = w0 * w9 + w1 * w78
+    w161 = w0 * hinge0_angle_dot
+    w162 = w9 * w161 + w1 * hinge1_angle_dot
+    w163 = w4 + hinge2_angle_dot
+    w164 = w2 + w93
+    w165 = (w1 * w79 + w9 * w159 - (hinge2_angle_dot * w160 + w93 * w162) - (w160 * w163 + w162 * w164)) * c1
+    w166 = 2 * hinge0_angle_dot * bar1_end_x
+    w167 = w0 * w166
+    w168 = hinge0_angle_dot * (w0 * w2) * c121
+    w169 = w159 - w168
+    w170 = w9 * w78 - w42
+    w171 = hinge1_angle_dot * w9 - w1 * w161
+    w172 = w163 * w170 + w164 * w171 - (w9 * w79 - w1 * w159 - (hinge2_angle_dot * w170 + w93 * w171))
+    w173 = (w167 + w169 * bar2_end_y) * c4 - w172 * c0
+    w174 = w97 + w78 * w161
+    w175 = w174 + (w139 * (w36 * w68 - w55 * w73) - w74 * w130 - w91 * w142 + w92 * w158) / w77
+    w176 = w162 * w170 + w160 * w171
+    w177 = w175 - w176
+    w178 = w9 * ((w160 * (2 * w162) + w164 * (2 * w163)) * c4) + w1 * (w177 * c4)
+    w179 = 2 * w174
+    w180 = w9 * (w2 * w166 - (w2 * (2 * w4) + w78 * (2 * hinge1_angle_dot)) * bar2_end_y) + w1 * (w179 * bar2_end_y)
+    w181 = w177 * c0 + (w175 + w176) * c1 - w180 * c4
+    w182 = w0 * (w1 * w165 + w9 * w173 + 2 * w79 * c6) + w2 * (w178 * bar2_end_y - w181 - w179 * c5) + (w179 * c8 - w178) * bar1_end_x
+    w183 = w182 - w78 * (w9 * w165 - w1 * w173 - w172 * c23 + (w167 * c8 + (w169 * c5 + (w159 + w168) * c6)))
+    w184 = hinge5_angle_dot * (w117 * (w16 * w25)) * c121
+    w185 = (w76 * w130 + w139 * (w45 * w68 + w57 * w73) + w118 * w142 + w119 * w158) / w77
+    w186 = (w184 + w185) * c15 - (w184 - w185) * c16 + w16 * (w117 * (2 * hinge5_angle_dot) * bar5_end_y) * c14
+    w187 = hinge4_angle_dot * (w25 * w117) + w120 * (w25 * hinge5_angle_dot)
+    w188 = (w113 * w130 + w139 * (w49 * w68 + w57 * w71 - w55 * w75) + w115 * w142 + w116 * w158) / w77
+    w189 = hinge4_angle_dot * (w16 * w117) + w120 * (w16 * hinge5_angle_dot)
+    w190 = w189 + (w189 + w25 * w188)
+    w191 = w16 * ((w187 + (w187 - w16 * w188)) * c16) - w25 * (w188 * c18 + w190 * c15) - w190 * c18 - w188 * c20
     # outputs
-    dQ_hat_dq_i_dot = ca.vertcat(w196)
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
-    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
+    dQ_hat_dq_i_dot = ca.vertcat(w183 - w93 * w181 + w120 * w186 + w117 * w191)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
+    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def residual_jacobian() -> ca.Function:
@@ -6070,17 +5830,17 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    2526 operations.
+    2110 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 122)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -6108,586 +5868,479 @@ def residual_jacobian() -> ca.Function:
     c16 = c[16]
     c18 = c[18]
     c20 = c[20]
-    c21 = c[21]
-    c22 = c[22]
     c23 = c[23]
     gravity_y = c[24]
     c25 = c[25]
+    c118 = c[118]
     c119 = c[119]
     c120 = c[120]
-    c122 = c[122]
-    c124 = c[124]
-    c125 = c[125]
-    c126 = c[126]
-    # intermediate terms (565)
-    w0 = ca.cos(hinge0_angle)
-    w1 = w0 * bar1_end_x
-    w2 = ca.sin(hinge2_angle)
-    w3 = ca.sin(hinge1_angle)
-    w4 = w3 * w0
-    w5 = ca.sin(hinge0_angle)
-    w6 = ca.cos(hinge2_angle)
-    w7 = (w2 * w4 + w5 * w6) * bar3_end_z
-    w8 = w4 * bar2_end_y
-    w9 = w7 - w8
-    w10 = w1 + w9
-    w11 = w5 * w3
-    w12 = (w0 * w6 - w2 * w11) * bar3_end_z
-    w13 = ca.cos(hinge1_angle)
-    w14 = w13 * w5
-    w15 = w13 * w2
-    w16 = w15 * bar3_end_z
-    w17 = w3 * w12 - w14 * w16
-    w18 = ca.sin(hinge5_angle)
-    w19 = w18 * bar5_end_y
-    w20 = ca.sin(hinge4_angle)
-    w21 = w18 * w20
-    w22 = w21 * bar4_end_x
+    c121 = c[121]
+    # intermediate terms (462)
+    w0 = ca.sin(hinge0_angle)
+    w1 = ca.cos(hinge1_angle)
+    w2 = w1 * bar2_end_y
+    w3 = ca.sin(hinge2_angle)
+    w4 = w1 * w3
+    w5 = w4 * bar3_end_z
+    w6 = w2 - w5
+    w7 = w0 * w6
+    w8 = w0 * w1
+    w9 = ca.sin(hinge4_angle)
+    w10 = w8 * w9
+    w11 = ca.cos(hinge0_angle)
+    w12 = w1 * w11
+    w13 = ca.cos(hinge4_angle)
+    w14 = ca.sin(hinge5_angle)
+    w15 = w13 * w14
+    w16 = w12 * w15
+    w17 = w10 - w16
+    w18 = ca.sin(hinge1_angle)
+    w19 = w9 * w18
+    w20 = ca.cos(hinge5_angle)
+    w21 = w13 * w20
+    w22 = w12 * w21
     w23 = w19 - w22
-    w24 = w17 * w23
-    w25 = ca.cos(hinge5_angle)
-    w26 = ca.cos(hinge4_angle)
-    w27 = w25 * w26
-    w28 = w14 * w27
-    w29 = w18 * w26
-    w30 = w3 * w29
-    w31 = w28 - w30
-    w32 = w13 * w0
-    w33 = w32 * w27
-    w34 = w3 * w20
-    w35 = w33 - w34
-    w36 = w5 * w31 + w0 * w35
-    w37 = w32 * w29
-    w38 = w14 * w20
-    w39 = w37 - w38
-    w40 = w32 * w31 + w3 * w39 - w14 * w35
-    w41 = w13 * bar2_end_y
-    w42 = w41 - w16
-    w43 = w0 * w42
-    w44 = w23 * w43
-    w45 = w30 - w28
-    w46 = w14 * w7 + w32 * w12
-    w47 = w11 * bar2_end_y
-    w48 = w12 + w47
-    w49 = w0 * w9 - w5 * w48
-    w50 = w46 * w43 - w17 * w49
-    w51 = w45 * w50
-    w52 = w24 * w36 + w40 * w44 + w51
-    w53 = w20 * w25
-    w54 = w53 * bar4_end_x
-    w55 = w25 * bar5_end_y
-    w56 = w54 - w55
-    w57 = w32 * w16 + w3 * w7
-    w58 = w56 * w40 - w57 * w45
-    w59 = w5 * w42
-    w60 = w45 * w59 + w56 * w36
-    w61 = w40 * w59 + w57 * w36
-    w62 = w23 * w61
-    w63 = w58 * w49 + w46 * w60 + w62
-    w64 = w5 * bar1_end_x
-    w65 = w48 - w64
-    w66 = w56 * w50
-    w67 = w24 * w59 - w57 * w44 - w66
-    w68 = w26 * bar4_end_x
-    w69 = w18 * w68
-    w70 = w38 - w37
-    w71 = w34 - w33
-    w72 = w18 * w70 + w25 * w71
-    w73 = w69 * w45 - w56 * w72
-    w74 = w46 * w73
-    w75 = w25 * w68
-    w76 = w69 * w40 - w57 * w72
-    w77 = w74 - w75 * w58 + w23 * w76
-    w78 = w72 * w59 + w69 * w36
-    w79 = w73 * w49
-    w80 = w23 * w78 - (w79 + w75 * w60)
-    w81 = w20 * bar4_end_x
-    w82 = w77 * w43 + w17 * w80 - w81 * w63
-    w83 = (w10 * w52 - w63 * w65 + w39 * w67) / w82
-    w84 = w81 * w56
-    w85 = w69 * w23 - w56 * w75
-    w86 = w81 * w23
-    w87 = w57 * w86
-    w88 = w46 * w84 - w17 * w85 + w87
-    w89 = w5 * hinge1_angle_dot
-    w90 = hinge0_angle_dot * w89
-    w91 = w90 * w41
-    w92 = hinge0_angle_dot * w1
+    w24 = w14 * w17 + w20 * w23
+    w25 = w14 * bar5_end_y
+    w26 = w9 * w14
+    w27 = w26 * bar4_end_x
+    w28 = w25 - w27
+    w29 = w13 * bar4_end_x
+    w30 = w20 * w29
+    w31 = w15 * w18
+    w32 = w8 * w21
+    w33 = w31 - w32
+    w34 = w24 * w28 - w30 * w33
+    w35 = w11 * w18
+    w36 = ca.cos(hinge2_angle)
+    w37 = w0 * w36
+    w38 = (w3 * w35 + w37) * bar3_end_z
+    w39 = w35 * bar2_end_y
+    w40 = w38 - w39
+    w41 = w0 * w18
+    w42 = w41 * bar2_end_y
+    w43 = w11 * w36
+    w44 = (w43 - w3 * w41) * bar3_end_z
+    w45 = w42 + w44
+    w46 = w11 * w40 - w0 * w45
+    w47 = w14 * w29
+    w48 = w9 * w20
+    w49 = w48 * bar4_end_x
+    w50 = w20 * bar5_end_y
+    w51 = w49 - w50
+    w52 = w33 * w47 - w24 * w51
+    w53 = w46 * w52
+    w54 = w32 - w31
+    w55 = w22 - w19
+    w56 = w0 * w54 + w11 * w55
+    w57 = w28 * w47 - w30 * w51
+    w58 = w1 * hinge0_angle_dot
+    w59 = w58 * hinge1_angle_dot
+    w60 = w18 * hinge0_angle_ddot + w59
+    w61 = w6 * w11
+    w62 = w52 * w61
+    w63 = w9 * bar4_end_x
+    w64 = w7 * w33 + w51 * w56
+    w65 = w62 - w63 * w64
+    w66 = w0 * hinge1_angle_dot
+    w67 = hinge0_angle_dot * w66
+    w68 = w11 * hinge1_angle_dot
+    w69 = hinge0_angle_dot * w68
+    w70 = w42 * hinge0_angle_dot - w2 * w68
+    w71 = w2 * w66 + w39 * hinge0_angle_dot
+    w72 = w18 * hinge2_angle_dot
+    w73 = w12 * hinge2_angle_dot
+    w74 = w66 * w72 - hinge0_angle_dot * w73 - w67
+    w75 = w8 * hinge2_angle_dot
+    w76 = w69 - (hinge0_angle_dot * w75 + w68 * w72)
+    w77 = w68 - w75
+    w78 = hinge0_angle_dot + w72
+    w79 = w44 * w78 + w5 * w77
+    w80 = w66 + w73
+    w81 = w5 * w80 + w38 * w78
+    w82 = w39 * w67 - w42 * w69 + (w68 * w70 - w66 * w71) + (w38 * w74 - w44 * w76) + (w77 * w79 + w80 * w81)
+    w83 = w50 * hinge5_angle_dot
+    w84 = w14 * hinge4_angle_dot
+    w85 = hinge5_angle_dot * w84
+    w86 = w20 * hinge4_angle_dot
+    w87 = w9 * hinge4_angle_dot * bar4_end_x
+    w88 = w49 * hinge5_angle_dot + w29 * w84
+    w89 = w82 - (hinge5_angle_dot * w83 - w29 * w85 - (w86 * w87 + hinge5_angle_dot * w88))
+    w90 = w7 * w24 + w47 * w56
+    w91 = w28 * w90 - (w53 + w30 * w64)
+    w92 = w11 * bar1_end_x
     w93 = hinge0_angle_dot * w92
-    w94 = w89 * w41
-    w95 = hinge0_angle_dot * w8
-    w96 = w94 + w95
-    w97 = w0 * hinge1_angle_dot
-    w98 = w3 * hinge1_angle_dot
-    w99 = w98 * bar2_end_y
-    w100 = hinge0_angle_dot * w96 + w97 * w99
-    w101 = w13 * hinge1_angle_dot
-    w102 = hinge2_angle_dot * w101
-    w103 = w12 * w102
-    w104 = w3 * hinge2_angle_dot
-    w105 = w89 * w104
-    w106 = w32 * hinge2_angle_dot
-    w107 = hinge0_angle_dot * w106
-    w108 = w105 - w107 - w90
-    w109 = hinge0_angle_dot + w104
-    w110 = w89 + w106
-    w111 = w16 * w110
-    w112 = w7 * w109
-    w113 = w111 + w112
-    w114 = w14 * hinge2_angle_dot
-    w115 = w97 - w114
-    w116 = w7 * w115 - w12 * w110
-    w117 = w109 * w113 + w115 * w116
-    w118 = w25 * hinge4_angle_dot
-    w119 = hinge5_angle_dot * w118
-    w120 = w18 * hinge4_angle_dot
-    w121 = hinge5_angle_dot * w120
-    w122 = w54 * hinge5_angle_dot
-    w123 = w68 * w120
-    w124 = w122 + w123
-    w125 = w68 * w118
-    w126 = w22 * hinge5_angle_dot
-    w127 = w125 - w126
-    w128 = w91 - w93 + w100 + (w103 + w16 * w108) - w117 - (w22 * w119 - w54 * w121 + (w120 * w124 + w118 * w127))
-    w129 = w17 * w73
-    w130 = w129 + w81 * w58
-    w131 = hinge0_angle_dot * w97
-    w132 = hinge0_angle_dot * w47
-    w133 = w41 * w97
-    w134 = w132 - w133
-    w135 = hinge0_angle_dot * w114 + w97 * w104
-    w136 = w131 - w135
-    w137 = w12 * w109
-    w138 = w16 * w115
-    w139 = w137 + w138
-    w140 = w90 * w8 - w47 * w131 + (w97 * w134 - w89 * w96) + (w7 * w108 - w12 * w136) + (w115 * w139 + w110 * w113)
-    w141 = w55 * hinge5_angle_dot
-    w142 = hinge5_angle_dot * w141 - w68 * w121
-    w143 = w20 * hinge4_angle_dot
-    w144 = w143 * bar4_end_x
-    w145 = w118 * w144 + hinge5_angle_dot * w124
-    w146 = w140 - (w142 - w145)
-    w147 = w86 * w40
-    w148 = w17 * w75 + w46 * w81
-    w149 = w147 - w72 * w24 + w45 * w148
-    w150 = hinge0_angle_dot * w64
-    w151 = hinge0_angle_dot * w150 + w41 * w131
-    w152 = w89 * w99
-    w153 = w7 * w102
-    w154 = w110 * w116
-    w155 = w109 * w139
-    w156 = w120 * w144
-    w157 = hinge5_angle_dot * w127
-    w158 = w19 * hinge5_angle_dot
-    w159 = hinge5_angle_dot * w158 + w68 * w119
-    w160 = w151 - (w152 + hinge0_angle_dot * w134) - (w16 * w136 + w153) + (w154 - w155) - (w156 - w157 - w159)
-    w161 = w87 - w69 * w24 + w56 * w148
-    w162 = w20 * w120
-    w163 = w27 * hinge5_angle_dot
-    w164 = w162 - w163
-    w165 = w26 * hinge4_angle_dot
-    w166 = w118 * w165
-    w167 = hinge5_angle_dot * w164 - w166
-    w168 = w29 * hinge5_angle_dot
-    w169 = w20 * w118 + w168
-    w170 = w120 * w164 + w118 * w169
-    w171 = hinge5_angle_dot * w169 + w120 * w165
-    w172 = w3 * w110
-    w173 = w32 * w109
-    w174 = w172 - w173
-    w175 = w32 * w115 + w14 * w110
-    w176 = w115 * w175
-    w177 = w109 * w174 - w176
-    w178 = w14 * w109
-    w179 = w178 + w3 * w115
-    w180 = w115 * w179 + w110 * w174
-    w181 = w110 * w175 + w109 * w179
-    w182 = 2 * -w179
-    w183 = 2 * w175
-    w184 = w3 * w167 - w32 * w170 - w14 * w171 + w20 * w177 - w27 * w180 - w29 * w181 + w165 * w182 - w169 * w183
-    w185 = 2 * w174
-    w186 = w70 * w119 - (w184 + w164 * w185 + w31 * w136 + w39 * w102 + w35 * w108) - w71 * w121
-    w187 = (w77 * w65 - w149 * w10 + w39 * w161) / w82
-    w188 = (w77 * w128 + w130 * w146 + w149 * w160 - w161 * w186) / w82 + w187 * hinge0_angle_ddot
-    w189 = w3 * hinge0_angle_dot
-    w190 = hinge1_angle_dot * w189
-    w191 = w13 * hinge0_angle_ddot - w190
-    w192 = w13 * hinge0_angle_dot
-    w193 = w6 * w192 + w2 * hinge1_angle_dot
-    w194 = hinge2_angle_dot + w189
-    w195 = w6 * w188 - w2 * w191 - hinge2_angle_dot * w193 - w193 * w194
-    w196 = w195 * c1
-    w197 = w6 * w196
-    w198 = hinge0_angle_dot**2 * bar1_end_x
-    w199 = w13 * w198 + w3 * gravity_y
-    w200 = w189 * w192
-    w201 = w188 - w200
-    w202 = w6 * hinge1_angle_dot - w2 * w192
-    w203 = w194 * w202 + (w6 * w191 + w2 * w188 + hinge2_angle_dot * w202)
-    w204 = (w199 + w201 * bar2_end_y) * c4 - w203 * c0
-    w205 = w2 * w204
-    w206 = w197 - w205 - w203 * c23 + (w199 * c8 + (w201 * c5 + (w188 + w200) * c6))
-    w207 = w86 * w59
-    w208 = hinge1_angle_dot * w192
-    w209 = w3 * hinge0_angle_ddot + w208
-    w210 = w73 * w43
-    w211 = w210 - w81 * w60
-    w212 = w86 * w36
-    w213 = w75 * w43 + w81 * w49
-    w214 = w212 + w72 * w44 - w45 * w213
-    w215 = w69 * w44 - w207 - w56 * w213
-    w216 = (w10 * w214 - w80 * w65 - w39 * w215) / w82
-    w217 = (w146 * w211 - w128 * w80 - w160 * w214 + w186 * w215) / w82 + hinge0_angle_ddot * w216
-    w218 = w209 + w217
-    w219 = w193 * w202
-    w220 = w218 - w219
-    w221 = w3 * w198
-    w222 = w13 * gravity_y
-    w223 = w189**2
-    w224 = w221 - w222 - (w223 + hinge1_angle_dot**2) * bar2_end_y
-    w225 = w208 + w209
-    w226 = hinge0_angle_ddot * bar1_end_x
-    w227 = w225 * bar2_end_y - w226
-    w228 = w220 * c0 + (w218 + w219) * c1 - (w6 * w224 + w2 * w227) * c4
-    w229 = w57 * w43 - w17 * w59
-    w230 = w26 * hinge5_angle_dot
-    w231 = w20 * hinge5_angle_dot
-    w232 = w230 * w231
-    w233 = w58 * w43 + w17 * w60
-    w234 = hinge0_angle_ddot * w83 - (w128 * w63 + w146 * w233 + w160 * w52 + w186 * w67) / w82
-    w235 = w25 * gravity_y
-    w236 = w235 - hinge5_angle_dot**2 * bar5_end_y
-    w237 = (w232 - w234) * c15 - (w232 + w234) * c16 - w26 * w236 * c14
-    w238 = w46 * w59 - w57 * w49
-    w239 = w69 * w50
-    w240 = hinge4_angle_dot * w231
-    w241 = w75 * w61
-    w242 = w76 * w49 + w46 * w78 + w241
-    w243 = w81 * w61
-    w244 = w76 * w43 + w17 * w78 - w243
-    w245 = w72 * w50
-    w246 = w148 * w36 + w40 * w213 + w245
-    w247 = w148 * w59 - w57 * w213 - w239
-    w248 = (w65 * w242 - w10 * w246 - w39 * w247) / w82
-    w249 = (w128 * w242 + w146 * w244 + w160 * w246 + w186 * w247) / w82 + hinge0_angle_ddot * w248
-    w250 = w26 * w249
-    w251 = (w240 + (w240 - w250)) * c16
-    w252 = w18 * gravity_y
-    w253 = hinge4_angle_dot * w230
-    w254 = w253 + (w253 + w20 * w249)
-    w255 = (w252 - w249 * bar5_end_y) * c14 - w254 * c15
-    w256 = w26 * w251 + w20 * w255 - w254 * c18 + (w252 * c25 - w249 * c20)
-    w257 = w88 * w206 - (w85 * w43 - w84 * w49 - w207) * w228 + (w23 * w229 + w66) * w237 + (w81 * w238 - w75 * w229 - w239) * w256
-    w258 = w23 * w72 - w75 * w45
-    w259 = w74 - w57 * w258 + w85 * w40
-    w260 = w81 * w45
-    w261 = w57 * w260 - w129 - w84 * w40
-    w262 = w147 + (w46 * w260 - w17 * w258)
-    w263 = w43 * w259 + w49 * w261 - w59 * w262 - w88 * w36
-    w264 = w257 / w263
-    w265 = w32 * w21 + w14 * w26
-    w266 = w40 * w43 + w17 * w36
-    w267 = w40 * w49 + w46 * w36
-    w268 = w228 * (w212 + (w43 * w258 - w49 * w260)) - w206 * w262 - w237 * (w51 + w23 * w266) + w256 * (w245 + (w81 * w267 + w75 * w266))
-    w269 = w268 / w263
-    w270 = w2 * w32 * bar3_end_z
-    w271 = w32 * bar2_end_y
-    w272 = w270 - w271
-    w273 = w228 * (w59 * w258 - w79 + w85 * w36) - w206 * w259 - w237 * (w62 + w56 * w267 + w45 * w238) + w256 * (w241 + w69 * w267 + w72 * w238)
-    w274 = w273 / w263
-    w275 = w14 * bar2_end_y
-    w276 = w14 * w2
-    w277 = w276 * bar3_end_z
-    w278 = w275 - w277
-    w279 = w11 * w20
-    w280 = w4 * w29
-    w281 = w279 - w280
-    w282 = w191 - w190
-    w283 = w2 * w196
-    w284 = w6 * w204
-    w285 = w6 * w189
-    w286 = (w2 * w209 + hinge2_angle_dot * w285 - (w192 * w193 - w194 * w285)) * c1
-    w287 = w222 - w221
-    w288 = w192**2 - w223
-    w289 = w2 * w189
-    w290 = w194 * w289 + w192 * w202 + (hinge2_angle_dot * w289 - w6 * w209)
-    w291 = (w287 - w288 * bar2_end_y) * c4 - w290 * c0
-    w292 = w193**2
-    w293 = (w292 + w194**2) * c4
-    w294 = w220 * c4
-    w295 = 2 * w194
-    w296 = 2 * w193
-    w297 = w193 * w289 - w202 * w285
-    w298 = w191 - w297
-    w299 = w6 * ((w192 * w295 - w285 * w296) * c4) + w2 * (w298 * c4)
-    w300 = 2 * w189
-    w301 = w298 * c0 + (w191 + w297) * c1 - (w6 * (w199 - w192 * w300 * bar2_end_y) + w2 * (w282 * bar2_end_y)) * c4
-    w302 = w13 * ((w6 * w293 + w2 * w294) * bar2_end_y - w228 + (w226 * c8 - w225 * c5)) + w3 * (w299 * bar2_end_y - w301 - w282 * c5)
-    w303 = w3 * (w282 * c6 - (w283 + w284)) + w13 * (w225 * c6 + (w2 * w286 + w6 * w291)) + w302 + (w282 * c8 - w299) * bar1_end_x
-    w304 = w202**2 - w292
-    w305 = w6 * (w202 * w296 * c4) - w2 * w293 + (w6 * w294 - w2 * (w304 * c4))
-    w306 = w203 * c1
-    w307 = w195 * c0
-    w308 = w304 * c1 - w304 * c0 - (w6 * w227 - w2 * w224) * c4
-    w309 = w305 * bar1_end_x - (w13 * (w197 - w2 * w306 - (w205 + w6 * w307)) + w3 * (w305 * bar2_end_y - w308))
-    w310 = (w4 * w6 - w5 * w2) * bar3_end_z
-    w311 = (w2 * w0 + w6 * w11) * bar3_end_z
-    w312 = w187 * (w269 * w272 - w274 * w278 + w264 * w281 - w303) + w216 * (w309 + (w269 * w310 + w274 * w311))
-    w313 = w33 * w264
-    w314 = w8 - w7
-    w315 = w314 - w1
-    w316 = w14 * w29
-    w317 = w316 + w32 * w20
-    w318 = (w289 - w2 * hinge2_angle_dot - w2 * w194) * c1
-    w319 = w6 * w194 + (w6 * hinge2_angle_dot - w285)
-    w320 = w319 * c0
-    w321 = w6 * w193 + w2 * w202
-    w322 = w192 - w321
-    w323 = w6 * (w2 * w296 * c4) + w2 * (w322 * c4)
-    w324 = 2 * w192
-    w325 = w322 * c0 + (w192 + w321) * c1 - (w2 * (w324 * bar2_end_y) - w6 * (2 * hinge1_angle_dot * bar2_end_y)) * c4
-    w326 = w13 * (w300 * c6 + (w2 * w318 - w6 * w320)) + w3 * (w323 * bar2_end_y - w325 - w324 * c5) + (w324 * c8 - w323) * bar1_end_x
-    w327 = w5 * w33 + w0 * w31 - (w0 * w28 + w5 * w35)
-    w328 = w32 * w33 - w14 * w31 - w3 * w317 - (w32 * w35 - w14 * w28)
-    w329 = hinge1_angle_dot * w327 + hinge2_angle_dot * w328 - hinge0_angle_dot * w317 + w33 * hinge5_angle_dot
-    w330 = w18 * w317 + w25 * w28
-    w331 = w11 * w27 + w13 * w29
-    w332 = w4 * w27 + w13 * w20
-    w333 = w3 * w281 + w13 * w39 - (w32 * w331 + w4 * w31) + (w14 * w332 + w11 * w35)
-    w334 = w5 * w331 + w0 * w332
-    w335 = hinge2_angle_dot * w333 - hinge1_angle_dot * w334 + hinge0_angle_dot * w281 - hinge5_angle_dot * w331
-    w336 = w280 - w279
-    w337 = w18 * w336 + w25 * w332
-    w338 = w3 * w21
-    w339 = w14 * w53
-    w340 = w338 - w339
-    w341 = w32 * w53 + w3 * w26
-    w342 = w5 * w340 - w0 * w341
-    w343 = w32 * w340 - w3 * w265 + w14 * w341
-    w344 = w339 - w338
-    w345 = hinge1_angle_dot * w342 + hinge2_angle_dot * w343 - hinge0_angle_dot * w265 - hinge5_angle_dot * w344
-    w346 = w18 * w265 + w25 * w341
-    w347 = w316 + w3 * w27
-    w348 = w3 * w33 - w32 * w347 + w14 * w37
-    w349 = w5 * w347 + w0 * w37
-    w350 = hinge2_angle_dot * w348 - hinge1_angle_dot * w349 + w33 * hinge0_angle_dot - hinge5_angle_dot * w347
-    w351 = w25 * w70 - w18 * w33 + (w25 * w37 - w18 * w71)
-    w352 = w187 * (w335 - hinge4_angle_dot * w337) + w83 * (w345 - hinge4_angle_dot * w346) + w248 * (w350 - hinge4_angle_dot * w351)
-    w353 = w329 - hinge4_angle_dot * w330 + w352
-    w354 = w2 * w3 * bar3_end_z
-    w355 = w3 * bar2_end_y
-    w356 = w354 - w355
-    w357 = w0 * w356
-    w358 = w13 * w12 - w3 * w277 + w3 * w276 * c122
-    w359 = w13 * w6
-    w360 = w359 * bar3_end_z
-    w361 = w0 * w360
-    w362 = w3 * w311 + w14 * w360
-    w363 = w187 * (hinge1_angle_dot * w357 - hinge0_angle_dot * w278 - hinge2_angle_dot * w358) + w216 * (hinge0_angle_dot * w311 - hinge1_angle_dot * w361 + hinge2_angle_dot * w362)
-    w364 = w57 * hinge2_angle_dot - (hinge1_angle_dot * w59 + hinge0_angle_dot * w315) + (w363 + w83 * (w68 * hinge4_angle_dot))
-    w365 = w14 * w270 - w7 * w11 - (w4 * w12 + w32 * w277)
-    w366 = w0 * w272 - w5 * w278
-    w367 = w14 * w310 - w32 * w311
-    w368 = w0 * w310 + w5 * w311
-    w369 = w187 * (hinge2_angle_dot * w365 - hinge1_angle_dot * w366) + w216 * (hinge2_angle_dot * w367 - hinge1_angle_dot * w368)
-    w370 = w29 * bar4_end_x
-    w371 = hinge5_angle_dot * w370
-    w372 = w25 * w81
-    w373 = w55 - w54
-    w374 = w369 - w83 * (w371 + hinge4_angle_dot * w372) + w248 * (hinge5_angle_dot * w373 - w69 * hinge4_angle_dot)
-    w375 = w0 * w48
-    w376 = w375 - w5 * w9 - (w375 + w5 * w314)
-    w377 = w374 - hinge1_angle_dot * w376
-    w378 = w5 * w356
-    w379 = w13 * w7 + w3 * w270 - w0 * (w3 * w15) * c122
-    w380 = w5 * w360
-    w381 = w32 * w360 + w3 * w310
-    w382 = w187 * (hinge0_angle_dot * w272 - hinge1_angle_dot * w378 + hinge2_angle_dot * w379) + w216 * (hinge0_angle_dot * w310 + hinge1_angle_dot * w380 + hinge2_angle_dot * w381)
-    w383 = w18 * w81
-    w384 = w27 * bar4_end_x
-    w385 = hinge5_angle_dot * w384
-    w386 = w382 + w83 * (hinge4_angle_dot * w383 - w385) - w248 * (w23 * hinge5_angle_dot + w75 * hinge4_angle_dot)
-    w387 = hinge0_angle_dot * w65 - hinge1_angle_dot * w43 + w17 * hinge2_angle_dot + w386
-    w388 = (w161 * w353 - (w77 * w364 + w130 * w377 + w149 * w387)) / w82
-    w389 = w296 * c1
-    w390 = 2 * w202
-    w391 = w390 * c0
-    w392 = w6 * (w295 * c4)
-    w393 = w13 * (w2 * w389 + w6 * w391) - w3 * (w392 * bar2_end_y) + w392 * bar1_end_x
-    w394 = (w80 * w364 - w211 * w377 + w214 * w387 - w215 * w353) / w82
-    w395 = w83 * (w264 * w265) - w312 - w248 * w313 - (w65 * w269 - w274 * w315 - w264 * w317) + (w326 * w388 - w393 * w394)
-    w396 = w6 * c1
-    w397 = c23 - w2 * c0
-    w398 = w13 * (w2 * w396 + w6 * w397)
-    w399 = w173 - w172
-    w400 = w110 * w179
-    w401 = w14 * w170 - w32 * w171 + w20 * w181 - w27 * (w115 * w399 - w400 + (w400 + w115 * w174)) - w29 * (w176 + w109 * w399)
-    w402 = w90 + (w107 - w105)
-    w403 = w401 + w165 * (2 * -w399) - w169 * c119 + w164 * (2 * w179) + (w33 * w136 - w31 * w402) - w102 * w317
-    w404 = w135 - w131
-    w405 = w188 * w327 + w217 * w328 - hinge0_angle_ddot * w317 + w33 * w249 - w234 * w330 - (w119 * w317 - (w403 + (w35 * w404 - w28 * w108)) - w28 * w121)
-    w406 = w13 * hinge2_angle_dot
-    w407 = w13 * w110
-    w408 = w4 * hinge2_angle_dot
-    w409 = w4 * w109
-    w410 = w407 - w3 * w408 - (w32 * w406 - w409)
-    w411 = w11 * hinge2_angle_dot
-    w412 = w4 * w115
-    w413 = w11 * w110
-    w414 = w32 * w411 - w412 - (w14 * w408 + w413)
-    w415 = w13 * w167 + w4 * w170 + w11 * w171 + w20 * (w174 * w406 + w109 * w410 - (w175 * w411 + w115 * w414))
-    w416 = w11 * w109
-    w417 = w13 * w115
-    w418 = w14 * w406 - w416 + (w3 * w411 + w417)
-    w419 = w415 - w27 * (w179 * w411 + w115 * w418 + (w110 * w410 - w174 * w408)) - w29 * (w110 * w414 - w175 * w408 + (w179 * w406 + w109 * w418))
-    w420 = w97 * w406 - hinge0_angle_dot * w411
-    w421 = w98 * hinge2_angle_dot
-    w422 = w419 + w165 * (2 * -w418) - w169 * (2 * w414) + w164 * (2 * w410) - (w136 * w331 + w31 * w420) + (w102 * w281 - w39 * w421)
-    w423 = w89 * w406 + hinge0_angle_dot * w408
-    w424 = w217 * w333 - w188 * w334 + hinge0_angle_ddot * w281 - w249 * w331 - w234 * w337 - (w119 * w336 - (w422 + (w35 * w423 - w108 * w332)) - w121 * w332)
-    w425 = w53 * hinge5_angle_dot
-    w426 = w26 * w120 + w425
-    w427 = w21 * hinge5_angle_dot
-    w428 = w26 * w118 - w427
-    w429 = w3 * (hinge5_angle_dot * w426 + w118 * w143) - w32 * (w120 * w426 + w118 * w428) - w14 * (hinge5_angle_dot * w428 - w120 * w143)
-    w430 = w429 + w26 * w177 + w53 * w180 + w21 * w181 - w143 * w182 - w183 * w428 + w185 * w426 + w136 * w340
-    w431 = w188 * w342 + w217 * w343 - hinge0_angle_ddot * w265 - w249 * w344 - w234 * w346 - (w119 * w265 - (w430 - w102 * w265 - w108 * w341) - w121 * w341)
-    w432 = w120 * w169
-    w433 = w163 - w162
-    w434 = w3 * w171 - w32 * (w118 * w164 + w432 + (w118 * w433 - w432)) - w14 * (w166 + hinge5_angle_dot * w433)
-    w435 = w434 + w29 * w180 - w27 * w181 - w183 * w433 + w169 * w185 - w136 * w347 + w33 * w102 - w37 * w108
-    w436 = w217 * w348 - w188 * w349 + w33 * hinge0_angle_ddot - w249 * w347 - w234 * w351 + (w71 * w119 + (w435 + (w70 * w121 + hinge4_angle_dot * (hinge5_angle_dot * (w32 * w26)))))
-    w437 = w20 * (w416 - (w417 + w0 * w175)) - w27 * (w412 + w0 * w179 + (w413 + w5 * w174)) - w29 * (w409 + (w407 + w5 * w175))
-    w438 = w0 * hinge0_angle_dot
-    w439 = w438 - w0 * w104
-    w440 = w5 * hinge0_angle_dot
-    w441 = w5 * w104 - w440
-    w442 = w437 + w165 * (2 * -w4) - w169 * (2 * w13) + w164 * (2 * w11) + w31 * w439 + w39 * w406 + w35 * w441
-    w443 = w20 * (w3 * w174 + w14 * w175) - w27 * (w32 * w174 - w14 * w179) - w29 * (w32 * w175 + w3 * w179)
-    w444 = w14 * hinge0_angle_dot
-    w445 = w444 + w3 * w97
-    w446 = w3 * w89 - w32 * hinge0_angle_dot
-    w447 = w443 - w31 * w445 + w39 * w101 + w35 * w446
-    w448 = w25 * hinge5_angle_dot
-    w449 = w3 * (w427 - w27 * hinge4_angle_dot * c125) - w32 * (w25 * w169 + (w143 + w18 * w164)) - w14 * (w425 + w29 * hinge4_angle_dot * c125)
-    w450 = w18 * hinge5_angle_dot
-    w451 = w70 * w448 - (w449 + w26 * w182 - w53 * w183 + w21 * w185) - w71 * w450
-    w452 = (w63 * w364 + w233 * w377 + w52 * w387 + w67 * w353) / w82
-    w453 = w3 * (w164 - w163) - w32 * (w29 * w118 - w27 * w120) - w14 * (w168 + w169) - w29 * w183 - w27 * w185
-    w454 = w70 * w118 - w453 - w71 * w120
-    w455 = (w242 * w364 + w244 * w377 + w246 * w387 + w247 * w353) / w82
-    w456 = w405 + (w187 * w424 + w83 * w431 + w248 * w436) + (w388 * w442 + w394 * w447 - w451 * w452 + w454 * w455)
-    w457 = w133 - w132
-    w458 = w57 * w217 - (w59 * w188 + hinge0_angle_ddot * w315) - (w151 + (hinge0_angle_dot * w457 - w152) + (w16 * w404 - w153) - (w155 - w154))
-    w459 = hinge0_angle_dot * w271 - w89 * w355
-    w460 = w101 * bar2_end_y
-    w461 = hinge0_angle_dot * w459 + w97 * w460 - w90 * w355 + (w16 * w423 - w108 * w354 - (w12 * w421 + w102 * w277))
-    w462 = w7 * w406
-    w463 = w462 + w109 * w270 - (w16 * w408 + w110 * w354)
-    w464 = w7 * w411 + w115 * w270 + (w12 * w408 + w110 * w277)
-    w465 = w188 * w357 - hinge0_angle_ddot * w278 - w217 * w358 - (w461 - (w113 * w406 + w109 * w463 + (w116 * w411 + w115 * w464)))
-    w466 = w110 * w360 + w109 * w310
-    w467 = w115 * w310 + w110 * w311
-    w468 = hinge0_angle_ddot * w311 - w188 * w361 + w217 * w362 - (w108 * w360 - w102 * w311 - (w109 * w466 + w115 * w467))
-    w469 = w385 - w81 * w120
-    w470 = w371 + w81 * w118
-    w471 = w187 * w465 + w216 * w468 + w83 * (w68 * w234 + (w119 * w370 - w121 * w384 + (w120 * w469 - w118 * w470)))
-    w472 = w165 * bar4_end_x
-    w473 = w22 * w448 - w54 * w450 + (w25 * w127 + (w18 * w124 + w472))
-    w474 = w12 * w406
-    w475 = w5 * w16
-    w476 = w0 * w7 - w5 * w12
-    w477 = w4 * hinge1_angle_dot * c124 + w444 * c124 + (w474 + w16 * w441) - (w109 * w475 + (w0 * w116 + w115 * w476))
-    w478 = w12 * w101 + w16 * w446 - (w3 * w113 + w57 * w109 - (w14 * w116 + w46 * w115))
-    w479 = w22 * w118
-    w480 = w54 * w120
-    w481 = w479 - w480 + (w480 - w479)
-    w482 = w458 + w471 + (w452 * w473 - (w388 * w477 + w394 * w478) - w455 * w481)
-    w483 = w97 * w355 + hinge0_angle_dot * w275
-    w484 = w90 * w271 - w131 * w275 + (w97 * w483 - w89 * w459) + (w7 * w423 + w108 * w270 + (w12 * w420 + w136 * w277))
-    w485 = w474 - w109 * w277 + (w16 * w411 - w115 * w354)
-    w486 = w187 * (w217 * w365 - w188 * w366 - (w484 + (w139 * w411 + w115 * w485 + (w110 * w463 - w113 * w408))))
-    w487 = w115 * w360 - w109 * w311
-    w488 = w486 + w216 * (w217 * w367 - w188 * w368 - (w108 * w310 + w136 * w311 + (w115 * w487 + w110 * w466)))
-    w489 = w488 + w83 * (w81 * w121 - (w118 * w472 + hinge5_angle_dot * w469) - (w249 * w370 + w234 * w372))
-    w490 = w96 * w97
-    w491 = w188 * w376 + (w490 - w89 * w134 - (w490 + w89 * w457) + (w7 * w404 + w12 * w108 + (w12 * w402 + w7 * w136)))
-    w492 = w0 * w41
-    w493 = w8 * w440 - w47 * w438 + (w0 * w134 - w97 * w492 - (w5 * w96 + w89 * (w5 * w41))) + (w7 * w441 - w12 * w439)
-    w494 = w0 * w16
-    w495 = w493 + (w0 * w139 + w115 * w494 + (w5 * w113 + w110 * w475))
-    w496 = w7 * w446 + w12 * w445 + (w17 * w115 - w14 * w139 + (w32 * w113 + w57 * w110))
-    w497 = w53 * hinge4_angle_dot * c126 + w168 * c126
-    w498 = 2 * w141 - w123 - (w122 + w124)
-    w499 = w489 + w248 * (w249 * w373 - w69 * w234 - (w159 + (w157 - w156))) - w491 - (w388 * w495 + w394 * w496 + w452 * w497 + w455 * w498)
-    w500 = w65 * hinge0_angle_ddot - w43 * w188 + w17 * w217 - (w117 + (w93 - w91 - w100 - (w103 - w16 * w402)))
-    w501 = w131 * w355 + (w89 * w460 + hinge0_angle_dot * w483) + (w102 * w270 - w7 * w421 - (w16 * w420 + w136 * w354))
-    w502 = hinge0_angle_ddot * w272 - w188 * w378 + w217 * w379 - (w110 * w464 - w116 * w408 - (w139 * w406 + w109 * w485) - w501)
-    w503 = hinge0_angle_ddot * w310 + w188 * w380 + w217 * w381 - (w110 * w467 - w109 * w487 - (w136 * w360 + w102 * w310))
-    w504 = w187 * w502 + w216 * w503 + w83 * (w234 * w383 - w249 * w384 + (w120 * w472 + hinge5_angle_dot * w470 + w81 * w119))
-    w505 = w21 * hinge4_angle_dot * c126 - w75 * hinge5_angle_dot - w68 * w448
-    w506 = w41 * w438 - (w11 * hinge1_angle_dot * c124 - hinge0_angle_dot * w492) - (w462 + w16 * w439) + (w5 * w116 + w110 * w476 - w109 * w494)
-    w507 = w32 * w116 - w46 * w110 - (w3 * w139 + w17 * w109) - (w7 * w101 - w16 * w445)
-    w508 = w127 - w126 + (w125 + 2 * w158)
-    w509 = w500 + (w504 + w248 * (w145 - w142 - (w23 * w249 + w75 * w234))) + (w452 * w505 - (w388 * w506 + w394 * w507) + w455 * w508)
-    w510 = (w161 * w456 - (w77 * w482 + w130 * w499 + w149 * w509)) / w82
-    w511 = w2 * c4
-    w512 = w511 * bar2_end_y
-    w513 = w511 * bar1_end_x - w3 * (w512 - c22)
-    w514 = (w80 * w482 - w211 * w499 + w214 * w509 - w215 * w456) / w82
-    w515 = w206 * w261 - w228 * (w210 - w59 * w260 - w84 * w36) - w237 * (w56 * w266 - w45 * w229) + w256 * (w69 * w266 - w243 - w72 * w229)
-    w516 = w515 / w263
-    w517 = w6 * w286 - w2 * w291 - w290 * c23 + (w287 * c8 + (w288 * c6 - w288 * c5)) + (w274 * w357 - w366 * w516 - w269 * w378 - w264 * w334)
-    w518 = w216 * (w269 * w380 - (w274 * w361 + w368 * w516) - (w283 + w6 * w306 + (w284 - w2 * w307) + w195 * c23))
-    w519 = w248 * (w264 * w349) - (w187 * w517 + w518 + w83 * (w264 * w342)) - (w264 * w327 - (w59 * w274 + w376 * w516 + w43 * w269))
-    w520 = w6 * w318 + w2 * w320 - w319 * c23
-    w521 = w2 * w391 - w6 * w389 - w390 * c23
-    w522 = c120 + (w6 * w396 - w2 * w397 - w512)
-    w523 = w187 * (w301 + (w365 * w516 - w274 * w358 + w269 * w379 + w264 * w333)) + w216 * (w308 + (w367 * w516 + w274 * w362 + w269 * w381))
-    w524 = w57 * w274 + w17 * w269 + w264 * w328 + (w523 + w83 * (w264 * w343) + w248 * (w264 * w348)) + w325 * w388
-    w525 = w230**2 - w231**2
-    w526 = w525 * c15 - w525 * c16 + w20 * w236 * c14 - (w68 * w274 - w372 * w516 + w269 * w383 - w264 * w346)
-    w527 = w187 * (w264 * w337) + w83 * w526 + w248 * (w26 * w252 * c14 + (w69 * w516 + w75 * w269 + w264 * w351))
-    w528 = hinge5_angle_dot * (w20 * w26) * c125
-    w529 = w528 * c15 - w528 * c16 + w26 * (2 * hinge5_angle_dot * bar5_end_y) * c14
-    w530 = w264 * w330 + w527 - w455 * w529 - (w63 * w482 + w233 * w499 + w52 * w509 + w67 * w456) / w82 * c21
-    w531 = w187 * (w519 - (w388 * w520 + w394 * w521) - w510 * w522) - w216 * (w524 + w514 * c22) + w83 * w530
-    w532 = w250 - w240 - w240
-    w533 = w26 * (w254 * c16) - w20 * w251 + (w26 * w255 - w20 * (w532 * c15)) - w532 * c18 + (w370 * w516 + w269 * w384 + w264 * w344)
-    w534 = w187 * (w264 * w331) + w83 * w533 + w248 * (w20 * (w235 * c14) + w235 * c25 - (w373 * w516 - w23 * w269 - w264 * w347))
-    w535 = 2 * w230
-    w536 = w26 * (2 * w231 * c16) - w20 * (w535 * c15) - w535 * c18
-    w537 = 2 * w165
-    w538 = w26 * (2 * w143 * c16) - w20 * (w537 * c15) - w537 * c18
-    w539 = c20 + (w26 * (w26 * c16) + w20 * (c18 + w20 * c15) + w20 * c18)
-    w540 = w534 - w313 + (w452 * w536 - w455 * w538) + w539 * ((w242 * w482 + w244 * w499 + w246 * w509 + w247 * w456) / w82)
-    w541 = (w2 * w98 - hinge2_angle_dot * w359 - (w194 * w359 + w3 * w193)) * c1
-    w542 = 2 * hinge0_angle_dot * bar1_end_x
-    w543 = w13 * w542
-    w544 = hinge0_angle_dot * (w13 * w3) * c125
-    w545 = w3 * w202 - w15 * w194 - (w6 * w98 + w15 * hinge2_angle_dot)
-    w546 = (w543 - w544 * bar2_end_y) * c4 - w545 * c0
-    w547 = w202 * w359 - w15 * w193
-    w548 = w101 - w547
-    w549 = w6 * ((w296 * w359 + w3 * w295) * c4) + w2 * (w548 * c4)
-    w550 = 2 * w101
-    w551 = w548 * c0 + (w101 + w547) * c1 - (w6 * (w3 * w542 - w3 * w300 * bar2_end_y) + w2 * (w550 * bar2_end_y)) * c4
-    w552 = w13 * (2 * w98 * c6 + (w2 * w541 + w6 * w546)) + w3 * (w549 * bar2_end_y - w551 - w550 * c5) + (w550 * c8 - w549) * bar1_end_x
-    w553 = w20 * (w174 - w173) - w27 * (w14 * w115 - w32 * w110) - w29 * (w178 + w179) + w165 * (2 * -w14) + w164 * (2 * -w32)
-    w554 = w553 + w31 * w115 - w35 * w110 + (w187 * w442 + w216 * w447 - w83 * w451 - w248 * w454)
-    w555 = w83 * w473 - (w187 * w477 + w216 * w478) + w248 * w481 - (w94 - 2 * w92 + (w95 + w96) - w111 - (w112 + w113))
-    w556 = w89 * w8
-    w557 = w97 * w47
-    w558 = w248 * w498 - (w187 * w495 + w216 * w496 + w83 * w497) - (w556 - w557 + (w557 - w556))
-    w559 = w83 * w505 - (w187 * w506 + w216 * w507) - w248 * w508 - (w133 + 2 * w150 - (w132 + w134) - w138 - (w137 + w139))
-    w560 = (w161 * w554 - (w77 * w555 + w130 * w558 + w149 * w559)) / w82
-    w561 = (w80 * w555 - w211 * w558 + w214 * w559 - w215 * w554) / w82
-    w562 = w6 * w541 - w2 * w546 - w545 * c23 + (w543 * c8 + (w544 * c6 - w544 * c5)) + (w187 * w520 + w216 * w521)
-    w563 = w83 * (w248 * w529 - (w63 * w555 + w233 * w558 + w52 * w559 + w67 * w554) / w82 * c21) - (w187 * (w562 + w522 * w560) + w216 * (w551 + w187 * w325 + w561 * c22))
-    w564 = w83 * w536 + w248 * w538 + w539 * ((w242 * w555 + w244 * w558 + w246 * w559 + w247 * w554) / w82)
+    w94 = hinge0_angle_dot * w93
+    w95 = w18 * hinge1_angle_dot
+    w96 = w95 * bar2_end_y
+    w97 = w1 * hinge1_angle_dot
+    w98 = hinge2_angle_dot * w97
+    w99 = w38 * w77 - w44 * w80
+    w100 = w2 * w67 - w94 + (hinge0_angle_dot * w71 + w68 * w96) + (w44 * w98 + w5 * w74) - (w78 * w81 + w77 * w99)
+    w101 = hinge5_angle_dot * w86
+    w102 = w29 * w86 - w27 * hinge5_angle_dot
+    w103 = w100 - (w27 * w101 - w49 * w85 + (w84 * w88 + w86 * w102))
+    w104 = w28 * w63
+    w105 = w56 * w104
+    w106 = w28 * w61
+    w107 = w30 * w61 + w46 * w63
+    w108 = w105 + w24 * w106 - w33 * w107
+    w109 = w0 * bar1_end_x
+    w110 = hinge0_angle_dot * w109
+    w111 = hinge0_angle_dot * w110
+    w112 = w111 + w2 * w69 - (w66 * w96 + hinge0_angle_dot * w70) - (w5 * w76 + w38 * w98) + (w80 * w99 - w78 * w79)
+    w113 = w25 * hinge5_angle_dot
+    w114 = w112 - (w84 * w87 - hinge5_angle_dot * w102 - (hinge5_angle_dot * w113 + w29 * w101))
+    w115 = w7 * w104
+    w116 = w47 * w106 - w115 - w51 * w107
+    w117 = w9 * w84 - w21 * hinge5_angle_dot
+    w118 = w13 * hinge4_angle_dot
+    w119 = hinge5_angle_dot * w117 - w86 * w118
+    w120 = w9 * w86 + w15 * hinge5_angle_dot
+    w121 = w84 * w117 + w86 * w120
+    w122 = hinge5_angle_dot * w120 + w84 * w118
+    w123 = w18 * w80 - w12 * w78
+    w124 = w12 * w77 + w8 * w80
+    w125 = w78 * w123 - w77 * w124
+    w126 = w8 * w78 + w18 * w77
+    w127 = w77 * w126 + w80 * w123
+    w128 = w80 * w124 + w78 * w126
+    w129 = 2 * -w126
+    w130 = 2 * w124
+    w131 = w18 * w119 - w12 * w121 - w8 * w122 + w9 * w125 - w21 * w127 - w15 * w128 + w118 * w129 - w120 * w130
+    w132 = 2 * w123
+    w133 = w16 - w10
+    w134 = w17 * w101 - (w131 + w117 * w132 + w54 * w76 + w98 * w133 + w55 * w74) - w23 * w85
+    w135 = w8 * w38 + w12 * w44
+    w136 = w52 * w135
+    w137 = w12 * w54 + w18 * w133 - w8 * w55
+    w138 = w5 * w12 + w18 * w38
+    w139 = w51 * w137 - w33 * w138
+    w140 = w47 * w137 - w24 * w138
+    w141 = w136 - w30 * w139 + w28 * w140
+    w142 = w18 * w44 - w5 * w8
+    w143 = w7 * w137 + w56 * w138
+    w144 = w28 * w143
+    w145 = w46 * w139 + w64 * w135 + w144
+    w146 = w61 * w141 + w91 * w142 - w63 * w145
+    w147 = w40 + w92
+    w148 = w45 - w109
+    w149 = (w108 * w147 - w91 * w148 - w116 * w133) / w146
+    w150 = (w65 * w89 - w91 * w103 - w108 * w114 + w116 * w134) / w146 + hinge0_angle_ddot * w149
+    w151 = w60 + w150
+    w152 = w36 * hinge1_angle_dot - w3 * w58
+    w153 = w36 * w58 + w3 * hinge1_angle_dot
+    w154 = w152 * w153
+    w155 = w151 - w154
+    w156 = hinge0_angle_dot**2 * bar1_end_x
+    w157 = w18 * hinge0_angle_dot
+    w158 = w18 * w156 - w1 * gravity_y - (w157**2 + hinge1_angle_dot**2) * bar2_end_y
+    w159 = w59 + w60
+    w160 = hinge0_angle_ddot * bar1_end_x
+    w161 = w159 * bar2_end_y - w160
+    w162 = w155 * c0 + (w151 + w154) * c1 - (w36 * w158 + w3 * w161) * c4
+    w163 = w136 - w34 * w138 + w57 * w137
+    w164 = w52 * w142
+    w165 = w164 + w63 * w139
+    w166 = w104 * w137
+    w167 = w28 * w142
+    w168 = w30 * w142 + w63 * w135
+    w169 = w166 - w24 * w167 + w33 * w168
+    w170 = w104 * w138
+    w171 = w170 - w47 * w167 + w51 * w168
+    w172 = (w141 * w148 - w147 * w169 + w133 * w171) / w146
+    w173 = (w103 * w141 + w89 * w165 + w114 * w169 - w134 * w171) / w146 + hinge0_angle_ddot * w172
+    w174 = hinge1_angle_dot * w157
+    w175 = w1 * hinge0_angle_ddot - w174
+    w176 = hinge2_angle_dot + w157
+    w177 = (w36 * w173 - w3 * w175 - hinge2_angle_dot * w153 - w153 * w176) * c1
+    w178 = w1 * w156 + w18 * gravity_y
+    w179 = w58 * w157
+    w180 = w173 - w179
+    w181 = w152 * w176 + (w36 * w175 + w3 * w173 + hinge2_angle_dot * w152)
+    w182 = (w178 + w180 * bar2_end_y) * c4 - w181 * c0
+    w183 = w36 * w177 - w3 * w182 - w181 * c23 + (w178 * c8 + (w180 * c5 + (w173 + w179) * c6))
+    w184 = w46 * w137 + w56 * w135
+    w185 = w7 * w135 - w46 * w138
+    w186 = w13 * hinge5_angle_dot
+    w187 = w9 * hinge5_angle_dot
+    w188 = w186 * w187
+    w189 = w61 * w135 - w46 * w142
+    w190 = w33 * w189
+    w191 = w56 * w167 + w106 * w137 + w190
+    w192 = w51 * w189
+    w193 = w7 * w167 - w106 * w138 - w192
+    w194 = (w147 * w191 - w145 * w148 + w133 * w193) / w146
+    w195 = w61 * w139 + w64 * w142
+    w196 = hinge0_angle_ddot * w194 - (w103 * w145 + w89 * w195 + w114 * w191 + w134 * w193) / w146
+    w197 = w20 * gravity_y - hinge5_angle_dot**2 * bar5_end_y
+    w198 = (w188 - w196) * c15 - (w188 + w196) * c16 - w13 * w197 * c14
+    w199 = w30 * w143
+    w200 = hinge4_angle_dot * w187
+    w201 = w199 + (w46 * w140 + w90 * w135)
+    w202 = w63 * w143
+    w203 = w61 * w140 + w90 * w142 - w202
+    w204 = w24 * w189
+    w205 = w56 * w168 + w107 * w137 + w204
+    w206 = w47 * w189
+    w207 = w7 * w168 - w107 * w138 - w206
+    w208 = (w148 * w201 - w147 * w205 - w133 * w207) / w146
+    w209 = (w103 * w201 + w89 * w203 + w114 * w205 + w134 * w207) / w146 + hinge0_angle_ddot * w208
+    w210 = (w200 + (w200 - w13 * w209)) * c16
+    w211 = w14 * gravity_y
+    w212 = hinge4_angle_dot * w186
+    w213 = w212 + (w212 + w9 * w209)
+    w214 = (w211 - w209 * bar5_end_y) * c14 - w213 * c15
+    w215 = w13 * w210 + w9 * w214 - w213 * c18 + (w211 * c25 - w209 * c20)
+    w216 = (w7 * w34 - w53 + w56 * w57) * w162 - w163 * w183 - (w144 + w51 * w184 + w33 * w185) * w198 + (w199 + w47 * w184 + w24 * w185) * w215
+    w217 = w33 * w63
+    w218 = w51 * w63
+    w219 = w138 * w217 - w164 - w137 * w218
+    w220 = w166 + (w135 * w217 - w34 * w142)
+    w221 = w170 + (w135 * w218 - w57 * w142)
+    w222 = w61 * w163 + w46 * w219 - w7 * w220 - w56 * w221
+    w223 = w216 / w222
+    w224 = w1 * w172
+    w225 = w35 + w0 * w224
+    w226 = w225 * bar2_end_y
+    w227 = w3 * w149
+    w228 = w36 * w149
+    w229 = (w37 + w11 * w227 + (w41 * w228 + w3 * w225)) * bar3_end_z
+    w230 = w226 - w229
+    w231 = w230 - w92
+    w232 = w18 * w172
+    w233 = hinge0_angle_dot * w224
+    w234 = w12 - w0 * w232
+    w235 = w9 * w194
+    w236 = w14 * w208
+    w237 = w20 * w235 + w13 * w236
+    w238 = w21 * w234 - w8 * w237
+    w239 = w20 * w208
+    w240 = w13 * w239 - w14 * w235
+    w241 = w15 * w224 + w18 * w240
+    w242 = w238 - w241
+    w243 = w8 + w11 * w232
+    w244 = w13 * w194
+    w245 = w21 * w243 + w12 * w237 + (w9 * w224 + w18 * w244)
+    w246 = w0 * w242 + w11 * w54 - (w11 * w245 + w0 * w55)
+    w247 = w12 * w240 - w15 * w243
+    w248 = w9 * w234 + w8 * w244
+    w249 = w247 - w248
+    w250 = w12 * w242 - w54 * w243 + (w18 * w249 + w133 * w224) - (w55 * w234 - w8 * w245)
+    w251 = w241 - w238
+    w252 = hinge1_angle_dot * w246 + hinge2_angle_dot * w250 + hinge0_angle_dot * w249 - hinge5_angle_dot * w251
+    w253 = w248 - w247
+    w254 = w14 * w253 + w17 * w239 + (w20 * w245 - w23 * w236)
+    w255 = w252 - hinge4_angle_dot * w254
+    w256 = (w14 * w244 + w9 * w239) * bar4_end_x
+    w257 = (w20 * w244 - w9 * w236) * bar4_end_x
+    w258 = w27 * w239 + w14 * w256 + (w20 * w257 - w49 * w236)
+    w259 = w232 * bar2_end_y
+    w260 = (w1 * w228 - w3 * w232) * bar3_end_z
+    w261 = w259 + w260
+    w262 = w7 + w11 * w261
+    w263 = w44 * w224 - w18 * w229 - (w5 * w234 + w8 * w260)
+    w264 = hinge4_angle_dot * w258 - (hinge1_angle_dot * w262 + hinge0_angle_dot * w231 + hinge2_angle_dot * w263)
+    w265 = w11 * w224 - w41
+    w266 = (w35 * w228 + w3 * w265 + (w43 - w0 * w227)) * bar3_end_z
+    w267 = w38 * w234 + w8 * w266 - (w44 * w243 + w12 * w229)
+    w268 = w265 * bar2_end_y
+    w269 = w266 - w268
+    w270 = w11 * w269 - w0 * w40 - (w11 * w45 + w0 * w230)
+    w271 = w239 * bar5_end_y
+    w272 = w271 - w256
+    w273 = w235 * bar4_end_x
+    w274 = w29 * w236 + w20 * w273
+    w275 = hinge2_angle_dot * w267 - hinge1_angle_dot * w270 + hinge5_angle_dot * w272 - hinge4_angle_dot * w274
+    w276 = w269 - w109
+    w277 = w61 - w0 * w261
+    w278 = w12 * w260 - w5 * w243 + (w38 * w224 + w18 * w266)
+    w279 = w236 * bar5_end_y
+    w280 = w257 + w279
+    w281 = hinge0_angle_dot * w276 - hinge1_angle_dot * w277 + hinge2_angle_dot * w278 - hinge5_angle_dot * w280
+    w282 = w29 * w239 - w14 * w273
+    w283 = w281 - hinge4_angle_dot * w282
+    w284 = (w171 * w255 - (w141 * w264 + w165 * w275 + w169 * w283)) / w146
+    w285 = hinge1_angle_dot * w233 + w157 * w284
+    w286 = hinge0_angle_ddot * w232 + w285
+    w287 = (w145 * w264 + w195 * w275 + w191 * w283 + w193 * w255) / w146
+    w288 = w20 * w287 - hinge4_angle_dot * w236
+    w289 = (w201 * w264 + w203 * w275 + w205 * w283 + w207 * w255) / w146
+    w290 = hinge5_angle_dot * w288 - w86 * w289
+    w291 = w14 * w287 + hinge4_angle_dot * w239
+    w292 = w9 * w291 + w84 * w244 + (w21 * w289 + hinge5_angle_dot * w237)
+    w293 = w15 * w291 + w84 * w240 + (w21 * w288 - w86 * w237)
+    w294 = w9 * w288 + w86 * w244 + (hinge5_angle_dot * w240 - w15 * w289)
+    w295 = w18 * (hinge5_angle_dot * w292 - w117 * w289 - (w118 * w288 + w86 * w293)) + w119 * w224 - (w12 * (w117 * w291 + w84 * w292 + (w120 * w288 + w86 * w294)) - w121 * w243)
+    w296 = (w91 * w264 - w65 * w275 + w108 * w283 - w116 * w255) / w146
+    w297 = w18 * w296 + hinge2_angle_dot * w224
+    w298 = w68 + w0 * w284
+    w299 = w12 * w296 - hinge2_angle_dot * w243
+    w300 = w298 + w299
+    w301 = w18 * w300 + w80 * w224 - (w12 * w297 - w78 * w243)
+    w302 = w11 * w284 - w66
+    w303 = w8 * w296 + hinge2_angle_dot * w234
+    w304 = w302 - w303
+    w305 = w12 * w304 - w77 * w243 + (w8 * w300 + w80 * w234)
+    w306 = w295 - (w8 * (hinge5_angle_dot * w294 - w120 * w289 + (w118 * w291 + w84 * w293)) + w122 * w234) + (w9 * (w123 * w297 + w78 * w301 - (w124 * w304 + w77 * w305)) + w125 * w244)
+    w307 = w8 * w297 + w78 * w234 + (w18 * w304 + w77 * w224)
+    w308 = w306 - (w21 * (w126 * w304 + w77 * w307 + (w123 * w300 + w80 * w301)) - w127 * w237) - (w15 * (w124 * w300 + w80 * w305 + (w126 * w297 + w78 * w307)) + w128 * w240)
+    w309 = w308 + (w118 * (2 * -w307) + w129 * w293) - (w120 * (2 * w305) + w130 * w294) + (w117 * (2 * w301) + w132 * w292)
+    w310 = hinge0_angle_dot * w302
+    w311 = w310 - (hinge0_angle_dot * w303 + (w72 * w302 + w68 * w297))
+    w312 = w73 * w302 + w68 * w299 + (w75 * w298 + w66 * w303)
+    w313 = hinge0_angle_dot * w298
+    w314 = w72 * w298 + w66 * w297 - hinge0_angle_dot * w299 - w313
+    w315 = w101 * w253 + w17 * w290 - (w309 + (w76 * w242 + w54 * w311) + (w98 * w249 + w133 * w312) + (w55 * w314 - w74 * w245))
+    w316 = hinge5_angle_dot * w291 - w84 * w289
+    w317 = w173 * w246 + w150 * w250 + hinge0_angle_ddot * w249 - w209 * w251 - w196 * w254 - (w315 - (w85 * w245 + w23 * w316))
+    w318 = w2 * w298 - w66 * w259 + hinge0_angle_dot * w268
+    w319 = w39 * w302 + w68 * w268 + (w42 * w298 + w66 * w226)
+    w320 = w111 + (w2 * w313 - w67 * w259) + (hinge0_angle_dot * w318 + (w96 * w302 + w68 * w319)) + (w44 * w312 - w98 * w229 + (w5 * w314 + w74 * w260))
+    w321 = w5 * w300 + w80 * w260 + (w38 * w297 + w78 * w266)
+    w322 = w38 * w304 + w77 * w266 - (w44 * w300 - w80 * w229)
+    w323 = hinge5_angle_dot * w257 - w49 * w289 + (w29 * w291 - w84 * w273)
+    w324 = w29 * w288 - w86 * w273 - (hinge5_angle_dot * w256 - w27 * w289)
+    w325 = w27 * w290 + w101 * w256 - (w49 * w316 + w85 * w257) + (w88 * w291 + w84 * w323 + (w102 * w288 + w86 * w324))
+    w326 = w196 * w258 - (w173 * w262 + hinge0_angle_ddot * w231 + w150 * w263) - (w320 - (w81 * w297 + w78 * w321 + (w99 * w304 + w77 * w322)) - w325)
+    w327 = hinge0_angle_dot * w226 - (w2 * w302 - w68 * w259)
+    w328 = w39 * w313 + w67 * w268 - (w42 * w310 + w69 * w226) + (w70 * w302 + w68 * w327 - (w71 * w298 + w66 * w318))
+    w329 = w44 * w297 - w78 * w229 + (w5 * w304 + w77 * w260)
+    w330 = w328 + (w38 * w314 + w74 * w266 - (w44 * w311 - w76 * w229)) + (w79 * w304 + w77 * w329 + (w81 * w300 + w80 * w321))
+    w331 = w83 * w289 + hinge5_angle_dot * (w50 * w289 + hinge5_angle_dot * w279) + (w29 * w316 - w85 * w273)
+    w332 = w27 * w291 + w84 * w256 + (w49 * w288 + w86 * w257)
+    w333 = w150 * w267 - w173 * w270 + w209 * w272 - w196 * w274 - (w330 + (w331 + (w87 * w288 + w86 * w332 + (hinge5_angle_dot * w323 - w88 * w289))))
+    w334 = w94 + (w2 * w310 - w69 * w259) - (w96 * w298 + w66 * w319 + hinge0_angle_dot * w327) - (w5 * w311 + w76 * w260 + (w38 * w312 + w98 * w266))
+    w335 = hinge5_angle_dot * (hinge5_angle_dot * w271 - w25 * w289) - w113 * w289 + (w29 * w290 - w101 * w273)
+    w336 = w334 + (w99 * w300 + w80 * w322 - (w79 * w297 + w78 * w329)) - (w87 * w291 + w84 * w332 - (hinge5_angle_dot * w324 - w102 * w289) - w335)
+    w337 = hinge0_angle_ddot * w276 - w173 * w277 + w150 * w278 - w209 * w280 - w196 * w282 - w336
+    w338 = (w171 * w317 - (w141 * w326 + w165 * w333 + w169 * w337)) / w146
+    w339 = hinge0_angle_dot * w232
+    w340 = hinge1_angle_dot * w228 + w3 * w284 - (w58 * w227 + w36 * w339)
+    w341 = w233 + w296
+    w342 = w36 * w338 - w173 * w227 - (w175 * w228 - w3 * w286) - (hinge2_angle_dot * w340 + w153 * w296) - (w176 * w340 + w153 * w341)
+    w343 = w342 * c1
+    w344 = w224 * gravity_y - w156 * w232
+    w345 = w58 * w233 - w157 * w339
+    w346 = w338 - w345
+    w347 = w36 * w284 - hinge1_angle_dot * w227 - (w58 * w228 - w3 * w339)
+    w348 = w176 * w347 + w152 * w341 + (w173 * w228 + w3 * w338 - (w175 * w227 + w36 * w286) + (hinge2_angle_dot * w347 + w152 * w296))
+    w349 = (w344 + w346 * bar2_end_y) * c4 - w348 * c0
+    w350 = ((w175 - w174) * c6 - (w3 * w177 + w36 * w182)) * w232 + w1 * ((w285 + w286) * c6 + (w177 * w228 + w3 * w343 + (w36 * w349 - w182 * w227)))
+    w351 = (w153**2 + w176**2) * c4
+    w352 = w155 * c4
+    w353 = 2 * w153
+    w354 = 2 * w176
+    w355 = w58 * w284 - hinge1_angle_dot * w339
+    w356 = hinge0_angle_ddot * w224 + w355
+    w357 = w356 + (w91 * w326 - w65 * w333 + w108 * w337 - w116 * w317) / w146
+    w358 = w153 * w347 + w152 * w340
+    w359 = w357 - w358
+    w360 = w36 * ((w340 * w353 + w341 * w354) * c4) - w227 * w351 + (w228 * w352 + w3 * (w359 * c4))
+    w361 = 2 * w157
+    w362 = 2 * hinge1_angle_dot
+    w363 = w355 + w356
+    w364 = w36 * (w156 * w224 + w232 * gravity_y - (w233 * w361 + w284 * w362) * bar2_end_y) - w158 * w227 + (w161 * w228 + w3 * (w363 * bar2_end_y))
+    w365 = w359 * c0 + (w357 + w358) * c1 - w364 * c4
+    w366 = w224 * ((w36 * w351 + w3 * w352) * bar2_end_y - w162 + (w160 * c8 - w159 * c5)) + w18 * (w360 * bar2_end_y - w365 - w363 * c5)
+    w367 = w61 * w137 + w56 * w142
+    w368 = w162 * (w105 + (w34 * w61 - w46 * w217)) - w183 * w220 - w198 * (w190 + w28 * w367) + w215 * (w204 + (w63 * w184 + w30 * w367))
+    w369 = w368 / w222
+    w370 = w61 * w138 - w7 * w142
+    w371 = w183 * w221 - w162 * (w57 * w61 - w46 * w218 - w115) + w198 * (w192 + w28 * w370) + w215 * (w63 * w185 - w30 * w370 - w206)
+    w372 = w371 / w222
+    w373 = w183 * w219 - w162 * (w62 - w7 * w217 - w56 * w218) - w198 * (w51 * w367 - w33 * w370) + w215 * (w47 * w367 - w202 - w24 * w370)
+    w374 = w373 / w222
+    w375 = w36 * w343 - w177 * w227 - (w182 * w228 + w3 * w349) - w348 * c23 + (w344 * c8 + (w346 * c5 + (w338 + w345) * c6))
+    w376 = w223 * w231 + (w350 + w366 + (w363 * c8 - w360) * bar1_end_x) - w276 * w369 - w249 * w372 + w172 * (w270 * w374 - (w375 - w223 * w262) + w277 * w369 - w246 * w372)
+    w377 = hinge5_angle_dot * w244 - w9 * w289
+    w378 = hinge5_angle_dot * w235 + w13 * w289
+    w379 = w186 * w377 - w187 * w378
+    w380 = (w145 * w326 + w195 * w333 + w191 * w337 + w193 * w317) / w146
+    w381 = 2 * hinge5_angle_dot
+    w382 = (w379 - w380) * c15 - (w379 + w380) * c16 - (w13 * (w289 * w381 * bar5_end_y - w236 * gravity_y) - w197 * w235) * c14
+    w383 = w376 + w149 * (w223 * w263 - w365 - w267 * w374 - w278 * w369 - w250 * w372) + w194 * (w382 - w223 * w258 + w274 * w374 + w282 * w369 + w254 * w372)
+    w384 = hinge4_angle_dot * w377 + w187 * w287
+    w385 = (w201 * w326 + w203 * w333 + w205 * w337 + w207 * w317) / w146
+    w386 = w239 * gravity_y
+    w387 = w186 * w287 - hinge4_angle_dot * w378
+    w388 = w387 + (w387 + (w209 * w244 - w9 * w385))
+    w389 = w13 * ((w384 + (w384 + (w209 * w235 + w13 * w385))) * c16) - w210 * w235 + (w214 * w244 + w9 * ((w386 + w385 * bar5_end_y) * c14 - w388 * c15))
+    w390 = w383 + w208 * (w389 - w388 * c18 + (w386 * c25 + w385 * c20) - w272 * w374 + w280 * w369 + w251 * w372)
+    w391 = w95 + w157 * w172
+    w392 = w0 * w172
+    w393 = w66 + hinge0_angle_dot * w392
+    w394 = w39 + w2 * w392
+    w395 = w11 * w172
+    w396 = w12 * w149
+    w397 = w8 * w149
+    w398 = w172 * (w1 * hinge2_angle_dot) + w97 * w149
+    w399 = w18 * w149
+    w400 = w72 * w392 + w66 * w399 - (w73 + hinge0_angle_dot * w396) - w393
+    w401 = w2 * w393 - 2 * w93 + (w71 + hinge0_angle_dot * w394 + w172 * (w35 * hinge1_angle_dot) * c118) + (w44 * w398 + w5 * w400)
+    w402 = 1.0 + w399
+    w403 = w392 + w396
+    w404 = w5 * w403 + w38 * w402
+    w405 = w395 - w397
+    w406 = w38 * w405 - w44 * w403
+    w407 = w20 * w194
+    w408 = w86 * w208 + hinge5_angle_dot * w407
+    w409 = w14 * w194
+    w410 = w84 * w208 + hinge5_angle_dot * w409
+    w411 = w49 * w208 + w29 * w409
+    w412 = w29 * w407 - w27 * w208
+    w413 = w401 - (w81 * w402 + w78 * w404 + (w99 * w405 + w77 * w406)) - (w27 * w408 - w49 * w410 + (w88 * w409 + w84 * w411 + (w102 * w407 + w86 * w412)))
+    w414 = w68 + hinge0_angle_dot * w395
+    w415 = w42 - w2 * w395
+    w416 = w414 - (w75 + hinge0_angle_dot * w397 + (w72 * w395 + w68 * w399))
+    w417 = w39 * w393 - w42 * w414 + (w70 * w395 + w68 * w415 - (w71 * w392 + w66 * w394)) + (w38 * w400 - w44 * w416)
+    w418 = w44 * w402 + w5 * w405
+    w419 = w208 * (w20 * hinge5_angle_dot) * c119 - w29 * w410 - (w194 * (w48 * hinge4_angle_dot) * c120 + (w88 * w208 + hinge5_angle_dot * w411))
+    w420 = w417 + (w79 * w405 + w77 * w418 + (w81 * w403 + w80 * w404)) - w419
+    w421 = 2 * w110 + w2 * w414 - (w172 * (w41 * hinge1_angle_dot) * c118 + (w70 + hinge0_angle_dot * w415))
+    w422 = w194 * (w26 * hinge4_angle_dot) * c120 - (w102 * w208 + hinge5_angle_dot * w412) - (w208 * (w14 * hinge5_angle_dot) * c119 + w29 * w408)
+    w423 = w421 - (w5 * w416 + w38 * w398) + (w99 * w403 + w80 * w406 - (w79 * w402 + w78 * w418)) - w422
+    w424 = w9 * w409 - w21 * w208
+    w425 = w9 * w407 + w15 * w208
+    w426 = w18 * (w117 * w208 + hinge5_angle_dot * w424 - w194 * (w21 * hinge4_angle_dot) * c121) - w12 * (w117 * w409 + w84 * w424 + (w120 * w407 + w86 * w425))
+    w427 = w18 * w403 - w12 * w402
+    w428 = w12 * w405 + w8 * w403
+    w429 = w426 - w8 * (w120 * w208 + hinge5_angle_dot * w425 + w194 * (w15 * hinge4_angle_dot) * c121) + w9 * (w123 * w402 + w78 * w427 - (w124 * w405 + w77 * w428))
+    w430 = w8 * w402 + w18 * w405
+    w431 = w429 - w21 * (w126 * w405 + w77 * w430 + (w123 * w403 + w80 * w427)) - w15 * (w124 * w403 + w80 * w428 + (w126 * w402 + w78 * w430))
+    w432 = w431 + (w118 * (2 * -w430) + w129 * w244) - (w120 * (2 * w428) + w130 * w425) + (w117 * (2 * w427) + w132 * w424)
+    w433 = w17 * w408 - (w432 + w54 * w416 + w133 * w398 + w55 * w400) - w23 * w410
+    w434 = (w141 * w413 + w165 * w420 + w169 * w423 - w171 * w433) / w146
+    w435 = w1 * w36 + w3 * w172
+    w436 = w18 + w149
+    w437 = (w36 * w434 + w3 * w391 - (hinge2_angle_dot * w435 + w149 * w153) - (w176 * w435 + w153 * w436)) * c1
+    w438 = 2 * hinge0_angle_dot * bar1_end_x
+    w439 = w1 * w438
+    w440 = hinge0_angle_dot * (w1 * w18) * c121
+    w441 = w434 - w440
+    w442 = w36 * w172 - w4
+    w443 = w176 * w442 + w152 * w436 + (w3 * w434 - w36 * w391 + (hinge2_angle_dot * w442 + w149 * w152))
+    w444 = (w439 + w441 * bar2_end_y) * c4 - w443 * c0
+    w445 = w97 + w58 * w172
+    w446 = w445 + (w65 * w420 - w91 * w413 - w108 * w423 + w116 * w433) / w146
+    w447 = w153 * w442 + w152 * w435
+    w448 = w446 - w447
+    w449 = w36 * ((w353 * w435 + w354 * w436) * c4) + w3 * (w448 * c4)
+    w450 = 2 * w445
+    w451 = w448 * c0 + (w446 + w447) * c1 - (w36 * (w18 * w438 - (w18 * w361 + w172 * w362) * bar2_end_y) + w3 * (w450 * bar2_end_y)) * c4
+    w452 = w1 * (2 * w391 * c6 + (w3 * w437 + w36 * w444)) + w18 * (w449 * bar2_end_y - w451 - w450 * c5) + (w450 * c8 - w449) * bar1_end_x
+    w453 = w452 - w172 * (w36 * w437 - w3 * w444 - w443 * c23 + (w439 * c8 + (w441 * c5 + (w434 + w440) * c6)))
+    w454 = w208 * (hinge5_angle_dot * (w9 * w13)) * c121
+    w455 = (w145 * w413 + w195 * w420 + w191 * w423 + w193 * w433) / w146
+    w456 = w453 - w149 * w451 + w194 * ((w454 + w455) * c15 - (w454 - w455) * c16 + w13 * (w208 * w381 * bar5_end_y) * c14)
+    w457 = hinge4_angle_dot * (w9 * w208) + w187 * w194
+    w458 = (w201 * w413 + w203 * w420 + w205 * w423 + w207 * w433) / w146
+    w459 = hinge4_angle_dot * (w13 * w208) + w186 * w194
+    w460 = w459 + (w459 + w9 * w458)
+    w461 = w13 * ((w457 + (w457 - w13 * w458)) * c16) - w9 * (w458 * c18 + w460 * c15) - w460 * c18 - w458 * c20
     # outputs
-    J_q = ca.vertcat(w395 + (w398 * w510 - w513 * w514) + (w531 + w248 * w540))
-    J_v = ca.vertcat(w552 + (w187 * w326 - w216 * w393) + (w398 * w560 - w513 * w561) + (w563 + w248 * w564))
+    J_q = ca.vertcat(w390)
+    J_v = ca.vertcat(w456 + w208 * w461)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 

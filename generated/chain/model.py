@@ -21,7 +21,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 12) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
-    158 operations.
+    156 operations.
     """
     p = ca.SX.sym("p", 12)
     link_length = p[0]
@@ -36,7 +36,7 @@ def constants() -> ca.Function:
     link8_mass = p[9]
     link9_mass = p[10]
     link10_mass = p[11]
-    # intermediate terms (22)
+    # intermediate terms (21)
     w0 = link_length**2 * 0.078 / 12.0
     w1 = link_length / 2.0
     w2 = w1**2
@@ -48,7 +48,7 @@ def constants() -> ca.Function:
     w8 = link5_mass + w7
     w9 = link4_mass + w8
     w10 = link3_mass + w9
-    w11 = w1 * link9_mass
+    w11 = link2_mass + w10
     w12 = w0 + w2 * link2_mass
     w13 = w0 + w2 * link3_mass
     w14 = w0 + w2 * link4_mass
@@ -57,8 +57,7 @@ def constants() -> ca.Function:
     w17 = w0 + w2 * link7_mass
     w18 = w0 + w2 * link8_mass
     w19 = w0 + w2 * link9_mass
-    w20 = link_length * (link_length * link10_mass)
-    w21 = link1_mass * w1
+    w20 = link1_mass * w1
     # outputs
     c = ca.vertcat(
         link_length,  # link_length
@@ -78,7 +77,7 @@ def constants() -> ca.Function:
         w8,  # c14
         w9,  # c15
         w10,  # c16
-        w3 + link_length * (link_length * (link2_mass + w10)),  # c17
+        w3 + link_length * (link_length * w11),  # c17
         w1 * link2_mass,  # c18
         w1 * link3_mass,  # c19
         w1 * link4_mass,  # c20
@@ -86,7 +85,7 @@ def constants() -> ca.Function:
         w1 * link6_mass,  # c22
         w1 * link7_mass,  # c23
         w1 * link8_mass,  # c24
-        w11,  # c25
+        w1 * link9_mass,  # c25
         w1 * link10_mass,  # c26
         w12 + link_length * (link_length * w10),  # c27
         w13 + link_length * (link_length * w9),  # c28
@@ -95,10 +94,10 @@ def constants() -> ca.Function:
         w16 + link_length * (link_length * w6),  # c31
         w17 + link_length * (link_length * w5),  # c32
         w18 + link_length * (link_length * w4),  # c33
-        w19 + w20,  # c34
+        w19 + link_length * (link_length * link10_mass),  # c34
         w0 + w2 * link10_mass,  # c35
         gravity_y,  # gravity_y
-        w21 * gravity_y,  # c37
+        w20 * gravity_y,  # c37
         link2_mass * gravity_y,  # c38
         link3_mass * gravity_y,  # c39
         link4_mass * gravity_y,  # c40
@@ -118,9 +117,9 @@ def constants() -> ca.Function:
         w17,  # c54
         w18,  # c55
         w19,  # c56
-        w21,  # c57
+        w20,  # c57
         link1_mass * gravity_y,  # c58
-        w20 + link_length * w11,  # c59
+        w11,  # c59
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -1818,7 +1817,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
     takes c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 10 x 10) [SI]: total derivative of Q_hat by q_i, through q_d
-    1037 operations.
+    792 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
@@ -1853,6 +1852,13 @@ def dQ_hat_dq_i() -> ca.Function:
     link8_mass = c[7]
     link9_mass = c[8]
     link10_mass = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
     c18 = c[18]
     c19 = c[19]
     c20 = c[20]
@@ -1874,297 +1880,242 @@ def dQ_hat_dq_i() -> ca.Function:
     c45 = c[45]
     c46 = c[46]
     c59 = c[59]
-    # intermediate terms (228)
-    w0 = ca.cos(link1_theta)
-    w1 = w0 * link_length
-    w2 = link1_theta_dot**2
-    w3 = w1 * w2
-    w4 = w3 * link2_mass
-    w5 = w3 * link9_mass + w3 * link10_mass
-    w6 = w3 * link8_mass + w5
-    w7 = w3 * link7_mass + w6
-    w8 = w3 * link6_mass + w7
-    w9 = w3 * link5_mass + w8
-    w10 = w3 * link4_mass + w9
-    w11 = w3 * link3_mass + w10
-    w12 = link2_theta_dot**2
-    w13 = ca.sin(link2_theta)
-    w14 = w13 * c18
-    w15 = w12 * w14
-    w16 = ca.sin(link1_theta)
-    w17 = w16 * link_length
-    w18 = w2 * w17
-    w19 = w18 * link2_mass
-    w20 = link3_theta_dot**2
-    w21 = ca.sin(link3_theta)
-    w22 = w21 * c19
-    w23 = w20 * w22
-    w24 = w13 * link_length
-    w25 = w12 * w24
-    w26 = w18 + w25
-    w27 = link4_theta_dot**2
-    w28 = ca.sin(link4_theta)
-    w29 = w28 * c20
-    w30 = w27 * w29
-    w31 = w21 * link_length
-    w32 = w20 * w31
-    w33 = w26 + w32
-    w34 = link5_theta_dot**2
-    w35 = ca.sin(link5_theta)
-    w36 = w35 * c21
-    w37 = w34 * w36
-    w38 = w28 * link_length
-    w39 = w27 * w38
-    w40 = w33 + w39
-    w41 = link6_theta_dot**2
-    w42 = ca.sin(link6_theta)
-    w43 = w42 * c22
-    w44 = w41 * w43
-    w45 = w35 * link_length
-    w46 = w34 * w45
-    w47 = w40 + w46
-    w48 = link7_theta_dot**2
-    w49 = ca.sin(link7_theta)
-    w50 = w49 * c23
-    w51 = w48 * w50
-    w52 = w42 * link_length
-    w53 = w41 * w52
-    w54 = w47 + w53
-    w55 = link8_theta_dot**2
-    w56 = ca.sin(link8_theta)
-    w57 = w56 * c24
-    w58 = w55 * w57
-    w59 = w49 * link_length
-    w60 = w48 * w59
-    w61 = w54 + w60
-    w62 = link9_theta_dot**2
-    w63 = ca.sin(link9_theta)
-    w64 = w63 * c25
-    w65 = w62 * w64
-    w66 = w56 * link_length
-    w67 = w55 * w66
-    w68 = w61 + w67
-    w69 = link10_theta_dot**2
-    w70 = ca.sin(link10_theta) * c26
-    w71 = w69 * w70
-    w72 = w63 * link_length
-    w73 = w62 * w72
-    w74 = w68 + w73
-    w75 = c46 + w71 + w74 * link10_mass
-    w76 = c45 + w65 + w68 * link9_mass + w75
-    w77 = c44 + w58 + w61 * link8_mass + w76
-    w78 = c43 + w51 + w54 * link7_mass + w77
-    w79 = c42 + w44 + w47 * link6_mass + w78
-    w80 = c41 + w37 + w40 * link5_mass + w79
-    w81 = c40 + w30 + w33 * link4_mass + w80
-    w82 = c39 + w23 + w26 * link3_mass + w81
-    w83 = ca.cos(link2_theta)
-    w84 = w83 * c18
-    w85 = w12 * w84
-    w86 = ca.cos(link3_theta)
-    w87 = w86 * c19
-    w88 = w20 * w87
-    w89 = w83 * link_length
-    w90 = w12 * w89
-    w91 = w3 + w90
-    w92 = ca.cos(link4_theta)
-    w93 = w92 * c20
-    w94 = w27 * w93
-    w95 = w86 * link_length
-    w96 = w20 * w95
-    w97 = w91 + w96
-    w98 = ca.cos(link5_theta)
-    w99 = w98 * c21
-    w100 = w34 * w99
-    w101 = w92 * link_length
-    w102 = w27 * w101
-    w103 = w97 + w102
-    w104 = ca.cos(link6_theta)
-    w105 = w104 * c22
-    w106 = w41 * w105
-    w107 = w98 * link_length
-    w108 = w34 * w107
-    w109 = w103 + w108
-    w110 = ca.cos(link7_theta)
-    w111 = w110 * c23
-    w112 = w48 * w111
-    w113 = w104 * link_length
-    w114 = w41 * w113
-    w115 = w109 + w114
-    w116 = ca.cos(link8_theta)
-    w117 = w116 * c24
-    w118 = w55 * w117
-    w119 = w110 * link_length
-    w120 = w48 * w119
-    w121 = w115 + w120
-    w122 = ca.cos(link9_theta)
-    w123 = w122 * c25
-    w124 = w62 * w123
-    w125 = w116 * link_length
-    w126 = w55 * w125
-    w127 = w121 + w126
-    w128 = ca.cos(link10_theta) * c26
-    w129 = w69 * w128
-    w130 = w122 * link_length
-    w131 = w62 * w130
-    w132 = w127 + w131
-    w133 = w129 + w132 * link10_mass
-    w134 = w124 + w127 * link9_mass + w133
-    w135 = w118 + w121 * link8_mass + w134
-    w136 = w112 + w115 * link7_mass + w135
-    w137 = w106 + w109 * link6_mass + w136
-    w138 = w100 + w103 * link5_mass + w137
-    w139 = w94 + w97 * link4_mass + w138
-    w140 = w88 + w91 * link3_mass + w139
-    w141 = w18 * link9_mass + w18 * link10_mass
-    w142 = w18 * link8_mass + w141
-    w143 = w18 * link7_mass + w142
-    w144 = w18 * link6_mass + w143
-    w145 = w18 * link5_mass + w144
-    w146 = w18 * link4_mass + w145
-    w147 = w18 * link3_mass + w146
-    w148 = w1 * (w4 + w11) - w17 * (c38 + w15 + w19 + w82) - w16 * c37 - (w1 * (w4 + w85 + w140) - w17 * (w19 + w147))
-    w149 = w14 * w18 + w3 * w84
-    w150 = w90 * link9_mass + w90 * link10_mass
-    w151 = w90 * link8_mass + w150
-    w152 = w90 * link7_mass + w151
-    w153 = w90 * link6_mass + w152
-    w154 = w90 * link5_mass + w153
-    w155 = w90 * link4_mass + w154
-    w156 = w90 * link3_mass + w155
-    w157 = w25 * link9_mass + w25 * link10_mass
-    w158 = w25 * link8_mass + w157
-    w159 = w25 * link7_mass + w158
-    w160 = w25 * link6_mass + w159
-    w161 = w25 * link5_mass + w160
-    w162 = w25 * link4_mass + w161
-    w163 = w25 * link3_mass + w162
-    w164 = w96 * link9_mass + w96 * link10_mass
-    w165 = w96 * link8_mass + w164
-    w166 = w96 * link7_mass + w165
-    w167 = w96 * link6_mass + w166
-    w168 = w96 * link5_mass + w167
-    w169 = w96 * link4_mass + w168
-    w170 = w88 + w169
-    w171 = w32 * link9_mass + w32 * link10_mass
-    w172 = w32 * link8_mass + w171
-    w173 = w32 * link7_mass + w172
-    w174 = w32 * link6_mass + w173
-    w175 = w32 * link5_mass + w174
-    w176 = w32 * link4_mass + w175
-    w177 = w23 + w176
-    w178 = w102 * link9_mass + w102 * link10_mass
-    w179 = w102 * link8_mass + w178
-    w180 = w102 * link7_mass + w179
-    w181 = w102 * link6_mass + w180
-    w182 = w102 * link5_mass + w181
-    w183 = w94 + w182
-    w184 = w39 * link9_mass + w39 * link10_mass
-    w185 = w39 * link8_mass + w184
-    w186 = w39 * link7_mass + w185
-    w187 = w39 * link6_mass + w186
-    w188 = w39 * link5_mass + w187
-    w189 = w30 + w188
-    w190 = w101 * w182 - w38 * w80 - (w29 * gravity_y + (w93 * w97 + w29 * w33)) - (w101 * w138 - w38 * w188)
-    w191 = w108 * link9_mass + w108 * link10_mass
-    w192 = w108 * link8_mass + w191
-    w193 = w108 * link7_mass + w192
-    w194 = w108 * link6_mass + w193
-    w195 = w100 + w194
-    w196 = w46 * link9_mass + w46 * link10_mass
-    w197 = w46 * link8_mass + w196
-    w198 = w46 * link7_mass + w197
-    w199 = w46 * link6_mass + w198
-    w200 = w37 + w199
-    w201 = w107 * w194 - w45 * w79 - (w36 * gravity_y + (w99 * w103 + w36 * w40)) - (w107 * w137 - w45 * w199)
-    w202 = w114 * link9_mass + w114 * link10_mass
-    w203 = w114 * link8_mass + w202
-    w204 = w114 * link7_mass + w203
-    w205 = w106 + w204
-    w206 = w53 * link9_mass + w53 * link10_mass
-    w207 = w53 * link8_mass + w206
-    w208 = w53 * link7_mass + w207
-    w209 = w44 + w208
-    w210 = w113 * w204 - w52 * w78 - (w43 * gravity_y + (w105 * w109 + w43 * w47)) - (w113 * w136 - w52 * w208)
-    w211 = w120 * link9_mass + w120 * link10_mass
-    w212 = w120 * link8_mass + w211
-    w213 = w112 + w212
-    w214 = w60 * link9_mass + w60 * link10_mass
-    w215 = w60 * link8_mass + w214
-    w216 = w51 + w215
-    w217 = w119 * w212 - w59 * w77 - (w50 * gravity_y + (w111 * w115 + w50 * w54)) - (w119 * w135 - w59 * w215)
-    w218 = w126 * link9_mass + w126 * link10_mass
-    w219 = w118 + w218
-    w220 = w67 * link9_mass + w67 * link10_mass
-    w221 = w58 + w220
-    w222 = w125 * w218 - w66 * w76 - (w57 * gravity_y + (w117 * w121 + w57 * w61)) - (w125 * w134 - w66 * w220)
-    w223 = w131 * link10_mass
-    w224 = w124 + w223
-    w225 = w73 * link10_mass
-    w226 = w65 + w225
-    w227 = w130 * w223 - w72 * w75 - (w64 * gravity_y + (w123 * w127 + w64 * w68)) - (w130 * w133 - w72 * w225)
+    # intermediate terms (179)
+    w0 = ca.cos(link1_theta) * link_length
+    w1 = link1_theta_dot**2
+    w2 = w0 * w1
+    w3 = ca.sin(link1_theta)
+    w4 = link2_theta_dot**2
+    w5 = ca.cos(link2_theta)
+    w6 = w5 * c18
+    w7 = w4 * w6
+    w8 = link3_theta_dot**2
+    w9 = ca.cos(link3_theta)
+    w10 = w9 * c19
+    w11 = w8 * w10
+    w12 = w5 * link_length
+    w13 = w4 * w12
+    w14 = w2 + w13
+    w15 = link4_theta_dot**2
+    w16 = ca.cos(link4_theta)
+    w17 = w16 * c20
+    w18 = w15 * w17
+    w19 = w9 * link_length
+    w20 = w8 * w19
+    w21 = w14 + w20
+    w22 = link5_theta_dot**2
+    w23 = ca.cos(link5_theta)
+    w24 = w23 * c21
+    w25 = w22 * w24
+    w26 = w16 * link_length
+    w27 = w15 * w26
+    w28 = w21 + w27
+    w29 = link6_theta_dot**2
+    w30 = ca.cos(link6_theta)
+    w31 = w30 * c22
+    w32 = w29 * w31
+    w33 = w23 * link_length
+    w34 = w22 * w33
+    w35 = w28 + w34
+    w36 = link7_theta_dot**2
+    w37 = ca.cos(link7_theta)
+    w38 = w37 * c23
+    w39 = w36 * w38
+    w40 = w30 * link_length
+    w41 = w29 * w40
+    w42 = w35 + w41
+    w43 = link8_theta_dot**2
+    w44 = ca.cos(link8_theta)
+    w45 = w44 * c24
+    w46 = w43 * w45
+    w47 = w37 * link_length
+    w48 = w36 * w47
+    w49 = w42 + w48
+    w50 = link9_theta_dot**2
+    w51 = ca.cos(link9_theta)
+    w52 = w51 * c25
+    w53 = w50 * w52
+    w54 = w44 * link_length
+    w55 = w43 * w54
+    w56 = w49 + w55
+    w57 = link10_theta_dot**2
+    w58 = ca.cos(link10_theta) * c26
+    w59 = w57 * w58
+    w60 = w51 * link_length
+    w61 = w50 * w60
+    w62 = w56 + w61
+    w63 = w59 + w62 * link10_mass
+    w64 = w53 + w56 * link9_mass + w63
+    w65 = w46 + w49 * link8_mass + w64
+    w66 = w39 + w42 * link7_mass + w65
+    w67 = w32 + w35 * link6_mass + w66
+    w68 = w25 + w28 * link5_mass + w67
+    w69 = w18 + w21 * link4_mass + w68
+    w70 = w11 + w14 * link3_mass + w69
+    w71 = ca.sin(link2_theta)
+    w72 = w71 * c18
+    w73 = w4 * w72
+    w74 = w3 * link_length
+    w75 = w1 * w74
+    w76 = ca.sin(link3_theta)
+    w77 = w76 * c19
+    w78 = w8 * w77
+    w79 = w71 * link_length
+    w80 = w4 * w79
+    w81 = w75 + w80
+    w82 = ca.sin(link4_theta)
+    w83 = w82 * c20
+    w84 = w15 * w83
+    w85 = w76 * link_length
+    w86 = w8 * w85
+    w87 = w81 + w86
+    w88 = ca.sin(link5_theta)
+    w89 = w88 * c21
+    w90 = w22 * w89
+    w91 = w82 * link_length
+    w92 = w15 * w91
+    w93 = w87 + w92
+    w94 = ca.sin(link6_theta)
+    w95 = w94 * c22
+    w96 = w29 * w95
+    w97 = w88 * link_length
+    w98 = w22 * w97
+    w99 = w93 + w98
+    w100 = ca.sin(link7_theta)
+    w101 = w100 * c23
+    w102 = w36 * w101
+    w103 = w94 * link_length
+    w104 = w29 * w103
+    w105 = w99 + w104
+    w106 = ca.sin(link8_theta)
+    w107 = w106 * c24
+    w108 = w43 * w107
+    w109 = w100 * link_length
+    w110 = w36 * w109
+    w111 = w105 + w110
+    w112 = ca.sin(link9_theta)
+    w113 = w112 * c25
+    w114 = w50 * w113
+    w115 = w106 * link_length
+    w116 = w43 * w115
+    w117 = w111 + w116
+    w118 = ca.sin(link10_theta) * c26
+    w119 = w57 * w118
+    w120 = w112 * link_length
+    w121 = w50 * w120
+    w122 = w117 + w121
+    w123 = c46 + w119 + w122 * link10_mass
+    w124 = c45 + w114 + w117 * link9_mass + w123
+    w125 = c44 + w108 + w111 * link8_mass + w124
+    w126 = c43 + w102 + w105 * link7_mass + w125
+    w127 = c42 + w96 + w99 * link6_mass + w126
+    w128 = c41 + w90 + w93 * link5_mass + w127
+    w129 = c40 + w84 + w87 * link4_mass + w128
+    w130 = c39 + w78 + w81 * link3_mass + w129
+    w131 = w0 * (w2 * c59) - (w3 * c37 + w0 * (w7 + w2 * link2_mass + w70) + w74 * (c38 + w73 + w75 * link2_mass + w130))
+    w132 = w10 + w19 * c15
+    w133 = w77 + w85 * c15
+    w134 = w17 + w26 * c14
+    w135 = w83 + w91 * c14
+    w136 = w24 + w33 * c13
+    w137 = w89 + w97 * c13
+    w138 = w31 + w40 * c12
+    w139 = w95 + w103 * c12
+    w140 = w38 + w47 * c11
+    w141 = w101 + w109 * c11
+    w142 = w45 + w54 * c10
+    w143 = w107 + w115 * c10
+    w144 = w52 + w60 * link10_mass
+    w145 = w113 + w120 * link10_mass
+    w146 = w13 * c16
+    w147 = w80 * c16
+    w148 = w20 * c15
+    w149 = w11 + w148
+    w150 = w86 * c15
+    w151 = w78 + w150
+    w152 = w27 * c14
+    w153 = w18 + w152
+    w154 = w92 * c14
+    w155 = w84 + w154
+    w156 = w34 * c13
+    w157 = w25 + w156
+    w158 = w98 * c13
+    w159 = w90 + w158
+    w160 = w41 * c12
+    w161 = w32 + w160
+    w162 = w104 * c12
+    w163 = w96 + w162
+    w164 = w48 * c11
+    w165 = w39 + w164
+    w166 = w110 * c11
+    w167 = w102 + w166
+    w168 = w47 * w164 - (w101 * w105 + w38 * w42 + w101 * gravity_y + w47 * w65 + w109 * w125) + w109 * w166
+    w169 = w55 * c10
+    w170 = w46 + w169
+    w171 = w116 * c10
+    w172 = w108 + w171
+    w173 = w54 * w169 - (w107 * w111 + w45 * w49 + w107 * gravity_y + w54 * w64 + w115 * w124) + w115 * w171
+    w174 = w61 * link10_mass
+    w175 = w53 + w174
+    w176 = w121 * link10_mass
+    w177 = w114 + w176
+    w178 = w60 * w174 - (w113 * w117 + w52 * w56 + w113 * gravity_y + w60 * w63 + w120 * w123) + w120 * w176
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w148, w1 * (w85 + w156) + w17 * (w15 + w163), w1 * w170 + w17 * w177, w1 * w183 + w17 * w189,
-            w1 * w195 + w17 * w200, w1 * w205 + w17 * w209, w1 * w213 + w17 * w216, w1 * w219 + w17 * w221,
-            w1 * w224 + w17 * w226, w1 * w129 + w17 * w71,
+            w131 + w74 * (w75 * c59), w0 * (w7 + w146) + w74 * (w73 + w147), w0 * w149 + w74 * w151,
+            w0 * w153 + w74 * w155, w0 * w157 + w74 * w159, w0 * w161 + w74 * w163, w0 * w165 + w74 * w167,
+            w0 * w170 + w74 * w172, w0 * w175 + w74 * w177, w0 * w59 + w74 * w119,
         ),
         ca.horzcat(  # link2.theta
-            w149 + w11 * w89 + w24 * w147,
-            w89 * w156 - w24 * w82 - (w149 + w14 * gravity_y) - (w89 * w140 - w24 * w163), w89 * w170 + w24 * w177,
-            w89 * w183 + w24 * w189, w89 * w195 + w24 * w200, w89 * w205 + w24 * w209, w89 * w213 + w24 * w216,
-            w89 * w219 + w24 * w221, w89 * w224 + w24 * w226, w89 * w129 + w24 * w71,
+            w2 * (w6 + w12 * c16) + w75 * (w72 + w79 * c16),
+            w12 * w146 - (w72 * w75 + w2 * w6 + w72 * gravity_y + w12 * w70 + w79 * w130) + w79 * w147,
+            w12 * w149 + w79 * w151, w12 * w153 + w79 * w155, w12 * w157 + w79 * w159, w12 * w161 + w79 * w163,
+            w12 * w165 + w79 * w167, w12 * w170 + w79 * w172, w12 * w175 + w79 * w177, w12 * w59 + w79 * w119,
         ),
         ca.horzcat(  # link3.theta
-            w18 * w22 + w3 * w87 + w10 * w95 + w31 * w146, w22 * w25 + w87 * w90 + w95 * w155 + w31 * w162,
-            w95 * w169 - w31 * w81 - (w22 * gravity_y + (w87 * w91 + w22 * w26)) - (w95 * w139 - w31 * w176),
-            w95 * w183 + w31 * w189, w95 * w195 + w31 * w200, w95 * w205 + w31 * w209, w95 * w213 + w31 * w216,
-            w95 * w219 + w31 * w221, w95 * w224 + w31 * w226, w95 * w129 + w31 * w71,
+            w2 * w132 + w75 * w133, w13 * w132 + w80 * w133,
+            w19 * w148 - (w77 * w81 + w10 * w14 + w77 * gravity_y + w19 * w69 + w85 * w129) + w85 * w150,
+            w19 * w153 + w85 * w155, w19 * w157 + w85 * w159, w19 * w161 + w85 * w163, w19 * w165 + w85 * w167,
+            w19 * w170 + w85 * w172, w19 * w175 + w85 * w177, w19 * w59 + w85 * w119,
         ),
         ca.horzcat(  # link4.theta
-            w18 * w29 + w3 * w93 + w9 * w101 + w38 * w145, w25 * w29 + w90 * w93 + w101 * w154 + w38 * w161,
-            w29 * w32 + w93 * w96 + w101 * w168 + w38 * w175, w190, w101 * w195 + w38 * w200,
-            w101 * w205 + w38 * w209, w101 * w213 + w38 * w216, w101 * w219 + w38 * w221, w101 * w224 + w38 * w226,
-            w101 * w129 + w38 * w71,
+            w2 * w134 + w75 * w135, w13 * w134 + w80 * w135, w20 * w134 + w86 * w135,
+            w26 * w152 - (w83 * w87 + w17 * w21 + w83 * gravity_y + w26 * w68 + w91 * w128) + w91 * w154,
+            w26 * w157 + w91 * w159, w26 * w161 + w91 * w163, w26 * w165 + w91 * w167, w26 * w170 + w91 * w172,
+            w26 * w175 + w91 * w177, w26 * w59 + w91 * w119,
         ),
         ca.horzcat(  # link5.theta
-            w18 * w36 + w3 * w99 + w8 * w107 + w45 * w144, w25 * w36 + w90 * w99 + w107 * w153 + w45 * w160,
-            w32 * w36 + w96 * w99 + w107 * w167 + w45 * w174, w36 * w39 + w99 * w102 + w107 * w181 + w45 * w187,
-            w201, w107 * w205 + w45 * w209, w107 * w213 + w45 * w216, w107 * w219 + w45 * w221,
-            w107 * w224 + w45 * w226, w107 * w129 + w45 * w71,
+            w2 * w136 + w75 * w137, w13 * w136 + w80 * w137, w20 * w136 + w86 * w137, w27 * w136 + w92 * w137,
+            w33 * w156 - (w89 * w93 + w24 * w28 + w89 * gravity_y + w33 * w67 + w97 * w127) + w97 * w158,
+            w33 * w161 + w97 * w163, w33 * w165 + w97 * w167, w33 * w170 + w97 * w172, w33 * w175 + w97 * w177,
+            w33 * w59 + w97 * w119,
         ),
         ca.horzcat(  # link6.theta
-            w18 * w43 + w3 * w105 + w7 * w113 + w52 * w143, w25 * w43 + w90 * w105 + w113 * w152 + w52 * w159,
-            w32 * w43 + w96 * w105 + w113 * w166 + w52 * w173, w39 * w43 + w102 * w105 + w113 * w180 + w52 * w186,
-            w43 * w46 + w105 * w108 + w113 * w193 + w52 * w198, w210, w113 * w213 + w52 * w216,
-            w113 * w219 + w52 * w221, w113 * w224 + w52 * w226, w113 * w129 + w52 * w71,
+            w2 * w138 + w75 * w139, w13 * w138 + w80 * w139, w20 * w138 + w86 * w139, w27 * w138 + w92 * w139,
+            w34 * w138 + w98 * w139,
+            w40 * w160 - (w95 * w99 + w31 * w35 + w95 * gravity_y + w40 * w66 + w103 * w126) + w103 * w162,
+            w40 * w165 + w103 * w167, w40 * w170 + w103 * w172, w40 * w175 + w103 * w177, w40 * w59 + w103 * w119,
         ),
         ca.horzcat(  # link7.theta
-            w18 * w50 + w3 * w111 + w6 * w119 + w59 * w142, w25 * w50 + w90 * w111 + w119 * w151 + w59 * w158,
-            w32 * w50 + w96 * w111 + w119 * w165 + w59 * w172, w39 * w50 + w102 * w111 + w119 * w179 + w59 * w185,
-            w46 * w50 + w108 * w111 + w119 * w192 + w59 * w197, w50 * w53 + w111 * w114 + w119 * w203 + w59 * w207,
-            w217, w119 * w219 + w59 * w221, w119 * w224 + w59 * w226, w119 * w129 + w59 * w71,
+            w2 * w140 + w75 * w141, w13 * w140 + w80 * w141, w20 * w140 + w86 * w141, w27 * w140 + w92 * w141,
+            w34 * w140 + w98 * w141, w41 * w140 + w104 * w141, w168, w47 * w170 + w109 * w172,
+            w47 * w175 + w109 * w177, w47 * w59 + w109 * w119,
         ),
         ca.horzcat(  # link8.theta
-            w18 * w57 + w3 * w117 + w5 * w125 + w66 * w141, w25 * w57 + w90 * w117 + w125 * w150 + w66 * w157,
-            w32 * w57 + w96 * w117 + w125 * w164 + w66 * w171, w39 * w57 + w102 * w117 + w125 * w178 + w66 * w184,
-            w46 * w57 + w108 * w117 + w125 * w191 + w66 * w196, w53 * w57 + w114 * w117 + w125 * w202 + w66 * w206,
-            w57 * w60 + w117 * w120 + w125 * w211 + w66 * w214, w222, w125 * w224 + w66 * w226,
-            w125 * w129 + w66 * w71,
+            w2 * w142 + w75 * w143, w13 * w142 + w80 * w143, w20 * w142 + w86 * w143, w27 * w142 + w92 * w143,
+            w34 * w142 + w98 * w143, w41 * w142 + w104 * w143, w48 * w142 + w110 * w143, w173,
+            w54 * w175 + w115 * w177, w54 * w59 + w115 * w119,
         ),
         ca.horzcat(  # link9.theta
-            w122 * (link1_theta_dot * (w0 * link1_theta_dot)) * c59 + w63 * (w2 * w16) * c59,
-            w122 * (w12 * w83) * c59 + w63 * (w12 * w13) * c59, w122 * (w20 * w86) * c59 + w63 * (w20 * w21) * c59,
-            w122 * (w27 * w92) * c59 + w63 * (w27 * w28) * c59, w122 * (w34 * w98) * c59 + w63 * (w34 * w35) * c59,
-            w122 * (w41 * w104) * c59 + w63 * (w41 * w42) * c59,
-            w122 * (w48 * w110) * c59 + w63 * (w48 * w49) * c59,
-            w122 * (w55 * w116) * c59 + w63 * (w55 * w56) * c59, w227, w129 * w130 + w71 * w72,
+            w2 * w144 + w75 * w145, w13 * w144 + w80 * w145, w20 * w144 + w86 * w145, w27 * w144 + w92 * w145,
+            w34 * w144 + w98 * w145, w41 * w144 + w104 * w145, w48 * w144 + w110 * w145, w55 * w144 + w116 * w145,
+            w178, w59 * w60 + w119 * w120,
         ),
         ca.horzcat(  # link10.theta
-            w18 * w70 + w3 * w128, w25 * w70 + w90 * w128, w32 * w70 + w96 * w128, w39 * w70 + w102 * w128,
-            w46 * w70 + w108 * w128, w53 * w70 + w114 * w128, w60 * w70 + w120 * w128, w67 * w70 + w126 * w128,
-            w70 * w73 + w128 * w131, -(w70 * gravity_y + (w128 * w132 + w70 * w74)),
+            w2 * w58 + w75 * w118, w13 * w58 + w80 * w118, w20 * w58 + w86 * w118, w27 * w58 + w92 * w118,
+            w34 * w58 + w98 * w118, w41 * w58 + w104 * w118, w48 * w58 + w110 * w118, w55 * w58 + w116 * w118,
+            w58 * w61 + w118 * w121, -(w118 * w122 + w58 * w62 + w118 * gravity_y),
         ),
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -2178,7 +2129,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
     takes c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 10 x 10) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    870 operations.
+    605 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
@@ -2204,15 +2155,14 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     link9_theta_dot = q_i_dot[8]
     link10_theta_dot = q_i_dot[9]
     link_length = c[0]
-    link2_mass = c[1]
-    link3_mass = c[2]
-    link4_mass = c[3]
-    link5_mass = c[4]
-    link6_mass = c[5]
-    link7_mass = c[6]
-    link8_mass = c[7]
-    link9_mass = c[8]
     link10_mass = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
     c18 = c[18]
     c19 = c[19]
     c20 = c[20]
@@ -2222,254 +2172,185 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
-    # intermediate terms (184)
+    c59 = c[59]
+    # intermediate terms (126)
     w0 = ca.cos(link1_theta) * link_length
     w1 = ca.sin(link1_theta) * link_length
     w2 = 2 * link1_theta_dot
     w3 = w1 * w2
-    w4 = w3 * link10_mass
-    w5 = w3 * link9_mass + w4
-    w6 = w3 * link8_mass + w5
-    w7 = w3 * link7_mass + w6
-    w8 = w3 * link6_mass + w7
-    w9 = w3 * link5_mass + w8
-    w10 = w3 * link4_mass + w9
-    w11 = w3 * link3_mass + w10
-    w12 = w0 * w2
-    w13 = w12 * link10_mass
-    w14 = w12 * link9_mass + w13
-    w15 = w12 * link8_mass + w14
-    w16 = w12 * link7_mass + w15
-    w17 = w12 * link6_mass + w16
-    w18 = w12 * link5_mass + w17
-    w19 = w12 * link4_mass + w18
-    w20 = w12 * link3_mass + w19
-    w21 = ca.cos(link2_theta)
-    w22 = w21 * link_length
-    w23 = ca.sin(link2_theta)
-    w24 = w23 * c18
-    w25 = w21 * c18
-    w26 = w23 * link_length
-    w27 = ca.cos(link3_theta)
-    w28 = w27 * link_length
-    w29 = ca.sin(link3_theta)
-    w30 = w29 * c19
-    w31 = w27 * c19
-    w32 = w29 * link_length
-    w33 = ca.cos(link4_theta)
-    w34 = w33 * link_length
-    w35 = ca.sin(link4_theta)
-    w36 = w35 * c20
-    w37 = w33 * c20
-    w38 = w35 * link_length
-    w39 = ca.cos(link5_theta)
-    w40 = w39 * link_length
-    w41 = ca.sin(link5_theta)
-    w42 = w41 * c21
-    w43 = w39 * c21
-    w44 = w41 * link_length
-    w45 = ca.cos(link6_theta)
-    w46 = w45 * link_length
-    w47 = ca.sin(link6_theta)
-    w48 = w47 * c22
-    w49 = w45 * c22
-    w50 = w47 * link_length
-    w51 = ca.cos(link7_theta)
-    w52 = w51 * link_length
-    w53 = ca.sin(link7_theta)
-    w54 = w53 * c23
-    w55 = w51 * c23
-    w56 = w53 * link_length
-    w57 = ca.cos(link8_theta)
-    w58 = w57 * link_length
-    w59 = ca.sin(link8_theta)
-    w60 = w59 * c24
-    w61 = w57 * c24
-    w62 = w59 * link_length
-    w63 = ca.cos(link9_theta)
-    w64 = w63 * link_length
-    w65 = ca.sin(link9_theta)
-    w66 = w65 * c25
-    w67 = w63 * c25
-    w68 = w65 * link_length
-    w69 = ca.sin(link10_theta) * c26
-    w70 = ca.cos(link10_theta) * c26
-    w71 = 2 * link2_theta_dot
-    w72 = w26 * w71
-    w73 = w72 * link10_mass
-    w74 = w72 * link9_mass + w73
-    w75 = w72 * link8_mass + w74
-    w76 = w72 * link7_mass + w75
-    w77 = w72 * link6_mass + w76
-    w78 = w72 * link5_mass + w77
-    w79 = w72 * link4_mass + w78
-    w80 = w72 * link3_mass + w79
-    w81 = w22 * w71
-    w82 = w81 * link10_mass
-    w83 = w81 * link9_mass + w82
-    w84 = w81 * link8_mass + w83
-    w85 = w81 * link7_mass + w84
-    w86 = w81 * link6_mass + w85
-    w87 = w81 * link5_mass + w86
-    w88 = w81 * link4_mass + w87
-    w89 = w81 * link3_mass + w88
-    w90 = 2 * link3_theta_dot
-    w91 = w32 * w90
-    w92 = w91 * link10_mass
-    w93 = w91 * link9_mass + w92
-    w94 = w91 * link8_mass + w93
-    w95 = w91 * link7_mass + w94
-    w96 = w91 * link6_mass + w95
-    w97 = w91 * link5_mass + w96
-    w98 = w91 * link4_mass + w97
-    w99 = w30 * w90 + w98
-    w100 = w28 * w90
-    w101 = w100 * link10_mass
-    w102 = w100 * link9_mass + w101
-    w103 = w100 * link8_mass + w102
-    w104 = w100 * link7_mass + w103
-    w105 = w100 * link6_mass + w104
-    w106 = w100 * link5_mass + w105
-    w107 = w100 * link4_mass + w106
-    w108 = w31 * w90 + w107
-    w109 = 2 * link4_theta_dot
-    w110 = w38 * w109
-    w111 = w110 * link10_mass
-    w112 = w110 * link9_mass + w111
-    w113 = w110 * link8_mass + w112
-    w114 = w110 * link7_mass + w113
-    w115 = w110 * link6_mass + w114
-    w116 = w110 * link5_mass + w115
-    w117 = w36 * w109 + w116
-    w118 = w34 * w109
-    w119 = w118 * link10_mass
-    w120 = w118 * link9_mass + w119
-    w121 = w118 * link8_mass + w120
-    w122 = w118 * link7_mass + w121
-    w123 = w118 * link6_mass + w122
-    w124 = w118 * link5_mass + w123
-    w125 = w37 * w109 + w124
-    w126 = 2 * link5_theta_dot
-    w127 = w44 * w126
-    w128 = w127 * link10_mass
-    w129 = w127 * link9_mass + w128
-    w130 = w127 * link8_mass + w129
-    w131 = w127 * link7_mass + w130
-    w132 = w127 * link6_mass + w131
-    w133 = w42 * w126 + w132
-    w134 = w40 * w126
-    w135 = w134 * link10_mass
-    w136 = w134 * link9_mass + w135
-    w137 = w134 * link8_mass + w136
-    w138 = w134 * link7_mass + w137
-    w139 = w134 * link6_mass + w138
-    w140 = w43 * w126 + w139
-    w141 = 2 * link6_theta_dot
-    w142 = w50 * w141
-    w143 = w142 * link10_mass
-    w144 = w142 * link9_mass + w143
-    w145 = w142 * link8_mass + w144
-    w146 = w142 * link7_mass + w145
-    w147 = w48 * w141 + w146
-    w148 = w46 * w141
-    w149 = w148 * link10_mass
-    w150 = w148 * link9_mass + w149
-    w151 = w148 * link8_mass + w150
-    w152 = w148 * link7_mass + w151
-    w153 = w49 * w141 + w152
-    w154 = 2 * link7_theta_dot
-    w155 = w56 * w154
-    w156 = w155 * link10_mass
-    w157 = w155 * link9_mass + w156
-    w158 = w155 * link8_mass + w157
-    w159 = w54 * w154 + w158
-    w160 = w52 * w154
-    w161 = w160 * link10_mass
-    w162 = w160 * link9_mass + w161
-    w163 = w160 * link8_mass + w162
-    w164 = w55 * w154 + w163
-    w165 = 2 * link8_theta_dot
-    w166 = w62 * w165
-    w167 = w166 * link10_mass
-    w168 = w166 * link9_mass + w167
-    w169 = w60 * w165 + w168
-    w170 = w58 * w165
-    w171 = w170 * link10_mass
-    w172 = w170 * link9_mass + w171
-    w173 = w61 * w165 + w172
-    w174 = 2 * link9_theta_dot
-    w175 = w68 * w174
-    w176 = w175 * link10_mass
-    w177 = w66 * w174 + w176
-    w178 = w64 * w174
-    w179 = w178 * link10_mass
-    w180 = w67 * w174 + w179
-    w181 = 2 * link10_theta_dot
-    w182 = w69 * w181
-    w183 = w70 * w181
+    w4 = w0 * w2
+    w5 = ca.cos(link2_theta)
+    w6 = w5 * c18
+    w7 = w5 * link_length
+    w8 = ca.sin(link2_theta)
+    w9 = w8 * c18
+    w10 = w8 * link_length
+    w11 = ca.cos(link3_theta)
+    w12 = w11 * c19
+    w13 = w11 * link_length
+    w14 = w12 + w13 * c15
+    w15 = ca.sin(link3_theta)
+    w16 = w15 * c19
+    w17 = w15 * link_length
+    w18 = w16 + w17 * c15
+    w19 = ca.cos(link4_theta)
+    w20 = w19 * c20
+    w21 = w19 * link_length
+    w22 = w20 + w21 * c14
+    w23 = ca.sin(link4_theta)
+    w24 = w23 * c20
+    w25 = w23 * link_length
+    w26 = w24 + w25 * c14
+    w27 = ca.cos(link5_theta)
+    w28 = w27 * c21
+    w29 = w27 * link_length
+    w30 = w28 + w29 * c13
+    w31 = ca.sin(link5_theta)
+    w32 = w31 * c21
+    w33 = w31 * link_length
+    w34 = w32 + w33 * c13
+    w35 = ca.cos(link6_theta)
+    w36 = w35 * c22
+    w37 = w35 * link_length
+    w38 = w36 + w37 * c12
+    w39 = ca.sin(link6_theta)
+    w40 = w39 * c22
+    w41 = w39 * link_length
+    w42 = w40 + w41 * c12
+    w43 = ca.cos(link7_theta)
+    w44 = w43 * c23
+    w45 = w43 * link_length
+    w46 = w44 + w45 * c11
+    w47 = ca.sin(link7_theta)
+    w48 = w47 * c23
+    w49 = w47 * link_length
+    w50 = w48 + w49 * c11
+    w51 = ca.cos(link8_theta)
+    w52 = w51 * c24
+    w53 = w51 * link_length
+    w54 = w52 + w53 * c10
+    w55 = ca.sin(link8_theta)
+    w56 = w55 * c24
+    w57 = w55 * link_length
+    w58 = w56 + w57 * c10
+    w59 = ca.cos(link9_theta)
+    w60 = w59 * c25
+    w61 = w59 * link_length
+    w62 = w60 + w61 * link10_mass
+    w63 = ca.sin(link9_theta)
+    w64 = w63 * c25
+    w65 = w63 * link_length
+    w66 = w64 + w65 * link10_mass
+    w67 = ca.cos(link10_theta) * c26
+    w68 = ca.sin(link10_theta) * c26
+    w69 = 2 * link2_theta_dot
+    w70 = w10 * w69
+    w71 = w70 * c16
+    w72 = w7 * w69
+    w73 = w72 * c16
+    w74 = 2 * link3_theta_dot
+    w75 = w17 * w74
+    w76 = w75 * c15
+    w77 = w16 * w74 + w76
+    w78 = w13 * w74
+    w79 = w78 * c15
+    w80 = w12 * w74 + w79
+    w81 = 2 * link4_theta_dot
+    w82 = w25 * w81
+    w83 = w82 * c14
+    w84 = w24 * w81 + w83
+    w85 = w21 * w81
+    w86 = w85 * c14
+    w87 = w20 * w81 + w86
+    w88 = 2 * link5_theta_dot
+    w89 = w33 * w88
+    w90 = w89 * c13
+    w91 = w32 * w88 + w90
+    w92 = w29 * w88
+    w93 = w92 * c13
+    w94 = w28 * w88 + w93
+    w95 = 2 * link6_theta_dot
+    w96 = w41 * w95
+    w97 = w96 * c12
+    w98 = w40 * w95 + w97
+    w99 = w37 * w95
+    w100 = w99 * c12
+    w101 = w36 * w95 + w100
+    w102 = 2 * link7_theta_dot
+    w103 = w49 * w102
+    w104 = w103 * c11
+    w105 = w48 * w102 + w104
+    w106 = w45 * w102
+    w107 = w106 * c11
+    w108 = w44 * w102 + w107
+    w109 = 2 * link8_theta_dot
+    w110 = w57 * w109
+    w111 = w110 * c10
+    w112 = w56 * w109 + w111
+    w113 = w53 * w109
+    w114 = w113 * c10
+    w115 = w52 * w109 + w114
+    w116 = 2 * link9_theta_dot
+    w117 = w65 * w116
+    w118 = w117 * link10_mass
+    w119 = w64 * w116 + w118
+    w120 = w61 * w116
+    w121 = w120 * link10_mass
+    w122 = w60 * w116 + w121
+    w123 = 2 * link10_theta_dot
+    w124 = w68 * w123
+    w125 = w67 * w123
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w0 * (w3 * link2_mass + w11) - w1 * (w12 * link2_mass + w20),
-            w0 * (w24 * w71 + w80) - w1 * (w25 * w71 + w89), w0 * w99 - w1 * w108, w0 * w117 - w1 * w125,
-            w0 * w133 - w1 * w140, w0 * w147 - w1 * w153, w0 * w159 - w1 * w164, w0 * w169 - w1 * w173,
-            w0 * w177 - w1 * w180, w0 * w182 - w1 * w183,
+            w0 * (w3 * c59) - w1 * (w4 * c59), w0 * (w9 * w69 + w71) - w1 * (w6 * w69 + w73), w0 * w77 - w1 * w80,
+            w0 * w84 - w1 * w87, w0 * w91 - w1 * w94, w0 * w98 - w1 * w101, w0 * w105 - w1 * w108,
+            w0 * w112 - w1 * w115, w0 * w119 - w1 * w122, w0 * w124 - w1 * w125,
         ),
         ca.horzcat(  # link2.theta
-            w11 * w22 - (w12 * w24 - w3 * w25) - w20 * w26, w22 * w80 - w26 * w89, w22 * w99 - w26 * w108,
-            w22 * w117 - w26 * w125, w22 * w133 - w26 * w140, w22 * w147 - w26 * w153, w22 * w159 - w26 * w164,
-            w22 * w169 - w26 * w173, w22 * w177 - w26 * w180, w22 * w182 - w26 * w183,
+            w3 * (w6 + w7 * c16) - w4 * (w9 + w10 * c16), w7 * w71 - w10 * w73, w7 * w77 - w10 * w80,
+            w7 * w84 - w10 * w87, w7 * w91 - w10 * w94, w7 * w98 - w10 * w101, w7 * w105 - w10 * w108,
+            w7 * w112 - w10 * w115, w7 * w119 - w10 * w122, w7 * w124 - w10 * w125,
         ),
         ca.horzcat(  # link3.theta
-            w10 * w28 - (w12 * w30 - w3 * w31) - w19 * w32, w28 * w79 - (w30 * w81 - w31 * w72) - w32 * w88,
-            w28 * w98 - w32 * w107, w28 * w117 - w32 * w125, w28 * w133 - w32 * w140, w28 * w147 - w32 * w153,
-            w28 * w159 - w32 * w164, w28 * w169 - w32 * w173, w28 * w177 - w32 * w180, w28 * w182 - w32 * w183,
+            w3 * w14 - w4 * w18, w14 * w70 - w18 * w72, w13 * w76 - w17 * w79, w13 * w84 - w17 * w87,
+            w13 * w91 - w17 * w94, w13 * w98 - w17 * w101, w13 * w105 - w17 * w108, w13 * w112 - w17 * w115,
+            w13 * w119 - w17 * w122, w13 * w124 - w17 * w125,
         ),
         ca.horzcat(  # link4.theta
-            w9 * w34 - (w12 * w36 - w3 * w37) - w18 * w38, w34 * w78 - (w36 * w81 - w37 * w72) - w38 * w87,
-            w34 * w97 - (w36 * w100 - w37 * w91) - w38 * w106, w34 * w116 - w38 * w124, w34 * w133 - w38 * w140,
-            w34 * w147 - w38 * w153, w34 * w159 - w38 * w164, w34 * w169 - w38 * w173, w34 * w177 - w38 * w180,
-            w34 * w182 - w38 * w183,
+            w3 * w22 - w4 * w26, w22 * w70 - w26 * w72, w22 * w75 - w26 * w78, w21 * w83 - w25 * w86,
+            w21 * w91 - w25 * w94, w21 * w98 - w25 * w101, w21 * w105 - w25 * w108, w21 * w112 - w25 * w115,
+            w21 * w119 - w25 * w122, w21 * w124 - w25 * w125,
         ),
         ca.horzcat(  # link5.theta
-            w8 * w40 - (w12 * w42 - w3 * w43) - w17 * w44, w40 * w77 - (w42 * w81 - w43 * w72) - w44 * w86,
-            w40 * w96 - (w42 * w100 - w43 * w91) - w44 * w105, w40 * w115 - (w42 * w118 - w43 * w110) - w44 * w123,
-            w40 * w132 - w44 * w139, w40 * w147 - w44 * w153, w40 * w159 - w44 * w164, w40 * w169 - w44 * w173,
-            w40 * w177 - w44 * w180, w40 * w182 - w44 * w183,
+            w3 * w30 - w4 * w34, w30 * w70 - w34 * w72, w30 * w75 - w34 * w78, w30 * w82 - w34 * w85,
+            w29 * w90 - w33 * w93, w29 * w98 - w33 * w101, w29 * w105 - w33 * w108, w29 * w112 - w33 * w115,
+            w29 * w119 - w33 * w122, w29 * w124 - w33 * w125,
         ),
         ca.horzcat(  # link6.theta
-            w7 * w46 - (w12 * w48 - w3 * w49) - w16 * w50, w46 * w76 - (w48 * w81 - w49 * w72) - w50 * w85,
-            w46 * w95 - (w48 * w100 - w49 * w91) - w50 * w104, w46 * w114 - (w48 * w118 - w49 * w110) - w50 * w122,
-            w46 * w131 - (w48 * w134 - w49 * w127) - w50 * w138, w46 * w146 - w50 * w152, w46 * w159 - w50 * w164,
-            w46 * w169 - w50 * w173, w46 * w177 - w50 * w180, w46 * w182 - w50 * w183,
+            w3 * w38 - w4 * w42, w38 * w70 - w42 * w72, w38 * w75 - w42 * w78, w38 * w82 - w42 * w85,
+            w38 * w89 - w42 * w92, w37 * w97 - w41 * w100, w37 * w105 - w41 * w108, w37 * w112 - w41 * w115,
+            w37 * w119 - w41 * w122, w37 * w124 - w41 * w125,
         ),
         ca.horzcat(  # link7.theta
-            w6 * w52 - (w12 * w54 - w3 * w55) - w15 * w56, w52 * w75 - (w54 * w81 - w55 * w72) - w56 * w84,
-            w52 * w94 - (w54 * w100 - w55 * w91) - w56 * w103, w52 * w113 - (w54 * w118 - w55 * w110) - w56 * w121,
-            w52 * w130 - (w54 * w134 - w55 * w127) - w56 * w137,
-            w52 * w145 - (w54 * w148 - w55 * w142) - w56 * w151, w52 * w158 - w56 * w163, w52 * w169 - w56 * w173,
-            w52 * w177 - w56 * w180, w52 * w182 - w56 * w183,
+            w3 * w46 - w4 * w50, w46 * w70 - w50 * w72, w46 * w75 - w50 * w78, w46 * w82 - w50 * w85,
+            w46 * w89 - w50 * w92, w46 * w96 - w50 * w99, w45 * w104 - w49 * w107, w45 * w112 - w49 * w115,
+            w45 * w119 - w49 * w122, w45 * w124 - w49 * w125,
         ),
         ca.horzcat(  # link8.theta
-            w5 * w58 - (w12 * w60 - w3 * w61) - w14 * w62, w58 * w74 - (w60 * w81 - w61 * w72) - w62 * w83,
-            w58 * w93 - (w60 * w100 - w61 * w91) - w62 * w102, w58 * w112 - (w60 * w118 - w61 * w110) - w62 * w120,
-            w58 * w129 - (w60 * w134 - w61 * w127) - w62 * w136,
-            w58 * w144 - (w60 * w148 - w61 * w142) - w62 * w150,
-            w58 * w157 - (w60 * w160 - w61 * w155) - w62 * w162, w58 * w168 - w62 * w172, w58 * w177 - w62 * w180,
-            w58 * w182 - w62 * w183,
+            w3 * w54 - w4 * w58, w54 * w70 - w58 * w72, w54 * w75 - w58 * w78, w54 * w82 - w58 * w85,
+            w54 * w89 - w58 * w92, w54 * w96 - w58 * w99, w54 * w103 - w58 * w106, w53 * w111 - w57 * w114,
+            w53 * w119 - w57 * w122, w53 * w124 - w57 * w125,
         ),
         ca.horzcat(  # link9.theta
-            w4 * w64 - (w12 * w66 - w3 * w67) - w13 * w68, w64 * w73 - (w66 * w81 - w67 * w72) - w68 * w82,
-            w64 * w92 - (w66 * w100 - w67 * w91) - w68 * w101, w64 * w111 - (w66 * w118 - w67 * w110) - w68 * w119,
-            w64 * w128 - (w66 * w134 - w67 * w127) - w68 * w135,
-            w64 * w143 - (w66 * w148 - w67 * w142) - w68 * w149,
-            w64 * w156 - (w66 * w160 - w67 * w155) - w68 * w161,
-            w64 * w167 - (w66 * w170 - w67 * w166) - w68 * w171, w64 * w176 - w68 * w179, w64 * w182 - w68 * w183,
+            w3 * w62 - w4 * w66, w62 * w70 - w66 * w72, w62 * w75 - w66 * w78, w62 * w82 - w66 * w85,
+            w62 * w89 - w66 * w92, w62 * w96 - w66 * w99, w62 * w103 - w66 * w106, w62 * w110 - w66 * w113,
+            w61 * w118 - w65 * w121, w61 * w124 - w65 * w125,
         ),
         ca.horzcat(  # link10.theta
-            -(w12 * w69 - w3 * w70), -(w69 * w81 - w70 * w72), -(w69 * w100 - w70 * w91),
-            -(w69 * w118 - w70 * w110), -(w69 * w134 - w70 * w127), -(w69 * w148 - w70 * w142),
-            -(w69 * w160 - w70 * w155), -(w69 * w170 - w70 * w166), -(w69 * w178 - w70 * w175), 0.0,
+            w3 * w67 - w4 * w68, w67 * w70 - w68 * w72, w67 * w75 - w68 * w78, w67 * w82 - w68 * w85,
+            w67 * w89 - w68 * w92, w67 * w96 - w68 * w99, w67 * w103 - w68 * w106, w67 * w110 - w68 * w113,
+            w67 * w117 - w68 * w120, 0.0,
         ),
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
@@ -2485,7 +2366,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 10 x 10) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 10 x 10) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    1936 operations.
+    1385 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
@@ -2531,6 +2412,13 @@ def residual_jacobian() -> ca.Function:
     link8_mass = c[7]
     link9_mass = c[8]
     link10_mass = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
     c18 = c[18]
     c19 = c[19]
     c20 = c[20]
@@ -2551,581 +2439,413 @@ def residual_jacobian() -> ca.Function:
     c44 = c[44]
     c45 = c[45]
     c46 = c[46]
-    # intermediate terms (429)
+    c59 = c[59]
+    # intermediate terms (290)
     w0 = ca.cos(link1_theta) * link_length
     w1 = ca.sin(link1_theta)
     w2 = w1 * link_length
     w3 = link1_theta_dot**2
     w4 = link1_theta_ddot * w2 + w0 * w3
-    w5 = w4 * link2_mass
-    w6 = w4 * link10_mass
-    w7 = w4 * link9_mass + w6
-    w8 = w4 * link8_mass + w7
-    w9 = w4 * link7_mass + w8
-    w10 = w4 * link6_mass + w9
-    w11 = w4 * link5_mass + w10
-    w12 = w4 * link4_mass + w11
-    w13 = w4 * link3_mass + w12
-    w14 = link2_theta_dot**2
-    w15 = ca.sin(link2_theta)
-    w16 = w15 * c18
-    w17 = w14 * w16
-    w18 = w0 * link1_theta_ddot - w2 * w3
-    w19 = w18 * link2_mass
-    w20 = ca.cos(link2_theta)
-    w21 = w20 * c18
-    w22 = w21 * link2_theta_ddot
-    w23 = link3_theta_dot**2
-    w24 = ca.sin(link3_theta)
-    w25 = w24 * c19
-    w26 = w23 * w25
-    w27 = w15 * link_length
-    w28 = w14 * w27
-    w29 = w20 * link_length
-    w30 = link2_theta_ddot * w29
-    w31 = w18 - w28 + w30
-    w32 = ca.cos(link3_theta)
-    w33 = w32 * c19
-    w34 = w33 * link3_theta_ddot
-    w35 = link4_theta_dot**2
-    w36 = ca.sin(link4_theta)
-    w37 = w36 * c20
-    w38 = w35 * w37
-    w39 = w24 * link_length
-    w40 = w23 * w39
-    w41 = w32 * link_length
-    w42 = link3_theta_ddot * w41
-    w43 = w31 - w40 + w42
-    w44 = ca.cos(link4_theta)
-    w45 = w44 * c20
-    w46 = w45 * link4_theta_ddot
-    w47 = link5_theta_dot**2
-    w48 = ca.sin(link5_theta)
-    w49 = w48 * c21
-    w50 = w47 * w49
-    w51 = w36 * link_length
-    w52 = w35 * w51
-    w53 = w44 * link_length
-    w54 = link4_theta_ddot * w53
-    w55 = w43 - w52 + w54
-    w56 = ca.cos(link5_theta)
-    w57 = w56 * c21
-    w58 = w57 * link5_theta_ddot
-    w59 = link6_theta_dot**2
-    w60 = ca.sin(link6_theta)
-    w61 = w60 * c22
-    w62 = w59 * w61
-    w63 = w48 * link_length
-    w64 = w47 * w63
-    w65 = w56 * link_length
-    w66 = link5_theta_ddot * w65
-    w67 = w55 - w64 + w66
-    w68 = ca.cos(link6_theta)
-    w69 = w68 * c22
-    w70 = w69 * link6_theta_ddot
-    w71 = link7_theta_dot**2
-    w72 = ca.sin(link7_theta)
-    w73 = w72 * c23
-    w74 = w71 * w73
-    w75 = w60 * link_length
-    w76 = w59 * w75
-    w77 = w68 * link_length
-    w78 = link6_theta_ddot * w77
-    w79 = w67 - w76 + w78
-    w80 = ca.cos(link7_theta)
-    w81 = w80 * c23
-    w82 = w81 * link7_theta_ddot
-    w83 = link8_theta_dot**2
-    w84 = ca.sin(link8_theta)
-    w85 = w84 * c24
-    w86 = w83 * w85
-    w87 = w72 * link_length
-    w88 = w71 * w87
-    w89 = w80 * link_length
-    w90 = link7_theta_ddot * w89
-    w91 = w79 - w88 + w90
-    w92 = ca.cos(link8_theta)
-    w93 = w92 * c24
-    w94 = w93 * link8_theta_ddot
-    w95 = link9_theta_dot**2
-    w96 = ca.sin(link9_theta)
-    w97 = w96 * c25
-    w98 = w95 * w97
-    w99 = w84 * link_length
-    w100 = w83 * w99
-    w101 = w92 * link_length
-    w102 = link8_theta_ddot * w101
-    w103 = w91 - w100 + w102
-    w104 = ca.cos(link9_theta)
-    w105 = w104 * c25
-    w106 = w105 * link9_theta_ddot
-    w107 = link10_theta_dot**2
-    w108 = ca.sin(link10_theta) * c26
-    w109 = w107 * w108
-    w110 = w96 * link_length
-    w111 = w95 * w110
-    w112 = w104 * link_length
-    w113 = link9_theta_ddot * w112
-    w114 = w103 - w111 + w113
-    w115 = ca.cos(link10_theta) * c26
-    w116 = w115 * link10_theta_ddot
-    w117 = c46 + w109 - (w114 * link10_mass + w116)
-    w118 = c45 + w98 - (w103 * link9_mass + w106) + w117
-    w119 = c44 + w86 - (w91 * link8_mass + w94) + w118
-    w120 = c43 + w74 - (w79 * link7_mass + w82) + w119
-    w121 = c42 + w62 - (w67 * link6_mass + w70) + w120
-    w122 = c41 + w50 - (w55 * link5_mass + w58) + w121
-    w123 = c40 + w38 - (w43 * link4_mass + w46) + w122
-    w124 = c39 + w26 - (w31 * link3_mass + w34) + w123
-    w125 = w18 * link10_mass
-    w126 = w18 * link9_mass + w125
-    w127 = w18 * link8_mass + w126
-    w128 = w18 * link7_mass + w127
-    w129 = w18 * link6_mass + w128
-    w130 = w18 * link5_mass + w129
-    w131 = w18 * link4_mass + w130
-    w132 = w18 * link3_mass + w131
-    w133 = w14 * w21
-    w134 = w16 * link2_theta_ddot
-    w135 = w23 * w33
-    w136 = w14 * w29
-    w137 = link2_theta_ddot * w27
-    w138 = w4 + w136 + w137
-    w139 = w25 * link3_theta_ddot
-    w140 = w35 * w45
-    w141 = w23 * w41
-    w142 = link3_theta_ddot * w39
-    w143 = w138 + w141 + w142
-    w144 = w37 * link4_theta_ddot
-    w145 = w47 * w57
-    w146 = w35 * w53
-    w147 = link4_theta_ddot * w51
-    w148 = w143 + w146 + w147
-    w149 = w49 * link5_theta_ddot
-    w150 = w59 * w69
-    w151 = w47 * w65
-    w152 = link5_theta_ddot * w63
-    w153 = w148 + w151 + w152
-    w154 = w61 * link6_theta_ddot
-    w155 = w71 * w81
-    w156 = w59 * w77
-    w157 = link6_theta_ddot * w75
-    w158 = w153 + w156 + w157
-    w159 = w73 * link7_theta_ddot
-    w160 = w83 * w93
-    w161 = w71 * w89
-    w162 = link7_theta_ddot * w87
-    w163 = w158 + w161 + w162
-    w164 = w85 * link8_theta_ddot
-    w165 = w95 * w105
-    w166 = w83 * w101
-    w167 = link8_theta_ddot * w99
-    w168 = w163 + w166 + w167
-    w169 = w97 * link9_theta_ddot
-    w170 = w107 * w115
-    w171 = w95 * w112
-    w172 = link9_theta_ddot * w110
-    w173 = w168 + w171 + w172
-    w174 = w108 * link10_theta_ddot
-    w175 = w170 + (w173 * link10_mass + w174)
-    w176 = w165 + (w168 * link9_mass + w169) + w175
-    w177 = w160 + (w163 * link8_mass + w164) + w176
-    w178 = w155 + (w158 * link7_mass + w159) + w177
-    w179 = w150 + (w153 * link6_mass + w154) + w178
-    w180 = w145 + (w148 * link5_mass + w149) + w179
-    w181 = w140 + (w143 * link4_mass + w144) + w180
-    w182 = w135 + (w138 * link3_mass + w139) + w181
-    w183 = w0 * (w5 + w13) - w2 * (c38 + w17 - (w19 + w22) + w124) - w1 * c37 - (w2 * (w19 + w132) + w0 * (w133 + (w5 + w134) + w182))
-    w184 = w16 * w18
-    w185 = w4 * w21
-    w186 = w136 + w137
-    w187 = w186 * link10_mass
-    w188 = w186 * link9_mass + w187
-    w189 = w186 * link8_mass + w188
-    w190 = w186 * link7_mass + w189
-    w191 = w186 * link6_mass + w190
-    w192 = w186 * link5_mass + w191
-    w193 = w186 * link4_mass + w192
-    w194 = w186 * link3_mass + w193
-    w195 = w30 - w28
-    w196 = w195 * link10_mass
-    w197 = w195 * link9_mass + w196
-    w198 = w195 * link8_mass + w197
-    w199 = w195 * link7_mass + w198
-    w200 = w195 * link6_mass + w199
-    w201 = w195 * link5_mass + w200
-    w202 = w195 * link4_mass + w201
-    w203 = w195 * link3_mass + w202
-    w204 = w141 + w142
-    w205 = w204 * link10_mass
-    w206 = w204 * link9_mass + w205
-    w207 = w204 * link8_mass + w206
-    w208 = w204 * link7_mass + w207
-    w209 = w204 * link6_mass + w208
-    w210 = w204 * link5_mass + w209
-    w211 = w204 * link4_mass + w210
-    w212 = w135 + w139 + w211
-    w213 = w42 - w40
-    w214 = w213 * link10_mass
-    w215 = w213 * link9_mass + w214
-    w216 = w213 * link8_mass + w215
-    w217 = w213 * link7_mass + w216
-    w218 = w213 * link6_mass + w217
-    w219 = w213 * link5_mass + w218
-    w220 = w213 * link4_mass + w219
-    w221 = w34 - w26 + w220
-    w222 = w41 * w211 - w39 * w123 - (w25 * gravity_y + (w33 * w138 - w25 * w31)) - (w39 * w220 + w41 * w181)
-    w223 = w146 + w147
-    w224 = w223 * link10_mass
-    w225 = w223 * link9_mass + w224
-    w226 = w223 * link8_mass + w225
-    w227 = w223 * link7_mass + w226
-    w228 = w223 * link6_mass + w227
-    w229 = w223 * link5_mass + w228
-    w230 = w140 + w144 + w229
-    w231 = w54 - w52
-    w232 = w231 * link10_mass
-    w233 = w231 * link9_mass + w232
-    w234 = w231 * link8_mass + w233
-    w235 = w231 * link7_mass + w234
-    w236 = w231 * link6_mass + w235
-    w237 = w231 * link5_mass + w236
-    w238 = w46 - w38 + w237
-    w239 = w53 * w229 - w51 * w122 - (w37 * gravity_y + (w45 * w143 - w37 * w43)) - (w51 * w237 + w53 * w180)
-    w240 = w151 + w152
-    w241 = w240 * link10_mass
-    w242 = w240 * link9_mass + w241
-    w243 = w240 * link8_mass + w242
-    w244 = w240 * link7_mass + w243
-    w245 = w240 * link6_mass + w244
-    w246 = w145 + w149 + w245
-    w247 = w66 - w64
-    w248 = w247 * link10_mass
-    w249 = w247 * link9_mass + w248
-    w250 = w247 * link8_mass + w249
-    w251 = w247 * link7_mass + w250
-    w252 = w247 * link6_mass + w251
-    w253 = w58 - w50 + w252
-    w254 = w65 * w245 - w63 * w121 - (w49 * gravity_y + (w57 * w148 - w49 * w55)) - (w63 * w252 + w65 * w179)
-    w255 = w156 + w157
-    w256 = w255 * link10_mass
-    w257 = w255 * link9_mass + w256
-    w258 = w255 * link8_mass + w257
-    w259 = w255 * link7_mass + w258
-    w260 = w150 + w154 + w259
-    w261 = w78 - w76
-    w262 = w261 * link10_mass
-    w263 = w261 * link9_mass + w262
-    w264 = w261 * link8_mass + w263
-    w265 = w261 * link7_mass + w264
-    w266 = w70 - w62 + w265
-    w267 = w77 * w259 - w75 * w120 - (w61 * gravity_y + (w69 * w153 - w61 * w67)) - (w75 * w265 + w77 * w178)
-    w268 = w161 + w162
-    w269 = w268 * link10_mass
-    w270 = w268 * link9_mass + w269
-    w271 = w268 * link8_mass + w270
-    w272 = w155 + w159 + w271
-    w273 = w90 - w88
-    w274 = w273 * link10_mass
-    w275 = w273 * link9_mass + w274
-    w276 = w273 * link8_mass + w275
-    w277 = w82 - w74 + w276
-    w278 = w89 * w271 - w87 * w119 - (w73 * gravity_y + (w81 * w158 - w73 * w79)) - (w87 * w276 + w89 * w177)
-    w279 = w166 + w167
-    w280 = w279 * link10_mass
-    w281 = w279 * link9_mass + w280
-    w282 = w160 + w164 + w281
-    w283 = w102 - w100
-    w284 = w283 * link10_mass
-    w285 = w283 * link9_mass + w284
-    w286 = w94 - w86 + w285
-    w287 = w101 * w281 - w99 * w118 - (w85 * gravity_y + (w93 * w163 - w85 * w91)) - (w99 * w285 + w101 * w176)
-    w288 = w171 + w172
-    w289 = w288 * link10_mass
-    w290 = w165 + w169 + w289
-    w291 = w113 - w111
-    w292 = w291 * link10_mass
-    w293 = w106 - w98 + w292
-    w294 = w112 * w289 - w110 * w117 - (w97 * gravity_y + (w105 * w168 - w97 * w103)) - (w110 * w292 + w112 * w175)
-    w295 = w170 + w174
-    w296 = w116 - w109
-    w297 = 2 * link1_theta_dot
-    w298 = w2 * w297
-    w299 = w298 * link10_mass
-    w300 = w298 * link9_mass + w299
-    w301 = w298 * link8_mass + w300
-    w302 = w298 * link7_mass + w301
-    w303 = w298 * link6_mass + w302
-    w304 = w298 * link5_mass + w303
-    w305 = w298 * link4_mass + w304
-    w306 = w298 * link3_mass + w305
-    w307 = w0 * w297
-    w308 = w307 * link10_mass
-    w309 = w307 * link9_mass + w308
-    w310 = w307 * link8_mass + w309
-    w311 = w307 * link7_mass + w310
-    w312 = w307 * link6_mass + w311
-    w313 = w307 * link5_mass + w312
-    w314 = w307 * link4_mass + w313
-    w315 = w307 * link3_mass + w314
-    w316 = 2 * link2_theta_dot
-    w317 = w27 * w316
-    w318 = w317 * link10_mass
-    w319 = w317 * link9_mass + w318
-    w320 = w317 * link8_mass + w319
-    w321 = w317 * link7_mass + w320
-    w322 = w317 * link6_mass + w321
-    w323 = w317 * link5_mass + w322
-    w324 = w317 * link4_mass + w323
-    w325 = w317 * link3_mass + w324
-    w326 = w29 * w316
-    w327 = w326 * link10_mass
-    w328 = w326 * link9_mass + w327
-    w329 = w326 * link8_mass + w328
-    w330 = w326 * link7_mass + w329
-    w331 = w326 * link6_mass + w330
-    w332 = w326 * link5_mass + w331
-    w333 = w326 * link4_mass + w332
-    w334 = w326 * link3_mass + w333
-    w335 = 2 * link3_theta_dot
-    w336 = w39 * w335
-    w337 = w336 * link10_mass
-    w338 = w336 * link9_mass + w337
-    w339 = w336 * link8_mass + w338
-    w340 = w336 * link7_mass + w339
-    w341 = w336 * link6_mass + w340
-    w342 = w336 * link5_mass + w341
-    w343 = w336 * link4_mass + w342
-    w344 = w25 * w335 + w343
-    w345 = w41 * w335
-    w346 = w345 * link10_mass
-    w347 = w345 * link9_mass + w346
-    w348 = w345 * link8_mass + w347
-    w349 = w345 * link7_mass + w348
-    w350 = w345 * link6_mass + w349
-    w351 = w345 * link5_mass + w350
-    w352 = w345 * link4_mass + w351
-    w353 = w33 * w335 + w352
-    w354 = 2 * link4_theta_dot
-    w355 = w51 * w354
-    w356 = w355 * link10_mass
-    w357 = w355 * link9_mass + w356
-    w358 = w355 * link8_mass + w357
-    w359 = w355 * link7_mass + w358
-    w360 = w355 * link6_mass + w359
-    w361 = w355 * link5_mass + w360
-    w362 = w37 * w354 + w361
-    w363 = w53 * w354
-    w364 = w363 * link10_mass
-    w365 = w363 * link9_mass + w364
-    w366 = w363 * link8_mass + w365
-    w367 = w363 * link7_mass + w366
-    w368 = w363 * link6_mass + w367
-    w369 = w363 * link5_mass + w368
-    w370 = w45 * w354 + w369
-    w371 = 2 * link5_theta_dot
-    w372 = w63 * w371
-    w373 = w372 * link10_mass
-    w374 = w372 * link9_mass + w373
-    w375 = w372 * link8_mass + w374
-    w376 = w372 * link7_mass + w375
-    w377 = w372 * link6_mass + w376
-    w378 = w49 * w371 + w377
-    w379 = w65 * w371
-    w380 = w379 * link10_mass
-    w381 = w379 * link9_mass + w380
-    w382 = w379 * link8_mass + w381
-    w383 = w379 * link7_mass + w382
-    w384 = w379 * link6_mass + w383
-    w385 = w57 * w371 + w384
-    w386 = 2 * link6_theta_dot
-    w387 = w75 * w386
-    w388 = w387 * link10_mass
-    w389 = w387 * link9_mass + w388
-    w390 = w387 * link8_mass + w389
-    w391 = w387 * link7_mass + w390
-    w392 = w61 * w386 + w391
-    w393 = w77 * w386
-    w394 = w393 * link10_mass
-    w395 = w393 * link9_mass + w394
-    w396 = w393 * link8_mass + w395
-    w397 = w393 * link7_mass + w396
-    w398 = w69 * w386 + w397
-    w399 = 2 * link7_theta_dot
-    w400 = w87 * w399
-    w401 = w400 * link10_mass
-    w402 = w400 * link9_mass + w401
-    w403 = w400 * link8_mass + w402
-    w404 = w73 * w399 + w403
-    w405 = w89 * w399
-    w406 = w405 * link10_mass
-    w407 = w405 * link9_mass + w406
-    w408 = w405 * link8_mass + w407
-    w409 = w81 * w399 + w408
-    w410 = 2 * link8_theta_dot
-    w411 = w99 * w410
-    w412 = w411 * link10_mass
-    w413 = w411 * link9_mass + w412
-    w414 = w85 * w410 + w413
-    w415 = w101 * w410
-    w416 = w415 * link10_mass
-    w417 = w415 * link9_mass + w416
-    w418 = w93 * w410 + w417
-    w419 = 2 * link9_theta_dot
-    w420 = w110 * w419
-    w421 = w420 * link10_mass
-    w422 = w97 * w419 + w421
-    w423 = w112 * w419
-    w424 = w423 * link10_mass
-    w425 = w105 * w419 + w424
-    w426 = 2 * link10_theta_dot
-    w427 = w108 * w426
-    w428 = w115 * w426
+    w5 = link2_theta_dot**2
+    w6 = ca.cos(link2_theta)
+    w7 = w6 * c18
+    w8 = w5 * w7
+    w9 = ca.sin(link2_theta)
+    w10 = w9 * c18
+    w11 = w10 * link2_theta_ddot
+    w12 = link3_theta_dot**2
+    w13 = ca.cos(link3_theta)
+    w14 = w13 * c19
+    w15 = w12 * w14
+    w16 = w6 * link_length
+    w17 = w5 * w16
+    w18 = w9 * link_length
+    w19 = link2_theta_ddot * w18
+    w20 = w4 + w17 + w19
+    w21 = ca.sin(link3_theta)
+    w22 = w21 * c19
+    w23 = w22 * link3_theta_ddot
+    w24 = link4_theta_dot**2
+    w25 = ca.cos(link4_theta)
+    w26 = w25 * c20
+    w27 = w24 * w26
+    w28 = w13 * link_length
+    w29 = w12 * w28
+    w30 = w21 * link_length
+    w31 = link3_theta_ddot * w30
+    w32 = w20 + w29 + w31
+    w33 = ca.sin(link4_theta)
+    w34 = w33 * c20
+    w35 = w34 * link4_theta_ddot
+    w36 = link5_theta_dot**2
+    w37 = ca.cos(link5_theta)
+    w38 = w37 * c21
+    w39 = w36 * w38
+    w40 = w25 * link_length
+    w41 = w24 * w40
+    w42 = w33 * link_length
+    w43 = link4_theta_ddot * w42
+    w44 = w32 + w41 + w43
+    w45 = ca.sin(link5_theta)
+    w46 = w45 * c21
+    w47 = w46 * link5_theta_ddot
+    w48 = link6_theta_dot**2
+    w49 = ca.cos(link6_theta)
+    w50 = w49 * c22
+    w51 = w48 * w50
+    w52 = w37 * link_length
+    w53 = w36 * w52
+    w54 = w45 * link_length
+    w55 = link5_theta_ddot * w54
+    w56 = w44 + w53 + w55
+    w57 = ca.sin(link6_theta)
+    w58 = w57 * c22
+    w59 = w58 * link6_theta_ddot
+    w60 = link7_theta_dot**2
+    w61 = ca.cos(link7_theta)
+    w62 = w61 * c23
+    w63 = w60 * w62
+    w64 = w49 * link_length
+    w65 = w48 * w64
+    w66 = w57 * link_length
+    w67 = link6_theta_ddot * w66
+    w68 = w56 + w65 + w67
+    w69 = ca.sin(link7_theta)
+    w70 = w69 * c23
+    w71 = w70 * link7_theta_ddot
+    w72 = link8_theta_dot**2
+    w73 = ca.cos(link8_theta)
+    w74 = w73 * c24
+    w75 = w72 * w74
+    w76 = w61 * link_length
+    w77 = w60 * w76
+    w78 = w69 * link_length
+    w79 = link7_theta_ddot * w78
+    w80 = w68 + w77 + w79
+    w81 = ca.sin(link8_theta)
+    w82 = w81 * c24
+    w83 = w82 * link8_theta_ddot
+    w84 = link9_theta_dot**2
+    w85 = ca.cos(link9_theta)
+    w86 = w85 * c25
+    w87 = w84 * w86
+    w88 = w73 * link_length
+    w89 = w72 * w88
+    w90 = w81 * link_length
+    w91 = link8_theta_ddot * w90
+    w92 = w80 + w89 + w91
+    w93 = ca.sin(link9_theta)
+    w94 = w93 * c25
+    w95 = w94 * link9_theta_ddot
+    w96 = link10_theta_dot**2
+    w97 = ca.cos(link10_theta) * c26
+    w98 = w96 * w97
+    w99 = w85 * link_length
+    w100 = w84 * w99
+    w101 = w93 * link_length
+    w102 = link9_theta_ddot * w101
+    w103 = w92 + w100 + w102
+    w104 = ca.sin(link10_theta) * c26
+    w105 = w104 * link10_theta_ddot
+    w106 = w98 + (w103 * link10_mass + w105)
+    w107 = w87 + (w92 * link9_mass + w95) + w106
+    w108 = w75 + (w80 * link8_mass + w83) + w107
+    w109 = w63 + (w68 * link7_mass + w71) + w108
+    w110 = w51 + (w56 * link6_mass + w59) + w109
+    w111 = w39 + (w44 * link5_mass + w47) + w110
+    w112 = w27 + (w32 * link4_mass + w35) + w111
+    w113 = w15 + (w20 * link3_mass + w23) + w112
+    w114 = w5 * w10
+    w115 = w0 * link1_theta_ddot - w2 * w3
+    w116 = w7 * link2_theta_ddot
+    w117 = w12 * w22
+    w118 = w5 * w18
+    w119 = link2_theta_ddot * w16
+    w120 = w115 - w118 + w119
+    w121 = w14 * link3_theta_ddot
+    w122 = w24 * w34
+    w123 = w12 * w30
+    w124 = link3_theta_ddot * w28
+    w125 = w120 - w123 + w124
+    w126 = w26 * link4_theta_ddot
+    w127 = w36 * w46
+    w128 = w24 * w42
+    w129 = link4_theta_ddot * w40
+    w130 = w125 - w128 + w129
+    w131 = w38 * link5_theta_ddot
+    w132 = w48 * w58
+    w133 = w36 * w54
+    w134 = link5_theta_ddot * w52
+    w135 = w130 - w133 + w134
+    w136 = w50 * link6_theta_ddot
+    w137 = w60 * w70
+    w138 = w48 * w66
+    w139 = link6_theta_ddot * w64
+    w140 = w135 - w138 + w139
+    w141 = w62 * link7_theta_ddot
+    w142 = w72 * w82
+    w143 = w60 * w78
+    w144 = link7_theta_ddot * w76
+    w145 = w140 - w143 + w144
+    w146 = w74 * link8_theta_ddot
+    w147 = w84 * w94
+    w148 = w72 * w90
+    w149 = link8_theta_ddot * w88
+    w150 = w145 - w148 + w149
+    w151 = w86 * link9_theta_ddot
+    w152 = w96 * w104
+    w153 = w84 * w101
+    w154 = link9_theta_ddot * w99
+    w155 = w150 - w153 + w154
+    w156 = w97 * link10_theta_ddot
+    w157 = c46 + w152 - (w155 * link10_mass + w156)
+    w158 = c45 + w147 - (w150 * link9_mass + w151) + w157
+    w159 = c44 + w142 - (w145 * link8_mass + w146) + w158
+    w160 = c43 + w137 - (w140 * link7_mass + w141) + w159
+    w161 = c42 + w132 - (w135 * link6_mass + w136) + w160
+    w162 = c41 + w127 - (w130 * link5_mass + w131) + w161
+    w163 = c40 + w122 - (w125 * link4_mass + w126) + w162
+    w164 = c39 + w117 - (w120 * link3_mass + w121) + w163
+    w165 = w1 * c37 + w0 * (w8 + (w4 * link2_mass + w11) + w113) + w2 * (c38 + w114 - (w115 * link2_mass + w116) + w164)
+    w166 = w7 + w16 * c16
+    w167 = w10 + w18 * c16
+    w168 = w14 + w28 * c15
+    w169 = w22 + w30 * c15
+    w170 = w26 + w40 * c14
+    w171 = w34 + w42 * c14
+    w172 = w38 + w52 * c13
+    w173 = w46 + w54 * c13
+    w174 = w50 + w64 * c12
+    w175 = w58 + w66 * c12
+    w176 = w62 + w76 * c11
+    w177 = w70 + w78 * c11
+    w178 = w74 + w88 * c10
+    w179 = w82 + w90 * c10
+    w180 = w86 + w99 * link10_mass
+    w181 = w94 + w101 * link10_mass
+    w182 = w17 + w19
+    w183 = w182 * c16
+    w184 = w119 - w118
+    w185 = w184 * c16
+    w186 = w29 + w31
+    w187 = w186 * c15
+    w188 = w15 + w23 + w187
+    w189 = w124 - w123
+    w190 = w189 * c15
+    w191 = w121 - w117 + w190
+    w192 = w41 + w43
+    w193 = w192 * c14
+    w194 = w27 + w35 + w193
+    w195 = w129 - w128
+    w196 = w195 * c14
+    w197 = w126 - w122 + w196
+    w198 = w53 + w55
+    w199 = w198 * c13
+    w200 = w39 + w47 + w199
+    w201 = w134 - w133
+    w202 = w201 * c13
+    w203 = w131 - w127 + w202
+    w204 = w65 + w67
+    w205 = w204 * c12
+    w206 = w51 + w59 + w205
+    w207 = w139 - w138
+    w208 = w207 * c12
+    w209 = w136 - w132 + w208
+    w210 = w77 + w79
+    w211 = w210 * c11
+    w212 = w63 + w71 + w211
+    w213 = w144 - w143
+    w214 = w213 * c11
+    w215 = w141 - w137 + w214
+    w216 = w89 + w91
+    w217 = w216 * c10
+    w218 = w75 + w83 + w217
+    w219 = w149 - w148
+    w220 = w219 * c10
+    w221 = w146 - w142 + w220
+    w222 = w100 + w102
+    w223 = w222 * link10_mass
+    w224 = w87 + w95 + w223
+    w225 = w154 - w153
+    w226 = w225 * link10_mass
+    w227 = w151 - w147 + w226
+    w228 = w98 + w105
+    w229 = w156 - w152
+    w230 = 2 * link1_theta_dot
+    w231 = w2 * w230
+    w232 = w0 * w230
+    w233 = 2 * link2_theta_dot
+    w234 = w18 * w233
+    w235 = w234 * c16
+    w236 = w16 * w233
+    w237 = w236 * c16
+    w238 = 2 * link3_theta_dot
+    w239 = w30 * w238
+    w240 = w239 * c15
+    w241 = w22 * w238 + w240
+    w242 = w28 * w238
+    w243 = w242 * c15
+    w244 = w14 * w238 + w243
+    w245 = 2 * link4_theta_dot
+    w246 = w42 * w245
+    w247 = w246 * c14
+    w248 = w34 * w245 + w247
+    w249 = w40 * w245
+    w250 = w249 * c14
+    w251 = w26 * w245 + w250
+    w252 = 2 * link5_theta_dot
+    w253 = w54 * w252
+    w254 = w253 * c13
+    w255 = w46 * w252 + w254
+    w256 = w52 * w252
+    w257 = w256 * c13
+    w258 = w38 * w252 + w257
+    w259 = 2 * link6_theta_dot
+    w260 = w66 * w259
+    w261 = w260 * c12
+    w262 = w58 * w259 + w261
+    w263 = w64 * w259
+    w264 = w263 * c12
+    w265 = w50 * w259 + w264
+    w266 = 2 * link7_theta_dot
+    w267 = w78 * w266
+    w268 = w267 * c11
+    w269 = w70 * w266 + w268
+    w270 = w76 * w266
+    w271 = w270 * c11
+    w272 = w62 * w266 + w271
+    w273 = 2 * link8_theta_dot
+    w274 = w90 * w273
+    w275 = w274 * c10
+    w276 = w82 * w273 + w275
+    w277 = w88 * w273
+    w278 = w277 * c10
+    w279 = w74 * w273 + w278
+    w280 = 2 * link9_theta_dot
+    w281 = w101 * w280
+    w282 = w281 * link10_mass
+    w283 = w94 * w280 + w282
+    w284 = w99 * w280
+    w285 = w284 * link10_mass
+    w286 = w86 * w280 + w285
+    w287 = 2 * link10_theta_dot
+    w288 = w104 * w287
+    w289 = w97 * w287
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w183, w0 * (w133 + w134 + w194) - w2 * (w22 - w17 + w203), w0 * w212 - w2 * w221, w0 * w230 - w2 * w238,
-            w0 * w246 - w2 * w253, w0 * w260 - w2 * w266, w0 * w272 - w2 * w277, w0 * w282 - w2 * w286,
-            w0 * w290 - w2 * w293, w0 * w295 - w2 * w296,
+            w0 * (w4 * c59) - w165 - w2 * (w115 * c59), w0 * (w8 + w11 + w183) - w2 * (w116 - w114 + w185),
+            w0 * w188 - w2 * w191, w0 * w194 - w2 * w197, w0 * w200 - w2 * w203, w0 * w206 - w2 * w209,
+            w0 * w212 - w2 * w215, w0 * w218 - w2 * w221, w0 * w224 - w2 * w227, w0 * w228 - w2 * w229,
         ),
         ca.horzcat(  # link2.theta
-            w13 * w29 - (w184 - w185) - w27 * w132,
-            w29 * w194 - w27 * w124 - (w16 * gravity_y + (w185 - w184)) - (w27 * w203 + w29 * w182),
-            w29 * w212 - w27 * w221, w29 * w230 - w27 * w238, w29 * w246 - w27 * w253, w29 * w260 - w27 * w266,
-            w29 * w272 - w27 * w277, w29 * w282 - w27 * w286, w29 * w290 - w27 * w293, w29 * w295 - w27 * w296,
+            w4 * w166 - w115 * w167,
+            w10 * w115 - w4 * w7 - w10 * gravity_y - w16 * w113 - w18 * w164 + w16 * w183 - w18 * w185,
+            w16 * w188 - w18 * w191, w16 * w194 - w18 * w197, w16 * w200 - w18 * w203, w16 * w206 - w18 * w209,
+            w16 * w212 - w18 * w215, w16 * w218 - w18 * w221, w16 * w224 - w18 * w227, w16 * w228 - w18 * w229,
         ),
         ca.horzcat(  # link3.theta
-            w12 * w41 - (w18 * w25 - w4 * w33) - w39 * w131, w41 * w193 - (w25 * w195 - w33 * w186) - w39 * w202,
-            w222, w41 * w230 - w39 * w238, w41 * w246 - w39 * w253, w41 * w260 - w39 * w266,
-            w41 * w272 - w39 * w277, w41 * w282 - w39 * w286, w41 * w290 - w39 * w293, w41 * w295 - w39 * w296,
+            w4 * w168 - w115 * w169, w168 * w182 - w169 * w184,
+            w22 * w120 - w14 * w20 - w22 * gravity_y - w28 * w112 - w30 * w163 + w28 * w187 - w30 * w190,
+            w28 * w194 - w30 * w197, w28 * w200 - w30 * w203, w28 * w206 - w30 * w209, w28 * w212 - w30 * w215,
+            w28 * w218 - w30 * w221, w28 * w224 - w30 * w227, w28 * w228 - w30 * w229,
         ),
         ca.horzcat(  # link4.theta
-            w11 * w53 - (w18 * w37 - w4 * w45) - w51 * w130, w53 * w192 - (w37 * w195 - w45 * w186) - w51 * w201,
-            w53 * w210 - (w37 * w213 - w45 * w204) - w51 * w219, w239, w53 * w246 - w51 * w253,
-            w53 * w260 - w51 * w266, w53 * w272 - w51 * w277, w53 * w282 - w51 * w286, w53 * w290 - w51 * w293,
-            w53 * w295 - w51 * w296,
+            w4 * w170 - w115 * w171, w170 * w182 - w171 * w184, w170 * w186 - w171 * w189,
+            w34 * w125 - w26 * w32 - w34 * gravity_y - w40 * w111 - w42 * w162 + w40 * w193 - w42 * w196,
+            w40 * w200 - w42 * w203, w40 * w206 - w42 * w209, w40 * w212 - w42 * w215, w40 * w218 - w42 * w221,
+            w40 * w224 - w42 * w227, w40 * w228 - w42 * w229,
         ),
         ca.horzcat(  # link5.theta
-            w10 * w65 - (w18 * w49 - w4 * w57) - w63 * w129, w65 * w191 - (w49 * w195 - w57 * w186) - w63 * w200,
-            w65 * w209 - (w49 * w213 - w57 * w204) - w63 * w218,
-            w65 * w228 - (w49 * w231 - w57 * w223) - w63 * w236, w254, w65 * w260 - w63 * w266,
-            w65 * w272 - w63 * w277, w65 * w282 - w63 * w286, w65 * w290 - w63 * w293, w65 * w295 - w63 * w296,
+            w4 * w172 - w115 * w173, w172 * w182 - w173 * w184, w172 * w186 - w173 * w189,
+            w172 * w192 - w173 * w195,
+            w46 * w130 - w38 * w44 - w46 * gravity_y - w52 * w110 - w54 * w161 + w52 * w199 - w54 * w202,
+            w52 * w206 - w54 * w209, w52 * w212 - w54 * w215, w52 * w218 - w54 * w221, w52 * w224 - w54 * w227,
+            w52 * w228 - w54 * w229,
         ),
         ca.horzcat(  # link6.theta
-            w9 * w77 - (w18 * w61 - w4 * w69) - w75 * w128, w77 * w190 - (w61 * w195 - w69 * w186) - w75 * w199,
-            w77 * w208 - (w61 * w213 - w69 * w204) - w75 * w217,
-            w77 * w227 - (w61 * w231 - w69 * w223) - w75 * w235,
-            w77 * w244 - (w61 * w247 - w69 * w240) - w75 * w251, w267, w77 * w272 - w75 * w277,
-            w77 * w282 - w75 * w286, w77 * w290 - w75 * w293, w77 * w295 - w75 * w296,
+            w4 * w174 - w115 * w175, w174 * w182 - w175 * w184, w174 * w186 - w175 * w189,
+            w174 * w192 - w175 * w195, w174 * w198 - w175 * w201,
+            w58 * w135 - w50 * w56 - w58 * gravity_y - w64 * w109 - w66 * w160 + w64 * w205 - w66 * w208,
+            w64 * w212 - w66 * w215, w64 * w218 - w66 * w221, w64 * w224 - w66 * w227, w64 * w228 - w66 * w229,
         ),
         ca.horzcat(  # link7.theta
-            w8 * w89 - (w18 * w73 - w4 * w81) - w87 * w127, w89 * w189 - (w73 * w195 - w81 * w186) - w87 * w198,
-            w89 * w207 - (w73 * w213 - w81 * w204) - w87 * w216,
-            w89 * w226 - (w73 * w231 - w81 * w223) - w87 * w234,
-            w89 * w243 - (w73 * w247 - w81 * w240) - w87 * w250,
-            w89 * w258 - (w73 * w261 - w81 * w255) - w87 * w264, w278, w89 * w282 - w87 * w286,
-            w89 * w290 - w87 * w293, w89 * w295 - w87 * w296,
+            w4 * w176 - w115 * w177, w176 * w182 - w177 * w184, w176 * w186 - w177 * w189,
+            w176 * w192 - w177 * w195, w176 * w198 - w177 * w201, w176 * w204 - w177 * w207,
+            w70 * w140 - w62 * w68 - w70 * gravity_y - w76 * w108 - w78 * w159 + w76 * w211 - w78 * w214,
+            w76 * w218 - w78 * w221, w76 * w224 - w78 * w227, w76 * w228 - w78 * w229,
         ),
         ca.horzcat(  # link8.theta
-            w7 * w101 - (w18 * w85 - w4 * w93) - w99 * w126, w101 * w188 - (w85 * w195 - w93 * w186) - w99 * w197,
-            w101 * w206 - (w85 * w213 - w93 * w204) - w99 * w215,
-            w101 * w225 - (w85 * w231 - w93 * w223) - w99 * w233,
-            w101 * w242 - (w85 * w247 - w93 * w240) - w99 * w249,
-            w101 * w257 - (w85 * w261 - w93 * w255) - w99 * w263,
-            w101 * w270 - (w85 * w273 - w93 * w268) - w99 * w275, w287, w101 * w290 - w99 * w293,
-            w101 * w295 - w99 * w296,
+            w4 * w178 - w115 * w179, w178 * w182 - w179 * w184, w178 * w186 - w179 * w189,
+            w178 * w192 - w179 * w195, w178 * w198 - w179 * w201, w178 * w204 - w179 * w207,
+            w178 * w210 - w179 * w213,
+            w82 * w145 - w74 * w80 - w82 * gravity_y - w88 * w107 - w90 * w158 + w88 * w217 - w90 * w220,
+            w88 * w224 - w90 * w227, w88 * w228 - w90 * w229,
         ),
         ca.horzcat(  # link9.theta
-            w6 * w112 - (w18 * w97 - w4 * w105) - w110 * w125,
-            w112 * w187 - (w97 * w195 - w105 * w186) - w110 * w196,
-            w112 * w205 - (w97 * w213 - w105 * w204) - w110 * w214,
-            w112 * w224 - (w97 * w231 - w105 * w223) - w110 * w232,
-            w112 * w241 - (w97 * w247 - w105 * w240) - w110 * w248,
-            w112 * w256 - (w97 * w261 - w105 * w255) - w110 * w262,
-            w112 * w269 - (w97 * w273 - w105 * w268) - w110 * w274,
-            w112 * w280 - (w97 * w283 - w105 * w279) - w110 * w284, w294, w112 * w295 - w110 * w296,
+            w4 * w180 - w115 * w181, w180 * w182 - w181 * w184, w180 * w186 - w181 * w189,
+            w180 * w192 - w181 * w195, w180 * w198 - w181 * w201, w180 * w204 - w181 * w207,
+            w180 * w210 - w181 * w213, w180 * w216 - w181 * w219,
+            w94 * w150 - w86 * w92 - w94 * gravity_y - w99 * w106 - w101 * w157 + w99 * w223 - w101 * w226,
+            w99 * w228 - w101 * w229,
         ),
         ca.horzcat(  # link10.theta
-            -(w18 * w108 - w4 * w115), -(w108 * w195 - w115 * w186), -(w108 * w213 - w115 * w204),
-            -(w108 * w231 - w115 * w223), -(w108 * w247 - w115 * w240), -(w108 * w261 - w115 * w255),
-            -(w108 * w273 - w115 * w268), -(w108 * w283 - w115 * w279), -(w108 * w291 - w115 * w288),
-            -(w108 * gravity_y + (w115 * w173 - w108 * w114)),
+            w4 * w97 - w104 * w115, w97 * w182 - w104 * w184, w97 * w186 - w104 * w189, w97 * w192 - w104 * w195,
+            w97 * w198 - w104 * w201, w97 * w204 - w104 * w207, w97 * w210 - w104 * w213, w97 * w216 - w104 * w219,
+            w97 * w222 - w104 * w225, w104 * w155 - w97 * w103 - w104 * gravity_y,
         ),
     )
     J_v = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w0 * (w298 * link2_mass + w306) - w2 * (w307 * link2_mass + w315),
-            w0 * (w16 * w316 + w325) - w2 * (w21 * w316 + w334), w0 * w344 - w2 * w353, w0 * w362 - w2 * w370,
-            w0 * w378 - w2 * w385, w0 * w392 - w2 * w398, w0 * w404 - w2 * w409, w0 * w414 - w2 * w418,
-            w0 * w422 - w2 * w425, w0 * w427 - w2 * w428,
+            w0 * (w231 * c59) - w2 * (w232 * c59), w0 * (w10 * w233 + w235) - w2 * (w7 * w233 + w237),
+            w0 * w241 - w2 * w244, w0 * w248 - w2 * w251, w0 * w255 - w2 * w258, w0 * w262 - w2 * w265,
+            w0 * w269 - w2 * w272, w0 * w276 - w2 * w279, w0 * w283 - w2 * w286, w0 * w288 - w2 * w289,
         ),
         ca.horzcat(  # link2.theta
-            w29 * w306 - (w16 * w307 - w21 * w298) - w27 * w315, w29 * w325 - w27 * w334, w29 * w344 - w27 * w353,
-            w29 * w362 - w27 * w370, w29 * w378 - w27 * w385, w29 * w392 - w27 * w398, w29 * w404 - w27 * w409,
-            w29 * w414 - w27 * w418, w29 * w422 - w27 * w425, w29 * w427 - w27 * w428,
+            w166 * w231 - w167 * w232, w16 * w235 - w18 * w237, w16 * w241 - w18 * w244, w16 * w248 - w18 * w251,
+            w16 * w255 - w18 * w258, w16 * w262 - w18 * w265, w16 * w269 - w18 * w272, w16 * w276 - w18 * w279,
+            w16 * w283 - w18 * w286, w16 * w288 - w18 * w289,
         ),
         ca.horzcat(  # link3.theta
-            w41 * w305 - (w25 * w307 - w33 * w298) - w39 * w314,
-            w41 * w324 - (w25 * w326 - w33 * w317) - w39 * w333, w41 * w343 - w39 * w352, w41 * w362 - w39 * w370,
-            w41 * w378 - w39 * w385, w41 * w392 - w39 * w398, w41 * w404 - w39 * w409, w41 * w414 - w39 * w418,
-            w41 * w422 - w39 * w425, w41 * w427 - w39 * w428,
+            w168 * w231 - w169 * w232, w168 * w234 - w169 * w236, w28 * w240 - w30 * w243, w28 * w248 - w30 * w251,
+            w28 * w255 - w30 * w258, w28 * w262 - w30 * w265, w28 * w269 - w30 * w272, w28 * w276 - w30 * w279,
+            w28 * w283 - w30 * w286, w28 * w288 - w30 * w289,
         ),
         ca.horzcat(  # link4.theta
-            w53 * w304 - (w37 * w307 - w45 * w298) - w51 * w313,
-            w53 * w323 - (w37 * w326 - w45 * w317) - w51 * w332,
-            w53 * w342 - (w37 * w345 - w45 * w336) - w51 * w351, w53 * w361 - w51 * w369, w53 * w378 - w51 * w385,
-            w53 * w392 - w51 * w398, w53 * w404 - w51 * w409, w53 * w414 - w51 * w418, w53 * w422 - w51 * w425,
-            w53 * w427 - w51 * w428,
+            w170 * w231 - w171 * w232, w170 * w234 - w171 * w236, w170 * w239 - w171 * w242,
+            w40 * w247 - w42 * w250, w40 * w255 - w42 * w258, w40 * w262 - w42 * w265, w40 * w269 - w42 * w272,
+            w40 * w276 - w42 * w279, w40 * w283 - w42 * w286, w40 * w288 - w42 * w289,
         ),
         ca.horzcat(  # link5.theta
-            w65 * w303 - (w49 * w307 - w57 * w298) - w63 * w312,
-            w65 * w322 - (w49 * w326 - w57 * w317) - w63 * w331,
-            w65 * w341 - (w49 * w345 - w57 * w336) - w63 * w350,
-            w65 * w360 - (w49 * w363 - w57 * w355) - w63 * w368, w65 * w377 - w63 * w384, w65 * w392 - w63 * w398,
-            w65 * w404 - w63 * w409, w65 * w414 - w63 * w418, w65 * w422 - w63 * w425, w65 * w427 - w63 * w428,
+            w172 * w231 - w173 * w232, w172 * w234 - w173 * w236, w172 * w239 - w173 * w242,
+            w172 * w246 - w173 * w249, w52 * w254 - w54 * w257, w52 * w262 - w54 * w265, w52 * w269 - w54 * w272,
+            w52 * w276 - w54 * w279, w52 * w283 - w54 * w286, w52 * w288 - w54 * w289,
         ),
         ca.horzcat(  # link6.theta
-            w77 * w302 - (w61 * w307 - w69 * w298) - w75 * w311,
-            w77 * w321 - (w61 * w326 - w69 * w317) - w75 * w330,
-            w77 * w340 - (w61 * w345 - w69 * w336) - w75 * w349,
-            w77 * w359 - (w61 * w363 - w69 * w355) - w75 * w367,
-            w77 * w376 - (w61 * w379 - w69 * w372) - w75 * w383, w77 * w391 - w75 * w397, w77 * w404 - w75 * w409,
-            w77 * w414 - w75 * w418, w77 * w422 - w75 * w425, w77 * w427 - w75 * w428,
+            w174 * w231 - w175 * w232, w174 * w234 - w175 * w236, w174 * w239 - w175 * w242,
+            w174 * w246 - w175 * w249, w174 * w253 - w175 * w256, w64 * w261 - w66 * w264, w64 * w269 - w66 * w272,
+            w64 * w276 - w66 * w279, w64 * w283 - w66 * w286, w64 * w288 - w66 * w289,
         ),
         ca.horzcat(  # link7.theta
-            w89 * w301 - (w73 * w307 - w81 * w298) - w87 * w310,
-            w89 * w320 - (w73 * w326 - w81 * w317) - w87 * w329,
-            w89 * w339 - (w73 * w345 - w81 * w336) - w87 * w348,
-            w89 * w358 - (w73 * w363 - w81 * w355) - w87 * w366,
-            w89 * w375 - (w73 * w379 - w81 * w372) - w87 * w382,
-            w89 * w390 - (w73 * w393 - w81 * w387) - w87 * w396, w89 * w403 - w87 * w408, w89 * w414 - w87 * w418,
-            w89 * w422 - w87 * w425, w89 * w427 - w87 * w428,
+            w176 * w231 - w177 * w232, w176 * w234 - w177 * w236, w176 * w239 - w177 * w242,
+            w176 * w246 - w177 * w249, w176 * w253 - w177 * w256, w176 * w260 - w177 * w263,
+            w76 * w268 - w78 * w271, w76 * w276 - w78 * w279, w76 * w283 - w78 * w286, w76 * w288 - w78 * w289,
         ),
         ca.horzcat(  # link8.theta
-            w101 * w300 - (w85 * w307 - w93 * w298) - w99 * w309,
-            w101 * w319 - (w85 * w326 - w93 * w317) - w99 * w328,
-            w101 * w338 - (w85 * w345 - w93 * w336) - w99 * w347,
-            w101 * w357 - (w85 * w363 - w93 * w355) - w99 * w365,
-            w101 * w374 - (w85 * w379 - w93 * w372) - w99 * w381,
-            w101 * w389 - (w85 * w393 - w93 * w387) - w99 * w395,
-            w101 * w402 - (w85 * w405 - w93 * w400) - w99 * w407, w101 * w413 - w99 * w417,
-            w101 * w422 - w99 * w425, w101 * w427 - w99 * w428,
+            w178 * w231 - w179 * w232, w178 * w234 - w179 * w236, w178 * w239 - w179 * w242,
+            w178 * w246 - w179 * w249, w178 * w253 - w179 * w256, w178 * w260 - w179 * w263,
+            w178 * w267 - w179 * w270, w88 * w275 - w90 * w278, w88 * w283 - w90 * w286, w88 * w288 - w90 * w289,
         ),
         ca.horzcat(  # link9.theta
-            w112 * w299 - (w97 * w307 - w105 * w298) - w110 * w308,
-            w112 * w318 - (w97 * w326 - w105 * w317) - w110 * w327,
-            w112 * w337 - (w97 * w345 - w105 * w336) - w110 * w346,
-            w112 * w356 - (w97 * w363 - w105 * w355) - w110 * w364,
-            w112 * w373 - (w97 * w379 - w105 * w372) - w110 * w380,
-            w112 * w388 - (w97 * w393 - w105 * w387) - w110 * w394,
-            w112 * w401 - (w97 * w405 - w105 * w400) - w110 * w406,
-            w112 * w412 - (w97 * w415 - w105 * w411) - w110 * w416, w112 * w421 - w110 * w424,
-            w112 * w427 - w110 * w428,
+            w180 * w231 - w181 * w232, w180 * w234 - w181 * w236, w180 * w239 - w181 * w242,
+            w180 * w246 - w181 * w249, w180 * w253 - w181 * w256, w180 * w260 - w181 * w263,
+            w180 * w267 - w181 * w270, w180 * w274 - w181 * w277, w99 * w282 - w101 * w285,
+            w99 * w288 - w101 * w289,
         ),
         ca.horzcat(  # link10.theta
-            -(w108 * w307 - w115 * w298), -(w108 * w326 - w115 * w317), -(w108 * w345 - w115 * w336),
-            -(w108 * w363 - w115 * w355), -(w108 * w379 - w115 * w372), -(w108 * w393 - w115 * w387),
-            -(w108 * w405 - w115 * w400), -(w108 * w415 - w115 * w411), -(w108 * w423 - w115 * w420), 0.0,
+            w97 * w231 - w104 * w232, w97 * w234 - w104 * w236, w97 * w239 - w104 * w242, w97 * w246 - w104 * w249,
+            w97 * w253 - w104 * w256, w97 * w260 - w104 * w263, w97 * w267 - w104 * w270, w97 * w274 - w104 * w277,
+            w97 * w281 - w104 * w284, 0.0,
         ),
     )
     inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]

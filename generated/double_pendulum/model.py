@@ -51,8 +51,8 @@ def constants() -> ca.Function:
         gravity_y,  # gravity_y
         lower_mass * gravity_y,  # c13
         upper_mass * gravity_y,  # c14
-        lower_center_of_mass_x * (lower_mass * (2 * upper_tip_x)),  # c15
-        -w4,  # c16
+        -w4,  # c15
+        lower_center_of_mass_x * (lower_mass * (2 * upper_tip_x)),  # c16
         w3,  # c17
     )
     inputs, outputs = [p], [ca.densify(c)]
@@ -499,7 +499,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i, through q_d
-    26 operations.
+    25 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -509,15 +509,15 @@ def dQ_hat_dq_i() -> ca.Function:
     upper_theta_dot = q_i_dot[0]
     lower_theta_dot = q_i_dot[1]
     c1 = c[1]
-    c3 = c[3]
     c4 = c[4]
+    c15 = c[15]
     # intermediate terms (3)
     w0 = ca.cos(lower_theta - upper_theta) * c1
     w1 = lower_theta_dot**2 * w0
     w2 = upper_theta_dot**2 * w0
     # outputs
     dQ_hat_dq_i = ca.vertcat(
-        ca.horzcat(-(w1 + ca.sin(upper_theta) * c3), w1),  # upper.theta
+        ca.horzcat(ca.sin(upper_theta) * c15 - w1, w1),  # upper.theta
         ca.horzcat(w2, -(w2 + ca.sin(lower_theta) * c4)),  # lower.theta
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -540,9 +540,9 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
     lower_theta_dot = q_i_dot[1]
-    c15 = c[15]
+    c16 = c[16]
     # intermediate terms (1)
-    w0 = ca.sin(lower_theta - upper_theta) * c15
+    w0 = ca.sin(lower_theta - upper_theta) * c16
     # outputs
     dQ_hat_dq_i_dot = ca.SX(2, 2)
     # upper.theta
@@ -587,10 +587,10 @@ def residual_jacobian() -> ca.Function:
     w5 = lower_theta_ddot * w4
     w6 = upper_theta_ddot * w4
     w7 = upper_theta_dot**2 * w2
-    w8 = w1 * c15
+    w8 = w1 * c16
     # outputs
     J_q = ca.vertcat(
-        ca.horzcat(ca.sin(upper_theta) * c16 - w3 - w5, w3 + w5),  # upper.theta
+        ca.horzcat(ca.sin(upper_theta) * c15 - w3 - w5, w3 + w5),  # upper.theta
         ca.horzcat(w7 - w6, w6 - w7 - ca.sin(lower_theta) * c4),  # lower.theta
     )
     J_v = ca.SX(2, 2)

@@ -17,8 +17,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 169) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
-    179 operations.
+    gives c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
+    175 operations.
     """
     p = ca.SX.sym("p", 169)
     gravity_y = p[0]
@@ -140,22 +140,20 @@ def constants() -> ca.Function:
         gravity_y * crank_mass,  # c49
         w7 * gravity_y,  # c50
         w19 - w20,  # c51
-        w2 * w3,  # c52
-        w21 - w22,  # c53
-        w9 - w10,  # c54
-        w4 * w5,  # c55
-        gravity_y * w24,  # c56
-        gravity_y * w26,  # c57
-        w11 - w12,  # c58
-        gravity_y * w25,  # c59
-        gravity_y * w27,  # c60
-        2 * w2,  # c61
-        2 * w3,  # c62
-        2 * w4,  # c63
-        2 * w5,  # c64
-        w14 + w14,  # c65
-        w15 + w16,  # c66
-        w17 + w17,  # c67
+        w21 - w22,  # c52
+        w9 - w10,  # c53
+        gravity_y * w24,  # c54
+        gravity_y * w26,  # c55
+        w11 - w12,  # c56
+        gravity_y * w25,  # c57
+        gravity_y * w27,  # c58
+        w14 + w14,  # c59
+        w15 + w16,  # c60
+        w2 + w2,  # c61
+        w17 + w17,  # c62
+        w3 + w3,  # c63
+        w4 + w4,  # c64
+        w5 + w5,  # c65
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -168,7 +166,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 5 x 5) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 5) [N, N m]: condensed force S^T (Q* - M s)
     521 operations.
@@ -177,7 +175,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 68)
+    c = ca.SX.sym("c", 66)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -351,7 +349,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 2) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -359,7 +357,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 68)
+    c = ca.SX.sym("c", 66)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -406,14 +404,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
-    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     123 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
-    c = ca.SX.sym("c", 68)
+    c = ca.SX.sym("c", 66)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -473,7 +471,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
     193 operations.
     """
@@ -482,7 +480,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 68)
+    c = ca.SX.sym("c", 66)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -559,7 +557,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
-    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 8 x 13) [SI]: constraint Jacobian
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -569,7 +567,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 68)
+    c = ca.SX.sym("c", 66)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -686,7 +684,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
-    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 13 x 13) [SI]: mass matrix in all coordinates
     gives K (n x n = 13 x 13) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 13) [N, N m]: quadratic velocity force in all coordinates
@@ -698,7 +696,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 68)
+    c = ca.SX.sym("c", 66)
     crank_theta = q[2]
     coupler_theta = q[5]
     coupler_q1 = q[6]
@@ -1002,7 +1000,7 @@ def reactions() -> ca.Function:
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
     takes q_ddot (n = 13) [mixed]: accelerations of all coordinates
-    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
     350 operations.
@@ -1010,7 +1008,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 68)
+    c = ca.SX.sym("c", 66)
     coupler_theta = q[5]
     coupler_q1 = q[6]
     coupler_q2 = q[7]
@@ -1158,7 +1156,7 @@ def energy() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
-    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -1168,7 +1166,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 68)
+    c = ca.SX.sym("c", 66)
     crank_y = q[1]
     coupler_y = q[4]
     coupler_theta = q[5]
@@ -1339,15 +1337,15 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i, through q_d
-    1742 operations.
+    1264 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 68)
+    c = ca.SX.sym("c", 66)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -1414,401 +1412,284 @@ def dQ_hat_dq_i() -> ca.Function:
     c56 = c[56]
     c57 = c[57]
     c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
-    # intermediate terms (370)
+    # intermediate terms (244)
     w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = coupler_theta_dot**2
-    w2 = coupler_q1 * c17
-    w3 = w2 + coupler_q2 * c18
-    w4 = coupler_q2 * c20
-    w5 = coupler_q1 * c19 + w4
-    w6 = c16 - (coupler_q1 * w3 + coupler_q2 * w5) * 0.5
-    w7 = ca.cos(coupler_theta)
-    w8 = coupler_q1 * c21
-    w9 = ca.sin(coupler_theta)
-    w10 = w6 * w7 - w8 * w9
-    w11 = w1 * w10
-    w12 = coupler_q1_dot * c17
-    w13 = coupler_q2_dot * c20
-    w14 = coupler_q1_dot * (w12 + coupler_q2_dot * c18) + coupler_q2_dot * (coupler_q1_dot * c19 + w13)
-    w15 = w7 * w14
-    w16 = 2 * coupler_theta_dot
-    w17 = coupler_q1_dot * c21
-    w18 = w3 * coupler_q1_dot + w5 * coupler_q2_dot
-    w19 = w7 * w17 - w9 * w18
-    w20 = w16 * w19
-    w21 = ca.cos(rocker_theta)
-    w22 = rocker_q1 * c7
-    w23 = rocker_q2 * c8
-    w24 = rocker_length - (rocker_q1 * w22 + rocker_q2 * w23) * 0.5
-    w25 = w21 * w24
-    w26 = coupler_q1 * c4
-    w27 = coupler_q2 * c5
-    w28 = coupler_q1_dot * w26 + coupler_q2_dot * w27
-    w29 = w7 * w28
-    w30 = w16 * w29
-    w31 = coupler_q1_dot * c4
-    w32 = coupler_q2_dot * c5
-    w33 = coupler_q1_dot * w31 + coupler_q2_dot * w32
-    w34 = w9 * w33
-    w35 = coupler_length - (coupler_q1 * w26 + coupler_q2 * w27) * 0.5
-    w36 = w9 * w35
-    w37 = w1 * w36
-    w38 = w30 + (w34 + w37)
-    w39 = ca.sin(rocker_theta)
-    w40 = w24 * w39
-    w41 = w7 * w33
-    w42 = w9 * w28
-    w43 = w16 * w42
-    w44 = w7 * w35
-    w45 = w1 * w44
-    w46 = w41 - w43 + w45
-    w47 = w25 * w36 - w40 * w44
-    w48 = 2 * rocker_theta_dot
-    w49 = w22 * rocker_q1_dot + w23 * rocker_q2_dot
-    w50 = w39 * w49
-    w51 = w48 * w50
-    w52 = rocker_q1_dot * c7
-    w53 = rocker_q2_dot * c8
-    w54 = rocker_q1_dot * w52 + rocker_q2_dot * w53
-    w55 = w21 * w54
-    w56 = rocker_theta_dot**2
-    w57 = w25 * w56
-    w58 = crank_theta_dot**2
-    w59 = w0 * w58
-    w60 = w43 - (w41 + w45) - (w51 - (w55 + w57)) - w59
-    w61 = w39 * w54
-    w62 = w21 * w49
-    w63 = w48 * w62
-    w64 = w40 * w56
-    w65 = ca.sin(crank_theta) * crank_tip_x
-    w66 = w58 * w65
-    w67 = w61 + w63 + w64 - (w37 + (w30 + w34)) - w66
-    w68 = (w25 * w60 + w40 * w67) / w47
-    w69 = w68 / w47
-    w70 = w25 * w44 + w36 * w40
-    w71 = w69 * w70
-    w72 = (w25 * w38 - w40 * w46) / w47 - w71
-    w73 = w6 * w9 + w7 * w8
-    w74 = w68 * w73
-    w75 = w10 * w68
-    w76 = w1 * w73
-    w77 = w9 * w17 + w7 * w18
-    w78 = w16 * w77
-    w79 = w9 * w14
-    w80 = rocker_theta_dot * -2.0
-    w81 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
-    w82 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
-    w83 = rocker_q1_dot * w81 + rocker_q2_dot * w82
-    w84 = rocker_q1 * c36
-    w85 = w84 + rocker_q2 * c37
-    w86 = rocker_q2 * c39
-    w87 = rocker_q1 * c38 + w86
-    w88 = c35 - (rocker_q1 * w85 + rocker_q2 * w87) * 0.5
-    w89 = rocker_q1 * c40
-    w90 = c9 + (rocker_q1 * w81 + rocker_q2 * w82)
-    w91 = (w44 * w60 + w36 * w67) / w47
-    w92 = w80 * w83 + (w21 * w88 - w39 * w89) * gravity_y - w90 * w91
-    w93 = (w0 * w44 + w36 * w65) / w47
-    w94 = (w0 * w36 - w44 * w65) / w47
-    w95 = w94 / w47
-    w96 = w70 * w95
-    w97 = w93 - w96
-    w98 = w91 / w47
-    w99 = w70 * w98
-    w100 = (w38 * w44 - w36 * w60 + (w44 * w67 - w36 * w46)) / w47 - w99
-    w101 = w90 * w100
-    w102 = w0 * (w11 + w15 + w20 - (w10 * w72 - w74)) - w65 * (w75 + w72 * w73 - (w76 + w78 + w79)) + (w92 * w97 - w94 * w101)
-    w103 = (w0 * w40 - w25 * w65) / w47
-    w104 = w10 * w59 + w66 * w73
-    w105 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
-    w106 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
-    w107 = c22 + (coupler_q1 * w105 + coupler_q2 * w106)
-    w108 = w73 * gravity_y + (w104 + w72 * w107)
-    w109 = coupler_theta_dot * -2.0
-    w110 = coupler_q1_dot * w105 + coupler_q2_dot * w106
-    w111 = w109 * w110 + w10 * gravity_y - (w59 * w73 - w10 * w66 + w68 * w107)
-    w112 = w103 / w47
-    w113 = w70 * w112
-    w114 = w102 - (w103 * w108 + w111 * w113)
-    w115 = w57 + (w55 - w51)
-    w116 = w63 + (w61 + w64)
-    w117 = w99 + (w36 * w115 - w44 * w116) / w47
-    w118 = (w39 * w88 + w21 * w89) * gravity_y + w90 * w117
-    w119 = w71 + (w25 * w67 + w40 * w115 - (w40 * w60 + w25 * w116)) / w47
-    w120 = (w0 * w25 + w40 * w65) / w47
-    w121 = w113 + w120
-    w122 = w107 * w119
-    w123 = w92 * w96 - w94 * w118 - (w0 * (w10 * w119) + w65 * (w73 * w119)) + (w111 * w121 - w103 * w122)
-    w124 = (w25 * w66 - w40 * w59) / w47
-    w125 = w59 * c2
-    w126 = w66 * c2
-    w127 = w0 * (w10 * w124 - w125) + w65 * (c34 + (w78 + (w76 + w79)) - (w75 - w126)) + (w65 * (w73 * w124 - w126) + w0 * (w15 + (w11 + w20) + (w74 + w125)))
-    w128 = (w44 * w66 - w36 * w59) / w47
-    w129 = w90 * w128
-    w130 = w107 * w124 - w104
-    w131 = 2 * w42 - w16 * w44
-    w132 = 2 * w29 + w16 * w36
-    w133 = (w25 * w131 - w40 * w132) / w47
-    w134 = (w44 * w131 - w36 * w132) / w47
-    w135 = w90 * w134
-    w136 = w110 * -2.0 - w107 * w133
-    w137 = w0 * (w16 * w73 + 2 * w77 - w10 * w133) - w65 * (w10 * w16 + 2 * w19 + w73 * w133) - w94 * w135 + w103 * w136
-    w138 = w9 * w26
-    w139 = w25 * w138
-    w140 = w7 * w26
-    w141 = w40 * w140
-    w142 = (w25 * w140 + w40 * w138) / w47
-    w143 = w142 / w47
-    w144 = w70 * w143
-    w145 = (w139 - w141) / w47 + w144
-    w146 = w9 * w27
-    w147 = w25 * w146
-    w148 = w7 * w27
-    w149 = w40 * w148
-    w150 = (w25 * w148 + w40 * w146) / w47
-    w151 = w150 / w47
-    w152 = w70 * w151
-    w153 = (w147 - w149) / w47 + w152
-    w154 = w22 * w39
-    w155 = w21 * w22
-    w156 = rocker_q1 * w24 * c7 / w47
-    w157 = w156 / w47
-    w158 = w70 * w157
-    w159 = rocker_q1_dot * w158
-    w160 = w23 * w39
-    w161 = w21 * w23
-    w162 = rocker_q2 * w24 * c8 / w47
-    w163 = w162 / w47
-    w164 = w70 * w163
-    w165 = rocker_q2_dot * w164
-    w166 = crank_theta_dot * w121 - coupler_q1_dot * w145 - coupler_q2_dot * w153 + w159 + w165
-    w167 = w141 - w139
-    w168 = w167 / w47 - w144
-    w169 = w149 - w147
-    w170 = w169 / w47 - w152
-    w171 = w165 + (w159 + (crank_theta_dot * w113 + coupler_q1_dot * w168 + coupler_q2_dot * w170))
-    w172 = w94 * w166 - w103 * w171 - crank_theta_dot * w120
-    w173 = 2 * w62 + w40 * w48
-    w174 = 2 * w50 - w25 * w48
-    w175 = (w36 * w173 - w44 * w174) / w47
-    w176 = w83 * -2.0 - w90 * w175
-    w177 = (w40 * w173 - w25 * w174) / w47
-    w178 = w107 * w177
-    w179 = w94 * w176 - (w0 * (w10 * w177) + w65 * (w73 * w177)) - w103 * w178
-    w180 = coupler_q1 * w35 * c4 / w47
-    w181 = w180 / w47
-    w182 = w70 * w181
-    w183 = coupler_q1_dot * w182
-    w184 = coupler_q2 * w35 * c5 / w47
-    w185 = w184 / w47
-    w186 = w70 * w185
-    w187 = coupler_q2_dot * w186
-    w188 = w44 * w154
-    w189 = w36 * w155
-    w190 = w188 - w189
-    w191 = (w44 * w155 + w36 * w154) / w47
-    w192 = w191 / w47
-    w193 = w70 * w192
-    w194 = w190 / w47 - w193
-    w195 = w44 * w160
-    w196 = w36 * w161
-    w197 = w195 - w196
-    w198 = (w44 * w161 + w36 * w160) / w47
-    w199 = w198 / w47
-    w200 = w70 * w199
-    w201 = w197 / w47 - w200
-    w202 = crank_theta_dot * w97 + w183 + w187 + rocker_q1_dot * w194 + rocker_q2_dot * w201
-    w203 = w193 + (w189 - w188) / w47
-    w204 = w200 + (w196 - w195) / w47
-    w205 = crank_theta_dot * w96 - w183 - w187 + rocker_q1_dot * w203 + rocker_q2_dot * w204
-    w206 = w103 * w202 + w94 * w205 - crank_theta_dot * w93
-    w207 = w103 * w114 + w94 * w123 - (w127 + (w94 * w129 + w92 * w93) + (w103 * w130 + w111 * w120)) + (w137 * w172 + w179 * w206)
-    w208 = w9 * c21
-    w209 = w3 * w7 + w208
-    w210 = w7 * c21
-    w211 = w66 * w209 + w59 * (w210 - w3 * w9)
-    w212 = w92 * w182
-    w213 = w209 * gravity_y + (w211 + w72 * c29) - (w212 + w101 * w180) + (w111 * w168 - w108 * w142)
-    w214 = w119 * c29 + (w212 - w118 * w180) + (w111 * w145 - w122 * w142)
-    w215 = w16 * w105 - w133 * c29 + w135 * w180 - w136 * w142
-    w216 = w142 * w178 - (w177 * c29 + w176 * w180)
-    w217 = w129 * w180 - (w124 * c29 - w211) + w130 * w142 - (w103 * w213 + w94 * w214) + (w172 * w215 + w206 * w216)
-    w218 = w59 * (w5 * w9)
-    w219 = w5 * w7
-    w220 = w66 * w219
-    w221 = w92 * w186
-    w222 = w219 * gravity_y + (w220 - w218 + w72 * c30) - (w221 + w101 * w184) + (w111 * w170 - w108 * w150)
-    w223 = w119 * c30 + (w221 - w118 * w184) + (w111 * w153 - w122 * w150)
-    w224 = w16 * w106 - w133 * c30 + w135 * w184 - w136 * w150
-    w225 = w150 * w178 - (w177 * c30 + w176 * w184)
-    w226 = w129 * w184 - (w218 - w220 + w124 * c30) + w130 * w150 - (w103 * w222 + w94 * w223) + (w172 * w224 + w206 * w225)
-    w227 = w111 * w158
-    w228 = w92 * w194 - w101 * w191 - w100 * c31 - (w108 * w156 + w227)
-    w229 = w39 * c40
-    w230 = w92 * w203 - w118 * w191 - ((w229 + w21 * w85) * gravity_y + w117 * c31) + (w227 - w122 * w156)
-    w231 = w136 * w156 - (w134 * c31 + w135 * w191)
-    w232 = w48 * w81 - w175 * c31 + w176 * w191 - w156 * w178
-    w233 = w103 * w228 + w94 * w230 - (w128 * c31 + w129 * w191 + w130 * w156) + (w172 * w231 + w206 * w232)
-    w234 = w111 * w164
-    w235 = w92 * w201 - w101 * w198 - w100 * c32 - (w108 * w162 + w234)
-    w236 = w92 * w204 - w118 * w198 - (w21 * w87 * gravity_y + w117 * c32) + (w234 - w122 * w162)
-    w237 = w136 * w162 - (w134 * c32 + w135 * w198)
-    w238 = w48 * w82 - w175 * c32 + w176 * w198 - w162 * w178
-    w239 = w103 * w235 + w94 * w236 - (w128 * c32 + w129 * w198 + w130 * w162) + (w172 * w237 + w206 * w238)
-    w240 = (w2 + w3 + coupler_q2 * c19) * 0.5
-    w241 = w210 - w9 * w240
-    w242 = w12 + coupler_q2_dot * c19
-    w243 = w16 * (w9 * w31) + w1 * w140
-    w244 = w16 * (w7 * w31) - w1 * w138
-    w245 = (w25 * w243 - w40 * w244) / w47 - w69 * w167
-    w246 = w208 + w7 * w240
-    w247 = w0 * (w1 * w241 + w16 * (w7 * w242) - (w10 * w245 - w68 * w246)) - w65 * (w68 * w241 + w73 * w245 - (w1 * w246 + w16 * (w9 * w242)))
-    w248 = (w65 * w140 - w0 * w138) / w47 - w95 * w167
-    w249 = (w44 * w243 - w60 * w140 - (w67 * w138 + w36 * w244)) / w47 - w98 * w167
-    w250 = w90 * w249
-    w251 = w109 * (coupler_q1_dot * c51 - coupler_q2_dot * c27) - w246 * gravity_y - (w59 * w241 + w66 * w246 + (w68 * (w105 + coupler_q1 * c51 - coupler_q2 * c27) + w107 * w245))
-    w252 = w112 * w167
-    w253 = w151 * w167
-    w254 = w7 * c4
-    w255 = w9 * c4
-    w256 = (w25 * w254 + w40 * w255) / w47 - w143 * w167
-    w257 = w157 * w167
-    w258 = w163 * w167
-    w259 = coupler_q2_dot * w253 - (crank_theta_dot * w252 + coupler_q1_dot * w256) - rocker_q1_dot * w257 - rocker_q2_dot * w258
-    w260 = w259 + (w142 * w171 - w166 * w180)
-    w261 = (w44 * w254 - w140**2 + (w36 * w255 - w138**2)) / w47 - w167 * w181
-    w262 = coupler_q1 * coupler_q2 * c52 / w47
-    w263 = w262 + w167 * w185
-    w264 = (w140 * w155 + w138 * w154) / w47
-    w265 = w264 + w167 * w192
-    w266 = (w140 * w161 + w138 * w160) / w47
-    w267 = w266 + w167 * w199
-    w268 = crank_theta_dot * w248 - coupler_q1_dot * w261 + coupler_q2_dot * w263 - rocker_q1_dot * w265 - rocker_q2_dot * w267
-    w269 = w268 - (w142 * w202 + w180 * w205)
-    w270 = w247 + (w92 * w248 - w94 * w250) + (w103 * w251 - w111 * w252) - (w114 * w142 + w123 * w180) + (w137 * w260 + w179 * w269)
-    w271 = w9 * c17
-    w272 = w1 * c51 - c41 - w271 * gravity_y - (w59 * (w7 * c17) + w66 * w271 + w245 * c29) - (w92 * w261 - w180 * w250)
-    w273 = w9 * c19
-    w274 = w184 * w250 + w92 * w263 - (w1 * c27 + w273 * gravity_y + (w59 * (w7 * c19) + w66 * w273 + w245 * c30))
-    w275 = w156 * w251 - w111 * w257 - (w249 * c31 + (w191 * w250 + w92 * w265)) - (w142 * w228 + w180 * w230)
-    w276 = w162 * w251 - w111 * w258 - (w249 * c32 + (w198 * w250 + w92 * w267)) - (w142 * w235 + w180 * w236)
-    w277 = w13 + coupler_q1_dot * c18
-    w278 = (coupler_q1 * c18 + (w4 + w5)) * 0.5
-    w279 = w9 * w278
-    w280 = w16 * (w9 * w32) + w1 * w148
-    w281 = w16 * (w7 * w32) - w1 * w146
-    w282 = (w25 * w280 - w40 * w281) / w47 - w69 * w169
-    w283 = w7 * w278
-    w284 = w0 * (w16 * (w7 * w277) - w1 * w279 - (w10 * w282 - w68 * w283)) - w65 * (w73 * w282 - w68 * w279 - (w1 * w283 + w16 * (w9 * w277)))
-    w285 = (w65 * w148 - w0 * w146) / w47 - w95 * w169
-    w286 = (w44 * w280 - w60 * w148 - (w67 * w146 + w36 * w281)) / w47 - w98 * w169
-    w287 = w90 * w286
-    w288 = w109 * (coupler_q2_dot * c53 - coupler_q1_dot * c25) - w283 * gravity_y - (w66 * w283 - w59 * w279 + (w68 * (w106 + coupler_q2 * c53 - coupler_q1 * c25) + w107 * w282))
-    w289 = w112 * w169
-    w290 = w143 * w169
-    w291 = w7 * c5
-    w292 = w9 * c5
-    w293 = (w25 * w291 + w40 * w292) / w47 - w151 * w169
-    w294 = w157 * w169
-    w295 = w163 * w169
-    w296 = coupler_q1_dot * w290 - crank_theta_dot * w289 - coupler_q2_dot * w293 - rocker_q1_dot * w294 - rocker_q2_dot * w295
-    w297 = w296 + (w150 * w171 - w166 * w184)
-    w298 = w262 + w169 * w181
-    w299 = (w44 * w291 - w148**2 + (w36 * w292 - w146**2)) / w47 - w169 * w185
-    w300 = (w148 * w155 + w146 * w154) / w47
-    w301 = w300 + w169 * w192
-    w302 = (w148 * w161 + w146 * w160) / w47
-    w303 = w302 + w169 * w199
-    w304 = crank_theta_dot * w285 + coupler_q1_dot * w298 - coupler_q2_dot * w299 - rocker_q1_dot * w301 - rocker_q2_dot * w303
-    w305 = w304 - (w150 * w202 + w184 * w205)
-    w306 = w284 + (w92 * w285 - w94 * w287) + (w103 * w288 - w111 * w289) - (w114 * w150 + w123 * w184) + (w137 * w297 + w179 * w305)
-    w307 = w9 * c18
-    w308 = w180 * w287 + w92 * w298 - (w1 * c25 + w307 * gravity_y + (w59 * (w7 * c18) + w66 * w307 + w282 * c29))
-    w309 = w9 * c20
-    w310 = w1 * c53 - c42 - w309 * gravity_y - (w59 * (w7 * c20) + w66 * w309 + w282 * c30) - (w92 * w299 - w184 * w287)
-    w311 = w156 * w288 - w111 * w294 - (w286 * c31 + (w191 * w287 + w92 * w301)) - (w150 * w228 + w184 * w230)
-    w312 = w162 * w288 - w111 * w295 - (w286 * c32 + (w198 * w287 + w92 * w303)) - (w150 * w235 + w184 * w236)
-    w313 = w80 * (rocker_q1_dot * c54 - rocker_q2_dot * c14) - (w229 + w21 * ((w84 + w85 + rocker_q2 * c38) * 0.5)) * gravity_y
-    w314 = w48 * (w21 * w52) - w56 * w154
-    w315 = w48 * (w39 * w52) + w56 * w155
-    w316 = (w36 * w314 - w44 * w315) / w47 - w98 * w190
-    w317 = w313 - (w91 * (w81 + rocker_q1 * c54 - rocker_q2 * c14) + w90 * w316)
-    w318 = w95 * w190
-    w319 = (w40 * w314 - w67 * w154 - (w60 * w155 + w25 * w315)) / w47 - w69 * w190
-    w320 = (w65 * w155 - w0 * w154) / w47 - w112 * w190
-    w321 = w107 * w319
-    w322 = w94 * w317 - w92 * w318 - (w0 * (w10 * w319) + w65 * (w73 * w319)) + (w111 * w320 - w103 * w321) + (w114 * w156 + w123 * w191)
-    w323 = w264 + w143 * w190
-    w324 = w300 + w151 * w190
-    w325 = w21 * c7
-    w326 = w39 * c7
-    w327 = (w25 * w325 - w155**2 + (w40 * w326 - w154**2)) / w47 - w157 * w190
-    w328 = rocker_q1 * rocker_q2 * c55 / w47
-    w329 = w328 + w163 * w190
-    w330 = crank_theta_dot * w320 + coupler_q1_dot * w323 + coupler_q2_dot * w324 + rocker_q1_dot * w327 - rocker_q2_dot * w329
-    w331 = w330 + (w166 * w191 - w156 * w171)
-    w332 = w181 * w190
-    w333 = w185 * w190
-    w334 = (w44 * w325 + w36 * w326) / w47 - w190 * w192
-    w335 = w190 * w199
-    w336 = coupler_q1_dot * w332 - crank_theta_dot * w318 + coupler_q2_dot * w333 + rocker_q1_dot * w334 - rocker_q2_dot * w335
-    w337 = w336 + (w156 * w202 + w191 * w205)
-    w338 = w142 * w321 + w111 * w323 - (w319 * c29 + (w180 * w317 - w92 * w332)) - (w156 * w213 + w191 * w214)
-    w339 = w150 * w321 + w111 * w324 - (w319 * c30 + (w184 * w317 - w92 * w333)) - (w156 * w222 + w191 * w223)
-    w340 = w56 * c54 - c43 - w39 * c56 - w316 * c31 + (w191 * w317 + w92 * w334) + (w111 * w327 - w156 * w321)
-    w341 = w198 * w317 - w92 * w335 - (w56 * c14 + w39 * c57 + w316 * c32) - (w162 * w321 + w111 * w329) + (w156 * w235 + w191 * w236)
-    w342 = w80 * (rocker_q2_dot * c58 - rocker_q1_dot * c12) - w21 * ((rocker_q1 * c37 + (w86 + w87)) * 0.5) * gravity_y
-    w343 = w48 * (w21 * w53) - w56 * w160
-    w344 = w48 * (w39 * w53) + w56 * w161
-    w345 = (w36 * w343 - w44 * w344) / w47 - w98 * w197
-    w346 = w342 - (w91 * (w82 + rocker_q2 * c58 - rocker_q1 * c12) + w90 * w345)
-    w347 = w95 * w197
-    w348 = (w40 * w343 - w67 * w160 - (w60 * w161 + w25 * w344)) / w47 - w69 * w197
-    w349 = (w65 * w161 - w0 * w160) / w47 - w112 * w197
-    w350 = w107 * w348
-    w351 = w94 * w346 - w92 * w347 - (w0 * (w10 * w348) + w65 * (w73 * w348)) + (w111 * w349 - w103 * w350) + (w114 * w162 + w123 * w198)
-    w352 = w266 + w143 * w197
-    w353 = w302 + w151 * w197
-    w354 = w328 + w157 * w197
-    w355 = w21 * c8
-    w356 = w39 * c8
-    w357 = (w25 * w355 - w161**2 + (w40 * w356 - w160**2)) / w47 - w163 * w197
-    w358 = crank_theta_dot * w349 + coupler_q1_dot * w352 + coupler_q2_dot * w353 - rocker_q1_dot * w354 + rocker_q2_dot * w357
-    w359 = w358 + (w166 * w198 - w162 * w171)
-    w360 = w181 * w197
-    w361 = w185 * w197
-    w362 = w192 * w197
-    w363 = (w44 * w355 + w36 * w356) / w47 - w197 * w199
-    w364 = coupler_q1_dot * w360 - crank_theta_dot * w347 + coupler_q2_dot * w361 - rocker_q1_dot * w362 + rocker_q2_dot * w363
-    w365 = w364 + (w162 * w202 + w198 * w205)
-    w366 = w142 * w350 + w111 * w352 - (w348 * c29 + (w180 * w346 - w92 * w360)) - (w162 * w213 + w198 * w214)
-    w367 = w150 * w350 + w111 * w353 - (w348 * c30 + (w184 * w346 - w92 * w361)) - (w162 * w222 + w198 * w223)
-    w368 = w191 * w346 - w92 * w362 - (w56 * c12 + w39 * c59 + w345 * c31) - (w156 * w350 + w111 * w354) + (w162 * w228 + w198 * w230)
-    w369 = w56 * c58 - c44 - w39 * c60 - w345 * c32 + (w198 * w346 + w92 * w363) + (w111 * w357 - w162 * w350)
+    w1 = crank_theta_dot**2
+    w2 = w0 * w1
+    w3 = w2 * c2
+    w4 = coupler_theta_dot**2
+    w5 = ca.sin(coupler_theta)
+    w6 = coupler_q1 * c17
+    w7 = w6 + coupler_q2 * c18
+    w8 = coupler_q2 * c20
+    w9 = coupler_q1 * c19 + w8
+    w10 = c16 - (coupler_q1 * w7 + coupler_q2 * w9) * 0.5
+    w11 = ca.cos(coupler_theta)
+    w12 = coupler_q1 * c21
+    w13 = w5 * w10 + w11 * w12
+    w14 = w4 * w13
+    w15 = coupler_q1_dot * c17
+    w16 = coupler_q2_dot * c20
+    w17 = coupler_q1_dot * (w15 + coupler_q2_dot * c18) + coupler_q2_dot * (coupler_q1_dot * c19 + w16)
+    w18 = w5 * w17
+    w19 = 2 * coupler_theta_dot
+    w20 = w7 * coupler_q1_dot + w9 * coupler_q2_dot
+    w21 = coupler_q1_dot * c21
+    w22 = w11 * w20 + w5 * w21
+    w23 = w19 * w22
+    w24 = w10 * w11 - w5 * w12
+    w25 = ca.cos(rocker_theta)
+    w26 = rocker_q1 * c7
+    w27 = rocker_q2 * c8
+    w28 = rocker_length - (rocker_q1 * w26 + rocker_q2 * w27) * 0.5
+    w29 = w25 * w28
+    w30 = coupler_q1 * c4
+    w31 = coupler_q2 * c5
+    w32 = coupler_q1_dot * w30 + coupler_q2_dot * w31
+    w33 = w5 * w32
+    w34 = w19 * w33
+    w35 = coupler_q1_dot * c4
+    w36 = coupler_q2_dot * c5
+    w37 = coupler_q1_dot * w35 + coupler_q2_dot * w36
+    w38 = w11 * w37
+    w39 = coupler_length - (coupler_q1 * w30 + coupler_q2 * w31) * 0.5
+    w40 = w11 * w39
+    w41 = w4 * w40
+    w42 = 2 * rocker_theta_dot
+    w43 = ca.sin(rocker_theta)
+    w44 = w26 * rocker_q1_dot + w27 * rocker_q2_dot
+    w45 = w43 * w44
+    w46 = w42 * w45
+    w47 = rocker_q1_dot * c7
+    w48 = rocker_q2_dot * c8
+    w49 = rocker_q1_dot * w47 + rocker_q2_dot * w48
+    w50 = w25 * w49
+    w51 = rocker_theta_dot**2
+    w52 = w29 * w51
+    w53 = w34 - (w38 + w41) - (w46 - (w50 + w52)) - w2
+    w54 = w28 * w43
+    w55 = w43 * w49
+    w56 = w25 * w44
+    w57 = w42 * w56
+    w58 = w51 * w54
+    w59 = w5 * w37
+    w60 = w11 * w32
+    w61 = w19 * w60
+    w62 = w5 * w39
+    w63 = w4 * w62
+    w64 = ca.sin(crank_theta) * crank_tip_x
+    w65 = w1 * w64
+    w66 = w55 + w57 + w58 - (w59 + w61 + w63) - w65
+    w67 = w29 * w62 - w40 * w54
+    w68 = (w29 * w53 + w54 * w66) / w67
+    w69 = w24 * w68
+    w70 = w65 * c2
+    w71 = coupler_theta_dot * -2.0
+    w72 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
+    w73 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
+    w74 = coupler_q1_dot * w72 + coupler_q2_dot * w73
+    w75 = c22 + (coupler_q1 * w72 + coupler_q2 * w73)
+    w76 = w71 * w74 + w24 * gravity_y - (w2 * w13 - w24 * w65 + w68 * w75)
+    w77 = rocker_theta_dot * -2.0
+    w78 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
+    w79 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
+    w80 = rocker_q1_dot * w78 + rocker_q2_dot * w79
+    w81 = rocker_q1 * c36
+    w82 = w81 + rocker_q2 * c37
+    w83 = rocker_q2 * c39
+    w84 = rocker_q1 * c38 + w83
+    w85 = c35 - (rocker_q1 * w82 + rocker_q2 * w84) * 0.5
+    w86 = rocker_q1 * c40
+    w87 = c9 + (rocker_q1 * w78 + rocker_q2 * w79)
+    w88 = (w40 * w53 + w62 * w66) / w67
+    w89 = w77 * w80 + (w25 * w85 - w43 * w86) * gravity_y - w87 * w88
+    w90 = (w54 * w76 + w62 * w89) / w67
+    w91 = w4 * w24
+    w92 = w11 * w21 - w5 * w20
+    w93 = w19 * w92
+    w94 = w11 * w17
+    w95 = w13 * w68
+    w96 = (w29 * w76 + w40 * w89) / w67
+    w97 = w0 * w3 - (w64 * (c34 + (w14 + w18 + w23) - (w69 - w70) + w90) + w0 * (w91 + w93 + w94 + (w3 + w95) + w96))
+    w98 = (w0 * w62 - w40 * w64) / w67
+    w99 = w40 * w68 - (w61 + (w59 + w63))
+    w100 = (w0 * w54 - w29 * w64) / w67
+    w101 = w19 * w40 + 2 * -w33
+    w102 = w5 * w30
+    w103 = w5 * w31
+    w104 = coupler_theta_dot * w40 - coupler_q1_dot * w102 - coupler_q2_dot * w103
+    w105 = w26 * w43
+    w106 = w27 * w43
+    w107 = rocker_q1_dot * w105 - w29 * rocker_theta_dot + rocker_q2_dot * w106
+    w108 = w0 * crank_theta_dot + w100 * w104 + w98 * w107
+    w109 = w11 * w30
+    w110 = w11 * w31
+    w111 = coupler_q1_dot * w109 + coupler_theta_dot * w62 + coupler_q2_dot * w110
+    w112 = w25 * w26
+    w113 = w25 * w27
+    w114 = rocker_theta_dot * w54 + rocker_q1_dot * w112 + rocker_q2_dot * w113
+    w115 = crank_theta_dot * w64 + w100 * w111 - w98 * w114
+    w116 = (w29 * w108 + w54 * w115) / w67
+    w117 = 2 * w45 - w29 * w42
+    w118 = (w40 * w108 + w62 * w115) / w67
+    w119 = w57 + (w55 + w58) - w29 * w88
+    w120 = w99 * w100 - (w65 + w101 * w116) - w117 * w118 + w98 * w119
+    w121 = 2 * w60 + w19 * w62
+    w122 = w62 * w68 + (w41 + (w38 - w34))
+    w123 = 2 * -w56 - w42 * w54
+    w124 = w54 * w88 + (w52 + (w50 - w46))
+    w125 = w2 - w116 * w121 + w100 * w122 - w118 * w123 - w98 * w124
+    w126 = (w40 * w120 + w62 * w125) / w67
+    w127 = w80 * -2.0
+    w128 = w29 * w96 - (w43 * w85 + w25 * w86) * gravity_y + w54 * w90
+    w129 = w87 * w126 - w118 * w127 + w98 * w128
+    w130 = w0 * w24 + w13 * w64
+    w131 = (w29 * w120 + w54 * w125) / w67
+    w132 = w0 * (w13 * w19 + 2 * w22) - w64 * (w19 * w24 + 2 * w92)
+    w133 = w0 * (w95 + (w93 + (w91 + w94))) - w64 * (w69 - (w18 + (w14 + w23)))
+    w134 = w2 * w24 + w13 * w65
+    w135 = w74 * -2.0
+    w136 = w134 + w13 * gravity_y + w40 * w96 + w62 * w90
+    w137 = w134 + w75 * w131 - w116 * w135 - w100 * w136
+    w138 = w11 * c21
+    w139 = w5 * c21
+    w140 = w7 * w11 + w139
+    w141 = w2 * (w138 - w5 * w7) + w65 * w140
+    w142 = coupler_q1 * w39 * c4 / w67
+    w143 = w19 * w72
+    w144 = w96 * w102
+    w145 = w90 * w109
+    w146 = w144 - (w141 + w140 * gravity_y) - w145
+    w147 = (w29 * w109 + w54 * w102) / w67
+    w148 = w9 * w11
+    w149 = w65 * w148
+    w150 = w2 * (w5 * w9)
+    w151 = coupler_q2 * w39 * c5 / w67
+    w152 = w19 * w73
+    w153 = w96 * w103
+    w154 = w90 * w110
+    w155 = w150 - w149 - w148 * gravity_y + w153 - w154
+    w156 = (w29 * w110 + w54 * w103) / w67
+    w157 = w42 * w78
+    w158 = w90 * w112
+    w159 = w43 * c40
+    w160 = w96 * w105
+    w161 = w158 - ((w159 + w25 * w82) * gravity_y + w160)
+    w162 = (w40 * w112 + w62 * w105) / w67
+    w163 = rocker_q1 * w28 * c7 / w67
+    w164 = w42 * w79
+    w165 = w90 * w113
+    w166 = w96 * w106
+    w167 = w165 - (w25 * w84 * gravity_y + w166)
+    w168 = (w40 * w113 + w62 * w106) / w67
+    w169 = rocker_q2 * w28 * c8 / w67
+    w170 = (w6 + w7 + coupler_q2 * c19) * 0.5
+    w171 = w138 - w5 * w170
+    w172 = w15 + coupler_q2_dot * c19
+    w173 = w139 + w11 * w170
+    w174 = w0 * (w4 * w171 + w19 * (w11 * w172) + w68 * w173) - w64 * (w68 * w171 - (w4 * w173 + w19 * (w5 * w172)))
+    w175 = w11 * c4
+    w176 = coupler_q1_dot * w175 - coupler_theta_dot * w102 - w104 * w147 - w107 * w142
+    w177 = w5 * c4
+    w178 = coupler_q1_dot * w177 + coupler_theta_dot * w109 - w111 * w147 + w114 * w142
+    w179 = (w29 * w176 + w54 * w178) / w67
+    w180 = (w40 * w176 + w62 * w178) / w67
+    w181 = w68 * w102 + (w19 * (w5 * w35) + w4 * w109) + w101 * w179 + w99 * w147 + w117 * w180 + w119 * w142
+    w182 = w68 * w109 + (w19 * (w11 * w35) - w4 * w102) - w121 * w179 - w122 * w147 - w123 * w180 + w124 * w142
+    w183 = (w40 * w181 - w62 * w182) / w67
+    w184 = w87 * w183 + w127 * w180 + w128 * w142
+    w185 = (w29 * w181 - w54 * w182) / w67
+    w186 = w71 * (coupler_q1_dot * c51 - coupler_q2_dot * c27) - w173 * gravity_y - (w68 * (w72 + coupler_q1 * c51 - coupler_q2 * c27) + (w65 * w173 + w2 * w171))
+    w187 = w144 + w186 - w145 - w75 * w185 - w135 * w179 + w136 * w147
+    w188 = w5 * c17
+    w189 = w4 * c51 - c41 - w188 * gravity_y - (w65 * w188 + w2 * (w11 * c17)) - w96 * w175 - w90 * w177 + w142 * w184
+    w190 = w5 * c19
+    w191 = w151 * w184 - (w2 * (w11 * c19) + w65 * w190 + (w4 * c27 + w190 * gravity_y)) - w185 * c30 - w152 * w179
+    w192 = w16 + coupler_q1_dot * c18
+    w193 = (coupler_q1 * c18 + (w8 + w9)) * 0.5
+    w194 = w5 * w193
+    w195 = w11 * w193
+    w196 = w0 * (w19 * (w11 * w192) - w4 * w194 + w68 * w195) + w64 * (w4 * w195 + w19 * (w5 * w192) + w68 * w194)
+    w197 = w11 * c5
+    w198 = coupler_q2_dot * w197 - coupler_theta_dot * w103 - w104 * w156 - w107 * w151
+    w199 = w5 * c5
+    w200 = coupler_theta_dot * w110 + coupler_q2_dot * w199 - w111 * w156 + w114 * w151
+    w201 = (w29 * w198 + w54 * w200) / w67
+    w202 = (w40 * w198 + w62 * w200) / w67
+    w203 = w68 * w103 + (w19 * (w5 * w36) + w4 * w110) + w101 * w201 + w99 * w156 + w117 * w202 + w119 * w151
+    w204 = w68 * w110 + (w19 * (w11 * w36) - w4 * w103) - w121 * w201 - w122 * w156 - w123 * w202 + w124 * w151
+    w205 = (w40 * w203 - w62 * w204) / w67
+    w206 = w87 * w205 + w127 * w202 + w128 * w151
+    w207 = (w29 * w203 - w54 * w204) / w67
+    w208 = w71 * (coupler_q2_dot * c52 - coupler_q1_dot * c25) - w195 * gravity_y - (w65 * w195 - w2 * w194 + w68 * (w73 + coupler_q2 * c52 - coupler_q1 * c25))
+    w209 = w153 + w208 - w154 - w75 * w207 - w135 * w201 + w136 * w156
+    w210 = w5 * c18
+    w211 = w142 * w206 - (w65 * w210 + w2 * (w11 * c18) + (w4 * c25 + w210 * gravity_y)) - w207 * c29 - w143 * w201
+    w212 = w5 * c20
+    w213 = w4 * c52 - c42 - w212 * gravity_y - (w2 * (w11 * c20) + w65 * w212) - w96 * w197 - w90 * w199 + w151 * w206
+    w214 = w77 * (rocker_q1_dot * c53 - rocker_q2_dot * c14) - (w159 + w25 * ((w81 + w82 + rocker_q2 * c38) * 0.5)) * gravity_y
+    w215 = w25 * c7
+    w216 = rocker_theta_dot * w105 - rocker_q1_dot * w215 + w104 * w163 + w107 * w162
+    w217 = w43 * c7
+    w218 = w111 * w163 - (rocker_theta_dot * w112 + rocker_q1_dot * w217) - w114 * w162
+    w219 = (w29 * w216 + w54 * w218) / w67
+    w220 = (w40 * w216 + w62 * w218) / w67
+    w221 = w88 * w105 + (w42 * (w43 * w47) + w51 * w112) - w101 * w219 + w99 * w163 - w117 * w220 + w119 * w162
+    w222 = w122 * w163 - (w88 * w112 + (w42 * (w25 * w47) - w51 * w105) + w121 * w219) - w123 * w220 - w124 * w162
+    w223 = (w40 * w221 + w62 * w222) / w67
+    w224 = w158 + (w214 - w88 * (w78 + rocker_q1 * c53 - rocker_q2 * c14) - w160) + w87 * w223 - w127 * w220
+    w225 = w224 + w128 * w162
+    w226 = (w29 * w221 + w54 * w222) / w67
+    w227 = w75 * w226 - w135 * w219 - w136 * w163
+    w228 = w51 * c53 - c43 - w43 * c54 + w96 * w215 + w90 * w217 + w223 * c31 - w157 * w220 + w161 * w162 + w162 * w225
+    w229 = w77 * (rocker_q2_dot * c56 - rocker_q1_dot * c12) - w25 * ((rocker_q1 * c37 + (w83 + w84)) * 0.5) * gravity_y
+    w230 = w25 * c8
+    w231 = rocker_theta_dot * w106 - rocker_q2_dot * w230 + w104 * w169 + w107 * w168
+    w232 = w43 * c8
+    w233 = w111 * w169 - (rocker_theta_dot * w113 + rocker_q2_dot * w232) - w114 * w168
+    w234 = (w29 * w231 + w54 * w233) / w67
+    w235 = (w40 * w231 + w62 * w233) / w67
+    w236 = w88 * w106 + (w42 * (w43 * w48) + w51 * w113) - w101 * w234 + w99 * w169 - w117 * w235 + w119 * w168
+    w237 = w122 * w169 - (w88 * w113 + (w42 * (w25 * w48) - w51 * w106) + w121 * w234) - w123 * w235 - w124 * w168
+    w238 = (w40 * w236 + w62 * w237) / w67
+    w239 = w165 + (w229 - w88 * (w79 + rocker_q2 * c56 - rocker_q1 * c12) - w166) + w87 * w238 - w127 * w235
+    w240 = w239 + w128 * w168
+    w241 = (w29 * w236 + w54 * w237) / w67
+    w242 = w75 * w241 - w135 * w234 - w136 * w169
+    w243 = w51 * c56 - c44 - w43 * c58 + w96 * w230 + w90 * w232 + w238 * c32 - w164 * w235 + w167 * w168 + w168 * w240
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w207, w270, w306, w322 + (w137 * w331 + w179 * w337), w351 + (w137 * w359 + w179 * w365),
+            w97 + w64 * w70 + w98 * w129 + w130 * w131 - w116 * w132 + w100 * w133 + w100 * w137,
+            w174 - w98 * w184 - w130 * w185 - w132 * w179 - w133 * w147 + w100 * w187,
+            w196 - w98 * w206 - w130 * w207 - w132 * w201 - w133 * w156 + w100 * w209,
+            w98 * w225 + w130 * w226 - w132 * w219 + w133 * w163 + w100 * w227,
+            w98 * w240 + w130 * w241 - w132 * w234 + w133 * w169 + w100 * w242,
         ),
         ca.horzcat(  # coupler.q1
-            w217, w272 - (w142 * w251 + w111 * w256) + (w142 * w213 + w180 * w214) + (w215 * w260 + w216 * w269),
-            w308 - (w142 * w288 - w111 * w290) + (w150 * w213 + w184 * w214) + (w215 * w297 + w216 * w305),
-            w338 + (w215 * w331 + w216 * w337), w366 + (w215 * w359 + w216 * w365),
+            w141 - w129 * w142 + w131 * c29 - w116 * w143 + w100 * w146 - w137 * w147,
+            w189 - w185 * c29 - w143 * w179 - w146 * w147 - w147 * w187, w211 - w146 * w156 - w147 * w209,
+            w226 * c29 - w142 * w225 - w143 * w219 + w146 * w163 - w147 * w227,
+            w241 * c29 - w142 * w240 - w143 * w234 + w146 * w169 - w147 * w242,
         ),
         ca.horzcat(  # coupler.q2
-            w226, w274 - (w150 * w251 - w111 * w253) + (w142 * w222 + w180 * w223) + (w224 * w260 + w225 * w269),
-            w310 - (w150 * w288 + w111 * w293) + (w150 * w222 + w184 * w223) + (w224 * w297 + w225 * w305),
-            w339 + (w224 * w331 + w225 * w337), w367 + (w224 * w359 + w225 * w365),
+            w149 - w150 - w129 * w151 + w131 * c30 - w116 * w152 + w100 * w155 - w137 * w156,
+            w191 - w147 * w155 - w156 * w187, w213 - w207 * c30 - w152 * w201 - w155 * w156 - w156 * w209,
+            w226 * c30 - w151 * w225 - w152 * w219 + w155 * w163 - w156 * w227,
+            w241 * c30 - w151 * w240 - w152 * w234 + w155 * w169 - w156 * w242,
         ),
         ca.horzcat(  # rocker.q1
-            w233, w275 + (w231 * w260 + w232 * w269), w311 + (w231 * w297 + w232 * w305),
-            w340 + (w156 * w228 + w191 * w230) + (w231 * w331 + w232 * w337), w368 + (w231 * w359 + w232 * w365),
+            w126 * c31 - w118 * w157 + w98 * w161 + w129 * w162 + w137 * w163,
+            w163 * w187 - (w183 * c31 + w157 * w180 + w142 * w161 + w162 * w184),
+            w163 * w209 - (w205 * c31 + w157 * w202 + w151 * w161 + w162 * w206), w228 + w163 * w227,
+            w238 * c31 - (w51 * c12 + w43 * c57) - w157 * w235 + w161 * w168 + w162 * w240 + w163 * w242,
         ),
         ca.horzcat(  # rocker.q2
-            w239, w276 + (w237 * w260 + w238 * w269), w312 + (w237 * w297 + w238 * w305),
-            w341 + (w237 * w331 + w238 * w337), w369 + (w162 * w235 + w198 * w236) + (w237 * w359 + w238 * w365),
+            w126 * c32 - w118 * w164 + w98 * w167 + w129 * w168 + w137 * w169,
+            w169 * w187 - (w183 * c32 + w164 * w180 + w142 * w167 + w168 * w184),
+            w169 * w209 - (w205 * c32 + w164 * w202 + w151 * w167 + w168 * w206),
+            w223 * c32 - (w51 * c14 + w43 * c55) - w164 * w220 + w162 * w167 + w168 * w225 + w169 * w227,
+            w243 + w169 * w242,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -1822,15 +1703,15 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    719 operations.
+    645 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 68)
+    c = ca.SX.sym("c", 66)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -1877,170 +1758,143 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
+    c59 = c[59]
+    c60 = c[60]
     c61 = c[61]
     c62 = c[62]
     c63 = c[63]
     c64 = c[64]
     c65 = c[65]
-    c66 = c[66]
-    c67 = c[67]
-    # intermediate terms (122)
+    # intermediate terms (104)
     w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = ca.cos(coupler_theta)
-    w2 = coupler_q1 * c17 + coupler_q2 * c18
-    w3 = coupler_q1 * c19 + coupler_q2 * c20
-    w4 = c16 - (coupler_q1 * w2 + coupler_q2 * w3) * 0.5
+    w1 = 2 * crank_theta_dot
+    w2 = ca.sin(crank_theta) * crank_tip_x
+    w3 = w1 * w2
+    w4 = w0 * w1
     w5 = ca.sin(coupler_theta)
-    w6 = coupler_q1 * c21
-    w7 = w1 * w4 - w5 * w6
-    w8 = ca.cos(rocker_theta)
-    w9 = rocker_q1 * c7
-    w10 = rocker_q2 * c8
-    w11 = rocker_length - (rocker_q1 * w9 + rocker_q2 * w10) * 0.5
-    w12 = w8 * w11
-    w13 = 2 * crank_theta_dot
-    w14 = w0 * w13
-    w15 = ca.sin(rocker_theta)
-    w16 = w11 * w15
-    w17 = ca.sin(crank_theta) * crank_tip_x
-    w18 = w13 * w17
-    w19 = coupler_q1 * c4
-    w20 = coupler_q2 * c5
-    w21 = coupler_length - (coupler_q1 * w19 + coupler_q2 * w20) * 0.5
-    w22 = w5 * w21
-    w23 = w1 * w21
-    w24 = w12 * w22 - w16 * w23
-    w25 = (w12 * w14 + w16 * w18) / w24
-    w26 = w4 * w5 + w1 * w6
-    w27 = (w0 * w22 - w17 * w23) / w24
-    w28 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
-    w29 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
-    w30 = c9 + (rocker_q1 * w28 + rocker_q2 * w29)
-    w31 = (w14 * w23 + w18 * w22) / w24
-    w32 = w30 * w31
-    w33 = (w0 * w16 - w12 * w17) / w24
-    w34 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
-    w35 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
-    w36 = c22 + (coupler_q1 * w34 + coupler_q2 * w35)
-    w37 = w14 * w26 - w7 * w18 - w25 * w36
-    w38 = 2 * coupler_theta_dot
-    w39 = w2 * coupler_q1_dot + w3 * coupler_q2_dot
-    w40 = coupler_q1_dot * c21
-    w41 = w19 * coupler_q1_dot + w20 * coupler_q2_dot
-    w42 = 2 * (w5 * w41) - w23 * w38
-    w43 = 2 * (w1 * w41) + w22 * w38
-    w44 = (w12 * w42 - w16 * w43) / w24
-    w45 = w0 * (w26 * w38 + 2 * (w1 * w39 + w5 * w40) - w7 * w44) - w17 * (w7 * w38 + 2 * (w1 * w40 - w5 * w39) + w26 * w44)
-    w46 = (w23 * w42 - w22 * w43) / w24
-    w47 = w30 * w46
-    w48 = (w34 * coupler_q1_dot + w35 * coupler_q2_dot) * -2.0 - w36 * w44
-    w49 = w45 - w27 * w47 + w33 * w48
-    w50 = w9 * rocker_q1_dot + w10 * rocker_q2_dot
-    w51 = 2 * rocker_theta_dot
-    w52 = 2 * (w8 * w50) + w16 * w51
-    w53 = 2 * (w15 * w50) - w12 * w51
-    w54 = (w22 * w52 - w23 * w53) / w24
-    w55 = (w28 * rocker_q1_dot + w29 * rocker_q2_dot) * -2.0 - w30 * w54
-    w56 = (w16 * w52 - w12 * w53) / w24
-    w57 = w36 * w56
-    w58 = w27 * w55 - (w0 * (w7 * w56) + w17 * (w26 * w56)) - w33 * w57
-    w59 = w0 * (w7 * w25 + w18 * c2) - w17 * (w14 * c2 - w25 * w26) + w27 * w32 - w33 * w37 + (w33 * w49 + w27 * w58)
-    w60 = w1 * w19
-    w61 = w5 * w19
-    w62 = (w12 * w60 + w16 * w61) / w24
-    w63 = w1 * w2 + w5 * c21
-    w64 = w1 * c21 - w2 * w5
-    w65 = coupler_q1 * w21 * c4 / w24
-    w66 = w34 * w38 - w44 * c29 + w47 * w65 - w48 * w62
-    w67 = w57 * w62 - (w56 * c29 + w55 * w65)
-    w68 = w1 * w20
-    w69 = w5 * w20
-    w70 = (w12 * w68 + w16 * w69) / w24
-    w71 = w1 * w3
-    w72 = w3 * w5
-    w73 = coupler_q2 * w21 * c5 / w24
-    w74 = w35 * w38 - w44 * c30 + w47 * w73 - w48 * w70
-    w75 = w57 * w70 - (w56 * c30 + w55 * w73)
-    w76 = w8 * w9
-    w77 = w9 * w15
-    w78 = (w23 * w76 + w22 * w77) / w24
-    w79 = rocker_q1 * w11 * c7 / w24
-    w80 = w48 * w79 - (w46 * c31 + w47 * w78)
-    w81 = w28 * w51 - w54 * c31 + w55 * w78 - w57 * w79
-    w82 = w8 * w10
-    w83 = w10 * w15
-    w84 = (w23 * w82 + w22 * w83) / w24
-    w85 = rocker_q2 * w11 * c8 / w24
-    w86 = w48 * w85 - (w46 * c32 + w47 * w84)
-    w87 = w29 * w51 - w54 * c32 + w55 * w84 - w57 * w85
-    w88 = coupler_q1_dot * c65 + coupler_q2_dot * c66
-    w89 = coupler_q1_dot * c61
-    w90 = w38 * w61 - w1 * w89
-    w91 = w5 * w89 + w38 * w60
-    w92 = (w12 * w90 - w16 * w91) / w24
-    w93 = (w23 * w90 - w22 * w91) / w24
-    w94 = w30 * w93
-    w95 = coupler_theta_dot * -2.0
-    w96 = w34 * w95 - w36 * w92
-    w97 = w0 * (w5 * w88 + w38 * w63 - w7 * w92) - w17 * (w38 * w64 + w1 * w88 + w26 * w92) - w27 * w94 + w33 * w96
-    w98 = coupler_q2_dot * c67 + coupler_q1_dot * c66
-    w99 = coupler_q2_dot * c62
-    w100 = w38 * w69 - w1 * w99
-    w101 = w5 * w99 + w38 * w68
-    w102 = (w12 * w100 - w16 * w101) / w24
-    w103 = (w23 * w100 - w22 * w101) / w24
-    w104 = w30 * w103
-    w105 = w35 * w95 - w36 * w102
-    w106 = w0 * (w5 * w98 + w38 * w71 - w7 * w102) - w17 * (w1 * w98 - w38 * w72 + w26 * w102) - w27 * w104 + w33 * w105
-    w107 = rocker_theta_dot * -2.0
-    w108 = rocker_q1_dot * c63
-    w109 = w15 * w108 + w51 * w76
-    w110 = w51 * w77 - w8 * w108
-    w111 = (w22 * w109 - w23 * w110) / w24
-    w112 = w28 * w107 - w30 * w111
-    w113 = (w16 * w109 - w12 * w110) / w24
-    w114 = w36 * w113
-    w115 = rocker_q2_dot * c64
-    w116 = w15 * w115 + w51 * w82
-    w117 = w51 * w83 - w8 * w115
-    w118 = (w22 * w116 - w23 * w117) / w24
-    w119 = w29 * w107 - w30 * w118
-    w120 = (w16 * w116 - w12 * w117) / w24
-    w121 = w36 * w120
+    w6 = coupler_q1 * c4
+    w7 = coupler_q2 * c5
+    w8 = coupler_length - (coupler_q1 * w6 + coupler_q2 * w7) * 0.5
+    w9 = w5 * w8
+    w10 = ca.cos(coupler_theta)
+    w11 = w8 * w10
+    w12 = ca.cos(rocker_theta)
+    w13 = rocker_q1 * c7
+    w14 = rocker_q2 * c8
+    w15 = rocker_length - (rocker_q1 * w13 + rocker_q2 * w14) * 0.5
+    w16 = w12 * w15
+    w17 = ca.sin(rocker_theta)
+    w18 = w15 * w17
+    w19 = w9 * w16 - w11 * w18
+    w20 = (w0 * w9 - w2 * w11) / w19
+    w21 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
+    w22 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
+    w23 = c9 + (rocker_q1 * w21 + rocker_q2 * w22)
+    w24 = 2 * coupler_theta_dot
+    w25 = w6 * coupler_q1_dot + w7 * coupler_q2_dot
+    w26 = w11 * w24 + 2 * -(w5 * w25)
+    w27 = (w0 * w18 - w2 * w16) / w19
+    w28 = w13 * rocker_q1_dot + w14 * rocker_q2_dot
+    w29 = 2 * rocker_theta_dot
+    w30 = 2 * (w17 * w28) - w16 * w29
+    w31 = w4 + w26 * w27 + w20 * w30
+    w32 = 2 * (w10 * w25) + w9 * w24
+    w33 = 2 * -(w12 * w28) - w18 * w29
+    w34 = w3 + w27 * w32 + w20 * w33
+    w35 = (w11 * w31 + w9 * w34) / w19
+    w36 = (w21 * rocker_q1_dot + w22 * rocker_q2_dot) * -2.0
+    w37 = w23 * w35 + w20 * w36
+    w38 = coupler_q1 * c17 + coupler_q2 * c18
+    w39 = coupler_q1 * c19 + coupler_q2 * c20
+    w40 = c16 - (coupler_q1 * w38 + coupler_q2 * w39) * 0.5
+    w41 = coupler_q1 * c21
+    w42 = w10 * w40 - w5 * w41
+    w43 = w5 * w40 + w10 * w41
+    w44 = w0 * w42 + w2 * w43
+    w45 = (w16 * w31 + w18 * w34) / w19
+    w46 = coupler_q1_dot * w38 + coupler_q2_dot * w39
+    w47 = coupler_q1_dot * c21
+    w48 = w0 * (w24 * w43 + 2 * (w10 * w46 + w5 * w47)) - w2 * (w24 * w42 + 2 * (w10 * w47 - w5 * w46))
+    w49 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
+    w50 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
+    w51 = c22 + (coupler_q1 * w49 + coupler_q2 * w50)
+    w52 = (coupler_q1_dot * w49 + coupler_q2_dot * w50) * -2.0
+    w53 = w3 * w42 - w4 * w43 + w45 * w51 + w27 * w52
+    w54 = w10 * c21 - w5 * w38
+    w55 = w10 * w38 + w5 * c21
+    w56 = coupler_q1 * w8 * c4 / w19
+    w57 = w24 * w49
+    w58 = (w16 * (w6 * w10) + w18 * (w5 * w6)) / w19
+    w59 = w5 * w39
+    w60 = w10 * w39
+    w61 = coupler_q2 * w8 * c5 / w19
+    w62 = w24 * w50
+    w63 = (w16 * (w7 * w10) + w18 * (w5 * w7)) / w19
+    w64 = w21 * w29
+    w65 = (w11 * (w12 * w13) + w9 * (w13 * w17)) / w19
+    w66 = rocker_q1 * w15 * c7 / w19
+    w67 = w22 * w29
+    w68 = (w11 * (w12 * w14) + w9 * (w14 * w17)) / w19
+    w69 = rocker_q2 * w15 * c8 / w19
+    w70 = coupler_q1_dot * c59 + coupler_q2_dot * c60
+    w71 = w5 * w24
+    w72 = w10 * coupler_q1_dot * c61 - w6 * w71 - w26 * w58 - w30 * w56
+    w73 = w10 * w24
+    w74 = w5 * coupler_q1_dot * c61 + w6 * w73 - w32 * w58 - w33 * w56
+    w75 = (w11 * w72 + w9 * w74) / w19
+    w76 = w23 * w75 - w36 * w56
+    w77 = (w16 * w72 + w18 * w74) / w19
+    w78 = coupler_theta_dot * -2.0
+    w79 = w49 * w78 + w51 * w77 - w52 * w58
+    w80 = w0 * (w5 * w70 + w24 * w55) - w2 * (w24 * w54 + w10 * w70) + w20 * w76 + w44 * w77 - w48 * w58 + w27 * w79
+    w81 = coupler_q2_dot * c62 + coupler_q1_dot * c60
+    w82 = w10 * coupler_q2_dot * c63 - w7 * w71 - w26 * w63 - w30 * w61
+    w83 = w5 * coupler_q2_dot * c63 + w7 * w73 - w32 * w63 - w33 * w61
+    w84 = (w11 * w82 + w9 * w83) / w19
+    w85 = w23 * w84 - w36 * w61
+    w86 = (w16 * w82 + w18 * w83) / w19
+    w87 = w50 * w78 + w51 * w86 - w52 * w63
+    w88 = w0 * (w5 * w81 + w24 * w60) - w2 * (w10 * w81 - w24 * w59) + w20 * w85 + w44 * w86 - w48 * w63 + w27 * w87
+    w89 = rocker_theta_dot * -2.0
+    w90 = w17 * w29
+    w91 = w13 * w90 - w12 * rocker_q1_dot * c64 + w26 * w66 + w30 * w65
+    w92 = w12 * w29
+    w93 = w32 * w66 - (w17 * rocker_q1_dot * c64 + w13 * w92) + w33 * w65
+    w94 = (w11 * w91 + w9 * w93) / w19
+    w95 = w21 * w89 + w23 * w94 + w36 * w65
+    w96 = (w16 * w91 + w18 * w93) / w19
+    w97 = w51 * w96 + w52 * w66
+    w98 = w14 * w90 - w12 * rocker_q2_dot * c65 + w26 * w69 + w30 * w68
+    w99 = w32 * w69 - (w17 * rocker_q2_dot * c65 + w14 * w92) + w33 * w68
+    w100 = (w11 * w98 + w9 * w99) / w19
+    w101 = w22 * w89 + w23 * w100 + w36 * w68
+    w102 = (w16 * w98 + w18 * w99) / w19
+    w103 = w51 * w102 + w52 * w69
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w59, w97 - (w49 * w62 + w58 * w65), w106 - (w49 * w70 + w58 * w73),
-            w27 * w112 - (w0 * (w7 * w113) + w17 * (w26 * w113)) - w33 * w114 + (w49 * w79 + w58 * w78),
-            w27 * w119 - (w0 * (w7 * w120) + w17 * (w26 * w120)) - w33 * w121 + (w49 * w85 + w58 * w84),
+            w0 * (w3 * c2) - w2 * (w4 * c2) + w20 * w37 + w44 * w45 + w27 * w48 + w27 * w53, w80, w88,
+            w20 * w95 + w44 * w96 + w48 * w66 + w27 * w97, w20 * w101 + w44 * w102 + w48 * w69 + w27 * w103,
         ),
         ca.horzcat(  # coupler.q1
-            w37 * w62 - (w14 * w63 - w18 * w64 - w25 * c29 + w32 * w65) + (w33 * w66 + w27 * w67),
-            w65 * w94 - w92 * c29 - w62 * w96 - (w62 * w66 + w65 * w67),
-            w65 * w104 - w102 * c29 - w62 * w105 - (w66 * w70 + w67 * w73),
-            w62 * w114 - (w113 * c29 + w65 * w112) + (w66 * w79 + w67 * w78),
-            w62 * w121 - (w120 * c29 + w65 * w119) + (w66 * w85 + w67 * w84),
+            w3 * w54 - w4 * w55 - w37 * w56 + w45 * c29 + w27 * w57 - w53 * w58,
+            w77 * c29 - w56 * w76 - w57 * w58 - w58 * w79, w86 * c29 - w56 * w85 - w57 * w63 - w58 * w87,
+            w96 * c29 - w56 * w95 + w57 * w66 - w58 * w97, w102 * c29 - w56 * w101 + w57 * w69 - w58 * w103,
         ),
         ca.horzcat(  # coupler.q2
-            w37 * w70 - (w14 * w71 + w18 * w72 - w25 * c30 + w32 * w73) + (w33 * w74 + w27 * w75),
-            w73 * w94 - w92 * c30 - w70 * w96 - (w62 * w74 + w65 * w75),
-            w73 * w104 - w102 * c30 - w70 * w105 - (w70 * w74 + w73 * w75),
-            w70 * w114 - (w113 * c30 + w73 * w112) + (w74 * w79 + w75 * w78),
-            w70 * w121 - (w120 * c30 + w73 * w119) + (w74 * w85 + w75 * w84),
+            w45 * c30 - (w3 * w59 + w4 * w60 + w37 * w61) + w27 * w62 - w53 * w63,
+            w77 * c30 - w61 * w76 - w58 * w62 - w63 * w79, w86 * c30 - w61 * w85 - w62 * w63 - w63 * w87,
+            w96 * c30 - w61 * w95 + w62 * w66 - w63 * w97, w102 * c30 - w61 * w101 + w62 * w69 - w63 * w103,
         ),
         ca.horzcat(  # rocker.q1
-            w31 * c31 + w32 * w78 - w37 * w79 + (w33 * w80 + w27 * w81),
-            w79 * w96 - (w93 * c31 + w78 * w94) - (w62 * w80 + w65 * w81),
-            w79 * w105 - (w103 * c31 + w78 * w104) - (w70 * w80 + w73 * w81),
-            w78 * w112 - w111 * c31 - w79 * w114 + (w79 * w80 + w78 * w81),
-            w78 * w119 - w118 * c31 - w79 * w121 + (w80 * w85 + w81 * w84),
+            w35 * c31 + w20 * w64 + w37 * w65 + w53 * w66, w75 * c31 - w56 * w64 + w65 * w76 + w66 * w79,
+            w84 * c31 - w61 * w64 + w65 * w85 + w66 * w87, w94 * c31 + w64 * w65 + w65 * w95 + w66 * w97,
+            w100 * c31 + w64 * w68 + w65 * w101 + w66 * w103,
         ),
         ca.horzcat(  # rocker.q2
-            w31 * c32 + w32 * w84 - w37 * w85 + (w33 * w86 + w27 * w87),
-            w85 * w96 - (w93 * c32 + w84 * w94) - (w62 * w86 + w65 * w87),
-            w85 * w105 - (w103 * c32 + w84 * w104) - (w70 * w86 + w73 * w87),
-            w84 * w112 - w111 * c32 - w85 * w114 + (w79 * w86 + w78 * w87),
-            w84 * w119 - w118 * c32 - w85 * w121 + (w85 * w86 + w84 * w87),
+            w35 * c32 + w20 * w67 + w37 * w68 + w53 * w69, w75 * c32 - w56 * w67 + w68 * w76 + w69 * w79,
+            w84 * c32 - w61 * w67 + w68 * w85 + w69 * w87, w94 * c32 + w65 * w67 + w68 * w95 + w69 * w97,
+            w100 * c32 + w67 * w68 + w68 * w101 + w69 * w103,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
@@ -2055,17 +1909,17 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 5 x 5) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    2323 operations.
+    1765 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 68)
+    c = ca.SX.sym("c", 66)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -2137,519 +1991,389 @@ def residual_jacobian() -> ca.Function:
     c56 = c[56]
     c57 = c[57]
     c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
-    # intermediate terms (451)
+    c61 = c[61]
+    c63 = c[63]
+    c64 = c[64]
+    c65 = c[65]
+    # intermediate terms (314)
     w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = coupler_theta_dot**2
-    w2 = coupler_q1 * c17
-    w3 = w2 + coupler_q2 * c18
-    w4 = coupler_q2 * c20
-    w5 = coupler_q1 * c19 + w4
-    w6 = c16 - (coupler_q1 * w3 + coupler_q2 * w5) * 0.5
-    w7 = ca.cos(coupler_theta)
-    w8 = coupler_q1 * c21
-    w9 = ca.sin(coupler_theta)
-    w10 = w6 * w7 - w8 * w9
-    w11 = w1 * w10
-    w12 = coupler_q1_dot * c17
-    w13 = w12 + coupler_q2_dot * c18
-    w14 = coupler_q2_dot * c20
-    w15 = coupler_q1_dot * c19 + w14
-    w16 = coupler_q1_dot * w13 + coupler_q2_dot * w15
-    w17 = w7 * w16
-    w18 = 2 * coupler_theta_dot
-    w19 = coupler_q1_dot * c21
-    w20 = w3 * coupler_q1_dot + w5 * coupler_q2_dot
-    w21 = w7 * w19 - w9 * w20
-    w22 = w18 * w21
-    w23 = ca.cos(rocker_theta)
-    w24 = rocker_q1 * c7
-    w25 = rocker_q2 * c8
-    w26 = rocker_length - (rocker_q1 * w24 + rocker_q2 * w25) * 0.5
+    w1 = ca.sin(crank_theta) * crank_tip_x
+    w2 = crank_theta_dot**2
+    w3 = w0 * w2
+    w4 = crank_theta_ddot * w1 + w3
+    w5 = w4 * c2
+    w6 = coupler_theta_dot**2
+    w7 = ca.sin(coupler_theta)
+    w8 = coupler_q1 * c17
+    w9 = w8 + coupler_q2 * c18
+    w10 = coupler_q2 * c20
+    w11 = coupler_q1 * c19 + w10
+    w12 = c16 - (coupler_q1 * w9 + coupler_q2 * w11) * 0.5
+    w13 = ca.cos(coupler_theta)
+    w14 = coupler_q1 * c21
+    w15 = w7 * w12 + w13 * w14
+    w16 = w6 * w15
+    w17 = coupler_q1_dot * c17
+    w18 = w17 + coupler_q2_dot * c18
+    w19 = coupler_q2_dot * c20
+    w20 = coupler_q1_dot * c19 + w19
+    w21 = coupler_q1_dot * w18 + coupler_q2_dot * w20
+    w22 = w7 * w21
+    w23 = 2 * coupler_theta_dot
+    w24 = w9 * coupler_q1_dot + w11 * coupler_q2_dot
+    w25 = coupler_q1_dot * c21
+    w26 = w13 * w24 + w7 * w25
     w27 = w23 * w26
-    w28 = coupler_q1 * c4
-    w29 = coupler_q2 * c5
-    w30 = coupler_q1_dot * w28 + coupler_q2_dot * w29
-    w31 = w7 * w30
-    w32 = w18 * w31
-    w33 = coupler_q1_dot * c4
-    w34 = coupler_q2_dot * c5
-    w35 = coupler_q1_dot * w33 + coupler_q2_dot * w34
-    w36 = w9 * w35
-    w37 = coupler_length - (coupler_q1 * w28 + coupler_q2 * w29) * 0.5
-    w38 = w9 * w37
-    w39 = w1 * w38
-    w40 = w32 + (w36 + w39)
-    w41 = ca.sin(rocker_theta)
-    w42 = w26 * w41
-    w43 = w7 * w35
-    w44 = w9 * w30
-    w45 = w18 * w44
-    w46 = w7 * w37
-    w47 = w1 * w46
-    w48 = w43 - w45 + w47
-    w49 = w27 * w38 - w42 * w46
-    w50 = 2 * rocker_theta_dot
-    w51 = w24 * rocker_q1_dot + w25 * rocker_q2_dot
-    w52 = w41 * w51
-    w53 = w50 * w52
+    w28 = w1 * w2
+    w29 = w0 * crank_theta_ddot - w28
+    w30 = w29 * c2
+    w31 = w12 * w13 - w7 * w14
+    w32 = ca.cos(rocker_theta)
+    w33 = rocker_q1 * c7
+    w34 = rocker_q2 * c8
+    w35 = rocker_length - (rocker_q1 * w33 + rocker_q2 * w34) * 0.5
+    w36 = w32 * w35
+    w37 = coupler_q1 * c4
+    w38 = coupler_q2 * c5
+    w39 = coupler_q1_dot * w37 + coupler_q2_dot * w38
+    w40 = w7 * w39
+    w41 = w23 * w40
+    w42 = coupler_q1_dot * c4
+    w43 = coupler_q2_dot * c5
+    w44 = coupler_q1_dot * w42 + coupler_q2_dot * w43
+    w45 = w13 * w44
+    w46 = coupler_length - (coupler_q1 * w37 + coupler_q2 * w38) * 0.5
+    w47 = w13 * w46
+    w48 = w6 * w47
+    w49 = 2 * rocker_theta_dot
+    w50 = ca.sin(rocker_theta)
+    w51 = w33 * rocker_q1_dot + w34 * rocker_q2_dot
+    w52 = w50 * w51
+    w53 = w49 * w52
     w54 = rocker_q1_dot * c7
     w55 = rocker_q2_dot * c8
     w56 = rocker_q1_dot * w54 + rocker_q2_dot * w55
-    w57 = w23 * w56
+    w57 = w32 * w56
     w58 = rocker_theta_dot**2
-    w59 = w27 * w58
-    w60 = crank_theta_dot**2
-    w61 = w0 * w60
-    w62 = w45 - (w43 + w47) - (w53 - (w57 + w59)) - w61
-    w63 = w41 * w56
-    w64 = w23 * w51
-    w65 = w50 * w64
-    w66 = w42 * w58
-    w67 = ca.sin(crank_theta) * crank_tip_x
-    w68 = w60 * w67
-    w69 = w63 + w65 + w66 - (w39 + (w32 + w36)) - w68
-    w70 = (w27 * w62 + w42 * w69) / w49
-    w71 = w70 / w49
-    w72 = w27 * w46 + w38 * w42
-    w73 = w71 * w72
-    w74 = (w0 * w42 - w27 * w67) / w49
-    w75 = w74 / w49
-    w76 = w72 * w75
-    w77 = w7 * w28
-    w78 = w42 * w77
-    w79 = w9 * w28
-    w80 = w27 * w79
-    w81 = w78 - w80
-    w82 = (w27 * w77 + w42 * w79) / w49
-    w83 = w82 / w49
-    w84 = w72 * w83
-    w85 = w81 / w49 - w84
-    w86 = w7 * w29
-    w87 = w42 * w86
-    w88 = w9 * w29
-    w89 = w27 * w88
-    w90 = w87 - w89
-    w91 = (w27 * w86 + w42 * w88) / w49
-    w92 = w91 / w49
-    w93 = w72 * w92
-    w94 = w90 / w49 - w93
-    w95 = (w27 * w40 - w42 * w48) / w49 - w73 - crank_theta_ddot * w76 - coupler_q1_ddot * w85 - coupler_q2_ddot * w94
-    w96 = w23 * w24
-    w97 = w24 * w41
-    w98 = rocker_q1 * w26 * c7 / w49
-    w99 = w98 / w49
-    w100 = w72 * w99
-    w101 = rocker_q1_ddot * w100
-    w102 = w23 * w25
-    w103 = w25 * w41
-    w104 = rocker_q2 * w26 * c8 / w49
-    w105 = w104 / w49
-    w106 = w72 * w105
-    w107 = rocker_q2_ddot * w106
-    w108 = w95 - w101 - w107
-    w109 = w70 + crank_theta_ddot * w74 - coupler_q1_ddot * w82 - coupler_q2_ddot * w91 + rocker_q1_ddot * w98
-    w110 = w109 + rocker_q2_ddot * w104
-    w111 = w6 * w9 + w7 * w8
-    w112 = w110 * w111
-    w113 = w9 * c21
-    w114 = w113 + w3 * w7
-    w115 = coupler_q1_ddot * w114
-    w116 = w5 * w7
-    w117 = coupler_q2_ddot * w116
-    w118 = w10 * w110
-    w119 = w7 * c21
-    w120 = w119 - w3 * w9
-    w121 = coupler_q1_ddot * w120
-    w122 = w5 * w9
-    w123 = coupler_q2_ddot * w122
-    w124 = w1 * w111
-    w125 = w9 * w19 + w7 * w20
-    w126 = w18 * w125
-    w127 = w9 * w16
-    w128 = w0 * (w11 + w17 + w22 - (w10 * w108 - w112 - w115 - w117)) - w67 * (w118 + w108 * w111 + w121 - w123 - (w124 + w126 + w127))
-    w129 = rocker_theta_dot * -2.0
-    w130 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
-    w131 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
-    w132 = rocker_q1_dot * w130 + rocker_q2_dot * w131
-    w133 = rocker_q1 * c36
-    w134 = w133 + rocker_q2 * c37
-    w135 = rocker_q2 * c39
-    w136 = rocker_q1 * c38 + w135
-    w137 = c35 - (rocker_q1 * w134 + rocker_q2 * w136) * 0.5
-    w138 = rocker_q1 * c40
-    w139 = c9 + (rocker_q1 * w130 + rocker_q2 * w131)
-    w140 = (w46 * w62 + w38 * w69) / w49
-    w141 = (w0 * w38 - w46 * w67) / w49
-    w142 = coupler_q1 * w37 * c4 / w49
-    w143 = coupler_q2 * w37 * c5 / w49
-    w144 = (w46 * w96 + w38 * w97) / w49
-    w145 = w140 + crank_theta_ddot * w141 - coupler_q1_ddot * w142 - coupler_q2_ddot * w143 + rocker_q1_ddot * w144
-    w146 = (w46 * w102 + w38 * w103) / w49
-    w147 = w145 + rocker_q2_ddot * w146
-    w148 = w129 * w132 + (w23 * w137 - w41 * w138) * gravity_y - (w139 * w147 + rocker_q1_ddot * c31 + rocker_q2_ddot * c32)
-    w149 = (w0 * w46 + w38 * w67) / w49
-    w150 = w141 / w49
-    w151 = w72 * w150
-    w152 = w149 - w151
-    w153 = w140 / w49
-    w154 = w72 * w153
-    w155 = w142 / w49
-    w156 = w72 * w155
-    w157 = coupler_q1_ddot * w156
-    w158 = w143 / w49
-    w159 = w72 * w158
-    w160 = coupler_q2_ddot * w159
-    w161 = (w40 * w46 - w38 * w62 + (w46 * w69 - w38 * w48)) / w49 - w154 + crank_theta_ddot * w152 + w157 + w160
-    w162 = w46 * w97
-    w163 = w38 * w96
-    w164 = w162 - w163
-    w165 = w144 / w49
-    w166 = w72 * w165
-    w167 = w164 / w49 - w166
-    w168 = w46 * w103
-    w169 = w38 * w102
-    w170 = w168 - w169
-    w171 = w146 / w49
-    w172 = w72 * w171
-    w173 = w170 / w49 - w172
-    w174 = w161 + rocker_q1_ddot * w167 + rocker_q2_ddot * w173
-    w175 = w139 * w174
-    w176 = w61 + w67 * crank_theta_ddot
-    w177 = w10 * w176
-    w178 = w0 * crank_theta_ddot - w68
-    w179 = w111 * w178
-    w180 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
-    w181 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
-    w182 = c22 + (coupler_q1 * w180 + coupler_q2 * w181)
-    w183 = w111 * gravity_y + (w177 - w179 + w108 * w182)
-    w184 = coupler_theta_dot * -2.0
-    w185 = coupler_q1_dot * w180 + coupler_q2_dot * w181
-    w186 = w184 * w185 + w10 * gravity_y - (w111 * w176 + w10 * w178 + w110 * w182 + coupler_q1_ddot * c29 + coupler_q2_ddot * c30)
-    w187 = w128 + (w148 * w152 - w141 * w175) - (w74 * w183 + w76 * w186)
-    w188 = w59 + (w57 - w53)
-    w189 = w65 + (w63 + w66)
-    w190 = w166 + (w163 - w162) / w49
-    w191 = w154 + (w38 * w188 - w46 * w189) / w49 + crank_theta_ddot * w151 - w157 - w160 + rocker_q1_ddot * w190
-    w192 = w172 + (w169 - w168) / w49
-    w193 = w191 + rocker_q2_ddot * w192
-    w194 = (w41 * w137 + w23 * w138) * gravity_y + w139 * w193
-    w195 = (w0 * w27 + w42 * w67) / w49
-    w196 = w76 + w195
-    w197 = w84 + (w80 - w78) / w49
-    w198 = w73 + (w27 * w69 + w42 * w188 - (w42 * w62 + w27 * w189)) / w49 + crank_theta_ddot * w196 - coupler_q1_ddot * w197
-    w199 = w93 + (w89 - w87) / w49
-    w200 = w107 + (w101 + (w198 - coupler_q2_ddot * w199))
-    w201 = w182 * w200
-    w202 = w148 * w151 - w141 * w194 - (w0 * (w10 * w200) + w67 * (w111 * w200)) + (w186 * w196 - w74 * w201)
-    w203 = (w27 * w68 - w42 * w61) / w49 - crank_theta_ddot * w195
-    w204 = w176 * c2
-    w205 = w178 * c2
-    w206 = w0 * (w10 * w203 - w204) + w67 * (c34 + (w126 + (w124 + w127)) - (w121 + (w118 + w205) - w123)) + (w67 * (w205 + w111 * w203) + w0 * (w17 + (w11 + w22) + (w117 + (w115 + (w112 + w204)))))
-    w207 = (w46 * w68 - w38 * w61) / w49 - crank_theta_ddot * w149
-    w208 = w139 * w207
-    w209 = w179 - w177 + w182 * w203
-    w210 = 2 * w44 - w18 * w46
-    w211 = 2 * w31 + w18 * w38
-    w212 = (w27 * w210 - w42 * w211) / w49
-    w213 = (w46 * w210 - w38 * w211) / w49
-    w214 = w139 * w213
-    w215 = w0 * (w18 * w111 + 2 * w125 - w10 * w212) - w67 * (w10 * w18 + 2 * w21 + w111 * w212) - w141 * w214
-    w216 = w185 * -2.0 - w182 * w212
-    w217 = w215 + w74 * w216
-    w218 = rocker_q1_dot * w100
-    w219 = rocker_q2_dot * w106
-    w220 = crank_theta_dot * w196 - coupler_q1_dot * w197 - coupler_q2_dot * w199 + w218 + w219
-    w221 = w219 + (w218 + (crank_theta_dot * w76 + coupler_q1_dot * w85 + coupler_q2_dot * w94))
-    w222 = w141 * w220 - w74 * w221 - crank_theta_dot * w195
-    w223 = 2 * w64 + w42 * w50
-    w224 = 2 * w52 - w27 * w50
-    w225 = (w38 * w223 - w46 * w224) / w49
-    w226 = w132 * -2.0 - w139 * w225
-    w227 = (w42 * w223 - w27 * w224) / w49
-    w228 = w182 * w227
-    w229 = w141 * w226 - (w0 * (w10 * w227) + w67 * (w111 * w227)) - w74 * w228
-    w230 = coupler_q1_dot * w156
-    w231 = coupler_q2_dot * w159
-    w232 = crank_theta_dot * w152 + w230 + w231 + rocker_q1_dot * w167 + rocker_q2_dot * w173
-    w233 = crank_theta_dot * w151 - w230 - w231 + rocker_q1_dot * w190 + rocker_q2_dot * w192
-    w234 = w74 * w232 + w141 * w233 - crank_theta_dot * w149
-    w235 = w74 * w187 + w141 * w202 - (w206 + (w141 * w208 + w148 * w149) + (w74 * w209 + w186 * w195)) + (w217 * w222 + w229 * w234)
-    w236 = w114 * w178
-    w237 = w120 * w176
-    w238 = w148 * w156
-    w239 = w114 * gravity_y + (w237 - w236 + w108 * c29) - (w238 + w142 * w175) + (w85 * w186 - w82 * w183)
-    w240 = w200 * c29 + (w238 - w142 * w194) + (w186 * w197 - w82 * w201)
-    w241 = w18 * w180 - w212 * c29 + w142 * w214 - w82 * w216
-    w242 = w82 * w228 - (w227 * c29 + w142 * w226)
-    w243 = w142 * w208 - (w236 - w237 + w203 * c29) + w82 * w209 - (w74 * w239 + w141 * w240) + (w222 * w241 + w234 * w242)
-    w244 = w116 * w178 + w122 * w176
-    w245 = w148 * w159
-    w246 = w116 * gravity_y + (w108 * c30 - w244) - (w245 + w143 * w175) + (w94 * w186 - w91 * w183)
-    w247 = w200 * c30 + (w245 - w143 * w194) + (w186 * w199 - w91 * w201)
-    w248 = w18 * w181 - w212 * c30 + w143 * w214 - w91 * w216
-    w249 = w91 * w228 - (w227 * c30 + w143 * w226)
-    w250 = w143 * w208 - (w244 + w203 * c30) + w91 * w209 - (w74 * w246 + w141 * w247) + (w222 * w248 + w234 * w249)
-    w251 = w100 * w186
-    w252 = w148 * w167 - w144 * w175 - w174 * c31 - (w98 * w183 + w251)
-    w253 = w41 * c40
-    w254 = w148 * w190 - w144 * w194 - ((w253 + w23 * w134) * gravity_y + w193 * c31) + (w251 - w98 * w201)
-    w255 = w98 * w216 - (w213 * c31 + w144 * w214)
-    w256 = w50 * w130 - w225 * c31 + w144 * w226 - w98 * w228
-    w257 = w106 * w186
-    w258 = w148 * w173 - w146 * w175 - w174 * c32 - (w104 * w183 + w257)
-    w259 = w148 * w192 - w146 * w194 - (w23 * w136 * gravity_y + w193 * c32) + (w257 - w104 * w201)
-    w260 = w104 * w216 - (w213 * c32 + w146 * w214)
-    w261 = w50 * w131 - w225 * c32 + w146 * w226 - w104 * w228
-    w262 = w74 * w258 + w141 * w259 - (w207 * c32 + w146 * w208 + w104 * w209) + (w222 * w260 + w234 * w261)
-    w263 = (w2 + w3 + coupler_q2 * c19) * 0.5
-    w264 = w119 - w9 * w263
-    w265 = coupler_q2_dot * c19
-    w266 = w12 + w265
-    w267 = w18 * (w9 * w33) + w1 * w77
-    w268 = w18 * (w7 * w33) - w1 * w79
-    w269 = w75 * w81
-    w270 = w7 * c4
-    w271 = w9 * c4
-    w272 = (w27 * w270 + w42 * w271) / w49 - w81 * w83
-    w273 = w81 * w92
-    w274 = (w27 * w267 - w42 * w268) / w49 - w71 * w81 - crank_theta_ddot * w269 - coupler_q1_ddot * w272 + coupler_q2_ddot * w273
-    w275 = w81 * w99
-    w276 = w81 * w105
-    w277 = w274 - rocker_q1_ddot * w275 - rocker_q2_ddot * w276
-    w278 = w113 + w7 * w263
-    w279 = w9 * c17
-    w280 = w9 * c19
-    w281 = w1 * w264 + w18 * (w7 * w266) - (w10 * w277 - w110 * w278 - coupler_q1_ddot * w279 - coupler_q2_ddot * w280)
-    w282 = w7 * c17
-    w283 = w7 * c19
-    w284 = w110 * w264 + w111 * w277 + coupler_q1_ddot * w282 + coupler_q2_ddot * w283 - (w1 * w278 + w18 * (w9 * w266))
-    w285 = (w67 * w77 - w0 * w79) / w49 - w81 * w150
-    w286 = (w46 * w270 - w77**2 + (w38 * w271 - w79**2)) / w49 - w81 * w155
-    w287 = (w46 * w267 - w62 * w77 - (w69 * w79 + w38 * w268)) / w49 - w81 * w153 + crank_theta_ddot * w285 - coupler_q1_ddot * w286
-    w288 = coupler_q1 * coupler_q2 * c52 / w49
-    w289 = w288 + w81 * w158
-    w290 = (w77 * w96 + w79 * w97) / w49
-    w291 = w290 + w81 * w165
-    w292 = (w77 * w102 + w79 * w103) / w49
-    w293 = w292 + w81 * w171
-    w294 = w287 + coupler_q2_ddot * w289 - rocker_q1_ddot * w291 - rocker_q2_ddot * w293
-    w295 = w139 * w294
-    w296 = w184 * (coupler_q1_dot * c51 - coupler_q2_dot * c27) - w278 * gravity_y - (w176 * w264 - w178 * w278 + (w110 * (w180 + coupler_q1 * c51 - coupler_q2 * c27) + w182 * w277))
-    w297 = w0 * w281 - w67 * w284 + (w148 * w285 - w141 * w295) + (w74 * w296 - w186 * w269) - (w82 * w187 + w142 * w202)
-    w298 = coupler_q2_dot * w273 - (crank_theta_dot * w269 + coupler_q1_dot * w272) - rocker_q1_dot * w275 - rocker_q2_dot * w276
-    w299 = w298 + (w82 * w221 - w142 * w220)
-    w300 = crank_theta_dot * w285 - coupler_q1_dot * w286 + coupler_q2_dot * w289 - rocker_q1_dot * w291 - rocker_q2_dot * w293
-    w301 = w300 - (w82 * w232 + w142 * w233)
-    w302 = w1 * c51 - c41 - w279 * gravity_y - (w176 * w282 - w178 * w279 + w277 * c29) - (w148 * w286 - w142 * w295)
-    w303 = w143 * w295 + w148 * w289 - (w1 * c27 + w280 * gravity_y + (w176 * w283 - w178 * w280 + w277 * c30))
-    w304 = w98 * w296 - w186 * w275 - (w294 * c31 + (w144 * w295 + w148 * w291)) - (w82 * w252 + w142 * w254)
-    w305 = w104 * w296 - w186 * w276 - (w294 * c32 + (w146 * w295 + w148 * w293)) - (w82 * w258 + w142 * w259)
-    w306 = coupler_q1_dot * c18
-    w307 = w14 + w306
-    w308 = (coupler_q1 * c18 + (w4 + w5)) * 0.5
-    w309 = w9 * w308
-    w310 = w18 * (w9 * w34) + w1 * w86
-    w311 = w18 * (w7 * w34) - w1 * w88
-    w312 = w75 * w90
-    w313 = w83 * w90
-    w314 = w7 * c5
-    w315 = w9 * c5
-    w316 = (w27 * w314 + w42 * w315) / w49 - w90 * w92
-    w317 = (w27 * w310 - w42 * w311) / w49 - w71 * w90 - crank_theta_ddot * w312 + coupler_q1_ddot * w313 - coupler_q2_ddot * w316
-    w318 = w90 * w99
-    w319 = w90 * w105
-    w320 = w317 - rocker_q1_ddot * w318 - rocker_q2_ddot * w319
-    w321 = w7 * w308
-    w322 = w9 * c18
-    w323 = w9 * c20
-    w324 = w18 * (w7 * w307) - w1 * w309 - (w10 * w320 - w110 * w321 - coupler_q1_ddot * w322 - coupler_q2_ddot * w323)
-    w325 = w7 * c18
-    w326 = w7 * c20
-    w327 = w111 * w320 - w110 * w309 + coupler_q1_ddot * w325 + coupler_q2_ddot * w326 - (w1 * w321 + w18 * (w9 * w307))
-    w328 = (w67 * w86 - w0 * w88) / w49 - w90 * w150
-    w329 = w288 + w90 * w155
-    w330 = (w46 * w310 - w62 * w86 - (w69 * w88 + w38 * w311)) / w49 - w90 * w153 + crank_theta_ddot * w328 + coupler_q1_ddot * w329
-    w331 = (w46 * w314 - w86**2 + (w38 * w315 - w88**2)) / w49 - w90 * w158
-    w332 = (w86 * w96 + w88 * w97) / w49
-    w333 = w332 + w90 * w165
-    w334 = (w86 * w102 + w88 * w103) / w49
-    w335 = w334 + w90 * w171
-    w336 = w330 - coupler_q2_ddot * w331 - rocker_q1_ddot * w333 - rocker_q2_ddot * w335
-    w337 = w139 * w336
-    w338 = w184 * (coupler_q2_dot * c53 - coupler_q1_dot * c25) - w321 * gravity_y - (w110 * (w181 + coupler_q2 * c53 - coupler_q1 * c25) + w182 * w320 - (w176 * w309 + w178 * w321))
-    w339 = w0 * w324 - w67 * w327 + (w148 * w328 - w141 * w337) + (w74 * w338 - w186 * w312) - (w91 * w187 + w143 * w202)
-    w340 = coupler_q1_dot * w313 - crank_theta_dot * w312 - coupler_q2_dot * w316 - rocker_q1_dot * w318 - rocker_q2_dot * w319
-    w341 = w340 + (w91 * w221 - w143 * w220)
-    w342 = crank_theta_dot * w328 + coupler_q1_dot * w329 - coupler_q2_dot * w331 - rocker_q1_dot * w333 - rocker_q2_dot * w335
-    w343 = w342 - (w91 * w232 + w143 * w233)
-    w344 = w142 * w337 + w148 * w329 - (w1 * c25 + w322 * gravity_y + (w176 * w325 - w178 * w322 + w320 * c29))
-    w345 = w1 * c53 - c42 - w323 * gravity_y - (w176 * w326 - w178 * w323 + w320 * c30) - (w148 * w331 - w143 * w337)
-    w346 = w98 * w338 - w186 * w318 - (w336 * c31 + (w144 * w337 + w148 * w333)) - (w91 * w252 + w143 * w254)
-    w347 = w104 * w338 - w186 * w319 - (w336 * c32 + (w146 * w337 + w148 * w335)) - (w91 * w258 + w143 * w259)
-    w348 = w129 * (rocker_q1_dot * c54 - rocker_q2_dot * c14) - (w253 + w23 * ((w133 + w134 + rocker_q2 * c38) * 0.5)) * gravity_y
-    w349 = w50 * (w23 * w54) - w58 * w97
-    w350 = w50 * (w41 * w54) + w58 * w96
-    w351 = w150 * w164
-    w352 = w155 * w164
-    w353 = w158 * w164
-    w354 = (w38 * w349 - w46 * w350) / w49 - w153 * w164 - crank_theta_ddot * w351 + coupler_q1_ddot * w352 + coupler_q2_ddot * w353
-    w355 = w23 * c7
-    w356 = w41 * c7
-    w357 = (w46 * w355 + w38 * w356) / w49 - w164 * w165
-    w358 = w164 * w171
-    w359 = w354 + rocker_q1_ddot * w357 - rocker_q2_ddot * w358
-    w360 = w348 - (w147 * (w130 + rocker_q1 * c54 - rocker_q2 * c14) + w139 * w359)
-    w361 = (w67 * w96 - w0 * w97) / w49 - w75 * w164
-    w362 = w290 + w83 * w164
-    w363 = (w42 * w349 - w69 * w97 - (w62 * w96 + w27 * w350)) / w49 - w71 * w164 + crank_theta_ddot * w361 + coupler_q1_ddot * w362
-    w364 = w332 + w92 * w164
-    w365 = (w27 * w355 - w96**2 + (w42 * w356 - w97**2)) / w49 - w99 * w164
-    w366 = rocker_q1 * rocker_q2 * c55 / w49
-    w367 = w366 + w105 * w164
-    w368 = w363 + coupler_q2_ddot * w364 + rocker_q1_ddot * w365 - rocker_q2_ddot * w367
-    w369 = w182 * w368
-    w370 = w141 * w360 - w148 * w351 - (w0 * (w10 * w368) + w67 * (w111 * w368)) + (w186 * w361 - w74 * w369)
-    w371 = crank_theta_dot * w361 + coupler_q1_dot * w362 + coupler_q2_dot * w364 + rocker_q1_dot * w365 - rocker_q2_dot * w367
-    w372 = w371 + (w144 * w220 - w98 * w221)
-    w373 = coupler_q1_dot * w352 - crank_theta_dot * w351 + coupler_q2_dot * w353 + rocker_q1_dot * w357 - rocker_q2_dot * w358
-    w374 = w373 + (w98 * w232 + w144 * w233)
-    w375 = w82 * w369 + w186 * w362 - (w368 * c29 + (w142 * w360 - w148 * w352)) - (w98 * w239 + w144 * w240)
-    w376 = w91 * w369 + w186 * w364 - (w368 * c30 + (w143 * w360 - w148 * w353)) - (w98 * w246 + w144 * w247)
-    w377 = w58 * c54 - c43 - w41 * c56 - w359 * c31 + (w144 * w360 + w148 * w357) + (w186 * w365 - w98 * w369)
-    w378 = w146 * w360 - w148 * w358 - (w58 * c14 + w41 * c57 + w359 * c32) - (w104 * w369 + w186 * w367) + (w98 * w258 + w144 * w259)
-    w379 = w129 * (rocker_q2_dot * c58 - rocker_q1_dot * c12) - w23 * ((rocker_q1 * c37 + (w135 + w136)) * 0.5) * gravity_y
-    w380 = w50 * (w23 * w55) - w58 * w103
-    w381 = w50 * (w41 * w55) + w58 * w102
-    w382 = w150 * w170
-    w383 = w155 * w170
-    w384 = w158 * w170
-    w385 = (w38 * w380 - w46 * w381) / w49 - w153 * w170 - crank_theta_ddot * w382 + coupler_q1_ddot * w383 + coupler_q2_ddot * w384
-    w386 = w165 * w170
-    w387 = w23 * c8
-    w388 = w41 * c8
-    w389 = (w46 * w387 + w38 * w388) / w49 - w170 * w171
-    w390 = w385 - rocker_q1_ddot * w386 + rocker_q2_ddot * w389
-    w391 = w379 - (w147 * (w131 + rocker_q2 * c58 - rocker_q1 * c12) + w139 * w390)
-    w392 = (w67 * w102 - w0 * w103) / w49 - w75 * w170
-    w393 = (w42 * w380 - w69 * w103 - (w62 * w102 + w27 * w381)) / w49 - w71 * w170 + crank_theta_ddot * w392
-    w394 = w292 + w83 * w170
-    w395 = w334 + w92 * w170
-    w396 = w366 + w99 * w170
-    w397 = (w27 * w387 - w102**2 + (w42 * w388 - w103**2)) / w49 - w105 * w170
-    w398 = w393 + coupler_q1_ddot * w394 + coupler_q2_ddot * w395 - rocker_q1_ddot * w396 + rocker_q2_ddot * w397
-    w399 = w182 * w398
-    w400 = w141 * w391 - w148 * w382 - (w0 * (w10 * w398) + w67 * (w111 * w398)) + (w186 * w392 - w74 * w399)
-    w401 = crank_theta_dot * w392 + coupler_q1_dot * w394 + coupler_q2_dot * w395 - rocker_q1_dot * w396 + rocker_q2_dot * w397
-    w402 = w401 + (w146 * w220 - w104 * w221)
-    w403 = coupler_q1_dot * w383 - crank_theta_dot * w382 + coupler_q2_dot * w384 - rocker_q1_dot * w386 + rocker_q2_dot * w389
-    w404 = w403 + (w104 * w232 + w146 * w233)
-    w405 = w82 * w399 + w186 * w394 - (w398 * c29 + (w142 * w391 - w148 * w383)) - (w104 * w239 + w146 * w240)
-    w406 = w91 * w399 + w186 * w395 - (w398 * c30 + (w143 * w391 - w148 * w384)) - (w104 * w246 + w146 * w247)
-    w407 = w144 * w391 - w148 * w386 - (w58 * c12 + w41 * c59 + w390 * c31) - (w98 * w399 + w186 * w396) + (w104 * w252 + w146 * w254)
-    w408 = w58 * c58 - c44 - w41 * c60 - w390 * c32 + (w146 * w391 + w148 * w389) + (w186 * w397 - w104 * w399)
-    w409 = 2 * crank_theta_dot
-    w410 = w67 * w409
-    w411 = w0 * w409
-    w412 = (w27 * w411 + w42 * w410) / w49
-    w413 = (w46 * w411 + w38 * w410) / w49
-    w414 = w139 * w413
-    w415 = w111 * w411 - w10 * w410 - w182 * w412
-    w416 = w0 * (w410 * c2 + w10 * w412) - w67 * (w411 * c2 - w111 * w412) + w141 * w414 - w74 * w415 + (w74 * w217 + w141 * w229)
-    w417 = w265 + (w12 + w13)
-    w418 = 2 * w33
-    w419 = w18 * w79 - w7 * w418
-    w420 = w9 * w418 + w18 * w77
-    w421 = (w27 * w419 - w42 * w420) / w49
-    w422 = (w46 * w419 - w38 * w420) / w49
-    w423 = w139 * w422
-    w424 = w0 * (w9 * w417 + w18 * w114 - w10 * w421) - w67 * (w18 * w120 + w7 * w417 + w111 * w421) - w141 * w423
-    w425 = w180 * w184 - w182 * w421
-    w426 = w306 + (w14 + w15)
-    w427 = 2 * w34
-    w428 = w18 * w88 - w7 * w427
-    w429 = w9 * w427 + w18 * w86
-    w430 = (w27 * w428 - w42 * w429) / w49
-    w431 = (w46 * w428 - w38 * w429) / w49
-    w432 = w139 * w431
-    w433 = w0 * (w9 * w426 + w18 * w116 - w10 * w430) - w67 * (w7 * w426 - w18 * w122 + w111 * w430) - w141 * w432
-    w434 = w181 * w184 - w182 * w430
-    w435 = 2 * w54
-    w436 = w41 * w435 + w50 * w96
-    w437 = w50 * w97 - w23 * w435
-    w438 = (w38 * w436 - w46 * w437) / w49
-    w439 = w129 * w130 - w139 * w438
-    w440 = (w42 * w436 - w27 * w437) / w49
-    w441 = w182 * w440
-    w442 = w141 * w439 - (w0 * (w10 * w440) + w67 * (w111 * w440)) - w74 * w441 + (w98 * w217 + w144 * w229)
-    w443 = 2 * w55
-    w444 = w41 * w443 + w50 * w102
-    w445 = w50 * w103 - w23 * w443
-    w446 = (w38 * w444 - w46 * w445) / w49
-    w447 = w129 * w131 - w139 * w446
-    w448 = (w42 * w444 - w27 * w445) / w49
-    w449 = w182 * w448
-    w450 = w141 * w447 - (w0 * (w10 * w448) + w67 * (w111 * w448)) - w74 * w449 + (w104 * w217 + w146 * w229)
+    w59 = w36 * w58
+    w60 = w41 - (w45 + w48) - (w53 - (w57 + w59)) - w3
+    w61 = w35 * w50
+    w62 = w50 * w56
+    w63 = w32 * w51
+    w64 = w49 * w63
+    w65 = w58 * w61
+    w66 = w7 * w44
+    w67 = w13 * w39
+    w68 = w23 * w67
+    w69 = w7 * w46
+    w70 = w6 * w69
+    w71 = w62 + w64 + w65 - (w66 + w68 + w70) - w28
+    w72 = w36 * w69 - w47 * w61
+    w73 = (w0 * w61 - w1 * w36) / w72
+    w74 = w13 * w37
+    w75 = w7 * w37
+    w76 = (w36 * w74 + w61 * w75) / w72
+    w77 = w13 * w38
+    w78 = w7 * w38
+    w79 = (w36 * w77 + w61 * w78) / w72
+    w80 = (w36 * w60 + w61 * w71) / w72 + crank_theta_ddot * w73 - w76 * coupler_q1_ddot - w79 * coupler_q2_ddot
+    w81 = w32 * w33
+    w82 = w33 * w50
+    w83 = rocker_q1 * w35 * c7 / w72
+    w84 = w32 * w34
+    w85 = w34 * w50
+    w86 = rocker_q2 * w35 * c8 / w72
+    w87 = w80 + w83 * rocker_q1_ddot + w86 * rocker_q2_ddot
+    w88 = w31 * w87
+    w89 = w13 * c21
+    w90 = w89 - w7 * w9
+    w91 = coupler_q1_ddot * w90
+    w92 = w7 * w11
+    w93 = coupler_q2_ddot * w92
+    w94 = coupler_theta_dot * -2.0
+    w95 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
+    w96 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
+    w97 = coupler_q1_dot * w95 + coupler_q2_dot * w96
+    w98 = c22 + (coupler_q1 * w95 + coupler_q2 * w96)
+    w99 = w94 * w97 + w31 * gravity_y - (w29 * w31 + w4 * w15 + w87 * w98 + coupler_q1_ddot * c29 + coupler_q2_ddot * c30)
+    w100 = rocker_theta_dot * -2.0
+    w101 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
+    w102 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
+    w103 = rocker_q1_dot * w101 + rocker_q2_dot * w102
+    w104 = rocker_q1 * c36
+    w105 = w104 + rocker_q2 * c37
+    w106 = rocker_q2 * c39
+    w107 = rocker_q1 * c38 + w106
+    w108 = c35 - (rocker_q1 * w105 + rocker_q2 * w107) * 0.5
+    w109 = rocker_q1 * c40
+    w110 = c9 + (rocker_q1 * w101 + rocker_q2 * w102)
+    w111 = (w0 * w69 - w1 * w47) / w72
+    w112 = coupler_q1 * w46 * c4 / w72
+    w113 = coupler_q2 * w46 * c5 / w72
+    w114 = (w47 * w60 + w69 * w71) / w72 + crank_theta_ddot * w111 - coupler_q1_ddot * w112 - coupler_q2_ddot * w113
+    w115 = (w47 * w81 + w69 * w82) / w72
+    w116 = (w47 * w84 + w69 * w85) / w72
+    w117 = w114 + rocker_q1_ddot * w115 + rocker_q2_ddot * w116
+    w118 = w100 * w103 + (w32 * w108 - w50 * w109) * gravity_y - (w110 * w117 + rocker_q1_ddot * c31 + rocker_q2_ddot * c32)
+    w119 = (w61 * w99 + w69 * w118) / w72
+    w120 = w6 * w31
+    w121 = w13 * w25 - w7 * w24
+    w122 = w23 * w121
+    w123 = w13 * w21
+    w124 = w15 * w87
+    w125 = w7 * c21
+    w126 = w9 * w13 + w125
+    w127 = coupler_q1_ddot * w126
+    w128 = w11 * w13
+    w129 = coupler_q2_ddot * w128
+    w130 = (w36 * w99 + w47 * w118) / w72
+    w131 = w1 * (c34 + (w16 + w22 + w27) - (w30 + w88 + w91 - w93) + w119) + w0 * (w120 + w122 + w123 + (w5 + w124 + w127 + w129) + w130)
+    w132 = w23 * w47 + 2 * -w40
+    w133 = coupler_theta_dot * w47 - coupler_q1_dot * w75 - coupler_q2_dot * w78
+    w134 = rocker_q1_dot * w82 - w36 * rocker_theta_dot + rocker_q2_dot * w85
+    w135 = w0 * crank_theta_dot + w73 * w133 + w111 * w134
+    w136 = coupler_q1_dot * w74 + coupler_theta_dot * w69 + coupler_q2_dot * w77
+    w137 = rocker_theta_dot * w61 + rocker_q1_dot * w81 + rocker_q2_dot * w84
+    w138 = w1 * crank_theta_dot + w73 * w136 - w111 * w137
+    w139 = (w36 * w135 + w61 * w138) / w72
+    w140 = w47 * w87 - w75 * coupler_q1_ddot - w78 * coupler_q2_ddot - (w68 + (w66 + w70))
+    w141 = 2 * w52 - w36 * w49
+    w142 = (w47 * w135 + w69 * w138) / w72
+    w143 = w82 * rocker_q1_ddot - w36 * w117 + w85 * rocker_q2_ddot + (w64 + (w62 + w65))
+    w144 = w29 - w132 * w139 + w73 * w140 - w141 * w142 + w111 * w143
+    w145 = 2 * w67 + w23 * w69
+    w146 = w74 * coupler_q1_ddot + w69 * w87 + w77 * coupler_q2_ddot + (w48 + (w45 - w41))
+    w147 = 2 * -w63 - w49 * w61
+    w148 = w61 * w117 + w81 * rocker_q1_ddot + w84 * rocker_q2_ddot + (w59 + (w57 - w53))
+    w149 = w4 - w139 * w145 + w73 * w146 - w142 * w147 - w111 * w148
+    w150 = (w47 * w144 + w69 * w149) / w72
+    w151 = w103 * -2.0
+    w152 = w36 * w130 - (w50 * w108 + w32 * w109) * gravity_y + w61 * w119
+    w153 = w110 * w150 - w142 * w151 + w111 * w152
+    w154 = w0 * w31 + w1 * w15
+    w155 = (w36 * w144 + w61 * w149) / w72
+    w156 = w0 * (w15 * w23 + 2 * w26) - w1 * (w23 * w31 + 2 * w121)
+    w157 = w0 * (w122 + (w120 + w123) + (w129 + (w124 + w127))) + w1 * (w22 + (w16 + w27) + (w93 - (w88 + w91)))
+    w158 = w4 * w31
+    w159 = w15 * w29
+    w160 = w97 * -2.0
+    w161 = w159 - w158 - w15 * gravity_y - w47 * w130 - w69 * w119
+    w162 = w158 - w159 + w98 * w155 - w139 * w160 + w73 * w161
+    w163 = w4 * w90
+    w164 = w29 * w126
+    w165 = w23 * w95
+    w166 = w75 * w130
+    w167 = w74 * w119
+    w168 = w164 - w163 - w126 * gravity_y + w166 - w167
+    w169 = w4 * w92 + w29 * w128
+    w170 = w23 * w96
+    w171 = w78 * w130
+    w172 = w77 * w119
+    w173 = w169 - w128 * gravity_y + w171 - w172
+    w174 = w49 * w101
+    w175 = w81 * w119
+    w176 = w50 * c40
+    w177 = w82 * w130
+    w178 = w175 - ((w176 + w32 * w105) * gravity_y + w177)
+    w179 = w49 * w102
+    w180 = w84 * w119
+    w181 = w85 * w130
+    w182 = w180 - (w32 * w107 * gravity_y + w181)
+    w183 = (w8 + w9 + coupler_q2 * c19) * 0.5
+    w184 = w89 - w7 * w183
+    w185 = coupler_q2_dot * c19
+    w186 = w17 + w185
+    w187 = w125 + w13 * w183
+    w188 = w7 * c17
+    w189 = w7 * c19
+    w190 = w0 * (w6 * w184 + w23 * (w13 * w186) + (w87 * w187 + coupler_q1_ddot * w188 + coupler_q2_ddot * w189))
+    w191 = w13 * c17
+    w192 = w13 * c19
+    w193 = w1 * (w87 * w184 + coupler_q1_ddot * w191 + coupler_q2_ddot * w192 - (w6 * w187 + w23 * (w7 * w186)))
+    w194 = w13 * c4
+    w195 = coupler_q1_dot * w194 - coupler_theta_dot * w75 - w76 * w133 - w112 * w134
+    w196 = w7 * c4
+    w197 = coupler_q1_dot * w196 + coupler_theta_dot * w74 - w76 * w136 + w112 * w137
+    w198 = (w36 * w195 + w61 * w197) / w72
+    w199 = (w47 * w195 + w69 * w197) / w72
+    w200 = coupler_q1_ddot * w194 - w75 * w87 - (w23 * (w7 * w42) + w6 * w74) - w132 * w198 - w76 * w140 - w141 * w199
+    w201 = w200 - w112 * w143
+    w202 = coupler_q1_ddot * w196 + w74 * w87 + (w23 * (w13 * w42) - w6 * w75) - w145 * w198 - w76 * w146 - w147 * w199
+    w203 = w202 + w112 * w148
+    w204 = (w47 * w201 + w69 * w203) / w72
+    w205 = w110 * w204 - w151 * w199 - w112 * w152
+    w206 = (w36 * w201 + w61 * w203) / w72
+    w207 = w94 * (coupler_q1_dot * c51 - coupler_q2_dot * c27) - w187 * gravity_y - (w87 * (w95 + coupler_q1 * c51 - coupler_q2 * c27) - (w29 * w187 - w4 * w184))
+    w208 = w166 + w207 - w167 + w98 * w206 - w160 * w198 - w76 * w161
+    w209 = w6 * c51 - c41 - w188 * gravity_y + (w29 * w188 - w4 * w191) - w130 * w194 - w119 * w196 - w112 * w205
+    w210 = w29 * w189 - w4 * w192 - (w6 * c27 + w189 * gravity_y) - w113 * w205 + w206 * c30 - w170 * w198 - w76 * w173
+    w211 = coupler_q1_dot * c18
+    w212 = w19 + w211
+    w213 = (coupler_q1 * c18 + (w10 + w11)) * 0.5
+    w214 = w7 * w213
+    w215 = w13 * w213
+    w216 = w7 * c18
+    w217 = w7 * c20
+    w218 = w0 * (w23 * (w13 * w212) - w6 * w214 + (w87 * w215 + coupler_q1_ddot * w216 + coupler_q2_ddot * w217))
+    w219 = w13 * c18
+    w220 = w13 * c20
+    w221 = w1 * (w6 * w215 + w23 * (w7 * w212) + (w87 * w214 - coupler_q1_ddot * w219 - coupler_q2_ddot * w220))
+    w222 = w13 * c5
+    w223 = coupler_q2_dot * w222 - coupler_theta_dot * w78 - w79 * w133 - w113 * w134
+    w224 = w7 * c5
+    w225 = coupler_theta_dot * w77 + coupler_q2_dot * w224 - w79 * w136 + w113 * w137
+    w226 = (w36 * w223 + w61 * w225) / w72
+    w227 = (w47 * w223 + w69 * w225) / w72
+    w228 = coupler_q2_ddot * w222 - w78 * w87 - (w23 * (w7 * w43) + w6 * w77) - w132 * w226 - w79 * w140 - w141 * w227
+    w229 = w228 - w113 * w143
+    w230 = w77 * w87 + coupler_q2_ddot * w224 + (w23 * (w13 * w43) - w6 * w78) - w145 * w226 - w79 * w146 - w147 * w227
+    w231 = w230 + w113 * w148
+    w232 = (w47 * w229 + w69 * w231) / w72
+    w233 = w110 * w232 - w151 * w227 - w113 * w152
+    w234 = (w36 * w229 + w61 * w231) / w72
+    w235 = w94 * (coupler_q2_dot * c52 - coupler_q1_dot * c25) - w215 * gravity_y - (w87 * (w96 + coupler_q2 * c52 - coupler_q1 * c25) - (w4 * w214 + w29 * w215))
+    w236 = w171 + w235 - w172 + w98 * w234 - w160 * w226 - w79 * w161
+    w237 = w29 * w216 - w4 * w219 - (w6 * c25 + w216 * gravity_y) - w112 * w233 + w234 * c29 - w165 * w226 - w79 * w168
+    w238 = w6 * c52 - c42 - w217 * gravity_y + (w29 * w217 - w4 * w220) - w130 * w222 - w119 * w224 - w113 * w233
+    w239 = w100 * (rocker_q1_dot * c53 - rocker_q2_dot * c14) - (w176 + w32 * ((w104 + w105 + rocker_q2 * c38) * 0.5)) * gravity_y
+    w240 = w32 * c7
+    w241 = rocker_theta_dot * w82 - rocker_q1_dot * w240 + w83 * w133 + w115 * w134
+    w242 = w50 * c7
+    w243 = w83 * w136 - (rocker_theta_dot * w81 + rocker_q1_dot * w242) - w115 * w137
+    w244 = (w36 * w241 + w61 * w243) / w72
+    w245 = (w47 * w241 + w69 * w243) / w72
+    w246 = w82 * w117 - rocker_q1_ddot * w240 + (w49 * (w50 * w54) + w58 * w81) - w132 * w244 + w83 * w140 - w141 * w245
+    w247 = w246 + w115 * w143
+    w248 = w83 * w146 - (w81 * w117 + rocker_q1_ddot * w242 + (w49 * (w32 * w54) - w58 * w82) + w145 * w244)
+    w249 = w248 - w147 * w245 - w115 * w148
+    w250 = (w47 * w247 + w69 * w249) / w72
+    w251 = w175 + (w239 - w117 * (w101 + rocker_q1 * c53 - rocker_q2 * c14) - w177) + w110 * w250 - w151 * w245
+    w252 = w251 + w115 * w152
+    w253 = (w36 * w247 + w61 * w249) / w72
+    w254 = w98 * w253 - w160 * w244 + w83 * w161
+    w255 = w58 * c53 - c43 - w50 * c54 + w130 * w240 + w119 * w242 + w250 * c31 - w174 * w245 + w115 * w178 + w115 * w252
+    w256 = w100 * (rocker_q2_dot * c56 - rocker_q1_dot * c12) - w32 * ((rocker_q1 * c37 + (w106 + w107)) * 0.5) * gravity_y
+    w257 = w32 * c8
+    w258 = rocker_theta_dot * w85 - rocker_q2_dot * w257 + w86 * w133 + w116 * w134
+    w259 = w50 * c8
+    w260 = w86 * w136 - (rocker_theta_dot * w84 + rocker_q2_dot * w259) - w116 * w137
+    w261 = (w36 * w258 + w61 * w260) / w72
+    w262 = (w47 * w258 + w69 * w260) / w72
+    w263 = w85 * w117 - rocker_q2_ddot * w257 + (w49 * (w50 * w55) + w58 * w84) - w132 * w261 + w86 * w140 - w141 * w262
+    w264 = w263 + w116 * w143
+    w265 = w86 * w146 - (w84 * w117 + rocker_q2_ddot * w259 + (w49 * (w32 * w55) - w58 * w85) + w145 * w261)
+    w266 = w265 - w147 * w262 - w116 * w148
+    w267 = (w47 * w264 + w69 * w266) / w72
+    w268 = w180 + (w256 - w117 * (w102 + rocker_q2 * c56 - rocker_q1 * c12) - w181) + w110 * w267 - w151 * w262
+    w269 = w268 + w116 * w152
+    w270 = (w36 * w264 + w61 * w266) / w72
+    w271 = w98 * w270 - w160 * w261 + w86 * w161
+    w272 = w58 * c56 - c44 - w50 * c58 + w130 * w257 + w119 * w259 + w267 * c32 - w179 * w262 + w116 * w182 + w116 * w269
+    w273 = 2 * crank_theta_dot
+    w274 = w1 * w273
+    w275 = w0 * w273
+    w276 = w275 + w73 * w132 + w111 * w141
+    w277 = w274 + w73 * w145 + w111 * w147
+    w278 = (w47 * w276 + w69 * w277) / w72
+    w279 = w110 * w278 + w111 * w151
+    w280 = (w36 * w276 + w61 * w277) / w72
+    w281 = w31 * w274 - w15 * w275 + w98 * w280 + w73 * w160
+    w282 = w185 + (w17 + w18)
+    w283 = w7 * w23
+    w284 = w13 * coupler_q1_dot * c61 - w37 * w283 - w76 * w132 - w112 * w141
+    w285 = w13 * w23
+    w286 = w7 * coupler_q1_dot * c61 + w37 * w285 - w76 * w145 - w112 * w147
+    w287 = (w47 * w284 + w69 * w286) / w72
+    w288 = w110 * w287 - w112 * w151
+    w289 = (w36 * w284 + w61 * w286) / w72
+    w290 = w0 * (w7 * w282 + w23 * w126) - w1 * (w23 * w90 + w13 * w282) + w111 * w288 + w154 * w289 - w76 * w156
+    w291 = w94 * w95 + w98 * w289 - w76 * w160
+    w292 = w211 + (w19 + w20)
+    w293 = w13 * coupler_q2_dot * c63 - w38 * w283 - w79 * w132 - w113 * w141
+    w294 = w7 * coupler_q2_dot * c63 + w38 * w285 - w79 * w145 - w113 * w147
+    w295 = (w47 * w293 + w69 * w294) / w72
+    w296 = w110 * w295 - w113 * w151
+    w297 = (w36 * w293 + w61 * w294) / w72
+    w298 = w0 * (w7 * w292 + w23 * w128) - w1 * (w13 * w292 - w23 * w92) + w111 * w296 + w154 * w297 - w79 * w156
+    w299 = w94 * w96 + w98 * w297 - w79 * w160
+    w300 = w49 * w50
+    w301 = w33 * w300 - w32 * rocker_q1_dot * c64 + w83 * w132 + w115 * w141
+    w302 = w32 * w49
+    w303 = w83 * w145 - (w50 * rocker_q1_dot * c64 + w33 * w302) + w115 * w147
+    w304 = (w47 * w301 + w69 * w303) / w72
+    w305 = w100 * w101 + w110 * w304 + w115 * w151
+    w306 = (w36 * w301 + w61 * w303) / w72
+    w307 = w98 * w306 + w83 * w160
+    w308 = w34 * w300 - w32 * rocker_q2_dot * c65 + w86 * w132 + w116 * w141
+    w309 = w86 * w145 - (w50 * rocker_q2_dot * c65 + w34 * w302) + w116 * w147
+    w310 = (w47 * w308 + w69 * w309) / w72
+    w311 = w100 * w102 + w110 * w310 + w116 * w151
+    w312 = (w36 * w308 + w61 * w309) / w72
+    w313 = w98 * w312 + w86 * w160
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w235, w297 + (w217 * w299 + w229 * w301), w339 + (w217 * w341 + w229 * w343),
-            w370 + (w98 * w187 + w144 * w202) + (w217 * w372 + w229 * w374),
-            w400 + (w104 * w187 + w146 * w202) + (w217 * w402 + w229 * w404),
+            w0 * w5 - w131 - w1 * w30 + w111 * w153 + w154 * w155 - w139 * w156 + w73 * w157 + w73 * w162,
+            w190 - w193 + w111 * w205 + w154 * w206 - w156 * w198 - w76 * w157 + w73 * w208,
+            w218 + w221 + w111 * w233 + w154 * w234 - w156 * w226 - w79 * w157 + w73 * w236,
+            w111 * w252 + w154 * w253 - w156 * w244 + w83 * w157 + w73 * w254,
+            w111 * w269 + w154 * w270 - w156 * w261 + w86 * w157 + w73 * w271,
         ),
         ca.horzcat(  # coupler.q1
-            w243, w302 - (w82 * w296 + w186 * w272) + (w82 * w239 + w142 * w240) + (w241 * w299 + w242 * w301),
-            w344 - (w82 * w338 - w186 * w313) + (w91 * w239 + w143 * w240) + (w241 * w341 + w242 * w343),
-            w375 + (w241 * w372 + w242 * w374), w405 + (w241 * w402 + w242 * w404),
+            w163 - w164 - w112 * w153 + w155 * c29 - w139 * w165 + w73 * w168 - w76 * w162,
+            w209 + w206 * c29 - w165 * w198 - w76 * w168 - w76 * w208, w237 - w76 * w236,
+            w253 * c29 - w112 * w252 - w165 * w244 + w83 * w168 - w76 * w254,
+            w270 * c29 - w112 * w269 - w165 * w261 + w86 * w168 - w76 * w271,
         ),
         ca.horzcat(  # coupler.q2
-            w250, w303 - (w91 * w296 - w186 * w273) + (w82 * w246 + w142 * w247) + (w248 * w299 + w249 * w301),
-            w345 - (w91 * w338 + w186 * w316) + (w91 * w246 + w143 * w247) + (w248 * w341 + w249 * w343),
-            w376 + (w248 * w372 + w249 * w374), w406 + (w248 * w402 + w249 * w404),
+            w155 * c30 - (w169 + w113 * w153) - w139 * w170 + w73 * w173 - w79 * w162, w210 - w79 * w208,
+            w238 + w234 * c30 - w170 * w226 - w79 * w173 - w79 * w236,
+            w253 * c30 - w113 * w252 - w170 * w244 + w83 * w173 - w79 * w254,
+            w270 * c30 - w113 * w269 - w170 * w261 + w86 * w173 - w79 * w271,
         ),
         ca.horzcat(  # rocker.q1
-            w74 * w252 + w141 * w254 - (w207 * c31 + w144 * w208 + w98 * w209) + (w222 * w255 + w234 * w256),
-            w304 + (w255 * w299 + w256 * w301), w346 + (w255 * w341 + w256 * w343),
-            w377 + (w98 * w252 + w144 * w254) + (w255 * w372 + w256 * w374), w407 + (w255 * w402 + w256 * w404),
+            w150 * c31 - w142 * w174 + w111 * w178 + w115 * w153 + w83 * w162,
+            w204 * c31 - w174 * w199 - w112 * w178 + w115 * w205 + w83 * w208,
+            w232 * c31 - w174 * w227 - w113 * w178 + w115 * w233 + w83 * w236, w255 + w83 * w254,
+            w267 * c31 - (w58 * c12 + w50 * c57) - w174 * w262 + w116 * w178 + w115 * w269 + w83 * w271,
         ),
         ca.horzcat(  # rocker.q2
-            w262, w305 + (w260 * w299 + w261 * w301), w347 + (w260 * w341 + w261 * w343),
-            w378 + (w260 * w372 + w261 * w374), w408 + (w104 * w258 + w146 * w259) + (w260 * w402 + w261 * w404),
+            w150 * c32 - w142 * w179 + w111 * w182 + w116 * w153 + w86 * w162,
+            w204 * c32 - w179 * w199 - w112 * w182 + w116 * w205 + w86 * w208,
+            w232 * c32 - w179 * w227 - w113 * w182 + w116 * w233 + w86 * w236,
+            w250 * c32 - (w58 * c14 + w50 * c55) - w179 * w245 + w115 * w182 + w116 * w252 + w86 * w254,
+            w272 + w86 * w271,
         ),
     )
     J_v = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w416, w424 + w74 * w425 - (w82 * w217 + w142 * w229), w433 + w74 * w434 - (w91 * w217 + w143 * w229),
-            w442, w450,
+            w0 * (w274 * c2) - w1 * (w275 * c2) + w111 * w279 + w154 * w280 + w73 * w156 + w73 * w281,
+            w290 + w73 * w291, w298 + w73 * w299, w111 * w305 + w154 * w306 + w83 * w156 + w73 * w307,
+            w111 * w311 + w154 * w312 + w86 * w156 + w73 * w313,
         ),
         ca.horzcat(  # coupler.q1
-            w82 * w415 - (w114 * w411 - w120 * w410 - w412 * c29 + w142 * w414) + (w74 * w241 + w141 * w242),
-            w142 * w423 - w421 * c29 - w82 * w425 - (w82 * w241 + w142 * w242),
-            w142 * w432 - w430 * c29 - w82 * w434 - (w91 * w241 + w143 * w242),
-            w82 * w441 - (w440 * c29 + w142 * w439) + (w98 * w241 + w144 * w242),
-            w82 * w449 - (w448 * c29 + w142 * w447) + (w104 * w241 + w146 * w242),
+            w90 * w274 - w126 * w275 - w112 * w279 + w280 * c29 + w73 * w165 - w76 * w281,
+            w289 * c29 - w112 * w288 - w76 * w165 - w76 * w291, w297 * c29 - w112 * w296 - w79 * w165 - w76 * w299,
+            w306 * c29 - w112 * w305 + w83 * w165 - w76 * w307, w312 * c29 - w112 * w311 + w86 * w165 - w76 * w313,
         ),
         ca.horzcat(  # coupler.q2
-            w91 * w415 - (w116 * w411 + w122 * w410 - w412 * c30 + w143 * w414) + (w74 * w248 + w141 * w249),
-            w143 * w423 - w421 * c30 - w91 * w425 - (w82 * w248 + w142 * w249),
-            w143 * w432 - w430 * c30 - w91 * w434 - (w91 * w248 + w143 * w249),
-            w91 * w441 - (w440 * c30 + w143 * w439) + (w98 * w248 + w144 * w249),
-            w91 * w449 - (w448 * c30 + w143 * w447) + (w104 * w248 + w146 * w249),
+            w280 * c30 - (w92 * w274 + w128 * w275 + w113 * w279) + w73 * w170 - w79 * w281,
+            w289 * c30 - w113 * w288 - w76 * w170 - w79 * w291, w297 * c30 - w113 * w296 - w79 * w170 - w79 * w299,
+            w306 * c30 - w113 * w305 + w83 * w170 - w79 * w307, w312 * c30 - w113 * w311 + w86 * w170 - w79 * w313,
         ),
         ca.horzcat(  # rocker.q1
-            w413 * c31 + w144 * w414 - w98 * w415 + (w74 * w255 + w141 * w256),
-            w98 * w425 - (w422 * c31 + w144 * w423) - (w82 * w255 + w142 * w256),
-            w98 * w434 - (w431 * c31 + w144 * w432) - (w91 * w255 + w143 * w256),
-            w144 * w439 - w438 * c31 - w98 * w441 + (w98 * w255 + w144 * w256),
-            w144 * w447 - w446 * c31 - w98 * w449 + (w104 * w255 + w146 * w256),
+            w278 * c31 + w111 * w174 + w115 * w279 + w83 * w281,
+            w287 * c31 - w112 * w174 + w115 * w288 + w83 * w291,
+            w295 * c31 - w113 * w174 + w115 * w296 + w83 * w299,
+            w304 * c31 + w115 * w174 + w115 * w305 + w83 * w307,
+            w310 * c31 + w116 * w174 + w115 * w311 + w83 * w313,
         ),
         ca.horzcat(  # rocker.q2
-            w413 * c32 + w146 * w414 - w104 * w415 + (w74 * w260 + w141 * w261),
-            w104 * w425 - (w422 * c32 + w146 * w423) - (w82 * w260 + w142 * w261),
-            w104 * w434 - (w431 * c32 + w146 * w432) - (w91 * w260 + w143 * w261),
-            w146 * w439 - w438 * c32 - w104 * w441 + (w98 * w260 + w144 * w261),
-            w146 * w447 - w446 * c32 - w104 * w449 + (w104 * w260 + w146 * w261),
+            w278 * c32 + w111 * w179 + w116 * w279 + w86 * w281,
+            w287 * c32 - w112 * w179 + w116 * w288 + w86 * w291,
+            w295 * c32 - w113 * w179 + w116 * w296 + w86 * w299,
+            w304 * c32 + w115 * w179 + w116 * w305 + w86 * w307,
+            w310 * c32 + w116 * w179 + w116 * w311 + w86 * w313,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
@@ -2659,13 +2383,13 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 5 x 4) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 4 x 4) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 4 x 4) [SI]: damping of the stiff deflections
     58 operations.
     """
-    c = ca.SX.sym("c", 68)
+    c = ca.SX.sym("c", 66)
     c41 = c[41]
     c42 = c[42]
     c43 = c[43]
@@ -2697,7 +2421,7 @@ def blocks() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
     gives M_hat_LS (n_L x n_S = 1 x 4) [SI]: block of M_hat, rows of L, columns of S
     gives M_hat_SL (n_S x n_L = 4) [SI]: block of M_hat, rows of S, columns of L
@@ -2710,7 +2434,7 @@ def blocks() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 68)
+    c = ca.SX.sym("c", 66)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -2896,7 +2620,7 @@ def substep_2() -> ca.Function:
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
-    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 4 x 4) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 4) [N, N m]: right-hand side of a sub-step, slow q'' given
     432 operations.
@@ -2906,7 +2630,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 68)
+    c = ca.SX.sym("c", 66)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]

@@ -821,7 +821,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    136 operations.
+    133 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -852,20 +852,20 @@ def residual_jacobian() -> ca.Function:
     w3 = link1_theta_dot**2
     w4 = link1_theta_ddot * w2 + w0 * w3
     w5 = w0 * (w4 * rotor2_mass)
-    w6 = w0 * link1_theta_ddot - w2 * w3
-    w7 = w6 * rotor2_mass
-    w8 = w4 * link2_mass
-    w9 = link2_theta_dot**2
+    w6 = link2_theta_dot**2
+    w7 = ca.cos(link2_theta) * c16
+    w8 = w6 * w7
+    w9 = w4 * link2_mass
     w10 = ca.sin(link2_theta) * c16
-    w11 = w9 * w10
-    w12 = w6 * link2_mass
-    w13 = ca.cos(link2_theta) * c16
-    w14 = w13 * link2_theta_ddot
-    w15 = w5 - w2 * (c20 - w7) - (gear1_stiffness + w1 * c28) - (w5 + w2 * w7) + (w0 * w8 - w2 * (c21 + w11 - (w12 + w14)))
-    w16 = w9 * w13
-    w17 = w10 * link2_theta_ddot
-    w18 = w6 * w10
-    w19 = w4 * w13
+    w11 = w10 * link2_theta_ddot
+    w12 = w6 * w10
+    w13 = w0 * link1_theta_ddot - w2 * w3
+    w14 = w13 * link2_mass
+    w15 = w7 * link2_theta_ddot
+    w16 = w13 * rotor2_mass
+    w17 = w5 + (gear1_stiffness + w1 * c28 + w0 * (w8 + (w9 + w11)) + w2 * (c21 + w12 - (w14 + w15))) + w2 * (c20 - w16)
+    w18 = w4 * w7
+    w19 = w10 * w13
     w20 = 2 * link1_theta_dot
     w21 = w2 * w20
     w22 = w0 * w20
@@ -874,15 +874,15 @@ def residual_jacobian() -> ca.Function:
     # outputs
     J_q = ca.SX(4, 4)
     # link1.theta
-    J_q[0, 0] = w15 - (w2 * w12 + w0 * (w16 + (w8 + w17)))
+    J_q[0, 0] = w5 - w17 - w2 * w16 + w0 * w9 - w2 * w14
     J_q[0, 1] = gear1_stiffness
-    J_q[0, 2] = w0 * (w16 + w17) - w2 * (w14 - w11)
+    J_q[0, 2] = w0 * (w8 + w11) - w2 * (w15 - w12)
     # rotor1.theta
     J_q[1, 0] = gear1_stiffness
     J_q[1, 1] = c25
     # link2.theta
-    J_q[2, 0] = -(w18 - w19)
-    J_q[2, 2] = -(gear2_stiffness + w10 * gravity_y + (w19 - w18))
+    J_q[2, 0] = w18 - w19
+    J_q[2, 2] = w19 - w18 - (gear2_stiffness + w10 * gravity_y)
     J_q[2, 3] = gear2_stiffness
     # rotor2.theta
     J_q[3, 2] = gear2_stiffness
@@ -890,9 +890,9 @@ def residual_jacobian() -> ca.Function:
     J_v = ca.SX(4, 4)
     # link1.theta
     J_v[0, 0] = w23
-    J_v[0, 2] = w0 * (w10 * w24) - w2 * (w13 * w24)
+    J_v[0, 2] = w0 * (w10 * w24) - w2 * (w7 * w24)
     # link2.theta
-    J_v[2, 0] = -(w10 * w22 - w13 * w21)
+    J_v[2, 0] = w7 * w21 - w10 * w22
     inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 

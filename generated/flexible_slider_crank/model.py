@@ -1023,7 +1023,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i, through q_d
-    363 operations.
+    332 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
@@ -1071,12 +1071,11 @@ def dQ_hat_dq_i() -> ca.Function:
     rod_K_ff_3_3 = c[26]
     rod_phi_integral_0_3 = c[27]
     rod_first_moment_x = c[28]
-    omega = c[29]
     c38 = c[38]
     c43 = c[43]
     c44 = c[44]
     c45 = c[45]
-    # intermediate terms (72)
+    # intermediate terms (61)
     w0 = rod_theta_dot**2
     w1 = 2 * rod_theta_dot
     w2 = ca.cos(rod_theta)
@@ -1094,72 +1093,61 @@ def dQ_hat_dq_i() -> ca.Function:
     w14 = w5 * rod_end_shape_0_3
     w15 = w14 / w12
     w16 = rod_theta_dot * -2.0
-    w17 = ca.cos(crank_theta) * crank_tip_x
-    w18 = w9 * w17
-    w19 = w18 * (w2 * rod_phi_integral_1_0) + w10 * (w5 * rod_phi_integral_1_0)
-    w20 = rod_q1 * rod_M_ff_0_0
-    w21 = w13 * rod_phi_cross_phi_3_0 + w15 * (w16 * (rod_q1_dot * rod_M_ff_0_0) - (w19 - w13 * (2 * w20)))
-    w22 = rod_q2 * rod_M_ff_1_1
-    w23 = w0 * rod_M_ff_2_3 - rod_K_ff_2_3
-    w24 = w18 * (w5 * rod_phi_integral_0_2)
-    w25 = w10 * (w2 * rod_phi_integral_0_2)
-    w26 = rod_q3 * rod_M_ff_2_2
-    w27 = rod_q4 * rod_M_ff_2_3
-    w28 = rod_rho_dot_phi_2_0 + (w26 + w27)
-    w29 = rod_rho_dot_phi_2_0 + w28
-    w30 = w16 * (rod_q3_dot * rod_M_ff_2_2 + rod_q4_dot * rod_M_ff_2_3) - (w24 - w25 - w13 * (w27 + (w26 + w29)))
-    w31 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
-    w32 = w13 / w12
-    w33 = w3 * w5
-    w34 = w1 * w33 + w0 * w12
-    w35 = w7 * w32 - w34 / w12
-    w36 = w2 * rod_end_shape_0_3
-    w37 = w0 * w14 / w12 + w32 * w36
-    w38 = (2 * w4 - w1 * w7) / w12
-    w39 = w1 * w20 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3) + w31 * w38
-    w40 = w17 * omega / w12 / w12
-    w41 = w15 / w12
-    w42 = w36 * w41
-    w43 = w36 / w12 + w7 * w41
-    w44 = w36 * w40 + rod_q4_dot * w42 + w15 * (w7 * w40 + rod_q4_dot * w43)
-    w45 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
-    w46 = w44 * (w1 * w22 + rod_q4_dot * c43 + w38 * w45) - (w13 * rod_phi_cross_phi_1_3 + w37 * w45 + w15 * (w35 * w45))
-    w47 = rod_q1 * rod_phi_cross_phi_2_0
-    w48 = w23 + w37 * w47 + w15 * (w35 * w47 - (w25 - w24)) + w44 * (w1 * w28 + rod_q1_dot * c44 - w38 * w47)
-    w49 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
-    w50 = (w13 * w14 - w7 * w37 - w0 * w36) * slider_mass
-    w51 = w18 * (w5 * rod_phi_integral_0_3)
-    w52 = w10 * (w2 * rod_phi_integral_0_3)
-    w53 = rod_q3 * rod_M_ff_2_3
-    w54 = rod_q4 * rod_M_ff_3_3
-    w55 = rod_rho_dot_phi_3_0 + (w53 + w54)
-    w56 = rod_rho_dot_phi_3_0 + w55
-    w57 = rod_inertia + (rod_q1 * w20 + rod_q2 * w22 + rod_q3 * w29 + rod_q4 * w56)
-    w58 = w16 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - (w51 - w52 - (w13 * (w53 + (w54 + w56)) - w37 * w57))
-    w59 = (w7 * w13 - (w18 + w34)) * slider_mass
-    w60 = w14 * w59
-    w61 = rod_q1_dot * w20 + rod_q2_dot * w22 + rod_q3_dot * w28 + rod_q4_dot * w55
-    w62 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
-    w63 = rod_q1 * rod_phi_integral_1_0
-    w64 = w5 * w62 + w2 * w63
-    w65 = w2 * w62 - w5 * w63
-    w66 = w16 * w61 - (w18 * w64 - w10 * w65 - w13 * w57) + w7 * w59
-    w67 = w0 * rod_M_ff_3_3 - rod_K_ff_3_3 + w37 * w49 - w36 * w50 - (w15 * (w58 + (w7 * w50 + w60)) - w42 * w66)
-    w68 = (w11 + w7 * w35 - w8) * slider_mass
-    w69 = w35 * w49 - (w52 - w51) + (w36 * w68 - w60) + (w15 * (w7 * w68 + w12 * w59 - (w18 * w65 + w10 * w64 - w35 * w57)) + w43 * w66)
-    w70 = w1 * w55 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) - w38 * w49
-    w71 = (w7 * w38 - (w1 * w12 + 2 * w33)) * slider_mass
+    w17 = w9 * (ca.cos(crank_theta) * crank_tip_x)
+    w18 = w10 * (w5 * rod_phi_integral_1_0) + w17 * (w2 * rod_phi_integral_1_0)
+    w19 = rod_q1 * rod_M_ff_0_0
+    w20 = w13 * rod_phi_cross_phi_3_0 + w15 * (w16 * (rod_q1_dot * rod_M_ff_0_0) - (w18 - w13 * (2 * w19)))
+    w21 = rod_q2 * rod_M_ff_1_1
+    w22 = w0 * rod_M_ff_2_3 - rod_K_ff_2_3
+    w23 = w17 * (w5 * rod_phi_integral_0_2) - w10 * (w2 * rod_phi_integral_0_2)
+    w24 = rod_q3 * rod_M_ff_2_2
+    w25 = rod_q4 * rod_M_ff_2_3
+    w26 = rod_rho_dot_phi_2_0 + (w24 + w25)
+    w27 = rod_rho_dot_phi_2_0 + w26
+    w28 = w16 * (rod_q3_dot * rod_M_ff_2_2 + rod_q4_dot * rod_M_ff_2_3) - (w23 - w13 * (w25 + (w24 + w27)))
+    w29 = w2 * rod_end_shape_0_3
+    w30 = (w15 * (rod_q4_dot * w29 - rod_theta_dot * w7) - rod_theta_dot * w29) / w12
+    w31 = w3 * w5
+    w32 = w1 * w31 + w0 * w12
+    w33 = w7 * w13
+    w34 = (w0 * w14 + w13 * w29 - w30 * (2 * w4 - w1 * w7) - w15 * (w32 - w33)) / w12
+    w35 = (rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)) * w34
+    w36 = (w1 * w19 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)) * w30 - (w13 * rod_phi_cross_phi_0_3 + w35)
+    w37 = w30 * (w1 * w21 + rod_q4_dot * c43) - (w13 * rod_phi_cross_phi_1_3 + w34 * (rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3))
+    w38 = (w0 * w29 - w13 * w14) * slider_mass
+    w39 = w34 * (rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1 + w7 * (w29 * slider_mass))
+    w40 = rod_q3 * rod_M_ff_2_3
+    w41 = rod_q4 * rod_M_ff_3_3
+    w42 = rod_rho_dot_phi_3_0 + (w40 + w41)
+    w43 = (w1 * w12 + 2 * w31) * slider_mass
+    w44 = w1 * w42 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) + w29 * w43
+    w45 = (w33 - (w17 + w32)) * slider_mass
+    w46 = w14 * w45
+    w47 = rod_q1_dot * w19 + rod_q2_dot * w21 + rod_q3_dot * w26 + rod_q4_dot * w42
+    w48 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
+    w49 = rod_q1 * rod_phi_integral_1_0
+    w50 = w5 * w48 + w2 * w49
+    w51 = w2 * w48 - w5 * w49
+    w52 = rod_rho_dot_phi_3_0 + w42
+    w53 = rod_inertia + (rod_q1 * w19 + rod_q2 * w21 + rod_q3 * w27 + rod_q4 * w52)
+    w54 = (w16 * w47 - (w17 * w50 - w10 * w51 - w13 * w53) + w7 * w45) / w12
+    w55 = w29 * w54
+    w56 = w17 * (w5 * rod_phi_integral_0_3) - w10 * (w2 * rod_phi_integral_0_3)
+    w57 = (w8 - w11) * slider_mass
+    w58 = w0 * rod_M_ff_3_3 - rod_K_ff_3_3 + w29 * w38 + w39 + w30 * w44 - w15 * (w46 - (w55 + w56) + w29 * w57)
+    w59 = w16 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - (w56 - w13 * (w40 + (w41 + w52)))
+    w60 = w46 + (w59 - w55) - w7 * w38 - w34 * (w53 + w7 * (w7 * slider_mass)) + w30 * (w47 * -2.0 - w7 * w43)
     # outputs
     dQ_hat_dq_i = ca.vertcat(
-        ca.horzcat(  # rod.q1
-            w0 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w13 * c45,
-            w15 * (w19 - w31 * w35) - (w13 * rod_phi_cross_phi_0_3 + w31 * w37) + w39 * w44,
+        ca.horzcat(w0 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w13 * c45, w36 + w15 * w18),  # rod.q1
+        ca.horzcat(0.0, w0 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0, w37),  # rod.q2
+        ca.horzcat(  # rod.q3
+            w13 * c38, 0.0, w0 * rod_M_ff_2_2 - rod_K_ff_2_2,
+            w22 + w34 * (rod_q1 * rod_phi_cross_phi_2_0) + w30 * (w1 * w26 + rod_q1_dot * c44) + w15 * w23,
         ),
-        ca.horzcat(0.0, w0 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0, w46),  # rod.q2
-        ca.horzcat(w13 * c38, 0.0, w0 * rod_M_ff_2_2 - rod_K_ff_2_2, w48),  # rod.q3
         ca.horzcat(  # rod.q4
-            -w21, -(w13 * rod_phi_cross_phi_3_1 + w15 * (w16 * (rod_q2_dot * rod_M_ff_1_1) + w13 * (2 * w22))),
-            w23 - w15 * w30, w67 + w15 * w69 + w44 * (w70 - w36 * w71 - w15 * (w61 * -2.0 + w38 * w57 + w7 * w71)),
+            -w20, -(w13 * rod_phi_cross_phi_3_1 + w15 * (w16 * (rod_q2_dot * rod_M_ff_1_1) + w13 * (2 * w21))),
+            w22 - w15 * w28, w58 - w15 * (w60 - w15 * (w7 * w54 - (w10 * w50 + w17 * w51) + w12 * w45 - w7 * w57)),
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -1172,24 +1160,26 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 9) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    179 operations.
+    172 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
+    q_d_dot = ca.SX.sym("q_d_dot", 9)
     c = ca.SX.sym("c", 46)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
     rod_q4 = q_i[3]
-    crank_theta = q_d[2]
     rod_theta = q_d[5]
     rod_q1_dot = q_i_dot[0]
     rod_q2_dot = q_i_dot[1]
     rod_q3_dot = q_i_dot[2]
     rod_q4_dot = q_i_dot[3]
+    rod_theta_dot = q_d_dot[5]
     rod_M_ff_0_0 = c[0]
     rod_end_shape_0_3 = c[1]
     rod_end_x = c[2]
@@ -1209,51 +1199,49 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     rod_inertia = c[16]
     rod_rho_dot_phi_2_0 = c[17]
     rod_rho_dot_phi_3_0 = c[18]
-    c30 = c[30]
-    # intermediate terms (26)
-    w0 = ca.cos(rod_theta)
-    w1 = rod_end_x + rod_q4 * rod_end_shape_0_3
-    w2 = w0 * w1
-    w3 = ca.sin(rod_theta)
-    w4 = w3 * rod_end_shape_0_3
-    w5 = w4 / w2
-    w6 = ca.cos(crank_theta) * c30 / w2 + w5 * rod_q4_dot
-    w7 = 2 * -w6
-    w8 = w6 * -2.0
-    w9 = rod_q1 * rod_M_ff_0_0
-    w10 = rod_q2 * rod_M_ff_1_1
-    w11 = rod_rho_dot_phi_2_0 + (rod_q3 * rod_M_ff_2_2 + rod_q4 * rod_M_ff_2_3)
-    w12 = w5 * (2 * w6)
-    w13 = 2 * -w5
-    w14 = (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3) * w13 + w7 * rod_phi_cross_phi_0_3
-    w15 = rod_q4_dot * rod_end_shape_0_3
-    w16 = w0 * rod_end_shape_0_3
-    w17 = w1 * w3
-    w18 = (w13 * (w0 * w15) + w7 * w16 - w12 * w17) / w2
-    w19 = (rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)) * w18
-    w20 = w10 * w12 + (w13 * (rod_q4_dot * rod_phi_cross_phi_1_3) + w7 * rod_phi_cross_phi_1_3) + w18 * (rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3)
-    w21 = rod_rho_dot_phi_3_0 + (rod_q3 * rod_M_ff_2_3 + rod_q4 * rod_M_ff_3_3)
-    w22 = w12 * w21 + w13 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) - w18 * (rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1)
-    w23 = (w17 * w18 - (w2 * w12 + (w13 * (w3 * w15) + w4 * w7))) * slider_mass
-    w24 = (w9 * rod_q1_dot + w10 * rod_q2_dot + w11 * rod_q3_dot + rod_q4_dot * w21) * (w5 * -2.0) + w8 * w21
-    w25 = rod_q1 * w9 + rod_q2 * w10 + rod_q3 * (rod_rho_dot_phi_2_0 + w11) + rod_q4 * (rod_rho_dot_phi_3_0 + w21)
+    # intermediate terms (25)
+    w0 = 2 * rod_theta_dot
+    w1 = ca.sin(rod_theta)
+    w2 = w1 * rod_end_shape_0_3
+    w3 = ca.cos(rod_theta)
+    w4 = rod_end_x + rod_q4 * rod_end_shape_0_3
+    w5 = w3 * w4
+    w6 = w2 / w5
+    w7 = rod_theta_dot * -2.0
+    w8 = rod_q1 * rod_M_ff_0_0
+    w9 = rod_q2 * rod_M_ff_1_1
+    w10 = rod_rho_dot_phi_2_0 + (rod_q3 * rod_M_ff_2_2 + rod_q4 * rod_M_ff_2_3)
+    w11 = 2 * -w6
+    w12 = (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3) * w11 + w0 * rod_phi_cross_phi_0_3
+    w13 = w0 * w6
+    w14 = rod_q4_dot * rod_end_shape_0_3
+    w15 = w3 * rod_end_shape_0_3
+    w16 = w1 * w4
+    w17 = (w11 * (w3 * w14) + w0 * w15 + w13 * w16) / w5
+    w18 = (rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)) * w17
+    w19 = w11 * (rod_q4_dot * rod_phi_cross_phi_1_3) + w0 * rod_phi_cross_phi_1_3 - w9 * w13 + w17 * (rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3)
+    w20 = rod_rho_dot_phi_3_0 + (rod_q3 * rod_M_ff_2_3 + rod_q4 * rod_M_ff_3_3)
+    w21 = w11 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) - w13 * w20 - w17 * (rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1)
+    w22 = w7 * w20 - (w8 * rod_q1_dot + w9 * rod_q2_dot + w10 * rod_q3_dot + rod_q4_dot * w20) * (w6 * -2.0)
+    w23 = rod_q1 * w8 + rod_q2 * w9 + rod_q3 * (rod_rho_dot_phi_2_0 + w10) + rod_q4 * (rod_rho_dot_phi_3_0 + w20)
+    w24 = w21 - w6 * (w22 + w17 * (rod_inertia + w23)) - (w15 + w6 * w16) * ((w16 * w17 - (w11 * (w1 * w14) + w0 * w2 - w5 * w13)) * slider_mass)
     # outputs
     dQ_hat_dq_i_dot = ca.SX(4, 4)
     # rod.q1
-    dQ_hat_dq_i_dot[0, 2] = w7 * rod_phi_cross_phi_0_2
-    dQ_hat_dq_i_dot[0, 3] = w9 * w12 + w14 + w19
+    dQ_hat_dq_i_dot[0, 2] = w0 * rod_phi_cross_phi_0_2
+    dQ_hat_dq_i_dot[0, 3] = w12 - w8 * w13 + w18
     # rod.q2
-    dQ_hat_dq_i_dot[1, 3] = w20
+    dQ_hat_dq_i_dot[1, 3] = w19
     # rod.q3
-    dQ_hat_dq_i_dot[2, 0] = w7 * rod_phi_cross_phi_2_0
-    dQ_hat_dq_i_dot[2, 3] = w11 * w12 + w13 * (rod_q1_dot * rod_phi_cross_phi_2_0) - w18 * (rod_q1 * rod_phi_cross_phi_2_0)
+    dQ_hat_dq_i_dot[2, 0] = w0 * rod_phi_cross_phi_2_0
+    dQ_hat_dq_i_dot[2, 3] = w11 * (rod_q1_dot * rod_phi_cross_phi_2_0) - w10 * w13 - w17 * (rod_q1 * rod_phi_cross_phi_2_0)
     # rod.q4
-    dQ_hat_dq_i_dot[3, 0] = w7 * rod_phi_cross_phi_3_0 + w5 * (w8 * w9)
-    dQ_hat_dq_i_dot[3, 1] = w7 * rod_phi_cross_phi_3_1 + w5 * (w8 * w10)
-    dQ_hat_dq_i_dot[3, 2] = w5 * (w8 * w11)
-    dQ_hat_dq_i_dot[3, 3] = w22 - w16 * w23 - w5 * (w17 * w23 - (w24 - w18 * (rod_inertia + w25)))
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
-    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
+    dQ_hat_dq_i_dot[3, 0] = w0 * rod_phi_cross_phi_3_0 - w6 * (w7 * w8)
+    dQ_hat_dq_i_dot[3, 1] = w0 * rod_phi_cross_phi_3_1 - w6 * (w7 * w9)
+    dQ_hat_dq_i_dot[3, 2] = -(w6 * (w7 * w10))
+    dQ_hat_dq_i_dot[3, 3] = w24
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
+    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def residual_jacobian() -> ca.Function:
@@ -1267,7 +1255,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    484 operations.
+    426 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
@@ -1320,10 +1308,11 @@ def residual_jacobian() -> ca.Function:
     rod_K_ff_3_3 = c[26]
     rod_phi_integral_0_3 = c[27]
     rod_first_moment_x = c[28]
-    omega = c[29]
     c38 = c[38]
+    c43 = c[43]
+    c44 = c[44]
     c45 = c[45]
-    # intermediate terms (85)
+    # intermediate terms (73)
     w0 = rod_theta_dot**2
     w1 = 2 * rod_theta_dot
     w2 = ca.cos(rod_theta)
@@ -1336,106 +1325,96 @@ def residual_jacobian() -> ca.Function:
     w9 = crank_theta_dot**2
     w10 = w9 * (ca.sin(crank_theta) * crank_tip_x)
     w11 = w2 * w6
-    w12 = (w8 - w10) / w11
-    w13 = w5 * rod_end_shape_0_3
-    w14 = w13 / w11
-    w15 = w12 + w14 * rod_q4_ddot
-    w16 = rod_theta_dot * -2.0
-    w17 = ca.cos(crank_theta) * crank_tip_x
-    w18 = w9 * w17
-    w19 = w18 * (w2 * rod_phi_integral_1_0) + w10 * (w5 * rod_phi_integral_1_0)
-    w20 = rod_q1 * rod_M_ff_0_0
-    w21 = w19 - w15 * (2 * w20) - rod_q3_ddot * rod_phi_cross_phi_2_0 - rod_q4_ddot * rod_phi_cross_phi_3_0
-    w22 = rod_q2 * rod_M_ff_1_1
-    w23 = w14 * (w16 * (rod_q2_dot * rod_M_ff_1_1) + (w15 * (2 * w22) + rod_q4_ddot * rod_phi_cross_phi_3_1))
-    w24 = w0 * rod_M_ff_2_3 - rod_K_ff_2_3
-    w25 = w18 * (w5 * rod_phi_integral_0_2)
-    w26 = w10 * (w2 * rod_phi_integral_0_2)
-    w27 = rod_q3 * rod_M_ff_2_2
-    w28 = rod_q4 * rod_M_ff_2_3
-    w29 = rod_rho_dot_phi_2_0 + (w27 + w28)
-    w30 = rod_rho_dot_phi_2_0 + w29
-    w31 = w16 * (rod_q3_dot * rod_M_ff_2_2 + rod_q4_dot * rod_M_ff_2_3) - (w25 - w26 - w15 * (w28 + (w27 + w30)) - rod_q1_ddot * rod_phi_cross_phi_0_2)
+    w12 = w5 * rod_end_shape_0_3
+    w13 = w12 / w11
+    w14 = (w8 - w10) / w11 + w13 * rod_q4_ddot
+    w15 = rod_theta_dot * -2.0
+    w16 = w9 * (ca.cos(crank_theta) * crank_tip_x)
+    w17 = w10 * (w5 * rod_phi_integral_1_0) + w16 * (w2 * rod_phi_integral_1_0)
+    w18 = rod_q1 * rod_M_ff_0_0
+    w19 = w17 - w14 * (2 * w18) - rod_q3_ddot * rod_phi_cross_phi_2_0 - rod_q4_ddot * rod_phi_cross_phi_3_0
+    w20 = rod_q2 * rod_M_ff_1_1
+    w21 = w13 * (w15 * (rod_q2_dot * rod_M_ff_1_1) + (w14 * (2 * w20) + rod_q4_ddot * rod_phi_cross_phi_3_1))
+    w22 = w0 * rod_M_ff_2_3 - rod_K_ff_2_3
+    w23 = w16 * (w5 * rod_phi_integral_0_2) - w10 * (w2 * rod_phi_integral_0_2)
+    w24 = rod_q3 * rod_M_ff_2_2
+    w25 = rod_q4 * rod_M_ff_2_3
+    w26 = rod_rho_dot_phi_2_0 + (w24 + w25)
+    w27 = rod_rho_dot_phi_2_0 + w26
+    w28 = w15 * (rod_q3_dot * rod_M_ff_2_2 + rod_q4_dot * rod_M_ff_2_3) - (w23 - w14 * (w25 + (w24 + w27)) - rod_q1_ddot * rod_phi_cross_phi_0_2)
+    w29 = w1 * w18 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)
+    w30 = w2 * rod_end_shape_0_3
+    w31 = (w13 * (rod_q4_dot * w30 - rod_theta_dot * w7) - rod_theta_dot * w30) / w11
     w32 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
-    w33 = w12 / w11
+    w33 = 2 * w4 - w1 * w7
     w34 = w3 * w5
     w35 = w1 * w34 + w0 * w11
-    w36 = w2 * rod_end_shape_0_3
-    w37 = w14 / w11
-    w38 = w36 / w11 + w7 * w37
-    w39 = w7 * w33 - w35 / w11 + rod_q4_ddot * w38
-    w40 = w36 * w37
-    w41 = w0 * w13 / w11 + w33 * w36 + rod_q4_ddot * w40
-    w42 = rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3
-    w43 = (2 * w4 - w1 * w7) / w11
-    w44 = w17 * omega / w11
-    w45 = w44 / w11
-    w46 = w36 * w45 + rod_q4_dot * w40 + w14 * (w7 * w45 + rod_q4_dot * w38)
-    w47 = w14 * (w19 - w32 * w39) - (w15 * rod_phi_cross_phi_0_3 + w32 * w41) + (w1 * w20 + 2 * w42 + w32 * w43) * w46
-    w48 = rod_q4_dot * rod_phi_cross_phi_1_3
-    w49 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
-    w50 = w46 * (w1 * w22 + 2 * w48 + w43 * w49) - (w15 * rod_phi_cross_phi_1_3 + w41 * w49 + w14 * (w39 * w49))
-    w51 = rod_q1 * rod_phi_cross_phi_2_0
-    w52 = rod_q1_dot * rod_phi_cross_phi_2_0
-    w53 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
-    w54 = (w13 * w15 - w7 * w41 - w0 * w36) * slider_mass
-    w55 = w18 * (w5 * rod_phi_integral_0_3) - w10 * (w2 * rod_phi_integral_0_3)
-    w56 = rod_q3 * rod_M_ff_2_3
-    w57 = rod_q4 * rod_M_ff_3_3
-    w58 = rod_rho_dot_phi_3_0 + (w56 + w57)
-    w59 = rod_rho_dot_phi_3_0 + w58
-    w60 = rod_inertia + (rod_q1 * w20 + rod_q2 * w22 + rod_q3 * w30 + rod_q4 * w59)
-    w61 = w55 - (w15 * (w56 + (w57 + w59)) - w41 * w60) - rod_q1_ddot * rod_phi_cross_phi_0_3 - rod_q2_ddot * rod_phi_cross_phi_1_3
-    w62 = (w7 * w15 - (w18 + w35) + rod_q4_ddot * w36) * slider_mass
-    w63 = w13 * w62
-    w64 = rod_q1_dot * w20 + rod_q2_dot * w22 + rod_q3_dot * w29 + rod_q4_dot * w58
-    w65 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
-    w66 = rod_q1 * rod_phi_integral_1_0
-    w67 = w5 * w65 + w2 * w66
-    w68 = w2 * w65 - w5 * w66
-    w69 = w18 * w67 - w10 * w68 - w15 * w60 + rod_q1_ddot * w32 + w49 * rod_q2_ddot - rod_q3_ddot * w51 - rod_q4_ddot * w53
-    w70 = w16 * w64 - w69 + w7 * w62
-    w71 = w14 * (w16 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - w61 + (w7 * w54 + w63)) - w40 * w70
-    w72 = (w11 * w15 + w7 * w39 - w8 - w13 * rod_q4_ddot) * slider_mass
-    w73 = w55 + w39 * w53 + (w36 * w72 - w63) + (w14 * (w7 * w72 + w11 * w62 - (w18 * w68 + w10 * w67 - w39 * w60)) + w38 * w70)
-    w74 = rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1
-    w75 = (w7 * w43 - (w1 * w11 + 2 * w34)) * slider_mass
-    w76 = w0 * rod_M_ff_3_3 - rod_K_ff_3_3 + w41 * w53 - w36 * w54 - w71 + w14 * w73 + w46 * (w1 * w58 + 2 * w74 - w43 * w53 - w36 * w75 - w14 * (w64 * -2.0 + w43 * w60 + w7 * w75))
-    w77 = w44 + rod_q4_dot * w14
-    w78 = 2 * -w77
-    w79 = w77 * -2.0
-    w80 = w14 * (2 * w77)
-    w81 = 2 * -w14
-    w82 = (w4 * w81 + w36 * w78 - w7 * w80) / w11
-    w83 = (w7 * w82 - (w11 * w80 + (w34 * w81 + w13 * w78))) * slider_mass
-    w84 = w58 * w80 + w74 * w81 - w53 * w82 - w36 * w83 - w14 * (w7 * w83 - (w64 * (w14 * -2.0) + w58 * w79 - w60 * w82))
+    w36 = rod_q4_ddot * w30
+    w37 = w7 * w14
+    w38 = (w0 * w12 + w14 * w30 - w31 * w33 - w13 * (w35 - (w36 + w37))) / w11
+    w39 = w1 * w20 + rod_q4_dot * c43
+    w40 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
+    w41 = rod_q1 * rod_phi_cross_phi_2_0
+    w42 = w1 * w26 + rod_q1_dot * c44
+    w43 = (w0 * w30 - w12 * w14) * slider_mass
+    w44 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
+    w45 = w44 + w7 * (w30 * slider_mass)
+    w46 = rod_q3 * rod_M_ff_2_3
+    w47 = rod_q4 * rod_M_ff_3_3
+    w48 = rod_rho_dot_phi_3_0 + (w46 + w47)
+    w49 = (w1 * w11 + 2 * w34) * slider_mass
+    w50 = w1 * w48 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) + w30 * w49
+    w51 = (w36 + (w37 - (w16 + w35))) * slider_mass
+    w52 = w12 * w51
+    w53 = rod_q1_dot * w18 + rod_q2_dot * w20 + rod_q3_dot * w26 + rod_q4_dot * w48
+    w54 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
+    w55 = rod_q1 * rod_phi_integral_1_0
+    w56 = w5 * w54 + w2 * w55
+    w57 = w2 * w54 - w5 * w55
+    w58 = rod_rho_dot_phi_3_0 + w48
+    w59 = rod_inertia + (rod_q1 * w18 + rod_q2 * w20 + rod_q3 * w27 + rod_q4 * w58)
+    w60 = w16 * w56 - w10 * w57 - w14 * w59 + rod_q1_ddot * w32 + w40 * rod_q2_ddot - rod_q3_ddot * w41 - rod_q4_ddot * w44
+    w61 = (w15 * w53 - w60 + w7 * w51) / w11
+    w62 = w30 * w61
+    w63 = w16 * (w5 * rod_phi_integral_0_3) - w10 * (w2 * rod_phi_integral_0_3)
+    w64 = (w8 + (w12 * rod_q4_ddot - w11 * w14)) * slider_mass
+    w65 = w0 * rod_M_ff_3_3 - rod_K_ff_3_3 + w30 * w43 + w38 * w45 + w31 * w50 - w13 * (w52 - (w62 + w63) + w30 * w64)
+    w66 = w63 - w14 * (w46 + (w47 + w58)) - rod_q1_ddot * rod_phi_cross_phi_0_3 - rod_q2_ddot * rod_phi_cross_phi_1_3
+    w67 = w59 + w7 * (w7 * slider_mass)
+    w68 = w52 + (w15 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - w66 - w62) - w7 * w43 - w38 * w67
+    w69 = w53 * -2.0 - w7 * w49
+    w70 = w65 - w13 * (w68 + w31 * w69 - w13 * (w7 * w61 - (w10 * w56 + w16 * w57) + w11 * w51 - w7 * w64))
+    w71 = (w13 * w33 - w1 * w30) / w11
+    w72 = w1 * w12 * slider_mass
     # outputs
     J_q = ca.vertcat(
-        ca.horzcat(w0 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w15 * c45, w47),  # rod.q1
-        ca.horzcat(0.0, w0 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0, w50),  # rod.q2
-        ca.horzcat(  # rod.q3
-            w15 * c38, 0.0, w0 * rod_M_ff_2_2 - rod_K_ff_2_2,
-            w24 + w41 * w51 + w14 * (w39 * w51 - (w26 - w25)) + w46 * (w1 * w29 + 2 * w52 - w43 * w51),
+        ca.horzcat(  # rod.q1
+            w0 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w14 * c45,
+            w29 * w31 - (w14 * rod_phi_cross_phi_0_3 + w32 * w38) + w13 * w17,
         ),
+        ca.horzcat(  # rod.q2
+            0.0, w0 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0, w31 * w39 - (w14 * rod_phi_cross_phi_1_3 + w38 * w40),
+        ),
+        ca.horzcat(w14 * c38, 0.0, w0 * rod_M_ff_2_2 - rod_K_ff_2_2, w22 + w38 * w41 + w31 * w42 + w13 * w23),  # rod.q3
         ca.horzcat(  # rod.q4
-            -(w15 * rod_phi_cross_phi_3_0 + w14 * (w16 * (rod_q1_dot * rod_M_ff_0_0) - w21)),
-            -(w15 * rod_phi_cross_phi_3_1 + w23), w24 - w14 * w31, w76,
+            -(w14 * rod_phi_cross_phi_3_0 + w13 * (w15 * (rod_q1_dot * rod_M_ff_0_0) - w19)),
+            -(w14 * rod_phi_cross_phi_3_1 + w21), w22 - w13 * w28, w70,
         ),
     )
     J_v = ca.SX(4, 4)
     # rod.q1
-    J_v[0, 2] = w78 * rod_phi_cross_phi_0_2
-    J_v[0, 3] = w20 * w80 + (w42 * w81 + w78 * rod_phi_cross_phi_0_3) + w32 * w82
+    J_v[0, 2] = w1 * rod_phi_cross_phi_0_2
+    J_v[0, 3] = w1 * rod_phi_cross_phi_0_3 - w32 * w71 - w13 * w29
     # rod.q2
-    J_v[1, 3] = w22 * w80 + (w48 * w81 + w78 * rod_phi_cross_phi_1_3) + w49 * w82
+    J_v[1, 3] = w1 * rod_phi_cross_phi_1_3 - w40 * w71 - w13 * w39
     # rod.q3
-    J_v[2, 0] = w78 * rod_phi_cross_phi_2_0
-    J_v[2, 3] = w29 * w80 + w52 * w81 - w51 * w82
+    J_v[2, 0] = w1 * rod_phi_cross_phi_2_0
+    J_v[2, 3] = w41 * w71 - w13 * w42
     # rod.q4
-    J_v[3, 0] = w78 * rod_phi_cross_phi_3_0 + w14 * (w20 * w79)
-    J_v[3, 1] = w78 * rod_phi_cross_phi_3_1 + w14 * (w22 * w79)
-    J_v[3, 2] = w14 * (w29 * w79)
-    J_v[3, 3] = w84
+    J_v[3, 0] = w1 * rod_phi_cross_phi_3_0 - w13 * (w15 * w18)
+    J_v[3, 1] = w1 * rod_phi_cross_phi_3_1 - w13 * (w15 * w20)
+    J_v[3, 2] = -(w13 * (w15 * w26))
+    J_v[3, 3] = w30 * w72 + w45 * w71 - w13 * w50 - w13 * (w15 * w48 - w7 * w72 - w67 * w71 - w13 * w69)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 

@@ -1016,7 +1016,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i, through q_d
-    534 operations.
+    492 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -1038,6 +1038,7 @@ def dQ_hat_dq_i() -> ca.Function:
     crank_tip_x = c[1]
     rod_mass = c[2]
     slider_mass = c[3]
+    c4 = c[4]
     rod_end_x = c[5]
     rod_end_shape_0_3 = c[6]
     rod_first_moment_x = c[7]
@@ -1069,145 +1070,133 @@ def dQ_hat_dq_i() -> ca.Function:
     c41 = c[41]
     c42 = c[42]
     c43 = c[43]
-    # intermediate terms (114)
+    # intermediate terms (103)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = crank_theta_dot**2
     w2 = w0 * w1
     w3 = w2 * rod_mass
-    w4 = ca.cos(rod_theta)
-    w5 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
-    w6 = ca.sin(rod_theta)
-    w7 = rod_q1 * rod_phi_integral_1_0
-    w8 = w4 * w5 - w6 * w7
-    w9 = rod_end_x + rod_q4 * rod_end_shape_0_3
+    w4 = rod_theta_dot**2
+    w5 = ca.sin(rod_theta)
+    w6 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
+    w7 = ca.cos(rod_theta)
+    w8 = rod_q1 * rod_phi_integral_1_0
+    w9 = w5 * w6 + w7 * w8
     w10 = w4 * w9
-    w11 = w2 / w10
-    w12 = rod_theta_dot**2
-    w13 = w5 * w6 + w4 * w7
-    w14 = w12 * w13
-    w15 = 2 * rod_theta_dot
-    w16 = rod_q3_dot * rod_phi_integral_0_2 + rod_q4_dot * rod_phi_integral_0_3
-    w17 = rod_q1_dot * rod_phi_integral_1_0
-    w18 = w4 * w16 - w6 * w17
-    w19 = w15 * w18
-    w20 = ca.sin(crank_theta) * crank_tip_x
-    w21 = w1 * w20
-    w22 = w21 * rod_mass
-    w23 = rod_q4_dot * rod_end_shape_0_3
-    w24 = w4 * w23
-    w25 = w6 * w9
-    w26 = w15 * w24 - w12 * w25
-    w27 = w26 - w21
-    w28 = w27 / w10
-    w29 = w8 * w28
-    w30 = w6 * w16 + w4 * w17
-    w31 = w8 * w12 + w15 * w30
-    w32 = w13 * w28
-    w33 = w6 * w23
-    w34 = w10 * w12 + w15 * w33
-    w35 = (w25 * w28 - (w2 + w34)) * slider_mass
-    w36 = (w21 - w11 * w25) * slider_mass
-    w37 = w0 * (w3 - w8 * w11) - w20 * (w14 - w19 + (w22 + w29)) - (w0 * (w31 - (w32 - w3) - w35) - w20 * (w22 - w11 * w13 + w36))
-    w38 = w0 / w10
-    w39 = rod_q1 * rod_M_ff_0_0
-    w40 = rod_q2 * rod_M_ff_1_1
-    w41 = rod_q3 * rod_M_ff_2_2
-    w42 = rod_q4 * rod_M_ff_2_3
-    w43 = rod_rho_dot_phi_2_0 + (w41 + w42)
-    w44 = rod_rho_dot_phi_2_0 + w43
-    w45 = rod_q3 * rod_M_ff_2_3
-    w46 = rod_q4 * rod_M_ff_3_3
-    w47 = rod_rho_dot_phi_3_0 + (w45 + w46)
-    w48 = rod_rho_dot_phi_3_0 + w47
-    w49 = rod_inertia + (rod_q1 * w39 + rod_q2 * w40 + rod_q3 * w44 + rod_q4 * w48)
-    w50 = w13 * w21 + w2 * w8
-    w51 = w25 * w36 - (w11 * w49 - w50)
-    w52 = rod_theta_dot * -2.0
-    w53 = rod_q1_dot * w39 + w40 * rod_q2_dot + rod_q3_dot * w43 + rod_q4_dot * w47
-    w54 = w52 * w53 - (w2 * w13 - w8 * w21 - w28 * w49) + w25 * w35
-    w55 = w20 / w10
-    w56 = w28 / w10
-    w57 = w25 * w56 - w34 / w10
-    w58 = (w27 + w25 * w57 - w26) * slider_mass
-    w59 = w25 * w58 + w10 * w35 - (w50 - w49 * w57)
-    w60 = w38 / w10
-    w61 = w25 * w60
-    w62 = w0 * (w31 + (w8 * w57 - w32)) - w20 * (w19 - w14 - (w29 + w13 * w57) - w58) - (w38 * w59 + w54 * w61)
-    w63 = (2 * w24 - w15 * w25) / w10
-    w64 = (w25 * w63 - (w10 * w15 + 2 * w33)) * slider_mass
-    w65 = w53 * -2.0 + w49 * w63 + w25 * w64
-    w66 = w0 * (w13 * w15 - 2 * w18 + w8 * w63) - w20 * (w8 * w15 + 2 * w30 - w13 * w63 - w64) - w38 * w65
-    w67 = w4 * rod_end_shape_0_3
-    w68 = w6 * rod_end_shape_0_3
-    w69 = w68 / w10
-    w70 = w69 / w10
-    w71 = w67 / w10 + w25 * w70
-    w72 = crank_theta_dot * w61 + rod_q4_dot * w71
-    w73 = crank_theta_dot * w55 + w38 * w72
-    w74 = w4 * rod_phi_integral_1_0
-    w75 = w6 * rod_phi_integral_1_0
-    w76 = w2 * w74 + w21 * w75
-    w77 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
-    w78 = w76 - w57 * w77
-    w79 = w15 * w39 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3) + w63 * w77
-    w80 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
-    w81 = w15 * w40 + rod_q4_dot * c41 + w63 * w80
-    w82 = w57 * w80
-    w83 = rod_q1 * rod_phi_cross_phi_2_0
-    w84 = w6 * rod_phi_integral_0_2
-    w85 = w2 * w84
-    w86 = w4 * rod_phi_integral_0_2
-    w87 = w21 * w86
-    w88 = w85 - w87
-    w89 = w57 * w83 - (w87 - w85)
-    w90 = w15 * w43 + rod_q1_dot * c42 - w63 * w83
-    w91 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
-    w92 = w6 * rod_phi_integral_0_3
-    w93 = w2 * w92
-    w94 = w4 * rod_phi_integral_0_3
-    w95 = w21 * w94
-    w96 = w93 - w95
-    w97 = w35 * w68
-    w98 = w57 * w91 - (w95 - w93) + (w58 * w67 - w97) + (w59 * w69 + w54 * w71)
-    w99 = w15 * w47 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) - w63 * w91
-    w100 = w99 - w64 * w67 - w65 * w69
-    w101 = w52 * (rod_q1_dot * rod_M_ff_0_0) - (w76 - w28 * (2 * w39))
-    w102 = w52 * (rod_q2_dot * rod_M_ff_1_1) + w28 * (2 * w40)
-    w103 = w52 * (rod_q3_dot * rod_M_ff_2_2 + rod_q4_dot * rod_M_ff_2_3) - (w88 - w28 * (w42 + (w41 + w44)))
-    w104 = w12 * rod_M_ff_2_3 - rod_K_ff_2_3
-    w105 = w12 * w68 / w10 + w56 * w67
-    w106 = (w28 * w68 - w25 * w105 - w12 * w67) * slider_mass
-    w107 = w52 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - (w96 - (w28 * (w45 + (w46 + w48)) - w49 * w105))
-    w108 = w107 + (w97 + w25 * w106)
-    w109 = w60 * w67
-    w110 = w0 * (w12 * w92 + (w28 * w94 - w8 * w105)) - w20 * (w12 * w94 - (w28 * w92 - w13 * w105) - w106) - (w38 * w108 - w54 * w109)
-    w111 = w67 * w70
-    w112 = crank_theta_dot * w109 + rod_q4_dot * w111 + w69 * w72
-    w113 = w12 * rod_M_ff_3_3 - rod_K_ff_3_3 + w91 * w105 - w67 * w106 - (w69 * w108 - w54 * w111) + w69 * w98
+    w11 = 2 * rod_theta_dot
+    w12 = rod_q3_dot * rod_phi_integral_0_2 + rod_q4_dot * rod_phi_integral_0_3
+    w13 = rod_q1_dot * rod_phi_integral_1_0
+    w14 = w7 * w12 - w5 * w13
+    w15 = w11 * w14
+    w16 = ca.sin(crank_theta) * crank_tip_x
+    w17 = w1 * w16
+    w18 = w6 * w7 - w5 * w8
+    w19 = rod_q4_dot * rod_end_shape_0_3
+    w20 = w7 * w19
+    w21 = rod_end_x + rod_q4 * rod_end_shape_0_3
+    w22 = w5 * w21
+    w23 = w11 * w20 - w4 * w22
+    w24 = w23 - w17
+    w25 = w7 * w21
+    w26 = w24 / w25
+    w27 = w18 * w26
+    w28 = rod_theta_dot * -2.0
+    w29 = rod_q1 * rod_M_ff_0_0
+    w30 = rod_q2 * rod_M_ff_1_1
+    w31 = rod_q3 * rod_M_ff_2_2
+    w32 = rod_q4 * rod_M_ff_2_3
+    w33 = rod_rho_dot_phi_2_0 + (w31 + w32)
+    w34 = rod_q3 * rod_M_ff_2_3
+    w35 = rod_q4 * rod_M_ff_3_3
+    w36 = rod_rho_dot_phi_3_0 + (w34 + w35)
+    w37 = rod_q1_dot * w29 + w30 * rod_q2_dot + rod_q3_dot * w33 + rod_q4_dot * w36
+    w38 = rod_rho_dot_phi_2_0 + w33
+    w39 = rod_rho_dot_phi_3_0 + w36
+    w40 = rod_inertia + (rod_q1 * w29 + rod_q2 * w30 + rod_q3 * w38 + rod_q4 * w39)
+    w41 = w22 * w26
+    w42 = w5 * w19
+    w43 = w4 * w25 + w11 * w42
+    w44 = (w41 - (w2 + w43)) * slider_mass
+    w45 = (w28 * w37 - (w2 * w9 - w17 * w18 - w26 * w40) + w22 * w44) / w25
+    w46 = w5 * w12 + w7 * w13
+    w47 = w4 * w18 + w11 * w46
+    w48 = w9 * w26
+    w49 = w0 * w3 - (w16 * (w10 - w15 + (w17 * rod_mass + w27) - w45) + w0 * (w47 - (w48 - w3) - w44)) + w16 * (w17 * c4)
+    w50 = w22 * slider_mass
+    w51 = w9 + w50
+    w52 = w0 * w18 + w16 * w51
+    w53 = 2 * w20 - w11 * w22
+    w54 = w7 * rod_end_shape_0_3
+    w55 = rod_q4_dot * w54 - rod_theta_dot * w22
+    w56 = w0 / w25
+    w57 = (crank_theta_dot * w16 + w55 * w56) / w25
+    w58 = w43 - w41
+    w59 = (w2 - w53 * w57 - w56 * w58) / w25
+    w60 = (w11 * w25 + 2 * w42) * slider_mass
+    w61 = w0 * (w9 * w11 - 2 * w14) - w16 * (w11 * w18 + 2 * w46 + w60)
+    w62 = (w23 - w24) * slider_mass
+    w63 = w0 * (w47 - w48) - w16 * (w15 - w10 - w27 + w62)
+    w64 = w2 * w18
+    w65 = w40 + w22 * w50
+    w66 = w37 * -2.0 - w22 * w60
+    w67 = w22 * w45 - (w64 + w9 * w17) + w25 * w44 - w22 * w62
+    w68 = w64 + w17 * w51 - w59 * w65 + w57 * w66 - w56 * w67
+    w69 = w7 * rod_phi_integral_1_0
+    w70 = w5 * rod_phi_integral_1_0
+    w71 = w2 * w69 + w17 * w70
+    w72 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
+    w73 = w11 * w29 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)
+    w74 = w11 * w30 + rod_q4_dot * c41
+    w75 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
+    w76 = w5 * rod_phi_integral_0_2
+    w77 = w7 * rod_phi_integral_0_2
+    w78 = w2 * w76 - w17 * w77
+    w79 = rod_q1 * rod_phi_cross_phi_2_0
+    w80 = w11 * w33 + rod_q1_dot * c42
+    w81 = w5 * rod_phi_integral_0_3
+    w82 = w2 * w81
+    w83 = w7 * rod_phi_integral_0_3
+    w84 = w54 * slider_mass
+    w85 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1 + w22 * w84
+    w86 = w11 * w36 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) + w54 * w60
+    w87 = w5 * rod_end_shape_0_3
+    w88 = w44 * w87
+    w89 = w45 * w54
+    w90 = w82 - w17 * w83
+    w91 = w88 - (w89 + w90) + w54 * w62
+    w92 = w87 / w25
+    w93 = w28 * (rod_q1_dot * rod_M_ff_0_0) - (w71 - w26 * (2 * w29))
+    w94 = w28 * (rod_q2_dot * rod_M_ff_1_1) + w26 * (2 * w30)
+    w95 = w28 * (rod_q3_dot * rod_M_ff_2_2 + rod_q4_dot * rod_M_ff_2_3) - (w78 - w26 * (w32 + (w31 + w38)))
+    w96 = w4 * rod_M_ff_2_3 - rod_K_ff_2_3
+    w97 = (w4 * w54 - w26 * w87) * slider_mass
+    w98 = (w55 * w92 - rod_theta_dot * w54) / w25
+    w99 = (w4 * w87 + w26 * w54 - w53 * w98 - w58 * w92) / w25
+    w100 = w0 * (w4 * w81 + w26 * w83) - w16 * (w4 * w83 - w26 * w81 + w97) - w52 * w99 + w61 * w98 - w63 * w92
+    w101 = w28 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - (w90 - w26 * (w34 + (w35 + w39)))
+    w102 = w88 + (w101 - w89) - w22 * w97 - w65 * w99 + w66 * w98 - w67 * w92
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w37 - (w38 * w51 - w54 * w55) - w38 * w62 + w66 * w73,
-            w0 * (w12 * w74 - w28 * w75) + w20 * (w12 * w75 + w28 * w74) - w38 * w101, -(w38 * w102),
-            w0 * (w12 * w84 + w28 * w86) - w20 * (w12 * w86 - w28 * w84) - w38 * w103,
-            w110 - w62 * w69 + w66 * w112,
+            w49 - w52 * w59 + w57 * w61 - w56 * w63 - w56 * w68,
+            w0 * (w4 * w69 - w26 * w70) + w16 * (w26 * w69 + w4 * w70) - w56 * w93, -(w56 * w94),
+            w0 * (w4 * w76 + w26 * w77) - w16 * (w4 * w77 - w26 * w76) - w56 * w95, w100 - w56 * w102,
         ),
         ca.horzcat(  # rod.q1
-            w38 * w78 - (w11 * w77 - w76) + w73 * w79, w12 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w28 * c43,
-            w69 * w78 - (w28 * rod_phi_cross_phi_0_3 + w77 * w105) + w79 * w112,
+            w71 - w59 * w72 + w57 * w73 + w56 * w71, w4 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w26 * c43,
+            w73 * w98 - (w26 * rod_phi_cross_phi_0_3 + w72 * w99) + w71 * w92,
         ),
         ca.horzcat(  # rod.q2
-            w73 * w81 - (w11 * w80 + w38 * w82), 0.0, w12 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0,
-            w81 * w112 - (w28 * rod_phi_cross_phi_1_3 + w80 * w105 + w69 * w82),
+            w57 * w74 - w59 * w75, 0.0, w4 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0,
+            w74 * w98 - (w26 * rod_phi_cross_phi_1_3 + w75 * w99),
         ),
         ca.horzcat(  # rod.q3
-            w11 * w83 + w88 + w38 * w89 + w73 * w90, w28 * c36, 0.0, w12 * rod_M_ff_2_2 - rod_K_ff_2_2,
-            w104 + w83 * w105 + w69 * w89 + w90 * w112,
+            w78 + w59 * w79 + w57 * w80 + w56 * w78, w26 * c36, 0.0, w4 * rod_M_ff_2_2 - rod_K_ff_2_2,
+            w96 + w79 * w99 + w80 * w98 + w78 * w92,
         ),
         ca.horzcat(  # rod.q4
-            w11 * w91 + w96 - w36 * w67 - w51 * w69 + w38 * w98 + w73 * w100,
-            -(w28 * rod_phi_cross_phi_3_0 + w69 * w101), -(w28 * rod_phi_cross_phi_3_1 + w69 * w102),
-            w104 - w69 * w103, w113 + w100 * w112,
+            w82 - w17 * (w83 + w84) + w59 * w85 + w57 * w86 - w56 * w91 - w68 * w92,
+            -(w26 * rod_phi_cross_phi_3_0 + w92 * w93), -(w26 * rod_phi_cross_phi_3_1 + w92 * w94), w96 - w92 * w95,
+            w4 * rod_M_ff_3_3 - rod_K_ff_3_3 + w54 * w97 + w85 * w99 + w86 * w98 - w91 * w92 - w92 * w102,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -1220,13 +1209,15 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    343 operations.
+    328 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
     c = ca.SX.sym("c", 44)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
@@ -1239,9 +1230,11 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     rod_q2_dot = q_i_dot[2]
     rod_q3_dot = q_i_dot[3]
     rod_q4_dot = q_i_dot[4]
+    rod_theta_dot = q_d_dot[4]
     crank_tip_x = c[1]
     rod_mass = c[2]
     slider_mass = c[3]
+    c4 = c[4]
     rod_end_x = c[5]
     rod_end_shape_0_3 = c[6]
     rod_first_moment_x = c[7]
@@ -1264,98 +1257,95 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     rod_phi_cross_phi_2_0 = c[24]
     rod_phi_cross_phi_3_0 = c[25]
     rod_phi_cross_phi_3_1 = c[26]
-    # intermediate terms (65)
+    c41 = c[41]
+    c42 = c[42]
+    # intermediate terms (59)
     w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = ca.sin(rod_theta)
-    w2 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
-    w3 = ca.cos(rod_theta)
-    w4 = rod_q1 * rod_phi_integral_1_0
-    w5 = w1 * w2 + w3 * w4
-    w6 = rod_end_x + rod_q4 * rod_end_shape_0_3
-    w7 = w3 * w6
-    w8 = w0 / w7
-    w9 = w1 * rod_end_shape_0_3
-    w10 = w9 / w7
-    w11 = w8 * crank_theta_dot + w10 * rod_q4_dot
-    w12 = 2 * w11
-    w13 = w8 * w12
-    w14 = rod_q3_dot * rod_phi_integral_0_2 + rod_q4_dot * rod_phi_integral_0_3
-    w15 = rod_q1_dot * rod_phi_integral_1_0
-    w16 = w3 * w14 - w1 * w15
-    w17 = 2 * -w8
-    w18 = ca.sin(crank_theta) * crank_tip_x
-    w19 = 2 * crank_theta_dot
-    w20 = w18 * w19
-    w21 = w2 * w3 - w1 * w4
-    w22 = rod_q4_dot * rod_end_shape_0_3
-    w23 = w3 * w22
-    w24 = w1 * w6
-    w25 = (w17 * w23 - w13 * w24 - w20) / w7
-    w26 = w1 * w14 + w3 * w15
-    w27 = w0 * w19
-    w28 = w1 * w22
-    w29 = (w24 * w25 - (w27 + (w7 * w13 + w17 * w28))) * slider_mass
-    w30 = w0 * (w5 * w13 - w16 * w17 + (w20 * rod_mass + w21 * w25)) - w18 * (w13 * w21 + w17 * w26 - (w5 * w25 - w27 * rod_mass) - w29)
-    w31 = rod_q1 * rod_M_ff_0_0
-    w32 = rod_q2 * rod_M_ff_1_1
-    w33 = rod_rho_dot_phi_2_0 + (rod_q3 * rod_M_ff_2_2 + rod_q4 * rod_M_ff_2_3)
-    w34 = rod_rho_dot_phi_3_0 + (rod_q3 * rod_M_ff_2_3 + rod_q4 * rod_M_ff_3_3)
-    w35 = rod_q1_dot * w31 + w32 * rod_q2_dot + rod_q3_dot * w33 + rod_q4_dot * w34
-    w36 = rod_q1 * w31 + rod_q2 * w32 + rod_q3 * (rod_rho_dot_phi_2_0 + w33) + rod_q4 * (rod_rho_dot_phi_3_0 + w34)
-    w37 = rod_inertia + w36
-    w38 = w24 * w29 - (w35 * (w8 * -2.0) + (w5 * w27 - w20 * w21 - w25 * w37))
-    w39 = rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3
-    w40 = w1 * rod_phi_integral_1_0
-    w41 = w3 * rod_phi_integral_1_0
-    w42 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
-    w43 = rod_q4_dot * rod_phi_cross_phi_1_3
-    w44 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
-    w45 = rod_q1_dot * rod_phi_cross_phi_2_0
-    w46 = rod_q1 * rod_phi_cross_phi_2_0
-    w47 = w3 * rod_phi_integral_0_2
-    w48 = w1 * rod_phi_integral_0_2
-    w49 = rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1
-    w50 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
-    w51 = w3 * rod_phi_integral_0_3
-    w52 = w1 * rod_phi_integral_0_3
-    w53 = w3 * rod_end_shape_0_3
-    w54 = 2 * -w11
-    w55 = w11 * -2.0
-    w56 = w31 * w55
-    w57 = w32 * w55
-    w58 = w33 * w55
-    w59 = w10 * w12
-    w60 = 2 * -w10
-    w61 = (w23 * w60 + w53 * w54 - w24 * w59) / w7
-    w62 = (w24 * w61 - (w7 * w59 + (w28 * w60 + w9 * w54))) * slider_mass
-    w63 = w0 * (w5 * w59 - (w16 * w60 + w51 * w54) + w21 * w61) - w18 * (w21 * w59 + (w26 * w60 + w52 * w54) - w5 * w61 - w62)
-    w64 = w24 * w62 - (w35 * (w10 * -2.0) + w34 * w55 - w37 * w61)
+    w1 = ca.sin(crank_theta) * crank_tip_x
+    w2 = 2 * crank_theta_dot
+    w3 = w1 * w2
+    w4 = w0 * w2
+    w5 = ca.cos(rod_theta)
+    w6 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
+    w7 = ca.sin(rod_theta)
+    w8 = rod_q1 * rod_phi_integral_1_0
+    w9 = w5 * w6 - w7 * w8
+    w10 = w6 * w7 + w5 * w8
+    w11 = rod_end_x + rod_q4 * rod_end_shape_0_3
+    w12 = w7 * w11
+    w13 = w12 * slider_mass
+    w14 = w10 + w13
+    w15 = w0 * w9 + w1 * w14
+    w16 = rod_q4_dot * rod_end_shape_0_3
+    w17 = 2 * rod_theta_dot
+    w18 = 2 * (w5 * w16) - w12 * w17
+    w19 = w5 * w11
+    w20 = w0 / w19
+    w21 = (w3 + w18 * w20) / w19
+    w22 = rod_q3_dot * rod_phi_integral_0_2 + rod_q4_dot * rod_phi_integral_0_3
+    w23 = rod_q1_dot * rod_phi_integral_1_0
+    w24 = (w17 * w19 + 2 * (w7 * w16)) * slider_mass
+    w25 = w0 * (w10 * w17 - 2 * (w5 * w22 - w7 * w23)) - w1 * (w9 * w17 + 2 * (w7 * w22 + w5 * w23) + w24)
+    w26 = rod_q1 * rod_M_ff_0_0
+    w27 = rod_q2 * rod_M_ff_1_1
+    w28 = rod_rho_dot_phi_2_0 + (rod_q3 * rod_M_ff_2_2 + rod_q4 * rod_M_ff_2_3)
+    w29 = rod_rho_dot_phi_3_0 + (rod_q3 * rod_M_ff_2_3 + rod_q4 * rod_M_ff_3_3)
+    w30 = rod_q1 * w26 + rod_q2 * w27 + rod_q3 * (rod_rho_dot_phi_2_0 + w28) + rod_q4 * (rod_rho_dot_phi_3_0 + w29)
+    w31 = rod_inertia + w30 + w12 * w13
+    w32 = (rod_q1_dot * w26 + w27 * rod_q2_dot + rod_q3_dot * w28 + rod_q4_dot * w29) * -2.0 - w12 * w24
+    w33 = w3 * w9 - w4 * w14 - w21 * w31 - w20 * w32
+    w34 = w5 * rod_phi_integral_1_0
+    w35 = w7 * rod_phi_integral_1_0
+    w36 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
+    w37 = w17 * w26 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)
+    w38 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
+    w39 = w17 * w27 + rod_q4_dot * c41
+    w40 = w7 * rod_phi_integral_0_2
+    w41 = w5 * rod_phi_integral_0_2
+    w42 = rod_q1 * rod_phi_cross_phi_2_0
+    w43 = w17 * w28 + rod_q1_dot * c42
+    w44 = w7 * rod_phi_integral_0_3
+    w45 = w5 * rod_phi_integral_0_3
+    w46 = w5 * rod_end_shape_0_3
+    w47 = w46 * slider_mass
+    w48 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1 + w12 * w47
+    w49 = w17 * w29 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) + w24 * w46
+    w50 = w7 * rod_end_shape_0_3
+    w51 = w50 / w19
+    w52 = rod_theta_dot * -2.0
+    w53 = w26 * w52
+    w54 = w27 * w52
+    w55 = w28 * w52
+    w56 = w17 * w50 * slider_mass
+    w57 = (w18 * w51 - w17 * w46) / w19
+    w58 = w29 * w52 - w12 * w56 - w31 * w57 - w32 * w51
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w30 - w8 * w38, w0 * (w40 * w54) - w18 * (w41 * w54) + w8 * w56, w8 * w57,
-            w8 * w58 - (w0 * (w47 * w54) + w18 * (w48 * w54)), w63 - w8 * w64,
+            w0 * (w3 * rod_mass) - w1 * (w4 * c4) - w15 * w21 - w20 * w25 - w20 * w33,
+            w0 * (w17 * w35) - w1 * (w17 * w34) - w20 * w53, -(w20 * w54),
+            -(w0 * (w17 * w41) + w1 * (w17 * w40) + w20 * w55),
+            -(w0 * (w17 * w45) + w1 * (w17 * w44 + w56) + w15 * w57 + w25 * w51 + w20 * w58),
         ),
         ca.horzcat(  # rod.q1
-            w13 * w31 + w17 * w39 - (w27 * w40 - w20 * w41 - w25 * w42), 0.0, 0.0, w54 * rod_phi_cross_phi_0_2,
-            w31 * w59 + (w39 * w60 + w54 * rod_phi_cross_phi_0_3) + w42 * w61,
+            w3 * w34 - w4 * w35 - w21 * w36 - w20 * w37, 0.0, 0.0, w17 * rod_phi_cross_phi_0_2,
+            w17 * rod_phi_cross_phi_0_3 - w36 * w57 - w37 * w51,
         ),
         ca.horzcat(  # rod.q2
-            w13 * w32 + w17 * w43 + w25 * w44, 0.0, 0.0, 0.0,
-            w32 * w59 + (w43 * w60 + w54 * rod_phi_cross_phi_1_3) + w44 * w61,
+            -(w21 * w38 + w20 * w39), 0.0, 0.0, 0.0, w17 * rod_phi_cross_phi_1_3 - w38 * w57 - w39 * w51,
         ),
         ca.horzcat(  # rod.q3
-            w13 * w33 + w17 * w45 - (w25 * w46 - (w27 * w47 + w20 * w48)), w54 * rod_phi_cross_phi_2_0, 0.0, 0.0,
-            w33 * w59 + w45 * w60 - w46 * w61,
+            w3 * w40 + w4 * w41 + w21 * w42 - w20 * w43, w17 * rod_phi_cross_phi_2_0, 0.0, 0.0,
+            w42 * w57 - w43 * w51,
         ),
         ca.horzcat(  # rod.q4
-            w13 * w34 + w17 * w49 - (w25 * w50 - (w27 * w51 + w20 * w52)) - w29 * w53 - w10 * w38,
-            w54 * rod_phi_cross_phi_3_0 + w10 * w56, w54 * rod_phi_cross_phi_3_1 + w10 * w57, w10 * w58,
-            w34 * w59 + w49 * w60 - w50 * w61 - w53 * w62 - w10 * w64,
+            w3 * w44 + w4 * (w45 + w47) + w21 * w48 - w20 * w49 - w33 * w51,
+            w17 * rod_phi_cross_phi_3_0 - w51 * w53, w17 * rod_phi_cross_phi_3_1 - w51 * w54, -(w51 * w55),
+            w46 * w56 + w48 * w57 - w49 * w51 - w51 * w58,
         ),
     )
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
-    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
+    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def residual_jacobian() -> ca.Function:
@@ -1369,7 +1359,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 5 x 5) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    816 operations.
+    702 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -1397,6 +1387,7 @@ def residual_jacobian() -> ca.Function:
     crank_tip_x = c[1]
     rod_mass = c[2]
     slider_mass = c[3]
+    c4 = c[4]
     rod_end_x = c[5]
     rod_end_shape_0_3 = c[6]
     rod_first_moment_x = c[7]
@@ -1425,203 +1416,186 @@ def residual_jacobian() -> ca.Function:
     rod_K_ff_2_3 = c[30]
     rod_K_ff_3_3 = c[31]
     c36 = c[36]
+    c41 = c[41]
+    c42 = c[42]
     c43 = c[43]
-    # intermediate terms (149)
+    # intermediate terms (129)
     w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = ca.cos(rod_theta)
-    w2 = rod_end_x + rod_q4 * rod_end_shape_0_3
-    w3 = w1 * w2
-    w4 = w0 / w3
-    w5 = ca.sin(rod_theta)
-    w6 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
-    w7 = rod_q1 * rod_phi_integral_1_0
-    w8 = w5 * w6 + w1 * w7
-    w9 = crank_theta_dot**2
-    w10 = ca.sin(crank_theta) * crank_tip_x
-    w11 = w9 * w10
-    w12 = w0 * crank_theta_ddot - w11
-    w13 = w8 * w12
-    w14 = w1 * w6 - w5 * w7
-    w15 = w0 * w9
-    w16 = crank_theta_ddot * w10 + w15
-    w17 = w14 * w16
-    w18 = rod_q1 * rod_M_ff_0_0
-    w19 = rod_q2 * rod_M_ff_1_1
-    w20 = rod_q3 * rod_M_ff_2_2
-    w21 = rod_q4 * rod_M_ff_2_3
-    w22 = rod_rho_dot_phi_2_0 + (w20 + w21)
-    w23 = rod_rho_dot_phi_2_0 + w22
-    w24 = rod_q3 * rod_M_ff_2_3
-    w25 = rod_q4 * rod_M_ff_3_3
-    w26 = rod_rho_dot_phi_3_0 + (w24 + w25)
-    w27 = rod_rho_dot_phi_3_0 + w26
-    w28 = rod_inertia + (rod_q1 * w18 + rod_q2 * w19 + rod_q3 * w23 + rod_q4 * w27)
-    w29 = w10 / w3
-    w30 = w15 / w3 + crank_theta_ddot * w29
-    w31 = w2 * w5
-    w32 = (w12 + w30 * w31) * slider_mass
-    w33 = w13 - w17 + w28 * w30 + w31 * w32
-    w34 = rod_theta_dot * -2.0
-    w35 = w18 * rod_q1_dot + w19 * rod_q2_dot + w22 * rod_q3_dot + w26 * rod_q4_dot
-    w36 = 2 * rod_theta_dot
-    w37 = rod_q4_dot * rod_end_shape_0_3
-    w38 = w1 * w37
-    w39 = rod_theta_dot**2
-    w40 = w36 * w38 - w31 * w39
-    w41 = (w40 - w11) / w3
-    w42 = w5 * rod_end_shape_0_3
-    w43 = w42 / w3
-    w44 = w41 + w4 * crank_theta_ddot + w43 * rod_q4_ddot
-    w45 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
-    w46 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
-    w47 = rod_q1 * rod_phi_cross_phi_2_0
-    w48 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
-    w49 = w8 * w16 + w12 * w14 - w28 * w44 + w45 * rod_q1_ddot + w46 * rod_q2_ddot - w47 * rod_q3_ddot - rod_q4_ddot * w48
-    w50 = w5 * w37
-    w51 = w3 * w39 + w36 * w50
-    w52 = w1 * rod_end_shape_0_3
-    w53 = (w31 * w44 - (w16 + w51) + rod_q4_ddot * w52) * slider_mass
-    w54 = w34 * w35 - w49 + w31 * w53
-    w55 = w16 * rod_mass
-    w56 = w8 * w39
-    w57 = rod_q3_dot * rod_phi_integral_0_2 + rod_q4_dot * rod_phi_integral_0_3
-    w58 = rod_q1_dot * rod_phi_integral_1_0
-    w59 = w1 * w57 - w5 * w58
-    w60 = w36 * w59
-    w61 = w12 * rod_mass
-    w62 = w14 * w44
-    w63 = w1 * rod_phi_integral_1_0
-    w64 = rod_q1_ddot * w63
-    w65 = w5 * rod_phi_integral_0_2
-    w66 = rod_q3_ddot * w65
-    w67 = w5 * rod_phi_integral_0_3
-    w68 = rod_q4_ddot * w67
-    w69 = w5 * w57 + w1 * w58
-    w70 = w14 * w39 + w36 * w69
-    w71 = w8 * w44
-    w72 = w5 * rod_phi_integral_1_0
-    w73 = rod_q1_ddot * w72
-    w74 = w1 * rod_phi_integral_0_2
-    w75 = rod_q3_ddot * w74
-    w76 = w1 * rod_phi_integral_0_3
-    w77 = rod_q4_ddot * w76
-    w78 = w0 * (w14 * w30 - w55) + w10 * (w56 - w60 - (w61 - w62 + w64 + w66 + w68)) + (w10 * (w32 + (w61 + w8 * w30)) + w0 * (w70 - (w71 - w55 - w73 + w75 + w77) - w53))
-    w79 = w41 / w3
-    w80 = w4 / w3
-    w81 = w31 * w80
-    w82 = w43 / w3
-    w83 = w52 / w3 + w31 * w82
-    w84 = w31 * w79 - w51 / w3 + crank_theta_ddot * w81 + rod_q4_ddot * w83
-    w85 = (w3 * w44 + w31 * w84 - w40 - w42 * rod_q4_ddot) * slider_mass
-    w86 = w0 * (w70 - (w77 + (w75 - (w73 + (w14 * w84 - w71))))) - w10 * (w60 - w56 - (w62 + w8 * w84 - w64 - w66 - w68) - w85)
-    w87 = w31 * w85 + w3 * w53 - (w17 - w13 - w28 * w84)
-    w88 = w86 - (w4 * w87 + w54 * w81)
-    w89 = (2 * w38 - w31 * w36) / w3
-    w90 = (w31 * w89 - (w3 * w36 + 2 * w50)) * slider_mass
-    w91 = w35 * -2.0 + w28 * w89 + w31 * w90
-    w92 = w0 * (w8 * w36 - 2 * w59 + w14 * w89) - w10 * (w14 * w36 + 2 * w69 - w8 * w89 - w90) - w4 * w91
-    w93 = crank_theta_dot * w81 + rod_q4_dot * w83
-    w94 = crank_theta_dot * w29 + w4 * w93
-    w95 = w16 * w63
-    w96 = w12 * w72
-    w97 = w95 - w96
-    w98 = w97 - w45 * w84
-    w99 = rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3
-    w100 = w18 * w36 + 2 * w99 + w45 * w89
-    w101 = rod_q4_dot * rod_phi_cross_phi_1_3
-    w102 = w19 * w36 + 2 * w101 + w46 * w89
-    w103 = w46 * w84
-    w104 = w16 * w65 + w12 * w74
-    w105 = w104 + w47 * w84
-    w106 = rod_q1_dot * rod_phi_cross_phi_2_0
-    w107 = w22 * w36 + 2 * w106 - w47 * w89
-    w108 = w12 * w76 + w16 * w67
-    w109 = w42 * w53
-    w110 = w108 + w48 * w84 + (w52 * w85 - w109) + (w43 * w87 + w54 * w83)
-    w111 = rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1
-    w112 = w26 * w36 + 2 * w111 - w48 * w89 - w52 * w90 - w43 * w91
-    w113 = w97 - w44 * (2 * w18) - rod_q3_ddot * rod_phi_cross_phi_2_0 - rod_q4_ddot * rod_phi_cross_phi_3_0
-    w114 = w34 * (rod_q1_dot * rod_M_ff_0_0) - w113
-    w115 = w34 * (rod_q2_dot * rod_M_ff_1_1) + (w44 * (2 * w19) + rod_q4_ddot * rod_phi_cross_phi_3_1)
-    w116 = w34 * (rod_q3_dot * rod_M_ff_2_2 + rod_q4_dot * rod_M_ff_2_3) - (w104 - w44 * (w21 + (w20 + w23)) - rod_q1_ddot * rod_phi_cross_phi_0_2)
-    w117 = w39 * rod_M_ff_2_3 - rod_K_ff_2_3
-    w118 = w52 * w80
-    w119 = w52 * w82
-    w120 = w39 * w42 / w3 + w52 * w79 + crank_theta_ddot * w118 + rod_q4_ddot * w119
-    w121 = (w42 * w44 - w31 * w120 - w39 * w52) * slider_mass
-    w122 = w108 - (w44 * (w24 + (w25 + w27)) - w28 * w120) - rod_q1_ddot * rod_phi_cross_phi_0_3 - rod_q2_ddot * rod_phi_cross_phi_1_3
-    w123 = w34 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - w122 + (w109 + w31 * w121)
-    w124 = w0 * (w39 * w67 + (w44 * w76 - w14 * w120)) - w10 * (w39 * w76 - (w44 * w67 - w8 * w120) - w121) - (w4 * w123 - w54 * w118)
-    w125 = crank_theta_dot * w118 + rod_q4_dot * w119 + w43 * w93
-    w126 = w39 * rod_M_ff_3_3 - rod_K_ff_3_3 + w48 * w120 - w52 * w121 - (w43 * w123 - w54 * w119) + w43 * w110
-    w127 = w4 * crank_theta_dot + rod_q4_dot * w43
-    w128 = 2 * w127
-    w129 = w4 * w128
-    w130 = 2 * -w4
-    w131 = 2 * crank_theta_dot
-    w132 = w10 * w131
-    w133 = (w38 * w130 - w31 * w129 - w132) / w3
-    w134 = w0 * w131
-    w135 = (w31 * w133 - (w134 + (w3 * w129 + w50 * w130))) * slider_mass
-    w136 = w0 * (w8 * w129 - w59 * w130 + (w132 * rod_mass + w14 * w133)) - w10 * (w14 * w129 + w69 * w130 - (w8 * w133 - w134 * rod_mass) - w135)
-    w137 = w31 * w135 - (w35 * (w4 * -2.0) + (w8 * w134 - w14 * w132 - w28 * w133))
-    w138 = 2 * -w127
-    w139 = w127 * -2.0
-    w140 = w18 * w139
-    w141 = w19 * w139
-    w142 = w22 * w139
-    w143 = w43 * w128
-    w144 = 2 * -w43
-    w145 = (w38 * w144 + w52 * w138 - w31 * w143) / w3
-    w146 = (w31 * w145 - (w3 * w143 + (w50 * w144 + w42 * w138))) * slider_mass
-    w147 = w0 * (w8 * w143 - (w59 * w144 + w76 * w138) + w14 * w145) - w10 * (w14 * w143 + (w69 * w144 + w67 * w138) - w8 * w145 - w146)
-    w148 = w31 * w146 - (w35 * (w43 * -2.0) + w26 * w139 - w28 * w145)
+    w1 = ca.sin(crank_theta) * crank_tip_x
+    w2 = crank_theta_dot**2
+    w3 = crank_theta_ddot * w1 + w0 * w2
+    w4 = w3 * rod_mass
+    w5 = rod_theta_dot**2
+    w6 = ca.sin(rod_theta)
+    w7 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
+    w8 = ca.cos(rod_theta)
+    w9 = rod_q1 * rod_phi_integral_1_0
+    w10 = w6 * w7 + w8 * w9
+    w11 = w5 * w10
+    w12 = 2 * rod_theta_dot
+    w13 = rod_q3_dot * rod_phi_integral_0_2 + rod_q4_dot * rod_phi_integral_0_3
+    w14 = rod_q1_dot * rod_phi_integral_1_0
+    w15 = w8 * w13 - w6 * w14
+    w16 = w12 * w15
+    w17 = w1 * w2
+    w18 = w0 * crank_theta_ddot - w17
+    w19 = w7 * w8 - w6 * w9
+    w20 = rod_q4_dot * rod_end_shape_0_3
+    w21 = w8 * w20
+    w22 = rod_end_x + rod_q4 * rod_end_shape_0_3
+    w23 = w6 * w22
+    w24 = w12 * w21 - w5 * w23
+    w25 = w8 * w22
+    w26 = w0 / w25
+    w27 = w6 * rod_end_shape_0_3
+    w28 = w27 / w25
+    w29 = (w24 - w17) / w25 + crank_theta_ddot * w26 + w28 * rod_q4_ddot
+    w30 = w19 * w29
+    w31 = w8 * rod_phi_integral_1_0
+    w32 = w31 * rod_q1_ddot
+    w33 = w6 * rod_phi_integral_0_2
+    w34 = w33 * rod_q3_ddot
+    w35 = w6 * rod_phi_integral_0_3
+    w36 = rod_q4_ddot * w35
+    w37 = rod_theta_dot * -2.0
+    w38 = rod_q1 * rod_M_ff_0_0
+    w39 = rod_q2 * rod_M_ff_1_1
+    w40 = rod_q3 * rod_M_ff_2_2
+    w41 = rod_q4 * rod_M_ff_2_3
+    w42 = rod_rho_dot_phi_2_0 + (w40 + w41)
+    w43 = rod_q3 * rod_M_ff_2_3
+    w44 = rod_q4 * rod_M_ff_3_3
+    w45 = rod_rho_dot_phi_3_0 + (w43 + w44)
+    w46 = rod_q1_dot * w38 + w39 * rod_q2_dot + rod_q3_dot * w42 + rod_q4_dot * w45
+    w47 = rod_rho_dot_phi_2_0 + w42
+    w48 = rod_rho_dot_phi_3_0 + w45
+    w49 = rod_inertia + (rod_q1 * w38 + rod_q2 * w39 + rod_q3 * w47 + rod_q4 * w48)
+    w50 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
+    w51 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
+    w52 = rod_q1 * rod_phi_cross_phi_2_0
+    w53 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
+    w54 = w18 * w19 + w3 * w10 - w29 * w49 + rod_q1_ddot * w50 + w51 * rod_q2_ddot - rod_q3_ddot * w52 - rod_q4_ddot * w53
+    w55 = w23 * w29
+    w56 = w6 * w20
+    w57 = w5 * w25 + w12 * w56
+    w58 = w8 * rod_end_shape_0_3
+    w59 = rod_q4_ddot * w58
+    w60 = (w55 - (w3 + w57) + w59) * slider_mass
+    w61 = (w37 * w46 - w54 + w23 * w60) / w25
+    w62 = w6 * w13 + w8 * w14
+    w63 = w5 * w19 + w12 * w62
+    w64 = w10 * w29
+    w65 = w6 * rod_phi_integral_1_0
+    w66 = rod_q1_ddot * w65
+    w67 = w8 * rod_phi_integral_0_2
+    w68 = rod_q3_ddot * w67
+    w69 = w8 * rod_phi_integral_0_3
+    w70 = rod_q4_ddot * w69
+    w71 = w1 * (w11 - w16 - (w18 * rod_mass - w30 + w32 + w34 + w36) - w61) + w0 * (w63 - (w64 - w4 - w66 + w68 + w70) - w60)
+    w72 = w23 * slider_mass
+    w73 = w10 + w72
+    w74 = w0 * w19 + w1 * w73
+    w75 = 2 * w21 - w12 * w23
+    w76 = rod_q4_dot * w58 - rod_theta_dot * w23
+    w77 = (w1 * crank_theta_dot + w26 * w76) / w25
+    w78 = w57 - (w55 + w59)
+    w79 = (w3 - w75 * w77 - w26 * w78) / w25
+    w80 = (w12 * w25 + 2 * w56) * slider_mass
+    w81 = w0 * (w10 * w12 - 2 * w15) - w1 * (w12 * w19 + 2 * w62 + w80)
+    w82 = (w24 + (w27 * rod_q4_ddot - w25 * w29)) * slider_mass
+    w83 = w0 * (w63 - (w70 + (w68 - (w66 - w64)))) - w1 * (w16 - w11 + (w36 + (w34 + (w32 - w30))) + w82)
+    w84 = w3 * w19
+    w85 = w49 + w23 * w72
+    w86 = w46 * -2.0 - w23 * w80
+    w87 = w10 * w18 - w84 + w23 * w61 + w25 * w60 - w23 * w82
+    w88 = w84 - w18 * w73 - w79 * w85 + w77 * w86 - w26 * w87
+    w89 = w3 * w31
+    w90 = w18 * w65
+    w91 = w12 * w38 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)
+    w92 = w90 - w89
+    w93 = w12 * w39 + rod_q4_dot * c41
+    w94 = w3 * w33 + w18 * w67
+    w95 = w12 * w42 + rod_q1_dot * c42
+    w96 = w3 * w35
+    w97 = w58 * slider_mass
+    w98 = w69 + w97
+    w99 = w53 + w23 * w97
+    w100 = w12 * w45 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) + w58 * w80
+    w101 = w27 * w60
+    w102 = w58 * w61
+    w103 = w96 + w18 * w69
+    w104 = w101 - (w102 + w103) + w58 * w82
+    w105 = w92 + w29 * (2 * w38) + rod_q3_ddot * rod_phi_cross_phi_2_0 + rod_q4_ddot * rod_phi_cross_phi_3_0
+    w106 = w37 * (rod_q1_dot * rod_M_ff_0_0) + w105
+    w107 = w37 * (rod_q2_dot * rod_M_ff_1_1) + (w29 * (2 * w39) + rod_q4_ddot * rod_phi_cross_phi_3_1)
+    w108 = w37 * (rod_q3_dot * rod_M_ff_2_2 + rod_q4_dot * rod_M_ff_2_3) - (w94 - w29 * (w41 + (w40 + w47)) - rod_q1_ddot * rod_phi_cross_phi_0_2)
+    w109 = w5 * rod_M_ff_2_3 - rod_K_ff_2_3
+    w110 = (w5 * w58 - w27 * w29) * slider_mass
+    w111 = (w28 * w76 - rod_theta_dot * w58) / w25
+    w112 = (w5 * w27 + w29 * w58 - w75 * w111 - w28 * w78) / w25
+    w113 = w0 * (w5 * w35 + w29 * w69) - w1 * (w5 * w69 - w29 * w35 + w110) - w74 * w112 + w81 * w111 - w28 * w83
+    w114 = w103 - w29 * (w43 + (w44 + w48)) - rod_q1_ddot * rod_phi_cross_phi_0_3 - rod_q2_ddot * rod_phi_cross_phi_1_3
+    w115 = w101 + (w37 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - w114 - w102) - w23 * w110
+    w116 = w115 - w85 * w112 + w86 * w111 - w28 * w87
+    w117 = w5 * rod_M_ff_3_3 - rod_K_ff_3_3 + w58 * w110 + w99 * w112 + w100 * w111 - w28 * w104 - w28 * w116
+    w118 = 2 * crank_theta_dot
+    w119 = w1 * w118
+    w120 = w0 * w118
+    w121 = (w119 + w26 * w75) / w25
+    w122 = w19 * w119 - w73 * w120 - w85 * w121 - w26 * w86
+    w123 = w37 * w38
+    w124 = w37 * w39
+    w125 = w37 * w42
+    w126 = w12 * w27 * slider_mass
+    w127 = (w28 * w75 - w12 * w58) / w25
+    w128 = w37 * w45 - w23 * w126 - w85 * w127 - w28 * w86
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w4 * w33 + w29 * w54 - w78 - w4 * w88 + w92 * w94,
-            w0 * (w39 * w63 - w44 * w72) + w10 * (w39 * w72 + w44 * w63) - w4 * w114, -(w4 * w115),
-            w0 * (w39 * w65 + w44 * w74) - w10 * (w39 * w74 - w44 * w65) - w4 * w116, w124 - w43 * w88 + w92 * w125,
+            w0 * w4 - w71 - w1 * (w18 * c4) - w74 * w79 + w77 * w81 - w26 * w83 - w26 * w88,
+            w0 * (w5 * w31 - w29 * w65) + w1 * (w29 * w31 + w5 * w65) - w26 * w106, -(w26 * w107),
+            w0 * (w5 * w33 + w29 * w67) - w1 * (w5 * w67 - w29 * w33) - w26 * w108, w113 - w26 * w116,
         ),
         ca.horzcat(  # rod.q1
-            w4 * w98 - (w96 - w95 + w30 * w45) + w94 * w100, w39 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w44 * c43,
-            w43 * w98 - (w44 * rod_phi_cross_phi_0_3 + w45 * w120) + w100 * w125,
+            w89 - w90 - w50 * w79 + w77 * w91 - w26 * w92, w5 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w29 * c43,
+            w91 * w111 - (w29 * rod_phi_cross_phi_0_3 + w50 * w112) - w28 * w92,
         ),
         ca.horzcat(  # rod.q2
-            w94 * w102 - (w30 * w46 + w4 * w103), 0.0, w39 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0,
-            w102 * w125 - (w44 * rod_phi_cross_phi_1_3 + w46 * w120 + w43 * w103),
+            w77 * w93 - w51 * w79, 0.0, w5 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0,
+            w93 * w111 - (w29 * rod_phi_cross_phi_1_3 + w51 * w112),
         ),
         ca.horzcat(  # rod.q3
-            w104 + w30 * w47 + w4 * w105 + w94 * w107, w44 * c36, 0.0, w39 * rod_M_ff_2_2 - rod_K_ff_2_2,
-            w117 + w47 * w120 + w43 * w105 + w107 * w125,
+            w94 + w52 * w79 + w77 * w95 + w26 * w94, w29 * c36, 0.0, w5 * rod_M_ff_2_2 - rod_K_ff_2_2,
+            w109 + w52 * w112 + w95 * w111 + w28 * w94,
         ),
         ca.horzcat(  # rod.q4
-            w108 + w30 * w48 + w32 * w52 + w33 * w43 + w4 * w110 + w94 * w112,
-            -(w44 * rod_phi_cross_phi_3_0 + w43 * w114), -(w44 * rod_phi_cross_phi_3_1 + w43 * w115),
-            w117 - w43 * w116, w126 + w112 * w125,
+            w96 + w18 * w98 + w79 * w99 + w77 * w100 - w26 * w104 - w28 * w88,
+            -(w29 * rod_phi_cross_phi_3_0 + w28 * w106), -(w29 * rod_phi_cross_phi_3_1 + w28 * w107),
+            w109 - w28 * w108, w117,
         ),
     )
     J_v = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w136 - w4 * w137, w0 * (w72 * w138) - w10 * (w63 * w138) + w4 * w140, w4 * w141,
-            w4 * w142 - (w0 * (w74 * w138) + w10 * (w65 * w138)), w147 - w4 * w148,
+            w0 * (w119 * rod_mass) - w1 * (w120 * c4) - w74 * w121 - w26 * w81 - w26 * w122,
+            w0 * (w12 * w65) - w1 * (w12 * w31) - w26 * w123, -(w26 * w124),
+            -(w0 * (w12 * w67) + w1 * (w12 * w33) + w26 * w125),
+            -(w0 * (w12 * w69) + w1 * (w12 * w35 + w126) + w74 * w127 + w28 * w81 + w26 * w128),
         ),
         ca.horzcat(  # rod.q1
-            w18 * w129 + w99 * w130 - (w72 * w134 - w63 * w132 - w45 * w133), 0.0, 0.0,
-            w138 * rod_phi_cross_phi_0_2, w18 * w143 + (w99 * w144 + w138 * rod_phi_cross_phi_0_3) + w45 * w145,
+            w31 * w119 - w65 * w120 - w50 * w121 - w26 * w91, 0.0, 0.0, w12 * rod_phi_cross_phi_0_2,
+            w12 * rod_phi_cross_phi_0_3 - w50 * w127 - w28 * w91,
         ),
         ca.horzcat(  # rod.q2
-            w19 * w129 + w101 * w130 + w46 * w133, 0.0, 0.0, 0.0,
-            w19 * w143 + (w101 * w144 + w138 * rod_phi_cross_phi_1_3) + w46 * w145,
+            -(w51 * w121 + w26 * w93), 0.0, 0.0, 0.0, w12 * rod_phi_cross_phi_1_3 - w51 * w127 - w28 * w93,
         ),
         ca.horzcat(  # rod.q3
-            w22 * w129 + w106 * w130 - (w47 * w133 - (w65 * w132 + w74 * w134)), w138 * rod_phi_cross_phi_2_0, 0.0,
-            0.0, w22 * w143 + w106 * w144 - w47 * w145,
+            w33 * w119 + w67 * w120 + w52 * w121 - w26 * w95, w12 * rod_phi_cross_phi_2_0, 0.0, 0.0,
+            w52 * w127 - w28 * w95,
         ),
         ca.horzcat(  # rod.q4
-            w26 * w129 + w111 * w130 - (w48 * w133 - (w76 * w134 + w67 * w132)) - w52 * w135 - w43 * w137,
-            w138 * rod_phi_cross_phi_3_0 + w43 * w140, w138 * rod_phi_cross_phi_3_1 + w43 * w141, w43 * w142,
-            w26 * w143 + w111 * w144 - w48 * w145 - w52 * w146 - w43 * w148,
+            w35 * w119 + w98 * w120 + w99 * w121 - w26 * w100 - w28 * w122,
+            w12 * rod_phi_cross_phi_3_0 - w28 * w123, w12 * rod_phi_cross_phi_3_1 - w28 * w124, -(w28 * w125),
+            w58 * w126 + w99 * w127 - w28 * w100 - w28 * w128,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]

@@ -1029,7 +1029,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i, through q_d
-    646 operations.
+    604 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1048,6 +1048,7 @@ def dQ_hat_dq_i() -> ca.Function:
     rod_length = c[2]
     c3 = c[3]
     slider_mass = c[4]
+    c5 = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
@@ -1072,160 +1073,156 @@ def dQ_hat_dq_i() -> ca.Function:
     c29 = c[29]
     c36 = c[36]
     c37 = c[37]
-    # intermediate terms (139)
+    # intermediate terms (134)
     w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = ca.sin(rod_theta)
-    w2 = rod_q1 * c9
-    w3 = w2 + rod_q2 * c10
-    w4 = rod_q2 * c12
-    w5 = rod_q1 * c11 + w4
-    w6 = c8 - (rod_q1 * w3 + rod_q2 * w5) * 0.5
-    w7 = ca.cos(rod_theta)
-    w8 = rod_q1 * c13
-    w9 = w1 * w6 + w7 * w8
-    w10 = 2 * rod_theta_dot
-    w11 = w3 * rod_q1_dot + w5 * rod_q2_dot
-    w12 = rod_q1_dot * c13
-    w13 = w7 * w11 + w1 * w12
-    w14 = w6 * w7 - w1 * w8
-    w15 = rod_q1 * c6
-    w16 = rod_q2 * c7
-    w17 = rod_q1_dot * w15 + rod_q2_dot * w16
-    w18 = w7 * w17
-    w19 = rod_length - (rod_q1 * w15 + rod_q2 * w16) * 0.5
-    w20 = w1 * w19
-    w21 = w7 * w19
-    w22 = (2 * w18 + w10 * w20) / w21
-    w23 = ca.sin(crank_theta)
-    w24 = w23 * crank_tip_x
-    w25 = w7 * w12 - w1 * w11
-    w26 = w1 * w17
-    w27 = (2 * w26 - w10 * w21 - w20 * w22) * slider_mass
-    w28 = w0 / w21
-    w29 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
-    w30 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
-    w31 = rod_q1_dot * w29 + rod_q2_dot * w30
-    w32 = c14 + (rod_q1 * w29 + rod_q2 * w30)
-    w33 = w31 * -2.0 - w22 * w32 + w20 * w27
-    w34 = w0 * (w9 * w10 + 2 * w13 - w14 * w22) - w24 * (w10 * w14 + 2 * w25 + w9 * w22 - w27) - w28 * w33
-    w35 = w24 / w21
-    w36 = w7 * w15
-    w37 = w1 * w15
-    w38 = w37 / w21
-    w39 = w38 / w21
-    w40 = w36 / w21 + w20 * w39
-    w41 = w28 / w21
-    w42 = w20 * w41
-    w43 = w7 * w16
-    w44 = w1 * w16
-    w45 = w44 / w21
-    w46 = w45 / w21
-    w47 = w43 / w21 + w20 * w46
-    w48 = rod_q1_dot * w40 - crank_theta_dot * w42 + rod_q2_dot * w47
-    w49 = crank_theta_dot * w35 - w28 * w48
-    w50 = crank_theta_dot**2
-    w51 = w0 * w50
-    w52 = w51 / w21
-    w53 = w51 * c3
-    w54 = rod_theta_dot**2
-    w55 = w9 * w54
-    w56 = rod_q1_dot * c9
-    w57 = rod_q2_dot * c12
-    w58 = rod_q1_dot * (w56 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + w57)
-    w59 = w1 * w58
-    w60 = w10 * w13
-    w61 = rod_q1_dot * c6
-    w62 = rod_q2_dot * c7
-    w63 = rod_q1_dot * w61 + rod_q2_dot * w62
-    w64 = w1 * w63
-    w65 = w10 * w18
-    w66 = w20 * w54
-    w67 = w24 * w50
-    w68 = w64 + w65 + w66 + w67
-    w69 = w68 / w21
-    w70 = w14 * w69
-    w71 = w67 * c3
-    w72 = (w67 - w20 * w52) * slider_mass
-    w73 = w14 * w54
-    w74 = w10 * w25
-    w75 = w7 * w58
-    w76 = w9 * w69
-    w77 = w10 * w26
-    w78 = w7 * w63
-    w79 = w21 * w54
-    w80 = (w77 - (w78 + w79) - w51 - w20 * w69) * slider_mass
-    w81 = w23 * c24 + (w0 * (w14 * w52 - w53) + w24 * (c26 + (w55 + w59 + w60) - (w70 - w71))) + (w24 * (w9 * w52 - w71 - w72) + w0 * (w73 + w74 + w75 + (w53 + w76) - w80))
-    w82 = w9 * w67 + w14 * w51
-    w83 = w20 * w72 - (w32 * w52 - w82)
-    w84 = rod_theta_dot * -2.0
-    w85 = w31 * w84 + w14 * gravity_y - (w9 * w51 - w14 * w67 + w32 * w69) + w20 * w80
-    w86 = w69 / w21
-    w87 = (w79 + (w78 - w77)) / w21 + w20 * w86
-    w88 = (w65 + (w64 + w66) - (w68 + w20 * w87)) * slider_mass
-    w89 = w0 * (w74 + (w73 + w75) - (w14 * w87 - w76)) - w24 * (w70 + w9 * w87 - (w59 + (w55 + w60)) - w88)
-    w90 = w20 * w88 + w21 * w80 - (w9 * gravity_y + (w82 + w32 * w87))
-    w91 = w89 - (w28 * w90 + w42 * w85)
-    w92 = w1 * c13
-    w93 = w3 * w7 + w92
-    w94 = w7 * c13
-    w95 = w67 * w93 + w51 * (w94 - w1 * w3)
-    w96 = w37 * w80
-    w97 = w36 * w88 - w96 - (w93 * gravity_y + (w95 + w87 * c21)) + (w38 * w90 + w40 * w85)
-    w98 = w10 * w29 - w22 * c21 + w27 * w36 + w33 * w38
-    w99 = w51 * (w1 * w5)
-    w100 = w5 * w7
-    w101 = w67 * w100
-    w102 = w44 * w80
-    w103 = w43 * w88 - w102 - (w100 * gravity_y + (w101 - w99 + w87 * c22)) + (w45 * w90 + w47 * w85)
-    w104 = w10 * w30 - w22 * c22 + w27 * w43 + w33 * w45
-    w105 = (w2 + w3 + rod_q2 * c11) * 0.5
-    w106 = w94 - w1 * w105
-    w107 = w56 + rod_q2_dot * c11
-    w108 = (w10 * (w7 * w61) - w37 * w54) / w21 + w36 * w86
-    w109 = w92 + w7 * w105
-    w110 = (w10 * (w1 * w61) + w36 * w54 - (w20 * w108 - w37 * w69)) * slider_mass
-    w111 = w0 * (w54 * w106 + w10 * (w7 * w107) - (w14 * w108 - w69 * w109)) - w24 * (w69 * w106 + w9 * w108 - (w54 * w109 + w10 * (w1 * w107)) - w110)
-    w112 = w84 * (rod_q1_dot * c36 - rod_q2_dot * c19) - w109 * gravity_y - (w51 * w106 + w67 * w109 + (w69 * (w29 + rod_q1 * c36 - rod_q2 * c19) + w32 * w108))
-    w113 = w112 + (w20 * w110 - w96)
-    w114 = w36 * w41
-    w115 = w1 * c6 / w21 + w36 * w39
-    w116 = w36 * w46
-    w117 = rod_q1_dot * w115 - crank_theta_dot * w114 + rod_q2_dot * w116 + w38 * w48
-    w118 = w1 * c9
-    w119 = w54 * c36 - c27 - w118 * gravity_y - (w51 * (w7 * c9) + w67 * w118 + w108 * c21) + (w36 * w110 + w80 * (w7 * c6))
-    w120 = w1 * c11
-    w121 = w43 * w110 - (w54 * c19 + w120 * gravity_y + (w51 * (w7 * c11) + w67 * w120 + w108 * c22)) + (w45 * w113 + w85 * w116)
-    w122 = w57 + rod_q1_dot * c10
-    w123 = (rod_q1 * c10 + (w4 + w5)) * 0.5
-    w124 = w1 * w123
-    w125 = (w10 * (w7 * w62) - w44 * w54) / w21 + w43 * w86
-    w126 = w7 * w123
-    w127 = (w10 * (w1 * w62) + w43 * w54 - (w20 * w125 - w44 * w69)) * slider_mass
-    w128 = w0 * (w10 * (w7 * w122) - w54 * w124 - (w14 * w125 - w69 * w126)) - w24 * (w9 * w125 - w69 * w124 - (w54 * w126 + w10 * (w1 * w122)) - w127)
-    w129 = w84 * (rod_q2_dot * c37 - rod_q1_dot * c17) - w126 * gravity_y - (w67 * w126 - w51 * w124 + (w69 * (w30 + rod_q2 * c37 - rod_q1 * c17) + w32 * w125))
-    w130 = w129 + (w20 * w127 - w102)
-    w131 = w41 * w43
-    w132 = w39 * w43
-    w133 = w1 * c7 / w21 + w43 * w46
-    w134 = rod_q1_dot * w132 - crank_theta_dot * w131 + rod_q2_dot * w133 + w45 * w48
-    w135 = w1 * c10
-    w136 = w36 * w127 - (w54 * c17 + w135 * gravity_y + (w51 * (w7 * c10) + w67 * w135 + w125 * c21)) + (w38 * w130 + w85 * w132)
-    w137 = w1 * c12
-    w138 = w54 * c37 - c29 - w137 * gravity_y - (w51 * (w7 * c12) + w67 * w137 + w125 * c22) + (w43 * w127 + w80 * (w7 * c7))
+    w1 = crank_theta_dot**2
+    w2 = w0 * w1
+    w3 = w2 * c3
+    w4 = ca.sin(crank_theta)
+    w5 = rod_theta_dot**2
+    w6 = ca.cos(rod_theta)
+    w7 = rod_q1 * c9
+    w8 = w7 + rod_q2 * c10
+    w9 = rod_q2 * c12
+    w10 = rod_q1 * c11 + w9
+    w11 = c8 - (rod_q1 * w8 + rod_q2 * w10) * 0.5
+    w12 = ca.sin(rod_theta)
+    w13 = rod_q1 * c13
+    w14 = w6 * w11 - w12 * w13
+    w15 = w5 * w14
+    w16 = 2 * rod_theta_dot
+    w17 = rod_q1_dot * c13
+    w18 = w8 * rod_q1_dot + w10 * rod_q2_dot
+    w19 = w6 * w17 - w12 * w18
+    w20 = w16 * w19
+    w21 = rod_q1_dot * c9
+    w22 = rod_q2_dot * c12
+    w23 = rod_q1_dot * (w21 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + w22)
+    w24 = w6 * w23
+    w25 = w11 * w12 + w6 * w13
+    w26 = rod_q1_dot * c6
+    w27 = rod_q2_dot * c7
+    w28 = rod_q1_dot * w26 + rod_q2_dot * w27
+    w29 = w12 * w28
+    w30 = rod_q1 * c6
+    w31 = rod_q2 * c7
+    w32 = rod_q1_dot * w30 + rod_q2_dot * w31
+    w33 = w6 * w32
+    w34 = w16 * w33
+    w35 = rod_length - (rod_q1 * w30 + rod_q2 * w31) * 0.5
+    w36 = w12 * w35
+    w37 = w5 * w36
+    w38 = w4 * crank_tip_x
+    w39 = w1 * w38
+    w40 = w29 + w34 + w37 + w39
+    w41 = w6 * w35
+    w42 = w40 / w41
+    w43 = w25 * w42
+    w44 = w12 * w32
+    w45 = w16 * w44
+    w46 = w6 * w28
+    w47 = w5 * w41
+    w48 = w36 * w42
+    w49 = (w45 - (w46 + w47) - w2 - w48) * slider_mass
+    w50 = w5 * w25
+    w51 = w12 * w23
+    w52 = w6 * w18 + w12 * w17
+    w53 = w16 * w52
+    w54 = w14 * w42
+    w55 = rod_theta_dot * -2.0
+    w56 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w57 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w58 = rod_q1_dot * w56 + rod_q2_dot * w57
+    w59 = c14 + (rod_q1 * w56 + rod_q2 * w57)
+    w60 = (w55 * w58 + w14 * gravity_y - (w2 * w25 - w14 * w39 + w42 * w59) + w36 * w49) / w41
+    w61 = w4 * c24 + w0 * (w15 + w20 + w24 + (w3 + w43) - w49) + w38 * (c26 + (w50 + w51 + w53) - (w54 - w39 * c3) - w60)
+    w62 = w36 * slider_mass
+    w63 = w25 + w62
+    w64 = w0 * w14 + w38 * w63
+    w65 = 2 * w33 + w16 * w36
+    w66 = w6 * w30
+    w67 = w6 * w31
+    w68 = rod_q1_dot * w66 + rod_theta_dot * w36 + rod_q2_dot * w67
+    w69 = w0 / w41
+    w70 = (crank_theta_dot * w38 - w68 * w69) / w41
+    w71 = w48 + (w47 + (w46 - w45))
+    w72 = (w2 + w65 * w70 - w69 * w71) / w41
+    w73 = (2 * w44 - w16 * w41) * slider_mass
+    w74 = w0 * (w16 * w25 + 2 * w52) - w38 * (w14 * w16 + 2 * w19 - w73)
+    w75 = (w40 - (w34 + (w29 + w37))) * slider_mass
+    w76 = w0 * (w43 + (w20 + (w15 + w24))) - w38 * (w54 - (w51 + (w50 + w53)) + w75)
+    w77 = w2 * w14
+    w78 = w59 + w36 * w62
+    w79 = w58 * -2.0 + w36 * w73
+    w80 = w36 * w60 - (w77 + w25 * w39 + w25 * gravity_y) + w41 * w49 - w36 * w75
+    w81 = w77 + w39 * w63 - w72 * w78 + w70 * w79 - w69 * w80
+    w82 = w6 * c13
+    w83 = w2 * (w82 - w8 * w12)
+    w84 = w12 * c13
+    w85 = w6 * w8 + w84
+    w86 = w66 * slider_mass
+    w87 = c21 + w36 * w86
+    w88 = w16 * w56 + w66 * w73
+    w89 = w60 * w66
+    w90 = w12 * w30
+    w91 = w49 * w90
+    w92 = w89 - (w83 + w39 * w85 + w85 * gravity_y) - w91 - w66 * w75
+    w93 = w90 / w41
+    w94 = w6 * w10
+    w95 = w67 * slider_mass
+    w96 = w2 * (w10 * w12)
+    w97 = c22 + w36 * w95
+    w98 = w16 * w57 + w67 * w73
+    w99 = w60 * w67
+    w100 = w12 * w31
+    w101 = w49 * w100
+    w102 = w96 - w39 * w94 - w94 * gravity_y + w99 - w101 - w67 * w75
+    w103 = w100 / w41
+    w104 = (w7 + w8 + rod_q2 * c11) * 0.5
+    w105 = w82 - w12 * w104
+    w106 = w21 + rod_q2_dot * c11
+    w107 = w84 + w6 * w104
+    w108 = (w42 * w90 + (w16 * (w12 * w26) + w5 * w66)) * slider_mass
+    w109 = w0 * (w5 * w105 + w16 * (w6 * w106) + w42 * w107) - w38 * (w42 * w105 - (w5 * w107 + w16 * (w12 * w106)) - w108)
+    w110 = w12 * c6
+    w111 = (rod_q1_dot * w110 + rod_theta_dot * w66 + w68 * w93) / w41
+    w112 = (w42 * w66 + (w16 * (w6 * w26) - w5 * w90) + w65 * w111 + w71 * w93) / w41
+    w113 = w55 * (rod_q1_dot * c36 - rod_q2_dot * c19) - w107 * gravity_y - (w42 * (w56 + rod_q1 * c36 - rod_q2 * c19) + (w39 * w107 + w2 * w105))
+    w114 = w89 + w113 - w91 + w36 * w108 - w78 * w112 + w79 * w111 + w80 * w93
+    w115 = w12 * c9
+    w116 = w5 * c36 - c27 - w115 * gravity_y - (w39 * w115 + w2 * (w6 * c9)) + w60 * w110 + w49 * (w6 * c6) + w66 * w108
+    w117 = w12 * c11
+    w118 = w67 * w108 - (w2 * (w6 * c11) + w39 * w117 + (w5 * c19 + w117 * gravity_y)) - w97 * w112 + w98 * w111
+    w119 = w22 + rod_q1_dot * c10
+    w120 = (rod_q1 * c10 + (w9 + w10)) * 0.5
+    w121 = w12 * w120
+    w122 = w6 * w120
+    w123 = (w42 * w100 + (w16 * (w12 * w27) + w5 * w67)) * slider_mass
+    w124 = w0 * (w16 * (w6 * w119) - w5 * w121 + w42 * w122) + w38 * (w5 * w122 + w16 * (w12 * w119) + w42 * w121 + w123)
+    w125 = w12 * c7
+    w126 = (rod_theta_dot * w67 + rod_q2_dot * w125 + w68 * w103) / w41
+    w127 = (w42 * w67 + (w16 * (w6 * w27) - w5 * w100) + w65 * w126 + w71 * w103) / w41
+    w128 = w55 * (rod_q2_dot * c37 - rod_q1_dot * c17) - w122 * gravity_y - (w39 * w122 - w2 * w121 + w42 * (w57 + rod_q2 * c37 - rod_q1 * c17))
+    w129 = w99 + w128 - w101 + w36 * w123 - w78 * w127 + w79 * w126 + w80 * w103
+    w130 = w12 * c10
+    w131 = w66 * w123 - (w39 * w130 + w2 * (w6 * c10) + (w5 * c17 + w130 * gravity_y)) - w87 * w127 + w88 * w126
+    w132 = w12 * c12
+    w133 = w5 * c37 - c29 - w132 * gravity_y - (w2 * (w6 * c12) + w39 * w132) + w60 * w125 + w49 * (w6 * c7)
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w34 * w49 - (w81 + (w28 * w83 - w35 * w85) + w28 * w91),
-            w111 - (w28 * w113 + w85 * w114) + w38 * w91 + w34 * w117,
-            w128 - (w28 * w130 + w85 * w131) + w45 * w91 + w34 * w134,
+            w0 * w3 - w61 + w38 * (w39 * c5) - w64 * w72 + w70 * w74 - w69 * w76 - w69 * w81,
+            w109 - w64 * w112 + w74 * w111 + w76 * w93 - w69 * w114,
+            w124 - w64 * w127 + w74 * w126 + w76 * w103 - w69 * w129,
         ),
         ca.horzcat(  # rod.q1
-            w36 * w72 - (w52 * c21 - w95) + w38 * w83 - w28 * w97 + w49 * w98,
-            w119 + (w38 * w113 + w85 * w115) + w38 * w97 + w98 * w117, w136 + w45 * w97 + w98 * w134,
+            w83 + w39 * (w85 + w86) - w72 * w87 + w70 * w88 - w69 * w92 + w81 * w93,
+            w116 - w87 * w112 + w88 * w111 + w92 * w93 + w93 * w114, w131 + w92 * w103 + w93 * w129,
         ),
         ca.horzcat(  # rod.q2
-            w43 * w72 - (w99 - w101 + w52 * c22) + w45 * w83 - w28 * w103 + w49 * w104,
-            w121 + w38 * w103 + w104 * w117, w138 + (w45 * w130 + w85 * w133) + w45 * w103 + w104 * w134,
+            w39 * (w94 + w95) - w96 - w72 * w97 + w70 * w98 - w69 * w102 + w81 * w103,
+            w118 + w93 * w102 + w103 * w114,
+            w133 + w67 * w123 - w97 * w127 + w98 * w126 + w102 * w103 + w103 * w129,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -1241,7 +1238,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    330 operations.
+    317 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1260,6 +1257,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     rod_length = c[2]
     c3 = c[3]
     slider_mass = c[4]
+    c5 = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
@@ -1284,79 +1282,81 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c40 = c[40]
     c41 = c[41]
     c42 = c[42]
-    # intermediate terms (59)
+    # intermediate terms (64)
     w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = ca.cos(rod_theta)
-    w2 = rod_q1 * c6
-    w3 = rod_q2 * c7
-    w4 = rod_length - (rod_q1 * w2 + rod_q2 * w3) * 0.5
-    w5 = w1 * w4
-    w6 = w0 / w5
-    w7 = ca.sin(rod_theta)
-    w8 = rod_q1 * c9 + rod_q2 * c10
-    w9 = rod_q1 * c11 + rod_q2 * c12
-    w10 = c8 - (rod_q1 * w8 + rod_q2 * w9) * 0.5
-    w11 = rod_q1 * c13
-    w12 = w7 * w10 + w1 * w11
-    w13 = 2 * crank_theta_dot
-    w14 = w0 * w13
-    w15 = w1 * w10 - w7 * w11
-    w16 = ca.sin(crank_theta) * crank_tip_x
-    w17 = w13 * w16
-    w18 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
-    w19 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
-    w20 = c14 + (rod_q1 * w18 + rod_q2 * w19)
-    w21 = w17 / w5
-    w22 = w4 * w7
-    w23 = (w14 + w21 * w22) * slider_mass
-    w24 = w12 * w14 - w15 * w17 + w20 * w21 + w22 * w23
-    w25 = 2 * rod_theta_dot
-    w26 = w8 * rod_q1_dot + w9 * rod_q2_dot
+    w1 = ca.sin(crank_theta) * crank_tip_x
+    w2 = 2 * crank_theta_dot
+    w3 = w1 * w2
+    w4 = w0 * w2
+    w5 = ca.cos(rod_theta)
+    w6 = rod_q1 * c9 + rod_q2 * c10
+    w7 = rod_q1 * c11 + rod_q2 * c12
+    w8 = c8 - (rod_q1 * w6 + rod_q2 * w7) * 0.5
+    w9 = ca.sin(rod_theta)
+    w10 = rod_q1 * c13
+    w11 = w5 * w8 - w9 * w10
+    w12 = w8 * w9 + w5 * w10
+    w13 = rod_q1 * c6
+    w14 = rod_q2 * c7
+    w15 = rod_length - (rod_q1 * w13 + rod_q2 * w14) * 0.5
+    w16 = w9 * w15
+    w17 = w16 * slider_mass
+    w18 = w12 + w17
+    w19 = w0 * w11 + w1 * w18
+    w20 = w13 * rod_q1_dot + w14 * rod_q2_dot
+    w21 = 2 * rod_theta_dot
+    w22 = 2 * (w5 * w20) + w16 * w21
+    w23 = w5 * w15
+    w24 = w0 / w23
+    w25 = (w3 - w22 * w24) / w23
+    w26 = w6 * rod_q1_dot + w7 * rod_q2_dot
     w27 = rod_q1_dot * c13
-    w28 = w2 * rod_q1_dot + w3 * rod_q2_dot
-    w29 = (2 * (w1 * w28) + w22 * w25) / w5
-    w30 = (2 * (w7 * w28) - w5 * w25 - w22 * w29) * slider_mass
-    w31 = w0 * (w12 * w25 + 2 * (w1 * w26 + w7 * w27) - w15 * w29) - w16 * (w15 * w25 + 2 * (w1 * w27 - w7 * w26) + w12 * w29 - w30)
-    w32 = (w18 * rod_q1_dot + w19 * rod_q2_dot) * -2.0 - w20 * w29 + w22 * w30
-    w33 = w31 - w6 * w32
-    w34 = w1 * w8 + w7 * c13
-    w35 = w1 * c13 - w7 * w8
-    w36 = w1 * w2
-    w37 = w2 * w7
-    w38 = w37 / w5
-    w39 = w18 * w25 - w29 * c21 + w30 * w36 + w32 * w38
-    w40 = w1 * w9
-    w41 = w7 * w9
-    w42 = w1 * w3
-    w43 = w3 * w7
-    w44 = w43 / w5
-    w45 = w19 * w25 - w29 * c22 + w30 * w42 + w32 * w44
-    w46 = rod_q1_dot * c40 + rod_q2_dot * c41
-    w47 = rod_q1_dot * c38
-    w48 = (w7 * w47 + w25 * w36) / w5
-    w49 = (w25 * w37 - w1 * w47 - w22 * w48) * slider_mass
-    w50 = rod_theta_dot * -2.0
-    w51 = w18 * w50 - w20 * w48 + w22 * w49
-    w52 = w0 * (w7 * w46 + w25 * w34 - w15 * w48) - w16 * (w25 * w35 + w1 * w46 + w12 * w48 - w49) - w6 * w51
-    w53 = rod_q2_dot * c42 + rod_q1_dot * c41
-    w54 = rod_q2_dot * c39
-    w55 = (w7 * w54 + w25 * w42) / w5
-    w56 = (w25 * w43 - w1 * w54 - w22 * w55) * slider_mass
-    w57 = w19 * w50 - w20 * w55 + w22 * w56
-    w58 = w0 * (w7 * w53 + w25 * w40 - w15 * w55) - w16 * (w1 * w53 - w25 * w41 + w12 * w55 - w56) - w6 * w57
+    w28 = (2 * (w9 * w20) - w21 * w23) * slider_mass
+    w29 = w0 * (w12 * w21 + 2 * (w5 * w26 + w9 * w27)) - w1 * (w11 * w21 + 2 * (w5 * w27 - w9 * w26) - w28)
+    w30 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w31 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w32 = c14 + (rod_q1 * w30 + rod_q2 * w31) + w16 * w17
+    w33 = (rod_q1_dot * w30 + rod_q2_dot * w31) * -2.0 + w16 * w28
+    w34 = w3 * w11 - w4 * w18 - w25 * w32 - w24 * w33
+    w35 = w5 * c13 - w6 * w9
+    w36 = w5 * w6 + w9 * c13
+    w37 = w5 * w13
+    w38 = w37 * slider_mass
+    w39 = c21 + w16 * w38
+    w40 = w21 * w30 + w28 * w37
+    w41 = w9 * w13
+    w42 = w41 / w23
+    w43 = w9 * w14
+    w44 = w43 / w23
+    w45 = w7 * w9
+    w46 = w5 * w7
+    w47 = w5 * w14
+    w48 = w47 * slider_mass
+    w49 = c22 + w16 * w48
+    w50 = w21 * w31 + w28 * w47
+    w51 = rod_q1_dot * c40 + rod_q2_dot * c41
+    w52 = rod_q1_dot * c38
+    w53 = (w21 * w41 - w5 * w52) * slider_mass
+    w54 = (w9 * w52 + w21 * w37 + w22 * w42) / w23
+    w55 = rod_theta_dot * -2.0
+    w56 = w30 * w55 + w16 * w53 - w32 * w54 + w33 * w42
+    w57 = w0 * (w9 * w51 + w21 * w36) - w1 * (w21 * w35 + w5 * w51 - w53) - w19 * w54 + w29 * w42 - w24 * w56
+    w58 = rod_q2_dot * c42 + rod_q1_dot * c41
+    w59 = rod_q2_dot * c39
+    w60 = (w21 * w43 - w5 * w59) * slider_mass
+    w61 = (w9 * w59 + w21 * w47 + w22 * w44) / w23
+    w62 = w31 * w55 + w16 * w60 - w32 * w61 + w33 * w44
+    w63 = w0 * (w9 * w58 + w21 * w46) - w1 * (w5 * w58 - w21 * w45 - w60) - w19 * w61 + w29 * w44 - w24 * w62
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
-        ca.horzcat(  # crank.theta
-            w6 * w24 - (w0 * (w15 * w21 - w17 * c3) + w16 * (w23 + (w14 * c3 + w12 * w21))) - w6 * w33,
-            w52 + w33 * w38, w58 + w33 * w44,
-        ),
+        ca.horzcat(w0 * (w3 * c3) - w1 * (w4 * c5) - w19 * w25 - w24 * w29 - w24 * w34, w57, w63),  # crank.theta
         ca.horzcat(  # rod.q1
-            -(w14 * w34 - w17 * w35 + w21 * c21 + w23 * w36 + w24 * w38 + w6 * w39),
-            w36 * w49 - (c28 + w48 * c21) + w38 * w51 + w38 * w39, w36 * w56 - w55 * c21 + w38 * w57 + w39 * w44,
+            w3 * w35 - w4 * (w36 + w38) - w25 * w39 - w24 * w40 + w34 * w42,
+            w37 * w53 - c28 - w39 * w54 + w40 * w42 + w42 * w56, w37 * w60 - w39 * w61 + w40 * w44 + w42 * w62,
         ),
         ca.horzcat(  # rod.q2
-            -(w14 * w40 + w17 * w41 + w21 * c22 + w23 * w42 + w24 * w44 + w6 * w45),
-            w42 * w49 - w48 * c22 + w44 * w51 + w38 * w45, w42 * w56 - (c30 + w55 * c22) + w44 * w57 + w44 * w45,
+            w34 * w44 - (w3 * w45 + w4 * (w46 + w48) + w25 * w49 + w24 * w50),
+            w47 * w53 - w49 * w54 + w42 * w50 + w44 * w56, w47 * w60 - c30 - w49 * w61 + w44 * w50 + w44 * w62,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
@@ -1374,7 +1374,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 3 x 3) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    890 operations.
+    823 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1397,6 +1397,7 @@ def residual_jacobian() -> ca.Function:
     rod_length = c[2]
     c3 = c[3]
     slider_mass = c[4]
+    c5 = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
@@ -1423,214 +1424,210 @@ def residual_jacobian() -> ca.Function:
     c30 = c[30]
     c36 = c[36]
     c37 = c[37]
-    # intermediate terms (180)
+    # intermediate terms (174)
     w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = ca.cos(rod_theta)
-    w2 = rod_q1 * c6
-    w3 = rod_q2 * c7
-    w4 = rod_length - (rod_q1 * w2 + rod_q2 * w3) * 0.5
-    w5 = w1 * w4
-    w6 = w0 / w5
-    w7 = ca.sin(rod_theta)
+    w1 = ca.sin(crank_theta)
+    w2 = w1 * crank_tip_x
+    w3 = crank_theta_dot**2
+    w4 = crank_theta_ddot * w2 + w0 * w3
+    w5 = w4 * c3
+    w6 = rod_theta_dot**2
+    w7 = ca.cos(rod_theta)
     w8 = rod_q1 * c9
     w9 = w8 + rod_q2 * c10
     w10 = rod_q2 * c12
     w11 = rod_q1 * c11 + w10
     w12 = c8 - (rod_q1 * w9 + rod_q2 * w11) * 0.5
-    w13 = rod_q1 * c13
-    w14 = w7 * w12 + w1 * w13
-    w15 = crank_theta_dot**2
-    w16 = ca.sin(crank_theta)
-    w17 = w16 * crank_tip_x
-    w18 = w15 * w17
-    w19 = w0 * crank_theta_ddot - w18
-    w20 = w14 * w19
-    w21 = w1 * w12 - w7 * w13
-    w22 = w0 * w15
-    w23 = crank_theta_ddot * w17 + w22
-    w24 = w21 * w23
-    w25 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
-    w26 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
-    w27 = c14 + (rod_q1 * w25 + rod_q2 * w26)
-    w28 = w17 / w5
-    w29 = w22 / w5 + crank_theta_ddot * w28
-    w30 = w4 * w7
-    w31 = (w19 + w29 * w30) * slider_mass
-    w32 = w20 - w24 + w27 * w29 + w30 * w31
-    w33 = rod_theta_dot * -2.0
-    w34 = w25 * rod_q1_dot + w26 * rod_q2_dot
-    w35 = rod_q1_dot * c6
-    w36 = rod_q2_dot * c7
-    w37 = rod_q1_dot * w35 + rod_q2_dot * w36
-    w38 = w7 * w37
-    w39 = 2 * rod_theta_dot
-    w40 = w2 * rod_q1_dot + w3 * rod_q2_dot
-    w41 = w1 * w40
-    w42 = w39 * w41
-    w43 = rod_theta_dot**2
-    w44 = w30 * w43
-    w45 = (w18 + (w38 + w42 + w44)) / w5
-    w46 = w2 * w7
-    w47 = w46 / w5
-    w48 = w3 * w7
-    w49 = w48 / w5
-    w50 = w45 - w6 * crank_theta_ddot + w47 * rod_q1_ddot + w49 * rod_q2_ddot
-    w51 = w33 * w34 + w21 * gravity_y - (w14 * w23 + w19 * w21 + w27 * w50 + rod_q1_ddot * c21 + rod_q2_ddot * c22)
-    w52 = w7 * w40
-    w53 = w39 * w52
-    w54 = w1 * w37
-    w55 = w5 * w43
-    w56 = w1 * w2
-    w57 = w1 * w3
-    w58 = (w53 - (w54 + w55) - w23 - w30 * w50 - rod_q1_ddot * w56 - rod_q2_ddot * w57) * slider_mass
-    w59 = w51 + w30 * w58
-    w60 = w23 * c3
-    w61 = w14 * w43
-    w62 = rod_q1_dot * c9
-    w63 = w62 + rod_q2_dot * c10
-    w64 = rod_q2_dot * c12
-    w65 = rod_q1_dot * c11 + w64
-    w66 = rod_q1_dot * w63 + rod_q2_dot * w65
-    w67 = w7 * w66
-    w68 = w9 * rod_q1_dot + w11 * rod_q2_dot
-    w69 = rod_q1_dot * c13
-    w70 = w1 * w68 + w7 * w69
-    w71 = w39 * w70
-    w72 = w19 * c3
-    w73 = w21 * w50
-    w74 = w1 * c13
-    w75 = w74 - w7 * w9
-    w76 = rod_q1_ddot * w75
-    w77 = w7 * w11
-    w78 = rod_q2_ddot * w77
-    w79 = w21 * w43
-    w80 = w1 * w69 - w7 * w68
-    w81 = w39 * w80
-    w82 = w1 * w66
-    w83 = w14 * w50
-    w84 = w7 * c13
-    w85 = w1 * w9 + w84
-    w86 = rod_q1_ddot * w85
-    w87 = w1 * w11
-    w88 = rod_q2_ddot * w87
-    w89 = w16 * c24 + (w0 * (w21 * w29 - w60) + w17 * (c26 + (w61 + w67 + w71) - (w72 + w73 + w76 - w78))) + (w17 * (w31 + (w72 + w14 * w29)) + w0 * (w79 + w81 + w82 + (w60 + w83 + w86 + w88) - w58))
-    w90 = w45 / w5
-    w91 = w6 / w5
-    w92 = w30 * w91
-    w93 = w47 / w5
-    w94 = w56 / w5 + w30 * w93
-    w95 = w49 / w5
-    w96 = w57 / w5 + w30 * w95
-    w97 = (w55 + (w54 - w53)) / w5 + w30 * w90 - crank_theta_ddot * w92 + rod_q1_ddot * w94 + rod_q2_ddot * w96
-    w98 = (w42 + (w38 + w44) - (w5 * w50 + w30 * w97) + w46 * rod_q1_ddot + w48 * rod_q2_ddot) * slider_mass
-    w99 = w0 * (w81 + (w79 + w82) - (w21 * w97 - w83 - w86 - w88)) - w17 * (w76 + (w73 + w14 * w97) - w78 - (w67 + (w61 + w71)) - w98)
-    w100 = w30 * w98 + w5 * w58 - (w14 * gravity_y + (w24 - w20 + w27 * w97))
-    w101 = w99 - (w6 * w100 + w59 * w92)
-    w102 = (2 * w41 + w30 * w39) / w5
-    w103 = (2 * w52 - w5 * w39 - w30 * w102) * slider_mass
-    w104 = w34 * -2.0 - w27 * w102 + w30 * w103
-    w105 = w0 * (w14 * w39 + 2 * w70 - w21 * w102) - w17 * (w21 * w39 + 2 * w80 + w14 * w102 - w103) - w6 * w104
-    w106 = rod_q1_dot * w94 - crank_theta_dot * w92 + rod_q2_dot * w96
-    w107 = crank_theta_dot * w28 - w6 * w106
-    w108 = w25 * w39 - w102 * c21 + w56 * w103 + w47 * w104
-    w109 = w19 * w85
-    w110 = w23 * w75
-    w111 = w46 * w58
-    w112 = w56 * w98 - w111 - (w85 * gravity_y + (w110 - w109 + w97 * c21)) + (w47 * w100 + w59 * w94)
-    w113 = w26 * w39 - w102 * c22 + w57 * w103 + w49 * w104
-    w114 = w19 * w87 + w23 * w77
-    w115 = w48 * w58
-    w116 = w57 * w98 - w115 - (w87 * gravity_y + (w97 * c22 - w114)) + (w49 * w100 + w59 * w96)
+    w13 = ca.sin(rod_theta)
+    w14 = rod_q1 * c13
+    w15 = w7 * w12 - w13 * w14
+    w16 = w6 * w15
+    w17 = 2 * rod_theta_dot
+    w18 = rod_q1_dot * c13
+    w19 = w9 * rod_q1_dot + w11 * rod_q2_dot
+    w20 = w7 * w18 - w13 * w19
+    w21 = w17 * w20
+    w22 = rod_q1_dot * c9
+    w23 = w22 + rod_q2_dot * c10
+    w24 = rod_q2_dot * c12
+    w25 = rod_q1_dot * c11 + w24
+    w26 = rod_q1_dot * w23 + rod_q2_dot * w25
+    w27 = w7 * w26
+    w28 = w12 * w13 + w7 * w14
+    w29 = rod_q1_dot * c6
+    w30 = rod_q2_dot * c7
+    w31 = rod_q1_dot * w29 + rod_q2_dot * w30
+    w32 = w13 * w31
+    w33 = rod_q1 * c6
+    w34 = rod_q2 * c7
+    w35 = rod_q1_dot * w33 + rod_q2_dot * w34
+    w36 = w7 * w35
+    w37 = w17 * w36
+    w38 = rod_length - (rod_q1 * w33 + rod_q2 * w34) * 0.5
+    w39 = w13 * w38
+    w40 = w6 * w39
+    w41 = w2 * w3
+    w42 = w7 * w38
+    w43 = w0 / w42
+    w44 = w13 * w33
+    w45 = w44 / w42
+    w46 = w13 * w34
+    w47 = w46 / w42
+    w48 = (w32 + w37 + w40 + w41) / w42 - crank_theta_ddot * w43 + w45 * rod_q1_ddot + w47 * rod_q2_ddot
+    w49 = w28 * w48
+    w50 = w13 * c13
+    w51 = w7 * w9 + w50
+    w52 = rod_q1_ddot * w51
+    w53 = w7 * w11
+    w54 = rod_q2_ddot * w53
+    w55 = w13 * w35
+    w56 = w17 * w55
+    w57 = w7 * w31
+    w58 = w6 * w42
+    w59 = w39 * w48
+    w60 = w7 * w33
+    w61 = rod_q1_ddot * w60
+    w62 = w7 * w34
+    w63 = rod_q2_ddot * w62
+    w64 = (w56 - (w57 + w58) - w4 - w59 - w61 - w63) * slider_mass
+    w65 = w6 * w28
+    w66 = w13 * w26
+    w67 = w7 * w19 + w13 * w18
+    w68 = w17 * w67
+    w69 = w0 * crank_theta_ddot - w41
+    w70 = w15 * w48
+    w71 = w7 * c13
+    w72 = w71 - w9 * w13
+    w73 = rod_q1_ddot * w72
+    w74 = w11 * w13
+    w75 = rod_q2_ddot * w74
+    w76 = rod_theta_dot * -2.0
+    w77 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w78 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w79 = rod_q1_dot * w77 + rod_q2_dot * w78
+    w80 = c14 + (rod_q1 * w77 + rod_q2 * w78)
+    w81 = w76 * w79 + w15 * gravity_y - (w15 * w69 + w4 * w28 + w48 * w80 + rod_q1_ddot * c21 + rod_q2_ddot * c22)
+    w82 = (w81 + w39 * w64) / w42
+    w83 = w1 * c24 + w0 * (w16 + w21 + w27 + (w5 + w49 + w52 + w54) - w64) + w2 * (c26 + (w65 + w66 + w68) - (w69 * c3 + w70 + w73 - w75) - w82)
+    w84 = w39 * slider_mass
+    w85 = w28 + w84
+    w86 = w0 * w15 + w2 * w85
+    w87 = 2 * w36 + w17 * w39
+    w88 = rod_q1_dot * w60 + rod_theta_dot * w39 + rod_q2_dot * w62
+    w89 = (w2 * crank_theta_dot - w43 * w88) / w42
+    w90 = w63 + (w59 + w61) + (w58 + (w57 - w56))
+    w91 = (w4 + w87 * w89 - w43 * w90) / w42
+    w92 = (2 * w55 - w17 * w42) * slider_mass
+    w93 = w0 * (w17 * w28 + 2 * w67) - w2 * (w15 * w17 + 2 * w20 - w92)
+    w94 = (w42 * w48 - w44 * rod_q1_ddot - w46 * rod_q2_ddot - (w37 + (w32 + w40))) * slider_mass
+    w95 = w0 * (w21 + (w16 + w27) + (w54 + (w49 + w52))) - w2 * (w94 - (w66 + (w65 + w68) + (w75 - (w70 + w73))))
+    w96 = w4 * w15
+    w97 = w80 + w39 * w84
+    w98 = w79 * -2.0 + w39 * w92
+    w99 = w28 * w69 - w96 - w28 * gravity_y + w39 * w82 + w42 * w64 - w39 * w94
+    w100 = w96 - w69 * w85 - w91 * w97 + w89 * w98 - w43 * w99
+    w101 = w4 * w72
+    w102 = w60 * slider_mass
+    w103 = w51 + w102
+    w104 = c21 + w39 * w102
+    w105 = w17 * w77 + w60 * w92
+    w106 = w60 * w82
+    w107 = w44 * w64
+    w108 = w51 * w69 - w101 - w51 * gravity_y + w106 - w107 - w60 * w94
+    w109 = w17 * w78 + w62 * w92
+    w110 = w4 * w74
+    w111 = w62 * slider_mass
+    w112 = w53 + w111
+    w113 = c22 + w39 * w111
+    w114 = w62 * w82
+    w115 = w46 * w64
+    w116 = w110 + w53 * w69 - w53 * gravity_y + w114 - w115 - w62 * w94
     w117 = (w8 + w9 + rod_q2 * c11) * 0.5
-    w118 = w74 - w7 * w117
+    w118 = w71 - w13 * w117
     w119 = rod_q2_dot * c11
-    w120 = w62 + w119
-    w121 = w56 * w91
-    w122 = w7 * c6 / w5 + w56 * w93
-    w123 = w56 * w95
-    w124 = (w39 * (w1 * w35) - w43 * w46) / w5 + w56 * w90 - crank_theta_ddot * w121 + rod_q1_ddot * w122 + rod_q2_ddot * w123
-    w125 = w84 + w1 * w117
-    w126 = w7 * c9
-    w127 = w7 * c11
-    w128 = w43 * w118 + w39 * (w1 * w120) - (w21 * w124 - w50 * w125 - rod_q1_ddot * w126 - rod_q2_ddot * w127)
-    w129 = w1 * c9
-    w130 = w1 * c11
-    w131 = w50 * w118 + w14 * w124 + rod_q1_ddot * w129 + rod_q2_ddot * w130 - (w43 * w125 + w39 * (w7 * w120))
-    w132 = w1 * c6
-    w133 = (w39 * (w7 * w35) + w43 * w56 - (w30 * w124 - w46 * w50) - rod_q1_ddot * w132) * slider_mass
-    w134 = w33 * (rod_q1_dot * c36 - rod_q2_dot * c19) - w125 * gravity_y - (w23 * w118 - w19 * w125 + (w50 * (w25 + rod_q1 * c36 - rod_q2 * c19) + w27 * w124))
-    w135 = w134 + (w30 * w133 - w111)
-    w136 = rod_q1_dot * w122 - crank_theta_dot * w121 + rod_q2_dot * w123 + w47 * w106
-    w137 = w43 * c36 - c27 - w126 * gravity_y - (w23 * w129 - w19 * w126 + w124 * c21) + (w56 * w133 + w58 * w132)
-    w138 = w57 * w133 - (w43 * c19 + w127 * gravity_y + (w23 * w130 - w19 * w127 + w124 * c22)) + (w49 * w135 + w59 * w123)
-    w139 = rod_q1_dot * c10
-    w140 = w64 + w139
-    w141 = (rod_q1 * c10 + (w10 + w11)) * 0.5
-    w142 = w7 * w141
-    w143 = w57 * w91
-    w144 = w57 * w93
-    w145 = w7 * c7 / w5 + w57 * w95
-    w146 = (w39 * (w1 * w36) - w43 * w48) / w5 + w57 * w90 - crank_theta_ddot * w143 + rod_q1_ddot * w144 + rod_q2_ddot * w145
-    w147 = w1 * w141
-    w148 = w7 * c10
-    w149 = w7 * c12
-    w150 = w39 * (w1 * w140) - w43 * w142 - (w21 * w146 - w50 * w147 - rod_q1_ddot * w148 - rod_q2_ddot * w149)
-    w151 = w1 * c10
-    w152 = w1 * c12
-    w153 = w14 * w146 - w50 * w142 + rod_q1_ddot * w151 + rod_q2_ddot * w152 - (w43 * w147 + w39 * (w7 * w140))
-    w154 = w1 * c7
-    w155 = (w39 * (w7 * w36) + w43 * w57 - (w30 * w146 - w48 * w50) - rod_q2_ddot * w154) * slider_mass
-    w156 = w33 * (rod_q2_dot * c37 - rod_q1_dot * c17) - w147 * gravity_y - (w50 * (w26 + rod_q2 * c37 - rod_q1 * c17) + w27 * w146 - (w23 * w142 + w19 * w147))
-    w157 = w156 + (w30 * w155 - w115)
-    w158 = rod_q1_dot * w144 - crank_theta_dot * w143 + rod_q2_dot * w145 + w49 * w106
-    w159 = w56 * w155 - (w43 * c17 + w148 * gravity_y + (w23 * w151 - w19 * w148 + w146 * c21)) + (w47 * w157 + w59 * w144)
-    w160 = w43 * c37 - c29 - w149 * gravity_y - (w23 * w152 - w19 * w149 + w146 * c22) + (w57 * w155 + w58 * w154)
-    w161 = 2 * crank_theta_dot
-    w162 = w0 * w161
-    w163 = w17 * w161
-    w164 = w163 / w5
-    w165 = (w162 + w30 * w164) * slider_mass
-    w166 = w14 * w162 - w21 * w163 + w27 * w164 + w30 * w165
-    w167 = w6 * w166 - (w0 * (w21 * w164 - w163 * c3) + w17 * (w165 + (w162 * c3 + w14 * w164))) - w6 * w105
-    w168 = w119 + (w62 + w63)
-    w169 = 2 * w35
-    w170 = (w7 * w169 + w39 * w56) / w5
-    w171 = (w39 * w46 - w1 * w169 - w30 * w170) * slider_mass
-    w172 = w25 * w33 - w27 * w170 + w30 * w171
-    w173 = w0 * (w7 * w168 + w39 * w85 - w21 * w170) - w17 * (w39 * w75 + w1 * w168 + w14 * w170 - w171) - w6 * w172
-    w174 = w139 + (w64 + w65)
-    w175 = 2 * w36
-    w176 = (w7 * w175 + w39 * w57) / w5
-    w177 = (w39 * w48 - w1 * w175 - w30 * w176) * slider_mass
-    w178 = w26 * w33 - w27 * w176 + w30 * w177
-    w179 = w0 * (w7 * w174 + w39 * w87 - w21 * w176) - w17 * (w1 * w174 - w39 * w77 + w14 * w176 - w177) - w6 * w178
+    w120 = w22 + w119
+    w121 = w50 + w7 * w117
+    w122 = w13 * c9
+    w123 = w13 * c11
+    w124 = w7 * c9
+    w125 = w7 * c11
+    w126 = w7 * c6
+    w127 = (rod_q1_ddot * w126 - w44 * w48 - (w17 * (w13 * w29) + w6 * w60)) * slider_mass
+    w128 = w2 * (w48 * w118 + rod_q1_ddot * w124 + rod_q2_ddot * w125 - (w6 * w121 + w17 * (w13 * w120)) + w127)
+    w129 = w0 * (w6 * w118 + w17 * (w7 * w120) + (w48 * w121 + rod_q1_ddot * w122 + rod_q2_ddot * w123)) - w128
+    w130 = w13 * c6
+    w131 = (rod_q1_dot * w130 + rod_theta_dot * w60 + w45 * w88) / w42
+    w132 = (rod_q1_ddot * w130 + w48 * w60 + (w17 * (w7 * w29) - w6 * w44) + w87 * w131 + w45 * w90) / w42
+    w133 = w76 * (rod_q1_dot * c36 - rod_q2_dot * c19) - w121 * gravity_y - (w48 * (w77 + rod_q1 * c36 - rod_q2 * c19) - (w69 * w121 - w4 * w118))
+    w134 = w106 + w133 - w107 - w39 * w127 - w97 * w132 + w98 * w131 + w45 * w99
+    w135 = w6 * c36 - c27 - w122 * gravity_y + (w69 * w122 - w4 * w124) + w82 * w130 + w64 * w126 - w60 * w127
+    w136 = w69 * w123 - w4 * w125 - (w6 * c19 + w123 * gravity_y) - w62 * w127 - w113 * w132 + w109 * w131 + w45 * w116
+    w137 = rod_q1_dot * c10
+    w138 = w24 + w137
+    w139 = (rod_q1 * c10 + (w10 + w11)) * 0.5
+    w140 = w13 * w139
+    w141 = w7 * w139
+    w142 = w13 * c10
+    w143 = w13 * c12
+    w144 = w7 * c7
+    w145 = (rod_q2_ddot * w144 - w46 * w48 - (w17 * (w13 * w30) + w6 * w62)) * slider_mass
+    w146 = w7 * c10
+    w147 = w7 * c12
+    w148 = w2 * (w145 - (w6 * w141 + w17 * (w13 * w138) + (w48 * w140 - rod_q1_ddot * w146 - rod_q2_ddot * w147)))
+    w149 = w0 * (w17 * (w7 * w138) - w6 * w140 + (w48 * w141 + rod_q1_ddot * w142 + rod_q2_ddot * w143)) - w148
+    w150 = w13 * c7
+    w151 = (rod_theta_dot * w62 + rod_q2_dot * w150 + w47 * w88) / w42
+    w152 = (w48 * w62 + rod_q2_ddot * w150 + (w17 * (w7 * w30) - w6 * w46) + w87 * w151 + w47 * w90) / w42
+    w153 = w76 * (rod_q2_dot * c37 - rod_q1_dot * c17) - w141 * gravity_y - (w48 * (w78 + rod_q2 * c37 - rod_q1 * c17) - (w4 * w140 + w69 * w141))
+    w154 = w114 + w153 - w115 - w39 * w145 - w97 * w152 + w98 * w151 + w47 * w99
+    w155 = w69 * w142 - w4 * w146 - (w6 * c17 + w142 * gravity_y) - w60 * w145 - w104 * w152 + w105 * w151 + w47 * w108
+    w156 = w6 * c37 - c29 - w143 * gravity_y + (w69 * w143 - w4 * w147) + w82 * w150 + w64 * w144 - w62 * w145
+    w157 = 2 * crank_theta_dot
+    w158 = w2 * w157
+    w159 = w0 * w157
+    w160 = (w158 - w43 * w87) / w42
+    w161 = w15 * w158 - w85 * w159 - w97 * w160 - w43 * w98
+    w162 = w119 + (w22 + w23)
+    w163 = 2 * w29
+    w164 = (w17 * w44 - w7 * w163) * slider_mass
+    w165 = (w13 * w163 + w17 * w60 + w45 * w87) / w42
+    w166 = w76 * w77 + w39 * w164 - w97 * w165 + w45 * w98
+    w167 = w0 * (w13 * w162 + w17 * w51) - w2 * (w17 * w72 + w7 * w162 - w164) - w86 * w165 + w45 * w93 - w43 * w166
+    w168 = w137 + (w24 + w25)
+    w169 = 2 * w30
+    w170 = (w17 * w46 - w7 * w169) * slider_mass
+    w171 = (w13 * w169 + w17 * w62 + w47 * w87) / w42
+    w172 = w76 * w78 + w39 * w170 - w97 * w171 + w47 * w98
+    w173 = w0 * (w13 * w168 + w17 * w53) - w2 * (w7 * w168 - w17 * w74 - w170) - w86 * w171 + w47 * w93 - w43 * w172
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w6 * w32 + w28 * w59 - w89 - w6 * w101 + w105 * w107,
-            w0 * w128 - w17 * (w131 - w133) - (w6 * w135 + w59 * w121) + w47 * w101 + w105 * w136,
-            w0 * w150 - w17 * (w153 - w155) - (w6 * w157 + w59 * w143) + w49 * w101 + w105 * w158,
+            w0 * w5 - w83 - w2 * (w69 * c5) - w86 * w91 + w89 * w93 - w43 * w95 - w43 * w100,
+            w129 - w86 * w132 + w93 * w131 + w45 * w95 - w43 * w134,
+            w149 - w86 * w152 + w93 * w151 + w47 * w95 - w43 * w154,
         ),
         ca.horzcat(  # rod.q1
-            w107 * w108 - (w109 - w110 + w29 * c21 + w31 * w56 + w32 * w47 + w6 * w112),
-            w137 + (w47 * w135 + w59 * w122) + w47 * w112 + w108 * w136, w159 + w49 * w112 + w108 * w158,
+            w101 - w69 * w103 - w91 * w104 + w89 * w105 - w43 * w108 + w45 * w100,
+            w135 - w104 * w132 + w105 * w131 + w45 * w108 + w45 * w134, w155 + w45 * w154,
         ),
         ca.horzcat(  # rod.q2
-            w107 * w113 - (w114 + w29 * c22 + w31 * w57 + w32 * w49 + w6 * w116), w138 + w47 * w116 + w113 * w136,
-            w160 + (w49 * w157 + w59 * w145) + w49 * w116 + w113 * w158,
+            w89 * w109 - (w110 + w69 * w112 + w91 * w113) - w43 * w116 + w47 * w100, w136 + w47 * w134,
+            w156 - w113 * w152 + w109 * w151 + w47 * w116 + w47 * w154,
         ),
     )
     J_v = ca.vertcat(
-        ca.horzcat(w167, w173 + w47 * w105, w179 + w49 * w105),  # crank.theta
+        ca.horzcat(  # crank.theta
+            w0 * (w158 * c3) - w2 * (w159 * c5) - w86 * w160 - w43 * w93 - w43 * w161, w167, w173,
+        ),
         ca.horzcat(  # rod.q1
-            -(w85 * w162 - w75 * w163 + w164 * c21 + w56 * w165 + w47 * w166 + w6 * w108),
-            w56 * w171 - (c28 + w170 * c21) + w47 * w172 + w47 * w108,
-            w56 * w177 - w176 * c21 + w47 * w178 + w49 * w108,
+            w72 * w158 - w103 * w159 - w104 * w160 - w43 * w105 + w45 * w161,
+            w60 * w164 - c28 - w104 * w165 + w45 * w105 + w45 * w166,
+            w60 * w170 - w104 * w171 + w47 * w105 + w45 * w172,
         ),
         ca.horzcat(  # rod.q2
-            -(w87 * w162 + w77 * w163 + w164 * c22 + w57 * w165 + w49 * w166 + w6 * w113),
-            w57 * w171 - w170 * c22 + w49 * w172 + w47 * w113,
-            w57 * w177 - (c30 + w176 * c22) + w49 * w178 + w49 * w113,
+            w47 * w161 - (w74 * w158 + w112 * w159 + w113 * w160 + w43 * w109),
+            w62 * w164 - w113 * w165 + w45 * w109 + w47 * w166,
+            w62 * w170 - c30 - w113 * w171 + w47 * w109 + w47 * w172,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]

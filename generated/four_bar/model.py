@@ -17,8 +17,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 15) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
-    74 operations.
+    gives c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    68 operations.
     """
     p = ca.SX.sym("p", 15)
     gravity_y = p[0]
@@ -65,12 +65,10 @@ def constants() -> ca.Function:
         w4,  # c18
         crank_mass * gravity_y,  # c19
         rocker_mass * gravity_y,  # c20
-        coupler_tip_x * (2 * coupler_tip_x),  # c21
-        rocker_tip_x * (2 * rocker_tip_x),  # c22
-        coupler_inertia + coupler_center_of_mass_x * w2,  # c23
-        rocker_inertia + rocker_center_of_mass_x * w4,  # c24
-        coupler_center_of_mass_x * (coupler_mass * (2 * crank_tip_x)),  # c25
-        w1 * coupler_center_of_mass_x,  # c26
+        coupler_inertia + coupler_center_of_mass_x * w2,  # c21
+        rocker_inertia + rocker_center_of_mass_x * w4,  # c22
+        coupler_center_of_mass_x * (coupler_mass * (2 * crank_tip_x)),  # c23
+        w1 * coupler_center_of_mass_x,  # c24
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -83,7 +81,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
     110 operations.
@@ -92,7 +90,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 27)
+    c = ca.SX.sym("c", 25)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -151,7 +149,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 2) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -159,7 +157,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 27)
+    c = ca.SX.sym("c", 25)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -196,14 +194,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     44 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 27)
+    c = ca.SX.sym("c", 25)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -237,7 +235,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
     72 operations.
     """
@@ -246,7 +244,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 27)
+    c = ca.SX.sym("c", 25)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -287,7 +285,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 8 x 9) [SI]: constraint Jacobian
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -297,7 +295,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 27)
+    c = ca.SX.sym("c", 25)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -378,7 +376,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 9 x 9) [SI]: mass matrix in all coordinates
     gives K (n x n = 9 x 9) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 9) [N, N m]: quadratic velocity force in all coordinates
@@ -390,7 +388,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 27)
+    c = ca.SX.sym("c", 25)
     crank_theta = q[2]
     coupler_theta = q[5]
     rocker_theta = q[8]
@@ -556,7 +554,7 @@ def reactions() -> ca.Function:
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
     takes q_ddot (n = 9) [mixed]: accelerations of all coordinates
-    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
     141 operations.
@@ -564,7 +562,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
-    c = ca.SX.sym("c", 27)
+    c = ca.SX.sym("c", 25)
     crank_theta = q[2]
     coupler_theta = q[5]
     rocker_theta = q[8]
@@ -649,7 +647,7 @@ def energy() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -659,7 +657,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 27)
+    c = ca.SX.sym("c", 25)
     crank_y = q[1]
     crank_theta = q[2]
     coupler_y = q[4]
@@ -713,11 +711,11 @@ def energy() -> ca.Function:
 def load_actions() -> ca.Function:
     """What the loads do at their markers.
 
-    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
     5 operations.
     """
-    c = ca.SX.sym("c", 27)
+    c = ca.SX.sym("c", 25)
     motor_value = c[10]
     # outputs
     load_actions = ca.vertcat(0.0, 0.0, motor_value)
@@ -783,15 +781,15 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
-    276 operations.
+    208 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 27)
+    c = ca.SX.sym("c", 25)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -809,74 +807,61 @@ def dQ_hat_dq_i() -> ca.Function:
     c9 = c[9]
     c11 = c[11]
     c12 = c[12]
-    c21 = c[21]
-    c22 = c[22]
-    # intermediate terms (63)
+    # intermediate terms (52)
     w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = coupler_theta_dot**2
-    w2 = ca.cos(coupler_theta)
-    w3 = w2 * c6
-    w4 = w1 * w3
-    w5 = ca.cos(rocker_theta)
-    w6 = w5 * rocker_tip_x
-    w7 = ca.sin(coupler_theta)
-    w8 = w7 * coupler_tip_x
-    w9 = w1 * w8
-    w10 = ca.sin(rocker_theta)
-    w11 = w10 * rocker_tip_x
-    w12 = w2 * coupler_tip_x
-    w13 = w1 * w12
-    w14 = w6 * w8 - w11 * w12
-    w15 = rocker_theta_dot**2
-    w16 = w6 * w15
-    w17 = crank_theta_dot**2
-    w18 = w0 * w17
-    w19 = w16 - w13 - w18
-    w20 = w11 * w15
-    w21 = ca.sin(crank_theta)
-    w22 = w21 * crank_tip_x
-    w23 = w17 * w22
-    w24 = w20 - w9 - w23
-    w25 = (w6 * w19 + w11 * w24) / w14
-    w26 = w6 * w12 + w8 * w11
-    w27 = w25 / w14 * w26
-    w28 = (w6 * w9 - w11 * w13) / w14 - w27
-    w29 = w7 * c6
-    w30 = w25 * w29
-    w31 = w3 * w25
-    w32 = w1 * w29
-    w33 = (w12 * w19 + w8 * w24) / w14
-    w34 = w5 * c12 - w33 * c5
-    w35 = (w0 * w12 + w8 * w22) / w14
-    w36 = (w0 * w8 - w12 * w22) / w14
-    w37 = w26 * (w36 / w14)
-    w38 = w35 - w37
-    w39 = w26 * (w33 / w14)
-    w40 = w0 * (w4 - (w3 * w28 - w30)) - w22 * (w31 + w28 * w29 - w32) + (w34 * w38 - w36 * (((w9 * w12 - w8 * w19 + (w12 * w24 - w8 * w13)) / w14 - w39) * c5))
-    w41 = (w0 * w11 - w6 * w22) / w14
-    w42 = w3 * w18 + w23 * w29
-    w43 = w3 * gravity_y - (w18 * w29 - w3 * w23 + w25 * c7)
-    w44 = w26 * (w41 / w14)
-    w45 = w27 + (w6 * w24 + w11 * w16 - (w11 * w19 + w6 * w20)) / w14
-    w46 = w34 * w37 - w36 * (w10 * c12 + (w39 + (w8 * w16 - w12 * w20) / w14) * c5) - (w0 * (w3 * w45) + w22 * (w29 * w45))
-    w47 = (w0 * w6 + w11 * w22) / w14
-    w48 = w44 + w47
-    w49 = w41 * (w40 - (w41 * (w29 * gravity_y + (w42 + w28 * c7)) + w43 * w44)) + w36 * (w46 + (w43 * w48 - w41 * (w45 * c7)))
-    w50 = (w6 * w23 - w11 * w18) / w14
-    w51 = w18 * coupler_mass
-    w52 = w23 * coupler_mass
-    w53 = w21 * c9 + (w0 * (w3 * w50 - w51) + w22 * (c11 + w32 - (w31 - w52))) + (w22 * (w29 * w50 - w52) + w0 * (w4 + (w30 + w51)))
-    w54 = w53 + (w36 * ((w12 * w23 - w8 * w18) / w14 * c5) + w34 * w35) + (w41 * (w50 * c7 - w42) + w43 * w47)
-    w55 = 2 * coupler_theta_dot
-    w56 = (w6 * (w12 * w55) + w11 * (w8 * w55)) / w14
-    w57 = w0 * (w29 * w55 + w3 * w56) - w22 * (w3 * w55 - w29 * w56) + w36 * (coupler_theta_dot * c21 / w14 * c5)
-    w58 = (w57 + w41 * (w56 * c7)) * (w36 * (crank_theta_dot * w48) - w41 * (crank_theta_dot * w44) - crank_theta_dot * w47)
-    w59 = 2 * rocker_theta_dot
-    w60 = rocker_theta_dot * c22 / w14
-    w61 = w0 * (w3 * w60) + w22 * (w29 * w60) + w36 * ((w12 * (w6 * w59) + w8 * (w11 * w59)) / w14 * c5) + w41 * (w60 * c7)
-    w62 = w58 - w61 * (w41 * (crank_theta_dot * w38) + w36 * (crank_theta_dot * w37) - crank_theta_dot * w35)
+    w1 = crank_theta_dot**2
+    w2 = w0 * w1
+    w3 = w2 * coupler_mass
+    w4 = ca.sin(crank_theta)
+    w5 = coupler_theta_dot**2
+    w6 = ca.cos(coupler_theta)
+    w7 = w6 * c6
+    w8 = w5 * w7
+    w9 = ca.sin(coupler_theta)
+    w10 = w9 * c6
+    w11 = ca.cos(rocker_theta)
+    w12 = w11 * rocker_tip_x
+    w13 = rocker_theta_dot**2
+    w14 = w12 * w13
+    w15 = w6 * coupler_tip_x
+    w16 = w5 * w15
+    w17 = w14 - w16 - w2
+    w18 = ca.sin(rocker_theta)
+    w19 = w18 * rocker_tip_x
+    w20 = w13 * w19
+    w21 = w9 * coupler_tip_x
+    w22 = w5 * w21
+    w23 = w4 * crank_tip_x
+    w24 = w1 * w23
+    w25 = w20 - w22 - w24
+    w26 = w12 * w21 - w15 * w19
+    w27 = (w12 * w17 + w19 * w25) / w26
+    w28 = w10 * w27
+    w29 = w7 * gravity_y - (w2 * w10 - w7 * w24 + w27 * c7)
+    w30 = (w15 * w17 + w21 * w25) / w26
+    w31 = w11 * c12 - w30 * c5
+    w32 = (w12 * w29 + w15 * w31) / w26
+    w33 = w5 * w10
+    w34 = w7 * w27
+    w35 = w24 * coupler_mass
+    w36 = (w19 * w29 + w21 * w31) / w26
+    w37 = w0 * w3 - (w4 * c9 + w0 * (w8 + (w3 + w28) + w32) + w23 * (c11 + w33 - (w34 - w35) + w36)) + w23 * w35
+    w38 = (w0 * w21 - w15 * w23) / w26
+    w39 = (w0 * w19 - w12 * w23) / w26
+    w40 = 2 * coupler_theta_dot
+    w41 = w0 * crank_theta_dot + w39 * (coupler_theta_dot * w15) - w38 * (w12 * rocker_theta_dot)
+    w42 = crank_theta_dot * w23 + w39 * (coupler_theta_dot * w21) - w38 * (rocker_theta_dot * w19)
+    w43 = (w12 * w41 + w19 * w42) / w26
+    w44 = 2 * rocker_theta_dot
+    w45 = (w15 * w41 + w21 * w42) / w26
+    w46 = (w15 * w27 - w22) * w39 - (w24 + w15 * w40 * w43) + w12 * w44 * w45 + w38 * (w20 - w12 * w30)
+    w47 = w2 - w43 * (w21 * w40) + w39 * (w16 + w21 * w27) + w45 * (w19 * w44) - w38 * (w14 + w19 * w30)
+    w48 = (w12 * w46 + w19 * w47) / w26
+    w49 = w37 + w38 * ((w15 * w46 + w21 * w47) / w26 * c5 + w38 * (w12 * w32 - w18 * c12 + w19 * w36)) + (w0 * w7 + w10 * w23) * w48
+    w50 = w2 * w7 + w10 * w24
+    w51 = w49 - w43 * (w0 * (w10 * w40) - w23 * (w7 * w40)) + w39 * (w0 * (w8 + w28) - w23 * (w34 - w33)) + w39 * (w50 + w48 * c7 - w39 * (w50 + w10 * gravity_y + w15 * w32 + w21 * w36))
     # outputs
-    dQ_hat_dq_i = ca.vertcat(w49 - w54 + w62)
+    dQ_hat_dq_i = ca.vertcat(w51)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
 
@@ -887,26 +872,30 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     78 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 27)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
+    c = ca.SX.sym("c", 25)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
     crank_theta_dot = q_i_dot[0]
+    coupler_theta_dot = q_d_dot[4]
+    rocker_theta_dot = q_d_dot[7]
     crank_tip_x = c[0]
     coupler_tip_x = c[3]
     rocker_tip_x = c[4]
+    c21 = c[21]
+    c22 = c[22]
     c23 = c[23]
     c24 = c[24]
-    c25 = c[25]
-    c26 = c[26]
-    # intermediate terms (19)
+    # intermediate terms (18)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(rocker_theta) * rocker_tip_x
     w2 = ca.cos(rocker_theta) * rocker_tip_x
@@ -915,21 +904,20 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w5 = ca.cos(coupler_theta) * coupler_tip_x
     w6 = w2 * w4 - w1 * w5
     w7 = (w0 * w1 - w2 * w3) / w6
-    w8 = w7 * crank_theta_dot
-    w9 = w7 * (2 * w8)
-    w10 = (w0 * w4 - w3 * w5) / w6
-    w11 = w10 * (2 * (crank_theta_dot * w10))
-    w12 = 2 * crank_theta_dot
-    w13 = w2 * w11 - w5 * w9 - w0 * w12
-    w14 = w1 * w11 - w4 * w9 - w3 * w12
-    w15 = (w2 * w13 + w1 * w14) / w6
-    w16 = coupler_theta - crank_theta
-    w17 = ca.sin(w16) * c25
-    w18 = w17 * (crank_theta_dot * w7**2) - w8 * w17 - w7 * w15 * c23 - w10 * ((w5 * w13 + w4 * w14) / w6) * c24
+    w8 = 2 * coupler_theta_dot * w7
+    w9 = (w0 * w4 - w3 * w5) / w6
+    w10 = 2 * rocker_theta_dot * w9
+    w11 = 2 * crank_theta_dot
+    w12 = w2 * w10 - w5 * w8 - w0 * w11
+    w13 = w1 * w10 - w4 * w8 - w3 * w11
+    w14 = (w2 * w12 + w1 * w13) / w6
+    w15 = coupler_theta - crank_theta
+    w16 = ca.sin(w15) * c23
+    w17 = w16 * (coupler_theta_dot * w7) - w16 * (w7 * crank_theta_dot) - w7 * w14 * c21 - w9 * ((w5 * w12 + w4 * w13) / w6) * c22
     # outputs
-    dQ_hat_dq_i_dot = ca.vertcat(w18 - w15 * (ca.cos(w16) * c26))
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
-    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
+    dQ_hat_dq_i_dot = ca.vertcat(w17 - w14 * (ca.cos(w15) * c24))
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
+    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def residual_jacobian() -> ca.Function:
@@ -940,17 +928,17 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    347 operations.
+    257 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 27)
+    c = ca.SX.sym("c", 25)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -969,89 +957,78 @@ def residual_jacobian() -> ca.Function:
     c9 = c[9]
     c11 = c[11]
     c12 = c[12]
-    c21 = c[21]
-    c22 = c[22]
-    # intermediate terms (77)
+    # intermediate terms (68)
     w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = coupler_theta_dot**2
-    w2 = ca.cos(coupler_theta)
-    w3 = w2 * c6
-    w4 = w1 * w3
-    w5 = ca.cos(rocker_theta)
-    w6 = w5 * rocker_tip_x
-    w7 = ca.sin(coupler_theta)
-    w8 = w7 * coupler_tip_x
-    w9 = w1 * w8
-    w10 = ca.sin(rocker_theta)
-    w11 = w10 * rocker_tip_x
-    w12 = w2 * coupler_tip_x
-    w13 = w1 * w12
-    w14 = w6 * w8 - w11 * w12
+    w1 = ca.sin(crank_theta)
+    w2 = w1 * crank_tip_x
+    w3 = crank_theta_dot**2
+    w4 = w0 * w3
+    w5 = crank_theta_ddot * w2 + w4
+    w6 = w5 * coupler_mass
+    w7 = coupler_theta_dot**2
+    w8 = ca.cos(coupler_theta)
+    w9 = w8 * c6
+    w10 = w7 * w9
+    w11 = ca.sin(coupler_theta)
+    w12 = w11 * c6
+    w13 = ca.cos(rocker_theta)
+    w14 = w13 * rocker_tip_x
     w15 = rocker_theta_dot**2
-    w16 = w6 * w15
-    w17 = crank_theta_dot**2
-    w18 = w0 * w17
-    w19 = w16 - w13 - w18
-    w20 = w11 * w15
-    w21 = ca.sin(crank_theta)
-    w22 = w21 * crank_tip_x
-    w23 = w17 * w22
-    w24 = w20 - w9 - w23
-    w25 = (w6 * w19 + w11 * w24) / w14
-    w26 = w6 * w12 + w8 * w11
-    w27 = w25 / w14 * w26
-    w28 = (w0 * w11 - w6 * w22) / w14
-    w29 = w26 * (w28 / w14)
-    w30 = (w6 * w9 - w11 * w13) / w14 - w27 - crank_theta_ddot * w29
-    w31 = w25 + crank_theta_ddot * w28
-    w32 = w7 * c6
-    w33 = w31 * w32
-    w34 = w3 * w31
-    w35 = w1 * w32
-    w36 = (w12 * w19 + w8 * w24) / w14
-    w37 = (w0 * w8 - w12 * w22) / w14
-    w38 = w5 * c12 - (w36 + crank_theta_ddot * w37) * c5
-    w39 = (w0 * w12 + w8 * w22) / w14
-    w40 = w26 * (w37 / w14)
-    w41 = w39 - w40
-    w42 = w26 * (w36 / w14)
-    w43 = w37 * (((w9 * w12 - w8 * w19 + (w12 * w24 - w8 * w13)) / w14 - w42 + crank_theta_ddot * w41) * c5)
-    w44 = w18 + w22 * crank_theta_ddot
-    w45 = w3 * w44
-    w46 = w0 * crank_theta_ddot - w23
-    w47 = w32 * w46
-    w48 = w3 * gravity_y - (w32 * w44 + w3 * w46 + w31 * c7)
-    w49 = w0 * (w4 - (w3 * w30 - w33)) - w22 * (w34 + w30 * w32 - w35) + (w38 * w41 - w43) - (w28 * (w32 * gravity_y + (w45 - w47 + w30 * c7)) + w29 * w48)
-    w50 = w38 * w40 - w37 * (w10 * c12 + (w42 + (w8 * w16 - w12 * w20) / w14 + crank_theta_ddot * w40) * c5)
-    w51 = (w0 * w6 + w11 * w22) / w14
-    w52 = w29 + w51
-    w53 = w27 + (w6 * w24 + w11 * w16 - (w11 * w19 + w6 * w20)) / w14 + crank_theta_ddot * w52
-    w54 = (w6 * w23 - w11 * w18) / w14 - crank_theta_ddot * w51
-    w55 = w44 * coupler_mass
-    w56 = w46 * coupler_mass
-    w57 = w21 * c9 + (w0 * (w3 * w54 - w55) + w22 * (c11 + w35 - (w34 + w56))) + (w22 * (w56 + w32 * w54) + w0 * (w4 + (w33 + w55)))
-    w58 = w57 + (w37 * (((w12 * w23 - w8 * w18) / w14 - crank_theta_ddot * w39) * c5) + w38 * w39) + (w28 * (w47 - w45 + w54 * c7) + w48 * w51)
-    w59 = w28 * w49 + w37 * (w50 - (w0 * (w3 * w53) + w22 * (w32 * w53)) + (w48 * w52 - w28 * (w53 * c7))) - w58
-    w60 = 2 * coupler_theta_dot
-    w61 = (w6 * (w12 * w60) + w11 * (w8 * w60)) / w14
-    w62 = w0 * (w32 * w60 + w3 * w61) - w22 * (w3 * w60 - w32 * w61) + w37 * (coupler_theta_dot * c21 / w14 * c5)
-    w63 = (w62 + w28 * (w61 * c7)) * (w37 * (crank_theta_dot * w52) - w28 * (crank_theta_dot * w29) - crank_theta_dot * w51)
-    w64 = 2 * rocker_theta_dot
-    w65 = rocker_theta_dot * c22 / w14
-    w66 = w0 * (w3 * w65) + w22 * (w32 * w65) + w37 * ((w12 * (w6 * w64) + w8 * (w11 * w64)) / w14 * c5) + w28 * (w65 * c7)
-    w67 = w63 - w66 * (w28 * (crank_theta_dot * w41) + w37 * (crank_theta_dot * w40) - crank_theta_dot * w39)
-    w68 = w28 * (2 * (crank_theta_dot * w28))
-    w69 = w37 * (2 * (crank_theta_dot * w37))
-    w70 = 2 * crank_theta_dot
-    w71 = w0 * w70
-    w72 = w6 * w69 - w12 * w68 - w71
-    w73 = w22 * w70
-    w74 = w11 * w69 - w8 * w68 - w73
-    w75 = (w6 * w72 + w11 * w74) / w14
-    w76 = w0 * (w32 * w68 - (w3 * w75 - w73 * coupler_mass)) - w22 * (w3 * w68 + (w71 * coupler_mass + w32 * w75))
+    w16 = w14 * w15
+    w17 = w8 * coupler_tip_x
+    w18 = w7 * w17
+    w19 = w16 - w18 - w4
+    w20 = ca.sin(rocker_theta)
+    w21 = w20 * rocker_tip_x
+    w22 = w15 * w21
+    w23 = w11 * coupler_tip_x
+    w24 = w7 * w23
+    w25 = w2 * w3
+    w26 = w22 - w24 - w25
+    w27 = w14 * w23 - w17 * w21
+    w28 = (w0 * w21 - w2 * w14) / w27
+    w29 = (w14 * w19 + w21 * w26) / w27 + crank_theta_ddot * w28
+    w30 = w12 * w29
+    w31 = w0 * crank_theta_ddot - w25
+    w32 = w9 * gravity_y - (w9 * w31 + w5 * w12 + w29 * c7)
+    w33 = (w0 * w23 - w2 * w17) / w27
+    w34 = (w17 * w19 + w23 * w26) / w27 + crank_theta_ddot * w33
+    w35 = w13 * c12 - w34 * c5
+    w36 = (w14 * w32 + w17 * w35) / w27
+    w37 = w7 * w12
+    w38 = w31 * coupler_mass
+    w39 = w9 * w29
+    w40 = (w21 * w32 + w23 * w35) / w27
+    w41 = w0 * w6 - (w1 * c9 + w0 * (w10 + (w6 + w30) + w36) + w2 * (c11 + w37 - (w38 + w39) + w40)) - w2 * w38
+    w42 = 2 * coupler_theta_dot
+    w43 = w17 * w42
+    w44 = w0 * crank_theta_dot + w28 * (coupler_theta_dot * w17) - w33 * (w14 * rocker_theta_dot)
+    w45 = w2 * crank_theta_dot + w28 * (coupler_theta_dot * w23) - w33 * (rocker_theta_dot * w21)
+    w46 = (w14 * w44 + w21 * w45) / w27
+    w47 = 2 * rocker_theta_dot
+    w48 = w14 * w47
+    w49 = (w17 * w44 + w23 * w45) / w27
+    w50 = w31 - w43 * w46 + w28 * (w17 * w29 - w24) + w48 * w49 + w33 * (w22 - w14 * w34)
+    w51 = w23 * w42
+    w52 = w21 * w47
+    w53 = w5 - w46 * w51 + w28 * (w18 + w23 * w29) + w49 * w52 - w33 * (w16 + w21 * w34)
+    w54 = w0 * w9 + w2 * w12
+    w55 = (w14 * w50 + w21 * w53) / w27
+    w56 = w41 + w33 * ((w17 * w50 + w23 * w53) / w27 * c5 + w33 * (w14 * w36 - w20 * c12 + w21 * w40)) + w54 * w55
+    w57 = w0 * (w12 * w42) - w2 * (w9 * w42)
+    w58 = w5 * w9
+    w59 = w12 * w31
+    w60 = w56 - w46 * w57 + w28 * (w0 * (w10 + w30) - w2 * (w39 - w37)) + w28 * (w58 - w59 + w55 * c7 + w28 * (w59 - w58 - w12 * gravity_y - w17 * w36 - w23 * w40))
+    w61 = 2 * crank_theta_dot
+    w62 = w2 * w61
+    w63 = w0 * w61
+    w64 = w63 + w28 * w43 - w33 * w48
+    w65 = w62 + w28 * w51 - w33 * w52
+    w66 = w0 * (w62 * coupler_mass) - w2 * (w63 * coupler_mass) + w33 * ((w17 * w64 + w23 * w65) / w27 * c5)
+    w67 = (w14 * w64 + w21 * w65) / w27
     # outputs
-    J_q = ca.vertcat(w59 + w67)
-    J_v = ca.vertcat(w76 - w37 * ((w12 * w72 + w8 * w74) / w14 * c5) - w28 * (w32 * w71 - w3 * w73 + w75 * c7))
+    J_q = ca.vertcat(w60)
+    J_v = ca.vertcat(w66 + w54 * w67 + w28 * w57 + w28 * (w9 * w62 - w12 * w63 + w67 * c7))
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 

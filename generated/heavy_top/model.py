@@ -778,14 +778,14 @@ def dQ_hat_dq_i() -> ca.Function:
     c0 = c[0]
     c4 = c[4]
     # intermediate terms (1)
-    w0 = top_e1 * top_e0 * c4 + top_e2 * top_e3 * c4
+    w0 = top_e2 * top_e3 * c4 + top_e1 * top_e0 * c4
     # outputs
     dQ_hat_dq_i = ca.SX(3, 3)
     # top.turn_x
     dQ_hat_dq_i[0, 0] = w0
-    dQ_hat_dq_i[0, 1] = top_e0 * top_e2 * c4 - top_e1 * top_e3 * c4
+    dQ_hat_dq_i[0, 1] = top_e2 * top_e0 * c4 - top_e3 * top_e1 * c4
     # top.turn_z
-    dQ_hat_dq_i[2, 1] = top_e1**2 * c0 + top_e2**2 * c0 - top_e0**2 * c0 - top_e3**2 * c0
+    dQ_hat_dq_i[2, 1] = top_e2**2 * c0 + top_e1**2 * c0 - top_e3**2 * c0 - top_e0**2 * c0
     dQ_hat_dq_i[2, 2] = w0
     inputs, outputs = [q_d, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_d", "c"], ["dQ_hat_dq_i"])
@@ -843,14 +843,14 @@ def residual_jacobian() -> ca.Function:
     c6 = c[6]
     c7 = c[7]
     # intermediate terms (1)
-    w0 = top_e1 * top_e0 * c4 + top_e2 * top_e3 * c4
+    w0 = top_e2 * top_e3 * c4 + top_e1 * top_e0 * c4
     # outputs
     J_q = ca.SX(3, 3)
     # top.turn_x
     J_q[0, 0] = w0
-    J_q[0, 1] = top_e0 * top_e2 * c4 - top_e1 * top_e3 * c4
+    J_q[0, 1] = top_e2 * top_e0 * c4 - top_e3 * top_e1 * c4
     # top.turn_z
-    J_q[2, 1] = top_e1**2 * c0 + top_e2**2 * c0 - top_e0**2 * c0 - top_e3**2 * c0
+    J_q[2, 1] = top_e2**2 * c0 + top_e1**2 * c0 - top_e3**2 * c0 - top_e0**2 * c0
     J_q[2, 2] = w0
     J_v = ca.vertcat(
         ca.horzcat(0.0, top_omega_z * c5, top_omega_y * c5),  # top.turn_x

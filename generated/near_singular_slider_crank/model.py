@@ -908,7 +908,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i, through q_d
-    620 operations.
+    578 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -927,6 +927,7 @@ def dQ_hat_dq_i() -> ca.Function:
     rod_length = c[2]
     c3 = c[3]
     slider_mass = c[4]
+    c5 = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
@@ -948,153 +949,150 @@ def dQ_hat_dq_i() -> ca.Function:
     c24 = c[24]
     c27 = c[27]
     c28 = c[28]
-    # intermediate terms (132)
+    # intermediate terms (129)
     w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = ca.sin(rod_theta)
-    w2 = rod_q1 * c9
-    w3 = w2 + rod_q2 * c10
-    w4 = rod_q2 * c12
-    w5 = rod_q1 * c11 + w4
-    w6 = c8 - (rod_q1 * w3 + rod_q2 * w5) * 0.5
-    w7 = ca.cos(rod_theta)
-    w8 = rod_q1 * c13
-    w9 = w1 * w6 + w7 * w8
-    w10 = 2 * rod_theta_dot
-    w11 = w3 * rod_q1_dot + w5 * rod_q2_dot
-    w12 = rod_q1_dot * c13
-    w13 = w7 * w11 + w1 * w12
-    w14 = w6 * w7 - w1 * w8
-    w15 = rod_q1 * c6
-    w16 = rod_q2 * c7
-    w17 = rod_q1_dot * w15 + rod_q2_dot * w16
-    w18 = w7 * w17
-    w19 = rod_length - (rod_q1 * w15 + rod_q2 * w16) * 0.5
-    w20 = w1 * w19
-    w21 = w7 * w19
-    w22 = (2 * w18 + w10 * w20) / w21
-    w23 = ca.sin(crank_theta) * crank_tip_x
-    w24 = w7 * w12 - w1 * w11
-    w25 = w1 * w17
-    w26 = (2 * w25 - w10 * w21 - w20 * w22) * slider_mass
-    w27 = w0 / w21
-    w28 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
-    w29 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
-    w30 = rod_q1_dot * w28 + rod_q2_dot * w29
-    w31 = c14 + (rod_q1 * w28 + rod_q2 * w29)
-    w32 = w30 * -2.0 - w22 * w31 + w20 * w26
-    w33 = w0 * (w9 * w10 + 2 * w13 - w14 * w22) - w23 * (w10 * w14 + 2 * w24 + w9 * w22 - w26) - w27 * w32
-    w34 = w23 / w21
-    w35 = w7 * w15
-    w36 = w1 * w15
-    w37 = w36 / w21
-    w38 = w37 / w21
-    w39 = w35 / w21 + w20 * w38
-    w40 = w27 / w21
-    w41 = w20 * w40
-    w42 = w7 * w16
-    w43 = w1 * w16
-    w44 = w43 / w21
-    w45 = w44 / w21
-    w46 = w42 / w21 + w20 * w45
-    w47 = rod_q1_dot * w39 - crank_theta_dot * w41 + rod_q2_dot * w46
-    w48 = crank_theta_dot * w34 - w27 * w47
-    w49 = crank_theta_dot**2
-    w50 = w0 * w49
-    w51 = w50 / w21
-    w52 = w50 * c3
-    w53 = rod_theta_dot**2
-    w54 = w9 * w53
-    w55 = rod_q1_dot * c9
-    w56 = rod_q2_dot * c12
-    w57 = rod_q1_dot * (w55 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + w56)
-    w58 = w1 * w57
-    w59 = w10 * w13
-    w60 = rod_q1_dot * c6
-    w61 = rod_q2_dot * c7
-    w62 = rod_q1_dot * w60 + rod_q2_dot * w61
-    w63 = w1 * w62
-    w64 = w10 * w18
-    w65 = w20 * w53
-    w66 = w23 * w49
-    w67 = w63 + w64 + w65 + w66
-    w68 = w67 / w21
-    w69 = w14 * w68
-    w70 = w66 * c3
-    w71 = (w66 - w20 * w51) * slider_mass
-    w72 = w14 * w53
-    w73 = w10 * w24
-    w74 = w7 * w57
-    w75 = w9 * w68
-    w76 = w10 * w25
-    w77 = w7 * w62
-    w78 = w21 * w53
-    w79 = (w76 - (w77 + w78) - w50 - w20 * w68) * slider_mass
-    w80 = w0 * (w14 * w51 - w52) + w23 * (w54 + w58 + w59 - (w69 - w70)) + (w23 * (w9 * w51 - w70 - w71) + w0 * (w72 + w73 + w74 + (w52 + w75) - w79))
-    w81 = w9 * w66 + w14 * w50
-    w82 = w20 * w71 - (w31 * w51 - w81)
-    w83 = rod_theta_dot * -2.0
-    w84 = w30 * w83 - (w9 * w50 - w14 * w66 + w31 * w68) + w20 * w79
-    w85 = w68 / w21
-    w86 = (w78 + (w77 - w76)) / w21 + w20 * w85
-    w87 = (w64 + (w63 + w65) - (w67 + w20 * w86)) * slider_mass
-    w88 = w0 * (w73 + (w72 + w74) - (w14 * w86 - w75)) - w23 * (w69 + w9 * w86 - (w58 + (w54 + w59)) - w87)
-    w89 = w20 * w87 + w21 * w79 - (w81 + w31 * w86)
-    w90 = w88 - (w27 * w89 + w41 * w84)
-    w91 = w1 * c13
-    w92 = w7 * c13
-    w93 = w66 * (w3 * w7 + w91) + w50 * (w92 - w1 * w3)
-    w94 = w36 * w79
-    w95 = w35 * w87 - w94 - (w93 + w86 * c21) + (w37 * w89 + w39 * w84)
-    w96 = w10 * w28 - w22 * c21 + w26 * w35 + w32 * w37
-    w97 = w50 * (w1 * w5)
-    w98 = w66 * (w5 * w7)
-    w99 = w43 * w79
-    w100 = w42 * w87 - w99 - (w98 - w97 + w86 * c22) + (w44 * w89 + w46 * w84)
-    w101 = w10 * w29 - w22 * c22 + w26 * w42 + w32 * w44
-    w102 = (w2 + w3 + rod_q2 * c11) * 0.5
-    w103 = w92 - w1 * w102
-    w104 = w55 + rod_q2_dot * c11
-    w105 = (w10 * (w7 * w60) - w36 * w53) / w21 + w35 * w85
-    w106 = w91 + w7 * w102
-    w107 = (w10 * (w1 * w60) + w35 * w53 - (w20 * w105 - w36 * w68)) * slider_mass
-    w108 = w0 * (w53 * w103 + w10 * (w7 * w104) - (w14 * w105 - w68 * w106)) - w23 * (w68 * w103 + w9 * w105 - (w53 * w106 + w10 * (w1 * w104)) - w107)
-    w109 = w83 * (rod_q1_dot * c27 - rod_q2_dot * c19) - (w50 * w103 + w66 * w106 + (w68 * (w28 + rod_q1 * c27 - rod_q2 * c19) + w31 * w105))
-    w110 = w109 + (w20 * w107 - w94)
-    w111 = w35 * w40
-    w112 = w1 * c6 / w21 + w35 * w38
-    w113 = w35 * w45
-    w114 = rod_q1_dot * w112 - crank_theta_dot * w111 + rod_q2_dot * w113 + w37 * w47
-    w115 = w53 * c27 - c23 - (w50 * (w7 * c9) + w66 * (w1 * c9) + w105 * c21) + (w35 * w107 + w79 * (w7 * c6))
-    w116 = w42 * w107 - (w53 * c19 + (w50 * (w7 * c11) + w66 * (w1 * c11) + w105 * c22)) + (w44 * w110 + w84 * w113)
-    w117 = w56 + rod_q1_dot * c10
-    w118 = (rod_q1 * c10 + (w4 + w5)) * 0.5
-    w119 = w1 * w118
-    w120 = (w10 * (w7 * w61) - w43 * w53) / w21 + w42 * w85
-    w121 = w7 * w118
-    w122 = (w10 * (w1 * w61) + w42 * w53 - (w20 * w120 - w43 * w68)) * slider_mass
-    w123 = w0 * (w10 * (w7 * w117) - w53 * w119 - (w14 * w120 - w68 * w121)) - w23 * (w9 * w120 - w68 * w119 - (w53 * w121 + w10 * (w1 * w117)) - w122)
-    w124 = w83 * (rod_q2_dot * c28 - rod_q1_dot * c17) - (w66 * w121 - w50 * w119 + (w68 * (w29 + rod_q2 * c28 - rod_q1 * c17) + w31 * w120))
-    w125 = w124 + (w20 * w122 - w99)
-    w126 = w40 * w42
-    w127 = w38 * w42
-    w128 = w1 * c7 / w21 + w42 * w45
-    w129 = rod_q1_dot * w127 - crank_theta_dot * w126 + rod_q2_dot * w128 + w44 * w47
-    w130 = w35 * w122 - (w53 * c17 + (w50 * (w7 * c10) + w66 * (w1 * c10) + w120 * c21)) + (w37 * w125 + w84 * w127)
-    w131 = w53 * c28 - c24 - (w50 * (w7 * c12) + w66 * (w1 * c12) + w120 * c22) + (w42 * w122 + w79 * (w7 * c7))
+    w1 = crank_theta_dot**2
+    w2 = w0 * w1
+    w3 = w2 * c3
+    w4 = rod_theta_dot**2
+    w5 = ca.sin(rod_theta)
+    w6 = rod_q1 * c9
+    w7 = w6 + rod_q2 * c10
+    w8 = rod_q2 * c12
+    w9 = rod_q1 * c11 + w8
+    w10 = c8 - (rod_q1 * w7 + rod_q2 * w9) * 0.5
+    w11 = ca.cos(rod_theta)
+    w12 = rod_q1 * c13
+    w13 = w5 * w10 + w11 * w12
+    w14 = w4 * w13
+    w15 = rod_q1_dot * c9
+    w16 = rod_q2_dot * c12
+    w17 = rod_q1_dot * (w15 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + w16)
+    w18 = w5 * w17
+    w19 = 2 * rod_theta_dot
+    w20 = w7 * rod_q1_dot + w9 * rod_q2_dot
+    w21 = rod_q1_dot * c13
+    w22 = w11 * w20 + w5 * w21
+    w23 = w19 * w22
+    w24 = w10 * w11 - w5 * w12
+    w25 = rod_q1_dot * c6
+    w26 = rod_q2_dot * c7
+    w27 = rod_q1_dot * w25 + rod_q2_dot * w26
+    w28 = w5 * w27
+    w29 = rod_q1 * c6
+    w30 = rod_q2 * c7
+    w31 = rod_q1_dot * w29 + rod_q2_dot * w30
+    w32 = w11 * w31
+    w33 = w19 * w32
+    w34 = rod_length - (rod_q1 * w29 + rod_q2 * w30) * 0.5
+    w35 = w5 * w34
+    w36 = w4 * w35
+    w37 = ca.sin(crank_theta) * crank_tip_x
+    w38 = w1 * w37
+    w39 = w28 + w33 + w36 + w38
+    w40 = w11 * w34
+    w41 = w39 / w40
+    w42 = w24 * w41
+    w43 = rod_theta_dot * -2.0
+    w44 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w45 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w46 = rod_q1_dot * w44 + rod_q2_dot * w45
+    w47 = c14 + (rod_q1 * w44 + rod_q2 * w45)
+    w48 = w5 * w31
+    w49 = w19 * w48
+    w50 = w11 * w27
+    w51 = w4 * w40
+    w52 = w35 * w41
+    w53 = (w49 - (w50 + w51) - w2 - w52) * slider_mass
+    w54 = (w43 * w46 - (w2 * w13 - w24 * w38 + w41 * w47) + w35 * w53) / w40
+    w55 = w4 * w24
+    w56 = w11 * w21 - w5 * w20
+    w57 = w19 * w56
+    w58 = w11 * w17
+    w59 = w13 * w41
+    w60 = w0 * w3 - (w37 * (w14 + w18 + w23 - (w42 - w38 * c3) - w54) + w0 * (w55 + w57 + w58 + (w3 + w59) - w53))
+    w61 = w35 * slider_mass
+    w62 = w13 + w61
+    w63 = w0 * w24 + w37 * w62
+    w64 = 2 * w32 + w19 * w35
+    w65 = w11 * w29
+    w66 = w11 * w30
+    w67 = rod_q1_dot * w65 + rod_theta_dot * w35 + rod_q2_dot * w66
+    w68 = w0 / w40
+    w69 = (crank_theta_dot * w37 - w67 * w68) / w40
+    w70 = w52 + (w51 + (w50 - w49))
+    w71 = (w2 + w64 * w69 - w68 * w70) / w40
+    w72 = (2 * w48 - w19 * w40) * slider_mass
+    w73 = w0 * (w13 * w19 + 2 * w22) - w37 * (w19 * w24 + 2 * w56 - w72)
+    w74 = (w39 - (w33 + (w28 + w36))) * slider_mass
+    w75 = w0 * (w59 + (w57 + (w55 + w58))) - w37 * (w42 - (w18 + (w14 + w23)) + w74)
+    w76 = w2 * w24
+    w77 = w47 + w35 * w61
+    w78 = w46 * -2.0 + w35 * w72
+    w79 = w35 * w54 - (w76 + w13 * w38) + w40 * w53 - w35 * w74
+    w80 = w76 + w38 * w62 - w71 * w77 + w69 * w78 - w68 * w79
+    w81 = w11 * c13
+    w82 = w2 * (w81 - w5 * w7)
+    w83 = w5 * c13
+    w84 = w7 * w11 + w83
+    w85 = w65 * slider_mass
+    w86 = c21 + w35 * w85
+    w87 = w19 * w44 + w65 * w72
+    w88 = w54 * w65
+    w89 = w5 * w29
+    w90 = w53 * w89
+    w91 = w88 - (w82 + w38 * w84) - w90 - w65 * w74
+    w92 = w89 / w40
+    w93 = w9 * w11
+    w94 = w66 * slider_mass
+    w95 = w2 * (w5 * w9)
+    w96 = c22 + w35 * w94
+    w97 = w19 * w45 + w66 * w72
+    w98 = w54 * w66
+    w99 = w5 * w30
+    w100 = w53 * w99
+    w101 = w95 - w38 * w93 + w98 - w100 - w66 * w74
+    w102 = w99 / w40
+    w103 = (w6 + w7 + rod_q2 * c11) * 0.5
+    w104 = w81 - w5 * w103
+    w105 = w15 + rod_q2_dot * c11
+    w106 = w83 + w11 * w103
+    w107 = (w41 * w89 + (w19 * (w5 * w25) + w4 * w65)) * slider_mass
+    w108 = w0 * (w4 * w104 + w19 * (w11 * w105) + w41 * w106) - w37 * (w41 * w104 - (w4 * w106 + w19 * (w5 * w105)) - w107)
+    w109 = w5 * c6
+    w110 = (rod_q1_dot * w109 + rod_theta_dot * w65 + w67 * w92) / w40
+    w111 = (w41 * w65 + (w19 * (w11 * w25) - w4 * w89) + w64 * w110 + w70 * w92) / w40
+    w112 = w43 * (rod_q1_dot * c27 - rod_q2_dot * c19) - (w41 * (w44 + rod_q1 * c27 - rod_q2 * c19) + (w38 * w106 + w2 * w104))
+    w113 = w88 + w112 - w90 + w35 * w107 - w77 * w111 + w78 * w110 + w79 * w92
+    w114 = w4 * c27 - c23 - (w38 * (w5 * c9) + w2 * (w11 * c9)) + w54 * w109 + w53 * (w11 * c6) + w65 * w107
+    w115 = w66 * w107 - (w2 * (w11 * c11) + w38 * (w5 * c11) + w4 * c19) - w96 * w111 + w97 * w110 + w92 * w101
+    w116 = w16 + rod_q1_dot * c10
+    w117 = (rod_q1 * c10 + (w8 + w9)) * 0.5
+    w118 = w5 * w117
+    w119 = w11 * w117
+    w120 = (w41 * w99 + (w19 * (w5 * w26) + w4 * w66)) * slider_mass
+    w121 = w0 * (w19 * (w11 * w116) - w4 * w118 + w41 * w119) + w37 * (w4 * w119 + w19 * (w5 * w116) + w41 * w118 + w120)
+    w122 = w5 * c7
+    w123 = (rod_theta_dot * w66 + rod_q2_dot * w122 + w67 * w102) / w40
+    w124 = (w41 * w66 + (w19 * (w11 * w26) - w4 * w99) + w64 * w123 + w70 * w102) / w40
+    w125 = w43 * (rod_q2_dot * c28 - rod_q1_dot * c17) - (w38 * w119 - w2 * w118 + w41 * (w45 + rod_q2 * c28 - rod_q1 * c17))
+    w126 = w98 + w125 - w100 + w35 * w120 - w77 * w124 + w78 * w123 + w79 * w102
+    w127 = w65 * w120 - (w38 * (w5 * c10) + w2 * (w11 * c10) + w4 * c17) - w86 * w124 + w87 * w123 + w91 * w102
+    w128 = w4 * c28 - c24 - (w2 * (w11 * c12) + w38 * (w5 * c12)) + w54 * w122 + w53 * (w11 * c7) + w66 * w120
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w33 * w48 - (w80 + (w27 * w82 - w34 * w84) + w27 * w90),
-            w108 - (w27 * w110 + w84 * w111) + w37 * w90 + w33 * w114,
-            w123 - (w27 * w125 + w84 * w126) + w44 * w90 + w33 * w129,
+            w60 + w37 * (w38 * c5) - w63 * w71 + w69 * w73 - w68 * w75 - w68 * w80,
+            w108 - w63 * w111 + w73 * w110 + w75 * w92 - w68 * w113,
+            w121 - w63 * w124 + w73 * w123 + w75 * w102 - w68 * w126,
         ),
         ca.horzcat(  # rod.q1
-            w35 * w71 - (w51 * c21 - w93) + w37 * w82 - w27 * w95 + w48 * w96,
-            w115 + (w37 * w110 + w84 * w112) + w37 * w95 + w96 * w114, w130 + w44 * w95 + w96 * w129,
+            w82 + w38 * (w84 + w85) - w71 * w86 + w69 * w87 - w68 * w91 + w80 * w92,
+            w114 - w86 * w111 + w87 * w110 + w91 * w92 + w92 * w113, w127 + w92 * w126,
         ),
         ca.horzcat(  # rod.q2
-            w42 * w71 - (w97 - w98 + w51 * c22) + w44 * w82 - w27 * w100 + w48 * w101,
-            w116 + w37 * w100 + w101 * w114, w131 + (w44 * w125 + w84 * w128) + w44 * w100 + w101 * w129,
+            w38 * (w93 + w94) - w95 - w71 * w96 + w69 * w97 - w68 * w101 + w80 * w102, w115 + w102 * w113,
+            w128 - w96 * w124 + w97 * w123 + w101 * w102 + w102 * w126,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -1110,7 +1108,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    326 operations.
+    313 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1129,6 +1127,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     rod_length = c[2]
     c3 = c[3]
     slider_mass = c[4]
+    c5 = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
@@ -1151,79 +1150,81 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c31 = c[31]
     c32 = c[32]
     c33 = c[33]
-    # intermediate terms (59)
+    # intermediate terms (64)
     w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = ca.cos(rod_theta)
-    w2 = rod_q1 * c6
-    w3 = rod_q2 * c7
-    w4 = rod_length - (rod_q1 * w2 + rod_q2 * w3) * 0.5
-    w5 = w1 * w4
-    w6 = w0 / w5
-    w7 = ca.sin(rod_theta)
-    w8 = rod_q1 * c9 + rod_q2 * c10
-    w9 = rod_q1 * c11 + rod_q2 * c12
-    w10 = c8 - (rod_q1 * w8 + rod_q2 * w9) * 0.5
-    w11 = rod_q1 * c13
-    w12 = w7 * w10 + w1 * w11
-    w13 = 2 * crank_theta_dot
-    w14 = w0 * w13
-    w15 = w1 * w10 - w7 * w11
-    w16 = ca.sin(crank_theta) * crank_tip_x
-    w17 = w13 * w16
-    w18 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
-    w19 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
-    w20 = c14 + (rod_q1 * w18 + rod_q2 * w19)
-    w21 = w17 / w5
-    w22 = w4 * w7
-    w23 = (w14 + w21 * w22) * slider_mass
-    w24 = w12 * w14 - w15 * w17 + w20 * w21 + w22 * w23
-    w25 = 2 * rod_theta_dot
-    w26 = w8 * rod_q1_dot + w9 * rod_q2_dot
+    w1 = ca.sin(crank_theta) * crank_tip_x
+    w2 = 2 * crank_theta_dot
+    w3 = w1 * w2
+    w4 = w0 * w2
+    w5 = ca.cos(rod_theta)
+    w6 = rod_q1 * c9 + rod_q2 * c10
+    w7 = rod_q1 * c11 + rod_q2 * c12
+    w8 = c8 - (rod_q1 * w6 + rod_q2 * w7) * 0.5
+    w9 = ca.sin(rod_theta)
+    w10 = rod_q1 * c13
+    w11 = w5 * w8 - w9 * w10
+    w12 = w8 * w9 + w5 * w10
+    w13 = rod_q1 * c6
+    w14 = rod_q2 * c7
+    w15 = rod_length - (rod_q1 * w13 + rod_q2 * w14) * 0.5
+    w16 = w9 * w15
+    w17 = w16 * slider_mass
+    w18 = w12 + w17
+    w19 = w0 * w11 + w1 * w18
+    w20 = w13 * rod_q1_dot + w14 * rod_q2_dot
+    w21 = 2 * rod_theta_dot
+    w22 = 2 * (w5 * w20) + w16 * w21
+    w23 = w5 * w15
+    w24 = w0 / w23
+    w25 = (w3 - w22 * w24) / w23
+    w26 = w6 * rod_q1_dot + w7 * rod_q2_dot
     w27 = rod_q1_dot * c13
-    w28 = w2 * rod_q1_dot + w3 * rod_q2_dot
-    w29 = (2 * (w1 * w28) + w22 * w25) / w5
-    w30 = (2 * (w7 * w28) - w5 * w25 - w22 * w29) * slider_mass
-    w31 = w0 * (w12 * w25 + 2 * (w1 * w26 + w7 * w27) - w15 * w29) - w16 * (w15 * w25 + 2 * (w1 * w27 - w7 * w26) + w12 * w29 - w30)
-    w32 = (w18 * rod_q1_dot + w19 * rod_q2_dot) * -2.0 - w20 * w29 + w22 * w30
-    w33 = w31 - w6 * w32
-    w34 = w1 * w8 + w7 * c13
-    w35 = w1 * c13 - w7 * w8
-    w36 = w1 * w2
-    w37 = w2 * w7
-    w38 = w37 / w5
-    w39 = w18 * w25 - w29 * c21 + w30 * w36 + w32 * w38
-    w40 = w1 * w9
-    w41 = w7 * w9
-    w42 = w1 * w3
-    w43 = w3 * w7
-    w44 = w43 / w5
-    w45 = w19 * w25 - w29 * c22 + w30 * w42 + w32 * w44
-    w46 = rod_q1_dot * c31 + rod_q2_dot * c32
-    w47 = rod_q1_dot * c29
-    w48 = (w7 * w47 + w25 * w36) / w5
-    w49 = (w25 * w37 - w1 * w47 - w22 * w48) * slider_mass
-    w50 = rod_theta_dot * -2.0
-    w51 = w18 * w50 - w20 * w48 + w22 * w49
-    w52 = w0 * (w7 * w46 + w25 * w34 - w15 * w48) - w16 * (w25 * w35 + w1 * w46 + w12 * w48 - w49) - w6 * w51
-    w53 = rod_q2_dot * c33 + rod_q1_dot * c32
-    w54 = rod_q2_dot * c30
-    w55 = (w7 * w54 + w25 * w42) / w5
-    w56 = (w25 * w43 - w1 * w54 - w22 * w55) * slider_mass
-    w57 = w19 * w50 - w20 * w55 + w22 * w56
-    w58 = w0 * (w7 * w53 + w25 * w40 - w15 * w55) - w16 * (w1 * w53 - w25 * w41 + w12 * w55 - w56) - w6 * w57
+    w28 = (2 * (w9 * w20) - w21 * w23) * slider_mass
+    w29 = w0 * (w12 * w21 + 2 * (w5 * w26 + w9 * w27)) - w1 * (w11 * w21 + 2 * (w5 * w27 - w9 * w26) - w28)
+    w30 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w31 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w32 = c14 + (rod_q1 * w30 + rod_q2 * w31) + w16 * w17
+    w33 = (rod_q1_dot * w30 + rod_q2_dot * w31) * -2.0 + w16 * w28
+    w34 = w3 * w11 - w4 * w18 - w25 * w32 - w24 * w33
+    w35 = w5 * c13 - w6 * w9
+    w36 = w5 * w6 + w9 * c13
+    w37 = w5 * w13
+    w38 = w37 * slider_mass
+    w39 = c21 + w16 * w38
+    w40 = w21 * w30 + w28 * w37
+    w41 = w9 * w13
+    w42 = w41 / w23
+    w43 = w9 * w14
+    w44 = w43 / w23
+    w45 = w7 * w9
+    w46 = w5 * w7
+    w47 = w5 * w14
+    w48 = w47 * slider_mass
+    w49 = c22 + w16 * w48
+    w50 = w21 * w31 + w28 * w47
+    w51 = rod_q1_dot * c31 + rod_q2_dot * c32
+    w52 = rod_q1_dot * c29
+    w53 = (w21 * w41 - w5 * w52) * slider_mass
+    w54 = (w9 * w52 + w21 * w37 + w22 * w42) / w23
+    w55 = rod_theta_dot * -2.0
+    w56 = w30 * w55 + w16 * w53 - w32 * w54 + w33 * w42
+    w57 = w0 * (w9 * w51 + w21 * w36) - w1 * (w21 * w35 + w5 * w51 - w53) - w19 * w54 + w29 * w42 - w24 * w56
+    w58 = rod_q2_dot * c33 + rod_q1_dot * c32
+    w59 = rod_q2_dot * c30
+    w60 = (w21 * w43 - w5 * w59) * slider_mass
+    w61 = (w9 * w59 + w21 * w47 + w22 * w44) / w23
+    w62 = w31 * w55 + w16 * w60 - w32 * w61 + w33 * w44
+    w63 = w0 * (w9 * w58 + w21 * w46) - w1 * (w5 * w58 - w21 * w45 - w60) - w19 * w61 + w29 * w44 - w24 * w62
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
-        ca.horzcat(  # crank.theta
-            w6 * w24 - (w0 * (w15 * w21 - w17 * c3) + w16 * (w23 + (w14 * c3 + w12 * w21))) - w6 * w33,
-            w52 + w33 * w38, w58 + w33 * w44,
-        ),
+        ca.horzcat(w0 * (w3 * c3) - w1 * (w4 * c5) - w19 * w25 - w24 * w29 - w24 * w34, w57, w63),  # crank.theta
         ca.horzcat(  # rod.q1
-            -(w14 * w34 - w17 * w35 + w21 * c21 + w23 * w36 + w24 * w38 + w6 * w39),
-            w36 * w49 - w48 * c21 + w38 * w51 + w38 * w39, w36 * w56 - w55 * c21 + w38 * w57 + w39 * w44,
+            w3 * w35 - w4 * (w36 + w38) - w25 * w39 - w24 * w40 + w34 * w42,
+            w37 * w53 - w39 * w54 + w40 * w42 + w42 * w56, w37 * w60 - w39 * w61 + w40 * w44 + w42 * w62,
         ),
         ca.horzcat(  # rod.q2
-            -(w14 * w40 + w17 * w41 + w21 * c22 + w23 * w42 + w24 * w44 + w6 * w45),
-            w42 * w49 - w48 * c22 + w44 * w51 + w38 * w45, w42 * w56 - w55 * c22 + w44 * w57 + w44 * w45,
+            w34 * w44 - (w3 * w45 + w4 * (w46 + w48) + w25 * w49 + w24 * w50),
+            w47 * w53 - w49 * w54 + w42 * w50 + w44 * w56, w47 * w60 - w49 * w61 + w44 * w50 + w44 * w62,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
@@ -1241,7 +1242,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 3 x 3) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    860 operations.
+    793 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1264,6 +1265,7 @@ def residual_jacobian() -> ca.Function:
     rod_length = c[2]
     c3 = c[3]
     slider_mass = c[4]
+    c5 = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
@@ -1285,210 +1287,207 @@ def residual_jacobian() -> ca.Function:
     c24 = c[24]
     c27 = c[27]
     c28 = c[28]
-    # intermediate terms (178)
+    # intermediate terms (173)
     w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = ca.cos(rod_theta)
-    w2 = rod_q1 * c6
-    w3 = rod_q2 * c7
-    w4 = rod_length - (rod_q1 * w2 + rod_q2 * w3) * 0.5
-    w5 = w1 * w4
-    w6 = w0 / w5
-    w7 = ca.sin(rod_theta)
-    w8 = rod_q1 * c9
-    w9 = w8 + rod_q2 * c10
-    w10 = rod_q2 * c12
-    w11 = rod_q1 * c11 + w10
-    w12 = c8 - (rod_q1 * w9 + rod_q2 * w11) * 0.5
+    w1 = ca.sin(crank_theta) * crank_tip_x
+    w2 = crank_theta_dot**2
+    w3 = crank_theta_ddot * w1 + w0 * w2
+    w4 = w3 * c3
+    w5 = rod_theta_dot**2
+    w6 = ca.sin(rod_theta)
+    w7 = rod_q1 * c9
+    w8 = w7 + rod_q2 * c10
+    w9 = rod_q2 * c12
+    w10 = rod_q1 * c11 + w9
+    w11 = c8 - (rod_q1 * w8 + rod_q2 * w10) * 0.5
+    w12 = ca.cos(rod_theta)
     w13 = rod_q1 * c13
-    w14 = w7 * w12 + w1 * w13
-    w15 = crank_theta_dot**2
-    w16 = ca.sin(crank_theta) * crank_tip_x
-    w17 = w15 * w16
-    w18 = w0 * crank_theta_ddot - w17
-    w19 = w14 * w18
-    w20 = w1 * w12 - w7 * w13
-    w21 = w0 * w15
-    w22 = crank_theta_ddot * w16 + w21
-    w23 = w20 * w22
-    w24 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
-    w25 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
-    w26 = c14 + (rod_q1 * w24 + rod_q2 * w25)
-    w27 = w16 / w5
-    w28 = w21 / w5 + crank_theta_ddot * w27
-    w29 = w4 * w7
-    w30 = (w18 + w28 * w29) * slider_mass
-    w31 = w19 - w23 + w26 * w28 + w29 * w30
-    w32 = rod_theta_dot * -2.0
-    w33 = w24 * rod_q1_dot + w25 * rod_q2_dot
-    w34 = rod_q1_dot * c6
-    w35 = rod_q2_dot * c7
+    w14 = w6 * w11 + w12 * w13
+    w15 = w5 * w14
+    w16 = rod_q1_dot * c9
+    w17 = w16 + rod_q2_dot * c10
+    w18 = rod_q2_dot * c12
+    w19 = rod_q1_dot * c11 + w18
+    w20 = rod_q1_dot * w17 + rod_q2_dot * w19
+    w21 = w6 * w20
+    w22 = 2 * rod_theta_dot
+    w23 = w8 * rod_q1_dot + w10 * rod_q2_dot
+    w24 = rod_q1_dot * c13
+    w25 = w12 * w23 + w6 * w24
+    w26 = w22 * w25
+    w27 = w1 * w2
+    w28 = w0 * crank_theta_ddot - w27
+    w29 = w11 * w12 - w6 * w13
+    w30 = rod_q1_dot * c6
+    w31 = rod_q2_dot * c7
+    w32 = rod_q1_dot * w30 + rod_q2_dot * w31
+    w33 = w6 * w32
+    w34 = rod_q1 * c6
+    w35 = rod_q2 * c7
     w36 = rod_q1_dot * w34 + rod_q2_dot * w35
-    w37 = w7 * w36
-    w38 = 2 * rod_theta_dot
-    w39 = w2 * rod_q1_dot + w3 * rod_q2_dot
-    w40 = w1 * w39
-    w41 = w38 * w40
-    w42 = rod_theta_dot**2
-    w43 = w29 * w42
-    w44 = (w17 + (w37 + w41 + w43)) / w5
-    w45 = w2 * w7
-    w46 = w45 / w5
-    w47 = w3 * w7
-    w48 = w47 / w5
-    w49 = w44 - w6 * crank_theta_ddot + w46 * rod_q1_ddot + w48 * rod_q2_ddot
-    w50 = w7 * w39
-    w51 = w38 * w50
-    w52 = w1 * w36
-    w53 = w5 * w42
-    w54 = w1 * w2
-    w55 = w1 * w3
-    w56 = (w51 - (w52 + w53) - w22 - w29 * w49 - rod_q1_ddot * w54 - rod_q2_ddot * w55) * slider_mass
-    w57 = w32 * w33 - (w14 * w22 + w18 * w20 + w26 * w49 + rod_q1_ddot * c21 + rod_q2_ddot * c22) + w29 * w56
-    w58 = w22 * c3
-    w59 = w14 * w42
-    w60 = rod_q1_dot * c9
-    w61 = w60 + rod_q2_dot * c10
-    w62 = rod_q2_dot * c12
-    w63 = rod_q1_dot * c11 + w62
-    w64 = rod_q1_dot * w61 + rod_q2_dot * w63
-    w65 = w7 * w64
-    w66 = w9 * rod_q1_dot + w11 * rod_q2_dot
-    w67 = rod_q1_dot * c13
-    w68 = w1 * w66 + w7 * w67
-    w69 = w38 * w68
-    w70 = w18 * c3
-    w71 = w20 * w49
-    w72 = w1 * c13
-    w73 = w72 - w7 * w9
-    w74 = rod_q1_ddot * w73
-    w75 = w7 * w11
-    w76 = rod_q2_ddot * w75
-    w77 = w20 * w42
-    w78 = w1 * w67 - w7 * w66
-    w79 = w38 * w78
-    w80 = w1 * w64
-    w81 = w14 * w49
-    w82 = w7 * c13
-    w83 = w1 * w9 + w82
-    w84 = rod_q1_ddot * w83
-    w85 = w1 * w11
-    w86 = rod_q2_ddot * w85
-    w87 = w0 * (w20 * w28 - w58) + w16 * (w59 + w65 + w69 - (w70 + w71 + w74 - w76)) + (w16 * (w30 + (w70 + w14 * w28)) + w0 * (w77 + w79 + w80 + (w58 + w81 + w84 + w86) - w56))
-    w88 = w44 / w5
-    w89 = w6 / w5
-    w90 = w29 * w89
-    w91 = w46 / w5
-    w92 = w54 / w5 + w29 * w91
-    w93 = w48 / w5
-    w94 = w55 / w5 + w29 * w93
-    w95 = (w53 + (w52 - w51)) / w5 + w29 * w88 - crank_theta_ddot * w90 + rod_q1_ddot * w92 + rod_q2_ddot * w94
-    w96 = (w41 + (w37 + w43) - (w5 * w49 + w29 * w95) + w45 * rod_q1_ddot + w47 * rod_q2_ddot) * slider_mass
-    w97 = w0 * (w79 + (w77 + w80) - (w20 * w95 - w81 - w84 - w86)) - w16 * (w74 + (w71 + w14 * w95) - w76 - (w65 + (w59 + w69)) - w96)
-    w98 = w29 * w96 + w5 * w56 - (w23 - w19 + w26 * w95)
-    w99 = w97 - (w6 * w98 + w57 * w90)
-    w100 = (2 * w40 + w29 * w38) / w5
-    w101 = (2 * w50 - w5 * w38 - w29 * w100) * slider_mass
-    w102 = w33 * -2.0 - w26 * w100 + w29 * w101
-    w103 = w0 * (w14 * w38 + 2 * w68 - w20 * w100) - w16 * (w20 * w38 + 2 * w78 + w14 * w100 - w101) - w6 * w102
-    w104 = rod_q1_dot * w92 - crank_theta_dot * w90 + rod_q2_dot * w94
-    w105 = crank_theta_dot * w27 - w6 * w104
-    w106 = w24 * w38 - w100 * c21 + w54 * w101 + w46 * w102
-    w107 = w18 * w83
-    w108 = w22 * w73
-    w109 = w45 * w56
-    w110 = w54 * w96 - w109 - (w108 - w107 + w95 * c21) + (w46 * w98 + w57 * w92)
-    w111 = w25 * w38 - w100 * c22 + w55 * w101 + w48 * w102
-    w112 = w18 * w85 + w22 * w75
-    w113 = w47 * w56
-    w114 = w55 * w96 - w113 - (w95 * c22 - w112) + (w48 * w98 + w57 * w94)
-    w115 = (w8 + w9 + rod_q2 * c11) * 0.5
-    w116 = w72 - w7 * w115
-    w117 = rod_q2_dot * c11
-    w118 = w60 + w117
-    w119 = w54 * w89
-    w120 = w7 * c6 / w5 + w54 * w91
-    w121 = w54 * w93
-    w122 = (w38 * (w1 * w34) - w42 * w45) / w5 + w54 * w88 - crank_theta_ddot * w119 + rod_q1_ddot * w120 + rod_q2_ddot * w121
-    w123 = w82 + w1 * w115
-    w124 = w7 * c9
-    w125 = w7 * c11
-    w126 = w42 * w116 + w38 * (w1 * w118) - (w20 * w122 - w49 * w123 - rod_q1_ddot * w124 - rod_q2_ddot * w125)
-    w127 = w1 * c9
-    w128 = w1 * c11
-    w129 = w49 * w116 + w14 * w122 + rod_q1_ddot * w127 + rod_q2_ddot * w128 - (w42 * w123 + w38 * (w7 * w118))
-    w130 = w1 * c6
-    w131 = (w38 * (w7 * w34) + w42 * w54 - (w29 * w122 - w45 * w49) - rod_q1_ddot * w130) * slider_mass
-    w132 = w32 * (rod_q1_dot * c27 - rod_q2_dot * c19) - (w22 * w116 - w18 * w123 + (w49 * (w24 + rod_q1 * c27 - rod_q2 * c19) + w26 * w122))
-    w133 = w132 + (w29 * w131 - w109)
-    w134 = rod_q1_dot * w120 - crank_theta_dot * w119 + rod_q2_dot * w121 + w46 * w104
-    w135 = w42 * c27 - c23 - (w22 * w127 - w18 * w124 + w122 * c21) + (w54 * w131 + w56 * w130) + (w46 * w133 + w57 * w120)
-    w136 = w55 * w131 - (w42 * c19 + (w22 * w128 - w18 * w125 + w122 * c22)) + (w48 * w133 + w57 * w121) + w46 * w114
-    w137 = rod_q1_dot * c10
-    w138 = w62 + w137
-    w139 = (rod_q1 * c10 + (w10 + w11)) * 0.5
-    w140 = w7 * w139
-    w141 = w55 * w89
-    w142 = w55 * w91
-    w143 = w7 * c7 / w5 + w55 * w93
-    w144 = (w38 * (w1 * w35) - w42 * w47) / w5 + w55 * w88 - crank_theta_ddot * w141 + rod_q1_ddot * w142 + rod_q2_ddot * w143
-    w145 = w1 * w139
-    w146 = w7 * c10
-    w147 = w7 * c12
-    w148 = w38 * (w1 * w138) - w42 * w140 - (w20 * w144 - w49 * w145 - rod_q1_ddot * w146 - rod_q2_ddot * w147)
-    w149 = w1 * c10
-    w150 = w1 * c12
-    w151 = w14 * w144 - w49 * w140 + rod_q1_ddot * w149 + rod_q2_ddot * w150 - (w42 * w145 + w38 * (w7 * w138))
-    w152 = w1 * c7
-    w153 = (w38 * (w7 * w35) + w42 * w55 - (w29 * w144 - w47 * w49) - rod_q2_ddot * w152) * slider_mass
-    w154 = w32 * (rod_q2_dot * c28 - rod_q1_dot * c17) - (w49 * (w25 + rod_q2 * c28 - rod_q1 * c17) + w26 * w144 - (w22 * w140 + w18 * w145))
-    w155 = w154 + (w29 * w153 - w113)
-    w156 = rod_q1_dot * w142 - crank_theta_dot * w141 + rod_q2_dot * w143 + w48 * w104
-    w157 = w54 * w153 - (w42 * c17 + (w22 * w149 - w18 * w146 + w144 * c21)) + (w46 * w155 + w57 * w142) + w48 * w110
-    w158 = w42 * c28 - c24 - (w22 * w150 - w18 * w147 + w144 * c22) + (w55 * w153 + w56 * w152) + (w48 * w155 + w57 * w143)
-    w159 = 2 * crank_theta_dot
-    w160 = w0 * w159
-    w161 = w16 * w159
-    w162 = w161 / w5
-    w163 = (w160 + w29 * w162) * slider_mass
-    w164 = w14 * w160 - w20 * w161 + w26 * w162 + w29 * w163
-    w165 = w6 * w164 - (w0 * (w20 * w162 - w161 * c3) + w16 * (w163 + (w160 * c3 + w14 * w162))) - w6 * w103
-    w166 = w117 + (w60 + w61)
-    w167 = 2 * w34
-    w168 = (w7 * w167 + w38 * w54) / w5
-    w169 = (w38 * w45 - w1 * w167 - w29 * w168) * slider_mass
-    w170 = w24 * w32 - w26 * w168 + w29 * w169
-    w171 = w0 * (w7 * w166 + w38 * w83 - w20 * w168) - w16 * (w38 * w73 + w1 * w166 + w14 * w168 - w169) - w6 * w170
-    w172 = w137 + (w62 + w63)
-    w173 = 2 * w35
-    w174 = (w7 * w173 + w38 * w55) / w5
-    w175 = (w38 * w47 - w1 * w173 - w29 * w174) * slider_mass
-    w176 = w25 * w32 - w26 * w174 + w29 * w175
-    w177 = w0 * (w7 * w172 + w38 * w85 - w20 * w174) - w16 * (w1 * w172 - w38 * w75 + w14 * w174 - w175) - w6 * w176
+    w37 = w12 * w36
+    w38 = w22 * w37
+    w39 = rod_length - (rod_q1 * w34 + rod_q2 * w35) * 0.5
+    w40 = w6 * w39
+    w41 = w5 * w40
+    w42 = w12 * w39
+    w43 = w0 / w42
+    w44 = w6 * w34
+    w45 = w44 / w42
+    w46 = w6 * w35
+    w47 = w46 / w42
+    w48 = (w27 + (w33 + w38 + w41)) / w42 - crank_theta_ddot * w43 + w45 * rod_q1_ddot + w47 * rod_q2_ddot
+    w49 = w29 * w48
+    w50 = w12 * c13
+    w51 = w50 - w6 * w8
+    w52 = rod_q1_ddot * w51
+    w53 = w6 * w10
+    w54 = rod_q2_ddot * w53
+    w55 = rod_theta_dot * -2.0
+    w56 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w57 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w58 = rod_q1_dot * w56 + rod_q2_dot * w57
+    w59 = c14 + (rod_q1 * w56 + rod_q2 * w57)
+    w60 = w6 * w36
+    w61 = w22 * w60
+    w62 = w12 * w32
+    w63 = w5 * w42
+    w64 = w40 * w48
+    w65 = w12 * w34
+    w66 = rod_q1_ddot * w65
+    w67 = w12 * w35
+    w68 = rod_q2_ddot * w67
+    w69 = (w61 - (w62 + w63) - w3 - w64 - w66 - w68) * slider_mass
+    w70 = w55 * w58 - (w28 * w29 + w3 * w14 + w48 * w59 + rod_q1_ddot * c21 + rod_q2_ddot * c22) + w40 * w69
+    w71 = w70 / w42
+    w72 = w5 * w29
+    w73 = w12 * w24 - w6 * w23
+    w74 = w22 * w73
+    w75 = w12 * w20
+    w76 = w14 * w48
+    w77 = w6 * c13
+    w78 = w8 * w12 + w77
+    w79 = rod_q1_ddot * w78
+    w80 = w10 * w12
+    w81 = rod_q2_ddot * w80
+    w82 = w1 * (w15 + w21 + w26 - (w28 * c3 + w49 + w52 - w54) - w71) + w0 * (w72 + w74 + w75 + (w4 + w76 + w79 + w81) - w69)
+    w83 = w40 * slider_mass
+    w84 = w14 + w83
+    w85 = w0 * w29 + w1 * w84
+    w86 = 2 * w37 + w22 * w40
+    w87 = rod_q1_dot * w65 + rod_theta_dot * w40 + rod_q2_dot * w67
+    w88 = (w1 * crank_theta_dot - w43 * w87) / w42
+    w89 = w68 + (w64 + w66) + (w63 + (w62 - w61))
+    w90 = (w3 + w86 * w88 - w43 * w89) / w42
+    w91 = (2 * w60 - w22 * w42) * slider_mass
+    w92 = w0 * (w14 * w22 + 2 * w25) - w1 * (w22 * w29 + 2 * w73 - w91)
+    w93 = (w42 * w48 - w44 * rod_q1_ddot - w46 * rod_q2_ddot - (w38 + (w33 + w41))) * slider_mass
+    w94 = w0 * (w74 + (w72 + w75) + (w81 + (w76 + w79))) - w1 * (w93 - (w21 + (w15 + w26) + (w54 - (w49 + w52))))
+    w95 = w3 * w29
+    w96 = w59 + w40 * w83
+    w97 = w58 * -2.0 + w40 * w91
+    w98 = w14 * w28 - w95 + w40 * w71 + w42 * w69 - w40 * w93
+    w99 = w95 - w28 * w84 - w90 * w96 + w88 * w97 - w43 * w98
+    w100 = w3 * w51
+    w101 = w65 * slider_mass
+    w102 = w78 + w101
+    w103 = c21 + w40 * w101
+    w104 = w22 * w56 + w65 * w91
+    w105 = w65 * w71
+    w106 = w44 * w69
+    w107 = w28 * w78 - w100 + w105 - w106 - w65 * w93
+    w108 = w22 * w57 + w67 * w91
+    w109 = w3 * w53
+    w110 = w67 * slider_mass
+    w111 = w80 + w110
+    w112 = c22 + w40 * w110
+    w113 = w67 * w71
+    w114 = w46 * w69
+    w115 = w109 + w28 * w80 + w113 - w114 - w67 * w93
+    w116 = (w7 + w8 + rod_q2 * c11) * 0.5
+    w117 = w50 - w6 * w116
+    w118 = rod_q2_dot * c11
+    w119 = w16 + w118
+    w120 = w77 + w12 * w116
+    w121 = w6 * c9
+    w122 = w6 * c11
+    w123 = w12 * c9
+    w124 = w12 * c11
+    w125 = w12 * c6
+    w126 = (rod_q1_ddot * w125 - w44 * w48 - (w22 * (w6 * w30) + w5 * w65)) * slider_mass
+    w127 = w1 * (w48 * w117 + rod_q1_ddot * w123 + rod_q2_ddot * w124 - (w5 * w120 + w22 * (w6 * w119)) + w126)
+    w128 = w0 * (w5 * w117 + w22 * (w12 * w119) + (w48 * w120 + rod_q1_ddot * w121 + rod_q2_ddot * w122)) - w127
+    w129 = w6 * c6
+    w130 = (rod_q1_dot * w129 + rod_theta_dot * w65 + w45 * w87) / w42
+    w131 = (rod_q1_ddot * w129 + w48 * w65 + (w22 * (w12 * w30) - w5 * w44) + w86 * w130 + w45 * w89) / w42
+    w132 = w55 * (rod_q1_dot * c27 - rod_q2_dot * c19) - (w48 * (w56 + rod_q1 * c27 - rod_q2 * c19) - (w28 * w120 - w3 * w117))
+    w133 = w105 + w132 - w106 - w40 * w126 - w96 * w131 + w97 * w130 + w45 * w98
+    w134 = w5 * c27 - c23 + (w28 * w121 - w3 * w123) + w71 * w129 + w69 * w125 - w65 * w126 - w103 * w131 + w104 * w130
+    w135 = w28 * w122 - w3 * w124 - w5 * c19 - w67 * w126 - w112 * w131 + w108 * w130 + w45 * w115 + w47 * w133
+    w136 = rod_q1_dot * c10
+    w137 = w18 + w136
+    w138 = (rod_q1 * c10 + (w9 + w10)) * 0.5
+    w139 = w6 * w138
+    w140 = w12 * w138
+    w141 = w6 * c10
+    w142 = w6 * c12
+    w143 = w12 * c7
+    w144 = (rod_q2_ddot * w143 - w46 * w48 - (w22 * (w6 * w31) + w5 * w67)) * slider_mass
+    w145 = w12 * c10
+    w146 = w12 * c12
+    w147 = w1 * (w144 - (w5 * w140 + w22 * (w6 * w137) + (w48 * w139 - rod_q1_ddot * w145 - rod_q2_ddot * w146)))
+    w148 = w0 * (w22 * (w12 * w137) - w5 * w139 + (w48 * w140 + rod_q1_ddot * w141 + rod_q2_ddot * w142)) - w147
+    w149 = w6 * c7
+    w150 = (rod_theta_dot * w67 + rod_q2_dot * w149 + w47 * w87) / w42
+    w151 = (w48 * w67 + rod_q2_ddot * w149 + (w22 * (w12 * w31) - w5 * w46) + w86 * w150 + w47 * w89) / w42
+    w152 = w55 * (rod_q2_dot * c28 - rod_q1_dot * c17) - (w48 * (w57 + rod_q2 * c28 - rod_q1 * c17) - (w3 * w139 + w28 * w140))
+    w153 = w113 + w152 - w114 - w40 * w144 - w96 * w151 + w97 * w150 + w47 * w98
+    w154 = w28 * w141 - w3 * w145 - w5 * c17 - w65 * w144 - w103 * w151 + w104 * w150 + w47 * w107 + w45 * w153
+    w155 = w5 * c28 - c24 + (w28 * w142 - w3 * w146) + w71 * w149 + w69 * w143 - w67 * w144 - w112 * w151 + w108 * w150
+    w156 = 2 * crank_theta_dot
+    w157 = w1 * w156
+    w158 = w0 * w156
+    w159 = (w157 - w43 * w86) / w42
+    w160 = w29 * w157 - w84 * w158 - w96 * w159 - w43 * w97
+    w161 = w118 + (w16 + w17)
+    w162 = 2 * w30
+    w163 = (w22 * w44 - w12 * w162) * slider_mass
+    w164 = (w6 * w162 + w22 * w65 + w45 * w86) / w42
+    w165 = w55 * w56 + w40 * w163 - w96 * w164 + w45 * w97
+    w166 = w0 * (w6 * w161 + w22 * w78) - w1 * (w22 * w51 + w12 * w161 - w163) - w85 * w164 + w45 * w92 - w43 * w165
+    w167 = w136 + (w18 + w19)
+    w168 = 2 * w31
+    w169 = (w22 * w46 - w12 * w168) * slider_mass
+    w170 = (w6 * w168 + w22 * w67 + w47 * w86) / w42
+    w171 = w55 * w57 + w40 * w169 - w96 * w170 + w47 * w97
+    w172 = w0 * (w6 * w167 + w22 * w80) - w1 * (w12 * w167 - w22 * w53 - w169) - w85 * w170 + w47 * w92 - w43 * w171
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w6 * w31 + w27 * w57 - w87 - w6 * w99 + w103 * w105,
-            w0 * w126 - w16 * (w129 - w131) - (w6 * w133 + w57 * w119) + w46 * w99 + w103 * w134,
-            w0 * w148 - w16 * (w151 - w153) - (w6 * w155 + w57 * w141) + w48 * w99 + w103 * w156,
+            w0 * w4 - w82 - w1 * (w28 * c5) - w85 * w90 + w88 * w92 - w43 * w94 - w43 * w99,
+            w128 - w85 * w131 + w92 * w130 + w45 * w94 - w43 * w133,
+            w148 - w85 * w151 + w92 * w150 + w47 * w94 - w43 * w153,
         ),
         ca.horzcat(  # rod.q1
-            w105 * w106 - (w107 - w108 + w28 * c21 + w30 * w54 + w31 * w46 + w6 * w110),
-            w135 + w46 * w110 + w106 * w134, w157 + w106 * w156,
+            w100 - w28 * w102 - w90 * w103 + w88 * w104 - w43 * w107 + w45 * w99, w134 + w45 * w107 + w45 * w133,
+            w154,
         ),
         ca.horzcat(  # rod.q2
-            w105 * w111 - (w112 + w28 * c22 + w30 * w55 + w31 * w48 + w6 * w114), w136 + w111 * w134,
-            w158 + w48 * w114 + w111 * w156,
+            w88 * w108 - (w109 + w28 * w111 + w90 * w112) - w43 * w115 + w47 * w99, w135,
+            w155 + w47 * w115 + w47 * w153,
         ),
     )
     J_v = ca.vertcat(
-        ca.horzcat(w165, w171 + w46 * w103, w177 + w48 * w103),  # crank.theta
+        ca.horzcat(  # crank.theta
+            w0 * (w157 * c3) - w1 * (w158 * c5) - w85 * w159 - w43 * w92 - w43 * w160, w166, w172,
+        ),
         ca.horzcat(  # rod.q1
-            -(w83 * w160 - w73 * w161 + w162 * c21 + w54 * w163 + w46 * w164 + w6 * w106),
-            w54 * w169 - w168 * c21 + w46 * w170 + w46 * w106, w54 * w175 - w174 * c21 + w46 * w176 + w48 * w106,
+            w51 * w157 - w102 * w158 - w103 * w159 - w43 * w104 + w45 * w160,
+            w65 * w163 - w103 * w164 + w45 * w104 + w45 * w165, w65 * w169 - w103 * w170 + w47 * w104 + w45 * w171,
         ),
         ca.horzcat(  # rod.q2
-            -(w85 * w160 + w75 * w161 + w162 * c22 + w55 * w163 + w48 * w164 + w6 * w111),
-            w55 * w169 - w168 * c22 + w48 * w170 + w46 * w111, w55 * w175 - w174 * c22 + w48 * w176 + w48 * w111,
+            w47 * w160 - (w53 * w157 + w111 * w158 + w112 * w159 + w43 * w108),
+            w67 * w163 - w112 * w164 + w45 * w108 + w47 * w165, w67 * w169 - w112 * w170 + w47 * w108 + w47 * w171,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]

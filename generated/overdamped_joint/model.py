@@ -560,7 +560,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w2 = rod_theta_dot**2 * w0
     # outputs
     dQ_hat_dq_i = ca.vertcat(
-        ca.horzcat(c17 - w1 - ca.sin(rod_theta) * c5, spring_stiffness + w1),  # rod.theta
+        ca.horzcat(c17 - ca.sin(rod_theta) * c5 - w1, spring_stiffness + w1),  # rod.theta
         ca.horzcat(spring_stiffness + w2, c17 - w2 - ca.sin(finger_theta) * c6),  # finger.theta
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]

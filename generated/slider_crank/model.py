@@ -656,7 +656,79 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
-    149 operations.
+    134 operations.
+    """
+    q_i = ca.SX.sym("q_i", 1)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 1)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
+    c = ca.SX.sym("c", 16)
+    crank_theta = q_i[0]
+    rod_theta = q_d[4]
+    crank_theta_dot = q_i_dot[0]
+    rod_theta_dot = q_d_dot[4]
+    crank_tip_x = c[1]
+    rod_mass = c[2]
+    slider_mass = c[3]
+    c4 = c[4]
+    rod_tip_x = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    gravity_y = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    # intermediate terms (35)
+    w0 = ca.cos(crank_theta) * crank_tip_x
+    w1 = crank_theta_dot**2
+    w2 = w0 * w1
+    w3 = w2 * rod_mass
+    w4 = ca.sin(crank_theta)
+    w5 = rod_theta_dot**2
+    w6 = ca.cos(rod_theta)
+    w7 = w6 * c6
+    w8 = w5 * w7
+    w9 = ca.sin(rod_theta)
+    w10 = w9 * c6
+    w11 = w9 * rod_tip_x
+    w12 = w4 * crank_tip_x
+    w13 = w1 * w12
+    w14 = w6 * rod_tip_x
+    w15 = (w5 * w11 + w13) / w14
+    w16 = w10 * w15
+    w17 = w5 * w14
+    w18 = w11 * w15
+    w19 = (w2 + w17 + w18) * slider_mass
+    w20 = w5 * w10
+    w21 = w7 * w15
+    w22 = (w7 * gravity_y - (w2 * w10 - w7 * w13 + w15 * c7) - w11 * w19) / w14
+    w23 = w0 * w3 - (w4 * c9 + w0 * (w8 + (w3 + w16) + w19) + w12 * (c10 + w20 - (w21 - w13 * rod_mass) - w22))
+    w24 = w11 * slider_mass
+    w25 = w10 + w24
+    w26 = 2 * rod_theta_dot
+    w27 = w0 / w14
+    w28 = (crank_theta_dot * w12 - rod_theta_dot * w11 * w27) / w14
+    w29 = (w2 + w11 * w26 * w28 - w27 * (w17 + w18)) / w14
+    w30 = w14 * w26 * slider_mass
+    w31 = w23 + w12 * (w13 * c4) - (w0 * w7 + w12 * w25) * w29 + w28 * (w0 * (w10 * w26) - w12 * (w7 * w26 + w30))
+    w32 = w13 * slider_mass
+    w33 = w2 * w7
+    w34 = w33 + w13 * w25 - w29 * (c7 + w11 * w24) - w28 * (w11 * w30) - w27 * (w11 * w22 - (w33 + w10 * w13 + w10 * gravity_y) - w14 * w19 - w11 * w32)
+    # outputs
+    dQ_hat_dq_i = ca.vertcat(w31 - w27 * (w0 * (w8 + w16) - w12 * (w21 - w20 + w32)) - w27 * w34)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
+    return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
+
+
+def dQ_hat_dq_i_dot() -> ca.Function:
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
+    59 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
@@ -673,98 +745,26 @@ def dQ_hat_dq_i() -> ca.Function:
     rod_tip_x = c[5]
     c6 = c[6]
     c7 = c[7]
-    gravity_y = c[8]
-    c9 = c[9]
-    c10 = c[10]
-    # intermediate terms (38)
-    w0 = ca.cos(crank_theta) * crank_tip_x
+    # intermediate terms (15)
+    w0 = ca.sin(crank_theta) * crank_tip_x
     w1 = ca.cos(rod_theta)
-    w2 = w1 * rod_tip_x
-    w3 = w0 / w2
-    w4 = crank_theta_dot**2
-    w5 = w0 * w4
-    w6 = w5 / w2
+    w2 = w1 * c6
+    w3 = ca.cos(crank_theta) * crank_tip_x
+    w4 = w1 * rod_tip_x
+    w5 = w3 / w4
+    w6 = 2 * rod_theta_dot * w5
     w7 = ca.sin(rod_theta)
     w8 = w7 * c6
-    w9 = ca.sin(crank_theta)
-    w10 = w9 * crank_tip_x
-    w11 = w4 * w10
-    w12 = w1 * c6
-    w13 = w8 * w11 + w5 * w12
-    w14 = w7 * rod_tip_x
-    w15 = (w6 * w14 - w11) * slider_mass
-    w16 = rod_theta_dot**2
-    w17 = w14 * w16
-    w18 = w11 + w17
-    w19 = w18 / w2
-    w20 = (w5 + w2 * w16 + w14 * w19) * slider_mass
-    w21 = w12 * gravity_y - (w5 * w8 - w11 * w12 + w19 * c7) - w14 * w20
-    w22 = w10 / w2
-    w23 = w5 * rod_mass
-    w24 = w8 * w16
-    w25 = w12 * w19
-    w26 = w11 * rod_mass
-    w27 = w12 * w16
-    w28 = w8 * w19
-    w29 = w9 * c9 + (w0 * (w6 * w12 - w23) + w10 * (c10 + w24 - (w25 - w26))) + (w10 * (w15 + (w6 * w8 - w26)) + w0 * (w20 + (w27 + (w23 + w28))))
-    w30 = w16 + w14 * (w19 / w2)
-    w31 = (w18 + w14 * w30 - w17) * slider_mass
-    w32 = w14 * (w3 / w2)
-    w33 = w0 * (w27 - (w12 * w30 - w28)) - w10 * (w25 + w8 * w30 - w24 + w31) - (w21 * w32 - w3 * (w8 * gravity_y + (w13 + w30 * c7) + (w14 * w31 + w2 * w20)))
-    w34 = 2 * rod_theta_dot
-    w35 = w14 * w34 / w2
-    w36 = (w2 * w34 + w14 * w35) * slider_mass
-    w37 = (w0 * (w8 * w34 - w12 * w35) - w10 * (w12 * w34 + w8 * w35 + w36) + w3 * (w35 * c7 + w14 * w36)) * (crank_theta_dot * w22 + w3 * (crank_theta_dot * w32))
-    # outputs
-    dQ_hat_dq_i = ca.vertcat(w3 * (w6 * c7 - w13 + w14 * w15) + w21 * w22 - w29 - w3 * w33 + w37)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
-    return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
-
-
-def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
-
-    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
-    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    58 operations.
-    """
-    q_i = ca.SX.sym("q_i", 1)
-    q_d = ca.SX.sym("q_d", 8)
-    q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 16)
-    crank_theta = q_i[0]
-    rod_theta = q_d[4]
-    crank_theta_dot = q_i_dot[0]
-    crank_tip_x = c[1]
-    rod_mass = c[2]
-    slider_mass = c[3]
-    rod_tip_x = c[5]
-    c6 = c[6]
-    c7 = c[7]
-    # intermediate terms (16)
-    w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = ca.sin(rod_theta)
-    w2 = w1 * c6
-    w3 = ca.cos(rod_theta)
-    w4 = w3 * rod_tip_x
-    w5 = w0 / w4
-    w6 = w5 * (2 * (w5 * crank_theta_dot))
-    w7 = w3 * c6
-    w8 = w1 * rod_tip_x
-    w9 = ca.sin(crank_theta) * crank_tip_x
+    w9 = w7 * rod_tip_x
     w10 = 2 * crank_theta_dot
-    w11 = w9 * w10
-    w12 = (w6 * w8 + w11) / w4
-    w13 = w0 * w10
-    w14 = (w13 + w4 * w6 + w8 * w12) * slider_mass
-    w15 = w0 * (w2 * w6 - (w7 * w12 - w11 * rod_mass)) - w9 * (w6 * w7 + (w13 * rod_mass + w2 * w12) + w14)
+    w11 = w0 * w10
+    w12 = (w6 * w9 - w11) / w4
+    w13 = w3 * w10
+    w14 = w0 * (w2 * w6 + (w8 * w12 - w13 * rod_mass)) + w3 * (w11 * rod_mass + w2 * w12 - w6 * w8) + w5 * (w8 * w13 - w2 * w11 - w12 * c7)
     # outputs
-    dQ_hat_dq_i_dot = ca.vertcat(w15 + w5 * (w2 * w13 - w7 * w11 + w12 * c7 + w8 * w14))
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
-    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
+    dQ_hat_dq_i_dot = ca.vertcat(w14 - (w5 * w9 - w0) * ((w4 * w6 + (w9 * w12 - w13)) * slider_mass))
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
+    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def residual_jacobian() -> ca.Function:
@@ -778,7 +778,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    200 operations.
+    168 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
@@ -794,64 +794,64 @@ def residual_jacobian() -> ca.Function:
     crank_tip_x = c[1]
     rod_mass = c[2]
     slider_mass = c[3]
+    c4 = c[4]
     rod_tip_x = c[5]
     c6 = c[6]
     c7 = c[7]
     gravity_y = c[8]
     c9 = c[9]
     c10 = c[10]
-    # intermediate terms (48)
+    # intermediate terms (47)
     w0 = ca.cos(crank_theta) * crank_tip_x
-    w1 = ca.cos(rod_theta)
-    w2 = w1 * rod_tip_x
-    w3 = w0 / w2
-    w4 = ca.sin(rod_theta)
-    w5 = w4 * c6
-    w6 = crank_theta_dot**2
-    w7 = ca.sin(crank_theta)
-    w8 = w7 * crank_tip_x
+    w1 = ca.sin(crank_theta)
+    w2 = w1 * crank_tip_x
+    w3 = crank_theta_dot**2
+    w4 = crank_theta_ddot * w2 + w0 * w3
+    w5 = w4 * rod_mass
+    w6 = rod_theta_dot**2
+    w7 = ca.cos(rod_theta)
+    w8 = w7 * c6
     w9 = w6 * w8
-    w10 = w0 * crank_theta_ddot - w9
-    w11 = w5 * w10
-    w12 = w1 * c6
-    w13 = w0 * w6
-    w14 = crank_theta_ddot * w8 + w13
-    w15 = w12 * w14
-    w16 = w8 / w2
-    w17 = w13 / w2 + crank_theta_ddot * w16
-    w18 = w4 * rod_tip_x
-    w19 = (w10 + w17 * w18) * slider_mass
-    w20 = rod_theta_dot**2
-    w21 = w18 * w20
-    w22 = (w9 + w21) / w2
-    w23 = w22 - w3 * crank_theta_ddot
-    w24 = (w14 + w2 * w20 + w18 * w23) * slider_mass
-    w25 = w12 * gravity_y - (w5 * w14 + w10 * w12 + w23 * c7) - w18 * w24
-    w26 = w14 * rod_mass
-    w27 = w5 * w20
-    w28 = w10 * rod_mass
-    w29 = w12 * w23
-    w30 = w12 * w20
-    w31 = w5 * w23
-    w32 = w7 * c9 + (w0 * (w12 * w17 - w26) + w8 * (c10 + w27 - (w28 + w29))) + (w8 * (w19 + (w28 + w5 * w17)) + w0 * (w24 + (w30 + (w26 + w31))))
-    w33 = w18 * (w3 / w2)
-    w34 = w20 + w18 * (w22 / w2) - crank_theta_ddot * w33
-    w35 = (w2 * w23 + w18 * w34 - w21) * slider_mass
-    w36 = w0 * (w30 - (w12 * w34 - w31)) - w8 * (w29 + w5 * w34 - w27 + w35) - (w25 * w33 - w3 * (w5 * gravity_y + (w15 - w11 + w34 * c7) + (w18 * w35 + w2 * w24)))
-    w37 = 2 * rod_theta_dot
-    w38 = w18 * w37 / w2
-    w39 = (w2 * w37 + w18 * w38) * slider_mass
-    w40 = (w0 * (w5 * w37 - w12 * w38) - w8 * (w12 * w37 + w5 * w38 + w39) + w3 * (w38 * c7 + w18 * w39)) * (crank_theta_dot * w16 + w3 * (crank_theta_dot * w33))
-    w41 = w3 * (2 * (w3 * crank_theta_dot))
+    w10 = ca.sin(rod_theta)
+    w11 = w10 * c6
+    w12 = w10 * rod_tip_x
+    w13 = w6 * w12
+    w14 = w2 * w3
+    w15 = w7 * rod_tip_x
+    w16 = w0 / w15
+    w17 = (w13 + w14) / w15 - crank_theta_ddot * w16
+    w18 = w11 * w17
+    w19 = w6 * w15
+    w20 = w12 * w17
+    w21 = (w4 + w19 + w20) * slider_mass
+    w22 = w6 * w11
+    w23 = w0 * crank_theta_ddot - w14
+    w24 = w8 * w17
+    w25 = (w8 * gravity_y - (w8 * w23 + w4 * w11 + w17 * c7) - w12 * w21) / w15
+    w26 = w0 * w5 - (w1 * c9 + w0 * (w9 + (w5 + w18) + w21) + w2 * (c10 + w22 - (w23 * rod_mass + w24) - w25))
+    w27 = w12 * slider_mass
+    w28 = w11 + w27
+    w29 = w0 * w8 + w2 * w28
+    w30 = 2 * rod_theta_dot
+    w31 = w12 * w30
+    w32 = (w2 * crank_theta_dot - w16 * (rod_theta_dot * w12)) / w15
+    w33 = (w4 + w31 * w32 - w16 * (w19 + w20)) / w15
+    w34 = w15 * w30 * slider_mass
+    w35 = w0 * (w11 * w30) - w2 * (w8 * w30 + w34)
+    w36 = (w15 * w17 - w13) * slider_mass
+    w37 = w4 * w8
+    w38 = c7 + w12 * w27
+    w39 = w12 * w34
+    w40 = w37 - w23 * w28 - w33 * w38 - w32 * w39 - w16 * (w11 * w23 - w37 - w11 * gravity_y + w12 * w25 - w15 * w21 - w12 * w36)
+    w41 = w26 - w2 * (w23 * c4) - w29 * w33 + w32 * w35 - w16 * (w0 * (w9 + w18) - w2 * (w24 - w22 + w36)) - w16 * w40
     w42 = 2 * crank_theta_dot
-    w43 = w8 * w42
-    w44 = (w18 * w41 + w43) / w2
-    w45 = w0 * w42
-    w46 = (w45 + w2 * w41 + w18 * w44) * slider_mass
-    w47 = w0 * (w5 * w41 - (w12 * w44 - w43 * rod_mass)) - w8 * (w12 * w41 + (w45 * rod_mass + w5 * w44) + w46)
+    w43 = w2 * w42
+    w44 = w0 * w42
+    w45 = (w43 - w16 * w31) / w15
+    w46 = w0 * (w43 * rod_mass) - w2 * (w44 * c4) - w29 * w45 - w16 * w35 - w16 * (w8 * w43 - w28 * w44 - w38 * w45 + w16 * w39)
     # outputs
-    J_q = ca.vertcat(w3 * (w11 - w15 + w17 * c7 + w18 * w19) + w16 * w25 - w32 - w3 * w36 + w40)
-    J_v = ca.vertcat(w47 + w3 * (w5 * w45 - w12 * w43 + w44 * c7 + w18 * w46))
+    J_q = ca.vertcat(w41)
+    J_v = ca.vertcat(w46)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 

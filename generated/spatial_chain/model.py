@@ -1598,7 +1598,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat by q_i, through q_d
-    1643 operations.
+    1457 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
@@ -1627,6 +1627,7 @@ def dQ_hat_dq_i() -> ca.Function:
     link1_end_x = c[6]
     link2_mass = c[7]
     link3_mass = c[8]
+    c9 = c[9]
     c11 = c[11]
     link2_end_x = c[12]
     c13 = c[13]
@@ -1640,7 +1641,7 @@ def dQ_hat_dq_i() -> ca.Function:
     c28 = c[28]
     c37 = c[37]
     c38 = c[38]
-    # intermediate terms (405)
+    # intermediate terms (368)
     w0 = ca.cos(link1_theta2)
     w1 = ca.sin(link1_theta1)
     w2 = w0 * w1
@@ -1675,423 +1676,383 @@ def dQ_hat_dq_i() -> ca.Function:
     w31 = w17 * w21
     w32 = link1_theta1_dot * (w29 + w10 * w30) + w31
     w33 = w4 * w17
-    w34 = w1 * w20
-    w35 = w10 * w33 + w34
-    w36 = w23 * w26 - w5 * w28 - w32 * w35
-    w37 = w0 * w20
-    w38 = w0 * w17
-    w39 = w10 * w28 + w23 * w37 - w32 * w38
-    w40 = w13 * w36 + w8 * w39
-    w41 = w15 - w40
-    w42 = w41 * link3_mass
-    w43 = w41 * link2_mass + w42
-    w44 = ca.cos(link2_theta1)
-    w45 = ca.sin(link2_theta2)
-    w46 = w44 * w45
-    w47 = ca.sin(link2_theta3)
-    w48 = ca.cos(link2_theta3)
-    w49 = ca.sin(link2_theta1)
-    w50 = w48 * w49
-    w51 = w46 * w47 - w50
-    w52 = link2_theta3_dot - w45 * link2_theta1_dot
-    w53 = ca.cos(link2_theta2)
-    w54 = w47 * w53
-    w55 = w48 * link2_theta2_dot
-    w56 = link2_theta1_dot * w54 + w55
-    w57 = w52 * w56
-    w58 = link2_theta3_dot * w53
-    w59 = w47 * w58
-    w60 = link2_theta3_dot * link2_theta2_dot
-    w61 = w48 * w60
-    w62 = link2_theta1_dot * (w59 + w45 * w55) + w61
-    w63 = w57 - w62
-    w64 = w63 * c11
-    w65 = w44 * w53
-    w66 = w56**2
-    w67 = w48 * w53
-    w68 = w47 * link2_theta2_dot
-    w69 = link2_theta1_dot * w67 - w68
-    w70 = w69**2
-    w71 = (w66 + w70) * c11
-    w72 = w47 * w49
-    w73 = w44 * w48
-    w74 = w72 + w45 * w73
-    w75 = w52 * w69
-    w76 = w48 * w58
-    w77 = w45 * link2_theta2_dot
-    w78 = w47 * w60
-    w79 = link2_theta1_dot * (w76 - w47 * w77) - w78
-    w80 = w75 - w79
-    w81 = w80 * c11
-    w82 = w51 * w64 - w65 * w71 + w74 * w81
-    w83 = w7 * w9
-    w84 = w8 * w12 + w6 * w13
-    w85 = w12 * w84
-    w86 = w1 * w10
-    w87 = w33 + w20 * w86
-    w88 = w23 * w87
-    w89 = w2 * w28
-    w90 = w10 * w25
-    w91 = w4 * w20
-    w92 = w90 - w91
-    w93 = w88 - w89 - w32 * w92
-    w94 = w3 * w39
-    w95 = w83 - w85 - (w13 * w93 + w94)
+    w34 = w10 * w33 + w1 * w20
+    w35 = w23 * w26 - w5 * w28 - w32 * w34
+    w36 = w0 * w20
+    w37 = w0 * w17
+    w38 = w10 * w28 + w23 * w36 - w32 * w37
+    w39 = w13 * w35 + w8 * w38
+    w40 = w15 - w39
+    w41 = w40 * c9
+    w42 = w2 * w28
+    w43 = w1 * w10
+    w44 = w33 + w20 * w43
+    w45 = w23 * w44
+    w46 = w4 * w20
+    w47 = w10 * w25
+    w48 = w3 * w38
+    w49 = w6 * w13 + w8 * w12
+    w50 = w12 * w49
+    w51 = w7 * w9
+    w52 = w13 * (w42 - w45 - w32 * (w46 - w47)) - w48 - (w50 - w51)
+    w53 = w52 * c9
+    w54 = ca.cos(link2_theta1)
+    w55 = ca.cos(link2_theta3)
+    w56 = w54 * w55
+    w57 = ca.sin(link2_theta1)
+    w58 = ca.sin(link2_theta2)
+    w59 = w57 * w58
+    w60 = ca.sin(link2_theta3)
+    w61 = w56 + w59 * w60
+    w62 = link2_theta3_dot - w58 * link2_theta1_dot
+    w63 = ca.cos(link2_theta2)
+    w64 = w60 * w63
+    w65 = w55 * link2_theta2_dot
+    w66 = link2_theta1_dot * w64 + w65
+    w67 = w62 * w66
+    w68 = link2_theta3_dot * w63
+    w69 = w60 * w68
+    w70 = link2_theta3_dot * link2_theta2_dot
+    w71 = w55 * w70
+    w72 = link2_theta1_dot * (w69 + w58 * w65) + w71
+    w73 = w67 - w72
+    w74 = w73 * c11
+    w75 = w61 * w74
+    w76 = w57 * w63
+    w77 = w66**2
+    w78 = w55 * w63
+    w79 = w60 * link2_theta2_dot
+    w80 = link2_theta1_dot * w78 - w79
+    w81 = w80**2
+    w82 = (w77 + w81) * c11
+    w83 = w76 * w82
+    w84 = w55 * w57
+    w85 = w58 * w84
+    w86 = w54 * w60
+    w87 = w85 - w86
+    w88 = w62 * w80
+    w89 = w55 * w68
+    w90 = w58 * link2_theta2_dot
+    w91 = w60 * w70
+    w92 = link2_theta1_dot * (w89 - w60 * w90) - w91
+    w93 = w88 - w92
+    w94 = w93 * c11
+    w95 = w39 - w15
     w96 = ca.cos(link3_theta1)
-    w97 = ca.sin(link3_theta2)
+    w97 = ca.cos(link3_theta3)
     w98 = w96 * w97
-    w99 = ca.sin(link3_theta3)
-    w100 = ca.cos(link3_theta3)
-    w101 = ca.sin(link3_theta1)
-    w102 = w100 * w101
-    w103 = w98 * w99 - w102
-    w104 = link3_theta3_dot - w97 * link3_theta1_dot
+    w99 = ca.sin(link3_theta1)
+    w100 = ca.sin(link3_theta2)
+    w101 = w99 * w100
+    w102 = ca.sin(link3_theta3)
+    w103 = w98 + w101 * w102
+    w104 = link3_theta3_dot - w100 * link3_theta1_dot
     w105 = ca.cos(link3_theta2)
-    w106 = w99 * w105
-    w107 = w100 * link3_theta2_dot
+    w106 = w102 * w105
+    w107 = w97 * link3_theta2_dot
     w108 = link3_theta1_dot * w106 + w107
     w109 = w104 * w108
     w110 = link3_theta3_dot * w105
-    w111 = w99 * w110
+    w111 = w102 * w110
     w112 = link3_theta3_dot * link3_theta2_dot
-    w113 = w100 * w112
-    w114 = link3_theta1_dot * (w111 + w97 * w107) + w113
+    w113 = w97 * w112
+    w114 = link3_theta1_dot * (w111 + w100 * w107) + w113
     w115 = w109 - w114
     w116 = w115 * c13
-    w117 = w96 * w105
-    w118 = w108**2
-    w119 = w100 * w105
-    w120 = w99 * link3_theta2_dot
-    w121 = link3_theta1_dot * w119 - w120
-    w122 = w121**2
-    w123 = (w118 + w122) * c13
-    w124 = w99 * w101
-    w125 = w96 * w100
-    w126 = w124 + w97 * w125
-    w127 = w104 * w121
-    w128 = w100 * w110
-    w129 = w97 * link3_theta2_dot
-    w130 = w99 * w112
-    w131 = link3_theta1_dot * (w128 - w99 * w129) - w130
-    w132 = w127 - w131
-    w133 = w132 * c13
-    w134 = w103 * w116 - w117 * w123 + w126 * w133
-    w135 = w49 * w53
-    w136 = w44 * link2_theta2_dot + link2_theta3_dot * w135
-    w137 = link2_theta3_dot * w65 - w49 * link2_theta2_dot
-    w138 = w135 * link2_end_x
-    w139 = w65 * link2_end_x
-    w140 = w137 * w138 - w136 * w139
-    w141 = w136 * w140
-    w142 = w45 * link2_theta3_dot
-    w143 = link2_theta1_dot - w142
-    w144 = w45 * link2_end_x
-    w145 = w139 * w143 + w137 * w144
-    w146 = w143 * w145
-    w147 = w45 * w49
-    w148 = w73 + w47 * w147
-    w149 = w79 * w148
-    w150 = link2_theta1_dot * link2_theta2_dot
-    w151 = w53 * w150
-    w152 = w135 * w151
-    w153 = w45 * w50
-    w154 = w44 * w47
-    w155 = w153 - w154
-    w156 = w149 - w152 - w62 * w155
-    w157 = w45 * w151 + w54 * w79 - w62 * w67
-    w158 = w138 * w157
-    w159 = w95 + (w141 - w146 - (w144 * w156 + w158))
-    w160 = w134 + w159 * link3_mass
-    w161 = w82 + w95 * link2_mass + w160
-    w162 = w89 - w88 - w32 * (w91 - w90)
-    w163 = w13 * w162 - w94 - (w85 - w83)
-    w164 = w163 * link3_mass
-    w165 = w163 * link2_mass + w164
-    w166 = w64 * w148
-    w167 = w71 * w135
-    w168 = w40 - w15
-    w169 = w97 * w101
-    w170 = w125 + w99 * w169
-    w171 = w116 * w170
-    w172 = w101 * w105
-    w173 = w123 * w172
-    w174 = w97 * w102
-    w175 = w96 * w99
-    w176 = w174 - w175
-    w177 = w51 * w79 - w65 * w151 - w62 * w74
-    w178 = w139 * w157 + w144 * w177
-    w179 = w136 * w144 + w138 * w143
-    w180 = w143 * w179 + w137 * w140
-    w181 = w168 + (w178 - w180)
-    w182 = w171 - w173 + w133 * w176 + w181 * link3_mass
-    w183 = w166 - w167 + w81 * w155 + w168 * link2_mass + w182
-    w184 = w0 * link1_end_x
-    w185 = w8 * w36
-    w186 = w3 * w162 + w185 - (w185 - w3 * w93)
-    w187 = w3 * w36 - w8 * w93 + (w6 * w84 + w7 * w14)
-    w188 = w187 - gravity_z
-    w189 = w187 + (w138 * w177 - w139 * w156 + (w137 * w145 + w136 * w179)) - gravity_z
-    w190 = w97 * w123 + w106 * w116 + w119 * w133 + w189 * link3_mass
-    w191 = w1 * w13
-    w192 = w4 * w13
-    w193 = w184 * (w186 * link2_mass + w186 * link3_mass) + (w165 * w191 + w183 * w192) + (w43 * w192 - w161 * w191)
-    w194 = w65 * c11
-    w195 = w135 * c11
-    w196 = w53 * link2_end_x
-    w197 = w45 * c11
-    w198 = w44 * w197
-    w199 = w49 * w197
-    w200 = w53 * c11
-    w201 = w49 * w144
-    w202 = w44 * w144
-    w203 = w117 * c13
-    w204 = w172 * c13
-    w205 = w97 * c13
-    w206 = w96 * w205
-    w207 = w101 * w205
-    w208 = w105 * c13
-    w209 = link1_theta3_dot * w86
-    w210 = w24 * link1_end_x
-    w211 = link1_theta3_dot * w24
-    w212 = w86 * link1_end_x
-    w213 = w8 * w209 + w7 * w210 - (w3 * w211 + w6 * w212)
-    w214 = w6 * w184 - w13 * w211 - (w8 * w16 + w12 * w210)
-    w215 = link1_theta1_dot * (w11 * w17 + w20 * (w0 * link1_theta2_dot))
-    w216 = w10 * w27
-    w217 = link1_theta1_dot * (w0 * w30 - w11 * w20)
-    w218 = w23 * (w2 * w20) - w87 * w215 + w10 * (link1_theta1_dot * (w2 * link1_theta2_dot)) * c38 - (w32 * (w0 * w25) + w92 * w217)
-    w219 = w10 * w20
-    w220 = w10 * w17
-    w221 = w0 * w28 - w10 * w216 - (w23 * w219 + w37 * w215) - (w38 * w217 - w32 * w220)
-    w222 = w7 * w213 - w9 * w209 - (w12 * w214 - w16 * w84) - (w13 * w218 + w93 * w184 + (w3 * w221 - w39 * w212))
-    w223 = w222 * link3_mass
-    w224 = w222 * link2_mass + w223
-    w225 = w23 * (w5 * w20) - w26 * w215 + w10 * (link1_theta1_dot * (w5 * link1_theta2_dot)) * c38 - (w32 * (w0 * w33) + w35 * w217)
-    w226 = w7 * w184 - w13 * w209 - (w3 * w16 + w12 * w212)
-    w227 = w8 * w221 - w39 * w210 + (w13 * w225 + w36 * w184) - (w12 * w226 - w14 * w16 + (w6 * w213 - w9 * w211))
-    w228 = w227 * link3_mass
-    w229 = w227 * link2_mass + w228
-    w230 = link1_theta3_dot - link1_theta1_dot * w10
-    w231 = link1_theta2_dot * w20
-    w232 = link1_theta1_dot * w38 - w231
-    w233 = w230 * w232
-    w234 = (w23 + w233) * c1 - (w233 - w23) * c3
-    w235 = w0 * link1_theta1_dot
-    w236 = link1_theta1_dot * w220
-    w237 = w232 * w235 + w230 * w236
-    w238 = (w215 + w237) * c1 + (w215 - w237) * c3
-    w239 = w30 + link1_theta1_dot * w37
-    w240 = w232 * w239
-    w241 = link1_theta1_dot * w219
-    w242 = w232 * w241 + w236 * w239
-    w243 = (w216 - w242) * c0 + (w216 + w242) * c1
-    w244 = w230 * w239
-    w245 = (w244 - w32) * c3 - (w32 + w244) * c0
-    w246 = w235 * w239 + w230 * w241
-    w247 = (w217 + w246) * c3 + (w217 - w246) * c0
-    w248 = w219 * w234 + w37 * w238 + (w0 * ((w240 - w28) * c0 - (w28 + w240) * c1) + w10 * w243) + (w220 * w245 + w38 * w247)
-    w249 = w3 * w225 - w36 * w212 - (w8 * w218 - w93 * w210) + (w6 * w214 - w84 * w211 + (w7 * w226 - w14 * w209))
-    w250 = w184 * (w249 * link2_mass + w249 * link3_mass) - w13 * (w45 * w71 + w54 * w64 + w67 * w81 + w188 * link2_mass + w190)
-    w251 = w250 - (w20 * w247 - w17 * w238 - w10 * c28) + (w191 * w229 + w183 * (w1 * w184)) + (w192 * w224 + w161 * (w4 * w184))
-    w252 = w31 + link1_theta1_dot * (w29 + w17 * w19)
-    w253 = link1_theta1_dot * (w18 - w10 * w231) - w22
-    w254 = w23 * (w17 * w86 - w91) - w87 * w252 - (w92 * w253 - w32 * (w33 + w10 * w34))
-    w255 = w23 * w38 - w37 * w252 - (w38 * w253 - w32 * w37)
-    w256 = w13 * w254 + w3 * w255
-    w257 = w256 * link3_mass
-    w258 = w256 * link2_mass + w257
-    w259 = (w244 + w252) * c1 + (w252 - w244) * c3
-    w260 = w232**2 - w239**2
-    w261 = w260 * c0 - w260 * c1
-    w262 = (w233 - w253) * c3 - (w233 + w253) * c0
-    w263 = w23 * (w34 + w17 * w24) - w26 * w252 - (w32 * (w25 - w10 * w91) + w35 * w253)
-    w264 = w8 * w255 + w13 * w263
-    w265 = w264 * link3_mass
-    w266 = w264 * link2_mass + w265
-    w267 = w3 * w263 - w8 * w254
-    w268 = w184 * (w267 * link2_mass + w267 * link3_mass) + (w20 * w234 + w17 * w259 + (w17 * w245 + w20 * w262))
-    w269 = w154 - w153
-    w270 = w180 - w178
-    w271 = w270 * link3_mass
-    w272 = w167 - w166 + w81 * w269 + w271
-    w273 = w152 - w149 - w62 * w269
-    w274 = w144 * w273 - w158 - (w146 - w141)
-    w275 = w274 * link3_mass
-    w276 = w82 + w275
-    w277 = w139 * w177
-    w278 = w138 * w273 + w277 - (w277 - w138 * w156)
-    w279 = w278 * link3_mass
-    w280 = w196 * w279 + (w168 * w198 - w95 * w199) + (w201 * w275 + w182 * w202) + (w202 * w271 - w160 * w201)
-    w281 = w47 * w65
-    w282 = link2_theta1_dot * w53
-    w283 = w45 * w47
-    w284 = link2_theta1_dot * w283
-    w285 = w56 * w282 + w52 * w284
-    w286 = link2_theta1_dot * (w53 * w55 - w47 * w142)
-    w287 = w285 + w286
-    w288 = w287 * c11
-    w289 = 2 * w56
-    w290 = 2 * w69
-    w291 = w45 * w48
-    w292 = link2_theta1_dot * w291
-    w293 = (w284 * w289 + w290 * w292) * c11
-    w294 = w53 * w73
-    w295 = link2_theta1_dot * (w48 * w142 + w47 * (w53 * link2_theta2_dot))
-    w296 = w69 * w282 + w52 * w292
-    w297 = w295 - w296
-    w298 = w297 * c11
-    w299 = link2_theta3_dot * w147
-    w300 = w46 * link2_end_x
-    w301 = w46 * link2_theta3_dot
-    w302 = w147 * link2_end_x
-    w303 = w139 * w299 + w136 * w300 - (w138 * w301 + w137 * w302)
-    w304 = w137 * w196 - w144 * w301 - (w58 * w139 + w143 * w300)
-    w305 = w47 * w135
-    w306 = w45 * w150
-    w307 = w50 * w53
-    w308 = w79 * w305 - w148 * w295 + link2_theta2_dot * (w53 * (link2_theta1_dot * w147)) * c38 - (w62 * w307 + w155 * w286)
-    w309 = w53 * w151 - w45 * w306 - (w79 * w283 + w54 * w295) - (w67 * w286 - w62 * w291)
-    w310 = w136 * w303 - w140 * w299 - (w143 * w304 - w58 * w145) - (w144 * w308 + w156 * w196 + (w138 * w309 - w157 * w302))
-    w311 = w310 * link3_mass
-    w312 = w64 * w281 - w51 * w288 + (w46 * w71 + w65 * w293) + (w81 * w294 + w74 * w298) + w311
-    w313 = w79 * w281 - w51 * w295 + link2_theta2_dot * (w53 * (w46 * link2_theta1_dot)) * c38 - (w62 * w294 + w74 * w286)
-    w314 = w136 * w196 - w144 * w299 - (w58 * w138 + w143 * w302)
-    w315 = w139 * w309 - w157 * w300 + (w144 * w313 + w177 * w196) - (w143 * w314 - w58 * w179 + (w137 * w303 - w140 * w301))
-    w316 = w315 * link3_mass
-    w317 = w64 * w305 - w148 * w288 + (w71 * w147 + w135 * w293) + (w81 * w307 + w155 * w298) + w316
-    w318 = w138 * w313 - w177 * w302 - (w139 * w308 - w156 * w300) + (w137 * w304 - w145 * w301 + (w136 * w314 - w179 * w299))
-    w319 = w318 * link3_mass
-    w320 = w184 * (w53 * w71 - w45 * w293 - (w64 * w283 + w54 * w288) + (w67 * w298 - w81 * w291) + w319) + w191 * w317
-    w321 = (w75 + w79) * c15 - w80 * c17
-    w322 = (w295 + w296) * c15 + w297 * c17
-    w323 = w56 * w69
-    w324 = w69 * w284 + w56 * w292
-    w325 = (w306 - w324) * c14 + (w306 + w324) * c15
-    w326 = w63 * c17 - (w57 + w62) * c14
-    w327 = w287 * c17 + (w286 - w285) * c14
-    w328 = w283 * w321 + w54 * w322 + (w53 * ((w323 - w151) * c14 - (w151 + w323) * c15) + w45 * w325) + (w291 * w326 + w67 * w327)
-    w329 = w138 * w311 - w160 * w302 - (w95 * (w147 * c11) - w168 * (w46 * c11) - w328 + (w139 * w316 - w182 * w300))
-    w330 = w196 * w319 - w144 * w190 - (w47 * w327 - w48 * w322 - (w95 * (w44 * w200) + w168 * (w49 * w200) - w188 * w197))
-    w331 = w72 + w46 * w48
-    w332 = link2_theta1_dot * (w76 - w45 * w68) - w78
-    w333 = w75 - w332
-    w334 = w333 * c11
-    w335 = (w69 * w289 - w56 * w290) * c11
-    w336 = w50 - w45 * w154
-    w337 = w61 + link2_theta1_dot * (w59 + w48 * w77)
-    w338 = w337 - w57
-    w339 = w338 * c11
-    w340 = w48 * w147 - w154
-    w341 = w73 + w45 * w72
-    w342 = w79 * w340 - w148 * w337 - (w155 * w332 - w62 * w341)
-    w343 = w67 * w79 - w54 * w337 - (w67 * w332 - w54 * w62)
-    w344 = w144 * w342 + w138 * w343
-    w345 = w344 * link3_mass
-    w346 = w64 * w331 + w51 * w334 - w65 * w335 + (w81 * w336 + w74 * w339) - w345
-    w347 = w79 * w331 - w51 * w337 - (w62 * w336 + w74 * w332)
-    w348 = w139 * w343 + w144 * w347
-    w349 = w348 * link3_mass
-    w350 = w64 * w340 + w148 * w334 - w135 * w335 + (w155 * w339 - w81 * w341) + w349
-    w351 = w138 * w347 - w139 * w342
-    w352 = w351 * link3_mass
-    w353 = w184 * (w45 * w335 + (w64 * w67 + w54 * w334) + (w67 * w339 - w54 * w81) + w352) + w191 * w350 + w192 * w346
-    w354 = (w57 + w337) * c15 + w338 * c17
-    w355 = w70 - w66
-    w356 = w355 * c14 - w355 * c15
-    w357 = w333 * c17 - (w75 + w332) * c14
-    w358 = -(w138 * w345 + (w67 * w321 - w54 * w354 - w45 * w356 + (w67 * w357 - w54 * w326) + w139 * w349))
-    w359 = w173 - w171 + w133 * (w175 - w174)
-    w360 = link3_theta1_dot * w105
-    w361 = w97 * w99
-    w362 = link3_theta1_dot * w361
-    w363 = w108 * w360 + w104 * w362
-    w364 = w97 * link3_theta3_dot
-    w365 = link3_theta1_dot * (w105 * w107 - w99 * w364)
-    w366 = w363 + w365
-    w367 = w366 * c13
-    w368 = 2 * w108
-    w369 = 2 * w121
-    w370 = w97 * w100
-    w371 = link3_theta1_dot * w370
-    w372 = (w362 * w368 + w369 * w371) * c13
-    w373 = link3_theta1_dot * (w100 * w364 + w99 * (w105 * link3_theta2_dot))
-    w374 = w121 * w360 + w104 * w371
-    w375 = w373 - w374
-    w376 = w375 * c13
-    w377 = w116 * (w99 * w117) - w103 * w367 + (w98 * w123 + w117 * w372) + (w133 * (w105 * w125) + w126 * w376)
-    w378 = w116 * (w99 * w172) - w170 * w367 + (w123 * w169 + w172 * w372) + (w133 * (w102 * w105) + w176 * w376)
-    w379 = w105 * w123 - w97 * w372 - (w116 * w361 + w106 * w367) + (w119 * w376 - w133 * w370)
-    w380 = (w127 + w131) * c22 - w132 * c24
-    w381 = (w373 + w374) * c22 + w375 * c24
-    w382 = w108 * w121
-    w383 = link3_theta1_dot * link3_theta2_dot
-    w384 = w105 * w383
-    w385 = w97 * w383
-    w386 = w121 * w362 + w108 * w371
-    w387 = (w385 - w386) * c21 + (w385 + w386) * c22
-    w388 = w115 * c24 - (w109 + w114) * c21
-    w389 = w366 * c24 + (w365 - w363) * c21
-    w390 = w361 * w380 + w106 * w381 + (w105 * ((w382 - w384) * c21 - (w382 + w384) * c22) + w97 * w387) + (w370 * w388 + w119 * w389)
-    w391 = link3_theta1_dot * (w128 - w97 * w120) - w130
-    w392 = w127 - w391
-    w393 = w392 * c13
-    w394 = (w121 * w368 - w108 * w369) * c13
-    w395 = w113 + link3_theta1_dot * (w111 + w100 * w129)
-    w396 = w395 - w109
-    w397 = w396 * c13
-    w398 = w116 * (w124 + w98 * w100) + w103 * w393 - w117 * w394 + (w133 * (w102 - w97 * w175) + w126 * w397)
-    w399 = w116 * (w100 * w169 - w175) + w170 * w393 - w172 * w394 + (w176 * w397 - w133 * (w125 + w97 * w124))
-    w400 = w97 * w394 + (w116 * w119 + w106 * w393) + (w119 * w397 - w106 * w133)
-    w401 = (w109 + w395) * c22 + w396 * c24
-    w402 = w122 - w118
-    w403 = w402 * c21 - w402 * c22
-    w404 = w392 * c24 - (w127 + w391) * c21
+    w117 = w103 * w116
+    w118 = w99 * w105
+    w119 = w108**2
+    w120 = w97 * w105
+    w121 = w102 * link3_theta2_dot
+    w122 = link3_theta1_dot * w120 - w121
+    w123 = w122**2
+    w124 = (w119 + w123) * c13
+    w125 = w118 * w124
+    w126 = w97 * w99
+    w127 = w100 * w126
+    w128 = w96 * w102
+    w129 = w127 - w128
+    w130 = w104 * w122
+    w131 = w97 * w110
+    w132 = w100 * link3_theta2_dot
+    w133 = w102 * w112
+    w134 = link3_theta1_dot * (w131 - w102 * w132) - w133
+    w135 = w130 - w134
+    w136 = w135 * c13
+    w137 = link2_theta1_dot * link2_theta2_dot
+    w138 = w63 * w137
+    w139 = w58 * w138 + w64 * w92 - w72 * w78
+    w140 = w54 * w63
+    w141 = w140 * link2_end_x
+    w142 = w54 * w58
+    w143 = w60 * w142 - w84
+    w144 = w57 * w60
+    w145 = w144 + w56 * w58
+    w146 = w92 * w143 - w138 * w140 - w72 * w145
+    w147 = w58 * link2_end_x
+    w148 = w139 * w141 + w146 * w147
+    w149 = w58 * link2_theta3_dot
+    w150 = link2_theta1_dot - w149
+    w151 = w54 * link2_theta2_dot + link2_theta3_dot * w76
+    w152 = w76 * link2_end_x
+    w153 = w147 * w151 + w150 * w152
+    w154 = link2_theta3_dot * w140 - w57 * link2_theta2_dot
+    w155 = w152 * w154 - w141 * w151
+    w156 = w150 * w153 + w154 * w155
+    w157 = w95 + (w148 - w156)
+    w158 = w117 - w125 + w129 * w136 + w157 * link3_mass
+    w159 = w75 - w83 + w87 * w94 + w95 * link2_mass + w158
+    w160 = w74 * w143 - w82 * w140 + w94 * w145
+    w161 = w47 - w46
+    w162 = w45 - w42 - w32 * w161
+    w163 = w51 - w50 - (w48 + w13 * w162)
+    w164 = w96 * w100
+    w165 = w102 * w164 - w126
+    w166 = w96 * w105
+    w167 = w99 * w102
+    w168 = w167 + w98 * w100
+    w169 = w116 * w165 - w124 * w166 + w136 * w168
+    w170 = w151 * w155
+    w171 = w141 * w150 + w147 * w154
+    w172 = w150 * w171
+    w173 = w61 * w92
+    w174 = w76 * w138
+    w175 = w173 - w174 - w72 * w87
+    w176 = w139 * w152
+    w177 = w163 + (w170 - w172 - (w147 * w175 + w176))
+    w178 = w169 + w177 * link3_mass
+    w179 = w160 + w163 * link2_mass + w178
+    w180 = w1 * w13
+    w181 = w4 * w13
+    w182 = w3 * w35 - w8 * w162 + (w6 * w49 + w7 * w14)
+    w183 = w182 - gravity_z
+    w184 = w182 + (w146 * w152 - w141 * w175 + (w154 * w171 + w151 * w153)) - gravity_z
+    w185 = w100 * w124 + w106 * w116 + w120 * w136 + w184 * link3_mass
+    w186 = w76 * c11
+    w187 = w186 + w152 * link3_mass
+    w188 = w140 * c11
+    w189 = w188 + w141 * link3_mass
+    w190 = w58 * c11
+    w191 = w57 * w147
+    w192 = w59 * c37
+    w193 = w54 * w147
+    w194 = w142 * c37
+    w195 = w118 * c13
+    w196 = w166 * c13
+    w197 = w100 * c13
+    w198 = w99 * w197
+    w199 = w96 * w197
+    w200 = link1_theta3_dot * w43
+    w201 = w24 * link1_end_x
+    w202 = link1_theta3_dot * w24
+    w203 = w43 * link1_end_x
+    w204 = w8 * w200 + w7 * w201 - (w3 * w202 + w6 * w203)
+    w205 = w0 * link1_end_x
+    w206 = w6 * w205 - w13 * w202 - (w8 * w16 + w12 * w201)
+    w207 = link1_theta1_dot * (w11 * w17 + w20 * (w0 * link1_theta2_dot))
+    w208 = w10 * w27
+    w209 = link1_theta1_dot * (w0 * w30 - w11 * w20)
+    w210 = w23 * (w2 * w20) - w44 * w207 + w10 * (link1_theta1_dot * (w2 * link1_theta2_dot)) * c38 - (w32 * (w0 * w25) + w161 * w209)
+    w211 = w10 * w20
+    w212 = w10 * w17
+    w213 = w0 * w28 - w10 * w208 - (w23 * w211 + w36 * w207) - (w37 * w209 - w32 * w212)
+    w214 = w7 * w204 - w9 * w200 - (w12 * w206 - w16 * w49) - (w13 * w210 + w162 * w205 + (w3 * w213 - w38 * w203))
+    w215 = w214 * c9
+    w216 = link1_theta3_dot - link1_theta1_dot * w10
+    w217 = link1_theta2_dot * w20
+    w218 = link1_theta1_dot * w37 - w217
+    w219 = w216 * w218
+    w220 = (w23 + w219) * c1 - (w219 - w23) * c3
+    w221 = w0 * link1_theta1_dot
+    w222 = link1_theta1_dot * w212
+    w223 = w218 * w221 + w216 * w222
+    w224 = (w207 + w223) * c1 + (w207 - w223) * c3
+    w225 = w30 + link1_theta1_dot * w36
+    w226 = w218 * w225
+    w227 = link1_theta1_dot * w211
+    w228 = w218 * w227 + w222 * w225
+    w229 = (w208 - w228) * c0 + (w208 + w228) * c1
+    w230 = w216 * w225
+    w231 = (w230 - w32) * c3 - (w32 + w230) * c0
+    w232 = w221 * w225 + w216 * w227
+    w233 = (w209 + w232) * c3 + (w209 - w232) * c0
+    w234 = w211 * w220 + w36 * w224 + (w0 * ((w226 - w28) * c0 - (w28 + w226) * c1) + w10 * w229) + (w212 * w231 + w37 * w233)
+    w235 = w23 * (w5 * w20) - w26 * w207 + w10 * (link1_theta1_dot * (w5 * link1_theta2_dot)) * c38 - (w32 * (w0 * w33) + w34 * w209)
+    w236 = w7 * w205 - w13 * w200 - (w3 * w16 + w12 * w203)
+    w237 = w8 * w213 - w38 * w201 + (w13 * w235 + w35 * w205) - (w12 * w236 - w14 * w16 + (w6 * w204 - w9 * w202))
+    w238 = w237 * c9
+    w239 = w3 * w235 - w35 * w203 - (w8 * w210 - w162 * w201) + (w6 * w206 - w49 * w202 + (w7 * w236 - w14 * w200))
+    w240 = w20 * w233 - w17 * w224 - w10 * c28 - w179 * (w4 * w205) - w159 * (w1 * w205) + w13 * (w58 * w82 + w64 * w74 + w78 * w94 + w183 * link2_mass + w185)
+    w241 = w63 * c11
+    w242 = w63 * link2_end_x
+    w243 = w105 * c13
+    w244 = w31 + link1_theta1_dot * (w29 + w17 * w19)
+    w245 = (w230 + w244) * c1 + (w244 - w230) * c3
+    w246 = w218**2 - w225**2
+    w247 = w246 * c0 - w246 * c1
+    w248 = link1_theta1_dot * (w18 - w10 * w217) - w22
+    w249 = (w219 - w248) * c3 - (w219 + w248) * c0
+    w250 = w86 - w85
+    w251 = w156 - w148
+    w252 = w251 * link3_mass
+    w253 = w83 - w75 + w94 * w250 + w252
+    w254 = w147 * (w174 - w173 - w72 * w250) - w176 - (w172 - w170)
+    w255 = w254 * link3_mass
+    w256 = w160 + w255
+    w257 = w191 * w255 + (w158 * w193 + (w95 * (w54 * w190) - w163 * (w57 * w190) - w178 * w191)) + w193 * w252
+    w258 = w60 * w140
+    w259 = link2_theta1_dot * w63
+    w260 = w58 * w60
+    w261 = link2_theta1_dot * w260
+    w262 = w66 * w259 + w62 * w261
+    w263 = link2_theta1_dot * (w63 * w65 - w60 * w149)
+    w264 = w262 + w263
+    w265 = w264 * c11
+    w266 = 2 * w66
+    w267 = 2 * w80
+    w268 = w55 * w58
+    w269 = link2_theta1_dot * w268
+    w270 = (w261 * w266 + w267 * w269) * c11
+    w271 = w56 * w63
+    w272 = link2_theta1_dot * (w55 * w149 + w60 * (w63 * link2_theta2_dot))
+    w273 = w80 * w259 + w62 * w269
+    w274 = w272 - w273
+    w275 = w274 * c11
+    w276 = w59 * link2_theta3_dot
+    w277 = w142 * link2_end_x
+    w278 = link2_theta3_dot * w142
+    w279 = w59 * link2_end_x
+    w280 = w141 * w276 + w151 * w277 - (w152 * w278 + w154 * w279)
+    w281 = w154 * w242 - w147 * w278 - (w68 * w141 + w150 * w277)
+    w282 = w60 * w76
+    w283 = w58 * w137
+    w284 = w63 * w84
+    w285 = w92 * w282 - w61 * w272 + link2_theta2_dot * (w63 * (w59 * link2_theta1_dot)) * c38 - (w72 * w284 + w87 * w263)
+    w286 = w63 * w138 - w58 * w283 - (w92 * w260 + w64 * w272) - (w78 * w263 - w72 * w268)
+    w287 = w151 * w280 - w155 * w276 - (w150 * w281 - w68 * w171) - (w147 * w285 + w175 * w242 + (w152 * w286 - w139 * w279))
+    w288 = w287 * link3_mass
+    w289 = w74 * w258 - w143 * w265 + (w82 * w142 + w140 * w270) + (w94 * w271 + w145 * w275) + w288
+    w290 = w92 * w258 - w143 * w272 + link2_theta2_dot * (w63 * (link2_theta1_dot * w142)) * c38 - (w72 * w271 + w145 * w263)
+    w291 = w151 * w242 - w147 * w276 - (w68 * w152 + w150 * w279)
+    w292 = w141 * w286 - w139 * w277 + (w147 * w290 + w146 * w242) - (w150 * w291 - w68 * w153 + (w154 * w280 - w155 * w278))
+    w293 = w292 * link3_mass
+    w294 = w74 * w282 - w61 * w265 + (w59 * w82 + w76 * w270) + (w94 * w284 + w87 * w275) + w293
+    w295 = w152 * w290 - w146 * w279 - (w141 * w285 - w175 * w277) + (w154 * w281 - w171 * w278 + (w151 * w291 - w153 * w276))
+    w296 = w295 * link3_mass
+    w297 = w205 * (w63 * w82 - w58 * w270 - (w74 * w260 + w64 * w265) + (w78 * w275 - w94 * w268) + w296) + w180 * w294
+    w298 = (w88 + w92) * c15 - w93 * c17
+    w299 = (w272 + w273) * c15 + w274 * c17
+    w300 = w66 * w80
+    w301 = w80 * w261 + w66 * w269
+    w302 = (w283 - w301) * c14 + (w283 + w301) * c15
+    w303 = w73 * c17 - (w67 + w72) * c14
+    w304 = w264 * c17 + (w263 - w262) * c14
+    w305 = w260 * w298 + w64 * w299 + (w63 * ((w300 - w138) * c14 - (w138 + w300) * c15) + w58 * w302) + (w268 * w303 + w78 * w304)
+    w306 = w152 * w288 - (w163 * (w59 * c11) - w95 * (w142 * c11) - w305 + w178 * w279 - w158 * w277 + w141 * w293)
+    w307 = w60 * w304 - w55 * w299 - (w163 * (w54 * w241) + w95 * (w57 * w241) - w183 * w190) - w178 * (w54 * w242)
+    w308 = link2_theta1_dot * (w89 - w58 * w79) - w91
+    w309 = w88 - w308
+    w310 = w309 * c11
+    w311 = (w80 * w266 - w66 * w267) * c11
+    w312 = w71 + link2_theta1_dot * (w69 + w55 * w90)
+    w313 = w312 - w67
+    w314 = w313 * c11
+    w315 = w74 * (w144 + w55 * w142) + w143 * w310 - w140 * w311 + (w94 * (w84 - w58 * w86) + w145 * w314)
+    w316 = w74 * (w55 * w59 - w86) + w61 * w310 - w76 * w311 + (w87 * w314 - w94 * (w56 + w58 * w144))
+    w317 = w205 * (w58 * w311 + (w74 * w78 + w64 * w310) + (w78 * w314 - w64 * w94)) + w180 * w316 + w181 * w315
+    w318 = (w67 + w312) * c15 + w313 * c17
+    w319 = w81 - w77
+    w320 = w319 * c14 - w319 * c15
+    w321 = w309 * c17 - (w88 + w308) * c14
+    w322 = w125 - w117 + w136 * (w128 - w127)
+    w323 = link3_theta1_dot * w105
+    w324 = w100 * w102
+    w325 = link3_theta1_dot * w324
+    w326 = w108 * w323 + w104 * w325
+    w327 = w100 * link3_theta3_dot
+    w328 = link3_theta1_dot * (w105 * w107 - w102 * w327)
+    w329 = w326 + w328
+    w330 = w329 * c13
+    w331 = 2 * w108
+    w332 = 2 * w122
+    w333 = w97 * w100
+    w334 = link3_theta1_dot * w333
+    w335 = (w325 * w331 + w332 * w334) * c13
+    w336 = link3_theta1_dot * (w97 * w327 + w102 * (w105 * link3_theta2_dot))
+    w337 = w122 * w323 + w104 * w334
+    w338 = w336 - w337
+    w339 = w338 * c13
+    w340 = w116 * (w102 * w166) - w165 * w330 + (w124 * w164 + w166 * w335) + (w136 * (w98 * w105) + w168 * w339)
+    w341 = w116 * (w102 * w118) - w103 * w330 + (w101 * w124 + w118 * w335) + (w136 * (w105 * w126) + w129 * w339)
+    w342 = w105 * w124 - w100 * w335 - (w116 * w324 + w106 * w330) + (w120 * w339 - w136 * w333)
+    w343 = (w130 + w134) * c22 - w135 * c24
+    w344 = (w336 + w337) * c22 + w338 * c24
+    w345 = w108 * w122
+    w346 = link3_theta1_dot * link3_theta2_dot
+    w347 = w105 * w346
+    w348 = w100 * w346
+    w349 = w122 * w325 + w108 * w334
+    w350 = (w348 - w349) * c21 + (w348 + w349) * c22
+    w351 = w115 * c24 - (w109 + w114) * c21
+    w352 = w329 * c24 + (w328 - w326) * c21
+    w353 = w324 * w343 + w106 * w344 + (w105 * ((w345 - w347) * c21 - (w345 + w347) * c22) + w100 * w350) + (w333 * w351 + w120 * w352)
+    w354 = link3_theta1_dot * (w131 - w100 * w121) - w133
+    w355 = w130 - w354
+    w356 = w355 * c13
+    w357 = (w122 * w331 - w108 * w332) * c13
+    w358 = w113 + link3_theta1_dot * (w111 + w97 * w132)
+    w359 = w358 - w109
+    w360 = w359 * c13
+    w361 = w116 * (w167 + w97 * w164) + w165 * w356 - w166 * w357 + (w136 * (w126 - w100 * w128) + w168 * w360)
+    w362 = w116 * (w97 * w101 - w128) + w103 * w356 - w118 * w357 + (w129 * w360 - w136 * (w98 + w100 * w167))
+    w363 = w100 * w357 + (w116 * w120 + w106 * w356) + (w120 * w360 - w106 * w136)
+    w364 = (w109 + w358) * c22 + w359 * c24
+    w365 = w123 - w119
+    w366 = w365 * c21 - w365 * c22
+    w367 = w355 * c24 - (w130 + w354) * c21
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # link1.theta1
-            w3 * w43 + w8 * w161 - (w8 * w165 - w3 * w183),
-            w3 * w224 - w161 * w212 - (w8 * w229 - w183 * w210 - w248),
-            -(w3 * w258 + (w38 * w234 - w37 * w259 - w10 * w261 + (w38 * w262 - w37 * w245) + w8 * w266)),
-            w3 * w272 - w8 * w276, w3 * w312 - w8 * w317, w3 * w346 - w8 * w350, w3 * w359 - w8 * w134,
-            w3 * w377 - w8 * w378, w3 * w398 - w8 * w399,
+            w3 * w41 - (w8 * w53 - (w3 * w159 + w8 * w179)),
+            w3 * w215 - (w179 * w203 - w234 - w159 * w201 + w8 * w238),
+            -(w37 * w220 - w36 * w245 - w10 * w247 + (w37 * w249 - w36 * w231)), w3 * w253 - w8 * w256,
+            w3 * w289 - w8 * w294, w3 * w315 - w8 * w316, w3 * w322 - w8 * w169, w3 * w340 - w8 * w341,
+            w3 * w361 - w8 * w362,
         ),
         ca.horzcat(  # link1.theta2
-            w193, w251, w268 + w191 * w266 - w192 * w258, w184 * w279 + w191 * w276 + w192 * w272,
-            w320 + w192 * w312, w353, w134 * w191 + w192 * w359, w184 * w379 + w191 * w378 + w192 * w377,
-            w184 * w400 + w191 * w399 + w192 * w398,
+            w53 * w180 - (w179 * w180 - w159 * w181) + w41 * w181,
+            w205 * (w239 * c9) - w240 + w180 * w238 + w181 * w215,
+            w20 * w220 + w17 * w245 + (w17 * w231 + w20 * w249), w180 * w256 + w181 * w253, w297 + w181 * w289,
+            w317, w169 * w180 + w181 * w322, w205 * w342 + w180 * w341 + w181 * w340,
+            w205 * w363 + w180 * w362 + w181 * w361,
         ),
-        ca.horzcat(0.0, -w243, -w261, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
+        ca.horzcat(0.0, -w229, -w247, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
         ca.horzcat(  # link2.theta1
-            w42 * w138 - (w163 * w194 - w41 * w195 + w139 * w164),
-            w138 * w223 - (w194 * w227 - w195 * w222 + w139 * w228), -(w65 * w264 * c37 + w135 * w256 * c37),
-            w138 * w271 + w139 * w160 - (w139 * w275 - w138 * w182 - (w168 * w195 + w95 * w194)), w329, w358,
-            w138 * w359 - w134 * w139, w138 * w377 - w139 * w378, w138 * w398 - w139 * w399,
+            w40 * w187 - w52 * w189, w187 * w214 - w189 * w237, 0.0,
+            w152 * w252 - (w141 * w255 - (w152 * w158 + (w141 * w178 + (w95 * w186 + w163 * w188)))), w306,
+            -(w78 * w298 - w64 * w318 - w58 * w320 + (w78 * w321 - w64 * w303)), w152 * w322 - w141 * w169,
+            w152 * w340 - w141 * w341, w152 * w361 - w141 * w362,
         ),
         ca.horzcat(  # link2.theta2
-            w147 * w163 * c37 + (w53 * w186 * c37 + w45 * (w41 * w44) * c37),
-            w147 * w227 * c37 + (w53 * w249 * c37 + w46 * w222 * c37),
-            w199 * w264 - w198 * w256 + w53 * w267 * c37 + w201 * w265 - w202 * w257, w280,
-            w330 + (w201 * w316 + w182 * (w49 * w196)) + (w202 * w311 + w160 * (w44 * w196)),
-            w196 * w352 + (w47 * w321 + w48 * w354 + (w48 * w326 + w47 * w357)) + w201 * w349 - w202 * w345,
-            w134 * w201 + w202 * w359, w196 * w379 + w201 * w378 + w202 * w377,
-            w196 * w400 + w201 * w399 + w202 * w398,
+            w52 * w192 + w40 * w194, w239 * (w63 * c37) + w192 * w237 + w194 * w214, 0.0, w257,
+            w242 * w296 - (w307 - w158 * (w57 * w242) + w147 * w185) + w191 * w293 + w193 * w288,
+            w60 * w298 + w55 * w318 + (w55 * w303 + w60 * w321), w169 * w191 + w193 * w322,
+            w242 * w342 + w191 * w341 + w193 * w340, w242 * w363 + w191 * w362 + w193 * w361,
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, -w325, -w356, 0.0, 0.0, 0.0),  # link2.theta3
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, -w302, -w320, 0.0, 0.0, 0.0),  # link2.theta3
         ca.horzcat(  # link3.theta1
-            -(w163 * w203 - w41 * w204), -(w203 * w227 - w204 * w222), -(w203 * w264 + w204 * w256),
-            -(w203 * w274 - w204 * w270), -(w203 * w315 - w204 * w310), -(w203 * w348 + w204 * w344),
-            w181 * w204 + w159 * w203, -(w159 * (w169 * c13) - w181 * (w98 * c13) - w390),
-            -(w119 * w380 - w106 * w401 - w97 * w403 + (w119 * w404 - w106 * w388)),
+            w40 * w195 - w52 * w196, w195 * w214 - w196 * w237, 0.0, w195 * w251 - w196 * w254,
+            w195 * w287 - w196 * w292, 0.0, w157 * w195 + w177 * w196,
+            -(w177 * (w101 * c13) - w157 * (w164 * c13) - w353),
+            -(w120 * w343 - w106 * w364 - w100 * w366 + (w120 * w367 - w106 * w351)),
         ),
         ca.horzcat(  # link3.theta2
-            w41 * w206 + w163 * w207 + w186 * w208, w206 * w222 + w207 * w227 + w208 * w249,
-            w207 * w264 - w206 * w256 + w208 * w267, w206 * w270 + w207 * w274 + w208 * w278,
-            w206 * w310 + w207 * w315 + w208 * w318, w207 * w348 - w206 * w344 + w208 * w351,
-            w181 * w206 - w159 * w207,
-            -(w99 * w389 - w100 * w381 - (w159 * (w96 * w208) + w181 * (w101 * w208) - w189 * w205)),
-            w99 * w380 + w100 * w401 + (w100 * w388 + w99 * w404),
+            w52 * w198 + w40 * w199, w239 * w243 + w198 * w237 + w199 * w214, 0.0, w198 * w254 + w199 * w251,
+            w243 * w295 + w198 * w292 + w199 * w287, 0.0, w157 * w199 - w177 * w198,
+            -(w102 * w352 - w97 * w344 - (w177 * (w96 * w243) + w157 * (w99 * w243) - w184 * w197)),
+            w102 * w343 + w97 * w364 + (w97 * w351 + w102 * w367),
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w387, -w403),  # link3.theta3
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w350, -w366),  # link3.theta3
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
@@ -2104,7 +2065,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    1147 operations.
+    928 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
@@ -2131,8 +2092,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c1 = c[1]
     c3 = c[3]
     link1_end_x = c[6]
-    link2_mass = c[7]
     link3_mass = c[8]
+    c9 = c[9]
     c11 = c[11]
     link2_end_x = c[12]
     c13 = c[13]
@@ -2146,320 +2107,290 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c39 = c[39]
     c40 = c[40]
     c41 = c[41]
-    # intermediate terms (264)
+    # intermediate terms (224)
     w0 = ca.cos(link1_theta2)
-    w1 = ca.sin(link1_theta1)
+    w1 = ca.sin(link1_theta3)
     w2 = w0 * w1
-    w3 = w2 * link1_end_x
-    w4 = ca.sin(link1_theta2)
-    w5 = link1_theta1_dot - link1_theta3_dot * w4
-    w6 = ca.cos(link1_theta1)
-    w7 = w0 * w6
-    w8 = w7 * link1_end_x
-    w9 = w5 * w8
-    w10 = link1_theta3_dot * w7 - w1 * link1_theta2_dot
-    w11 = w4 * link1_end_x
-    w12 = w9 + w10 * w11
-    w13 = ca.cos(link1_theta3)
-    w14 = w6 * w13
-    w15 = ca.sin(link1_theta3)
-    w16 = w14 + w1 * w4 * w15
-    w17 = w0 * link1_theta3_dot
-    w18 = w13 * w17 - w15 * (w4 * link1_theta2_dot)
-    w19 = w0 * link1_theta2_dot
-    w20 = w1 * w13
-    w21 = w4 * w20 - w6 * w15
-    w22 = link1_theta2_dot * w13
-    w23 = w15 * w17 + w4 * w22
-    w24 = w16 * w18 - w2 * w19 - w21 * w23
-    w25 = w0 * w15
-    w26 = w0 * w13
-    w27 = w4 * w19 + w18 * w25 - w23 * w26
-    w28 = w9 + w12 + (w11 * w24 + w3 * w27)
-    w29 = w28 * link3_mass
-    w30 = w28 * link2_mass + w29
-    w31 = link1_theta3_dot - link1_theta1_dot * w4
-    w32 = link1_theta1_dot * w26 - link1_theta2_dot * w15
-    w33 = w26 * w31 - w4 * w32
-    w34 = (w18 + w33) * c1 - (w33 - w18) * c3
-    w35 = w25 * w32
-    w36 = w22 + link1_theta1_dot * w25
-    w37 = w26 * w36
-    w38 = w35 + w37
-    w39 = (w38 - w19) * c0 - (w19 + w38) * c1
-    w40 = w25 * w31 - w4 * w36
-    w41 = (w40 - w23) * c3 - (w23 + w40) * c0
-    w42 = w15 * (w4 * w6) - w20
-    w43 = w1 * w15 + w4 * w14
-    w44 = w18 * w42 - w7 * w19 - w23 * w43
-    w45 = w6 * link1_theta2_dot + w2 * link1_theta3_dot
-    w46 = w3 * w5
-    w47 = w11 * w45 + w46
-    w48 = w8 * w27 + w11 * w44 - (w46 + w47)
-    w49 = w48 * link3_mass
-    w50 = w48 * link2_mass + w49
-    w51 = w0 * link1_end_x
-    w52 = w3 * w44 - w8 * w24 + (w8 * w10 + w3 * w45)
-    w53 = w1 * w11
-    w54 = w6 * w11
-    w55 = ca.cos(link2_theta2)
-    w56 = ca.sin(link2_theta1)
-    w57 = w55 * w56
-    w58 = w57 * link2_end_x
-    w59 = ca.cos(link2_theta1)
-    w60 = w55 * w59
-    w61 = w60 * c11
-    w62 = w57 * c11
-    w63 = w60 * link2_end_x
-    w64 = w55 * link2_end_x
-    w65 = ca.sin(link2_theta2)
-    w66 = w65 * c11
-    w67 = w65 * link2_end_x
-    w68 = w56 * w67
-    w69 = w59 * w67
-    w70 = ca.cos(link3_theta1)
-    w71 = ca.cos(link3_theta2)
-    w72 = w70 * w71
-    w73 = w72 * c13
-    w74 = ca.sin(link3_theta1)
-    w75 = w71 * w74
-    w76 = w75 * c13
-    w77 = ca.sin(link3_theta2)
-    w78 = w77 * c13
-    w79 = w74 * w78
-    w80 = w70 * w78
-    w81 = w71 * c13
-    w82 = w3 * w10 - w8 * w45
-    w83 = w0 * link1_theta1_dot
-    w84 = link1_theta1_dot * (w4 * w15) + link1_theta3_dot * w15
-    w85 = link1_theta1_dot * (w4 * w13) + link1_theta3_dot * w13
-    w86 = w4 * w83 - w25 * w84 - w26 * w85
-    w87 = w16 * w84 + w2 * w83 + w21 * w85
-    w88 = w6 * w82 - w45 * w51 + w5 * w53 - (w3 * w86 - w11 * w87)
-    w89 = w88 * link3_mass
-    w90 = w88 * link2_mass + w89
-    w91 = w13 * w31
-    w92 = (w91 - w85) * c3 - (w85 + w91) * c0
-    w93 = w15 * w31
-    w94 = (w84 + w93) * c1 + (w84 - w93) * c3
-    w95 = w13 * w32 - w15 * w36
-    w96 = (w95 - w83) * c0 - (w83 + w95) * c1
-    w97 = w42 * w84 + w7 * w83 + w43 * w85
-    w98 = w8 * w86 - w11 * w97 - (w5 * w54 - (w1 * w82 + w10 * w51))
-    w99 = w98 * link3_mass
-    w100 = w98 * link2_mass + w99
-    w101 = w8 * w87 - w3 * w97 + (w6 * w47 + w45 * w54 - (w1 * w12 + w10 * w53))
-    w102 = w56 * w65
-    w103 = w59 * w65
-    w104 = w3 * w7 - w2 * w8
-    w105 = w7 * w11 - w4 * w8
-    w106 = w16 * w32 - w21 * w36
-    w107 = w35 - w37
-    w108 = w2 * w82 + w45 * w104 - (w5 * w105 - w4 * w12) - (w11 * w106 + w3 * w107)
-    w109 = w108 * link3_mass
-    w110 = w108 * link2_mass + w109
-    w111 = (w32 + w32) * c1
-    w112 = (w36 + w36) * c39
-    w113 = w32 * w42 - w36 * w43
-    w114 = w2 * w11 - w3 * w4
-    w115 = w8 * w107 + w11 * w113 - (w5 * w114 - w4 * w47 + (w7 * w82 + w10 * w104))
-    w116 = w115 * link3_mass
-    w117 = w115 * link2_mass + w116
-    w118 = w3 * w113 - w8 * w106 + (w7 * w12 + w10 * w105 + (w2 * w47 + w45 * w114))
-    w119 = w51 * (w118 * link2_mass + w118 * link3_mass) - (w13 * w111 - w15 * w112) + w53 * w117 + w54 * w110
-    w120 = ca.sin(link2_theta3)
-    w121 = ca.cos(link2_theta3)
-    w122 = w56 * w121
-    w123 = w103 * w120 - w122
-    w124 = link2_theta3_dot - w65 * link2_theta1_dot
-    w125 = w55 * w120
-    w126 = w121 * link2_theta2_dot
-    w127 = link2_theta1_dot * w125 + w126
-    w128 = w124 * w125 - w65 * w127
-    w129 = w55 * link2_theta3_dot
-    w130 = w120 * w129 + w65 * w126
-    w131 = w128 - w130
-    w132 = w131 * c11
-    w133 = 2 * w127
-    w134 = w55 * w121
-    w135 = link2_theta1_dot * w134 - w120 * link2_theta2_dot
-    w136 = 2 * w135
-    w137 = (w125 * w133 + w134 * w136) * c11
-    w138 = w59 * w121
-    w139 = w56 * w120 + w65 * w138
-    w140 = w124 * w134 - w65 * w135
-    w141 = w121 * w129 - w120 * (w65 * link2_theta2_dot)
-    w142 = w140 - w141
-    w143 = w142 * c11
-    w144 = link2_theta1_dot - w65 * link2_theta3_dot
-    w145 = w63 * w144
-    w146 = w60 * link2_theta3_dot - w56 * link2_theta2_dot
-    w147 = w145 + w67 * w146
-    w148 = w138 + w102 * w120
-    w149 = w55 * link2_theta2_dot
-    w150 = w65 * w122 - w59 * w120
-    w151 = w141 * w148 - w57 * w149 - w130 * w150
-    w152 = w65 * w149 + w125 * w141 - w130 * w134
-    w153 = w145 + w147 + (w67 * w151 + w58 * w152)
-    w154 = w153 * link3_mass
-    w155 = w123 * w132 - w60 * w137 + w139 * w143 - w154
-    w156 = w123 * w141 - w60 * w149 - w130 * w139
-    w157 = w59 * link2_theta2_dot + w57 * link2_theta3_dot
-    w158 = w58 * w144
-    w159 = w67 * w157 + w158
-    w160 = w63 * w152 + w67 * w156 - (w158 + w159)
+    w3 = ca.sin(link1_theta2)
+    w4 = link1_theta3_dot - link1_theta1_dot * w3
+    w5 = ca.cos(link1_theta3)
+    w6 = w0 * w5
+    w7 = link1_theta1_dot * w6 - w1 * link1_theta2_dot
+    w8 = w4 * w6 - w3 * w7
+    w9 = w0 * link1_theta3_dot
+    w10 = w5 * w9 - w1 * (w3 * link1_theta2_dot)
+    w11 = (w8 + w10) * c1 - (w8 - w10) * c3
+    w12 = w5 * link1_theta2_dot
+    w13 = w2 * link1_theta1_dot + w12
+    w14 = w2 * w7 + w6 * w13
+    w15 = w0 * link1_theta2_dot
+    w16 = (w14 - w15) * c0 - (w14 + w15) * c1
+    w17 = w2 * w4 - w3 * w13
+    w18 = w1 * w9 + w3 * w12
+    w19 = (w17 - w18) * c3 - (w17 + w18) * c0
+    w20 = ca.cos(link1_theta1)
+    w21 = w0 * w20
+    w22 = w21 * link1_end_x
+    w23 = w3 * w15 + w2 * w10 - w6 * w18
+    w24 = w3 * link1_end_x
+    w25 = ca.sin(link1_theta1)
+    w26 = w5 * w25
+    w27 = w1 * (w3 * w20) - w26
+    w28 = w5 * w20
+    w29 = w1 * w25 + w3 * w28
+    w30 = w0 * w25
+    w31 = link1_theta2_dot * w20 + link1_theta3_dot * w30
+    w32 = link1_theta1_dot - link1_theta3_dot * w3
+    w33 = w30 * link1_end_x
+    w34 = w32 * w33
+    w35 = w24 * w31 + w34
+    w36 = w22 * w23 + w24 * (w10 * w27 - w15 * w21 - w18 * w29) - (w34 + w35)
+    w37 = w36 * c9
+    w38 = w22 * w32
+    w39 = link1_theta3_dot * w21 - link1_theta2_dot * w25
+    w40 = w38 + w24 * w39
+    w41 = w28 + w1 * (w3 * w25)
+    w42 = w3 * w26 - w1 * w20
+    w43 = w38 + w40 + (w24 * (w10 * w41 - w15 * w30 - w18 * w42) + w23 * w33)
+    w44 = w43 * c9
+    w45 = w24 * w25
+    w46 = w20 * w24
+    w47 = ca.cos(link2_theta1)
+    w48 = ca.cos(link2_theta2)
+    w49 = w47 * w48
+    w50 = w49 * link2_end_x
+    w51 = w49 * c11 + w50 * link3_mass
+    w52 = ca.sin(link2_theta1)
+    w53 = w48 * w52
+    w54 = w53 * link2_end_x
+    w55 = w53 * c11 + w54 * link3_mass
+    w56 = ca.sin(link2_theta2)
+    w57 = w56 * link2_end_x
+    w58 = w52 * w57
+    w59 = w52 * w56
+    w60 = w59 * c37
+    w61 = w47 * w57
+    w62 = w47 * w56
+    w63 = w62 * c37
+    w64 = ca.cos(link3_theta1)
+    w65 = ca.cos(link3_theta2)
+    w66 = w64 * w65
+    w67 = w66 * c13
+    w68 = ca.sin(link3_theta1)
+    w69 = w65 * w68
+    w70 = w69 * c13
+    w71 = ca.sin(link3_theta2)
+    w72 = w71 * c13
+    w73 = w68 * w72
+    w74 = w64 * w72
+    w75 = w33 * w39 - w22 * w31
+    w76 = w0 * link1_end_x
+    w77 = w0 * link1_theta1_dot
+    w78 = link1_theta1_dot * (w1 * w3) + w1 * link1_theta3_dot
+    w79 = link1_theta1_dot * (w3 * w5) + link1_theta3_dot * w5
+    w80 = w3 * w77 - w2 * w78 - w6 * w79
+    w81 = w41 * w78 + w30 * w77 + w42 * w79
+    w82 = w20 * w75 - w31 * w76 + w32 * w45 - (w33 * w80 - w24 * w81)
+    w83 = w82 * c9
+    w84 = w4 * w5
+    w85 = (w84 - w79) * c3 - (w79 + w84) * c0
+    w86 = w1 * w4
+    w87 = (w78 + w86) * c1 + (w78 - w86) * c3
+    w88 = w5 * w7 - w1 * w13
+    w89 = (w88 - w77) * c0 - (w77 + w88) * c1
+    w90 = w27 * w78 + w21 * w77 + w29 * w79
+    w91 = w22 * w80 - w24 * w90 - (w32 * w46 - (w25 * w75 + w39 * w76))
+    w92 = w91 * c9
+    w93 = w22 * w81 - w33 * w90 + (w20 * w35 + w31 * w46 - (w25 * w40 + w39 * w45))
+    w94 = w48 * link2_end_x
+    w95 = w65 * c13
+    w96 = (w7 + w7) * c1
+    w97 = (w13 + w13) * c39
+    w98 = ca.cos(link2_theta3)
+    w99 = w47 * w98
+    w100 = ca.sin(link2_theta3)
+    w101 = w99 + w59 * w100
+    w102 = link2_theta3_dot - w56 * link2_theta1_dot
+    w103 = w48 * w100
+    w104 = w98 * link2_theta2_dot
+    w105 = link2_theta1_dot * w103 + w104
+    w106 = w102 * w103 - w56 * w105
+    w107 = w48 * link2_theta3_dot
+    w108 = w100 * w107 + w56 * w104
+    w109 = w106 - w108
+    w110 = w109 * c11
+    w111 = 2 * w105
+    w112 = w48 * w98
+    w113 = link2_theta1_dot * w112 - w100 * link2_theta2_dot
+    w114 = 2 * w113
+    w115 = (w103 * w111 + w112 * w114) * c11
+    w116 = w52 * w98
+    w117 = w56 * w116 - w47 * w100
+    w118 = w102 * w112 - w56 * w113
+    w119 = w98 * w107 - w100 * (w56 * link2_theta2_dot)
+    w120 = w118 - w119
+    w121 = w120 * c11
+    w122 = w48 * link2_theta2_dot
+    w123 = w56 * w122 + w103 * w119 - w108 * w112
+    w124 = w62 * w100 - w116
+    w125 = w52 * w100 + w56 * w99
+    w126 = w47 * link2_theta2_dot + w53 * link2_theta3_dot
+    w127 = link2_theta1_dot - w56 * link2_theta3_dot
+    w128 = w54 * w127
+    w129 = w57 * w126 + w128
+    w130 = w50 * w123 + w57 * (w119 * w124 - w49 * w122 - w108 * w125) - (w128 + w129)
+    w131 = w130 * link3_mass
+    w132 = w101 * w110 - w53 * w115 + w117 * w121 + w131
+    w133 = w50 * w127
+    w134 = w49 * link2_theta3_dot - w52 * link2_theta2_dot
+    w135 = w133 + w57 * w134
+    w136 = w133 + w135 + (w57 * (w101 * w119 - w53 * w122 - w108 * w117) + w54 * w123)
+    w137 = w136 * link3_mass
+    w138 = w137 - (w110 * w124 - w49 * w115 + w121 * w125)
+    w139 = (w118 + w119) * c15 - w120 * c17
+    w140 = w103 * w113 + w105 * w112
+    w141 = (w140 - w122) * c14 - (w122 + w140) * c15
+    w142 = w109 * c17 - (w106 + w108) * c14
+    w143 = w98 * w102
+    w144 = link2_theta1_dot * (w56 * w98) + w98 * link2_theta3_dot
+    w145 = w143 - w144
+    w146 = w145 * c11
+    w147 = (w98 * w111 - w100 * w114) * c11
+    w148 = link2_theta1_dot * (w56 * w100) + w100 * link2_theta3_dot
+    w149 = w100 * w102
+    w150 = w148 - w149
+    w151 = w150 * c11
+    w152 = w54 * w134 - w50 * w126
+    w153 = w48 * link2_theta1_dot
+    w154 = w56 * w153 - w103 * w148 - w112 * w144
+    w155 = w101 * w148 + w53 * w153 + w117 * w144
+    w156 = w47 * w152 - w94 * w126 + w58 * w127 - (w54 * w154 - w57 * w155)
+    w157 = w156 * link3_mass
+    w158 = w124 * w146 - w49 * w147 + w125 * w151 + w157
+    w159 = w124 * w148 + w49 * w153 + w125 * w144
+    w160 = w50 * w154 - w57 * w159 - (w61 * w127 - (w52 * w152 + w94 * w134))
     w161 = w160 * link3_mass
-    w162 = w132 * w148 - w57 * w137 + w143 * w150 + w161
-    w163 = w58 * w156 - w63 * w151 + (w63 * w146 + w58 * w157)
+    w162 = w101 * w146 - w53 * w147 + w117 * w151 + w161
+    w163 = w50 * w155 - w54 * w159 + (w47 * w129 + w61 * w126 - (w52 * w135 + w58 * w134))
     w164 = w163 * link3_mass
-    w165 = (w140 + w141) * c15 - w142 * c17
-    w166 = w125 * w135
-    w167 = w127 * w134
-    w168 = w166 + w167
-    w169 = (w168 - w149) * c14 - (w149 + w168) * c15
-    w170 = w131 * c17 - (w128 + w130) * c14
-    w171 = w121 * w124
-    w172 = link2_theta1_dot * (w65 * w121) + w121 * link2_theta3_dot
-    w173 = w171 - w172
-    w174 = w173 * c11
-    w175 = (w121 * w133 - w120 * w136) * c11
-    w176 = link2_theta1_dot * (w65 * w120) + w120 * link2_theta3_dot
-    w177 = w120 * w124
-    w178 = w176 - w177
-    w179 = w178 * c11
-    w180 = w58 * w146 - w63 * w157
-    w181 = w55 * link2_theta1_dot
-    w182 = w65 * w181 - w125 * w176 - w134 * w172
-    w183 = w148 * w176 + w57 * w181 + w150 * w172
-    w184 = w59 * w180 - w64 * w157 + w68 * w144 - (w58 * w182 - w67 * w183)
-    w185 = w184 * link3_mass
-    w186 = w123 * w174 - w60 * w175 + w139 * w179 + w185
-    w187 = w123 * w176 + w60 * w181 + w139 * w172
-    w188 = w63 * w182 - w67 * w187 - (w69 * w144 - (w56 * w180 + w64 * w146))
-    w189 = w188 * link3_mass
-    w190 = w148 * w174 - w57 * w175 + w150 * w179 + w189
-    w191 = w63 * w183 - w58 * w187 + (w59 * w159 + w69 * w157 - (w56 * w147 + w68 * w146))
-    w192 = w191 * link3_mass
-    w193 = w173 * c17 - (w171 + w172) * c14
-    w194 = (w176 + w177) * c15 + w178 * c17
-    w195 = w121 * w135 - w120 * w127
-    w196 = (w195 - w181) * c14 - (w181 + w195) * c15
-    w197 = w58 * w60 - w57 * w63
-    w198 = w60 * w67 - w63 * w65
-    w199 = w135 * w148 - w127 * w150
-    w200 = w166 - w167
-    w201 = w57 * w180 + w157 * w197 - (w144 * w198 - w65 * w147) - (w67 * w199 + w58 * w200)
-    w202 = w201 * link3_mass
-    w203 = w123 * w135 - w127 * w139
-    w204 = w57 * w67 - w58 * w65
-    w205 = w63 * w200 + w67 * w203 - (w144 * w204 - w65 * w159 + (w60 * w180 + w146 * w197))
-    w206 = w205 * link3_mass
-    w207 = w58 * w203 - w63 * w199 + (w60 * w147 + w146 * w198 + (w57 * w159 + w157 * w204))
-    w208 = w207 * link3_mass
-    w209 = (w135 + w135) * c15
-    w210 = (w127 + w127) * c40
-    w211 = ca.sin(link3_theta3)
-    w212 = ca.cos(link3_theta3)
-    w213 = w74 * w212
-    w214 = w70 * w77 * w211 - w213
-    w215 = link3_theta3_dot - w77 * link3_theta1_dot
-    w216 = w71 * w211
-    w217 = w212 * link3_theta2_dot
-    w218 = link3_theta1_dot * w216 + w217
-    w219 = w215 * w216 - w77 * w218
-    w220 = w71 * link3_theta3_dot
-    w221 = w211 * w220 + w77 * w217
-    w222 = w219 - w221
-    w223 = w222 * c13
-    w224 = 2 * w218
-    w225 = w71 * w212
-    w226 = link3_theta1_dot * w225 - w211 * link3_theta2_dot
-    w227 = 2 * w226
-    w228 = (w216 * w224 + w225 * w227) * c13
-    w229 = w70 * w212
-    w230 = w74 * w211 + w77 * w229
-    w231 = w215 * w225 - w77 * w226
-    w232 = w212 * w220 - w211 * (w77 * link3_theta2_dot)
-    w233 = w231 - w232
-    w234 = w233 * c13
-    w235 = w214 * w223 - w72 * w228 + w230 * w234
-    w236 = w229 + w211 * (w74 * w77)
-    w237 = w77 * w213 - w70 * w211
-    w238 = w223 * w236 - w75 * w228 + w234 * w237
-    w239 = w77 * w228 + w216 * w223 + w225 * w234
-    w240 = (w231 + w232) * c22 - w233 * c24
-    w241 = w216 * w226 + w218 * w225
-    w242 = w71 * link3_theta2_dot
-    w243 = (w241 - w242) * c21 - (w241 + w242) * c22
-    w244 = w222 * c24 - (w219 + w221) * c21
-    w245 = w212 * w215
-    w246 = link3_theta1_dot * (w77 * w212) + w212 * link3_theta3_dot
-    w247 = w245 - w246
-    w248 = w247 * c13
-    w249 = (w212 * w224 - w211 * w227) * c13
-    w250 = link3_theta1_dot * (w77 * w211) + w211 * link3_theta3_dot
-    w251 = w211 * w215
-    w252 = w250 - w251
-    w253 = w252 * c13
-    w254 = w214 * w248 - w72 * w249 + w230 * w253
-    w255 = w236 * w248 - w75 * w249 + w237 * w253
-    w256 = w77 * w249 + w216 * w248 + w225 * w253
-    w257 = w247 * c24 - (w245 + w246) * c21
-    w258 = (w250 + w251) * c22 + w252 * c24
-    w259 = w212 * w226 - w211 * w218
-    w260 = w71 * link3_theta1_dot
-    w261 = (w259 - w260) * c21 - (w259 + w260) * c22
-    w262 = (w226 + w226) * c22
-    w263 = (w218 + w218) * c41
+    w165 = w145 * c17 - (w143 + w144) * c14
+    w166 = (w148 + w149) * c15 + w150 * c17
+    w167 = w98 * w113 - w100 * w105
+    w168 = (w167 - w153) * c14 - (w153 + w167) * c15
+    w169 = (w113 + w113) * c15
+    w170 = (w105 + w105) * c40
+    w171 = ca.sin(link3_theta3)
+    w172 = ca.cos(link3_theta3)
+    w173 = w68 * w172
+    w174 = w64 * w71 * w171 - w173
+    w175 = link3_theta3_dot - w71 * link3_theta1_dot
+    w176 = w65 * w171
+    w177 = w172 * link3_theta2_dot
+    w178 = link3_theta1_dot * w176 + w177
+    w179 = w175 * w176 - w71 * w178
+    w180 = w65 * link3_theta3_dot
+    w181 = w171 * w180 + w71 * w177
+    w182 = w179 - w181
+    w183 = w182 * c13
+    w184 = 2 * w178
+    w185 = w65 * w172
+    w186 = link3_theta1_dot * w185 - w171 * link3_theta2_dot
+    w187 = 2 * w186
+    w188 = (w176 * w184 + w185 * w187) * c13
+    w189 = w64 * w172
+    w190 = w68 * w171 + w71 * w189
+    w191 = w175 * w185 - w71 * w186
+    w192 = w172 * w180 - w171 * (w71 * link3_theta2_dot)
+    w193 = w191 - w192
+    w194 = w193 * c13
+    w195 = w174 * w183 - w66 * w188 + w190 * w194
+    w196 = w189 + w171 * (w68 * w71)
+    w197 = w71 * w173 - w64 * w171
+    w198 = w183 * w196 - w69 * w188 + w194 * w197
+    w199 = w71 * w188 + w176 * w183 + w185 * w194
+    w200 = (w191 + w192) * c22 - w193 * c24
+    w201 = w176 * w186 + w178 * w185
+    w202 = w65 * link3_theta2_dot
+    w203 = (w201 - w202) * c21 - (w201 + w202) * c22
+    w204 = w182 * c24 - (w179 + w181) * c21
+    w205 = w172 * w175
+    w206 = link3_theta1_dot * (w71 * w172) + w172 * link3_theta3_dot
+    w207 = w205 - w206
+    w208 = w207 * c13
+    w209 = (w172 * w184 - w171 * w187) * c13
+    w210 = link3_theta1_dot * (w71 * w171) + w171 * link3_theta3_dot
+    w211 = w171 * w175
+    w212 = w210 - w211
+    w213 = w212 * c13
+    w214 = w174 * w208 - w66 * w209 + w190 * w213
+    w215 = w196 * w208 - w69 * w209 + w197 * w213
+    w216 = w71 * w209 + w176 * w208 + w185 * w213
+    w217 = w207 * c24 - (w205 + w206) * c21
+    w218 = (w210 + w211) * c22 + w212 * c24
+    w219 = w172 * w186 - w171 * w178
+    w220 = w65 * link3_theta1_dot
+    w221 = (w219 - w220) * c21 - (w219 + w220) * c22
+    w222 = (w186 + w186) * c22
+    w223 = (w178 + w178) * c41
     # outputs
-    dQ_hat_dq_i_dot = ca.vertcat(
-        ca.horzcat(  # link1.theta1
-            -(w3 * w30 + (w25 * w34 - w4 * w39 + w26 * w41 + w8 * w50)),
-            w3 * w90 - (w26 * w92 - (w25 * w94 + w4 * w96) + w8 * w100),
-            w3 * w110 - (w25 * w111 + w26 * w112 + w8 * w117), w3 * w155 - w8 * w162, w3 * w186 - w8 * w190,
-            w3 * w202 - w8 * w206, w3 * w235 - w8 * w238, w3 * w254 - w8 * w255, 0.0,
-        ),
-        ca.horzcat(  # link1.theta2
-            w51 * (w52 * link2_mass + w52 * link3_mass) - (w13 * w34 - w15 * w41) + w50 * w53 - w30 * w54,
-            w51 * (w101 * link2_mass + w101 * link3_mass) + (w13 * w94 + w15 * w92) + w53 * w100 + w54 * w90, w119,
-            w51 * (w65 * w137 + w125 * w132 + w134 * w143 + w164) + w53 * w162 + w54 * w155,
-            w51 * (w65 * w175 + w125 * w174 + w134 * w179 + w192) + w53 * w190 + w54 * w186,
-            w51 * w208 + w53 * w206 + w54 * w202, w51 * w239 + w53 * w238 + w54 * w235,
-            w51 * w256 + w53 * w255 + w54 * w254, 0.0,
-        ),
-        ca.horzcat(-w39, -w96, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
-        ca.horzcat(  # link2.theta1
-            -(w59 * (w48 * w55) * c37 + w56 * (w28 * w55) * c37), w58 * w89 - (w61 * w98 - w62 * w88 + w63 * w99),
-            w58 * w109 - (w61 * w115 - w62 * w108 + w63 * w116),
-            -(w58 * w154 + (w125 * w165 - w65 * w169 + w134 * w170 + w63 * w161)),
-            w58 * w185 - (w134 * w193 - (w125 * w194 + w65 * w196) + w63 * w189),
-            w58 * w202 - (w125 * w209 + w134 * w210 + w63 * w206), w58 * w235 - w63 * w238, w58 * w254 - w63 * w255,
-            0.0,
-        ),
-        ca.horzcat(  # link2.theta2
-            w48 * (w56 * w66) - w28 * (w59 * w66) + w52 * w55 * c37 + w49 * w68 - w29 * w69,
-            w98 * w102 * c37 + (w55 * w101 * c37 + w88 * w103 * c37),
-            w102 * w115 * c37 + (w55 * w118 * c37 + w103 * w108 * c37),
-            w64 * w164 - (w121 * w165 - w120 * w170) + w68 * w161 - w69 * w154,
-            w64 * w192 + (w121 * w194 + w120 * w193) + w68 * w189 + w69 * w185,
-            w64 * w208 - (w121 * w209 - w120 * w210) + w68 * w206 + w69 * w202,
-            w64 * w239 + w68 * w238 + w69 * w235, w64 * w256 + w68 * w255 + w69 * w254, 0.0,
-        ),
-        ca.horzcat(0.0, 0.0, 0.0, -w169, -w196, 0.0, 0.0, 0.0, 0.0),  # link2.theta3
-        ca.horzcat(  # link3.theta1
-            -(w48 * w73 + w28 * w76), -(w73 * w98 - w76 * w88), -(w73 * w115 - w76 * w108),
-            -(w73 * w160 + w76 * w153), -(w73 * w188 - w76 * w184), -(w73 * w205 - w76 * w201),
-            -(w216 * w240 - w77 * w243 + w225 * w244), -(w225 * w257 - (w216 * w258 + w77 * w261)),
-            -(w216 * w262 + w225 * w263),
-        ),
-        ca.horzcat(  # link3.theta2
-            w48 * w79 - w28 * w80 + w52 * w81, w80 * w88 + w79 * w98 + w81 * w101,
-            w80 * w108 + w79 * w115 + w81 * w118, w79 * w160 - w80 * w153 + w81 * w163,
-            w80 * w184 + w79 * w188 + w81 * w191, w80 * w201 + w79 * w205 + w81 * w207,
-            -(w212 * w240 - w211 * w244), w212 * w258 + w211 * w257, -(w212 * w262 - w211 * w263),
-        ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w243, -w261, 0.0),  # link3.theta3
-    )
+    dQ_hat_dq_i_dot = ca.SX(9, 9)
+    # link1.theta1
+    dQ_hat_dq_i_dot[0, 0] = -(w2 * w11 - w3 * w16 + w6 * w19 + w22 * w37 + w33 * w44)
+    dQ_hat_dq_i_dot[0, 1] = w33 * w83 - (w6 * w85 - (w2 * w87 + w3 * w89) + w22 * w92)
+    dQ_hat_dq_i_dot[0, 2] = -(w2 * w96 + w6 * w97)
+    dQ_hat_dq_i_dot[0, 3] = -(w22 * w132 + w33 * w138)
+    dQ_hat_dq_i_dot[0, 4] = w33 * w158 - w22 * w162
+    dQ_hat_dq_i_dot[0, 6] = w33 * w195 - w22 * w198
+    dQ_hat_dq_i_dot[0, 7] = w33 * w214 - w22 * w215
+    # link1.theta2
+    dQ_hat_dq_i_dot[1, 0] = w37 * w45 - (w5 * w11 - w1 * w19) - w44 * w46
+    dQ_hat_dq_i_dot[1, 1] = w5 * w87 + w1 * w85 + w76 * (w93 * c9) + w45 * w92 + w46 * w83
+    dQ_hat_dq_i_dot[1, 2] = -(w5 * w96 - w1 * w97)
+    dQ_hat_dq_i_dot[1, 3] = w76 * (w56 * w115 + w103 * w110 + w112 * w121) + w45 * w132 - w46 * w138
+    dQ_hat_dq_i_dot[1, 4] = w76 * (w56 * w147 + w103 * w146 + w112 * w151 + w164) + w45 * w162 + w46 * w158
+    dQ_hat_dq_i_dot[1, 6] = w76 * w199 + w45 * w198 + w46 * w195
+    dQ_hat_dq_i_dot[1, 7] = w76 * w216 + w45 * w215 + w46 * w214
+    # link1.theta3
+    dQ_hat_dq_i_dot[2, 0] = -w16
+    dQ_hat_dq_i_dot[2, 1] = -w89
+    # link2.theta1
+    dQ_hat_dq_i_dot[3, 0] = -(w36 * w51 + w43 * w55)
+    dQ_hat_dq_i_dot[3, 1] = w55 * w82 - w51 * w91
+    dQ_hat_dq_i_dot[3, 3] = -(w103 * w139 - w56 * w141 + w112 * w142 + w50 * w131 + w54 * w137)
+    dQ_hat_dq_i_dot[3, 4] = w54 * w157 - (w112 * w165 - (w103 * w166 + w56 * w168) + w50 * w161)
+    dQ_hat_dq_i_dot[3, 5] = -(w103 * w169 + w112 * w170)
+    dQ_hat_dq_i_dot[3, 6] = w54 * w195 - w50 * w198
+    dQ_hat_dq_i_dot[3, 7] = w54 * w214 - w50 * w215
+    # link2.theta2
+    dQ_hat_dq_i_dot[4, 0] = w36 * w60 - w43 * w63
+    dQ_hat_dq_i_dot[4, 1] = w93 * (w48 * c37) + w60 * w91 + w63 * w82
+    dQ_hat_dq_i_dot[4, 3] = w58 * w131 - (w98 * w139 - w100 * w142) - w61 * w137
+    dQ_hat_dq_i_dot[4, 4] = w98 * w166 + w100 * w165 + w94 * w164 + w58 * w161 + w61 * w157
+    dQ_hat_dq_i_dot[4, 5] = -(w98 * w169 - w100 * w170)
+    dQ_hat_dq_i_dot[4, 6] = w94 * w199 + w58 * w198 + w61 * w195
+    dQ_hat_dq_i_dot[4, 7] = w94 * w216 + w58 * w215 + w61 * w214
+    # link2.theta3
+    dQ_hat_dq_i_dot[5, 3] = -w141
+    dQ_hat_dq_i_dot[5, 4] = -w168
+    # link3.theta1
+    dQ_hat_dq_i_dot[6, 0] = -(w36 * w67 + w43 * w70)
+    dQ_hat_dq_i_dot[6, 1] = w70 * w82 - w67 * w91
+    dQ_hat_dq_i_dot[6, 3] = -(w67 * w130 + w70 * w136)
+    dQ_hat_dq_i_dot[6, 4] = w70 * w156 - w67 * w160
+    dQ_hat_dq_i_dot[6, 6] = -(w176 * w200 - w71 * w203 + w185 * w204)
+    dQ_hat_dq_i_dot[6, 7] = -(w185 * w217 - (w176 * w218 + w71 * w221))
+    dQ_hat_dq_i_dot[6, 8] = -(w176 * w222 + w185 * w223)
+    # link3.theta2
+    dQ_hat_dq_i_dot[7, 0] = w36 * w73 - w43 * w74
+    dQ_hat_dq_i_dot[7, 1] = w93 * w95 + w73 * w91 + w74 * w82
+    dQ_hat_dq_i_dot[7, 3] = w73 * w130 - w74 * w136
+    dQ_hat_dq_i_dot[7, 4] = w95 * w163 + w73 * w160 + w74 * w156
+    dQ_hat_dq_i_dot[7, 6] = -(w172 * w200 - w171 * w204)
+    dQ_hat_dq_i_dot[7, 7] = w172 * w218 + w171 * w217
+    dQ_hat_dq_i_dot[7, 8] = -(w172 * w222 - w171 * w223)
+    # link3.theta3
+    dQ_hat_dq_i_dot[8, 6] = -w203
+    dQ_hat_dq_i_dot[8, 7] = -w221
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
@@ -2473,7 +2404,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 9 x 9) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    2665 operations.
+    2267 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
@@ -2512,6 +2443,7 @@ def residual_jacobian() -> ca.Function:
     link1_end_x = c[6]
     link2_mass = c[7]
     link3_mass = c[8]
+    c9 = c[9]
     c11 = c[11]
     link2_end_x = c[12]
     c13 = c[13]
@@ -2528,710 +2460,636 @@ def residual_jacobian() -> ca.Function:
     c39 = c[39]
     c40 = c[40]
     c41 = c[41]
-    # intermediate terms (610)
-    w0 = ca.cos(link1_theta2)
-    w1 = ca.sin(link1_theta1)
+    # intermediate terms (527)
+    w0 = ca.cos(link1_theta1)
+    w1 = ca.cos(link1_theta2)
     w2 = w0 * w1
     w3 = w2 * link1_end_x
-    w4 = ca.cos(link1_theta1)
-    w5 = w0 * w4
-    w6 = link1_theta3_dot * w5 - w1 * link1_theta2_dot
-    w7 = w4 * link1_theta2_dot + w2 * link1_theta3_dot
-    w8 = w5 * link1_end_x
-    w9 = w3 * w6 - w7 * w8
-    w10 = ca.sin(link1_theta2)
-    w11 = link1_theta3_dot * w10
-    w12 = link1_theta1_dot - w11
-    w13 = w3 * w12
-    w14 = w10 * link1_end_x
-    w15 = w13 + w7 * w14
-    w16 = w6 * w9 + w12 * w15
-    w17 = w0 * link1_theta3_dot
-    w18 = ca.cos(link1_theta3)
-    w19 = w17 * w18
-    w20 = link1_theta2_dot * w10
-    w21 = ca.sin(link1_theta3)
-    w22 = w19 - w20 * w21
-    w23 = link1_theta3_dot * link1_theta2_dot
-    w24 = w21 * w23
-    w25 = link1_theta1_dot * w22 - w24
-    w26 = w4 * w10
-    w27 = w1 * w18
-    w28 = w21 * w26 - w27
-    w29 = link1_theta2_dot * link1_theta1_dot
-    w30 = w0 * w29
-    w31 = w17 * w21
-    w32 = link1_theta2_dot * w18
-    w33 = w31 + w10 * w32
-    w34 = w18 * w23
-    w35 = link1_theta1_dot * w33 + w34
-    w36 = w4 * w18
-    w37 = w1 * w21
-    w38 = w10 * w36 + w37
-    w39 = w25 * w28 - w5 * w30 - w35 * w38
-    w40 = w0 * w21
-    w41 = w0 * w18
-    w42 = w10 * w30 + w25 * w40 - w35 * w41
-    w43 = w14 * w39 + w8 * w42
-    w44 = w8 * link1_theta1_ddot
-    w45 = w1 * w14
-    w46 = link1_theta2_ddot * w45
-    w47 = w16 - w43 - w44 + w46
-    w48 = w47 * link3_mass
-    w49 = w47 * link2_mass + w48
-    w50 = ca.cos(link2_theta1)
-    w51 = ca.sin(link2_theta2)
-    w52 = w50 * w51
-    w53 = ca.sin(link2_theta3)
-    w54 = ca.cos(link2_theta3)
-    w55 = ca.sin(link2_theta1)
+    w4 = ca.sin(link1_theta2)
+    w5 = w4 * link1_end_x
+    w6 = w0 * w5
+    w7 = link1_theta2_ddot * w6
+    w8 = ca.sin(link1_theta1)
+    w9 = w1 * w8
+    w10 = w9 * link1_end_x
+    w11 = link1_theta1_ddot * w10
+    w12 = link1_theta1_dot * link1_theta2_dot
+    w13 = w1 * w12
+    w14 = w9 * w13
+    w15 = w1 * link1_theta3_dot
+    w16 = ca.cos(link1_theta3)
+    w17 = w15 * w16
+    w18 = w4 * link1_theta2_dot
+    w19 = ca.sin(link1_theta3)
+    w20 = w17 - w18 * w19
+    w21 = link1_theta2_dot * link1_theta3_dot
+    w22 = w19 * w21
+    w23 = link1_theta1_dot * w20 - w22
+    w24 = w4 * w8
+    w25 = w0 * w16
+    w26 = w19 * w24 + w25
+    w27 = w23 * w26
+    w28 = w15 * w19
+    w29 = link1_theta2_dot * w16
+    w30 = w28 + w4 * w29
+    w31 = w16 * w21
+    w32 = link1_theta1_dot * w30 + w31
+    w33 = w0 * w19
+    w34 = w8 * w16
+    w35 = w4 * w34
+    w36 = w1 * w19
+    w37 = w1 * w16
+    w38 = w4 * w13 + w23 * w36 - w32 * w37
+    w39 = w10 * w38
+    w40 = w4 * link1_theta3_dot
+    w41 = link1_theta1_dot - w40
+    w42 = w2 * link1_theta3_dot - w8 * link1_theta2_dot
+    w43 = w3 * w41
+    w44 = w5 * w42 + w43
+    w45 = w41 * w44
+    w46 = w9 * link1_theta3_dot + w0 * link1_theta2_dot
+    w47 = w10 * w42 - w3 * w46
+    w48 = w46 * w47
+    w49 = w7 + w11 - (w5 * (w14 - w27 - w32 * (w33 - w35)) - w39 - (w45 - w48))
+    w50 = w49 * c9
+    w51 = ca.cos(link2_theta1)
+    w52 = ca.cos(link2_theta3)
+    w53 = w51 * w52
+    w54 = ca.sin(link2_theta1)
+    w55 = ca.sin(link2_theta2)
     w56 = w54 * w55
-    w57 = w52 * w53 - w56
-    w58 = link2_theta3_dot - w51 * link2_theta1_dot
-    w59 = ca.cos(link2_theta2)
-    w60 = w53 * w59
-    w61 = w54 * link2_theta2_dot
-    w62 = link2_theta1_dot * w60 + w61
-    w63 = w58 * w62
-    w64 = w54 * w59
-    w65 = link2_theta1_ddot * w64 - w53 * link2_theta2_ddot
-    w66 = link2_theta3_dot * w59
-    w67 = w53 * w66
-    w68 = w67 + w51 * w61
-    w69 = link2_theta3_dot * link2_theta2_dot
-    w70 = w54 * w69
-    w71 = link2_theta1_dot * w68 + w70
-    w72 = w65 - w71
-    w73 = w63 + w72
-    w74 = w73 * c11
-    w75 = w50 * w59
-    w76 = w62**2
-    w77 = w53 * link2_theta2_dot
-    w78 = link2_theta1_dot * w64 - w77
-    w79 = w78**2
-    w80 = (w76 + w79) * c11
-    w81 = w53 * w55
-    w82 = w50 * w54
-    w83 = w81 + w51 * w82
-    w84 = w58 * w78
-    w85 = w54 * w66
-    w86 = w51 * link2_theta2_dot
-    w87 = w85 - w53 * w86
-    w88 = w53 * w69
-    w89 = link2_theta1_dot * w87 - w88
-    w90 = w60 * link2_theta1_ddot + w54 * link2_theta2_ddot
-    w91 = w89 + w90
-    w92 = w84 - w91
-    w93 = w92 * c11
-    w94 = w57 * w74 - w75 * w80 + w83 * w93
-    w95 = w7 * w9
-    w96 = w8 * w12
-    w97 = w96 + w6 * w14
-    w98 = w12 * w97
-    w99 = w1 * w10
-    w100 = w36 + w21 * w99
-    w101 = w25 * w100
-    w102 = w2 * w30
-    w103 = w10 * w27
-    w104 = w4 * w21
-    w105 = w103 - w104
-    w106 = w101 - w102 - w35 * w105
-    w107 = w3 * w42
-    w108 = w3 * link1_theta1_ddot
-    w109 = w4 * w14
-    w110 = link1_theta2_ddot * w109
-    w111 = w95 - w98 - (w14 * w106 + w107) - w108 - w110
-    w112 = ca.cos(link3_theta1)
-    w113 = ca.sin(link3_theta2)
-    w114 = w112 * w113
-    w115 = ca.sin(link3_theta3)
-    w116 = ca.cos(link3_theta3)
-    w117 = ca.sin(link3_theta1)
-    w118 = w116 * w117
-    w119 = w114 * w115 - w118
-    w120 = link3_theta3_dot - w113 * link3_theta1_dot
-    w121 = ca.cos(link3_theta2)
-    w122 = w115 * w121
-    w123 = w116 * link3_theta2_dot
-    w124 = link3_theta1_dot * w122 + w123
-    w125 = w120 * w124
-    w126 = w116 * w121
-    w127 = link3_theta1_ddot * w126 - w115 * link3_theta2_ddot
-    w128 = link3_theta3_dot * w121
-    w129 = w115 * w128
-    w130 = w129 + w113 * w123
-    w131 = link3_theta3_dot * link3_theta2_dot
-    w132 = w116 * w131
-    w133 = w127 - (link3_theta1_dot * w130 + w132)
-    w134 = w125 + w133
-    w135 = w134 * c13
-    w136 = w112 * w121
-    w137 = w124**2
-    w138 = w115 * link3_theta2_dot
-    w139 = link3_theta1_dot * w126 - w138
-    w140 = w139**2
-    w141 = (w137 + w140) * c13
-    w142 = w115 * w117
-    w143 = w112 * w116
-    w144 = w142 + w113 * w143
-    w145 = w120 * w139
-    w146 = w116 * w128
-    w147 = w113 * link3_theta2_dot
-    w148 = w146 - w115 * w147
-    w149 = w115 * w131
-    w150 = w122 * link3_theta1_ddot + w116 * link3_theta2_ddot
-    w151 = link3_theta1_dot * w148 - w149 + w150
-    w152 = w145 - w151
-    w153 = w152 * c13
-    w154 = w119 * w135 - w136 * w141 + w144 * w153
-    w155 = w55 * w59
-    w156 = w50 * link2_theta2_dot + link2_theta3_dot * w155
-    w157 = link2_theta3_dot * w75 - w55 * link2_theta2_dot
-    w158 = w155 * link2_end_x
-    w159 = w75 * link2_end_x
-    w160 = w157 * w158 - w156 * w159
-    w161 = w156 * w160
-    w162 = w51 * link2_theta3_dot
-    w163 = link2_theta1_dot - w162
-    w164 = w159 * w163
-    w165 = w51 * link2_end_x
-    w166 = w164 + w157 * w165
-    w167 = w163 * w166
-    w168 = w51 * w55
-    w169 = w82 + w53 * w168
-    w170 = w89 * w169
-    w171 = link2_theta1_dot * link2_theta2_dot
-    w172 = w59 * w171
-    w173 = w155 * w172
-    w174 = w51 * w56
-    w175 = w50 * w53
-    w176 = w174 - w175
-    w177 = w170 - w173 - w71 * w176
-    w178 = w51 * w172 + w60 * w89 - w64 * w71
-    w179 = w158 * w178
-    w180 = link2_theta1_ddot * w158
-    w181 = w50 * w165
-    w182 = link2_theta2_ddot * w181
-    w183 = w111 + (w161 - w167 - (w165 * w177 + w179)) - w180 - w182
-    w184 = w154 + w183 * link3_mass
-    w185 = w94 + w111 * link2_mass + w184
-    w186 = w102 - w101 - w35 * (w104 - w103)
-    w187 = w14 * w186 - w107 - (w98 - w95) - w108 - w110
-    w188 = w187 * link3_mass
-    w189 = w187 * link2_mass + w188
-    w190 = w74 * w169
-    w191 = w80 * w155
-    w192 = w44 + (w43 - w16) - w46
-    w193 = w113 * w117
-    w194 = w143 + w115 * w193
-    w195 = w135 * w194
-    w196 = w117 * w121
-    w197 = w141 * w196
-    w198 = w113 * w118
-    w199 = w112 * w115
-    w200 = w198 - w199
-    w201 = w57 * w89 - w75 * w172 - w71 * w83
-    w202 = w159 * w178 + w165 * w201
-    w203 = w158 * w163
-    w204 = w156 * w165 + w203
-    w205 = w163 * w204 + w157 * w160
-    w206 = link2_theta1_ddot * w159
-    w207 = w55 * w165
-    w208 = link2_theta2_ddot * w207
-    w209 = w192 + (w202 - w205) + w206 - w208
-    w210 = w195 - w197 + w153 * w200 + w209 * link3_mass
-    w211 = w190 - w191 + w93 * w176 + w192 * link2_mass + w210
-    w212 = w0 * link1_end_x
-    w213 = w8 * w39
-    w214 = w3 * w186 + w213 - (w213 - w3 * w106)
-    w215 = w3 * w39 - w8 * w106 + (w6 * w97 + w7 * w15) - link1_theta2_ddot * w212
-    w216 = w215 - gravity_z
-    w217 = w59 * link2_end_x
-    w218 = w215 + (w158 * w201 - w159 * w177 + (w157 * w166 + w156 * w204)) - link2_theta2_ddot * w217 - gravity_z
-    w219 = w113 * w141 + w122 * w135 + w126 * w153 + w218 * link3_mass
-    w220 = w212 * (w214 * link2_mass + w214 * link3_mass) + (w45 * w189 + w109 * w211) + (w49 * w109 - w45 * w185)
-    w221 = w75 * c11
-    w222 = w155 * c11
-    w223 = w51 * c11
-    w224 = w50 * w223
-    w225 = w55 * w223
-    w226 = w59 * c11
-    w227 = w136 * c13
-    w228 = w196 * c13
-    w229 = w113 * c13
-    w230 = w112 * w229
-    w231 = w117 * w229
-    w232 = w121 * c13
-    w233 = link1_theta3_dot * w99
-    w234 = w26 * link1_end_x
-    w235 = link1_theta3_dot * w26
-    w236 = w99 * link1_end_x
-    w237 = w8 * w233 + w7 * w234 - (w3 * w235 + w6 * w236)
-    w238 = w6 * w212
-    w239 = w238 - w14 * w235 - (w8 * w17 + w12 * w234)
-    w240 = w0 * link1_theta2_dot
-    w241 = link1_theta1_dot * (w11 * w18 + w21 * w240)
-    w242 = w10 * w29
-    w243 = link1_theta1_dot * (w0 * w32 - w11 * w21)
-    w244 = w25 * (w2 * w21) - w100 * w241 + w10 * (link1_theta1_dot * (w2 * link1_theta2_dot)) * c38 - (w35 * (w0 * w27) + w105 * w243)
-    w245 = w10 * w21
-    w246 = w10 * w18
-    w247 = w0 * w30 - w10 * w242 - (w25 * w245 + w40 * w241) - (w41 * w243 - w35 * w246)
-    w248 = w7 * w237 - w9 * w233 - (w12 * w239 - w17 * w97) - (w14 * w244 + w106 * w212 + (w3 * w247 - w42 * w236))
-    w249 = w4 * w212
-    w250 = w248 + link1_theta1_ddot * w236 - link1_theta2_ddot * w249
-    w251 = w250 * link3_mass
-    w252 = w250 * link2_mass + w251
-    w253 = w25 * (w5 * w21) - w28 * w241 + w10 * (link1_theta1_dot * (w5 * link1_theta2_dot)) * c38 - (w35 * (w0 * w36) + w38 * w243)
-    w254 = w7 * w212
-    w255 = w254 - w14 * w233 - (w3 * w17 + w12 * w236)
-    w256 = w8 * w247 - w42 * w234 + (w14 * w253 + w39 * w212) - (w12 * w255 - w15 * w17 + (w6 * w237 - w9 * w235))
-    w257 = w1 * w212
-    w258 = w256 - link1_theta1_ddot * w234 - link1_theta2_ddot * w257
-    w259 = w258 * link3_mass
-    w260 = w258 * link2_mass + w259
-    w261 = link1_theta3_dot - link1_theta1_dot * w10
-    w262 = link1_theta2_dot * w21
-    w263 = link1_theta1_dot * w41 - w262
-    w264 = w261 * w263
-    w265 = w40 * link1_theta1_ddot + w18 * link1_theta2_ddot
-    w266 = w25 + w265
-    w267 = (w264 + w266) * c1 - (w264 - w266) * c3
-    w268 = w0 * link1_theta1_dot
-    w269 = link1_theta1_dot * w246
-    w270 = w263 * w268 + w261 * w269
-    w271 = w241 + link1_theta1_ddot * w245
-    w272 = (w270 + w271) * c1 + (w271 - w270) * c3
-    w273 = w32 + link1_theta1_dot * w40
-    w274 = w263 * w273
-    w275 = link1_theta3_ddot - w10 * link1_theta1_ddot - w30
-    w276 = w242 - w0 * link1_theta1_ddot
-    w277 = link1_theta1_dot * w245
-    w278 = w263 * w277 + w269 * w273
-    w279 = (w276 - w278) * c0 + (w276 + w278) * c1
-    w280 = w261 * w273
-    w281 = w41 * link1_theta1_ddot - w21 * link1_theta2_ddot
-    w282 = w281 - w35
-    w283 = (w280 + w282) * c3 - (w280 - w282) * c0
-    w284 = w268 * w273 + w261 * w277
-    w285 = w243 + link1_theta1_ddot * w246
-    w286 = (w284 + w285) * c3 + (w285 - w284) * c0
-    w287 = w245 * w267 + w40 * w272 + (w0 * ((w274 + w275) * c0 - (w274 - w275) * c1) + w10 * w279) + (w246 * w283 + w41 * w286)
-    w288 = w3 * w253 - w39 * w236 - (w8 * w244 - w106 * w234) + (w6 * w239 - w97 * w235 + (w7 * w255 - w15 * w233))
-    w289 = w288 + w14 * link1_theta2_ddot
-    w290 = w212 * (w289 * link2_mass + w289 * link3_mass) - w14 * (w51 * w80 + w60 * w74 + w64 * w93 + w216 * link2_mass + w219)
-    w291 = w290 - (w21 * w286 - w18 * w272 - w10 * c28) + (w45 * w260 + w211 * w257) + (w109 * w252 + w185 * w249)
-    w292 = w34 + link1_theta1_dot * (w31 + w18 * w20)
-    w293 = link1_theta1_dot * (w19 - w10 * w262) - w24
-    w294 = w25 * (w18 * w99 - w104) - w100 * w292 - (w105 * w293 - w35 * (w36 + w10 * w37))
-    w295 = w25 * w41 - w40 * w292 - (w41 * w293 - w35 * w40)
-    w296 = w14 * w294 + w3 * w295
-    w297 = w296 * link3_mass
-    w298 = w296 * link2_mass + w297
-    w299 = w281 - w292
-    w300 = (w299 - w280) * c1 + (w280 + w299) * c3
-    w301 = w263**2 - w273**2
-    w302 = w301 * c0 - w301 * c1
-    w303 = w265 + w293
-    w304 = (w264 - w303) * c3 - (w264 + w303) * c0
-    w305 = w25 * (w37 + w18 * w26) - w28 * w292 - (w35 * (w27 - w10 * w104) + w38 * w293)
-    w306 = w8 * w295 + w14 * w305
-    w307 = w306 * link3_mass
-    w308 = w306 * link2_mass + w307
-    w309 = w3 * w305 - w8 * w294
-    w310 = w212 * (w309 * link2_mass + w309 * link3_mass) - (w18 * w300 - w21 * w267 - (w18 * w283 + w21 * w304))
-    w311 = w175 - w174
-    w312 = w208 + (w205 - w202 - w206)
-    w313 = w312 * link3_mass
-    w314 = w191 - w190 + w93 * w311 + w313
-    w315 = w173 - w170 - w71 * w311
-    w316 = w165 * w315 - w179 - (w167 - w161) - w180 - w182
-    w317 = w316 * link3_mass
-    w318 = w94 + w317
-    w319 = w159 * w201
-    w320 = w158 * w315 + w319 - (w319 - w158 * w177)
-    w321 = w320 * link3_mass
-    w322 = w217 * w321 + (w192 * w224 - w111 * w225) + (w207 * w317 + w181 * w210) + (w181 * w313 - w184 * w207)
-    w323 = w53 * w75
-    w324 = link2_theta1_dot * w59
-    w325 = w51 * w53
-    w326 = link2_theta1_dot * w325
-    w327 = w62 * w324 + w58 * w326
-    w328 = w51 * w54
-    w329 = link2_theta1_dot * (w59 * w61 - w53 * w162)
-    w330 = link2_theta1_ddot * w328 + w329
-    w331 = w327 + w330
-    w332 = w331 * c11
-    w333 = 2 * w62
-    w334 = 2 * w78
-    w335 = link2_theta1_dot * w328
-    w336 = (w326 * w333 + w334 * w335) * c11
-    w337 = w59 * w82
-    w338 = w59 * link2_theta2_dot
-    w339 = link2_theta1_dot * (w54 * w162 + w53 * w338)
-    w340 = w339 + link2_theta1_ddot * w325
-    w341 = w78 * w324 + w58 * w335
-    w342 = w340 - w341
-    w343 = w342 * c11
-    w344 = link2_theta3_dot * w168
-    w345 = w52 * link2_end_x
-    w346 = w52 * link2_theta3_dot
-    w347 = w168 * link2_end_x
-    w348 = w159 * w344 + w156 * w345 - (w158 * w346 + w157 * w347)
-    w349 = w157 * w217
-    w350 = w349 - w165 * w346 - (w66 * w159 + w163 * w345)
-    w351 = w53 * w155
-    w352 = w51 * w171
-    w353 = w56 * w59
-    w354 = w89 * w351 - w169 * w339 + link2_theta2_dot * (w59 * (link2_theta1_dot * w168)) * c38 - (w71 * w353 + w176 * w329)
-    w355 = w59 * w172 - w51 * w352 - (w89 * w325 + w60 * w339) - (w64 * w329 - w71 * w328)
-    w356 = w156 * w348 - w160 * w344 - (w163 * w350 - w66 * w166) - (w165 * w354 + w177 * w217 + (w158 * w355 - w178 * w347))
-    w357 = w50 * w217
-    w358 = w356 + link2_theta1_ddot * w347 - link2_theta2_ddot * w357
-    w359 = w358 * link3_mass
-    w360 = w74 * w323 - w57 * w332 + (w52 * w80 + w75 * w336) + (w93 * w337 + w83 * w343) + w359
-    w361 = w89 * w323 - w57 * w339 + link2_theta2_dot * (w59 * (w52 * link2_theta1_dot)) * c38 - (w71 * w337 + w83 * w329)
-    w362 = w156 * w217
-    w363 = w362 - w165 * w344 - (w66 * w158 + w163 * w347)
-    w364 = w159 * w355 - w178 * w345 + (w165 * w361 + w201 * w217) - (w163 * w363 - w66 * w204 + (w157 * w348 - w160 * w346))
-    w365 = w55 * w217
-    w366 = w364 - link2_theta1_ddot * w345 - link2_theta2_ddot * w365
-    w367 = w366 * link3_mass
-    w368 = w74 * w351 - w169 * w332 + (w80 * w168 + w155 * w336) + (w93 * w353 + w176 * w343) + w367
-    w369 = w158 * w361 - w201 * w347 - (w159 * w354 - w177 * w345) + (w157 * w350 - w166 * w346 + (w156 * w363 - w204 * w344))
-    w370 = w369 + link2_theta2_ddot * w165
-    w371 = w370 * link3_mass
-    w372 = w212 * (w59 * w80 - w51 * w336 - (w74 * w325 + w60 * w332) + (w64 * w343 - w93 * w328) + w371) + w45 * w368
-    w373 = (w84 + w91) * c15 - w92 * c17
-    w374 = (w340 + w341) * c15 + w342 * c17
-    w375 = w62 * w78
-    w376 = link2_theta3_ddot - w51 * link2_theta1_ddot - w172
-    w377 = w352 - w59 * link2_theta1_ddot
-    w378 = w78 * w326 + w62 * w335
-    w379 = (w377 - w378) * c14 + (w377 + w378) * c15
-    w380 = w73 * c17 - (w63 - w72) * c14
-    w381 = w331 * c17 + (w330 - w327) * c14
-    w382 = w325 * w373 + w60 * w374 + (w59 * ((w375 + w376) * c14 - (w375 - w376) * c15) + w51 * w379) + (w328 * w380 + w64 * w381)
-    w383 = w158 * w359 - w184 * w347 - (w111 * (w168 * c11) - w192 * (w52 * c11) - w382 + (w159 * w367 - w210 * w345))
-    w384 = w217 * w371 - w165 * w219 - (w53 * w381 - w54 * w374 - (w111 * (w50 * w226) + w192 * (w55 * w226) - w216 * w223))
-    w385 = w81 + w52 * w54
-    w386 = link2_theta1_dot * (w85 - w51 * w77) - w88
-    w387 = w90 + w386
-    w388 = w84 - w387
-    w389 = w388 * c11
-    w390 = (w78 * w333 - w62 * w334) * c11
-    w391 = w56 - w51 * w175
-    w392 = w70 + link2_theta1_dot * (w67 + w54 * w86)
-    w393 = w65 - w392
-    w394 = w63 + w393
-    w395 = w394 * c11
-    w396 = w54 * w168 - w175
-    w397 = w82 + w51 * w81
-    w398 = w89 * w396 - w169 * w392 - (w176 * w386 - w71 * w397)
-    w399 = w64 * w89 - w60 * w392 - (w64 * w386 - w60 * w71)
-    w400 = w165 * w398 + w158 * w399
-    w401 = w400 * link3_mass
-    w402 = w74 * w385 + w57 * w389 - w75 * w390 + (w93 * w391 - w83 * w395) - w401
-    w403 = w89 * w385 - w57 * w392 - (w71 * w391 + w83 * w386)
-    w404 = w159 * w399 + w165 * w403
-    w405 = w404 * link3_mass
-    w406 = w74 * w396 + w169 * w389 - w155 * w390 - (w93 * w397 + w176 * w395) + w405
-    w407 = w158 * w403 - w159 * w398
-    w408 = w407 * link3_mass
-    w409 = w212 * (w51 * w390 + (w64 * w74 + w60 * w389) - (w60 * w93 + w64 * w395) + w408) + w45 * w406 + w109 * w402
-    w410 = (w393 - w63) * c15 + w394 * c17
-    w411 = w79 - w76
-    w412 = w411 * c14 - w411 * c15
-    w413 = w388 * c17 - (w84 + w387) * c14
-    w414 = -(w158 * w401 + (w64 * w373 + w60 * w410 - w51 * w412 + (w64 * w413 - w60 * w380) + w159 * w405))
-    w415 = w197 - w195 + w153 * (w199 - w198)
-    w416 = link3_theta1_dot * w121
-    w417 = w113 * w115
-    w418 = link3_theta1_dot * w417
-    w419 = w124 * w416 + w120 * w418
-    w420 = w113 * w116
-    w421 = w113 * link3_theta3_dot
-    w422 = link3_theta1_ddot * w420 + link3_theta1_dot * (w121 * w123 - w115 * w421)
-    w423 = w419 + w422
-    w424 = w423 * c13
-    w425 = 2 * w124
-    w426 = 2 * w139
-    w427 = link3_theta1_dot * w420
-    w428 = (w418 * w425 + w426 * w427) * c13
-    w429 = w121 * link3_theta2_dot
-    w430 = link3_theta1_dot * (w116 * w421 + w115 * w429) + link3_theta1_ddot * w417
-    w431 = w139 * w416 + w120 * w427
-    w432 = w430 - w431
-    w433 = w432 * c13
-    w434 = w135 * (w115 * w136) - w119 * w424 + (w114 * w141 + w136 * w428) + (w153 * (w121 * w143) + w144 * w433)
-    w435 = w135 * (w115 * w196) - w194 * w424 + (w141 * w193 + w196 * w428) + (w153 * (w118 * w121) + w200 * w433)
-    w436 = w121 * w141 - w113 * w428 - (w135 * w417 + w122 * w424) + (w126 * w433 - w153 * w420)
-    w437 = (w145 + w151) * c22 - w152 * c24
-    w438 = (w430 + w431) * c22 + w432 * c24
-    w439 = w124 * w139
-    w440 = link3_theta1_dot * link3_theta2_dot
-    w441 = link3_theta3_ddot - w113 * link3_theta1_ddot - w121 * w440
-    w442 = w113 * w440 - w121 * link3_theta1_ddot
-    w443 = w139 * w418 + w124 * w427
-    w444 = (w442 - w443) * c21 + (w442 + w443) * c22
-    w445 = w134 * c24 - (w125 - w133) * c21
-    w446 = w423 * c24 + (w422 - w419) * c21
-    w447 = w417 * w437 + w122 * w438 + (w121 * ((w439 + w441) * c21 - (w439 - w441) * c22) + w113 * w444) + (w420 * w445 + w126 * w446)
-    w448 = w150 + (link3_theta1_dot * (w146 - w113 * w138) - w149)
-    w449 = w145 - w448
-    w450 = w449 * c13
-    w451 = (w139 * w425 - w124 * w426) * c13
-    w452 = w127 - (w132 + link3_theta1_dot * (w129 + w116 * w147))
-    w453 = w125 + w452
-    w454 = w453 * c13
-    w455 = w135 * (w142 + w114 * w116) + w119 * w450 - w136 * w451 + (w153 * (w118 - w113 * w199) - w144 * w454)
-    w456 = w135 * (w116 * w193 - w199) + w194 * w450 - w196 * w451 - (w153 * (w143 + w113 * w142) + w200 * w454)
-    w457 = w113 * w451 + (w126 * w135 + w122 * w450) - (w122 * w153 + w126 * w454)
-    w458 = (w452 - w125) * c22 + w453 * c24
-    w459 = w140 - w137
-    w460 = w459 * c21 - w459 * c22
-    w461 = w449 * c24 - (w145 + w448) * c21
-    w462 = w22 * w100 - w2 * w240 - w33 * w105
-    w463 = w10 * w240 + w22 * w40 - w33 * w41
-    w464 = w96 + w97 + (w14 * w462 + w3 * w463)
-    w465 = w464 * link3_mass
-    w466 = w464 * link2_mass + w465
-    w467 = w41 * w261 - w10 * w263
-    w468 = (w22 + w467) * c1 - (w467 - w22) * c3
-    w469 = w40 * w263
-    w470 = w41 * w273
-    w471 = w469 + w470
-    w472 = (w471 - w240) * c0 - (w240 + w471) * c1
-    w473 = w40 * w261 - w10 * w273
-    w474 = (w473 - w33) * c3 - (w33 + w473) * c0
-    w475 = w22 * w28 - w5 * w240 - w33 * w38
-    w476 = w8 * w463 + w14 * w475 - (w13 + w15)
-    w477 = w476 * link3_mass
-    w478 = w476 * link2_mass + w477
-    w479 = w3 * w475 - w8 * w462 + (w6 * w8 + w3 * w7)
-    w480 = w212 * (w479 * link2_mass + w479 * link3_mass) - (w18 * w468 - w21 * w474) + w45 * w478 - w109 * w466
-    w481 = w277 + link1_theta3_dot * w21
-    w482 = w269 + link1_theta3_dot * w18
-    w483 = w10 * w268 - w40 * w481 - w41 * w482
-    w484 = w100 * w481 + w2 * w268 + w105 * w482
-    w485 = w4 * w9 - w254 + w12 * w45 - (w3 * w483 - w14 * w484)
-    w486 = w485 * link3_mass
-    w487 = w485 * link2_mass + w486
-    w488 = w18 * w261
-    w489 = (w488 - w482) * c3 - (w482 + w488) * c0
-    w490 = w21 * w261
-    w491 = (w481 + w490) * c1 + (w481 - w490) * c3
-    w492 = w18 * w263 - w21 * w273
-    w493 = (w492 - w268) * c0 - (w268 + w492) * c1
-    w494 = w28 * w481 + w5 * w268 + w38 * w482
-    w495 = w8 * w483 - w14 * w494 - (w12 * w109 - (w238 + w1 * w9))
-    w496 = w495 * link3_mass
-    w497 = w495 * link2_mass + w496
-    w498 = w8 * w484 - w3 * w494 + (w4 * w15 + w7 * w109 - (w1 * w97 + w6 * w45))
-    w499 = w212 * (w498 * link2_mass + w498 * link3_mass) + (w18 * w491 + w21 * w489) + w45 * w497 + w109 * w487
-    w500 = w3 * w5 - w2 * w8
-    w501 = w5 * w14 - w8 * w10
-    w502 = w100 * w263 - w105 * w273
-    w503 = w469 - w470
-    w504 = w2 * w9 + w7 * w500 - (w12 * w501 - w10 * w97) - (w14 * w502 + w3 * w503)
-    w505 = w504 * link3_mass
-    w506 = w504 * link2_mass + w505
-    w507 = (w263 + w263) * c1
-    w508 = (w273 + w273) * c39
-    w509 = w28 * w263 - w38 * w273
-    w510 = w2 * w14 - w3 * w10
-    w511 = w8 * w503 + w14 * w509 - (w12 * w510 - w10 * w15 + (w5 * w9 + w6 * w500))
-    w512 = w511 * link3_mass
-    w513 = w511 * link2_mass + w512
-    w514 = w3 * w509 - w8 * w502 + (w5 * w97 + w6 * w501 + (w2 * w15 + w7 * w510))
-    w515 = w212 * (w514 * link2_mass + w514 * link3_mass) - (w18 * w507 - w21 * w508) + w45 * w513 + w109 * w506
-    w516 = w58 * w60 - w51 * w62
-    w517 = w516 - w68
-    w518 = w517 * c11
-    w519 = (w60 * w333 + w64 * w334) * c11
-    w520 = w58 * w64 - w51 * w78
-    w521 = w520 - w87
-    w522 = w521 * c11
-    w523 = w87 * w169 - w155 * w338 - w68 * w176
-    w524 = w51 * w338 + w60 * w87 - w64 * w68
-    w525 = w164 + w166 + (w165 * w523 + w158 * w524)
-    w526 = w525 * link3_mass
-    w527 = w57 * w518 - w75 * w519 + w83 * w522 - w526
-    w528 = w57 * w87 - w75 * w338 - w68 * w83
-    w529 = w159 * w524 + w165 * w528 - (w203 + w204)
-    w530 = w529 * link3_mass
-    w531 = w169 * w518 - w155 * w519 + w176 * w522 + w530
-    w532 = w158 * w528 - w159 * w523 + (w157 * w159 + w156 * w158)
-    w533 = w532 * link3_mass
-    w534 = (w87 + w520) * c15 - w521 * c17
-    w535 = w60 * w78
-    w536 = w62 * w64
-    w537 = w535 + w536
-    w538 = (w537 - w338) * c14 - (w338 + w537) * c15
-    w539 = w517 * c17 - (w68 + w516) * c14
-    w540 = w54 * w58
-    w541 = w335 + w54 * link2_theta3_dot
-    w542 = w540 - w541
-    w543 = w542 * c11
-    w544 = (w54 * w333 - w53 * w334) * c11
-    w545 = w326 + w53 * link2_theta3_dot
-    w546 = w53 * w58
-    w547 = w545 - w546
-    w548 = w547 * c11
-    w549 = w51 * w324 - w60 * w545 - w64 * w541
-    w550 = w169 * w545 + w155 * w324 + w176 * w541
-    w551 = w50 * w160 - w362 + w163 * w207 - (w158 * w549 - w165 * w550)
-    w552 = w551 * link3_mass
-    w553 = w57 * w543 - w75 * w544 + w83 * w548 + w552
-    w554 = w57 * w545 + w75 * w324 + w83 * w541
-    w555 = w159 * w549 - w165 * w554 - (w163 * w181 - (w349 + w55 * w160))
-    w556 = w555 * link3_mass
-    w557 = w169 * w543 - w155 * w544 + w176 * w548 + w556
-    w558 = w159 * w550 - w158 * w554 + (w50 * w204 + w156 * w181 - (w55 * w166 + w157 * w207))
-    w559 = w558 * link3_mass
-    w560 = w542 * c17 - (w540 + w541) * c14
-    w561 = (w545 + w546) * c15 + w547 * c17
-    w562 = w54 * w78 - w53 * w62
-    w563 = (w562 - w324) * c14 - (w324 + w562) * c15
-    w564 = w75 * w158 - w155 * w159
-    w565 = w75 * w165 - w51 * w159
-    w566 = w78 * w169 - w62 * w176
-    w567 = w535 - w536
-    w568 = w155 * w160 + w156 * w564 - (w163 * w565 - w51 * w166) - (w165 * w566 + w158 * w567)
-    w569 = w568 * link3_mass
-    w570 = w57 * w78 - w62 * w83
-    w571 = w155 * w165 - w51 * w158
-    w572 = w159 * w567 + w165 * w570 - (w163 * w571 - w51 * w204 + (w75 * w160 + w157 * w564))
-    w573 = w572 * link3_mass
-    w574 = w158 * w570 - w159 * w566 + (w75 * w166 + w157 * w565 + (w155 * w204 + w156 * w571))
-    w575 = w574 * link3_mass
-    w576 = (w78 + w78) * c15
-    w577 = (w62 + w62) * c40
-    w578 = w120 * w122 - w113 * w124
-    w579 = w578 - w130
-    w580 = w579 * c13
-    w581 = (w122 * w425 + w126 * w426) * c13
-    w582 = w120 * w126 - w113 * w139
-    w583 = w582 - w148
-    w584 = w583 * c13
-    w585 = w119 * w580 - w136 * w581 + w144 * w584
-    w586 = w194 * w580 - w196 * w581 + w200 * w584
-    w587 = w113 * w581 + w122 * w580 + w126 * w584
-    w588 = (w148 + w582) * c22 - w583 * c24
-    w589 = w122 * w139 + w124 * w126
-    w590 = (w589 - w429) * c21 - (w429 + w589) * c22
-    w591 = w579 * c24 - (w130 + w578) * c21
-    w592 = w116 * w120
-    w593 = w427 + w116 * link3_theta3_dot
-    w594 = w592 - w593
-    w595 = w594 * c13
-    w596 = (w116 * w425 - w115 * w426) * c13
-    w597 = w418 + w115 * link3_theta3_dot
-    w598 = w115 * w120
-    w599 = w597 - w598
-    w600 = w599 * c13
-    w601 = w119 * w595 - w136 * w596 + w144 * w600
-    w602 = w194 * w595 - w196 * w596 + w200 * w600
-    w603 = w113 * w596 + w122 * w595 + w126 * w600
-    w604 = w594 * c24 - (w592 + w593) * c21
-    w605 = (w597 + w598) * c22 + w599 * c24
-    w606 = w116 * w139 - w115 * w124
-    w607 = (w606 - w416) * c21 - (w416 + w606) * c22
-    w608 = (w139 + w139) * c22
-    w609 = (w124 + w124) * c41
+    w57 = ca.sin(link2_theta3)
+    w58 = w53 + w56 * w57
+    w59 = link2_theta3_dot - w55 * link2_theta1_dot
+    w60 = ca.cos(link2_theta2)
+    w61 = w57 * w60
+    w62 = w52 * link2_theta2_dot
+    w63 = link2_theta1_dot * w61 + w62
+    w64 = w59 * w63
+    w65 = w52 * w60
+    w66 = link2_theta1_ddot * w65 - w57 * link2_theta2_ddot
+    w67 = link2_theta3_dot * w60
+    w68 = w57 * w67
+    w69 = w68 + w55 * w62
+    w70 = link2_theta3_dot * link2_theta2_dot
+    w71 = w52 * w70
+    w72 = link2_theta1_dot * w69 + w71
+    w73 = w66 - w72
+    w74 = w64 + w73
+    w75 = w74 * c11
+    w76 = w58 * w75
+    w77 = w54 * w60
+    w78 = w63**2
+    w79 = w57 * link2_theta2_dot
+    w80 = link2_theta1_dot * w65 - w79
+    w81 = w80**2
+    w82 = (w78 + w81) * c11
+    w83 = w77 * w82
+    w84 = w52 * w54
+    w85 = w55 * w84
+    w86 = w51 * w57
+    w87 = w85 - w86
+    w88 = w59 * w80
+    w89 = w52 * w67
+    w90 = w55 * link2_theta2_dot
+    w91 = w89 - w57 * w90
+    w92 = w57 * w70
+    w93 = link2_theta1_dot * w91 - w92
+    w94 = w61 * link2_theta1_ddot + w52 * link2_theta2_ddot
+    w95 = w93 + w94
+    w96 = w88 - w95
+    w97 = w96 * c11
+    w98 = w0 * w4
+    w99 = w19 * w98 - w34
+    w100 = w8 * w19 + w4 * w25
+    w101 = w23 * w99 - w2 * w13 - w32 * w100
+    w102 = w3 * w38 + w5 * w101
+    w103 = w10 * w41
+    w104 = w5 * w46 + w103
+    w105 = w41 * w104 + w42 * w47
+    w106 = w3 * link1_theta1_ddot
+    w107 = w5 * w8
+    w108 = link1_theta2_ddot * w107
+    w109 = w102 - w105 + w106 - w108
+    w110 = ca.cos(link3_theta1)
+    w111 = ca.cos(link3_theta3)
+    w112 = w110 * w111
+    w113 = ca.sin(link3_theta1)
+    w114 = ca.sin(link3_theta2)
+    w115 = w113 * w114
+    w116 = ca.sin(link3_theta3)
+    w117 = w112 + w115 * w116
+    w118 = link3_theta3_dot - w114 * link3_theta1_dot
+    w119 = ca.cos(link3_theta2)
+    w120 = w116 * w119
+    w121 = w111 * link3_theta2_dot
+    w122 = link3_theta1_dot * w120 + w121
+    w123 = w118 * w122
+    w124 = w111 * w119
+    w125 = link3_theta1_ddot * w124 - w116 * link3_theta2_ddot
+    w126 = link3_theta3_dot * w119
+    w127 = w116 * w126
+    w128 = w127 + w114 * w121
+    w129 = link3_theta3_dot * link3_theta2_dot
+    w130 = w111 * w129
+    w131 = w125 - (link3_theta1_dot * w128 + w130)
+    w132 = w123 + w131
+    w133 = w132 * c13
+    w134 = w117 * w133
+    w135 = w113 * w119
+    w136 = w122**2
+    w137 = w116 * link3_theta2_dot
+    w138 = link3_theta1_dot * w124 - w137
+    w139 = w138**2
+    w140 = (w136 + w139) * c13
+    w141 = w135 * w140
+    w142 = w111 * w113
+    w143 = w114 * w142
+    w144 = w110 * w116
+    w145 = w143 - w144
+    w146 = w118 * w138
+    w147 = w111 * w126
+    w148 = w114 * link3_theta2_dot
+    w149 = w147 - w116 * w148
+    w150 = w116 * w129
+    w151 = w120 * link3_theta1_ddot + w111 * link3_theta2_ddot
+    w152 = link3_theta1_dot * w149 - w150 + w151
+    w153 = w146 - w152
+    w154 = w153 * c13
+    w155 = link2_theta1_dot * link2_theta2_dot
+    w156 = w60 * w155
+    w157 = w55 * w156 + w61 * w93 - w65 * w72
+    w158 = w51 * w60
+    w159 = w158 * link2_end_x
+    w160 = w51 * w55
+    w161 = w57 * w160 - w84
+    w162 = w54 * w57
+    w163 = w162 + w53 * w55
+    w164 = w93 * w161 - w156 * w158 - w72 * w163
+    w165 = w55 * link2_end_x
+    w166 = w157 * w159 + w164 * w165
+    w167 = w55 * link2_theta3_dot
+    w168 = link2_theta1_dot - w167
+    w169 = w51 * link2_theta2_dot + link2_theta3_dot * w77
+    w170 = w77 * link2_end_x
+    w171 = w168 * w170
+    w172 = w165 * w169 + w171
+    w173 = link2_theta3_dot * w158 - w54 * link2_theta2_dot
+    w174 = w170 * w173 - w159 * w169
+    w175 = w168 * w172 + w173 * w174
+    w176 = link2_theta1_ddot * w159
+    w177 = w54 * w165
+    w178 = link2_theta2_ddot * w177
+    w179 = w109 + (w166 - w175) + w176 - w178
+    w180 = w134 - w141 + w145 * w154 + w179 * link3_mass
+    w181 = w76 - w83 + w87 * w97 + w109 * link2_mass + w180
+    w182 = w75 * w161 - w82 * w158 + w97 * w163
+    w183 = w35 - w33
+    w184 = w27 - w14 - w32 * w183
+    w185 = w48 - w45 - (w39 + w5 * w184) - w11 - w7
+    w186 = w110 * w114
+    w187 = w116 * w186 - w142
+    w188 = w110 * w119
+    w189 = w113 * w116
+    w190 = w189 + w112 * w114
+    w191 = w133 * w187 - w140 * w188 + w154 * w190
+    w192 = w169 * w174
+    w193 = w159 * w168
+    w194 = w193 + w165 * w173
+    w195 = w168 * w194
+    w196 = w58 * w93
+    w197 = w77 * w156
+    w198 = w196 - w197 - w72 * w87
+    w199 = w157 * w170
+    w200 = link2_theta1_ddot * w170
+    w201 = w51 * w165
+    w202 = link2_theta2_ddot * w201
+    w203 = w185 + (w192 - w195 - (w165 * w198 + w199)) - w200 - w202
+    w204 = w191 + w203 * link3_mass
+    w205 = w182 + w185 * link2_mass + w204
+    w206 = w106 - w108 - (w105 - w102)
+    w207 = w206 * c9
+    w208 = w1 * link1_end_x
+    w209 = w10 * w101 - w3 * w184 + (w42 * w44 + w46 * w104) - link1_theta2_ddot * w208
+    w210 = w209 - gravity_z
+    w211 = w60 * link2_end_x
+    w212 = w209 + (w164 * w170 - w159 * w198 + (w173 * w194 + w169 * w172)) - link2_theta2_ddot * w211 - gravity_z
+    w213 = w114 * w140 + w120 * w133 + w124 * w154 + w212 * link3_mass
+    w214 = w158 * c11
+    w215 = w214 + w159 * link3_mass
+    w216 = w77 * c11
+    w217 = w216 + w170 * link3_mass
+    w218 = w55 * c11
+    w219 = w56 * c37
+    w220 = w160 * c37
+    w221 = w188 * c13
+    w222 = w135 * c13
+    w223 = w114 * c13
+    w224 = w113 * w223
+    w225 = w110 * w223
+    w226 = w8 * w208
+    w227 = w98 * link1_end_x
+    w228 = w4 * w12
+    w229 = w4 * w19
+    w230 = w1 * link1_theta2_dot
+    w231 = link1_theta1_dot * (w16 * w40 + w19 * w230)
+    w232 = link1_theta1_dot * (w1 * w29 - w19 * w40)
+    w233 = w4 * w16
+    w234 = w1 * w13 - w4 * w228 - (w23 * w229 + w36 * w231) - (w37 * w232 - w32 * w233)
+    w235 = w23 * (w2 * w19) - w99 * w231 + link1_theta2_dot * (link1_theta1_dot * (w2 * w4)) * c38 - (w32 * (w1 * w25) + w100 * w232)
+    w236 = w46 * w208
+    w237 = link1_theta3_dot * w24
+    w238 = w24 * link1_end_x
+    w239 = w236 - w5 * w237 - (w10 * w15 + w41 * w238)
+    w240 = link1_theta3_dot * w98
+    w241 = w3 * w237 + w46 * w227 - (w10 * w240 + w42 * w238)
+    w242 = w3 * w234 - w38 * w227 + (w5 * w235 + w101 * w208) - (w41 * w239 - w15 * w104 + (w42 * w241 - w47 * w240))
+    w243 = link1_theta2_ddot * w226 + link1_theta1_ddot * w227 - w242
+    w244 = w243 * c9
+    w245 = link1_theta3_dot - w4 * link1_theta1_dot
+    w246 = link1_theta2_dot * w19
+    w247 = link1_theta1_dot * w37 - w246
+    w248 = w245 * w247
+    w249 = link1_theta1_ddot * w36 + link1_theta2_ddot * w16
+    w250 = w23 + w249
+    w251 = (w248 + w250) * c1 - (w248 - w250) * c3
+    w252 = w1 * link1_theta1_dot
+    w253 = link1_theta1_dot * w233
+    w254 = w247 * w252 + w245 * w253
+    w255 = w231 + link1_theta1_ddot * w229
+    w256 = (w254 + w255) * c1 + (w255 - w254) * c3
+    w257 = w29 + link1_theta1_dot * w36
+    w258 = w247 * w257
+    w259 = link1_theta3_ddot - w4 * link1_theta1_ddot - w13
+    w260 = w228 - w1 * link1_theta1_ddot
+    w261 = link1_theta1_dot * w229
+    w262 = w247 * w261 + w253 * w257
+    w263 = (w260 - w262) * c0 + (w260 + w262) * c1
+    w264 = w245 * w257
+    w265 = link1_theta1_ddot * w37 - link1_theta2_ddot * w19
+    w266 = w265 - w32
+    w267 = (w264 + w266) * c3 - (w264 - w266) * c0
+    w268 = w252 * w257 + w245 * w261
+    w269 = w232 + link1_theta1_ddot * w233
+    w270 = (w268 + w269) * c3 + (w269 - w268) * c0
+    w271 = w229 * w251 + w36 * w256 + (w1 * ((w258 + w259) * c0 - (w258 - w259) * c1) + w4 * w263) + (w233 * w267 + w37 * w270)
+    w272 = w0 * w208
+    w273 = w42 * w208
+    w274 = w273 - w5 * w240 - (w3 * w15 + w41 * w227)
+    w275 = w23 * (w9 * w19) - w26 * w231 + link1_theta2_dot * (link1_theta1_dot * (w8 * (w1 * w4))) * c38 - (w32 * (w1 * w34) + w183 * w232)
+    w276 = w46 * w241 - w47 * w237 - (w41 * w274 - w15 * w44) - (w5 * w275 + w184 * w208 + (w10 * w234 - w38 * w238))
+    w277 = link1_theta2_ddot * w272 - link1_theta1_ddot * w238 - w276
+    w278 = w277 * c9
+    w279 = w10 * w235 - w101 * w238 - (w3 * w275 - w184 * w227) + (w42 * w274 - w44 * w240 + (w46 * w239 - w104 * w237))
+    w280 = link1_theta2_ddot * w5 + w279
+    w281 = w19 * w270 - w16 * w256 - w4 * c28 - w205 * w272 - w181 * w226 + w5 * (w55 * w82 + w61 * w75 + w65 * w97 + w210 * link2_mass + w213)
+    w282 = w60 * c11
+    w283 = w60 * c37
+    w284 = w119 * c13
+    w285 = w265 - (w31 + link1_theta1_dot * (w28 + w16 * w18))
+    w286 = (w285 - w264) * c1 + (w264 + w285) * c3
+    w287 = w247**2 - w257**2
+    w288 = w287 * c0 - w287 * c1
+    w289 = w249 + (link1_theta1_dot * (w17 - w4 * w246) - w22)
+    w290 = (w248 - w289) * c3 - (w248 + w289) * c0
+    w291 = w86 - w85
+    w292 = w200 + w202 - (w165 * (w197 - w196 - w72 * w291) - w199 - (w195 - w192))
+    w293 = w292 * link3_mass
+    w294 = w293 - w182
+    w295 = w176 - w178 - (w175 - w166)
+    w296 = w295 * link3_mass
+    w297 = w296 - (w83 - w76 + w97 * w291)
+    w298 = w177 * w293 - (w180 * w201 + (w109 * (w51 * w218) - w185 * (w54 * w218) - w177 * w204)) + w201 * w296
+    w299 = w54 * w211
+    w300 = w160 * link2_end_x
+    w301 = w55 * w155
+    w302 = w55 * w57
+    w303 = w60 * link2_theta2_dot
+    w304 = link2_theta1_dot * (w52 * w167 + w57 * w303)
+    w305 = link2_theta1_dot * (w60 * w62 - w57 * w167)
+    w306 = w52 * w55
+    w307 = w60 * w156 - w55 * w301 - (w93 * w302 + w61 * w304) - (w65 * w305 - w72 * w306)
+    w308 = w57 * w158
+    w309 = w53 * w60
+    w310 = w93 * w308 - w161 * w304 + link2_theta2_dot * (w60 * (link2_theta1_dot * w160)) * c38 - (w72 * w309 + w163 * w305)
+    w311 = w169 * w211
+    w312 = w56 * link2_theta3_dot
+    w313 = w56 * link2_end_x
+    w314 = w311 - w165 * w312 - (w67 * w170 + w168 * w313)
+    w315 = link2_theta3_dot * w160
+    w316 = w159 * w312 + w169 * w300 - (w170 * w315 + w173 * w313)
+    w317 = w159 * w307 - w157 * w300 + (w165 * w310 + w164 * w211) - (w168 * w314 - w67 * w172 + (w173 * w316 - w174 * w315))
+    w318 = link2_theta2_ddot * w299 + link2_theta1_ddot * w300 - w317
+    w319 = w318 * link3_mass
+    w320 = w57 * w77
+    w321 = link2_theta1_dot * w60
+    w322 = link2_theta1_dot * w302
+    w323 = w63 * w321 + w59 * w322
+    w324 = w305 + link2_theta1_ddot * w306
+    w325 = w323 + w324
+    w326 = w325 * c11
+    w327 = 2 * w63
+    w328 = 2 * w80
+    w329 = link2_theta1_dot * w306
+    w330 = (w322 * w327 + w328 * w329) * c11
+    w331 = w60 * w84
+    w332 = w304 + link2_theta1_ddot * w302
+    w333 = w80 * w321 + w59 * w329
+    w334 = w332 - w333
+    w335 = w334 * c11
+    w336 = w319 - (w75 * w320 - w58 * w326 + (w56 * w82 + w77 * w330) + (w97 * w331 + w87 * w335))
+    w337 = w51 * w211
+    w338 = w173 * w211
+    w339 = w338 - w165 * w315 - (w67 * w159 + w168 * w300)
+    w340 = w93 * w320 - w58 * w304 + link2_theta2_dot * (w60 * (w56 * link2_theta1_dot)) * c38 - (w72 * w331 + w87 * w305)
+    w341 = w169 * w316 - w174 * w312 - (w168 * w339 - w67 * w194) - (w165 * w340 + w198 * w211 + (w170 * w307 - w157 * w313))
+    w342 = link2_theta2_ddot * w337 - link2_theta1_ddot * w313 - w341
+    w343 = w342 * link3_mass
+    w344 = w343 - (w75 * w308 - w161 * w326 + (w82 * w160 + w158 * w330) + (w97 * w309 + w163 * w335))
+    w345 = w170 * w310 - w164 * w313 - (w159 * w340 - w198 * w300) + (w173 * w339 - w194 * w315 + (w169 * w314 - w172 * w312))
+    w346 = link2_theta2_ddot * w165 + w345
+    w347 = w346 * link3_mass
+    w348 = w208 * (w60 * w82 - w55 * w330 - (w75 * w302 + w61 * w326) + (w65 * w335 - w97 * w306) + w347) - w107 * w336
+    w349 = (w88 + w95) * c15 - w96 * c17
+    w350 = (w332 + w333) * c15 + w334 * c17
+    w351 = w63 * w80
+    w352 = link2_theta3_ddot - w55 * link2_theta1_ddot - w156
+    w353 = w301 - w60 * link2_theta1_ddot
+    w354 = w80 * w322 + w63 * w329
+    w355 = (w353 - w354) * c14 + (w353 + w354) * c15
+    w356 = w74 * c17 - (w64 - w73) * c14
+    w357 = w325 * c17 + (w324 - w323) * c14
+    w358 = w302 * w349 + w61 * w350 + (w60 * ((w351 + w352) * c14 - (w351 - w352) * c15) + w55 * w355) + (w306 * w356 + w65 * w357)
+    w359 = w159 * w319 - (w185 * (w56 * c11) - w109 * (w160 * c11) - w358 + w204 * w313 - w180 * w300) - w170 * w343
+    w360 = w57 * w357 - w52 * w350 - (w185 * (w51 * w282) + w109 * (w54 * w282) - w210 * w218) - w204 * w337
+    w361 = w94 + (link2_theta1_dot * (w89 - w55 * w79) - w92)
+    w362 = w88 - w361
+    w363 = w362 * c11
+    w364 = (w80 * w327 - w63 * w328) * c11
+    w365 = w66 - (w71 + link2_theta1_dot * (w68 + w52 * w90))
+    w366 = w64 + w365
+    w367 = w366 * c11
+    w368 = w75 * (w162 + w52 * w160) + w161 * w363 - w158 * w364 + (w97 * (w84 - w55 * w86) - w163 * w367)
+    w369 = w75 * (w52 * w56 - w86) + w58 * w363 - w77 * w364 - (w97 * (w53 + w55 * w162) + w87 * w367)
+    w370 = w208 * (w55 * w364 + (w65 * w75 + w61 * w363) - (w61 * w97 + w65 * w367)) + w107 * w369 + w6 * w368
+    w371 = (w365 - w64) * c15 + w366 * c17
+    w372 = w81 - w78
+    w373 = w372 * c14 - w372 * c15
+    w374 = w362 * c17 - (w88 + w361) * c14
+    w375 = w141 - w134 + w154 * (w144 - w143)
+    w376 = link3_theta1_dot * w119
+    w377 = w114 * w116
+    w378 = link3_theta1_dot * w377
+    w379 = w122 * w376 + w118 * w378
+    w380 = w111 * w114
+    w381 = w114 * link3_theta3_dot
+    w382 = link3_theta1_ddot * w380 + link3_theta1_dot * (w119 * w121 - w116 * w381)
+    w383 = w379 + w382
+    w384 = w383 * c13
+    w385 = 2 * w122
+    w386 = 2 * w138
+    w387 = link3_theta1_dot * w380
+    w388 = (w378 * w385 + w386 * w387) * c13
+    w389 = w119 * link3_theta2_dot
+    w390 = link3_theta1_dot * (w111 * w381 + w116 * w389) + link3_theta1_ddot * w377
+    w391 = w138 * w376 + w118 * w387
+    w392 = w390 - w391
+    w393 = w392 * c13
+    w394 = w133 * (w116 * w188) - w187 * w384 + (w140 * w186 + w188 * w388) + (w154 * (w112 * w119) + w190 * w393)
+    w395 = w133 * (w116 * w135) - w117 * w384 + (w115 * w140 + w135 * w388) + (w154 * (w119 * w142) + w145 * w393)
+    w396 = w119 * w140 - w114 * w388 - (w133 * w377 + w120 * w384) + (w124 * w393 - w154 * w380)
+    w397 = (w146 + w152) * c22 - w153 * c24
+    w398 = (w390 + w391) * c22 + w392 * c24
+    w399 = w122 * w138
+    w400 = link3_theta1_dot * link3_theta2_dot
+    w401 = link3_theta3_ddot - w114 * link3_theta1_ddot - w119 * w400
+    w402 = w114 * w400 - w119 * link3_theta1_ddot
+    w403 = w138 * w378 + w122 * w387
+    w404 = (w402 - w403) * c21 + (w402 + w403) * c22
+    w405 = w132 * c24 - (w123 - w131) * c21
+    w406 = w383 * c24 + (w382 - w379) * c21
+    w407 = w377 * w397 + w120 * w398 + (w119 * ((w399 + w401) * c21 - (w399 - w401) * c22) + w114 * w404) + (w380 * w405 + w124 * w406)
+    w408 = w151 + (link3_theta1_dot * (w147 - w114 * w137) - w150)
+    w409 = w146 - w408
+    w410 = w409 * c13
+    w411 = (w138 * w385 - w122 * w386) * c13
+    w412 = w125 - (w130 + link3_theta1_dot * (w127 + w111 * w148))
+    w413 = w123 + w412
+    w414 = w413 * c13
+    w415 = w133 * (w189 + w111 * w186) + w187 * w410 - w188 * w411 + (w154 * (w142 - w114 * w144) - w190 * w414)
+    w416 = w133 * (w111 * w115 - w144) + w117 * w410 - w135 * w411 - (w154 * (w112 + w114 * w189) + w145 * w414)
+    w417 = w114 * w411 + (w124 * w133 + w120 * w410) - (w120 * w154 + w124 * w414)
+    w418 = (w412 - w123) * c22 + w413 * c24
+    w419 = w139 - w136
+    w420 = w419 * c21 - w419 * c22
+    w421 = w409 * c24 - (w146 + w408) * c21
+    w422 = w37 * w245 - w4 * w247
+    w423 = (w20 + w422) * c1 - (w422 - w20) * c3
+    w424 = w36 * w247 + w37 * w257
+    w425 = (w424 - w230) * c0 - (w230 + w424) * c1
+    w426 = w36 * w245 - w4 * w257
+    w427 = (w426 - w30) * c3 - (w30 + w426) * c0
+    w428 = w4 * w230 + w20 * w36 - w30 * w37
+    w429 = w3 * w428 + w5 * (w20 * w99 - w2 * w230 - w30 * w100) - (w103 + w104)
+    w430 = w429 * c9
+    w431 = w43 + w44 + (w5 * (w20 * w26 - w9 * w230 - w30 * w183) + w10 * w428)
+    w432 = w431 * c9
+    w433 = w261 + link1_theta3_dot * w19
+    w434 = w253 + link1_theta3_dot * w16
+    w435 = w4 * w252 - w36 * w433 - w37 * w434
+    w436 = w26 * w433 + w9 * w252 + w183 * w434
+    w437 = w0 * w47 - w236 + w41 * w107 - (w10 * w435 - w5 * w436)
+    w438 = w437 * c9
+    w439 = w16 * w245
+    w440 = (w439 - w434) * c3 - (w434 + w439) * c0
+    w441 = w19 * w245
+    w442 = (w433 + w441) * c1 + (w433 - w441) * c3
+    w443 = w16 * w247 - w19 * w257
+    w444 = (w443 - w252) * c0 - (w252 + w443) * c1
+    w445 = w99 * w433 + w2 * w252 + w100 * w434
+    w446 = w3 * w435 - w5 * w445 - (w6 * w41 - (w273 + w8 * w47))
+    w447 = w446 * c9
+    w448 = w3 * w436 - w10 * w445 + (w0 * w104 + w6 * w46 - (w8 * w44 + w42 * w107))
+    w449 = (w247 + w247) * c1
+    w450 = (w257 + w257) * c39
+    w451 = w59 * w61 - w55 * w63
+    w452 = w451 - w69
+    w453 = w452 * c11
+    w454 = (w61 * w327 + w65 * w328) * c11
+    w455 = w59 * w65 - w55 * w80
+    w456 = w455 - w91
+    w457 = w456 * c11
+    w458 = w55 * w303 + w61 * w91 - w65 * w69
+    w459 = w159 * w458 + w165 * (w91 * w161 - w158 * w303 - w69 * w163) - (w171 + w172)
+    w460 = w459 * link3_mass
+    w461 = w58 * w453 - w77 * w454 + w87 * w457 + w460
+    w462 = w193 + w194 + (w165 * (w58 * w91 - w77 * w303 - w69 * w87) + w170 * w458)
+    w463 = w462 * link3_mass
+    w464 = w463 - (w161 * w453 - w158 * w454 + w163 * w457)
+    w465 = (w91 + w455) * c15 - w456 * c17
+    w466 = w61 * w80 + w63 * w65
+    w467 = (w466 - w303) * c14 - (w303 + w466) * c15
+    w468 = w452 * c17 - (w69 + w451) * c14
+    w469 = w52 * w59
+    w470 = w329 + w52 * link2_theta3_dot
+    w471 = w469 - w470
+    w472 = w471 * c11
+    w473 = (w52 * w327 - w57 * w328) * c11
+    w474 = w322 + w57 * link2_theta3_dot
+    w475 = w57 * w59
+    w476 = w474 - w475
+    w477 = w476 * c11
+    w478 = w55 * w321 - w61 * w474 - w65 * w470
+    w479 = w58 * w474 + w77 * w321 + w87 * w470
+    w480 = w51 * w174 - w311 + w168 * w177 - (w170 * w478 - w165 * w479)
+    w481 = w480 * link3_mass
+    w482 = w161 * w472 - w158 * w473 + w163 * w477 + w481
+    w483 = w161 * w474 + w158 * w321 + w163 * w470
+    w484 = w159 * w478 - w165 * w483 - (w168 * w201 - (w338 + w54 * w174))
+    w485 = w484 * link3_mass
+    w486 = w58 * w472 - w77 * w473 + w87 * w477 + w485
+    w487 = w159 * w479 - w170 * w483 + (w51 * w172 + w169 * w201 - (w54 * w194 + w173 * w177))
+    w488 = w487 * link3_mass
+    w489 = w471 * c17 - (w469 + w470) * c14
+    w490 = (w474 + w475) * c15 + w476 * c17
+    w491 = w52 * w80 - w57 * w63
+    w492 = (w491 - w321) * c14 - (w321 + w491) * c15
+    w493 = (w80 + w80) * c15
+    w494 = (w63 + w63) * c40
+    w495 = w118 * w120 - w114 * w122
+    w496 = w495 - w128
+    w497 = w496 * c13
+    w498 = (w120 * w385 + w124 * w386) * c13
+    w499 = w118 * w124 - w114 * w138
+    w500 = w499 - w149
+    w501 = w500 * c13
+    w502 = w187 * w497 - w188 * w498 + w190 * w501
+    w503 = w117 * w497 - w135 * w498 + w145 * w501
+    w504 = w114 * w498 + w120 * w497 + w124 * w501
+    w505 = (w149 + w499) * c22 - w500 * c24
+    w506 = w120 * w138 + w122 * w124
+    w507 = (w506 - w389) * c21 - (w389 + w506) * c22
+    w508 = w496 * c24 - (w128 + w495) * c21
+    w509 = w111 * w118
+    w510 = w387 + w111 * link3_theta3_dot
+    w511 = w509 - w510
+    w512 = w511 * c13
+    w513 = (w111 * w385 - w116 * w386) * c13
+    w514 = w378 + w116 * link3_theta3_dot
+    w515 = w116 * w118
+    w516 = w514 - w515
+    w517 = w516 * c13
+    w518 = w187 * w512 - w188 * w513 + w190 * w517
+    w519 = w117 * w512 - w135 * w513 + w145 * w517
+    w520 = w114 * w513 + w120 * w512 + w124 * w517
+    w521 = w511 * c24 - (w509 + w510) * c21
+    w522 = (w514 + w515) * c22 + w516 * c24
+    w523 = w111 * w138 - w116 * w122
+    w524 = (w523 - w376) * c21 - (w376 + w523) * c22
+    w525 = (w138 + w138) * c22
+    w526 = (w122 + w122) * c41
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # link1.theta1
-            w3 * w49 + w8 * w185 - (w8 * w189 - w3 * w211),
-            w3 * w252 - w185 * w236 - (w8 * w260 - w211 * w234 - w287),
-            -(w3 * w298 + (w41 * w267 + w40 * w300 - w10 * w302 + (w41 * w304 - w40 * w283) + w8 * w308)),
-            w3 * w314 - w8 * w318, w3 * w360 - w8 * w368, w3 * w402 - w8 * w406, w3 * w415 - w8 * w154,
-            w3 * w434 - w8 * w435, w3 * w455 - w8 * w456,
+            w3 * w50 + (w10 * w181 + w3 * w205) - w10 * w207,
+            w3 * w244 - (w205 * w238 - w271 - w181 * w227) - w10 * w278,
+            -(w37 * w251 + w36 * w286 - w4 * w288 + (w37 * w290 - w36 * w267)), w3 * w294 - w10 * w297,
+            w3 * w336 - w10 * w344, w10 * w368 - w3 * w369, w10 * w375 - w3 * w191, w10 * w394 - w3 * w395,
+            w10 * w415 - w3 * w416,
         ),
         ca.horzcat(  # link1.theta2
-            w220, w291, w310 + w45 * w308 - w109 * w298, w212 * w321 + w45 * w318 + w109 * w314, w372 + w109 * w360,
-            w409, w45 * w154 + w109 * w415, w212 * w436 + w45 * w435 + w109 * w434,
-            w212 * w457 + w45 * w456 + w109 * w455,
+            -(w107 * w205 - w6 * w181 + w50 * w107 + w6 * w207),
+            w208 * (w280 * c9) - w281 - w107 * w244 - w6 * w278,
+            -(w16 * w286 - w19 * w251 - (w16 * w267 + w19 * w290)), -(w107 * w294 + w6 * w297), w348 - w6 * w344,
+            w370, w107 * w191 + w6 * w375, w208 * w396 + w107 * w395 + w6 * w394,
+            w208 * w417 + w107 * w416 + w6 * w415,
         ),
-        ca.horzcat(0.0, -w279, -w302, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
+        ca.horzcat(0.0, -w263, -w288, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
         ca.horzcat(  # link2.theta1
-            w48 * w158 - (w187 * w221 - w47 * w222 + w159 * w188),
-            w158 * w251 - (w221 * w258 - w222 * w250 + w159 * w259), -(w75 * w306 * c37 + w155 * w296 * c37),
-            w158 * w313 + w159 * w184 - (w159 * w317 - w158 * w210 - (w192 * w222 + w111 * w221)), w383, w414,
-            w158 * w415 - w154 * w159, w158 * w434 - w159 * w435, w158 * w455 - w159 * w456,
+            w49 * w215 - w206 * w217, w215 * w243 - w217 * w277, 0.0,
+            w159 * w293 + (w170 * w180 + (w159 * w204 + (w109 * w216 + w185 * w214))) - w170 * w296, w359,
+            -(w65 * w349 + w61 * w371 - w55 * w373 + (w65 * w374 - w61 * w356)), w170 * w375 - w159 * w191,
+            w170 * w394 - w159 * w395, w170 * w415 - w159 * w416,
         ),
         ca.horzcat(  # link2.theta2
-            w168 * w187 * c37 + (w59 * w214 * c37 + w51 * (w47 * w50) * c37),
-            w168 * w258 * c37 + (w59 * w289 * c37 + w52 * w250 * c37),
-            w225 * w306 - w224 * w296 + w59 * w309 * c37 + w207 * w307 - w181 * w297, w322,
-            w384 + (w207 * w367 + w210 * w365) + (w181 * w359 + w184 * w357),
-            w217 * w408 - (w54 * w410 - w53 * w373 - (w54 * w380 + w53 * w413)) + w207 * w405 - w181 * w401,
-            w154 * w207 + w181 * w415, w217 * w436 + w207 * w435 + w181 * w434,
-            w217 * w457 + w207 * w456 + w181 * w455,
+            -(w49 * w219 + w206 * w220), w280 * w283 - w219 * w243 - w220 * w277, 0.0, -w298,
+            w211 * w347 - (w360 - w180 * w299 + w165 * w213) - w177 * w319 - w201 * w343,
+            -(w52 * w371 - w57 * w349 - (w52 * w356 + w57 * w374)), w177 * w191 + w201 * w375,
+            w211 * w396 + w177 * w395 + w201 * w394, w211 * w417 + w177 * w416 + w201 * w415,
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, -w379, -w412, 0.0, 0.0, 0.0),  # link2.theta3
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, -w355, -w373, 0.0, 0.0, 0.0),  # link2.theta3
         ca.horzcat(  # link3.theta1
-            -(w187 * w227 - w47 * w228), -(w227 * w258 - w228 * w250), -(w227 * w306 + w228 * w296),
-            -(w227 * w316 - w228 * w312), -(w227 * w366 - w228 * w358), -(w227 * w404 + w228 * w400),
-            w209 * w228 + w183 * w227, -(w183 * (w193 * c13) - w209 * (w114 * c13) - w447),
-            -(w126 * w437 + w122 * w458 - w113 * w460 + (w126 * w461 - w122 * w445)),
+            w49 * w221 - w206 * w222, w221 * w243 - w222 * w277, 0.0, w221 * w292 - w222 * w295,
+            w221 * w318 - w222 * w342, 0.0, w179 * w222 + w203 * w221,
+            -(w203 * (w115 * c13) - w179 * (w186 * c13) - w407),
+            -(w124 * w397 + w120 * w418 - w114 * w420 + (w124 * w421 - w120 * w405)),
         ),
         ca.horzcat(  # link3.theta2
-            w47 * w230 + w187 * w231 + w214 * w232, w230 * w250 + w231 * w258 + w232 * w289,
-            w231 * w306 - w230 * w296 + w232 * w309, w230 * w312 + w231 * w316 + w232 * w320,
-            w230 * w358 + w231 * w366 + w232 * w370, w231 * w404 - w230 * w400 + w232 * w407,
-            w209 * w230 - w183 * w231,
-            -(w115 * w446 - w116 * w438 - (w183 * (w112 * w232) + w209 * (w117 * w232) - w218 * w229)),
-            -(w116 * w458 - w115 * w437 - (w116 * w445 + w115 * w461)),
+            -(w49 * w224 + w206 * w225), w280 * w284 - w224 * w243 - w225 * w277, 0.0, -(w224 * w292 + w225 * w295),
+            w284 * w346 - w224 * w318 - w225 * w342, 0.0, w179 * w225 - w203 * w224,
+            -(w116 * w406 - w111 * w398 - (w203 * (w110 * w284) + w179 * (w113 * w284) - w212 * w223)),
+            -(w111 * w418 - w116 * w397 - (w111 * w405 + w116 * w421)),
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w444, -w460),  # link3.theta3
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w404, -w420),  # link3.theta3
     )
-    J_v = ca.vertcat(
-        ca.horzcat(  # link1.theta1
-            -(w3 * w466 + (w40 * w468 - w10 * w472 + w41 * w474 + w8 * w478)),
-            w3 * w487 - (w41 * w489 - (w40 * w491 + w10 * w493) + w8 * w497),
-            w3 * w506 - (w40 * w507 + w41 * w508 + w8 * w513), w3 * w527 - w8 * w531, w3 * w553 - w8 * w557,
-            w3 * w569 - w8 * w573, w3 * w585 - w8 * w586, w3 * w601 - w8 * w602, 0.0,
-        ),
-        ca.horzcat(  # link1.theta2
-            w480, w499, w515, w212 * (w51 * w519 + w60 * w518 + w64 * w522 + w533) + w45 * w531 + w109 * w527,
-            w212 * (w51 * w544 + w60 * w543 + w64 * w548 + w559) + w45 * w557 + w109 * w553,
-            w212 * w575 + w45 * w573 + w109 * w569, w212 * w587 + w45 * w586 + w109 * w585,
-            w212 * w603 + w45 * w602 + w109 * w601, 0.0,
-        ),
-        ca.horzcat(-w472, -w493, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
-        ca.horzcat(  # link2.theta1
-            -(w75 * w476 * c37 + w155 * w464 * c37), w158 * w486 - (w221 * w495 - w222 * w485 + w159 * w496),
-            w158 * w505 - (w221 * w511 - w222 * w504 + w159 * w512),
-            -(w158 * w526 + (w60 * w534 - w51 * w538 + w64 * w539 + w159 * w530)),
-            w158 * w552 - (w64 * w560 - (w60 * w561 + w51 * w563) + w159 * w556),
-            w158 * w569 - (w60 * w576 + w64 * w577 + w159 * w573), w158 * w585 - w159 * w586,
-            w158 * w601 - w159 * w602, 0.0,
-        ),
-        ca.horzcat(  # link2.theta2
-            w225 * w476 - w224 * w464 + w59 * w479 * c37 + w207 * w477 - w181 * w465,
-            w168 * w495 * c37 + (w59 * w498 * c37 + w52 * w485 * c37),
-            w168 * w511 * c37 + (w59 * w514 * c37 + w52 * w504 * c37),
-            w217 * w533 - (w54 * w534 - w53 * w539) + w207 * w530 - w181 * w526,
-            w217 * w559 + (w54 * w561 + w53 * w560) + w207 * w556 + w181 * w552,
-            w217 * w575 - (w54 * w576 - w53 * w577) + w207 * w573 + w181 * w569,
-            w217 * w587 + w207 * w586 + w181 * w585, w217 * w603 + w207 * w602 + w181 * w601, 0.0,
-        ),
-        ca.horzcat(0.0, 0.0, 0.0, -w538, -w563, 0.0, 0.0, 0.0, 0.0),  # link2.theta3
-        ca.horzcat(  # link3.theta1
-            -(w227 * w476 + w228 * w464), -(w227 * w495 - w228 * w485), -(w227 * w511 - w228 * w504),
-            -(w227 * w529 + w228 * w525), -(w227 * w555 - w228 * w551), -(w227 * w572 - w228 * w568),
-            -(w122 * w588 - w113 * w590 + w126 * w591), -(w126 * w604 - (w122 * w605 + w113 * w607)),
-            -(w122 * w608 + w126 * w609),
-        ),
-        ca.horzcat(  # link3.theta2
-            w231 * w476 - w230 * w464 + w232 * w479, w230 * w485 + w231 * w495 + w232 * w498,
-            w230 * w504 + w231 * w511 + w232 * w514, w231 * w529 - w230 * w525 + w232 * w532,
-            w230 * w551 + w231 * w555 + w232 * w558, w230 * w568 + w231 * w572 + w232 * w574,
-            -(w116 * w588 - w115 * w591), w116 * w605 + w115 * w604, -(w116 * w608 - w115 * w609),
-        ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w590, -w607, 0.0),  # link3.theta3
-    )
+    J_v = ca.SX(9, 9)
+    # link1.theta1
+    J_v[0, 0] = -(w36 * w423 - w4 * w425 + w37 * w427 + w3 * w430 + w10 * w432)
+    J_v[0, 1] = w10 * w438 - (w37 * w440 - (w36 * w442 + w4 * w444) + w3 * w447)
+    J_v[0, 2] = -(w36 * w449 + w37 * w450)
+    J_v[0, 3] = -(w3 * w461 + w10 * w464)
+    J_v[0, 4] = w10 * w482 - w3 * w486
+    J_v[0, 6] = w10 * w502 - w3 * w503
+    J_v[0, 7] = w10 * w518 - w3 * w519
+    # link1.theta2
+    J_v[1, 0] = w107 * w430 - (w16 * w423 - w19 * w427) - w6 * w432
+    J_v[1, 1] = w16 * w442 + w19 * w440 + w208 * (w448 * c9) + w107 * w447 + w6 * w438
+    J_v[1, 2] = -(w16 * w449 - w19 * w450)
+    J_v[1, 3] = w208 * (w55 * w454 + w61 * w453 + w65 * w457) + w107 * w461 - w6 * w464
+    J_v[1, 4] = w208 * (w55 * w473 + w61 * w472 + w65 * w477 + w488) + w107 * w486 + w6 * w482
+    J_v[1, 6] = w208 * w504 + w107 * w503 + w6 * w502
+    J_v[1, 7] = w208 * w520 + w107 * w519 + w6 * w518
+    # link1.theta3
+    J_v[2, 0] = -w425
+    J_v[2, 1] = -w444
+    # link2.theta1
+    J_v[3, 0] = -(w215 * w429 + w217 * w431)
+    J_v[3, 1] = w217 * w437 - w215 * w446
+    J_v[3, 3] = -(w61 * w465 - w55 * w467 + w65 * w468 + w159 * w460 + w170 * w463)
+    J_v[3, 4] = w170 * w481 - (w65 * w489 - (w61 * w490 + w55 * w492) + w159 * w485)
+    J_v[3, 5] = -(w61 * w493 + w65 * w494)
+    J_v[3, 6] = w170 * w502 - w159 * w503
+    J_v[3, 7] = w170 * w518 - w159 * w519
+    # link2.theta2
+    J_v[4, 0] = w219 * w429 - w220 * w431
+    J_v[4, 1] = w283 * w448 + w219 * w446 + w220 * w437
+    J_v[4, 3] = w177 * w460 - (w52 * w465 - w57 * w468) - w201 * w463
+    J_v[4, 4] = w52 * w490 + w57 * w489 + w211 * w488 + w177 * w485 + w201 * w481
+    J_v[4, 5] = -(w52 * w493 - w57 * w494)
+    J_v[4, 6] = w211 * w504 + w177 * w503 + w201 * w502
+    J_v[4, 7] = w211 * w520 + w177 * w519 + w201 * w518
+    # link2.theta3
+    J_v[5, 3] = -w467
+    J_v[5, 4] = -w492
+    # link3.theta1
+    J_v[6, 0] = -(w221 * w429 + w222 * w431)
+    J_v[6, 1] = w222 * w437 - w221 * w446
+    J_v[6, 3] = -(w221 * w459 + w222 * w462)
+    J_v[6, 4] = w222 * w480 - w221 * w484
+    J_v[6, 6] = -(w120 * w505 - w114 * w507 + w124 * w508)
+    J_v[6, 7] = -(w124 * w521 - (w120 * w522 + w114 * w524))
+    J_v[6, 8] = -(w120 * w525 + w124 * w526)
+    # link3.theta2
+    J_v[7, 0] = w224 * w429 - w225 * w431
+    J_v[7, 1] = w284 * w448 + w224 * w446 + w225 * w437
+    J_v[7, 3] = w224 * w459 - w225 * w462
+    J_v[7, 4] = w284 * w487 + w224 * w484 + w225 * w480
+    J_v[7, 6] = -(w111 * w505 - w116 * w508)
+    J_v[7, 7] = w111 * w522 + w116 * w521
+    J_v[7, 8] = -(w111 * w525 - w116 * w526)
+    # link3.theta3
+    J_v[8, 6] = -w507
+    J_v[8, 7] = -w524
     inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 

@@ -1,112 +1,178 @@
-"""Jacobians of closed loops with the multipliers held: S is never differentiated.
+"""Jacobians of the condensed residual with the multipliers held: S is never differentiated.
 
 With rho = Q* - M a - C_q^T lambda, where a are accelerations that satisfy the constraints and lambda makes the rows of
 the dependent coordinates vanish, Q_hat - M_hat a = S^T rho, and
 
     d(S^T rho) = S^T d(rho) at fixed lambda,
 
-because dS has rows of dependent coordinates only. The rates and accelerations of these change with q and q' as the
-constraints of first and second order say, U dw_d = -d(C_q w - nu) and U da_d = -d(C_q a - gamma), with
-the U that gave S.
+because dS has rows of dependent coordinates only. With K = d(rho)/dq and D = d(rho)/dq', sparse, and d(rho)/da = -M,
+each dependent coordinate is taken out once, from the tips to the root: its columns by `variations`, its rows by S^T.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import casadi as ca
 
-from symgen.algebra.rows import Row
-from symgen.algebra.scalar import ZERO, add, mul, sub, total
-from symgen.condensed.condensation import Condensed
-from symgen.condensed.loops import solve_forward, solve_transposed
+from symgen.algebra.rows import Row, add_scaled
+from symgen.algebra.scalar import ONE, ZERO, div, mul, neg, sub
+from symgen.condensed.condensation import Condensed, congruence
+from symgen.condensed.loops import solve_transposed
+from symgen.condensed.variations import Variation, constraint_rates, derivative_rows, particular, variations
 
-if TYPE_CHECKING:
-    from symgen.kernels.arguments import Arguments
-
-
-def loops_alone(system: Condensed) -> bool:
-    """Do closed loops give all dependent coordinates that have masses, but for those that a motion prescribes?"""
-    loops = system.choice.loop_columns
-    return bool(loops) and all(s.column in loops or not s.e for s in system.inner)
+FEW_DIRECTIONS = 8  # independent coordinates up to which derivatives along each are tried
 
 
-def held_jacobians(system: Condensed, a: Arguments) -> tuple[ca.SX, ca.SX]:
-    """(J_q, J_v): total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot."""
-    rows, loops = system.loops, system.choice.loop_columns
-    independent, eq = system.choice.independent, system.reduced
-    lam = {row: ca.SX.sym(f"lam_{row}") for row in rows.rows}
-    given = {column: a.q_i_ddot[k] for k, column in enumerate(independent)}
-    known = system.accelerations(given)
-    a_d = {column: ca.SX.sym(f"a_{column}") for column in loops}
-    force = eq.force({**{c: value for c, value in known.items() if c not in eq.placed_columns}, **a_d})
-    columns = [*independent, *loops]
-    rho = ca.vertcat(
-        *(sub(force[c], total(mul(row.entries.get(c, ZERO), lam[k]) for k, row in rows.rows.items())) for c in columns)
-    )
-    rates = {c: eq.q_dot[c] for c in columns}
-    first = [sub(_along(row.entries, rates), row.nu) for row in rows.rows.values()]
-    second = [sub(_along(row.entries, {**given, **a_d}), row.gamma) for row in rows.rows.values()]
-    found = _Derivatives(system, a, rho, ca.vertcat(*first), ca.vertcat(*second), ca.vertcat(*a_d.values())).both()
-    values = solve_transposed(rows.blocks, rows.entries(), {c: force[c] for c in loops})
-    multipliers = [ca.vertcat(*lam.values()), ca.vertcat(*(values[k] for k in lam))]
-    accelerations = [ca.vertcat(*a_d.values()), ca.vertcat(*(known.get(c, ZERO) for c in a_d))]
-    J_q, J_v = ca.substitute(list(found), [multipliers[0]], [multipliers[1]])
-    J_q, J_v = ca.substitute([J_q, J_v], [accelerations[0]], [accelerations[1]])
-    return J_q, J_v
-
-
-def _along(entries: Row, values: Row) -> ca.SX:
-    result = ZERO
-    for column, value in entries.items():
-        if column in values:
-            result = add(result, mul(value, values[column]))
-    return result
+def held_jacobians(system: Condensed, q_i_ddot: Sequence[ca.SX]) -> list[tuple[ca.SX, ca.SX]]:
+    """(J_q, J_v): total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot, by each way that may be short."""
+    held = _held(system, dict(zip(system.choice.independent, q_i_ddot, strict=True)))
+    found = [_eliminated(held)]
+    if system.choice.loop_columns and len(system.choice.independent) <= FEW_DIRECTIONS:
+        found.append(_directed(held))
+    return [(ca.densify(J_q), ca.densify(J_v)) for J_q, J_v in (ca.substitute(form, *held.values) for form in found)]
 
 
 @dataclass(frozen=True)
-class _Derivatives:
-    """rho (rows of q_i, then of the loop unknowns), and the constraints' first and second rates, by all they hold."""
+class _Held:
+    """rho by column, accelerations by column (of dependent coordinates: symbols), and what the symbols stand for."""
 
     system: Condensed
-    a: Arguments
-    rho: ca.SX
-    first: ca.SX
-    second: ca.SX
-    a_d: ca.SX
+    rho: Row
+    accelerations: Row
+    values: tuple[list[ca.SX], list[ca.SX]]
 
-    def both(self) -> tuple[ca.SX, ca.SX]:
-        """By q_i and by q_i_dot."""
-        eq, loops = self.system.reduced, self.system.choice.loop_columns
-        q_d, w_d = (ca.vertcat(*(source[c] for c in loops)) for source in (eq.q, eq.q_dot))
-        B = self._tangents()
 
-        def by(value: ca.SX, own: ca.SX, following: ca.SX) -> ca.SX:
-            return ca.jacobian(value, own) + _product(ca.jacobian(value, following), B)
+def _held(system: Condensed, given: Row) -> _Held:
+    eq = system.reduced
+    a_d = {one.column: ca.SX.sym(f"a_{one.column}") for one in system.inner}
+    accelerations = {**given, **a_d}
+    force = eq.force(accelerations)
+    rows = _rows(system)
+    lam = {row: ca.SX.sym(f"lam_{row}") for row in rows}
+    rho = {column: force[column] for column in accelerations}
+    for row, value in lam.items():
+        for column, factor in eq.constraints[row].C_q.items():
+            if column in rho:
+                rho[column] = sub(rho[column], mul(factor, value))
+    found = system.accelerations(given)
+    known = ca.SX(ca.vertcat(*(found.get(column, ZERO) for column in a_d)))
+    symbols = ca.SX(ca.vertcat(*a_d.values()))
+    multipliers = ca.substitute(ca.SX(ca.vertcat(*_multipliers(system, rows, force))), symbols, known)
+    return _Held(system, rho, accelerations, ([symbols, ca.SX(ca.vertcat(*lam.values()))], [known, multipliers]))
 
-        W_q = self._solved(by(self.first, self.a.q_i, q_d))
-        A_q = self._solved(by(self.second, self.a.q_i, q_d) + _product(ca.jacobian(self.second, w_d), W_q))
-        A_v = self._solved(by(self.second, self.a.q_i_dot, w_d))
-        through_w, through_a = ca.jacobian(self.rho, w_d), ca.jacobian(self.rho, self.a_d)
-        by_q = by(self.rho, self.a.q_i, q_d) + _product(through_w, W_q) + _product(through_a, A_q)
-        by_v = by(self.rho, self.a.q_i_dot, w_d) + _product(through_a, A_v)
-        n = self.a.q_i.numel()
-        return tuple(value[:n, :] + _product(B.T, value[n:, :]) for value in (by_q, by_v))  # type: ignore[return-value]
 
-    def _tangents(self) -> ca.SX:
-        choice = self.system.choice
-        moved = [self.system.tangent({column: ca.SX(1)}) for column in choice.independent]
-        return ca.horzcat(*(ca.vertcat(*(one.get(c, ZERO) for c in choice.loop_columns)) for one in moved))
+def _eliminated(held: _Held) -> list[ca.SX]:
+    """All of K and D, and each dependent coordinate taken out: for trees, and where there are many directions."""
+    system, eq = held.system, held.system.reduced
+    columns = sorted(held.rho)
+    values = [held.rho[column] for column in columns]
+    K, D = (dict(zip(columns, derivative_rows(values, columns, by), strict=True)) for by in (eq.q, eq.q_dot))
+    left = _Elimination([dict(row) for row in eq.M], K, D)
+    for one in reversed(variations(system, held.accelerations)):
+        left.take_out(one)
+    return [left.matrix(matrix, system.choice.independent) for matrix in (left.K, left.D)]
 
-    def _solved(self, change: ca.SX) -> ca.SX:
-        """-U^-1 of the changes of the loop rows, column by column."""
-        loops = self.system.loops
-        sides = [{row: -change[k, j] + 0 for k, row in enumerate(loops.rows)} for j in range(change.shape[1])]
-        solved, _ = solve_forward(loops.blocks, loops.entries(), sides)
-        columns = self.system.choice.loop_columns
-        return ca.horzcat(*(ca.vertcat(*(one[c] for c in columns)) for one in solved))
+
+def _directed(held: _Held) -> list[ca.SX]:
+    """d(rho) along each independent coordinate, which the dependent ones follow: for loops with few of those."""
+    system, eq = held.system, held.system.reduced
+    columns = sorted(held.rho)
+    q, rates = (ca.vertcat(*(source[c] for c in columns)) for source in (eq.q, eq.q_dot))
+    dependent = [place for place, c in enumerate(columns) if c not in system.choice.independent]
+    a = ca.vertcat(*(held.accelerations[columns[place]] for place in dependent))
+    moved = [system.tangent({column: ONE}) for column in system.choice.independent]
+    S = ca.horzcat(*(ca.vertcat(*(one.get(c, ZERO) for c in columns)) for one in moved))
+
+    def along(values: ca.SX, seeds: Sequence[tuple[ca.SX, ca.SX]]) -> ca.SX:
+        symbols, directions = zip(*seeds, strict=True)
+        return ca.jtimes(values, ca.vertcat(*symbols), ca.vertcat(*directions))
+
+    rows, first, second = constraint_rates(system, held.accelerations)
+    rho = ca.vertcat(*(held.rho[c] for c in columns))
+
+    def following(changes: ca.SX) -> ca.SX:
+        found = [particular(system, dict(zip(rows, ca.vertsplit(one), strict=True))) for one in ca.horzsplit(changes)]
+        return ca.horzcat(*(ca.vertcat(*(one.get(c, ZERO) for c in columns)) for one in found))
+
+    W_q = following(along(first, [(q, S)]))
+    A_q = following(along(second, [(q, S), (rates, W_q)]))
+    A_v = following(along(second, [(rates, S)]))
+    by_q, by_v = (
+        along(rho, [(q, S), (rates, W_q), (a, A_q[dependent, :])]),
+        along(rho, [(rates, S), (a, A_v[dependent, :])]),
+    )
+    return [_product(S.T, by_q), _product(S.T, by_v)]
 
 
 def _product(left: ca.SX, right: ca.SX) -> ca.SX:
     return ca.mtimes(ca.sparsify(left), ca.sparsify(right))
+
+
+def _rows(system: Condensed) -> list[int]:
+    """Constraint rows whose multipliers count: of loops, then of the structural coordinates."""
+    kept = {one.column for one in system.inner}
+    return [*system.loops.rows, *(row for row, column in system.choice.structural if column in kept)]
+
+
+def _multipliers(system: Condensed, rows: list[int], force: list[ca.SX]) -> list[ca.SX]:
+    """lambda of these rows from those rows of rho that vanish (Eq. 37)."""
+    eq = system.reduced
+    structural = {row: column for row, column in system.choice.structural if row in rows}
+    found: dict[int, ca.SX] = {}
+    if system.loops.rows:
+        work = dict(enumerate(force))
+        for one in reversed(system.inner):
+            if one.column not in system.choice.loop_columns:
+                add_scaled(work, work.pop(one.column, ZERO), one.e)
+        side = {column: work.get(column, ZERO) for column in system.choice.loop_columns}
+        found = solve_transposed(system.loops.blocks, system.loops.entries(), side)
+    rest = dict(enumerate(force))
+    for row, value in found.items():
+        add_scaled(rest, neg(value), eq.constraints[row].C_q)
+    for row, column in reversed(list(structural.items())):
+        found[row] = div(rest.pop(column, ZERO), eq.constraints[row].C_q[column])
+        add_scaled(rest, neg(found[row]), {c: v for c, v in eq.constraints[row].C_q.items() if c != column})
+    return [found[row] for row in rows]
+
+
+@dataclass
+class _Elimination:
+    """Rows of M (symmetric), K and D by column, in the coordinates that are left."""
+
+    M: list[Row]
+    K: dict[int, Row]
+    D: dict[int, Row]
+
+    def take_out(self, one: Variation) -> None:
+        """A dependent coordinate: its columns, then its rows."""
+        d = one.column
+        for row, value in self.M[d].items():
+            if row in self.K:
+                add_scaled(self.K[row], neg(value), one.h)
+                add_scaled(self.D[row], neg(value), one.k)
+        for row, rates in self.D.items():
+            value = rates.pop(d, ZERO)
+            if not value.is_zero():
+                add_scaled(self.K[row], value, one.g)
+                add_scaled(rates, value, one.e)
+        for places in self.K.values():
+            value = places.pop(d, ZERO)
+            if not value.is_zero():
+                add_scaled(places, value, one.e)
+        for rows in (self.K, self.D):
+            own = rows.pop(d)
+            for column, factor in one.e.items():
+                if column in rows:
+                    add_scaled(rows[column], factor, own)
+        congruence(self.M, d, one.e)
+
+    def matrix(self, rows: dict[int, Row], columns: list[int]) -> ca.SX:
+        """Those of some columns."""
+        place = {column: k for k, column in enumerate(columns)}
+        found = ca.SX(len(columns), len(columns))
+        for row, entries in rows.items():
+            for column, value in entries.items():
+                found[place[row], place[column]] = value
+        return found

@@ -68,6 +68,9 @@ def _without_unused_inputs(tape: Tape) -> Tape:
 
 def _simplified(kernel: Kernel, graph: Graph, p: ca.SX) -> Tape:
     """The kernel as a tape of nodes that went through the common graph, p its last input."""
+    if kernel.others:
+        forms = [replace(kernel, others=()), *kernel.others]
+        return _simplified(min(forms, key=lambda form: _operations(form, p)), graph, p)
     tape = Kernel({**kernel.inputs, "p": p}, kernel.outputs).tape()
     first, last = graph.new_arguments(len(kernel.inputs)), len(kernel.inputs)
     numbers: list[int] = []
@@ -82,6 +85,27 @@ def _simplified(kernel: Kernel, graph: Graph, p: ca.SX) -> Tape:
     own = {0: last, **{first + k: k for k in range(last)}}
     nodes = [renumbered(graph.nodes[k], number, own) for k in live]
     return replace(tape, nodes=nodes, outputs=[[number[entry] for entry in entries] for entries in roots])
+
+
+def _operations(kernel: Kernel, p: ca.SX) -> int:
+    """Of the kernel by itself, whatever depends on parameters only taken out."""
+    graph = Graph()
+    tape = _simplified(kernel, graph, p)
+    roots = [entry for entries in tape.outputs for entry in entries]
+    of_p = _of_p(tape)
+    return len(below(tape.nodes, roots, of_p.__getitem__))
+
+
+def _of_p(tape: Tape) -> list[bool]:
+    """Which nodes depend on the last input, p, and numbers only."""
+    last, found = len(tape.input_names) - 1, []
+    for node in tape.nodes:
+        if node.op == ca.OP_INPUT:
+            found.append(node.a == last)
+        else:
+            operands = [node.a, node.b] if node.op != ca.OP_CONST else []
+            found.append(all(found[k] for k in operands if k != UNUSED))
+    return found
 
 
 def _entered(node: Node, argument: int, graph: Graph, numbers: list[int]) -> int:

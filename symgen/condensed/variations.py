@@ -1,0 +1,210 @@
+"""How rates and accelerations of dependent coordinates change with those of the others, along the structure.
+
+With x_d = f(x, t), all of it linear and sparse, in the order of the substitutions,
+
+    dx_d   = sum e_j dx_j
+    dx_d'  = sum e_j dx_j'  + sum g_j dx_j
+    dx_d'' = sum e_j dx_j'' + sum k_j dx_j' + sum h_j dx_j,
+
+from the changes of C_q x' - nu and C_q x'' - gamma, Eqs. (25) and (27), solved for dx_d' and dx_d'' with what gave e.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import casadi as ca
+
+from symgen.algebra.rows import Row, add_scaled, add_to
+from symgen.algebra.scalar import ZERO, add, div, mul, neg, sub
+from symgen.algebra.small_systems import solve_small
+from symgen.condensed.condensation import Condensed, Substitution
+from symgen.condensed.loops import LoopBlock, solve_forward
+from symgen.system.equations import Equations
+
+
+@dataclass(frozen=True)
+class Variation:
+    """Of one dependent coordinate; see the module for e, g, h and k."""
+
+    column: int
+    e: Row
+    g: Row
+    h: Row
+    k: Row
+
+
+@dataclass(frozen=True)
+class _RowChange:
+    """entries dx' + g dx and entries dx'' + k dx' + h dx of one constraint row."""
+
+    entries: Row
+    g: Row
+    h: Row
+    k: Row
+
+    def substituted(self, one: Variation) -> None:
+        """Without a dependent coordinate, in place."""
+        factor = self.entries.pop(one.column, ZERO)
+        if not factor.is_zero():
+            for own, more in ((self.entries, one.e), (self.g, one.g), (self.k, one.k), (self.h, one.h)):
+                add_scaled(own, factor, more)
+        self.folded(one)
+
+    def folded(self, one: Variation) -> None:
+        """Without what is multiplied by changes of lower order of a dependent coordinate, in place."""
+        rate = self.k.pop(one.column, ZERO)
+        if not rate.is_zero():
+            add_scaled(self.k, rate, one.e)
+            add_scaled(self.h, rate, one.g)
+        for row in (self.g, self.h):
+            value = row.pop(one.column, ZERO)
+            if not value.is_zero():
+                add_scaled(row, value, one.e)
+
+
+def derivative_rows(values: Sequence[ca.SX], columns: Sequence[int], symbols: Sequence[ca.SX]) -> list[Row]:
+    """Derivatives of each value by the symbols of some columns, which `symbols` has by column."""
+    found: list[Row] = [{} for _ in values]
+    if values and columns:
+        matrix = ca.sparsify(ca.jacobian(ca.vertcat(*values), ca.vertcat(*(symbols[c] for c in columns))))
+        places, elements = matrix.sparsity().get_triplet(), ca.vertsplit(matrix.nz[:]) if matrix.nnz() else []
+        for row, place, value in zip(*places, elements, strict=True):
+            found[row][columns[place]] = value
+    return found
+
+
+def variations(system: Condensed, accelerations: Row) -> list[Variation]:
+    """Of all dependent coordinates that have masses or constraints; accelerations: their symbols, by column."""
+    eq, choice, inner = system.reduced, system.choice, system.inner
+    structural = [(row, one) for (row, _), one in zip(choice.structural, _structural(system), strict=True)]
+    kept = {one.column for one in inner}
+    structural = [(row, one) for row, one in structural if one.column in kept]
+    changes = _row_changes(system, [*choice.loop_rows, *(row for row, _ in structural)], accelerations)
+    following = {}
+    for row, one in structural:
+        change, pivot = changes[row], eq.constraints[row].C_q[one.column]
+        following[one.column] = _solved_row(one, change, pivot)
+    for _, one in reversed(structural):
+        for row in choice.loop_rows:
+            changes[row].substituted(following[one.column])
+    found: list[Variation] = []
+    by_column = {one.column: one for one in inner}
+    for block in system.loops.blocks:
+        found += _solved_block(block, changes, system, by_column)
+    return [*found, *(following[one.column] for _, one in structural)]
+
+
+def _structural(system: Condensed) -> list[Substitution]:
+    count = len(system.choice.structural)
+    return system.substitutions[len(system.substitutions) - count :]
+
+
+def constraint_rates(system: Condensed, accelerations: Row) -> tuple[list[int], ca.SX, ca.SX]:
+    """(rows that count, C_q x' - nu, C_q x'' - gamma of those rows)."""
+    eq, kept = system.reduced, {one.column for one in system.inner}
+    rows = [*system.choice.loop_rows, *(row for row, column in system.choice.structural if column in kept)]
+    first, second = _rates(eq, rows, accelerations)
+    return rows, ca.vertcat(*first), ca.vertcat(*second)
+
+
+def particular(system: Condensed, changes: Row) -> Row:
+    """x of C_q x = -changes with x_i = 0, changes by constraint row."""
+    eq, found = system.reduced, dict[int, ca.SX]()
+    one_by_column = {one.column: one for one in system.inner}
+    constants = {
+        column: div(neg(changes[row]), eq.constraints[row].C_q[column])
+        for row, column in system.choice.structural
+        if column in one_by_column
+    }
+    sides: Row = {}
+    for row in system.choice.loop_rows:
+        entries, side = dict(eq.constraints[row].C_q), neg(changes[row])
+        for _, column in reversed(system.choice.structural):
+            factor = entries.pop(column, None) if column in one_by_column else None
+            if factor is not None:
+                add_scaled(entries, factor, one_by_column[column].e)
+                side = sub(side, mul(factor, constants[column]))
+        sides[row] = side
+    if sides:
+        (found,), _ = solve_forward(system.loops.blocks, system.loops.entries(), [sides])
+    for _, column in system.choice.structural:
+        if column in one_by_column:
+            found[column] = add(constants[column], _along(one_by_column[column].e, found))
+    return found
+
+
+def _rates(eq: Equations, rows: Sequence[int], accelerations: Row) -> tuple[list[ca.SX], list[ca.SX]]:
+    constraints, rates = [eq.constraints[row] for row in rows], dict(enumerate(eq.q_dot))
+    first = [add(_along(row.C_q, rates), row.C_t) for row in constraints]
+    return first, [sub(_along(row.C_q, accelerations), row.gamma) for row in constraints]
+
+
+def _row_changes(system: Condensed, rows: Sequence[int], accelerations: Row) -> dict[int, _RowChange]:
+    eq = system.reduced
+    columns = sorted(accelerations)
+    entries = [eq.constraints[row].C_q for row in rows]
+    first, second = _rates(eq, rows, accelerations)
+    by_q = derivative_rows([*first, *second], columns, eq.q)
+    by_rate = derivative_rows(second, columns, eq.q_dot)
+    n = len(rows)
+    return {
+        row: _RowChange(dict(own), *(_of(own, change) for change in (g, h, k)))
+        for row, own, g, h, k in zip(rows, entries, by_q[:n], by_q[n:], by_rate, strict=True)
+    }
+
+
+def _of(entries: Row, change: Row) -> Row:
+    """What a row does not depend on changes nothing, whatever stands in its terms."""
+    return {column: value for column, value in change.items() if column in entries}
+
+
+def _along(entries: Row, values: Row) -> ca.SX:
+    result = ZERO
+    for column, value in entries.items():
+        if column in values:
+            result = add(result, mul(value, values[column]))
+    return result
+
+
+def _solved_row(one: Substitution, change: _RowChange, pivot: ca.SX) -> Variation:
+    g, h, k = ({c: neg(div(value, pivot)) for c, value in row.items()} for row in (change.g, change.h, change.k))
+    add_scaled(g, g.pop(one.column, ZERO), one.e)
+    row = _RowChange({}, g, h, k)
+    row.folded(Variation(one.column, one.e, g, {}, {}))
+    return Variation(one.column, one.e, row.g, row.h, row.k)
+
+
+def _solved_block(
+    block: LoopBlock, changes: dict[int, _RowChange], system: Condensed, by_column: dict[int, Substitution]
+) -> list[Variation]:
+    """-U^-1 of the changes of the block's rows."""
+    entries = system.loops.entries()
+    U = [[entries[row].get(column, ZERO) for column in block.columns] for row in block.rows]
+    own = [Variation(column, by_column[column].e, {}, {}, {}) for column in block.columns]
+    rows = [changes[row] for row in block.rows]
+    for row in rows:
+        for one in own:
+            value = row.g.pop(one.column, ZERO)
+            add_scaled(row.g, value, one.e)
+    g = _solutions(U, [row.g for row in rows])
+    own = [Variation(one.column, one.e, g_one, {}, {}) for one, g_one in zip(own, g, strict=True)]
+    for row in rows:
+        for one in own:
+            row.folded(one)
+    both = zip(own, _solutions(U, [row.h for row in rows]), _solutions(U, [row.k for row in rows]), strict=True)
+    return [Variation(one.column, one.e, one.g, h, k) for one, h, k in both]
+
+
+def _solutions(U: list[list[ca.SX]], rows: list[Row]) -> list[Row]:
+    """Rows x of U x = -rows."""
+    columns = sorted({column for row in rows for column in row})
+    if not columns:
+        return [{} for _ in rows]
+    solved, _ = solve_small(U, [[neg(row.get(column, ZERO)) for row in rows] for column in columns])
+    found: list[Row] = [{} for _ in rows]
+    for column, values in zip(columns, solved, strict=True):
+        for row, value in zip(found, values, strict=True):
+            add_to(row, column, value)
+    return found
