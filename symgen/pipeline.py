@@ -16,6 +16,10 @@ bodies      points, moments and inertia of a body            (15)-(20)
 joints      constraint rows of a joint                       (21)-(27)
 loads       forces, springs, dampers                         Q_F of (20)
 
+Names and symbols of all of them, and of the state of a time stepping scheme:
+
+notation    the tables of names                               docs/theory/names.md
+
 Scenes come from elsewhere:
 
 modes       shapes of beams, exact or with lumped masses     (15)-(19)

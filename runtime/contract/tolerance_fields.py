@@ -1,4 +1,4 @@
-"""The fields of z of steps that follow from a tolerance: (code, shape, SI unit, meaning); see symgen/notation.py."""
+"""The fields of z of steps that follow from a tolerance: code, shape, unit, meaning; see symgen/notation/fields.py."""
 
 from __future__ import annotations
 

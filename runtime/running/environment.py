@@ -62,7 +62,8 @@ class Environment:
     def step(self, action: Any) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
         """(observation (n,), reward, is it over, was it cut off, {}) after an action (k,), clipped to its bounds.
 
-        A state that is not finite ends the episode with reward 0 and the info `not_finite`.
+        A state that is not finite ends the episode with reward 0 and the info `not_finite`; so does a terminal event of
+        the model, with the reward of its state and the info `event`.
         """
         taken = np.clip(np.asarray(action, dtype=float).reshape(len(self.names)), self.low, self.high)
         self.stepper.step(dict(zip(self.names, taken.tolist(), strict=True)), self.every)
@@ -70,7 +71,10 @@ class Environment:
         late = self.stepper.time >= self.t_end * (1 - 1e-12)
         if not np.isfinite(observation).all():
             return observation, 0.0, True, late, {"status": "not_finite"}
-        return observation, float(self.reward(observation, taken)), bool(self.ends(observation)), late, {}
+        ended = self.stepper.ended
+        info = {} if ended is None else {"status": ended.name}
+        over = ended is not None or bool(self.ends(observation))
+        return observation, float(self.reward(observation, taken)), over, late, info
 
     def gymnasium(self) -> Any:
         """The environment as a gymnasium.Env. Raises ImportError naming the extra `gym` if gymnasium is missing."""

@@ -9,40 +9,78 @@ import numpy as np
 from runtime.contract.records import EventRecord
 from runtime.contract.status import Event, Status
 from runtime.running.segment import Segment
-from runtime.schemes.switching.broken_steps import Leg
-from runtime.schemes.switching.watched import action_values, event_values
+from runtime.running.stepped_model import SteppedModel
+from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
+from runtime.schemes.adaptive.event_ends import ended_at_event, settled, shown_at_end
+from runtime.schemes.switching.broken_steps import BrokenSteps
+from runtime.schemes.switching.legs import Leg
+from runtime.schemes.switching.watched import action_values, begin_events, cool_down, event_values
 
 MOST_IN_A_STEP = 50  # events of one name
+CHATTER = 1e-3  # of the time between states that are seen, in place of a step: where steps follow from a tolerance
 MOST_TOLD = 100  # impulses of prescribed motions
 NEAR = 1e-6  # of a step: what happens at its end
 
 
 class Happenings:
-    """One major step of a segment in which events happen: `step` makes it; then told and status say what happened."""
+    """Steps of a model in which events happen: told (of one step, or of a run) and status say what happened."""
 
-    def __init__(self, segment: Segment) -> None:
-        self.segment, self.told = segment, list[Event]()
+    def __init__(self, own: SteppedModel) -> None:
+        self.own, self.told = own, list[Event]()
         self.status: Status | None = None
-        self._events = segment.model.description.events
+        self._scheme, self._events = own.plan.scheme, own.model.description.events
+        self._recent: dict[str, list[float]] = {}
 
-    def step(self, z: np.ndarray) -> np.ndarray | None:
+    def step(self, z: np.ndarray, broken: BrokenSteps) -> np.ndarray | None:
         """Advance z in place, to the end of the step or to a terminal event; (n_w,) the inputs if they changed."""
-        segment = self.segment
-        assert segment.broken is not None
-        own = segment.plan.scheme.layout.slice("inputs") if segment.model.inputs else slice(0, 0)
-        before = z[own].copy()
-        segment.forget_determinants(z)
-        segment.broken.step_with_events(z, segment.c, self._acts)
-        return None if np.array_equal(before, z[own]) else z[own].copy()
+        self._recent.clear()
+        before = z[self._inputs].copy()
+        broken.step_with_events(z, self.own.c, self._acts)
+        return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
+
+    def end_step(self, z: np.ndarray) -> list[int]:
+        """Where steps follow from a tolerance: end that of z (n_z,) in which an event is flagged there; which ones are.
+
+        Nothing has happened yet: states before the event can still be seen.
+        """
+        assert isinstance(self._scheme, AdaptiveSteps)
+        return ended_at_event(self._scheme, z, self._once)
+
+    def happen(self, z: np.ndarray, happened: list[int]) -> np.ndarray | None:
+        """These events at the end of the last step of z, in place; (n_w,) the inputs if they changed.
+
+        Where one ends the run, the end of the step is seen.
+        """
+        scheme, own = self._scheme, self.own
+        assert isinstance(scheme, AdaptiveSteps)
+        before, constants, seen = z[self._inputs].copy(), scheme.constants(own.c), scheme.at_end(z)
+        values, slopes = action_values(scheme, seen, constants), event_values(scheme, seen, constants)
+        settled(scheme, z, constants)
+        self._happen(z, scheme.reached(z), happened, values, slopes)
+        begin_events(scheme, z, constants, scheme.at_end(z))  # with the inputs as they are now
+        if self.status is not None:
+            shown_at_end(scheme, z, own.plan.grid.dt_L, self._once)
+        return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
+
+    def _once(self, z: np.ndarray) -> None:
+        self.own.stepper.run(z, self.own.ready, 1)
+
+    @property
+    def _inputs(self) -> slice:
+        return self._scheme.layout.slice("inputs") if self.own.model.inputs else slice(0, 0)
 
     def _acts(self, leg: Leg, happened: list[int]) -> Leg:
         """A leg at whose end these events happen, with what they do."""
-        scheme, t = self.segment.plan.scheme, float(leg.reached)
-        constants = scheme.constants(self.segment.c, leg.dt)
-        values = action_values(scheme, leg.z, constants)
-        slopes = event_values(scheme, leg.z, constants)
+        constants = self._scheme.constants(self.own.c, leg.dt)
+        z, values = leg.z.copy(), action_values(self._scheme, leg.z, constants)
+        self._happen(z, float(leg.reached), happened, values, event_values(self._scheme, leg.z, constants))
+        return replace(leg, z=z, ends=self.status is not None)
+
+    def _happen(self, z: np.ndarray, t: float, happened: list[int], values: np.ndarray, slopes: np.ndarray) -> None:
+        """These events at t [s]: they are told and judged, and z gets the inputs that they set."""
         first = np.cumsum([0, *(len(event.sets) for event in self._events)])
         changes: dict[str, float] = {}
+        cool_down(self._scheme, z, happened, t)
         for k in happened:
             event, direction = self._events[k], "rising" if slopes[k] >= 0 else "falling"
             if event.direction != "either":
@@ -50,23 +88,24 @@ class Happenings:
             changes |= dict(zip(event.sets, values[first[k] : first[k + 1]].tolist(), strict=True))
             self.told.append(Event(t, "event", _text(event, direction, changes), event.name, direction))
             self._judge(event, t)
-        z = leg.z
         if changes:
-            own = scheme.layout.slice("inputs")
-            z = leg.z.copy()
-            z[own] = self.segment.model.signals.changed(z[own].copy(), t, changes)
-        return replace(leg, z=z, ends=self.status is not None)
+            z[self._inputs] = self.own.model.signals.changed(z[self._inputs].copy(), t, changes)
 
     def _judge(self, event: EventRecord, t: float) -> None:
         if event.terminal:
             self.status = Status("event", t, None, f"event {event.name}", "It ends the run, as the scene says.")
-        elif sum(told.name == event.name for told in self.told) >= MOST_IN_A_STEP:
+            return
+        recent = [*self._recent.get(event.name, ()), t][-MOST_IN_A_STEP:]
+        self._recent[event.name] = recent
+        window = self.own.plan.grid.dt_L * (CHATTER if self._scheme.adaptive else 1)
+        if len(recent) == MOST_IN_A_STEP and t - recent[0] <= window:
+            within = f"{window:.3g} s" if self._scheme.adaptive else "one step"
             self.status = Status(
                 "chattering",
                 t,
                 None,
-                f"event {event.name} happens {MOST_IN_A_STEP} times within one step: its action undoes itself",
-                "Give it a hysteresis (two events at two values), or let the force change smoothly.",
+                f"event {event.name} happens {MOST_IN_A_STEP} times within {within}: its action undoes itself",
+                "Give it a cool_down or a hysteresis (two events at two values), or let the force change smoothly.",
             )
 
 

@@ -11,17 +11,17 @@ import numpy as np
 
 from runtime.contract.files import OutputError
 from runtime.contract.status import Event, Status
-from runtime.results.stream import StreamFile
 from runtime.running.accuracy import Accuracy
 from runtime.running.checkpoint import Checkpoint
 from runtime.running.happenings import Happenings, note_impulses
-from runtime.running.header import CheckpointHeader
+from runtime.running.header_of import header_of
 from runtime.running.interrupts import Interrupts, heard_interrupts
 from runtime.running.record import Record
 from runtime.running.schedule import Schedule
 from runtime.running.segment import Segment
 from runtime.running.singular.guard import FLOOR, Guard
 from runtime.running.singular.passage import Passage, locate
+from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 
 CALL_SECONDS = 0.25  # a native call lasts about this long, so that progress and Ctrl-C stay responsive
 CHECKPOINT_SECONDS = 60.0
@@ -53,6 +53,7 @@ class Run:
     guard: Guard = field(default_factory=Guard)
     accuracy: Accuracy = field(default_factory=lambda: Accuracy(0))
     schedule: Schedule | None = None
+    _happened: Happenings | None = None
     earlier: np.ndarray | None = None  # a state of this segment at least a step before z, if there is one
 
     @property
@@ -136,6 +137,7 @@ class Run:
             for segment in self.record.segments:
                 segment.take_inputs(w)
             self.segment.count_anew(self.z, work)  # powers jump with the inputs
+            self.segment.look_anew(self.z)
 
     def _advance(self, n: int) -> None:
         before = self.z.copy()
@@ -143,6 +145,9 @@ class Run:
         at = self.segment.first_event(self.z)
         if at is not None:
             self._per_call = 1
+            if isinstance(self.segment.plan.scheme, AdaptiveSteps):
+                self._end_at_event(self.segment.plan.scheme)
+                return
             self.z = before.copy()
             if at == self.segment.step_of(before) + 1:
                 self._step_with_events()
@@ -160,9 +165,30 @@ class Run:
 
     def _step_with_events(self) -> None:
         """The next step, in which events happen."""
-        happened = Happenings(self.segment)
-        w = happened.step(self.z)
+        assert self.segment.broken is not None
+        self.segment.forget_determinants(self.z)
+        self._take_event(self._happenings.step(self.z, self.segment.broken))
+
+    def _end_at_event(self, scheme: AdaptiveSteps) -> None:
+        """The last step ends at an event: what lies before it is seen first."""
+        happened = self._happenings.end_step(self.z)
+        while scheme.next_seen(self.z, self.segment.plan.grid.dt_L) <= scheme.reached(self.z):
+            self.segment.run(self.z, 1)
+            self._keep()
+        self._take_event(self._happenings.happen(self.z, happened))
+
+    @property
+    def _happenings(self) -> Happenings:
+        """Of the segment that is stepped."""
+        if self._happened is None or self._happened.own is not self.segment:
+            self._happened = Happenings(self.segment)
+        return self._happened
+
+    def _take_event(self, w: np.ndarray | None) -> None:
+        """What has happened: w (n_w,), the inputs where they have changed."""
+        happened = self._happenings
         self.events += happened.told
+        happened.told.clear()
         if w is not None:
             for segment in self.record.segments:
                 segment.take_inputs(w)
@@ -249,43 +275,21 @@ class Run:
         if self.earlier is not None:
             arrays["earlier"] = self.earlier
         try:
-            Checkpoint(self._header(), self.z, self.segment.p, arrays).write(self.rule.path)
+            header = header_of(
+                self.segment,
+                self.z,
+                self.record,
+                self.events,
+                self.guard,
+                self.accuracy,
+                self.schedule,
+                self.initial_changes,
+            )
+            Checkpoint(header, self.z, self.segment.p, arrays).write(self.rule.path)
         except OutputError as error:  # what is in memory is worth more than its copy on the disk
             if not any(event.kind == "checkpoint_failed" for event in self.events):
                 self.events.append(Event(self.segment.plan.time(self.step), "checkpoint_failed", str(error)))
         self._written = time.monotonic()
-
-    def _header(self) -> CheckpointHeader:
-        first, record = self.record.segments[0], self.record
-        model, plan, table = first.model, first.plan, record.table
-        return CheckpointHeader(
-            model=model.name,
-            digest=model.digest,
-            driven_by=model.driven_by,
-            scene_toml=model.scene_toml,
-            scheme=plan.name,
-            dt=plan.grid.dt_L,
-            m=list(plan.grid.m),
-            options=dict(plan.options),
-            t0=plan.t0,
-            steps=plan.steps,
-            save_every=plan.save_every,
-            force=plan.force,
-            outputs=list(plan.outputs),
-            initial_changes=self.initial_changes,
-            step=self.step,
-            last_step=record.last_step,
-            rows=0 if table is None else table.rows,
-            stream=str(table.folder) if isinstance(table, StreamFile) else None,
-            events=self.events,
-            segments=[list(segment.model.q_i) for segment in record.segments],
-            segment=self._segment_number,
-            position=self.segment.observed([self._state]).q[0].tolist(),
-            monitor=self.segment.monitor.memory(),
-            guard=self.guard.memory(),
-            accuracy=self.accuracy.memory(),
-            schedule={} if self.schedule is None else self.schedule.memory(),
-        )
 
 
 def _next_batch(per_call: int, elapsed: float) -> int:

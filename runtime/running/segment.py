@@ -14,7 +14,7 @@ from runtime.running.plan import Plan
 from runtime.running.singular.guard import Guard
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
-from runtime.schemes.switching.watched import NEVER, begin_events, watch_events, watches
+from runtime.schemes.switching.watched import watch_events
 from runtime.schemes.turns import begin_turns, watch_turns
 from runtime.schemes.work import account_at, account_for_work, begin_account
 
@@ -51,7 +51,7 @@ class Segment(SteppedModel):
         z[0], z[1] = self.plan.t0 + (start - grid), step  # the grid of times is the run's
         self.forget_determinants(z)
         begin_turns(self.plan.scheme, z)
-        begin_events(self.plan.scheme, z, self.plan.scheme.constants(self.c))
+        self.begin_events(z)
         self.count_anew(z, work)
         return z
 
@@ -75,13 +75,6 @@ class Segment(SteppedModel):
         functions = {spec.name: spec for spec in self.model.description.functions}
         return [signal.name for signal in functions["switching"].inputs]
 
-    def first_event(self, z: np.ndarray) -> int | None:
-        """The step in which an event happened first since it was last looked, if one did."""
-        if not watches(self.plan.scheme):
-            return None
-        found = float(z[self.plan.scheme.layout.slice("event_step")][0])
-        return int(found) if found < NEVER else None
-
     def account(self, z: np.ndarray) -> tuple[float, float]:
         """(work done until z, by how much it may be wrong) [J]."""
         return account_at(self.plan.scheme, z, self.plan.scheme.constants(self.c))
@@ -98,7 +91,7 @@ class Segment(SteppedModel):
             self.advance(z, steps)
             return
         end = self.step_of(z) + steps
-        while self.step_of(z) < end and not scheme.is_stuck(z):
+        while self.step_of(z) < end and not scheme.is_stuck(z) and self.first_event(z) is None:
             scheme.look_ahead(z, self.switches)
             self.advance(z, end - self.step_of(z))
 

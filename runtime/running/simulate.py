@@ -71,8 +71,6 @@ def simulate(
     options, dt, every = with_tolerance(model, scheme, tolerance, options, t_end, dt, more.save_every, t0)
     plan = make_plan(model, t_end, dt, m, scheme, every, options, t0, more.bounded)
     plan = replace(plan, force=more.force, outputs=tuple(more.outputs or ()))
-    if plan.scheme.adaptive:
-        refuse_events(model, "steps that follow from a tolerance")
     rule = more.rule()
     schedule = scheduled(model, inputs, t0, plan.grid.dt_L)
     p = started(model, model.parameter_vector(parameters), schedule, t0)

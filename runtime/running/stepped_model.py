@@ -16,7 +16,7 @@ from runtime.running.plan import Plan
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.broken_steps import BrokenSteps
 from runtime.schemes.switching.times import SwitchTime, switching_times
-from runtime.schemes.switching.watched import watches
+from runtime.schemes.switching.watched import NEVER, all_awake, begin_events, watches
 
 
 @dataclass(eq=False)
@@ -73,9 +73,30 @@ class SteppedModel:
         self.switches = switching_times(self.model, self.c, t0, t_end)
         scheme, length = self.plan.scheme, self.plan.grid.dt_L
         breaks = (
-            bool(self.switches) or watches(scheme)
+            bool(self.switches) or self.watches_events
         ) and not scheme.adaptive  # who chooses the ends of steps puts them there
         self.broken = BrokenSteps(self.stepper, t0, length, self.switches) if breaks else None
+
+    def begin_events(self, z: np.ndarray) -> None:
+        """Look for events from a state z (n_z,) on as if none had happened yet."""
+        all_awake(self.plan.scheme, z)
+        self.look_anew(z)
+
+    def look_anew(self, z: np.ndarray) -> None:
+        """From a state z (n_z,) on whose inputs have changed: an event that they move does not happen."""
+        begin_events(self.plan.scheme, z, self.plan.scheme.constants(self.c))
+
+    @property
+    def watches_events(self) -> bool:
+        """Has z their fields?"""
+        return watches(self.plan.scheme)
+
+    def first_event(self, z: np.ndarray) -> int | None:
+        """The step in which an event was flagged first since z (n_z,) was last looked at, if one was."""
+        if not self.watches_events:
+            return None
+        found = float(z[self.plan.scheme.layout.slice("event_step")][0])
+        return int(found) if found < NEVER else None
 
     def bound(self, z: np.ndarray) -> Callable[[int], None]:
         """`advance` of a z that stays where it is: a call costs nothing but its steps."""

@@ -11,16 +11,16 @@ import numpy as np
 
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model, ModelError
-from runtime.contract.refused_events import refuse_events
 from runtime.contract.signals import SINCE
-from runtime.contract.status import Status
+from runtime.contract.status import Event, Status
 from runtime.operating.equilibrium import Equilibrium
 from runtime.results.solution import Solution
 from runtime.running.monitor import Monitor
 from runtime.running.plan import make_plan
 from runtime.running.reading import reading
 from runtime.running.stepped_model import SteppedModel
-from runtime.running.unending import UnendingSteps, may_jump
+from runtime.running.unending import UnendingSteps, may_break
+from runtime.schemes.switching.watched import watch_events
 from runtime.start.start_state import start_state
 
 HORIZON = 1e9  # major steps: no end is meant
@@ -28,18 +28,24 @@ HORIZON = 1e9  # major steps: no end is meant
 
 @dataclass(frozen=True, eq=False)
 class SteppedState:
-    """All that the next step depends on: the scheme's z (flat), the parameters p (n_p,), where its grid begins [s]."""
+    """All that the next step depends on: the scheme's z (flat), the parameters p (n_p,), where its grid begins [s].
+
+    events: what has happened since then; ended: the status, where one of them was terminal.
+    """
 
     z: np.ndarray
     p: np.ndarray
     t0: float = 0.0
+    events: tuple[Event, ...] = ()
+    ended: Status | None = None
 
 
 class ModelStepper:
     """A scheme on a model, compiled once. `step` makes major steps; what they led to is read from it.
 
     Between calls nothing is checked: `check` says what a run would have found. Singular positions are not passed by
-    changing coordinates, as a run does. Both step the same `SteppedModel`.
+    changing coordinates, as a run does. Both step the same `SteppedModel`. Events happen as in a run: see `events`, and
+    `ended`, after which there is no further step.
     """
 
     def __init__(
@@ -57,7 +63,6 @@ class ModelStepper:
             raise ModelError(
                 f"every coordinate of model {model.name} is driven: use simulate, there is nothing to step"
             )
-        refuse_events(model, "steppers")
         length = float(model.simulation["dt"]) if dt is None else dt
         end = HORIZON * length if isinstance(length, int | float) and length > 0 else None
         plan = make_plan(model, end, dt, m, scheme, None, options, 0.0, bounded=True)
@@ -65,13 +70,14 @@ class ModelStepper:
         self._settings = {"scheme": scheme, "dt": dt, "m": m, "options": options, "engine": engine}
         plan.scheme.of_one_length("a stepper")
         self.dt = plan.grid.dt_L
+        watch_events(plan.scheme)
         self._own = SteppedModel.prepared(model, plan, model.parameter_vector(parameters), engine, wait=True)
         self._constants = self.scheme.constants(self._own.c, self.dt).copy()
         self._sample: Solution | None = None
         state = start_state(model, self.parameters, self._own.c, 0.0, None)
         # this array stays where it is: compiled code and readers know its address
         self._z = self._own.begin(0.0, state.q, state.q_dot).copy()
-        self._across = UnendingSteps(self._own, self._z) if may_jump(model) else None
+        self._across = UnendingSteps(self._own, self._z) if may_break(model) else None
         self._advance = self._own.bound(self._z) if self._across is None else self._across.run
         self._set_out(0.0)
         w = model.signals
@@ -117,13 +123,16 @@ class ModelStepper:
         """Make n major steps with the inputs u: by name, or one number for each of model.inputs; None: as they are.
 
         `step(n)` with a whole number leaves the inputs as they are, too. They are held; those with rates go on with
-        the rate and acceleration given. Bit for bit the same in one call or in many. Raises ArgumentError.
+        the rate and acceleration given. Bit for bit the same in one call or in many. Raises ArgumentError, also where
+        an event has `ended` the motion.
         """
         if u is not None:
             if isinstance(u, int | np.integer):
                 n = int(u)
             else:
                 self._hold(u)
+                if self._across is not None:
+                    self._across.look_anew()
         self._advance(n)
         self._sample = None
 
@@ -147,10 +156,15 @@ class ModelStepper:
             own[k] = value
 
     def run(self, n: int, call: Callable[[ModelStepper], Any], every: int = 1) -> None:
-        """Make n major steps, call(self) before each block of `every`. Raises ArgumentError for counts below 1."""
+        """Make n major steps, call(self) before each block of `every`, up to an event that ends them.
+
+        Raises ArgumentError for counts below 1.
+        """
         if n < 1 or every < 1:
             raise ArgumentError(f"n and every must be at least 1, not {n} and {every}")
         for first in range(0, n, every):
+            if self.ended is not None:
+                return
             call(self)
             self.step(min(every, n - first))
 
@@ -168,12 +182,14 @@ class ModelStepper:
             self._hold(own)
         if len(own) < len(parameters):
             self._take(p)
+        if self._across is not None:
+            self._across.look_anew()
         self._sample = None
 
     def save(self) -> SteppedState:
         """What `restore` goes back to."""
         t0 = float(self._z[0]) if self._across is None else self._across.t0
-        return SteppedState(self._z.copy(), self.parameters.copy(), t0)
+        return SteppedState(self._z.copy(), self.parameters.copy(), t0, tuple(self.events), self.ended)
 
     def restore(self, kept: SteppedState) -> None:
         """Go back to what was saved. Raises ArgumentError if it is of another stepper."""
@@ -184,7 +200,7 @@ class ModelStepper:
         self._take(kept.p)
         self._z[:] = kept.z
         if self._across is not None:
-            self._across.t0 = kept.t0
+            self._across.go_back(kept.t0, kept.events, kept.ended)
         self._sample = None
 
     # ---- reading --------------------------------------------------------------------------------------------
@@ -193,6 +209,16 @@ class ModelStepper:
     def parameters(self) -> np.ndarray:
         """The parameters p (n_p,) in use."""
         return self._own.p
+
+    @property
+    def events(self) -> list[Event]:
+        """Events of the model since `reset`, in order."""
+        return [] if self._across is None else list(self._across.happenings.told)
+
+    @property
+    def ended(self) -> Status | None:
+        """Why there is no further step: a terminal event, or one that chatters; `time` is then its own."""
+        return None if self._across is None else self._across.happenings.status
 
     @property
     def time(self) -> float:

@@ -1,12 +1,17 @@
-"""Steps without an end across jumps in time: they are looked for as time goes on, always over the same stretches."""
+"""Steps without an end across jumps in time and events: looked for as time goes on, always over the same stretches."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import casadi as ca
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
+from runtime.contract.status import Event, Status
+from runtime.running.happenings import Happenings
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import refuse_position_jumps
 from runtime.schemes.switching.broken_steps import BrokenSteps
@@ -26,39 +31,81 @@ def may_jump(model: Model) -> bool:
     return bool(ca.depends_on(model.evaluate("switching", t=t, c=c)["switching"], t))
 
 
+def may_break(model: Model) -> bool:
+    """Do steps end at jumps or at events?"""
+    return bool(model.description.events) or may_jump(model)
+
+
 class UnendingSteps:
-    """Advances a z (whole, flat) that stays where it is; t0 [s] is where its grid of steps begins."""
+    """Advances a z (whole, flat) that stays where it is; t0 [s] is where its grid of steps begins.
+
+    happenings: the events since the grid began, and the status where one has ended it.
+    """
 
     def __init__(self, own: SteppedModel, z: np.ndarray) -> None:
         self._own, self._z, self.t0 = own, z, float(z[0])
         self._first, self._broken = -1, BrokenSteps(own.stepper, self.t0, own.plan.grid.dt_L, [])
+        self._jumps, self.happenings = may_jump(own.model), Happenings(own)
 
     def begin(self, t0: float) -> None:
         """The grid of steps begins there [s]."""
-        self.t0 = t0
+        self.t0, self.happenings = t0, Happenings(self._own)
         self.forget()
         self._look(self._own.with_inputs(self._z))
         self._z[0] = t0 + (self._broken.clock(int(self._z[1])) - self._broken.time(int(self._z[1])))
+        self._own.begin_events(self._z)
+
+    def go_back(self, t0: float, events: Sequence[Event], ended: Status | None) -> None:
+        """To a grid that began there [s], and what had happened on it."""
+        self.t0, self.happenings = t0, Happenings(self._own)
+        self.happenings.told, self.happenings.status = list(events), ended
+        self.forget()
+
+    def look_anew(self) -> None:
+        """At events: inputs or parameters have changed."""
+        if self._own.watches_events:
+            self._own.look_anew(self._z)
 
     def forget(self) -> None:
         """Inputs or parameters have changed: look again."""
         self._first = -1
 
     def run(self, steps: int) -> None:
-        """Make so many major steps. Raises ModelError for a prescribed motion whose position jumps in them."""
+        """Make so many major steps, fewer where an event ends them.
+
+        Raises ModelError for a prescribed motion whose position jumps in them, ArgumentError where an event has ended
+        all steps before.
+        """
+        if (ended := self.happenings.status) is not None:
+            raise ArgumentError(
+                f"{ended.cause} has ended the motion", "there is no further step", "reset or restore it"
+            )
         end = int(self._z[1]) + steps
-        while (step := int(self._z[1])) < end:
+        while (step := int(self._z[1])) < end and self.happenings.status is None:
             c = self._own.with_inputs(self._z)
             if self._first != step // STRETCH * STRETCH:
                 self._look(c)
-            n = min(end, self._first + STRETCH) - step
-            self._broken.run(self._z, self._own.ready, c, n)
+            self._advance(c, min(end, self._first + STRETCH) - step)
+
+    def _advance(self, c: np.ndarray, steps: int) -> None:
+        """So many of them within a stretch, or up to the end of the first in which events happen."""
+        own, z, before = self._own, self._z, self._z.copy() if self._own.watches_events else self._z
+        self._broken.run(z, own.ready, c, steps)
+        at = own.first_event(z)
+        if at is None:
+            return
+        z[:] = before
+        sooner = at - 1 - int(z[1])
+        if sooner:
+            self._broken.run(z, own.ready, c, sooner)
+        if self.happenings.step(z, self._broken) is not None:
+            self.forget()
 
     def _look(self, c: np.ndarray) -> None:
         own, h = self._own, self._own.plan.grid.dt_L
         self._first = int(self._z[1]) // STRETCH * STRETCH
         ends = self.t0 + self._first * h, self.t0 + (self._first + STRETCH) * h
-        found = switching_times(own.model, c, *ends)
+        found = switching_times(own.model, c, *ends) if self._jumps else []
         if found and moves_in_time(own.model):
             seen = own.observed([own.state(self._z)])
             refuse_position_jumps(own.model, c, ConsistentState(seen.q[0], seen.q_dot[0], {}), found, *ends)

@@ -28,8 +28,18 @@ from runtime.schemes.stage_equations import StageEquations
 # to the one before, and the sum of the magnitudes of second differences
 FIELDS = {"power_sum": 1, "power": 1, "power_change": 1, "power_bends": 1}
 # of a scheme that integrates: W [J] at the state that is seen and at the start of the running step, the power there, in
-# its middle and at its end, the step that is not in W yet [s], the sum of Simpson's rule less the trapezoidal one
-INTEGRATED = {"work": 1, "work_from": 1, "power": 1, "power_mid": 1, "power_to": 1, "pending": 1, "bends": 1}
+# its middle and at its end, the step that is not in W yet [s], did it end where something may jump?, the sum of
+# Simpson's rule less the trapezoidal one
+INTEGRATED = {
+    "work": 1,
+    "work_from": 1,
+    "power": 1,
+    "power_mid": 1,
+    "power_to": 1,
+    "pending": 1,
+    "landed": 1,
+    "bends": 1,
+}
 IN_DOUBT = 1 / 8  # of the second differences, as work: a power that dies within the first step is off by as much
 END_OF_STEP, MIDDLE = 1.0, 0.5
 

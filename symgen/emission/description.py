@@ -58,7 +58,7 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
         functions=list(derived.functions.values() if functions is None else functions),
         inputs=eq.inputs,
         events=[
-            EventRecord(name, event.direction, event.terminal, list(event.action))
+            EventRecord(name, event.direction, event.terminal, list(event.action), event.cool_down)
             for name, event in scene.events.items()
         ],
         switching=[item for item, _ in eq.switching],

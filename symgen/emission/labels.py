@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 import casadi as ca
 
 from runtime.contract.tape import Tape
-from symgen.notation import BY_NAME
+from symgen.notation.symbols import BY_NAME
 from symgen.pipeline import Derived
 
 # what the emitted functions call their own: temporaries, arguments, outputs

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from runtime.contract.records import FunctionSpec, Group, Signal
 from runtime.contract.tape import Tape
-from symgen.notation import BY_NAME
+from symgen.notation.symbols import BY_NAME
 
 STATE = "q_i q_d q_i_dot q_d_dot"
 WITH_REDUNDANT_ROWS = "; lam_R: multipliers of the redundant rows, which the others go with"

@@ -9,7 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import Model, ModelError, ensemble, resume, simulate
+from runtime import Environment, Model, ModelError, ensemble, gradient, resume, simulate
+from runtime.contract.errors import ArgumentError
+from runtime.gradients.objectives import End
 from runtime.schemes.catalogue import SCHEMES
 from symgen.scene import Scene, SceneBuilder, SceneError
 
@@ -42,7 +44,85 @@ def test_an_event_is_located_acts_and_keeps_what_is_exact(model_of: Build, schem
         told = [(event.name, event.direction) for event in run.events]
         assert told == [("passing", "falling"), ("near", "falling"), ("near", "rising")]
         times = [event.time for event in run.events]
-        assert times == pytest.approx([t, t + back[0], t + back[1]], abs=3e-10 if scheme != "hht" else 1e-8)
+        assert times == pytest.approx([t, t + back[0], t + back[1]], rel=0, abs=1e-10)
+
+
+@pytest.mark.parametrize("scheme", ["dopri5", "exponential", "exponential_rk4"])
+def test_events_with_a_tolerance(model_of: Build, tmp_path: Path, scheme: str) -> None:
+    """The same law; steps are long beside the time between the events, and samples lie where they were asked for."""
+    passing = {"when": "x - height", "direction": "falling", "action": {"push": "push + 3 * 2 * 9.81"}}
+    high = {"when": "x - 0.9", "direction": "rising", "terminal": True}
+    model = model_of(falling(passing=passing, high=high))
+    where = tmp_path / "run.npz"
+    run = simulate(model, scheme=scheme, tolerance=1e-6, t_end=1.0, dt=0.05, checkpoint=where, checkpoint_every=1)
+    t = np.sqrt(0.8 / G)
+    v = -G * t
+    end = t + (-v + np.sqrt(v**2 + 4 * G * 0.3)) / (2 * G)
+    assert [event.time for event in run.events] == pytest.approx([t, end], rel=0, abs=1e-10)
+    assert run.status.name == "event" and run.t[-1] == run.events[-1].time
+    assert run.t[:-1] == pytest.approx(0.05 * np.arange(len(run.t) - 1), rel=0, abs=1e-15)
+    s = np.maximum(run.t - t, 0)
+    assert run["mass.x"] == pytest.approx(1 - G * run.t**2 / 2 + 3 * G / 2 * s**2, abs=1e-9)
+    assert run.energy["work"][-1] == pytest.approx(6 * G * 0.3, rel=1e-9)
+    again = resume(model, where)
+    assert again.events == run.events and np.array_equal(again.q, run.q)
+
+
+def swinging(**event: Any) -> Scene:
+    """x = cos(2 pi t) passes zero every half second."""
+    builder = SceneBuilder("swinging_mass").rigid("mass", mass=1.0, inertia=0.1)
+    builder.prismatic("rail", "ground.origin", "mass.origin").measure("x", "x", "mass.origin")
+    builder.force("spring", "mass.origin", "-4 * pi ** 2 * x", 0.0).initial({"mass.x": 1.0}).event("zero", "x", **event)
+    return builder.simulation(t_end=3.0, dt=0.01, scheme="dopri5").build()
+
+
+@pytest.mark.parametrize("tolerance", [None, 1e-9])
+def test_a_cool_down_leaves_out_what_comes_too_soon(model_of: Build, tolerance: float | None) -> None:
+    """Crossings at 1/4, 3/4 ... s: 0.6 s leave out every other one, 0.49 s none."""
+    for cool_down, times in ((0.6, [0.25, 1.25, 2.25]), (0.49, [0.25, 0.75, 1.25, 1.75, 2.25, 2.75])):
+        model = model_of(swinging(cool_down=cool_down))
+        run = simulate(model, tolerance=tolerance)
+        assert [event.time for event in run.events] == pytest.approx(times, abs=1e-7)
+    with pytest.raises(SceneError, match="cool_down.*-1 s is negative"):
+        swinging(cool_down=-1.0)
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "hht", "decoupled"])
+def test_steppers_know_events_bit_for_bit(model_of: Build, scheme: str) -> None:
+    """In calls of one or of many steps, across an action, to a terminal event, and again from a state that was kept."""
+    passing = {
+        "when": "x - height",
+        "direction": "falling",
+        "action": {"push": "push + 3 * 2 * 9.81"},
+        "cool_down": 0.1,
+    }
+    model = model_of(falling(passing=passing, high={"when": "x - 0.9", "direction": "rising", "terminal": True}))
+    run = simulate(model, scheme=scheme, t_end=1.0, force=True)
+    stepper = model.stepper(scheme=scheme)
+    for block in (1, 50):
+        stepper.reset()
+        stepper.step(block)
+        kept = stepper.save()
+        for _ in range(2):
+            while stepper.ended is None:
+                stepper.step(block)
+            assert stepper.events == run.events and stepper.ended == run.status and stepper.time == run.t[-1]
+            assert stepper.state["mass.x"] == run["mass.x"][-1] and stepper.sample["push"][0] == 6 * G
+            with pytest.raises(ArgumentError, match="event high has ended the motion.*reset or restore"):
+                stepper.step()
+            stepper.restore(kept)
+
+
+def test_a_terminal_event_ends_an_episode(model_of: Build) -> None:
+    """Pushed up with 2 g from 0.85 m, the mass passes 0.9 m within its third step."""
+    model = model_of(falling(high={"when": "x - 0.9", "direction": "rising", "terminal": True}))
+    environment = Environment(
+        model, actions={"push": (0.0, 6 * G)}, observe=["mass.x"], reward=lambda seen, taken: float(seen[0])
+    )
+    environment.reset(options={"mass.x": 0.85})
+    told = [environment.step([6 * G]) for _ in range(3)]
+    assert [over for _, _, over, _, _ in told] == [False, False, True]
+    assert told[-1][1] == pytest.approx(0.9, abs=1e-9) and told[-1][4] == {"status": "event"}
 
 
 def test_a_terminal_event_ends_the_run_there(model_of: Build, tmp_path: Path) -> None:
@@ -97,7 +177,5 @@ def test_wrong_events_and_those_who_do_not_look_are_named(model_of: Build) -> No
         with pytest.raises(SceneError, match=message):
             falling(wrong={"when": "x", "action": {target: 1.0}})
     model = model_of(falling(floor={"when": "x - height"}))
-    with pytest.raises(ModelError, match="events floor of model falling_mass.*steps that follow from a tolerance"):
-        simulate(model, scheme="dopri5", tolerance=1e-4)
-    with pytest.raises(ModelError, match="are not looked for by steppers"):
-        model.stepper()
+    with pytest.raises(ModelError, match="events floor of model falling_mass.*derivatives of runs"):
+        gradient(model, End("mass.x"), by=["height"])

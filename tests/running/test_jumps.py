@@ -54,6 +54,14 @@ def test_every_scheme_keeps_its_order_across_jumps(model_of: Build, scheme: str)
     assert errors[1] < CAPS[order]
 
 
+@pytest.mark.parametrize("scheme", ["dopri5", "exponential", "exponential_rk4"])
+def test_the_work_of_each_side_is_its_own(model_of: Build, scheme: str) -> None:
+    """Steps that follow from a tolerance: energy and work differ by the steps, not by the jumps of 5 N m."""
+    run = simulate(model_of(pendulum()), scheme=scheme, tolerance=1e-7, dt=0.01)
+    energy = run.energy["kinetic"] + run.energy["potential"] - run.energy["work"]
+    assert np.ptp(run.energy["work"]) > 3 and np.ptp(energy) < 1e-3
+
+
 UP, DOWN = float(np.nextafter(0.3, 1)), float(np.nextafter(0.7, 0))
 PULSES = [(0.3, 0.7), (UP, DOWN), (0.123, 0.456), (0.51, 0.53), (0.1, 0.1517), (0.0, 0.25), (0.6, 1.0), (-1.0, 0.0)]
 

@@ -154,11 +154,16 @@ class AdaptiveState(OneStep):
     def look_ahead(self, z: np.ndarray, jumps: Sequence[SwitchTime]) -> None:
         """Write the next of all times, rising, that no step may cross to z (flat), and how near they are looked at."""
         stops, beside = self.layout.slice("stops"), self.layout.slice("beside")
-        if not jumps:
+        cool_downs = "event_quiet" in self.layout.sizes
+        if not jumps and not cool_downs:
             z[stops], z[beside] = LARGEST, 0.0
             return
-        first = bisect_right(jumps, float(z[self.layout.slice("t_to")][0]), key=lambda one: one.time)
+        reached = float(z[self.layout.slice("t_to")][0])
+        first = bisect_right(jumps, reached, key=lambda one: one.time)
         ahead = [one.time for one in jumps[first : first + STOPS]]
+        if cool_downs:  # where a cool-down is over, events are looked for again
+            over = {one for one in z[self.layout.slice("event_quiet")].tolist() if one > reached}
+            ahead = sorted({*ahead, *over})[:STOPS]
         near = jumps[max(0, first - 1) : first + STOPS]
         z[stops] = [*ahead, *[LARGEST] * (STOPS - len(ahead))]
         z[beside] = max((max(one.after - one.time, one.time - one.before) for one in near), default=0)
@@ -166,6 +171,12 @@ class AdaptiveState(OneStep):
     def land(self, z: np.ndarray) -> None:
         """From z (flat) on, end a step at every state that is seen."""
         z[self.layout.slice("lands")] = 1.0
+
+    def at_end(self, z: np.ndarray) -> np.ndarray:
+        """A copy of z (n_z,) that is seen at the end of its last step."""
+        found = z.copy()
+        self.begin_anew(found)
+        return found
 
     def begin_anew(self, z: np.ndarray) -> float:
         """Let z (flat) be seen at the end of its last step, time counted from there; the step wanted next [s]."""
@@ -177,6 +188,10 @@ class AdaptiveState(OneStep):
     def is_stuck(self, z: np.ndarray) -> bool:
         """Did the least step not meet the tolerance?"""
         return bool(z[self.layout.slice("stuck")][0] > 0)
+
+    def next_seen(self, z: np.ndarray, dt: float) -> float:
+        """Time of the next state after z (n_z,) that is seen [s], dt apart."""
+        return float(z[self.layout.slice("t0")][0] + (z[self.layout.slice("n")][0] + 1) * dt)
 
     def reached(self, z: np.ndarray) -> float:
         """Time at the end of the last accepted step [s]."""

@@ -27,6 +27,7 @@ from runtime.schemes.adaptive.controller import FORGET, REFUSED, in_band, not_ac
 from runtime.schemes.adaptive.error_norm import mean_square, weights
 from runtime.schemes.scheme import LARGEST
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
+from runtime.schemes.switching.watched import NEVER, event_outputs, flagged
 
 ATTEMPTS = 1 << 13  # in one application of the program; the next one goes on
 WIDER = 1.5  # ranges whose squares, weighted, add up to so much more than before make the weights be formed anew
@@ -82,9 +83,16 @@ class AdaptiveSteps(AdaptiveState):
         flag = {name: self.layout.slice(name).start for name in ("fresh", "cold", "odd", "going", "ranging")}
         begin = Until(self.stage("begin", self._begin), flag["cold"], 1, usual=int(not self.first_same_as_last))
         widen = Until(self.stage("range", self._range), flag["ranging"], 1, usual=1)
-        start = Until(Sequence((widen, self.stage("move", self._move), begin)), flag["fresh"], 1, usual=1)
+        moved: tuple[Program, ...] = (widen, self.stage("move", self._move), begin)
+        if "landed" in self.layout.sizes and not self.first_same_as_last:
+            settle = Until(self.stage("settle", self._settle), self.layout.slice("landed").start, 1, usual=0)
+            moved = (*moved[:-1], settle, begin)
+        start = Until(Sequence(moved), flag["fresh"], 1, usual=1)
         judge = Until(self.stage("judge", self._judge), flag["odd"], 1, usual=0)
-        reach = Until(Sequence((start, self.stage("attempt", self._attempt), judge)), flag["going"], ATTEMPTS, usual=1)
+        step: tuple[Program, ...] = (start, self.stage("attempt", self._attempt), judge)
+        if "event_step" in self.layout.sizes:
+            step = (*step, Until(self.stage("look", self._look), flag["fresh"], 1, usual=1))
+        reach = Until(Sequence(step), flag["going"], ATTEMPTS, usual=1)
         return Sequence((self.stage("aim", self._aim), reach, self.stage("show", self._show)))
 
     def _goal(self, z: Fields, equations: StageEquations) -> ca.SX:
@@ -149,6 +157,13 @@ class AdaptiveSteps(AdaptiveState):
         if "work_from" in z:
             out |= self._worked(z, equations.power_of(motion, z["v_from"], a))
         return {**out, **self.closed(z, motion), "det_now": motion.det_loop}
+
+    def _settle(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        """The work of a step that has ended where something may jump: by the power before it."""
+        t = z["t_from"] - z["beside"]
+        motion = equations.close_well(z["q_from"], z["loop_from"], t)
+        a = equations.accelerations(motion, z["v_from"]) if equations.drives else z["a_from"]
+        return {"landed": ca.SX(0), **self._worked(z, equations.power_of(motion, z["v_from"], a))}
 
     @staticmethod
     def _worked(z: Fields, P: ca.SX) -> dict[str, ca.SX]:
@@ -229,6 +244,7 @@ class AdaptiveSteps(AdaptiveState):
         wanted = ca.if_else(accepted, ca.fmax(wanted, ca.if_else(h < z["h_next"], z["h_next"], 0.0)), wanted)
         t = ca.if_else(accepted, z["t_to"], z["t_from"])
         stuck = ca.logic_or(z["stuck"] > 0, wanted < LEAST * equations.h[0] + LEAST_OF_TIME * ca.fabs(t))
+        landed = ca.logic_and(accepted, z["t_to"] >= z["end"])
         restored = {name: ca.if_else(accepted, z[name], old) for name, old in self._before(z).items()}
         return {
             **restored,
@@ -239,15 +255,31 @@ class AdaptiveSteps(AdaptiveState):
             "accepted": z["accepted"] - ca.if_else(accepted, 0.0, 1.0),
             "rejected": z["rejected"] + ca.if_else(accepted, 0.0, 1.0),
             "fresh": ca.if_else(accepted, 1.0, 0.0),
-            "cold": ca.logic_and(accepted, z["t_to"] >= z["end"]),
+            "cold": landed,
             "stuck": stuck,
             "going": self._left({**z, "stuck": stuck}, self._goal(z, equations) - t, t),
-            **({"pending": ca.if_else(accepted, h, 0.0)} if "work_from" in z else {}),
+            **({"pending": ca.if_else(accepted, h, 0.0), "landed": landed} if "work_from" in z else {}),
+        }
+
+    def _look(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        """Where z watches for events: their values at the end of an accepted step; one that happens ends the loop."""
+        motion = equations.close_well(z["q_to"], z["loop_to"], z["t_to"])
+        q = equations.joined(self.charts.zeroed(motion.q_i), motion.q_d)
+        q_dot = equations.joined(z["v_to"], equations.rates(motion, z["v_to"]))
+        found = event_outputs(equations, z["t_to"], q, q_dot)["events"]
+        flag = flagged(self, z, z["event_values"], found, z["t_to"])
+        return {
+            "event_before": z["event_values"],
+            "event_values": found,
+            "event_step": ca.if_else(flag, z["n"], NEVER),
+            "going": ca.if_else(flag, 0.0, z["going"]),
         }
 
     def _show(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         goal = self._goal(z, equations)
         arrived = z["t_to"] >= goal
+        if "event_step" in z:  # what lies beyond it is made again
+            arrived = ca.logic_and(arrived, z["event_step"] >= NEVER)
         tau = ca.fmin(goal, z["t_to"]) - z["t_from"]
         q, v = self.between(z, equations, tau)
         loop = z["loop_from"] + tau * (z["loop_to"] - z["loop_from"]) / (z["t_to"] - z["t_from"])

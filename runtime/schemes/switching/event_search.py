@@ -11,35 +11,51 @@ from collections.abc import Callable
 
 import numpy as np
 
-from runtime.schemes.scheme import Scheme
-from runtime.schemes.switching.watched import passed
-
-LOCATED = 1e-10  # s
-OF_STEP = 1e-6  # of a short step, instead
+LOCATED = 1e-11  # s
+OF_STEP = 1e-7  # of a short step, instead
 MOST_LOOKS = 100
+Looked = tuple[float, np.ndarray]  # how far [s], and the events' values (n_e,) there
+Passed = Callable[[np.ndarray, np.ndarray], list[int]]  # which events happen between two sets of values
 
 
 def first_passage(
-    scheme: Scheme, at: Callable[[float], np.ndarray], before: np.ndarray, after: np.ndarray, length: float
+    passed: Passed, at: Callable[[float], np.ndarray], before: np.ndarray, after: np.ndarray, length: float
 ) -> float:
     """How far [s] into a step of this length an event has just happened, to LOCATED.
 
     at(s): the events' values (n_e,) a part of the step on; before and after: at its start and end.
     """
-    low, high, e_low, e_high = 0.0, length, before, after
+    low, high = (0.0, before), (length, after)
+    looks: list[Looked] = [low, high]
     width = min(LOCATED, OF_STEP * length)
     for look in range(MOST_LOOKS):
-        if high - low <= width:
+        if high[0] - low[0] <= width:
             break
-        guess = (low + high) / 2
-        if look % 3 != 2:  # by the secant of the first that passes, a little beyond it and a little before it
-            own = passed(scheme, before, e_high)
-            share = min(abs(e_low[k]) / max(abs(e_low[k]) + abs(e_high[k]), 1e-300) for k in own)
-            guess = low + share * (high - low) + (0.4 if look % 3 == 0 else -0.4) * width
-        guess = min(max(guess, low + width / 4), high - width / 4)
-        e = at(guess)
-        if passed(scheme, before, e):
-            high, e_high = guess, e
-        else:
-            low, e_low = guess, e
-    return high
+        guess = (low[0] + high[0]) / 2
+        if look % 5 != 4:  # a little beyond the zero of a curve through the last looks, or a little before it
+            zero = min(_zero(k, low, high, looks) for k in passed(before, high[1]))
+            guess = zero + (0.4 if high[0] - zero > zero - low[0] else -0.4) * width
+        guess = min(max(guess, low[0] + width / 4), high[0] - width / 4)
+        looked = guess, at(guess)
+        looks.append(looked)
+        low, high = (low, looked) if passed(before, looked[1]) else (looked, high)
+    return high[0]
+
+
+def _zero(k: int, low: Looked, high: Looked, looks: list[Looked]) -> float:
+    """Of event k, by the parabola s(e) through both ends of its bracket and the last look beside them, or secant."""
+    (a, e_low), (b, e_high) = low, high
+    e_a, e_b = float(e_low[k]), float(e_high[k])
+    secant = a + (b - a) * abs(e_a) / max(abs(e_a) + abs(e_b), 1e-300)
+    beside = next((one for one in reversed(looks) if one[0] not in (a, b)), None)
+    if beside is None:
+        return secant
+    s, e = beside[0], float(beside[1][k])
+    if len({e, e_a, e_b}) < 3:
+        return secant
+    found = (
+        a * e_b * e / ((e_a - e_b) * (e_a - e))
+        + b * e_a * e / ((e_b - e_a) * (e_b - e))
+        + s * e_a * e_b / ((e - e_a) * (e - e_b))
+    )
+    return found if a < found < b else secant

@@ -5,15 +5,13 @@ L and S name the step size (large, small), not rigid and elastic: which coordina
 Shapes: n coordinates, n_i independent, n_d dependent, n_c constraint rows, nf modes of a body, n_p parameters,
 n_S and n_L in the groups that take a sub-step and in slower ones.
 
-SYMBOLS are the names of the equations and of the emitted functions, FIELDS those of z, the state of a time stepping
-scheme as one vector.
+SYMBOLS are the names of the equations and of the emitted functions; those of z, the state of a time stepping scheme as
+one vector, are in fields.py.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-
-from runtime.contract.tolerance_fields import FIELDS_OF_TOLERANCE
 
 
 @dataclass(frozen=True)
@@ -163,130 +161,6 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("rigidities", "", "", "2 x beams", "N m^2", "E I of a beam for bending along y and along z"),
     Notation("bounded", "", "", "expressions", "SI", "expressions of the scene that must keep their sign"),
 )
-
-FIELDS: tuple[Notation, ...] = (
-    # common to all schemes
-    Notation("t0", "", "", "1", "s", "time at the start of the run"),
-    Notation("n", "", "", "1", "1", "major steps done"),
-    Notation(
-        "x",
-        "q_i",
-        "38",
-        "n_i",
-        "mixed",
-        "q_i reached: of fast groups at their sub-step, of slow ones at their step's end",
-    ),
-    Notation("loop", "q_d", "31", "loops", "mixed", "guess of the loop unknowns"),
-    Notation(
-        "inputs", "", "", "numbers of inputs", "SI", "the numbers that the inputs u are made of, as they are held"
-    ),
-    Notation("closure_error", "", "", "1", "m, rad", "largest C_loop so far"),
-    Notation("iterations", "", "", "1", "1", "sweeps or Newton iterations done"),
-    Notation("failures", "", "", "1", "1", "steps whose iteration did not converge"),
-    Notation(
-        "power_sum",
-        "",
-        "",
-        "1",
-        "W",
-        "sum of the powers of loads, dampers and drives, one a step; times the step it is their work",
-    ),
-    Notation("power", "", "", "1", "W", "the last of them"),
-    Notation("power_change", "", "", "1", "W", "its difference to the one before"),
-    Notation("power_bends", "", "", "1", "W", "sum of the magnitudes of their second differences"),
-    Notation("power_mid", "", "", "1", "W", "power at the midpoint of a step"),
-    Notation(
-        "work", "", "", "1", "J", "work of loads, dampers and drives until the state that is seen, of steps that vary"
-    ),
-    Notation("work_from", "", "", "1", "J", "the same at the start of the running step"),
-    Notation("power_to", "", "", "1", "W", "power at the end of the last step"),
-    Notation("pending", "", "", "1", "s", "length of an accepted step whose work is not in work_from yet"),
-    Notation("bends", "", "", "1", "J", "sum of the differences of Simpson's and the trapezoidal rule"),
-    Notation("event_values", "", "", "events", "any", "what passes zero at events, at the end of the last step"),
-    Notation("event_step", "", "", "1", "1", "the first step in which an event happened, since it was last looked"),
-    Notation("turn", "", "", "1", "rad", "largest turn of Euler angles in a step near their singular orientation"),
-    Notation("angles_before", "", "", "2 a body", "rad", "first and third Euler angle after the last step"),
-    Notation("det_low", "", "", "loop blocks", "SI", "smallest det_loop since whoever runs the scheme reset it"),
-    Notation("det_high", "", "", "loop blocks", "SI", "largest det_loop since then"),
-    *(Notation(code, "", "", *rest) for code, *rest in FIELDS_OF_TOLERANCE),
-    # single_rate, printed; a, s, loop_old and loop_dot also coupled, decoupled
-    Notation("d", "q^t - q^(t-Delta t)", "40-43", "n_i", "mixed", "last increment, stored instead of the last point"),
-    Notation("a", "q_i''", "40-43", "n_i", "mixed", "last q_i_ddot"),
-    Notation("s", "(j-1) Delta t_S", "63", "1", "s", "time since the start of the running major step"),
-    Notation("q_L", "q_L", "63", "n_i", "mixed", "slow coordinates at the start of their running step"),
-    Notation("q_L_dot", "q_L'", "60", "n_i", "mixed", "their rates there"),
-    Notation("q_L_ddot", "q_L''", "59", "n_i", "mixed", "their accelerations there"),
-    Notation("t_L", "", "", "groups", "s", "start of each group's running step, since that of the major step"),
-    Notation("unconverged", "", "", "1", "1", "positive until the iteration of a step has converged"),
-    Notation("change", "", "", "groups", "mixed", "largest change of q_ddot of each group by the last sweep"),
-    Notation("loop_old", "", "", "loops", "mixed", "loop unknowns one finest step ago"),
-    Notation("loop_dot", "q_d'", "36", "loops", "mixed", "rates of the loop unknowns"),
-    Notation(
-        "chart", "", "", "4 x orientations", "1", "unit quaternions from which the turns in x are rotation vectors"
-    ),
-    # one-step schemes
-    Notation("v", "q_i'", "36", "n_i", "mixed", "q_i_dot reached"),
-    # coupled, decoupled
-    Notation(
-        "hold_q", "", "", "n_i", "mixed", "where slow coordinates are held: ahead, at the middle of the sub-steps"
-    ),
-    Notation("x_last", "", "", "n_i", "mixed", "x at the last hold: the secant's other end"),
-    Notation("v_last", "", "", "n_i", "mixed", "v at the last hold"),
-    Notation("hold_v", "", "", "n_i", "mixed", "rates there, as the rows of q_S of a large tree see them"),
-    Notation("N", "", "", "n_L x n_S", "SI", "M_hat_LL^-1 M_hat_LS at the middle"),
-    Notation("y_ddot", "", "", "n_L", "mixed", "acceleration of q_L + N q_S, M_hat_LL^-1 Q_hat_L"),
-    Notation("y_last", "", "", "n_L", "mixed", "the y_ddot of the major step before"),
-    Notation("y_before", "", "", "n_L", "mixed", "that of the one before"),
-    Notation(
-        "crossing", "", "", "n_X (1 + n_S)", "mixed", "accelerations that cross to the rows of q_S of a large tree"
-    ),
-    Notation("trunk_ddot", "", "", "n_L", "mixed", "q_L'' of the bodies that carry the branches with fast coordinates"),
-    Notation("X_trunk", "", "", "n_L x n_u", "SI", "what forces phi of the branches add to it"),
-    Notation(
-        "interface", "", "", "n_u (1 + n_u)", "mixed", "q'' with which the branches are carried: free, by each phi"
-    ),
-    Notation("phi", "", "", "n_u", "N, N m", "forces of the branches at the last sub-step"),
-    Notation("phi_sum", "", "", "n_u", "N, N m", "their sum over the sub-steps of the major step"),
-    Notation("phi_sums", "", "", "n_u", "N, N m", "sum of those sums before each sub-step"),
-    Notation("branch_sum", "", "", "n_B", "mixed", "sum of q_L'' of the branches' slow coordinates"),
-    Notation("branch_sums", "", "", "n_B", "mixed", "sum of those sums before each sub-step"),
-    # linearised, exponential; M and lu_k also radau
-    Notation("w", "", "", "n_i", "mixed", "q_i - x since the start of the major step"),
-    Notation("u", "", "", "n_i", "mixed", "q_i_dot at the sub-step"),
-    Notation("tau", "", "", "1", "s", "time since the start of the major step"),
-    Notation("G0", "", "", "n_i", "N, N m", "force on the linear system: G0 + G1 tau + G2 tau^2 / 2"),
-    Notation("G1", "", "", "n_i", "N/s, N m/s", "its first derivative at the start"),
-    Notation("G2", "", "", "n_i", "N/s^2, N m/s^2", "its second derivative"),
-    Notation("M", "M^", "38", "non-zeros", "SI", "M_hat of the linear system"),
-    Notation("J_q", "", "", "non-zeros", "SI", "J_q of the linear system"),
-    Notation("J_v", "", "", "non-zeros", "SI", "J_v of the linear system"),
-    Notation("lu_0", "", "", "non-zeros", "SI", "factors of r^2 M - r h J_v - h^2 J_q for the real r"),
-    Notation("lu_1", "", "", "2 x non-zeros", "SI", "the same for the complex r, real parts first"),
-    Notation(
-        "acceleration", "", "", "n_i", "mixed", "w'' of the last sub-step, where sub-steps are central differences"
-    ),
-    Notation("x_start", "", "", "n_i", "mixed", "x at the start of the running step"),
-    Notation("x_mid", "", "", "n_i", "mixed", "predicted q_i at the middle of the next step"),
-    Notation("v_mid", "", "", "n_i", "mixed", "predicted q_i_dot there"),
-    Notation("x_end", "", "", "n_i", "mixed", "last iterate of q_i at the end of the step"),
-    Notation("v_end", "", "", "n_i", "mixed", "last iterate of q_i_dot there"),
-    Notation("response", "", "", "n_i (1 + n_s)", "mixed", "its forces: accelerations without K and D, M_hat^-1 B"),
-    # radau
-    Notation("K", "", "", "3 x n_i", "mixed", "accelerations of the three stages"),
-    Notation("loop_stages", "", "", "3 x loops", "mixed", "loop unknowns of the stages"),
-    Notation("loop_last", "", "", "loops", "mixed", "loop unknowns at the start of the last step"),
-    Notation("stage_error", "", "", "1", "m, rad", "largest C_loop of the stages"),
-    Notation("eta", "", "", "1", "1", "theta / (1 - theta), theta the ratio of two corrections"),
-    Notation("correction", "", "", "1", "mixed", "largest entry of the last correction"),
-    # generalized_alpha, hht
-    Notation("q", "q", "15", "n", "mixed", "all coordinates"),
-    Notation("q_dot", "q'", "24", "n", "mixed", "their rates"),
-    Notation("q_ddot", "q''", "25", "n", "mixed", "their accelerations"),
-    Notation("q_ddot_old", "q''", "25", "n", "mixed", "those at the start of the running step"),
-    Notation("a_alpha", "", "", "n", "mixed", "Arnold and Bruls's algorithmic acceleration"),
-    Notation("lam", "lambda", "37", "kept rows", "N, N m", "multipliers"),
-)
-
 
 BY_NAME = {entry.code: entry for entry in SYMBOLS}
 

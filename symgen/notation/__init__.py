@@ -1,0 +1,1 @@
+"""The symbol tables: names of the code, symbols of the paper."""
