@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.frame import LineMesh, frame_structure
+from symgen.fe.frame_forces import EquilibriumForces, equilibrium_forces
 from symgen.fe.gauges import Gauges, gauge_fields, gauge_places
 from symgen.fe.inertia import InertiaIntegrals, dusted, inertia_integrals
 from symgen.fe.interfaces import Interface, NodeSet, interface
@@ -205,6 +206,14 @@ class FlexibleBody:
         Raises FiniteElementError for a body that is not made from a solid mesh.
         """
         return equilibrium_stresses(self.structure, self.modes.shapes, self.origin, self.interfaces, at)
+
+    def section_forces(self) -> EquilibriumForces:
+        """Section forces of a frame by the forces of a motion (mode acceleration, inertia relief), line by line.
+
+        `of(solution.body_motion("frame"))`; `of_modes(q_f)`, the sum of modal forces.
+        Raises FiniteElementError for a body that is not made from a LineMesh.
+        """
+        return equilibrium_forces(self.structure, self.modes.shapes, self.origin, self.interfaces)
 
     def losses(self) -> list[FlexibilityLoss]:
         """What the modes lose of the static flexibility at each interface, against the full model.

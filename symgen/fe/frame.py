@@ -6,13 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-import scipy.sparse as sp
 from numpy.typing import ArrayLike
 
 from symgen.fe.errors import FiniteElementError
+from symgen.fe.frame_elements import FrameElements
 from symgen.fe.material import Material
-from symgen.fe.stresses import frame_stress
-from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, Integers, StressStiffness, structure
+from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, Integers, structure
 from symgen.modes.cleaning import Array
 
 PARALLEL = 1e-6
@@ -64,38 +63,39 @@ def frame_structure(mesh: LineMesh, material: Material) -> FEStructure:
             "mesh.section", f"{len(sections)} sections for {len(lines)} lines", "give one for all or one for each"
         )
     blocks = [_element(positions[line], section, material) for line, section in zip(lines, sections, strict=True)]
-    dofs = (RIGID_MOTIONS * lines[:, :, None] + np.arange(RIGID_MOTIONS)).reshape(len(lines), 12)
+    beams = _elements(positions, lines, sections, material, blocks)
     n = len(positions)
-    K, M = (_assembled(dofs, np.array([block[k] for block in blocks]), RIGID_MOTIONS * n) for k in range(2))
+    K, M = (beams.assembled(matrices, RIGID_MOTIONS * n) for matrices in (beams.stiffness, beams.mass))
     body = structure(
         K, M, np.arange(n), positions, np.repeat(np.arange(n), RIGID_MOTIONS), np.tile(np.arange(RIGID_MOTIONS), n)
     )
-    return replace(body, stress=_stress(positions, lines, dofs, sections, material))
+    return replace(body, stress=beams)
 
 
-def _stress(
-    positions: Array, lines: Integers, dofs: Integers, sections: Sequence[Section], material: Material
-) -> StressStiffness:
-    """Geometric stiffness of the beams by their axial forces."""
+def _elements(
+    positions: Array,
+    lines: Integers,
+    sections: Sequence[Section],
+    material: Material,
+    blocks: Sequence[tuple[Array, Array]],
+) -> FrameElements:
     along = positions[lines[:, 1]] - positions[lines[:, 0]]
     lengths = np.linalg.norm(along, axis=1)
     turns = [_turn(direction, section) for direction, section in zip(along / lengths[:, None], sections, strict=True)]
-    stretching = np.array([material.E * section.area for section in sections])
-    polar = np.array([(section.I_y + section.I_z) / section.area for section in sections])
-    return frame_stress(dofs, turns, lengths, stretching, polar)
+    return FrameElements(
+        (RIGID_MOTIONS * lines[:, :, None] + np.arange(RIGID_MOTIONS)).reshape(len(lines), 2 * RIGID_MOTIONS),
+        np.array(turns).reshape(-1, 12, 12),
+        lengths,
+        np.array([material.E * section.area for section in sections]),
+        np.array([(section.I_y + section.I_z) / section.area for section in sections]),
+        np.array([block[0] for block in blocks]).reshape(-1, 12, 12),
+        np.array([block[1] for block in blocks]).reshape(-1, 12, 12),
+    )
 
 
 def _turn(direction: Array, section: Section) -> Array:
     """Axes of a beam for its 12 rows."""
     return np.asarray(np.kron(np.eye(4), _triad(direction, np.array(section.y_axis, dtype=np.float64))), dtype=float)
-
-
-def _assembled(dofs: Integers, blocks: Array, size: int) -> sp.csr_matrix:
-    """Sum of the element matrices (m, 12, 12) at their rows `dofs` (m, 12)."""
-    width = dofs.shape[1]
-    rows = np.repeat(dofs, width, axis=1).ravel()
-    columns = np.tile(dofs, (1, width)).ravel()
-    return sp.csr_matrix((blocks.ravel(), (rows, columns)), shape=(size, size))
 
 
 def _element(ends: Array, section: Section, material: Material) -> tuple[Array, Array]:

@@ -1,8 +1,7 @@
-"""Stresses of solids and axial forces of frames for given displacements, and their geometric stiffness."""
+"""Stresses of solids for given displacements, and their geometric stiffness."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -12,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.material import Material
-from symgen.fe.structure import AXES, FEStructure, Integers, StressStiffness
+from symgen.fe.structure import AXES, FEStructure, Integers
 from symgen.modes.cleaning import Array
 
 VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
@@ -110,41 +109,3 @@ def solid_stress(body: FEStructure) -> SolidStress:
         return body.stress
     remedy = "make it with from_mesh from tetrahedra or hexahedra"
     raise FiniteElementError("stresses", "the body is not made from a solid mesh", remedy)
-
-
-def frame_stress(
-    dofs: Integers, turns: Sequence[Array], lengths: Array, stretching: Array, polar: Array
-) -> StressStiffness:
-    """Of beams by their axial forces: rows dofs (m, 12), axes (12 x 12 each), lengths [m], E A [N], I_p / A [m^2].
-
-    N int (v'^2 + w'^2 + (I_p / A) twist'^2) dx; shear forces and moments of the stress state are left out.
-    """
-
-    def stiffness(displacements: Array, shapes: Array) -> Array:
-        nf = shapes.shape[1]
-        found = np.zeros((displacements.shape[1], nf, nf))
-        for rows, turn, length, tension, square in zip(dofs, turns, lengths, stretching, polar, strict=True):
-            moved, local = turn @ displacements[rows], turn @ shapes[rows]
-            force = tension / length * (moved[6] - moved[0])
-            found += force[:, None, None] * (local.T @ _unit_tension(float(length), float(square)) @ local)
-        return found
-
-    return stiffness
-
-
-def _unit_tension(length: float, square: float) -> Array:
-    """Geometric stiffness (12, 12) of a cubic element under N = 1, in its own axes."""
-    h, result = length, np.zeros((12, 12))
-    bending = np.array(
-        [
-            [36.0, 3.0 * h, -36.0, 3.0 * h],
-            [3.0 * h, 4.0 * h * h, -3.0 * h, -h * h],
-            [-36.0, -3.0 * h, 36.0, -3.0 * h],
-            [3.0 * h, -h * h, -3.0 * h, 4.0 * h * h],
-        ]
-    ) / (30.0 * h)
-    for rows, sign in (([1, 5, 7, 11], 1.0), ([2, 4, 8, 10], -1.0)):
-        signs = np.array([1.0, sign, 1.0, sign])
-        result[np.ix_(rows, rows)] += np.outer(signs, signs) * bending
-    result[np.ix_([3, 9], [3, 9])] += square / h * np.array([[1.0, -1.0], [-1.0, 1.0]])
-    return result

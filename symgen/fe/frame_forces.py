@@ -1,0 +1,166 @@
+"""Section forces of a frame by the forces that act on it: mode acceleration with inertia relief.
+
+As of solids (mode_acceleration.py): the free frame is solved statically for each unit cause
+(runtime/contract/stress_causes.py), and what its beams carry is known from K u and their own inertia M a. Accelerations
+vary along a beam as its shape functions do, so that weight, linear fields and modes are held exactly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+import numpy as np
+import scipy.linalg as la
+from numpy.typing import ArrayLike
+
+from runtime.contract.body_motion import BodyMotion
+from runtime.contract.stress_causes import UnknownInterface, causes
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.frame_elements import FrameElements, frame_elements
+from symgen.fe.interfaces import Interface
+from symgen.fe.static import inertia_relief
+from symgen.fe.structure import AXES, FEStructure
+from symgen.modes.cleaning import Array, fixed
+
+Which = Literal["normal", "shear", "shear_z", "torsion", "moment_y", "moment"]
+PARTS: tuple[Which, ...] = ("normal", "shear", "shear_z", "torsion", "moment_y", "moment")
+
+
+class LargestInFrame(NamedTuple):
+    """The largest magnitude over time and place: value with its sign, t [s], line, end (0: its start, 1)."""
+
+    value: float
+    t: float
+    line: int
+    end: int
+
+
+@dataclass(frozen=True, eq=False)
+class FrameForces:
+    """Forces and moments in the lines of a frame at both of their ends, along the axes of each line.
+
+    t (N,) [s]; values (N, lines, 2, 6): normal, shear, shear_z [N], torsion, moment_y, moment [N m]; what the part
+    beyond the section does to the part before it, as in `Solution.section_forces`.
+    """
+
+    t: Array
+    values: Array
+
+    def part(self, which: Which) -> Array:
+        """(N, lines, 2) of one of them. Raises FiniteElementError for an unknown name."""
+        if which not in PARTS:
+            raise FiniteElementError("which", f"{which!r} is not known", f"take one of {', '.join(PARTS)}")
+        return np.asarray(self.values[..., PARTS.index(which)])
+
+    def largest(self, which: Which) -> LargestInFrame:
+        """The largest magnitude over all samples, lines and ends. Raises as `part`."""
+        values = self.part(which)
+        sample, line, end = np.unravel_index(int(np.nanargmax(np.abs(values))), values.shape)
+        return LargestInFrame(float(values[sample, line, end]), float(self.t[sample]), int(line), int(end))
+
+
+@dataclass(frozen=True, eq=False)
+class EquilibriumForces:
+    """Section forces of a frame per unit cause, `causes` (k, lines, 2, 6), and per unit of q_f, `modes` (nf, ...).
+
+    interfaces: name -> position (3,) [m] of the marker; size [m]: of the frame.
+    """
+
+    causes: Array
+    modes: Array
+    interfaces: dict[str, Array]
+    size: float
+
+    def of(self, motion: BodyMotion) -> FrameForces:
+        """Of a motion, `solution.body_motion(name)`, by equilibrium.
+
+        Raises FiniteElementError for a motion of a body with other modes, and for forces at a marker that is no
+        interface.
+        """
+        nf = motion.q_f.shape[1]
+        if nf != len(self.modes):
+            raise FiniteElementError(
+                "motion", f"{motion.body} has {nf} modes, not {len(self.modes)}", "give that body's motion"
+            )
+        try:
+            amounts = causes(motion, self.interfaces, self.size)
+        except UnknownInterface as error:
+            raise FiniteElementError(
+                f"marker '{error}'", "forces act there, but it is no interface", "name an interface at that place"
+            ) from None
+        return FrameForces(fixed(motion.t), fixed(np.tensordot(amounts, self.causes, axes=1)))
+
+    def of_modes(self, q_f: ArrayLike, t: ArrayLike = ()) -> FrameForces:
+        """The sum of modal forces for modal coordinates (N, nf) at times t (N,) [s]."""
+        rows = np.atleast_2d(np.asarray(q_f, dtype=float))
+        times = np.resize(np.asarray(t, dtype=float), len(rows)) if np.size(t) else np.zeros(len(rows))
+        return FrameForces(fixed(times), fixed(np.tensordot(rows, self.modes, axes=1)))
+
+
+def equilibrium_forces(
+    body: FEStructure, shapes: Array, origin: Array, interfaces: Mapping[str, Interface]
+) -> EquilibriumForces:
+    """For shapes (n_dof, nf) about `origin` (3,) [m]; errors: see `FlexibleBody.section_forces`."""
+    beams = frame_elements(body)
+    mass = beams.assembled(beams.mass, body.n_dof)  # consistent, whatever the modes were made with
+    rigid = body.rigid(body.positions.mean(axis=0))
+    fields = np.concatenate([_linear_fields(body, beams, origin), _modal_fields(beams, shapes)], axis=2)
+    loads = np.zeros((body.n_dof, fields.shape[2]))
+    np.add.at(loads, beams.dofs, np.einsum("eab,ebk->eak", beams.mass, fields))
+    forces = [np.asarray(part.average.todense()).T for part in interfaces.values()]
+    loads = np.hstack([loads, *forces])
+    moved = inertia_relief(body.K, mass, rigid)(loads)
+    carried = rigid @ la.solve(rigid.T @ mass @ rigid, rigid.T @ loads, assume_a="pos")
+    accelerations = carried[beams.dofs]
+    accelerations[:, :, : fields.shape[2]] -= fields  # a unit cause is an inertia force: minus its acceleration
+    nothing = np.zeros((*beams.dofs.shape, shapes.shape[1]))
+    return EquilibriumForces(
+        fixed(beams.ends(moved, accelerations)),
+        fixed(beams.ends(shapes, nothing)),
+        {name: np.asarray(part.position - origin) for name, part in interfaces.items()},
+        float(np.ptp(body.positions, axis=0).max()),
+    )
+
+
+def _linear_fields(body: FEStructure, beams: FrameElements, origin: Array) -> Array:
+    """(m, 12, 9) accelerations x_i e_j at the ends of the beams, i slowest."""
+    places = (body.positions - origin)[body.node[beams.dofs[:, [0, 6]]]]  # (m, 2, 3)
+    d = beams.directions
+    found = _fields(beams, places[..., None], np.broadcast_to(d[:, None, :, None], (*places.shape, 1)))
+    curls = 0.5 * np.cross(np.eye(AXES)[:, None, :], np.eye(AXES)[None, :, :])  # (i, j, .) of x_i e_j
+    spun = np.einsum("ijn,en,ek->ekij", curls, d, d).reshape(len(d), 1, AXES, -1)
+    found.reshape(len(d), 2, 6, -1)[:, :, 3:] += spun
+    return found
+
+
+def _modal_fields(beams: FrameElements, shapes: Array) -> Array:
+    """(m, 12, 9 nf) accelerations phi_a,i e_j at the ends of the beams, a slowest, then i; with the modes' twist."""
+    ends = shapes[beams.dofs].reshape(len(beams.dofs), 2, 6, -1)
+    along, turn = beams.directions[:, None, :, None], ends[:, :, 3:]
+    stretch = (
+        np.sum((ends[:, 1:, :3] - ends[:, :1, :3]) * along, axis=2, keepdims=True) / beams.lengths[:, None, None, None]
+    )
+    slopes = stretch * along + np.cross(turn, along, axis=2)
+    found = _fields(beams, ends[:, :, :3], slopes)
+    twist = np.einsum("epia,ei->epa", turn, beams.directions)
+    axes = beams.directions[:, :, None] * beams.directions[:, None, :]
+    # a mode that turns sections about the beam does so for the sum of i = j
+    spun = np.einsum("epa,eij,ek->epkaij", twist, axes, beams.directions)
+    found.reshape(len(beams.dofs), 2, 6, -1)[:, :, 3:] += spun.reshape(len(beams.dofs), 2, AXES, -1)
+    return found
+
+
+def _fields(beams: FrameElements, values: Array, slopes: Array) -> Array:
+    """(m, 12, 9 k) of vectors (m, 2, 3, k) at the ends and their slopes along the beams: component i along e_j.
+
+    The slope of a deflection turns a section; half the curl of x_i e_j turns it about the beam.
+    """
+    m, _, _, k = values.shape
+    eye, d = np.eye(AXES), beams.directions
+    found = np.zeros((m, 2, 6, k, AXES, AXES))
+    found[:, :, :3] = np.einsum("epia,jn->epnaij", values, eye)
+    across = np.cross(d[:, None, :], eye[None, :, :])  # (m, j, .): d x e_j
+    found[:, :, 3:] = np.einsum("epia,ejn->epnaij", slopes, across)
+    return found.reshape(m, 12, -1)
