@@ -18,6 +18,7 @@ from runtime.contract.drawing_records import SurfaceRecord as SurfaceRecord
 from runtime.contract.event_records import EventRecord as EventRecord
 from runtime.contract.orientations import OrientationRecord
 from runtime.contract.stress_records import GaugeRecord as GaugeRecord
+from runtime.contract.stress_records import StrutRecord as StrutRecord
 
 CoordinateKind = Literal["position", "angle", "euler_parameter", "modal", "state"]
 ConstraintKind = Literal["distance", "angle", "direction", "quaternion", "norm"]
@@ -207,7 +208,7 @@ class Description:
     q_i, q_d, loop_unknowns: names of coordinates; redundant: labels of the rows that the others imply; gravity: its
     components [m/s^2] at default parameters; simulation: what runs use where nothing else is said; inputs: those of u;
     beams: those with exact shapes; flexible: other bodies with modes in space that loads act on; gauges: where
-    stresses are known;
+    stresses are known; struts: between which markers bodies buckle;
     switching: the load, joint or state of each output of the function `switching`; events: those of `events`.
     """
 
@@ -237,6 +238,7 @@ class Description:
     switching: list[str] = field(default_factory=list)
     orientations: list[OrientationRecord] = field(default_factory=list)
     gauges: list[GaugeRecord] = field(default_factory=list)
+    struts: list[StrutRecord] = field(default_factory=list)
 
     @property
     def load_columns(self) -> list[tuple[str, str]]:
@@ -260,9 +262,10 @@ _TABLES: dict[str, type] = {
     "flexible": LoadedBody,
     "orientations": OrientationRecord,
     "gauges": GaugeRecord,
+    "struts": StrutRecord,
 }
 # tables that are not written where they are empty
-_MAY_LACK = ("inputs", "beams", "flexible", "switching", "events", "orientations", "gauges")
+_MAY_LACK = ("inputs", "beams", "flexible", "switching", "events", "orientations", "gauges", "struts")
 
 
 def as_plain(description: Description) -> dict[str, Any]:

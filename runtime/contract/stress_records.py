@@ -1,4 +1,4 @@
-"""Places of a flexible body whose stress is known, with what the stress there follows from."""
+"""Places of a flexible body whose stress is known, with what it follows from; and loads under which it buckles."""
 
 from __future__ import annotations
 
@@ -19,3 +19,17 @@ class GaugeRecord:
     shapes: list[list[float]]
     fields: list[list[float]] = field(default_factory=list)
     forces: dict[str, list[list[float]]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class StrutRecord:
+    """Critical loads [N] of `body` along the line between two of its markers, 0 where there is none.
+
+    held: both markers are held in place; first, second: this one is clamped, the other free.
+    """
+
+    body: str
+    markers: list[str]
+    held: float = 0.0
+    first: float = 0.0
+    second: float = 0.0

@@ -1,14 +1,15 @@
-"""How much of its buckling load each beam carried in a run, by the forces that its two ends take.
+"""How much of its buckling load each flexible body carried in a run, by the forces that its two ends take.
 
-Euler's load pi^2 E I / (K L)^2 of the beam by itself: K = 1 between two ends that are held in place by what is attached
-to them, K = 2 where only one is. Against it stands the mean of the normal forces at the two ends, which also serves
-where the force changes along the beam: a column between pins buckles under a weight of 18.6 E I / L^2, a mean of 9.3.
+Of a beam Euler's load pi^2 E I / (K L)^2 of the beam by itself: K = 1 between two ends that are held in place by what
+is attached to them, K = 2 where only one is. Of a finite-element body the like between two of its interfaces, from its
+elements. Against it stands the mean of the normal forces at the two ends, which also serves where the force changes
+along the body: a column between pins buckles under a weight of 18.6 E I / L^2, a mean of 9.3.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -21,14 +22,16 @@ from runtime.results.solution import Solution
 END = 1e-9  # of the length: a marker this near to an end is there
 MOST_SHARE = 1.0
 ADVICE = "Make it stiffer or shorter; stiffening = true follows what happens near the load"
-BENDING = (1, 2)  # axes of deflections
+ALONG_Y, ALONG_Z = 1, 2  # axes of deflections
 
 
 class Strut(NamedTuple):
-    """A beam as a strut: its markers at the start and the end, and its Euler load [N]."""
+    """A body as a strut: its markers at the two ends, the line between them in its axes, its critical load [N]."""
 
+    body: str
     start: set[str]
     end: set[str]
+    line: np.ndarray
     critical: float
 
 
@@ -40,37 +43,49 @@ class Acting(NamedTuple):
 
 
 def buckling(solution: Solution) -> tuple[dict[str, float], list[Event]]:
-    """`buckling.body`, largest compression over Euler's load of each beam with exact shapes; in words beyond 1."""
+    """`buckling.body`, largest compression over the critical load of each flexible body; in words beyond 1."""
     model = solution.model
-    bending = {one.body: [own.axis for own in one.sets if own.axis in BENDING] for one in model.description.beams}
-    if not any(bending.values()) or not model.has("geometry"):
+    if not model.elastic or not model.has("geometry"):
         return {}, []
-    shares, events = {}, []
     geometry = {key: np.asarray(value) for key, value in model.kernel("geometry")(p=solution.parameters).items()}
-    acting = acting_forces(solution) if "rigidities" in geometry else []
-    for body, axes in bending.items():
-        if not axes or "rigidities" not in geometry:  # a model that was generated before there were any
+    struts = [*beam_struts(model.description, geometry), *element_struts(model.description, geometry)]
+    acting = acting_forces(solution) if struts else []
+    shares: dict[str, float] = {}
+    events: dict[str, Event] = {}
+    for strut in struts:
+        share = np.maximum(0.0, -mean_normal_force(solution, strut, acting)) / strut.critical
+        largest, key = int(share.argmax()), f"buckling.{strut.body}"
+        if share[largest] < shares.get(key, 0.0):
             continue
-        strut = strut_of(model.description, body, axes, geometry)
-        share = np.maximum(0.0, -mean_normal_force(solution, body, strut, acting)) / strut.critical
-        largest = int(share.argmax())
-        shares[f"buckling.{body}"] = float(share[largest])
+        shares[key] = float(share[largest])
         if share[largest] > MOST_SHARE:
             text = (
-                f"{body} is pushed with {share[largest]:.2g} of its buckling load, which a straight beam does not "
-                "carry for long and of which its model knows nothing without stiffening"
+                f"{strut.body} is pushed with {share[largest]:.2g} of its buckling load, which a straight body does "
+                "not carry for long and of which its model knows nothing without stiffening"
             )
-            events.append(Event(float(solution.t[largest]), "beyond_buckling", text))
-    return shares, events
+            events[key] = Event(float(solution.t[largest]), "beyond_buckling", text)
+    return shares, list(events.values())
 
 
-def strut_of(described: Description, body: str, axes: list[int], geometry: Mapping[str, np.ndarray]) -> Strut:
-    """The beam as a strut that bends along these axes; geometry: what the function of that name gives."""
-    places = {
-        f"{body}.{point.name}": float(x)
-        for point, x in zip(described.drawing.points, geometry["positions"][0], strict=True)
-        if point.body == body
-    }
+def beam_struts(described: Description, geometry: Mapping[str, np.ndarray]) -> Iterator[Strut]:
+    """Beams, whatever their shapes; geometry: what the function of that name gives."""
+    if "rigidities" not in geometry:  # a model that was generated before there were any
+        return
+    bending, first = dict.fromkeys(described.drawing.sections, np.zeros(3)), 0
+    for point in described.drawing.points:
+        if point.body in bending:
+            shapes = np.abs(geometry["shapes"][:, first : first + point.modes])
+            bending[point.body] = bending[point.body] + shapes.sum(axis=1)
+        first += point.modes
+    for body, moved in bending.items():
+        axes = [axis for axis in (ALONG_Y, ALONG_Z) if moved[axis] > 0.0]
+        if axes:
+            yield beam_strut(described, body, axes, geometry)
+
+
+def beam_strut(described: Description, body: str, axes: list[int], geometry: Mapping[str, np.ndarray]) -> Strut:
+    """The beam as a strut that bends along these axes."""
+    places = {name: float(place[0]) for name, place in _places(described, body, geometry).items()}
     length = max(places.values())
     start = {marker for marker, x in places.items() if x <= END * length}
     end = {marker for marker, x in places.items() if x >= (1 - END) * length}
@@ -78,7 +93,33 @@ def strut_of(described: Description, body: str, axes: list[int], geometry: Mappi
     stiffness = geometry["rigidities"].reshape(2, -1)[:, described.drawing.sections.index(body)]
     weakest = min(float(stiffness[axis - 1]) for axis in axes)
     effective = length * (2.0 if sum(held) == 1 else 1.0)
-    return Strut(start, end, math.pi**2 * weakest / effective**2)
+    return Strut(body, start, end, np.eye(3)[0], math.pi**2 * weakest / effective**2)
+
+
+def element_struts(described: Description, geometry: Mapping[str, np.ndarray]) -> Iterator[Strut]:
+    """Finite-element bodies between two of their interfaces."""
+    for record in described.struts:
+        places = _places(described, record.body, geometry)
+        first, second = (places[f"{record.body}.{name}"] for name in record.markers)
+        apart = second - first
+        length = float(np.linalg.norm(apart))
+        start, end = (
+            {marker for marker, place in places.items() if np.linalg.norm(place - at) <= END * length}
+            for at in (first, second)
+        )
+        at_start, at_end = (is_held(described, record.body, markers) for markers in (start, end))
+        critical = record.held if at_start == at_end else record.first if at_start else record.second
+        if critical > 0.0:
+            yield Strut(record.body, start, end, apart / length, critical)
+
+
+def _places(described: Description, body: str, geometry: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Reference of each point of a body -> its place (3,) [m]."""
+    return {
+        f"{body}.{point.name}": place
+        for point, place in zip(described.drawing.points, geometry["positions"].T, strict=True)
+        if point.body == body
+    }
 
 
 def is_held(described: Description, body: str, markers: set[str]) -> bool:
@@ -110,13 +151,13 @@ def acting_forces(solution: Solution) -> list[Acting]:
     ]
 
 
-def mean_normal_force(solution: Solution, body: str, strut: Strut, acting: list[Acting]) -> np.ndarray:
+def mean_normal_force(solution: Solution, strut: Strut, acting: list[Acting]) -> np.ndarray:
     """(N,) mean of the normal forces at the two ends [N], tension positive, by what joints and loads do there."""
     described, dimension = solution.model.description, 2 if solution.joint_forces.shape[2] == 3 else 3
-    frame = [k for k, one in enumerate(described.coordinates) if one.owner == body and not one.elastic]
-    orientation = next(one.orientation for one in described.bodies if one.name == body)
+    frame = [k for k, one in enumerate(described.coordinates) if one.owner == strut.body and not one.elastic]
+    orientation = next(one.orientation for one in described.bodies if one.name == strut.body)
     turning = (values[:, frame[dimension:]] for values in (solution.q, solution.q_dot, solution.q_ddot))
-    along = frame_motion(orientation, *turning).A[:, :dimension, 0]
+    along = frame_motion(orientation, *turning).A[:, :dimension] @ strut.line
     total = np.zeros(len(solution.t))
     for signs, force in acting:
         for marker, sign in signs.items():

@@ -17,6 +17,7 @@ from runtime.contract.status import Status
 from runtime.results.observe import assemble_solution
 from runtime.results.sampling import evaluate
 from runtime.results.solution import Solution
+from runtime.running.limits import with_limits
 from runtime.running.schedule import Schedule
 
 SCHEME = "driven"
@@ -62,7 +63,7 @@ def driven_solution(
     q[:, columns], q_dot[:, columns], q_ddot[:, columns] = q_d, values["q_d_dot"], q_d_ddot
     status = Status("completed", float(times[-1])) if not lost else _lost(float(times[-1]))
     stats: dict[str, float | int | str] = {"seconds": time.perf_counter() - started, "closures": follower.closures}
-    return assemble_solution(model, times, q, q_dot, q_ddot, p, c, SCHEME, dt, [], stats, status)
+    return with_limits(assemble_solution(model, times, q, q_dot, q_ddot, p, c, SCHEME, dt, [], stats, status))
 
 
 def _lost(t: float) -> Status:

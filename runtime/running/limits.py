@@ -1,13 +1,29 @@
-"""How far the flexible bodies of a run were taken: deflection over length, and slope."""
+"""How far the flexible bodies of a run were taken: deflection over length, slope, missing shapes, buckling."""
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
+from runtime.results.missing_shapes import missing_shapes
 from runtime.results.solution import Solution
+from runtime.running.buckling import ADVICE, buckling
 from runtime.running.checks.deflection import flexible_bodies
 
 AT_ONCE = 1024  # samples
+
+
+def with_limits(solution: Solution) -> Solution:
+    """The solution with what was found in its statistics, in its events, and in its status beyond a buckling load."""
+    shares, missing = missing_shapes(solution)
+    pushed, beyond = buckling(solution)
+    events, status = [*solution.events, *missing, *beyond], solution.status
+    counted = {"events": len(events)} if events else {}
+    if beyond and status.ok:
+        status = replace(status, cause=beyond[0].text, advice=ADVICE)
+    stats = {**solution.stats, **limits(solution), **pushed, **shares, **counted}
+    return replace(solution, status=status, stats=stats, events=events)
 
 
 def limits(solution: Solution) -> dict[str, float]:

@@ -11,11 +11,9 @@ from runtime.contract.files import OutputError
 from runtime.contract.status import Status
 from runtime.engine.choose import sub_step_operations
 from runtime.results.export import run_header
-from runtime.results.missing_shapes import missing_shapes
 from runtime.results.solution import Solution
 from runtime.results.stream import StreamFile
-from runtime.running.buckling import ADVICE, buckling
-from runtime.running.limits import limits
+from runtime.running.limits import with_limits
 from runtime.running.run import Run
 from runtime.running.segment import Segment
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
@@ -41,14 +39,7 @@ def _ended(run: Run, setup: float) -> Solution:
     circumstances = {**_circumstances(run), **run.accuracy.stats(run.segment.model)}
     stats = {**_statistics(run.segment, run.z, setup, wall), **solution.stats, **circumstances}
     solution = replace(solution, status=status, stats=stats, events=run.events, parameters=run.segment.p)
-    shares, missing = missing_shapes(solution)
-    pushed, beyond = buckling(solution)
-    events = [*run.events, *missing, *beyond]
-    counted = {"events": len(events)} if events else {}
-    told = {**stats, **limits(solution), **pushed, **shares, **counted}
-    if beyond and status.ok:
-        status = replace(status, cause=beyond[0].text, advice=ADVICE)
-    solution = replace(solution, status=status, stats=told, events=events)
+    solution = with_limits(solution)
     table = run.record.table
     if isinstance(table, StreamFile):
         outputs = list(run.segment.plan.outputs)

@@ -21,6 +21,7 @@ from runtime.operating.given_state import given_position
 from runtime.results.observe import assemble_solution, join
 from runtime.results.sampling import evaluate
 from runtime.results.solution import Solution
+from runtime.running.limits import with_limits
 from runtime.schemes.options import SchemeError
 
 SCHEME = "quasi_static"
@@ -59,7 +60,7 @@ def quasi_static_motion(
         q_d_ddot = evaluate(model.kernel("accelerations"), values, c)["q_d_ddot"]
     q_dot, q_ddot = join(model, q_i_dot, values["q_d_dot"]), join(model, still, q_d_ddot)
     status = Status("completed", float(times[-1]))
-    return assemble_solution(model, times, q, q_dot, q_ddot, p, c, SCHEME, step, [], {}, status)
+    return with_limits(assemble_solution(model, times, q, q_dot, q_ddot, p, c, SCHEME, step, [], {}, status))
 
 
 def _followed(

@@ -23,6 +23,7 @@ from runtime.contract.records import (
     Measure,
     PointRecord,
     ShapeRecord,
+    StrutRecord,
     SurfaceRecord,
 )
 from symgen.pipeline import Derived
@@ -77,6 +78,12 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
             for body in scene.moving_bodies
             if isinstance(body, SpatialModalBody)
             for name, gauge in body.gauges.items()
+        ],
+        struts=[
+            StrutRecord(body.name, **strut.model_dump(mode="json", exclude_none=True))
+            for body in scene.moving_bodies
+            if isinstance(body, SpatialModalBody)
+            for strut in body.struts
         ],
         beams=[BeamRecord(body, sets, eq.loads_on(body), missing.get(body, 0.0)) for body, sets in eq.beams.items()],
     )

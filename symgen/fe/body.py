@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,7 @@ from numpy.typing import ArrayLike
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.frame import LineMesh, frame_structure
 from symgen.fe.frame_forces import EquilibriumForces, equilibrium_forces
-from symgen.fe.gauges import Gauges, gauge_fields, gauge_places
+from symgen.fe.gauges import Gauges, gauge_fields
 from symgen.fe.inertia import InertiaIntegrals, dusted, inertia_integrals
 from symgen.fe.interfaces import Interface, NodeSet, interface
 from symgen.fe.losses import FlexibilityLoss, effective_masses, flexibility_losses
@@ -28,8 +29,9 @@ from symgen.fe.report import body_report
 from symgen.fe.rigid_check import RigidCheck, check_free_body
 from symgen.fe.solids import solid_structure
 from symgen.fe.stress_stiffness import StressStiffening, stress_stiffening
-from symgen.fe.stresses import ModalStresses, SolidStress, solid_stress
+from symgen.fe.stresses import ModalStresses, SolidStress, modal_stresses
 from symgen.fe.structure import AXES, FEStructure, structure
+from symgen.fe.struts import struts
 from symgen.fe.surface import surface_data
 from symgen.modes.cleaning import Array, fixed
 
@@ -165,15 +167,20 @@ class FlexibleBody:
         Raises FiniteElementError for a ratio that is negative, for a wrong number of ratios, and for gauges that are no
         places or on a body without known stresses.
         """
-        looks = self.surface(surface) if surface else {}
-        values = self.modes.eigenvalues
+        looks, values = self.surface(surface) if surface else {}, self.modes.eigenvalues
         found = modal_fields(self.integrals, values, self.markers, self.stiffening, damping_ratio, looks)
-        return found if gauges is None else {**found, "gauges": self._gauges(gauges)}
+        found |= {"struts": self.struts} if self.struts else {}
+        if gauges is not None:
+            found["gauges"] = gauge_fields(self.structure, self.modes, self.origin, self.interfaces, gauges)
+        return found
 
-    def _gauges(self, gauges: Gauges) -> dict[str, Any]:
-        stresses, omega = self.stresses(), np.sqrt(self.modes.eigenvalues)
-        places = gauge_places(self.structure, self.origin, gauges, stresses, omega, self.interfaces)
-        return gauge_fields(places, stresses, self.equilibrium_stresses(at=list(places.values()))) if places else {}
+    @cached_property
+    def struts(self) -> list[dict[str, Any]]:
+        """Loads [N] at which the body buckles between two interfaces; none where the elements are not known.
+
+        markers: their names; held: in place at both; first, second: clamped at this one only.
+        """
+        return struts(self.structure, self.modes.shapes, list(self.interfaces.values()))
 
     def surface(self, max_triangles: int = 20_000, triangles: ArrayLike | None = None) -> dict[str, Array]:
         """The boundary for `solution.view(surfaces={...})`: vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf).
@@ -196,8 +203,7 @@ class FlexibleBody:
 
         Raises FiniteElementError for a body that is not made from a solid mesh.
         """
-        stress = solid_stress(self.structure)
-        return ModalStresses(fixed(stress.points - self.origin), fixed(stress.tensors(self.modes.shapes)))
+        return modal_stresses(self.structure, self.modes.shapes, self.origin)
 
     def equilibrium_stresses(self, at: ArrayLike | None = None) -> EquilibriumStresses:
         """Stresses by the forces of a motion (mode acceleration, inertia relief): `of(solution.body_motion("rod"))`.

@@ -11,8 +11,9 @@ from numpy.typing import ArrayLike
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.inertia import dusted
 from symgen.fe.interfaces import Interface
-from symgen.fe.mode_acceleration import EquilibriumStresses
-from symgen.fe.stresses import VOIGT, ModalStresses, linear_fit
+from symgen.fe.mode_acceleration import equilibrium_stresses
+from symgen.fe.mode_sets import ModeSet
+from symgen.fe.stresses import VOIGT, ModalStresses, linear_fit, modal_stresses
 from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure
 from symgen.modes.cleaning import Array
 
@@ -43,9 +44,14 @@ def gauge_places(
 
 
 def gauge_fields(
-    places: Mapping[str, Array], stresses: ModalStresses, recovered: EquilibriumStresses
+    body: FEStructure, modes: ModeSet, origin: Array, interfaces: Mapping[str, Interface], gauges: Gauges
 ) -> dict[str, dict[str, Any]]:
-    """What a scene holds of each gauge; recovered: at these places."""
+    """What a scene holds of each gauge, about `origin` (3,) [m]. Raises FiniteElementError."""
+    stresses = modal_stresses(body, modes.shapes, origin)
+    places = gauge_places(body, origin, gauges, stresses, np.sqrt(modes.eigenvalues), interfaces)
+    if not places:
+        return {}
+    recovered = equilibrium_stresses(body, modes.shapes, origin, interfaces, list(places.values()))
     near, weights = linear_fit(stresses.points, np.array(list(places.values())))
     modal = np.stack([np.einsum("amk,mk->ma", stresses.tensors[:, i, j][:, near], weights) for i, j in VOIGT], axis=1)
     causes = np.stack([recovered.tensors[:, i, j] for i, j in VOIGT])  # (6, k, gauges)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.material import Material
 from symgen.fe.structure import AXES, FEStructure, Integers
-from symgen.modes.cleaning import Array
+from symgen.modes.cleaning import Array, fixed
 
 VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
 NEIGHBOURS = 27
@@ -101,6 +101,12 @@ def linear_fit(points: Array, places: Array) -> tuple[Integers, Array]:
     size = np.linalg.norm(apart, axis=2).max(axis=1)[:, None]
     fit = np.concatenate([np.ones((*near.shape, 1)), apart / size[..., None]], axis=2)
     return near, np.linalg.pinv(fit, rcond=FLAT)[:, 0]
+
+
+def modal_stresses(body: FEStructure, shapes: Array, origin: Array) -> ModalStresses:
+    """Of shapes (n_dof, nf) about `origin` (3,) [m]; errors as of `solid_stress`."""
+    stress = solid_stress(body)
+    return ModalStresses(fixed(stress.points - origin), fixed(stress.tensors(shapes)))
 
 
 def solid_stress(body: FEStructure) -> SolidStress:

@@ -9,6 +9,7 @@ from pydantic import Field
 from symgen.scene.bodies import MarkerDirections, Orientation
 from symgen.scene.fields import Bound, Flag, Matrix, Meaning, Name, Number, Quantity, StrictModel
 from symgen.scene.gauges import StressGauge
+from symgen.scene.struts import FlexibleStrut
 from symgen.scene.surface import FlexibleSurface
 
 Block = tuple[tuple[Number, Number, Number], tuple[Number, Number, Number], tuple[Number, Number, Number]]
@@ -44,7 +45,7 @@ class SpatialModalBody(StrictModel):
     mass [kg]; first_moment: int rho0 dm [kg m]; inertia_moments: int rho0_i rho0_j dm [kg m^2], 3 x 3 about the frame
     origin; M_ff, K_ff, D_ff: nf x nf; phi_integral: int Phi dm, 3 x nf; rho_phi[a][i][j] = int rho0_i Phi_ja dm;
     phi_phi[a][b][i][j] = int Phi_ia Phi_jb dm (left out: no terms of second order in q_f in the inertia); surface: for
-    pictures; gauges: where stresses are known.
+    pictures; gauges: where stresses are known; struts: between which markers it buckles.
     """
 
     type: Literal["flexible"] = "flexible"
@@ -63,6 +64,7 @@ class SpatialModalBody(StrictModel):
     free: Flag = False
     surface: FlexibleSurface | None = None
     gauges: dict[Name, StressGauge] = Field(default_factory=dict)
+    struts: tuple[FlexibleStrut, ...] = ()
     markers: dict[Name, FlexibleMarker] = Field(default_factory=dict)
 
     @property

@@ -10,11 +10,13 @@ import pytest
 
 from runtime import Solution, simulate
 from runtime.contract.model import Model
+from symgen.fe import STEEL, FlexibleBody, LineMesh, Section
 from symgen.scene import Scene, SceneBuilder
 
 Build = Callable[[Scene], Model]
 L, E, SECOND, MASS = 1.5, 2e11, 1e-9, 0.6
 FIELDS = {"length": L, "density": MASS / L / 1e-4, "area": 1e-4, "second_moment": SECOND, "youngs_modulus": E}
+SECTION, UP = Section(1e-4, 2e-9, 1e-9, 1e-9, y_axis=(1.0, 0.0, 0.0)), (0.0, 1.0, 0.0)
 EULER = math.pi**2 * E * SECOND / L**2
 
 
@@ -48,6 +50,41 @@ def test_a_cantilever_under_its_weight_and_a_mass(model_of: Build, space: str) -
     run = at_rest(model_of, builder)
     expected = (tip + MASS / 2) * g / (math.pi**2 * E * weak / (2 * L) ** 2)
     assert run.stats["buckling.mast"] == pytest.approx(expected, rel=1e-6) and expected < 1
+
+
+@pytest.mark.parametrize("fields", [{"elements": 4}, {"mesh": "lumped"}])
+def test_a_lumped_column(model_of: Build, fields: dict[str, Any]) -> None:
+    """Euler's load is that of the section, whatever the mesh; beyond it the status says so."""
+    builder = SceneBuilder("column").ground(markers={"guide": {"position": (L, 0.0)}})
+    builder.beam("column", **FIELDS, lateral={"modes": 1, "ends": "pinned-pinned"}, **fields)
+    builder.revolute("pin", "ground.origin", "column.start").point_on_line("roller", "ground.guide", "column.end")
+    run = at_rest(model_of, builder.force("push", "column.end", -1.1 * EULER, 0.0))
+    assert run.stats["buckling.column"] == pytest.approx(1.1, rel=1e-9)
+    assert "pushed with 1.1 of its buckling load" in str(run.status)
+
+
+def steel_column(**choices: Any) -> FlexibleBody:
+    """Six elements along y, which bend about z more easily."""
+    mesh = LineMesh([(0.0, L * k / 6, 0.0) for k in range(7)], [(k, k + 1) for k in range(6)], SECTION)
+    ends = {"foot": [0], "head": [6]}
+    return FlexibleBody.from_mesh(mesh, STEEL, interface=ends, modes=2, **choices)
+
+
+def test_columns_of_finite_elements(model_of: Build) -> None:
+    """pi^2 E I / L^2 between a hinge and a slide, a quarter of it for a mast, by the line between the interfaces."""
+    euler = math.pi**2 * STEEL.E * SECTION.I_z / L**2
+    for push in (0.6, 1.2):
+        builder = SceneBuilder("column", space="spatial").ground(
+            markers={"top": {"position": (0.0, L, 0.0), "axis": UP}}
+        )
+        builder.flexible("column", **steel_column().fields()).revolute("pin", "ground.origin", "column.foot")
+        builder.point_on_line("guide", "ground.top", "column.head")
+        run = at_rest(model_of, builder.force("push", "column.head", 0.0, -push * euler, 0.0))
+        assert run.stats["buckling.column"] == pytest.approx(push, rel=1e-3)
+        assert run.status.ok and ("of its buckling load" in str(run.status)) == (push > 1)
+    builder = SceneBuilder("mast", space="spatial").flexible("mast", **steel_column().fields())
+    builder.weld("foot", "ground.origin", "mast.foot").force("push", "mast.head", 0.0, -0.1 * euler, 0.0)
+    assert at_rest(model_of, builder).stats["buckling.mast"] == pytest.approx(0.4, rel=1e-3)
 
 
 def test_what_holds_an_end(built_in: Callable[[str], Model]) -> None:

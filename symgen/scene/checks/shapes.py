@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from symgen.scene.bodies import BeamBody
-from symgen.scene.errors import SceneError, show
+from symgen.scene.errors import SceneError, did_you_mean, show
 from symgen.scene.flexible import SpatialModalBody
 from symgen.scene.modal import ModalBody
 from symgen.scene.parts import SceneParts
@@ -117,6 +117,11 @@ def _flexible(body: SpatialModalBody, path: str) -> Iterator[SceneError]:
                 yield from _size(f"{path}.stiffening.xH[{axis}][{other}]", block, nf, nf)
     if body.surface is not None and (fault := body.surface.fault(nf)):
         yield SceneError(f"{path}.surface", fault, "take what FlexibleBody.surface gives for these modes")
+    for index, strut in enumerate(body.struts):
+        for marker_name in strut.markers:
+            if marker_name not in body.markers:
+                remedy = did_you_mean(marker_name, list(body.markers))
+                yield SceneError(f"{path}.struts[{index}].markers", f"there is no marker '{marker_name}'", remedy)
     for name, marker in body.markers.items():
         for key in ("shape", "rotation"):
             yield from _size(f"{path}.markers.{name}.{key}", getattr(marker, key) or None, 3, nf)
