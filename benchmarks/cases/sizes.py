@@ -14,10 +14,12 @@ ROOT = Path(__file__).resolve().parents[2]
 # (scene, arguments, scheme)
 CASES: tuple[tuple[str, dict[str, int], str], ...] = (
     ("arm", {"links": 40}, "single_rate"),
+    ("arm", {"links": 40}, "exponential"),
     ("chain", {"links": 100, "modes": 1}, "single_rate"),
     ("chain", {"links": 100, "modes": 2}, "single_rate"),
     ("chain", {"links": 100, "modes": 1}, "coupled"),
     ("chain", {"links": 100, "modes": 1}, "exponential_rk4"),
+    ("chain", {"links": 100, "modes": 1}, "hht"),
 )
 MOST_SECONDS, MOST_MB = 10.0, 1000.0
 

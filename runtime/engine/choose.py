@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Protocol
 
 import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import ArgumentError
+from runtime.contract.tape import Tape
 from runtime.engine.compiled import CompiledProgram
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.llvm_code import find_llvm
@@ -62,10 +63,18 @@ def sub_step_operations(program: Program) -> int | None:
     return program.fold(lambda stage: None, last, again)
 
 
-def choose_engine(requested: str, program: Program, z_size: int, c_size: int, wait: bool = False) -> Engine:
+def choose_engine(
+    requested: str,
+    program: Program,
+    z_size: int,
+    c_size: int,
+    wait: bool = False,
+    tapes: Mapping[str, Tape] | None = None,
+) -> Engine:
     """`requested` is one of ENGINES; auto is compiled, interpreted only where LLVM cannot be had.
 
-    wait: for the best code. Raises ArgumentError for an unknown engine and CompilerError for one that cannot be had.
+    wait: for the best code. tapes: of stages by name, where they are known. Raises ArgumentError for an unknown engine
+    and CompilerError for one that cannot be had.
     """
     if requested not in ENGINES:
         raise ArgumentError(f"engine must be one of {', '.join(ENGINES)}, not {requested!r}")
@@ -76,4 +85,4 @@ def choose_engine(requested: str, program: Program, z_size: int, c_size: int, wa
         engine = InterpretedProgram(program, z_size, c_size)
         engine.note = f"the run was interpreted: {missing}" if missing else ""
         return engine
-    return NativeProgram(program, "library" if requested == "compiled-library" else "own", wait)
+    return NativeProgram(program, "library" if requested == "compiled-library" else "own", wait, tapes)

@@ -7,18 +7,38 @@ repetition. What follows from c alone is left to prepare.py, which computes it o
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import casadi as ca
 
 from runtime.contract.binding_time import Place, Time, split
-from runtime.contract.tape import Tape, as_function, read_tape
+from runtime.contract.tape import Node, Tape, as_function, read_tape
 from runtime.engine.program import Call, Program, Repeat, Sequence, Until
 
 
 def hoist_invariants(program: Program, z_size: int) -> tuple[Program, int]:
-    """(the program with invariants taken out of its repetitions, the length of its z)."""
+    """(the program with invariants taken out of its repetitions, the length of its z).
+
+    Stages that are not concerned still take and give a shorter z: `widened` makes their tapes as long as the others.
+    """
     hoister = _Hoister(z_size)
-    rebuilt = program.fold(Call, lambda parts: Sequence(tuple(parts)), hoister.again)
-    return rebuilt.map(hoister.widened), hoister.size
+    return program.fold(Call, lambda parts: Sequence(tuple(parts)), hoister.again), hoister.size
+
+
+def widened(tape: Tape, size: int) -> Tape:
+    """A stage's tape on z of the final length: it leaves alone what it does not know."""
+    known = len(tape.outputs[0])
+    if tape.input_sizes[0] == known == size:
+        return tape
+    behind = [Node(ca.OP_INPUT, 0, entry, 0.0) for entry in range(known, size)]
+    passed = range(len(tape.nodes), len(tape.nodes) + len(behind))
+    return replace(
+        tape,
+        input_sizes=[size, *tape.input_sizes[1:]],
+        output_shapes=[(size, 1)],
+        nodes=[*tape.nodes, *behind],
+        outputs=[[*tape.outputs[0], *passed]],
+    )
 
 
 class _Hoister:
@@ -47,15 +67,6 @@ class _Hoister:
         ending = f"_{self._repetitions}"  # a stage may stand in several repetitions, each with entries of its own
         inside = body.map(lambda stage: as_function(stage.name() + ending, rest[stage.name()]))
         return Sequence((Call(_before(f"before{ending}", once)), Repeat(inside, node.count)))
-
-    def widened(self, stage: ca.Function) -> ca.Function:
-        """The stage on z of the final length: it leaves alone what it does not know."""
-        if stage.size1_in(0) == stage.size1_out(0) == self.size:
-            return stage
-        z, c = ca.SX.sym("z", self.size), ca.SX.sym("c", stage.size1_in(1))
-        result = stage(z[: stage.size1_in(0)], c)
-        z_next = ca.vertcat(result, z[result.numel() :])
-        return ca.Function(stage.name(), [z, c], [z_next], ["z", "c"], ["z_next"])
 
 
 def _only_calls(body: Program) -> bool:

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import ctypes
 import hashlib
-from collections.abc import Callable
+from array import array
+from collections.abc import Callable, Mapping
 from functools import cache
+from itertools import chain
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import casadi as ca
 
 from runtime.contract.collection import no_collection
-from runtime.contract.tape import read_tape
+from runtime.contract.tape import Tape, read_tape
 from runtime.engine.compiled import CompilerError
 from runtime.engine.llvm_ir import Form, program_ir
 from runtime.engine.object_cache import ObjectCache
@@ -82,12 +84,15 @@ def host() -> Processor:
 
 
 class Compiler:
-    """Makes code of one program in any form. Raises NoLlvm where LLVM cannot be had."""
+    """Makes code of one program in any form. Raises NoLlvm where LLVM cannot be had.
 
-    def __init__(self, program: Program) -> None:
+    tapes: of stages by name, for the first code that is made; they are long, and not kept.
+    """
+
+    def __init__(self, program: Program, tapes: Mapping[str, Tape] | None = None) -> None:
         _llvm()
-        self.program = program
-        self._digest = program_digest(program)
+        self.program, self._tapes = program, tapes or {}
+        self._digest = program_digest(program, self._tapes)
 
     def build(self, form: Form, effort: Effort, processor: Processor | None = None) -> Code:
         """Code from the cache, or compiled and kept there."""
@@ -95,8 +100,9 @@ class Compiler:
         key = self._key(form, effort, processor)
         found = stored.read(key)
         if found is None:
-            found = compiled(self.program, form, effort, processor)
+            found = compiled(self.program, form, effort, processor, self._tapes)
             stored.write(key, *found)
+        self._tapes = {}
         return _loaded(*found, processor)
 
     def is_kept(self, form: Form, effort: Effort) -> bool:
@@ -109,10 +115,14 @@ class Compiler:
         return hashlib.sha256(self._digest + tools() + text.encode()).hexdigest()
 
 
-def compiled(program: Program, form: Form, effort: Effort, processor: Processor) -> tuple[bytes, int]:
-    """(object file, entries of the work array)."""
+def compiled(
+    program: Program, form: Form, effort: Effort, processor: Processor, tapes: Mapping[str, Tape]
+) -> tuple[bytes, int]:
+    """(object file, entries of the work array); tapes: of stages that need not be read."""
     with no_collection():
-        text, work = program_ir(program, {stage.name(): read_tape(stage) for stage in program.stages()}, form)
+        known = {stage.name(): tapes.get(stage.name()) or read_tape(stage) for stage in program.stages()}
+        text, work = program_ir(program, known, form)
+        del known
     return machine_code(text, effort, processor), work
 
 
@@ -161,8 +171,14 @@ def tools() -> bytes:
     return hashlib.sha256("\n".join(parts).encode()).digest()
 
 
-def program_digest(program: Program) -> bytes:
-    """What is computed: the stages and their order."""
+def _content(tape: Tape) -> bytes:
+    """All that a stage's tape says."""
+    sizes = array("q", [*tape.input_sizes, len(tape.nodes), *tape.outputs[0]])
+    return sizes.tobytes() + array("d", chain.from_iterable(tape.nodes)).tobytes()
+
+
+def program_digest(program: Program, tapes: Mapping[str, Tape] | None = None) -> bytes:
+    """What is computed: the stages and their order; by their tapes where these are known, which is quicker."""
     numbers = {stage.name(): k for k, stage in enumerate(program.stages())}
 
     def again(body: str, node: Repeat | Until) -> str:
@@ -172,5 +188,6 @@ def program_digest(program: Program) -> bytes:
     control = program.fold(lambda stage: str(numbers[stage.name()]), " ".join, again)
     digest = hashlib.sha256(control.encode())
     for stage in program.stages():
-        digest.update(stage.serialize().encode())
+        tape = (tapes or {}).get(stage.name())
+        digest.update(stage.serialize().encode() if tape is None else _content(tape))
     return digest.digest()

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
+from runtime.contract.tape import Tape
 from runtime.engine.llvm_code import Code
 from runtime.engine.program import Program
 from runtime.engine.tiers import best_tier, code_in_tiers, first_tier
@@ -27,13 +28,23 @@ class _Bound(NamedTuple):
 
 
 class NativeProgram:
-    """A program as native code; mathematics: `own` or `library`. wait: only the best code will do."""
+    """A program as native code; mathematics: `own` or `library`.
+
+    wait: only the best code will do. tapes: of stages by name, where they are known.
+    """
 
     name = "compiled"
 
-    def __init__(self, program: Program, mathematics: str = "own", wait: bool = False) -> None:
+    def __init__(
+        self,
+        program: Program,
+        mathematics: str = "own",
+        wait: bool = False,
+        tapes: Mapping[str, Tape] | None = None,
+    ) -> None:
         self.note = ""
-        self.tiers = code_in_tiers(program, first_tier(program, mathematics), best_tier(program, mathematics), wait)
+        first, best = first_tier(program, mathematics), best_tier(program, mathematics)
+        self.tiers = code_in_tiers(program, first, best, wait, tapes or {})
         self._work = threading.local()
 
     def run(self, z: np.ndarray, c: np.ndarray, n: int) -> None:

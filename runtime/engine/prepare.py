@@ -7,7 +7,8 @@ division by one becomes a product with its reciprocal.
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 
 import casadi as ca
 import numpy as np
@@ -15,20 +16,23 @@ import numpy as np
 from runtime.contract.binding_time import Place, Time, binding_times, split
 from runtime.contract.collection import no_collection
 from runtime.contract.tape import UNUSED, Node, Tape, as_function, read_tape
-from runtime.engine.invariants import hoist_invariants
-from runtime.engine.program import Program
+from runtime.engine.invariants import hoist_invariants, widened
+from runtime.engine.program import LONG, Program
+
+COMMUTING = (ca.OP_ADD, ca.OP_MUL)
 
 
 @dataclass(frozen=True)
 class Prepared:
     """A program as it is run: z has z_size entries, the first of which are the scheme's; constants(c) is what it reads.
 
-    The first entries of constants(c) are c.
+    The first entries of constants(c) are c. tapes: of the long stages, by name, for who compiles them at once.
     """
 
     program: Program
     z_size: int
     constants: ca.Function
+    tapes: Mapping[str, Tape] = field(default_factory=dict)
 
     def widened(self, z: np.ndarray) -> np.ndarray:
         """A scheme's z with room for what the program keeps besides."""
@@ -47,15 +51,46 @@ def prepare(program: Program, z_size: int, c_size: int) -> Prepared:
 
 def _prepared(program: Program, z_size: int, c_size: int) -> Prepared:
     program, z_size = hoist_invariants(program, z_size)
-    tapes = {stage.name(): _with_reciprocals(read_tape(stage)) for stage in program.stages()}
+    tapes = {stage.name(): _with_reciprocals(_shared(widened(read_tape(stage), z_size))) for stage in program.stages()}
     once, rest = split(tapes, {"c": c_size}, _input_time, Time.RUN, Place("c", c_size))
     c = ca.SX.sym("c", c_size)
     constants = ca.Function("prepare", [c], [ca.densify(ca.vertcat(c, as_function("more", once)(c)))])
-    return Prepared(program.map(lambda stage: as_function(stage.name(), rest[stage.name()])), z_size, constants)
+    program = program.map(lambda stage: as_function(stage.name(), rest[stage.name()]))
+    lengths = {stage.name(): stage.n_instructions() for stage in program.stages()}
+    return Prepared(
+        program, z_size, constants, {name: tape for name, tape in rest.items() if _is_of(tape, lengths[name])}
+    )
+
+
+def _is_of(tape: Tape, length: int) -> bool:
+    """Is a long tape that of its Function? It is unless CasADi found something to simplify."""
+    return len(tape.nodes) > LONG and tape.operations == length
 
 
 def _input_time(name: str, entry: int) -> Time:
     return Time.RUN if name == "c" else Time.STEP
+
+
+def _shared(tape: Tape) -> Tape:
+    """What stands twice in a long stage once; short ones share it already (see make_stage)."""
+    if len(tape.nodes) <= LONG:
+        return tape
+    nodes: list[Node] = []
+    number: list[int] = []
+    seen: dict[Node, int] = {}
+    for node in tape.nodes:
+        if node.op == ca.OP_CONST:  # 0 and -0 are equal, but not the same
+            number.append(len(nodes))
+            nodes.append(node)
+            continue
+        if node.op != ca.OP_INPUT:
+            a, b = number[node.a], UNUSED if node.b == UNUSED else number[node.b]
+            node = Node(node.op, b, a, 0.0) if node.op in COMMUTING and b < a else Node(node.op, a, b, 0.0)
+        k = seen.setdefault(node, len(nodes))
+        if k == len(nodes):
+            nodes.append(node)
+        number.append(k)
+    return replace(tape, nodes=nodes, outputs=[[number[k] for k in entries] for entries in tape.outputs])
 
 
 def _with_reciprocals(tape: Tape) -> Tape:

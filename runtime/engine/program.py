@@ -14,6 +14,7 @@ import casadi as ca
 import numpy as np
 
 T = TypeVar("T")
+LONG = 50_000  # nodes of a stage
 
 
 class Program:
@@ -118,8 +119,13 @@ Fields = dict[str, ca.SX]
 
 
 def make_stage(name: str, layout: Layout, c_size: int, body: Callable[[Fields, ca.SX], Mapping[str, ca.SX]]) -> Call:
-    """A stage from a function of (fields, c) to the fields it changes; the others stay as they are."""
+    """A stage from a function of (fields, c) to the fields it changes; the others stay as they are.
+
+    What stands twice in a short stage is shared here; in a long one by prepare.py, which takes a fraction of the time.
+    """
     z, c = ca.SX.sym("z", layout.size), ca.SX.sym("c", c_size)
     fields = layout.unpack(z)
-    outputs = ca.cse([layout.pack({**fields, **body(fields, c)})])
-    return Call(ca.Function(name, [z, c], outputs, ["z", "c"], ["z_next"]))
+    z_next = layout.pack({**fields, **body(fields, c)})
+    if ca.n_nodes(z_next) <= LONG:
+        (z_next,) = ca.cse([z_next])
+    return Call(ca.Function(name, [z, c], [z_next], ["z", "c"], ["z_next"]))

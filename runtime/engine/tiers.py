@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Generic, NamedTuple, TypeVar
 
+from runtime.contract.tape import Tape
 from runtime.engine.llvm_code import Code, Compiler, Effort
 from runtime.engine.llvm_ir import Form
 from runtime.engine.program import Program
@@ -102,9 +103,11 @@ class Tiers(Generic[T]):
         self.final = True
 
 
-def code_in_tiers(program: Program, first: Tier, best: Tier, wait: bool) -> Tiers[Code]:
-    """Code of a program. Raises NoLlvm."""
-    compiler = Compiler(program)
+def code_in_tiers(
+    program: Program, first: Tier, best: Tier, wait: bool, tapes: Mapping[str, Tape] | None = None
+) -> Tiers[Code]:
+    """Code of a program; tapes: of stages that need not be read for the first code. Raises NoLlvm."""
+    compiler = Compiler(program, tapes)
     return Tiers(
         lambda tier: compiler.build(*tier),
         lambda tier: compiler.is_kept(*tier),

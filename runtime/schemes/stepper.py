@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from runtime.contract.coordinates import independent
@@ -31,15 +33,14 @@ class Stepper:
 
     def __init__(self, scheme: Scheme, engine: str = "auto", wait: bool = False) -> None:
         self.scheme = scheme
-        self._prepared = prepare(
+        prepared = prepare(
             with_events(scheme, with_turns(scheme, with_account(scheme, scheme.program()))),
             scheme.layout.size,
             scheme.c_size,
         )
-        self.program = self._prepared.program
-        self.engine = choose_engine(
-            engine, self.program, self._prepared.z_size, int(self._prepared.constants.size1_out(0)), wait
-        )
+        self.program, c_size = prepared.program, int(prepared.constants.size1_out(0))
+        self.engine = choose_engine(engine, self.program, prepared.z_size, c_size, wait, prepared.tapes)
+        self._prepared = replace(prepared, tapes={})
 
     @property
     def operations(self) -> int:

@@ -1,0 +1,40 @@
+"""Long stages: shared by the preparation with the same bits, and refused where they cannot be written out."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from runtime import load_model, simulate
+from runtime.engine import prepare, program
+from runtime.engine.tiers import program_length
+from runtime.results.solution import Solution
+from runtime.schemes import stored_system
+from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.options import SchemeError
+from runtime.schemes.stepper import Stepper
+from symgen.scenes import generated_folder
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "exponential"])
+def test_what_stands_twice_is_shared_with_the_same_bits(scheme: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    model = load_model(generated_folder("hub_beam"))
+
+    def run() -> tuple[Solution, int]:
+        stepper = Stepper(scheme_kind(scheme).build(scheme, model, 1e-3, None, {}), "interpreted")
+        return simulate(model, t_end=0.02, scheme=scheme, engine="interpreted"), program_length(stepper.program)
+
+    wanted, usual = run()
+    monkeypatch.setattr(program, "LONG", 0)
+    _, unshared = run()
+    monkeypatch.setattr(prepare, "LONG", 0)
+    found, shared = run()
+    assert np.array_equal(found.q, wanted.q) and np.array_equal(found.q_dot, wanted.q_dot)
+    assert shared <= usual < unshared
+
+
+@pytest.mark.parametrize("scheme", ["linearised", "exponential", "radau"])
+def test_factors_too_long_to_be_written_out_are_refused(scheme: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(stored_system, "MOST_OPERATIONS", 20)
+    with pytest.raises(SchemeError, match="4 independent coordinates.*operations a step.*take .*single_rate"):
+        simulate(load_model(generated_folder("hub_beam")), t_end=0.01, dt=1e-3, scheme=scheme, m=None)
