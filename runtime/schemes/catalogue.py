@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 from runtime.contract.model import Model
 from runtime.schemes.adaptive.dormand_prince import AdaptiveDormandPrince, DormandPrince5
-from runtime.schemes.adaptive.exponential import HALVES, AdaptiveExponential, ExponentialOptions
+from runtime.schemes.adaptive.exponential import HALVES, AdaptiveExponential
 from runtime.schemes.adaptive.exponential_rk4 import AdaptiveExponentialRungeKutta
 from runtime.schemes.baselines.alpha_options import GeneralizedAlphaOptions, HilberHughesTaylorOptions
 from runtime.schemes.baselines.generalized_alpha import GeneralizedAlpha, HilberHughesTaylor
@@ -18,7 +18,7 @@ from runtime.schemes.baselines.runge_kutta import ClassicalRungeKutta, DormandPr
 from runtime.schemes.central_difference import CentralDifferenceOptions
 from runtime.schemes.coupled import Coupled, CoupledOptions
 from runtime.schemes.decoupled import Decoupled, DecoupledOptions
-from runtime.schemes.exponential import Exponential
+from runtime.schemes.exponential import Exponential, ExponentialOptions
 from runtime.schemes.exponential_midpoint import ExponentialMidpoint, ExponentialMidpointOptions
 from runtime.schemes.exponential_rk4 import ExponentialRungeKutta, ExponentialRungeKuttaOptions
 from runtime.schemes.grid import make_grid
@@ -61,7 +61,7 @@ class SchemeKind:
             )
         adaptive = self.adaptive if getattr(options, "tolerance", False) else None
         if m is None:
-            m = self._usual_m(model) if adaptive is None or self.ratios == "none" else [HALVES]
+            m = self._usual_m(model, options) if adaptive is None or self.ratios == "none" else [HALVES]
         groups = [list(group.positions) for group in model.groups]
         if self.ratios != "groups":
             groups = [list(range(len(model.q_i)))]
@@ -79,12 +79,12 @@ class SchemeKind:
                 raise SchemeError(f"{name} has no option {option!r}{_meant(option, known)}")
         return self.options(**changes)
 
-    def _usual_m(self, model: Model) -> list[int]:
+    def _usual_m(self, model: Model, options: Options) -> list[int]:
         """m of the scene where it has the right number of ratios, else default_m."""
         if self.ratios == "none":
             return []
         if self.ratios == "sub_steps":
-            return [self.default_m]
+            return [min(self.default_m, options.most_sub_steps)]
         given = list(model.simulation.get("m", []))
         needed = len(model.groups) - 1
         return given if len(given) == needed else [self.default_m] * needed
@@ -104,7 +104,7 @@ SCHEMES: dict[str, SchemeKind] = {
     ),
     "exponential": SchemeKind(
         Exponential,
-        "exponential Rosenbrock, order 4",
+        "exponential Rosenbrock, order 4 or 5",
         "sub_steps",
         ExponentialOptions,
         default_m=4,

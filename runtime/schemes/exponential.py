@@ -1,63 +1,132 @@
-"""Exponential Rosenbrock steps of order 4: two evaluations and one Jacobian a major step, whatever the stiffness.
+"""Exponential Rosenbrock steps: one Jacobian a major step and two or three evaluations, whatever the stiffness.
 
-Luan and Ostermann's (2014) exprb42, for y' = F(y) linearised at the start of the step, N(y) = F(y) - A y:
+For y' = F(y) linearised at the start of the step, N(y) = F(y) - A y and D_i = N(Y_i) - N(y_n), at nodes c_i:
 
-    Y = y_n + c h phi_1(c h A) F(y_n),  c = 3/4
-    y_{n+1} = y_n + h phi_1(h A) F(y_n) + (32/9) h phi_3(h A) (N(Y) - N(y_n))
+    Y_i     = y_n + c_i h phi_1(c_i h A) F(y_n) + what D_1 ... D_(i-1) add
+    y_{n+1} = y_n +     h phi_1(    h A) F(y_n) + what all D_i add
 
-Both lines are the motion of the linear system of linear_propagation.py, the second with the force
-G2 tau^2 / 2, G2 = (32/9) M (N(Y) - N(y_n)) / h^2, run by m sub-steps. Forces that depend on time enter by
+D is 0 at the start with its first derivative; with the polynomial of least degree through the D_i, 0 and 0 it adds
+
+    order 4 (exprb42, Luan and Ostermann 2014), c = 3/4:          (32/9) h phi_3(h A) D_1
+    order 5 (exprb53s3, the same), c = 1/2 and 9/10:              h (18 phi_3 - 60 phi_4) D_1
+                                                                + h (-250/81 phi_3 + 500/27 phi_4) D_2,
+      in the second stage   h (729/125 phi_3(9/10 h A) + 27/25 phi_3(1/2 h A)) D_1,
+
+the last term, the echo, being there for stiff modes. Every line is the motion of the linear system of
+linear_propagation.py with a force G2 tau^2 / 2 + G3 tau^3 / 6, run by m sub-steps. Forces that depend on time enter by
 G1 = d(Q_hat - M_hat a)/dt. So the linear part of the motion, stiff modes included, is free of the major step's error,
 and what limits the major step is the nonlinearity of the mechanism.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from math import ceil
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from math import ceil, factorial
 
 import casadi as ca
+import numpy as np
 
+from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Repeat, Sequence
+from runtime.schemes.grid import Grid
+from runtime.schemes.linear_propagation import polynomial
 from runtime.schemes.linear_solve import solve_symmetric
-from runtime.schemes.linear_sub_steps import LinearSubSteps
-from runtime.schemes.stage_equations import StageEquations
+from runtime.schemes.linear_sub_steps import LinearSubStepOptions, LinearSubSteps
+from runtime.schemes.options import LARGEST_TOLERANCE, MOST_UNROLLED, SchemeError, share, whole_number
+from runtime.schemes.stage_equations import LONG_TREE, StageEquations
 from runtime.schemes.state_fields import StateField, work
 
-NODE = 0.75  # c
-WEIGHT = 32 / 9
+NODES = {4: (0.75,), 5: (0.5, 0.9)}
+ECHO = 1.08  # the echo is the motion from rest, up to the first node, under this many times G2
+AT_ONCE = 2  # sub-steps up to which a step is one stage
+Body = Callable[[Fields, StageEquations], Mapping[str, ca.SX]]
+
+
+@dataclass(frozen=True)
+class ExponentialOptions(LinearSubStepOptions):
+    """propagation: see LinearSubStepOptions; tolerance: see AdaptiveOptions.
+
+    closure_iterations: Newton steps on the loop unknowns in each evaluation, from a guess that is right to h^3.
+
+    order: 4 by two evaluations, or 5 by three, with one or two sub-steps.
+    """
+
+    closure_iterations: int = whole_number(1, most=MOST_UNROLLED)
+
+    tolerance: float = share(0.0, LARGEST_TOLERANCE)
+    order: int = whole_number(4, least=4, most=5)
+
+    @property
+    def most_sub_steps(self) -> int:
+        """Two for order 5."""
+        return AT_ONCE if self.order == 5 else super().most_sub_steps
 
 
 class Exponential(LinearSubSteps):
-    """exprb42 with m sub-steps; the inner stage ends inside one of them, on the same factors."""
+    """exprb42 or exprb53s3 with m sub-steps; inner stages end inside of sub-steps, on the same factors."""
 
-    order = 4
+    options: ExponentialOptions
     counts_powers = True
 
+    def __init__(self, model: Model, grid: Grid, options: ExponentialOptions) -> None:
+        options, m = options.checked(len(grid.groups)), grid.m[0]
+        self.order, self.nodes = options.order, NODES[options.order]
+        if self.order == 5:
+            self.forces = ("G0", "G1", "G2", "G3")
+            if m > options.most_sub_steps or options.propagation == "central_difference":
+                raise SchemeError(
+                    f"order 5 takes one or two sub-steps without a limit of stability, not m = [{m}] with propagation "
+                    f"= {options.propagation}; take m = 1 or 2 with rational or decaying, or order 4"
+                )
+        self.at_once = m <= AT_ONCE and len(model.q_i) <= LONG_TREE
+        super().__init__(model, grid, options)
+
     def further_fields(self) -> dict[str, StateField]:
-        """And the rates of the loop unknowns at the start of the step."""
-        return {**super().further_fields(), "loop_dot": work(len(self.model.loop_unknowns))}
+        """What stages pass on, with how the loop unknowns move: rates, and second rates (loop_bend)."""
+        loops = len(self.model.loop_unknowns)
+        passed = {**super().further_fields(), "loop_dot": work(loops), "loop_bend": work(loops)}
+        return {} if self.at_once else passed
 
     def program(self) -> Program:
-        """Linearise, run to 3/4 of the step, correct, run to its end."""
-        m, sub_step = self.grid.m[0], self.sub_step()
-        whole = int(NODE * m)
-        inner: tuple[Program, ...] = (Repeat(sub_step, whole),) if whole else ()
-        if NODE * m > whole:
-            inner = (*inner, self.sub_step(NODE * m - whole))
-        return Sequence(
-            (
-                self.stage("linearise", self._linearise),
-                *inner,
-                self.stage("correct", self._correct),
-                Repeat(sub_step, m),
-                self.stage("finish", self._finish),
-            )
-        )
+        """Linearise; run to each node and evaluate there; run to the end. Short steps of few coordinates at once."""
+        if self.at_once:
+            return self.stage("exponential", self._at_once)
+        stages = ((self.stage(name, body), count) for name, body, count in self._bodies())
+        return Sequence(tuple(stage if count == 1 else Repeat(stage, count) for stage, count in stages))
+
+    def _bodies(self) -> list[tuple[str, Body, int]]:
+        """(name, body, how often) of what makes a step."""
+        m, bodies = self.grid.m[0], [("linearise", self._linearise, 1)]
+        for k, node in enumerate(self.nodes):
+            whole, name = int(node * m), "part_of_sub_step"
+            if whole:
+                bodies.append(("sub_step", self._whole, whole))
+            if node * m > whole:
+                bodies.append((f"{name}_{k + 1}", partial(self._part, part=node * m - whole, echoing=k > 0), 1))
+            bodies.append((f"correct_{k + 1}", partial(self._correct, k=k), 1))
+        return [*bodies, ("sub_step", self._whole, m), ("finish", self._finish, 1)]
+
+    def _at_once(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        """All of it: what is zero at the start of the step costs nothing, and nothing is passed on through z."""
+        found: dict[str, ca.SX] = {}
+        for _, body, count in self._bodies():
+            for _ in range(count):
+                found |= body({**z, **found}, equations)
+        return {name: value for name, value in found.items() if name in z}
 
     def evaluations(self) -> tuple[int, int]:
-        """Two, and the sub-steps."""
-        return 2, ceil(NODE * self.grid.m[0]) + self.grid.m[0]
+        """Two or three, and the sub-steps."""
+        m = self.grid.m[0]
+        return 1 + len(self.nodes), sum(ceil(node * m) for node in self.nodes) + m
+
+    def _whole(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        return self._sub_step(z, equations, 1.0)
+
+    def _part(self, z: Fields, equations: StageEquations, part: float, echoing: bool) -> Mapping[str, ca.SX]:
+        echo = (self.nodes[0] * self.grid.m[0], ECHO * z["G2"]) if echoing else None
+        return self._sub_step(z, equations, part, echo)
 
     def _linearise(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         v, t = z["v"], self.now(z, equations)
@@ -68,33 +137,45 @@ class Exponential(LinearSubSteps):
             **self.begin(z, equations, found, G0, equations.force_rate(motion, v, found.a)),
             "loop": equations.loop_part(motion.q_d),
             "loop_dot": equations.loop_part(equations.rates(motion, v)),
+            "loop_bend": equations.loop_accelerations(motion, v, found.a),
             **self.closed(z, motion),
             **self.worked(z, equations, motion, v, found.a),
         }
 
-    def _correct(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        h, system = equations.h[0], self.stored.unpack(z)
-        tau = NODE * h
-        motion = equations.close(
-            z["x"] + z["w"],
-            z["loop"] + tau * z["loop_dot"],
-            self.now(z, equations) + tau,
-            self.options.closure_iterations,
-        )
+    def _correct(self, z: Fields, equations: StageEquations, k: int) -> Mapping[str, ca.SX]:
+        """D at node k, and forces and loop unknowns on their way through it; the motion begins anew."""
+        h, system, tau = equations.h[0], self.stored.unpack(z), self.nodes[k] * equations.h[0]
+        ahead, guess = (polynomial([z["loop"], z["loop_dot"], *bend], tau) for bend in ([], [z["loop_bend"]]))
+        t = self.now(z, equations) + tau
+        motion = equations.close(z["x"] + z["w"], guess, t, self.options.closure_iterations)
         a = equations.chart_accelerations(motion, z["u"])
         linear = z["G0"] + tau * z["G1"] + ca.mtimes(system.J_q, z["w"]) + ca.mtimes(system.J_v, z["u"])
-        bend = equations.loop_part(motion.q_d) - z["loop"] - tau * z["loop_dot"]
+        forces = self._through(z["G2"], ca.mtimes(system.M, a) - linear, h, k)
+        bends = self._through(z["loop_bend"], equations.loop_part(motion.q_d) - ahead, h, k)
         out = {
-            "G2": WEIGHT / (h * h) * (ca.mtimes(system.M, a) - linear),
+            **dict(zip(self.forces[2:], forces, strict=False)),
+            "loop_bend": bends[0],
             "w": ca.SX.zeros(len(self.model.q_i)),
             "u": z["v"],
             "tau": ca.SX(0),
-            "loop": z["loop"] + h * z["loop_dot"] + bend / NODE**2,
             **self.closed(z, motion),
         }
+        if k == len(self.nodes) - 1:
+            out["loop"] = polynomial([z["loop"], z["loop_dot"], *bends], h)
         if self.by_central_difference:
             out["acceleration"] = solve_symmetric(system.M, z["G0"] + ca.mtimes(system.J_v, z["v"]))
         return out
+
+    def _through(self, before: ca.SX, value: ca.SX, h: ca.SX, k: int) -> list[ca.SX]:
+        """G2, G3 of the polynomial that takes a value at node k, and its earlier one where `before` tau^2 / 2 did."""
+        nodes, first = self.nodes[: k + 1], self.nodes[0] * h
+        values = [first * first / 2 * before, value][-len(nodes) :]
+        powers = range(2, 2 + len(nodes))
+        weights = np.linalg.inv([[node**power / factorial(power) for power in powers] for node in nodes])
+        return [
+            sum((float(w) * one for w, one in zip(row, values, strict=True)), ca.SX(0)) / h**power
+            for row, power in zip(weights, powers, strict=True)
+        ]
 
     def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         x = z["x"] + z["w"]

@@ -25,8 +25,9 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program
+from runtime.schemes.linear_propagation import polynomial
 from runtime.schemes.one_step import OneStep
-from runtime.schemes.options import AdaptiveOptions, Options, one_of
+from runtime.schemes.options import MOST_UNROLLED, AdaptiveOptions, Options, one_of, whole_number
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
 from runtime.schemes.stiff_deflections import StiffResponse
@@ -39,7 +40,7 @@ IMAGINARY_REACH, REAL_REACH = 2**0.5, 2.785
 
 @dataclass(frozen=True)
 class ExponentialRungeKuttaOptions(AdaptiveOptions):
-    """closure_iterations: Newton steps on the loop unknowns in each evaluation.
+    """closure_iterations: Newton steps on the loop unknowns in each evaluation, from a guess that is right to h^3.
 
     tolerance: see AdaptiveOptions.
 
@@ -48,6 +49,7 @@ class ExponentialRungeKuttaOptions(AdaptiveOptions):
         the other coordinates is held: for undamped motion over very many steps.
     """
 
+    closure_iterations: int = whole_number(1, most=MOST_UNROLLED)
     linearisation: str = one_of("stiffness", "tangent")
 
 
@@ -139,11 +141,15 @@ class ExponentialRungeKutta(OneStep):
         else:
             found = equations.stiff_response(start, v)
             motion = StiffMotion(x, v, found, h, tangent_of(self.options, equations, start, v, found))
-        loop, loop_dot = equations.loop_part(start.q_d), equations.loop_part(equations.rates(start, v))
+        loop = (
+            equations.loop_part(start.q_d),
+            equations.loop_part(equations.rates(start, v)),
+            equations.loop_accelerations(start, v, motion.a),
+        )
         seen: list[ClosedConfiguration] = [start]
 
         def d(stage: MotionStage) -> ca.SX:
-            guess = loop + stage.tau * loop_dot
+            guess = polynomial(loop, stage.tau)
             seen.append(equations.close(stage.q, guess, t + stage.tau, self.options.closure_iterations))
             return motion.remainder(equations.chart_accelerations(seen[-1], stage.v), stage)
 

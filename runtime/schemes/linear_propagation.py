@@ -18,6 +18,7 @@ exp(part z) is cut off at degree DEGREE, which makes it of order DEGREE only.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from math import factorial
@@ -28,7 +29,7 @@ from numpy.polynomial import Polynomial
 from runtime.schemes.sparse_lu import Number, factor, solve
 
 DEGREE = 3
-PHI = 3  # phi_1 to phi_3
+PHI = 4  # phi_1 to phi_4
 
 
 @dataclass(frozen=True)
@@ -95,34 +96,62 @@ def propagate(
     factors: Factors,
     w: ca.SX,
     u: ca.SX,
-    G: tuple[ca.SX, ca.SX, ca.SX],
+    G: Sequence[ca.SX],
     tau: ca.SX,
     h: ca.SX,
     part: float = 1.0,
     decaying: bool = False,
+    echo: tuple[float, ca.SX] | None = None,
 ) -> tuple[ca.SX, ca.SX]:
-    """(w, w') after a part of a sub-step h from (w, u) at tau; G holds G0, G1, G2. The factors are of these poles."""
-    Mu, Jv_u = ca.mtimes(system.M, u), ca.mtimes(system.J_v, u)
-    slope = G[1] + tau * G[2]
-    force = G[0] + tau * G[1] + tau * tau / 2 * G[2] + ca.mtimes(system.J_q, w) + Jv_u
+    """(w, w') after a part of a sub-step h from (w, u) at tau; G: G0, G1, ... The factors are of these poles.
+
+    echo: (share, bend); adds what a force bend tau^2 / 2 does from rest in that share of a sub-step.
+    """
+    Mu = ca.mtimes(system.M, u)
+    slopes = [polynomial(G[k:], tau) for k in range(len(G))]
+    slopes[0] = slopes[0] + ca.mtimes(system.J_q, w)  # and J_v u, which _solved takes off again
     new_w, new_u = w, u
-    for pole, entries in zip(poles(part=part, decaying=decaying), factors, strict=True):
-        x, y = _solved(pole, entries, (force, slope, G[2]), (u, Mu, Jv_u), h)
+    echoes = poles(part=1.0 if echo is None else echo[0], decaying=decaying)
+    for pole, echoing, entries in zip(poles(part=part, decaying=decaying), echoes, factors, strict=True):
+        extra = None if echo is None else (echoing.weights[2], echo[1])
+        x, y = _solved(pole, entries, slopes, u, Mu, h, extra)
         new_w, new_u = new_w + pole.share * x, new_u + pole.share * y
     return new_w, new_u
 
 
+def polynomial(G: Sequence[ca.SX], tau: ca.SX) -> ca.SX:
+    """G0 + G1 tau + G2 tau^2 / 2 + ..."""
+    power, value = ca.SX(1), G[0]
+    for k, term in enumerate(G[1:], start=1):
+        power = power * tau / k
+        value = value + power * term
+    return value
+
+
 def _solved(
-    pole: Pole, factors: Number, forces: tuple[ca.SX, ca.SX, ca.SX], rates: tuple[ca.SX, ca.SX, ca.SX], h: ca.SX
+    pole: Pole,
+    factors: Number,
+    slopes: Sequence[ca.SX],
+    u: ca.SX,
+    Mu: ca.SX,
+    h: ca.SX,
+    extra: tuple[complex, ca.SX] | None,
 ) -> tuple[ca.SX, ca.SX]:
-    """Real parts of (r - h A)^-1 (p, s) with p = h w1 u and M s = h w1 M a + h^2 w2 G' + h^3 w3 G''."""
-    r, (w1, w2, w3) = pole.r, pole.weights
-    (force, slope, bend), (u, Mu, Jv_u) = forces, rates
-    rw = r * w1
+    """Real parts of (r - h A)^-1 (p, s) with p = h w1 u and M s = h w1 M a + h^2 w2 G' + h^3 w3 G'' + ...
+
+    slopes: M a less J_v u, G', G'', ...; extra: a weight beside w3 with its G''. Powers of h are computed once a run.
+    """
+    r, w1 = pole.r, pole.weights[0]
 
     def real_or_imaginary(part: str) -> ca.SX:
-        first, second, third, mass = (getattr(value, part) for value in (w1, w2, w3, rw))
-        return ca.SX(h * h * (first * (force - Jv_u) + h * (second * slope + h * third * bend)) + h * mass * Mu)
+        def of(value: complex) -> float:
+            return float(getattr(value, part))
+
+        side, power = of(r * w1) * h * Mu, h
+        for weight, slope in zip(pole.weights, slopes, strict=False):
+            power = power * h
+            side = side + of(weight) * power * slope
+        return side if extra is None else side + of(extra[0]) * h**4 * extra[1]
 
     X, Y = solve_shifted(factors, r, real_or_imaginary("real"), real_or_imaginary("imag") if r.imag else None)
     turned = r.real * X - r.imag * Y if r.imag else r.real * X

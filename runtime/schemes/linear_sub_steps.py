@@ -1,6 +1,6 @@
 """Schemes whose sub-steps run on the linear system of the major step: what `linearised` and `exponential` share.
 
-Fields: w = q_i - x and u = q_i_dot since the start of the major step, tau the time since then, G0 to G2 the forces,
+Fields: w = q_i - x and u = q_i_dot since the start of the major step, tau the time since then, G0, G1, ... the forces,
 and the linear system.
 """
 
@@ -16,7 +16,7 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.engine.program import Call, Fields
 from runtime.schemes.grid import Grid
-from runtime.schemes.linear_propagation import LinearSystem, factors_of, poles, propagate
+from runtime.schemes.linear_propagation import LinearSystem, factors_of, poles, polynomial, propagate
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.one_step import OneStep
 from runtime.schemes.options import ClosureOptions, Options, one_of
@@ -42,6 +42,7 @@ class LinearSubSteps(OneStep):
     """m sub-steps of all coordinates in a major step; grid.h is (major step, sub-step)."""
 
     options: LinearSubStepOptions
+    forces: tuple[str, ...] = ("G0", "G1", "G2")
 
     def __init__(self, model: Model, grid: Grid, options: LinearSubStepOptions) -> None:
         self.by_central_difference = self.limited(options)
@@ -53,7 +54,7 @@ class LinearSubSteps(OneStep):
     def further_fields(self) -> dict[str, StateField]:
         """See the module's text; `acceleration` is what a central difference goes by."""
         n = len(self.model.q_i)
-        sizes = {"w": n, "u": n, "tau": 1, "G0": n, "G1": n, "G2": n, **self.stored.sizes()}
+        sizes = {"w": n, "u": n, "tau": 1, **dict.fromkeys(self.forces, n), **self.stored.sizes()}
         if self.by_central_difference:
             sizes["acceleration"] = n
         return {name: work(size) for name, size in sizes.items()}
@@ -73,7 +74,8 @@ class LinearSubSteps(OneStep):
         """The linear system at the start of a major step."""
         system = LinearSystem(found.M_hat, found.J_q, found.J_v)
         zero = ca.SX.zeros(len(self.model.q_i))
-        out = {**self.stored.pack(system), "w": zero, "u": z["v"], "tau": ca.SX(0), "G0": G0, "G1": G1, "G2": zero}
+        forces = {**dict.fromkeys(self.forces, zero), "G0": G0, "G1": G1}
+        out = {**self.stored.pack(system), "w": zero, "u": z["v"], "tau": ca.SX(0), **forces}
         if not self.by_central_difference:
             out |= self.stored.pack_factors(factors_of(system, equations.h[1], self.shifts))
         else:
@@ -84,16 +86,18 @@ class LinearSubSteps(OneStep):
         """A sub-step, or the given part of one, of w and u."""
         return self.stage("sub_step" if part == 1.0 else "part_of_sub_step", partial(self._sub_step, part=part))
 
-    def _sub_step(self, z: Fields, equations: StageEquations, part: float) -> Mapping[str, ca.SX]:
-        system, G, h = self.stored.unpack(z), (z["G0"], z["G1"], z["G2"]), part * equations.h[1]
+    def _sub_step(
+        self, z: Fields, equations: StageEquations, part: float, echo: tuple[float, ca.SX] | None = None
+    ) -> Mapping[str, ca.SX]:
+        system, G, h = self.stored.unpack(z), [z[name] for name in self.forces], part * equations.h[1]
         tau = z["tau"] + h
         if not self.by_central_difference:
-            factors = self.stored.unpack_factors(z)
-            w, u = propagate(system, factors, z["w"], z["u"], G, z["tau"], equations.h[1], part, decaying=self.decaying)
+            factors, whole = self.stored.unpack_factors(z), equations.h[1]
+            w, u = propagate(system, factors, z["w"], z["u"], G, z["tau"], whole, part, self.decaying, echo)
             return {"w": w, "u": u, "tau": tau}
         half = z["u"] + h / 2 * z["acceleration"]
         w = z["w"] + h * half
         predicted = half + h / 2 * z["acceleration"]
-        force = G[0] + tau * G[1] + tau * tau / 2 * G[2] + ca.mtimes(system.J_q, w) + ca.mtimes(system.J_v, predicted)
+        force = polynomial(G, tau) + ca.mtimes(system.J_q, w) + ca.mtimes(system.J_v, predicted)
         a = solve_symmetric(system.M, force)
         return {"w": w, "u": half + h / 2 * a, "tau": tau, "acceleration": a}

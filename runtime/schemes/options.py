@@ -29,6 +29,11 @@ class Options:
         """Of all options, in order."""
         return tuple(one.name for one in fields(cls))
 
+    @property
+    def most_sub_steps(self) -> int:
+        """The largest m that these options leave, of schemes that take sub-steps of all coordinates."""
+        return MOST_ITERATIONS
+
     def checked(self, groups: int) -> Self:
         """The record with every value checked, and one tolerance per group. Raises SchemeError."""
         values = {one.name: one.metadata["check"](one.name, getattr(self, one.name), groups) for one in fields(self)}

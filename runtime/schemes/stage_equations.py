@@ -56,6 +56,14 @@ class StageEquations:
             return ca.SX(0, 1)
         return self.call("velocities", q_i=motion.q_i, q_d=motion.q_d, q_i_dot=q_i_dot, t=motion.t)["q_d_dot"]
 
+    def loop_accelerations(self, motion: ClosedConfiguration, q_i_dot: ca.SX, q_i_ddot: ca.SX) -> ca.SX:
+        """Second rates of the loop unknowns."""
+        if not self.loops:
+            return ca.SX(0, 1)
+        return self.loop_part(
+            self.call("accelerations", **self._arguments(motion, q_i_dot), q_i_ddot=q_i_ddot)["q_d_ddot"]
+        )
+
     def _arguments(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> dict[str, ca.SX]:
         return {
             "q_i": motion.q_i,

@@ -94,7 +94,7 @@ class StiffTreeMotion:
                 return float(getattr(value, part))
 
             def combined(factor: complex) -> ca.SX:  # factor y / h^2
-                return sum((of(factor * w) * y for w, y in zip(weights, parts, strict=True)), ca.SX(0))
+                return sum((of(factor * w) * y for w, y in zip(weights, parts, strict=False)), ca.SX(0))
 
             elastic = h * h * ca.mtimes(matrices[0], combined(1 / r**4)) + h * ca.mtimes(
                 matrices[1], combined(1 / r**3)

@@ -65,6 +65,7 @@ FIELDS: tuple[Notation, ...] = (
     Notation("change", "", "", "groups", "mixed", "largest change of q_ddot of each group by the last sweep"),
     Notation("loop_old", "", "", "loops", "mixed", "loop unknowns one finest step ago"),
     Notation("loop_dot", "q_d'", "36", "loops", "mixed", "rates of the loop unknowns"),
+    Notation("loop_bend", "", "", "loops", "mixed", "their second rates at the start of the major step"),
     Notation(
         "chart", "", "", "4 x orientations", "1", "unit quaternions from which the turns in x are rotation vectors"
     ),
@@ -98,9 +99,10 @@ FIELDS: tuple[Notation, ...] = (
     Notation("w", "", "", "n_i", "mixed", "q_i - x since the start of the major step"),
     Notation("u", "", "", "n_i", "mixed", "q_i_dot at the sub-step"),
     Notation("tau", "", "", "1", "s", "time since the start of the major step"),
-    Notation("G0", "", "", "n_i", "N, N m", "force on the linear system: G0 + G1 tau + G2 tau^2 / 2"),
+    Notation("G0", "", "", "n_i", "N, N m", "force on the linear system: G0 + G1 tau + G2 tau^2 / 2 + G3 tau^3 / 6"),
     Notation("G1", "", "", "n_i", "N/s, N m/s", "its first derivative at the start"),
     Notation("G2", "", "", "n_i", "N/s^2, N m/s^2", "its second derivative"),
+    Notation("G3", "", "", "n_i", "N/s^3, N m/s^3", "its third derivative"),
     Notation("M", "M^", "38", "non-zeros", "SI", "M_hat of the linear system"),
     Notation("J_q", "", "", "non-zeros", "SI", "J_q of the linear system"),
     Notation("J_v", "", "", "non-zeros", "SI", "J_v of the linear system"),

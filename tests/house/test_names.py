@@ -57,6 +57,8 @@ def fields_of_z(model: Model) -> set[str]:
             choices.append({"propagation": "central_difference"})
         if "slow_accelerations" in kind.options.names():
             choices.append({"slow_accelerations": "parabola"})
+        if "order" in kind.options.names():
+            choices.append({"order": 5})
         if kind.adaptive is not None:
             tangent = {"linearisation": "tangent"} if "linearisation" in kind.options.names() else {}
             choices += [{"tolerance": 1e-3}, {"tolerance": 1e-3, **tangent}]

@@ -10,30 +10,22 @@ time before it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import casadi as ca
 
 from runtime.contract.model import Model
 from runtime.engine.program import Fields
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps, Attempt
-from runtime.schemes.exponential import NODE, WEIGHT
+from runtime.schemes.exponential import NODES, ExponentialOptions
 from runtime.schemes.grid import Grid
 from runtime.schemes.linear_propagation import LinearSystem, factors_of, poles, propagate
-from runtime.schemes.linear_sub_steps import LinearSubStepOptions
-from runtime.schemes.options import LARGEST_TOLERANCE, SchemeError, share
+from runtime.schemes.options import SchemeError
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.state_fields import StateField, state
 from runtime.schemes.stored_system import StoredSystem
 
 HALVES = 2  # sub-steps of a step
-
-
-@dataclass(frozen=True)
-class ExponentialOptions(LinearSubStepOptions):
-    """closure_iterations, propagation: see LinearSubStepOptions; tolerance: see AdaptiveOptions."""
-
-    tolerance: float = share(0.0, LARGEST_TOLERANCE)
+(NODE,) = NODES[4]
 
 
 class AdaptiveExponential(AdaptiveSteps):
@@ -46,6 +38,8 @@ class AdaptiveExponential(AdaptiveSteps):
     def __init__(self, model: Model, grid: Grid, options: ExponentialOptions) -> None:
         if options.propagation == "central_difference":
             raise SchemeError("tolerance", "needs sub-steps without a limit", "take propagation = rational or decaying")
+        if options.order != 4:
+            raise SchemeError("tolerance", "has an estimate of the error for order 4 only", "leave order out")
         if list(grid.m) != [HALVES]:
             raise SchemeError("tolerance", f"takes {HALVES} sub-steps, not m = {list(grid.m)}", "leave m out")
         self.stored = StoredSystem(model, ())
@@ -54,7 +48,7 @@ class AdaptiveExponential(AdaptiveSteps):
     def method_fields(self) -> dict[str, StateField]:
         """The linear system, its forces, and rates of the loop unknowns."""
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
-        sizes = {**self.stored.sizes(), "G0": n, "G1": n, "G2": n, "loop_dot": loops}
+        sizes = {**self.stored.sizes(), "G0": n, "G1": n, "G2": n, "loop_dot": loops, "loop_bend": loops}
         return {name: state(size) for name, size in sizes.items()}
 
     def begun(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:
@@ -67,6 +61,7 @@ class AdaptiveExponential(AdaptiveSteps):
             "G0": found.Q_hat - ca.mtimes(found.J_v, v),
             "G1": equations.force_rate(start, v, found.a),
             "loop_dot": equations.loop_part(equations.rates(start, v)),
+            "loop_bend": equations.loop_accelerations(start, v, found.a),
         }
         return start, found.a, fields
 
@@ -75,13 +70,15 @@ class AdaptiveExponential(AdaptiveSteps):
         none = ca.SX.zeros(len(self.model.q_i))
         first, second = self._motion(z, h, none, NODE)[-1], self._at_once(z, h)
         tau, iterations = NODE * h, self.options.closure_iterations
-        guess = z["loop_from"] + tau * z["loop_dot"]
-        at = equations.close(z["q_from"] + first[0], guess, self.time_in_step(z, h, NODE), iterations)
+        ahead = z["loop_from"] + tau * z["loop_dot"]
+        at = equations.close(
+            z["q_from"] + first[0], ahead + tau * tau / 2 * z["loop_bend"], self.time_in_step(z, h, NODE), iterations
+        )
         system = self.stored.unpack(z)
         linear = z["G0"] + tau * z["G1"] + ca.mtimes(system.J_q, first[0]) + ca.mtimes(system.J_v, first[1])
-        G2 = WEIGHT / (h * h) * (ca.mtimes(system.M, equations.chart_accelerations(at, first[1])) - linear)
+        G2 = 2 / (tau * tau) * (ca.mtimes(system.M, equations.chart_accelerations(at, first[1])) - linear)
         middle, (w, u) = self._motion(z, h, G2, 1.0)
-        bend, end = equations.loop_part(at.q_d) - guess, z["q_from"] + w
+        bend, end = equations.loop_part(at.q_d) - ahead, z["q_from"] + w
         loop = z["loop_from"] + h * z["loop_dot"] + bend / NODE**2
         powers = {}
         if "work_from" in z:

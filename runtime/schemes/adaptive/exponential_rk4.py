@@ -21,6 +21,7 @@ from runtime.schemes.exponential_rk4 import (
     motion_along_tree,
     tangent_of,
 )
+from runtime.schemes.linear_propagation import polynomial
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.state_fields import StateField, state
 from runtime.schemes.stiff_deflections import StiffResponse
@@ -40,18 +41,25 @@ class AdaptiveExponentialRungeKutta(AdaptiveSteps):
         n, n_s = StageEquations(self.model, ca.SX.zeros(self.model.c_size + 1)).deflections().B.shape
         n_s = 0 if along_tree(self.model, self.options) else n_s
         tangent = {"A": n * n_s, "A_v": n * n_s} if self.options.linearisation == "tangent" and n_s else {}
-        sizes = {"X": n * n_s, **tangent, "loop_dot": len(self.model.loop_unknowns), "b1": n, "b2": n}
+        sizes = {
+            "X": n * n_s,
+            **tangent,
+            **dict.fromkeys(("loop_dot", "loop_bend"), len(self.model.loop_unknowns)),
+            "b1": n,
+            "b2": n,
+        }
         return {name: state(size) for name, size in sizes.items()}
 
     def begun(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:
         """Accelerations, and what forces along the stiff deflections do."""
         t = self.time_in_step(z, ca.SX(0), 0)
         start = equations.close(z["q_from"], z["loop_from"], t, self.options.closure_iterations)
-        fields = {"loop_dot": equations.loop_part(equations.rates(start, z["v_from"]))}
+        rates = equations.loop_part(equations.rates(start, z["v_from"]))
         if along_tree(self.model, self.options):
-            return start, equations.accelerations(start, z["v_from"]), fields
+            return start, equations.accelerations(start, z["v_from"]), {"loop_dot": rates, "loop_bend": rates}  # none
         found = equations.stiff_response(start, z["v_from"])
-        fields["X"] = ca.vec(ca.densify(found.X))
+        bends = equations.loop_accelerations(start, z["v_from"], found.a)
+        fields = {"loop_dot": rates, "loop_bend": bends, "X": ca.vec(ca.densify(found.X))}
         tangent = tangent_of(self.options, equations, start, z["v_from"], found)
         if tangent is not None:
             fields |= {"A": ca.vec(tangent[0]), "A_v": ca.vec(tangent[1])}
@@ -64,7 +72,7 @@ class AdaptiveExponentialRungeKutta(AdaptiveSteps):
 
         def d(stage: MotionStage) -> ca.SX:
             share = (0.5, 0.5, 1.0)[len(seen)]
-            guess = z["loop_from"] + stage.tau * z["loop_dot"]
+            guess = polynomial([z["loop_from"], z["loop_dot"], z["loop_bend"]], stage.tau)
             at = equations.close(stage.q, guess, self.time_in_step(z, h, share), self.options.closure_iterations)
             seen.append(at)
             v = self.charts.velocities(stage.q, stage.v)

@@ -95,7 +95,8 @@ def candidates(model: Model) -> list[Spec]:
         if model.operations.get("residual_jacobian", 0) < LONG_JACOBIANS:
             found += [
                 Spec("exponential", (2,)),
-                Spec("exponential", (4,)),
+                Spec("exponential", (1,), {"order": 5}),
+                Spec("exponential", (2,), {"order": 5}),
                 Spec("linearised", (2,)),
                 Spec("linearised", (2,), {"corrections": 1}),
             ]

@@ -53,6 +53,8 @@ def usual_methods(model: Model) -> list[Method]:
         Spec("exponential", (1,)),
         Spec("exponential", (2,)),
         Spec("exponential", (4,)),
+        Spec("exponential", (1,), {"order": 5}),
+        Spec("exponential", (2,), {"order": 5}),
         Spec("linearised", (2,)),
         Spec("linearised", (8,), {"propagation": "central_difference"}),
     ]
