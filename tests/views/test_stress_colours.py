@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from runtime import load_model, simulate
 from runtime.contract.model import Model, ModelError
 from runtime.views.viewer import view
 from runtime.views.viewer.record import view_record
+from runtime.views.viewer.section_stress import torsion_factors
 from symgen.scene import Scene, SceneBuilder, SceneError
 from symgen.scenes import SCENES, generated_folder
 from tests.support.browser import used
@@ -20,23 +22,46 @@ from tests.support.browser import used
 
 @pytest.mark.parametrize("aside", [0.0, -0.02])
 def test_a_cantilever_under_a_force(model_of: Callable[[Scene], Model], aside: float) -> None:
-    """Hand, to first order: |P / A - F_y (L - x) y / I_z - F_z (L - x) z / I_y| at every corner; in space with F_z."""
-    length, height, width, force, pull = 0.5, 0.02, 0.01, 0.03, 4.0
+    """Hand, to first order: sigma = P / A - F_y (L - x) y / I_z - F_z (L - x) z / I_y at corners and middles of sides,
+    tau = 3 F / (2 A) in the middles along F and T / (0.246 h w^2), 0.795 of it on the short sides, of torsion (tables
+    for 2 : 1): sqrt(sigma^2 + 3 tau^2). In space with F_z and T.
+    """
+    length, height, width, force, pull, twist = 0.5, 0.02, 0.01, 0.03, 4.0, 2e-2
     builder = SceneBuilder("cantilever", space="spatial" if aside else "planar")
-    across = {"second_moment_z": height * width**3 / 12, "lateral_z": {"modes": 2}} if aside else {}
+    across: dict[str, Any] = {}
+    if aside:
+        across = {"second_moment_z": height * width**3 / 12, "lateral_z": {"modes": 2}, "torsion": {"modes": 1}}
+        across |= {"shear_modulus": 8e10, "torsion_constant": 0.229 * height * width**3}
+        across |= {"markers": {"key": {"at": 1.0, "axis": (1.0, 0.0, 0.0)}}}
     builder.beam("beam", length=length, density=7800.0, youngs_modulus=2e11, area=width * height,
                  second_moment=width * height**3 / 12, axial={"modes": 1}, lateral={"modes": 2}, **across)  # fmt: skip
     builder.weld("wall", "ground.origin", "beam.start").force(
         "tip", "beam.end", *(pull, force, aside)[: 3 if aside else 2]
     )
+    if aside:
+        builder.torque("twist", "beam.key", twist)
     run = simulate(model_of(builder.simulation(t_end=2e-6, dt=1e-6, scheme="rk4", start="quasi_static").build()))
     (beam,) = (body for body in view_record(run, {})["bodies"] if body["name"] == "beam")
-    corners = np.frombuffer(base64.b64decode(beam["mesh"]["x"]), "<f4").reshape(-1, 4, 3)
-    stresses = np.frombuffer(base64.b64decode(beam["stress"]["corners"]), "<f4").reshape(-1, len(corners), 4)
-    x, y, z = np.moveaxis(corners, 2, 0)
+    places = np.frombuffer(base64.b64decode(beam["mesh"]["x"]), "<f4").reshape(-1, 8, 3)
+    stresses = np.frombuffer(base64.b64decode(beam["stress"]["vertices"]), "<f4").reshape(-1, len(places), 8)
+    x, y, z = np.moveaxis(places, 2, 0)
     bent = force * (length - x) * y / (width * height**3) + aside * (length - x) * z / (height * width**3)
-    expected = np.abs(pull / (width * height) - 12 * bent)
-    np.testing.assert_allclose(stresses[0], expected, atol=1e-3 * expected.max())
+    normal = pull / (width * height) - 12 * bent
+    on_y, on_z = np.sign(np.round(y, 6)), np.sign(np.round(z, 6))
+    torsion = twist / (0.246 * height * width**2) if aside else 0.0
+    along_y = np.where(on_y == 0, 1.5 * force / (width * height) - on_z * torsion, 0.0)
+    along_z = np.where(on_z == 0, 1.5 * aside / (width * height) + on_y * 0.795 * torsion, 0.0)
+    expected = np.sqrt(normal**2 + 3 * (along_y**2 + along_z**2))
+    assert (expected - np.abs(normal)).max() > (0.1 if aside else 1e-5) * expected.max()
+    np.testing.assert_allclose(stresses[0], expected, atol=2e-3 * expected.max())
+
+
+def test_torsion_of_a_square_and_a_strip() -> None:
+    """T / (0.208 a^3) in the middle of each side; 3 T / (h w^2) on those of a strip, 0.74 of it at its ends."""
+    assert np.array(torsion_factors(0.3, 0.3)) * 0.3**3 == pytest.approx(1 / 0.208, rel=1e-3)
+    of_short, of_long = torsion_factors(1.0, 0.002)
+    assert of_long == pytest.approx(3 / 0.002**2, rel=2e-3) and of_short / of_long == pytest.approx(0.7425, rel=1e-3)
+    assert torsion_factors(0.1, 0.2) == torsion_factors(0.2, 0.1)[::-1]
 
 
 def test_the_page_computes_von_mises(tmp_path: Path) -> None:
@@ -66,7 +91,7 @@ def test_stresses_from_elsewhere_colour_a_surface() -> None:
     mises = 1e6 * np.outer(run.t / run.t[-1], np.arange(4))
     record = view_record(run, {"rod": {**surface, "von_mises": mises}})
     rod = next(body for body in record["bodies"] if body["name"] == "rod")
-    found = np.frombuffer(base64.b64decode(rod["stress"]["corners"]), "<f4").reshape(-1, 4)
+    found = np.frombuffer(base64.b64decode(rod["stress"]["vertices"]), "<f4").reshape(-1, 4)
     t = np.frombuffer(base64.b64decode(record["t"]))
     np.testing.assert_allclose(found, 1e6 * np.outer(t / run.t[-1], np.arange(4)), rtol=1e-5)
     assert record["stress"] == pytest.approx(3e6)

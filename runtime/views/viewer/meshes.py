@@ -11,9 +11,9 @@ import numpy as np
 from runtime.contract.model import ModelError
 from runtime.views.mechanism.points import Body, Points
 from runtime.views.mechanism.solids import Solid
+from runtime.views.viewer.section_stress import RIM
 
 MOST_TRIANGLES = 200_000
-CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1))  # of a section, in halves of its height and width
 KEYS = ("vertices", "triangles", "shapes")
 
 
@@ -32,24 +32,25 @@ class SurfaceMesh:
 
 
 def beam_mesh(body: Body) -> SurfaceMesh:
-    """A prism with the beam's own section: four vertices a station, turned with it by the deformation."""
+    """A prism with the beam's own section: eight vertices a station, turned with it by the deformation."""
     assert body.section is not None
     stations, (height, width) = body.stations, body.section
-    n, nf = len(stations.names), stations.shapes.shape[2]
-    corners = np.array([[0.0, y * height, z * width] for y, z in CORNERS]) / 2.0
-    position = (stations.position[:, None] + corners[None]).reshape(-1, 3)
-    arm = np.broadcast_to(corners[None, :, :, None], (n, 4, 3, nf))
-    turned = np.cross(np.broadcast_to(stations.turns[:, None], (n, 4, 3, nf)), arm, axis=2)
+    n, nf, rim = len(stations.names), stations.shapes.shape[2], len(RIM)
+    places = np.array([[0.0, y * height, z * width] for y, z in RIM]) / 2.0
+    position = (stations.position[:, None] + places[None]).reshape(-1, 3)
+    arm = np.broadcast_to(places[None, :, :, None], (n, rim, 3, nf))
+    turned = np.cross(np.broadcast_to(stations.turns[:, None], (n, rim, 3, nf)), arm, axis=2)
     shapes = (stations.shapes[:, None] + turned).reshape(-1, 3, nf)
     sides = [
-        (4 * k + i, 4 * k + j, 4 * k + 4 + i, 4 * k + 4 + j)
-        for k in range(n - 1)
-        for i, j in ((0, 1), (1, 2), (2, 3), (3, 0))
+        (first + i, first + (i + 1) % rim, first + rim + i, first + rim + (i + 1) % rim)
+        for first in range(0, rim * (n - 1), rim)
+        for i in range(rim)
     ]
     triangles = [part for a, b, c, d in sides for part in ((a, b, d), (a, d, c))]
-    last = 4 * (n - 1)
-    triangles += [(0, 2, 1), (0, 3, 2), (last, last + 1, last + 2), (last, last + 2, last + 3)]
-    return SurfaceMesh(_points(position, shapes, stations.H), np.array(triangles), per=4)
+    last = rim * (n - 1)
+    fan = [(i, (i + 1) % rim) for i in range(2, rim)]  # about the middle of a side
+    triangles += [part for i, j in fan for part in ((1, j, i), (last + 1, last + i, last + j))]
+    return SurfaceMesh(_points(position, shapes, stations.H), np.array(triangles), per=rim)
 
 
 def solid_mesh(solid: Solid) -> SurfaceMesh:

@@ -1,8 +1,4 @@
-"""Stresses that colour a page: von Mises of finite-element surfaces, tension and bending of beams.
-
-A beam's is |N / A - M y / I_z + M_y z / I_y| at the corners of the rectangle that is drawn, which has the beam's area
-and second moments; N, M and M_y are its section forces. Shear and torsion are left out.
-"""
+"""Von Mises stresses that colour a page: of finite-element surfaces, and at the rims of the sections of beams."""
 
 from __future__ import annotations
 
@@ -17,7 +13,8 @@ from runtime.contract.packing import packed
 from runtime.results.section_forces import section_forces
 from runtime.views.mechanism.points import Body
 from runtime.views.mechanism.scenery import Scenery
-from runtime.views.viewer.meshes import CORNERS, SurfaceMesh
+from runtime.views.viewer.meshes import SurfaceMesh
+from runtime.views.viewer.section_stress import RIM, rim_stress
 
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
@@ -31,8 +28,8 @@ def stress_records(
 ) -> tuple[dict[str, dict[str, str]], float]:
     """({body: what the page needs of its stress}, the largest stress [Pa]); bodies of unknown stress are left out.
 
-    `modes` (n, 6, nf): xx yy zz yz xz xy of each vertex per unit of q_f; or `corners` (frames, vertices), those of a
-    beam four a station.
+    `modes` (n, 6, nf): xx yy zz yz xz xy of each vertex per unit of q_f; or `vertices` (frames, vertices), those of
+    a beam eight a station.
     """
     found: dict[str, dict[str, str]] = {}
     largest = 0.0
@@ -42,14 +39,14 @@ def stress_records(
             continue
         if mesh.von_mises is not None:
             values = _between(solution, body, mesh.von_mises, shown.t)
-            found[body.name] = {"corners": packed(values)}
+            found[body.name] = {"vertices": packed(values)}
             largest = max(largest, float(values.max(initial=0.0)))
         elif mesh.stresses is not None:
             found[body.name] = {"modes": packed(mesh.stresses)}
             largest = max(largest, _von_mises(mesh.stresses, shown.q_f(body)))
-        elif body.section is not None and (corners := _corners(solution, body, shown.t)) is not None:
-            found[body.name] = {"corners": packed(corners)}
-            largest = max(largest, float(corners.max()))
+        elif body.section is not None and (rims := _rims(solution, body, shown.t)) is not None:
+            found[body.name] = {"vertices": packed(rims)}
+            largest = max(largest, float(rims.max()))
     return found, largest
 
 
@@ -70,8 +67,8 @@ def _between(solution: Solution, body: Body, values: np.ndarray, t: np.ndarray) 
     return np.stack([np.interp(t, solution.t, column) for column in values.T], axis=1)
 
 
-def _corners(solution: Solution, body: Body, t: np.ndarray) -> np.ndarray | None:
-    """(frames, stations, 4), corners as `beam_mesh` has them; None for a beam whose section forces are not known."""
+def _rims(solution: Solution, body: Body, t: np.ndarray) -> np.ndarray | None:
+    """(frames, stations, 8), vertices as `beam_mesh` has them; None for a beam whose section forces are not known."""
     assert body.section is not None
     height, width = body.section
     x = body.stations.position[:, 0]
@@ -81,9 +78,6 @@ def _corners(solution: Solution, body: Body, t: np.ndarray) -> np.ndarray | None
         forces = section_forces(few, body.name, list((x - x[0]) / (x[-1] - x[0])))
     except ModelError:
         return None
-    pulled = forces.normal / (height * width)
-    bent, aside = 6 * forces.moment / (width * height**2), 6 * forces.moment_y / (height * width**2)
-    parts = [pulled - y * bent + z * aside for y, z in CORNERS]
-    corners = np.abs(np.stack(parts, axis=2)).reshape(len(kept), -1)
-    at = np.stack([np.interp(t, few.t, column) for column in corners.T], axis=1)
-    return at.reshape(len(t), len(x), 4)
+    rims = rim_stress(forces, height, width).reshape(len(kept), -1)
+    at = np.stack([np.interp(t, few.t, column) for column in rims.T], axis=1)
+    return at.reshape(len(t), len(x), len(RIM))
