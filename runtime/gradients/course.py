@@ -1,11 +1,16 @@
-"""What happens at which step of a differentiated run: outputs are taken, and inputs are set to other numbers."""
+"""What happens at which step of a differentiated run: outputs are taken, inputs are set, jumps in time are crossed."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
+
+from runtime.schemes.switching.breaks import Breaks
+from runtime.schemes.switching.times import SwitchTime
+
+Moves = Callable[[Sequence[SwitchTime]], np.ndarray]  # of jumps at one time: its derivative by p (n_p,)
 
 
 @dataclass(frozen=True)
@@ -26,12 +31,45 @@ class Hold:
 
 
 @dataclass(frozen=True)
+class Jump:
+    """Clocks before and after it [s], and the derivative of its time by p (n_p,)."""
+
+    before: float
+    after: float
+    moves: np.ndarray
+
+
+@dataclass(frozen=True)
+class Part:
+    """Of a broken step: from a clock on, so long [s], behind a jump."""
+
+    start: float
+    length: float
+    jump: Jump | None
+
+
+@dataclass(frozen=True)
+class Broken:
+    """Parts of a major step, the number of steps done after it, and the clock from which the next one starts [s]."""
+
+    parts: tuple[Part, ...]
+    step: int
+    clock: float
+
+
+@dataclass(frozen=True)
 class Stop:
-    """After so many major steps: outputs are taken as a sample (-1: none), then inputs change."""
+    """After so many major steps, or a broken one: outputs are taken as a sample (-1: none), then inputs change."""
 
     steps: int
     sample: int
     holds: tuple[Hold, ...] = ()
+    broken: Broken | None = None
+
+    @property
+    def recorded(self) -> int:
+        """Steps that are made."""
+        return self.steps if self.broken is None else len(self.broken.parts)
 
 
 @dataclass(frozen=True)
@@ -44,7 +82,7 @@ class Course:
     @property
     def steps(self) -> int:
         """All of them."""
-        return sum(stop.steps for stop in self.stops)
+        return sum(stop.recorded for stop in self.stops)
 
 
 def course(steps: int, every: int, holds: Iterable[Hold]) -> Course:
@@ -60,3 +98,33 @@ def course(steps: int, every: int, holds: Iterable[Hold]) -> Course:
         stops.append(Stop(time - before, sample.get(time, -1), tuple(changes.get(time, ()))))
         before = time
     return Course(tuple(stops), tuple(times))
+
+
+def across(course: Course, breaks: Breaks, moves: Moves) -> Course:
+    """The course with its steps broken where something jumps."""
+    special = sorted({*breaks.broken.tolist(), *breaks.on})
+    stops: list[Stop] = []
+    done = 0
+    for stop in course.stops:
+        end, cut = done + stop.steps, []
+        for k in (one for one in special if done <= one < end):
+            if k > done:
+                cut.append(Stop(k - done, -1))
+            cut.append(Stop(0, -1, broken=_broken(breaks, k, moves)))
+            done = k + 1
+        if done < end or not cut:
+            cut.append(Stop(end - done, -1))
+        stops += [*cut[:-1], replace(cut[-1], sample=stop.sample, holds=stop.holds)]
+        done = end
+    return replace(course, stops=tuple(stops))
+
+
+def _broken(breaks: Breaks, step: int, moves: Moves) -> Broken:
+    start, there = breaks.clock(step), breaks.on.get(step, []) if step else []
+    jump = Jump(min(one.before for one in there), start, moves(there)) if there else None
+    inside, parts = breaks.inside.get(step, []), []
+    for k, (end, after) in enumerate(breaks.ends(step)):
+        parts.append(Part(start, end - start, jump))
+        if k < len(inside) and after is not None:
+            start, jump = after, Jump(end, after, moves([inside[k]]))
+    return Broken(tuple(parts), step + 1, breaks.clock(step + 1))

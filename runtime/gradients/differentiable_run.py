@@ -13,9 +13,11 @@ from runtime.contract.model import Model, ModelError
 from runtime.engine.derivatives_code import Recorder, TangentCode, most_lanes
 from runtime.engine.native import NativeProgram
 from runtime.gradients.beginning import Beginning, Begun
-from runtime.gradients.course import course
+from runtime.gradients.course import Course, course
+from runtime.gradients.crossing import Crossing
 from runtime.gradients.derivatives_of_run import Gradient, OutputJacobian
 from runtime.gradients.driving import Inputs, driven_by, held_samples, holds_of
+from runtime.gradients.moving_jumps import MovingJumps
 from runtime.gradients.objectives import Objective
 from runtime.gradients.observed_program import observed_program
 from runtime.gradients.outputs import check_outputs
@@ -70,6 +72,8 @@ class DifferentiableRun:
         self.t = self.plan.t0 + np.array(self.course.times) * self.plan.grid.dt_L
         sampled = [k for k, entry in enumerate(model.parameters) if entry.name in {one.input for one in held}]
         self._switches = Switches(self.plan, self.program, [*entries, *sampled])
+        self._jumps = MovingJumps(model, entries, self.plan.t0, self.plan.grid.dt_L, self.plan.steps)
+        self._refuse_jumps_by_samples([one.input for one in held if one.step > 0])
         given = {one.input: one.value for one in held if one.step == 0}
         self._start = StartOfRun(
             self.program, self.plan, self.variables, {**(parameters or {}), **given}, initial or {}, start
@@ -88,7 +92,9 @@ class DifferentiableRun:
         begun = self._begun(x, slopes=False)
         z, y = begun.z.copy(), np.zeros((len(self.t), len(self.outputs)))
         stepping, observing = self._plain
-        for stop in self.course.stops:
+        for stop in self._broken(begun).stops:
+            if stop.broken is not None:
+                self._crossing.run(stepping, z, stop.broken, begun)
             stepping.run(z, begun.ready, stop.steps)
             if stop.sample >= 0:
                 observing.run(z, begun.ready, 1)
@@ -102,9 +108,11 @@ class DifferentiableRun:
         """Outputs and their derivatives, one direction a lane."""
         begun = self._begun(x)
         directions = self._beginning.tangents(begun.x, begun.slopes)
-        y, slopes, last = forward(self.program, self._tangents, self.course, begun, directions)
+        course = self._broken(begun)
+        crossing = None if course is self.course else self._crossing
+        y, slopes, last = forward(self.program, self._tangents, course, begun, directions, crossing)
         begun.watch.end(last)
-        self._switches.check(begun, self.course)
+        self._switches.check(begun, course, crossing)
         self._require_finite(slopes)
         return OutputJacobian(self.t, self.outputs, self.by, y, slopes)
 
@@ -140,10 +148,19 @@ class DifferentiableRun:
 
     def _reverse(self, x: Values, weigh: Weigh) -> tuple[np.ndarray, np.ndarray]:
         begun = self._begun(x)
-        y, adjoint, held, last = self._backward.run(begun, weigh)
+        course = self._broken(begun)
+        crossing = None if course is self.course else self._crossing
+        backward = self._backward if crossing is None else Backward(self.program, self._recorders, course, crossing)
+        y, adjoint, held, of_parameters, last = backward.run(begun, weigh)
         begun.watch.end(last)
-        self._switches.check(begun, self.course)
-        return y, begun.slopes.T @ self._beginning.pulled_back(begun.x, adjoint) + held
+        self._switches.check(begun, course, crossing)
+        of_x = self._beginning.pulled_back(begun.x, adjoint)
+        of_x[: len(of_parameters)] += of_parameters
+        return y, begun.slopes.T @ of_x + held
+
+    def _broken(self, begun: Begun) -> Course:
+        """The course with its steps broken where something jumps; `course` itself where nothing does."""
+        return self._jumps.broken(self.course, begun.x[: len(self.model.parameters)])
 
     def _begun(self, x: Values, slopes: bool = True) -> Begun:
         return self._start.begun(self.x0 if x is None else self.variables.checked(x), slopes)
@@ -161,10 +178,17 @@ class DifferentiableRun:
         return stepping, observing
 
     @cached_property
-    def _backward(self) -> Backward:
+    def _recorders(self) -> tuple[Recorder, Recorder]:
         active, wait = self.program.active, self._wait
-        recorders = (Recorder(self.program.step, active, wait), Recorder(self.program.observe, active, wait))
-        return Backward(self.program, recorders, self.course)
+        return Recorder(self.program.step, active, wait), Recorder(self.program.observe, active, wait)
+
+    @cached_property
+    def _backward(self) -> Backward:
+        return Backward(self.program, self._recorders, self.course)
+
+    @cached_property
+    def _crossing(self) -> Crossing:
+        return Crossing(self.program, self.plan.t0)
 
     @cached_property
     def _beginning(self) -> Beginning:
@@ -181,6 +205,15 @@ class DifferentiableRun:
                     "enters the equations only as structure or as drawing: nothing that is computed depends on it",
                     "leave it out of `by`",
                 )
+
+    def _refuse_jumps_by_samples(self, names: Sequence[str]) -> None:
+        """Raises ArgumentError where held samples change when something jumps."""
+        if names and self._jumps.reads_inputs:
+            raise ArgumentError(
+                f"samples of {', '.join(dict.fromkeys(names))}",
+                f"change during the run, and when something in model {self.model.name} jumps depends on inputs",
+                "give a constant or a function of time",
+            )
 
     def _require_finite(self, slopes: np.ndarray) -> None:
         bad = ~np.isfinite(slopes).all(axis=(0, 1))

@@ -15,7 +15,8 @@ import numpy as np
 
 from runtime.engine.derivatives_code import LaneArrays, Recorder, TangentCode
 from runtime.gradients.beginning import Begun
-from runtime.gradients.course import Course, Stop
+from runtime.gradients.course import Broken, Course, Stop
+from runtime.gradients.crossing import Crossing, Taken
 from runtime.gradients.observed_program import ObservedProgram
 
 TAPE_NUMBERS = 500_000  # a run whose tape is shorter is recorded whole; about what a second-level cache holds
@@ -27,10 +28,11 @@ def forward(
     course: Course,
     begun: Begun,
     directions: np.ndarray,
+    crossing: Crossing | None = None,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(outputs (N, n_y), their derivatives (N, n_y, k), the last z) along directions (active, k).
 
-    codes: tangents of the step and of the outputs, of one width.
+    codes: tangents of the step and of the outputs, of one width; crossing: where steps are broken.
     """
     stepping, observing = codes
     active, width, n_y = program.active, stepping.width, program.outputs.stop - program.outputs.start
@@ -45,7 +47,9 @@ def forward(
         arrays.z[len(z) :, :here] = directions[: len(active.z), first : first + here]
         arrays.c[len(constants) :, :here] = directions[len(active.z) :, first : first + here]
         for stop in course.stops:
-            if stop.steps:
+            if stop.broken is not None and crossing is not None:
+                across(crossing, stepping, arrays, stop.broken, begun, begun.slopes[:, first : first + here])
+            elif stop.steps:
                 stepping.run(arrays, stop.steps)
             if stop.sample >= 0:
                 observing.run(arrays, 1)
@@ -60,14 +64,39 @@ def forward(
     return y, slopes, arrays.z[: len(z), 0].copy()
 
 
+def across(
+    crossing: Crossing, stepping: TangentCode, arrays: LaneArrays, broken: Broken, begun: Begun, slopes: np.ndarray
+) -> None:
+    """A broken step in lanes; slopes (n_x, k): of what the run begins with, p first."""
+    z, c, here, kept = arrays.z, arrays.c, slopes.shape[1], arrays.c.copy()
+    n_z, n_c, along = len(begun.z), len(begun.ready), crossing.of_parameters(slopes)
+    for turn in crossing.turns(broken):
+        state = z[:n_z, 0].copy()
+        taken = crossing.take(turn, state, begun)
+        z[:n_z] = state[:, None]
+        z[n_z:, :here] = crossing.directions(taken, begun, along, z[n_z:, :here])
+        if turn.goes_on:
+            c[:n_c] = crossing.ready(turn, begun)[:, None]
+            c[n_c:, :here] = crossing.ready_directions(turn, begun, along)
+            stepping.run(arrays, 1)
+    crossing.land(z, broken)
+    c[:] = kept
+
+
 Weigh = Callable[[np.ndarray], np.ndarray]  # outputs (N, n_y) -> derivative of the objective by them, of that shape
 
 
 class Backward:
-    """A run with its way back.  codes: recorders of the step and of the outputs."""
+    """A run with its way back.  codes: recorders of the step and of the outputs; crossing: where steps are broken."""
 
-    def __init__(self, program: ObservedProgram, codes: tuple[Recorder, Recorder], course: Course) -> None:
-        self.program, self.course = program, course
+    def __init__(
+        self,
+        program: ObservedProgram,
+        codes: tuple[Recorder, Recorder],
+        course: Course,
+        crossing: Crossing | None = None,
+    ) -> None:
+        self.program, self.course, self.crossing = program, course, crossing
         self.stepping, self.observing = codes
         self.longest = self._longest_segment(course.steps)
         self.parts = self._parts()
@@ -84,6 +113,12 @@ class Backward:
         segments: list[list[Stop]] = [[]]
         room = self.longest
         for stop in self.course.stops[1:]:
+            if stop.broken is not None:
+                if stop.recorded > room and segments[-1]:
+                    segments.append([])
+                    room = self.longest
+                segments[-1].append(stop)
+                room = max(0, room - stop.recorded)
             left = stop.steps
             while left:
                 if not room:
@@ -94,9 +129,9 @@ class Backward:
                 segments[-1].append(Stop(taken, -1) if left else replace(stop, steps=taken))
         return segments
 
-    def run(self, begun: Begun, weigh: Weigh) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    def run(self, begun: Begun, weigh: Weigh) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """(outputs (N, n_y), adjoint of the active entries of z and constants at the beginning, that of x by what is
-        held later (n,), the last z).
+        held later (n,), that of p by broken steps (n_p,), the last z).
         """
         active, outputs, constants = self.program.active, self.program.outputs, begun.ready
         y = np.zeros((len(self.course.times), outputs.stop - outputs.start))
@@ -118,7 +153,7 @@ class Backward:
             tapes.back(adjoint, held, bars, part)
         adjoint[self.rows] = bars[0]
         self.observing.reverse(adjoint, constants, first, 1)
-        return y, adjoint, held, last
+        return y, adjoint, held, tapes.of_parameters, last
 
     @property
     def rows(self) -> slice:
@@ -132,16 +167,21 @@ class _Tapes:
     def __init__(self, run: Backward, begun: Begun, y: np.ndarray) -> None:
         self._run, self._begun, self._y = run, begun, y
         self._step, self._output = run.stepping, run.observing
-        steps = max((sum(stop.steps for stop in part) for part in run.parts), default=0)
+        steps = max((sum(stop.recorded for stop in part) for part in run.parts), default=0)
         most = max((sum(stop.sample >= 0 for stop in part) for part in run.parts), default=0)
         self._steps = np.zeros(steps * self._step.records + 1)
         self._outputs = np.zeros(most * self._output.records + 1)
         self._at, self._seen = 0, 0
+        self._taken: list[tuple[Taken, np.ndarray]] = []
+        self.of_parameters = np.zeros(len(run.program.scheme.model.parameters))
 
     def forward(self, z: np.ndarray, part: list[Stop]) -> None:
         """Run a segment and record it, from the beginning of the tapes."""
         c, self._at, self._seen = self._begun.ready, 0, 0
+        self._taken.clear()
         for stop in part:
+            if stop.broken is not None:
+                self._forward_across(z, stop.broken)
             self._step.record(z, c, self._steps[self._at :], stop.steps)
             self._at += stop.steps * self._step.records
             if stop.sample >= 0:
@@ -166,3 +206,30 @@ class _Tapes:
                 self._output.reverse(adjoint, c, self._outputs[self._seen :], 1)
             self._at -= stop.steps * self._step.records
             self._step.reverse(adjoint, c, self._steps[self._at :], stop.steps)
+            if stop.broken is not None:
+                self._back_across(adjoint, stop.recorded)
+
+    def _forward_across(self, z: np.ndarray, broken: Broken) -> None:
+        crossing = self._run.crossing
+        assert crossing is not None
+        for turn in crossing.turns(broken):
+            taken, ready = crossing.take(turn, z, self._begun), self._begun.ready
+            if turn.goes_on:
+                ready = crossing.ready(turn, self._begun)
+                self._step.record(z, ready, self._steps[self._at :], 1)
+                self._at += self._step.records
+            self._taken.append((taken, ready))
+        crossing.land(z, broken)
+
+    def _back_across(self, adjoint: np.ndarray, parts: int) -> None:
+        crossing, begun, first = self._run.crossing, self._begun, len(self._run.program.active.z)
+        assert crossing is not None
+        for _ in range(parts + 1):
+            taken, ready = self._taken.pop()
+            if taken.turn.goes_on:
+                self._at -= self._step.records
+                kept, adjoint[first:] = adjoint[first:].copy(), 0.0
+                self._step.reverse(adjoint, ready, self._steps[self._at :], 1)
+                self.of_parameters += crossing.ready_pulled_back(taken.turn, begun, adjoint[first:].copy())
+                adjoint[first:] = kept
+            self.of_parameters += crossing.pulled_back(taken, begun, adjoint)

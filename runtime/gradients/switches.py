@@ -20,9 +20,11 @@ from runtime.contract.tape import UNUSED, Tape, node_value, read_tape
 from runtime.engine.native import NativeProgram
 from runtime.gradients.beginning import Begun
 from runtime.gradients.course import Course
+from runtime.gradients.crossing import Crossing
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.running.plan import Plan
 from runtime.schemes.stage_equations import StageEquations
+from runtime.schemes.switching.times import has_switching_times
 
 SWITCHING = (ca.OP_LT, ca.OP_LE, ca.OP_EQ, ca.OP_NE, ca.OP_SIGN, ca.OP_FLOOR, ca.OP_CEIL, ca.OP_FMOD)
 HALVINGS = 60
@@ -44,8 +46,8 @@ class Switches:
         self._plan, self._program = plan, program
         self._watched = _watched(plan, parameters)
 
-    def check(self, begun: Begun, course: Course) -> None:
-        """Look along a run. Raises NoResult for a force that jumps there."""
+    def check(self, begun: Begun, course: Course, crossing: Crossing | None = None) -> None:
+        """Look along a run. Raises NoResult for a force that jumps there. crossing: where steps are broken."""
         if self._watched is None:
             return
         scheme, ready = self._plan.scheme, begun.ready
@@ -54,9 +56,12 @@ class Switches:
         for stop in course.stops:
             c = self._constants(z, ready)
             before = self._at(z, constants)
-            for _ in range(stop.steps):
+            for _ in range(1 if stop.broken else stop.steps):
                 held = self._conditions(before, c)
-                stepping.run(z, ready, 1)
+                if stop.broken is None or crossing is None:
+                    stepping.run(z, ready, 1)
+                else:
+                    crossing.run(stepping, z, stop.broken, begun)
                 after = self._at(z, constants)
                 now = self._conditions(after, c)
                 for k in np.flatnonzero(held != now):
@@ -119,7 +124,8 @@ def _watched(plan: Plan, parameters: Sequence[int]) -> _Watched | None:
     motion = equations.close(at[1 : 1 + n], at[1 + 2 * n :], at[0], 2)
     Q_hat = equations.condensed(motion, at[1 + n : 1 + 2 * n])[1]
     tape = read_tape(ca.Function("forces", [at, c], [ca.densify(Q_hat)], ["at", "c"], ["Q_hat"]))
-    moved = set(_columns(model.kernel("constants"), parameters))
+    in_time = has_switching_times(model)  # then steps end where conditions in time change, and what moves them is known
+    moved = set() if in_time else set(_columns(model.kernel("constants"), parameters))
     chosen = _moving(tape, moved)
     if not chosen:
         return None

@@ -46,7 +46,7 @@ class Segment(SteppedModel):
         work [J]: what was done on the mechanism until then.
         """
         grid = self.plan.time(step)
-        start = grid if self.broken is None else self.broken.clock(step)
+        start = grid if self.broken is None else self.broken.grid.clock(step)
         z = self.begin(start, q, q_dot)
         z[0], z[1] = self.plan.t0 + (start - grid), step  # the grid of times is the run's
         self.forget_determinants(z)

@@ -52,7 +52,7 @@ class UnendingSteps:
         self.t0, self.happenings = t0, Happenings(self._own)
         self.forget()
         self._look(self._own.with_inputs(self._z))
-        self._z[0] = t0 + (self._broken.clock(int(self._z[1])) - self._broken.time(int(self._z[1])))
+        self._z[0] = t0 + (self._broken.grid.clock(int(self._z[1])) - self._broken.grid.time(int(self._z[1])))
         self._own.begin_events(self._z)
 
     def go_back(self, t0: float, events: Sequence[Event], ended: Status | None) -> None:

@@ -10,12 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import floor
 
 import numpy as np
 
 from runtime.contract.model import Model
 from runtime.schemes.stepper import Stepper
+from runtime.schemes.switching.breaks import ON_THE_GRID, Breaks
 from runtime.schemes.switching.event_search import first_passage
 from runtime.schemes.switching.impulse import Impulse, impulse_at, moves_in_time
 from runtime.schemes.switching.legs import Acts, Leg, Legs
@@ -23,7 +23,6 @@ from runtime.schemes.switching.times import SwitchTime
 from runtime.schemes.switching.watched import NEVER, begin_events, event_values, passed, quiet_until, watches
 from runtime.schemes.work import account_at, accounted, begin_account
 
-ON_THE_GRID = 1e-9  # of a step: a jump that near to the end of a step is there
 AHEAD = 2  # steps that the account of work looks at in advance
 
 
@@ -35,44 +34,20 @@ class BrokenSteps:
 
     def __init__(self, stepper: Stepper, t0: float, dt: float, switches: Sequence[SwitchTime]) -> None:
         self.stepper, self.t0, self.dt = stepper, t0, dt
-        self.legs = Legs(stepper)
+        self.legs, self.grid = Legs(stepper), Breaks(t0, dt, switches)
         self.impulses: dict[float, Impulse] = {}
         self._moves = moves_in_time(self.model)
-        self._inside: dict[int, list[SwitchTime]] = {}
-        self._on: dict[int, tuple[float, float]] = {}  # step -> clocks on both sides of its start
-        for one in switches:
-            k = floor((one.time - t0) / dt)
-            near = [step for step in (k, k + 1) if abs(one.time - self.time(step)) <= ON_THE_GRID * dt]
-            if near:
-                before, after = self._on.get(near[0], (np.inf, -np.inf))
-                self._on[near[0]] = min(before, one.before), max(after, one.after)
-            else:
-                self._inside.setdefault(k, []).append(one)
-        self._broken = np.unique([*self._inside, *(k - 1 for k in self._on if k > 0)]).astype(int)
 
     @property
     def model(self) -> Model:
         """Of the scheme."""
         return self.stepper.scheme.model
 
-    def time(self, step: int) -> float:
-        """Of the grid [s]."""
-        return self.t0 + step * self.dt
-
-    def clock(self, step: int) -> float:
-        """The time from which a step starts [s]: after a jump that is there."""
-        return max(self.time(step), self._on[step][1]) if step in self._on else self.time(step)
-
-    def next_broken(self, step: int) -> int | None:
-        """The first broken step from this one on."""
-        k = int(np.searchsorted(self._broken, step))
-        return int(self._broken[k]) if k < len(self._broken) else None
-
     def run(self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, steps: int) -> None:
         """Advance z (whole, flat) in place; c (c_size,) are the model's constants, ready what the program reads."""
         end = int(z[1]) + steps
         while (step := int(z[1])) < end:
-            broken = self.next_broken(step)
+            broken = self.grid.next_broken(step)
             if broken == step:
                 self._break(z, c)
                 continue
@@ -90,18 +65,16 @@ class BrokenSteps:
             flagged, z[layout.slice("event_step")] = float(z[layout.slice("event_step")][0]), NEVER
         c = self.legs.with_inputs(z, c)
         leg = Leg(z, self.dt, account_at(self.stepper.scheme, z, self.legs.constants(c, self.dt))[0])
-        clock = max(z[0] + step * self.dt, self.clock(step))
-        on = self._on.get(step + 1)
-        ends = [*((one.before, one.after) for one in self._inside.get(step, ())), on or (self.time(step + 1), None)]
-        for end, after in ends:
+        clock = max(z[0] + step * self.dt, self.grid.clock(step))
+        for end, after in self.grid.ends(step):
             leg = self._reach(leg, c, clock, end, acts)
             if leg.ends:
                 break
             if after is not None:
                 leg, clock = self._jumped(c, leg, end, after), after
-        start, c = leg.reached if leg.ends else self.clock(step + 1), self.legs.with_inputs(leg.z, c)
+        start, c = leg.reached if leg.ends else self.grid.clock(step + 1), self.legs.with_inputs(leg.z, c)
         z[:] = self.legs.set_out(leg, c, start, self.dt)
-        z[0], z[1] = self.t0 + (start - self.time(step + 1)), step + 1
+        z[0], z[1] = self.t0 + (start - self.grid.time(step + 1)), step + 1
         if watches(self.stepper.scheme):
             seen = acts is None and z[layout.slice("event_step")][0] < NEVER
             begin_events(self.stepper.scheme, z, self.legs.constants(c, self.dt))
@@ -160,7 +133,7 @@ class BrokenSteps:
 
     def count_anew(self, z: np.ndarray, c: np.ndarray, work: float) -> None:
         """Begin the account of work at a state of the grid; what lies behind a jump is not looked at in advance."""
-        scheme, broken = self.stepper.scheme, self.next_broken(int(z[1]))
+        scheme, broken = self.stepper.scheme, self.grid.next_broken(int(z[1]))
         near = broken is not None and broken < int(z[1]) + AHEAD
         if not accounted(scheme):
             return

@@ -56,7 +56,7 @@ class OneStepPath:
                     ready, last = self._stepper.ready(self.c, dt), dt
                 own = [one for one in known if reached <= one.time <= t]
                 parts = BrokenSteps(self._stepper, reached, dt, own)
-                z[t0], z[n] = parts.clock(0), 0.0  # the clock of a scheme counts steps of one size
+                z[t0], z[n] = parts.grid.clock(0), 0.0  # the clock of a scheme counts steps of one size
                 parts.run(z, ready, self.c, steps)
                 reached = float(t)
             rows.append(z[told].copy())

@@ -1,0 +1,61 @@
+"""Derivatives of runs whose loads jump in time: steps end there, and a time that moves has its part."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from runtime import DifferentiableRun, Model, gradient, simulate
+from runtime.gradients import passes
+from runtime.gradients.objectives import End
+from runtime.schemes.catalogue import SCHEMES
+from symgen.scene import Scene, SceneBuilder
+from tests.gradients.test_gradients import sliding
+
+Build = Callable[[Scene], Model]
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_a_time_that_moves_has_its_derivative(model_of: Build, scheme: str) -> None:
+    """x(1) = f (1 - T)^2 / 2 by hand: of a jump within a step, and of one at the end of a step."""
+    model = model_of(sliding("where(t < T, 0, f)", T=0.5, f=2.0))
+    for T in (0.5, 0.4567):
+        for mode in ("forward", "reverse"):
+            found = gradient(model, End("mass.x"), ["f", "T"], scheme=scheme, dt=0.02, mode=mode, parameters={"T": T})
+            np.testing.assert_allclose(found.derivatives, [(1 - T) ** 2 / 2, -2 * (1 - T)], rtol=1e-11)
+            assert found.value == pytest.approx((1 - T) ** 2, rel=1e-12)
+
+
+def kicked() -> Scene:
+    """A pendulum with a step, a square wave and a ramp, all of whose times move."""
+    builder = SceneBuilder("kicked_pendulum").gravity(0, -9.81).parameter("w", 7.0, "rad/s").parameter("T", 0.4567, "s")
+    builder.rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0)).revolute("pin", "ground.origin", "rod.origin")
+    torque = "where(t < T, 0, 5) + where(sin(w * t) > 0.2, 3, 0) + 20 * max(t - T - 0.1, 0)"
+    return builder.torque("kick", "rod.origin", torque).simulation(t_end=1.0, dt=0.01, scheme="rk4").build()
+
+
+@pytest.mark.parametrize("scheme, dt, closely", [("rk4", 0.01, 1e-6), ("single_rate", 2e-3, 1e-4)])
+def test_forward_reverse_and_differences_of_runs(
+    model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str, dt: float, closely: float
+) -> None:
+    """Against differences of `simulate`: exact where no time moves, else to the order; also in segments."""
+    model, by = model_of(kicked()), ["w", "T", "rod.mass", "rod.theta_dot"]
+    run = DifferentiableRun(model, ["rod.theta"], by, scheme=scheme, dt=dt, save_every=10)
+
+    def end(x: np.ndarray) -> float:
+        given = {"parameters": dict(zip(by[:3], x[:3], strict=True)), "initial": {"rod.theta_dot": x[3]}}
+        return float(simulate(model, scheme=scheme, dt=dt, **given)["rod.theta"][-1])
+
+    forward, reverse = (run.gradient(End("rod.theta"), mode=mode) for mode in ("forward", "reverse"))
+    assert forward.value == end(run.x0)
+    np.testing.assert_allclose(reverse.derivatives, forward.derivatives, rtol=0, atol=1e-12 * 8)
+    for k, limit in enumerate((closely, closely, 1e-8, 1e-8)):
+        ends = {n: end(run.x0 + 1e-4 * n * np.eye(4)[k]) for n in (-2, -1, 1, 2)}
+        difference = (8 * (ends[1] - ends[-1]) - (ends[2] - ends[-2])) / 12e-4
+        assert forward.derivatives[k] == pytest.approx(difference, rel=limit)
+    monkeypatch.setattr(passes, "TAPE_NUMBERS", 0)
+    again = DifferentiableRun(model, ["rod.theta"], by, scheme=scheme, dt=dt, save_every=10)
+    parts = again.gradient(End("rod.theta"), mode="reverse")
+    np.testing.assert_allclose(parts.derivatives, reverse.derivatives, rtol=1e-13)
