@@ -40,7 +40,7 @@ class Jump:
 
 
 @dataclass(frozen=True)
-class Part:
+class StepPart:
     """Of a broken step: from a clock on, so long [s], behind a jump."""
 
     start: float
@@ -52,7 +52,7 @@ class Part:
 class Broken:
     """Parts of a major step, the number of steps done after it, and the clock from which the next one starts [s]."""
 
-    parts: tuple[Part, ...]
+    parts: tuple[StepPart, ...]
     step: int
     clock: float
 
@@ -124,7 +124,7 @@ def _broken(breaks: Breaks, step: int, moves: Moves) -> Broken:
     jump = Jump(min(one.before for one in there), start, moves(there)) if there else None
     inside, parts = breaks.inside.get(step, []), []
     for k, (end, after) in enumerate(breaks.ends(step)):
-        parts.append(Part(start, end - start, jump))
+        parts.append(StepPart(start, end - start, jump))
         if k < len(inside) and after is not None:
             start, jump = after, Jump(end, after, moves([inside[k]]))
     return Broken(tuple(parts), step + 1, breaks.clock(step + 1))

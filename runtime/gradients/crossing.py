@@ -23,7 +23,7 @@ from runtime.schemes.state_fields import Lasting
 
 
 @dataclass(frozen=True)
-class Turn:
+class Handover:
     """From one part of a step to the next: the steps of both (groups,) [s], the clock [s], the jump there if any.
 
     goes_on: is a step made from there? The last turn leads back to the grid.
@@ -40,12 +40,12 @@ class Turn:
 class Taken:
     """A turn at a state z (n_s,), the scheme's part; gap (n_i,): accelerations before the jump less those after it."""
 
-    turn: Turn
+    turn: Handover
     z: np.ndarray
     gap: np.ndarray
 
 
-class Crossing:
+class JumpCrossing:
     """Broken steps of a program whose grid of steps begins at t0 [s]."""
 
     def __init__(self, program: ObservedProgram, t0: float) -> None:
@@ -62,17 +62,17 @@ class Crossing:
                 "take a scheme of one step, such as exponential or rk4",
             )
 
-    def turns(self, broken: Broken) -> list[Turn]:
+    def turns(self, broken: Broken) -> list[Handover]:
         """To each part of a broken step, and back to the grid."""
         found, before = [], self._steps
         for part in broken.parts:
             length = part.length * (1 - 2 * np.finfo(float).eps * prod(self._scheme.grid.m))
             after = self._steps * (length / self._steps[0])
-            found.append(Turn(before, after, part.start, part.jump, True))
+            found.append(Handover(before, after, part.start, part.jump, True))
             before = after
-        return [*found, Turn(before, self._steps, broken.clock, None, False)]
+        return [*found, Handover(before, self._steps, broken.clock, None, False)]
 
-    def take(self, turn: Turn, z: np.ndarray, begun: Begun) -> Taken:
+    def take(self, turn: Handover, z: np.ndarray, begun: Begun) -> Taken:
         """A turn at z (n_z,), in place."""
         own, p = z[: self._n_s].copy(), self._p(begun)
         gap = np.zeros(len(self._scheme.model.q_i))
@@ -99,7 +99,7 @@ class Crossing:
         z[0] = self._t0 + (broken.clock - (self._t0 + broken.step * self._steps[0]))
         z[1] = broken.step
 
-    def ready(self, turn: Turn, begun: Begun) -> np.ndarray:
+    def ready(self, turn: Handover, begun: Begun) -> np.ndarray:
         """What the program reads in the part behind a turn."""
         model = self._scheme.model
         return self._program.prepared.ready(np.concatenate([model.constants(self._p(begun)), turn.after]))
@@ -124,7 +124,7 @@ class Crossing:
         found[self._own] = whole[self._rows]
         return found
 
-    def ready_directions(self, turn: Turn, begun: Begun, along: np.ndarray) -> np.ndarray:
+    def ready_directions(self, turn: Handover, begun: Begun, along: np.ndarray) -> np.ndarray:
         """(active constants, k) of the part behind a turn, along (n_p, k)."""
         columns = [np.asarray(self._ready_tangent(self._p(begun), turn.after, one)).ravel() for one in along.T]
         return np.array(columns).T
@@ -142,7 +142,7 @@ class Crossing:
             p_bar = p_bar + jump.moves * float(taken.gap @ pushed)
         return p_bar
 
-    def ready_pulled_back(self, turn: Turn, begun: Begun, bar: np.ndarray) -> np.ndarray:
+    def ready_pulled_back(self, turn: Handover, begun: Begun, bar: np.ndarray) -> np.ndarray:
         """(n_p,) from the adjoint of the active constants of the part behind a turn."""
         return np.asarray(self._ready_adjoint(self._p(begun), turn.after, bar)).ravel()
 

@@ -14,7 +14,7 @@ from runtime.engine.derivatives_code import Recorder, TangentCode, most_lanes
 from runtime.engine.native import NativeProgram
 from runtime.gradients.beginning import Beginning, Begun
 from runtime.gradients.course import Course, course
-from runtime.gradients.crossing import Crossing
+from runtime.gradients.crossing import JumpCrossing
 from runtime.gradients.derivatives_of_run import Gradient, OutputJacobian
 from runtime.gradients.driving import Inputs, driven_by, held_samples, holds_of
 from runtime.gradients.moving_jumps import MovingJumps
@@ -187,8 +187,8 @@ class DifferentiableRun:
         return Backward(self.program, self._recorders, self.course)
 
     @cached_property
-    def _crossing(self) -> Crossing:
-        return Crossing(self.program, self.plan.t0)
+    def _crossing(self) -> JumpCrossing:
+        return JumpCrossing(self.program, self.plan.t0)
 
     @cached_property
     def _beginning(self) -> Beginning:

@@ -16,7 +16,7 @@ import numpy as np
 from runtime.engine.derivatives_code import LaneArrays, Recorder, TangentCode
 from runtime.gradients.beginning import Begun
 from runtime.gradients.course import Broken, Course, Stop
-from runtime.gradients.crossing import Crossing, Taken
+from runtime.gradients.crossing import JumpCrossing, Taken
 from runtime.gradients.observed_program import ObservedProgram
 
 TAPE_NUMBERS = 500_000  # a run whose tape is shorter is recorded whole; about what a second-level cache holds
@@ -28,7 +28,7 @@ def forward(
     course: Course,
     begun: Begun,
     directions: np.ndarray,
-    crossing: Crossing | None = None,
+    crossing: JumpCrossing | None = None,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(outputs (N, n_y), their derivatives (N, n_y, k), the last z) along directions (active, k).
 
@@ -65,7 +65,7 @@ def forward(
 
 
 def across(
-    crossing: Crossing, stepping: TangentCode, arrays: LaneArrays, broken: Broken, begun: Begun, slopes: np.ndarray
+    crossing: JumpCrossing, stepping: TangentCode, arrays: LaneArrays, broken: Broken, begun: Begun, slopes: np.ndarray
 ) -> None:
     """A broken step in lanes; slopes (n_x, k): of what the run begins with, p first."""
     z, c, here, kept = arrays.z, arrays.c, slopes.shape[1], arrays.c.copy()
@@ -94,7 +94,7 @@ class Backward:
         program: ObservedProgram,
         codes: tuple[Recorder, Recorder],
         course: Course,
-        crossing: Crossing | None = None,
+        crossing: JumpCrossing | None = None,
     ) -> None:
         self.program, self.course, self.crossing = program, course, crossing
         self.stepping, self.observing = codes

@@ -20,7 +20,7 @@ from runtime.contract.tape import UNUSED, Tape, node_value, read_tape
 from runtime.engine.native import NativeProgram
 from runtime.gradients.beginning import Begun
 from runtime.gradients.course import Course
-from runtime.gradients.crossing import Crossing
+from runtime.gradients.crossing import JumpCrossing
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.running.plan import Plan
 from runtime.schemes.stage_equations import StageEquations
@@ -46,7 +46,7 @@ class Switches:
         self._plan, self._program = plan, program
         self._watched = _watched(plan, parameters)
 
-    def check(self, begun: Begun, course: Course, crossing: Crossing | None = None) -> None:
+    def check(self, begun: Begun, course: Course, crossing: JumpCrossing | None = None) -> None:
         """Look along a run. Raises NoResult for a force that jumps there. crossing: where steps are broken."""
         if self._watched is None:
             return
