@@ -13,13 +13,8 @@ The same motion over half a step, with N and y'' of the last one, predicts the m
 of its last step, which is second order for what the step resolves and bounded for what it does not. Q_L must not change
 much with q_S inside a major step.
 
-With `slow_accelerations="parabola"` y'' follows the parabola through its values in the middle of the last three major
-steps instead, y1 the last and y2, y3 before it, which adds to the motion of q_L
-
-    q_L' <- ... + H (y1 - 2 y2 + y3) / 24,   q_L <- ... - H^2 (3 y1 - 4 y2 + y3) / 24,
-
-and the middle is predicted along the line through y1 and y2: order 3 in what the slow forces do, for 12 operations a
-slow coordinate. For q'' = -w^2 q a step then decays by (w H)^4 / 32 and its phase is off by no more.
+With `slow_accelerations="cubic"` y'' follows its values in the middles of the last four major steps instead, and the
+middle is predicted by those of the last three (slow_polynomial.py): order 4 in what the slow forces do.
 
 On large trees N and y'' come from one O(N) elimination, and the rows of q_S see the few accelerations that cross to
 them and q_L' of the middle: the price of a sub-step does not grow with the mechanism. Elsewhere they see q_L' as it is.
@@ -38,8 +33,10 @@ from runtime.engine.program import Fields
 from runtime.schemes.differences import replaced
 from runtime.schemes.grid import Grid
 from runtime.schemes.held_slow import HeldSlow
+from runtime.schemes.linear_propagation import polynomial
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.options import ClosureOptions, SchemeError, one_of
+from runtime.schemes.slow_polynomial import moved, values_before
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.state_fields import StateField, state, work
 from runtime.schemes.step_limit import StepLimit, restarted_limit
@@ -49,10 +46,10 @@ from runtime.schemes.step_limit import StepLimit, restarted_limit
 class DecoupledOptions(ClosureOptions):
     """closure_iterations: Newton steps on the loop unknowns in each evaluation.
 
-    slow_accelerations: how y'' moves over a major step: `held` at the middle, or the `parabola` through its last three.
+    slow_accelerations: how y'' moves over a major step: `held` at the middle, or `cubic` through its last four values.
     """
 
-    slow_accelerations: str = one_of("held", "parabola")
+    slow_accelerations: str = one_of("cubic", "held")
 
 
 class Decoupled(HeldSlow):
@@ -70,9 +67,9 @@ class Decoupled(HeldSlow):
         return restarted_limit(A_q, A_v, self.grid.m[0]) if self.slow else super().step_limit(A_q, A_v)
 
     @property
-    def by_parabola(self) -> bool:
-        """Does y_ddot move within a major step?"""
-        return self.options.slow_accelerations == "parabola"
+    def past(self) -> tuple[str, ...]:
+        """Fields of y_ddot in the middles of the steps before the last, newest first; none where it is held."""
+        return ("y_last", "y_before") if self.options.slow_accelerations == "cubic" else ()
 
     @property
     def by_tree(self) -> bool:
@@ -87,8 +84,8 @@ class Decoupled(HeldSlow):
         found = {"s": work(1), "a": work(n), "hold_q": work(n), "hold_v": work(n)}
         found |= {"x_last": state(n), "v_last": state(n), "N": state(slow * fast), "y_ddot": state(slow)}
         found |= {"loop_old": state(loops), "loop_dot": state(loops)}
-        if self.by_parabola:
-            found |= {"y_last": state(slow), "y_before": state(slow)}
+        if self.past:
+            found |= {**dict.fromkeys(self.past, state(slow)), "y_third": work(slow)}
         if self.by_tree:
             found["crossing"] = work(self.model.kernel("slow_response").numel_out("crossing"))
         return found
@@ -101,8 +98,20 @@ class Decoupled(HeldSlow):
         if not self.slow:
             return fields
         response = self._response(equations, equations.close(q_i, fields["loop"], t0, 1), q_i_dot)
-        past = {name: response["y_ddot"] for name in ("y_last", "y_before")} if self.by_parabola else {}
-        return {**fields, **{name: response[name] for name in ("N", "y_ddot")}, **past}
+        found = {name: response[name] for name in ("N", "y_ddot")}
+        if not self.past:
+            return {**fields, **found}
+        L, S, y_ddot = self.slow, self.fast, response["y_ddot"]
+        rate = q_i_dot[L] + ca.mtimes(ca.reshape(response["N"], len(L), len(S)), q_i_dot[S])  # of y, q_S at rest
+
+        def at(tau: ca.SX, bend: ca.SX) -> ca.SX:
+            x = q_i[L] + polynomial([ca.SX.zeros(len(L)), rate, y_ddot, bend], tau)
+            v = q_i_dot[L] + polynomial([ca.SX.zeros(len(L)), y_ddot, bend], tau)
+            motion = equations.close_well(replaced(q_i, L, x), fields["loop"], t0 + tau)
+            return self._response(equations, motion, replaced(q_i_dot, L, v))["y_ddot"]
+
+        before = values_before(at, y_ddot, equations.h[0], 1 + len(self.past))
+        return {**fields, **found, **dict(zip(("y_ddot", *self.past), before, strict=True))}
 
     def _hold(self, z: Fields, equations: StageEquations, level: int) -> Mapping[str, ca.SX]:
         """The state at the middle, N and y_ddot there, and the acceleration that the first sub-step begins with."""
@@ -111,16 +120,15 @@ class Decoupled(HeldSlow):
         L, S, H = self.slow, self.fast, equations.h[0]
         N = ca.reshape(z["N"], len(L), len(S))
         x_rise, v_rise = (z["x"] - z["x_last"])[S] / 2, (z["v"] - z["v_last"])[S] / 2
-        x_L = z["x"][L] + H / 2 * z["v"][L] + H * H / 8 * z["y_ddot"] - ca.mtimes(N, x_rise - H / 2 * z["v"][S])
-        v_L = z["v"][L] + H / 2 * z["y_ddot"] - ca.mtimes(N, v_rise)
-        if self.by_parabola:  # y_ddot is the last one, y_last that before it
-            change = z["y_ddot"] - z["y_last"]
-            x_L, v_L = x_L + H * H / 12 * change, v_L + 3 / 8 * H * change
+        known = [z[name] for name in ("y_ddot", *self.past)]  # of the steps before
+        x_y, v_y = moved(known, -1, 0.0, H)
+        x_L = z["x"][L] + H / 2 * z["v"][L] + x_y - ca.mtimes(N, x_rise - H / 2 * z["v"][S])
+        v_L = z["v"][L] + v_y - ca.mtimes(N, v_rise)
         x, v = (
             replaced(replaced(z[name], L, one), S, z[name][S] + rise)
             for name, one, rise in (("x", x_L, x_rise), ("v", v_L, v_rise))
         )
-        past = {"y_last": z["y_ddot"], "y_before": z["y_last"]} if self.by_parabola else {}
+        past = dict(zip((*self.past, "y_third"), known, strict=True)) if self.past else {}
         guess = z["loop_old"] + 3 / 2 * H * z["loop_dot"]
         motion = equations.close(x, guess, self.now(z, equations) + H / 2, self.options.closure_iterations)
         out = {
@@ -200,12 +208,11 @@ class Decoupled(HeldSlow):
         L, S, H = self.slow, self.fast, equations.h[0]
         if not L:
             return super()._finish(z, equations)
-        N, y_ddot = ca.reshape(z["N"], len(L), len(S)), z["y_ddot"]
+        N = ca.reshape(z["N"], len(L), len(S))
+        names = ("y_ddot", *self.past, "y_third") if self.past else ("y_ddot",)
+        x_y, v_y = moved([z[name] for name in names], 0, 0.5, H)
         rise = z["x"][S] - z["x_last"][S] - H * z["v_last"][S]
-        x = z["x"][L] + H * z["v"][L] + H * H / 2 * y_ddot - ca.mtimes(N, rise)
-        v = z["v"][L] + H * y_ddot - ca.mtimes(N, z["v"][S] - z["v_last"][S])
-        if self.by_parabola:
-            v = v + H / 24 * (y_ddot - 2 * z["y_last"] + z["y_before"])
-            x = x - H * H / 24 * (3 * y_ddot - 4 * z["y_last"] + z["y_before"])
-        moved = {"x": replaced(z["x"], L, x), "v": replaced(z["v"], L, v)}
-        return {**moved, **super()._finish({**z, **moved}, equations)}
+        x = z["x"][L] + H * z["v"][L] + x_y - ca.mtimes(N, rise)
+        v = z["v"][L] + v_y - ca.mtimes(N, z["v"][S] - z["v_last"][S])
+        ends = {"x": replaced(z["x"], L, x), "v": replaced(z["v"], L, v)}
+        return {**ends, **super()._finish({**z, **ends}, equations)}

@@ -82,6 +82,7 @@ FIELDS: tuple[Notation, ...] = (
     Notation("y_ddot", "", "", "n_L", "mixed", "acceleration of q_L + N q_S, M_hat_LL^-1 Q_hat_L"),
     Notation("y_last", "", "", "n_L", "mixed", "the y_ddot of the major step before"),
     Notation("y_before", "", "", "n_L", "mixed", "that of the one before"),
+    Notation("y_third", "", "", "n_L", "mixed", "and before that"),
     Notation(
         "crossing", "", "", "n_X (1 + n_S)", "mixed", "accelerations that cross to the rows of q_S of a large tree"
     ),

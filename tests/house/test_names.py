@@ -55,8 +55,6 @@ def fields_of_z(model: Model) -> set[str]:
         choices = [{}]
         if "propagation" in kind.options.names():
             choices.append({"propagation": "central_difference"})
-        if "slow_accelerations" in kind.options.names():
-            choices.append({"slow_accelerations": "parabola"})
         if "order" in kind.options.names():
             choices.append({"order": 5})
         if kind.adaptive is not None:

@@ -36,7 +36,13 @@ HELD, ONE_STEP = ("x", "v", "a", "x_last", "v_last"), ("x", "v")
 CASES: dict[str, tuple[str, list[int] | None, dict[str, Any], tuple[str, ...], Callable[[Params, float], Array]]] = {
     **{f"coupled {m}": ("coupled", [m], {}, HELD, lambda p, dt, m=m: held_slow_matrix(p, dt, m)) for m in range(1, 51)},
     **{
-        f"decoupled {m}": ("decoupled", [m], {}, DECOUPLED, lambda p, dt, m=m: decoupled_matrix(p, dt, m))
+        f"decoupled {m}": (
+            "decoupled",
+            [m],
+            {"slow_accelerations": "held"},
+            DECOUPLED,
+            lambda p, dt, m=m: decoupled_matrix(p, dt, m),
+        )
         for m in (2, 3, 7, 20)
     },
     "decoupled 1": ("decoupled", [1], {}, HELD, lambda p, dt: held_slow_matrix(p, dt, 1)),
