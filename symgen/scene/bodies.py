@@ -11,7 +11,7 @@ from symgen.scene.fields import MARKER_ANGLE, Bound, Flag, Inertia, Meaning, Nam
 
 LATERAL_ENDS = Literal[
     "pinned-pinned", "clamped-free", "free-free", "clamped-pinned", "clamped-clamped", "free-clamped", "pinned-free",
-    "free-pinned", "welded-welded", "welded-pinned", "pinned-welded",
+    "free-pinned", "welded-welded", "welded-pinned", "pinned-welded", "welded-heavy",
 ]  # fmt: skip
 AXIAL_ENDS = Literal["fixed-free", "free-free", "fixed-fixed", "free-fixed", "fixed-loaded"]
 DEFAULT_ELEMENTS = 20
@@ -94,7 +94,8 @@ class LateralModes(StrictModel):
     """Which bending shapes are kept (Eq. 19): `modes` of them, static shapes of welded ends among them.
 
     ends, start first: "free", "pinned" and "clamped" are conditions of the modes; with "welded" the set holds the
-    static shapes of an end that carries forces and moments. Left out: what the joints and loads at the ends ask for.
+    static shapes of an end that carries forces and moments; a "heavy" end has a mass as well. Left out: what the joints
+    and loads at the ends ask for.
     """
 
     ends: LATERAL_ENDS | None = None

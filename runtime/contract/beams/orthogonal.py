@@ -65,7 +65,7 @@ def _choice(kind: str, known: dict[str, EndShapes], ends: str, modes: int) -> En
 def _orthogonal(choice: EndShapes, own: ShapeFunctions, values: Array, panels: int, order: int) -> OrthogonalShapes:
     """Shapes of largest value 1 that are orthogonal in mass and stiffness, and their eigenvalues, ascending.
 
-    values: eigenvalues of the modes `own`. Static shapes do no work on the modes between held ends, so the stiffness
+    values: eigenvalues of the modes `own`. Cubics do no work on the modes between held ends, so the stiffness
     int phi_a^(order) phi_b^(order) has two diagonal blocks.
     """
     functions = own
@@ -78,6 +78,9 @@ def _orthogonal(choice: EndShapes, own: ShapeFunctions, values: Array, panels: i
         split = static.count
         stiffness = np.diag(np.concatenate([np.zeros(split), values * np.diag(mass)[split:]]))
         stiffness[:split, :split] = strain.T @ (mu[:, None] * strain)
+        if not choice.apart:
+            stiffness[:split, split:] = strain.T @ (mu[:, None] * functions.at(xi, order)[:, split:])
+            stiffness[split:, :split] = stiffness[:split, split:].T
         inverse = np.linalg.inv(np.linalg.cholesky(mass))
         reduced = inverse @ stiffness @ inverse.T
         values, vectors = np.linalg.eigh(0.5 * (reduced + reduced.T))

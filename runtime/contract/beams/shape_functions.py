@@ -1,7 +1,8 @@
-"""Shapes in closed form: cubics and the eigenfunctions of a uniform beam, with all their derivatives."""
+"""Shapes in closed form: polynomials and the eigenfunctions of a uniform beam, with all their derivatives."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,38 +13,38 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class ShapeFunctions:
-    """n shapes phi_a(xi) on [0, 1]: a cubic plus waves cos, sin and exponentials that decay from either end.
+    """n shapes phi_a(xi) on [0, 1]: a polynomial plus waves cos, sin and exponentials that decay from either end.
 
-    cubic (4, n): coefficients of 1, xi, xi^2, xi^3.  wave_numbers (k,).  waves (k, 4, n): coefficients of cos b xi,
+    powers (p, n): coefficients of 1, xi, xi^2, ...  wave_numbers (k,).  waves (k, 4, n): coefficients of cos b xi,
     sin b xi, exp(-b xi) and exp(-b (1 - xi)) for each wave number b. The exponentials never grow, so that high modes
     are as exact as low ones.
     """
 
-    cubic: Array
+    powers: Array
     wave_numbers: Array
     waves: Array
 
     @property
     def count(self) -> int:
         """Number of shapes."""
-        return int(self.cubic.shape[1])
+        return int(self.powers.shape[1])
 
     def at(self, xi: Array, order: int = 0) -> Array:
         """d^order phi / d xi^order at the points xi (k,), shape (k, n)."""
         points = np.asarray(xi, dtype=float)
-        powers = np.zeros((len(points), 4))
-        for power in range(order, 4):
+        raised = np.zeros((len(points), len(self.powers)))
+        for power in range(order, len(self.powers)):
             factor = float(np.prod(np.arange(power - order + 1, power + 1)))
-            powers[:, power] = factor * points ** (power - order)
+            raised[:, power] = factor * points ** (power - order)
         b, phase = self.wave_numbers, points[:, None] * self.wave_numbers
         turned = phase + order * (np.pi / 2)
         decays = (-1.0) ** order * np.exp(-phase), np.exp(phase - b)
         basis = np.stack([np.cos(turned), np.sin(turned), *decays], axis=-1) * (b**order)[:, None]
-        return powers @ self.cubic + basis.reshape(len(points), -1) @ self.waves.reshape(-1, self.count)
+        return raised @ self.powers + basis.reshape(len(points), -1) @ self.waves.reshape(-1, self.count)
 
     def mixed(self, combination: Array) -> ShapeFunctions:
         """Shapes that are combinations of these: combination (n, m) has a column for each new one."""
-        return ShapeFunctions(self.cubic @ combination, self.wave_numbers, self.waves @ combination)
+        return ShapeFunctions(self.powers @ combination, self.wave_numbers, self.waves @ combination)
 
     def beside(self, other: ShapeFunctions) -> ShapeFunctions:
         """These shapes, then the others."""
@@ -51,12 +52,14 @@ class ShapeFunctions:
         waves[: len(self.wave_numbers), :, : self.count] = self.waves
         waves[len(self.wave_numbers) :, :, self.count :] = other.waves
         numbers = np.concatenate([self.wave_numbers, other.wave_numbers])
-        return ShapeFunctions(np.hstack([self.cubic, other.cubic]), numbers, waves)
+        highest = max(len(self.powers), len(other.powers))
+        both = [np.pad(one, ((0, highest - len(one)), (0, 0))) for one in (self.powers, other.powers)]
+        return ShapeFunctions(np.hstack(both), numbers, waves)
 
 
-def polynomials(rows: list[tuple[float, float, float, float]]) -> ShapeFunctions:
-    """Cubics by their coefficients of 1, xi, xi^2, xi^3."""
-    return ShapeFunctions(np.array(rows, dtype=float).reshape(-1, 4).T, np.zeros(0), np.zeros((0, 4, len(rows))))
+def polynomials(rows: Sequence[Sequence[float]]) -> ShapeFunctions:
+    """Polynomials by their coefficients of 1, xi, xi^2, ...; all of them have as many."""
+    return ShapeFunctions(np.array(rows, dtype=float).T, np.zeros(0), np.zeros((0, 4, len(rows))))
 
 
 def gauss_points(panels: int, end: float = 1.0) -> tuple[Array, Array]:
