@@ -35,6 +35,7 @@ EventKind = Literal[
     "checkpoint_failed",
     "load_missed",
     "shapes_missing",
+    "stresses_missing",
     "velocity_jump",
     "beyond_buckling",
     "event",

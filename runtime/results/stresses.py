@@ -48,9 +48,7 @@ class Stresses:
     @property
     def von_mises(self) -> np.ndarray:
         """(N, n) [Pa]."""
-        xx, yy, zz, yz, xz, xy = np.moveaxis(self.components, 2, 0)
-        square = ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (yz**2 + xz**2 + xy**2)
-        return np.asarray(np.sqrt(square))
+        return von_mises(self.components)
 
     def at(self, gauge: str) -> np.ndarray:
         """(N, 6) [Pa] at a gauge. Raises ModelError for an unknown one."""
@@ -63,6 +61,13 @@ class Stresses:
         values = self.von_mises
         sample, place = np.unravel_index(int(np.nanargmax(values)), values.shape)
         return LargestStress(float(values[sample, place]), float(self.t[sample]), self.gauges[place])
+
+
+def von_mises(components: np.ndarray) -> np.ndarray:
+    """(...,) [Pa] of components (..., 6) in the order xx yy zz yz xz xy."""
+    xx, yy, zz, yz, xz, xy = np.moveaxis(components, -1, 0)
+    square = ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (yz**2 + xz**2 + xy**2)
+    return np.asarray(np.sqrt(square))
 
 
 def stresses(solution: Samples, body: str, way: StressWay = "equilibrium") -> Stresses:

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from runtime.results.missing_shapes import missing_shapes
+from runtime.results.missing_stresses import missing_stresses
 from runtime.results.solution import Solution
 from runtime.running.buckling import ADVICE, buckling
 from runtime.running.checks.deflection import flexible_bodies
@@ -17,12 +18,13 @@ AT_ONCE = 1024  # samples
 def with_limits(solution: Solution) -> Solution:
     """The solution with what was found in its statistics, in its events, and in its status beyond a buckling load."""
     shares, missing = missing_shapes(solution)
+    left_out, unstressed = missing_stresses(solution)
     pushed, beyond = buckling(solution)
-    events, status = [*solution.events, *missing, *beyond], solution.status
+    events, status = [*solution.events, *missing, *unstressed, *beyond], solution.status
     counted = {"events": len(events)} if events else {}
     if beyond and status.ok:
         status = replace(status, cause=beyond[0].text, advice=ADVICE)
-    stats = {**solution.stats, **limits(solution), **pushed, **shares, **counted}
+    stats = {**solution.stats, **limits(solution), **pushed, **shares, **left_out, **counted}
     return replace(solution, status=status, stats=stats, events=events)
 
 

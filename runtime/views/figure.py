@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from runtime.results.solution import Solution
 
-PREFIXED = {"m": "m", "N": "N", "N m": "N m", "J": "J", "W": "W"}
+PREFIXED = {"m": "m", "N": "N", "N m": "N m", "Pa": "Pa", "J": "J", "W": "W"}
 PREFIXES = ((1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1.0, ""), (1e3, "k"), (1e6, "M"), (1e9, "G"))
 DASHES = ("-", (0, (5, 2)), (0, (1, 1.2)))
 WIDTH = 10.5  # inches of two columns

@@ -23,6 +23,7 @@ from runtime.views.figure import finish, grid, legend, owner, panel, prefixed, t
 from runtime.views.frequencies_picture import frequencies as frequencies
 from runtime.views.section_picture import section_forces as section_forces
 from runtime.views.snapshots import snapshots as snapshots
+from runtime.views.stress_picture import stresses as stresses
 from runtime.views.style import COLOURS
 
 if TYPE_CHECKING:

@@ -23,6 +23,7 @@ def add(subparsers: Any) -> None:
     command.add_argument("--names", type=names, metavar="NAMES", help="coordinates, rates or measures, by commas")
     command.add_argument("--frequencies", action="store_true", help="the frequencies along the motion instead")
     command.add_argument("--sections", metavar="BEAM", help="section forces along this beam instead")
+    command.add_argument("--stresses", metavar="BODY", help="stresses at the gauges of this body instead")
     command.add_argument("--out", metavar="DIR", help="folder for the pictures (default: RESULTS, or out/SCENE)")
     add_run_options(command)
 
@@ -40,6 +41,9 @@ def run(arguments: argparse.Namespace) -> Outcome:
     elif arguments.sections:
         paths = [target / f"sections_{arguments.sections}.png"]
         plots.section_forces(solution, arguments.sections, paths[0])
+    elif arguments.stresses:
+        paths = [target / f"stresses_{arguments.stresses}.png"]
+        plots.stresses(solution, arguments.stresses, paths[0])
     elif arguments.names:
         paths = [target / "curves.png"]
         plots.coordinates(solution, paths[0], arguments.names)

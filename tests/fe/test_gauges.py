@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from runtime import ensemble, simulate
+from runtime import ensemble, plots, simulate
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model, ModelError
 from symgen.fe import FiniteElementError, FlexibleBody, LineMesh, Section
@@ -45,6 +45,8 @@ def test_a_pulled_and_bent_bar(model_of: Build) -> None:
         assert found.largest().value == pytest.approx(EXPECTED["below"], rel=1e-5)
         lacking = abs(run.stresses("bar", way="modes").at("top")[0, 0] - EXPECTED["top"])
         assert lacking < 1e-5 * SIZE if choices else lacking > 0.1 * SIZE
+        told = [event.kind for event in run.events] == ["stresses_missing"]
+        assert told is not bool(choices) and (run.stats["missing_stress.bar"] > 0.1) is told
     for name, value in (("along", "below"), ("above", "top"), ("most", "below")):
         assert run[name][0] == pytest.approx(abs(EXPECTED[value]), rel=1e-5)
     assert abs(run["across"][0]) < 1e-5 * SIZE
@@ -61,6 +63,9 @@ def test_the_largest_over_time_and_place_of_many_cases(model_of: Build) -> None:
     assert run["most"][0] < 1e-100 and np.isfinite(run["most_dot"]).all()
     assert_allclose(run["most"], modal.von_mises.max(axis=1), rtol=1e-9, atol=1e-9)
     expected = body.stresses().at([PLACES["below"]])[0] @ np.atleast_2d(run["bar.q1"])
+    drawn = plots.stresses(run, "bar").axes[0].get_lines()
+    most = run.stresses("bar").largest().gauge
+    assert [line.get_label() for line in drawn][:2] == [f"{most}, equilibrium", f"{most}, modes"] and len(drawn) == 6
     assert_allclose(modal.at("below"), expected.T, atol=1e-6 * np.abs(expected).max())
     factors = np.array([1.0, 2.0, 3.0])
     cases = {"P": PULL * factors, "M": TURN * factors}
