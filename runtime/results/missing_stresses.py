@@ -46,7 +46,7 @@ def missing_stresses(solution: Samples) -> tuple[dict[str, float], list[Event]]:
             text = (
                 f"measures of stress at {whole.gauges[int(place)]} of {body} leave out up to {100 * share:.2g} % of "
                 f"its largest stress, which its modes do not hold; solution.stresses('{body}') has it, or give it "
-                "modes with the static shapes of its loads"
+                "the static shapes of its loads, static=[...] of FlexibleBody"
             )
             events.append(Event(float(whole.t[int(sample)]), "stresses_missing", text))
     return shares, events

@@ -11,31 +11,30 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symgen.fe.errors import FiniteElementError
+from symgen.fe.choices import check_choices, interfaces_of, known_choice, marker_of, origin_of
 from symgen.fe.frame import LineMesh, frame_structure
 from symgen.fe.frame_forces import EquilibriumForces, equilibrium_forces
 from symgen.fe.gauges import Gauges, gauge_fields
-from symgen.fe.inertia import InertiaIntegrals, dusted, inertia_integrals
-from symgen.fe.interfaces import Interface, NodeSet, interface
+from symgen.fe.inertia import InertiaIntegrals, inertia_integrals
+from symgen.fe.interfaces import Interface, NodeSet
 from symgen.fe.losses import FlexibilityLoss, effective_masses, flexibility_losses
 from symgen.fe.lumping import lumped
 from symgen.fe.material import Material
 from symgen.fe.modal_fields import Marker, modal_fields
 from symgen.fe.mode_acceleration import EquilibriumStresses, equilibrium_stresses
-from symgen.fe.mode_sets import MODE_SETS, ModeSet, fixed_interface_modes, free_modes, mixed_modes
+from symgen.fe.mode_sets import ModeSet, fixed_interface_modes, free_modes, mixed_modes
 from symgen.fe.nastran import BULK, nastran_matrices, nastran_nodes
 from symgen.fe.reading import MatrixSource, TableSource, read_dofs, read_matrix, read_nodes
 from symgen.fe.report import body_report
 from symgen.fe.rigid_check import RigidCheck, check_free_body
 from symgen.fe.solids import solid_structure
+from symgen.fe.static_shapes import with_static_shapes
 from symgen.fe.stress_stiffness import StressStiffening, stress_stiffening
 from symgen.fe.stresses import ModalStresses, SolidStress, modal_stresses
 from symgen.fe.structure import AXES, FEStructure, structure
 from symgen.fe.struts import struts
 from symgen.fe.surface import surface_data
-from symgen.modes.cleaning import Array, fixed
-
-MASSES = ("consistent", "lumped")
+from symgen.modes.cleaning import Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,6 +110,7 @@ class FlexibleBody:
         origin: str | ArrayLike = (0.0, 0.0, 0.0),
         marker_positions: Mapping[str, ArrayLike] | None = None,
         stiffening: bool = False,
+        static: Sequence[str] = (),
     ) -> FlexibleBody:
         """From a checked FEStructure.
 
@@ -121,13 +121,15 @@ class FlexibleBody:
         mass: "consistent" or "lumped".
         origin: of the body's frame, a point [m] or the name of an interface; the axes are those of the mesh.
         stiffening: geometric stiffness by the stresses of accelerations, rates and interface forces, from meshes.
+        static: loads whose static shapes are modes beside the others: "weight_x", "turn_x", "spin_x" and so on, or the
+        name of an interface for the six loads there.
         Raises FiniteElementError.
         """
-        _check_choices(mode_set, mass, fixed)
+        check_choices(mode_set, mass, fixed)
         body = lumped(body) if mass == "lumped" else body
-        parts = _interfaces(body, interface, marker_positions or {})
+        parts = interfaces_of(body, interface, marker_positions or {})
         for name in fixed:
-            _known("fixed", name, tuple(parts))
+            known_choice("fixed", name, tuple(parts))
         # Rigid motions about the middle of the body are the best conditioned.
         rigid = body.rigid(body.positions.mean(axis=0))
         check = check_free_body(body, rigid)
@@ -137,8 +139,10 @@ class FlexibleBody:
             found = mixed_modes(body, [parts[name] for name in fixed], modes)
         else:
             found = fixed_interface_modes(body, rigid, list(parts.values()), modes)
-        at = _origin(origin, parts)
-        markers = {name: _marker(part, found.shapes, at) for name, part in parts.items()}
+        at = origin_of(origin, parts)
+        if static:
+            found = with_static_shapes(body, found, static, parts, at)
+        markers = {name: marker_of(part, found.shapes, at) for name, part in parts.items()}
         bent = None
         if stiffening:
             held = found.elastic if mode_set == "mixed" else None
@@ -245,54 +249,3 @@ class FlexibleBody:
             self.losses(),
             self.check,
         )
-
-
-def _known(item: str, value: str, choices: tuple[str, ...]) -> None:
-    if value not in choices:
-        raise FiniteElementError(item, f"{value!r} is not known", f"choose one of {list(choices)}")
-
-
-def _check_choices(mode_set: str, mass: str, fixed: Sequence[str]) -> None:
-    _known("mode_set", mode_set, MODE_SETS)
-    _known("mass", mass, MASSES)
-    if fixed and mode_set != "mixed":
-        raise FiniteElementError(
-            "fixed",
-            f"interfaces are held in a mixed set, not in '{mode_set}'",
-            "take mode_set='mixed', or leave fixed out",
-        )
-
-
-def _interfaces(body: FEStructure, sets: Mapping[str, NodeSet], at: Mapping[str, ArrayLike]) -> dict[str, Interface]:
-    if not sets:
-        raise FiniteElementError("interface", "no interface is named", "name the node sets where joints and loads act")
-    for name in at:
-        _known("marker_positions", name, tuple(sets))
-    return {
-        name: interface(body, name, nodes, _point(f"marker_positions['{name}']", at[name]) if name in at else None)
-        for name, nodes in sets.items()
-    }
-
-
-def _origin(origin: str | ArrayLike, parts: Mapping[str, Interface]) -> Array:
-    if isinstance(origin, str):
-        _known("origin", origin, tuple(parts))
-        return fixed(parts[origin].position)
-    return fixed(_point("origin", origin))
-
-
-def _point(item: str, value: ArrayLike) -> Array:
-    point = np.asarray(value, dtype=np.float64)
-    if point.shape != (AXES,) or not np.all(np.isfinite(point)):
-        raise FiniteElementError(item, f"{value!r} is not a point", "give x, y, z in metres")
-    return point
-
-
-def _marker(part: Interface, shapes: Array, origin: Array) -> Marker:
-    moved = part.average @ shapes
-    position = part.position - origin
-    return Marker(
-        fixed(dusted(position, float(np.linalg.norm(position)))),
-        fixed(dusted(moved[:AXES], float(np.max(np.abs(shapes), initial=0.0)))),
-        fixed(dusted(moved[AXES:], float(np.max(np.abs(moved[AXES:]), initial=0.0)))),
-    )

@@ -48,7 +48,7 @@ def stress_stiffening(
             "the stresses of a body from matrices are not known",
             "make it from a mesh (from_mesh), or leave stiffening out",
         )
-    loads = [_fields(body, origin), *(np.asarray(part.average[:AXES].todense()).T for part in parts)]
+    loads = [linear_fields(body, origin), *(np.asarray(part.average[:AXES].todense()).T for part in parts)]
     solve = held if held is not None else _supported(body)
     stiffness = symmetric(body.stress(solve(np.hstack(loads)), shapes))
     nf = shapes.shape[1]
@@ -61,7 +61,7 @@ def stress_stiffening(
     )
 
 
-def _fields(body: FEStructure, origin: Array) -> Array:
+def linear_fields(body: FEStructure, origin: Array) -> Array:
     """M v (n_dof, 12) of the displacement fields v = e_j, then x_i e_j with i slowest, which turn by e_i x e_j / 2."""
     fields = np.zeros((body.n_dof, AXES + AXES**2))
     arms = (body.positions - origin)[body.node]
