@@ -83,7 +83,8 @@ def test_gauges_where_stresses_are_largest() -> None:
     off = np.ones(len(surface["vertices"]), dtype=bool)
     for part in rod.interfaces.values():
         apart = surface["vertices"][:, None] - (rod.structure.positions[part.places] - rod.origin)
-        off &= np.linalg.norm(apart, axis=2).min(axis=1) > 1e-6
+        size = np.linalg.norm(np.ptp(rod.structure.positions[part.places], axis=0))
+        off &= np.linalg.norm(apart, axis=2).min(axis=1) > size
     whole, some = (
         np.einsum("nca,da->dnc", stresses, draws) for stresses in (
             surface["stresses"][off], np.array([one["shapes"] for one in gauges.values()])
