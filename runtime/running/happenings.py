@@ -116,11 +116,9 @@ def _text(event: EventRecord, direction: str, changes: dict[str, float]) -> str:
 
 def note_impulses(segment: Segment, step: int, events: list[Event]) -> None:
     """Append an event for each impulse of a prescribed motion until the end of a step, unless it is told already."""
-    if segment.broken is None:
-        return
     told = {event.time for event in events if event.kind == "velocity_jump"}
     until = segment.plan.time(step) + NEAR * segment.plan.grid.dt_L
-    for at, impulse in sorted(segment.broken.impulses.items()):
+    for at, impulse in sorted(segment.impulses.items()):
         if at <= until and at not in told and len(told) < MOST_TOLD:
             k = int(np.abs(impulse.jumps).argmax())
             text = (

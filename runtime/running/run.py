@@ -133,7 +133,7 @@ class Run:
         w = self.schedule.apply(self.step, plan.time(self.step), self._state, self.z[own].copy())
         if w is not None:
             work = self.segment.account(self.z)[0]
-            self.z[own] = w
+            self.segment.hold(self.z, w)
             for segment in self.record.segments:
                 segment.take_inputs(w)
             self.segment.count_anew(self.z, work)  # powers jump with the inputs

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 
 import casadi as ca
 import numpy as np
@@ -14,6 +15,8 @@ from runtime.running.plan import Plan
 from runtime.running.singular.guard import Guard
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
+from runtime.schemes.adaptive.impulses import give_impulse
+from runtime.schemes.switching.impulse import Impulse, moves_in_time
 from runtime.schemes.switching.watched import watch_events
 from runtime.schemes.turns import begin_turns, watch_turns
 from runtime.schemes.work import account_at, account_for_work, begin_account
@@ -26,6 +29,7 @@ class Segment(SteppedModel):
     """A stepped model whose work and turns are counted, and who watches it."""
 
     monitor: Monitor
+    given: dict[float, Impulse] = field(default_factory=dict)
     _energies: ca.Function | None = None
 
     @classmethod
@@ -92,8 +96,32 @@ class Segment(SteppedModel):
             return
         end = self.step_of(z) + steps
         while self.step_of(z) < end and not scheme.is_stuck(z) and self.first_event(z) is None:
-            scheme.look_ahead(z, self.switches)
+            self._look_ahead(scheme, z)
             self.advance(z, end - self.step_of(z))
+        if self._moves:
+            self._look_ahead(scheme, z)
+
+    def _look_ahead(self, scheme: AdaptiveSteps, z: np.ndarray) -> None:
+        """Where no step crosses next; where motions are prescribed it halts there, for their impulses."""
+        if self._moves and scheme.has_halted(z):
+            if scheme.next_seen(z, self.plan.grid.dt_L) <= scheme.reached(z):
+                return  # what lies before it is seen first
+            self.given |= give_impulse(scheme, z, self.with_inputs(z), self.switches)
+        scheme.look_ahead(z, self.switches, halts=self._moves)
+
+    @property
+    def _moves(self) -> bool:
+        """Are there prescribed motions that may jump?"""
+        return bool(self.switches) and self._prescribes
+
+    @cached_property
+    def _prescribes(self) -> bool:
+        return moves_in_time(self.model)
+
+    @property
+    def impulses(self) -> dict[float, Impulse]:
+        """Of prescribed motions whose velocity has jumped so far, by time [s]."""
+        return self.given if self.broken is None else self.broken.impulses
 
     def land(self, z: np.ndarray) -> None:
         """From z on every state that is seen is the end of a step: what comes from outside changes there."""

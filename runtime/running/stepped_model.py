@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Self
 
 import numpy as np
@@ -15,6 +16,8 @@ from runtime.results.solution import Solution
 from runtime.running.plan import Plan
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.broken_steps import BrokenSteps
+from runtime.schemes.switching.held_change import HeldChange
+from runtime.schemes.switching.legs import Legs
 from runtime.schemes.switching.times import SwitchTime, switching_times
 from runtime.schemes.switching.watched import NEVER, all_awake, begin_events, watches
 
@@ -37,6 +40,8 @@ class SteppedModel:
     switches: list[SwitchTime] = field(default_factory=list, init=False)
     broken: BrokenSteps | None = field(default=None, init=False)
 
+    _change: HeldChange | None = field(default=None, init=False)
+
     @classmethod
     def prepared(cls, model: Model, plan: Plan, p: np.ndarray, engine: str, wait: bool = False) -> Self:
         """Prepare and compile, for parameters p (n_p,); wait: for the best code. Raises ModelError or CompilerError."""
@@ -48,6 +53,8 @@ class SteppedModel:
         """From now on these parameters (n_p,)."""
         self.p[:], self.c[:] = p, self.model.constants(p)
         self.ready[:] = self.stepper.ready(self.c, self.plan.grid.dt_L)
+        if self._change is not None:
+            self._change.forget()
 
     def begin(self, t: float, q: np.ndarray, q_dot: np.ndarray) -> np.ndarray:
         """The whole z at a consistent state of all coordinates (n,) at time t [s] (Eqs. 68-71)."""
@@ -59,6 +66,25 @@ class SteppedModel:
             self.stepper.run(z, self.ready, steps)
         else:
             self.broken.run(z, self.ready, self.c, steps)
+
+    def hold(self, z: np.ndarray, w: np.ndarray) -> None:
+        """From now on z (n_z,) has these numbers (n_w,) of the inputs; where they change, forces jump."""
+        now = z[self._inputs]
+        if not self.remembers or (now == w).all():
+            now[:] = w
+            return
+        if self._change is None:
+            self._change = HeldChange(self.stepper, self.plan.grid.dt_L)
+        self._change.make(z, w, self.c)
+
+    @cached_property
+    def _inputs(self) -> slice:
+        return self.plan.scheme.layout.slice("inputs")
+
+    @cached_property
+    def remembers(self) -> bool:
+        """Is the scheme started anew where forces jump?"""
+        return not self.plan.scheme.adaptive and Legs(self.stepper).remembers
 
     def with_inputs(self, z: np.ndarray) -> np.ndarray:
         """(c_size,) the constants with the inputs that z holds."""

@@ -140,20 +140,21 @@ class ModelStepper:
         """From now on these inputs."""
         if self._across is not None:
             self._across.forget()
-        names, own = self.model.inputs, self._own_inputs
+        names, own = self.model.inputs, self._own_inputs.copy() if self._own.remembers else self._own_inputs
         if not isinstance(u, Mapping):
             if len(u) != len(names):
                 raise ArgumentError(f"{len(u)} numbers for {len(names)} inputs: {', '.join(names) or 'none'}")
             u = dict(zip(names, u, strict=True))
         if not self._plain_inputs:
             own[:] = self.model.signals.changed(own, self.time, u)
-            return
-        for name, value in u.items():
+        for name, value in u.items() if self._plain_inputs else ():
             k = self._plain_inputs.get(name)
             if k is None or not isfinite(value):
                 self.model.signals.changed(own, 0.0, u)  # says what is wrong
                 return
             own[k] = value
+        if self._own.remembers:
+            self._own.hold(self._z, own)
 
     def run(self, n: int, call: Callable[[ModelStepper], Any], every: int = 1) -> None:
         """Make n major steps, call(self) before each block of `every`, up to an event that ends them.

@@ -35,8 +35,7 @@ def check_time_functions(
 ) -> list[Event]:
     """What steps of the plan miss, in events. Raises ModelError for a prescribed motion that jumps.
 
-    switches: where steps end; None where they do not. Then, and where steps follow from a tolerance, a jump of velocity
-    is refused, too.
+    switches: where steps end; None where they do not. Then a jump of velocity is refused, too.
     """
     known = switching_times(model, c, plan.t0, plan.t_end) if switches is None else switches
     refuse_position_jumps(model, c, state, known, plan.t0, plan.t_end)
@@ -46,7 +45,7 @@ def check_time_functions(
         return []
     times = np.linspace(plan.t0, plan.t_end, steps * points + 1)
     ends = [one.time for one in switches or ()]
-    _refuse_jumps(model, c, state, times, [] if plan.scheme.adaptive else ends)
+    _refuse_jumps(model, c, state, times, ends)
     broken = np.unique([int((end - plan.t0) / plan.grid.dt_L * (1 - 1e-9)) for end in ends]).astype(int)
     sub_steps = np.repeat(np.isin(np.arange(plan.steps), broken), prod(plan.grid.m))
     return _missed_loads(model, c, state, times, points, sub_steps)

@@ -32,7 +32,7 @@ class Stepper:
     """
 
     def __init__(self, scheme: Scheme, engine: str = "auto", wait: bool = False) -> None:
-        self.scheme = scheme
+        self.scheme, self.requested = scheme, engine
         prepared = prepare(
             with_events(scheme, with_turns(scheme, with_account(scheme, scheme.program()))),
             scheme.layout.size,

@@ -197,12 +197,12 @@ class SceneBuilder:
         return self._merge("partition", {"stiff": list(names)})
 
     def initial(self, coordinates: dict[str, Any]) -> Self:
-        """Starting coordinates: numbers or {"value": ..., "fixed": ...}."""
-        return self._merge("initial", {"coordinates": coordinates})
+        """Starting coordinates, besides those of earlier calls: numbers or {"value": ..., "fixed": ...}."""
+        return self._start("coordinates", coordinates)
 
     def rates(self, rates: dict[str, Any]) -> Self:
-        """Starting rates: numbers or {"value": ..., "fixed": ...}."""
-        return self._merge("initial", {"rates": rates})
+        """Starting rates, besides those of earlier calls: numbers or {"value": ..., "fixed": ...}."""
+        return self._start("rates", rates)
 
     def simulation(self, **fields: Any) -> Self:
         """The fields of `Simulation`."""
@@ -222,6 +222,11 @@ class SceneBuilder:
 
     def _merge(self, section: str, value: dict[str, Any]) -> Self:
         self._data[section] = {**self._data.get(section, {}), **_plain(value, section)}
+        return self
+
+    def _start(self, kind: str, values: dict[str, Any]) -> Self:
+        start = self._data.setdefault("initial", {})
+        start[kind] = {**start.get(kind, {}), **_plain(values, "initial")}
         return self
 
     def _add(self, section: str, type: str, name: str, fields: dict[str, Any]) -> Self:

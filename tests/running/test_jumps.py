@@ -101,10 +101,15 @@ def kicked_crank(motion: str, **settings: Any) -> Scene:
 
 
 @pytest.mark.parametrize("jump", [0.4567, 0.46])
-def test_a_velocity_that_jumps_gives_its_impulse(model_of: Build, jump: float) -> None:
+@pytest.mark.parametrize(
+    "scheme, tolerance", [("dop853", None), ("dopri5", 1e-8), ("exponential", 1e-8), ("exponential_rk4", 1e-9)]
+)
+def test_a_velocity_that_jumps_gives_its_impulse(
+    model_of: Build, jump: float, scheme: str, tolerance: float | None
+) -> None:
     """By hand: the hinge jumps by 0.5 * 2 m/s upwards, and 0.35 dw + m l cos(theta) dv = 0 about it."""
     model = model_of(kicked_crank("where(t < jump, 0, 2 * (t - jump))"))
-    run = simulate(model, parameters={"jump": jump}, scheme="dop853")
+    run = simulate(model, parameters={"jump": jump}, scheme=scheme, tolerance=tolerance, dt=0.01)
     assert run.status.ok and [event.kind for event in run.events] == ["velocity_jump"]
 
     def hanging(t: float, y: np.ndarray, v: float = 0.0) -> list[float]:
@@ -128,9 +133,6 @@ def test_a_position_that_jumps_is_refused_by_name(model_of: Build) -> None:
     model = model_of(kicked_crank("0.3 * step(t - jump)"))
     with pytest.raises(ModelError, match=r"drive\.angle: its position jumps by 0\.3 at t = 0\.4567 s"):
         simulate(model)
-    jumping = model_of(kicked_crank("where(t < jump, 0, 2 * (t - jump))"))
-    with pytest.raises(ModelError, match=r"drive\.angle: its velocity jumps by 2"):
-        simulate(jumping, scheme="dopri5", tolerance=1e-4)
 
 
 def test_a_run_across_jumps_is_gone_on_with_bit_for_bit(model_of: Build, tmp_path: Path) -> None:

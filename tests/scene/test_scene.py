@@ -49,6 +49,17 @@ def test_builder_and_toml_give_equal_scenes() -> None:
     assert read.to_toml() == text
 
 
+def test_starting_values_add_up() -> None:
+    """A later call says more, or says it anew; what it does not name stays."""
+    builder = SceneBuilder("two")
+    for name in "ab":
+        builder.rigid(name, mass=1.0, inertia=1.0, free=True)
+    builder.initial({"a.x": 1.0, "b.x": 2.0}).rates({"a.x": 3.0}).initial({"b.x": 4.0, "b.y": 5.0}).rates({"b.x": 6.0})
+    start = builder.build().initial
+    assert {name: one.value for name, one in start.coordinates.items()} == {"a.x": 1.0, "b.x": 4.0, "b.y": 5.0}
+    assert {name: one.value for name, one in start.rates.items()} == {"a.x": 3.0, "b.x": 6.0}
+
+
 def test_a_flexible_slider_crank_takes_25_lines() -> None:
     assert len(inspect.getsource(flexible_slider_crank).splitlines()) <= 25
 

@@ -151,8 +151,11 @@ class AdaptiveState(OneStep):
         start = size["move"] + (0 if self.first_same_as_last else size["begin"])
         return accepted * start + (accepted + rejected) * size["attempt"]
 
-    def look_ahead(self, z: np.ndarray, jumps: Sequence[SwitchTime]) -> None:
-        """Write the next of all times, rising, that no step may cross to z (flat), and how near they are looked at."""
+    def look_ahead(self, z: np.ndarray, jumps: Sequence[SwitchTime], halts: bool = False) -> None:
+        """Write the next of all times, rising, that no step may cross to z (flat), and how near they are looked at.
+
+        halts: nothing goes on from the next of them by itself, see `has_halted`.
+        """
         stops, beside = self.layout.slice("stops"), self.layout.slice("beside")
         cool_downs = "event_quiet" in self.layout.sizes
         if not jumps and not cool_downs:
@@ -165,8 +168,12 @@ class AdaptiveState(OneStep):
             over = {one for one in z[self.layout.slice("event_quiet")].tolist() if one > reached}
             ahead = sorted({*ahead, *over})[:STOPS]
         near = jumps[max(0, first - 1) : first + STOPS]
-        z[stops] = [*ahead, *[LARGEST] * (STOPS - len(ahead))]
+        z[stops] = ahead[0] if halts and ahead else [*ahead, *[LARGEST] * (STOPS - len(ahead))]
         z[beside] = max((max(one.after - one.time, one.time - one.before) for one in near), default=0)
+
+    def has_halted(self, z: np.ndarray) -> bool:
+        """Is z (n_z,) at the last time that it knows of?"""
+        return bool(z[self.layout.slice("stops")][-1] <= z[self.layout.slice("t_to")][0])
 
     def land(self, z: np.ndarray) -> None:
         """From z (flat) on, end a step at every state that is seen."""

@@ -66,11 +66,13 @@ def _made_again(scheme: AdaptiveSteps, z: np.ndarray, end: float, run: Runs) -> 
 
 
 def settled(scheme: AdaptiveSteps, z: np.ndarray, constants: np.ndarray) -> None:
-    """Bring the account of the work in z (whole, flat) up to the end of its last step: inputs are about to change."""
+    """Bring the account of the work in z (whole, flat) up to the end of its last step: something changes there."""
     own = scheme.layout.slice
     if not accounted(scheme) or not z[own("pending")][0]:
         return
-    P, h = power_of(scheme, scheme.at_end(z)[: scheme.layout.size], constants), z[own("pending")].copy()
+    seen = scheme.at_end(z)[: scheme.layout.size]
+    seen[own("t0")] -= z[own("beside")]
+    P, h = power_of(scheme, seen, constants), z[own("pending")].copy()
     start, middle = z[own("power")].copy(), z[own("power_mid")].copy()
     done = h / 6 * (start + 4 * middle + P)
     z[own("work_from")] += done

@@ -41,8 +41,12 @@ class Legs:
 
     def __init__(self, stepper: Stepper) -> None:
         self.stepper = stepper
-        self._remembers = set(stepper.scheme.memory) != {"x", "v", "loop"}
         self._kept: dict[float, np.ndarray] = {}
+
+    @property
+    def remembers(self) -> bool:
+        """Does the scheme act through more than positions and rates?"""
+        return set(self.scheme.memory) != {"x", "v", "loop"}
 
     @property
     def scheme(self) -> Scheme:
@@ -76,7 +80,7 @@ class Legs:
     def set_out(self, leg: Leg, c: np.ndarray, t: float, dt: float) -> np.ndarray:
         """z (n_z,) from which steps dt [s] go on at a clock, with the accounts and inputs of the leg before."""
         scheme = self.scheme
-        if self._remembers:
+        if self.remembers:
             q, q_dot = leg.seen or self.seen(leg.z, self.constants(c, leg.dt))
             z = self.stepper.start(t, q, q_dot, c, dt)
             for name in scheme.lasting(Lasting.ACCOUNT, Lasting.GIVEN):

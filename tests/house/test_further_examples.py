@@ -1,0 +1,119 @@
+"""Scripts in examples/ say figures that only right physics gives, continued: see test_examples.py."""
+
+from __future__ import annotations
+
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+
+from tests.support.printed_numbers import line, numbers
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+
+
+def test_double_wishbone(said) -> None:
+    text = said("double_wishbone")
+    force, weight = line(text, "tyre at rest")
+    assert force == pytest.approx(weight, rel=5e-4)
+    assert numbers(text.splitlines()[0])[-1] < 0.05  # J, of some 400 J
+
+
+def test_spinning_satellite(said) -> None:
+    """The momentum decides what is left: the least energy, and an axis along the momentum, 12 degrees off at first."""
+    text = said("spinning_satellite")
+    first, last = line(text, "angle to the angular momentum")
+    assert first > 11.9 and last < 1.5
+    at_first, at_last, least = line(text, "energy")
+    assert least < at_last < least + 0.05 * (at_first - least)
+
+
+def test_rotor_blades(said) -> None:
+    rows = [numbers(row) for row in said("rotor_blades").splitlines()[1:5]]
+    for _, found, published in rows:
+        assert found == pytest.approx(published, rel=5e-4)
+
+
+def test_tumbling_body(said) -> None:
+    text = said("tumbling_body")
+    found, elliptic = line(text, "turns over every")
+    assert found == pytest.approx(elliptic, rel=5e-4)
+    assert max(line(text, "momentum changes by")) < 1e-5
+
+
+def test_gyroscope(said) -> None:
+    text = said("gyroscope")
+    found, closed_form = line(text, "goes round at")
+    assert found == pytest.approx(closed_form, rel=1e-6)
+    even, free = line(text, "nods by")
+    assert even < 1e-5 and free > 30.0
+    found, closed_form = line(text, "lowest tilt")
+    assert found == pytest.approx(closed_form, abs=1e-2)
+
+
+def test_spin_up(said) -> None:
+    """The figures of case F3 in docs/evidence/cases.md."""
+    text = said("spin_up")
+    assert line(text, "largest lag") == pytest.approx([-0.57438, 3.64e-3], rel=3e-3)
+    assert "without stiffening: deflection_too_large" in text
+
+
+def test_four_bar_crossing(said) -> None:
+    text = said("four_bar_crossing")
+    assert "10 singular positions passed" in text
+    found, integral = line(text, "one turn takes")
+    assert found == pytest.approx(integral, rel=1e-4)
+
+
+def test_hanging_chain(said) -> None:
+    """Links of an eighth of a metre stay within 3 mm of the catenary, and the chain is as its mirror image."""
+    text = said("hanging_chain")
+    assert "stable: True" in text
+    assert line(text, "joints off the catenary by")[0] < 3e-3
+    assert line(text, "left and right alike to")[0] < 1e-9
+
+
+def test_cart_pole(said) -> None:
+    text = said("cart_pole")
+    found, closed_form = line(text, "unstable root")
+    assert found == pytest.approx(closed_form, rel=1e-6)
+    assert max(map(abs, line(text, "after 5 s: cart at"))) < 1e-2
+
+
+def test_finite_element_bar(said) -> None:
+    """The bar rings as its mesh says, and a clamped end that holds the width makes it 0.8 % stiffer than a beam."""
+    _, measured, mesh, beam = numbers(said("finite_element_bar").splitlines()[1])
+    assert measured == pytest.approx(mesh, rel=1e-3)
+    assert mesh == pytest.approx(beam, rel=0.012) and mesh > beam
+
+
+def test_partitioned_bar(said) -> None:
+    """First order against an exact treatment of the fine part; one step for all would be four times too long."""
+    text = said("partitioned_bar")
+    assert line(text, "printed: off d'Alembert's solution by")[0] < 0.03
+    assert line(text, "linearised: off d'Alembert's solution by")[0] < 0.006
+    assert "for all: step_too_long" in text
+
+
+def test_floating_frame(said) -> None:
+    text = said("floating_frame")
+    *found, one, two, three = line(text, "coupling M_LS")
+    assert found == pytest.approx([one, two, three], rel=2e-3)
+    *masses, exact = line(text, "modal masses M_SS")
+    assert masses == pytest.approx([exact] * 3, rel=2e-3)
+
+
+def test_monte_carlo(said) -> None:
+    """Every case comes to its end; speed decides, and the linear fit leaves no more than a few percent unexplained."""
+    text = said("monte_carlo")
+    assert text.startswith("2000 of 2000 cases")
+    middle, _, low, high = line(text, "peak deflection")
+    assert 0 < low < middle < high < 1.2 * middle
+    speed, *others = (numbers(row.partition(":")[2])[0] for row in text.splitlines()[2:])
+    assert speed > 90 and 95 < speed + sum(others) < 101
+
+
+@pytest.mark.skipif(find_spec("distributed") is None, reason="needs the extra dask: pip install 'symgen[dask]'")
+def test_ensemble_on_dask(said) -> None:
+    """A cluster of two processes gives the bits of one."""
+    assert said("ensemble_on_dask").splitlines() == ["2 workers, 6000 cases", "equal bit for bit: True"]
