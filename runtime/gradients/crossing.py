@@ -17,7 +17,7 @@ import numpy as np
 from runtime.contract.errors import ArgumentError
 from runtime.engine.native import NativeProgram
 from runtime.gradients.beginning import Begun
-from runtime.gradients.course import Broken, Jump
+from runtime.gradients.course import Broken, Hold, Jump, Stop
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.schemes.state_fields import Lasting
 
@@ -26,7 +26,7 @@ from runtime.schemes.state_fields import Lasting
 class Handover:
     """From one part of a step to the next: the steps of both (groups,) [s], the clock [s], the jump there if any.
 
-    goes_on: is a step made from there? The last turn leads back to the grid.
+    goes_on: is a step made from there? The last turn leads back to the grid. holds: inputs that change there.
     """
 
     before: np.ndarray
@@ -34,15 +34,21 @@ class Handover:
     clock: float
     jump: Jump | None
     goes_on: bool
+    holds: tuple[Hold, ...] = ()
 
 
 @dataclass(frozen=True)
 class Taken:
-    """A turn at a state z (n_s,), the scheme's part; gap (n_i,): accelerations before the jump less those after it."""
+    """A turn at a state z (n_s,), the scheme's part, and a clock [s].
+
+    gap (n_i,): accelerations before the jump less those after it; w (n_w,): the inputs behind the turn.
+    """
 
     turn: Handover
     z: np.ndarray
+    clock: float
     gap: np.ndarray
+    w: np.ndarray
 
 
 class JumpCrossing:
@@ -54,11 +60,12 @@ class JumpCrossing:
         self._own = [k for k, row in enumerate(program.active.z) if row < self._n_s]
         self._rows = [program.active.z[k] for k in self._own]
         self._v = self._scheme.layout.slice("v") if "v" in self._scheme.layout.sizes else slice(0, 0)
-        self._remembers = not set(self._scheme.memory) <= {"x", "v", "loop", "chart"}
-        if self._remembers and self._scheme.charts.size:
+        self._w = self._scheme.layout.slice("inputs") if self._scheme.model.inputs else slice(0, 0)
+        self.remembers = not set(self._scheme.memory) <= {"x", "v", "loop", "chart"}
+        if self.remembers and self._scheme.charts.size:
             raise ArgumentError(
                 f"scheme of model {self._scheme.model.name}",
-                "starts anew where a load jumps, which is not differentiated for turns of free bodies",
+                "starts anew where forces jump, which is not differentiated for turns of free bodies",
                 "take a scheme of one step, such as exponential or rk4",
             )
 
@@ -72,19 +79,26 @@ class JumpCrossing:
             before = after
         return [*found, Handover(before, self._steps, broken.clock, None, False)]
 
+    def hold(self, holds: tuple[Hold, ...]) -> Handover:
+        """On the grid, with other inputs from there on."""
+        return Handover(self._steps, self._steps, 0.0, None, False, holds)
+
     def take(self, turn: Handover, z: np.ndarray, begun: Begun) -> Taken:
         """A turn at z (n_z,), in place."""
-        own, p = z[: self._n_s].copy(), self._p(begun)
+        own, p, n = z[: self._n_s].copy(), self._p(begun), float(z[1])
+        clock, w = turn.clock, own[self._w].copy()
+        for one in turn.holds:
+            clock, w[one.row - self._w.start] = float(z[0]) + n * self._steps[0], one.number(begun.values)
         gap = np.zeros(len(self._scheme.model.q_i))
         if turn.jump is not None and turn.jump.moves.any():
             before, after = turn.jump.before, turn.jump.after
             gap = np.asarray(self._gap(own, p, turn.before, before, after)).ravel()
-        if self._remembers:
-            z[: self._n_s] = np.asarray(
-                self._restart(own, p, turn.clock, turn.before, turn.after, np.zeros(len(gap)))
-            ).ravel()
-        z[0], z[1] = turn.clock, 0.0
-        return Taken(turn, own, gap)
+        taken = Taken(turn, own, clock, gap, w)
+        if self.remembers:
+            z[: self._n_s] = np.asarray(self._restart(*self._arguments(taken, begun))).ravel()
+        if not turn.holds:
+            z[0], z[1] = clock, 0.0
+        return taken
 
     def run(self, stepping: NativeProgram, z: np.ndarray, broken: Broken, begun: Begun) -> None:
         """A broken step of z (n_z,), in place."""
@@ -108,18 +122,29 @@ class JumpCrossing:
         """(n_p, k) of the slopes (n_x, k) of what a run begins with."""
         return slopes[: len(self._scheme.model.parameters)]
 
-    def directions(self, taken: Taken, begun: Begun, along: np.ndarray, moved: np.ndarray) -> np.ndarray:
-        """(active entries of z, k) after a turn from those before it; along (n_p, k): directions of p."""
+    def directions(
+        self, taken: Taken, begun: Begun, along: np.ndarray, moved: np.ndarray, first: int = 0
+    ) -> np.ndarray:
+        """(active entries of z, k) after a turn from those before it; along (n_p, k): directions of p.
+
+        first: of what is differentiated by, the one of the first direction.
+        """
         jump, v = taken.turn.jump, self._v
         pushed = np.zeros((len(taken.gap), along.shape[1]))
         if jump is not None:
             pushed = np.outer(taken.gap, jump.moves @ along)
         found, whole = moved.copy(), np.zeros((self._n_s, along.shape[1]))
         whole[self._rows] = moved[self._own]
-        if not self._remembers:
+        if not self.remembers:
             whole[v] += pushed
-        for k in range(along.shape[1]) if self._remembers else ():
-            arguments = (*self._arguments(taken, begun), whole[:, k], along[:, k], pushed[:, k])
+        inputs = whole[self._w].copy()
+        for one in taken.turn.holds:
+            row = one.row - self._w.start
+            inputs[row] = 0.0
+            if first <= one.place < first + along.shape[1]:
+                inputs[row, one.place - first] = 1.0
+        for k in range(along.shape[1]) if self.remembers else ():
+            arguments = (*self._arguments(taken, begun), whole[:, k], along[:, k], pushed[:, k], inputs[:, k])
             whole[:, k] = np.asarray(self._restart_tangent(*arguments)).ravel()
         found[self._own] = whole[self._rows]
         return found
@@ -129,14 +154,23 @@ class JumpCrossing:
         columns = [np.asarray(self._ready_tangent(self._p(begun), turn.after, one)).ravel() for one in along.T]
         return np.array(columns).T
 
-    def pulled_back(self, taken: Taken, begun: Begun, adjoint: np.ndarray) -> np.ndarray:
-        """(n_p,); the adjoint of the active entries of z becomes that before the turn, in place."""
+    def pulled_back(self, taken: Taken, begun: Begun, adjoint: np.ndarray, held: np.ndarray) -> np.ndarray:
+        """(n_p,); the adjoint of the active entries of z becomes that before the turn, in place.
+
+        held (n,): what the inputs that change there are differentiated by is added to it.
+        """
         bar = np.zeros(self._n_s)
         bar[self._rows] = adjoint[self._own]
         p_bar, pushed = np.zeros(len(self._p(begun))), bar[self._v]
-        if self._remembers:
+        if self.remembers:
             found = self._restart_adjoint(*self._arguments(taken, begun), bar)
-            bar, p_bar, pushed = (np.asarray(one).ravel() for one in found)
+            bar, p_bar, pushed, of_inputs = (np.asarray(one).ravel() for one in found)
+            for one in taken.turn.holds:
+                row = one.row - self._w.start
+                if one.place >= 0:
+                    held[one.place] += of_inputs[row]
+                of_inputs[row] = 0.0
+            bar[self._w] += of_inputs
         adjoint[self._own] = bar[self._rows]
         if (jump := taken.turn.jump) is not None:
             p_bar = p_bar + jump.moves * float(taken.gap @ pushed)
@@ -153,7 +187,7 @@ class JumpCrossing:
 
     def _arguments(self, taken: Taken, begun: Begun) -> tuple[np.ndarray | float, ...]:
         turn = taken.turn
-        return taken.z, self._p(begun), turn.clock, turn.before, turn.after, np.zeros(len(taken.gap))
+        return taken.z, self._p(begun), taken.clock, turn.before, turn.after, np.zeros(len(taken.gap)), taken.w
 
     @cached_property
     def _ready_derivatives(self) -> tuple[ca.Function, ca.Function]:
@@ -189,7 +223,7 @@ class JumpCrossing:
         """q_i, q_i_dot and the loop unknowns of z."""
         z, _, c = self._symbols
         model, fields = self._scheme.model, self._scheme.layout.unpack(z)
-        if not self._remembers:
+        if not self.remembers:
             return fields["x"], fields["v"], fields["loop"]
         seen = self._scheme.observer(z=z, c=ca.vertcat(c, steps))
         loop = [seen["q_d"][model.q_d.index(name)] for name in model.loop_unknowns]
@@ -207,22 +241,24 @@ class JumpCrossing:
 
     @cached_property
     def _restarts(self) -> tuple[ca.Function, ca.Function, ca.Function]:
-        """(z, p, t, steps before, after, push) -> z; push: what is added to q_i_dot; its tangent and adjoint."""
+        """(z, p, t, steps before, after, push, w) -> z; push: what is added to q_i_dot; its tangent and adjoint."""
         z, p, c = self._symbols
         scheme, t = self._scheme, ca.SX.sym("t")
         before, after = (ca.SX.sym(name, len(self._steps)) for name in ("before", "after"))
         push = ca.SX.sym("push", len(scheme.model.q_i))
         q_i, v, loop = self._seen(before)
-        found = ca.SX(scheme.starter(t, q_i, v + push, loop, ca.vertcat(c, after)))
+        w = ca.SX.sym("w", self._w.stop - self._w.start)
+        there = ca.vertcat(c[: c.numel() - w.numel()], w, after)
+        found = ca.SX(scheme.starter(t, q_i, v + push, loop, there))
         for name in scheme.lasting(Lasting.ACCOUNT, Lasting.GIVEN):
-            found[scheme.layout.slice(name)] = z[scheme.layout.slice(name)]
-        given = [z, p, t, before, after, push]
-        along = [ca.SX.sym(f"along_{k}", one.numel()) for k, one in enumerate((z, p, push))]
+            found[scheme.layout.slice(name)] = w if name == "inputs" else z[scheme.layout.slice(name)]
+        given = [z, p, t, before, after, push, w]
+        along = [ca.SX.sym(f"along_{k}", one.numel()) for k, one in enumerate((z, p, push, w))]
         bar = ca.SX.sym("bar", found.numel())
-        inputs = ca.vertcat(z, p, push)
+        inputs = ca.vertcat(z, p, push, w)
         forward = ca.densify(ca.jtimes(found, inputs, ca.vertcat(*along)))
         back = ca.densify(ca.jtimes(found, inputs, bar, True))
-        ends = np.cumsum([0, z.numel(), p.numel(), push.numel()]).tolist()
+        ends = np.cumsum([0, z.numel(), p.numel(), push.numel(), w.numel()]).tolist()
         return (
             ca.Function("restart", given, ca.cse([ca.densify(found)])),
             ca.Function("restart_tangent", [*given, *along], ca.cse([forward])),
@@ -240,3 +276,12 @@ class JumpCrossing:
     @property
     def _restart_adjoint(self) -> ca.Function:
         return self._restarts[2]
+
+
+def hold_inputs(z: np.ndarray, stop: Stop, begun: Begun, crossing: JumpCrossing | None) -> None:
+    """The inputs that change at a stop, in z (n_z,); crossing: where schemes may start anew there."""
+    if stop.holds and crossing is not None and crossing.remembers:
+        crossing.take(crossing.hold(stop.holds), z, begun)
+        return
+    for one in stop.holds:
+        z[one.row] = one.number(begun.values)

@@ -14,7 +14,7 @@ from runtime.engine.derivatives_code import Recorder, TangentCode, most_lanes
 from runtime.engine.native import NativeProgram
 from runtime.gradients.beginning import Beginning, Begun
 from runtime.gradients.course import Course, course
-from runtime.gradients.crossing import JumpCrossing
+from runtime.gradients.crossing import JumpCrossing, hold_inputs
 from runtime.gradients.derivatives_of_run import Gradient, OutputJacobian
 from runtime.gradients.driving import Inputs, driven_by, held_samples, holds_of
 from runtime.gradients.moving_jumps import MovingJumps
@@ -92,15 +92,15 @@ class DifferentiableRun:
         begun = self._begun(x, slopes=False)
         z, y = begun.z.copy(), np.zeros((len(self.t), len(self.outputs)))
         stepping, observing = self._plain
-        for stop in self._broken(begun).stops:
-            if stop.broken is not None:
-                self._crossing.run(stepping, z, stop.broken, begun)
+        course, crossing = self._across(begun)
+        for stop in course.stops:
+            if stop.broken is not None and crossing is not None:
+                crossing.run(stepping, z, stop.broken, begun)
             stepping.run(z, begun.ready, stop.steps)
             if stop.sample >= 0:
                 observing.run(z, begun.ready, 1)
                 y[stop.sample] = z[self.program.outputs]
-            for hold in stop.holds:
-                z[hold.row] = hold.number(begun.values)
+            hold_inputs(z, stop, begun, crossing)
         begun.watch.end(z)
         return y
 
@@ -108,8 +108,7 @@ class DifferentiableRun:
         """Outputs and their derivatives, one direction a lane."""
         begun = self._begun(x)
         directions = self._beginning.tangents(begun.x, begun.slopes)
-        course = self._broken(begun)
-        crossing = None if course is self.course else self._crossing
+        course, crossing = self._across(begun)
         y, slopes, last = forward(self.program, self._tangents, course, begun, directions, crossing)
         begun.watch.end(last)
         self._switches.check(begun, course, crossing)
@@ -148,8 +147,7 @@ class DifferentiableRun:
 
     def _reverse(self, x: Values, weigh: Weigh) -> tuple[np.ndarray, np.ndarray]:
         begun = self._begun(x)
-        course = self._broken(begun)
-        crossing = None if course is self.course else self._crossing
+        course, crossing = self._across(begun)
         backward = self._backward if crossing is None else Backward(self.program, self._recorders, course, crossing)
         y, adjoint, held, of_parameters, last = backward.run(begun, weigh)
         begun.watch.end(last)
@@ -158,9 +156,13 @@ class DifferentiableRun:
         of_x[: len(of_parameters)] += of_parameters
         return y, begun.slopes.T @ of_x + held
 
-    def _broken(self, begun: Begun) -> Course:
-        """The course with its steps broken where something jumps; `course` itself where nothing does."""
-        return self._jumps.broken(self.course, begun.x[: len(self.model.parameters)])
+    def _across(self, begun: Begun) -> tuple[Course, JumpCrossing | None]:
+        """The course with its steps broken where something jumps, and who crosses jumps and changes of inputs."""
+        course = self._jumps.broken(self.course, begun.x[: len(self.model.parameters)])
+        held = any(stop.holds for stop in course.stops)
+        if course is self.course and not (held and self._crossing.remembers):
+            return course, None
+        return course, self._crossing
 
     def _begun(self, x: Values, slopes: bool = True) -> Begun:
         return self._start.begun(self.x0 if x is None else self.variables.checked(x), slopes)

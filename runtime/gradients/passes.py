@@ -15,7 +15,7 @@ import numpy as np
 
 from runtime.engine.derivatives_code import LaneArrays, Recorder, TangentCode
 from runtime.gradients.beginning import Begun
-from runtime.gradients.course import Broken, Course, Stop
+from runtime.gradients.course import Broken, Course, Hold, Stop
 from runtime.gradients.crossing import JumpCrossing, Taken
 from runtime.gradients.observed_program import ObservedProgram
 
@@ -56,6 +56,9 @@ def forward(
                 slopes[stop.sample, :, first : first + here] = arrays.z[rows[0] : rows[-1] + 1, :here]
                 if first == 0:
                     y[stop.sample] = arrays.z[program.outputs, 0]
+            if stop.holds and crossing is not None and crossing.remembers:
+                hold_in_lanes(crossing, arrays, stop.holds, begun, begun.slopes[:, first : first + here], first)
+                continue
             for hold in stop.holds:
                 row = len(z) + active.z.index(hold.row)
                 arrays.z[hold.row], arrays.z[row] = hold.number(begun.values), 0.0
@@ -81,6 +84,22 @@ def across(
             stepping.run(arrays, 1)
     crossing.land(z, broken)
     c[:] = kept
+
+
+def hold_in_lanes(
+    crossing: JumpCrossing,
+    arrays: LaneArrays,
+    holds: tuple[Hold, ...],
+    begun: Begun,
+    slopes: np.ndarray,
+    first: int,
+) -> None:
+    """Inputs change where a scheme starts anew; slopes (n_x, k) as in `across`; first: see `directions`."""
+    z, n_z, here = arrays.z, len(begun.z), slopes.shape[1]
+    state = z[:n_z, 0].copy()
+    taken = crossing.take(crossing.hold(holds), state, begun)
+    z[:n_z] = state[:, None]
+    z[n_z:, :here] = crossing.directions(taken, begun, crossing.of_parameters(slopes), z[n_z:, :here], first)
 
 
 Weigh = Callable[[np.ndarray], np.ndarray]  # outputs (N, n_y) -> derivative of the objective by them, of that shape
@@ -188,6 +207,10 @@ class _Tapes:
                 self._output.record(z, c, self._outputs[self._seen :], 1)
                 self._seen += self._output.records
                 self._y[stop.sample] = z[self._run.program.outputs]
+            if stop.holds and self._starts_anew is not None:
+                taken = self._starts_anew.take(self._starts_anew.hold(stop.holds), z, self._begun)
+                self._taken.append((taken, c))
+                continue
             for hold in stop.holds:
                 z[hold.row] = hold.number(self._begun.values)
 
@@ -195,7 +218,9 @@ class _Tapes:
         """The same, the other way."""
         c, active = self._begun.ready, self._run.program.active
         for stop in reversed(part):
-            for hold in reversed(stop.holds):
+            if stop.holds and self._starts_anew is not None:
+                self.of_parameters += self._starts_anew.pulled_back(self._taken.pop()[0], self._begun, adjoint, held)
+            for hold in reversed(stop.holds) if self._starts_anew is None else ():
                 row = active.z.index(hold.row)
                 if hold.place >= 0:
                     held[hold.place] += adjoint[row]
@@ -207,7 +232,7 @@ class _Tapes:
             self._at -= stop.steps * self._step.records
             self._step.reverse(adjoint, c, self._steps[self._at :], stop.steps)
             if stop.broken is not None:
-                self._back_across(adjoint, stop.recorded)
+                self._back_across(adjoint, held, stop.recorded)
 
     def _forward_across(self, z: np.ndarray, broken: Broken) -> None:
         crossing = self._run.crossing
@@ -221,7 +246,13 @@ class _Tapes:
             self._taken.append((taken, ready))
         crossing.land(z, broken)
 
-    def _back_across(self, adjoint: np.ndarray, parts: int) -> None:
+    @property
+    def _starts_anew(self) -> JumpCrossing | None:
+        """Who starts anew where inputs change, if the scheme does."""
+        crossing = self._run.crossing
+        return crossing if crossing is not None and crossing.remembers else None
+
+    def _back_across(self, adjoint: np.ndarray, held: np.ndarray, parts: int) -> None:
         crossing, begun, first = self._run.crossing, self._begun, len(self._run.program.active.z)
         assert crossing is not None
         for _ in range(parts + 1):
@@ -232,4 +263,4 @@ class _Tapes:
                 self._step.reverse(adjoint, ready, self._steps[self._at :], 1)
                 self.of_parameters += crossing.ready_pulled_back(taken.turn, begun, adjoint[first:].copy())
                 adjoint[first:] = kept
-            self.of_parameters += crossing.pulled_back(taken, begun, adjoint)
+            self.of_parameters += crossing.pulled_back(taken, begun, adjoint, held)

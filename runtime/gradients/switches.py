@@ -20,7 +20,7 @@ from runtime.contract.tape import UNUSED, Tape, node_value, read_tape
 from runtime.engine.native import NativeProgram
 from runtime.gradients.beginning import Begun
 from runtime.gradients.course import Course
-from runtime.gradients.crossing import JumpCrossing
+from runtime.gradients.crossing import JumpCrossing, hold_inputs
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.running.plan import Plan
 from runtime.schemes.stage_equations import StageEquations
@@ -67,8 +67,7 @@ class Switches:
                 for k in np.flatnonzero(held != now):
                     self._compare(int(k), before, after, held, c)
                 before = after
-            for hold in stop.holds:
-                z[hold.row] = hold.number(begun.values)
+            hold_inputs(z, stop, begun, crossing)
 
     def _constants(self, z: np.ndarray, ready: np.ndarray) -> np.ndarray:
         """The model's c with the inputs that z holds."""
