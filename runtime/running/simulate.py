@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any, Unpack
 
@@ -26,6 +26,8 @@ from runtime.running.schedule import Schedule
 from runtime.running.segment import Segment
 from runtime.running.time_functions import check_time_functions
 from runtime.running.tolerance import with_tolerance
+from runtime.running.trials import Calibration, trials_of
+from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.options import SchemeError
 from runtime.start.start_state import start_state
 
@@ -48,6 +50,7 @@ def simulate(
     start: str | None = None,
     t0: float = 0.0,
     inputs: Mapping[str, InputValue] | None = None,
+    calibration: Calibration | None = None,
     **further: Unpack[FurtherArguments],
 ) -> Solution:
     """Simulate from t0 with major step dt and ratios m until t_end is reached (None: the scene's own settings) [s].
@@ -59,7 +62,8 @@ def simulate(
     scheme: a name of runtime.schemes.catalogue.SCHEMES. options: changes to its Options by name. parameters
     and initial change values by name (rates as `<coordinate>_dot`). start: `given` or `quasi_static`
     (elastic coordinates in equilibrium). inputs: by name a number, a function of time (called once with a symbol),
-    (times, values) held in between, or a `Sampled` controller. further: see `Further`.
+    (times, values) held in between, or a `Sampled` controller. calibration: what trials for the tolerance told, where
+    they were made already. further: see `Further`.
 
     Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError, InitialStateError,
     OutputError or CompilerError for arguments that cannot be used.
@@ -75,9 +79,17 @@ def simulate(
     schedule = scheduled(model, inputs, t0, plan.grid.dt_L)
     p = started(model, model.parameter_vector(parameters), schedule, t0)
     state = start_state(model, p, model.constants(p), t0, initial, start)
-    run, set_up = _begun(model, plan, p, state, more, rule)
+    steady = not (schedule.samples or schedule.controllers)  # else the motion cannot be tried
+
+    def calibrated(segment: Segment) -> Calibration | None:
+        return (calibration or trials_of(segment, state)) if steady and not segment.watches_events else None
+
+    run, set_up, known = _begun(model, plan, p, state, more, rule, calibrated)
     run.schedule = with_reads(schedule, run)
-    return finished(run, set_up)
+    solution = finished(run, set_up)
+    if known is not None:
+        solution.stats |= known.told()
+    return solution
 
 
 def with_reads(schedule: Schedule, run: Run) -> Schedule | None:
@@ -94,13 +106,22 @@ def with_reads(schedule: Schedule, run: Run) -> Schedule | None:
 
 
 def _begun(
-    model: Model, plan: Plan, p: np.ndarray, state: ConsistentState, more: Further, rule: CheckpointRule
-) -> tuple[Run, float]:
-    """(a run at its checked start with parameters p (n_p,), seconds that preparing it took)."""
+    model: Model,
+    plan: Plan,
+    p: np.ndarray,
+    state: ConsistentState,
+    more: Further,
+    rule: CheckpointRule,
+    calibrated: Callable[[Segment], Calibration | None],
+) -> tuple[Run, float, Calibration | None]:
+    """(a run at its checked start with parameters p (n_p,), seconds that preparing it took, what trials told)."""
     started = time.perf_counter()
     segment = Segment.build(model, plan, p, more.engine)
     events = check_time_functions(model, segment.c, plan, state, segment.switches)
     z = segment.start(state.q, state.q_dot)
+    known, scheme = calibrated(segment), plan.scheme
+    if known is not None and isinstance(scheme, AdaptiveSteps):
+        known.begin(scheme, z)
     set_up = time.perf_counter() - started
     changes = ", ".join(f"{key}: {a:.9g} -> {b:.9g}" for key, (a, b) in state.changed.items() if _differ(a, b))
     progress = None if isinstance(more.progress, bool) else more.progress
@@ -120,7 +141,7 @@ def _begun(
     with record.closed_on_error():
         run.status = segment.monitor.first(segment.stepper.state(z))
         record.add(0, z)
-    return run, set_up
+    return run, set_up, known
 
 
 def _driven(

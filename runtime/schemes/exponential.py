@@ -34,7 +34,7 @@ from runtime.schemes.grid import Grid
 from runtime.schemes.linear_propagation import polynomial
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.linear_sub_steps import LinearSubStepOptions, LinearSubSteps
-from runtime.schemes.options import LARGEST_TOLERANCE, MOST_UNROLLED, SchemeError, share, whole_number
+from runtime.schemes.options import LARGEST_TOLERANCE, MOST_UNROLLED, SchemeError, one_of, share, whole_number
 from runtime.schemes.stage_equations import LONG_TREE, StageEquations
 from runtime.schemes.state_fields import StateField, work
 
@@ -46,7 +46,7 @@ Body = Callable[[Fields, StageEquations], Mapping[str, ca.SX]]
 
 @dataclass(frozen=True)
 class ExponentialOptions(LinearSubStepOptions):
-    """propagation: see LinearSubStepOptions; tolerance: see AdaptiveOptions.
+    """propagation: see LinearSubStepOptions; tolerance, error_of: see AdaptiveOptions.
 
     closure_iterations: Newton steps on the loop unknowns in each evaluation, from a guess that is right to h^3.
 
@@ -56,6 +56,7 @@ class ExponentialOptions(LinearSubStepOptions):
     closure_iterations: int = whole_number(1, most=MOST_UNROLLED)
 
     tolerance: float = share(0.0, LARGEST_TOLERANCE)
+    error_of: str = one_of("motion", "step")
     order: int = whole_number(4, least=4, most=5)
 
     @property

@@ -42,7 +42,7 @@ IMAGINARY_REACH, REAL_REACH = 2**0.5, 2.785
 class ExponentialRungeKuttaOptions(AdaptiveOptions):
     """closure_iterations: Newton steps on the loop unknowns in each evaluation, from a guess that is right to h^3.
 
-    tolerance: see AdaptiveOptions.
+    tolerance, error_of: see AdaptiveOptions.
 
     linearisation: what the exponentials hold of the deflections: `stiffness`, the constant K and D of the model, or
         `tangent`, the derivative of the accelerations along X Lambda^-1 at the start of the step, where the momentum of

@@ -103,11 +103,14 @@ class ClosureOptions(Options):
 class AdaptiveOptions(ClosureOptions):
     """closure_iterations: Newton steps on the loop unknowns in each evaluation.
 
-    tolerance: of the error that a step makes, relative to the amplitudes; steps then take the length that it asks for,
-        and dt is the time between the states that can be seen. 0: steps of dt.
+    tolerance: of errors relative to the amplitudes; steps then take the length that it asks for, and dt is the time
+        between the states that can be seen. 0: steps of dt.
+    error_of: what the tolerance is of: the error of the `motion` (RMS), where trials of all of it tell with which
+        tolerance of its steps it comes to that, or that of each `step`, without trials.
     """
 
     tolerance: float = share(0.0, LARGEST_TOLERANCE)
+    error_of: str = one_of("motion", "step")
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,8 @@ from runtime.running.segment import Segment
 from runtime.schemes.central_difference import CentralDifference
 
 COUNTERS = ("closure_error", "iterations", "failures")
-OF_TOLERANCE = ("accepted", "rejected", "h_least", "h_largest", "h_next", "lands")  # of steps that follow from one
+# of steps that follow from one
+OF_TOLERANCE = ("accepted", "counted", "rejected", "h_least", "h_largest", "h_next", "per_step", "lands")
 CLOSURES = 6
 
 

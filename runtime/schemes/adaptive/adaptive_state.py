@@ -22,7 +22,7 @@ from runtime.schemes.switching.times import SwitchTime
 STOPS = 4  # times ahead that z knows; whoever runs the scheme fills in the next ones
 FIRST = 0.1  # of dt: the first step that is tried
 # what an attempt changes although it may be refused: `before` keeps it
-RESTORED = ("closure_error", "h_least", "h_largest", "det_now", "det_low", "det_high")
+RESTORED = ("closure_error", "det_now", "det_low", "det_high")
 
 
 class AdaptiveState(OneStep):
@@ -37,6 +37,7 @@ class AdaptiveState(OneStep):
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
         super().__init__(model, grid, options)
         self.c_size += 1
+        self._operations: dict[str, int] = {}
 
     @abstractmethod
     def method_fields(self) -> dict[str, StateField]:
@@ -46,6 +47,11 @@ class AdaptiveState(OneStep):
     def tolerance(self) -> float:
         """Of a step's estimated error."""
         return float(self.options.tolerance)  # type: ignore[attr-defined]
+
+    @property
+    def error_of(self) -> str:
+        """Is the tolerance that of the motion or of its steps?"""
+        return str(self.options.error_of)  # type: ignore[attr-defined]
 
     def constants(self, c: np.ndarray, dt: float | None = None, tolerance: float | None = None) -> np.ndarray:
         """The model's c, the time between states that are seen [s], and the tolerance."""
@@ -72,6 +78,7 @@ class AdaptiveState(OneStep):
             "q_high": state(n),
             "weight": state(n),
             "ranging": given(1),
+            "per_step": given(1),
             "width": state(1),
             "wider": state(1),
             "h_next": state(1),
@@ -79,18 +86,18 @@ class AdaptiveState(OneStep):
             "t_try": state(1),
             "end": state(1),
             "peak": state(1),
-            "peak_before": state(1),
             "odd": state(1),
             "fresh": state(1),
             "cold": state(1),
             "det_now": account(loop_blocks(self.model)),
-            "before": account(len(RESTORED) - 3 + 3 * loop_blocks(self.model)),
+            "before": account(1 + 3 * loop_blocks(self.model)),
             "going": account(1),
             "stops": given(STOPS),
             "beside": given(1),
             "lands": given(1),
             "stuck": account(1),
             "accepted": account(1),
+            "counted": account(1),
             "rejected": account(1),
             "h_least": account(1),
             "h_largest": account(1),
@@ -114,6 +121,7 @@ class AdaptiveState(OneStep):
             "fresh": ca.SX(1),
             "cold": ca.SX(1),
             "ranging": ca.SX(1),
+            "per_step": ca.SX(1),
             "det_now": start.det_loop,
             "stops": ca.SX.ones(STOPS) * LARGEST,
             "h_least": ca.SX(LARGEST),
@@ -141,12 +149,19 @@ class AdaptiveState(OneStep):
             "rejected_steps": rejected,
             "least_step": float(seen["h_least"]) if accepted else 0.0,
             "largest_step": float(seen["h_largest"]),
+            "step_tolerance": self.tolerance * float(z[self.layout.slice("per_step")][0]),
             "evaluations": accepted * start + (accepted + rejected) * attempt,
         }
 
+    def longest(self, z: np.ndarray) -> float:
+        """The longest step of those that led to z (flat) [s]."""
+        return float(z[self.layout.slice("h_largest")][0])
+
     def operations_taken(self, z: np.ndarray, program: Program) -> float:
         """Of the steps so far, by its program as prepared; what is done to show states is left out."""
-        size = {stage.name(): int(stage.n_instructions()) for stage in program.stages()}
+        if not self._operations:
+            self._operations |= {stage.name(): int(stage.n_instructions()) for stage in program.stages()}
+        size = self._operations
         accepted, rejected = (float(z[self.layout.slice(name)][0]) for name in ("accepted", "rejected"))
         start = size["move"] + (0 if self.first_same_as_last else size["begin"])
         return accepted * start + (accepted + rejected) * size["attempt"]

@@ -22,16 +22,14 @@ from dataclasses import dataclass, field
 import casadi as ca
 
 from runtime.engine.program import Fields, Program, Sequence, Until
-from runtime.schemes.adaptive.adaptive_state import RESTORED, STOPS, AdaptiveState
-from runtime.schemes.adaptive.controller import FORGET, REFUSED, in_band, not_across, peak_after, step_factor
-from runtime.schemes.adaptive.error_norm import mean_square, weights
-from runtime.schemes.scheme import LARGEST
+from runtime.schemes.adaptive.adaptive_state import RESTORED
+from runtime.schemes.adaptive.controller import FORGET, in_band
+from runtime.schemes.adaptive.error_norm import mean_square
+from runtime.schemes.adaptive.step_control import StepControl
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.switching.watched import NEVER, event_outputs, flagged
 
 ATTEMPTS = 1 << 13  # in one application of the program; the next one goes on
-WIDER = 1.5  # ranges whose squares, weighted, add up to so much more than before make the weights be formed anew
-LEAST, LEAST_OF_TIME = 1e-12, 1e-14  # of dt and of t: shorter steps are not made
 
 
 @dataclass(frozen=True)
@@ -52,11 +50,8 @@ class Attempt:
     powers: Mapping[str, ca.SX] = field(default_factory=dict)
 
 
-class AdaptiveSteps(AdaptiveState):
+class AdaptiveSteps(StepControl):
     """The loop. Subclasses give what is evaluated at the start of a step, an attempt, and an interpolant."""
-
-    error_order: int  # the estimate is of h to this power
-    strictness: float = 1.0  # what the estimate is multiplied by, so that all methods deliver about the same
 
     # ---- what a method says ---------------------------------------------------------------------------------
 
@@ -94,43 +89,6 @@ class AdaptiveSteps(AdaptiveState):
             step = (*step, Until(self.stage("look", self._look), flag["fresh"], 1, usual=1))
         reach = Until(Sequence(step), flag["going"], ATTEMPTS, usual=1)
         return Sequence((self.stage("aim", self._aim), reach, self.stage("show", self._show)))
-
-    def _goal(self, z: Fields, equations: StageEquations) -> ca.SX:
-        return z["t0"] + (z["n"] + 1) * equations.h[0]
-
-    def _aim(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        low, high = ca.fmin(z["det_low"], z["det_now"]), ca.fmax(z["det_high"], z["det_now"])
-        way = self._left(z, self._goal(z, equations) - z["t_to"], z["t_to"])
-        now = self._seen(z)
-        low_now, high_now = ca.fmin(z["q_low"], now), ca.fmax(z["q_high"], now)
-        weight = weights(self.model, low_now, high_now)
-        width = WIDER * ca.dot(weight, (high_now - low_now) ** 2)
-        plan = self.planned(z, equations, z["t_to"], z["h_next"])
-        return {"going": way, "det_low": low, "det_high": high, "weight": weight, "width": width, **plan}
-
-    @staticmethod
-    def _seen(z: Fields) -> ca.SX:
-        """What ranges are told of at the end of the last step."""
-        return z["q_seen"] if z["q_seen"].numel() else z["q_to"]
-
-    @staticmethod
-    def _before(z: Fields) -> dict[str, ca.SX]:
-        """What the fields of RESTORED were before the last attempt."""
-        names, ends = [name for name in RESTORED], [0]
-        for name in names:
-            ends.append(ends[-1] + z[name].numel())
-        return dict(zip(names, ca.vertsplit(z["before"], ends), strict=True))
-
-    def _square(self, weight: ca.SX, dq: ca.SX, h_dv: ca.SX, equations: StageEquations) -> ca.SX:
-        """The square of e, the size of an estimated error over the tolerance of a step."""
-        asked = equations.h[-1] / self.strictness
-        return mean_square(weight, dq, h_dv) / (asked * asked)
-
-    @staticmethod
-    def _left(z: Fields, way: ca.SX, t: ca.SX) -> ca.SX:
-        """What is left to go [s], not positive where nothing can be done: stuck, or no further stop is known."""
-        blind = z["stops"][STOPS - 1] <= t
-        return ca.if_else(ca.logic_or(z["stuck"] > 0, blind), 0.0, way)
 
     def _move(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """The end of a step becomes a start, that of turns their charts."""
@@ -192,23 +150,11 @@ class AdaptiveSteps(AdaptiveState):
         a = equations.accelerations(motion, v) if equations.drives else ca.SX.zeros(q.numel())
         return equations.power_of(motion, v, a)
 
-    def planned(self, z: Fields, equations: StageEquations, t: ca.SX, wanted: ca.SX) -> dict[str, ca.SX]:
-        """The step to try from t on, where one of `wanted` [s] would be right: its length, its end, what limits it.
-
-        The one place where the end of a step is chosen. Nothing crosses the next of `stops`, nor, where z `lands`, the
-        time that is to be reached.
-        """
-        end, goal = ca.SX(LARGEST), self._goal(z, equations)
-        for stop in [*ca.vertsplit(z["stops"]), ca.if_else(z["lands"] > 0, goal, LARGEST)]:
-            end = ca.fmin(end, ca.if_else(stop > t, stop, LARGEST))
-        h = not_across(wanted, end - t)
-        return {"h_try": h, "t_try": ca.if_else(h >= end - t, end, t + h), "end": end, "h_next": wanted}
-
     def _attempt(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """As if it were accepted and the next one as long; `_judge` says otherwise where the estimate asks for it."""
         h, t = z["h_try"], z["t_try"]
         tried = self.attempted(z, equations, h)
-        square = self._square(z["weight"], tried.dq, h * tried.dv, equations)
+        square = mean_square(z["weight"], tried.dq, h * tried.dv)
         peak = ca.fmax(square, FORGET**2 * z["peak"])
         # so far from an end another step and a half would not reach it
         usual = ca.logic_and(ca.logic_and(in_band(square, peak), t + 2 * h < z["end"]), z["wider"] <= 0)
@@ -219,46 +165,14 @@ class AdaptiveSteps(AdaptiveState):
             **seen,
             **{"q_to": tried.q, "v_to": tried.v, "loop_to": tried.loop, "t_to": t, "t_try": t + h},
             **{"q_error": tried.dq, "v_error": tried.dv, "odd": ca.if_else(usual, 0.0, 1.0)},
-            **{"peak": peak, "peak_before": z["peak"]},
+            "peak": peak,
             **self.closed(z, *tried.seen),
             "det_now": tried.seen[-1].det_loop,
-            "h_least": ca.fmin(z["h_least"], h),
-            "h_largest": ca.fmax(z["h_largest"], h),
             "accepted": z["accepted"] + 1,
             "fresh": ca.SX(1),
             "cold": ca.SX(0),
             "going": self._goal(z, equations) - t,
             **({"pending": h} if "work_from" in z else {}),
-        }
-
-    def _judge(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        """Of a step that was not as usual: is it accepted, and what comes next?"""
-        h, now = z["h_try"], self._seen(z)
-        low, high = ca.fmin(z["q_low"], now), ca.fmax(z["q_high"], now)
-        weight = weights(self.model, low, high)
-        square = self._square(weight, z["q_error"], h * z["v_error"], equations)
-        peak = ca.fmax(square, FORGET**2 * z["peak_before"])
-        accepted = square <= REFUSED**2
-        factor = step_factor(square, peak, self.error_order)
-        wanted = h * factor
-        wanted = ca.if_else(accepted, ca.fmax(wanted, ca.if_else(h < z["h_next"], z["h_next"], 0.0)), wanted)
-        t = ca.if_else(accepted, z["t_to"], z["t_from"])
-        stuck = ca.logic_or(z["stuck"] > 0, wanted < LEAST * equations.h[0] + LEAST_OF_TIME * ca.fabs(t))
-        landed = ca.logic_and(accepted, z["t_to"] >= z["end"])
-        restored = {name: ca.if_else(accepted, z[name], old) for name, old in self._before(z).items()}
-        return {
-            **restored,
-            **self.planned(z, equations, t, wanted),
-            **{"weight": weight, "width": WIDER * ca.dot(weight, (high - low) ** 2), "wider": ca.SX(0)},
-            "peak": peak_after(square, peak, factor, self.error_order),
-            "t_to": t,
-            "accepted": z["accepted"] - ca.if_else(accepted, 0.0, 1.0),
-            "rejected": z["rejected"] + ca.if_else(accepted, 0.0, 1.0),
-            "fresh": ca.if_else(accepted, 1.0, 0.0),
-            "cold": landed,
-            "stuck": stuck,
-            "going": self._left({**z, "stuck": stuck}, self._goal(z, equations) - t, t),
-            **({"pending": ca.if_else(accepted, h, 0.0), "landed": landed} if "work_from" in z else {}),
         }
 
     def _look(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
@@ -290,4 +204,5 @@ class AdaptiveSteps(AdaptiveState):
                 for part in (0.5, 1.0)
             )
             out["work"] = z["work_from"] + tau / 6 * (z["power"] + 4 * middle + end)
-        return {name: ca.if_else(arrived, new, z[name]) for name, new in out.items()}
+        shown = {name: ca.if_else(arrived, new, z[name]) for name, new in out.items()}
+        return {**shown, **self._lengths(z, z["accepted"])}

@@ -49,7 +49,7 @@ class AdaptiveDormandPrince(AdaptiveSteps):
 
     options: AdaptiveOptions
     order, error_order, counted_evaluations = 5, 5, (0, 6)
-    strictness = 150.0  # its estimate is much nearer to the error than that of a method whose last stage is of order 2
+    strictness = 300.0  # its estimate is much nearer to the error than that of a method whose last stage is of order 2
     first_same_as_last = True
 
     def method_fields(self) -> dict[str, StateField]:

@@ -50,7 +50,6 @@ def _made_again(scheme: AdaptiveSteps, z: np.ndarray, end: float, run: Runs) -> 
     z[own("fresh")] = z[own("cold")] = 0.0
     for name in ("t", "q", "v", "loop"):
         z[own(f"{name}_to")] = z[own(f"{name}_from")]
-    z[own("peak")] = z[own("peak_before")]
     z[own("accepted")] -= 1
     z[own("stops")], z[own("event_values")] = end, z[own("event_before")]
     kept = {name: z[own(name)].copy() for name in ("beside", "n")}

@@ -33,7 +33,7 @@ class AdaptiveExponential(AdaptiveSteps):
 
     options: ExponentialOptions
     order, error_order, counted_evaluations = 4, 4, (1, 1)
-    strictness = 8.0
+    strictness = 6.0
 
     def __init__(self, model: Model, grid: Grid, options: ExponentialOptions) -> None:
         if options.propagation == "central_difference":

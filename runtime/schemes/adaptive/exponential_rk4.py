@@ -34,7 +34,7 @@ class AdaptiveExponentialRungeKutta(AdaptiveSteps):
 
     options: ExponentialRungeKuttaOptions
     order, error_order, counted_evaluations = 4, 4, (1, 3)
-    strictness = 4.0
+    strictness = 1.5
 
     def method_fields(self) -> dict[str, StateField]:
         """X = M_hat^-1 B, the polynomial of the accelerations, rates of the loop unknowns, and the tangent."""

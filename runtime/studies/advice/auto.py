@@ -1,7 +1,8 @@
 """scheme = "auto": a tolerance instead of a step, by the method that the stiffness of the motion asks for.
 
-The explicit pair begins the motion. Stiffness is seen where its steps come near its stability limit; then the
-exponential methods begin it too, and the one that needs the fewest operations for a piece of it makes the run.
+Trials of the whole motion tell the tolerance of steps that a method needs (runtime/running/trials.py). The explicit
+pair comes first. Stiffness is seen where its steps come near its stability limit; then the exponential methods are
+tried too, and the one that needs the fewest operations makes the run.
 """
 
 from __future__ import annotations
@@ -21,19 +22,20 @@ from runtime.running.arguments import RunArguments
 from runtime.running.inputs import bound
 from runtime.running.simulate import simulate as run
 from runtime.running.tolerance import tolerance_of, whole_span
-from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
+from runtime.running.trials import SEEN, Calibration, Trials
 from runtime.schemes.adaptive.dormand_prince import DormandPrince5
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import LARGE_SYSTEM, SchemeError
 from runtime.schemes.step_limit import limit_between_the_axes
 from runtime.schemes.stepper import Stepper
+from runtime.schemes.switching.times import SwitchTime, switching_times
 from runtime.start.start_state import start_state
 
 AUTO = "auto"
 TOLERANCE = 1e-3
 EXPLICIT = "dopri5"
-SETTLED, TRIED = 0.01, 0.03  # of the motion: until the steps have found their length, and until they are compared
 NEAR = 0.3  # of the stability limit of the explicit pair
+NEAR_OF_ELASTIC = 0.1  # of it where the model has stiff deflections: methods that follow them may take longer steps
 
 
 def simulate(model: Model, *, scheme: str | None = None, **settings: Unpack[RunArguments]) -> Solution:
@@ -64,35 +66,42 @@ def simulate(model: Model, *, scheme: str | None = None, **settings: Unpack[RunA
     assert tolerance is not None
     chosen = choose(bound(model, settings.get("inputs")), tolerance, settings)
     settings["tolerance"] = tolerance
-    solution = run(model, scheme=chosen.scheme, **settings)
+    if chosen.known is None:
+        settings["options"] = {"error_of": "step"}
+    solution = run(model, scheme=chosen.scheme, calibration=chosen.known, **settings)
     solution.stats["advice"] = chosen.reason
     return solution
 
 
 @dataclass(frozen=True)
 class AutomaticChoice:
-    """The scheme, and the reason in plain words."""
+    """The scheme, the reason in plain words, and what trials told (None: nothing)."""
 
     scheme: str
     reason: str
+    known: Calibration | None = None
 
 
 def choose(model: Model, tolerance: float, settings: RunArguments) -> AutomaticChoice:
     """What to step with. settings: of the run. Raises what `simulate` raises."""
     t0, p = settings.get("t0", 0.0), model.parameter_vector(settings.get("parameters"))
-    state = start_state(model, p, model.constants(p), t0, settings.get("initial"), settings.get("start"))
-    piece = _Piece(model, tolerance, model.constants(p), state, t0, whole_span(model, settings.get("t_end"), t0))
-    explicit = piece.tried(EXPLICIT)
-    if not explicit.stiff:
-        return AutomaticChoice(EXPLICIT, f"{EXPLICIT} to {tolerance:g}: the motion is not stiff")
-    price = {EXPLICIT: explicit.operations, **{name: piece.tried(name).operations for name in exponentials(model)}}
-    best, *others = sorted(price, key=lambda name: price[name])
-    if not np.isfinite(price[best]):
-        best = next(iter(exponentials(model)), EXPLICIT)
-        return AutomaticChoice(best, f"{best} to {tolerance:g}: no method came through the piece that was tried")
-    seen = " and ".join(f"{name} takes {_times(price[name] / price[best])}" for name in others)
+    c = model.constants(p)
+    state = start_state(model, p, c, t0, settings.get("initial"), settings.get("start"))
+    span = whole_span(model, settings.get("t_end"), t0)
+    motion = _Motion(model, tolerance, c, state, t0, span, switching_times(model, c, t0, t0 + span))
+    found = {EXPLICIT: motion.tried(EXPLICIT)}
+    if found[EXPLICIT].known and not motion.stiff(found[EXPLICIT].longest):
+        known = found[EXPLICIT].known
+        return AutomaticChoice(EXPLICIT, f"{EXPLICIT} to {tolerance:g}: the motion is not stiff", known)
+    found |= {name: motion.tried(name) for name in exponentials(model)}
+    best, *others = sorted(found, key=lambda name: found[name].price)
+    if found[best].known is None:
+        best, *others = sorted(found, key=lambda name: (found[name].expected, name == EXPLICIT))
+        reason = f"{best} to {tolerance:g} a step: trials of the whole motion would take too long, or come to no end"
+        return AutomaticChoice(best, reason, None)
+    seen = " and ".join(f"{name} takes {_times(found[name].price / found[best].price)}" for name in others)
     seen = seen or "there is no other method"
-    return AutomaticChoice(best, f"{best} to {tolerance:g}: the motion is stiff, and {seen}")
+    return AutomaticChoice(best, f"{best} to {tolerance:g}: the motion is stiff, and {seen}", found[best].known)
 
 
 def exponentials(model: Model) -> list[str]:
@@ -107,18 +116,26 @@ def _times(ratio: float) -> str:
 
 
 @dataclass(frozen=True)
-class _Trial:
-    """operations from SETTLED to TRIED of the motion, infinite where the end was not reached; stiff: are steps near
-    the stability limit of an explicit method?
-    """
+class _Tried:
+    """known: what trials of a method told, if they did; expected: operations of the coarsest."""
 
-    operations: float
-    stiff: bool
+    known: Calibration | None
+    expected: float
+
+    @property
+    def price(self) -> float:
+        """Operations of the run, infinite where they are not known."""
+        return np.inf if self.known is None else self.known.operations
+
+    @property
+    def longest(self) -> float:
+        """The longest step [s]."""
+        return np.inf if self.known is None else self.known.longest
 
 
 @dataclass(frozen=True)
-class _Piece:
-    """The beginning of a motion of `span` [s] from a state at t0, with constants c (c_size,)."""
+class _Motion:
+    """A motion of `span` [s] from a state at t0, with constants c (c_size,) and times that no step crosses."""
 
     model: Model
     tolerance: float
@@ -126,23 +143,19 @@ class _Piece:
     state: ConsistentState
     t0: float
     span: float
+    switches: list[SwitchTime]
 
-    def tried(self, name: str) -> _Trial:
+    def tried(self, name: str) -> _Tried:
         """By a method."""
-        h = SETTLED * self.span
+        h = self.span / SEEN
         scheme = scheme_kind(name).build(name, self.model, h, None, {"tolerance": self.tolerance})
-        assert isinstance(scheme, AdaptiveSteps)
-        stepper, count = Stepper(scheme), round(TRIED / SETTLED)
-        z, ready = stepper.start(self.t0, self.state.q, self.state.q_dot, self.c, h), stepper.ready(self.c, h)
-        stepper.run(z, ready, 1)
-        before = scheme.operations_taken(z, stepper.program)
-        stepper.run(z, ready, count - 1)
-        arrived = int(z[1]) == count and bool(np.isfinite(z).all())
-        operations = scheme.operations_taken(z, stepper.program) - before if arrived else np.inf
-        return _Trial(operations, self._stiff(float(z[scheme.layout.slice("h_largest")][0])))
+        stepper = Stepper(scheme)
+        z = stepper.start(self.t0, self.state.q, self.state.q_dot, self.c, h)
+        trials = Trials(stepper, z, self.c, self.span, self.switches)
+        return _Tried(trials.calibration(self.tolerance), trials.expected)
 
-    def _stiff(self, h: float) -> bool:
-        """Is the longest step near what a vibration or a decay at the start allows? Yes where that is not known."""
+    def stiff(self, h: float) -> bool:
+        """Is a step near what a vibration or a decay at the start allows? Yes where that is not known."""
         if not ModeSolver.possible(self.model):
             return True
         at = independent(self.model, self.state.q, self.state.q_dot)
@@ -152,4 +165,5 @@ class _Piece:
             limit = limit_between_the_axes(*slopes, DormandPrince5.reach, DormandPrince5.decay_reach)
         except np.linalg.LinAlgError:
             return True
-        return limit is not None and not h < NEAR * limit.h
+        near = NEAR_OF_ELASTIC if self.model.has("deflections") else NEAR
+        return limit is not None and not h < near * limit.h
