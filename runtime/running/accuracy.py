@@ -2,7 +2,8 @@
 
 A window of K major steps starts at a state of the run. From there the run's own steps lead to A, and 2 K half steps
 from the same positions and velocities to B. With order p the error of the window is about (A - B) 2^p / (2^p - 1).
-Where steps follow from a tolerance, B is made with an eighth of it, and the error is about (A - B) 8/7.
+Where steps follow from a tolerance, B is made with an eighth of it, and with an estimate of order p the error is about
+(A - B) 8/7.
 Errors of all steps are taken to add up as those of the windows do, which is right for phases of undamped oscillations,
 too much where a damper forgets errors, and too little where a motion is chaotic. Where a coordinate turns on and on,
 an error dE of the energy keeps the mechanism late for the rest of the run, by dE / 2 T of it with the kinetic energy T;

@@ -7,8 +7,7 @@ that the first steps of the run are not shorter than all of the motion asks for.
 
     trials      at LOOSEST, for the amplitudes; at COARSER times what is asked, and at what is asked
     further     where the tolerance that is wanted lies far from both: coarser or finer ones, at most MOST in all
-    the run     with the tolerance of steps at which the motion's error comes to AIM of what is asked, errors being in
-                proportion to it
+    the run     with the tolerance of steps at which the motion's error comes to AIM of what is asked
 """
 
 from __future__ import annotations
@@ -28,20 +27,21 @@ from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.times import SwitchTime
 
 SEEN = 100  # states of a trial
-LOOSEST, FINEST = 1.0, 1e-10  # tolerances of steps
+LOOSEST, FINEST = 1.0, 1e-13  # tolerances of steps
 RANGING = 0.1  # of the trial that amplitudes are first told by
 COARSER = 10.0  # tolerance of the coarser trial over what is asked
 FAR = 10.0  # beyond the finest trial, errors are not taken to be in proportion to the tolerance
 NEARER = 100.0  # at most, from one further trial to the next
 MOST = 6  # trials that are compared
+SLOPES = (0.8, 1.25)  # of an error's power of the tolerance over what the orders of the method say
 AIM = 0.4  # of what is asked: the error that is aimed at
 EARLY = 8  # states, before which the length of a trial is not told from its beginning
 OPERATIONS = 3e9  # of all trials of a method, at most: some seconds
 
 
 @dataclass(frozen=True)
-class Trial:
-    """A motion with steps to a tolerance.
+class TriedMotion:
+    """A trial: a motion with steps to a tolerance.
 
     seen (SEEN + 1, n): what tells the motion. low, high (n_i): its ranges. first, longest [s]: a step at its start, and
     the longest. operations: of all steps.
@@ -111,7 +111,7 @@ class Trials:
         assert isinstance(scheme, AdaptiveSteps)
         self.scheme, self.stepper, self.z, self.c, self.span = scheme, stepper, z, c, span
         self.switches, self.budget = switches, budget
-        self.made: list[Trial] = []  # ever finer
+        self.made: list[TriedMotion] = []  # ever finer
         self.spent, self.tries, self.expected = 0.0, 0, np.inf
 
     @property
@@ -130,7 +130,7 @@ class Trials:
                     return None
             return self._searched(asked, first)
 
-    def _searched(self, asked: float, first: Trial) -> Calibration | None:
+    def _searched(self, asked: float, first: TriedMotion) -> Calibration | None:
         """Further trials where they are needed, and what all of them tell."""
         wanted = self._wanted(AIM * asked)
         while len(self.made) < MOST:
@@ -151,20 +151,20 @@ class Trials:
         nearest = min(self.made, key=lambda one: abs(np.log(one.tolerance / wanted)))
         finest, p = self.made[-1], self.scheme.error_order
         longer = (wanted / nearest.tolerance) ** (1 / p)
-        error, known = self._nearest(AIM * asked)
+        tolerance, found, slope = self._line(AIM * asked)
         return Calibration(
             wanted / asked,
             finest.low,
             finest.high,
             nearest.first * min(longer, 1.0),
             nearest.longest * longer,
-            error * wanted / known.tolerance,
+            float(np.exp(found + slope * (np.log(wanted) - tolerance))),
             nearest.operations / longer,
             self.tries,
             self.spent,
         )
 
-    def _add(self, tolerance: float, first: Trial) -> bool:
+    def _add(self, tolerance: float, first: TriedMotion) -> bool:
         """One more trial, in its place; False where there is none."""
         known = self.made[-1] if self.made else first
         one = self._tried(tolerance, known)
@@ -173,17 +173,29 @@ class Trials:
         self.made = sorted([*self.made, one], key=lambda trial: -trial.tolerance)
         return True
 
-    def _nearest(self, error: float) -> tuple[float, Trial]:
-        """(its error, the trial) whose error is nearest to this one, of all but the finest."""
-        told = [(self._error(one, finer), one) for one, finer in zip(self.made, self.made[1:], strict=False)]
-        return min(told, key=lambda entry: abs(np.log(max(entry[0], 1e-300) / error)))
+    def _line(self, error: float) -> tuple[float, float, float]:
+        """(log tolerance, log error, slope) of the trial whose error is nearest to this one, of all but the finest.
+
+        The slope is that to the next one, within SLOPES of what the orders of the method say.
+        """
+        pairs = zip(self.made, self.made[1:], strict=False)
+        x = np.log([one.tolerance for one in self.made[:-1]])
+        y = np.log([max(self._error(one, finer), 1e-16) for one, finer in pairs])
+        order = self.scheme.order / self.scheme.error_order
+        k = int(np.argmin(abs(y - np.log(error))))
+        slope = order
+        if len(x) > 1:
+            other = k + 1 if k == 0 or (k + 1 < len(x) and y[k] > np.log(error)) else k - 1
+            slope = (y[other] - y[k]) / (x[other] - x[k])
+        least, most = SLOPES[0] * order, max(SLOPES[1] * order, 1.0)
+        return float(x[k]), float(y[k]), float(min(max(slope, least), most))
 
     def _wanted(self, error: float) -> float:
-        """The tolerance of steps that leads to an error of the motion, errors being in proportion to it."""
-        found, trial = self._nearest(error)
-        return float(trial.tolerance * error / max(found, 1e-16))
+        """The tolerance of steps that leads to an error of the motion."""
+        tolerance, found, slope = self._line(error)
+        return float(np.exp(tolerance + (np.log(error) - found) / slope))
 
-    def _error(self, one: Trial, finer: Trial) -> float:
+    def _error(self, one: TriedMotion, finer: TriedMotion) -> float:
         """RMS over the motion of the worst coordinate, relative to its RMS amplitude."""
         seen = finer.seen
         amplitude = np.sqrt(np.mean((seen - seen.mean(axis=0)) ** 2, axis=0))
@@ -195,7 +207,7 @@ class Trials:
         worst = float(off.max())
         return worst if np.isfinite(worst) else 1e16
 
-    def _tried(self, tolerance: float, known: Trial | None) -> Trial | None:
+    def _tried(self, tolerance: float, known: TriedMotion | None) -> TriedMotion | None:
         """The motion with steps to a tolerance, or None where it is lost; known: a trial that tells its ranges."""
         scheme, layout, z = self.scheme, self.scheme.layout, self.z.copy()
         ready = self.stepper.ready_for(scheme.constants(self.c, self.span / SEEN, tolerance))
@@ -221,7 +233,7 @@ class Trials:
             low, high = seen.min(axis=0), seen.max(axis=0)
         if not np.isfinite([*low, *high]).all():
             return None
-        return Trial(tolerance, seen, low.copy(), high.copy(), first, float(scheme.longest(z)), spent[-1])
+        return TriedMotion(tolerance, seen, low.copy(), high.copy(), first, float(scheme.longest(z)), spent[-1])
 
     def _too_much(self, spent: list[float]) -> bool:
         """Will a trial that has taken these operations from state to state need more than is left of the budget?"""

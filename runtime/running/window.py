@@ -12,7 +12,7 @@ from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.switching.broken_steps import BrokenSteps
 
 FINER = 8  # tolerance of the run over that of the finer one
-STEPS = 4  # of a run whose steps follow from a tolerance
+STEPS, SHARE = 4, 0.005  # of a run whose steps follow from a tolerance: so many steps, so much of the motion at least
 
 
 @dataclass(frozen=True)
@@ -56,8 +56,9 @@ def _of_one_length(segment: Segment, z: np.ndarray, length: int) -> Window:
 
 
 def _of_tolerance(segment: Segment, scheme: AdaptiveSteps, z: np.ndarray) -> Window | None:
-    """From the end of the last step, for about STEPS steps of the run, and the same with a smaller tolerance."""
-    stepper, seconds = segment.stepper, scheme.begin_anew(z) * STEPS
+    """From the end of the last step, for STEPS steps or a SHARE of the run, and the same with a smaller tolerance."""
+    stepper, plan = segment.stepper, segment.plan
+    seconds = max(scheme.begin_anew(z) * STEPS, SHARE * (plan.t_end - plan.t0))
     start = segment.observed([stepper.state(z)])
     states, constants = [], []
     for tolerance in (scheme.tolerance, scheme.tolerance / FINER):
@@ -68,4 +69,5 @@ def _of_tolerance(segment: Segment, scheme: AdaptiveSteps, z: np.ndarray) -> Win
         if segment.step_of(states[-1]) != 1:
             return None
     own, finer = states
-    return Window(start.q[0], start.q_dot[0], own, constants[0], finer, constants[1], seconds, FINER / (FINER - 1))
+    finest = FINER ** (scheme.order / scheme.error_order)
+    return Window(start.q[0], start.q_dot[0], own, constants[0], finer, constants[1], seconds, finest / (finest - 1))

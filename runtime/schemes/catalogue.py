@@ -11,6 +11,7 @@ from runtime.contract.model import Model
 from runtime.schemes.adaptive.dormand_prince import AdaptiveDormandPrince, DormandPrince5
 from runtime.schemes.adaptive.exponential import HALVES, AdaptiveExponential
 from runtime.schemes.adaptive.exponential_rk4 import AdaptiveExponentialRungeKutta
+from runtime.schemes.adaptive.linearised import AdaptiveLinearised
 from runtime.schemes.baselines.alpha_options import GeneralizedAlphaOptions, HilberHughesTaylorOptions
 from runtime.schemes.baselines.generalized_alpha import GeneralizedAlpha, HilberHughesTaylor
 from runtime.schemes.baselines.radau import Radau, RadauOptions
@@ -100,7 +101,12 @@ SCHEMES: dict[str, SchemeKind] = {
         Decoupled, "sub-steps on an inertially decoupled slow coordinate", "groups", DecoupledOptions
     ),
     "linearised": SchemeKind(
-        Linearised, "sub-steps of the system linearised at the midpoint", "sub_steps", LinearisedOptions, default_m=4
+        Linearised,
+        "sub-steps of the system linearised at the midpoint",
+        "sub_steps",
+        LinearisedOptions,
+        default_m=4,
+        adaptive=AdaptiveLinearised,
     ),
     "exponential": SchemeKind(
         Exponential,

@@ -13,7 +13,6 @@ from runtime import SchemeError, ensemble, load_model, output_jacobian, resume, 
 from runtime.contract.model import Model
 from runtime.running.segment import Segment
 from runtime.running.simulate import make_plan
-from runtime.running.trials import SEEN, Trials
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.scheme import LARGEST
 from runtime.schemes.switching.times import SwitchTime
@@ -39,7 +38,7 @@ def rotor(torque: str, **simulation: object) -> Scene:
     )
 
 
-@pytest.mark.parametrize("scheme", METHODS)
+@pytest.mark.parametrize("scheme", (*METHODS, "linearised"))
 def test_what_is_asked_is_delivered_and_told(built_in: Load, scheme: str) -> None:
     """A pendulum against steps of one length that are far finer: error and estimate within what was asked."""
     model = built_in("pendulum")
@@ -50,7 +49,9 @@ def test_what_is_asked_is_delivered_and_told(built_in: Load, scheme: str) -> Non
         amplitude = np.ptp(exact.q_i) / 2
         error = float(np.abs(run.q_i - exact.q_i[::2]).max()) / amplitude
         assert 1e-3 * tolerance < error < 3 * tolerance
-        assert error / 10 < float(run.stats["estimated_error"]) < 10 * max(error, tolerance / 10)
+        assert error / 8 < float(run.stats["expected_error"]) < 8 * error
+        if scheme in METHODS:
+            assert error / 10 < float(run.stats["estimated_error"]) < 10 * max(error, tolerance / 10)
         assert run.stats["rejected_steps"] <= 0.1 * run.stats["steps"]  # type: ignore[operator]
         assert 0 < run.stats["least_step"] < run.stats["largest_step"]  # type: ignore[operator]
 
@@ -69,7 +70,9 @@ def seen_inside_a_step(model: Model, scheme: str, h: float, share: float) -> tup
     return z[layout.slice("x")], z[layout.slice("v")], exact
 
 
-@pytest.mark.parametrize(("scheme", "order"), [("dopri5", 5), ("exponential_rk4", 4), ("exponential", 4)])
+@pytest.mark.parametrize(
+    ("scheme", "order"), [("dopri5", 5), ("exponential_rk4", 4), ("exponential", 4), ("linearised", 2)]
+)
 def test_between_the_ends_of_a_step_the_order_is_kept(built_in: Load, scheme: str, order: int) -> None:
     """Local errors of q_i and q_i_dot inside a step fall as h^(order + 1) and h^order at least, with a loop."""
     model, h = built_in("slider_crank"), 5e-4
@@ -79,7 +82,8 @@ def test_between_the_ends_of_a_step_the_order_is_kept(built_in: Load, scheme: st
         errors.append([np.abs(q - exact[0]).max(), np.abs(v - exact[1]).max()])
     slopes = np.log2(np.array(errors[0]) / np.array(errors[1]))
     assert slopes[0] > order + 0.6 and slopes[1] > order - 0.4
-    assert errors[-1][0] < 3e-9 and errors[-1][1] < 1e-4
+    most = (3e-9, 1e-4) if order > 2 else (2e-8, 3e-4)
+    assert errors[-1][0] < most[0] and errors[-1][1] < most[1]
 
 
 @pytest.mark.parametrize("scheme", METHODS)
@@ -96,56 +100,6 @@ def test_steps_keep_their_length_while_the_error_allows_it(built_in: Load, schem
     changes = int((np.diff(lengths[20:]) != 0).sum())
     assert len(lengths) > 60 and changes < 0.25 * len(lengths)
     assert z[layout.slice("rejected")] <= 0.1 * len(lengths)
-
-
-UNDAMPED = {"c": 0.5, "k_L": 1.0, "w": 8.0, "zeta": 0.0}
-
-
-@pytest.mark.parametrize(
-    ("name", "scheme", "settings", "step_error"),
-    [
-        ("two_oscillators", "dopri5", {"parameters": UNDAMPED, "initial": {"x_S": 1.0}, "t_end": 800.0}, (3.0, 1e3)),
-        ("overdamped_joint", "exponential_rk4", {"t_end": 3.0}, (0.0, 0.3)),
-    ],
-)
-def test_the_tolerance_is_that_of_the_motion(
-    built_in: Load, name: str, scheme: str, settings: dict[str, object], step_error: tuple[float, float]
-) -> None:
-    """Errors of steps add up over 1000 undamped periods and die out in a damper: trials allow for both."""
-    model, tolerance = built_in(name), 1e-4
-    settings |= {"dt": float(settings["t_end"]) / 200, "save_every": 1}  # type: ignore[arg-type]
-    exact = simulate(model, scheme="dop853", **{**settings, "dt": settings["dt"] / 200, "save_every": 200}).q_i  # type: ignore
-    delivered = {}
-    for error_of in ("motion", "step"):
-        run = simulate(model, scheme=scheme, tolerance=tolerance, options={"error_of": error_of}, **settings)  # type: ignore
-        delivered[error_of] = float((np.sqrt(np.mean((run.q_i - exact) ** 2, axis=0)) / exact.std(axis=0)).max())
-        told = run.stats.get("trials", 0), run.stats.get("expected_error", 0.0)
-        assert (told == (0, 0.0)) == (error_of == "step")
-        assert (run.stats["step_tolerance"] == tolerance) == (error_of == "step")
-    assert 0.1 * tolerance < delivered["motion"] < 3 * tolerance
-    assert step_error[0] * tolerance < delivered["step"] < step_error[1] * tolerance
-
-
-def test_trials_tell_amplitudes_before_the_first_step(built_in: Load) -> None:
-    """An arm begins with small vibrations: with the amplitudes of all of its motion it takes fewer steps."""
-    model, taken = built_in("flexible_joint_arm"), []
-    settings = {"scheme": "exponential_rk4", "t_end": 0.5, "dt": 0.01}
-    run = simulate(model, tolerance=1e-3, **settings)  # type: ignore[arg-type]
-    tolerance = float(run.stats["step_tolerance"])
-    other = simulate(model, tolerance=min(0.1, tolerance), options={"error_of": "step"}, **settings)  # type: ignore[arg-type]
-    taken = [int(one.stats["steps"]) for one in (run, other)]
-    assert taken[0] < 0.8 * taken[1]
-
-
-def test_trials_have_a_budget(built_in: Load) -> None:
-    """A motion whose trials would take more than it tells nothing but about how long they would be."""
-    runs = PreparedRuns(built_in("pendulum"), "dopri5", options={"tolerance": 1e-4})
-    z = runs.stepper.start(0.0, runs.state.q, runs.state.q_dot, runs.c, 10.0 / SEEN)
-    whole = Trials(runs.stepper, z, runs.c, 10.0, [])
-    assert whole.calibration(1e-4) is not None and whole.tries >= 3
-    short = Trials(runs.stepper, z, runs.c, 10.0, [], budget=0.3 * whole.expected)
-    assert short.calibration(1e-4) is None and short.tries == 1
-    assert 0.5 * whole.expected < short.expected < 2 * whole.expected
 
 
 def test_errors_are_measured_by_amplitudes_as_they_grow(model_of: Build) -> None:
@@ -218,7 +172,7 @@ def test_the_least_step_ends_a_run_by_name(model_of: Build) -> None:
     assert np.isfinite(run.q).all() and run.t[-1] == run.status.time
 
 
-@pytest.mark.parametrize("scheme", METHODS)
+@pytest.mark.parametrize("scheme", (*METHODS, "linearised"))
 def test_work_is_integrated_over_the_steps(built_in: Load, scheme: str) -> None:
     """Of a driven mechanism with damping, seen rarely: energy less work stays at what the tolerance leaves."""
     model = built_in("flexible_slider_crank")
@@ -287,7 +241,9 @@ def test_a_scene_may_ask_for_a_tolerance(model_of: Build) -> None:
 
 def test_what_cannot_follow_a_tolerance_says_so(built_in: Load) -> None:
     model = built_in("pendulum")
-    with pytest.raises(SchemeError, match="rk4 takes steps of one length dt; a tolerance goes with exponential, "):
+    with pytest.raises(
+        SchemeError, match="rk4 takes steps of one length dt; a tolerance goes with linearised, exponential, "
+    ):
         simulate(model, scheme="rk4", tolerance=1e-3)
     for wrong in (0.0, -1e-3, 0.5, True, float("nan"), "small"):
         with pytest.raises(SchemeError, match="tolerance must be between 0 and 0.1"):
@@ -299,5 +255,9 @@ def test_what_cannot_follow_a_tolerance_says_so(built_in: Load) -> None:
         ensemble(model, {"rod.mass": [1.0, 2.0]}, outputs=["rod.theta"], t_end=0.1, dt=0.01, **adaptive)
     with pytest.raises(SchemeError, match="a derivative of a run needs steps of one length"):
         output_jacobian(model, ["rod.theta"], ["rod.mass"], t_end=0.1, dt=0.01, **adaptive)
+    with pytest.raises(SchemeError, match="needs no corrections"):
+        simulate(model, scheme="linearised", tolerance=1e-3, options={"corrections": 1})
+    with pytest.raises(SchemeError, match="does not go with linearised where bodies turn in space freely"):
+        simulate(built_in("heavy_top"), scheme="linearised", tolerance=1e-3)
     with pytest.raises(SchemeError, match="auto chooses m and options itself"):
         simulate(model, scheme="auto", options={"closure_iterations": 3})

@@ -32,6 +32,7 @@ class AdaptiveState(OneStep):
     counts_powers = True
     integrates_work = True
     counted_evaluations: tuple[int, int]  # at the start of a step, and in an attempt
+    begins_after_rejection = False  # does a refused attempt leave nothing to go on from?
     first_same_as_last = False  # is the end of an attempt evaluated, so that the next step need not evaluate its start?
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:

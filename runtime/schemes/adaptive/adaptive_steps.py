@@ -78,11 +78,11 @@ class AdaptiveSteps(StepControl):
         flag = {name: self.layout.slice(name).start for name in ("fresh", "cold", "odd", "going", "ranging")}
         begin = Until(self.stage("begin", self._begin), flag["cold"], 1, usual=int(not self.first_same_as_last))
         widen = Until(self.stage("range", self._range), flag["ranging"], 1, usual=1)
-        moved: tuple[Program, ...] = (widen, self.stage("move", self._move), begin)
+        moved: tuple[Program, ...] = (widen, self.stage("move", self._move))
         if "landed" in self.layout.sizes and not self.first_same_as_last:
             settle = Until(self.stage("settle", self._settle), self.layout.slice("landed").start, 1, usual=0)
-            moved = (*moved[:-1], settle, begin)
-        start = Until(Sequence(moved), flag["fresh"], 1, usual=1)
+            moved = (*moved, settle)
+        start = Sequence((Until(Sequence(moved), flag["fresh"], 1, usual=1), begin))
         judge = Until(self.stage("judge", self._judge), flag["odd"], 1, usual=0)
         step: tuple[Program, ...] = (start, self.stage("attempt", self._attempt), judge)
         if "event_step" in self.layout.sizes:

@@ -28,6 +28,14 @@ HALVES = 2  # sub-steps of a step
 (NODE,) = NODES[4]
 
 
+def refuse_what_a_tolerance_cannot(grid: Grid, propagation: str) -> None:
+    """Raises SchemeError for sub-steps that steps of a tolerance do not take."""
+    if propagation == "central_difference":
+        raise SchemeError("tolerance", "needs sub-steps without a limit", "take propagation = rational or decaying")
+    if list(grid.m) != [HALVES]:
+        raise SchemeError("tolerance", f"takes {HALVES} sub-steps, not m = {list(grid.m)}", "leave m out")
+
+
 class AdaptiveExponential(AdaptiveSteps):
     """One evaluation with its Jacobian at the start of a step, one more an attempt."""
 
@@ -36,12 +44,9 @@ class AdaptiveExponential(AdaptiveSteps):
     strictness = 6.0
 
     def __init__(self, model: Model, grid: Grid, options: ExponentialOptions) -> None:
-        if options.propagation == "central_difference":
-            raise SchemeError("tolerance", "needs sub-steps without a limit", "take propagation = rational or decaying")
+        refuse_what_a_tolerance_cannot(grid, options.propagation)
         if options.order != 4:
             raise SchemeError("tolerance", "has an estimate of the error for order 4 only", "leave order out")
-        if list(grid.m) != [HALVES]:
-            raise SchemeError("tolerance", f"takes {HALVES} sub-steps, not m = {list(grid.m)}", "leave m out")
         self.stored = StoredSystem(model, ())
         super().__init__(model, grid, options)
 

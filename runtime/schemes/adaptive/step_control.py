@@ -102,7 +102,7 @@ class StepControl(AdaptiveState):
             **self._lengths(z, z["accepted"] - ca.if_else(accepted, 0.0, 1.0)),
             "rejected": z["rejected"] + ca.if_else(accepted, 0.0, 1.0),
             "fresh": ca.if_else(accepted, 1.0, 0.0),
-            "cold": landed,
+            "cold": ca.logic_or(landed, ca.logic_not(accepted)) if self.begins_after_rejection else landed,
             "stuck": stuck,
             "going": self._left({**z, "stuck": stuck}, self._goal(z, equations) - t, t),
             **({"pending": ca.if_else(accepted, h, 0.0), "landed": landed} if "work_from" in z else {}),
