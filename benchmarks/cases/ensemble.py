@@ -70,7 +70,7 @@ def _rows(model: Model, scheme: str, m: list[int], cases: int) -> Rows:
 def _scheme(model: Model, scheme: str, m: list[int], goal: float | None) -> list[Line]:
     """Steps alone, a whole study, `simulate` and CasADi's map."""
     rows = _rows(model, scheme, m, FEW)
-    lanes, job = rows.lanes, rows.lanes.job
+    lanes, job = rows.lanes, FEW - FEW % rows.lanes.programs.width
     question = rows.question
     starts = CaseStarts(model, question.parameters, question.initial, 0.0, "")
     blocks = lanes.begun(starts.of(rows.table[:job]))

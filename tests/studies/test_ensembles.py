@@ -112,6 +112,25 @@ def test_threads_change_no_bit(built_in: Load) -> None:
     assert one.identical(three)
 
 
+def test_jobs_are_as_long_as_what_python_does_for_them_asks(built_in: Load) -> None:
+    """Many short runs a job, never so many that a thread is left without, or that samples take much room."""
+    model = built_in("pendulum")
+
+    def job(cases: int, workers: int, t_end: float, every: int | None = None) -> int:
+        names, _ = table_of(model, None, {"rod.theta_dot": np.zeros(cases)})
+        kept = {"every": every, "reduce": None} if every else {"every": None, "reduce": {"tip_y": ["end"]}}
+        asked = Question.ask(model, names, cases, "rk4", 1e-3, None, None, 0.0, t_end, None, ["tip_y"], **kept)
+        runs = LaneRuns(model, asked, 8)
+        found = runs.job(cases, workers)
+        assert found % 8 == 0
+        return found
+
+    assert job(100_000, 2, 0.25) > 2000  # some ms of native code
+    assert job(1000, 2, 0.25) == 256 and job(100_000, 2, 25.0) == 256
+    assert job(10_000, 2, 0.25) <= 10_000 / 4 and job(10_000, 8, 0.25) < job(10_000, 2, 0.25)
+    assert job(100_000, 2, 0.25, every=1) * 251 * 8 <= 1 << 23
+
+
 def test_a_case_that_fails_disturbs_nobody(built_in: Load) -> None:
     """It has its status, the time that it reached and NaN from there on; the others have their bits."""
     model = built_in("pendulum")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import ceil
 
 import numpy as np
 
@@ -16,7 +17,10 @@ from runtime.studies.ensemble.looks import FIELDS, FOUND, judged
 from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.starts import Starts
 
-JOB = 256  # cases that a thread runs at a time: their rows stay in its cache
+LEAST_JOB = 256  # cases that a thread runs at a time, at least
+JOB_SECONDS = 0.01  # of native code in a job: what Python does for one takes about 0.3 ms, and holds up other threads
+JOB_BYTES = 1 << 23  # of rows and values
+JOBS_A_WORKER = 4  # of a study, where cases are few: so that no thread waits long for the last one
 SECONDS_PER_OPERATION = 2.5e-11  # of a step of one lane
 LONGEST_CALL = 0.2  # s, so that Ctrl-C and progress are heard
 
@@ -40,10 +44,13 @@ class LaneRuns:
         self.steps = self.programs.plan.steps
         self._z, self._c = self.programs.rows_of("lane").start, self.programs.rows_of("ready").start
 
-    @property
-    def job(self) -> int:
-        """Cases of a job: what one thread runs at a time."""
-        return max(JOB, self.programs.width)
+    def job(self, cases: int, workers: int) -> int:
+        """Cases of a job of a study: what one of so many threads runs at a time."""
+        programs, steps = self.programs, self.steps
+        by_time = JOB_SECONDS / (SECONDS_PER_OPERATION * programs.operations * steps)
+        by_room = JOB_BYTES / (8 * (programs.row.size + self.question.width(steps)))
+        wanted = ceil(min(by_time, by_room, cases / (JOBS_A_WORKER * workers)))
+        return max(LEAST_JOB, -(-wanted // programs.width) * programs.width)
 
     def run(self, starts: Starts, stopped: Callable[[], bool] = lambda: False) -> LaneResults | None:
         """All runs of these cases; None if `stopped` said so on the way."""

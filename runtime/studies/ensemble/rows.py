@@ -50,7 +50,7 @@ class Rows:
         self, spans: list[tuple[int, int]], workers: int, stopped: Callable[[], bool]
     ) -> Iterator[tuple[int, np.ndarray]]:
         """(first case, rows) of jobs of these spans, in order; ends early if `stopped` says so."""
-        job = self.lanes.job
+        job = self.lanes.job(sum(stop - first for first, stop in spans), workers)
         jobs = iter([(k, min(k + job, stop)) for first, stop in spans for k in range(first, stop, job)])
         self.lanes.programs.compile()
         with ThreadPoolExecutor(workers, thread_name_prefix="symgen ensemble") as pool:
