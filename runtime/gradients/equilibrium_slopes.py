@@ -13,7 +13,9 @@ from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import independent, joined
 from runtime.contract.model import Model
 from runtime.schemes.stage_equations import StageEquations
-from runtime.start.quasi_static import CLOSURE_ITERATIONS, PASSES, ElasticEquilibrium, small_motion
+from runtime.start.elastic_residual import CLOSURE_ITERATIONS, elastic_residual
+from runtime.start.quasi_static import ElasticEquilibrium, small_motion
+from runtime.start.settling import PASSES
 
 
 def settled_slopes(
@@ -63,7 +65,7 @@ def _slopes(model: Model, elastic: list[int]) -> ca.Function:
     n = len(model.q_i)
     t, q, v = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n)
     loop, p = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("p", len(model.parameters))
-    R = ElasticEquilibrium.residual(model, elastic)(t, q, v, loop, model.kernel("constants")(p))[0]
+    R = elastic_residual(model)(t, q, v, loop, model.kernel("constants")(p))[0]
     outputs = [ca.densify(ca.jacobian(R, by)) for by in (q, v, p, t)]
     return ca.Function("equilibrium_slopes", [t, q, v, loop, p], outputs)
 

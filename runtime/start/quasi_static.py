@@ -10,20 +10,16 @@ the order of (rigid rate / elastic frequency)^2.
 
 from __future__ import annotations
 
-import casadi as ca
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
 from runtime.contract.coordinates import independent, whole
 from runtime.contract.model import Model
 from runtime.operating.newton import Balance, balanced
-from runtime.schemes.linear_solve import solve_symmetric
-from runtime.schemes.stage_equations import StageEquations
+from runtime.start.elastic_residual import elastic_residual, positions
+from runtime.start.settling import PASSES, SMALL_MOTION, settled
 
-CLOSURE_ITERATIONS = 4
-PASSES = 3  # equilibrium and rates depend on each other weakly
 UNSTABLE = 1e-10  # curvature, relative to the largest one, beyond which it is more than rounding
-SMALL_MOTION = 1e-4  # rad or m that rigid coordinates move between the two equilibria whose difference is the rate
 
 
 def quasi_static_state(
@@ -33,10 +29,13 @@ def quasi_static_state(
 
     unstable: may the equilibrium be one that the elastic coordinates leave (a buckled body, straight)?
     """
-    elastic = [k for k, name in enumerate(model.q_i) if name in model.elastic]
+    elastic = positions(model)
     if not elastic:
         return state
     q_i, v = independent(model, state.q, state.q_dot)
+    quick = settled(model, c, t, q_i, v, state.q[model.dependent_columns])
+    if quick is not None:
+        return _with_elastic(model, state, *quick)
     solver = ElasticEquilibrium(model, elastic, c, unstable)
     loop = state.q[model.loop_columns]
     rigid = [k for k in range(len(q_i)) if k not in elastic]
@@ -50,7 +49,11 @@ def quasi_static_state(
                 at[rigid] += sign * step * v[rigid]
                 moved.append(solver.solve(t + sign * step, at, v, loop)[elastic])
             v[elastic] = (moved[0] - moved[1]) / (2 * step)
-    q, q_dot = solver.closed(t, q_i, v, loop)
+    return _with_elastic(model, state, *solver.closed(t, q_i, v, loop))
+
+
+def _with_elastic(model: Model, state: ConsistentState, q: np.ndarray, q_dot: np.ndarray) -> ConsistentState:
+    """q and q_dot, and what of the state's elastic coordinates they change."""
     changed = {
         name: (float(state.q[k]), float(q[k]))
         for k, name in enumerate(model.coordinates)
@@ -72,31 +75,7 @@ class ElasticEquilibrium:
 
     def __init__(self, model: Model, elastic: list[int], c: np.ndarray, unstable: bool) -> None:
         self.model, self.elastic, self.c, self.unstable = model, elastic, c, unstable
-        self._residual = self.residual(model, elastic)
-
-    @staticmethod
-    def residual(model: Model, elastic: list[int]) -> ca.Function:
-        """(t, q_i, q_i_dot, loop unknowns, c) -> residual, its slope by the elastic ones, their mass, q_d, q_d_dot."""
-        return model.derived("elastic_equilibrium", lambda: ElasticEquilibrium._built(model, elastic))
-
-    @staticmethod
-    def _built(model: Model, elastic: list[int]) -> ca.Function:
-        n = len(model.q_i)
-        rigid = [k for k in range(n) if k not in elastic]
-        t, q, v = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n)
-        loop, constants = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
-        equations = StageEquations(model, constants)
-        motion = equations.close(q, loop, t, CLOSURE_ITERATIONS)
-        M_hat, Q_hat = equations.condensed(motion, v)
-        residual, mass = Q_hat[elastic], M_hat[elastic, elastic]
-        if rigid:
-            sides = ca.horzcat(Q_hat[rigid], M_hat[rigid, elastic])
-            columns = [solve_symmetric(M_hat[rigid, rigid], sides[:, k]) for k in range(sides.size2())]
-            residual = residual - ca.mtimes(M_hat[elastic, rigid], columns[0])
-            mass = mass - ca.mtimes(M_hat[elastic, rigid], ca.horzcat(*columns[1:]))
-        inputs = [t, q, v, loop, constants]
-        outputs = [residual, ca.jacobian(residual, q)[:, elastic], mass, motion.q_d, equations.rates(motion, v)]
-        return ca.Function("residual", inputs, [ca.densify(output) for output in outputs])
+        self._residual = elastic_residual(model)
 
     def solve(self, t: float, q_i: np.ndarray, v: np.ndarray, loop: np.ndarray) -> np.ndarray:
         """q_i with its elastic entries in equilibrium."""

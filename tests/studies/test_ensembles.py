@@ -184,18 +184,6 @@ def test_a_singular_position_is_passed_as_a_run_passes_it(built_in: Load) -> Non
     assert (found["status"] == "completed").all()
 
 
-def test_elastic_equilibria_of_cases_are_those_of_runs(built_in: Load) -> None:
-    """A start that Python makes for each case; the rest in lanes."""
-    model = built_in("near_singular_slider_crank")
-    mass = next(parameter for parameter in model.parameters if parameter.name == "crank.inertia")
-    given = {mass.name: mass.default * np.array([1.0, 1.5])}
-    settings: dict[str, Any] = {"t_end": 2e-4, "outputs": ["rod.q1", "crank.theta"], "start": "quasi_static"}
-    found = ensemble(model, given, **settings, every=1)
-    expected = simulate(model, parameters={mass.name: float(given[mass.name][1])}, **settings, save_every=1)
-    for name in settings["outputs"]:
-        np.testing.assert_array_equal(found[name][1], expected.outputs[name])
-
-
 def test_turning_bodies_start_with_their_angular_velocities(built_in: Load) -> None:
     model, spins = built_in("tumbling_body"), [-1.0, 2.5]
     given: dict[str, Any] = {"scheme": "rk4", "dt": 0.01, "t_end": 0.5}

@@ -1,6 +1,7 @@
 """The start of runs in lanes as one program: parameters to constants, assembly, preparation, the scheme's own start.
 
-A lane's row begins with what it is given (p, t, h, q_i, q_i_dot, a guess of q_d, and whether that is to be closed);
+A lane's row begins with what it is given (p, t, h, q_i, q_i_dot, a guess of q_d, whether that is to be closed, and
+whether elastic coordinates are to be brought into equilibrium);
 c, what the step program reads and its z follow. Functions are called on entries of the row only, each a stage of its
 own, so that a lane has the bits of a run by itself.
 """
@@ -19,18 +20,24 @@ from runtime.operating.assembly import closable, closing, fitting
 from runtime.running.segment import HIGHEST, LOWEST
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.turns import outer_angles
+from runtime.studies.ensemble.settle import settle_fields, settle_program
 
-GIVEN = ("p", "t", "h", "q_i", "q_i_dot", "q_d", "close")
 NO_CONSTANTS = 1  # the begin reads none: its c is whatever stands first in the row
 Stage = Callable[[Fields], Mapping[str, ca.SX]]
 
 
-def row_layout(model: Model, scheme: Scheme, ready: int, lane: Layout, looks: int) -> Layout:
-    """Fields of a lane's row."""
+def row_layout(model: Model, scheme: Scheme, ready: int, lane: Layout, looks: int, settle: bool) -> Layout:
+    """Fields of a lane's row; settle: may lanes be brought into elastic equilibrium?"""
     n_i = len(model.q_i)
     given = {"p": len(model.parameters), "t": 1, "h": len(scheme.grid.h), "q_i": n_i, "q_i_dot": n_i}
-    given |= {"q_d": len(model.q_d), "close": 1}
-    found = {"c": model.c_size, "fits": 1, "ready": ready, "lane": lane.size}
+    given |= {"q_d": len(model.q_d), "close": 1, "settle": 1}
+    found = {
+        "c": model.c_size,
+        "fits": 1,
+        **(settle_fields(model) if settle else {}),
+        "ready": ready,
+        "lane": lane.size,
+    }
     return Layout({**given, **found, "look": looks, "look_at_start": looks})
 
 
@@ -55,6 +62,8 @@ def begin_program(
             return {"fits": ca.logic_and(fits, z["close"] <= 0)}
 
         parts += [Until(stage("begin_close", close), flag, MAX_ITERATIONS, 4), stage("begin_fit", fit)]
+    if "settled" in row.sizes:
+        parts.append(settle_program(model, row, stage))
     parts.append(stage("begin_ready", lambda z: {"ready": prepared.constants(ca.vertcat(z["c"], z["h"]))}))
     parts.append(stage("begin_state", lambda z: {"lane": _started(model, scheme, lane, z)}))
     parts.append(moved(outputs, row, "begin_"))

@@ -22,6 +22,7 @@ from runtime.studies.ensemble.begin import NO_CONSTANTS, begin_program, moved, r
 from runtime.studies.ensemble.looks import FIELDS, looked
 from runtime.studies.ensemble.observation import Observation
 from runtime.studies.ensemble.question import Question
+from runtime.studies.ensemble.settle import quasi_static
 
 
 class LanePrograms:
@@ -45,7 +46,8 @@ class LanePrograms:
         fields = {"scheme": scheme.layout.size, "more": extra, **self._observation.fields, **self._account.fields}
         self.lane = Layout(fields)
         self._ready = int(self._prepared.constants.size1_out(0))
-        self.row = row_layout(model, scheme, self._ready, self.lane, len(FIELDS))
+        settle = quasi_static(model, question.start)
+        self.row = row_layout(model, scheme, self._ready, self.lane, len(FIELDS), settle)
         self.program = self._program()
         self.width = width or lane_width(self.program)
         self.operations = program_size(self.program)

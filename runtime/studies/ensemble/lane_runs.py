@@ -56,6 +56,8 @@ class LaneRuns:
         """All runs of these cases; None if `stopped` said so on the way."""
         blocks, cases = self.begun(starts), len(starts.close)
         alone = starts.close & ~(self.values(blocks, cases, "fits")[:, 0] > 0)
+        if "settled" in self.programs.row.sizes:
+            alone |= starts.settle & ~(self.values(blocks, cases, "settled")[:, 0] > 0)
         alone |= jumping(self.programs.plan, starts)
         watch = _Watch(self._looked(blocks, cases))
         samples, done = self._first_samples(blocks, cases), 0
@@ -88,7 +90,7 @@ class LaneRuns:
         blocks[:, programs.row.slice("h"), :] = np.array(programs.plan.grid.h)[:, None]
         for position, values in starts.varied.items():
             put("p", values[rows], position)
-        for name in ("q_i", "q_i_dot", "q_d", "close"):
+        for name in ("q_i", "q_i_dot", "q_d", "close", "settle"):
             put(name, getattr(starts, name)[rows])
         programs.begin.run(blocks, 0, 0, 1)
         return blocks

@@ -15,13 +15,15 @@ from runtime.running.inputs import started
 from runtime.running.schedule import Schedule
 from runtime.start.start_state import start_state
 from runtime.studies.ensemble.samples import vectors
+from runtime.studies.ensemble.settle import quasi_static
 
 
 @dataclass(frozen=True)
 class Starts:
     """Of some cases: p (n_p,) and what of it is varied {position: values (cases,)}; q_i, q_i_dot (cases, n_i).
 
-    q_d (cases, n_d); close (cases,): is it a guess that lanes close? impossible (cases,): there is no consistent start.
+    q_d (cases, n_d); close (cases,): is it a guess that lanes close? settle (cases,): do lanes bring the elastic
+    coordinates into equilibrium? impossible (cases,): there is no consistent start.
     """
 
     p: np.ndarray
@@ -30,6 +32,7 @@ class Starts:
     q_i_dot: np.ndarray
     q_d: np.ndarray
     close: np.ndarray
+    settle: np.ndarray
     impossible: np.ndarray
 
 
@@ -47,6 +50,7 @@ class CaseStarts:
         # where nothing is changed, the state is the model's own as it was found when it was generated
         self._changed = bool(initial or model.sources) or t0 != 0 or not same
         self._lanes, self._closable = in_lanes(model, initial, start), closable(model)
+        self._settle = self._lanes and not _given(model, initial, start)
         self._places = [(name in model.coordinates, _column(model, name)) for name in initial] if self._lanes else []
 
     def of(self, table: np.ndarray) -> Starts:
@@ -66,7 +70,8 @@ class CaseStarts:
         else:
             self._one_by_one(table, q, q_dot, impossible)
         q_i, q_i_dot = independent(model, q, q_dot)
-        return Starts(self._own, varied, q_i, q_i_dot, q[:, model.dependent_columns], close, impossible)
+        settle = np.full(cases, self._settle)
+        return Starts(self._own, varied, q_i, q_i_dot, q[:, model.dependent_columns], close, settle, impossible)
 
     def _one_by_one(self, table: np.ndarray, q: np.ndarray, q_dot: np.ndarray, impossible: np.ndarray) -> None:
         """As for a run by itself, into q and q_dot."""
@@ -84,13 +89,18 @@ class CaseStarts:
 
 def in_lanes(model: Model, initial: list[str], start: str) -> bool:
     """Can these starts be made in lanes? Else Python makes them one by one."""
-    chosen = start or str(model.simulation.get("start", "given"))
     if set(initial) & set(spin_names(model)):
         return False
     names = [model.coordinates[_column(model, name)] for name in initial]
-    given = chosen == "given" or (not start and any(name in model.elastic for name in names))
     free = not model.constraints or (closable(model) and keeps_independent(model, names, ()))
-    return given and free
+    return free and (_given(model, initial, start) or quasi_static(model, start))
+
+
+def _given(model: Model, initial: list[str], start: str) -> bool:
+    """Are elastic coordinates left as they are given?"""
+    chosen = start or str(model.simulation.get("start", "given"))
+    names = [model.coordinates[_column(model, name)] for name in initial]
+    return chosen == "given" or (not start and any(name in model.elastic for name in names))
 
 
 def _column(model: Model, name: str) -> int:
