@@ -20,7 +20,7 @@ from runtime.studies.ensemble.starts import Starts
 LEAST_JOB = 256  # cases that a thread runs at a time, at least
 JOB_SECONDS = 0.01  # of native code in a job: what Python does for one takes about 0.3 ms, and holds up other threads
 JOB_BYTES = 1 << 23  # of rows and values
-JOBS_A_WORKER = 4  # of a study, where cases are few: so that no thread waits long for the last one
+JOBS_A_WORKER = 16  # where cases are few: no thread waits long for the last one, and Ctrl-C is heard
 SECONDS_PER_OPERATION = 2.5e-11  # of a step of one lane
 LONGEST_CALL = 0.2  # s, so that Ctrl-C and progress are heard
 
