@@ -67,10 +67,25 @@ def check(
 ) -> str:
     """Unified diff between `folder` and what the generator emits now; empty if they agree.
 
-    kept_only: the folder holds what a repository keeps; the manifest's hashes stand for the rest.
+    kept_only: the folder holds what a repository keeps; the manifest's hashes stand for the rest. A folder that says
+    what it leaves out is compared with the functions that it has, unless others are named or it is to be complete.
     """
-    files = emit(_derived(scene, functions, complete))
+    left_out = _left_out(Path(folder)) if functions is None and not complete else []
+    if left_out:
+        found = derive_on_demand(scene)
+        files = emit(looked_at(found, [name for name in found.tapes if name not in left_out]))
+    else:
+        files = emit(_derived(scene, functions, complete))
     return compare_model(kept(files) if kept_only else files, Path(folder))
+
+
+def _left_out(folder: Path) -> list[str]:
+    """Names of the functions that a folder says it leaves out; none where it says nothing."""
+    try:
+        found = json.loads((folder / "manifest.json").read_text(encoding="utf-8")).get("left_out", [])
+        return [str(name) for name in found]
+    except (OSError, ValueError, AttributeError, TypeError):
+        return []
 
 
 def _derived(scene: Scene, functions: frozenset[str] | None, complete: bool) -> Derived:

@@ -187,10 +187,13 @@ def derive_on_demand(scene: Scene) -> Derived:
 
 
 def looked_at(derived: Derived, more: Collection[str] = ()) -> Derived:
-    """What `derive_on_demand` gave, with the tapes that were looked at until now, `constants`, and more by name."""
+    """What `derive_on_demand` gave, with the tapes that were looked at until now, and more by name.
+
+    Among them is always what a run with other parameters asks for first.
+    """
     if not isinstance(derived.tapes, TapesOnDemand):
         return derived
-    made = derived.tapes.made({"constants", *more})
+    made = derived.tapes.made({"constants", "bounded", *more})
     return replace(derived, tapes=made, left_out=tuple(name for name in derived.tapes if name not in made))
 
 

@@ -14,7 +14,7 @@ import casadi as ca
 import numpy as np
 
 T = TypeVar("T")
-LONG = 50_000  # nodes of a stage
+LONG = 30_000  # nodes of a stage
 
 
 class Program:

