@@ -10,6 +10,7 @@ from runtime.contract.cards import badge
 
 StatusName = Literal[
     "completed",
+    "inaccurate",
     "interrupted",
     "step_too_long",
     "step_too_short",
@@ -70,8 +71,20 @@ class Status:
 
     @property
     def ok(self) -> bool:
-        """Did the run reach its end, or a terminal event?"""
+        """Did the run reach its end, or a terminal event, and is its error small as far as it was estimated?"""
         return self.name in ("completed", "event")
+
+    @property
+    def whole(self) -> bool:
+        """Was all of the motion computed, accurately or not?"""
+        return self.ok or self.name == "inaccurate"
+
+    @property
+    def ending(self) -> str:
+        """For titles: nothing where all is well, else what happened and when."""
+        if self.ok:
+            return ""
+        return "INACCURATE" if self.whole else f"STOPPED: {self.name} at {self.time:.4g} s"
 
     def _repr_html_(self) -> str:
         where = f", coordinate {escape(self.coordinate)}" if self.coordinate else ""

@@ -25,9 +25,11 @@ def tolerance_of(model: Model, scheme: str | None, tolerance: float | None) -> f
     Raises SchemeError for a scheme whose steps are all of one length, and for a tolerance out of range.
     """
     name = scheme or str(model.simulation["scheme"])
+    if tolerance is None and scheme is not None and not takes_tolerance(name):
+        return None
+    tolerance = model.simulation.get("tolerance") if tolerance is None else tolerance
     if tolerance is None:
-        asked = model.simulation.get("tolerance") if takes_tolerance(name) else None
-        return None if asked is None else float(asked)
+        return None
     if scheme_kind(name).adaptive is None:
         able = ", ".join(one for one in SCHEMES if takes_tolerance(one))
         raise SchemeError(

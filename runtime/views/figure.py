@@ -114,7 +114,7 @@ def prefixed(values: np.ndarray, unit: str) -> tuple[float, str]:
 def title(solution: Solution, what: str = "") -> str:
     """Scene, scheme and step, and where a run stopped that did not reach its end."""
     status = solution.status
-    ending = "" if status.ok else f"      STOPPED: {status.name} at {status.time:.4g} s"
+    ending = f"      {status.ending}" if status.ending else ""
     about = f"{solution.model.title or solution.model.name}{': ' + what if what else ''}"
     return f"{about}      {solution.scheme}, dt {solution.dt:g} s{ending}"
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, Strict
+from pydantic import BeforeValidator, Field, Strict, model_validator
 
 from runtime.contract.scheme_names import SchemeName
 from symgen.scene.fields import Coordinate, Flag, Name, Number, StrictModel
@@ -64,7 +64,8 @@ class Baumgarte(StrictModel):
 class Simulation(StrictModel):
     """t_end [s]; dt [s]: the major step dt_L; m: step ratio of each next group; scheme: a stepper's name.
 
-    tolerance: of the error of a step, relative to the amplitudes; steps then take the length that it asks for.
+    tolerance: of the error of a step, relative to the amplitudes; steps then take the length that it asks for, and
+    scheme is `auto` where it is left out.
     start: `given` takes the initial state as it is, `quasi_static` puts elastic coordinates into stable equilibrium
     with it, `quasi_static_unstable` into any.
     """
@@ -76,3 +77,9 @@ class Simulation(StrictModel):
     tolerance: Annotated[float, Strict(), Field(gt=0, le=0.1)] | None = None
     save_every: Annotated[int, Strict(), Field(ge=1, le=MAX_STEPS)] = 1
     start: Literal["given", "quasi_static", "quasi_static_unstable"] = "given"
+
+    @model_validator(mode="before")
+    @classmethod
+    def _scheme_of_a_tolerance(cls, fields: Any) -> Any:
+        left_out = isinstance(fields, dict) and fields.get("tolerance") is not None and "scheme" not in fields
+        return {**fields, "scheme": "auto"} if left_out else fields

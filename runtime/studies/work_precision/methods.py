@@ -126,7 +126,7 @@ def _adaptive(label: str, problem: Problem, seconds: float) -> list[Trial]:
         solution = problem.solved(ADAPTIVE[label], times, tolerance)
         spent = float(solution.stats["wall_seconds"])
         evaluations = int(solution.stats["evaluations"])
-        failed = "" if solution.status.ok and len(solution.t) == SAMPLES else solution.status.cause or "failed"
+        failed = "" if solution.status.whole and len(solution.t) == SAMPLES else solution.status.cause or "failed"
         if failed:
             nothing = np.full(len(problem.graded), np.nan)
             trials.append(Trial(label, tolerance, evaluations, spent, evaluations, np.inf, np.inf, nothing, failed))

@@ -80,7 +80,8 @@ def _steps(scene: SceneParts) -> Iterator[SceneError]:
     if groups is None:
         return  # the derivation chooses the groups and checks m then
     wanted = max(len(groups) - 1, 0)
-    needless = simulation.scheme not in GROUPED_SCHEMES and not simulation.m
+    one_step = simulation.scheme not in GROUPED_SCHEMES or simulation.tolerance is not None
+    needless = one_step and not simulation.m
     if len(simulation.m) != wanted and not needless:
         yield SceneError(
             "simulation.m",
