@@ -23,7 +23,7 @@ from runtime.running.checks.step_length import StepLength
 from runtime.schemes.scheme import Scheme
 
 BREAKDOWNS = ("not_finite", "diverged", "constraints_lost", "iteration_failed")  # that M_hat may be the cause of
-FULL_CHECKS = 16  # calls; constraints, mass and energy cost more than a short call
+FULL_CHECKS = 16  # saved states; constraints, mass and energy cost more than a short call
 
 
 class Monitor:
@@ -49,7 +49,7 @@ class Monitor:
         costly = (Constraints(self.subject), self._mass, deflection, Energy(self.subject), self._step)
         self.checks: list[Check] = [self._finite, *cheap, *costly]
         self._latest: np.ndarray | None = None  # the last state that passed the cheap checks
-        self._calls = 0
+        self._samples = 0
 
     @property
     def step_limit(self) -> float | None:
@@ -64,13 +64,14 @@ class Monitor:
             status = next((found for check in self.checks[1:] if (found := check.start(z)) is not None), None)
         return status
 
-    def after(self, z: np.ndarray, last: bool = False) -> Status | None:
+    def after(self, z: np.ndarray, last: bool = False, samples: int = 1) -> Status | None:
         """Status that ends the run, or None to go on. z is put back to the last good state when it ends.
 
-        Cheap checks follow every call; the others the first FULL_CHECKS calls, then every FULL_CHECKS-th and the last.
+        samples: saved states since the last call. Cheap checks follow every call; the others for the first FULL_CHECKS
+        samples, then once in FULL_CHECKS of them, and at the last.
         """
-        self._calls += 1
-        full = last or self._calls <= FULL_CHECKS or self._calls % FULL_CHECKS == 0
+        before, self._samples = self._samples, self._samples + samples
+        full = last or self._samples <= FULL_CHECKS or self._samples // FULL_CHECKS > before // FULL_CHECKS
         due = (check for check in self.checks if full or not check.costly)
         status = next((found for check in due if (found := check.after(z)) is not None), None)
         if status is None:

@@ -26,6 +26,7 @@ from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 CALL_SECONDS = 0.25  # a native call lasts about this long, so that progress and Ctrl-C stay responsive
 CHECKPOINT_SECONDS = 60.0
 LONGEST_BATCH = 1 << 20
+MOST_SAVED = 256  # states that are saved between two looks at a run
 Progress = Callable[[float, float], None]
 
 
@@ -109,7 +110,7 @@ class Run:
         return self.segment.stepper.state(self.z)
 
     def _loop(self, interrupts: Interrupts) -> None:
-        self._per_call = 1
+        self._per_call = self._saves = 1
         while self.status is None and self.step < self.segment.plan.steps and not interrupts.asked:
             self._take_inputs()
             self.accuracy.look(self.segment, self.z, self.guard)
@@ -140,8 +141,12 @@ class Run:
             self.segment.look_anew(self.z)
 
     def _advance(self, n: int) -> None:
-        before = self.z.copy()
-        self.segment.run(self.z, n)
+        """Make n steps, or fewer. Where they are more than one save long and end in trouble, they are undone.
+
+        Short ones follow then, so that the trouble is found where it begins.
+        """
+        before, known = self.z.copy(), self.segment.monitor.memory() if self._saves > 1 else {}
+        saved = self.segment.run_and_save(self.z, n)
         at = self.segment.first_event(self.z)
         if at is not None:
             self._per_call = 1
@@ -153,15 +158,24 @@ class Run:
                 self._step_with_events()
                 return
             n = at - 1 - self.segment.step_of(before)  # the step in which it happens comes next
-            self.segment.run(self.z, n)
+            saved = self.segment.run_and_save(self.z, n)
         determinants = self.segment.determinants(self.z)
-        if self.guard.alarm(*determinants):
+        alarm = self.guard.alarm(*determinants)
+        status = None if alarm else self._checked(samples=len(saved) + 1)
+        if saved and (alarm or status is not None):
+            self.segment.monitor.resume(self.segment.stepper.state(before), known)
+            self.z, self._saves = before, 1
+            return
+        if alarm:
             self._pass(before, n)
+            status = self.status or self._checked()
         else:
             self.guard.accept(*determinants)
-            self.earlier = before
+            self.earlier, self._saves = before, min(2 * self._saves, MOST_SAVED)
+        for sample in saved:
+            self._keep(sample)
         note_impulses(self.segment, self.step, self.events)
-        self.status = self.status or self._checked()
+        self.status = status
 
     def _step_with_events(self) -> None:
         """The next step, in which events happen."""
@@ -196,8 +210,8 @@ class Run:
         note_impulses(self.segment, self.step, self.events)
         self.status = self._checked() or happened.status
 
-    def _checked(self, closely: bool = False) -> Status | None:
-        return self.segment.monitor.after(self._state, last=closely or self.step == self.segment.plan.steps)
+    def _checked(self, closely: bool = False, samples: int = 1) -> Status | None:
+        return self.segment.monitor.after(self._state, closely or self.step == self.segment.plan.steps, samples)
 
     def _pass(self, before: np.ndarray, n: int) -> None:
         """The determinant of a loop block is small on the way from `before`: decide there how to go on."""
@@ -247,7 +261,8 @@ class Run:
 
     def _batch(self, per_call: int) -> int:
         plan, done = self.segment.plan, self.step
-        n = min(plan.save_every - done % plan.save_every, plan.steps - done, per_call)
+        to_save = self._saves * plan.save_every - done % plan.save_every
+        n = min(to_save, plan.steps - done, per_call)
         n = min(n, self.accuracy.until_next(done) or n)
         if self.schedule is not None:
             n = min(n, self.schedule.until_next(done) or n)

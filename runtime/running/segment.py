@@ -90,6 +90,23 @@ class Segment(SteppedModel):
     def run(self, z: np.ndarray, steps: int) -> None:
         """Advance z in place."""
         self.forget_determinants(z)
+        self._go_on(z, steps)
+
+    def run_and_save(self, z: np.ndarray, steps: int) -> list[np.ndarray]:
+        """Advance z in place; whole states that are to be saved on the way, the last one left out."""
+        self.forget_determinants(z)
+        saved: list[np.ndarray] = []
+        step, every = self.step_of(z), self.plan.save_every
+        end = step + steps
+        while True:
+            n = min(every - step % every, end - step)
+            self._go_on(z, n)
+            if self.step_of(z) < step + n or step + n == end:  # a step that cannot be made, or the end
+                return saved
+            step += n
+            saved.append(z.copy())
+
+    def _go_on(self, z: np.ndarray, steps: int) -> None:
         scheme = self.plan.scheme
         if not isinstance(scheme, AdaptiveSteps):
             self.advance(z, steps)

@@ -190,7 +190,7 @@ def test_a_run_that_a_reference_has_judged_says_that_error() -> None:
     from symgen.cli.running import summary
     from symgen.scenes import generated_folder
 
-    run = simulate(load_model(generated_folder("pendulum")), scheme="single_rate", dt=0.1, t_end=20.0)
+    run = simulate(load_model(generated_folder("pendulum")), scheme="single_rate", dt=0.05, t_end=20.0)
     own, judged = "\n".join(summary(run)), "\n".join(summary(run, 2e-4))
     assert "estimated" in own and "estimated" not in judged and "error: 0.0002 of the amplitudes" in judged
 

@@ -40,7 +40,7 @@ def tight(name: str) -> dict[str, Any]:
 
 def trajectory(model: Model, steps: int, dt: float, **given: Any) -> Any:
     solution = simulate(model, t_end=steps * dt, dt=dt, save_every=10, **given)
-    assert solution.status.ok, solution.status
+    assert solution.status.whole, solution.status
     return solution.q
 
 

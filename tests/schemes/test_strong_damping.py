@@ -54,7 +54,10 @@ def creep(damping: float, rate: float) -> float:
 @pytest.mark.parametrize("damping", [1e4, 1e6, 1e8])
 @pytest.mark.parametrize("scheme", ["single_rate", "exponential", "linearised", "radau", "generalized_alpha"])
 def test_strong_damping_is_right_or_named(model_of: Build, scheme: str, damping: float, rate: float) -> None:
-    """Positions within 1e-4 rad of the creep and rates that have died out, or another status than completed."""
+    """Positions within 1e-4 rad of the creep and rates that have died out, or another status than completed.
+
+    `inaccurate` is right too, but of a creep that is short itself: an error of its own size is one of 1e-6 rad.
+    """
     run = simulate(
         model_of(Scene.from_toml_text(PENDULUM)),
         scheme=scheme,
@@ -64,7 +67,8 @@ def test_strong_damping_is_right_or_named(model_of: Build, scheme: str, damping:
         initial={"rod.theta_dot": rate},
         save_every=10,
     )
-    if run.status.name == "completed":
+    if run.status.whole:
+        assert run.status.ok or (scheme in ("single_rate", "generalized_alpha") and np.ptp(run.q_i) < 1e-3)
         assert run.q_i[-1, 0] == pytest.approx(creep(damping, rate), abs=1e-4)
         assert abs(run.q_dot[-1, run.model.independent_columns[0]]) < 1e-2
     else:

@@ -195,5 +195,5 @@ def test_a_sweep_arrives_where_a_group_passes_through_zero(built_in: Load) -> No
         save_every=2000,
         options={"common_update": "direct"},
     )
-    assert run.status.name == "completed"
+    assert run.status.name == "inaccurate"  # its masses are late by half an amplitude, as the estimate says
     np.testing.assert_allclose(run.q_i, direct.q_i, rtol=0, atol=1e-9)
