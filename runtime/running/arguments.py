@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypedDict
 
-from runtime.running.checkpoint import claim
+from runtime.running.checkpoint import CheckpointRule, claim
 from runtime.running.inputs import InputValue
 from runtime.running.plan import whole_number
-from runtime.running.run import CheckpointRule, Progress
+from runtime.running.run import Progress
 from runtime.schemes.options import SchemeError
 
 

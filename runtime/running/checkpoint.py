@@ -31,6 +31,15 @@ BROKEN = (
     zipfile.BadZipFile,
 )
 REMEDY = "start again, or take an older copy"
+CHECKPOINT_SECONDS = 60.0
+
+
+@dataclass
+class CheckpointRule:
+    """Where checkpoints go, and after how many major steps; None: after CHECKPOINT_SECONDS."""
+
+    path: Path | None = None
+    every: int | None = None
 
 
 @dataclass(frozen=True)

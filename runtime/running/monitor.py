@@ -92,6 +92,10 @@ class Monitor:
     def resume(self, z: np.ndarray, memory: Mapping[str, list[float]]) -> None:
         """Go on from a good state with the memory of an earlier monitor."""
         self.subject.good = z.copy()
+        self.recall(memory)
+
+    def recall(self, memory: Mapping[str, list[float]]) -> None:
+        """Compare with what `memory` holds again; the last good state stays."""
         (self.subject.length,) = memory["length"]
         for check in self.checks:
             if type(check).__name__ in memory:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -14,14 +13,12 @@ from runtime.engine.choose import sub_step_operations
 from runtime.results.export import run_header
 from runtime.results.solution import Solution
 from runtime.results.stream import StreamFile
+from runtime.running.inaccurate import judged
 from runtime.running.limits import with_limits
 from runtime.running.run import Run
 from runtime.running.segment import Segment
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.scheme import evaluation_operations
-
-INACCURATE = 0.1  # of an amplitude: a run whose error is estimated above this does not say `completed`
-SMALLER = "Take a smaller step, or another scheme (symgen advise)"
 
 
 def finished(run: Run, setup: float) -> Solution:
@@ -42,7 +39,7 @@ def _ended(run: Run, setup: float) -> Solution:
     run.accuracy.watch({name: (solution[name], solution.rate(name)) for name in run.accuracy.errors})
     circumstances = {**_circumstances(run), **run.accuracy.stats(run.segment.model)}
     stats = {**_statistics(run.segment, run.z, setup, wall), **solution.stats, **circumstances}
-    status = _judged(status, stats)
+    status = judged(status, run.accuracy, run.segment.model)
     solution = replace(solution, status=status, stats=stats, events=run.events, parameters=run.segment.p)
     solution = with_limits(solution)
     table = run.record.table
@@ -53,15 +50,6 @@ def _ended(run: Run, setup: float) -> Solution:
         except OutputError as error:  # the header that is there says that the run did not come to its end
             solution = replace(solution, status=Status("output_failed", status.time, None, str(error)))
     return solution
-
-
-def _judged(status: Status, stats: Mapping[str, float | int | str]) -> Status:
-    """`inaccurate` in place of `completed` where the estimated error is more than INACCURATE of an amplitude."""
-    error = float(stats.get("estimated_error", 0.0))
-    if status.name != "completed" or error <= INACCURATE:
-        return status
-    cause = f"its error is estimated at {error:.2g} of its amplitude"
-    return Status("inaccurate", status.time, str(stats["estimated_error_of"]), cause, SMALLER)
 
 
 def _circumstances(run: Run) -> dict[str, float | int | str]:

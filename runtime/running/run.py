@@ -5,17 +5,17 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from pathlib import Path
 
 import numpy as np
 
 from runtime.contract.files import OutputError
 from runtime.contract.status import Event, Status
 from runtime.running.accuracy import Accuracy
-from runtime.running.checkpoint import Checkpoint
+from runtime.running.checkpoint import CHECKPOINT_SECONDS, Checkpoint, CheckpointRule
 from runtime.running.happenings import Happenings, note_impulses
 from runtime.running.header_of import header_of
 from runtime.running.interrupts import Interrupts, heard_interrupts
+from runtime.running.pace import Pace
 from runtime.running.record import Record
 from runtime.running.schedule import Schedule
 from runtime.running.segment import Segment
@@ -23,19 +23,7 @@ from runtime.running.singular.guard import FLOOR, Guard
 from runtime.running.singular.passage import Passage, locate
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 
-CALL_SECONDS = 0.25  # a native call lasts about this long, so that progress and Ctrl-C stay responsive
-CHECKPOINT_SECONDS = 60.0
-LONGEST_BATCH = 1 << 20
-MOST_SAVED = 256  # states that are saved between two looks at a run
 Progress = Callable[[float, float], None]
-
-
-@dataclass
-class CheckpointRule:
-    """Where checkpoints go, and after how many major steps; None: after CHECKPOINT_SECONDS."""
-
-    path: Path | None = None
-    every: int | None = None
 
 
 @dataclass
@@ -54,6 +42,7 @@ class Run:
     guard: Guard = field(default_factory=Guard)
     accuracy: Accuracy = field(default_factory=lambda: Accuracy(0))
     schedule: Schedule | None = None
+    pace: Pace = field(default_factory=Pace)
     _happened: Happenings | None = None
     earlier: np.ndarray | None = None  # a state of this segment at least a step before z, if there is one
 
@@ -77,13 +66,8 @@ class Run:
             if interrupted:
                 self.status = self.segment.monitor.after(self._state, last=True)
             if self.status is None and interrupted:
-                self.status = Status(
-                    "interrupted",
-                    self.segment.plan.time(self.step),
-                    None,
-                    "stopped by the user",
-                    "What was computed is kept.",
-                )
+                at = self.segment.plan.time(self.step)
+                self.status = Status("interrupted", at, None, "stopped by the user", "What was computed is kept.")
                 self._keep()
                 self._write_checkpoint()
         if self.status is not None:  # end with the last good state, which need not be one that was to be saved
@@ -110,14 +94,13 @@ class Run:
         return self.segment.stepper.state(self.z)
 
     def _loop(self, interrupts: Interrupts) -> None:
-        self._per_call = self._saves = 1
         while self.status is None and self.step < self.segment.plan.steps and not interrupts.asked:
             self._take_inputs()
             self.accuracy.look(self.segment, self.z, self.guard)
-            n = self._batch(self._per_call)
+            n = self._batch()
             began = time.perf_counter()
             self._advance(n)
-            self._per_call = _next_batch(self._per_call, time.perf_counter() - began)
+            self.pace.took(time.perf_counter() - began)
             self._keep()
             if self._checkpoint_is_due():
                 self._write_checkpoint()
@@ -145,12 +128,14 @@ class Run:
 
         Short ones follow then, so that the trouble is found where it begins.
         """
-        before, known = self.z.copy(), self.segment.monitor.memory() if self._saves > 1 else {}
+        before, known = self.z.copy(), self.segment.monitor.memory()
         saved = self.segment.run_and_save(self.z, n)
         at = self.segment.first_event(self.z)
         if at is not None:
-            self._per_call = 1
+            self.pace.steps = 1
             if isinstance(self.segment.plan.scheme, AdaptiveSteps):
+                for sample in saved:
+                    self._keep(sample)
                 self._end_at_event(self.segment.plan.scheme)
                 return
             self.z = before.copy()
@@ -163,15 +148,17 @@ class Run:
         alarm = self.guard.alarm(*determinants)
         status = None if alarm else self._checked(samples=len(saved) + 1)
         if saved and (alarm or status is not None):
-            self.segment.monitor.resume(self.segment.stepper.state(before), known)
-            self.z, self._saves = before, 1
+            self.pace.went_wrong(until=self.segment.step_of(before) + n)
+            self.segment.monitor.recall(known)
+            self.z = before
             return
         if alarm:
             self._pass(before, n)
             status = self.status or self._checked()
         else:
             self.guard.accept(*determinants)
-            self.earlier, self._saves = before, min(2 * self._saves, MOST_SAVED)
+            self.earlier = before
+            self.pace.went_well()
         for sample in saved:
             self._keep(sample)
         note_impulses(self.segment, self.step, self.events)
@@ -211,7 +198,8 @@ class Run:
         self.status = self._checked() or happened.status
 
     def _checked(self, closely: bool = False, samples: int = 1) -> Status | None:
-        return self.segment.monitor.after(self._state, closely or self.step == self.segment.plan.steps, samples)
+        closely = closely or self.pace.slow(self.step - 1) or self.step == self.segment.plan.steps
+        return self.segment.monitor.after(self._state, closely, samples)
 
     def _pass(self, before: np.ndarray, n: int) -> None:
         """The determinant of a loop block is small on the way from `before`: decide there how to go on."""
@@ -259,10 +247,9 @@ class Run:
                 "Reduce the step, start elsewhere, or change a length a little.",
             )
 
-    def _batch(self, per_call: int) -> int:
+    def _batch(self) -> int:
         plan, done = self.segment.plan, self.step
-        to_save = self._saves * plan.save_every - done % plan.save_every
-        n = min(to_save, plan.steps - done, per_call)
+        n = min(self.pace.next_steps(done, plan.save_every), plan.steps - done)
         n = min(n, self.accuracy.until_next(done) or n)
         if self.schedule is not None:
             n = min(n, self.schedule.until_next(done) or n)
@@ -305,10 +292,3 @@ class Run:
             if not any(event.kind == "checkpoint_failed" for event in self.events):
                 self.events.append(Event(self.segment.plan.time(self.step), "checkpoint_failed", str(error)))
         self._written = time.monotonic()
-
-
-def _next_batch(per_call: int, elapsed: float) -> int:
-    """Double or halve: the interpreted engine builds one Function per batch length, so there should be few."""
-    if elapsed < CALL_SECONDS / 4:
-        return min(per_call * 2, LONGEST_BATCH)
-    return max(1, per_call // 2) if elapsed > CALL_SECONDS else per_call

@@ -16,12 +16,13 @@ from runtime.operating.given_state import given_state
 from runtime.results.solution import Solution
 from runtime.running.accuracy import Accuracy
 from runtime.running.arguments import Further, FurtherArguments
+from runtime.running.checkpoint import CheckpointRule
 from runtime.running.driven import driven_solution
 from runtime.running.inputs import InputValue, bound, scheduled, started
 from runtime.running.outcome import finished
 from runtime.running.plan import Plan, make_plan
 from runtime.running.record import record_of
-from runtime.running.run import CheckpointRule, Run
+from runtime.running.run import Run
 from runtime.running.schedule import Schedule
 from runtime.running.segment import Segment
 from runtime.running.time_functions import check_time_functions

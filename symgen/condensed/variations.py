@@ -69,7 +69,8 @@ def derivative_rows(values: Sequence[ca.SX], columns: Sequence[int], symbols: Se
     found: list[Row] = [{} for _ in values]
     if values and columns:
         matrix = ca.sparsify(ca.jacobian(ca.vertcat(*values), ca.vertcat(*(symbols[c] for c in columns))))
-        places, elements = matrix.sparsity().get_triplet(), ca.vertsplit(matrix.nz[:]) if matrix.nnz() else []
+        places = matrix.sparsity().get_triplet()
+        elements = ca.vertsplit(ca.vec(matrix.nz[:])) if matrix.nnz() else []
         for row, place, value in zip(*places, elements, strict=True):
             found[row][columns[place]] = value
     return found
