@@ -37,6 +37,7 @@ EventKind = Literal[
     "load_missed",
     "shapes_missing",
     "stresses_missing",
+    "sections_missing",
     "velocity_jump",
     "beyond_buckling",
     "event",

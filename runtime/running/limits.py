@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from runtime.results.missing_sections import missing_sections
 from runtime.results.missing_shapes import missing_shapes
 from runtime.results.missing_stresses import missing_stresses
 from runtime.results.solution import Solution
@@ -19,12 +20,13 @@ def with_limits(solution: Solution) -> Solution:
     """The solution with what was found in its statistics, in its events, and in its status beyond a buckling load."""
     shares, missing = missing_shapes(solution)
     left_out, unstressed = missing_stresses(solution)
+    not_held, unloaded = missing_sections(solution)
     pushed, beyond = buckling(solution)
-    events, status = [*solution.events, *missing, *unstressed, *beyond], solution.status
+    events, status = [*solution.events, *missing, *unstressed, *unloaded, *beyond], solution.status
     counted = {"events": len(events)} if events else {}
     if beyond and status.ok:
         status = replace(status, cause=beyond[0].text, advice=ADVICE)
-    stats = {**solution.stats, **limits(solution), **pushed, **shares, **left_out, **counted}
+    stats = {**solution.stats, **limits(solution), **pushed, **shares, **left_out, **not_held, **counted}
     return replace(solution, status=status, stats=stats, events=events)
 
 

@@ -127,6 +127,18 @@ def test_measures_of_a_section_are_the_sum_of_the_modes(model_of: Build) -> None
     assert (units["shear"], units["bendi"]) == ("N", "N m")
 
 
+def test_what_a_measure_leaves_out_is_told(model_of: Build) -> None:
+    """Two cubics under the weight w: w L^2 / 12 of w L^2 / 2 lack at the root; under a tip force nothing."""
+    for g, push, lacking in ((G, 0.0, 1 / 6), (0.0, -3.0, 0.0)):
+        builder = SceneBuilder("cantilever").gravity(0.0, -g)
+        builder.beam("b", **STIFF, lateral={"modes": 2, "ends": "welded-welded"})
+        builder.weld("wall", "ground.origin", "b.start").force("tip", "b.end", 0.0, push)
+        run = at_rest(model_of, builder.measure_section("root", "bending_moment", "b.start"))
+        assert run.stats["missing_force.root"] == pytest.approx(lacking, rel=1e-6, abs=1e-6)
+        assert [event.kind for event in run.events] == ["sections_missing"] * (lacking > 0)
+    assert run["root"][0] == pytest.approx(-3.0 * L, rel=1e-6)
+
+
 def test_what_shapes_leave_out_is_told_by_the_run_and_before_it(
     model_of: Build, tmp_path: Any, capsys: pytest.CaptureFixture[str]
 ) -> None:
