@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from runtime import Solution, simulate
 from runtime.contract.body_motion import BodyMotion, MarkerForce
-from runtime.contract.model import Model
 from symgen.fe import FiniteElementError, FlexibleBody, LineMesh, Material, Section
 from symgen.fe.frame_elements import FrameElements
-from symgen.scene import Scene, SceneBuilder
+from symgen.generate import model_of
+from symgen.scene import SceneBuilder
 from tests.fe.test_mode_acceleration import bar
 
-Build = Callable[[Scene], Model]
 A_SIDE, B_SIDE, WIDE, HIGH = 0.4, 0.3, 0.02, 0.01
 MATERIAL = Material(E=2.0e11, nu=0.3, rho=7800.0)
 LINE_MASS = MATERIAL.rho * WIDE * HIGH
@@ -33,7 +30,7 @@ def crank(modes: int, **choices: object) -> FlexibleBody:
     return FlexibleBody.from_mesh(mesh, MATERIAL, interface={"root": [0], "tip": [16]}, modes=modes, **given)
 
 
-def test_an_l_frame_under_its_weight_and_a_load(model_of: Build) -> None:
+def test_an_l_frame_under_its_weight_and_a_load() -> None:
     """At the start of each line: the statics of all that is beyond, with two modes that hold little of it."""
     body, g, load = crank(2), 0.01, np.array([3e-3, -2e-3, 5e-3])
     builder = SceneBuilder("crank", space="spatial").gravity(0.0, 0.0, -g).flexible("frame", **body.fields())
@@ -60,7 +57,7 @@ def test_an_l_frame_under_its_weight_and_a_load(model_of: Build) -> None:
             assert_allclose(found[line, end], expected, atol=2e-6 * np.abs(load).max())
 
 
-def turning(model_of: Build, body: FlexibleBody, motion: str, dt: float, t_end: float) -> Solution:
+def turning(body: FlexibleBody, motion: str, dt: float, t_end: float) -> Solution:
     builder = SceneBuilder("arm", space="spatial").flexible("frame", **body.fields())
     builder.revolute("axle", "ground.origin", "frame.root")
     builder.prescribed_angle("drive", "ground.origin", "frame.root", motion=motion)
@@ -68,14 +65,14 @@ def turning(model_of: Build, body: FlexibleBody, motion: str, dt: float, t_end: 
     return simulate(model_of(builder.build()), scheme="rk4", dt=dt, t_end=t_end, start="quasi_static", save_every=every)
 
 
-def test_a_turning_and_a_twisted_beam(model_of: Build) -> None:
+def test_a_turning_and_a_twisted_beam() -> None:
     """About z: N = rho A w^2 (L^2 - x^2) / 2 and M of the load -rho A alpha x; about x: T = -rho I_p alpha (L - x)."""
     x = A_SIDE * EIGHTH
     mesh = LineMesh([(at, 0.0, 0.0) for at in x], [(k, k + 1) for k in range(8)], Section.rectangle(WIDE, HIGH))
     beam = FlexibleBody.from_mesh(
         mesh, MATERIAL, interface={"root": [0]}, modes=1, mode_set="mixed", fixed=["root"], origin="root"
     )
-    run = turning(model_of, beam, "30.0 * t + 0.5 * t ** 2", 1e-9, 1e-9)
+    run = turning(beam, "30.0 * t + 0.5 * t ** 2", 1e-9, 1e-9)
     forces = beam.section_forces().of(run.body_motion("frame"))
     normal = LINE_MASS * 30.0**2 / 2 * (A_SIDE**2 - x**2)
     bending = -LINE_MASS * ((A_SIDE**3 - x**3) / 3 - x * (A_SIDE**2 - x**2) / 2)

@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from runtime import simulate
-from runtime.contract.model import Model
 from symgen.fe import FiniteElementError
-from symgen.scene import Scene, SceneBuilder
+from symgen.generate import model_of
+from symgen.scene import SceneBuilder
 from tests.fe.test_mode_acceleration import MATERIAL, L, bar
 
-Build = Callable[[Scene], Model]
 HELD = {"mode_set": "mixed", "fixed": ["root"], "cells": 6}
 
 
-def test_a_measure_of_a_turning_bar(model_of: Build) -> None:
+def test_a_measure_of_a_turning_bar() -> None:
     """rho w^2 (L^2 - x^2) / 2 by the modes themselves, which a bending mode alone does not have and says so."""
     speed = 30.0
     expected = MATERIAL.rho * speed**2 / 2 * (L**2 - (L / 2) ** 2)
