@@ -70,6 +70,7 @@ def run(arguments: argparse.Namespace) -> Outcome:
 
 def _scene(arguments: argparse.Namespace) -> Outcome:
     from runtime.studies.work_precision.comparison_files import comparison_data, write_comparison
+    from runtime.studies.work_precision.dense_methods import left_out
     from runtime.studies.work_precision.problem import make_setting
     from symgen.cli.sources import opened_model
 
@@ -85,7 +86,9 @@ def _scene(arguments: argparse.Namespace) -> Outcome:
     folder = Path(arguments.out) if arguments.out else Path("out") / "report" / model.name
     comparison = _compared(model, setting, arguments, folder)
     files = write_comparison(comparison, folder, motion_words(arguments))
-    return Outcome({"comparison": comparison_data(comparison), "files": files}, [*table(comparison), f"in {folder}"])
+    said = [] if arguments.methods else [one for one in [left_out(model)] if one]
+    data = {"comparison": comparison_data(comparison), "files": files}
+    return Outcome(data, [*table(comparison), *said, f"in {folder}"])
 
 
 def _compared(model: Model, setting: Setting, arguments: argparse.Namespace, folder: Path) -> Comparison:

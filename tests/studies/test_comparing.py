@@ -13,16 +13,19 @@ import pytest
 
 from runtime import Model, SchemeError, simulate
 from runtime.contract.model import ModelError
-from runtime.studies.advice.advise import Advice, NoAdvice, advise
+from runtime.studies.advice.advise import Advice, NoAdvice, advise, candidates
 from runtime.studies.advice.words import advice_data, advice_lines, command
 from runtime.studies.work_precision.comparison import Comparison, WorkCurve, work_precision
 from runtime.studies.work_precision.comparison_files import write_comparison
+from runtime.studies.work_precision.dense_methods import left_out
 from runtime.studies.work_precision.methods import Method, methods_named, usual_methods
 from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
 from runtime.studies.work_precision.problem import Problem, make_setting
 from runtime.studies.work_precision.reference_path import NoReference
 from runtime.studies.work_precision.search import search_steps
 from runtime.studies.work_precision.suite import SuiteResult, write_suite
+from symgen.generate import model_of as derived
+from symgen.scenes.arm import arm
 
 Load = Callable[[str], Model]
 T_END = 4.0
@@ -215,3 +218,13 @@ def test_usual_methods_leave_dense_ones_out_for_large_models(built_in: Load) -> 
     assert {"exponential m=1", "coupled m=4", "IDAS", "radau eps=1e-06"} <= labels
     compiled = {method.label for method in methods_named(built_in("flexible_slider_crank_free"), ["compiled"])}
     assert compiled < labels and "IDAS" not in compiled
+
+
+def test_an_arm_of_twenty_links_is_compared_with_dense_methods_too() -> None:
+    """In reports and in advice alike; those that are not tried are named with the command that tries them."""
+    model = derived(arm(20))
+    assert {"exponential_rk4", "exponential m=1", "radau eps=1e-06"} <= {one.label for one in usual_methods(model)}
+    assert {"exponential_rk4", "exponential m=1", "radau eps=1e-06"} <= {one.label for one in candidates(model)}
+    assert "IDAS" in left_out(model) and "--methods" in left_out(model)
+    assert "million operations a step" in left_out(derived(arm(40)))
+    assert left_out(derived(arm(10))) == ""

@@ -23,6 +23,7 @@ from runtime.schemes.options import LARGEST_TOLERANCE, SchemeError
 from runtime.studies.advice.auto import AutomaticChoice, choose
 from runtime.studies.advice.frequencies import Groups, ModeRange, mode_ranges, propose_groups
 from runtime.studies.stability.limits import StabilityStudy
+from runtime.studies.work_precision.dense_methods import ONE_OF_EACH, dense_methods
 from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
 from runtime.studies.work_precision.problem import Problem, Setting, make_setting
 from runtime.studies.work_precision.search import Search, search_steps
@@ -31,7 +32,6 @@ PILOT_SECONDS = 2.0
 STATES = 12
 MARGIN = 0.9  # of a stability limit
 STUDIED = 20  # independent coordinates up to which a step's stability is computed; beyond, the trial has to do
-MOST_OPERATIONS = 400_000  # of a step: beyond it a method is not even compiled
 LONG_JACOBIANS = 40_000  # operations: each further method with them takes the compiler a minute
 FEW_STEPS = 20  # in the motion tried: what grows over so few steps is in their error already
 SAFETY = 0.85  # of the tolerance, so that a slightly different motion meets it too
@@ -87,20 +87,19 @@ class NoAdvice(NoResult):
 
 def candidates(model: Model) -> list[Spec]:
     """Methods worth trying, the likeliest first."""
-    n, found = len(model.q_i), []
-    if model.has("deflections"):
-        found.append(Spec("exponential_rk4"))
-    if model.has("residual_jacobian") and 40 * n**3 < MOST_OPERATIONS:
-        found.append(Spec("exponential", (1,)))
-        if model.operations.get("residual_jacobian", 0) < LONG_JACOBIANS:
-            found += [
-                Spec("exponential", (2,)),
-                Spec("exponential", (1,), {"order": 5}),
-                Spec("exponential", (2,), {"order": 5}),
-                Spec("linearised", (2,)),
-                Spec("linearised", (2,), {"corrections": 1}),
-            ]
-        found.append(Spec("radau", None, {"eps": (1e-6,)}))
+    found = [Spec("exponential_rk4")] if model.has("deflections") else []
+    dense = [
+        Spec("exponential", (1,)),
+        Spec("exponential", (2,)),
+        Spec("exponential", (1,), {"order": 5}),
+        Spec("exponential", (2,), {"order": 5}),
+        Spec("linearised", (2,)),
+        Spec("linearised", (2,), {"corrections": 1}),
+        Spec("radau", None, {"eps": (1e-6,)}),
+    ]
+    if model.operations.get("residual_jacobian", 0) >= LONG_JACOBIANS:
+        dense = list(ONE_OF_EACH)
+    found += dense_methods(model, dense)
     found += [Spec("single_rate", None, {"common_velocity": "predictor"}), Spec("rk4"), Spec("dop853")]
     if len(model.groups) > 1:
         inner = (1,) * (len(model.groups) - 2)
@@ -152,8 +151,6 @@ def _searched(problem: Problem, tolerance: float, note: Note) -> list[Search]:
     for spec in candidates(problem.model):
         note(f"trying {spec.label}")
         prepared = PreparedMethod(spec, problem)
-        if prepared.operations > MOST_OPERATIONS:
-            continue
         searches.append(search_steps(prepared, tolerance, seconds_to_beat=fastest))
         fastest = min(fastest, searches[-1].seconds)
     return searches

@@ -30,6 +30,7 @@ from runtime.schemes.step_limit import limit_between_the_axes
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.times import SwitchTime, switching_times
 from runtime.start.start_state import start_state
+from runtime.studies.work_precision.dense_methods import affordable
 
 AUTO = "auto"
 TOLERANCE = 1e-3
@@ -107,7 +108,7 @@ def choose(model: Model, tolerance: float, settings: RunArguments) -> AutomaticC
 def exponentials(model: Model) -> list[str]:
     """Methods for stiff motion that the model can be stepped with, and that are not dear by its size."""
     found = ["exponential_rk4"] if model.has("deflections") else []
-    small = model.has("residual_jacobian") and len(model.q_i) <= LARGE_SYSTEM
+    small = model.has("residual_jacobian") and (len(model.q_i) <= LARGE_SYSTEM if found else affordable(model))
     return [*found, "exponential"] if small else found
 
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from runtime.studies.advice.advise import Advice
+from runtime.studies.work_precision.dense_methods import left_out
 
 
 def advice_data(advice: Advice) -> dict[str, Any]:
@@ -27,6 +28,7 @@ def advice_data(advice: Advice) -> dict[str, Any]:
         "stability_limit": advice.limit,
         "gain": advice.gain if np.isfinite(advice.gain) else None,
         "reason": advice.reason,
+        "left_out": left_out(advice.model),
         "varied": None
         if advice.varied is None
         else {"scheme": advice.varied.scheme, "tolerance": advice.tolerance, "reason": advice.varied.reason},
@@ -72,7 +74,7 @@ def advice_lines(advice: Advice, scene: str = "") -> list[str]:
                 f"  {one.label:34} dt = {one.best.setting:<10.4g} s  {one.best.seconds * 1e3:9.4g} ms  "
                 f"error {one.best.error:.2g}"
             )
-    lines.append(advice.reason)
+    lines += [one for one in (left_out(advice.model), advice.reason) if one]
     if advice.varied is not None:
         varied = f"symgen simulate {scene or advice.model.name} --scheme auto --tolerance {advice.tolerance:g}"
         lines += [f"steps that vary ({advice.varied.reason}): {varied}"]

@@ -16,6 +16,7 @@ from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.options import SchemeError
+from runtime.studies.work_precision.dense_methods import LARGE, dense_methods
 from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
 from runtime.studies.work_precision.problem import Problem
 
@@ -23,7 +24,6 @@ TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9)
 SAMPLES = 101
 FEWEST, FACTOR = 10, 2**0.5  # steps: the first trial, and the ratio of one trial to the next
 FINEST = 3e-8  # relative error at which a curve has gone far enough
-LARGE = 20  # independent coordinates beyond which methods with dense factors cost more than they give
 ADAPTIVE: dict[str, Callable[..., Solution]] = {
     "DOP853 adaptive": partial(scipy_solution, method="DOP853"),
     "Radau adaptive": partial(scipy_solution, method="Radau"),
@@ -48,8 +48,8 @@ class Method:
 
 
 def usual_methods(model: Model) -> list[Method]:
-    """Every scheme with a usual m, and the adaptive integrators; dense ones are left out for large models."""
-    specs = [
+    """Every scheme with a usual m, and the adaptive integrators; of dense ones fewer for large models: `left_out`."""
+    dense = [
         Spec("exponential", (1,)),
         Spec("exponential", (2,)),
         Spec("exponential", (4,)),
@@ -58,8 +58,8 @@ def usual_methods(model: Model) -> list[Method]:
         Spec("linearised", (2,)),
         Spec("linearised", (8,), {"propagation": "central_difference"}),
     ]
-    if len(model.q_i) > LARGE or not model.has("residual_jacobian"):
-        specs = []
+    dense += [Spec("radau", None, {"eps": (1e-6,)}), Spec("generalized_alpha"), Spec("hht")]
+    specs = dense_methods(model, dense)
     if model.has("deflections"):
         specs = [Spec("exponential_rk4"), *specs]
     if len(model.groups) > 1:
@@ -73,8 +73,6 @@ def usual_methods(model: Model) -> list[Method]:
         Spec("rk4"),
         Spec("dop853"),
     ]
-    if len(model.q_i) <= LARGE and model.has("residual_jacobian"):
-        specs += [Spec("radau", None, {"eps": (1e-6,)}), Spec("generalized_alpha"), Spec("hht")]
     adaptive = [name for name in ADAPTIVE if len(model.q_i) <= LARGE or name in FOR_LARGE]
     return [Method(spec.label, spec) for spec in specs] + [Method(name) for name in adaptive]
 
