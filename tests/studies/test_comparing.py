@@ -15,6 +15,7 @@ from runtime import Model, SchemeError, simulate
 from runtime.contract.model import ModelError
 from runtime.studies.advice.advise import Advice, NoAdvice, advise, candidates
 from runtime.studies.advice.words import advice_data, advice_lines, command
+from runtime.studies.work_precision import dense_methods
 from runtime.studies.work_precision.comparison import Comparison, WorkCurve, work_precision
 from runtime.studies.work_precision.comparison_files import write_comparison
 from runtime.studies.work_precision.dense_methods import left_out
@@ -220,11 +221,15 @@ def test_usual_methods_leave_dense_ones_out_for_large_models(built_in: Load) -> 
     assert compiled < labels and "IDAS" not in compiled
 
 
-def test_an_arm_of_twenty_links_is_compared_with_dense_methods_too() -> None:
+def test_an_arm_of_twenty_links_is_compared_with_dense_methods_too(
+    built_in: Load, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """In reports and in advice alike; those that are not tried are named with the command that tries them."""
     model = derived(arm(20))
     assert {"exponential_rk4", "exponential m=1", "radau eps=1e-06"} <= {one.label for one in usual_methods(model)}
     assert {"exponential_rk4", "exponential m=1", "radau eps=1e-06"} <= {one.label for one in candidates(model)}
     assert "IDAS" in left_out(model) and "--methods" in left_out(model)
-    assert "million operations a step" in left_out(derived(arm(40)))
-    assert left_out(derived(arm(10))) == ""
+    assert left_out(built_in("pendulum")) == ""
+    monkeypatch.setattr(dense_methods, "MOST_OPERATIONS", 100_000)
+    assert "exponential, radau and other dense methods, 0.1 million operations a step" in left_out(model)
+    assert "radau eps=1e-06" not in {one.label for one in candidates(model)}
