@@ -1134,9 +1134,9 @@ def dQ_hat_dq_i() -> ca.Function:
     w55 = w29 * w54
     w56 = w17 * (w5 * rod_phi_integral_0_3) - w10 * (w2 * rod_phi_integral_0_3)
     w57 = (w8 - w11) * slider_mass
-    w58 = w0 * rod_M_ff_3_3 - rod_K_ff_3_3 + w29 * w38 + w39 + w30 * w44 - w15 * (w46 - (w55 + w56) + w29 * w57)
+    w58 = w0 * rod_M_ff_3_3 - rod_K_ff_3_3 + w29 * w38 + w39 + w30 * w44 - w15 * (w46 - w55 - w56 + w29 * w57)
     w59 = w16 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - (w56 - w13 * (w40 + (w41 + w52)))
-    w60 = w46 + (w59 - w55) - w7 * w38 - w34 * (w53 + w7 * (w7 * slider_mass)) + w30 * (w47 * -2.0 - w7 * w43)
+    w60 = w59 - (w55 - w46) - w7 * w38 - w34 * (w53 + w7 * (w7 * slider_mass)) + w30 * (w47 * -2.0 - w7 * w43)
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(w0 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w13 * c45, w36 + w15 * w18),  # rod.q1
@@ -1147,7 +1147,7 @@ def dQ_hat_dq_i() -> ca.Function:
         ),
         ca.horzcat(  # rod.q4
             -w20, -(w13 * rod_phi_cross_phi_3_1 + w15 * (w16 * (rod_q2_dot * rod_M_ff_1_1) + w13 * (2 * w21))),
-            w22 - w15 * w28, w58 - w15 * (w60 - w15 * (w7 * w54 - (w10 * w50 + w17 * w51) + w12 * w45 - w7 * w57)),
+            w22 - w15 * w28, w58 - w15 * (w60 - w15 * (w12 * w45 + w7 * w54 - (w10 * w50 + w17 * w51) - w7 * w57)),
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -1378,12 +1378,12 @@ def residual_jacobian() -> ca.Function:
     w62 = w30 * w61
     w63 = w16 * (w5 * rod_phi_integral_0_3) - w10 * (w2 * rod_phi_integral_0_3)
     w64 = (w8 + (w12 * rod_q4_ddot - w11 * w14)) * slider_mass
-    w65 = w0 * rod_M_ff_3_3 - rod_K_ff_3_3 + w30 * w43 + w38 * w45 + w31 * w50 - w13 * (w52 - (w62 + w63) + w30 * w64)
+    w65 = w0 * rod_M_ff_3_3 - rod_K_ff_3_3 + w30 * w43 + w38 * w45 + w31 * w50 - w13 * (w52 - w62 - w63 + w30 * w64)
     w66 = w63 - w14 * (w46 + (w47 + w58)) - rod_q1_ddot * rod_phi_cross_phi_0_3 - rod_q2_ddot * rod_phi_cross_phi_1_3
     w67 = w59 + w7 * (w7 * slider_mass)
-    w68 = w52 + (w15 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - w66 - w62) - w7 * w43 - w38 * w67
+    w68 = w15 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - w66 - (w62 - w52) - w7 * w43 - w38 * w67
     w69 = w53 * -2.0 - w7 * w49
-    w70 = w65 - w13 * (w68 + w31 * w69 - w13 * (w7 * w61 - (w10 * w56 + w16 * w57) + w11 * w51 - w7 * w64))
+    w70 = w65 - w13 * (w68 + w31 * w69 - w13 * (w11 * w51 + w7 * w61 - (w10 * w56 + w16 * w57) - w7 * w64))
     w71 = (w13 * w33 - w1 * w30) / w11
     w72 = w1 * w12 * slider_mass
     # outputs

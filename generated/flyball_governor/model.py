@@ -21,8 +21,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 44) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
-    309 operations.
+    gives c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
+    308 operations.
     """
     p = ca.SX.sym("p", 44)
     gravity_z = p[0]
@@ -226,7 +226,6 @@ def constants() -> ca.Function:
         0.5 * left_spring_stiffness,  # c102
         2 * right_spring_damping,  # c103
         2 * left_spring_damping,  # c104
-        2.0,  # c105
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -237,14 +236,14 @@ def condensed() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 4 x 4) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 4) [N, N m]: condensed force S^T (Q* - M s)
     195 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 106)
+    c = ca.SX.sym("c", 105)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -341,12 +340,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 28) [mixed]: dependent coordinates after one Newton step
     98 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
-    c = ca.SX.sym("c", 106)
+    c = ca.SX.sym("c", 105)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -427,14 +426,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 28) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 28) [mixed]: rates of the dependent coordinates
     354 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 28)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 106)
+    c = ca.SX.sym("c", 105)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -572,7 +571,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 28) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 28) [mixed]: accelerations of the dependent coordinates
     659 operations.
     """
@@ -581,7 +580,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 28)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 106)
+    c = ca.SX.sym("c", 105)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -785,7 +784,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
-    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 28) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 28 x 32) [SI]: constraint Jacobian
     gives C_t (n_c = 28) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -795,7 +794,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 106)
+    c = ca.SX.sym("c", 105)
     shaft_x = q[0]
     shaft_y = q[1]
     shaft_z = q[2]
@@ -1206,7 +1205,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
-    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 32 x 32) [SI]: mass matrix in all coordinates
     gives K (n x n = 32 x 32) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 32) [N, N m]: quadratic velocity force in all coordinates
@@ -1218,7 +1217,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 106)
+    c = ca.SX.sym("c", 105)
     shaft_e0 = q[3]
     shaft_e1 = q[4]
     shaft_e2 = q[5]
@@ -2317,7 +2316,7 @@ def reactions() -> ca.Function:
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
     takes q_ddot (n = 32) [mixed]: accelerations of all coordinates
-    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 28) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 4) [N, N m]: world force and moment of a joint on its body b, at b
     2177 operations.
@@ -2325,7 +2324,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
     q_ddot = ca.SX.sym("q_ddot", 32)
-    c = ca.SX.sym("c", 106)
+    c = ca.SX.sym("c", 105)
     shaft_e0 = q[3]
     shaft_e1 = q[4]
     shaft_e2 = q[5]
@@ -3028,7 +3027,7 @@ def energy() -> ca.Function:
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
-    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -3038,7 +3037,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 106)
+    c = ca.SX.sym("c", 105)
     shaft_z = q[2]
     shaft_e0 = q[3]
     shaft_e1 = q[4]
@@ -3404,13 +3403,13 @@ def load_actions() -> ca.Function:
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
-    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 6 x 2) [N, N m]: world force and moment of a load on its marker, or b
     100 operations.
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 106)
+    c = ca.SX.sym("c", 105)
     height_travel = q[29]
     right_swing_angle = q[30]
     left_swing_angle = q[31]
@@ -3561,13 +3560,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i, through q_d
-    326 operations.
+    337 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 106)
+    c = ca.SX.sym("c", 105)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -3579,12 +3578,12 @@ def dQ_hat_dq_i() -> ca.Function:
     c1 = c[1]
     shaft_left_x = c[3]
     c4 = c[4]
-    c5 = c[5]
     c7 = c[7]
     c8 = c[8]
     shaft_right_x = c[10]
     c11 = c[11]
-    c12 = c[12]
+    c16 = c[16]
+    c17 = c[17]
     gravity_z = c[18]
     right_spring_free_length = c[20]
     slider_right_x = c[21]
@@ -3598,7 +3597,7 @@ def dQ_hat_dq_i() -> ca.Function:
     shaft_left_z = c[29]
     left_spring_stiffness = c[30]
     left_spring_damping = c[31]
-    # intermediate terms (70)
+    # intermediate terms (68)
     w0 = ca.sin(right_swing_angle)
     w1 = w0 * right_rod_middle_x
     w2 = height_travel - (shaft_right_z - w1)
@@ -3645,45 +3644,43 @@ def dQ_hat_dq_i() -> ca.Function:
     w43 = w42 / w6
     w44 = w26 * w37 / w27
     w45 = w44 / w27
-    w46 = w3 * spin_angle_dot
-    w47 = 2 * (right_swing_angle_dot * w46)
-    w48 = w0 * spin_angle_dot
-    w49 = right_swing_angle_dot * w48
+    w46 = 2 * right_swing_angle_dot
+    w47 = w0 * spin_angle_dot
+    w48 = w3 * spin_angle_dot
+    w49 = w0 * (w46 * c8 * w47 - 2 * (right_swing_angle_dot * w47) * c7) + w3 * (w46 * c7 * w48 - 2 * (right_swing_angle_dot * w48) * c8)
     w50 = w1 * (2 * w5) + w4 * w19
     w51 = w9 * (w50 / (2 * w7))
     w52 = (w5 * w12 + w1 * w15 + (w4 * w13 - w2 * w15)) * right_spring_damping
     w53 = (w2 * w51 + w4 * w11) * right_spring_stiffness + ((w2 * w52 + w4 * w16) / w6 - w18 * w50)
-    w54 = w1 * ((w5 * w51 + w1 * w11) * right_spring_stiffness + ((w5 * w52 + w1 * w16) / w6 - w43 * w50)) + w4 * (w42 + w5 * w11 * right_spring_stiffness)
-    w55 = spin_angle_dot**2
-    w56 = w46**2 - w48**2
-    w57 = w54 + (w4 * w53 - w1 * (w17 + w2 * w11 * right_spring_stiffness)) + ((w3 * (w55 * shaft_right_x) - w0 * gravity_z) * c11 + (w56 * c7 - w56 * c8))
-    w58 = w24 * spin_angle_dot
-    w59 = 2 * (left_swing_angle_dot * w58)
-    w60 = w21 * spin_angle_dot
-    w61 = left_swing_angle_dot * w60
-    w62 = -(w24 * (w59 * c1) + w21 * (2 * -w61 * c1) - (w24 * (w59 * c0) - w21 * (2 * w61 * c0)) + w59 * c5)
-    w63 = w25 * w40 - w22 * (2 * w26)
-    w64 = w30 * (w63 / (2 * w28))
-    w65 = (w25 * w34 - w23 * w36 - (w26 * w33 - w22 * w36)) * left_spring_damping
-    w66 = (w23 * w64 + w25 * w32) * left_spring_stiffness + ((w23 * w65 + w25 * w37) / w27 - w39 * w63)
-    w67 = w22 * ((w26 * w64 - w22 * w32) * left_spring_stiffness + ((w26 * w65 - w22 * w37) / w27 - w45 * w63))
-    w68 = w67 + w25 * (w44 + w26 * w32 * left_spring_stiffness) - (w25 * w66 - w22 * (w38 + w23 * w32 * left_spring_stiffness))
-    w69 = w58**2 - w60**2
+    w54 = spin_angle_dot**2
+    w55 = (w0 * gravity_z - w3 * (w54 * shaft_right_x)) * c11 + w54 * c16 + (w48 * (2 * -w48 * c7) + w47 * (2 * -w47 * c8))
+    w56 = w1 * ((w5 * w51 + w1 * w11) * right_spring_stiffness + ((w5 * w52 + w1 * w16) / w6 - w43 * w50)) + w4 * (w42 + w5 * w11 * right_spring_stiffness)
+    w57 = w24 * spin_angle_dot
+    w58 = 2 * left_swing_angle_dot
+    w59 = w21 * spin_angle_dot
+    w60 = w21 * (w58 * c1 * w59 - 2 * (left_swing_angle_dot * w59) * c0) + w24 * (w57 * (w58 * c0) - 2 * (left_swing_angle_dot * w57) * c1)
+    w61 = w25 * w40 - w22 * (2 * w26)
+    w62 = w30 * (w61 / (2 * w28))
+    w63 = (w25 * w34 - w23 * w36 - (w26 * w33 - w22 * w36)) * left_spring_damping
+    w64 = (w23 * w62 + w25 * w32) * left_spring_stiffness + ((w23 * w63 + w25 * w37) / w27 - w39 * w61)
+    w65 = w22 * ((w26 * w62 - w22 * w32) * left_spring_stiffness + ((w26 * w63 - w22 * w37) / w27 - w45 * w61))
+    w66 = w65 + w25 * (w44 + w26 * w32 * left_spring_stiffness) - (w25 * w64 - w22 * (w38 + w23 * w32 * left_spring_stiffness))
+    w67 = (w24 * (w54 * shaft_left_x) + w21 * gravity_z) * c4 + w54 * c17 + (w57 * (2 * -w57 * c0) + w59 * (2 * -w59 * c1))
     # outputs
     dQ_hat_dq_i = ca.SX(4, 4)
     # spin.angle
-    dQ_hat_dq_i[0, 2] = w3 * (w47 * c7) - w0 * (2 * w49 * c7) - (w3 * (w47 * c8) + w0 * (2 * -w49 * c8)) + w47 * c12
-    dQ_hat_dq_i[0, 3] = w62
+    dQ_hat_dq_i[0, 2] = w49 + w48 * (w46 * c11) * shaft_right_x
+    dQ_hat_dq_i[0, 3] = -(w57 * (w58 * c4) * shaft_left_x - w60)
     # height.travel
     dQ_hat_dq_i[1, 1] = -(w20 + w41)
     dQ_hat_dq_i[1, 2] = -w53
-    dQ_hat_dq_i[1, 3] = -w66
+    dQ_hat_dq_i[1, 3] = -w64
     # right_swing.angle
     dQ_hat_dq_i[2, 1] = -(w1 * (w5 * w10 * right_spring_stiffness + (w5 * w14 / w6 - w19 * w43)) + w4 * w20)
-    dQ_hat_dq_i[2, 2] = -w57
+    dQ_hat_dq_i[2, 2] = w55 - (w56 + (w4 * w53 - w1 * (w17 + w2 * w11 * right_spring_stiffness)))
     # left_swing.angle
     dQ_hat_dq_i[3, 1] = w22 * (w26 * w31 * left_spring_stiffness + (w26 * w35 / w27 - w40 * w45)) - w25 * w41
-    dQ_hat_dq_i[3, 3] = w68 - (w69 * c0 - w69 * c1 - (w21 * gravity_z + w24 * (w55 * shaft_left_x)) * c4)
+    dQ_hat_dq_i[3, 3] = w66 + w67
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
 
@@ -3693,13 +3690,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     178 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 106)
+    c = ca.SX.sym("c", 105)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -3724,52 +3721,51 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     left_rod_middle_x = c[28]
     shaft_left_z = c[29]
     left_spring_damping = c[31]
-    c105 = c[105]
     # intermediate terms (30)
     w0 = ca.sin(left_swing_angle)
-    w1 = ca.cos(left_swing_angle)
-    w2 = 2 * (w0 * left_swing_angle_dot)
-    w3 = ca.cos(right_swing_angle)
-    w4 = ca.sin(right_swing_angle)
-    w5 = 2 * (right_swing_angle_dot * w4)
-    w6 = w0 * (2 * (left_swing_angle_dot * w1) * c1) - w1 * (w2 * c0) + w2 * c5 - (w3 * (w5 * c7) - w4 * (2 * (w3 * right_swing_angle_dot) * c8) + w5 * c12)
+    w1 = 2 * left_swing_angle_dot
+    w2 = ca.cos(left_swing_angle)
+    w3 = ca.sin(right_swing_angle)
+    w4 = ca.cos(right_swing_angle)
+    w5 = 2 * right_swing_angle_dot
+    w6 = w0 * (w1 * c4) * shaft_left_x - w0 * (w2 * (w1 * c0 - w1 * c1)) - (w3 * (w4 * (w5 * c7 - w5 * c8)) + w3 * (w5 * c11) * shaft_right_x)
     w7 = 2 * spin_angle_dot
-    w8 = spin_angle_dot * (w3 * w4) * c105
-    w9 = spin_angle_dot * (w0 * w1) * c105
-    w10 = w4 * right_rod_middle_x
-    w11 = height_travel - (shaft_right_z - w10)
-    w12 = w11 * right_spring_damping
-    w13 = w3 * right_rod_middle_x
-    w14 = slider_right_x - (shaft_right_x + w13)
-    w15 = w14**2 + w11**2
-    w16 = w11 * w12 / w15
-    w17 = w0 * left_rod_middle_x
-    w18 = height_travel - (shaft_left_z - w17)
-    w19 = w18 * left_spring_damping
-    w20 = w1 * left_rod_middle_x
-    w21 = slider_left_x - (shaft_left_x - w20)
-    w22 = w21**2 + w18**2
-    w23 = w18 * w19 / w22
-    w24 = 2 * (w4 * spin_angle_dot)
-    w25 = (w10 * w14 + w11 * w13) * right_spring_damping
-    w26 = w11 * w25 / w15
-    w27 = 2 * (w0 * spin_angle_dot)
-    w28 = (w18 * w20 - w17 * w21) * left_spring_damping
-    w29 = w18 * w28 / w22
+    w8 = 2 * -(w4 * spin_angle_dot)
+    w9 = 2 * -(w3 * spin_angle_dot)
+    w10 = 2 * -(w0 * spin_angle_dot)
+    w11 = 2 * -(w2 * spin_angle_dot)
+    w12 = w3 * right_rod_middle_x
+    w13 = height_travel - (shaft_right_z - w12)
+    w14 = w13 * right_spring_damping
+    w15 = w4 * right_rod_middle_x
+    w16 = slider_right_x - (shaft_right_x + w15)
+    w17 = w16**2 + w13**2
+    w18 = w13 * w14 / w17
+    w19 = w0 * left_rod_middle_x
+    w20 = height_travel - (shaft_left_z - w19)
+    w21 = w20 * left_spring_damping
+    w22 = w2 * left_rod_middle_x
+    w23 = slider_left_x - (shaft_left_x - w22)
+    w24 = w23**2 + w20**2
+    w25 = w20 * w21 / w24
+    w26 = (w12 * w16 + w13 * w15) * right_spring_damping
+    w27 = w13 * w26 / w17
+    w28 = (w20 * w22 - w19 * w23) * left_spring_damping
+    w29 = w20 * w28 / w24
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
         ca.horzcat(  # spin.angle
-            -w6, 0.0, w3 * (w24 * c7) - w4 * (2 * (w3 * spin_angle_dot) * c8) + w24 * c12,
-            -(w0 * (2 * (w1 * spin_angle_dot) * c1) - w1 * (w27 * c0) + w27 * c5),
+            -w6, 0.0, -(w9 * c12 - (w3 * (w8 * c8) - w4 * (w9 * c7))),
+            -(w2 * (w10 * c0) - w0 * (w11 * c1) - w10 * c5),
         ),
-        ca.horzcat(0.0, -(w16 + w23), -w26, -w29),  # height.travel
+        ca.horzcat(0.0, -(w18 + w25), -w27, -w29),  # height.travel
         ca.horzcat(  # right_swing.angle
-            -(w4 * (w7 * shaft_right_x) * c11 + (w8 * c7 - w8 * c8)), -(w10 * (w12 * w14 / w15) + w13 * w16),
-            -(w10 * (w14 * w25 / w15) + w13 * w26), 0.0,
+            -(w7 * shaft_right_x * (w3 * c11) - (w3 * (w8 * c7) - w4 * (w9 * c8))),
+            -(w12 * (w14 * w16 / w17) + w15 * w18), -(w12 * (w16 * w26 / w17) + w15 * w27), 0.0,
         ),
         ca.horzcat(  # left_swing.angle
-            -(w9 * c0 - w9 * c1 - w0 * (w7 * shaft_left_x) * c4), w17 * (w19 * w21 / w22) - w20 * w23, 0.0,
-            w17 * (w21 * w28 / w22) - w20 * w29,
+            -(w2 * (w10 * c1) - w0 * (w11 * c0) - w7 * shaft_left_x * (w0 * c4)),
+            w19 * (w21 * w23 / w24) - w22 * w25, 0.0, w19 * (w23 * w28 / w24) - w22 * w29,
         ),
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
@@ -3782,15 +3778,15 @@ def residual_jacobian() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    466 operations.
+    473 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 106)
+    c = ca.SX.sym("c", 105)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -3809,6 +3805,8 @@ def residual_jacobian() -> ca.Function:
     shaft_right_x = c[10]
     c11 = c[11]
     c12 = c[12]
+    c16 = c[16]
+    c17 = c[17]
     gravity_z = c[18]
     right_spring_free_length = c[20]
     slider_right_x = c[21]
@@ -3822,8 +3820,7 @@ def residual_jacobian() -> ca.Function:
     shaft_left_z = c[29]
     left_spring_stiffness = c[30]
     left_spring_damping = c[31]
-    c105 = c[105]
-    # intermediate terms (91)
+    # intermediate terms (100)
     w0 = ca.sin(right_swing_angle)
     w1 = w0 * right_rod_middle_x
     w2 = height_travel - (shaft_right_z - w1)
@@ -3870,79 +3867,88 @@ def residual_jacobian() -> ca.Function:
     w43 = w42 / w6
     w44 = w26 * w37 / w27
     w45 = w44 / w27
-    w46 = w3 * spin_angle_dot
+    w46 = w0 * spin_angle_dot
     w47 = right_swing_angle_dot * w46
-    w48 = w47 + (w47 + w0 * spin_angle_ddot)
-    w49 = w0 * spin_angle_dot
-    w50 = right_swing_angle_dot * w49
-    w51 = w3 * spin_angle_ddot
-    w52 = w3 * (w48 * c7) - w0 * ((w50 + (w50 - w51)) * c7 - spin_angle_ddot * c12) - (w3 * (w48 * c8) + w0 * ((w51 - w50 - w50) * c8))
-    w53 = w1 * (2 * w5) + w4 * w19
-    w54 = w9 * (w53 / (2 * w7))
-    w55 = (w5 * w12 + w1 * w15 + (w4 * w13 - w2 * w15)) * right_spring_damping
-    w56 = (w2 * w54 + w4 * w11) * right_spring_stiffness + ((w2 * w55 + w4 * w16) / w6 - w18 * w53)
-    w57 = w1 * ((w5 * w54 + w1 * w11) * right_spring_stiffness + ((w5 * w55 + w1 * w16) / w6 - w43 * w53)) + w4 * (w42 + w5 * w11 * right_spring_stiffness)
-    w58 = spin_angle_dot**2
-    w59 = w46**2 - w49**2
-    w60 = w57 + (w4 * w56 - w1 * (w17 + w2 * w11 * right_spring_stiffness)) + ((w3 * (w58 * shaft_right_x) - w0 * gravity_z) * c11 + (w59 * c7 - w59 * c8))
-    w61 = w24 * spin_angle_dot
-    w62 = left_swing_angle_dot * w61
-    w63 = w62 + (w62 + w21 * spin_angle_ddot)
-    w64 = w24 * spin_angle_ddot
-    w65 = w21 * spin_angle_dot
-    w66 = left_swing_angle_dot * w65
-    w67 = w24 * (w63 * c1) + w21 * ((w64 - w66 - w66) * c1) - (w24 * (w63 * c0) - w21 * (spin_angle_ddot * c5 + (w66 + (w66 - w64)) * c0))
-    w68 = w25 * w40 - w22 * (2 * w26)
-    w69 = w30 * (w68 / (2 * w28))
-    w70 = (w25 * w34 - w23 * w36 - (w26 * w33 - w22 * w36)) * left_spring_damping
-    w71 = (w23 * w69 + w25 * w32) * left_spring_stiffness + ((w23 * w70 + w25 * w37) / w27 - w39 * w68)
-    w72 = w22 * ((w26 * w69 - w22 * w32) * left_spring_stiffness + ((w26 * w70 - w22 * w37) / w27 - w45 * w68))
-    w73 = w72 + w25 * (w44 + w26 * w32 * left_spring_stiffness) - (w25 * w71 - w22 * (w38 + w23 * w32 * left_spring_stiffness))
-    w74 = w61**2 - w65**2
-    w75 = 2 * (w21 * left_swing_angle_dot)
-    w76 = 2 * (w0 * right_swing_angle_dot)
-    w77 = w21 * (2 * (w24 * left_swing_angle_dot) * c1) - w24 * (w75 * c0) + w75 * c5 - (w3 * (w76 * c7) - w0 * (2 * (w3 * right_swing_angle_dot) * c8) + w76 * c12)
-    w78 = 2 * spin_angle_dot
-    w79 = spin_angle_dot * (w0 * w3) * c105
-    w80 = spin_angle_dot * (w21 * w24) * c105
-    w81 = w2 * right_spring_damping
-    w82 = w2 * w81 / w6
-    w83 = w23 * left_spring_damping
-    w84 = w23 * w83 / w27
-    w85 = 2 * w49
-    w86 = (w1 * w5 + w2 * w4) * right_spring_damping
-    w87 = w2 * w86 / w6
-    w88 = 2 * w65
-    w89 = (w23 * w25 - w22 * w26) * left_spring_damping
-    w90 = w23 * w89 / w27
+    w48 = w47 - w3 * spin_angle_ddot
+    w49 = 2 * right_swing_angle_dot
+    w50 = w49 * c8
+    w51 = w0 * spin_angle_ddot
+    w52 = w49 * c7
+    w53 = w3 * spin_angle_dot
+    w54 = right_swing_angle_dot * w53
+    w55 = w0 * ((w48 - w47) * c8 + w46 * w50 - ((w47 + w48) * c7 - spin_angle_ddot * c12)) + w3 * (w51 * c7 + w52 * w53 - (w54 + (w51 + w54)) * c8)
+    w56 = w49 * c11
+    w57 = w1 * (2 * w5) + w4 * w19
+    w58 = w9 * (w57 / (2 * w7))
+    w59 = (w5 * w12 + w1 * w15 + (w4 * w13 - w2 * w15)) * right_spring_damping
+    w60 = (w2 * w58 + w4 * w11) * right_spring_stiffness + ((w2 * w59 + w4 * w16) / w6 - w18 * w57)
+    w61 = spin_angle_dot**2
+    w62 = 2 * -w53
+    w63 = w62 * c7
+    w64 = 2 * -w46
+    w65 = w64 * c8
+    w66 = w1 * ((w5 * w58 + w1 * w11) * right_spring_stiffness + ((w5 * w59 + w1 * w16) / w6 - w43 * w57)) + w4 * (w42 + w5 * w11 * right_spring_stiffness)
+    w67 = (w0 * gravity_z - w3 * (w61 * shaft_right_x)) * c11 + w61 * c16 + (w53 * w63 + w46 * w65) - (w66 + (w4 * w60 - w1 * (w17 + w2 * w11 * right_spring_stiffness)))
+    w68 = w21 * spin_angle_ddot
+    w69 = w24 * spin_angle_dot
+    w70 = 2 * left_swing_angle_dot
+    w71 = w70 * c4
+    w72 = w21 * spin_angle_dot
+    w73 = left_swing_angle_dot * w72
+    w74 = w73 - w24 * spin_angle_ddot
+    w75 = w70 * c1
+    w76 = w70 * c0
+    w77 = left_swing_angle_dot * w69
+    w78 = w21 * ((w74 - w73) * c1 + w72 * w75 - (spin_angle_ddot * c5 + (w73 + w74) * c0)) + w24 * (w68 * c0 + w69 * w76 - (w77 + (w68 + w77)) * c1)
+    w79 = w25 * w40 - w22 * (2 * w26)
+    w80 = w30 * (w79 / (2 * w28))
+    w81 = (w25 * w34 - w23 * w36 - (w26 * w33 - w22 * w36)) * left_spring_damping
+    w82 = (w23 * w80 + w25 * w32) * left_spring_stiffness + ((w23 * w81 + w25 * w37) / w27 - w39 * w79)
+    w83 = w22 * ((w26 * w80 - w22 * w32) * left_spring_stiffness + ((w26 * w81 - w22 * w37) / w27 - w45 * w79))
+    w84 = w83 + w25 * (w44 + w26 * w32 * left_spring_stiffness) - (w25 * w82 - w22 * (w38 + w23 * w32 * left_spring_stiffness))
+    w85 = 2 * -w69
+    w86 = w85 * c0
+    w87 = 2 * -w72
+    w88 = w87 * c1
+    w89 = w84 + ((w24 * (w61 * shaft_left_x) + w21 * gravity_z) * c4 + w61 * c17 + (w69 * w86 + w72 * w88))
+    w90 = w21 * w71 * shaft_left_x - w21 * (w24 * (w76 - w75)) - (w0 * (w3 * (w52 - w50)) + w0 * w56 * shaft_right_x)
+    w91 = 2 * spin_angle_dot
+    w92 = w2 * right_spring_damping
+    w93 = w2 * w92 / w6
+    w94 = w23 * left_spring_damping
+    w95 = w23 * w94 / w27
+    w96 = (w1 * w5 + w2 * w4) * right_spring_damping
+    w97 = w2 * w96 / w6
+    w98 = (w23 * w25 - w22 * w26) * left_spring_damping
+    w99 = w23 * w98 / w27
     # outputs
     J_q = ca.SX(4, 4)
     # spin.angle
-    J_q[0, 2] = w52 + w48 * c12
-    J_q[0, 3] = -(w67 + w63 * c5)
+    J_q[0, 2] = w55 + (w51 * c11 + w53 * w56) * shaft_right_x
+    J_q[0, 3] = -((w68 * c4 + w69 * w71) * shaft_left_x - w78)
     # height.travel
     J_q[1, 1] = -(w20 + w41)
-    J_q[1, 2] = -w56
-    J_q[1, 3] = -w71
+    J_q[1, 2] = -w60
+    J_q[1, 3] = -w82
     # right_swing.angle
     J_q[2, 1] = -(w1 * (w5 * w10 * right_spring_stiffness + (w5 * w14 / w6 - w19 * w43)) + w4 * w20)
-    J_q[2, 2] = -w60
+    J_q[2, 2] = w67
     # left_swing.angle
     J_q[3, 1] = w22 * (w26 * w31 * left_spring_stiffness + (w26 * w35 / w27 - w40 * w45)) - w25 * w41
-    J_q[3, 3] = w73 - (w74 * c0 - w74 * c1 - (w21 * gravity_z + w24 * (w58 * shaft_left_x)) * c4)
+    J_q[3, 3] = w89
     J_v = ca.vertcat(
         ca.horzcat(  # spin.angle
-            -w77, 0.0, w3 * (w85 * c7) - w0 * (2 * w46 * c8) + w85 * c12,
-            -(w21 * (2 * w61 * c1) - w24 * (w88 * c0) + w88 * c5),
+            -w90, 0.0, -(w64 * c12 - (w0 * (w62 * c8) - w3 * (w64 * c7))),
+            -(w24 * (w87 * c0) - w21 * (w85 * c1) - w87 * c5),
         ),
-        ca.horzcat(0.0, -(w82 + w84), -w87, -w90),  # height.travel
+        ca.horzcat(0.0, -(w93 + w95), -w97, -w99),  # height.travel
         ca.horzcat(  # right_swing.angle
-            -(w0 * (w78 * shaft_right_x) * c11 + (w79 * c7 - w79 * c8)), -(w1 * (w5 * w81 / w6) + w4 * w82),
-            -(w1 * (w5 * w86 / w6) + w4 * w87), 0.0,
+            -(w91 * shaft_right_x * (w0 * c11) - (w0 * w63 - w3 * w65)), -(w1 * (w5 * w92 / w6) + w4 * w93),
+            -(w1 * (w5 * w96 / w6) + w4 * w97), 0.0,
         ),
         ca.horzcat(  # left_swing.angle
-            -(w80 * c0 - w80 * c1 - w21 * (w78 * shaft_left_x) * c4), w22 * (w26 * w83 / w27) - w25 * w84, 0.0,
-            w22 * (w26 * w89 / w27) - w25 * w90,
+            -(w24 * w88 - w21 * w86 - w91 * shaft_left_x * (w21 * c4)), w22 * (w26 * w94 / w27) - w25 * w95, 0.0,
+            w22 * (w26 * w98 / w27) - w25 * w99,
         ),
     )
     inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
@@ -3954,13 +3960,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
     182 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 106)
+    c = ca.SX.sym("c", 105)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]

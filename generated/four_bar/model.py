@@ -845,7 +845,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w34 = w7 * w27
     w35 = w24 * coupler_mass
     w36 = (w19 * w29 + w21 * w31) / w26
-    w37 = w0 * w3 - (w4 * c9 + w0 * (w8 + (w3 + w28) + w32) + w23 * (c11 + w33 - (w34 - w35) + w36)) + w23 * w35
+    w37 = w0 * w3 - (w4 * c9 + (w0 * (w8 + (w3 + w28) + w32) + w23 * (c11 + w33 - (w34 - w35) + w36))) + w23 * w35
     w38 = (w0 * w21 - w15 * w23) / w26
     w39 = (w0 * w19 - w12 * w23) / w26
     w40 = 2 * coupler_theta_dot
@@ -857,9 +857,9 @@ def dQ_hat_dq_i() -> ca.Function:
     w46 = (w15 * w27 - w22) * w39 - (w24 + w15 * w40 * w43) + w12 * w44 * w45 + w38 * (w20 - w12 * w30)
     w47 = w2 - w43 * (w21 * w40) + w39 * (w16 + w21 * w27) + w45 * (w19 * w44) - w38 * (w14 + w19 * w30)
     w48 = (w12 * w46 + w19 * w47) / w26
-    w49 = w37 + w38 * ((w15 * w46 + w21 * w47) / w26 * c5 + w38 * (w12 * w32 - w18 * c12 + w19 * w36)) + (w0 * w7 + w10 * w23) * w48
+    w49 = w37 + w38 * ((w15 * w46 + w21 * w47) / w26 * c5 + w38 * (w19 * w36 + w12 * w32 - w18 * c12)) + (w0 * w7 + w10 * w23) * w48
     w50 = w2 * w7 + w10 * w24
-    w51 = w49 - w43 * (w0 * (w10 * w40) - w23 * (w7 * w40)) + w39 * (w0 * (w8 + w28) - w23 * (w34 - w33)) + w39 * (w50 + w48 * c7 - w39 * (w50 + w10 * gravity_y + w15 * w32 + w21 * w36))
+    w51 = w49 - w43 * (w0 * (w10 * w40) - w23 * (w7 * w40)) + w39 * (w0 * (w8 + w28) - w23 * (w34 - w33)) + w39 * (w50 + w48 * c7 - w39 * (w50 + w10 * gravity_y + (w15 * w32 + w21 * w36)))
     # outputs
     dQ_hat_dq_i = ca.vertcat(w51)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -999,7 +999,7 @@ def residual_jacobian() -> ca.Function:
     w38 = w31 * coupler_mass
     w39 = w9 * w29
     w40 = (w21 * w32 + w23 * w35) / w27
-    w41 = w0 * w6 - (w1 * c9 + w0 * (w10 + (w6 + w30) + w36) + w2 * (c11 + w37 - (w38 + w39) + w40)) - w2 * w38
+    w41 = w0 * w6 - (w1 * c9 + (w0 * (w10 + (w6 + w30) + w36) + w2 * (c11 + w37 - (w38 + w39) + w40))) - w2 * w38
     w42 = 2 * coupler_theta_dot
     w43 = w17 * w42
     w44 = w0 * crank_theta_dot + w28 * (coupler_theta_dot * w17) - w33 * (w14 * rocker_theta_dot)
@@ -1014,11 +1014,11 @@ def residual_jacobian() -> ca.Function:
     w53 = w5 - w46 * w51 + w28 * (w18 + w23 * w29) + w49 * w52 - w33 * (w16 + w21 * w34)
     w54 = w0 * w9 + w2 * w12
     w55 = (w14 * w50 + w21 * w53) / w27
-    w56 = w41 + w33 * ((w17 * w50 + w23 * w53) / w27 * c5 + w33 * (w14 * w36 - w20 * c12 + w21 * w40)) + w54 * w55
+    w56 = w41 + w33 * ((w17 * w50 + w23 * w53) / w27 * c5 + w33 * (w21 * w40 + w14 * w36 - w20 * c12)) + w54 * w55
     w57 = w0 * (w12 * w42) - w2 * (w9 * w42)
     w58 = w5 * w9
     w59 = w12 * w31
-    w60 = w56 - w46 * w57 + w28 * (w0 * (w10 + w30) - w2 * (w39 - w37)) + w28 * (w58 - w59 + w55 * c7 + w28 * (w59 - w58 - w12 * gravity_y - w17 * w36 - w23 * w40))
+    w60 = w56 - w46 * w57 + w28 * (w0 * (w10 + w30) - w2 * (w39 - w37)) + w28 * (w58 - w59 + w55 * c7 + w28 * (w59 - w58 - w12 * gravity_y - (w17 * w36 + w23 * w40)))
     w61 = 2 * crank_theta_dot
     w62 = w2 * w61
     w63 = w0 * w61

@@ -1261,11 +1261,11 @@ def dQ_hat_dq_i() -> ca.Function:
     w80 = w4 * c18 - w41 * c5 + w5 * w71 - w7 * w73 - w7 * w78 + w5 * w79
     w81 = (w5 * w52 + w11 * w80) / w12
     w82 = (w7 * w52 + w10 * w80) / w12
-    w83 = w0 * c16 + w8 * (w3 * w27 + (w51 + w38 * w40) + w81) + w1 * (c17 + w27 * w40 - (w3 * w38 - w31) + w82)
+    w83 = w0 * c16 + (w8 * (w3 * w27 + (w51 + w38 * w40) + w81) + w1 * (c17 + w27 * w40 - (w3 * w38 - w31) + w82))
     w84 = w1 * (w3 * w26 + w27 * w28 + (w31 - (w38 * w39 + w40 * w50))) - w83 + w8 * (w27 * w39 - w26 * w40 - (w3 * w50 - w28 * w38 - w51))
-    w85 = w28 * gravity_y + (w50 * c14 - (w3 * w34 - w28 * w30 + (w30 * w40 - w34 * w39))) + w15 * w81 + w21 * w82
+    w85 = w28 * gravity_y + (w50 * c14 - (w3 * w34 - w28 * w30 + (w30 * w40 - w34 * w39))) + (w15 * w81 + w21 * w82)
     w86 = (w11 * w46 - w10 * w49) / w12
-    w87 = w84 - w13 * w85 + w16 * (w17 * w81 - (w22 * c18 + w86 * c5) + w23 * w82 - w17 * (w73 + w78) - w23 * (w71 + w79))
+    w87 = w84 - w13 * w85 - w16 * (w22 * c18 + w86 * c5 + (w17 * (w73 + w78) - (w23 * w82 + w17 * w81) + w23 * (w71 + w79)))
     w88 = w16 * w69
     w89 = w57 * w88
     w90 = w89 * top2_tip_x
@@ -1291,8 +1291,8 @@ def dQ_hat_dq_i() -> ca.Function:
     w110 = (w65 * w108 - w60 * w109) / w68
     w111 = w105 - w107
     w112 = w87 - w7 * w16 * (w58 * w99 - w53 * w100 + (w103 * top2_mass + (w70 * w104 + w55 * w110))) + w5 * w16 * (w55 * w99 + w53 * w104 - (w111 * top2_mass + (w58 * w110 - w70 * w100)))
-    w113 = w100 * gravity_y + (w58 * w111 - w56 * w100 + (w72 * w104 + w55 * w103) + w110 * c12) + w78 * w90
-    w114 = w112 - w88 * (w113 + w79 * w95) + w91 * (w78 * w92 - (w96 * c20 + (w66 * w108 - w62 * w109) / w68 * c10) + w79 * w97)
+    w113 = w100 * gravity_y + (w58 * w111 - w56 * w100 + (w72 * w104 + w55 * w103) + w110 * c12) + (w78 * w90 + w79 * w95)
+    w114 = w112 - w88 * w113 + w91 * (w79 * w97 + w78 * w92 - (w96 * c20 + (w66 * w108 - w62 * w109) / w68 * c10))
     # outputs
     dQ_hat_dq_i = ca.vertcat(w114)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -1522,7 +1522,7 @@ def residual_jacobian() -> ca.Function:
     w76 = w31 * top1_mass
     w77 = w9 * w29
     w78 = (w21 * w32 + w23 * w73) / w27
-    w79 = w0 * w6 - (w1 * c16 + w0 * (w10 + (w6 + w30) + w74) + w2 * (c17 + w75 - (w76 + w77) + w78)) - w2 * w76
+    w79 = w0 * w6 - (w1 * c16 + (w0 * (w10 + (w6 + w30) + w74) + w2 * (c17 + w75 - (w76 + w77) + w78))) - w2 * w76
     w80 = w14 * w43 + w21 * w37
     w81 = c7 + w68 * (w68 * c10) + (w58 * (w80 + w58 * c12) + w58 * w80)
     w82 = 2 * top1_theta_dot
@@ -1551,7 +1551,7 @@ def residual_jacobian() -> ca.Function:
     w105 = (w45 * w100 + w52 * w103) / w57
     w106 = w14 * (w37 * w96) - w21 * (w43 * w96)
     w107 = w104 + w80 * w105 + w58 * w106 + w58 * (w43 * w94 - w37 * w90 + w105 * c12)
-    w108 = w14 * w74 - w20 * c18 + w21 * w78 - w14 * (w66 + w71) - w21 * (w61 + w72) + w14 * w64 - w21 * w41
+    w108 = w14 * w64 - (w20 * c18 + (w14 * (w66 + w71) - (w21 * w78 + w14 * w74) + w21 * (w61 + w72))) - w21 * w41
     w109 = w84 + w58 * (top2_theta_dot * w48) - w68 * (w45 * upright2_theta_dot)
     w110 = w86 + w58 * (top2_theta_dot * w54) - w68 * (upright2_theta_dot * w52)
     w111 = (w45 * w109 + w52 * w110) / w57
@@ -1559,17 +1559,17 @@ def residual_jacobian() -> ca.Function:
     w113 = w40 - w97 * w111 + w58 * (w48 * w59 - w55) + w99 * w112 + w68 * (w53 - w45 * w69)
     w114 = w63 - w101 * w111 + w58 * (w49 + w54 * w59) + w102 * w112 - w68 * (w47 + w52 * w69)
     w115 = (w45 * w113 + w52 * w114) / w57
-    w116 = w108 + w68 * ((w48 * w113 + w54 * w114) / w57 * c10 + w68 * (w45 * w71 - w51 * c20 + w52 * w72)) + w80 * w115
+    w116 = w108 + w68 * ((w48 * w113 + w54 * w114) / w57 * c10 + w68 * (w52 * w72 + w45 * w71 - w51 * c20)) + w80 * w115
     w117 = w43 * w63
     w118 = w37 * w40
-    w119 = w116 - w106 * w111 + w58 * (w14 * (w62 + w65) - w21 * (w60 - w38)) + w58 * (w117 - w118 + w115 * c12 + w58 * (w118 - w117 - w37 * gravity_y - w48 * w71 - w54 * w72))
-    w120 = w0 * w9 + w2 * w12
-    w121 = (w14 * w92 + w21 * w95) / w27
-    w122 = w0 * (w12 * w82) - w2 * (w9 * w82)
-    w123 = w79 + w33 * (w81 * ((w17 * w92 + w23 * w95) / w27) - w91 * w107 + w33 * w119) + w120 * w121 - w88 * w122
+    w119 = w58 * (w117 - w118 + w115 * c12 + w58 * (w118 - w117 - w37 * gravity_y - (w48 * w71 + w54 * w72)))
+    w120 = w81 * ((w17 * w92 + w23 * w95) / w27) - w91 * w107 + w33 * (w116 - w106 * w111 + w58 * (w14 * (w62 + w65) - w21 * (w60 - w38)) + w119)
+    w121 = w0 * w9 + w2 * w12
+    w122 = (w14 * w92 + w21 * w95) / w27
+    w123 = w0 * (w12 * w82) - w2 * (w9 * w82)
     w124 = w5 * w9
     w125 = w12 * w31
-    w126 = w123 + w28 * (w0 * (w10 + w30) - w2 * (w77 - w75)) + w28 * (w124 - w125 + w121 * c14 + w28 * (w125 - w124 - w12 * gravity_y - w17 * w74 - w23 * w78))
+    w126 = w28 * (w124 - w125 + w122 * c14 + w28 * (w125 - w124 - w12 * gravity_y - (w17 * w74 + w23 * w78)))
     w127 = 2 * upright0_theta_dot
     w128 = w2 * w127
     w129 = w0 * w127
@@ -1578,8 +1578,8 @@ def residual_jacobian() -> ca.Function:
     w132 = w0 * (w128 * top1_mass) - w2 * (w129 * top1_mass) + w33 * (w81 * ((w17 * w130 + w23 * w131) / w27) + w33 * w107)
     w133 = (w14 * w130 + w21 * w131) / w27
     # outputs
-    J_q = ca.vertcat(w126)
-    J_v = ca.vertcat(w132 + w120 * w133 + w28 * w122 + w28 * (w9 * w128 - w12 * w129 + w133 * c14))
+    J_q = ca.vertcat(w79 + w33 * w120 + w121 * w122 - w88 * w123 + w28 * (w0 * (w10 + w30) - w2 * (w77 - w75)) + w126)
+    J_v = ca.vertcat(w132 + w121 * w133 + w28 * w123 + w28 * (w9 * w128 - w12 * w129 + w133 * c14))
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 

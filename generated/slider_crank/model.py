@@ -701,7 +701,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w20 = w5 * w10
     w21 = w7 * w15
     w22 = (w7 * gravity_y - (w2 * w10 - w7 * w13 + w15 * c7) - w11 * w19) / w14
-    w23 = w0 * w3 - (w4 * c9 + w0 * (w8 + (w3 + w16) + w19) + w12 * (c10 + w20 - (w21 - w13 * rod_mass) - w22))
+    w23 = w0 * w3 - (w4 * c9 + (w0 * (w8 + (w3 + w16) + w19) + w12 * (c10 + w20 - (w21 - w13 * rod_mass) - w22)))
     w24 = w11 * slider_mass
     w25 = w10 + w24
     w26 = 2 * rod_theta_dot
@@ -712,7 +712,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w31 = w23 + w12 * (w13 * c4) - (w0 * w7 + w12 * w25) * w29 + w28 * (w0 * (w10 * w26) - w12 * (w7 * w26 + w30))
     w32 = w13 * slider_mass
     w33 = w2 * w7
-    w34 = w33 + w13 * w25 - w29 * (c7 + w11 * w24) - w28 * (w11 * w30) - w27 * (w11 * w22 - (w33 + w10 * w13 + w10 * gravity_y) - w14 * w19 - w11 * w32)
+    w34 = w33 + w13 * w25 - w29 * (c7 + w11 * w24) - w28 * (w11 * w30) + w27 * (w33 + w10 * w13 + w10 * gravity_y + (w14 * w19 - w11 * w22) + w11 * w32)
     # outputs
     dQ_hat_dq_i = ca.vertcat(w31 - w27 * (w0 * (w8 + w16) - w12 * (w21 - w20 + w32)) - w27 * w34)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -828,7 +828,7 @@ def residual_jacobian() -> ca.Function:
     w23 = w0 * crank_theta_ddot - w14
     w24 = w8 * w17
     w25 = (w8 * gravity_y - (w8 * w23 + w4 * w11 + w17 * c7) - w12 * w21) / w15
-    w26 = w0 * w5 - (w1 * c9 + w0 * (w9 + (w5 + w18) + w21) + w2 * (c10 + w22 - (w23 * rod_mass + w24) - w25))
+    w26 = w0 * w5 - (w1 * c9 + (w0 * (w9 + (w5 + w18) + w21) + w2 * (c10 + w22 - (w23 * rod_mass + w24) - w25)))
     w27 = w12 * slider_mass
     w28 = w11 + w27
     w29 = w0 * w8 + w2 * w28
@@ -842,7 +842,7 @@ def residual_jacobian() -> ca.Function:
     w37 = w4 * w8
     w38 = c7 + w12 * w27
     w39 = w12 * w34
-    w40 = w37 - w23 * w28 - w33 * w38 - w32 * w39 - w16 * (w11 * w23 - w37 - w11 * gravity_y + w12 * w25 - w15 * w21 - w12 * w36)
+    w40 = w37 - w23 * w28 - w33 * w38 - w32 * w39 - w16 * (w11 * w23 - w37 - w11 * gravity_y - (w15 * w21 - w12 * w25) - w12 * w36)
     w41 = w26 - w2 * (w23 * c4) - w29 * w33 + w32 * w35 - w16 * (w0 * (w9 + w18) - w2 * (w24 - w22 + w36)) - w16 * w40
     w42 = 2 * crank_theta_dot
     w43 = w2 * w42

@@ -19,8 +19,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 19) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
-    116 operations.
+    gives c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
+    120 operations.
     """
     p = ca.SX.sym("p", 19)
     gravity_z = p[0]
@@ -100,11 +100,13 @@ def constants() -> ca.Function:
         link1_mass * gravity_z,  # c34
         link2_mass * gravity_z,  # c35
         link3_mass * gravity_z,  # c36
-        w6 + w12,  # c37
-        2.0,  # c38
-        -w1,  # c39
-        -w8,  # c40
-        -w14,  # c41
+        2.0,  # c37
+        2 * link1_end_x,  # c38
+        w6 + w12,  # c39
+        2 * link2_end_x,  # c40
+        -w1,  # c41
+        -w8,  # c42
+        -w14,  # c43
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -115,14 +117,14 @@ def condensed() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 9 x 9) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 9) [N, N m]: condensed force S^T (Q* - M s)
     723 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 42)
+    c = ca.SX.sym("c", 44)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -430,12 +432,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 9) [mixed]: dependent coordinates after one Newton step
     39 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
-    c = ca.SX.sym("c", 42)
+    c = ca.SX.sym("c", 44)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link2_theta1 = q_i[3]
@@ -469,13 +471,13 @@ def velocities() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     65 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 42)
+    c = ca.SX.sym("c", 44)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link2_theta1 = q_i[3]
@@ -520,14 +522,14 @@ def accelerations() -> ca.Function:
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 9) [mixed]: accelerations of the dependent coordinates
     253 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 9)
-    c = ca.SX.sym("c", 42)
+    c = ca.SX.sym("c", 44)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -628,7 +630,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 18) [mixed]: rates of all coordinates
-    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 9) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 9 x 18) [SI]: constraint Jacobian
     gives C_t (n_c = 9) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -638,7 +640,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 42)
+    c = ca.SX.sym("c", 44)
     link1_x = q[0]
     link1_y = q[1]
     link1_z = q[2]
@@ -786,7 +788,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 18) [mixed]: rates of all coordinates
-    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 18 x 18) [SI]: mass matrix in all coordinates
     gives K (n x n = 18 x 18) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 18) [N, N m]: quadratic velocity force in all coordinates
@@ -798,7 +800,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 42)
+    c = ca.SX.sym("c", 44)
     link1_theta1 = q[3]
     link1_theta2 = q[4]
     link1_theta3 = q[5]
@@ -1213,7 +1215,7 @@ def reactions() -> ca.Function:
     takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 18) [mixed]: rates of all coordinates
     takes q_ddot (n = 18) [mixed]: accelerations of all coordinates
-    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 9) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 3) [N, N m]: world force and moment of a joint on its body b, at b
     373 operations.
@@ -1221,7 +1223,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
     q_ddot = ca.SX.sym("q_ddot", 18)
-    c = ca.SX.sym("c", 42)
+    c = ca.SX.sym("c", 44)
     link1_theta1 = q[3]
     link1_theta2 = q[4]
     link1_theta3 = q[5]
@@ -1383,7 +1385,7 @@ def energy() -> ca.Function:
 
     takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 18) [mixed]: rates of all coordinates
-    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -1393,7 +1395,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 42)
+    c = ca.SX.sym("c", 44)
     link1_z = q[2]
     link1_theta1 = q[3]
     link1_theta2 = q[4]
@@ -1596,13 +1598,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat by q_i, through q_d
-    1457 operations.
+    1345 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 42)
+    c = ca.SX.sym("c", 44)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -1641,418 +1643,399 @@ def dQ_hat_dq_i() -> ca.Function:
     c28 = c[28]
     c37 = c[37]
     c38 = c[38]
-    # intermediate terms (368)
-    w0 = ca.cos(link1_theta2)
-    w1 = ca.sin(link1_theta1)
+    c39 = c[39]
+    c40 = c[40]
+    # intermediate terms (347)
+    w0 = ca.cos(link1_theta1)
+    w1 = ca.cos(link1_theta2)
     w2 = w0 * w1
     w3 = w2 * link1_end_x
-    w4 = ca.cos(link1_theta1)
-    w5 = w0 * w4
-    w6 = link1_theta3_dot * w5 - w1 * link1_theta2_dot
-    w7 = w4 * link1_theta2_dot + w2 * link1_theta3_dot
-    w8 = w5 * link1_end_x
-    w9 = w3 * w6 - w7 * w8
-    w10 = ca.sin(link1_theta2)
-    w11 = link1_theta3_dot * w10
-    w12 = link1_theta1_dot - w11
-    w13 = w10 * link1_end_x
-    w14 = w3 * w12 + w7 * w13
-    w15 = w6 * w9 + w12 * w14
-    w16 = w0 * link1_theta3_dot
-    w17 = ca.cos(link1_theta3)
-    w18 = w16 * w17
-    w19 = link1_theta2_dot * w10
-    w20 = ca.sin(link1_theta3)
-    w21 = link1_theta3_dot * link1_theta2_dot
-    w22 = w20 * w21
-    w23 = link1_theta1_dot * (w18 - w19 * w20) - w22
-    w24 = w4 * w10
-    w25 = w1 * w17
-    w26 = w20 * w24 - w25
-    w27 = link1_theta2_dot * link1_theta1_dot
-    w28 = w0 * w27
-    w29 = w16 * w20
-    w30 = link1_theta2_dot * w17
-    w31 = w17 * w21
-    w32 = link1_theta1_dot * (w29 + w10 * w30) + w31
-    w33 = w4 * w17
-    w34 = w10 * w33 + w1 * w20
-    w35 = w23 * w26 - w5 * w28 - w32 * w34
-    w36 = w0 * w20
-    w37 = w0 * w17
-    w38 = w10 * w28 + w23 * w36 - w32 * w37
-    w39 = w13 * w35 + w8 * w38
-    w40 = w15 - w39
-    w41 = w40 * c9
-    w42 = w2 * w28
-    w43 = w1 * w10
-    w44 = w33 + w20 * w43
-    w45 = w23 * w44
-    w46 = w4 * w20
-    w47 = w10 * w25
-    w48 = w3 * w38
-    w49 = w6 * w13 + w8 * w12
-    w50 = w12 * w49
-    w51 = w7 * w9
-    w52 = w13 * (w42 - w45 - w32 * (w46 - w47)) - w48 - (w50 - w51)
-    w53 = w52 * c9
-    w54 = ca.cos(link2_theta1)
-    w55 = ca.cos(link2_theta3)
-    w56 = w54 * w55
-    w57 = ca.sin(link2_theta1)
-    w58 = ca.sin(link2_theta2)
-    w59 = w57 * w58
-    w60 = ca.sin(link2_theta3)
-    w61 = w56 + w59 * w60
-    w62 = link2_theta3_dot - w58 * link2_theta1_dot
-    w63 = ca.cos(link2_theta2)
-    w64 = w60 * w63
-    w65 = w55 * link2_theta2_dot
-    w66 = link2_theta1_dot * w64 + w65
-    w67 = w62 * w66
-    w68 = link2_theta3_dot * w63
-    w69 = w60 * w68
-    w70 = link2_theta3_dot * link2_theta2_dot
-    w71 = w55 * w70
-    w72 = link2_theta1_dot * (w69 + w58 * w65) + w71
-    w73 = w67 - w72
-    w74 = w73 * c11
-    w75 = w61 * w74
-    w76 = w57 * w63
-    w77 = w66**2
-    w78 = w55 * w63
-    w79 = w60 * link2_theta2_dot
-    w80 = link2_theta1_dot * w78 - w79
-    w81 = w80**2
-    w82 = (w77 + w81) * c11
-    w83 = w76 * w82
-    w84 = w55 * w57
-    w85 = w58 * w84
-    w86 = w54 * w60
-    w87 = w85 - w86
-    w88 = w62 * w80
-    w89 = w55 * w68
-    w90 = w58 * link2_theta2_dot
-    w91 = w60 * w70
-    w92 = link2_theta1_dot * (w89 - w60 * w90) - w91
-    w93 = w88 - w92
-    w94 = w93 * c11
-    w95 = w39 - w15
-    w96 = ca.cos(link3_theta1)
-    w97 = ca.cos(link3_theta3)
-    w98 = w96 * w97
-    w99 = ca.sin(link3_theta1)
-    w100 = ca.sin(link3_theta2)
-    w101 = w99 * w100
-    w102 = ca.sin(link3_theta3)
-    w103 = w98 + w101 * w102
-    w104 = link3_theta3_dot - w100 * link3_theta1_dot
-    w105 = ca.cos(link3_theta2)
-    w106 = w102 * w105
-    w107 = w97 * link3_theta2_dot
-    w108 = link3_theta1_dot * w106 + w107
-    w109 = w104 * w108
-    w110 = link3_theta3_dot * w105
-    w111 = w102 * w110
-    w112 = link3_theta3_dot * link3_theta2_dot
-    w113 = w97 * w112
-    w114 = link3_theta1_dot * (w111 + w100 * w107) + w113
-    w115 = w109 - w114
-    w116 = w115 * c13
-    w117 = w103 * w116
-    w118 = w99 * w105
-    w119 = w108**2
-    w120 = w97 * w105
-    w121 = w102 * link3_theta2_dot
-    w122 = link3_theta1_dot * w120 - w121
-    w123 = w122**2
-    w124 = (w119 + w123) * c13
-    w125 = w118 * w124
-    w126 = w97 * w99
-    w127 = w100 * w126
-    w128 = w96 * w102
-    w129 = w127 - w128
-    w130 = w104 * w122
-    w131 = w97 * w110
-    w132 = w100 * link3_theta2_dot
-    w133 = w102 * w112
-    w134 = link3_theta1_dot * (w131 - w102 * w132) - w133
-    w135 = w130 - w134
-    w136 = w135 * c13
-    w137 = link2_theta1_dot * link2_theta2_dot
-    w138 = w63 * w137
-    w139 = w58 * w138 + w64 * w92 - w72 * w78
-    w140 = w54 * w63
-    w141 = w140 * link2_end_x
-    w142 = w54 * w58
-    w143 = w60 * w142 - w84
-    w144 = w57 * w60
-    w145 = w144 + w56 * w58
-    w146 = w92 * w143 - w138 * w140 - w72 * w145
-    w147 = w58 * link2_end_x
-    w148 = w139 * w141 + w146 * w147
-    w149 = w58 * link2_theta3_dot
-    w150 = link2_theta1_dot - w149
-    w151 = w54 * link2_theta2_dot + link2_theta3_dot * w76
-    w152 = w76 * link2_end_x
-    w153 = w147 * w151 + w150 * w152
-    w154 = link2_theta3_dot * w140 - w57 * link2_theta2_dot
-    w155 = w152 * w154 - w141 * w151
-    w156 = w150 * w153 + w154 * w155
-    w157 = w95 + (w148 - w156)
-    w158 = w117 - w125 + w129 * w136 + w157 * link3_mass
-    w159 = w75 - w83 + w87 * w94 + w95 * link2_mass + w158
-    w160 = w74 * w143 - w82 * w140 + w94 * w145
-    w161 = w47 - w46
-    w162 = w45 - w42 - w32 * w161
-    w163 = w51 - w50 - (w48 + w13 * w162)
-    w164 = w96 * w100
-    w165 = w102 * w164 - w126
-    w166 = w96 * w105
-    w167 = w99 * w102
-    w168 = w167 + w98 * w100
-    w169 = w116 * w165 - w124 * w166 + w136 * w168
-    w170 = w151 * w155
-    w171 = w141 * w150 + w147 * w154
-    w172 = w150 * w171
-    w173 = w61 * w92
-    w174 = w76 * w138
-    w175 = w173 - w174 - w72 * w87
-    w176 = w139 * w152
-    w177 = w163 + (w170 - w172 - (w147 * w175 + w176))
-    w178 = w169 + w177 * link3_mass
-    w179 = w160 + w163 * link2_mass + w178
-    w180 = w1 * w13
-    w181 = w4 * w13
-    w182 = w3 * w35 - w8 * w162 + (w6 * w49 + w7 * w14)
-    w183 = w182 - gravity_z
-    w184 = w182 + (w146 * w152 - w141 * w175 + (w154 * w171 + w151 * w153)) - gravity_z
-    w185 = w100 * w124 + w106 * w116 + w120 * w136 + w184 * link3_mass
-    w186 = w76 * c11
-    w187 = w186 + w152 * link3_mass
-    w188 = w140 * c11
-    w189 = w188 + w141 * link3_mass
-    w190 = w58 * c11
-    w191 = w57 * w147
-    w192 = w59 * c37
-    w193 = w54 * w147
-    w194 = w142 * c37
-    w195 = w118 * c13
-    w196 = w166 * c13
-    w197 = w100 * c13
-    w198 = w99 * w197
-    w199 = w96 * w197
-    w200 = link1_theta3_dot * w43
-    w201 = w24 * link1_end_x
-    w202 = link1_theta3_dot * w24
-    w203 = w43 * link1_end_x
-    w204 = w8 * w200 + w7 * w201 - (w3 * w202 + w6 * w203)
-    w205 = w0 * link1_end_x
-    w206 = w6 * w205 - w13 * w202 - (w8 * w16 + w12 * w201)
-    w207 = link1_theta1_dot * (w11 * w17 + w20 * (w0 * link1_theta2_dot))
-    w208 = w10 * w27
-    w209 = link1_theta1_dot * (w0 * w30 - w11 * w20)
-    w210 = w23 * (w2 * w20) - w44 * w207 + w10 * (link1_theta1_dot * (w2 * link1_theta2_dot)) * c38 - (w32 * (w0 * w25) + w161 * w209)
-    w211 = w10 * w20
-    w212 = w10 * w17
-    w213 = w0 * w28 - w10 * w208 - (w23 * w211 + w36 * w207) - (w37 * w209 - w32 * w212)
-    w214 = w7 * w204 - w9 * w200 - (w12 * w206 - w16 * w49) - (w13 * w210 + w162 * w205 + (w3 * w213 - w38 * w203))
-    w215 = w214 * c9
-    w216 = link1_theta3_dot - link1_theta1_dot * w10
-    w217 = link1_theta2_dot * w20
-    w218 = link1_theta1_dot * w37 - w217
-    w219 = w216 * w218
-    w220 = (w23 + w219) * c1 - (w219 - w23) * c3
-    w221 = w0 * link1_theta1_dot
-    w222 = link1_theta1_dot * w212
-    w223 = w218 * w221 + w216 * w222
-    w224 = (w207 + w223) * c1 + (w207 - w223) * c3
-    w225 = w30 + link1_theta1_dot * w36
-    w226 = w218 * w225
-    w227 = link1_theta1_dot * w211
-    w228 = w218 * w227 + w222 * w225
-    w229 = (w208 - w228) * c0 + (w208 + w228) * c1
-    w230 = w216 * w225
-    w231 = (w230 - w32) * c3 - (w32 + w230) * c0
-    w232 = w221 * w225 + w216 * w227
-    w233 = (w209 + w232) * c3 + (w209 - w232) * c0
-    w234 = w211 * w220 + w36 * w224 + (w0 * ((w226 - w28) * c0 - (w28 + w226) * c1) + w10 * w229) + (w212 * w231 + w37 * w233)
-    w235 = w23 * (w5 * w20) - w26 * w207 + w10 * (link1_theta1_dot * (w5 * link1_theta2_dot)) * c38 - (w32 * (w0 * w33) + w34 * w209)
-    w236 = w7 * w205 - w13 * w200 - (w3 * w16 + w12 * w203)
-    w237 = w8 * w213 - w38 * w201 + (w13 * w235 + w35 * w205) - (w12 * w236 - w14 * w16 + (w6 * w204 - w9 * w202))
-    w238 = w237 * c9
-    w239 = w3 * w235 - w35 * w203 - (w8 * w210 - w162 * w201) + (w6 * w206 - w49 * w202 + (w7 * w236 - w14 * w200))
-    w240 = w20 * w233 - w17 * w224 - w10 * c28 - w179 * (w4 * w205) - w159 * (w1 * w205) + w13 * (w58 * w82 + w64 * w74 + w78 * w94 + w183 * link2_mass + w185)
-    w241 = w63 * c11
-    w242 = w63 * link2_end_x
-    w243 = w105 * c13
-    w244 = w31 + link1_theta1_dot * (w29 + w17 * w19)
-    w245 = (w230 + w244) * c1 + (w244 - w230) * c3
-    w246 = w218**2 - w225**2
-    w247 = w246 * c0 - w246 * c1
-    w248 = link1_theta1_dot * (w18 - w10 * w217) - w22
-    w249 = (w219 - w248) * c3 - (w219 + w248) * c0
-    w250 = w86 - w85
-    w251 = w156 - w148
-    w252 = w251 * link3_mass
-    w253 = w83 - w75 + w94 * w250 + w252
-    w254 = w147 * (w174 - w173 - w72 * w250) - w176 - (w172 - w170)
-    w255 = w254 * link3_mass
-    w256 = w160 + w255
-    w257 = w191 * w255 + (w158 * w193 + (w95 * (w54 * w190) - w163 * (w57 * w190) - w178 * w191)) + w193 * w252
-    w258 = w60 * w140
-    w259 = link2_theta1_dot * w63
-    w260 = w58 * w60
-    w261 = link2_theta1_dot * w260
-    w262 = w66 * w259 + w62 * w261
-    w263 = link2_theta1_dot * (w63 * w65 - w60 * w149)
-    w264 = w262 + w263
-    w265 = w264 * c11
-    w266 = 2 * w66
-    w267 = 2 * w80
-    w268 = w55 * w58
-    w269 = link2_theta1_dot * w268
-    w270 = (w261 * w266 + w267 * w269) * c11
-    w271 = w56 * w63
-    w272 = link2_theta1_dot * (w55 * w149 + w60 * (w63 * link2_theta2_dot))
-    w273 = w80 * w259 + w62 * w269
-    w274 = w272 - w273
-    w275 = w274 * c11
-    w276 = w59 * link2_theta3_dot
-    w277 = w142 * link2_end_x
-    w278 = link2_theta3_dot * w142
-    w279 = w59 * link2_end_x
-    w280 = w141 * w276 + w151 * w277 - (w152 * w278 + w154 * w279)
-    w281 = w154 * w242 - w147 * w278 - (w68 * w141 + w150 * w277)
-    w282 = w60 * w76
-    w283 = w58 * w137
-    w284 = w63 * w84
-    w285 = w92 * w282 - w61 * w272 + link2_theta2_dot * (w63 * (w59 * link2_theta1_dot)) * c38 - (w72 * w284 + w87 * w263)
-    w286 = w63 * w138 - w58 * w283 - (w92 * w260 + w64 * w272) - (w78 * w263 - w72 * w268)
-    w287 = w151 * w280 - w155 * w276 - (w150 * w281 - w68 * w171) - (w147 * w285 + w175 * w242 + (w152 * w286 - w139 * w279))
-    w288 = w287 * link3_mass
-    w289 = w74 * w258 - w143 * w265 + (w82 * w142 + w140 * w270) + (w94 * w271 + w145 * w275) + w288
-    w290 = w92 * w258 - w143 * w272 + link2_theta2_dot * (w63 * (link2_theta1_dot * w142)) * c38 - (w72 * w271 + w145 * w263)
-    w291 = w151 * w242 - w147 * w276 - (w68 * w152 + w150 * w279)
-    w292 = w141 * w286 - w139 * w277 + (w147 * w290 + w146 * w242) - (w150 * w291 - w68 * w153 + (w154 * w280 - w155 * w278))
-    w293 = w292 * link3_mass
-    w294 = w74 * w282 - w61 * w265 + (w59 * w82 + w76 * w270) + (w94 * w284 + w87 * w275) + w293
-    w295 = w152 * w290 - w146 * w279 - (w141 * w285 - w175 * w277) + (w154 * w281 - w171 * w278 + (w151 * w291 - w153 * w276))
-    w296 = w295 * link3_mass
-    w297 = w205 * (w63 * w82 - w58 * w270 - (w74 * w260 + w64 * w265) + (w78 * w275 - w94 * w268) + w296) + w180 * w294
-    w298 = (w88 + w92) * c15 - w93 * c17
-    w299 = (w272 + w273) * c15 + w274 * c17
-    w300 = w66 * w80
-    w301 = w80 * w261 + w66 * w269
-    w302 = (w283 - w301) * c14 + (w283 + w301) * c15
-    w303 = w73 * c17 - (w67 + w72) * c14
-    w304 = w264 * c17 + (w263 - w262) * c14
-    w305 = w260 * w298 + w64 * w299 + (w63 * ((w300 - w138) * c14 - (w138 + w300) * c15) + w58 * w302) + (w268 * w303 + w78 * w304)
-    w306 = w152 * w288 - (w163 * (w59 * c11) - w95 * (w142 * c11) - w305 + w178 * w279 - w158 * w277 + w141 * w293)
-    w307 = w60 * w304 - w55 * w299 - (w163 * (w54 * w241) + w95 * (w57 * w241) - w183 * w190) - w178 * (w54 * w242)
-    w308 = link2_theta1_dot * (w89 - w58 * w79) - w91
-    w309 = w88 - w308
-    w310 = w309 * c11
-    w311 = (w80 * w266 - w66 * w267) * c11
-    w312 = w71 + link2_theta1_dot * (w69 + w55 * w90)
-    w313 = w312 - w67
-    w314 = w313 * c11
-    w315 = w74 * (w144 + w55 * w142) + w143 * w310 - w140 * w311 + (w94 * (w84 - w58 * w86) + w145 * w314)
-    w316 = w74 * (w55 * w59 - w86) + w61 * w310 - w76 * w311 + (w87 * w314 - w94 * (w56 + w58 * w144))
-    w317 = w205 * (w58 * w311 + (w74 * w78 + w64 * w310) + (w78 * w314 - w64 * w94)) + w180 * w316 + w181 * w315
-    w318 = (w67 + w312) * c15 + w313 * c17
-    w319 = w81 - w77
-    w320 = w319 * c14 - w319 * c15
-    w321 = w309 * c17 - (w88 + w308) * c14
-    w322 = w125 - w117 + w136 * (w128 - w127)
-    w323 = link3_theta1_dot * w105
-    w324 = w100 * w102
-    w325 = link3_theta1_dot * w324
-    w326 = w108 * w323 + w104 * w325
-    w327 = w100 * link3_theta3_dot
-    w328 = link3_theta1_dot * (w105 * w107 - w102 * w327)
-    w329 = w326 + w328
-    w330 = w329 * c13
-    w331 = 2 * w108
-    w332 = 2 * w122
-    w333 = w97 * w100
-    w334 = link3_theta1_dot * w333
-    w335 = (w325 * w331 + w332 * w334) * c13
-    w336 = link3_theta1_dot * (w97 * w327 + w102 * (w105 * link3_theta2_dot))
-    w337 = w122 * w323 + w104 * w334
-    w338 = w336 - w337
+    w4 = w0 * link1_theta1_dot
+    w5 = link1_theta1_dot * w4
+    w6 = ca.sin(link1_theta1)
+    w7 = link1_theta1_dot * w6
+    w8 = ca.sin(link1_theta2)
+    w9 = w8 * link1_theta2_dot
+    w10 = w7 * w9
+    w11 = w1 * link1_theta2_dot
+    w12 = link1_theta2_dot * w11
+    w13 = (w1 * w5 - w10 + (w0 * w12 - w10)) * link1_end_x
+    w14 = w13 * c9
+    w15 = ca.cos(link2_theta1)
+    w16 = ca.sin(link2_theta2)
+    w17 = w15 * w16
+    w18 = ca.sin(link2_theta3)
+    w19 = ca.cos(link2_theta3)
+    w20 = ca.sin(link2_theta1)
+    w21 = w19 * w20
+    w22 = w17 * w18 - w21
+    w23 = link2_theta3_dot - w16 * link2_theta1_dot
+    w24 = ca.cos(link2_theta2)
+    w25 = w18 * w24
+    w26 = w19 * link2_theta2_dot
+    w27 = link2_theta1_dot * w25 + w26
+    w28 = w23 * w27
+    w29 = link2_theta3_dot * w24
+    w30 = w18 * w29
+    w31 = link2_theta3_dot * link2_theta2_dot
+    w32 = w19 * w31
+    w33 = link2_theta1_dot * (w30 + w16 * w26) + w32
+    w34 = w28 - w33
+    w35 = w34 * c11
+    w36 = w15 * w24
+    w37 = w27**2
+    w38 = w19 * w24
+    w39 = w18 * link2_theta2_dot
+    w40 = link2_theta1_dot * w38 - w39
+    w41 = w40**2
+    w42 = (w37 + w41) * c11
+    w43 = w18 * w20
+    w44 = w15 * w19
+    w45 = w43 + w16 * w44
+    w46 = w23 * w40
+    w47 = w19 * w29
+    w48 = w16 * link2_theta2_dot
+    w49 = w18 * w31
+    w50 = link2_theta1_dot * (w47 - w18 * w48) - w49
+    w51 = w46 - w50
+    w52 = w51 * c11
+    w53 = w22 * w35 - w36 * w42 + w45 * w52
+    w54 = w1 * w6
+    w55 = w0 * link1_theta2_dot + link1_theta3_dot * w54
+    w56 = w2 * link1_theta3_dot - w6 * link1_theta2_dot
+    w57 = w54 * link1_end_x
+    w58 = w56 * w57 - w3 * w55
+    w59 = w8 * link1_theta3_dot
+    w60 = link1_theta1_dot - w59
+    w61 = w8 * link1_end_x
+    w62 = w3 * w60 + w56 * w61
+    w63 = ca.cos(link1_theta3)
+    w64 = w0 * w63
+    w65 = w6 * w8
+    w66 = ca.sin(link1_theta3)
+    w67 = w1 * link1_theta3_dot
+    w68 = w63 * w67
+    w69 = link1_theta2_dot * link1_theta3_dot
+    w70 = w66 * w69
+    w71 = link1_theta1_dot * (w68 - w9 * w66) - w70
+    w72 = link1_theta1_dot * link1_theta2_dot
+    w73 = w1 * w72
+    w74 = w6 * w63
+    w75 = w66 * w67
+    w76 = link1_theta2_dot * w63
+    w77 = w63 * w69
+    w78 = link1_theta1_dot * (w75 + w8 * w76) + w77
+    w79 = (w64 + w65 * w66) * w71 - w54 * w73 - (w8 * w74 - w0 * w66) * w78
+    w80 = w1 * w66
+    w81 = w1 * w63
+    w82 = w8 * w73 + w71 * w80 - w78 * w81
+    w83 = w55 * w58 - w60 * w62 - (w61 * w79 + w57 * w82)
+    w84 = ca.cos(link3_theta1)
+    w85 = ca.sin(link3_theta2)
+    w86 = w84 * w85
+    w87 = ca.sin(link3_theta3)
+    w88 = ca.cos(link3_theta3)
+    w89 = ca.sin(link3_theta1)
+    w90 = w88 * w89
+    w91 = w86 * w87 - w90
+    w92 = link3_theta3_dot - w85 * link3_theta1_dot
+    w93 = ca.cos(link3_theta2)
+    w94 = w87 * w93
+    w95 = w88 * link3_theta2_dot
+    w96 = link3_theta1_dot * w94 + w95
+    w97 = w92 * w96
+    w98 = link3_theta3_dot * w93
+    w99 = w87 * w98
+    w100 = link3_theta3_dot * link3_theta2_dot
+    w101 = w88 * w100
+    w102 = link3_theta1_dot * (w99 + w85 * w95) + w101
+    w103 = w97 - w102
+    w104 = w103 * c13
+    w105 = w84 * w93
+    w106 = w96**2
+    w107 = w88 * w93
+    w108 = w87 * link3_theta2_dot
+    w109 = link3_theta1_dot * w107 - w108
+    w110 = w109**2
+    w111 = (w106 + w110) * c13
+    w112 = w87 * w89
+    w113 = w84 * w88
+    w114 = w112 + w85 * w113
+    w115 = w92 * w109
+    w116 = w88 * w98
+    w117 = w85 * link3_theta2_dot
+    w118 = w87 * w100
+    w119 = link3_theta1_dot * (w116 - w87 * w117) - w118
+    w120 = w115 - w119
+    w121 = w120 * c13
+    w122 = w91 * w104 - w105 * w111 + w114 * w121
+    w123 = w20 * w24
+    w124 = w15 * link2_theta2_dot + link2_theta3_dot * w123
+    w125 = link2_theta3_dot * w36 - w20 * link2_theta2_dot
+    w126 = w123 * link2_end_x
+    w127 = w36 * link2_end_x
+    w128 = w125 * w126 - w124 * w127
+    w129 = w16 * link2_theta3_dot
+    w130 = link2_theta1_dot - w129
+    w131 = w16 * link2_end_x
+    w132 = w127 * w130 + w125 * w131
+    w133 = w16 * w20
+    w134 = w44 + w18 * w133
+    w135 = link2_theta1_dot * link2_theta2_dot
+    w136 = w24 * w135
+    w137 = w16 * w21
+    w138 = w15 * w18
+    w139 = w137 - w138
+    w140 = w50 * w134 - w123 * w136 - w33 * w139
+    w141 = w16 * w136 + w25 * w50 - w33 * w38
+    w142 = w83 + (w124 * w128 - w130 * w132 - (w131 * w140 + w126 * w141))
+    w143 = w122 + w142 * link3_mass
+    w144 = w53 + w83 * link2_mass + w143
+    w145 = w35 * w134
+    w146 = w42 * w123
+    w147 = w0 * w8
+    w148 = w71 * (w66 * w147 - w74) - w2 * w73 - w78 * (w6 * w66 + w8 * w64)
+    w149 = w55 * w61 + w57 * w60
+    w150 = w3 * w82 + w61 * w148 - (w60 * w149 + w56 * w58)
+    w151 = w85 * w89
+    w152 = w113 + w87 * w151
+    w153 = w104 * w152
+    w154 = w89 * w93
+    w155 = w111 * w154
+    w156 = w85 * w90
+    w157 = w84 * w87
+    w158 = w156 - w157
+    w159 = w22 * w50 - w36 * w136 - w33 * w45
+    w160 = w124 * w131 + w126 * w130
+    w161 = w150 + (w127 * w141 + w131 * w159 - (w130 * w160 + w125 * w128))
+    w162 = w153 - w155 + w121 * w158 + w161 * link3_mass
+    w163 = w145 - w146 + w52 * w139 + w150 * link2_mass + w162
+    w164 = link1_theta1_dot * w7
+    w165 = (w6 * w12 + (w1 * w164 + link1_theta2_dot * (w4 * w8) * c37)) * link1_end_x
+    w166 = w165 * c9
+    w167 = w0 * w61
+    w168 = w6 * w61
+    w169 = w57 * w148 - w3 * w79 + (w56 * w62 + w55 * w149)
+    w170 = w169 - gravity_z
+    w171 = w169 + (w126 * w159 - w127 * w140 + (w125 * w132 + w124 * w160)) - gravity_z
+    w172 = w85 * w111 + w94 * w104 + w107 * w121 + w171 * link3_mass
+    w173 = w36 * c11
+    w174 = w173 + w127 * link3_mass
+    w175 = w123 * c11
+    w176 = w175 + w126 * link3_mass
+    w177 = w16 * c11
+    w178 = w15 * w131
+    w179 = w17 * c39
+    w180 = w20 * w131
+    w181 = w133 * c39
+    w182 = w105 * c13
+    w183 = w154 * c13
+    w184 = w85 * c13
+    w185 = w84 * w184
+    w186 = w89 * w184
+    w187 = w4 * (w11 * link1_end_x)
+    w188 = link1_theta2_dot * w9 * link1_end_x
+    w189 = w187 - w61 * w164 + (w187 - w6 * w188)
+    w190 = w189 * c9
+    w191 = link1_theta3_dot - link1_theta1_dot * w8
+    w192 = link1_theta2_dot * w66
+    w193 = link1_theta1_dot * w81 - w192
+    w194 = w191 * w193
+    w195 = (w71 + w194) * c1 - (w194 - w71) * c3
+    w196 = w8 * w66
+    w197 = w1 * link1_theta1_dot
+    w198 = w8 * w63
+    w199 = link1_theta1_dot * w198
+    w200 = w193 * w197 + w191 * w199
+    w201 = link1_theta1_dot * (w59 * w63 + w11 * w66)
+    w202 = (w200 + w201) * c1 + (w201 - w200) * c3
+    w203 = w76 + link1_theta1_dot * w80
+    w204 = w193 * w203
+    w205 = w8 * w72
+    w206 = link1_theta1_dot * w196
+    w207 = w193 * w206 + w199 * w203
+    w208 = (w205 - w207) * c0 + (w205 + w207) * c1
+    w209 = w191 * w203
+    w210 = (w209 - w78) * c3 - (w78 + w209) * c0
+    w211 = w197 * w203 + w191 * w206
+    w212 = link1_theta1_dot * (w1 * w76 - w59 * w66)
+    w213 = (w211 + w212) * c3 + (w212 - w211) * c0
+    w214 = w195 * w196 + w80 * w202 + (w1 * ((w204 - w73) * c0 - (w73 + w204) * c1) + w8 * w208) + (w198 * w210 + w81 * w213)
+    w215 = w5 * w61 + (w0 * w188 + link1_theta2_dot * (w6 * w197) * c38)
+    w216 = w215 * c9
+    w217 = w1 * link1_end_x
+    w218 = w61 * (w16 * w42 + w25 * w35 + w38 * w52 + w170 * link2_mass + w172) - (w144 * (w0 * w217) + w163 * (w6 * w217))
+    w219 = w4 * ((w1 * w4 - w6 * w9) * link1_end_x)
+    w220 = w7 * ((w1 * w7 + w0 * w9) * link1_end_x)
+    w221 = w219 - w57 * w164 + (w219 - w6 * w165) - (w3 * w5 - w220 + (w0 * w13 - w220))
+    w222 = w24 * c11
+    w223 = w24 * link2_end_x
+    w224 = w93 * c13
+    w225 = w77 + link1_theta1_dot * (w75 + w9 * w63)
+    w226 = (w209 + w225) * c1 + (w225 - w209) * c3
+    w227 = w193**2 - w203**2
+    w228 = w227 * c0 - w227 * c1
+    w229 = link1_theta1_dot * (w68 - w8 * w192) - w70
+    w230 = (w194 - w229) * c3 - (w194 + w229) * c0
+    w231 = w15 * link2_theta1_dot
+    w232 = link2_theta1_dot * w231
+    w233 = w20 * link2_theta1_dot
+    w234 = w48 * w233
+    w235 = w24 * link2_theta2_dot
+    w236 = link2_theta2_dot * w235
+    w237 = (w24 * w232 - w234 + (w15 * w236 - w234)) * link2_end_x
+    w238 = w237 * link3_mass
+    w239 = w238 - w53
+    w240 = link2_theta1_dot * w233
+    w241 = (w20 * w236 + (w24 * w240 + link2_theta2_dot * (w17 * link2_theta1_dot) * c37)) * link2_end_x
+    w242 = w241 * link3_mass
+    w243 = w146 - w145 + w52 * (w138 - w137) + w242
+    w244 = w178 * w242 - (w143 * w180 - w162 * w178 - (w150 * (w15 * w177) - w83 * (w20 * w177)) + w180 * w238)
+    w245 = w231 * (w235 * link2_end_x)
+    w246 = link2_theta2_dot * w48 * link2_end_x
+    w247 = w245 - w131 * w240 + (w245 - w20 * w246)
+    w248 = w247 * link3_mass
+    w249 = link2_theta1_dot * w24
+    w250 = w16 * w18
+    w251 = link2_theta1_dot * w250
+    w252 = w27 * w249 + w23 * w251
+    w253 = link2_theta1_dot * (w24 * w26 - w18 * w129)
+    w254 = w252 + w253
+    w255 = w254 * c11
+    w256 = 2 * w27
+    w257 = 2 * w40
+    w258 = w16 * w19
+    w259 = link2_theta1_dot * w258
+    w260 = (w251 * w256 + w257 * w259) * c11
+    w261 = link2_theta1_dot * (w19 * w129 + w18 * w235)
+    w262 = w40 * w249 + w23 * w259
+    w263 = w261 - w262
+    w264 = w263 * c11
+    w265 = w35 * (w18 * w123) - w134 * w255 + (w42 * w133 + w123 * w260) + (w52 * (w21 * w24) + w139 * w264)
+    w266 = w248 - w265
+    w267 = w24 * w233
+    w268 = w131 * w232 + (w15 * w246 + link2_theta2_dot * w267 * c40)
+    w269 = w268 * link3_mass
+    w270 = w35 * (w18 * w36) - w22 * w255 + (w17 * w42 + w36 * w260) + (w52 * (w24 * w44) + w45 * w264) + w269
+    w271 = w231 * ((w24 * w231 - w20 * w48) * link2_end_x)
+    w272 = w233 * ((w267 + w15 * w48) * link2_end_x)
+    w273 = w271 - w126 * w240 + (w271 - w20 * w241) - (w127 * w232 - w272 + (w15 * w237 - w272))
+    w274 = w273 * link3_mass
+    w275 = w217 * (w274 - (w24 * w42 - w16 * w260 - (w35 * w250 + w25 * w255) + (w38 * w264 - w52 * w258))) + w168 * w266
+    w276 = (w46 + w50) * c15 - w51 * c17
+    w277 = (w261 + w262) * c15 + w263 * c17
+    w278 = w27 * w40
+    w279 = w16 * w135
+    w280 = w40 * w251 + w27 * w259
+    w281 = (w279 - w280) * c14 + (w279 + w280) * c15
+    w282 = w34 * c17 - (w28 + w33) * c14
+    w283 = w254 * c17 + (w253 - w252) * c14
+    w284 = w250 * w276 + w25 * w277 + (w24 * ((w278 - w136) * c14 - (w136 + w278) * c15) + w16 * w281) + (w258 * w282 + w38 * w283)
+    w285 = w83 * (w133 * c11) - w150 * (w17 * c11) - w284 + (w143 * (w133 * link2_end_x) - w162 * (w17 * link2_end_x))
+    w286 = w18 * w283 - w19 * w277 - (w83 * (w15 * w222) + w150 * (w20 * w222) - w170 * w177) + (w131 * w172 - (w143 * (w15 * w223) + w162 * (w20 * w223)))
+    w287 = link2_theta1_dot * (w47 - w16 * w39) - w49
+    w288 = w46 - w287
+    w289 = w288 * c11
+    w290 = (w40 * w256 - w27 * w257) * c11
+    w291 = w32 + link2_theta1_dot * (w30 + w19 * w48)
+    w292 = w291 - w28
+    w293 = w292 * c11
+    w294 = w35 * (w43 + w17 * w19) + w22 * w289 - w36 * w290 + (w52 * (w21 - w16 * w138) + w45 * w293)
+    w295 = w35 * (w19 * w133 - w138) + w134 * w289 - w123 * w290 + (w139 * w293 - w52 * (w44 + w16 * w43))
+    w296 = w217 * (w16 * w290 + (w35 * w38 + w25 * w289) + (w38 * w293 - w25 * w52)) + w168 * w295 + w167 * w294
+    w297 = (w28 + w291) * c15 + w292 * c17
+    w298 = w41 - w37
+    w299 = w298 * c14 - w298 * c15
+    w300 = w288 * c17 - (w46 + w287) * c14
+    w301 = w155 - w153 + w121 * (w157 - w156)
+    w302 = link3_theta1_dot * w93
+    w303 = w85 * w87
+    w304 = link3_theta1_dot * w303
+    w305 = w96 * w302 + w92 * w304
+    w306 = w85 * link3_theta3_dot
+    w307 = link3_theta1_dot * (w93 * w95 - w87 * w306)
+    w308 = w305 + w307
+    w309 = w308 * c13
+    w310 = 2 * w96
+    w311 = 2 * w109
+    w312 = w85 * w88
+    w313 = link3_theta1_dot * w312
+    w314 = (w304 * w310 + w311 * w313) * c13
+    w315 = link3_theta1_dot * (w88 * w306 + w87 * (w93 * link3_theta2_dot))
+    w316 = w109 * w302 + w92 * w313
+    w317 = w315 - w316
+    w318 = w317 * c13
+    w319 = w104 * (w87 * w105) - w91 * w309 + (w86 * w111 + w105 * w314) + (w121 * (w93 * w113) + w114 * w318)
+    w320 = w104 * (w87 * w154) - w152 * w309 + (w111 * w151 + w154 * w314) + (w121 * (w90 * w93) + w158 * w318)
+    w321 = w93 * w111 - w85 * w314 - (w104 * w303 + w94 * w309) + (w107 * w318 - w121 * w312)
+    w322 = (w115 + w119) * c22 - w120 * c24
+    w323 = (w315 + w316) * c22 + w317 * c24
+    w324 = w96 * w109
+    w325 = link3_theta1_dot * link3_theta2_dot
+    w326 = w93 * w325
+    w327 = w85 * w325
+    w328 = w109 * w304 + w96 * w313
+    w329 = (w327 - w328) * c21 + (w327 + w328) * c22
+    w330 = w103 * c24 - (w97 + w102) * c21
+    w331 = w308 * c24 + (w307 - w305) * c21
+    w332 = w303 * w322 + w94 * w323 + (w93 * ((w324 - w326) * c21 - (w324 + w326) * c22) + w85 * w329) + (w312 * w330 + w107 * w331)
+    w333 = link3_theta1_dot * (w116 - w85 * w108) - w118
+    w334 = w115 - w333
+    w335 = w334 * c13
+    w336 = (w109 * w310 - w96 * w311) * c13
+    w337 = w101 + link3_theta1_dot * (w99 + w88 * w117)
+    w338 = w337 - w97
     w339 = w338 * c13
-    w340 = w116 * (w102 * w166) - w165 * w330 + (w124 * w164 + w166 * w335) + (w136 * (w98 * w105) + w168 * w339)
-    w341 = w116 * (w102 * w118) - w103 * w330 + (w101 * w124 + w118 * w335) + (w136 * (w105 * w126) + w129 * w339)
-    w342 = w105 * w124 - w100 * w335 - (w116 * w324 + w106 * w330) + (w120 * w339 - w136 * w333)
-    w343 = (w130 + w134) * c22 - w135 * c24
-    w344 = (w336 + w337) * c22 + w338 * c24
-    w345 = w108 * w122
-    w346 = link3_theta1_dot * link3_theta2_dot
-    w347 = w105 * w346
-    w348 = w100 * w346
-    w349 = w122 * w325 + w108 * w334
-    w350 = (w348 - w349) * c21 + (w348 + w349) * c22
-    w351 = w115 * c24 - (w109 + w114) * c21
-    w352 = w329 * c24 + (w328 - w326) * c21
-    w353 = w324 * w343 + w106 * w344 + (w105 * ((w345 - w347) * c21 - (w345 + w347) * c22) + w100 * w350) + (w333 * w351 + w120 * w352)
-    w354 = link3_theta1_dot * (w131 - w100 * w121) - w133
-    w355 = w130 - w354
-    w356 = w355 * c13
-    w357 = (w122 * w331 - w108 * w332) * c13
-    w358 = w113 + link3_theta1_dot * (w111 + w97 * w132)
-    w359 = w358 - w109
-    w360 = w359 * c13
-    w361 = w116 * (w167 + w97 * w164) + w165 * w356 - w166 * w357 + (w136 * (w126 - w100 * w128) + w168 * w360)
-    w362 = w116 * (w97 * w101 - w128) + w103 * w356 - w118 * w357 + (w129 * w360 - w136 * (w98 + w100 * w167))
-    w363 = w100 * w357 + (w116 * w120 + w106 * w356) + (w120 * w360 - w106 * w136)
-    w364 = (w109 + w358) * c22 + w359 * c24
-    w365 = w123 - w119
-    w366 = w365 * c21 - w365 * c22
-    w367 = w355 * c24 - (w130 + w354) * c21
+    w340 = w104 * (w112 + w86 * w88) + w91 * w335 - w105 * w336 + (w121 * (w90 - w85 * w157) + w114 * w339)
+    w341 = w104 * (w88 * w151 - w157) + w152 * w335 - w154 * w336 + (w158 * w339 - w121 * (w113 + w85 * w112))
+    w342 = w85 * w336 + (w104 * w107 + w94 * w335) + (w107 * w339 - w94 * w121)
+    w343 = (w97 + w337) * c22 + w338 * c24
+    w344 = w110 - w106
+    w345 = w344 * c21 - w344 * c22
+    w346 = w334 * c24 - (w115 + w333) * c21
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # link1.theta1
-            w3 * w41 - (w8 * w53 - (w3 * w159 + w8 * w179)),
-            w3 * w215 - (w179 * w203 - w234 - w159 * w201 + w8 * w238),
-            -(w37 * w220 - w36 * w245 - w10 * w247 + (w37 * w249 - w36 * w231)), w3 * w253 - w8 * w256,
-            w3 * w289 - w8 * w294, w3 * w315 - w8 * w316, w3 * w322 - w8 * w169, w3 * w340 - w8 * w341,
-            w3 * w361 - w8 * w362,
+            w3 * w14 + (w3 * w144 + w57 * w163) + w57 * w166,
+            w3 * w190 - (w144 * (w65 * link1_end_x) - w163 * (w147 * link1_end_x) - w214) + w57 * w216,
+            -(w81 * w195 - w80 * w226 - w8 * w228 + (w81 * w230 - w80 * w210)), w3 * w239 + w57 * w243,
+            w3 * w266 + w57 * w270, w57 * w294 - w3 * w295, w57 * w301 - w3 * w122, w57 * w319 - w3 * w320,
+            w57 * w340 - w3 * w341,
         ),
         ca.horzcat(  # link1.theta2
-            w53 * w180 - (w179 * w180 - w159 * w181) + w41 * w181,
-            w205 * (w239 * c9) - w240 + w180 * w238 + w181 * w215,
-            w20 * w220 + w17 * w245 + (w17 * w231 + w20 * w249), w180 * w256 + w181 * w253, w297 + w181 * w289,
-            w317, w169 * w180 + w181 * w322, w205 * w342 + w180 * w341 + w181 * w340,
-            w205 * w363 + w180 * w362 + w181 * w361,
+            w166 * w167 - (w144 * w168 - w163 * w167 + w14 * w168),
+            w167 * w216 - (w66 * w213 - w63 * w202 - w8 * c28 + w218 + w217 * (w221 * c9) + w168 * w190),
+            w66 * w195 + w63 * w226 + (w63 * w210 + w66 * w230), w167 * w243 - w168 * w239, w167 * w270 - w275,
+            w296, w122 * w168 + w167 * w301, w217 * w321 + w168 * w320 + w167 * w319,
+            w217 * w342 + w168 * w341 + w167 * w340,
         ),
-        ca.horzcat(0.0, -w229, -w247, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
+        ca.horzcat(0.0, -w208, -w228, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
         ca.horzcat(  # link2.theta1
-            w40 * w187 - w52 * w189, w187 * w214 - w189 * w237, 0.0,
-            w152 * w252 - (w141 * w255 - (w152 * w158 + (w141 * w178 + (w95 * w186 + w163 * w188)))), w306,
-            -(w78 * w298 - w64 * w318 - w58 * w320 + (w78 * w321 - w64 * w303)), w152 * w322 - w141 * w169,
-            w152 * w340 - w141 * w341, w152 * w361 - w141 * w362,
+            w13 * w174 + w165 * w176, w174 * w189 + w176 * w215, 0.0,
+            w127 * w238 + (w127 * w143 + w126 * w162 + (w150 * w175 + w83 * w173)) + w126 * w242,
+            w127 * w248 - w285 + w126 * w269, -(w38 * w276 - w25 * w297 - w16 * w299 + (w38 * w300 - w25 * w282)),
+            w126 * w301 - w122 * w127, w126 * w319 - w127 * w320, w126 * w340 - w127 * w341,
         ),
         ca.horzcat(  # link2.theta2
-            w52 * w192 + w40 * w194, w239 * (w63 * c37) + w192 * w237 + w194 * w214, 0.0, w257,
-            w242 * w296 - (w307 - w158 * (w57 * w242) + w147 * w185) + w191 * w293 + w193 * w288,
-            w60 * w298 + w55 * w318 + (w55 * w303 + w60 * w321), w169 * w191 + w193 * w322,
-            w242 * w342 + w191 * w341 + w193 * w340, w242 * w363 + w191 * w362 + w193 * w361,
+            w165 * w179 - w13 * w181, w179 * w215 - (w221 * (w24 * c39) + w181 * w189), 0.0, w244,
+            w178 * w269 - (w286 + w223 * w274 + w180 * w248), w18 * w276 + w19 * w297 + (w19 * w282 + w18 * w300),
+            w122 * w180 + w178 * w301, w223 * w321 + w180 * w320 + w178 * w319,
+            w223 * w342 + w180 * w341 + w178 * w340,
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, -w302, -w320, 0.0, 0.0, 0.0),  # link2.theta3
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, -w281, -w299, 0.0, 0.0, 0.0),  # link2.theta3
         ca.horzcat(  # link3.theta1
-            w40 * w195 - w52 * w196, w195 * w214 - w196 * w237, 0.0, w195 * w251 - w196 * w254,
-            w195 * w287 - w196 * w292, 0.0, w157 * w195 + w177 * w196,
-            -(w177 * (w101 * c13) - w157 * (w164 * c13) - w353),
-            -(w120 * w343 - w106 * w364 - w100 * w366 + (w120 * w367 - w106 * w351)),
+            w13 * w182 + w165 * w183, w182 * w189 + w183 * w215, 0.0, w182 * w237 + w183 * w241,
+            w182 * w247 + w183 * w268, 0.0, w161 * w183 + w142 * w182,
+            -(w142 * (w151 * c13) - w161 * (w86 * c13) - w332),
+            -(w107 * w322 - w94 * w343 - w85 * w345 + (w107 * w346 - w94 * w330)),
         ),
         ca.horzcat(  # link3.theta2
-            w52 * w198 + w40 * w199, w239 * w243 + w198 * w237 + w199 * w214, 0.0, w198 * w254 + w199 * w251,
-            w243 * w295 + w198 * w292 + w199 * w287, 0.0, w157 * w199 - w177 * w198,
-            -(w102 * w352 - w97 * w344 - (w177 * (w96 * w243) + w157 * (w99 * w243) - w184 * w197)),
-            w102 * w343 + w97 * w364 + (w97 * w351 + w102 * w367),
+            w165 * w185 - w13 * w186, w185 * w215 - (w221 * w224 + w186 * w189), 0.0, w185 * w241 - w186 * w237,
+            w185 * w268 - (w224 * w273 + w186 * w247), 0.0, w161 * w185 - w142 * w186,
+            -(w87 * w331 - w88 * w323 - (w142 * (w84 * w224) + w161 * (w89 * w224) - w171 * w184)),
+            w87 * w322 + w88 * w343 + (w88 * w330 + w87 * w346),
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w350, -w366),  # link3.theta3
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w329, -w345),  # link3.theta3
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
@@ -2063,13 +2046,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    928 operations.
+    803 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 42)
+    c = ca.SX.sym("c", 44)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -2103,294 +2086,274 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c21 = c[21]
     c22 = c[22]
     c24 = c[24]
-    c37 = c[37]
     c39 = c[39]
-    c40 = c[40]
     c41 = c[41]
-    # intermediate terms (224)
-    w0 = ca.cos(link1_theta2)
-    w1 = ca.sin(link1_theta3)
-    w2 = w0 * w1
-    w3 = ca.sin(link1_theta2)
-    w4 = link1_theta3_dot - link1_theta1_dot * w3
-    w5 = ca.cos(link1_theta3)
-    w6 = w0 * w5
-    w7 = link1_theta1_dot * w6 - w1 * link1_theta2_dot
-    w8 = w4 * w6 - w3 * w7
-    w9 = w0 * link1_theta3_dot
-    w10 = w5 * w9 - w1 * (w3 * link1_theta2_dot)
-    w11 = (w8 + w10) * c1 - (w8 - w10) * c3
-    w12 = w5 * link1_theta2_dot
-    w13 = w2 * link1_theta1_dot + w12
-    w14 = w2 * w7 + w6 * w13
-    w15 = w0 * link1_theta2_dot
-    w16 = (w14 - w15) * c0 - (w14 + w15) * c1
-    w17 = w2 * w4 - w3 * w13
-    w18 = w1 * w9 + w3 * w12
-    w19 = (w17 - w18) * c3 - (w17 + w18) * c0
-    w20 = ca.cos(link1_theta1)
-    w21 = w0 * w20
-    w22 = w21 * link1_end_x
-    w23 = w3 * w15 + w2 * w10 - w6 * w18
-    w24 = w3 * link1_end_x
-    w25 = ca.sin(link1_theta1)
-    w26 = w5 * w25
-    w27 = w1 * (w3 * w20) - w26
-    w28 = w5 * w20
-    w29 = w1 * w25 + w3 * w28
-    w30 = w0 * w25
-    w31 = link1_theta2_dot * w20 + link1_theta3_dot * w30
-    w32 = link1_theta1_dot - link1_theta3_dot * w3
-    w33 = w30 * link1_end_x
-    w34 = w32 * w33
-    w35 = w24 * w31 + w34
-    w36 = w22 * w23 + w24 * (w10 * w27 - w15 * w21 - w18 * w29) - (w34 + w35)
-    w37 = w36 * c9
-    w38 = w22 * w32
-    w39 = link1_theta3_dot * w21 - link1_theta2_dot * w25
-    w40 = w38 + w24 * w39
-    w41 = w28 + w1 * (w3 * w25)
-    w42 = w3 * w26 - w1 * w20
-    w43 = w38 + w40 + (w24 * (w10 * w41 - w15 * w30 - w18 * w42) + w23 * w33)
-    w44 = w43 * c9
-    w45 = w24 * w25
-    w46 = w20 * w24
-    w47 = ca.cos(link2_theta1)
-    w48 = ca.cos(link2_theta2)
-    w49 = w47 * w48
-    w50 = w49 * link2_end_x
-    w51 = w49 * c11 + w50 * link3_mass
-    w52 = ca.sin(link2_theta1)
-    w53 = w48 * w52
-    w54 = w53 * link2_end_x
-    w55 = w53 * c11 + w54 * link3_mass
-    w56 = ca.sin(link2_theta2)
-    w57 = w56 * link2_end_x
-    w58 = w52 * w57
-    w59 = w52 * w56
-    w60 = w59 * c37
-    w61 = w47 * w57
-    w62 = w47 * w56
-    w63 = w62 * c37
-    w64 = ca.cos(link3_theta1)
-    w65 = ca.cos(link3_theta2)
-    w66 = w64 * w65
-    w67 = w66 * c13
-    w68 = ca.sin(link3_theta1)
-    w69 = w65 * w68
-    w70 = w69 * c13
-    w71 = ca.sin(link3_theta2)
-    w72 = w71 * c13
-    w73 = w68 * w72
-    w74 = w64 * w72
-    w75 = w33 * w39 - w22 * w31
-    w76 = w0 * link1_end_x
-    w77 = w0 * link1_theta1_dot
-    w78 = link1_theta1_dot * (w1 * w3) + w1 * link1_theta3_dot
-    w79 = link1_theta1_dot * (w3 * w5) + link1_theta3_dot * w5
-    w80 = w3 * w77 - w2 * w78 - w6 * w79
-    w81 = w41 * w78 + w30 * w77 + w42 * w79
-    w82 = w20 * w75 - w31 * w76 + w32 * w45 - (w33 * w80 - w24 * w81)
-    w83 = w82 * c9
-    w84 = w4 * w5
-    w85 = (w84 - w79) * c3 - (w79 + w84) * c0
-    w86 = w1 * w4
-    w87 = (w78 + w86) * c1 + (w78 - w86) * c3
-    w88 = w5 * w7 - w1 * w13
-    w89 = (w88 - w77) * c0 - (w77 + w88) * c1
-    w90 = w27 * w78 + w21 * w77 + w29 * w79
-    w91 = w22 * w80 - w24 * w90 - (w32 * w46 - (w25 * w75 + w39 * w76))
-    w92 = w91 * c9
-    w93 = w22 * w81 - w33 * w90 + (w20 * w35 + w31 * w46 - (w25 * w40 + w39 * w45))
-    w94 = w48 * link2_end_x
-    w95 = w65 * c13
-    w96 = (w7 + w7) * c1
-    w97 = (w13 + w13) * c39
-    w98 = ca.cos(link2_theta3)
-    w99 = w47 * w98
-    w100 = ca.sin(link2_theta3)
-    w101 = w99 + w59 * w100
-    w102 = link2_theta3_dot - w56 * link2_theta1_dot
-    w103 = w48 * w100
-    w104 = w98 * link2_theta2_dot
-    w105 = link2_theta1_dot * w103 + w104
-    w106 = w102 * w103 - w56 * w105
-    w107 = w48 * link2_theta3_dot
-    w108 = w100 * w107 + w56 * w104
-    w109 = w106 - w108
-    w110 = w109 * c11
-    w111 = 2 * w105
-    w112 = w48 * w98
-    w113 = link2_theta1_dot * w112 - w100 * link2_theta2_dot
-    w114 = 2 * w113
-    w115 = (w103 * w111 + w112 * w114) * c11
-    w116 = w52 * w98
-    w117 = w56 * w116 - w47 * w100
-    w118 = w102 * w112 - w56 * w113
-    w119 = w98 * w107 - w100 * (w56 * link2_theta2_dot)
-    w120 = w118 - w119
-    w121 = w120 * c11
-    w122 = w48 * link2_theta2_dot
-    w123 = w56 * w122 + w103 * w119 - w108 * w112
-    w124 = w62 * w100 - w116
-    w125 = w52 * w100 + w56 * w99
-    w126 = w47 * link2_theta2_dot + w53 * link2_theta3_dot
-    w127 = link2_theta1_dot - w56 * link2_theta3_dot
-    w128 = w54 * w127
-    w129 = w57 * w126 + w128
-    w130 = w50 * w123 + w57 * (w119 * w124 - w49 * w122 - w108 * w125) - (w128 + w129)
-    w131 = w130 * link3_mass
-    w132 = w101 * w110 - w53 * w115 + w117 * w121 + w131
-    w133 = w50 * w127
-    w134 = w49 * link2_theta3_dot - w52 * link2_theta2_dot
-    w135 = w133 + w57 * w134
-    w136 = w133 + w135 + (w57 * (w101 * w119 - w53 * w122 - w108 * w117) + w54 * w123)
-    w137 = w136 * link3_mass
-    w138 = w137 - (w110 * w124 - w49 * w115 + w121 * w125)
-    w139 = (w118 + w119) * c15 - w120 * c17
-    w140 = w103 * w113 + w105 * w112
-    w141 = (w140 - w122) * c14 - (w122 + w140) * c15
-    w142 = w109 * c17 - (w106 + w108) * c14
-    w143 = w98 * w102
-    w144 = link2_theta1_dot * (w56 * w98) + w98 * link2_theta3_dot
-    w145 = w143 - w144
-    w146 = w145 * c11
-    w147 = (w98 * w111 - w100 * w114) * c11
-    w148 = link2_theta1_dot * (w56 * w100) + w100 * link2_theta3_dot
-    w149 = w100 * w102
-    w150 = w148 - w149
-    w151 = w150 * c11
-    w152 = w54 * w134 - w50 * w126
-    w153 = w48 * link2_theta1_dot
-    w154 = w56 * w153 - w103 * w148 - w112 * w144
-    w155 = w101 * w148 + w53 * w153 + w117 * w144
-    w156 = w47 * w152 - w94 * w126 + w58 * w127 - (w54 * w154 - w57 * w155)
-    w157 = w156 * link3_mass
-    w158 = w124 * w146 - w49 * w147 + w125 * w151 + w157
-    w159 = w124 * w148 + w49 * w153 + w125 * w144
-    w160 = w50 * w154 - w57 * w159 - (w61 * w127 - (w52 * w152 + w94 * w134))
-    w161 = w160 * link3_mass
-    w162 = w101 * w146 - w53 * w147 + w117 * w151 + w161
-    w163 = w50 * w155 - w54 * w159 + (w47 * w129 + w61 * w126 - (w52 * w135 + w58 * w134))
-    w164 = w163 * link3_mass
-    w165 = w145 * c17 - (w143 + w144) * c14
-    w166 = (w148 + w149) * c15 + w150 * c17
-    w167 = w98 * w113 - w100 * w105
-    w168 = (w167 - w153) * c14 - (w153 + w167) * c15
-    w169 = (w113 + w113) * c15
-    w170 = (w105 + w105) * c40
-    w171 = ca.sin(link3_theta3)
-    w172 = ca.cos(link3_theta3)
-    w173 = w68 * w172
-    w174 = w64 * w71 * w171 - w173
-    w175 = link3_theta3_dot - w71 * link3_theta1_dot
-    w176 = w65 * w171
-    w177 = w172 * link3_theta2_dot
-    w178 = link3_theta1_dot * w176 + w177
-    w179 = w175 * w176 - w71 * w178
-    w180 = w65 * link3_theta3_dot
-    w181 = w171 * w180 + w71 * w177
-    w182 = w179 - w181
-    w183 = w182 * c13
-    w184 = 2 * w178
-    w185 = w65 * w172
-    w186 = link3_theta1_dot * w185 - w171 * link3_theta2_dot
-    w187 = 2 * w186
-    w188 = (w176 * w184 + w185 * w187) * c13
-    w189 = w64 * w172
-    w190 = w68 * w171 + w71 * w189
-    w191 = w175 * w185 - w71 * w186
-    w192 = w172 * w180 - w171 * (w71 * link3_theta2_dot)
-    w193 = w191 - w192
-    w194 = w193 * c13
-    w195 = w174 * w183 - w66 * w188 + w190 * w194
-    w196 = w189 + w171 * (w68 * w71)
-    w197 = w71 * w173 - w64 * w171
-    w198 = w183 * w196 - w69 * w188 + w194 * w197
-    w199 = w71 * w188 + w176 * w183 + w185 * w194
-    w200 = (w191 + w192) * c22 - w193 * c24
-    w201 = w176 * w186 + w178 * w185
-    w202 = w65 * link3_theta2_dot
-    w203 = (w201 - w202) * c21 - (w201 + w202) * c22
-    w204 = w182 * c24 - (w179 + w181) * c21
-    w205 = w172 * w175
-    w206 = link3_theta1_dot * (w71 * w172) + w172 * link3_theta3_dot
-    w207 = w205 - w206
-    w208 = w207 * c13
-    w209 = (w172 * w184 - w171 * w187) * c13
-    w210 = link3_theta1_dot * (w71 * w171) + w171 * link3_theta3_dot
-    w211 = w171 * w175
-    w212 = w210 - w211
-    w213 = w212 * c13
-    w214 = w174 * w208 - w66 * w209 + w190 * w213
-    w215 = w196 * w208 - w69 * w209 + w197 * w213
-    w216 = w71 * w209 + w176 * w208 + w185 * w213
-    w217 = w207 * c24 - (w205 + w206) * c21
-    w218 = (w210 + w211) * c22 + w212 * c24
-    w219 = w172 * w186 - w171 * w178
-    w220 = w65 * link3_theta1_dot
-    w221 = (w219 - w220) * c21 - (w219 + w220) * c22
-    w222 = (w186 + w186) * c22
-    w223 = (w178 + w178) * c41
+    c42 = c[42]
+    c43 = c[43]
+    # intermediate terms (204)
+    w0 = ca.cos(link1_theta1)
+    w1 = ca.cos(link1_theta2)
+    w2 = w0 * w1 * link1_end_x
+    w3 = ca.sin(link1_theta1)
+    w4 = w3 * link1_theta1_dot
+    w5 = ca.sin(link1_theta2)
+    w6 = w5 * link1_theta2_dot
+    w7 = (w1 * w4 + w0 * w6) * link1_end_x
+    w8 = 2 * w7
+    w9 = w8 * c9
+    w10 = ca.sin(link1_theta3)
+    w11 = w1 * w10
+    w12 = link1_theta3_dot - link1_theta1_dot * w5
+    w13 = ca.cos(link1_theta3)
+    w14 = w1 * w13
+    w15 = link1_theta1_dot * w14 - link1_theta2_dot * w10
+    w16 = w12 * w14 - w5 * w15
+    w17 = w1 * link1_theta3_dot
+    w18 = w13 * w17 - w6 * w10
+    w19 = (w16 + w18) * c1 - (w16 - w18) * c3
+    w20 = link1_theta2_dot * w13
+    w21 = link1_theta1_dot * w11 + w20
+    w22 = w11 * w15 + w14 * w21
+    w23 = w1 * link1_theta2_dot
+    w24 = (w22 - w23) * c0 - (w22 + w23) * c1
+    w25 = w11 * w12 - w5 * w21
+    w26 = w10 * w17 + w5 * w20
+    w27 = (w25 - w26) * c3 - (w25 + w26) * c0
+    w28 = w1 * w3 * link1_end_x
+    w29 = w0 * link1_theta1_dot
+    w30 = (w1 * w29 - w3 * w6) * link1_end_x
+    w31 = 2 * w30
+    w32 = w31 * c9
+    w33 = w5 * link1_end_x
+    w34 = w3 * w33
+    w35 = w0 * w33
+    w36 = ca.cos(link2_theta1)
+    w37 = ca.cos(link2_theta2)
+    w38 = w36 * w37
+    w39 = w38 * link2_end_x
+    w40 = w38 * c11 + w39 * link3_mass
+    w41 = ca.sin(link2_theta1)
+    w42 = w37 * w41
+    w43 = w42 * link2_end_x
+    w44 = w42 * c11 + w43 * link3_mass
+    w45 = ca.sin(link2_theta2)
+    w46 = w45 * link2_end_x
+    w47 = w41 * w46
+    w48 = w41 * w45
+    w49 = w48 * c39
+    w50 = w36 * w46
+    w51 = w36 * w45
+    w52 = w51 * c39
+    w53 = ca.cos(link3_theta1)
+    w54 = ca.cos(link3_theta2)
+    w55 = w53 * w54
+    w56 = w55 * c13
+    w57 = ca.sin(link3_theta1)
+    w58 = w54 * w57
+    w59 = w58 * c13
+    w60 = ca.sin(link3_theta2)
+    w61 = w60 * c13
+    w62 = w57 * w61
+    w63 = w53 * w61
+    w64 = w23 * link1_end_x
+    w65 = 2 * (w29 * w33 + w3 * w64)
+    w66 = w65 * c9
+    w67 = w12 * w13
+    w68 = link1_theta1_dot * (w5 * w13) + link1_theta3_dot * w13
+    w69 = (w67 - w68) * c3 - (w67 + w68) * c0
+    w70 = w10 * w12
+    w71 = link1_theta1_dot * (w5 * w10) + w10 * link1_theta3_dot
+    w72 = (w70 + w71) * c1 + (w71 - w70) * c3
+    w73 = w13 * w15 - w10 * w21
+    w74 = w1 * link1_theta1_dot
+    w75 = (w73 - w74) * c0 - (w73 + w74) * c1
+    w76 = 2 * (w0 * w64 - w4 * w33)
+    w77 = w76 * c9
+    w78 = w1 * link1_end_x
+    w79 = 2 * (w28 * w29 + w3 * w30 - (w2 * w4 + w0 * w7))
+    w80 = w37 * link2_end_x
+    w81 = w54 * c13
+    w82 = (w15 + w15) * c1
+    w83 = (w21 + w21) * c41
+    w84 = w41 * link2_theta1_dot
+    w85 = w45 * link2_theta2_dot
+    w86 = (w37 * w84 + w36 * w85) * link2_end_x
+    w87 = 2 * w86
+    w88 = w87 * link3_mass
+    w89 = ca.cos(link2_theta3)
+    w90 = w36 * w89
+    w91 = ca.sin(link2_theta3)
+    w92 = w90 + w48 * w91
+    w93 = link2_theta3_dot - w45 * link2_theta1_dot
+    w94 = w37 * w91
+    w95 = link2_theta2_dot * w89
+    w96 = link2_theta1_dot * w94 + w95
+    w97 = w93 * w94 - w45 * w96
+    w98 = w37 * link2_theta3_dot
+    w99 = w91 * w98 + w45 * w95
+    w100 = w97 - w99
+    w101 = w100 * c11
+    w102 = 2 * w96
+    w103 = w37 * w89
+    w104 = link2_theta1_dot * w103 - link2_theta2_dot * w91
+    w105 = 2 * w104
+    w106 = (w94 * w102 + w103 * w105) * c11
+    w107 = w41 * w89
+    w108 = w45 * w107 - w36 * w91
+    w109 = w93 * w103 - w45 * w104
+    w110 = w89 * w98 - w85 * w91
+    w111 = w109 - w110
+    w112 = w111 * c11
+    w113 = w88 - (w92 * w101 - w42 * w106 + w108 * w112)
+    w114 = w36 * link2_theta1_dot
+    w115 = (w37 * w114 - w41 * w85) * link2_end_x
+    w116 = 2 * w115
+    w117 = w116 * link3_mass
+    w118 = w51 * w91 - w107
+    w119 = w41 * w91 + w45 * w90
+    w120 = w117 - (w101 * w118 - w38 * w106 + w112 * w119)
+    w121 = (w109 + w110) * c15 - w111 * c17
+    w122 = w94 * w104 + w96 * w103
+    w123 = w37 * link2_theta2_dot
+    w124 = (w122 - w123) * c14 - (w122 + w123) * c15
+    w125 = w100 * c17 - (w97 + w99) * c14
+    w126 = w123 * link2_end_x
+    w127 = 2 * (w46 * w114 + w41 * w126)
+    w128 = w127 * link3_mass
+    w129 = w89 * w93
+    w130 = link2_theta1_dot * (w45 * w89) + w89 * link2_theta3_dot
+    w131 = w129 - w130
+    w132 = w131 * c11
+    w133 = (w89 * w102 - w91 * w105) * c11
+    w134 = link2_theta1_dot * (w45 * w91) + w91 * link2_theta3_dot
+    w135 = w91 * w93
+    w136 = w134 - w135
+    w137 = w136 * c11
+    w138 = w128 - (w92 * w132 - w42 * w133 + w108 * w137)
+    w139 = 2 * (w36 * w126 - w46 * w84)
+    w140 = w139 * link3_mass
+    w141 = w140 - (w118 * w132 - w38 * w133 + w119 * w137)
+    w142 = 2 * (w43 * w114 + w41 * w115 - (w39 * w84 + w36 * w86))
+    w143 = w142 * link3_mass
+    w144 = w131 * c17 - (w129 + w130) * c14
+    w145 = (w134 + w135) * c15 + w136 * c17
+    w146 = w89 * w104 - w91 * w96
+    w147 = w37 * link2_theta1_dot
+    w148 = (w146 - w147) * c14 - (w146 + w147) * c15
+    w149 = (w104 + w104) * c15
+    w150 = (w96 + w96) * c42
+    w151 = ca.sin(link3_theta3)
+    w152 = ca.cos(link3_theta3)
+    w153 = w57 * w152
+    w154 = w53 * w60 * w151 - w153
+    w155 = link3_theta3_dot - w60 * link3_theta1_dot
+    w156 = w54 * w151
+    w157 = w152 * link3_theta2_dot
+    w158 = link3_theta1_dot * w156 + w157
+    w159 = w155 * w156 - w60 * w158
+    w160 = w54 * link3_theta3_dot
+    w161 = w151 * w160 + w60 * w157
+    w162 = w159 - w161
+    w163 = w162 * c13
+    w164 = 2 * w158
+    w165 = w54 * w152
+    w166 = link3_theta1_dot * w165 - w151 * link3_theta2_dot
+    w167 = 2 * w166
+    w168 = (w156 * w164 + w165 * w167) * c13
+    w169 = w53 * w152
+    w170 = w57 * w151 + w60 * w169
+    w171 = w155 * w165 - w60 * w166
+    w172 = w152 * w160 - w151 * (w60 * link3_theta2_dot)
+    w173 = w171 - w172
+    w174 = w173 * c13
+    w175 = w154 * w163 - w55 * w168 + w170 * w174
+    w176 = w169 + w151 * (w57 * w60)
+    w177 = w60 * w153 - w53 * w151
+    w178 = w163 * w176 - w58 * w168 + w174 * w177
+    w179 = w60 * w168 + w156 * w163 + w165 * w174
+    w180 = (w171 + w172) * c22 - w173 * c24
+    w181 = w156 * w166 + w158 * w165
+    w182 = w54 * link3_theta2_dot
+    w183 = (w181 - w182) * c21 - (w181 + w182) * c22
+    w184 = w162 * c24 - (w159 + w161) * c21
+    w185 = w152 * w155
+    w186 = link3_theta1_dot * (w60 * w152) + w152 * link3_theta3_dot
+    w187 = w185 - w186
+    w188 = w187 * c13
+    w189 = (w152 * w164 - w151 * w167) * c13
+    w190 = link3_theta1_dot * (w60 * w151) + w151 * link3_theta3_dot
+    w191 = w151 * w155
+    w192 = w190 - w191
+    w193 = w192 * c13
+    w194 = w154 * w188 - w55 * w189 + w170 * w193
+    w195 = w176 * w188 - w58 * w189 + w177 * w193
+    w196 = w60 * w189 + w156 * w188 + w165 * w193
+    w197 = w187 * c24 - (w185 + w186) * c21
+    w198 = (w190 + w191) * c22 + w192 * c24
+    w199 = w152 * w166 - w151 * w158
+    w200 = w54 * link3_theta1_dot
+    w201 = (w199 - w200) * c21 - (w199 + w200) * c22
+    w202 = (w166 + w166) * c22
+    w203 = (w158 + w158) * c43
     # outputs
     dQ_hat_dq_i_dot = ca.SX(9, 9)
     # link1.theta1
-    dQ_hat_dq_i_dot[0, 0] = -(w2 * w11 - w3 * w16 + w6 * w19 + w22 * w37 + w33 * w44)
-    dQ_hat_dq_i_dot[0, 1] = w33 * w83 - (w6 * w85 - (w2 * w87 + w3 * w89) + w22 * w92)
-    dQ_hat_dq_i_dot[0, 2] = -(w2 * w96 + w6 * w97)
-    dQ_hat_dq_i_dot[0, 3] = -(w22 * w132 + w33 * w138)
-    dQ_hat_dq_i_dot[0, 4] = w33 * w158 - w22 * w162
-    dQ_hat_dq_i_dot[0, 6] = w33 * w195 - w22 * w198
-    dQ_hat_dq_i_dot[0, 7] = w33 * w214 - w22 * w215
+    dQ_hat_dq_i_dot[0, 0] = w2 * w9 - (w11 * w19 - w5 * w24 + w14 * w27) - w28 * w32
+    dQ_hat_dq_i_dot[0, 1] = w2 * w66 - (w14 * w69 - (w11 * w72 + w5 * w75)) - w28 * w77
+    dQ_hat_dq_i_dot[0, 2] = -(w11 * w82 + w14 * w83)
+    dQ_hat_dq_i_dot[0, 3] = w2 * w113 - w28 * w120
+    dQ_hat_dq_i_dot[0, 4] = w2 * w138 - w28 * w141
+    dQ_hat_dq_i_dot[0, 6] = w28 * w175 - w2 * w178
+    dQ_hat_dq_i_dot[0, 7] = w28 * w194 - w2 * w195
     # link1.theta2
-    dQ_hat_dq_i_dot[1, 0] = w37 * w45 - (w5 * w11 - w1 * w19) - w44 * w46
-    dQ_hat_dq_i_dot[1, 1] = w5 * w87 + w1 * w85 + w76 * (w93 * c9) + w45 * w92 + w46 * w83
-    dQ_hat_dq_i_dot[1, 2] = -(w5 * w96 - w1 * w97)
-    dQ_hat_dq_i_dot[1, 3] = w76 * (w56 * w115 + w103 * w110 + w112 * w121) + w45 * w132 - w46 * w138
-    dQ_hat_dq_i_dot[1, 4] = w76 * (w56 * w147 + w103 * w146 + w112 * w151 + w164) + w45 * w162 + w46 * w158
-    dQ_hat_dq_i_dot[1, 6] = w76 * w199 + w45 * w198 + w46 * w195
-    dQ_hat_dq_i_dot[1, 7] = w76 * w216 + w45 * w215 + w46 * w214
+    dQ_hat_dq_i_dot[1, 0] = -(w13 * w19 - w10 * w27 + w9 * w34 + w32 * w35)
+    dQ_hat_dq_i_dot[1, 1] = w13 * w72 + w10 * w69 - w78 * (w79 * c9) - w34 * w66 - w35 * w77
+    dQ_hat_dq_i_dot[1, 2] = -(w13 * w82 - w10 * w83)
+    dQ_hat_dq_i_dot[1, 3] = w78 * (w45 * w106 + w94 * w101 + w103 * w112) - w34 * w113 - w35 * w120
+    dQ_hat_dq_i_dot[1, 4] = -(w78 * (w143 - (w45 * w133 + w94 * w132 + w103 * w137)) + w34 * w138 + w35 * w141)
+    dQ_hat_dq_i_dot[1, 6] = w78 * w179 + w34 * w178 + w35 * w175
+    dQ_hat_dq_i_dot[1, 7] = w78 * w196 + w34 * w195 + w35 * w194
     # link1.theta3
-    dQ_hat_dq_i_dot[2, 0] = -w16
-    dQ_hat_dq_i_dot[2, 1] = -w89
+    dQ_hat_dq_i_dot[2, 0] = -w24
+    dQ_hat_dq_i_dot[2, 1] = -w75
     # link2.theta1
-    dQ_hat_dq_i_dot[3, 0] = -(w36 * w51 + w43 * w55)
-    dQ_hat_dq_i_dot[3, 1] = w55 * w82 - w51 * w91
-    dQ_hat_dq_i_dot[3, 3] = -(w103 * w139 - w56 * w141 + w112 * w142 + w50 * w131 + w54 * w137)
-    dQ_hat_dq_i_dot[3, 4] = w54 * w157 - (w112 * w165 - (w103 * w166 + w56 * w168) + w50 * w161)
-    dQ_hat_dq_i_dot[3, 5] = -(w103 * w169 + w112 * w170)
-    dQ_hat_dq_i_dot[3, 6] = w54 * w195 - w50 * w198
-    dQ_hat_dq_i_dot[3, 7] = w54 * w214 - w50 * w215
+    dQ_hat_dq_i_dot[3, 0] = w8 * w40 - w31 * w44
+    dQ_hat_dq_i_dot[3, 1] = w40 * w65 - w44 * w76
+    dQ_hat_dq_i_dot[3, 3] = w39 * w88 - (w94 * w121 - w45 * w124 + w103 * w125) - w43 * w117
+    dQ_hat_dq_i_dot[3, 4] = w39 * w128 - (w103 * w144 - (w94 * w145 + w45 * w148)) - w43 * w140
+    dQ_hat_dq_i_dot[3, 5] = -(w94 * w149 + w103 * w150)
+    dQ_hat_dq_i_dot[3, 6] = w43 * w175 - w39 * w178
+    dQ_hat_dq_i_dot[3, 7] = w43 * w194 - w39 * w195
     # link2.theta2
-    dQ_hat_dq_i_dot[4, 0] = w36 * w60 - w43 * w63
-    dQ_hat_dq_i_dot[4, 1] = w93 * (w48 * c37) + w60 * w91 + w63 * w82
-    dQ_hat_dq_i_dot[4, 3] = w58 * w131 - (w98 * w139 - w100 * w142) - w61 * w137
-    dQ_hat_dq_i_dot[4, 4] = w98 * w166 + w100 * w165 + w94 * w164 + w58 * w161 + w61 * w157
-    dQ_hat_dq_i_dot[4, 5] = -(w98 * w169 - w100 * w170)
-    dQ_hat_dq_i_dot[4, 6] = w94 * w199 + w58 * w198 + w61 * w195
-    dQ_hat_dq_i_dot[4, 7] = w94 * w216 + w58 * w215 + w61 * w214
+    dQ_hat_dq_i_dot[4, 0] = -(w8 * w49 + w31 * w52)
+    dQ_hat_dq_i_dot[4, 1] = -(w79 * (w37 * c39) + w49 * w65 + w52 * w76)
+    dQ_hat_dq_i_dot[4, 3] = -(w89 * w121 - w91 * w125 + w47 * w88 + w50 * w117)
+    dQ_hat_dq_i_dot[4, 4] = w89 * w145 + w91 * w144 - w80 * w143 - w47 * w128 - w50 * w140
+    dQ_hat_dq_i_dot[4, 5] = -(w89 * w149 - w91 * w150)
+    dQ_hat_dq_i_dot[4, 6] = w80 * w179 + w47 * w178 + w50 * w175
+    dQ_hat_dq_i_dot[4, 7] = w80 * w196 + w47 * w195 + w50 * w194
     # link2.theta3
-    dQ_hat_dq_i_dot[5, 3] = -w141
-    dQ_hat_dq_i_dot[5, 4] = -w168
+    dQ_hat_dq_i_dot[5, 3] = -w124
+    dQ_hat_dq_i_dot[5, 4] = -w148
     # link3.theta1
-    dQ_hat_dq_i_dot[6, 0] = -(w36 * w67 + w43 * w70)
-    dQ_hat_dq_i_dot[6, 1] = w70 * w82 - w67 * w91
-    dQ_hat_dq_i_dot[6, 3] = -(w67 * w130 + w70 * w136)
-    dQ_hat_dq_i_dot[6, 4] = w70 * w156 - w67 * w160
-    dQ_hat_dq_i_dot[6, 6] = -(w176 * w200 - w71 * w203 + w185 * w204)
-    dQ_hat_dq_i_dot[6, 7] = -(w185 * w217 - (w176 * w218 + w71 * w221))
-    dQ_hat_dq_i_dot[6, 8] = -(w176 * w222 + w185 * w223)
+    dQ_hat_dq_i_dot[6, 0] = w8 * w56 - w31 * w59
+    dQ_hat_dq_i_dot[6, 1] = w56 * w65 - w59 * w76
+    dQ_hat_dq_i_dot[6, 3] = w56 * w87 - w59 * w116
+    dQ_hat_dq_i_dot[6, 4] = w56 * w127 - w59 * w139
+    dQ_hat_dq_i_dot[6, 6] = -(w156 * w180 - w60 * w183 + w165 * w184)
+    dQ_hat_dq_i_dot[6, 7] = -(w165 * w197 - (w156 * w198 + w60 * w201))
+    dQ_hat_dq_i_dot[6, 8] = -(w156 * w202 + w165 * w203)
     # link3.theta2
-    dQ_hat_dq_i_dot[7, 0] = w36 * w73 - w43 * w74
-    dQ_hat_dq_i_dot[7, 1] = w93 * w95 + w73 * w91 + w74 * w82
-    dQ_hat_dq_i_dot[7, 3] = w73 * w130 - w74 * w136
-    dQ_hat_dq_i_dot[7, 4] = w95 * w163 + w73 * w160 + w74 * w156
-    dQ_hat_dq_i_dot[7, 6] = -(w172 * w200 - w171 * w204)
-    dQ_hat_dq_i_dot[7, 7] = w172 * w218 + w171 * w217
-    dQ_hat_dq_i_dot[7, 8] = -(w172 * w222 - w171 * w223)
+    dQ_hat_dq_i_dot[7, 0] = -(w8 * w62 + w31 * w63)
+    dQ_hat_dq_i_dot[7, 1] = -(w79 * w81 + w62 * w65 + w63 * w76)
+    dQ_hat_dq_i_dot[7, 3] = -(w62 * w87 + w63 * w116)
+    dQ_hat_dq_i_dot[7, 4] = -(w81 * w142 + w62 * w127 + w63 * w139)
+    dQ_hat_dq_i_dot[7, 6] = -(w152 * w180 - w151 * w184)
+    dQ_hat_dq_i_dot[7, 7] = w152 * w198 + w151 * w197
+    dQ_hat_dq_i_dot[7, 8] = -(w152 * w202 - w151 * w203)
     # link3.theta3
-    dQ_hat_dq_i_dot[8, 6] = -w203
-    dQ_hat_dq_i_dot[8, 7] = -w221
+    dQ_hat_dq_i_dot[8, 6] = -w183
+    dQ_hat_dq_i_dot[8, 7] = -w201
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
@@ -2401,15 +2364,15 @@ def residual_jacobian() -> ca.Function:
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 9 x 9) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    2267 operations.
+    2050 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 9)
-    c = ca.SX.sym("c", 42)
+    c = ca.SX.sym("c", 44)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -2455,641 +2418,588 @@ def residual_jacobian() -> ca.Function:
     c24 = c[24]
     gravity_z = c[27]
     c28 = c[28]
-    c37 = c[37]
     c38 = c[38]
     c39 = c[39]
     c40 = c[40]
     c41 = c[41]
-    # intermediate terms (527)
+    c42 = c[42]
+    c43 = c[43]
+    # intermediate terms (472)
     w0 = ca.cos(link1_theta1)
     w1 = ca.cos(link1_theta2)
     w2 = w0 * w1
     w3 = w2 * link1_end_x
-    w4 = ca.sin(link1_theta2)
-    w5 = w4 * link1_end_x
-    w6 = w0 * w5
-    w7 = link1_theta2_ddot * w6
-    w8 = ca.sin(link1_theta1)
-    w9 = w1 * w8
-    w10 = w9 * link1_end_x
-    w11 = link1_theta1_ddot * w10
-    w12 = link1_theta1_dot * link1_theta2_dot
-    w13 = w1 * w12
-    w14 = w9 * w13
-    w15 = w1 * link1_theta3_dot
-    w16 = ca.cos(link1_theta3)
+    w4 = w0 * link1_theta1_dot
+    w5 = ca.sin(link1_theta1)
+    w6 = link1_theta1_dot * w4 + w5 * link1_theta1_ddot
+    w7 = link1_theta1_dot * w5
+    w8 = ca.sin(link1_theta2)
+    w9 = w8 * link1_theta2_dot
+    w10 = w7 * w9
+    w11 = w1 * link1_theta2_dot
+    w12 = link1_theta2_dot * w11 + w8 * link1_theta2_ddot
+    w13 = (w1 * w6 - w10 + (w0 * w12 - w10)) * link1_end_x
+    w14 = w13 * c9
+    w15 = ca.cos(link2_theta1)
+    w16 = ca.sin(link2_theta2)
     w17 = w15 * w16
-    w18 = w4 * link1_theta2_dot
-    w19 = ca.sin(link1_theta3)
-    w20 = w17 - w18 * w19
-    w21 = link1_theta2_dot * link1_theta3_dot
-    w22 = w19 * w21
-    w23 = link1_theta1_dot * w20 - w22
-    w24 = w4 * w8
-    w25 = w0 * w16
-    w26 = w19 * w24 + w25
-    w27 = w23 * w26
-    w28 = w15 * w19
-    w29 = link1_theta2_dot * w16
-    w30 = w28 + w4 * w29
-    w31 = w16 * w21
-    w32 = link1_theta1_dot * w30 + w31
-    w33 = w0 * w19
-    w34 = w8 * w16
-    w35 = w4 * w34
-    w36 = w1 * w19
-    w37 = w1 * w16
-    w38 = w4 * w13 + w23 * w36 - w32 * w37
-    w39 = w10 * w38
-    w40 = w4 * link1_theta3_dot
-    w41 = link1_theta1_dot - w40
-    w42 = w2 * link1_theta3_dot - w8 * link1_theta2_dot
-    w43 = w3 * w41
-    w44 = w5 * w42 + w43
-    w45 = w41 * w44
-    w46 = w9 * link1_theta3_dot + w0 * link1_theta2_dot
-    w47 = w10 * w42 - w3 * w46
-    w48 = w46 * w47
-    w49 = w7 + w11 - (w5 * (w14 - w27 - w32 * (w33 - w35)) - w39 - (w45 - w48))
-    w50 = w49 * c9
-    w51 = ca.cos(link2_theta1)
-    w52 = ca.cos(link2_theta3)
-    w53 = w51 * w52
-    w54 = ca.sin(link2_theta1)
-    w55 = ca.sin(link2_theta2)
-    w56 = w54 * w55
-    w57 = ca.sin(link2_theta3)
-    w58 = w53 + w56 * w57
-    w59 = link2_theta3_dot - w55 * link2_theta1_dot
-    w60 = ca.cos(link2_theta2)
-    w61 = w57 * w60
-    w62 = w52 * link2_theta2_dot
-    w63 = link2_theta1_dot * w61 + w62
-    w64 = w59 * w63
-    w65 = w52 * w60
-    w66 = link2_theta1_ddot * w65 - w57 * link2_theta2_ddot
-    w67 = link2_theta3_dot * w60
-    w68 = w57 * w67
-    w69 = w68 + w55 * w62
-    w70 = link2_theta3_dot * link2_theta2_dot
-    w71 = w52 * w70
-    w72 = link2_theta1_dot * w69 + w71
-    w73 = w66 - w72
-    w74 = w64 + w73
-    w75 = w74 * c11
-    w76 = w58 * w75
-    w77 = w54 * w60
-    w78 = w63**2
-    w79 = w57 * link2_theta2_dot
-    w80 = link2_theta1_dot * w65 - w79
-    w81 = w80**2
-    w82 = (w78 + w81) * c11
-    w83 = w77 * w82
-    w84 = w52 * w54
-    w85 = w55 * w84
-    w86 = w51 * w57
-    w87 = w85 - w86
-    w88 = w59 * w80
-    w89 = w52 * w67
-    w90 = w55 * link2_theta2_dot
-    w91 = w89 - w57 * w90
-    w92 = w57 * w70
-    w93 = link2_theta1_dot * w91 - w92
-    w94 = w61 * link2_theta1_ddot + w52 * link2_theta2_ddot
-    w95 = w93 + w94
-    w96 = w88 - w95
-    w97 = w96 * c11
-    w98 = w0 * w4
-    w99 = w19 * w98 - w34
-    w100 = w8 * w19 + w4 * w25
-    w101 = w23 * w99 - w2 * w13 - w32 * w100
-    w102 = w3 * w38 + w5 * w101
-    w103 = w10 * w41
-    w104 = w5 * w46 + w103
-    w105 = w41 * w104 + w42 * w47
-    w106 = w3 * link1_theta1_ddot
-    w107 = w5 * w8
-    w108 = link1_theta2_ddot * w107
-    w109 = w102 - w105 + w106 - w108
-    w110 = ca.cos(link3_theta1)
-    w111 = ca.cos(link3_theta3)
-    w112 = w110 * w111
-    w113 = ca.sin(link3_theta1)
-    w114 = ca.sin(link3_theta2)
-    w115 = w113 * w114
-    w116 = ca.sin(link3_theta3)
-    w117 = w112 + w115 * w116
-    w118 = link3_theta3_dot - w114 * link3_theta1_dot
-    w119 = ca.cos(link3_theta2)
-    w120 = w116 * w119
-    w121 = w111 * link3_theta2_dot
-    w122 = link3_theta1_dot * w120 + w121
-    w123 = w118 * w122
-    w124 = w111 * w119
-    w125 = link3_theta1_ddot * w124 - w116 * link3_theta2_ddot
-    w126 = link3_theta3_dot * w119
-    w127 = w116 * w126
-    w128 = w127 + w114 * w121
-    w129 = link3_theta3_dot * link3_theta2_dot
-    w130 = w111 * w129
-    w131 = w125 - (link3_theta1_dot * w128 + w130)
-    w132 = w123 + w131
-    w133 = w132 * c13
-    w134 = w117 * w133
-    w135 = w113 * w119
-    w136 = w122**2
-    w137 = w116 * link3_theta2_dot
-    w138 = link3_theta1_dot * w124 - w137
-    w139 = w138**2
-    w140 = (w136 + w139) * c13
-    w141 = w135 * w140
-    w142 = w111 * w113
-    w143 = w114 * w142
-    w144 = w110 * w116
-    w145 = w143 - w144
-    w146 = w118 * w138
-    w147 = w111 * w126
-    w148 = w114 * link3_theta2_dot
-    w149 = w147 - w116 * w148
-    w150 = w116 * w129
-    w151 = w120 * link3_theta1_ddot + w111 * link3_theta2_ddot
-    w152 = link3_theta1_dot * w149 - w150 + w151
-    w153 = w146 - w152
-    w154 = w153 * c13
-    w155 = link2_theta1_dot * link2_theta2_dot
-    w156 = w60 * w155
-    w157 = w55 * w156 + w61 * w93 - w65 * w72
-    w158 = w51 * w60
-    w159 = w158 * link2_end_x
-    w160 = w51 * w55
-    w161 = w57 * w160 - w84
-    w162 = w54 * w57
-    w163 = w162 + w53 * w55
-    w164 = w93 * w161 - w156 * w158 - w72 * w163
-    w165 = w55 * link2_end_x
-    w166 = w157 * w159 + w164 * w165
-    w167 = w55 * link2_theta3_dot
-    w168 = link2_theta1_dot - w167
-    w169 = w51 * link2_theta2_dot + link2_theta3_dot * w77
-    w170 = w77 * link2_end_x
-    w171 = w168 * w170
-    w172 = w165 * w169 + w171
-    w173 = link2_theta3_dot * w158 - w54 * link2_theta2_dot
-    w174 = w170 * w173 - w159 * w169
-    w175 = w168 * w172 + w173 * w174
-    w176 = link2_theta1_ddot * w159
-    w177 = w54 * w165
-    w178 = link2_theta2_ddot * w177
-    w179 = w109 + (w166 - w175) + w176 - w178
-    w180 = w134 - w141 + w145 * w154 + w179 * link3_mass
-    w181 = w76 - w83 + w87 * w97 + w109 * link2_mass + w180
-    w182 = w75 * w161 - w82 * w158 + w97 * w163
-    w183 = w35 - w33
-    w184 = w27 - w14 - w32 * w183
-    w185 = w48 - w45 - (w39 + w5 * w184) - w11 - w7
-    w186 = w110 * w114
-    w187 = w116 * w186 - w142
-    w188 = w110 * w119
-    w189 = w113 * w116
-    w190 = w189 + w112 * w114
-    w191 = w133 * w187 - w140 * w188 + w154 * w190
-    w192 = w169 * w174
-    w193 = w159 * w168
-    w194 = w193 + w165 * w173
-    w195 = w168 * w194
-    w196 = w58 * w93
-    w197 = w77 * w156
-    w198 = w196 - w197 - w72 * w87
-    w199 = w157 * w170
-    w200 = link2_theta1_ddot * w170
-    w201 = w51 * w165
-    w202 = link2_theta2_ddot * w201
-    w203 = w185 + (w192 - w195 - (w165 * w198 + w199)) - w200 - w202
-    w204 = w191 + w203 * link3_mass
-    w205 = w182 + w185 * link2_mass + w204
-    w206 = w106 - w108 - (w105 - w102)
-    w207 = w206 * c9
-    w208 = w1 * link1_end_x
-    w209 = w10 * w101 - w3 * w184 + (w42 * w44 + w46 * w104) - link1_theta2_ddot * w208
-    w210 = w209 - gravity_z
-    w211 = w60 * link2_end_x
-    w212 = w209 + (w164 * w170 - w159 * w198 + (w173 * w194 + w169 * w172)) - link2_theta2_ddot * w211 - gravity_z
-    w213 = w114 * w140 + w120 * w133 + w124 * w154 + w212 * link3_mass
-    w214 = w158 * c11
-    w215 = w214 + w159 * link3_mass
-    w216 = w77 * c11
-    w217 = w216 + w170 * link3_mass
-    w218 = w55 * c11
-    w219 = w56 * c37
-    w220 = w160 * c37
-    w221 = w188 * c13
-    w222 = w135 * c13
-    w223 = w114 * c13
-    w224 = w113 * w223
-    w225 = w110 * w223
-    w226 = w8 * w208
-    w227 = w98 * link1_end_x
-    w228 = w4 * w12
-    w229 = w4 * w19
-    w230 = w1 * link1_theta2_dot
-    w231 = link1_theta1_dot * (w16 * w40 + w19 * w230)
-    w232 = link1_theta1_dot * (w1 * w29 - w19 * w40)
-    w233 = w4 * w16
-    w234 = w1 * w13 - w4 * w228 - (w23 * w229 + w36 * w231) - (w37 * w232 - w32 * w233)
-    w235 = w23 * (w2 * w19) - w99 * w231 + link1_theta2_dot * (link1_theta1_dot * (w2 * w4)) * c38 - (w32 * (w1 * w25) + w100 * w232)
-    w236 = w46 * w208
-    w237 = link1_theta3_dot * w24
-    w238 = w24 * link1_end_x
-    w239 = w236 - w5 * w237 - (w10 * w15 + w41 * w238)
-    w240 = link1_theta3_dot * w98
-    w241 = w3 * w237 + w46 * w227 - (w10 * w240 + w42 * w238)
-    w242 = w3 * w234 - w38 * w227 + (w5 * w235 + w101 * w208) - (w41 * w239 - w15 * w104 + (w42 * w241 - w47 * w240))
-    w243 = link1_theta2_ddot * w226 + link1_theta1_ddot * w227 - w242
-    w244 = w243 * c9
-    w245 = link1_theta3_dot - w4 * link1_theta1_dot
-    w246 = link1_theta2_dot * w19
-    w247 = link1_theta1_dot * w37 - w246
-    w248 = w245 * w247
-    w249 = link1_theta1_ddot * w36 + link1_theta2_ddot * w16
-    w250 = w23 + w249
-    w251 = (w248 + w250) * c1 - (w248 - w250) * c3
-    w252 = w1 * link1_theta1_dot
-    w253 = link1_theta1_dot * w233
-    w254 = w247 * w252 + w245 * w253
-    w255 = w231 + link1_theta1_ddot * w229
-    w256 = (w254 + w255) * c1 + (w255 - w254) * c3
-    w257 = w29 + link1_theta1_dot * w36
-    w258 = w247 * w257
-    w259 = link1_theta3_ddot - w4 * link1_theta1_ddot - w13
-    w260 = w228 - w1 * link1_theta1_ddot
-    w261 = link1_theta1_dot * w229
-    w262 = w247 * w261 + w253 * w257
-    w263 = (w260 - w262) * c0 + (w260 + w262) * c1
-    w264 = w245 * w257
-    w265 = link1_theta1_ddot * w37 - link1_theta2_ddot * w19
-    w266 = w265 - w32
-    w267 = (w264 + w266) * c3 - (w264 - w266) * c0
-    w268 = w252 * w257 + w245 * w261
-    w269 = w232 + link1_theta1_ddot * w233
-    w270 = (w268 + w269) * c3 + (w269 - w268) * c0
-    w271 = w229 * w251 + w36 * w256 + (w1 * ((w258 + w259) * c0 - (w258 - w259) * c1) + w4 * w263) + (w233 * w267 + w37 * w270)
-    w272 = w0 * w208
-    w273 = w42 * w208
-    w274 = w273 - w5 * w240 - (w3 * w15 + w41 * w227)
-    w275 = w23 * (w9 * w19) - w26 * w231 + link1_theta2_dot * (link1_theta1_dot * (w8 * (w1 * w4))) * c38 - (w32 * (w1 * w34) + w183 * w232)
-    w276 = w46 * w241 - w47 * w237 - (w41 * w274 - w15 * w44) - (w5 * w275 + w184 * w208 + (w10 * w234 - w38 * w238))
-    w277 = link1_theta2_ddot * w272 - link1_theta1_ddot * w238 - w276
-    w278 = w277 * c9
-    w279 = w10 * w235 - w101 * w238 - (w3 * w275 - w184 * w227) + (w42 * w274 - w44 * w240 + (w46 * w239 - w104 * w237))
-    w280 = link1_theta2_ddot * w5 + w279
-    w281 = w19 * w270 - w16 * w256 - w4 * c28 - w205 * w272 - w181 * w226 + w5 * (w55 * w82 + w61 * w75 + w65 * w97 + w210 * link2_mass + w213)
-    w282 = w60 * c11
-    w283 = w60 * c37
-    w284 = w119 * c13
-    w285 = w265 - (w31 + link1_theta1_dot * (w28 + w16 * w18))
-    w286 = (w285 - w264) * c1 + (w264 + w285) * c3
-    w287 = w247**2 - w257**2
-    w288 = w287 * c0 - w287 * c1
-    w289 = w249 + (link1_theta1_dot * (w17 - w4 * w246) - w22)
-    w290 = (w248 - w289) * c3 - (w248 + w289) * c0
-    w291 = w86 - w85
-    w292 = w200 + w202 - (w165 * (w197 - w196 - w72 * w291) - w199 - (w195 - w192))
+    w18 = ca.sin(link2_theta3)
+    w19 = ca.cos(link2_theta3)
+    w20 = ca.sin(link2_theta1)
+    w21 = w19 * w20
+    w22 = w17 * w18 - w21
+    w23 = link2_theta3_dot - w16 * link2_theta1_dot
+    w24 = ca.cos(link2_theta2)
+    w25 = w18 * w24
+    w26 = w19 * link2_theta2_dot
+    w27 = link2_theta1_dot * w25 + w26
+    w28 = w23 * w27
+    w29 = w19 * w24
+    w30 = link2_theta1_ddot * w29 - w18 * link2_theta2_ddot
+    w31 = link2_theta3_dot * w24
+    w32 = w18 * w31
+    w33 = w32 + w16 * w26
+    w34 = link2_theta3_dot * link2_theta2_dot
+    w35 = w19 * w34
+    w36 = link2_theta1_dot * w33 + w35
+    w37 = w30 - w36
+    w38 = w28 + w37
+    w39 = w38 * c11
+    w40 = w15 * w24
+    w41 = w27**2
+    w42 = w18 * link2_theta2_dot
+    w43 = link2_theta1_dot * w29 - w42
+    w44 = w43**2
+    w45 = (w41 + w44) * c11
+    w46 = w18 * w20
+    w47 = w15 * w19
+    w48 = w46 + w16 * w47
+    w49 = w23 * w43
+    w50 = w19 * w31
+    w51 = w16 * link2_theta2_dot
+    w52 = w50 - w18 * w51
+    w53 = w18 * w34
+    w54 = link2_theta1_dot * w52 - w53
+    w55 = w25 * link2_theta1_ddot + w19 * link2_theta2_ddot
+    w56 = w54 + w55
+    w57 = w49 - w56
+    w58 = w57 * c11
+    w59 = w22 * w39 - w40 * w45 + w48 * w58
+    w60 = w1 * w5
+    w61 = w0 * link1_theta2_dot + link1_theta3_dot * w60
+    w62 = w2 * link1_theta3_dot - w5 * link1_theta2_dot
+    w63 = w60 * link1_end_x
+    w64 = w62 * w63 - w3 * w61
+    w65 = w8 * link1_theta3_dot
+    w66 = link1_theta1_dot - w65
+    w67 = w8 * link1_end_x
+    w68 = w3 * w66 + w62 * w67
+    w69 = ca.cos(link1_theta3)
+    w70 = w0 * w69
+    w71 = w5 * w8
+    w72 = ca.sin(link1_theta3)
+    w73 = w1 * link1_theta3_dot
+    w74 = w69 * w73
+    w75 = w74 - w9 * w72
+    w76 = link1_theta2_dot * link1_theta3_dot
+    w77 = w72 * w76
+    w78 = link1_theta1_dot * w75 - w77
+    w79 = link1_theta1_dot * link1_theta2_dot
+    w80 = w1 * w79
+    w81 = w5 * w69
+    w82 = w72 * w73
+    w83 = link1_theta2_dot * w69
+    w84 = w82 + w8 * w83
+    w85 = w69 * w76
+    w86 = link1_theta1_dot * w84 + w85
+    w87 = (w70 + w71 * w72) * w78 - w60 * w80 - (w8 * w81 - w0 * w72) * w86
+    w88 = w1 * w72
+    w89 = w1 * w69
+    w90 = w8 * w80 + w78 * w88 - w86 * w89
+    w91 = w0 * w67
+    w92 = w61 * w64 - w66 * w68 - (w67 * w87 + w63 * w90) - link1_theta1_ddot * w63 - link1_theta2_ddot * w91
+    w93 = ca.cos(link3_theta1)
+    w94 = ca.sin(link3_theta2)
+    w95 = w93 * w94
+    w96 = ca.sin(link3_theta3)
+    w97 = ca.cos(link3_theta3)
+    w98 = ca.sin(link3_theta1)
+    w99 = w97 * w98
+    w100 = w95 * w96 - w99
+    w101 = link3_theta3_dot - w94 * link3_theta1_dot
+    w102 = ca.cos(link3_theta2)
+    w103 = w96 * w102
+    w104 = w97 * link3_theta2_dot
+    w105 = link3_theta1_dot * w103 + w104
+    w106 = w101 * w105
+    w107 = w97 * w102
+    w108 = link3_theta1_ddot * w107 - w96 * link3_theta2_ddot
+    w109 = link3_theta3_dot * w102
+    w110 = w96 * w109
+    w111 = w110 + w94 * w104
+    w112 = link3_theta3_dot * link3_theta2_dot
+    w113 = w97 * w112
+    w114 = w108 - (link3_theta1_dot * w111 + w113)
+    w115 = w106 + w114
+    w116 = w115 * c13
+    w117 = w93 * w102
+    w118 = w105**2
+    w119 = w96 * link3_theta2_dot
+    w120 = link3_theta1_dot * w107 - w119
+    w121 = w120**2
+    w122 = (w118 + w121) * c13
+    w123 = w96 * w98
+    w124 = w93 * w97
+    w125 = w123 + w94 * w124
+    w126 = w101 * w120
+    w127 = w97 * w109
+    w128 = w94 * link3_theta2_dot
+    w129 = w127 - w96 * w128
+    w130 = w96 * w112
+    w131 = w103 * link3_theta1_ddot + w97 * link3_theta2_ddot
+    w132 = link3_theta1_dot * w129 - w130 + w131
+    w133 = w126 - w132
+    w134 = w133 * c13
+    w135 = w100 * w116 - w117 * w122 + w125 * w134
+    w136 = w20 * w24
+    w137 = w15 * link2_theta2_dot + link2_theta3_dot * w136
+    w138 = link2_theta3_dot * w40 - w20 * link2_theta2_dot
+    w139 = w136 * link2_end_x
+    w140 = w40 * link2_end_x
+    w141 = w138 * w139 - w137 * w140
+    w142 = w16 * link2_theta3_dot
+    w143 = link2_theta1_dot - w142
+    w144 = w16 * link2_end_x
+    w145 = w140 * w143 + w138 * w144
+    w146 = w16 * w20
+    w147 = w47 + w18 * w146
+    w148 = link2_theta1_dot * link2_theta2_dot
+    w149 = w24 * w148
+    w150 = w16 * w21
+    w151 = w15 * w18
+    w152 = w150 - w151
+    w153 = w54 * w147 - w136 * w149 - w36 * w152
+    w154 = w16 * w149 + w25 * w54 - w29 * w36
+    w155 = w15 * w144
+    w156 = w92 + (w137 * w141 - w143 * w145 - (w144 * w153 + w139 * w154)) - link2_theta1_ddot * w139 - link2_theta2_ddot * w155
+    w157 = w135 + w156 * link3_mass
+    w158 = w59 + w92 * link2_mass + w157
+    w159 = w39 * w147
+    w160 = w45 * w136
+    w161 = w0 * w8
+    w162 = w78 * (w72 * w161 - w81) - w2 * w80 - w86 * (w5 * w72 + w8 * w70)
+    w163 = w61 * w67 + w63 * w66
+    w164 = w5 * w67
+    w165 = w3 * w90 + w67 * w162 - (w66 * w163 + w62 * w64) + w3 * link1_theta1_ddot - link1_theta2_ddot * w164
+    w166 = w94 * w98
+    w167 = w124 + w96 * w166
+    w168 = w116 * w167
+    w169 = w98 * w102
+    w170 = w122 * w169
+    w171 = w94 * w99
+    w172 = w93 * w96
+    w173 = w171 - w172
+    w174 = w22 * w54 - w40 * w149 - w36 * w48
+    w175 = w137 * w144 + w139 * w143
+    w176 = w20 * w144
+    w177 = w165 + (w140 * w154 + w144 * w174 - (w143 * w175 + w138 * w141)) + link2_theta1_ddot * w140 - link2_theta2_ddot * w176
+    w178 = w168 - w170 + w134 * w173 + w177 * link3_mass
+    w179 = w159 - w160 + w58 * w152 + w165 * link2_mass + w178
+    w180 = w0 * link1_theta1_ddot - link1_theta1_dot * w7
+    w181 = w4 * w9
+    w182 = (w1 * w180 - w181 - (w181 + w5 * w12)) * link1_end_x
+    w183 = w182 * c9
+    w184 = w1 * link1_end_x
+    w185 = w63 * w162 - w3 * w87 + (w62 * w68 + w61 * w163) - link1_theta2_ddot * w184
+    w186 = w185 - gravity_z
+    w187 = w24 * link2_end_x
+    w188 = w185 + (w139 * w174 - w140 * w153 + (w138 * w145 + w137 * w175)) - link2_theta2_ddot * w187 - gravity_z
+    w189 = w94 * w122 + w103 * w116 + w107 * w134 + w188 * link3_mass
+    w190 = w40 * c11
+    w191 = w190 + w140 * link3_mass
+    w192 = w136 * c11
+    w193 = w192 + w139 * link3_mass
+    w194 = w16 * c11
+    w195 = w146 * c39
+    w196 = w17 * c39
+    w197 = w117 * c13
+    w198 = w169 * c13
+    w199 = w94 * c13
+    w200 = w98 * w199
+    w201 = w93 * w199
+    w202 = w11 * link1_end_x
+    w203 = (w1 * link1_theta2_ddot - link1_theta2_dot * w9) * link1_end_x
+    w204 = w5 * w203 + (w67 * w180 + link1_theta2_dot * (w2 * link1_theta1_dot) * c38)
+    w205 = w204 * c9
+    w206 = link1_theta3_dot - link1_theta1_dot * w8
+    w207 = link1_theta2_dot * w72
+    w208 = link1_theta1_dot * w89 - w207
+    w209 = w206 * w208
+    w210 = link1_theta1_ddot * w88 + link1_theta2_ddot * w69
+    w211 = w78 + w210
+    w212 = (w209 + w211) * c1 - (w209 - w211) * c3
+    w213 = w8 * w72
+    w214 = w1 * link1_theta1_dot
+    w215 = w8 * w69
+    w216 = link1_theta1_dot * w215
+    w217 = w208 * w214 + w206 * w216
+    w218 = link1_theta1_dot * (w65 * w69 + w11 * w72) + link1_theta1_ddot * w213
+    w219 = (w217 + w218) * c1 + (w218 - w217) * c3
+    w220 = w83 + link1_theta1_dot * w88
+    w221 = w208 * w220
+    w222 = link1_theta3_ddot - link1_theta1_ddot * w8 - w80
+    w223 = w8 * w79 - w1 * link1_theta1_ddot
+    w224 = link1_theta1_dot * w213
+    w225 = w208 * w224 + w216 * w220
+    w226 = (w223 - w225) * c0 + (w223 + w225) * c1
+    w227 = w206 * w220
+    w228 = link1_theta1_ddot * w89 - link1_theta2_ddot * w72
+    w229 = w228 - w86
+    w230 = (w227 + w229) * c3 - (w227 - w229) * c0
+    w231 = w214 * w220 + w206 * w224
+    w232 = link1_theta1_ddot * w215 + link1_theta1_dot * (w1 * w83 - w65 * w72)
+    w233 = (w231 + w232) * c3 + (w232 - w231) * c0
+    w234 = w212 * w213 + w88 * w219 + (w1 * ((w221 + w222) * c0 - (w221 - w222) * c1) + w8 * w226) + (w215 * w230 + w89 * w233)
+    w235 = w7 * w202
+    w236 = w0 * w203 - w235 - (w235 + w6 * w67)
+    w237 = w236 * c9
+    w238 = w67 * (w16 * w45 + w25 * w39 + w29 * w58 + w186 * link2_mass + w189) - (w158 * (w0 * w184) + w179 * (w5 * w184))
+    w239 = w1 * w4 - w5 * w9
+    w240 = w239 * link1_end_x
+    w241 = (w1 * w7 + w0 * w9) * link1_end_x
+    w242 = w7 * w241
+    w243 = w5 * w182 + (w63 * w180 + w4 * w239 * c38) - (w3 * w6 - w242 + (w0 * w13 - w242))
+    w244 = w24 * c11
+    w245 = w24 * c39
+    w246 = w102 * c13
+    w247 = w228 - (w85 + link1_theta1_dot * (w82 + w9 * w69))
+    w248 = (w247 - w227) * c1 + (w227 + w247) * c3
+    w249 = w208**2 - w220**2
+    w250 = w249 * c0 - w249 * c1
+    w251 = w210 + (link1_theta1_dot * (w74 - w8 * w207) - w77)
+    w252 = (w209 - w251) * c3 - (w209 + w251) * c0
+    w253 = w15 * link2_theta1_dot
+    w254 = link2_theta1_dot * w253 + w20 * link2_theta1_ddot
+    w255 = w20 * link2_theta1_dot
+    w256 = w51 * w255
+    w257 = w24 * link2_theta2_dot
+    w258 = link2_theta2_dot * w257 + w16 * link2_theta2_ddot
+    w259 = (w24 * w254 - w256 + (w15 * w258 - w256)) * link2_end_x
+    w260 = w259 * link3_mass
+    w261 = w260 - w59
+    w262 = w15 * link2_theta1_ddot - link2_theta1_dot * w255
+    w263 = w51 * w253
+    w264 = (w24 * w262 - w263 - (w263 + w20 * w258)) * link2_end_x
+    w265 = w264 * link3_mass
+    w266 = w265 - (w160 - w159 + w58 * (w151 - w150))
+    w267 = w157 * w176 - w155 * w178 - (w165 * (w15 * w194) - w92 * (w20 * w194)) + w176 * w260 + w155 * w265
+    w268 = w257 * link2_end_x
+    w269 = (w24 * link2_theta2_ddot - link2_theta2_dot * w51) * link2_end_x
+    w270 = w24 * w253
+    w271 = w20 * w269 + (w144 * w262 + link2_theta2_dot * w270 * c40)
+    w272 = w271 * link3_mass
+    w273 = link2_theta1_dot * w24
+    w274 = w16 * w18
+    w275 = link2_theta1_dot * w274
+    w276 = w27 * w273 + w23 * w275
+    w277 = w16 * w19
+    w278 = link2_theta1_ddot * w277 + link2_theta1_dot * (w24 * w26 - w18 * w142)
+    w279 = w276 + w278
+    w280 = w279 * c11
+    w281 = 2 * w27
+    w282 = 2 * w43
+    w283 = link2_theta1_dot * w277
+    w284 = (w275 * w281 + w282 * w283) * c11
+    w285 = link2_theta1_dot * (w19 * w142 + w18 * w257) + link2_theta1_ddot * w274
+    w286 = w43 * w273 + w23 * w283
+    w287 = w285 - w286
+    w288 = w287 * c11
+    w289 = w39 * (w18 * w136) - w147 * w280 + (w45 * w146 + w136 * w284) + (w58 * (w21 * w24) + w152 * w288)
+    w290 = w272 - w289
+    w291 = w255 * w268
+    w292 = w15 * w269 - w291 - (w291 + w144 * w254)
     w293 = w292 * link3_mass
-    w294 = w293 - w182
-    w295 = w176 - w178 - (w175 - w166)
-    w296 = w295 * link3_mass
-    w297 = w296 - (w83 - w76 + w97 * w291)
-    w298 = w177 * w293 - (w180 * w201 + (w109 * (w51 * w218) - w185 * (w54 * w218) - w177 * w204)) + w201 * w296
-    w299 = w54 * w211
-    w300 = w160 * link2_end_x
-    w301 = w55 * w155
-    w302 = w55 * w57
-    w303 = w60 * link2_theta2_dot
-    w304 = link2_theta1_dot * (w52 * w167 + w57 * w303)
-    w305 = link2_theta1_dot * (w60 * w62 - w57 * w167)
-    w306 = w52 * w55
-    w307 = w60 * w156 - w55 * w301 - (w93 * w302 + w61 * w304) - (w65 * w305 - w72 * w306)
-    w308 = w57 * w158
-    w309 = w53 * w60
-    w310 = w93 * w308 - w161 * w304 + link2_theta2_dot * (w60 * (link2_theta1_dot * w160)) * c38 - (w72 * w309 + w163 * w305)
-    w311 = w169 * w211
-    w312 = w56 * link2_theta3_dot
-    w313 = w56 * link2_end_x
-    w314 = w311 - w165 * w312 - (w67 * w170 + w168 * w313)
-    w315 = link2_theta3_dot * w160
-    w316 = w159 * w312 + w169 * w300 - (w170 * w315 + w173 * w313)
-    w317 = w159 * w307 - w157 * w300 + (w165 * w310 + w164 * w211) - (w168 * w314 - w67 * w172 + (w173 * w316 - w174 * w315))
-    w318 = link2_theta2_ddot * w299 + link2_theta1_ddot * w300 - w317
-    w319 = w318 * link3_mass
-    w320 = w57 * w77
-    w321 = link2_theta1_dot * w60
-    w322 = link2_theta1_dot * w302
-    w323 = w63 * w321 + w59 * w322
-    w324 = w305 + link2_theta1_ddot * w306
-    w325 = w323 + w324
-    w326 = w325 * c11
-    w327 = 2 * w63
-    w328 = 2 * w80
-    w329 = link2_theta1_dot * w306
-    w330 = (w322 * w327 + w328 * w329) * c11
-    w331 = w60 * w84
-    w332 = w304 + link2_theta1_ddot * w302
-    w333 = w80 * w321 + w59 * w329
-    w334 = w332 - w333
-    w335 = w334 * c11
-    w336 = w319 - (w75 * w320 - w58 * w326 + (w56 * w82 + w77 * w330) + (w97 * w331 + w87 * w335))
-    w337 = w51 * w211
-    w338 = w173 * w211
-    w339 = w338 - w165 * w315 - (w67 * w159 + w168 * w300)
-    w340 = w93 * w320 - w58 * w304 + link2_theta2_dot * (w60 * (w56 * link2_theta1_dot)) * c38 - (w72 * w331 + w87 * w305)
-    w341 = w169 * w316 - w174 * w312 - (w168 * w339 - w67 * w194) - (w165 * w340 + w198 * w211 + (w170 * w307 - w157 * w313))
-    w342 = link2_theta2_ddot * w337 - link2_theta1_ddot * w313 - w341
-    w343 = w342 * link3_mass
-    w344 = w343 - (w75 * w308 - w161 * w326 + (w82 * w160 + w158 * w330) + (w97 * w309 + w163 * w335))
-    w345 = w170 * w310 - w164 * w313 - (w159 * w340 - w198 * w300) + (w173 * w339 - w194 * w315 + (w169 * w314 - w172 * w312))
-    w346 = link2_theta2_ddot * w165 + w345
-    w347 = w346 * link3_mass
-    w348 = w208 * (w60 * w82 - w55 * w330 - (w75 * w302 + w61 * w326) + (w65 * w335 - w97 * w306) + w347) - w107 * w336
-    w349 = (w88 + w95) * c15 - w96 * c17
-    w350 = (w332 + w333) * c15 + w334 * c17
-    w351 = w63 * w80
-    w352 = link2_theta3_ddot - w55 * link2_theta1_ddot - w156
-    w353 = w301 - w60 * link2_theta1_ddot
-    w354 = w80 * w322 + w63 * w329
-    w355 = (w353 - w354) * c14 + (w353 + w354) * c15
-    w356 = w74 * c17 - (w64 - w73) * c14
-    w357 = w325 * c17 + (w324 - w323) * c14
-    w358 = w302 * w349 + w61 * w350 + (w60 * ((w351 + w352) * c14 - (w351 - w352) * c15) + w55 * w355) + (w306 * w356 + w65 * w357)
-    w359 = w159 * w319 - (w185 * (w56 * c11) - w109 * (w160 * c11) - w358 + w204 * w313 - w180 * w300) - w170 * w343
-    w360 = w57 * w357 - w52 * w350 - (w185 * (w51 * w282) + w109 * (w54 * w282) - w210 * w218) - w204 * w337
-    w361 = w94 + (link2_theta1_dot * (w89 - w55 * w79) - w92)
-    w362 = w88 - w361
-    w363 = w362 * c11
-    w364 = (w80 * w327 - w63 * w328) * c11
-    w365 = w66 - (w71 + link2_theta1_dot * (w68 + w52 * w90))
-    w366 = w64 + w365
-    w367 = w366 * c11
-    w368 = w75 * (w162 + w52 * w160) + w161 * w363 - w158 * w364 + (w97 * (w84 - w55 * w86) - w163 * w367)
-    w369 = w75 * (w52 * w56 - w86) + w58 * w363 - w77 * w364 - (w97 * (w53 + w55 * w162) + w87 * w367)
-    w370 = w208 * (w55 * w364 + (w65 * w75 + w61 * w363) - (w61 * w97 + w65 * w367)) + w107 * w369 + w6 * w368
-    w371 = (w365 - w64) * c15 + w366 * c17
-    w372 = w81 - w78
-    w373 = w372 * c14 - w372 * c15
-    w374 = w362 * c17 - (w88 + w361) * c14
-    w375 = w141 - w134 + w154 * (w144 - w143)
-    w376 = link3_theta1_dot * w119
-    w377 = w114 * w116
-    w378 = link3_theta1_dot * w377
-    w379 = w122 * w376 + w118 * w378
-    w380 = w111 * w114
-    w381 = w114 * link3_theta3_dot
-    w382 = link3_theta1_ddot * w380 + link3_theta1_dot * (w119 * w121 - w116 * w381)
-    w383 = w379 + w382
-    w384 = w383 * c13
-    w385 = 2 * w122
-    w386 = 2 * w138
-    w387 = link3_theta1_dot * w380
-    w388 = (w378 * w385 + w386 * w387) * c13
-    w389 = w119 * link3_theta2_dot
-    w390 = link3_theta1_dot * (w111 * w381 + w116 * w389) + link3_theta1_ddot * w377
-    w391 = w138 * w376 + w118 * w387
-    w392 = w390 - w391
-    w393 = w392 * c13
-    w394 = w133 * (w116 * w188) - w187 * w384 + (w140 * w186 + w188 * w388) + (w154 * (w112 * w119) + w190 * w393)
-    w395 = w133 * (w116 * w135) - w117 * w384 + (w115 * w140 + w135 * w388) + (w154 * (w119 * w142) + w145 * w393)
-    w396 = w119 * w140 - w114 * w388 - (w133 * w377 + w120 * w384) + (w124 * w393 - w154 * w380)
-    w397 = (w146 + w152) * c22 - w153 * c24
-    w398 = (w390 + w391) * c22 + w392 * c24
-    w399 = w122 * w138
-    w400 = link3_theta1_dot * link3_theta2_dot
-    w401 = link3_theta3_ddot - w114 * link3_theta1_ddot - w119 * w400
-    w402 = w114 * w400 - w119 * link3_theta1_ddot
-    w403 = w138 * w378 + w122 * w387
-    w404 = (w402 - w403) * c21 + (w402 + w403) * c22
-    w405 = w132 * c24 - (w123 - w131) * c21
-    w406 = w383 * c24 + (w382 - w379) * c21
-    w407 = w377 * w397 + w120 * w398 + (w119 * ((w399 + w401) * c21 - (w399 - w401) * c22) + w114 * w404) + (w380 * w405 + w124 * w406)
-    w408 = w151 + (link3_theta1_dot * (w147 - w114 * w137) - w150)
-    w409 = w146 - w408
-    w410 = w409 * c13
-    w411 = (w138 * w385 - w122 * w386) * c13
-    w412 = w125 - (w130 + link3_theta1_dot * (w127 + w111 * w148))
-    w413 = w123 + w412
-    w414 = w413 * c13
-    w415 = w133 * (w189 + w111 * w186) + w187 * w410 - w188 * w411 + (w154 * (w142 - w114 * w144) - w190 * w414)
-    w416 = w133 * (w111 * w115 - w144) + w117 * w410 - w135 * w411 - (w154 * (w112 + w114 * w189) + w145 * w414)
-    w417 = w114 * w411 + (w124 * w133 + w120 * w410) - (w120 * w154 + w124 * w414)
-    w418 = (w412 - w123) * c22 + w413 * c24
-    w419 = w139 - w136
-    w420 = w419 * c21 - w419 * c22
-    w421 = w409 * c24 - (w146 + w408) * c21
-    w422 = w37 * w245 - w4 * w247
-    w423 = (w20 + w422) * c1 - (w422 - w20) * c3
-    w424 = w36 * w247 + w37 * w257
-    w425 = (w424 - w230) * c0 - (w230 + w424) * c1
-    w426 = w36 * w245 - w4 * w257
-    w427 = (w426 - w30) * c3 - (w30 + w426) * c0
-    w428 = w4 * w230 + w20 * w36 - w30 * w37
-    w429 = w3 * w428 + w5 * (w20 * w99 - w2 * w230 - w30 * w100) - (w103 + w104)
-    w430 = w429 * c9
-    w431 = w43 + w44 + (w5 * (w20 * w26 - w9 * w230 - w30 * w183) + w10 * w428)
-    w432 = w431 * c9
-    w433 = w261 + link1_theta3_dot * w19
-    w434 = w253 + link1_theta3_dot * w16
-    w435 = w4 * w252 - w36 * w433 - w37 * w434
-    w436 = w26 * w433 + w9 * w252 + w183 * w434
-    w437 = w0 * w47 - w236 + w41 * w107 - (w10 * w435 - w5 * w436)
-    w438 = w437 * c9
-    w439 = w16 * w245
-    w440 = (w439 - w434) * c3 - (w434 + w439) * c0
-    w441 = w19 * w245
-    w442 = (w433 + w441) * c1 + (w433 - w441) * c3
-    w443 = w16 * w247 - w19 * w257
-    w444 = (w443 - w252) * c0 - (w252 + w443) * c1
-    w445 = w99 * w433 + w2 * w252 + w100 * w434
-    w446 = w3 * w435 - w5 * w445 - (w6 * w41 - (w273 + w8 * w47))
-    w447 = w446 * c9
-    w448 = w3 * w436 - w10 * w445 + (w0 * w104 + w6 * w46 - (w8 * w44 + w42 * w107))
-    w449 = (w247 + w247) * c1
-    w450 = (w257 + w257) * c39
-    w451 = w59 * w61 - w55 * w63
-    w452 = w451 - w69
-    w453 = w452 * c11
-    w454 = (w61 * w327 + w65 * w328) * c11
-    w455 = w59 * w65 - w55 * w80
-    w456 = w455 - w91
-    w457 = w456 * c11
-    w458 = w55 * w303 + w61 * w91 - w65 * w69
-    w459 = w159 * w458 + w165 * (w91 * w161 - w158 * w303 - w69 * w163) - (w171 + w172)
-    w460 = w459 * link3_mass
-    w461 = w58 * w453 - w77 * w454 + w87 * w457 + w460
-    w462 = w193 + w194 + (w165 * (w58 * w91 - w77 * w303 - w69 * w87) + w170 * w458)
-    w463 = w462 * link3_mass
-    w464 = w463 - (w161 * w453 - w158 * w454 + w163 * w457)
-    w465 = (w91 + w455) * c15 - w456 * c17
-    w466 = w61 * w80 + w63 * w65
-    w467 = (w466 - w303) * c14 - (w303 + w466) * c15
-    w468 = w452 * c17 - (w69 + w451) * c14
-    w469 = w52 * w59
-    w470 = w329 + w52 * link2_theta3_dot
-    w471 = w469 - w470
-    w472 = w471 * c11
-    w473 = (w52 * w327 - w57 * w328) * c11
-    w474 = w322 + w57 * link2_theta3_dot
-    w475 = w57 * w59
-    w476 = w474 - w475
-    w477 = w476 * c11
-    w478 = w55 * w321 - w61 * w474 - w65 * w470
-    w479 = w58 * w474 + w77 * w321 + w87 * w470
-    w480 = w51 * w174 - w311 + w168 * w177 - (w170 * w478 - w165 * w479)
-    w481 = w480 * link3_mass
-    w482 = w161 * w472 - w158 * w473 + w163 * w477 + w481
-    w483 = w161 * w474 + w158 * w321 + w163 * w470
-    w484 = w159 * w478 - w165 * w483 - (w168 * w201 - (w338 + w54 * w174))
-    w485 = w484 * link3_mass
-    w486 = w58 * w472 - w77 * w473 + w87 * w477 + w485
-    w487 = w159 * w479 - w170 * w483 + (w51 * w172 + w169 * w201 - (w54 * w194 + w173 * w177))
-    w488 = w487 * link3_mass
-    w489 = w471 * c17 - (w469 + w470) * c14
-    w490 = (w474 + w475) * c15 + w476 * c17
-    w491 = w52 * w80 - w57 * w63
-    w492 = (w491 - w321) * c14 - (w321 + w491) * c15
-    w493 = (w80 + w80) * c15
-    w494 = (w63 + w63) * c40
-    w495 = w118 * w120 - w114 * w122
-    w496 = w495 - w128
-    w497 = w496 * c13
-    w498 = (w120 * w385 + w124 * w386) * c13
-    w499 = w118 * w124 - w114 * w138
-    w500 = w499 - w149
-    w501 = w500 * c13
-    w502 = w187 * w497 - w188 * w498 + w190 * w501
-    w503 = w117 * w497 - w135 * w498 + w145 * w501
-    w504 = w114 * w498 + w120 * w497 + w124 * w501
-    w505 = (w149 + w499) * c22 - w500 * c24
-    w506 = w120 * w138 + w122 * w124
-    w507 = (w506 - w389) * c21 - (w389 + w506) * c22
-    w508 = w496 * c24 - (w128 + w495) * c21
-    w509 = w111 * w118
-    w510 = w387 + w111 * link3_theta3_dot
-    w511 = w509 - w510
-    w512 = w511 * c13
-    w513 = (w111 * w385 - w116 * w386) * c13
-    w514 = w378 + w116 * link3_theta3_dot
-    w515 = w116 * w118
-    w516 = w514 - w515
-    w517 = w516 * c13
-    w518 = w187 * w512 - w188 * w513 + w190 * w517
-    w519 = w117 * w512 - w135 * w513 + w145 * w517
-    w520 = w114 * w513 + w120 * w512 + w124 * w517
-    w521 = w511 * c24 - (w509 + w510) * c21
-    w522 = (w514 + w515) * c22 + w516 * c24
-    w523 = w111 * w138 - w116 * w122
-    w524 = (w523 - w376) * c21 - (w376 + w523) * c22
-    w525 = (w138 + w138) * c22
-    w526 = (w122 + w122) * c41
+    w294 = w293 - (w39 * (w18 * w40) - w22 * w280 + (w17 * w45 + w40 * w284) + (w58 * (w24 * w47) + w48 * w288))
+    w295 = w270 - w20 * w51
+    w296 = w295 * link2_end_x
+    w297 = (w24 * w255 + w15 * w51) * link2_end_x
+    w298 = w255 * w297
+    w299 = w20 * w264 + (w139 * w262 + w253 * w295 * c40) - (w140 * w254 - w298 + (w15 * w259 - w298))
+    w300 = w299 * link3_mass
+    w301 = w184 * (w300 - (w24 * w45 - w16 * w284 - (w39 * w274 + w25 * w280) + (w29 * w288 - w58 * w277))) + w164 * w290
+    w302 = (w49 + w56) * c15 - w57 * c17
+    w303 = (w285 + w286) * c15 + w287 * c17
+    w304 = w27 * w43
+    w305 = link2_theta3_ddot - w16 * link2_theta1_ddot - w149
+    w306 = w16 * w148 - w24 * link2_theta1_ddot
+    w307 = w43 * w275 + w27 * w283
+    w308 = (w306 - w307) * c14 + (w306 + w307) * c15
+    w309 = w38 * c17 - (w28 - w37) * c14
+    w310 = w279 * c17 + (w278 - w276) * c14
+    w311 = w274 * w302 + w25 * w303 + (w24 * ((w304 + w305) * c14 - (w304 - w305) * c15) + w16 * w308) + (w277 * w309 + w29 * w310)
+    w312 = w92 * (w146 * c11) - w165 * (w17 * c11) - w311 + (w157 * (w146 * link2_end_x) - w178 * (w17 * link2_end_x))
+    w313 = w18 * w310 - w19 * w303 - (w92 * (w15 * w244) + w165 * (w20 * w244) - w186 * w194) + (w144 * w189 - (w157 * (w15 * w187) + w178 * (w20 * w187)))
+    w314 = w55 + (link2_theta1_dot * (w50 - w16 * w42) - w53)
+    w315 = w49 - w314
+    w316 = w315 * c11
+    w317 = (w43 * w281 - w27 * w282) * c11
+    w318 = w30 - (w35 + link2_theta1_dot * (w32 + w19 * w51))
+    w319 = w28 + w318
+    w320 = w319 * c11
+    w321 = w39 * (w46 + w17 * w19) + w22 * w316 - w40 * w317 + (w58 * (w21 - w16 * w151) - w48 * w320)
+    w322 = w39 * (w19 * w146 - w151) + w147 * w316 - w136 * w317 - (w58 * (w47 + w16 * w46) + w152 * w320)
+    w323 = w184 * (w16 * w317 + (w29 * w39 + w25 * w316) - (w25 * w58 + w29 * w320)) + w164 * w322 + w91 * w321
+    w324 = (w318 - w28) * c15 + w319 * c17
+    w325 = w44 - w41
+    w326 = w325 * c14 - w325 * c15
+    w327 = w315 * c17 - (w49 + w314) * c14
+    w328 = w170 - w168 + w134 * (w172 - w171)
+    w329 = link3_theta1_dot * w102
+    w330 = w94 * w96
+    w331 = link3_theta1_dot * w330
+    w332 = w105 * w329 + w101 * w331
+    w333 = w94 * w97
+    w334 = w94 * link3_theta3_dot
+    w335 = link3_theta1_ddot * w333 + link3_theta1_dot * (w102 * w104 - w96 * w334)
+    w336 = w332 + w335
+    w337 = w336 * c13
+    w338 = 2 * w105
+    w339 = 2 * w120
+    w340 = link3_theta1_dot * w333
+    w341 = (w331 * w338 + w339 * w340) * c13
+    w342 = w102 * link3_theta2_dot
+    w343 = link3_theta1_dot * (w97 * w334 + w96 * w342) + link3_theta1_ddot * w330
+    w344 = w120 * w329 + w101 * w340
+    w345 = w343 - w344
+    w346 = w345 * c13
+    w347 = w116 * (w96 * w117) - w100 * w337 + (w95 * w122 + w117 * w341) + (w134 * (w102 * w124) + w125 * w346)
+    w348 = w116 * (w96 * w169) - w167 * w337 + (w122 * w166 + w169 * w341) + (w134 * (w99 * w102) + w173 * w346)
+    w349 = w102 * w122 - w94 * w341 - (w116 * w330 + w103 * w337) + (w107 * w346 - w134 * w333)
+    w350 = (w126 + w132) * c22 - w133 * c24
+    w351 = (w343 + w344) * c22 + w345 * c24
+    w352 = w105 * w120
+    w353 = link3_theta1_dot * link3_theta2_dot
+    w354 = link3_theta3_ddot - w94 * link3_theta1_ddot - w102 * w353
+    w355 = w94 * w353 - w102 * link3_theta1_ddot
+    w356 = w120 * w331 + w105 * w340
+    w357 = (w355 - w356) * c21 + (w355 + w356) * c22
+    w358 = w115 * c24 - (w106 - w114) * c21
+    w359 = w336 * c24 + (w335 - w332) * c21
+    w360 = w330 * w350 + w103 * w351 + (w102 * ((w352 + w354) * c21 - (w352 - w354) * c22) + w94 * w357) + (w333 * w358 + w107 * w359)
+    w361 = w131 + (link3_theta1_dot * (w127 - w94 * w119) - w130)
+    w362 = w126 - w361
+    w363 = w362 * c13
+    w364 = (w120 * w338 - w105 * w339) * c13
+    w365 = w108 - (w113 + link3_theta1_dot * (w110 + w97 * w128))
+    w366 = w106 + w365
+    w367 = w366 * c13
+    w368 = w116 * (w123 + w95 * w97) + w100 * w363 - w117 * w364 + (w134 * (w99 - w94 * w172) - w125 * w367)
+    w369 = w116 * (w97 * w166 - w172) + w167 * w363 - w169 * w364 - (w134 * (w124 + w94 * w123) + w173 * w367)
+    w370 = w94 * w364 + (w107 * w116 + w103 * w363) - (w103 * w134 + w107 * w367)
+    w371 = (w365 - w106) * c22 + w366 * c24
+    w372 = w121 - w118
+    w373 = w372 * c21 - w372 * c22
+    w374 = w362 * c24 - (w126 + w361) * c21
+    w375 = 2 * w241
+    w376 = w375 * c9
+    w377 = w89 * w206 - w8 * w208
+    w378 = (w75 + w377) * c1 - (w377 - w75) * c3
+    w379 = w88 * w208 + w89 * w220
+    w380 = (w379 - w11) * c0 - (w11 + w379) * c1
+    w381 = w88 * w206 - w8 * w220
+    w382 = (w381 - w84) * c3 - (w84 + w381) * c0
+    w383 = 2 * w240
+    w384 = w383 * c9
+    w385 = 2 * (w4 * w67 + w5 * w202)
+    w386 = w385 * c9
+    w387 = w69 * w206
+    w388 = w216 + link1_theta3_dot * w69
+    w389 = (w387 - w388) * c3 - (w387 + w388) * c0
+    w390 = w72 * w206
+    w391 = w224 + link1_theta3_dot * w72
+    w392 = (w390 + w391) * c1 + (w391 - w390) * c3
+    w393 = w69 * w208 - w72 * w220
+    w394 = (w393 - w214) * c0 - (w214 + w393) * c1
+    w395 = 2 * (w0 * w202 - w7 * w67)
+    w396 = w395 * c9
+    w397 = 2 * (w4 * w63 + w5 * w240 - (w3 * w7 + w0 * w241))
+    w398 = (w208 + w208) * c1
+    w399 = (w220 + w220) * c41
+    w400 = 2 * w297
+    w401 = w400 * link3_mass
+    w402 = w23 * w25 - w16 * w27
+    w403 = w402 - w33
+    w404 = w403 * c11
+    w405 = (w25 * w281 + w29 * w282) * c11
+    w406 = w23 * w29 - w16 * w43
+    w407 = w406 - w52
+    w408 = w407 * c11
+    w409 = w401 - (w147 * w404 - w136 * w405 + w152 * w408)
+    w410 = 2 * w296
+    w411 = w410 * link3_mass
+    w412 = w411 - (w22 * w404 - w40 * w405 + w48 * w408)
+    w413 = (w52 + w406) * c15 - w407 * c17
+    w414 = w25 * w43 + w27 * w29
+    w415 = (w414 - w257) * c14 - (w257 + w414) * c15
+    w416 = w403 * c17 - (w33 + w402) * c14
+    w417 = 2 * (w144 * w253 + w20 * w268)
+    w418 = w417 * link3_mass
+    w419 = w19 * w23
+    w420 = w283 + w19 * link2_theta3_dot
+    w421 = w419 - w420
+    w422 = w421 * c11
+    w423 = (w19 * w281 - w18 * w282) * c11
+    w424 = w275 + w18 * link2_theta3_dot
+    w425 = w18 * w23
+    w426 = w424 - w425
+    w427 = w426 * c11
+    w428 = w418 - (w147 * w422 - w136 * w423 + w152 * w427)
+    w429 = 2 * (w15 * w268 - w144 * w255)
+    w430 = w429 * link3_mass
+    w431 = w430 - (w22 * w422 - w40 * w423 + w48 * w427)
+    w432 = 2 * (w139 * w253 + w20 * w296 - (w140 * w255 + w15 * w297))
+    w433 = w432 * link3_mass
+    w434 = w421 * c17 - (w419 + w420) * c14
+    w435 = (w424 + w425) * c15 + w426 * c17
+    w436 = w19 * w43 - w18 * w27
+    w437 = (w436 - w273) * c14 - (w273 + w436) * c15
+    w438 = (w43 + w43) * c15
+    w439 = (w27 + w27) * c42
+    w440 = w101 * w103 - w94 * w105
+    w441 = w440 - w111
+    w442 = w441 * c13
+    w443 = (w103 * w338 + w107 * w339) * c13
+    w444 = w101 * w107 - w94 * w120
+    w445 = w444 - w129
+    w446 = w445 * c13
+    w447 = w100 * w442 - w117 * w443 + w125 * w446
+    w448 = w167 * w442 - w169 * w443 + w173 * w446
+    w449 = w94 * w443 + w103 * w442 + w107 * w446
+    w450 = (w129 + w444) * c22 - w445 * c24
+    w451 = w103 * w120 + w105 * w107
+    w452 = (w451 - w342) * c21 - (w342 + w451) * c22
+    w453 = w441 * c24 - (w111 + w440) * c21
+    w454 = w97 * w101
+    w455 = w340 + w97 * link3_theta3_dot
+    w456 = w454 - w455
+    w457 = w456 * c13
+    w458 = (w97 * w338 - w96 * w339) * c13
+    w459 = w331 + w96 * link3_theta3_dot
+    w460 = w96 * w101
+    w461 = w459 - w460
+    w462 = w461 * c13
+    w463 = w100 * w457 - w117 * w458 + w125 * w462
+    w464 = w167 * w457 - w169 * w458 + w173 * w462
+    w465 = w94 * w458 + w103 * w457 + w107 * w462
+    w466 = w456 * c24 - (w454 + w455) * c21
+    w467 = (w459 + w460) * c22 + w461 * c24
+    w468 = w97 * w120 - w96 * w105
+    w469 = (w468 - w329) * c21 - (w329 + w468) * c22
+    w470 = (w120 + w120) * c22
+    w471 = (w105 + w105) * c43
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # link1.theta1
-            w3 * w50 + (w10 * w181 + w3 * w205) - w10 * w207,
-            w3 * w244 - (w205 * w238 - w271 - w181 * w227) - w10 * w278,
-            -(w37 * w251 + w36 * w286 - w4 * w288 + (w37 * w290 - w36 * w267)), w3 * w294 - w10 * w297,
-            w3 * w336 - w10 * w344, w10 * w368 - w3 * w369, w10 * w375 - w3 * w191, w10 * w394 - w3 * w395,
-            w10 * w415 - w3 * w416,
+            w3 * w14 + (w3 * w158 + w63 * w179) - w63 * w183,
+            w3 * w205 - (w158 * (w71 * link1_end_x) - w179 * (w161 * link1_end_x) - w234) - w63 * w237,
+            -(w89 * w212 + w88 * w248 - w8 * w250 + (w89 * w252 - w88 * w230)), w3 * w261 - w63 * w266,
+            w3 * w290 - w63 * w294, w63 * w321 - w3 * w322, w63 * w328 - w3 * w135, w63 * w347 - w3 * w348,
+            w63 * w368 - w3 * w369,
         ),
         ca.horzcat(  # link1.theta2
-            -(w107 * w205 - w6 * w181 + w50 * w107 + w6 * w207),
-            w208 * (w280 * c9) - w281 - w107 * w244 - w6 * w278,
-            -(w16 * w286 - w19 * w251 - (w16 * w267 + w19 * w290)), -(w107 * w294 + w6 * w297), w348 - w6 * w344,
-            w370, w107 * w191 + w6 * w375, w208 * w396 + w107 * w395 + w6 * w394,
-            w208 * w417 + w107 * w416 + w6 * w415,
+            -(w158 * w164 - w91 * w179 + w14 * w164 + w91 * w183),
+            -(w72 * w233 - w69 * w219 - w8 * c28 + w238 + w184 * (w243 * c9) + w164 * w205 + w91 * w237),
+            -(w69 * w248 - w72 * w212 - (w69 * w230 + w72 * w252)), -(w164 * w261 + w91 * w266),
+            -(w301 + w91 * w294), w323, w135 * w164 + w91 * w328, w184 * w349 + w164 * w348 + w91 * w347,
+            w184 * w370 + w164 * w369 + w91 * w368,
         ),
-        ca.horzcat(0.0, -w263, -w288, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
+        ca.horzcat(0.0, -w226, -w250, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
         ca.horzcat(  # link2.theta1
-            w49 * w215 - w206 * w217, w215 * w243 - w217 * w277, 0.0,
-            w159 * w293 + (w170 * w180 + (w159 * w204 + (w109 * w216 + w185 * w214))) - w170 * w296, w359,
-            -(w65 * w349 + w61 * w371 - w55 * w373 + (w65 * w374 - w61 * w356)), w170 * w375 - w159 * w191,
-            w170 * w394 - w159 * w395, w170 * w415 - w159 * w416,
+            w13 * w191 - w182 * w193, w191 * w204 - w193 * w236, 0.0,
+            w140 * w260 + (w140 * w157 + w139 * w178 + (w165 * w192 + w92 * w190)) - w139 * w265,
+            w140 * w272 - w312 - w139 * w293, -(w29 * w302 + w25 * w324 - w16 * w326 + (w29 * w327 - w25 * w309)),
+            w139 * w328 - w135 * w140, w139 * w347 - w140 * w348, w139 * w368 - w140 * w369,
         ),
         ca.horzcat(  # link2.theta2
-            -(w49 * w219 + w206 * w220), w280 * w283 - w219 * w243 - w220 * w277, 0.0, -w298,
-            w211 * w347 - (w360 - w180 * w299 + w165 * w213) - w177 * w319 - w201 * w343,
-            -(w52 * w371 - w57 * w349 - (w52 * w356 + w57 * w374)), w177 * w191 + w201 * w375,
-            w211 * w396 + w177 * w395 + w201 * w394, w211 * w417 + w177 * w416 + w201 * w415,
+            -(w13 * w195 + w182 * w196), -(w243 * w245 + w195 * w204 + w196 * w236), 0.0, -w267,
+            -(w313 + w187 * w300 + w176 * w272 + w155 * w293),
+            -(w19 * w324 - w18 * w302 - (w19 * w309 + w18 * w327)), w135 * w176 + w155 * w328,
+            w187 * w349 + w176 * w348 + w155 * w347, w187 * w370 + w176 * w369 + w155 * w368,
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, -w355, -w373, 0.0, 0.0, 0.0),  # link2.theta3
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, -w308, -w326, 0.0, 0.0, 0.0),  # link2.theta3
         ca.horzcat(  # link3.theta1
-            w49 * w221 - w206 * w222, w221 * w243 - w222 * w277, 0.0, w221 * w292 - w222 * w295,
-            w221 * w318 - w222 * w342, 0.0, w179 * w222 + w203 * w221,
-            -(w203 * (w115 * c13) - w179 * (w186 * c13) - w407),
-            -(w124 * w397 + w120 * w418 - w114 * w420 + (w124 * w421 - w120 * w405)),
+            w13 * w197 - w182 * w198, w197 * w204 - w198 * w236, 0.0, w197 * w259 - w198 * w264,
+            w197 * w271 - w198 * w292, 0.0, w177 * w198 + w156 * w197,
+            -(w156 * (w166 * c13) - w177 * (w95 * c13) - w360),
+            -(w107 * w350 + w103 * w371 - w94 * w373 + (w107 * w374 - w103 * w358)),
         ),
         ca.horzcat(  # link3.theta2
-            -(w49 * w224 + w206 * w225), w280 * w284 - w224 * w243 - w225 * w277, 0.0, -(w224 * w292 + w225 * w295),
-            w284 * w346 - w224 * w318 - w225 * w342, 0.0, w179 * w225 - w203 * w224,
-            -(w116 * w406 - w111 * w398 - (w203 * (w110 * w284) + w179 * (w113 * w284) - w212 * w223)),
-            -(w111 * w418 - w116 * w397 - (w111 * w405 + w116 * w421)),
+            -(w13 * w200 + w182 * w201), -(w243 * w246 + w200 * w204 + w201 * w236), 0.0,
+            -(w200 * w259 + w201 * w264), -(w246 * w299 + w200 * w271 + w201 * w292), 0.0,
+            w177 * w201 - w156 * w200,
+            -(w96 * w359 - w97 * w351 - (w156 * (w93 * w246) + w177 * (w98 * w246) - w188 * w199)),
+            -(w97 * w371 - w96 * w350 - (w97 * w358 + w96 * w374)),
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w404, -w420),  # link3.theta3
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w357, -w373),  # link3.theta3
     )
     J_v = ca.SX(9, 9)
     # link1.theta1
-    J_v[0, 0] = -(w36 * w423 - w4 * w425 + w37 * w427 + w3 * w430 + w10 * w432)
-    J_v[0, 1] = w10 * w438 - (w37 * w440 - (w36 * w442 + w4 * w444) + w3 * w447)
-    J_v[0, 2] = -(w36 * w449 + w37 * w450)
-    J_v[0, 3] = -(w3 * w461 + w10 * w464)
-    J_v[0, 4] = w10 * w482 - w3 * w486
-    J_v[0, 6] = w10 * w502 - w3 * w503
-    J_v[0, 7] = w10 * w518 - w3 * w519
+    J_v[0, 0] = w3 * w376 - (w88 * w378 - w8 * w380 + w89 * w382) - w63 * w384
+    J_v[0, 1] = w3 * w386 - (w89 * w389 - (w88 * w392 + w8 * w394)) - w63 * w396
+    J_v[0, 2] = -(w88 * w398 + w89 * w399)
+    J_v[0, 3] = w3 * w409 - w63 * w412
+    J_v[0, 4] = w3 * w428 - w63 * w431
+    J_v[0, 6] = w63 * w447 - w3 * w448
+    J_v[0, 7] = w63 * w463 - w3 * w464
     # link1.theta2
-    J_v[1, 0] = w107 * w430 - (w16 * w423 - w19 * w427) - w6 * w432
-    J_v[1, 1] = w16 * w442 + w19 * w440 + w208 * (w448 * c9) + w107 * w447 + w6 * w438
-    J_v[1, 2] = -(w16 * w449 - w19 * w450)
-    J_v[1, 3] = w208 * (w55 * w454 + w61 * w453 + w65 * w457) + w107 * w461 - w6 * w464
-    J_v[1, 4] = w208 * (w55 * w473 + w61 * w472 + w65 * w477 + w488) + w107 * w486 + w6 * w482
-    J_v[1, 6] = w208 * w504 + w107 * w503 + w6 * w502
-    J_v[1, 7] = w208 * w520 + w107 * w519 + w6 * w518
+    J_v[1, 0] = -(w69 * w378 - w72 * w382 + w164 * w376 + w91 * w384)
+    J_v[1, 1] = w69 * w392 + w72 * w389 - w184 * (w397 * c9) - w164 * w386 - w91 * w396
+    J_v[1, 2] = -(w69 * w398 - w72 * w399)
+    J_v[1, 3] = w184 * (w16 * w405 + w25 * w404 + w29 * w408) - w164 * w409 - w91 * w412
+    J_v[1, 4] = -(w184 * (w433 - (w16 * w423 + w25 * w422 + w29 * w427)) + w164 * w428 + w91 * w431)
+    J_v[1, 6] = w184 * w449 + w164 * w448 + w91 * w447
+    J_v[1, 7] = w184 * w465 + w164 * w464 + w91 * w463
     # link1.theta3
-    J_v[2, 0] = -w425
-    J_v[2, 1] = -w444
+    J_v[2, 0] = -w380
+    J_v[2, 1] = -w394
     # link2.theta1
-    J_v[3, 0] = -(w215 * w429 + w217 * w431)
-    J_v[3, 1] = w217 * w437 - w215 * w446
-    J_v[3, 3] = -(w61 * w465 - w55 * w467 + w65 * w468 + w159 * w460 + w170 * w463)
-    J_v[3, 4] = w170 * w481 - (w65 * w489 - (w61 * w490 + w55 * w492) + w159 * w485)
-    J_v[3, 5] = -(w61 * w493 + w65 * w494)
-    J_v[3, 6] = w170 * w502 - w159 * w503
-    J_v[3, 7] = w170 * w518 - w159 * w519
+    J_v[3, 0] = w191 * w375 - w193 * w383
+    J_v[3, 1] = w191 * w385 - w193 * w395
+    J_v[3, 3] = w140 * w401 - (w25 * w413 - w16 * w415 + w29 * w416) - w139 * w411
+    J_v[3, 4] = w140 * w418 - (w29 * w434 - (w25 * w435 + w16 * w437)) - w139 * w430
+    J_v[3, 5] = -(w25 * w438 + w29 * w439)
+    J_v[3, 6] = w139 * w447 - w140 * w448
+    J_v[3, 7] = w139 * w463 - w140 * w464
     # link2.theta2
-    J_v[4, 0] = w219 * w429 - w220 * w431
-    J_v[4, 1] = w283 * w448 + w219 * w446 + w220 * w437
-    J_v[4, 3] = w177 * w460 - (w52 * w465 - w57 * w468) - w201 * w463
-    J_v[4, 4] = w52 * w490 + w57 * w489 + w211 * w488 + w177 * w485 + w201 * w481
-    J_v[4, 5] = -(w52 * w493 - w57 * w494)
-    J_v[4, 6] = w211 * w504 + w177 * w503 + w201 * w502
-    J_v[4, 7] = w211 * w520 + w177 * w519 + w201 * w518
+    J_v[4, 0] = -(w195 * w375 + w196 * w383)
+    J_v[4, 1] = -(w245 * w397 + w195 * w385 + w196 * w395)
+    J_v[4, 3] = -(w19 * w413 - w18 * w416 + w176 * w401 + w155 * w411)
+    J_v[4, 4] = w19 * w435 + w18 * w434 - w187 * w433 - w176 * w418 - w155 * w430
+    J_v[4, 5] = -(w19 * w438 - w18 * w439)
+    J_v[4, 6] = w187 * w449 + w176 * w448 + w155 * w447
+    J_v[4, 7] = w187 * w465 + w176 * w464 + w155 * w463
     # link2.theta3
-    J_v[5, 3] = -w467
-    J_v[5, 4] = -w492
+    J_v[5, 3] = -w415
+    J_v[5, 4] = -w437
     # link3.theta1
-    J_v[6, 0] = -(w221 * w429 + w222 * w431)
-    J_v[6, 1] = w222 * w437 - w221 * w446
-    J_v[6, 3] = -(w221 * w459 + w222 * w462)
-    J_v[6, 4] = w222 * w480 - w221 * w484
-    J_v[6, 6] = -(w120 * w505 - w114 * w507 + w124 * w508)
-    J_v[6, 7] = -(w124 * w521 - (w120 * w522 + w114 * w524))
-    J_v[6, 8] = -(w120 * w525 + w124 * w526)
+    J_v[6, 0] = w197 * w375 - w198 * w383
+    J_v[6, 1] = w197 * w385 - w198 * w395
+    J_v[6, 3] = w197 * w400 - w198 * w410
+    J_v[6, 4] = w197 * w417 - w198 * w429
+    J_v[6, 6] = -(w103 * w450 - w94 * w452 + w107 * w453)
+    J_v[6, 7] = -(w107 * w466 - (w103 * w467 + w94 * w469))
+    J_v[6, 8] = -(w103 * w470 + w107 * w471)
     # link3.theta2
-    J_v[7, 0] = w224 * w429 - w225 * w431
-    J_v[7, 1] = w284 * w448 + w224 * w446 + w225 * w437
-    J_v[7, 3] = w224 * w459 - w225 * w462
-    J_v[7, 4] = w284 * w487 + w224 * w484 + w225 * w480
-    J_v[7, 6] = -(w111 * w505 - w116 * w508)
-    J_v[7, 7] = w111 * w522 + w116 * w521
-    J_v[7, 8] = -(w111 * w525 - w116 * w526)
+    J_v[7, 0] = -(w200 * w375 + w201 * w383)
+    J_v[7, 1] = -(w246 * w397 + w200 * w385 + w201 * w395)
+    J_v[7, 3] = -(w200 * w400 + w201 * w410)
+    J_v[7, 4] = -(w246 * w432 + w200 * w417 + w201 * w429)
+    J_v[7, 6] = -(w97 * w450 - w96 * w453)
+    J_v[7, 7] = w97 * w467 + w96 * w466
+    J_v[7, 8] = -(w97 * w470 - w96 * w471)
     # link3.theta3
-    J_v[8, 6] = -w507
-    J_v[8, 7] = -w524
+    J_v[8, 6] = -w452
+    J_v[8, 7] = -w469
     inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
@@ -3099,13 +3009,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
     844 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 42)
+    c = ca.SX.sym("c", 44)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]

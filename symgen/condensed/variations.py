@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from symgen.algebra.rows import Row, add_scaled, add_to
-from symgen.algebra.scalar import ZERO, add, div, mul, neg, sub
+from symgen.algebra.scalar import ZERO, add, div, mul, neg, sub, vector
 from symgen.algebra.small_systems import solve_small
 from symgen.condensed.condensation import Condensed, Substitution
 from symgen.condensed.loops import LoopBlock, solve_forward
@@ -143,7 +143,29 @@ def _rates(eq: Equations, rows: Sequence[int], accelerations: Row) -> tuple[list
 
 
 def _row_changes(system: Condensed, rows: Sequence[int], accelerations: Row) -> dict[int, _RowChange]:
+    """Rates and derivatives commute: d(C')/dq_j = (C_qj)', d(C'')/dq_j = (C_qj)'' and d(C'')/dq_j' = 2 (C_qj)'.
+
+    With velocities that are no rates of coordinates they do not, and in the plane, where a row has few coordinates,
+    C' and C'' themselves take fewer operations to differentiate.
+    """
     eq = system.reduced
+    if eq.turnings or eq.inertia_forces is None:
+        return _by_differentiation(eq, rows, accelerations)
+    columns = sorted(accelerations)
+    places = [(row, column) for row in rows for column in eq.constraints[row].C_q if column in accelerations]
+    q, rates = (ca.vertcat(*(source[c] for c in columns)) for source in (eq.q, eq.q_dot))
+    second = ca.vertcat(*(accelerations[c] for c in columns))
+    entries = ca.SX(ca.vertcat(*(eq.constraints[row].C_q[column] for row, column in places)))
+    first = ca.jtimes(entries, q, rates)
+    changes = [first, ca.jtimes(first, ca.vertcat(q, rates), ca.vertcat(rates, second)), 2 * first]
+    found = {row: _RowChange(dict(eq.constraints[row].C_q), {}, {}, {}) for row in rows}
+    for (row, column), *values in zip(places, *(vector(value) for value in changes), strict=True):
+        for target, value in zip((found[row].g, found[row].h, found[row].k), values, strict=True):
+            add_to(target, column, value)
+    return found
+
+
+def _by_differentiation(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[int, _RowChange]:
     columns = sorted(accelerations)
     entries = [eq.constraints[row].C_q for row in rows]
     first, second = _rates(eq, rows, accelerations)

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from symgen.algebra.rows import Row, add_scaled
-from symgen.algebra.scalar import ONE, ZERO, div, mul, neg, sub
+from symgen.algebra.scalar import ONE, ZERO, div, neg, sub
 from symgen.condensed.condensation import Condensed, congruence
 from symgen.condensed.loops import solve_transposed
 from symgen.condensed.variations import Variation, constraint_rates, derivative_rows, particular, variations
@@ -36,10 +36,14 @@ def held_jacobians(system: Condensed, q_i_ddot: Sequence[ca.SX]) -> list[tuple[c
 
 @dataclass(frozen=True)
 class _Held:
-    """rho by column, accelerations by column (of dependent coordinates: symbols), and what the symbols stand for."""
+    """rho by column, accelerations by column (of dependent coordinates: symbols), and what the symbols stand for.
+
+    reactions: C_q^T lambda by column.
+    """
 
     system: Condensed
     rho: Row
+    reactions: Row
     accelerations: Row
     values: tuple[list[ca.SX], list[ca.SX]]
 
@@ -51,28 +55,41 @@ def _held(system: Condensed, given: Row) -> _Held:
     force = eq.force(accelerations)
     rows = _rows(system)
     lam = {row: ca.SX.sym(f"lam_{row}") for row in rows}
-    rho = {column: force[column] for column in accelerations}
+    reactions: Row = {}
     for row, value in lam.items():
-        for column, factor in eq.constraints[row].C_q.items():
-            if column in rho:
-                rho[column] = sub(rho[column], mul(factor, value))
+        add_scaled(reactions, value, eq.constraints[row].C_q)
+    rho = {column: sub(force[column], reactions.get(column, ZERO)) for column in accelerations}
     found = system.accelerations(given)
     known = ca.SX(ca.vertcat(*(found.get(column, ZERO) for column in a_d)))
     symbols = ca.SX(ca.vertcat(*a_d.values()))
     multipliers = ca.substitute(ca.SX(ca.vertcat(*_multipliers(system, rows, force))), symbols, known)
-    return _Held(system, rho, accelerations, ([symbols, ca.SX(ca.vertcat(*lam.values()))], [known, multipliers]))
+    values = [symbols, ca.SX(ca.vertcat(*lam.values()))], [known, multipliers]
+    return _Held(system, rho, reactions, accelerations, values)
 
 
 def _eliminated(held: _Held) -> list[ca.SX]:
     """All of K and D, and each dependent coordinate taken out: for trees, and where there are many directions."""
     system, eq = held.system, held.system.reduced
     columns = sorted(held.rho)
-    values = [held.rho[column] for column in columns]
-    K, D = (dict(zip(columns, derivative_rows(values, columns, by), strict=True)) for by in (eq.q, eq.q_dot))
+    K, D = (dict(zip(columns, rows, strict=True)) for rows in _derivatives(held, columns))
     left = _Elimination([dict(row) for row in eq.M], K, D)
     for one in reversed(variations(system, held.accelerations)):
         left.take_out(one)
     return [left.matrix(matrix, system.choice.independent) for matrix in (left.K, left.D)]
+
+
+def _derivatives(held: _Held, columns: list[int]) -> list[list[Row]]:
+    """Rows of K and D: of inertia forces by composites where these are known, of all else by what they hold."""
+    eq = held.system.reduced
+    if eq.force_changes is None:
+        values = [held.rho[column] for column in columns]
+        return [derivative_rows(values, columns, by) for by in (eq.q, eq.q_dot)]
+    values = [sub(eq.outer_forces[column], held.reactions.get(column, ZERO)) for column in columns]
+    found = [derivative_rows(values, columns, by) for by in (eq.q, eq.q_dot)]
+    for rows, changes in zip(found, eq.force_changes(held.accelerations), strict=True):
+        for row, column in zip(rows, columns, strict=True):
+            add_scaled(row, neg(ONE), {c: value for c, value in changes[column].items() if c in held.rho})
+    return found
 
 
 def _directed(held: _Held) -> list[ca.SX]:

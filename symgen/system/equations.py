@@ -32,6 +32,13 @@ class InertiaForces(Protocol):
         """By column."""
 
 
+class ForceChanges(Protocol):
+    """Derivatives of the inertia forces of a tree of frames."""
+
+    def __call__(self, accelerations: Row) -> tuple[list[Row], list[Row]]:
+        """By q and by q_dot, at fixed accelerations: rows by column."""
+
+
 class FreeJointAccelerations(Protocol):
     """Accelerations of a tree of frames in O(N)."""
 
@@ -47,6 +54,7 @@ class Equations:
 
     Q_F holds loads, gravity and damping; Q_star = Q_v - K q + Q_F. inertia_forces, where the bodies are a tree of
     frames: accelerations -> M q_ddot - Q_v; Q_v holds the weight too there, not Q_F.
+    force_changes: derivatives of these, where they are known by composites.
     free_joints: accelerations for a force on such a tree, if joints place all its bodies.
     placed_columns: coordinates of the frames of placed bodies, which no mass and no other constraint knows of.
     Energies [J] and powers [W] are scalars.
@@ -92,6 +100,7 @@ class Equations:
     inputs: list[InputRecord] = field(default_factory=list)
     baumgarte: tuple[ca.SX, ca.SX] = field(default_factory=lambda: (ca.SX(0), ca.SX(0)))
     inertia_forces: InertiaForces | None = None
+    force_changes: ForceChanges | None = None
     free_joints: FreeJointAccelerations | None = None
     placed_columns: frozenset[int] = frozenset()
     turnings: list[Turning] = field(default_factory=list)
@@ -125,11 +134,14 @@ class Equations:
         if self.inertia_forces is None:
             inertia = matrix_times(self.M, accelerations)
             return [sub(value, inertia.get(column, ZERO)) for column, value in enumerate(self.Q_star)]
-        inertia, springs = self.inertia_forces(accelerations), matrix_times(self.K, dict(enumerate(self.q)))
-        return [
-            sub(sub(value, springs.get(column, ZERO)), inertia.get(column, ZERO))
-            for column, value in enumerate(self.Q_F)
-        ]
+        inertia = self.inertia_forces(accelerations)
+        return [sub(value, inertia.get(column, ZERO)) for column, value in enumerate(self.outer_forces)]
+
+    @cached_property
+    def outer_forces(self) -> list[ca.SX]:
+        """Q_F - K q: what a tree of frames moves by but for its inertia and weight."""
+        springs = matrix_times(self.K, dict(enumerate(self.q)))
+        return [sub(value, springs.get(column, ZERO)) for column, value in enumerate(self.Q_F)]
 
     def loads_on(self, body: str) -> list[str]:
         """Names of the loads and frictions that act on a body."""

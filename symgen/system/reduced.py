@@ -30,6 +30,7 @@ from symgen.scene.placing import PLACING
 from symgen.system.equations import Equations
 from symgen.system.frames.ball import Ball
 from symgen.system.frames.body_moves import Bend
+from symgen.system.frames.force_changes import force_changes, has_force_changes
 from symgen.system.frames.free_joints import floats, free_joint_accelerations
 from symgen.system.frames.inverse_dynamics import floating_forces, inverse_dynamics, mass_rows
 from symgen.system.frames.linkage import links_of
@@ -249,6 +250,8 @@ def reduced_equations(
     for column in equations.states.values():  # of controllers, which no body knows of
         equations.M[column] = {column: ONE}
     equations.inertia_forces = partial(_inertia_forces, space.tree, equations)
+    if has_force_changes(space.tree):
+        equations.force_changes = partial(_force_changes, space.tree, equations)
     if not floats(space.tree):
         equations.free_joints = partial(free_joint_accelerations, space.tree)
     for column, value in equations.inertia_forces({}).items():
@@ -273,3 +276,9 @@ def _inertia_forces(tree: FrameTree, equations: Equations, accelerations: Row) -
         if column in accelerations:
             force[column] = accelerations[column]
     return force
+
+
+def _force_changes(tree: FrameTree, equations: Equations, accelerations: Row) -> tuple[list[Row], list[Row]]:
+    """Derivatives of `_inertia_forces` by q and by q_dot."""
+    base = [neg(component) for component in equations.gravity]
+    return force_changes(tree, len(equations.q), base, dict(enumerate(equations.q_dot)), accelerations)

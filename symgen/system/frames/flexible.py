@@ -33,11 +33,15 @@ class FlexibleInertia:
 
     @cached_property
     def _still(self) -> SpatialMoments:
-        return self._moments({})
+        return self.moments({})
 
-    def _moments(self, rates: Row) -> SpatialMoments:
-        own = [rates.get(column, ZERO) for column in self.columns]
-        return SpatialMoments(self.data, self.q_f, own, zeros())
+    def own(self, values: Row) -> Vector:
+        """The modes' part of a vector by column."""
+        return [values.get(column, ZERO) for column in self.columns]
+
+    def moments(self, rates: Row) -> SpatialMoments:
+        """With rates by column, zero where absent."""
+        return SpatialMoments(self.data, self.q_f, self.own(rates), zeros())
 
     @cached_property
     def rigid(self) -> Composite:
@@ -58,20 +62,19 @@ class FlexibleInertia:
         }
 
     @cached_property
-    def _doubled(self) -> list[Matrix]:
+    def doubled(self) -> list[Matrix]:
         """E_a = L_a + L_a^T = 2 D_a."""
         return [[[add(L[i][j], L[j][i]) for j in range(3)] for i in range(3)] for L in self._still.L]
 
     def inertia_force(self, motion: Motion, rates: Row, accelerations: Row) -> tuple[Wrench, Row]:
         """(wrench that moves the masses, generalised force on the modes by column)."""
-        moments, momenta = self._moments(rates), self.momenta
-        speeds = [rates.get(column, ZERO) for column in self.columns]
-        own = [accelerations.get(column, ZERO) for column in self.columns]
+        moments, momenta = self.moments(rates), self.momenta
+        speeds, own = self.own(rates), self.own(accelerations)
         wrench = self.rigid.inertia_wrench(motion)
         twice = scaled(ca.SX(2), motion.omega)
         f = plus(wrench.f, cross(twice, moments.hd), moments.hn, combination(moments.s, own))
         E = [
-            [total(mul(speed, E_a[i][j]) for speed, E_a in zip(speeds, self._doubled, strict=True)) for j in range(3)]
+            [total(mul(speed, E_a[i][j]) for speed, E_a in zip(speeds, self.doubled, strict=True)) for j in range(3)]
             for i in range(3)
         ]
         trace = add(add(E[0][0], E[1][1]), E[2][2])
@@ -92,7 +95,7 @@ class FlexibleInertia:
 
     def _centrifugal(self, a: int, omega: Vector) -> ca.SX:
         """omega~^2 : D_a = omega.(D_a omega) - (omega.omega) tr(D_a)."""
-        L, E = self._still.L[a], self._doubled[a]
+        L, E = self._still.L[a], self.doubled[a]
         result = ZERO
         for i in range(3):
             j, k = (i + 1) % 3, (i + 2) % 3
