@@ -2012,7 +2012,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w128 = c41 + w90 + w93 * link5_mass + w127
     w129 = c40 + w84 + w87 * link4_mass + w128
     w130 = c39 + w78 + w81 * link3_mass + w129
-    w131 = w0 * (w2 * c59) - (w3 * c37 + (w0 * (w7 + w2 * link2_mass + w70) + w74 * (c38 + w73 + w75 * link2_mass + w130)))
+    w131 = w0 * (w2 * c59) - (w3 * c37 + w0 * (w7 + w2 * link2_mass + w70) + w74 * (c38 + w73 + w75 * link2_mass + w130))
     w132 = w10 + w19 * c15
     w133 = w77 + w85 * c15
     w134 = w17 + w26 * c14
@@ -2049,17 +2049,17 @@ def dQ_hat_dq_i() -> ca.Function:
     w165 = w39 + w164
     w166 = w110 * c11
     w167 = w102 + w166
-    w168 = w47 * w164 - (w101 * w105 + w38 * w42 + w101 * gravity_y + (w47 * w65 + w109 * w125)) + w109 * w166
+    w168 = w47 * w164 - (w101 * w105 + w38 * w42 + w101 * gravity_y + w47 * w65 + w109 * w125) + w109 * w166
     w169 = w55 * c10
     w170 = w46 + w169
     w171 = w116 * c10
     w172 = w108 + w171
-    w173 = w54 * w169 - (w107 * w111 + w45 * w49 + w107 * gravity_y + (w54 * w64 + w115 * w124)) + w115 * w171
+    w173 = w54 * w169 - (w107 * w111 + w45 * w49 + w107 * gravity_y + w54 * w64 + w115 * w124) + w115 * w171
     w174 = w61 * link10_mass
     w175 = w53 + w174
     w176 = w121 * link10_mass
     w177 = w114 + w176
-    w178 = w60 * w174 - (w113 * w117 + w52 * w56 + w113 * gravity_y + (w60 * w63 + w120 * w123)) + w120 * w176
+    w178 = w60 * w174 - (w113 * w117 + w52 * w56 + w113 * gravity_y + w60 * w63 + w120 * w123) + w120 * w176
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # link1.theta
@@ -2069,32 +2069,32 @@ def dQ_hat_dq_i() -> ca.Function:
         ),
         ca.horzcat(  # link2.theta
             w2 * (w6 + w12 * c16) + w75 * (w72 + w79 * c16),
-            w12 * w146 - (w72 * w75 + w2 * w6 + w72 * gravity_y + (w12 * w70 + w79 * w130)) + w79 * w147,
+            w12 * w146 - (w72 * w75 + w2 * w6 + w72 * gravity_y + w12 * w70 + w79 * w130) + w79 * w147,
             w12 * w149 + w79 * w151, w12 * w153 + w79 * w155, w12 * w157 + w79 * w159, w12 * w161 + w79 * w163,
             w12 * w165 + w79 * w167, w12 * w170 + w79 * w172, w12 * w175 + w79 * w177, w12 * w59 + w79 * w119,
         ),
         ca.horzcat(  # link3.theta
             w2 * w132 + w75 * w133, w13 * w132 + w80 * w133,
-            w19 * w148 - (w77 * w81 + w10 * w14 + w77 * gravity_y + (w19 * w69 + w85 * w129)) + w85 * w150,
+            w19 * w148 - (w77 * w81 + w10 * w14 + w77 * gravity_y + w19 * w69 + w85 * w129) + w85 * w150,
             w19 * w153 + w85 * w155, w19 * w157 + w85 * w159, w19 * w161 + w85 * w163, w19 * w165 + w85 * w167,
             w19 * w170 + w85 * w172, w19 * w175 + w85 * w177, w19 * w59 + w85 * w119,
         ),
         ca.horzcat(  # link4.theta
             w2 * w134 + w75 * w135, w13 * w134 + w80 * w135, w20 * w134 + w86 * w135,
-            w26 * w152 - (w83 * w87 + w17 * w21 + w83 * gravity_y + (w26 * w68 + w91 * w128)) + w91 * w154,
+            w26 * w152 - (w83 * w87 + w17 * w21 + w83 * gravity_y + w26 * w68 + w91 * w128) + w91 * w154,
             w26 * w157 + w91 * w159, w26 * w161 + w91 * w163, w26 * w165 + w91 * w167, w26 * w170 + w91 * w172,
             w26 * w175 + w91 * w177, w26 * w59 + w91 * w119,
         ),
         ca.horzcat(  # link5.theta
             w2 * w136 + w75 * w137, w13 * w136 + w80 * w137, w20 * w136 + w86 * w137, w27 * w136 + w92 * w137,
-            w33 * w156 - (w89 * w93 + w24 * w28 + w89 * gravity_y + (w33 * w67 + w97 * w127)) + w97 * w158,
+            w33 * w156 - (w89 * w93 + w24 * w28 + w89 * gravity_y + w33 * w67 + w97 * w127) + w97 * w158,
             w33 * w161 + w97 * w163, w33 * w165 + w97 * w167, w33 * w170 + w97 * w172, w33 * w175 + w97 * w177,
             w33 * w59 + w97 * w119,
         ),
         ca.horzcat(  # link6.theta
             w2 * w138 + w75 * w139, w13 * w138 + w80 * w139, w20 * w138 + w86 * w139, w27 * w138 + w92 * w139,
             w34 * w138 + w98 * w139,
-            w40 * w160 - (w95 * w99 + w31 * w35 + w95 * gravity_y + (w40 * w66 + w103 * w126)) + w103 * w162,
+            w40 * w160 - (w95 * w99 + w31 * w35 + w95 * gravity_y + w40 * w66 + w103 * w126) + w103 * w162,
             w40 * w165 + w103 * w167, w40 * w170 + w103 * w172, w40 * w175 + w103 * w177, w40 * w59 + w103 * w119,
         ),
         ca.horzcat(  # link7.theta
@@ -2606,7 +2606,7 @@ def residual_jacobian() -> ca.Function:
     w162 = c41 + w127 - (w130 * link5_mass + w131) + w161
     w163 = c40 + w122 - (w125 * link4_mass + w126) + w162
     w164 = c39 + w117 - (w120 * link3_mass + w121) + w163
-    w165 = w0 * (w8 + (w4 * link2_mass + w11) + w113) + w2 * (c38 + w114 - (w115 * link2_mass + w116) + w164)
+    w165 = w1 * c37 + w0 * (w8 + (w4 * link2_mass + w11) + w113) + w2 * (c38 + w114 - (w115 * link2_mass + w116) + w164)
     w166 = w7 + w16 * c16
     w167 = w10 + w18 * c16
     w168 = w14 + w28 * c15
@@ -2734,60 +2734,59 @@ def residual_jacobian() -> ca.Function:
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w0 * (w4 * c59) - (w1 * c37 + w165) - w2 * (w115 * c59),
-            w0 * (w8 + w11 + w183) - w2 * (w116 - w114 + w185), w0 * w188 - w2 * w191, w0 * w194 - w2 * w197,
-            w0 * w200 - w2 * w203, w0 * w206 - w2 * w209, w0 * w212 - w2 * w215, w0 * w218 - w2 * w221,
-            w0 * w224 - w2 * w227, w0 * w228 - w2 * w229,
+            w0 * (w4 * c59) - w165 - w2 * (w115 * c59), w0 * (w8 + w11 + w183) - w2 * (w116 - w114 + w185),
+            w0 * w188 - w2 * w191, w0 * w194 - w2 * w197, w0 * w200 - w2 * w203, w0 * w206 - w2 * w209,
+            w0 * w212 - w2 * w215, w0 * w218 - w2 * w221, w0 * w224 - w2 * w227, w0 * w228 - w2 * w229,
         ),
         ca.horzcat(  # link2.theta
             w4 * w166 - w115 * w167,
-            w10 * w115 - w4 * w7 - w10 * gravity_y - (w16 * w113 + w18 * w164) + w16 * w183 - w18 * w185,
+            w10 * w115 - w4 * w7 - w10 * gravity_y - w16 * w113 - w18 * w164 + w16 * w183 - w18 * w185,
             w16 * w188 - w18 * w191, w16 * w194 - w18 * w197, w16 * w200 - w18 * w203, w16 * w206 - w18 * w209,
             w16 * w212 - w18 * w215, w16 * w218 - w18 * w221, w16 * w224 - w18 * w227, w16 * w228 - w18 * w229,
         ),
         ca.horzcat(  # link3.theta
             w4 * w168 - w115 * w169, w168 * w182 - w169 * w184,
-            w22 * w120 - w14 * w20 - w22 * gravity_y - (w28 * w112 + w30 * w163) + w28 * w187 - w30 * w190,
+            w22 * w120 - w14 * w20 - w22 * gravity_y - w28 * w112 - w30 * w163 + w28 * w187 - w30 * w190,
             w28 * w194 - w30 * w197, w28 * w200 - w30 * w203, w28 * w206 - w30 * w209, w28 * w212 - w30 * w215,
             w28 * w218 - w30 * w221, w28 * w224 - w30 * w227, w28 * w228 - w30 * w229,
         ),
         ca.horzcat(  # link4.theta
             w4 * w170 - w115 * w171, w170 * w182 - w171 * w184, w170 * w186 - w171 * w189,
-            w34 * w125 - w26 * w32 - w34 * gravity_y - (w40 * w111 + w42 * w162) + w40 * w193 - w42 * w196,
+            w34 * w125 - w26 * w32 - w34 * gravity_y - w40 * w111 - w42 * w162 + w40 * w193 - w42 * w196,
             w40 * w200 - w42 * w203, w40 * w206 - w42 * w209, w40 * w212 - w42 * w215, w40 * w218 - w42 * w221,
             w40 * w224 - w42 * w227, w40 * w228 - w42 * w229,
         ),
         ca.horzcat(  # link5.theta
             w4 * w172 - w115 * w173, w172 * w182 - w173 * w184, w172 * w186 - w173 * w189,
             w172 * w192 - w173 * w195,
-            w46 * w130 - w38 * w44 - w46 * gravity_y - (w52 * w110 + w54 * w161) + w52 * w199 - w54 * w202,
+            w46 * w130 - w38 * w44 - w46 * gravity_y - w52 * w110 - w54 * w161 + w52 * w199 - w54 * w202,
             w52 * w206 - w54 * w209, w52 * w212 - w54 * w215, w52 * w218 - w54 * w221, w52 * w224 - w54 * w227,
             w52 * w228 - w54 * w229,
         ),
         ca.horzcat(  # link6.theta
             w4 * w174 - w115 * w175, w174 * w182 - w175 * w184, w174 * w186 - w175 * w189,
             w174 * w192 - w175 * w195, w174 * w198 - w175 * w201,
-            w58 * w135 - w50 * w56 - w58 * gravity_y - (w64 * w109 + w66 * w160) + w64 * w205 - w66 * w208,
+            w58 * w135 - w50 * w56 - w58 * gravity_y - w64 * w109 - w66 * w160 + w64 * w205 - w66 * w208,
             w64 * w212 - w66 * w215, w64 * w218 - w66 * w221, w64 * w224 - w66 * w227, w64 * w228 - w66 * w229,
         ),
         ca.horzcat(  # link7.theta
             w4 * w176 - w115 * w177, w176 * w182 - w177 * w184, w176 * w186 - w177 * w189,
             w176 * w192 - w177 * w195, w176 * w198 - w177 * w201, w176 * w204 - w177 * w207,
-            w70 * w140 - w62 * w68 - w70 * gravity_y - (w76 * w108 + w78 * w159) + w76 * w211 - w78 * w214,
+            w70 * w140 - w62 * w68 - w70 * gravity_y - w76 * w108 - w78 * w159 + w76 * w211 - w78 * w214,
             w76 * w218 - w78 * w221, w76 * w224 - w78 * w227, w76 * w228 - w78 * w229,
         ),
         ca.horzcat(  # link8.theta
             w4 * w178 - w115 * w179, w178 * w182 - w179 * w184, w178 * w186 - w179 * w189,
             w178 * w192 - w179 * w195, w178 * w198 - w179 * w201, w178 * w204 - w179 * w207,
             w178 * w210 - w179 * w213,
-            w82 * w145 - w74 * w80 - w82 * gravity_y - (w88 * w107 + w90 * w158) + w88 * w217 - w90 * w220,
+            w82 * w145 - w74 * w80 - w82 * gravity_y - w88 * w107 - w90 * w158 + w88 * w217 - w90 * w220,
             w88 * w224 - w90 * w227, w88 * w228 - w90 * w229,
         ),
         ca.horzcat(  # link9.theta
             w4 * w180 - w115 * w181, w180 * w182 - w181 * w184, w180 * w186 - w181 * w189,
             w180 * w192 - w181 * w195, w180 * w198 - w181 * w201, w180 * w204 - w181 * w207,
             w180 * w210 - w181 * w213, w180 * w216 - w181 * w219,
-            w94 * w150 - w86 * w92 - w94 * gravity_y - (w99 * w106 + w101 * w157) + w99 * w223 - w101 * w226,
+            w94 * w150 - w86 * w92 - w94 * gravity_y - w99 * w106 - w101 * w157 + w99 * w223 - w101 * w226,
             w99 * w228 - w101 * w229,
         ),
         ca.horzcat(  # link10.theta

@@ -17,8 +17,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 169) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
-    175 operations.
+    gives c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    167 operations.
     """
     p = ca.SX.sym("p", 169)
     gravity_y = p[0]
@@ -55,105 +55,97 @@ def constants() -> ca.Function:
     beam_pinned_pinned2_1_0_H_0_0 = p[35]
     beam_pinned_pinned2_1_0_H_1_1 = p[36]
     ground_right_x = p[37]
-    # intermediate terms (30)
+    # intermediate terms (26)
     w0 = coupler_density * coupler_area
     w1 = w0 * coupler_length
-    w2 = beam_pinned_pinned2_1_0_H_0_0 / coupler_length
-    w3 = beam_pinned_pinned2_1_0_H_1_1 / coupler_length
-    w4 = beam_pinned_pinned2_1_0_H_0_0 / rocker_length
-    w5 = beam_pinned_pinned2_1_0_H_1_1 / rocker_length
-    w6 = rocker_density * rocker_area
-    w7 = rocker_length * w6
-    w8 = rocker_length**2
-    w9 = w7 * beam_pinned_pinned2_mass_0_0
-    w10 = w7 * beam_pinned_pinned2_xH_0_0
-    w11 = w7 * beam_pinned_pinned2_mass_1_1
-    w12 = w7 * beam_pinned_pinned2_xH_1_1
-    w13 = coupler_length * w1
-    w14 = w0 * beam_pinned_pinned2_H_0_0
-    w15 = w0 * beam_pinned_pinned2_H_0_1
-    w16 = w0 * beam_pinned_pinned2_H_1_0
-    w17 = w0 * beam_pinned_pinned2_H_1_1
-    w18 = coupler_length**2
-    w19 = w1 * beam_pinned_pinned2_mass_0_0
-    w20 = w1 * beam_pinned_pinned2_xH_0_0
-    w21 = w1 * beam_pinned_pinned2_mass_1_1
-    w22 = w1 * beam_pinned_pinned2_xH_1_1
-    w23 = rocker_length * w7
-    w24 = w6 * beam_pinned_pinned2_H_0_0
-    w25 = w6 * beam_pinned_pinned2_H_0_1
-    w26 = w6 * beam_pinned_pinned2_H_1_0
-    w27 = w6 * beam_pinned_pinned2_H_1_1
-    w28 = coupler_youngs_modulus * coupler_second_moment / (coupler_length * w18)
-    w29 = rocker_youngs_modulus * rocker_second_moment / (rocker_length * w8)
+    w2 = rocker_density * rocker_area
+    w3 = rocker_length * w2
+    w4 = rocker_length**2
+    w5 = w3 * beam_pinned_pinned2_mass_0_0
+    w6 = w3 * beam_pinned_pinned2_xH_0_0
+    w7 = w3 * beam_pinned_pinned2_mass_1_1
+    w8 = w3 * beam_pinned_pinned2_xH_1_1
+    w9 = coupler_length * w1
+    w10 = w0 * beam_pinned_pinned2_H_0_0
+    w11 = w0 * beam_pinned_pinned2_H_0_1
+    w12 = w0 * beam_pinned_pinned2_H_1_0
+    w13 = w0 * beam_pinned_pinned2_H_1_1
+    w14 = coupler_length**2
+    w15 = w1 * beam_pinned_pinned2_mass_0_0
+    w16 = w1 * beam_pinned_pinned2_xH_0_0
+    w17 = w1 * beam_pinned_pinned2_mass_1_1
+    w18 = w1 * beam_pinned_pinned2_xH_1_1
+    w19 = rocker_length * w3
+    w20 = w2 * beam_pinned_pinned2_H_0_0
+    w21 = w2 * beam_pinned_pinned2_H_0_1
+    w22 = w2 * beam_pinned_pinned2_H_1_0
+    w23 = w2 * beam_pinned_pinned2_H_1_1
+    w24 = coupler_youngs_modulus * coupler_second_moment / (coupler_length * w14)
+    w25 = rocker_youngs_modulus * rocker_second_moment / (rocker_length * w4)
     # outputs
     c = ca.vertcat(
         crank_tip_x,  # crank_tip_x
         coupler_length,  # coupler_length
         w1,  # c2
         crank_inertia + crank_tip_x * (crank_tip_x * w1),  # c3
-        w2,  # c4
-        w3,  # c5
+        beam_pinned_pinned2_1_0_H_0_0 / coupler_length,  # c4
+        beam_pinned_pinned2_1_0_H_1_1 / coupler_length,  # c5
         rocker_length,  # rocker_length
-        w4,  # c7
-        w5,  # c8
-        w7 * w8 * beam_pinned_pinned2_i0_0_0,  # c9
-        w9,  # c10
-        w10,  # c11
-        w7 * beam_pinned_pinned2_xH_0_1,  # c12
-        w11,  # c13
-        w7 * beam_pinned_pinned2_xH_1_0,  # c14
-        w12,  # c15
-        w13 * beam_pinned_pinned2_s1_0_0,  # c16
-        w14,  # c17
-        w15,  # c18
-        w16,  # c19
-        w17,  # c20
+        beam_pinned_pinned2_1_0_H_0_0 / rocker_length,  # c7
+        beam_pinned_pinned2_1_0_H_1_1 / rocker_length,  # c8
+        w3 * w4 * beam_pinned_pinned2_i0_0_0,  # c9
+        w5,  # c10
+        w6,  # c11
+        w3 * beam_pinned_pinned2_xH_0_1,  # c12
+        w7,  # c13
+        w3 * beam_pinned_pinned2_xH_1_0,  # c14
+        w8,  # c15
+        w9 * beam_pinned_pinned2_s1_0_0,  # c16
+        w10,  # c17
+        w11,  # c18
+        w12,  # c19
+        w13,  # c20
         w1 * beam_pinned_pinned2_phi_y_0_0,  # c21
-        beam_pinned_pinned2_i0_0_0 * (w1 * w18),  # c22
-        w19,  # c23
-        w20,  # c24
+        beam_pinned_pinned2_i0_0_0 * (w1 * w14),  # c22
+        w15,  # c23
+        w16,  # c24
         w1 * beam_pinned_pinned2_xH_0_1,  # c25
-        w21,  # c26
+        w17,  # c26
         w1 * beam_pinned_pinned2_xH_1_0,  # c27
-        w22,  # c28
-        w13 * beam_pinned_pinned2_xi_phi_y_0_0,  # c29
-        w13 * beam_pinned_pinned2_xi_phi_y_1_0,  # c30
-        beam_pinned_pinned2_xi_phi_y_0_0 * w23,  # c31
-        beam_pinned_pinned2_xi_phi_y_1_0 * w23,  # c32
+        w18,  # c28
+        w9 * beam_pinned_pinned2_xi_phi_y_0_0,  # c29
+        w9 * beam_pinned_pinned2_xi_phi_y_1_0,  # c30
+        beam_pinned_pinned2_xi_phi_y_0_0 * w19,  # c31
+        beam_pinned_pinned2_xi_phi_y_1_0 * w19,  # c32
         gravity_y,  # gravity_y
         w1 * gravity_y,  # c34
-        beam_pinned_pinned2_s1_0_0 * w23,  # c35
-        w24,  # c36
-        w25,  # c37
-        w26,  # c38
-        w27,  # c39
-        w7 * beam_pinned_pinned2_phi_y_0_0,  # c40
-        w28 * beam_pinned_pinned2_kappa_lateral_0_0,  # c41
-        w28 * beam_pinned_pinned2_kappa_lateral_1_1,  # c42
-        beam_pinned_pinned2_kappa_lateral_0_0 * w29,  # c43
-        beam_pinned_pinned2_kappa_lateral_1_1 * w29,  # c44
+        beam_pinned_pinned2_s1_0_0 * w19,  # c35
+        w20,  # c36
+        w21,  # c37
+        w22,  # c38
+        w23,  # c39
+        w3 * beam_pinned_pinned2_phi_y_0_0,  # c40
+        w24 * beam_pinned_pinned2_kappa_lateral_0_0,  # c41
+        w24 * beam_pinned_pinned2_kappa_lateral_1_1,  # c42
+        beam_pinned_pinned2_kappa_lateral_0_0 * w25,  # c43
+        beam_pinned_pinned2_kappa_lateral_1_1 * w25,  # c44
         ground_right_x,  # ground_right_x
         crank_inertia,  # crank_inertia
-        w7,  # c47
+        w3,  # c47
         crank_mass,  # crank_mass
         gravity_y * crank_mass,  # c49
-        w7 * gravity_y,  # c50
-        w19 - w20,  # c51
-        w21 - w22,  # c52
-        w9 - w10,  # c53
-        gravity_y * w24,  # c54
-        gravity_y * w26,  # c55
-        w11 - w12,  # c56
-        gravity_y * w25,  # c57
-        gravity_y * w27,  # c58
-        w14 + w14,  # c59
-        w15 + w16,  # c60
-        w2 + w2,  # c61
-        w17 + w17,  # c62
-        w3 + w3,  # c63
-        w4 + w4,  # c64
-        w5 + w5,  # c65
+        w3 * gravity_y,  # c50
+        w15 - w16,  # c51
+        w17 - w18,  # c52
+        w5 - w6,  # c53
+        gravity_y * w20,  # c54
+        gravity_y * w22,  # c55
+        w7 - w8,  # c56
+        gravity_y * w21,  # c57
+        gravity_y * w23,  # c58
+        w10 + w10,  # c59
+        w11 + w12,  # c60
+        w13 + w13,  # c61
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -166,7 +158,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 5 x 5) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 5) [N, N m]: condensed force S^T (Q* - M s)
     521 operations.
@@ -175,7 +167,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 66)
+    c = ca.SX.sym("c", 62)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -349,7 +341,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 2) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -357,7 +349,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 66)
+    c = ca.SX.sym("c", 62)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -404,14 +396,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
-    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     123 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
-    c = ca.SX.sym("c", 66)
+    c = ca.SX.sym("c", 62)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -471,7 +463,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
     193 operations.
     """
@@ -480,7 +472,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 66)
+    c = ca.SX.sym("c", 62)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -557,7 +549,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
-    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 8 x 13) [SI]: constraint Jacobian
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -567,7 +559,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 66)
+    c = ca.SX.sym("c", 62)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -684,7 +676,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
-    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 13 x 13) [SI]: mass matrix in all coordinates
     gives K (n x n = 13 x 13) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 13) [N, N m]: quadratic velocity force in all coordinates
@@ -696,7 +688,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 66)
+    c = ca.SX.sym("c", 62)
     crank_theta = q[2]
     coupler_theta = q[5]
     coupler_q1 = q[6]
@@ -1000,7 +992,7 @@ def reactions() -> ca.Function:
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
     takes q_ddot (n = 13) [mixed]: accelerations of all coordinates
-    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
     350 operations.
@@ -1008,7 +1000,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 66)
+    c = ca.SX.sym("c", 62)
     coupler_theta = q[5]
     coupler_q1 = q[6]
     coupler_q2 = q[7]
@@ -1156,7 +1148,7 @@ def energy() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
-    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -1166,7 +1158,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 66)
+    c = ca.SX.sym("c", 62)
     crank_y = q[1]
     coupler_y = q[4]
     coupler_theta = q[5]
@@ -1337,15 +1329,15 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i, through q_d
-    1262 operations.
+    1264 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 66)
+    c = ca.SX.sym("c", 62)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -1412,32 +1404,32 @@ def dQ_hat_dq_i() -> ca.Function:
     c56 = c[56]
     c57 = c[57]
     c58 = c[58]
-    # intermediate terms (242)
+    # intermediate terms (244)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = crank_theta_dot**2
     w2 = w0 * w1
     w3 = w2 * c2
     w4 = coupler_theta_dot**2
-    w5 = ca.cos(coupler_theta)
+    w5 = ca.sin(coupler_theta)
     w6 = coupler_q1 * c17
     w7 = w6 + coupler_q2 * c18
     w8 = coupler_q2 * c20
     w9 = coupler_q1 * c19 + w8
     w10 = c16 - (coupler_q1 * w7 + coupler_q2 * w9) * 0.5
-    w11 = ca.sin(coupler_theta)
+    w11 = ca.cos(coupler_theta)
     w12 = coupler_q1 * c21
-    w13 = w5 * w10 - w11 * w12
+    w13 = w5 * w10 + w11 * w12
     w14 = w4 * w13
-    w15 = 2 * coupler_theta_dot
-    w16 = coupler_q1_dot * c21
-    w17 = w7 * coupler_q1_dot + w9 * coupler_q2_dot
-    w18 = w5 * w16 - w11 * w17
-    w19 = w15 * w18
-    w20 = coupler_q1_dot * c17
-    w21 = coupler_q2_dot * c20
-    w22 = coupler_q1_dot * (w20 + coupler_q2_dot * c18) + coupler_q2_dot * (coupler_q1_dot * c19 + w21)
-    w23 = w5 * w22
-    w24 = w10 * w11 + w5 * w12
+    w15 = coupler_q1_dot * c17
+    w16 = coupler_q2_dot * c20
+    w17 = coupler_q1_dot * (w15 + coupler_q2_dot * c18) + coupler_q2_dot * (coupler_q1_dot * c19 + w16)
+    w18 = w5 * w17
+    w19 = 2 * coupler_theta_dot
+    w20 = w7 * coupler_q1_dot + w9 * coupler_q2_dot
+    w21 = coupler_q1_dot * c21
+    w22 = w11 * w20 + w5 * w21
+    w23 = w19 * w22
+    w24 = w10 * w11 - w5 * w12
     w25 = ca.cos(rocker_theta)
     w26 = rocker_q1 * c7
     w27 = rocker_q2 * c8
@@ -1446,14 +1438,14 @@ def dQ_hat_dq_i() -> ca.Function:
     w30 = coupler_q1 * c4
     w31 = coupler_q2 * c5
     w32 = coupler_q1_dot * w30 + coupler_q2_dot * w31
-    w33 = w11 * w32
-    w34 = w15 * w33
+    w33 = w5 * w32
+    w34 = w19 * w33
     w35 = coupler_q1_dot * c4
     w36 = coupler_q2_dot * c5
     w37 = coupler_q1_dot * w35 + coupler_q2_dot * w36
-    w38 = w5 * w37
+    w38 = w11 * w37
     w39 = coupler_length - (coupler_q1 * w30 + coupler_q2 * w31) * 0.5
-    w40 = w5 * w39
+    w40 = w11 * w39
     w41 = w4 * w40
     w42 = 2 * rocker_theta_dot
     w43 = ca.sin(rocker_theta)
@@ -1472,10 +1464,10 @@ def dQ_hat_dq_i() -> ca.Function:
     w56 = w25 * w44
     w57 = w42 * w56
     w58 = w51 * w54
-    w59 = w11 * w37
-    w60 = w5 * w32
-    w61 = w15 * w60
-    w62 = w11 * w39
+    w59 = w5 * w37
+    w60 = w11 * w32
+    w61 = w19 * w60
+    w62 = w5 * w39
     w63 = w4 * w62
     w64 = ca.sin(crank_theta) * crank_tip_x
     w65 = w1 * w64
@@ -1483,47 +1475,47 @@ def dQ_hat_dq_i() -> ca.Function:
     w67 = w29 * w62 - w40 * w54
     w68 = (w29 * w53 + w54 * w66) / w67
     w69 = w24 * w68
-    w70 = coupler_theta_dot * -2.0
-    w71 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
-    w72 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
-    w73 = coupler_q1_dot * w71 + coupler_q2_dot * w72
-    w74 = c22 + (coupler_q1 * w71 + coupler_q2 * w72)
-    w75 = w70 * w73 + w13 * gravity_y - (w2 * w24 - w13 * w65 + w68 * w74)
-    w76 = rocker_theta_dot * -2.0
-    w77 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
-    w78 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
-    w79 = rocker_q1_dot * w77 + rocker_q2_dot * w78
-    w80 = rocker_q1 * c36
-    w81 = w80 + rocker_q2 * c37
-    w82 = rocker_q2 * c39
-    w83 = rocker_q1 * c38 + w82
-    w84 = c35 - (rocker_q1 * w81 + rocker_q2 * w83) * 0.5
-    w85 = rocker_q1 * c40
-    w86 = c9 + (rocker_q1 * w77 + rocker_q2 * w78)
-    w87 = (w40 * w53 + w62 * w66) / w67
-    w88 = w76 * w79 + (w25 * w84 - w43 * w85) * gravity_y - w86 * w87
-    w89 = (w29 * w75 + w40 * w88) / w67
-    w90 = w4 * w24
-    w91 = w11 * w22
-    w92 = w5 * w17 + w11 * w16
-    w93 = w15 * w92
-    w94 = w13 * w68
-    w95 = w65 * c2
-    w96 = (w54 * w75 + w62 * w88) / w67
-    w97 = w0 * w3 - (w0 * (w14 + w19 + w23 + (w3 + w69) + w89) + w64 * (c34 + (w90 + w91 + w93) - (w94 - w95) + w96))
+    w70 = w65 * c2
+    w71 = coupler_theta_dot * -2.0
+    w72 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
+    w73 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
+    w74 = coupler_q1_dot * w72 + coupler_q2_dot * w73
+    w75 = c22 + (coupler_q1 * w72 + coupler_q2 * w73)
+    w76 = w71 * w74 + w24 * gravity_y - (w2 * w13 - w24 * w65 + w68 * w75)
+    w77 = rocker_theta_dot * -2.0
+    w78 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
+    w79 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
+    w80 = rocker_q1_dot * w78 + rocker_q2_dot * w79
+    w81 = rocker_q1 * c36
+    w82 = w81 + rocker_q2 * c37
+    w83 = rocker_q2 * c39
+    w84 = rocker_q1 * c38 + w83
+    w85 = c35 - (rocker_q1 * w82 + rocker_q2 * w84) * 0.5
+    w86 = rocker_q1 * c40
+    w87 = c9 + (rocker_q1 * w78 + rocker_q2 * w79)
+    w88 = (w40 * w53 + w62 * w66) / w67
+    w89 = w77 * w80 + (w25 * w85 - w43 * w86) * gravity_y - w87 * w88
+    w90 = (w54 * w76 + w62 * w89) / w67
+    w91 = w4 * w24
+    w92 = w11 * w21 - w5 * w20
+    w93 = w19 * w92
+    w94 = w11 * w17
+    w95 = w13 * w68
+    w96 = (w29 * w76 + w40 * w89) / w67
+    w97 = w0 * w3 - (w64 * (c34 + (w14 + w18 + w23) - (w69 - w70) + w90) + w0 * (w91 + w93 + w94 + (w3 + w95) + w96))
     w98 = (w0 * w62 - w40 * w64) / w67
     w99 = w40 * w68 - (w61 + (w59 + w63))
     w100 = (w0 * w54 - w29 * w64) / w67
-    w101 = w15 * w40 + 2 * -w33
-    w102 = w11 * w30
-    w103 = w11 * w31
+    w101 = w19 * w40 + 2 * -w33
+    w102 = w5 * w30
+    w103 = w5 * w31
     w104 = coupler_theta_dot * w40 - coupler_q1_dot * w102 - coupler_q2_dot * w103
     w105 = w26 * w43
     w106 = w27 * w43
     w107 = rocker_q1_dot * w105 - w29 * rocker_theta_dot + rocker_q2_dot * w106
     w108 = w0 * crank_theta_dot + w100 * w104 + w98 * w107
-    w109 = w5 * w30
-    w110 = w5 * w31
+    w109 = w11 * w30
+    w110 = w11 * w31
     w111 = coupler_q1_dot * w109 + coupler_theta_dot * w62 + coupler_q2_dot * w110
     w112 = w25 * w26
     w113 = w25 * w27
@@ -1532,162 +1524,164 @@ def dQ_hat_dq_i() -> ca.Function:
     w116 = (w29 * w108 + w54 * w115) / w67
     w117 = 2 * w45 - w29 * w42
     w118 = (w40 * w108 + w62 * w115) / w67
-    w119 = w57 + (w55 + w58) - w29 * w87
+    w119 = w57 + (w55 + w58) - w29 * w88
     w120 = w99 * w100 - (w65 + w101 * w116) - w117 * w118 + w98 * w119
-    w121 = 2 * w60 + w15 * w62
+    w121 = 2 * w60 + w19 * w62
     w122 = w62 * w68 + (w41 + (w38 - w34))
     w123 = 2 * -w56 - w42 * w54
-    w124 = w54 * w87 + (w52 + (w50 - w46))
+    w124 = w54 * w88 + (w52 + (w50 - w46))
     w125 = w2 - w116 * w121 + w100 * w122 - w118 * w123 - w98 * w124
     w126 = (w40 * w120 + w62 * w125) / w67
-    w127 = w79 * -2.0
-    w128 = w54 * w96 + w29 * w89 - (w43 * w84 + w25 * w85) * gravity_y
-    w129 = w86 * w126 - w118 * w127 + w98 * w128
-    w130 = w0 * w13 + w24 * w64
+    w127 = w80 * -2.0
+    w128 = w29 * w96 - (w43 * w85 + w25 * w86) * gravity_y + w54 * w90
+    w129 = w87 * w126 - w118 * w127 + w98 * w128
+    w130 = w0 * w24 + w13 * w64
     w131 = (w29 * w120 + w54 * w125) / w67
-    w132 = w0 * (w15 * w24 + 2 * w92) - w64 * (w13 * w15 + 2 * w18)
-    w133 = w0 * (w69 + (w19 + (w14 + w23))) - w64 * (w94 - (w91 + (w90 + w93)))
-    w134 = w2 * w13 + w24 * w65
-    w135 = w73 * -2.0
-    w136 = w134 + w24 * gravity_y + (w40 * w89 + w62 * w96)
-    w137 = w134 + w74 * w131 - w116 * w135 - w100 * w136
-    w138 = w5 * c21
-    w139 = w11 * c21
-    w140 = w5 * w7 + w139
-    w141 = w2 * (w138 - w7 * w11) + w65 * w140
+    w132 = w0 * (w13 * w19 + 2 * w22) - w64 * (w19 * w24 + 2 * w92)
+    w133 = w0 * (w95 + (w93 + (w91 + w94))) - w64 * (w69 - (w18 + (w14 + w23)))
+    w134 = w2 * w24 + w13 * w65
+    w135 = w74 * -2.0
+    w136 = w134 + w13 * gravity_y + w40 * w96 + w62 * w90
+    w137 = w134 + w75 * w131 - w116 * w135 - w100 * w136
+    w138 = w11 * c21
+    w139 = w5 * c21
+    w140 = w7 * w11 + w139
+    w141 = w2 * (w138 - w5 * w7) + w65 * w140
     w142 = coupler_q1 * w39 * c4 / w67
-    w143 = w15 * w71
-    w144 = w96 * w109 - w89 * w102
-    w145 = w141 + w140 * gravity_y + w144
-    w146 = (w29 * w109 + w54 * w102) / w67
-    w147 = w5 * w9
-    w148 = w65 * w147
-    w149 = w2 * (w9 * w11)
-    w150 = coupler_q2 * w39 * c5 / w67
-    w151 = w15 * w72
-    w152 = w96 * w110 - w89 * w103
-    w153 = w149 - w148 - w147 * gravity_y - w152
-    w154 = (w29 * w110 + w54 * w103) / w67
-    w155 = w42 * w77
-    w156 = w96 * w112
-    w157 = w89 * w105
-    w158 = w43 * c40
-    w159 = w156 - w157 - (w158 + w25 * w81) * gravity_y
-    w160 = (w40 * w112 + w62 * w105) / w67
-    w161 = rocker_q1 * w28 * c7 / w67
-    w162 = w42 * w78
-    w163 = w96 * w113
-    w164 = w89 * w106
-    w165 = w163 - w164 - w25 * w83 * gravity_y
-    w166 = (w40 * w113 + w62 * w106) / w67
-    w167 = rocker_q2 * w28 * c8 / w67
-    w168 = (w6 + w7 + coupler_q2 * c19) * 0.5
-    w169 = w138 - w11 * w168
-    w170 = w20 + coupler_q2_dot * c19
-    w171 = w139 + w5 * w168
-    w172 = w0 * (w4 * w169 + w15 * (w5 * w170) + w68 * w171) - w64 * (w68 * w169 - (w4 * w171 + w15 * (w11 * w170)))
-    w173 = w5 * c4
-    w174 = coupler_q1_dot * w173 - coupler_theta_dot * w102 - w104 * w146 - w107 * w142
+    w143 = w19 * w72
+    w144 = w96 * w102
+    w145 = w90 * w109
+    w146 = w144 - (w141 + w140 * gravity_y) - w145
+    w147 = (w29 * w109 + w54 * w102) / w67
+    w148 = w9 * w11
+    w149 = w65 * w148
+    w150 = w2 * (w5 * w9)
+    w151 = coupler_q2 * w39 * c5 / w67
+    w152 = w19 * w73
+    w153 = w96 * w103
+    w154 = w90 * w110
+    w155 = w150 - w149 - w148 * gravity_y + w153 - w154
+    w156 = (w29 * w110 + w54 * w103) / w67
+    w157 = w42 * w78
+    w158 = w90 * w112
+    w159 = w43 * c40
+    w160 = w96 * w105
+    w161 = w158 - ((w159 + w25 * w82) * gravity_y + w160)
+    w162 = (w40 * w112 + w62 * w105) / w67
+    w163 = rocker_q1 * w28 * c7 / w67
+    w164 = w42 * w79
+    w165 = w90 * w113
+    w166 = w96 * w106
+    w167 = w165 - (w25 * w84 * gravity_y + w166)
+    w168 = (w40 * w113 + w62 * w106) / w67
+    w169 = rocker_q2 * w28 * c8 / w67
+    w170 = (w6 + w7 + coupler_q2 * c19) * 0.5
+    w171 = w138 - w5 * w170
+    w172 = w15 + coupler_q2_dot * c19
+    w173 = w139 + w11 * w170
+    w174 = w0 * (w4 * w171 + w19 * (w11 * w172) + w68 * w173) - w64 * (w68 * w171 - (w4 * w173 + w19 * (w5 * w172)))
     w175 = w11 * c4
-    w176 = coupler_q1_dot * w175 + coupler_theta_dot * w109 - w111 * w146 + w114 * w142
-    w177 = (w29 * w174 + w54 * w176) / w67
-    w178 = (w40 * w174 + w62 * w176) / w67
-    w179 = w68 * w102 + (w15 * (w11 * w35) + w4 * w109) + w101 * w177 + w99 * w146 + w117 * w178 + w119 * w142
-    w180 = w68 * w109 + (w15 * (w5 * w35) - w4 * w102) - w121 * w177 - w122 * w146 - w123 * w178 + w124 * w142
-    w181 = (w40 * w179 - w62 * w180) / w67
-    w182 = w86 * w181 + w127 * w178 + w128 * w142
-    w183 = (w29 * w179 - w54 * w180) / w67
-    w184 = w70 * (coupler_q1_dot * c51 - coupler_q2_dot * c27) - w171 * gravity_y - (w68 * (w71 + coupler_q1 * c51 - coupler_q2 * c27) + (w65 * w171 + w2 * w169))
-    w185 = w184 - w144 - w74 * w183 - w135 * w177 + w136 * w146
-    w186 = w11 * c17
-    w187 = w4 * c51 - c41 - w186 * gravity_y - (w65 * w186 + w2 * (w5 * c17)) - (w89 * w173 + w96 * w175) + w142 * w182
-    w188 = w11 * c19
-    w189 = w150 * w182 - (w2 * (w5 * c19) + w65 * w188 + (w4 * c27 + w188 * gravity_y)) - w183 * c30 - w151 * w177
-    w190 = w21 + coupler_q1_dot * c18
-    w191 = (coupler_q1 * c18 + (w8 + w9)) * 0.5
-    w192 = w11 * w191
-    w193 = w5 * w191
-    w194 = w0 * (w15 * (w5 * w190) - w4 * w192 + w68 * w193) + w64 * (w4 * w193 + w15 * (w11 * w190) + w68 * w192)
-    w195 = w5 * c5
-    w196 = coupler_q2_dot * w195 - coupler_theta_dot * w103 - w104 * w154 - w107 * w150
+    w176 = coupler_q1_dot * w175 - coupler_theta_dot * w102 - w104 * w147 - w107 * w142
+    w177 = w5 * c4
+    w178 = coupler_q1_dot * w177 + coupler_theta_dot * w109 - w111 * w147 + w114 * w142
+    w179 = (w29 * w176 + w54 * w178) / w67
+    w180 = (w40 * w176 + w62 * w178) / w67
+    w181 = w68 * w102 + (w19 * (w5 * w35) + w4 * w109) + w101 * w179 + w99 * w147 + w117 * w180 + w119 * w142
+    w182 = w68 * w109 + (w19 * (w11 * w35) - w4 * w102) - w121 * w179 - w122 * w147 - w123 * w180 + w124 * w142
+    w183 = (w40 * w181 - w62 * w182) / w67
+    w184 = w87 * w183 + w127 * w180 + w128 * w142
+    w185 = (w29 * w181 - w54 * w182) / w67
+    w186 = w71 * (coupler_q1_dot * c51 - coupler_q2_dot * c27) - w173 * gravity_y - (w68 * (w72 + coupler_q1 * c51 - coupler_q2 * c27) + (w65 * w173 + w2 * w171))
+    w187 = w144 + w186 - w145 - w75 * w185 - w135 * w179 + w136 * w147
+    w188 = w5 * c17
+    w189 = w4 * c51 - c41 - w188 * gravity_y - (w65 * w188 + w2 * (w11 * c17)) - w96 * w175 - w90 * w177 + w142 * w184
+    w190 = w5 * c19
+    w191 = w151 * w184 - (w2 * (w11 * c19) + w65 * w190 + (w4 * c27 + w190 * gravity_y)) - w185 * c30 - w152 * w179
+    w192 = w16 + coupler_q1_dot * c18
+    w193 = (coupler_q1 * c18 + (w8 + w9)) * 0.5
+    w194 = w5 * w193
+    w195 = w11 * w193
+    w196 = w0 * (w19 * (w11 * w192) - w4 * w194 + w68 * w195) + w64 * (w4 * w195 + w19 * (w5 * w192) + w68 * w194)
     w197 = w11 * c5
-    w198 = coupler_theta_dot * w110 + coupler_q2_dot * w197 - w111 * w154 + w114 * w150
-    w199 = (w29 * w196 + w54 * w198) / w67
-    w200 = (w40 * w196 + w62 * w198) / w67
-    w201 = w68 * w103 + (w15 * (w11 * w36) + w4 * w110) + w101 * w199 + w99 * w154 + w117 * w200 + w119 * w150
-    w202 = w68 * w110 + (w15 * (w5 * w36) - w4 * w103) - w121 * w199 - w122 * w154 - w123 * w200 + w124 * w150
-    w203 = (w40 * w201 - w62 * w202) / w67
-    w204 = w86 * w203 + w127 * w200 + w128 * w150
-    w205 = (w29 * w201 - w54 * w202) / w67
-    w206 = w70 * (coupler_q2_dot * c52 - coupler_q1_dot * c25) - w193 * gravity_y - (w65 * w193 - w2 * w192 + w68 * (w72 + coupler_q2 * c52 - coupler_q1 * c25))
-    w207 = w206 - w152 - w74 * w205 - w135 * w199 + w136 * w154
-    w208 = w11 * c18
-    w209 = w142 * w204 - (w65 * w208 + w2 * (w5 * c18) + (w4 * c25 + w208 * gravity_y)) - w205 * c29 - w143 * w199
-    w210 = w11 * c20
-    w211 = w4 * c52 - c42 - w210 * gravity_y - (w2 * (w5 * c20) + w65 * w210) - (w89 * w195 + w96 * w197) + w150 * w204
-    w212 = w76 * (rocker_q1_dot * c53 - rocker_q2_dot * c14) - (w158 + w25 * ((w80 + w81 + rocker_q2 * c38) * 0.5)) * gravity_y
-    w213 = w25 * c7
-    w214 = rocker_theta_dot * w105 - rocker_q1_dot * w213 + w104 * w161 + w107 * w160
-    w215 = w43 * c7
-    w216 = w111 * w161 - (rocker_theta_dot * w112 + rocker_q1_dot * w215) - w114 * w160
-    w217 = (w29 * w214 + w54 * w216) / w67
-    w218 = (w40 * w214 + w62 * w216) / w67
-    w219 = w87 * w105 + (w42 * (w43 * w47) + w51 * w112) - w101 * w217 + w99 * w161 - w117 * w218 + w119 * w160
-    w220 = w122 * w161 - (w87 * w112 + (w42 * (w25 * w47) - w51 * w105) + w121 * w217) - w123 * w218 - w124 * w160
-    w221 = (w40 * w219 + w62 * w220) / w67
-    w222 = w212 - w87 * (w77 + rocker_q1 * c53 - rocker_q2 * c14) - (w157 - w156) + w86 * w221 - w127 * w218
-    w223 = w222 + w128 * w160
-    w224 = (w29 * w219 + w54 * w220) / w67
-    w225 = w74 * w224 - w135 * w217 - w136 * w161
-    w226 = w51 * c53 - c43 - w43 * c54 + (w89 * w213 + w96 * w215) + w221 * c31 - w155 * w218 + w159 * w160 + w160 * w223
-    w227 = w76 * (rocker_q2_dot * c56 - rocker_q1_dot * c12) - w25 * ((rocker_q1 * c37 + (w82 + w83)) * 0.5) * gravity_y
-    w228 = w25 * c8
-    w229 = rocker_theta_dot * w106 - rocker_q2_dot * w228 + w104 * w167 + w107 * w166
-    w230 = w43 * c8
-    w231 = w111 * w167 - (rocker_theta_dot * w113 + rocker_q2_dot * w230) - w114 * w166
-    w232 = (w29 * w229 + w54 * w231) / w67
-    w233 = (w40 * w229 + w62 * w231) / w67
-    w234 = w87 * w106 + (w42 * (w43 * w48) + w51 * w113) - w101 * w232 + w99 * w167 - w117 * w233 + w119 * w166
-    w235 = w122 * w167 - (w87 * w113 + (w42 * (w25 * w48) - w51 * w106) + w121 * w232) - w123 * w233 - w124 * w166
-    w236 = (w40 * w234 + w62 * w235) / w67
-    w237 = w227 - w87 * (w78 + rocker_q2 * c56 - rocker_q1 * c12) - (w164 - w163) + w86 * w236 - w127 * w233
-    w238 = w237 + w128 * w166
-    w239 = (w29 * w234 + w54 * w235) / w67
-    w240 = w74 * w239 - w135 * w232 - w136 * w167
-    w241 = w51 * c56 - c44 - w43 * c58 + (w89 * w228 + w96 * w230) + w236 * c32 - w162 * w233 + w165 * w166 + w166 * w238
+    w198 = coupler_q2_dot * w197 - coupler_theta_dot * w103 - w104 * w156 - w107 * w151
+    w199 = w5 * c5
+    w200 = coupler_theta_dot * w110 + coupler_q2_dot * w199 - w111 * w156 + w114 * w151
+    w201 = (w29 * w198 + w54 * w200) / w67
+    w202 = (w40 * w198 + w62 * w200) / w67
+    w203 = w68 * w103 + (w19 * (w5 * w36) + w4 * w110) + w101 * w201 + w99 * w156 + w117 * w202 + w119 * w151
+    w204 = w68 * w110 + (w19 * (w11 * w36) - w4 * w103) - w121 * w201 - w122 * w156 - w123 * w202 + w124 * w151
+    w205 = (w40 * w203 - w62 * w204) / w67
+    w206 = w87 * w205 + w127 * w202 + w128 * w151
+    w207 = (w29 * w203 - w54 * w204) / w67
+    w208 = w71 * (coupler_q2_dot * c52 - coupler_q1_dot * c25) - w195 * gravity_y - (w65 * w195 - w2 * w194 + w68 * (w73 + coupler_q2 * c52 - coupler_q1 * c25))
+    w209 = w153 + w208 - w154 - w75 * w207 - w135 * w201 + w136 * w156
+    w210 = w5 * c18
+    w211 = w142 * w206 - (w65 * w210 + w2 * (w11 * c18) + (w4 * c25 + w210 * gravity_y)) - w207 * c29 - w143 * w201
+    w212 = w5 * c20
+    w213 = w4 * c52 - c42 - w212 * gravity_y - (w2 * (w11 * c20) + w65 * w212) - w96 * w197 - w90 * w199 + w151 * w206
+    w214 = w77 * (rocker_q1_dot * c53 - rocker_q2_dot * c14) - (w159 + w25 * ((w81 + w82 + rocker_q2 * c38) * 0.5)) * gravity_y
+    w215 = w25 * c7
+    w216 = rocker_theta_dot * w105 - rocker_q1_dot * w215 + w104 * w163 + w107 * w162
+    w217 = w43 * c7
+    w218 = w111 * w163 - (rocker_theta_dot * w112 + rocker_q1_dot * w217) - w114 * w162
+    w219 = (w29 * w216 + w54 * w218) / w67
+    w220 = (w40 * w216 + w62 * w218) / w67
+    w221 = w88 * w105 + (w42 * (w43 * w47) + w51 * w112) - w101 * w219 + w99 * w163 - w117 * w220 + w119 * w162
+    w222 = w122 * w163 - (w88 * w112 + (w42 * (w25 * w47) - w51 * w105) + w121 * w219) - w123 * w220 - w124 * w162
+    w223 = (w40 * w221 + w62 * w222) / w67
+    w224 = w158 + (w214 - w88 * (w78 + rocker_q1 * c53 - rocker_q2 * c14) - w160) + w87 * w223 - w127 * w220
+    w225 = w224 + w128 * w162
+    w226 = (w29 * w221 + w54 * w222) / w67
+    w227 = w75 * w226 - w135 * w219 - w136 * w163
+    w228 = w51 * c53 - c43 - w43 * c54 + w96 * w215 + w90 * w217 + w223 * c31 - w157 * w220 + w161 * w162 + w162 * w225
+    w229 = w77 * (rocker_q2_dot * c56 - rocker_q1_dot * c12) - w25 * ((rocker_q1 * c37 + (w83 + w84)) * 0.5) * gravity_y
+    w230 = w25 * c8
+    w231 = rocker_theta_dot * w106 - rocker_q2_dot * w230 + w104 * w169 + w107 * w168
+    w232 = w43 * c8
+    w233 = w111 * w169 - (rocker_theta_dot * w113 + rocker_q2_dot * w232) - w114 * w168
+    w234 = (w29 * w231 + w54 * w233) / w67
+    w235 = (w40 * w231 + w62 * w233) / w67
+    w236 = w88 * w106 + (w42 * (w43 * w48) + w51 * w113) - w101 * w234 + w99 * w169 - w117 * w235 + w119 * w168
+    w237 = w122 * w169 - (w88 * w113 + (w42 * (w25 * w48) - w51 * w106) + w121 * w234) - w123 * w235 - w124 * w168
+    w238 = (w40 * w236 + w62 * w237) / w67
+    w239 = w165 + (w229 - w88 * (w79 + rocker_q2 * c56 - rocker_q1 * c12) - w166) + w87 * w238 - w127 * w235
+    w240 = w239 + w128 * w168
+    w241 = (w29 * w236 + w54 * w237) / w67
+    w242 = w75 * w241 - w135 * w234 - w136 * w169
+    w243 = w51 * c56 - c44 - w43 * c58 + w96 * w230 + w90 * w232 + w238 * c32 - w164 * w235 + w167 * w168 + w168 * w240
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w97 + w64 * w95 + w98 * w129 + w130 * w131 - w116 * w132 + w100 * w133 + w100 * w137,
-            w172 - w98 * w182 - w130 * w183 - w132 * w177 - w133 * w146 + w100 * w185,
-            w194 - w98 * w204 - w130 * w205 - w132 * w199 - w133 * w154 + w100 * w207,
-            w98 * w223 + w130 * w224 - w132 * w217 + w133 * w161 + w100 * w225,
-            w98 * w238 + w130 * w239 - w132 * w232 + w133 * w167 + w100 * w240,
+            w97 + w64 * w70 + w98 * w129 + w130 * w131 - w116 * w132 + w100 * w133 + w100 * w137,
+            w174 - w98 * w184 - w130 * w185 - w132 * w179 - w133 * w147 + w100 * w187,
+            w196 - w98 * w206 - w130 * w207 - w132 * w201 - w133 * w156 + w100 * w209,
+            w98 * w225 + w130 * w226 - w132 * w219 + w133 * w163 + w100 * w227,
+            w98 * w240 + w130 * w241 - w132 * w234 + w133 * w169 + w100 * w242,
         ),
         ca.horzcat(  # coupler.q1
-            w141 - w129 * w142 + w131 * c29 - w116 * w143 - w100 * w145 - w137 * w146,
-            w187 - w183 * c29 - w143 * w177 + w145 * w146 - w146 * w185, w209 + w145 * w154 - w146 * w207,
-            w224 * c29 - w142 * w223 - w143 * w217 - w145 * w161 - w146 * w225,
-            w239 * c29 - w142 * w238 - w143 * w232 - w145 * w167 - w146 * w240,
+            w141 - w129 * w142 + w131 * c29 - w116 * w143 + w100 * w146 - w137 * w147,
+            w189 - w185 * c29 - w143 * w179 - w146 * w147 - w147 * w187, w211 - w146 * w156 - w147 * w209,
+            w226 * c29 - w142 * w225 - w143 * w219 + w146 * w163 - w147 * w227,
+            w241 * c29 - w142 * w240 - w143 * w234 + w146 * w169 - w147 * w242,
         ),
         ca.horzcat(  # coupler.q2
-            w148 - w149 - w129 * w150 + w131 * c30 - w116 * w151 + w100 * w153 - w137 * w154,
-            w189 - w146 * w153 - w154 * w185, w211 - w205 * c30 - w151 * w199 - w153 * w154 - w154 * w207,
-            w224 * c30 - w150 * w223 - w151 * w217 + w153 * w161 - w154 * w225,
-            w239 * c30 - w150 * w238 - w151 * w232 + w153 * w167 - w154 * w240,
+            w149 - w150 - w129 * w151 + w131 * c30 - w116 * w152 + w100 * w155 - w137 * w156,
+            w191 - w147 * w155 - w156 * w187, w213 - w207 * c30 - w152 * w201 - w155 * w156 - w156 * w209,
+            w226 * c30 - w151 * w225 - w152 * w219 + w155 * w163 - w156 * w227,
+            w241 * c30 - w151 * w240 - w152 * w234 + w155 * w169 - w156 * w242,
         ),
         ca.horzcat(  # rocker.q1
-            w126 * c31 - w118 * w155 + w98 * w159 + w129 * w160 + w137 * w161,
-            w161 * w185 - (w181 * c31 + w155 * w178 + w142 * w159 + w160 * w182),
-            w161 * w207 - (w203 * c31 + w155 * w200 + w150 * w159 + w160 * w204), w226 + w161 * w225,
-            w236 * c31 - (w51 * c12 + w43 * c57) - w155 * w233 + w159 * w166 + w160 * w238 + w161 * w240,
+            w126 * c31 - w118 * w157 + w98 * w161 + w129 * w162 + w137 * w163,
+            w163 * w187 - (w183 * c31 + w157 * w180 + w142 * w161 + w162 * w184),
+            w163 * w209 - (w205 * c31 + w157 * w202 + w151 * w161 + w162 * w206), w228 + w163 * w227,
+            w238 * c31 - (w51 * c12 + w43 * c57) - w157 * w235 + w161 * w168 + w162 * w240 + w163 * w242,
         ),
         ca.horzcat(  # rocker.q2
-            w126 * c32 - w118 * w162 + w98 * w165 + w129 * w166 + w137 * w167,
-            w167 * w185 - (w181 * c32 + w162 * w178 + w142 * w165 + w166 * w182),
-            w167 * w207 - (w203 * c32 + w162 * w200 + w150 * w165 + w166 * w204),
-            w221 * c32 - (w51 * c14 + w43 * c55) - w162 * w218 + w160 * w165 + w166 * w223 + w167 * w225,
-            w241 + w167 * w240,
+            w126 * c32 - w118 * w164 + w98 * w167 + w129 * w168 + w137 * w169,
+            w169 * w187 - (w183 * c32 + w164 * w180 + w142 * w167 + w168 * w184),
+            w169 * w209 - (w205 * c32 + w164 * w202 + w151 * w167 + w168 * w206),
+            w223 * c32 - (w51 * c14 + w43 * c55) - w164 * w220 + w162 * w167 + w168 * w225 + w169 * w227,
+            w243 + w169 * w242,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -1701,15 +1695,15 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    645 operations.
+    655 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 66)
+    c = ca.SX.sym("c", 62)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -1759,11 +1753,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c59 = c[59]
     c60 = c[60]
     c61 = c[61]
-    c62 = c[62]
-    c63 = c[63]
-    c64 = c[64]
-    c65 = c[65]
-    # intermediate terms (104)
+    # intermediate terms (106)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = 2 * crank_theta_dot
     w2 = ca.sin(crank_theta) * crank_tip_x
@@ -1787,112 +1777,114 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w20 = (w0 * w9 - w2 * w11) / w19
     w21 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
     w22 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
-    w23 = c9 + (rocker_q1 * w21 + rocker_q2 * w22)
-    w24 = 2 * coupler_theta_dot
-    w25 = w6 * coupler_q1_dot + w7 * coupler_q2_dot
-    w26 = w11 * w24 + 2 * -(w5 * w25)
-    w27 = (w0 * w18 - w2 * w16) / w19
-    w28 = w13 * rocker_q1_dot + w14 * rocker_q2_dot
-    w29 = 2 * rocker_theta_dot
-    w30 = 2 * (w17 * w28) - w16 * w29
-    w31 = w4 + w26 * w27 + w20 * w30
-    w32 = 2 * (w10 * w25) + w9 * w24
-    w33 = 2 * -(w12 * w28) - w18 * w29
-    w34 = w3 + w27 * w32 + w20 * w33
-    w35 = (w11 * w31 + w9 * w34) / w19
-    w36 = (w21 * rocker_q1_dot + w22 * rocker_q2_dot) * -2.0
-    w37 = w23 * w35 + w20 * w36
-    w38 = coupler_q1 * c17 + coupler_q2 * c18
-    w39 = coupler_q1 * c19 + coupler_q2 * c20
-    w40 = c16 - (coupler_q1 * w38 + coupler_q2 * w39) * 0.5
-    w41 = coupler_q1 * c21
-    w42 = w10 * w40 - w5 * w41
-    w43 = w5 * w40 + w10 * w41
-    w44 = w0 * w42 + w2 * w43
-    w45 = (w16 * w31 + w18 * w34) / w19
-    w46 = coupler_q1_dot * w38 + coupler_q2_dot * w39
-    w47 = coupler_q1_dot * c21
-    w48 = w0 * (w24 * w43 + 2 * (w10 * w46 + w5 * w47)) - w2 * (w24 * w42 + 2 * (w10 * w47 - w5 * w46))
-    w49 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
-    w50 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
-    w51 = c22 + (coupler_q1 * w49 + coupler_q2 * w50)
-    w52 = (coupler_q1_dot * w49 + coupler_q2_dot * w50) * -2.0
-    w53 = w3 * w42 - w4 * w43 + w45 * w51 + w27 * w52
-    w54 = w10 * c21 - w5 * w38
-    w55 = w10 * w38 + w5 * c21
-    w56 = coupler_q1 * w8 * c4 / w19
-    w57 = w24 * w49
-    w58 = (w16 * (w6 * w10) + w18 * (w5 * w6)) / w19
-    w59 = w5 * w39
-    w60 = w10 * w39
-    w61 = coupler_q2 * w8 * c5 / w19
-    w62 = w24 * w50
-    w63 = (w16 * (w7 * w10) + w18 * (w5 * w7)) / w19
-    w64 = w21 * w29
-    w65 = (w11 * (w12 * w13) + w9 * (w13 * w17)) / w19
-    w66 = rocker_q1 * w15 * c7 / w19
-    w67 = w22 * w29
-    w68 = (w11 * (w12 * w14) + w9 * (w14 * w17)) / w19
-    w69 = rocker_q2 * w15 * c8 / w19
-    w70 = coupler_q1_dot * c59 + coupler_q2_dot * c60
-    w71 = w5 * w24
-    w72 = w10 * coupler_q1_dot * c61 - w6 * w71 - w26 * w58 - w30 * w56
-    w73 = w10 * w24
-    w74 = w5 * coupler_q1_dot * c61 + w6 * w73 - w32 * w58 - w33 * w56
-    w75 = (w11 * w72 + w9 * w74) / w19
-    w76 = w23 * w75 - w36 * w56
-    w77 = (w16 * w72 + w18 * w74) / w19
-    w78 = coupler_theta_dot * -2.0
-    w79 = w49 * w78 + w51 * w77 - w52 * w58
-    w80 = w0 * (w5 * w70 + w24 * w55) - w2 * (w24 * w54 + w10 * w70) + w20 * w76 + w44 * w77 - w48 * w58 + w27 * w79
-    w81 = coupler_q2_dot * c62 + coupler_q1_dot * c60
-    w82 = w10 * coupler_q2_dot * c63 - w7 * w71 - w26 * w63 - w30 * w61
-    w83 = w5 * coupler_q2_dot * c63 + w7 * w73 - w32 * w63 - w33 * w61
-    w84 = (w11 * w82 + w9 * w83) / w19
-    w85 = w23 * w84 - w36 * w61
-    w86 = (w16 * w82 + w18 * w83) / w19
-    w87 = w50 * w78 + w51 * w86 - w52 * w63
-    w88 = w0 * (w5 * w81 + w24 * w60) - w2 * (w10 * w81 - w24 * w59) + w20 * w85 + w44 * w86 - w48 * w63 + w27 * w87
-    w89 = rocker_theta_dot * -2.0
-    w90 = w17 * w29
-    w91 = w13 * w90 - w12 * rocker_q1_dot * c64 + w26 * w66 + w30 * w65
-    w92 = w12 * w29
-    w93 = w32 * w66 - (w17 * rocker_q1_dot * c64 + w13 * w92) + w33 * w65
-    w94 = (w11 * w91 + w9 * w93) / w19
-    w95 = w21 * w89 + w23 * w94 + w36 * w65
-    w96 = (w16 * w91 + w18 * w93) / w19
-    w97 = w51 * w96 + w52 * w66
-    w98 = w14 * w90 - w12 * rocker_q2_dot * c65 + w26 * w69 + w30 * w68
-    w99 = w32 * w69 - (w17 * rocker_q2_dot * c65 + w14 * w92) + w33 * w68
-    w100 = (w11 * w98 + w9 * w99) / w19
-    w101 = w22 * w89 + w23 * w100 + w36 * w68
-    w102 = (w16 * w98 + w18 * w99) / w19
-    w103 = w51 * w102 + w52 * w69
+    w23 = (w21 * rocker_q1_dot + w22 * rocker_q2_dot) * -2.0
+    w24 = c9 + (rocker_q1 * w21 + rocker_q2 * w22)
+    w25 = w5 * w6
+    w26 = w5 * w7
+    w27 = w11 * coupler_theta_dot - coupler_q1_dot * w25 - coupler_q2_dot * w26
+    w28 = (w0 * w18 - w2 * w16) / w19
+    w29 = w13 * w17
+    w30 = w14 * w17
+    w31 = rocker_q1_dot * w29 - w16 * rocker_theta_dot + rocker_q2_dot * w30
+    w32 = w0 * crank_theta_dot + w27 * w28 + w20 * w31
+    w33 = w6 * w10
+    w34 = w7 * w10
+    w35 = coupler_q1_dot * w33 + w9 * coupler_theta_dot + coupler_q2_dot * w34
+    w36 = w12 * w13
+    w37 = w12 * w14
+    w38 = w18 * rocker_theta_dot + rocker_q1_dot * w36 + rocker_q2_dot * w37
+    w39 = crank_theta_dot * w2 + w28 * w35 - w20 * w38
+    w40 = 2 * -((w11 * w32 + w9 * w39) / w19)
+    w41 = w20 * w23 - w24 * w40
+    w42 = coupler_q1 * c17 + coupler_q2 * c18
+    w43 = coupler_q1 * c19 + coupler_q2 * c20
+    w44 = c16 - (coupler_q1 * w42 + coupler_q2 * w43) * 0.5
+    w45 = coupler_q1 * c21
+    w46 = w10 * w44 - w5 * w45
+    w47 = w5 * w44 + w10 * w45
+    w48 = w0 * w46 + w2 * w47
+    w49 = 2 * -((w16 * w32 + w18 * w39) / w19)
+    w50 = 2 * coupler_theta_dot
+    w51 = coupler_q1_dot * w42 + coupler_q2_dot * w43
+    w52 = coupler_q1_dot * c21
+    w53 = w0 * (w47 * w50 + 2 * (w10 * w51 + w5 * w52)) - w2 * (w46 * w50 + 2 * (w10 * w52 - w5 * w51))
+    w54 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
+    w55 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
+    w56 = c22 + (coupler_q1 * w54 + coupler_q2 * w55)
+    w57 = (coupler_q1_dot * w54 + coupler_q2_dot * w55) * -2.0
+    w58 = w3 * w46 - w4 * w47 - w49 * w56 + w28 * w57
+    w59 = w10 * c21 - w5 * w42
+    w60 = w10 * w42 + w5 * c21
+    w61 = coupler_q1 * w8 * c4 / w19
+    w62 = w50 * w54
+    w63 = (w16 * w33 + w18 * w25) / w19
+    w64 = w50 * w55
+    w65 = w5 * w43
+    w66 = w10 * w43
+    w67 = coupler_q2 * w8 * c5 / w19
+    w68 = (w16 * w34 + w18 * w26) / w19
+    w69 = 2 * rocker_theta_dot
+    w70 = w21 * w69
+    w71 = (w11 * w36 + w9 * w29) / w19
+    w72 = rocker_q1 * w15 * c7 / w19
+    w73 = w22 * w69
+    w74 = (w11 * w37 + w9 * w30) / w19
+    w75 = rocker_q2 * w15 * c8 / w19
+    w76 = coupler_q1_dot * c59 + coupler_q2_dot * c60
+    w77 = coupler_q1_dot * (w10 * c4) - coupler_theta_dot * w25 - w27 * w63 - w31 * w61
+    w78 = coupler_q1_dot * (w5 * c4) + coupler_theta_dot * w33 - w35 * w63 + w38 * w61
+    w79 = 2 * -((w11 * w77 + w9 * w78) / w19)
+    w80 = w24 * w79 + w23 * w61
+    w81 = 2 * -((w16 * w77 + w18 * w78) / w19)
+    w82 = coupler_theta_dot * -2.0
+    w83 = w54 * w82 - w56 * w81 - w57 * w63
+    w84 = w0 * (w5 * w76 + w50 * w60) - w2 * (w50 * w59 + w10 * w76) - w20 * w80 - w48 * w81 - w53 * w63 + w28 * w83
+    w85 = coupler_q2_dot * c61 + coupler_q1_dot * c60
+    w86 = coupler_q2_dot * (w10 * c5) - coupler_theta_dot * w26 - w27 * w68 - w31 * w67
+    w87 = coupler_theta_dot * w34 + coupler_q2_dot * (w5 * c5) - w35 * w68 + w38 * w67
+    w88 = 2 * -((w11 * w86 + w9 * w87) / w19)
+    w89 = w24 * w88 + w23 * w67
+    w90 = 2 * -((w16 * w86 + w18 * w87) / w19)
+    w91 = w55 * w82 - w56 * w90 - w57 * w68
+    w92 = w0 * (w5 * w85 + w50 * w66) - w2 * (w10 * w85 - w50 * w65) - w20 * w89 - w48 * w90 - w53 * w68 + w28 * w91
+    w93 = rocker_theta_dot * -2.0
+    w94 = w29 * rocker_theta_dot - rocker_q1_dot * (w12 * c7) + w27 * w72 + w31 * w71
+    w95 = w35 * w72 - (rocker_theta_dot * w36 + rocker_q1_dot * (w17 * c7)) - w38 * w71
+    w96 = 2 * -((w11 * w94 + w9 * w95) / w19)
+    w97 = w21 * w93 - w24 * w96 + w23 * w71
+    w98 = 2 * -((w16 * w94 + w18 * w95) / w19)
+    w99 = w57 * w72 - w56 * w98
+    w100 = rocker_theta_dot * w30 - rocker_q2_dot * (w12 * c8) + w27 * w75 + w31 * w74
+    w101 = w35 * w75 - (rocker_theta_dot * w37 + rocker_q2_dot * (w17 * c8)) - w38 * w74
+    w102 = 2 * -((w11 * w100 + w9 * w101) / w19)
+    w103 = w22 * w93 - w24 * w102 + w23 * w74
+    w104 = 2 * -((w16 * w100 + w18 * w101) / w19)
+    w105 = w57 * w75 - w56 * w104
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w0 * (w3 * c2) - w2 * (w4 * c2) + w20 * w37 + w44 * w45 + w27 * w48 + w27 * w53, w80, w88,
-            w20 * w95 + w44 * w96 + w48 * w66 + w27 * w97, w20 * w101 + w44 * w102 + w48 * w69 + w27 * w103,
+            w0 * (w3 * c2) - w2 * (w4 * c2) + w20 * w41 - w48 * w49 + w28 * w53 + w28 * w58, w84, w92,
+            w20 * w97 - w48 * w98 + w53 * w72 + w28 * w99, w20 * w103 - w48 * w104 + w53 * w75 + w28 * w105,
         ),
         ca.horzcat(  # coupler.q1
-            w3 * w54 - w4 * w55 - w37 * w56 + w45 * c29 + w27 * w57 - w53 * w58,
-            w77 * c29 - w56 * w76 - w57 * w58 - w58 * w79, w86 * c29 - w56 * w85 - w57 * w63 - w58 * w87,
-            w96 * c29 - w56 * w95 + w57 * w66 - w58 * w97, w102 * c29 - w56 * w101 + w57 * w69 - w58 * w103,
+            w3 * w59 - w4 * w60 - w41 * w61 - w49 * c29 + w28 * w62 - w58 * w63,
+            w61 * w80 - w81 * c29 - w62 * w63 - w63 * w83, w61 * w89 - w90 * c29 - w62 * w68 - w63 * w91,
+            w62 * w72 - (w61 * w97 + w98 * c29) - w63 * w99, w62 * w75 - (w61 * w103 + w104 * c29) - w63 * w105,
         ),
         ca.horzcat(  # coupler.q2
-            w45 * c30 - (w3 * w59 + w4 * w60 + w37 * w61) + w27 * w62 - w53 * w63,
-            w77 * c30 - w61 * w76 - w58 * w62 - w63 * w79, w86 * c30 - w61 * w85 - w62 * w63 - w63 * w87,
-            w96 * c30 - w61 * w95 + w62 * w66 - w63 * w97, w102 * c30 - w61 * w101 + w62 * w69 - w63 * w103,
+            w28 * w64 - (w3 * w65 + w4 * w66 + w41 * w67 + w49 * c30) - w58 * w68,
+            w67 * w80 - w81 * c30 - w63 * w64 - w68 * w83, w67 * w89 - w90 * c30 - w64 * w68 - w68 * w91,
+            w64 * w72 - (w67 * w97 + w98 * c30) - w68 * w99, w64 * w75 - (w67 * w103 + w104 * c30) - w68 * w105,
         ),
         ca.horzcat(  # rocker.q1
-            w35 * c31 + w20 * w64 + w37 * w65 + w53 * w66, w75 * c31 - w56 * w64 + w65 * w76 + w66 * w79,
-            w84 * c31 - w61 * w64 + w65 * w85 + w66 * w87, w94 * c31 + w64 * w65 + w65 * w95 + w66 * w97,
-            w100 * c31 + w64 * w68 + w65 * w101 + w66 * w103,
+            w20 * w70 - w40 * c31 + w41 * w71 + w58 * w72, w72 * w83 - (w79 * c31 + w61 * w70 + w71 * w80),
+            w72 * w91 - (w88 * c31 + w67 * w70 + w71 * w89), w70 * w71 - w96 * c31 + w71 * w97 + w72 * w99,
+            w70 * w74 - w102 * c31 + w71 * w103 + w72 * w105,
         ),
         ca.horzcat(  # rocker.q2
-            w35 * c32 + w20 * w67 + w37 * w68 + w53 * w69, w75 * c32 - w56 * w67 + w68 * w76 + w69 * w79,
-            w84 * c32 - w61 * w67 + w68 * w85 + w69 * w87, w94 * c32 + w65 * w67 + w68 * w95 + w69 * w97,
-            w100 * c32 + w67 * w68 + w68 * w101 + w69 * w103,
+            w20 * w73 - w40 * c32 + w41 * w74 + w58 * w75, w75 * w83 - (w79 * c32 + w61 * w73 + w74 * w80),
+            w75 * w91 - (w88 * c32 + w67 * w73 + w74 * w89), w71 * w73 - w96 * c32 + w74 * w97 + w75 * w99,
+            w73 * w74 - w102 * c32 + w74 * w103 + w75 * w105,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
@@ -1907,17 +1899,17 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 5 x 5) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    1763 operations.
+    1665 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 66)
+    c = ca.SX.sym("c", 62)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -1989,11 +1981,7 @@ def residual_jacobian() -> ca.Function:
     c56 = c[56]
     c57 = c[57]
     c58 = c[58]
-    c61 = c[61]
-    c63 = c[63]
-    c64 = c[64]
-    c65 = c[65]
-    # intermediate terms (312)
+    # intermediate terms (300)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(crank_theta) * crank_tip_x
     w2 = crank_theta_dot**2
@@ -2001,375 +1989,365 @@ def residual_jacobian() -> ca.Function:
     w4 = crank_theta_ddot * w1 + w3
     w5 = w4 * c2
     w6 = coupler_theta_dot**2
-    w7 = ca.cos(coupler_theta)
+    w7 = ca.sin(coupler_theta)
     w8 = coupler_q1 * c17
     w9 = w8 + coupler_q2 * c18
     w10 = coupler_q2 * c20
     w11 = coupler_q1 * c19 + w10
     w12 = c16 - (coupler_q1 * w9 + coupler_q2 * w11) * 0.5
-    w13 = ca.sin(coupler_theta)
+    w13 = ca.cos(coupler_theta)
     w14 = coupler_q1 * c21
-    w15 = w7 * w12 - w13 * w14
+    w15 = w7 * w12 + w13 * w14
     w16 = w6 * w15
-    w17 = 2 * coupler_theta_dot
-    w18 = coupler_q1_dot * c21
-    w19 = w9 * coupler_q1_dot + w11 * coupler_q2_dot
-    w20 = w7 * w18 - w13 * w19
-    w21 = w17 * w20
-    w22 = coupler_q1_dot * c17
-    w23 = w22 + coupler_q2_dot * c18
-    w24 = coupler_q2_dot * c20
-    w25 = coupler_q1_dot * c19 + w24
-    w26 = coupler_q1_dot * w23 + coupler_q2_dot * w25
-    w27 = w7 * w26
-    w28 = w12 * w13 + w7 * w14
-    w29 = ca.cos(rocker_theta)
-    w30 = rocker_q1 * c7
-    w31 = rocker_q2 * c8
-    w32 = rocker_length - (rocker_q1 * w30 + rocker_q2 * w31) * 0.5
-    w33 = w29 * w32
-    w34 = coupler_q1 * c4
-    w35 = coupler_q2 * c5
-    w36 = coupler_q1_dot * w34 + coupler_q2_dot * w35
-    w37 = w13 * w36
-    w38 = w17 * w37
-    w39 = coupler_q1_dot * c4
-    w40 = coupler_q2_dot * c5
-    w41 = coupler_q1_dot * w39 + coupler_q2_dot * w40
-    w42 = w7 * w41
-    w43 = coupler_length - (coupler_q1 * w34 + coupler_q2 * w35) * 0.5
-    w44 = w7 * w43
-    w45 = w6 * w44
-    w46 = 2 * rocker_theta_dot
-    w47 = ca.sin(rocker_theta)
-    w48 = w30 * rocker_q1_dot + w31 * rocker_q2_dot
-    w49 = w47 * w48
-    w50 = w46 * w49
-    w51 = rocker_q1_dot * c7
-    w52 = rocker_q2_dot * c8
-    w53 = rocker_q1_dot * w51 + rocker_q2_dot * w52
-    w54 = w29 * w53
-    w55 = rocker_theta_dot**2
-    w56 = w33 * w55
-    w57 = w38 - (w42 + w45) - (w50 - (w54 + w56)) - w3
-    w58 = w32 * w47
-    w59 = w47 * w53
-    w60 = w29 * w48
-    w61 = w46 * w60
-    w62 = w55 * w58
-    w63 = w13 * w41
-    w64 = w7 * w36
-    w65 = w17 * w64
-    w66 = w13 * w43
-    w67 = w6 * w66
-    w68 = w1 * w2
-    w69 = w59 + w61 + w62 - (w63 + w65 + w67) - w68
-    w70 = w33 * w66 - w44 * w58
-    w71 = (w0 * w58 - w1 * w33) / w70
-    w72 = w7 * w34
-    w73 = w13 * w34
-    w74 = (w33 * w72 + w58 * w73) / w70
-    w75 = w7 * w35
-    w76 = w13 * w35
-    w77 = (w33 * w75 + w58 * w76) / w70
-    w78 = (w33 * w57 + w58 * w69) / w70 + crank_theta_ddot * w71 - w74 * coupler_q1_ddot - w77 * coupler_q2_ddot
-    w79 = w29 * w30
-    w80 = w30 * w47
-    w81 = rocker_q1 * w32 * c7 / w70
-    w82 = w29 * w31
-    w83 = w31 * w47
-    w84 = rocker_q2 * w32 * c8 / w70
-    w85 = w78 + w81 * rocker_q1_ddot + w84 * rocker_q2_ddot
-    w86 = w28 * w85
-    w87 = w13 * c21
-    w88 = w7 * w9 + w87
-    w89 = coupler_q1_ddot * w88
-    w90 = w7 * w11
-    w91 = coupler_q2_ddot * w90
-    w92 = coupler_theta_dot * -2.0
-    w93 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
-    w94 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
-    w95 = coupler_q1_dot * w93 + coupler_q2_dot * w94
-    w96 = w0 * crank_theta_ddot - w68
-    w97 = c22 + (coupler_q1 * w93 + coupler_q2 * w94)
-    w98 = w92 * w95 + w15 * gravity_y - (w15 * w96 + w4 * w28 + w85 * w97 + coupler_q1_ddot * c29 + coupler_q2_ddot * c30)
-    w99 = rocker_theta_dot * -2.0
-    w100 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
-    w101 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
-    w102 = rocker_q1_dot * w100 + rocker_q2_dot * w101
-    w103 = rocker_q1 * c36
-    w104 = w103 + rocker_q2 * c37
-    w105 = rocker_q2 * c39
-    w106 = rocker_q1 * c38 + w105
-    w107 = c35 - (rocker_q1 * w104 + rocker_q2 * w106) * 0.5
-    w108 = rocker_q1 * c40
-    w109 = c9 + (rocker_q1 * w100 + rocker_q2 * w101)
-    w110 = (w0 * w66 - w1 * w44) / w70
-    w111 = coupler_q1 * w43 * c4 / w70
-    w112 = coupler_q2 * w43 * c5 / w70
-    w113 = (w44 * w57 + w66 * w69) / w70 + crank_theta_ddot * w110 - coupler_q1_ddot * w111 - coupler_q2_ddot * w112
-    w114 = (w44 * w79 + w66 * w80) / w70
-    w115 = (w44 * w82 + w66 * w83) / w70
-    w116 = w113 + rocker_q1_ddot * w114 + rocker_q2_ddot * w115
-    w117 = w99 * w102 + (w29 * w107 - w47 * w108) * gravity_y - (w109 * w116 + rocker_q1_ddot * c31 + rocker_q2_ddot * c32)
-    w118 = (w33 * w98 + w44 * w117) / w70
-    w119 = w6 * w28
-    w120 = w13 * w26
-    w121 = w7 * w19 + w13 * w18
-    w122 = w17 * w121
-    w123 = w96 * c2
-    w124 = w15 * w85
+    w17 = coupler_q1_dot * c17
+    w18 = w17 + coupler_q2_dot * c18
+    w19 = coupler_q2_dot * c20
+    w20 = coupler_q1_dot * c19 + w19
+    w21 = coupler_q1_dot * w18 + coupler_q2_dot * w20
+    w22 = w7 * w21
+    w23 = 2 * coupler_theta_dot
+    w24 = w9 * coupler_q1_dot + w11 * coupler_q2_dot
+    w25 = coupler_q1_dot * c21
+    w26 = w13 * w24 + w7 * w25
+    w27 = w23 * w26
+    w28 = w1 * w2
+    w29 = w0 * crank_theta_ddot - w28
+    w30 = w29 * c2
+    w31 = w12 * w13 - w7 * w14
+    w32 = ca.cos(rocker_theta)
+    w33 = rocker_q1 * c7
+    w34 = rocker_q2 * c8
+    w35 = rocker_length - (rocker_q1 * w33 + rocker_q2 * w34) * 0.5
+    w36 = w32 * w35
+    w37 = coupler_q1 * c4
+    w38 = coupler_q2 * c5
+    w39 = coupler_q1_dot * w37 + coupler_q2_dot * w38
+    w40 = w7 * w39
+    w41 = w23 * w40
+    w42 = coupler_q1_dot * c4
+    w43 = coupler_q2_dot * c5
+    w44 = coupler_q1_dot * w42 + coupler_q2_dot * w43
+    w45 = w13 * w44
+    w46 = coupler_length - (coupler_q1 * w37 + coupler_q2 * w38) * 0.5
+    w47 = w13 * w46
+    w48 = w6 * w47
+    w49 = 2 * rocker_theta_dot
+    w50 = ca.sin(rocker_theta)
+    w51 = w33 * rocker_q1_dot + w34 * rocker_q2_dot
+    w52 = w50 * w51
+    w53 = w49 * w52
+    w54 = rocker_q1_dot * c7
+    w55 = rocker_q2_dot * c8
+    w56 = rocker_q1_dot * w54 + rocker_q2_dot * w55
+    w57 = w32 * w56
+    w58 = rocker_theta_dot**2
+    w59 = w36 * w58
+    w60 = w41 - (w45 + w48) - (w53 - (w57 + w59)) - w3
+    w61 = w35 * w50
+    w62 = w50 * w56
+    w63 = w32 * w51
+    w64 = w49 * w63
+    w65 = w58 * w61
+    w66 = w7 * w44
+    w67 = w13 * w39
+    w68 = w23 * w67
+    w69 = w7 * w46
+    w70 = w6 * w69
+    w71 = w62 + w64 + w65 - (w66 + w68 + w70) - w28
+    w72 = w36 * w69 - w47 * w61
+    w73 = (w0 * w61 - w1 * w36) / w72
+    w74 = w13 * w37
+    w75 = w7 * w37
+    w76 = (w36 * w74 + w61 * w75) / w72
+    w77 = w13 * w38
+    w78 = w7 * w38
+    w79 = (w36 * w77 + w61 * w78) / w72
+    w80 = (w36 * w60 + w61 * w71) / w72 + crank_theta_ddot * w73 - w76 * coupler_q1_ddot - w79 * coupler_q2_ddot
+    w81 = w32 * w33
+    w82 = w33 * w50
+    w83 = rocker_q1 * w35 * c7 / w72
+    w84 = w32 * w34
+    w85 = w34 * w50
+    w86 = rocker_q2 * w35 * c8 / w72
+    w87 = w80 + w83 * rocker_q1_ddot + w86 * rocker_q2_ddot
+    w88 = w31 * w87
+    w89 = w13 * c21
+    w90 = w89 - w7 * w9
+    w91 = coupler_q1_ddot * w90
+    w92 = w7 * w11
+    w93 = coupler_q2_ddot * w92
+    w94 = coupler_theta_dot * -2.0
+    w95 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
+    w96 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
+    w97 = coupler_q1_dot * w95 + coupler_q2_dot * w96
+    w98 = c22 + (coupler_q1 * w95 + coupler_q2 * w96)
+    w99 = w94 * w97 + w31 * gravity_y - (w29 * w31 + w4 * w15 + w87 * w98 + coupler_q1_ddot * c29 + coupler_q2_ddot * c30)
+    w100 = rocker_theta_dot * -2.0
+    w101 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
+    w102 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
+    w103 = rocker_q1_dot * w101 + rocker_q2_dot * w102
+    w104 = rocker_q1 * c36
+    w105 = w104 + rocker_q2 * c37
+    w106 = rocker_q2 * c39
+    w107 = rocker_q1 * c38 + w106
+    w108 = c35 - (rocker_q1 * w105 + rocker_q2 * w107) * 0.5
+    w109 = rocker_q1 * c40
+    w110 = c9 + (rocker_q1 * w101 + rocker_q2 * w102)
+    w111 = (w0 * w69 - w1 * w47) / w72
+    w112 = coupler_q1 * w46 * c4 / w72
+    w113 = coupler_q2 * w46 * c5 / w72
+    w114 = (w47 * w60 + w69 * w71) / w72 + crank_theta_ddot * w111 - coupler_q1_ddot * w112 - coupler_q2_ddot * w113
+    w115 = (w47 * w81 + w69 * w82) / w72
+    w116 = (w47 * w84 + w69 * w85) / w72
+    w117 = w114 + rocker_q1_ddot * w115 + rocker_q2_ddot * w116
+    w118 = w100 * w103 + (w32 * w108 - w50 * w109) * gravity_y - (w110 * w117 + rocker_q1_ddot * c31 + rocker_q2_ddot * c32)
+    w119 = (w61 * w99 + w69 * w118) / w72
+    w120 = w6 * w31
+    w121 = w13 * w25 - w7 * w24
+    w122 = w23 * w121
+    w123 = w13 * w21
+    w124 = w15 * w87
     w125 = w7 * c21
-    w126 = w125 - w9 * w13
+    w126 = w9 * w13 + w125
     w127 = coupler_q1_ddot * w126
     w128 = w11 * w13
     w129 = coupler_q2_ddot * w128
-    w130 = (w58 * w98 + w66 * w117) / w70
-    w131 = w0 * (w16 + w21 + w27 + (w5 + w86 + w89 + w91) + w118) + w1 * (c34 + (w119 + w120 + w122) - (w123 + w124 + w127 - w129) + w130)
-    w132 = w17 * w44 + 2 * -w37
-    w133 = coupler_theta_dot * w44 - coupler_q1_dot * w73 - coupler_q2_dot * w76
-    w134 = rocker_q1_dot * w80 - w33 * rocker_theta_dot + rocker_q2_dot * w83
-    w135 = w0 * crank_theta_dot + w71 * w133 + w110 * w134
-    w136 = coupler_q1_dot * w72 + coupler_theta_dot * w66 + coupler_q2_dot * w75
-    w137 = rocker_theta_dot * w58 + rocker_q1_dot * w79 + rocker_q2_dot * w82
-    w138 = w1 * crank_theta_dot + w71 * w136 - w110 * w137
-    w139 = (w33 * w135 + w58 * w138) / w70
-    w140 = w44 * w85 - w73 * coupler_q1_ddot - w76 * coupler_q2_ddot - (w65 + (w63 + w67))
-    w141 = 2 * w49 - w33 * w46
-    w142 = (w44 * w135 + w66 * w138) / w70
-    w143 = w80 * rocker_q1_ddot - w33 * w116 + w83 * rocker_q2_ddot + (w61 + (w59 + w62))
-    w144 = w96 - w132 * w139 + w71 * w140 - w141 * w142 + w110 * w143
-    w145 = 2 * w64 + w17 * w66
-    w146 = w72 * coupler_q1_ddot + w66 * w85 + w75 * coupler_q2_ddot + (w45 + (w42 - w38))
-    w147 = 2 * -w60 - w46 * w58
-    w148 = w58 * w116 + w79 * rocker_q1_ddot + w82 * rocker_q2_ddot + (w56 + (w54 - w50))
-    w149 = w4 - w139 * w145 + w71 * w146 - w142 * w147 - w110 * w148
-    w150 = (w44 * w144 + w66 * w149) / w70
-    w151 = w102 * -2.0
-    w152 = w58 * w130 + w33 * w118 - (w47 * w107 + w29 * w108) * gravity_y
-    w153 = w109 * w150 - w142 * w151 + w110 * w152
-    w154 = w0 * w15 + w1 * w28
-    w155 = (w33 * w144 + w58 * w149) / w70
-    w156 = w0 * (w17 * w28 + 2 * w121) - w1 * (w15 * w17 + 2 * w20)
-    w157 = w0 * (w21 + (w16 + w27) + (w91 + (w86 + w89))) + w1 * (w120 + (w119 + w122) + (w129 - (w124 + w127)))
-    w158 = w4 * w15
-    w159 = w28 * w96
-    w160 = w95 * -2.0
-    w161 = w159 - w158 - w28 * gravity_y - (w44 * w118 + w66 * w130)
-    w162 = w158 - w159 + w97 * w155 - w139 * w160 + w71 * w161
-    w163 = w4 * w126
-    w164 = w88 * w96
-    w165 = w17 * w93
-    w166 = w72 * w130 - w73 * w118
-    w167 = w164 - w163 - w88 * gravity_y - w166
-    w168 = w4 * w128 + w90 * w96
-    w169 = w17 * w94
-    w170 = w75 * w130 - w76 * w118
-    w171 = w168 - w90 * gravity_y - w170
-    w172 = w46 * w100
-    w173 = w79 * w130
-    w174 = w80 * w118
-    w175 = w47 * c40
-    w176 = w173 - w174 - (w175 + w29 * w104) * gravity_y
-    w177 = w46 * w101
-    w178 = w82 * w130
-    w179 = w83 * w118
-    w180 = w178 - w179 - w29 * w106 * gravity_y
-    w181 = (w8 + w9 + coupler_q2 * c19) * 0.5
-    w182 = w125 - w13 * w181
-    w183 = coupler_q2_dot * c19
-    w184 = w22 + w183
-    w185 = w87 + w7 * w181
-    w186 = w13 * c17
-    w187 = w13 * c19
-    w188 = w0 * (w6 * w182 + w17 * (w7 * w184) + (w85 * w185 + coupler_q1_ddot * w186 + coupler_q2_ddot * w187))
-    w189 = w7 * c17
-    w190 = w7 * c19
-    w191 = w1 * (w85 * w182 + coupler_q1_ddot * w189 + coupler_q2_ddot * w190 - (w6 * w185 + w17 * (w13 * w184)))
-    w192 = w7 * c4
-    w193 = coupler_q1_dot * w192 - coupler_theta_dot * w73 - w74 * w133 - w111 * w134
+    w130 = (w36 * w99 + w47 * w118) / w72
+    w131 = w1 * (c34 + (w16 + w22 + w27) - (w30 + w88 + w91 - w93) + w119) + w0 * (w120 + w122 + w123 + (w5 + w124 + w127 + w129) + w130)
+    w132 = w23 * w47 + 2 * -w40
+    w133 = coupler_theta_dot * w47 - coupler_q1_dot * w75 - coupler_q2_dot * w78
+    w134 = rocker_q1_dot * w82 - w36 * rocker_theta_dot + rocker_q2_dot * w85
+    w135 = w0 * crank_theta_dot + w73 * w133 + w111 * w134
+    w136 = coupler_q1_dot * w74 + coupler_theta_dot * w69 + coupler_q2_dot * w77
+    w137 = rocker_theta_dot * w61 + rocker_q1_dot * w81 + rocker_q2_dot * w84
+    w138 = w1 * crank_theta_dot + w73 * w136 - w111 * w137
+    w139 = (w36 * w135 + w61 * w138) / w72
+    w140 = w47 * w87 - w75 * coupler_q1_ddot - w78 * coupler_q2_ddot - (w68 + (w66 + w70))
+    w141 = 2 * w52 - w36 * w49
+    w142 = (w47 * w135 + w69 * w138) / w72
+    w143 = w82 * rocker_q1_ddot - w36 * w117 + w85 * rocker_q2_ddot + (w64 + (w62 + w65))
+    w144 = w29 - w132 * w139 + w73 * w140 - w141 * w142 + w111 * w143
+    w145 = 2 * w67 + w23 * w69
+    w146 = w74 * coupler_q1_ddot + w69 * w87 + w77 * coupler_q2_ddot + (w48 + (w45 - w41))
+    w147 = 2 * -w63 - w49 * w61
+    w148 = w61 * w117 + w81 * rocker_q1_ddot + w84 * rocker_q2_ddot + (w59 + (w57 - w53))
+    w149 = w4 - w139 * w145 + w73 * w146 - w142 * w147 - w111 * w148
+    w150 = (w47 * w144 + w69 * w149) / w72
+    w151 = w103 * -2.0
+    w152 = w36 * w130 - (w50 * w108 + w32 * w109) * gravity_y + w61 * w119
+    w153 = w110 * w150 - w142 * w151 + w111 * w152
+    w154 = w0 * w31 + w1 * w15
+    w155 = (w36 * w144 + w61 * w149) / w72
+    w156 = w0 * (w15 * w23 + 2 * w26) - w1 * (w23 * w31 + 2 * w121)
+    w157 = w0 * (w122 + (w120 + w123) + (w129 + (w124 + w127))) + w1 * (w22 + (w16 + w27) + (w93 - (w88 + w91)))
+    w158 = w4 * w31
+    w159 = w15 * w29
+    w160 = w97 * -2.0
+    w161 = w159 - w158 - w15 * gravity_y - w47 * w130 - w69 * w119
+    w162 = w158 - w159 + w98 * w155 - w139 * w160 + w73 * w161
+    w163 = w4 * w90
+    w164 = w29 * w126
+    w165 = w23 * w95
+    w166 = w75 * w130
+    w167 = w74 * w119
+    w168 = w164 - w163 - w126 * gravity_y + w166 - w167
+    w169 = w4 * w92 + w29 * w128
+    w170 = w23 * w96
+    w171 = w78 * w130
+    w172 = w77 * w119
+    w173 = w169 - w128 * gravity_y + w171 - w172
+    w174 = w49 * w101
+    w175 = w81 * w119
+    w176 = w50 * c40
+    w177 = w82 * w130
+    w178 = w175 - ((w176 + w32 * w105) * gravity_y + w177)
+    w179 = w49 * w102
+    w180 = w84 * w119
+    w181 = w85 * w130
+    w182 = w180 - (w32 * w107 * gravity_y + w181)
+    w183 = (w8 + w9 + coupler_q2 * c19) * 0.5
+    w184 = w89 - w7 * w183
+    w185 = coupler_q2_dot * c19
+    w186 = w17 + w185
+    w187 = w125 + w13 * w183
+    w188 = w7 * c17
+    w189 = w7 * c19
+    w190 = w0 * (w6 * w184 + w23 * (w13 * w186) + (w87 * w187 + coupler_q1_ddot * w188 + coupler_q2_ddot * w189))
+    w191 = w13 * c17
+    w192 = w13 * c19
+    w193 = w1 * (w87 * w184 + coupler_q1_ddot * w191 + coupler_q2_ddot * w192 - (w6 * w187 + w23 * (w7 * w186)))
     w194 = w13 * c4
-    w195 = coupler_q1_dot * w194 + coupler_theta_dot * w72 - w74 * w136 + w111 * w137
-    w196 = (w33 * w193 + w58 * w195) / w70
-    w197 = (w44 * w193 + w66 * w195) / w70
-    w198 = coupler_q1_ddot * w192 - w73 * w85 - (w17 * (w13 * w39) + w6 * w72) - w132 * w196 - w74 * w140 - w141 * w197
-    w199 = w198 - w111 * w143
-    w200 = coupler_q1_ddot * w194 + w72 * w85 + (w17 * (w7 * w39) - w6 * w73) - w145 * w196 - w74 * w146 - w147 * w197
-    w201 = w200 + w111 * w148
-    w202 = (w44 * w199 + w66 * w201) / w70
-    w203 = w109 * w202 - w151 * w197 - w111 * w152
-    w204 = (w33 * w199 + w58 * w201) / w70
-    w205 = w92 * (coupler_q1_dot * c51 - coupler_q2_dot * c27) - w185 * gravity_y - (w85 * (w93 + coupler_q1 * c51 - coupler_q2 * c27) - (w96 * w185 - w4 * w182))
-    w206 = w205 - w166 + w97 * w204 - w160 * w196 - w74 * w161
-    w207 = w6 * c51 - c41 - w186 * gravity_y + (w96 * w186 - w4 * w189) - (w118 * w192 + w130 * w194) - w111 * w203
-    w208 = w96 * w187 - w4 * w190 - (w6 * c27 + w187 * gravity_y) - w112 * w203 + w204 * c30 - w169 * w196 - w74 * w171
-    w209 = coupler_q1_dot * c18
-    w210 = w24 + w209
-    w211 = (coupler_q1 * c18 + (w10 + w11)) * 0.5
-    w212 = w13 * w211
-    w213 = w7 * w211
-    w214 = w13 * c18
-    w215 = w13 * c20
-    w216 = w0 * (w17 * (w7 * w210) - w6 * w212 + (w85 * w213 + coupler_q1_ddot * w214 + coupler_q2_ddot * w215))
-    w217 = w7 * c18
-    w218 = w7 * c20
-    w219 = w1 * (w6 * w213 + w17 * (w13 * w210) + (w85 * w212 - coupler_q1_ddot * w217 - coupler_q2_ddot * w218))
-    w220 = w7 * c5
-    w221 = coupler_q2_dot * w220 - coupler_theta_dot * w76 - w77 * w133 - w112 * w134
+    w195 = coupler_q1_dot * w194 - coupler_theta_dot * w75 - w76 * w133 - w112 * w134
+    w196 = w7 * c4
+    w197 = coupler_q1_dot * w196 + coupler_theta_dot * w74 - w76 * w136 + w112 * w137
+    w198 = (w36 * w195 + w61 * w197) / w72
+    w199 = (w47 * w195 + w69 * w197) / w72
+    w200 = coupler_q1_ddot * w194 - w75 * w87 - (w23 * (w7 * w42) + w6 * w74) - w132 * w198 - w76 * w140 - w141 * w199
+    w201 = w200 - w112 * w143
+    w202 = coupler_q1_ddot * w196 + w74 * w87 + (w23 * (w13 * w42) - w6 * w75) - w145 * w198 - w76 * w146 - w147 * w199
+    w203 = w202 + w112 * w148
+    w204 = (w47 * w201 + w69 * w203) / w72
+    w205 = w110 * w204 - w151 * w199 - w112 * w152
+    w206 = (w36 * w201 + w61 * w203) / w72
+    w207 = w94 * (coupler_q1_dot * c51 - coupler_q2_dot * c27) - w187 * gravity_y - (w87 * (w95 + coupler_q1 * c51 - coupler_q2 * c27) - (w29 * w187 - w4 * w184))
+    w208 = w166 + w207 - w167 + w98 * w206 - w160 * w198 - w76 * w161
+    w209 = w6 * c51 - c41 - w188 * gravity_y + (w29 * w188 - w4 * w191) - w130 * w194 - w119 * w196 - w112 * w205
+    w210 = w29 * w189 - w4 * w192 - (w6 * c27 + w189 * gravity_y) - w113 * w205 + w206 * c30 - w170 * w198 - w76 * w173
+    w211 = coupler_q1_dot * c18
+    w212 = w19 + w211
+    w213 = (coupler_q1 * c18 + (w10 + w11)) * 0.5
+    w214 = w7 * w213
+    w215 = w13 * w213
+    w216 = w7 * c18
+    w217 = w7 * c20
+    w218 = w0 * (w23 * (w13 * w212) - w6 * w214 + (w87 * w215 + coupler_q1_ddot * w216 + coupler_q2_ddot * w217))
+    w219 = w13 * c18
+    w220 = w13 * c20
+    w221 = w1 * (w6 * w215 + w23 * (w7 * w212) + (w87 * w214 - coupler_q1_ddot * w219 - coupler_q2_ddot * w220))
     w222 = w13 * c5
-    w223 = coupler_theta_dot * w75 + coupler_q2_dot * w222 - w77 * w136 + w112 * w137
-    w224 = (w33 * w221 + w58 * w223) / w70
-    w225 = (w44 * w221 + w66 * w223) / w70
-    w226 = coupler_q2_ddot * w220 - w76 * w85 - (w17 * (w13 * w40) + w6 * w75) - w132 * w224 - w77 * w140 - w141 * w225
-    w227 = w226 - w112 * w143
-    w228 = w75 * w85 + coupler_q2_ddot * w222 + (w17 * (w7 * w40) - w6 * w76) - w145 * w224 - w77 * w146 - w147 * w225
-    w229 = w228 + w112 * w148
-    w230 = (w44 * w227 + w66 * w229) / w70
-    w231 = w109 * w230 - w151 * w225 - w112 * w152
-    w232 = (w33 * w227 + w58 * w229) / w70
-    w233 = w92 * (coupler_q2_dot * c52 - coupler_q1_dot * c25) - w213 * gravity_y - (w85 * (w94 + coupler_q2 * c52 - coupler_q1 * c25) - (w4 * w212 + w96 * w213))
-    w234 = w233 - w170 + w97 * w232 - w160 * w224 - w77 * w161
-    w235 = w96 * w214 - w4 * w217 - (w6 * c25 + w214 * gravity_y) - w111 * w231 + w232 * c29 - w165 * w224 - w77 * w167
-    w236 = w6 * c52 - c42 - w215 * gravity_y + (w96 * w215 - w4 * w218) - (w118 * w220 + w130 * w222) - w112 * w231
-    w237 = w99 * (rocker_q1_dot * c53 - rocker_q2_dot * c14) - (w175 + w29 * ((w103 + w104 + rocker_q2 * c38) * 0.5)) * gravity_y
-    w238 = w29 * c7
-    w239 = rocker_theta_dot * w80 - rocker_q1_dot * w238 + w81 * w133 + w114 * w134
-    w240 = w47 * c7
-    w241 = w81 * w136 - (rocker_theta_dot * w79 + rocker_q1_dot * w240) - w114 * w137
-    w242 = (w33 * w239 + w58 * w241) / w70
-    w243 = (w44 * w239 + w66 * w241) / w70
-    w244 = w80 * w116 - rocker_q1_ddot * w238 + (w46 * (w47 * w51) + w55 * w79) - w132 * w242 + w81 * w140 - w141 * w243
-    w245 = w244 + w114 * w143
-    w246 = w81 * w146 - (w79 * w116 + rocker_q1_ddot * w240 + (w46 * (w29 * w51) - w55 * w80) + w145 * w242)
-    w247 = w246 - w147 * w243 - w114 * w148
-    w248 = (w44 * w245 + w66 * w247) / w70
-    w249 = w237 - w116 * (w100 + rocker_q1 * c53 - rocker_q2 * c14) - (w174 - w173) + w109 * w248 - w151 * w243
-    w250 = w249 + w114 * w152
-    w251 = (w33 * w245 + w58 * w247) / w70
-    w252 = w97 * w251 - w160 * w242 + w81 * w161
-    w253 = w55 * c53 - c43 - w47 * c54 + (w118 * w238 + w130 * w240) + w248 * c31 - w172 * w243 + w114 * w176
-    w254 = w99 * (rocker_q2_dot * c56 - rocker_q1_dot * c12) - w29 * ((rocker_q1 * c37 + (w105 + w106)) * 0.5) * gravity_y
-    w255 = w29 * c8
-    w256 = rocker_theta_dot * w83 - rocker_q2_dot * w255 + w84 * w133 + w115 * w134
-    w257 = w47 * c8
-    w258 = w84 * w136 - (rocker_theta_dot * w82 + rocker_q2_dot * w257) - w115 * w137
-    w259 = (w33 * w256 + w58 * w258) / w70
-    w260 = (w44 * w256 + w66 * w258) / w70
-    w261 = w83 * w116 - rocker_q2_ddot * w255 + (w46 * (w47 * w52) + w55 * w82) - w132 * w259 + w84 * w140 - w141 * w260
-    w262 = w261 + w115 * w143
-    w263 = w84 * w146 - (w82 * w116 + rocker_q2_ddot * w257 + (w46 * (w29 * w52) - w55 * w83) + w145 * w259)
-    w264 = w263 - w147 * w260 - w115 * w148
-    w265 = (w44 * w262 + w66 * w264) / w70
-    w266 = w254 - w116 * (w101 + rocker_q2 * c56 - rocker_q1 * c12) - (w179 - w178) + w109 * w265 - w151 * w260
-    w267 = w266 + w115 * w152
-    w268 = (w33 * w262 + w58 * w264) / w70
-    w269 = w97 * w268 - w160 * w259 + w84 * w161
-    w270 = w55 * c56 - c44 - w47 * c58 + (w118 * w255 + w130 * w257) + w265 * c32 - w177 * w260 + w115 * w180
-    w271 = 2 * crank_theta_dot
-    w272 = w1 * w271
-    w273 = w0 * w271
-    w274 = w273 + w71 * w132 + w110 * w141
-    w275 = w272 + w71 * w145 + w110 * w147
-    w276 = (w44 * w274 + w66 * w275) / w70
-    w277 = w109 * w276 + w110 * w151
-    w278 = (w33 * w274 + w58 * w275) / w70
-    w279 = w15 * w272 - w28 * w273 + w97 * w278 + w71 * w160
-    w280 = w183 + (w22 + w23)
-    w281 = w13 * w17
-    w282 = w7 * coupler_q1_dot * c61 - w34 * w281 - w74 * w132 - w111 * w141
-    w283 = w7 * w17
-    w284 = w13 * coupler_q1_dot * c61 + w34 * w283 - w74 * w145 - w111 * w147
-    w285 = (w44 * w282 + w66 * w284) / w70
-    w286 = w109 * w285 - w111 * w151
-    w287 = (w33 * w282 + w58 * w284) / w70
-    w288 = w0 * (w13 * w280 + w17 * w88) - w1 * (w17 * w126 + w7 * w280) + w110 * w286 + w154 * w287 - w74 * w156
-    w289 = w92 * w93 + w97 * w287 - w74 * w160
-    w290 = w209 + (w24 + w25)
-    w291 = w7 * coupler_q2_dot * c63 - w35 * w281 - w77 * w132 - w112 * w141
-    w292 = w13 * coupler_q2_dot * c63 + w35 * w283 - w77 * w145 - w112 * w147
-    w293 = (w44 * w291 + w66 * w292) / w70
-    w294 = w109 * w293 - w112 * w151
-    w295 = (w33 * w291 + w58 * w292) / w70
-    w296 = w0 * (w13 * w290 + w17 * w90) - w1 * (w7 * w290 - w17 * w128) + w110 * w294 + w154 * w295 - w77 * w156
-    w297 = w92 * w94 + w97 * w295 - w77 * w160
-    w298 = w46 * w47
-    w299 = w30 * w298 - w29 * rocker_q1_dot * c64 + w81 * w132 + w114 * w141
-    w300 = w29 * w46
-    w301 = w81 * w145 - (w47 * rocker_q1_dot * c64 + w30 * w300) + w114 * w147
-    w302 = (w44 * w299 + w66 * w301) / w70
-    w303 = w99 * w100 + w109 * w302 + w114 * w151
-    w304 = (w33 * w299 + w58 * w301) / w70
-    w305 = w97 * w304 + w81 * w160
-    w306 = w31 * w298 - w29 * rocker_q2_dot * c65 + w84 * w132 + w115 * w141
-    w307 = w84 * w145 - (w47 * rocker_q2_dot * c65 + w31 * w300) + w115 * w147
-    w308 = (w44 * w306 + w66 * w307) / w70
-    w309 = w99 * w101 + w109 * w308 + w115 * w151
-    w310 = (w33 * w306 + w58 * w307) / w70
-    w311 = w97 * w310 + w84 * w160
+    w223 = coupler_q2_dot * w222 - coupler_theta_dot * w78 - w79 * w133 - w113 * w134
+    w224 = w7 * c5
+    w225 = coupler_theta_dot * w77 + coupler_q2_dot * w224 - w79 * w136 + w113 * w137
+    w226 = (w36 * w223 + w61 * w225) / w72
+    w227 = (w47 * w223 + w69 * w225) / w72
+    w228 = coupler_q2_ddot * w222 - w78 * w87 - (w23 * (w7 * w43) + w6 * w77) - w132 * w226 - w79 * w140 - w141 * w227
+    w229 = w228 - w113 * w143
+    w230 = w77 * w87 + coupler_q2_ddot * w224 + (w23 * (w13 * w43) - w6 * w78) - w145 * w226 - w79 * w146 - w147 * w227
+    w231 = w230 + w113 * w148
+    w232 = (w47 * w229 + w69 * w231) / w72
+    w233 = w110 * w232 - w151 * w227 - w113 * w152
+    w234 = (w36 * w229 + w61 * w231) / w72
+    w235 = w94 * (coupler_q2_dot * c52 - coupler_q1_dot * c25) - w215 * gravity_y - (w87 * (w96 + coupler_q2 * c52 - coupler_q1 * c25) - (w4 * w214 + w29 * w215))
+    w236 = w171 + w235 - w172 + w98 * w234 - w160 * w226 - w79 * w161
+    w237 = w29 * w216 - w4 * w219 - (w6 * c25 + w216 * gravity_y) - w112 * w233 + w234 * c29 - w165 * w226 - w79 * w168
+    w238 = w6 * c52 - c42 - w217 * gravity_y + (w29 * w217 - w4 * w220) - w130 * w222 - w119 * w224 - w113 * w233
+    w239 = w100 * (rocker_q1_dot * c53 - rocker_q2_dot * c14) - (w176 + w32 * ((w104 + w105 + rocker_q2 * c38) * 0.5)) * gravity_y
+    w240 = w32 * c7
+    w241 = rocker_theta_dot * w82 - rocker_q1_dot * w240 + w83 * w133 + w115 * w134
+    w242 = w50 * c7
+    w243 = w83 * w136 - (rocker_theta_dot * w81 + rocker_q1_dot * w242) - w115 * w137
+    w244 = (w36 * w241 + w61 * w243) / w72
+    w245 = (w47 * w241 + w69 * w243) / w72
+    w246 = w82 * w117 - rocker_q1_ddot * w240 + (w49 * (w50 * w54) + w58 * w81) - w132 * w244 + w83 * w140 - w141 * w245
+    w247 = w246 + w115 * w143
+    w248 = w83 * w146 - (w81 * w117 + rocker_q1_ddot * w242 + (w49 * (w32 * w54) - w58 * w82) + w145 * w244)
+    w249 = w248 - w147 * w245 - w115 * w148
+    w250 = (w47 * w247 + w69 * w249) / w72
+    w251 = w175 + (w239 - w117 * (w101 + rocker_q1 * c53 - rocker_q2 * c14) - w177) + w110 * w250 - w151 * w245
+    w252 = w251 + w115 * w152
+    w253 = (w36 * w247 + w61 * w249) / w72
+    w254 = w98 * w253 - w160 * w244 + w83 * w161
+    w255 = w58 * c53 - c43 - w50 * c54 + w130 * w240 + w119 * w242 + w250 * c31 - w174 * w245 + w115 * w178 + w115 * w252
+    w256 = w100 * (rocker_q2_dot * c56 - rocker_q1_dot * c12) - w32 * ((rocker_q1 * c37 + (w106 + w107)) * 0.5) * gravity_y
+    w257 = w32 * c8
+    w258 = rocker_theta_dot * w85 - rocker_q2_dot * w257 + w86 * w133 + w116 * w134
+    w259 = w50 * c8
+    w260 = w86 * w136 - (rocker_theta_dot * w84 + rocker_q2_dot * w259) - w116 * w137
+    w261 = (w36 * w258 + w61 * w260) / w72
+    w262 = (w47 * w258 + w69 * w260) / w72
+    w263 = w85 * w117 - rocker_q2_ddot * w257 + (w49 * (w50 * w55) + w58 * w84) - w132 * w261 + w86 * w140 - w141 * w262
+    w264 = w263 + w116 * w143
+    w265 = w86 * w146 - (w84 * w117 + rocker_q2_ddot * w259 + (w49 * (w32 * w55) - w58 * w85) + w145 * w261)
+    w266 = w265 - w147 * w262 - w116 * w148
+    w267 = (w47 * w264 + w69 * w266) / w72
+    w268 = w180 + (w256 - w117 * (w102 + rocker_q2 * c56 - rocker_q1 * c12) - w181) + w110 * w267 - w151 * w262
+    w269 = w268 + w116 * w152
+    w270 = (w36 * w264 + w61 * w266) / w72
+    w271 = w98 * w270 - w160 * w261 + w86 * w161
+    w272 = w58 * c56 - c44 - w50 * c58 + w130 * w257 + w119 * w259 + w267 * c32 - w179 * w262 + w116 * w182 + w116 * w269
+    w273 = 2 * crank_theta_dot
+    w274 = w1 * w273
+    w275 = w0 * w273
+    w276 = 2 * -w142
+    w277 = w111 * w151 - w110 * w276
+    w278 = 2 * -w139
+    w279 = w31 * w274 - w15 * w275 - w98 * w278 + w73 * w160
+    w280 = w185 + (w17 + w18)
+    w281 = 2 * -w199
+    w282 = w110 * w281 + w112 * w151
+    w283 = 2 * -w198
+    w284 = w0 * (w7 * w280 + w23 * w126) - w1 * (w23 * w90 + w13 * w280) - w111 * w282 - w154 * w283 - w76 * w156
+    w285 = w94 * w95 - w98 * w283 - w76 * w160
+    w286 = w211 + (w19 + w20)
+    w287 = 2 * -w227
+    w288 = w110 * w287 + w113 * w151
+    w289 = 2 * -w226
+    w290 = w0 * (w7 * w286 + w23 * w128) - w1 * (w13 * w286 - w23 * w92) - w111 * w288 - w154 * w289 - w79 * w156
+    w291 = w94 * w96 - w98 * w289 - w79 * w160
+    w292 = 2 * -w245
+    w293 = w100 * w101 - w110 * w292 + w115 * w151
+    w294 = 2 * -w244
+    w295 = w83 * w160 - w98 * w294
+    w296 = 2 * -w262
+    w297 = w100 * w102 - w110 * w296 + w116 * w151
+    w298 = 2 * -w261
+    w299 = w86 * w160 - w98 * w298
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w0 * w5 - w131 - w1 * w123 + w110 * w153 + w154 * w155 - w139 * w156 + w71 * w157 + w71 * w162,
-            w188 - w191 + w110 * w203 + w154 * w204 - w156 * w196 - w74 * w157 + w71 * w206,
-            w216 + w219 + w110 * w231 + w154 * w232 - w156 * w224 - w77 * w157 + w71 * w234,
-            w110 * w250 + w154 * w251 - w156 * w242 + w81 * w157 + w71 * w252,
-            w110 * w267 + w154 * w268 - w156 * w259 + w84 * w157 + w71 * w269,
+            w0 * w5 - w131 - w1 * w30 + w111 * w153 + w154 * w155 - w139 * w156 + w73 * w157 + w73 * w162,
+            w190 - w193 + w111 * w205 + w154 * w206 - w156 * w198 - w76 * w157 + w73 * w208,
+            w218 + w221 + w111 * w233 + w154 * w234 - w156 * w226 - w79 * w157 + w73 * w236,
+            w111 * w252 + w154 * w253 - w156 * w244 + w83 * w157 + w73 * w254,
+            w111 * w269 + w154 * w270 - w156 * w261 + w86 * w157 + w73 * w271,
         ),
         ca.horzcat(  # coupler.q1
-            w163 - w164 - w111 * w153 + w155 * c29 - w139 * w165 + w71 * w167 - w74 * w162,
-            w207 + w204 * c29 - w165 * w196 - w74 * w167 - w74 * w206, w235 - w74 * w234,
-            w251 * c29 - w111 * w250 - w165 * w242 + w81 * w167 - w74 * w252,
-            w268 * c29 - w111 * w267 - w165 * w259 + w84 * w167 - w74 * w269,
+            w163 - w164 - w112 * w153 + w155 * c29 - w139 * w165 + w73 * w168 - w76 * w162,
+            w209 + w206 * c29 - w165 * w198 - w76 * w168 - w76 * w208, w237 - w76 * w236,
+            w253 * c29 - w112 * w252 - w165 * w244 + w83 * w168 - w76 * w254,
+            w270 * c29 - w112 * w269 - w165 * w261 + w86 * w168 - w76 * w271,
         ),
         ca.horzcat(  # coupler.q2
-            w155 * c30 - (w168 + w112 * w153) - w139 * w169 + w71 * w171 - w77 * w162, w208 - w77 * w206,
-            w236 + w232 * c30 - w169 * w224 - w77 * w171 - w77 * w234,
-            w251 * c30 - w112 * w250 - w169 * w242 + w81 * w171 - w77 * w252,
-            w268 * c30 - w112 * w267 - w169 * w259 + w84 * w171 - w77 * w269,
+            w155 * c30 - (w169 + w113 * w153) - w139 * w170 + w73 * w173 - w79 * w162, w210 - w79 * w208,
+            w238 + w234 * c30 - w170 * w226 - w79 * w173 - w79 * w236,
+            w253 * c30 - w113 * w252 - w170 * w244 + w83 * w173 - w79 * w254,
+            w270 * c30 - w113 * w269 - w170 * w261 + w86 * w173 - w79 * w271,
         ),
         ca.horzcat(  # rocker.q1
-            w150 * c31 - w142 * w172 + w110 * w176 + w114 * w153 + w81 * w162,
-            w202 * c31 - w172 * w197 - w111 * w176 + w114 * w203 + w81 * w206,
-            w230 * c31 - w172 * w225 - w112 * w176 + w114 * w231 + w81 * w234, w253 + w114 * w250 + w81 * w252,
-            w265 * c31 - (w55 * c12 + w47 * c57) - w172 * w260 + w115 * w176 + w114 * w267 + w81 * w269,
+            w150 * c31 - w142 * w174 + w111 * w178 + w115 * w153 + w83 * w162,
+            w204 * c31 - w174 * w199 - w112 * w178 + w115 * w205 + w83 * w208,
+            w232 * c31 - w174 * w227 - w113 * w178 + w115 * w233 + w83 * w236, w255 + w83 * w254,
+            w267 * c31 - (w58 * c12 + w50 * c57) - w174 * w262 + w116 * w178 + w115 * w269 + w83 * w271,
         ),
         ca.horzcat(  # rocker.q2
-            w150 * c32 - w142 * w177 + w110 * w180 + w115 * w153 + w84 * w162,
-            w202 * c32 - w177 * w197 - w111 * w180 + w115 * w203 + w84 * w206,
-            w230 * c32 - w177 * w225 - w112 * w180 + w115 * w231 + w84 * w234,
-            w248 * c32 - (w55 * c14 + w47 * c55) - w177 * w243 + w114 * w180 + w115 * w250 + w84 * w252,
-            w270 + w115 * w267 + w84 * w269,
+            w150 * c32 - w142 * w179 + w111 * w182 + w116 * w153 + w86 * w162,
+            w204 * c32 - w179 * w199 - w112 * w182 + w116 * w205 + w86 * w208,
+            w232 * c32 - w179 * w227 - w113 * w182 + w116 * w233 + w86 * w236,
+            w250 * c32 - (w58 * c14 + w50 * c55) - w179 * w245 + w115 * w182 + w116 * w252 + w86 * w254,
+            w272 + w86 * w271,
         ),
     )
     J_v = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w0 * (w272 * c2) - w1 * (w273 * c2) + w110 * w277 + w154 * w278 + w71 * w156 + w71 * w279,
-            w288 + w71 * w289, w296 + w71 * w297, w110 * w303 + w154 * w304 + w81 * w156 + w71 * w305,
-            w110 * w309 + w154 * w310 + w84 * w156 + w71 * w311,
+            w0 * (w274 * c2) - w1 * (w275 * c2) + w111 * w277 - w154 * w278 + w73 * w156 + w73 * w279,
+            w284 + w73 * w285, w290 + w73 * w291, w111 * w293 - w154 * w294 + w83 * w156 + w73 * w295,
+            w111 * w297 - w154 * w298 + w86 * w156 + w73 * w299,
         ),
         ca.horzcat(  # coupler.q1
-            w126 * w272 - w88 * w273 - w111 * w277 + w278 * c29 + w71 * w165 - w74 * w279,
-            w287 * c29 - w111 * w286 - w74 * w165 - w74 * w289, w295 * c29 - w111 * w294 - w77 * w165 - w74 * w297,
-            w304 * c29 - w111 * w303 + w81 * w165 - w74 * w305, w310 * c29 - w111 * w309 + w84 * w165 - w74 * w311,
+            w90 * w274 - w126 * w275 - w112 * w277 - w278 * c29 + w73 * w165 - w76 * w279,
+            w112 * w282 - w283 * c29 - w76 * w165 - w76 * w285, w112 * w288 - w289 * c29 - w79 * w165 - w76 * w291,
+            w83 * w165 - (w112 * w293 + w294 * c29) - w76 * w295,
+            w86 * w165 - (w112 * w297 + w298 * c29) - w76 * w299,
         ),
         ca.horzcat(  # coupler.q2
-            w278 * c30 - (w128 * w272 + w90 * w273 + w112 * w277) + w71 * w169 - w77 * w279,
-            w287 * c30 - w112 * w286 - w74 * w169 - w77 * w289, w295 * c30 - w112 * w294 - w77 * w169 - w77 * w297,
-            w304 * c30 - w112 * w303 + w81 * w169 - w77 * w305, w310 * c30 - w112 * w309 + w84 * w169 - w77 * w311,
+            w73 * w170 - (w92 * w274 + w128 * w275 + w113 * w277 + w278 * c30) - w79 * w279,
+            w113 * w282 - w283 * c30 - w76 * w170 - w79 * w285, w113 * w288 - w289 * c30 - w79 * w170 - w79 * w291,
+            w83 * w170 - (w113 * w293 + w294 * c30) - w79 * w295,
+            w86 * w170 - (w113 * w297 + w298 * c30) - w79 * w299,
         ),
         ca.horzcat(  # rocker.q1
-            w276 * c31 + w110 * w172 + w114 * w277 + w81 * w279,
-            w285 * c31 - w111 * w172 + w114 * w286 + w81 * w289,
-            w293 * c31 - w112 * w172 + w114 * w294 + w81 * w297,
-            w302 * c31 + w114 * w172 + w114 * w303 + w81 * w305,
-            w308 * c31 + w115 * w172 + w114 * w309 + w81 * w311,
+            w111 * w174 - w276 * c31 + w115 * w277 + w83 * w279,
+            w83 * w285 - (w281 * c31 + w112 * w174 + w115 * w282),
+            w83 * w291 - (w287 * c31 + w113 * w174 + w115 * w288),
+            w115 * w174 - w292 * c31 + w115 * w293 + w83 * w295,
+            w116 * w174 - w296 * c31 + w115 * w297 + w83 * w299,
         ),
         ca.horzcat(  # rocker.q2
-            w276 * c32 + w110 * w177 + w115 * w277 + w84 * w279,
-            w285 * c32 - w111 * w177 + w115 * w286 + w84 * w289,
-            w293 * c32 - w112 * w177 + w115 * w294 + w84 * w297,
-            w302 * c32 + w114 * w177 + w115 * w303 + w84 * w305,
-            w308 * c32 + w115 * w177 + w115 * w309 + w84 * w311,
+            w111 * w179 - w276 * c32 + w116 * w277 + w86 * w279,
+            w86 * w285 - (w281 * c32 + w112 * w179 + w116 * w282),
+            w86 * w291 - (w287 * c32 + w113 * w179 + w116 * w288),
+            w115 * w179 - w292 * c32 + w116 * w293 + w86 * w295,
+            w116 * w179 - w296 * c32 + w116 * w297 + w86 * w299,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
@@ -2379,13 +2357,13 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 5 x 4) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 4 x 4) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 4 x 4) [SI]: damping of the stiff deflections
     58 operations.
     """
-    c = ca.SX.sym("c", 66)
+    c = ca.SX.sym("c", 62)
     c41 = c[41]
     c42 = c[42]
     c43 = c[43]
@@ -2417,7 +2395,7 @@ def blocks() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
     gives M_hat_LS (n_L x n_S = 1 x 4) [SI]: block of M_hat, rows of L, columns of S
     gives M_hat_SL (n_S x n_L = 4) [SI]: block of M_hat, rows of S, columns of L
@@ -2430,7 +2408,7 @@ def blocks() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 66)
+    c = ca.SX.sym("c", 62)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -2616,7 +2594,7 @@ def substep_2() -> ca.Function:
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
-    takes c (n_const = 66) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 4 x 4) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 4) [N, N m]: right-hand side of a sub-step, slow q'' given
     432 operations.
@@ -2626,7 +2604,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 66)
+    c = ca.SX.sym("c", 62)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]

@@ -863,7 +863,7 @@ def residual_jacobian() -> ca.Function:
     w14 = w13 * link2_mass
     w15 = w7 * link2_theta_ddot
     w16 = w13 * rotor2_mass
-    w17 = gear1_stiffness + w1 * c28 + (w5 + (w0 * (w8 + (w9 + w11)) + w2 * (c21 + w12 - (w14 + w15))) + w2 * (c20 - w16))
+    w17 = w5 + (gear1_stiffness + w1 * c28 + w0 * (w8 + (w9 + w11)) + w2 * (c21 + w12 - (w14 + w15))) + w2 * (c20 - w16)
     w18 = w4 * w7
     w19 = w10 * w13
     w20 = 2 * link1_theta_dot

@@ -1134,9 +1134,9 @@ def dQ_hat_dq_i() -> ca.Function:
     w55 = w29 * w54
     w56 = w17 * (w5 * rod_phi_integral_0_3) - w10 * (w2 * rod_phi_integral_0_3)
     w57 = (w8 - w11) * slider_mass
-    w58 = w0 * rod_M_ff_3_3 - rod_K_ff_3_3 + w29 * w38 + w39 + w30 * w44 - w15 * (w46 - w55 - w56 + w29 * w57)
+    w58 = w0 * rod_M_ff_3_3 - rod_K_ff_3_3 + w29 * w38 + w39 + w30 * w44 - w15 * (w46 - (w55 + w56) + w29 * w57)
     w59 = w16 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - (w56 - w13 * (w40 + (w41 + w52)))
-    w60 = w59 - (w55 - w46) - w7 * w38 - w34 * (w53 + w7 * (w7 * slider_mass)) + w30 * (w47 * -2.0 - w7 * w43)
+    w60 = w46 + (w59 - w55) - w7 * w38 - w34 * (w53 + w7 * (w7 * slider_mass)) + w30 * (w47 * -2.0 - w7 * w43)
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(w0 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w13 * c45, w36 + w15 * w18),  # rod.q1
@@ -1147,7 +1147,7 @@ def dQ_hat_dq_i() -> ca.Function:
         ),
         ca.horzcat(  # rod.q4
             -w20, -(w13 * rod_phi_cross_phi_3_1 + w15 * (w16 * (rod_q2_dot * rod_M_ff_1_1) + w13 * (2 * w21))),
-            w22 - w15 * w28, w58 - w15 * (w60 - w15 * (w12 * w45 + w7 * w54 - (w10 * w50 + w17 * w51) - w7 * w57)),
+            w22 - w15 * w28, w58 - w15 * (w60 - w15 * (w7 * w54 - (w10 * w50 + w17 * w51) + w12 * w45 - w7 * w57)),
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -1255,7 +1255,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    426 operations.
+    423 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
@@ -1312,7 +1312,7 @@ def residual_jacobian() -> ca.Function:
     c43 = c[43]
     c44 = c[44]
     c45 = c[45]
-    # intermediate terms (73)
+    # intermediate terms (72)
     w0 = rod_theta_dot**2
     w1 = 2 * rod_theta_dot
     w2 = ca.cos(rod_theta)
@@ -1346,75 +1346,74 @@ def residual_jacobian() -> ca.Function:
     w30 = w2 * rod_end_shape_0_3
     w31 = (w13 * (rod_q4_dot * w30 - rod_theta_dot * w7) - rod_theta_dot * w30) / w11
     w32 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
-    w33 = 2 * w4 - w1 * w7
-    w34 = w3 * w5
-    w35 = w1 * w34 + w0 * w11
-    w36 = rod_q4_ddot * w30
-    w37 = w7 * w14
-    w38 = (w0 * w12 + w14 * w30 - w31 * w33 - w13 * (w35 - (w36 + w37))) / w11
-    w39 = w1 * w20 + rod_q4_dot * c43
-    w40 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
-    w41 = rod_q1 * rod_phi_cross_phi_2_0
-    w42 = w1 * w26 + rod_q1_dot * c44
-    w43 = (w0 * w30 - w12 * w14) * slider_mass
-    w44 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
-    w45 = w44 + w7 * (w30 * slider_mass)
-    w46 = rod_q3 * rod_M_ff_2_3
-    w47 = rod_q4 * rod_M_ff_3_3
-    w48 = rod_rho_dot_phi_3_0 + (w46 + w47)
-    w49 = (w1 * w11 + 2 * w34) * slider_mass
-    w50 = w1 * w48 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) + w30 * w49
-    w51 = (w36 + (w37 - (w16 + w35))) * slider_mass
-    w52 = w12 * w51
-    w53 = rod_q1_dot * w18 + rod_q2_dot * w20 + rod_q3_dot * w26 + rod_q4_dot * w48
-    w54 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
-    w55 = rod_q1 * rod_phi_integral_1_0
-    w56 = w5 * w54 + w2 * w55
-    w57 = w2 * w54 - w5 * w55
-    w58 = rod_rho_dot_phi_3_0 + w48
-    w59 = rod_inertia + (rod_q1 * w18 + rod_q2 * w20 + rod_q3 * w27 + rod_q4 * w58)
-    w60 = w16 * w56 - w10 * w57 - w14 * w59 + rod_q1_ddot * w32 + w40 * rod_q2_ddot - rod_q3_ddot * w41 - rod_q4_ddot * w44
-    w61 = (w15 * w53 - w60 + w7 * w51) / w11
-    w62 = w30 * w61
-    w63 = w16 * (w5 * rod_phi_integral_0_3) - w10 * (w2 * rod_phi_integral_0_3)
-    w64 = (w8 + (w12 * rod_q4_ddot - w11 * w14)) * slider_mass
-    w65 = w0 * rod_M_ff_3_3 - rod_K_ff_3_3 + w30 * w43 + w38 * w45 + w31 * w50 - w13 * (w52 - w62 - w63 + w30 * w64)
-    w66 = w63 - w14 * (w46 + (w47 + w58)) - rod_q1_ddot * rod_phi_cross_phi_0_3 - rod_q2_ddot * rod_phi_cross_phi_1_3
-    w67 = w59 + w7 * (w7 * slider_mass)
-    w68 = w15 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - w66 - (w62 - w52) - w7 * w43 - w38 * w67
-    w69 = w53 * -2.0 - w7 * w49
-    w70 = w65 - w13 * (w68 + w31 * w69 - w13 * (w11 * w51 + w7 * w61 - (w10 * w56 + w16 * w57) - w7 * w64))
-    w71 = (w13 * w33 - w1 * w30) / w11
-    w72 = w1 * w12 * slider_mass
+    w33 = w3 * w5
+    w34 = w1 * w33 + w0 * w11
+    w35 = rod_q4_ddot * w30
+    w36 = w7 * w14
+    w37 = (w0 * w12 + w14 * w30 - w31 * (2 * w4 - w1 * w7) - w13 * (w34 - (w35 + w36))) / w11
+    w38 = w1 * w20 + rod_q4_dot * c43
+    w39 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
+    w40 = rod_q1 * rod_phi_cross_phi_2_0
+    w41 = w1 * w26 + rod_q1_dot * c44
+    w42 = (w0 * w30 - w12 * w14) * slider_mass
+    w43 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
+    w44 = w43 + w7 * (w30 * slider_mass)
+    w45 = rod_q3 * rod_M_ff_2_3
+    w46 = rod_q4 * rod_M_ff_3_3
+    w47 = rod_rho_dot_phi_3_0 + (w45 + w46)
+    w48 = (w1 * w11 + 2 * w33) * slider_mass
+    w49 = w1 * w47 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) + w30 * w48
+    w50 = (w35 + (w36 - (w16 + w34))) * slider_mass
+    w51 = w12 * w50
+    w52 = rod_q1_dot * w18 + rod_q2_dot * w20 + rod_q3_dot * w26 + rod_q4_dot * w47
+    w53 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
+    w54 = rod_q1 * rod_phi_integral_1_0
+    w55 = w5 * w53 + w2 * w54
+    w56 = w2 * w53 - w5 * w54
+    w57 = rod_rho_dot_phi_3_0 + w47
+    w58 = rod_inertia + (rod_q1 * w18 + rod_q2 * w20 + rod_q3 * w27 + rod_q4 * w57)
+    w59 = w16 * w55 - w10 * w56 - w14 * w58 + rod_q1_ddot * w32 + w39 * rod_q2_ddot - rod_q3_ddot * w40 - rod_q4_ddot * w43
+    w60 = (w15 * w52 - w59 + w7 * w50) / w11
+    w61 = w30 * w60
+    w62 = w16 * (w5 * rod_phi_integral_0_3) - w10 * (w2 * rod_phi_integral_0_3)
+    w63 = (w8 + (w12 * rod_q4_ddot - w11 * w14)) * slider_mass
+    w64 = w0 * rod_M_ff_3_3 - rod_K_ff_3_3 + w30 * w42 + w37 * w44 + w31 * w49 - w13 * (w51 - (w61 + w62) + w30 * w63)
+    w65 = w62 - w14 * (w45 + (w46 + w57)) - rod_q1_ddot * rod_phi_cross_phi_0_3 - rod_q2_ddot * rod_phi_cross_phi_1_3
+    w66 = w58 + w7 * (w7 * slider_mass)
+    w67 = w51 + (w15 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - w65 - w61) - w7 * w42 - w37 * w66
+    w68 = w52 * -2.0 - w7 * w48
+    w69 = w64 - w13 * (w67 + w31 * w68 - w13 * (w7 * w60 - (w10 * w55 + w16 * w56) + w11 * w50 - w7 * w63))
+    w70 = 2 * w31
+    w71 = w1 * w12 * slider_mass
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # rod.q1
             w0 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w14 * c45,
-            w29 * w31 - (w14 * rod_phi_cross_phi_0_3 + w32 * w38) + w13 * w17,
+            w29 * w31 - (w14 * rod_phi_cross_phi_0_3 + w32 * w37) + w13 * w17,
         ),
         ca.horzcat(  # rod.q2
-            0.0, w0 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0, w31 * w39 - (w14 * rod_phi_cross_phi_1_3 + w38 * w40),
+            0.0, w0 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0, w31 * w38 - (w14 * rod_phi_cross_phi_1_3 + w37 * w39),
         ),
-        ca.horzcat(w14 * c38, 0.0, w0 * rod_M_ff_2_2 - rod_K_ff_2_2, w22 + w38 * w41 + w31 * w42 + w13 * w23),  # rod.q3
+        ca.horzcat(w14 * c38, 0.0, w0 * rod_M_ff_2_2 - rod_K_ff_2_2, w22 + w37 * w40 + w31 * w41 + w13 * w23),  # rod.q3
         ca.horzcat(  # rod.q4
             -(w14 * rod_phi_cross_phi_3_0 + w13 * (w15 * (rod_q1_dot * rod_M_ff_0_0) - w19)),
-            -(w14 * rod_phi_cross_phi_3_1 + w21), w22 - w13 * w28, w70,
+            -(w14 * rod_phi_cross_phi_3_1 + w21), w22 - w13 * w28, w69,
         ),
     )
     J_v = ca.SX(4, 4)
     # rod.q1
     J_v[0, 2] = w1 * rod_phi_cross_phi_0_2
-    J_v[0, 3] = w1 * rod_phi_cross_phi_0_3 - w32 * w71 - w13 * w29
+    J_v[0, 3] = w1 * rod_phi_cross_phi_0_3 - w32 * w70 - w13 * w29
     # rod.q2
-    J_v[1, 3] = w1 * rod_phi_cross_phi_1_3 - w40 * w71 - w13 * w39
+    J_v[1, 3] = w1 * rod_phi_cross_phi_1_3 - w39 * w70 - w13 * w38
     # rod.q3
     J_v[2, 0] = w1 * rod_phi_cross_phi_2_0
-    J_v[2, 3] = w41 * w71 - w13 * w42
+    J_v[2, 3] = w40 * w70 - w13 * w41
     # rod.q4
     J_v[3, 0] = w1 * rod_phi_cross_phi_3_0 - w13 * (w15 * w18)
     J_v[3, 1] = w1 * rod_phi_cross_phi_3_1 - w13 * (w15 * w20)
     J_v[3, 2] = -(w13 * (w15 * w26))
-    J_v[3, 3] = w30 * w72 + w45 * w71 - w13 * w50 - w13 * (w15 * w48 - w7 * w72 - w67 * w71 - w13 * w69)
+    J_v[3, 3] = w30 * w71 + w44 * w70 - w13 * w49 - w13 * (w15 * w47 - w7 * w71 - w66 * w70 - w13 * w68)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 

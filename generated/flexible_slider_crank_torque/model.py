@@ -1029,7 +1029,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i, through q_d
-    602 operations.
+    604 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1073,7 +1073,7 @@ def dQ_hat_dq_i() -> ca.Function:
     c29 = c[29]
     c36 = c[36]
     c37 = c[37]
-    # intermediate terms (132)
+    # intermediate terms (134)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = crank_theta_dot**2
     w2 = w0 * w1
@@ -1135,7 +1135,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w58 = rod_q1_dot * w56 + rod_q2_dot * w57
     w59 = c14 + (rod_q1 * w56 + rod_q2 * w57)
     w60 = (w55 * w58 + w14 * gravity_y - (w2 * w25 - w14 * w39 + w42 * w59) + w36 * w49) / w41
-    w61 = w0 * (w15 + w20 + w24 + (w3 + w43) - w49) + w38 * (c26 + (w50 + w51 + w53) - (w54 - w39 * c3) - w60)
+    w61 = w4 * c24 + w0 * (w15 + w20 + w24 + (w3 + w43) - w49) + w38 * (c26 + (w50 + w51 + w53) - (w54 - w39 * c3) - w60)
     w62 = w36 * slider_mass
     w63 = w25 + w62
     w64 = w0 * w14 + w38 * w63
@@ -1154,7 +1154,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w77 = w2 * w14
     w78 = w59 + w36 * w62
     w79 = w58 * -2.0 + w36 * w73
-    w80 = w41 * w49 + w36 * w60 - (w77 + w25 * w39 + w25 * gravity_y) - w36 * w75
+    w80 = w36 * w60 - (w77 + w25 * w39 + w25 * gravity_y) + w41 * w49 - w36 * w75
     w81 = w77 + w39 * w63 - w72 * w78 + w70 * w79 - w69 * w80
     w82 = w6 * c13
     w83 = w2 * (w82 - w8 * w12)
@@ -1163,64 +1163,66 @@ def dQ_hat_dq_i() -> ca.Function:
     w86 = w66 * slider_mass
     w87 = c21 + w36 * w86
     w88 = w16 * w56 + w66 * w73
-    w89 = w12 * w30
-    w90 = w49 * w89 - w60 * w66
-    w91 = w83 + w39 * w85 + w85 * gravity_y + w90 + w66 * w75
-    w92 = w89 / w41
-    w93 = w6 * w10
-    w94 = w67 * slider_mass
-    w95 = w2 * (w10 * w12)
-    w96 = c22 + w36 * w94
-    w97 = w16 * w57 + w67 * w73
-    w98 = w12 * w31
-    w99 = w49 * w98 - w60 * w67
-    w100 = w95 - w39 * w93 - w93 * gravity_y - w99 - w67 * w75
-    w101 = w98 / w41
-    w102 = (w7 + w8 + rod_q2 * c11) * 0.5
-    w103 = w82 - w12 * w102
-    w104 = w21 + rod_q2_dot * c11
-    w105 = w84 + w6 * w102
-    w106 = (w42 * w89 + (w16 * (w12 * w26) + w5 * w66)) * slider_mass
-    w107 = w0 * (w5 * w103 + w16 * (w6 * w104) + w42 * w105) - w38 * (w42 * w103 - (w5 * w105 + w16 * (w12 * w104)) - w106)
-    w108 = w12 * c6
-    w109 = (rod_q1_dot * w108 + rod_theta_dot * w66 + w68 * w92) / w41
-    w110 = (w42 * w66 + (w16 * (w6 * w26) - w5 * w89) + w65 * w109 + w71 * w92) / w41
-    w111 = w55 * (rod_q1_dot * c36 - rod_q2_dot * c19) - w105 * gravity_y - (w42 * (w56 + rod_q1 * c36 - rod_q2 * c19) + (w39 * w105 + w2 * w103))
-    w112 = w111 - w90 + w36 * w106 - w78 * w110 + w79 * w109 + w80 * w92
-    w113 = w12 * c9
-    w114 = w5 * c36 - c27 - w113 * gravity_y - (w39 * w113 + w2 * (w6 * c9)) + (w60 * w108 + w49 * (w6 * c6))
-    w115 = w12 * c11
-    w116 = w67 * w106 - (w2 * (w6 * c11) + w39 * w115 + (w5 * c19 + w115 * gravity_y)) - w96 * w110 + w97 * w109
-    w117 = w22 + rod_q1_dot * c10
-    w118 = (rod_q1 * c10 + (w9 + w10)) * 0.5
-    w119 = w12 * w118
-    w120 = w6 * w118
-    w121 = (w42 * w98 + (w16 * (w12 * w27) + w5 * w67)) * slider_mass
-    w122 = w0 * (w16 * (w6 * w117) - w5 * w119 + w42 * w120) + w38 * (w5 * w120 + w16 * (w12 * w117) + w42 * w119 + w121)
-    w123 = w12 * c7
-    w124 = (rod_theta_dot * w67 + rod_q2_dot * w123 + w68 * w101) / w41
-    w125 = (w42 * w67 + (w16 * (w6 * w27) - w5 * w98) + w65 * w124 + w71 * w101) / w41
-    w126 = w55 * (rod_q2_dot * c37 - rod_q1_dot * c17) - w120 * gravity_y - (w39 * w120 - w2 * w119 + w42 * (w57 + rod_q2 * c37 - rod_q1 * c17))
-    w127 = w126 - w99 + w36 * w121 - w78 * w125 + w79 * w124 + w80 * w101
-    w128 = w12 * c10
-    w129 = w66 * w121 - (w39 * w128 + w2 * (w6 * c10) + (w5 * c17 + w128 * gravity_y)) - w87 * w125 + w88 * w124
-    w130 = w12 * c12
-    w131 = w5 * c37 - c29 - w130 * gravity_y - (w2 * (w6 * c12) + w39 * w130) + (w60 * w123 + w49 * (w6 * c7))
+    w89 = w60 * w66
+    w90 = w12 * w30
+    w91 = w49 * w90
+    w92 = w89 - (w83 + w39 * w85 + w85 * gravity_y) - w91 - w66 * w75
+    w93 = w90 / w41
+    w94 = w6 * w10
+    w95 = w67 * slider_mass
+    w96 = w2 * (w10 * w12)
+    w97 = c22 + w36 * w95
+    w98 = w16 * w57 + w67 * w73
+    w99 = w60 * w67
+    w100 = w12 * w31
+    w101 = w49 * w100
+    w102 = w96 - w39 * w94 - w94 * gravity_y + w99 - w101 - w67 * w75
+    w103 = w100 / w41
+    w104 = (w7 + w8 + rod_q2 * c11) * 0.5
+    w105 = w82 - w12 * w104
+    w106 = w21 + rod_q2_dot * c11
+    w107 = w84 + w6 * w104
+    w108 = (w42 * w90 + (w16 * (w12 * w26) + w5 * w66)) * slider_mass
+    w109 = w0 * (w5 * w105 + w16 * (w6 * w106) + w42 * w107) - w38 * (w42 * w105 - (w5 * w107 + w16 * (w12 * w106)) - w108)
+    w110 = w12 * c6
+    w111 = (rod_q1_dot * w110 + rod_theta_dot * w66 + w68 * w93) / w41
+    w112 = (w42 * w66 + (w16 * (w6 * w26) - w5 * w90) + w65 * w111 + w71 * w93) / w41
+    w113 = w55 * (rod_q1_dot * c36 - rod_q2_dot * c19) - w107 * gravity_y - (w42 * (w56 + rod_q1 * c36 - rod_q2 * c19) + (w39 * w107 + w2 * w105))
+    w114 = w89 + w113 - w91 + w36 * w108 - w78 * w112 + w79 * w111 + w80 * w93
+    w115 = w12 * c9
+    w116 = w5 * c36 - c27 - w115 * gravity_y - (w39 * w115 + w2 * (w6 * c9)) + w60 * w110 + w49 * (w6 * c6) + w66 * w108
+    w117 = w12 * c11
+    w118 = w67 * w108 - (w2 * (w6 * c11) + w39 * w117 + (w5 * c19 + w117 * gravity_y)) - w97 * w112 + w98 * w111
+    w119 = w22 + rod_q1_dot * c10
+    w120 = (rod_q1 * c10 + (w9 + w10)) * 0.5
+    w121 = w12 * w120
+    w122 = w6 * w120
+    w123 = (w42 * w100 + (w16 * (w12 * w27) + w5 * w67)) * slider_mass
+    w124 = w0 * (w16 * (w6 * w119) - w5 * w121 + w42 * w122) + w38 * (w5 * w122 + w16 * (w12 * w119) + w42 * w121 + w123)
+    w125 = w12 * c7
+    w126 = (rod_theta_dot * w67 + rod_q2_dot * w125 + w68 * w103) / w41
+    w127 = (w42 * w67 + (w16 * (w6 * w27) - w5 * w100) + w65 * w126 + w71 * w103) / w41
+    w128 = w55 * (rod_q2_dot * c37 - rod_q1_dot * c17) - w122 * gravity_y - (w39 * w122 - w2 * w121 + w42 * (w57 + rod_q2 * c37 - rod_q1 * c17))
+    w129 = w99 + w128 - w101 + w36 * w123 - w78 * w127 + w79 * w126 + w80 * w103
+    w130 = w12 * c10
+    w131 = w66 * w123 - (w39 * w130 + w2 * (w6 * c10) + (w5 * c17 + w130 * gravity_y)) - w87 * w127 + w88 * w126
+    w132 = w12 * c12
+    w133 = w5 * c37 - c29 - w132 * gravity_y - (w2 * (w6 * c12) + w39 * w132) + w60 * w125 + w49 * (w6 * c7)
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w0 * w3 - (w4 * c24 + w61) + w38 * (w39 * c5) - w64 * w72 + w70 * w74 - w69 * w76 - w69 * w81,
-            w107 - w64 * w110 + w74 * w109 + w76 * w92 - w69 * w112,
-            w122 - w64 * w125 + w74 * w124 + w76 * w101 - w69 * w127,
+            w0 * w3 - w61 + w38 * (w39 * c5) - w64 * w72 + w70 * w74 - w69 * w76 - w69 * w81,
+            w109 - w64 * w112 + w74 * w111 + w76 * w93 - w69 * w114,
+            w124 - w64 * w127 + w74 * w126 + w76 * w103 - w69 * w129,
         ),
         ca.horzcat(  # rod.q1
-            w83 + w39 * (w85 + w86) - w72 * w87 + w70 * w88 + w69 * w91 + w81 * w92,
-            w114 + w66 * w106 - w87 * w110 + w88 * w109 - w91 * w92 + w92 * w112, w129 - w91 * w101 + w92 * w127,
+            w83 + w39 * (w85 + w86) - w72 * w87 + w70 * w88 - w69 * w92 + w81 * w93,
+            w116 - w87 * w112 + w88 * w111 + w92 * w93 + w93 * w114, w131 + w92 * w103 + w93 * w129,
         ),
         ca.horzcat(  # rod.q2
-            w39 * (w93 + w94) - w95 - w72 * w96 + w70 * w97 - w69 * w100 + w81 * w101,
-            w116 + w92 * w100 + w101 * w112,
-            w131 + w67 * w121 - w96 * w125 + w97 * w124 + w100 * w101 + w101 * w127,
+            w39 * (w94 + w95) - w96 - w72 * w97 + w70 * w98 - w69 * w102 + w81 * w103,
+            w118 + w93 * w102 + w103 * w114,
+            w133 + w67 * w123 - w97 * w127 + w98 * w126 + w102 * w103 + w103 * w129,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -1236,7 +1238,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    317 operations.
+    324 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1280,7 +1282,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c40 = c[40]
     c41 = c[41]
     c42 = c[42]
-    # intermediate terms (64)
+    # intermediate terms (61)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(crank_theta) * crank_tip_x
     w2 = 2 * crank_theta_dot
@@ -1301,60 +1303,57 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w17 = w16 * slider_mass
     w18 = w12 + w17
     w19 = w0 * w11 + w1 * w18
-    w20 = w13 * rod_q1_dot + w14 * rod_q2_dot
-    w21 = 2 * rod_theta_dot
-    w22 = 2 * (w5 * w20) + w16 * w21
+    w20 = w5 * w13
+    w21 = w5 * w14
+    w22 = rod_q1_dot * w20 + w16 * rod_theta_dot + rod_q2_dot * w21
     w23 = w5 * w15
     w24 = w0 / w23
-    w25 = (w3 - w22 * w24) / w23
-    w26 = w6 * rod_q1_dot + w7 * rod_q2_dot
-    w27 = rod_q1_dot * c13
-    w28 = (2 * (w9 * w20) - w21 * w23) * slider_mass
-    w29 = w0 * (w12 * w21 + 2 * (w5 * w26 + w9 * w27)) - w1 * (w11 * w21 + 2 * (w5 * w27 - w9 * w26) - w28)
-    w30 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
-    w31 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
-    w32 = c14 + (rod_q1 * w30 + rod_q2 * w31) + w16 * w17
-    w33 = (rod_q1_dot * w30 + rod_q2_dot * w31) * -2.0 + w16 * w28
-    w34 = w3 * w11 - w4 * w18 - w25 * w32 - w24 * w33
-    w35 = w5 * c13 - w6 * w9
-    w36 = w5 * w6 + w9 * c13
-    w37 = w5 * w13
-    w38 = w37 * slider_mass
+    w25 = 2 * ((w1 * crank_theta_dot - w22 * w24) / w23)
+    w26 = 2 * rod_theta_dot
+    w27 = w6 * rod_q1_dot + w7 * rod_q2_dot
+    w28 = rod_q1_dot * c13
+    w29 = (2 * (w9 * (w13 * rod_q1_dot + w14 * rod_q2_dot)) - w23 * w26) * slider_mass
+    w30 = w0 * (w12 * w26 + 2 * (w5 * w27 + w9 * w28)) - w1 * (w11 * w26 + 2 * (w5 * w28 - w9 * w27) - w29)
+    w31 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w32 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w33 = c14 + (rod_q1 * w31 + rod_q2 * w32) + w16 * w17
+    w34 = (rod_q1_dot * w31 + rod_q2_dot * w32) * -2.0 + w16 * w29
+    w35 = w3 * w11 - w4 * w18 - w25 * w33 - w24 * w34
+    w36 = w5 * c13 - w6 * w9
+    w37 = w5 * w6 + w9 * c13
+    w38 = w20 * slider_mass
     w39 = c21 + w16 * w38
-    w40 = w21 * w30 + w28 * w37
+    w40 = w26 * w31 + w20 * w29
     w41 = w9 * w13
     w42 = w41 / w23
     w43 = w9 * w14
     w44 = w43 / w23
     w45 = w7 * w9
     w46 = w5 * w7
-    w47 = w5 * w14
-    w48 = w47 * slider_mass
-    w49 = c22 + w16 * w48
-    w50 = w21 * w31 + w28 * w47
-    w51 = rod_q1_dot * c40 + rod_q2_dot * c41
-    w52 = rod_q1_dot * c38
-    w53 = (w21 * w41 - w5 * w52) * slider_mass
-    w54 = (w9 * w52 + w21 * w37 + w22 * w42) / w23
-    w55 = rod_theta_dot * -2.0
-    w56 = w30 * w55 + w16 * w53 - w32 * w54 + w33 * w42
-    w57 = w0 * (w9 * w51 + w21 * w36) - w1 * (w21 * w35 + w5 * w51 - w53) - w19 * w54 + w29 * w42 - w24 * w56
-    w58 = rod_q2_dot * c42 + rod_q1_dot * c41
-    w59 = rod_q2_dot * c39
-    w60 = (w21 * w43 - w5 * w59) * slider_mass
-    w61 = (w9 * w59 + w21 * w47 + w22 * w44) / w23
-    w62 = w31 * w55 + w16 * w60 - w32 * w61 + w33 * w44
-    w63 = w0 * (w9 * w58 + w21 * w46) - w1 * (w5 * w58 - w21 * w45 - w60) - w19 * w61 + w29 * w44 - w24 * w62
+    w47 = w21 * slider_mass
+    w48 = c22 + w16 * w47
+    w49 = w26 * w32 + w21 * w29
+    w50 = rod_q1_dot * c40 + rod_q2_dot * c41
+    w51 = (w26 * w41 - w5 * (rod_q1_dot * c38)) * slider_mass
+    w52 = 2 * ((rod_q1_dot * (w9 * c6) + w20 * rod_theta_dot + w22 * w42) / w23)
+    w53 = rod_theta_dot * -2.0
+    w54 = w31 * w53 + w16 * w51 - w33 * w52 + w34 * w42
+    w55 = w0 * (w9 * w50 + w26 * w37) - w1 * (w26 * w36 + w5 * w50 - w51) - w19 * w52 + w30 * w42 - w24 * w54
+    w56 = rod_q2_dot * c42 + rod_q1_dot * c41
+    w57 = (w26 * w43 - w5 * (rod_q2_dot * c39)) * slider_mass
+    w58 = 2 * ((rod_theta_dot * w21 + rod_q2_dot * (w9 * c7) + w22 * w44) / w23)
+    w59 = w32 * w53 + w16 * w57 - w33 * w58 + w34 * w44
+    w60 = w0 * (w9 * w56 + w26 * w46) - w1 * (w5 * w56 - w26 * w45 - w57) - w19 * w58 + w30 * w44 - w24 * w59
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
-        ca.horzcat(w0 * (w3 * c3) - w1 * (w4 * c5) - w19 * w25 - w24 * w29 - w24 * w34, w57, w63),  # crank.theta
+        ca.horzcat(w0 * (w3 * c3) - w1 * (w4 * c5) - w19 * w25 - w24 * w30 - w24 * w35, w55, w60),  # crank.theta
         ca.horzcat(  # rod.q1
-            w3 * w35 - w4 * (w36 + w38) - w25 * w39 - w24 * w40 + w34 * w42,
-            w37 * w53 - c28 - w39 * w54 + w40 * w42 + w42 * w56, w37 * w60 - w39 * w61 + w40 * w44 + w42 * w62,
+            w3 * w36 - w4 * (w37 + w38) - w25 * w39 - w24 * w40 + w35 * w42,
+            w20 * w51 - c28 - w39 * w52 + w40 * w42 + w42 * w54, w20 * w57 - w39 * w58 + w40 * w44 + w42 * w59,
         ),
         ca.horzcat(  # rod.q2
-            w34 * w44 - (w3 * w45 + w4 * (w46 + w48) + w25 * w49 + w24 * w50),
-            w47 * w53 - w49 * w54 + w42 * w50 + w44 * w56, w47 * w60 - c30 - w49 * w61 + w44 * w50 + w44 * w62,
+            w35 * w44 - (w3 * w45 + w4 * (w46 + w47) + w25 * w48 + w24 * w49),
+            w21 * w51 - w48 * w52 + w42 * w49 + w44 * w54, w21 * w57 - c30 - w48 * w58 + w44 * w49 + w44 * w59,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
@@ -1372,7 +1371,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 3 x 3) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    821 operations.
+    811 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1506,7 +1505,7 @@ def residual_jacobian() -> ca.Function:
     w80 = c14 + (rod_q1 * w77 + rod_q2 * w78)
     w81 = w76 * w79 + w15 * gravity_y - (w15 * w69 + w4 * w28 + w48 * w80 + rod_q1_ddot * c21 + rod_q2_ddot * c22)
     w82 = (w81 + w39 * w64) / w42
-    w83 = w0 * (w16 + w21 + w27 + (w5 + w49 + w52 + w54) - w64) + w2 * (c26 + (w65 + w66 + w68) - (w69 * c3 + w70 + w73 - w75) - w82)
+    w83 = w1 * c24 + w0 * (w16 + w21 + w27 + (w5 + w49 + w52 + w54) - w64) + w2 * (c26 + (w65 + w66 + w68) - (w69 * c3 + w70 + w73 - w75) - w82)
     w84 = w39 * slider_mass
     w85 = w28 + w84
     w86 = w0 * w15 + w2 * w85
@@ -1522,108 +1521,108 @@ def residual_jacobian() -> ca.Function:
     w96 = w4 * w15
     w97 = w80 + w39 * w84
     w98 = w79 * -2.0 + w39 * w92
-    w99 = w28 * w69 - w96 - w28 * gravity_y + (w42 * w64 + w39 * w82) - w39 * w94
+    w99 = w28 * w69 - w96 - w28 * gravity_y + w39 * w82 + w42 * w64 - w39 * w94
     w100 = w96 - w69 * w85 - w91 * w97 + w89 * w98 - w43 * w99
     w101 = w4 * w72
     w102 = w60 * slider_mass
     w103 = w51 + w102
     w104 = c21 + w39 * w102
     w105 = w17 * w77 + w60 * w92
-    w106 = w44 * w64 - w60 * w82
-    w107 = w51 * w69 - w101 - w51 * gravity_y - w106 - w60 * w94
-    w108 = w17 * w78 + w62 * w92
-    w109 = w4 * w74
-    w110 = w62 * slider_mass
-    w111 = w53 + w110
-    w112 = c22 + w39 * w110
-    w113 = w46 * w64 - w62 * w82
-    w114 = w109 + w53 * w69 - w53 * gravity_y - w113 - w62 * w94
-    w115 = (w8 + w9 + rod_q2 * c11) * 0.5
-    w116 = w71 - w13 * w115
-    w117 = rod_q2_dot * c11
-    w118 = w22 + w117
-    w119 = w50 + w7 * w115
-    w120 = w13 * c9
-    w121 = w13 * c11
-    w122 = w7 * c9
-    w123 = w7 * c11
-    w124 = w7 * c6
-    w125 = (rod_q1_ddot * w124 - w44 * w48 - (w17 * (w13 * w29) + w6 * w60)) * slider_mass
-    w126 = w2 * (w48 * w116 + rod_q1_ddot * w122 + rod_q2_ddot * w123 - (w6 * w119 + w17 * (w13 * w118)) + w125)
-    w127 = w0 * (w6 * w116 + w17 * (w7 * w118) + (w48 * w119 + rod_q1_ddot * w120 + rod_q2_ddot * w121)) - w126
-    w128 = w13 * c6
-    w129 = (rod_q1_dot * w128 + rod_theta_dot * w60 + w45 * w88) / w42
-    w130 = (rod_q1_ddot * w128 + w48 * w60 + (w17 * (w7 * w29) - w6 * w44) + w87 * w129 + w45 * w90) / w42
-    w131 = w76 * (rod_q1_dot * c36 - rod_q2_dot * c19) - w119 * gravity_y - (w48 * (w77 + rod_q1 * c36 - rod_q2 * c19) - (w69 * w119 - w4 * w116))
-    w132 = w131 - w106 - w39 * w125 - w97 * w130 + w98 * w129 + w45 * w99
-    w133 = w6 * c36 - c27 - w120 * gravity_y + (w69 * w120 - w4 * w122) + (w82 * w128 + w64 * w124) - w60 * w125
-    w134 = w69 * w121 - w4 * w123 - (w6 * c19 + w121 * gravity_y) - w62 * w125 - w112 * w130 + w108 * w129 + w45 * w114
-    w135 = rod_q1_dot * c10
-    w136 = w24 + w135
-    w137 = (rod_q1 * c10 + (w10 + w11)) * 0.5
-    w138 = w13 * w137
-    w139 = w7 * w137
-    w140 = w13 * c10
-    w141 = w13 * c12
-    w142 = w7 * c7
-    w143 = (rod_q2_ddot * w142 - w46 * w48 - (w17 * (w13 * w30) + w6 * w62)) * slider_mass
-    w144 = w7 * c10
-    w145 = w7 * c12
-    w146 = w2 * (w143 - (w6 * w139 + w17 * (w13 * w136) + (w48 * w138 - rod_q1_ddot * w144 - rod_q2_ddot * w145)))
-    w147 = w0 * (w17 * (w7 * w136) - w6 * w138 + (w48 * w139 + rod_q1_ddot * w140 + rod_q2_ddot * w141)) - w146
-    w148 = w13 * c7
-    w149 = (rod_theta_dot * w62 + rod_q2_dot * w148 + w47 * w88) / w42
-    w150 = (w48 * w62 + rod_q2_ddot * w148 + (w17 * (w7 * w30) - w6 * w46) + w87 * w149 + w47 * w90) / w42
-    w151 = w76 * (rod_q2_dot * c37 - rod_q1_dot * c17) - w139 * gravity_y - (w48 * (w78 + rod_q2 * c37 - rod_q1 * c17) - (w4 * w138 + w69 * w139))
-    w152 = w151 - w113 - w39 * w143 - w97 * w150 + w98 * w149 + w47 * w99
-    w153 = w69 * w140 - w4 * w144 - (w6 * c17 + w140 * gravity_y) - w60 * w143 - w104 * w150 + w105 * w149 + w47 * w107
-    w154 = w6 * c37 - c29 - w141 * gravity_y + (w69 * w141 - w4 * w145) + (w82 * w148 + w64 * w142) - w62 * w143
-    w155 = 2 * crank_theta_dot
-    w156 = w2 * w155
-    w157 = w0 * w155
-    w158 = (w156 - w43 * w87) / w42
-    w159 = w15 * w156 - w85 * w157 - w97 * w158 - w43 * w98
-    w160 = w117 + (w22 + w23)
-    w161 = 2 * w29
-    w162 = (w17 * w44 - w7 * w161) * slider_mass
-    w163 = (w13 * w161 + w17 * w60 + w45 * w87) / w42
-    w164 = w76 * w77 + w39 * w162 - w97 * w163 + w45 * w98
-    w165 = w0 * (w13 * w160 + w17 * w51) - w2 * (w17 * w72 + w7 * w160 - w162) - w86 * w163 + w45 * w93 - w43 * w164
-    w166 = w135 + (w24 + w25)
-    w167 = 2 * w30
-    w168 = (w17 * w46 - w7 * w167) * slider_mass
-    w169 = (w13 * w167 + w17 * w62 + w47 * w87) / w42
+    w106 = w60 * w82
+    w107 = w44 * w64
+    w108 = w51 * w69 - w101 - w51 * gravity_y + w106 - w107 - w60 * w94
+    w109 = w17 * w78 + w62 * w92
+    w110 = w4 * w74
+    w111 = w62 * slider_mass
+    w112 = w53 + w111
+    w113 = c22 + w39 * w111
+    w114 = w62 * w82
+    w115 = w46 * w64
+    w116 = w110 + w53 * w69 - w53 * gravity_y + w114 - w115 - w62 * w94
+    w117 = (w8 + w9 + rod_q2 * c11) * 0.5
+    w118 = w71 - w13 * w117
+    w119 = rod_q2_dot * c11
+    w120 = w22 + w119
+    w121 = w50 + w7 * w117
+    w122 = w13 * c9
+    w123 = w13 * c11
+    w124 = w7 * c9
+    w125 = w7 * c11
+    w126 = w7 * c6
+    w127 = (rod_q1_ddot * w126 - w44 * w48 - (w17 * (w13 * w29) + w6 * w60)) * slider_mass
+    w128 = w2 * (w48 * w118 + rod_q1_ddot * w124 + rod_q2_ddot * w125 - (w6 * w121 + w17 * (w13 * w120)) + w127)
+    w129 = w0 * (w6 * w118 + w17 * (w7 * w120) + (w48 * w121 + rod_q1_ddot * w122 + rod_q2_ddot * w123)) - w128
+    w130 = w13 * c6
+    w131 = (rod_q1_dot * w130 + rod_theta_dot * w60 + w45 * w88) / w42
+    w132 = (rod_q1_ddot * w130 + w48 * w60 + (w17 * (w7 * w29) - w6 * w44) + w87 * w131 + w45 * w90) / w42
+    w133 = w76 * (rod_q1_dot * c36 - rod_q2_dot * c19) - w121 * gravity_y - (w48 * (w77 + rod_q1 * c36 - rod_q2 * c19) - (w69 * w121 - w4 * w118))
+    w134 = w106 + w133 - w107 - w39 * w127 - w97 * w132 + w98 * w131 + w45 * w99
+    w135 = w6 * c36 - c27 - w122 * gravity_y + (w69 * w122 - w4 * w124) + w82 * w130 + w64 * w126 - w60 * w127
+    w136 = w69 * w123 - w4 * w125 - (w6 * c19 + w123 * gravity_y) - w62 * w127 - w113 * w132 + w109 * w131 + w45 * w116
+    w137 = rod_q1_dot * c10
+    w138 = w24 + w137
+    w139 = (rod_q1 * c10 + (w10 + w11)) * 0.5
+    w140 = w13 * w139
+    w141 = w7 * w139
+    w142 = w13 * c10
+    w143 = w13 * c12
+    w144 = w7 * c7
+    w145 = (rod_q2_ddot * w144 - w46 * w48 - (w17 * (w13 * w30) + w6 * w62)) * slider_mass
+    w146 = w7 * c10
+    w147 = w7 * c12
+    w148 = w2 * (w145 - (w6 * w141 + w17 * (w13 * w138) + (w48 * w140 - rod_q1_ddot * w146 - rod_q2_ddot * w147)))
+    w149 = w0 * (w17 * (w7 * w138) - w6 * w140 + (w48 * w141 + rod_q1_ddot * w142 + rod_q2_ddot * w143)) - w148
+    w150 = w13 * c7
+    w151 = (rod_theta_dot * w62 + rod_q2_dot * w150 + w47 * w88) / w42
+    w152 = (w48 * w62 + rod_q2_ddot * w150 + (w17 * (w7 * w30) - w6 * w46) + w87 * w151 + w47 * w90) / w42
+    w153 = w76 * (rod_q2_dot * c37 - rod_q1_dot * c17) - w141 * gravity_y - (w48 * (w78 + rod_q2 * c37 - rod_q1 * c17) - (w4 * w140 + w69 * w141))
+    w154 = w114 + w153 - w115 - w39 * w145 - w97 * w152 + w98 * w151 + w47 * w99
+    w155 = w69 * w142 - w4 * w146 - (w6 * c17 + w142 * gravity_y) - w60 * w145 - w104 * w152 + w105 * w151 + w47 * w108
+    w156 = w6 * c37 - c29 - w143 * gravity_y + (w69 * w143 - w4 * w147) + w82 * w150 + w64 * w144 - w62 * w145
+    w157 = 2 * crank_theta_dot
+    w158 = w2 * w157
+    w159 = w0 * w157
+    w160 = 2 * w89
+    w161 = w15 * w158 - w85 * w159 - w97 * w160 - w43 * w98
+    w162 = w119 + (w22 + w23)
+    w163 = (w17 * w44 - w7 * (2 * w29)) * slider_mass
+    w164 = 2 * w131
+    w165 = w76 * w77 + w39 * w163 - w97 * w164 + w45 * w98
+    w166 = w0 * (w13 * w162 + w17 * w51) - w2 * (w17 * w72 + w7 * w162 - w163) - w86 * w164 + w45 * w93 - w43 * w165
+    w167 = w137 + (w24 + w25)
+    w168 = (w17 * w46 - w7 * (2 * w30)) * slider_mass
+    w169 = 2 * w151
     w170 = w76 * w78 + w39 * w168 - w97 * w169 + w47 * w98
-    w171 = w0 * (w13 * w166 + w17 * w53) - w2 * (w7 * w166 - w17 * w74 - w168) - w86 * w169 + w47 * w93 - w43 * w170
+    w171 = w0 * (w13 * w167 + w17 * w53) - w2 * (w7 * w167 - w17 * w74 - w168) - w86 * w169 + w47 * w93 - w43 * w170
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w0 * w5 - (w1 * c24 + w83) - w2 * (w69 * c5) - w86 * w91 + w89 * w93 - w43 * w95 - w43 * w100,
-            w127 - w86 * w130 + w93 * w129 + w45 * w95 - w43 * w132,
-            w147 - w86 * w150 + w93 * w149 + w47 * w95 - w43 * w152,
+            w0 * w5 - w83 - w2 * (w69 * c5) - w86 * w91 + w89 * w93 - w43 * w95 - w43 * w100,
+            w129 - w86 * w132 + w93 * w131 + w45 * w95 - w43 * w134,
+            w149 - w86 * w152 + w93 * w151 + w47 * w95 - w43 * w154,
         ),
         ca.horzcat(  # rod.q1
-            w101 - w69 * w103 - w91 * w104 + w89 * w105 - w43 * w107 + w45 * w100,
-            w133 - w104 * w130 + w105 * w129 + w45 * w107 + w45 * w132, w153 + w45 * w152,
+            w101 - w69 * w103 - w91 * w104 + w89 * w105 - w43 * w108 + w45 * w100,
+            w135 - w104 * w132 + w105 * w131 + w45 * w108 + w45 * w134, w155 + w45 * w154,
         ),
         ca.horzcat(  # rod.q2
-            w89 * w108 - (w109 + w69 * w111 + w91 * w112) - w43 * w114 + w47 * w100, w134 + w47 * w132,
-            w154 - w112 * w150 + w108 * w149 + w47 * w114 + w47 * w152,
+            w89 * w109 - (w110 + w69 * w112 + w91 * w113) - w43 * w116 + w47 * w100, w136 + w47 * w134,
+            w156 - w113 * w152 + w109 * w151 + w47 * w116 + w47 * w154,
         ),
     )
     J_v = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w0 * (w156 * c3) - w2 * (w157 * c5) - w86 * w158 - w43 * w93 - w43 * w159, w165, w171,
+            w0 * (w158 * c3) - w2 * (w159 * c5) - w86 * w160 - w43 * w93 - w43 * w161, w166, w171,
         ),
         ca.horzcat(  # rod.q1
-            w72 * w156 - w103 * w157 - w104 * w158 - w43 * w105 + w45 * w159,
-            w60 * w162 - c28 - w104 * w163 + w45 * w105 + w45 * w164,
+            w72 * w158 - w103 * w159 - w104 * w160 - w43 * w105 + w45 * w161,
+            w60 * w163 - c28 - w104 * w164 + w45 * w105 + w45 * w165,
             w60 * w168 - w104 * w169 + w47 * w105 + w45 * w170,
         ),
         ca.horzcat(  # rod.q2
-            w47 * w159 - (w74 * w156 + w111 * w157 + w112 * w158 + w43 * w108),
-            w62 * w162 - w112 * w163 + w45 * w108 + w47 * w164,
-            w62 * w168 - c30 - w112 * w169 + w47 * w108 + w47 * w170,
+            w47 * w161 - (w74 * w158 + w112 * w159 + w113 * w160 + w43 * w109),
+            w62 * w163 - w113 * w164 + w45 * w109 + w47 * w165,
+            w62 * w168 - c30 - w113 * w169 + w47 * w109 + w47 * w170,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]

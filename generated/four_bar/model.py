@@ -845,7 +845,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w34 = w7 * w27
     w35 = w24 * coupler_mass
     w36 = (w19 * w29 + w21 * w31) / w26
-    w37 = w0 * w3 - (w4 * c9 + (w0 * (w8 + (w3 + w28) + w32) + w23 * (c11 + w33 - (w34 - w35) + w36))) + w23 * w35
+    w37 = w0 * w3 - (w4 * c9 + w0 * (w8 + (w3 + w28) + w32) + w23 * (c11 + w33 - (w34 - w35) + w36)) + w23 * w35
     w38 = (w0 * w21 - w15 * w23) / w26
     w39 = (w0 * w19 - w12 * w23) / w26
     w40 = 2 * coupler_theta_dot
@@ -857,9 +857,9 @@ def dQ_hat_dq_i() -> ca.Function:
     w46 = (w15 * w27 - w22) * w39 - (w24 + w15 * w40 * w43) + w12 * w44 * w45 + w38 * (w20 - w12 * w30)
     w47 = w2 - w43 * (w21 * w40) + w39 * (w16 + w21 * w27) + w45 * (w19 * w44) - w38 * (w14 + w19 * w30)
     w48 = (w12 * w46 + w19 * w47) / w26
-    w49 = w37 + w38 * ((w15 * w46 + w21 * w47) / w26 * c5 + w38 * (w19 * w36 + w12 * w32 - w18 * c12)) + (w0 * w7 + w10 * w23) * w48
+    w49 = w37 + w38 * ((w15 * w46 + w21 * w47) / w26 * c5 + w38 * (w12 * w32 - w18 * c12 + w19 * w36)) + (w0 * w7 + w10 * w23) * w48
     w50 = w2 * w7 + w10 * w24
-    w51 = w49 - w43 * (w0 * (w10 * w40) - w23 * (w7 * w40)) + w39 * (w0 * (w8 + w28) - w23 * (w34 - w33)) + w39 * (w50 + w48 * c7 - w39 * (w50 + w10 * gravity_y + (w15 * w32 + w21 * w36)))
+    w51 = w49 - w43 * (w0 * (w10 * w40) - w23 * (w7 * w40)) + w39 * (w0 * (w8 + w28) - w23 * (w34 - w33)) + w39 * (w50 + w48 * c7 - w39 * (w50 + w10 * gravity_y + w15 * w32 + w21 * w36))
     # outputs
     dQ_hat_dq_i = ca.vertcat(w51)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -931,7 +931,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    257 operations.
+    245 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
@@ -957,7 +957,7 @@ def residual_jacobian() -> ca.Function:
     c9 = c[9]
     c11 = c[11]
     c12 = c[12]
-    # intermediate terms (68)
+    # intermediate terms (62)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(crank_theta)
     w2 = w1 * crank_tip_x
@@ -999,36 +999,30 @@ def residual_jacobian() -> ca.Function:
     w38 = w31 * coupler_mass
     w39 = w9 * w29
     w40 = (w21 * w32 + w23 * w35) / w27
-    w41 = w0 * w6 - (w1 * c9 + (w0 * (w10 + (w6 + w30) + w36) + w2 * (c11 + w37 - (w38 + w39) + w40))) - w2 * w38
+    w41 = w0 * w6 - (w1 * c9 + w0 * (w10 + (w6 + w30) + w36) + w2 * (c11 + w37 - (w38 + w39) + w40)) - w2 * w38
     w42 = 2 * coupler_theta_dot
-    w43 = w17 * w42
-    w44 = w0 * crank_theta_dot + w28 * (coupler_theta_dot * w17) - w33 * (w14 * rocker_theta_dot)
-    w45 = w2 * crank_theta_dot + w28 * (coupler_theta_dot * w23) - w33 * (rocker_theta_dot * w21)
-    w46 = (w14 * w44 + w21 * w45) / w27
-    w47 = 2 * rocker_theta_dot
-    w48 = w14 * w47
-    w49 = (w17 * w44 + w23 * w45) / w27
-    w50 = w31 - w43 * w46 + w28 * (w17 * w29 - w24) + w48 * w49 + w33 * (w22 - w14 * w34)
-    w51 = w23 * w42
-    w52 = w21 * w47
-    w53 = w5 - w46 * w51 + w28 * (w18 + w23 * w29) + w49 * w52 - w33 * (w16 + w21 * w34)
-    w54 = w0 * w9 + w2 * w12
-    w55 = (w14 * w50 + w21 * w53) / w27
-    w56 = w41 + w33 * ((w17 * w50 + w23 * w53) / w27 * c5 + w33 * (w21 * w40 + w14 * w36 - w20 * c12)) + w54 * w55
-    w57 = w0 * (w12 * w42) - w2 * (w9 * w42)
-    w58 = w5 * w9
-    w59 = w12 * w31
-    w60 = w56 - w46 * w57 + w28 * (w0 * (w10 + w30) - w2 * (w39 - w37)) + w28 * (w58 - w59 + w55 * c7 + w28 * (w59 - w58 - w12 * gravity_y - (w17 * w36 + w23 * w40)))
-    w61 = 2 * crank_theta_dot
-    w62 = w2 * w61
-    w63 = w0 * w61
-    w64 = w63 + w28 * w43 - w33 * w48
-    w65 = w62 + w28 * w51 - w33 * w52
-    w66 = w0 * (w62 * coupler_mass) - w2 * (w63 * coupler_mass) + w33 * ((w17 * w64 + w23 * w65) / w27 * c5)
-    w67 = (w14 * w64 + w21 * w65) / w27
+    w43 = w0 * crank_theta_dot + w28 * (coupler_theta_dot * w17) - w33 * (w14 * rocker_theta_dot)
+    w44 = w2 * crank_theta_dot + w28 * (coupler_theta_dot * w23) - w33 * (rocker_theta_dot * w21)
+    w45 = (w14 * w43 + w21 * w44) / w27
+    w46 = 2 * rocker_theta_dot
+    w47 = (w17 * w43 + w23 * w44) / w27
+    w48 = w31 - w17 * w42 * w45 + w28 * (w17 * w29 - w24) + w14 * w46 * w47 + w33 * (w22 - w14 * w34)
+    w49 = w5 - w45 * (w23 * w42) + w28 * (w18 + w23 * w29) + w47 * (w21 * w46) - w33 * (w16 + w21 * w34)
+    w50 = w0 * w9 + w2 * w12
+    w51 = (w14 * w48 + w21 * w49) / w27
+    w52 = w41 + w33 * ((w17 * w48 + w23 * w49) / w27 * c5 + w33 * (w14 * w36 - w20 * c12 + w21 * w40)) + w50 * w51
+    w53 = w0 * (w12 * w42) - w2 * (w9 * w42)
+    w54 = w5 * w9
+    w55 = w12 * w31
+    w56 = w52 - w45 * w53 + w28 * (w0 * (w10 + w30) - w2 * (w39 - w37)) + w28 * (w54 - w55 + w51 * c7 + w28 * (w55 - w54 - w12 * gravity_y - w17 * w36 - w23 * w40))
+    w57 = 2 * crank_theta_dot
+    w58 = w2 * w57
+    w59 = w0 * w57
+    w60 = 2 * -w45
+    w61 = w0 * (w58 * coupler_mass) - w2 * (w59 * coupler_mass) - w33 * (2 * -w47 * c5) - w50 * w60 + w28 * w53
     # outputs
-    J_q = ca.vertcat(w60)
-    J_v = ca.vertcat(w66 + w54 * w67 + w28 * w57 + w28 * (w9 * w62 - w12 * w63 + w67 * c7))
+    J_q = ca.vertcat(w56)
+    J_v = ca.vertcat(w61 + w28 * (w9 * w58 - w12 * w59 - w60 * c7))
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 

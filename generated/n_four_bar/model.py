@@ -1261,11 +1261,11 @@ def dQ_hat_dq_i() -> ca.Function:
     w80 = w4 * c18 - w41 * c5 + w5 * w71 - w7 * w73 - w7 * w78 + w5 * w79
     w81 = (w5 * w52 + w11 * w80) / w12
     w82 = (w7 * w52 + w10 * w80) / w12
-    w83 = w0 * c16 + (w8 * (w3 * w27 + (w51 + w38 * w40) + w81) + w1 * (c17 + w27 * w40 - (w3 * w38 - w31) + w82))
+    w83 = w0 * c16 + w8 * (w3 * w27 + (w51 + w38 * w40) + w81) + w1 * (c17 + w27 * w40 - (w3 * w38 - w31) + w82)
     w84 = w1 * (w3 * w26 + w27 * w28 + (w31 - (w38 * w39 + w40 * w50))) - w83 + w8 * (w27 * w39 - w26 * w40 - (w3 * w50 - w28 * w38 - w51))
-    w85 = w28 * gravity_y + (w50 * c14 - (w3 * w34 - w28 * w30 + (w30 * w40 - w34 * w39))) + (w15 * w81 + w21 * w82)
+    w85 = w28 * gravity_y + (w50 * c14 - (w3 * w34 - w28 * w30 + (w30 * w40 - w34 * w39))) + w15 * w81 + w21 * w82
     w86 = (w11 * w46 - w10 * w49) / w12
-    w87 = w84 - w13 * w85 - w16 * (w22 * c18 + w86 * c5 + (w17 * (w73 + w78) - (w23 * w82 + w17 * w81) + w23 * (w71 + w79)))
+    w87 = w84 - w13 * w85 + w16 * (w17 * w81 - (w22 * c18 + w86 * c5) + w23 * w82 - w17 * (w73 + w78) - w23 * (w71 + w79))
     w88 = w16 * w69
     w89 = w57 * w88
     w90 = w89 * top2_tip_x
@@ -1291,8 +1291,8 @@ def dQ_hat_dq_i() -> ca.Function:
     w110 = (w65 * w108 - w60 * w109) / w68
     w111 = w105 - w107
     w112 = w87 - w7 * w16 * (w58 * w99 - w53 * w100 + (w103 * top2_mass + (w70 * w104 + w55 * w110))) + w5 * w16 * (w55 * w99 + w53 * w104 - (w111 * top2_mass + (w58 * w110 - w70 * w100)))
-    w113 = w100 * gravity_y + (w58 * w111 - w56 * w100 + (w72 * w104 + w55 * w103) + w110 * c12) + (w78 * w90 + w79 * w95)
-    w114 = w112 - w88 * w113 + w91 * (w79 * w97 + w78 * w92 - (w96 * c20 + (w66 * w108 - w62 * w109) / w68 * c10))
+    w113 = w100 * gravity_y + (w58 * w111 - w56 * w100 + (w72 * w104 + w55 * w103) + w110 * c12) + w78 * w90
+    w114 = w112 - w88 * (w113 + w79 * w95) + w91 * (w78 * w92 - (w96 * c20 + (w66 * w108 - w62 * w109) / w68 * c10) + w79 * w97)
     # outputs
     dQ_hat_dq_i = ca.vertcat(w114)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -1403,7 +1403,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    512 operations.
+    488 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
@@ -1442,7 +1442,7 @@ def residual_jacobian() -> ca.Function:
     c18 = c[18]
     c19 = c[19]
     c20 = c[20]
-    # intermediate terms (134)
+    # intermediate terms (124)
     w0 = ca.cos(upright0_theta) * upright0_tip_x
     w1 = ca.sin(upright0_theta)
     w2 = w1 * upright0_tip_x
@@ -1522,64 +1522,54 @@ def residual_jacobian() -> ca.Function:
     w76 = w31 * top1_mass
     w77 = w9 * w29
     w78 = (w21 * w32 + w23 * w73) / w27
-    w79 = w0 * w6 - (w1 * c16 + (w0 * (w10 + (w6 + w30) + w74) + w2 * (c17 + w75 - (w76 + w77) + w78))) - w2 * w76
+    w79 = w0 * w6 - (w1 * c16 + w0 * (w10 + (w6 + w30) + w74) + w2 * (c17 + w75 - (w76 + w77) + w78)) - w2 * w76
     w80 = w14 * w43 + w21 * w37
     w81 = c7 + w68 * (w68 * c10) + (w58 * (w80 + w58 * c12) + w58 * w80)
     w82 = 2 * top1_theta_dot
-    w83 = w17 * w82
-    w84 = w14 * upright1_theta_dot
-    w85 = w0 * upright0_theta_dot + w28 * (top1_theta_dot * w17) - w33 * w84
-    w86 = upright1_theta_dot * w21
-    w87 = w2 * upright0_theta_dot + w28 * (top1_theta_dot * w23) - w33 * w86
-    w88 = (w14 * w85 + w21 * w87) / w27
-    w89 = 2 * upright1_theta_dot
-    w90 = w14 * w89
-    w91 = (w17 * w85 + w23 * w87) / w27
-    w92 = w31 - w83 * w88 + w28 * (w17 * w29 - w24) + w90 * w91 + w33 * (w22 - w39)
-    w93 = w23 * w82
-    w94 = w21 * w89
-    w95 = w5 - w88 * w93 + w28 * (w18 + w23 * w29) + w91 * w94 - w33 * w63
-    w96 = 2 * top2_theta_dot
-    w97 = w48 * w96
-    w98 = 2 * upright2_theta_dot
-    w99 = w45 * w98
-    w100 = w90 + w58 * w97 - w68 * w99
-    w101 = w54 * w96
-    w102 = w52 * w98
-    w103 = w94 + w58 * w101 - w68 * w102
-    w104 = w14 * (w94 * top2_mass) - w21 * (w90 * top2_mass) + w68 * ((w48 * w100 + w54 * w103) / w57 * c10)
-    w105 = (w45 * w100 + w52 * w103) / w57
-    w106 = w14 * (w37 * w96) - w21 * (w43 * w96)
-    w107 = w104 + w80 * w105 + w58 * w106 + w58 * (w43 * w94 - w37 * w90 + w105 * c12)
-    w108 = w14 * w64 - (w20 * c18 + (w14 * (w66 + w71) - (w21 * w78 + w14 * w74) + w21 * (w61 + w72))) - w21 * w41
-    w109 = w84 + w58 * (top2_theta_dot * w48) - w68 * (w45 * upright2_theta_dot)
-    w110 = w86 + w58 * (top2_theta_dot * w54) - w68 * (upright2_theta_dot * w52)
-    w111 = (w45 * w109 + w52 * w110) / w57
-    w112 = (w48 * w109 + w54 * w110) / w57
-    w113 = w40 - w97 * w111 + w58 * (w48 * w59 - w55) + w99 * w112 + w68 * (w53 - w45 * w69)
-    w114 = w63 - w101 * w111 + w58 * (w49 + w54 * w59) + w102 * w112 - w68 * (w47 + w52 * w69)
-    w115 = (w45 * w113 + w52 * w114) / w57
-    w116 = w108 + w68 * ((w48 * w113 + w54 * w114) / w57 * c10 + w68 * (w52 * w72 + w45 * w71 - w51 * c20)) + w80 * w115
-    w117 = w43 * w63
-    w118 = w37 * w40
-    w119 = w58 * (w117 - w118 + w115 * c12 + w58 * (w118 - w117 - w37 * gravity_y - (w48 * w71 + w54 * w72)))
-    w120 = w81 * ((w17 * w92 + w23 * w95) / w27) - w91 * w107 + w33 * (w116 - w106 * w111 + w58 * (w14 * (w62 + w65) - w21 * (w60 - w38)) + w119)
-    w121 = w0 * w9 + w2 * w12
-    w122 = (w14 * w92 + w21 * w95) / w27
-    w123 = w0 * (w12 * w82) - w2 * (w9 * w82)
-    w124 = w5 * w9
-    w125 = w12 * w31
-    w126 = w28 * (w124 - w125 + w122 * c14 + w28 * (w125 - w124 - w12 * gravity_y - (w17 * w74 + w23 * w78)))
-    w127 = 2 * upright0_theta_dot
-    w128 = w2 * w127
-    w129 = w0 * w127
-    w130 = w129 + w28 * w83 - w33 * w90
-    w131 = w128 + w28 * w93 - w33 * w94
-    w132 = w0 * (w128 * top1_mass) - w2 * (w129 * top1_mass) + w33 * (w81 * ((w17 * w130 + w23 * w131) / w27) + w33 * w107)
-    w133 = (w14 * w130 + w21 * w131) / w27
+    w83 = w14 * upright1_theta_dot
+    w84 = w0 * upright0_theta_dot + w28 * (top1_theta_dot * w17) - w33 * w83
+    w85 = upright1_theta_dot * w21
+    w86 = w2 * upright0_theta_dot + w28 * (top1_theta_dot * w23) - w33 * w85
+    w87 = (w14 * w84 + w21 * w86) / w27
+    w88 = 2 * upright1_theta_dot
+    w89 = w14 * w88
+    w90 = (w17 * w84 + w23 * w86) / w27
+    w91 = w31 - w17 * w82 * w87 + w28 * (w17 * w29 - w24) + w89 * w90 + w33 * (w22 - w39)
+    w92 = w21 * w88
+    w93 = w5 - w87 * (w23 * w82) + w28 * (w18 + w23 * w29) + w90 * w92 - w33 * w63
+    w94 = w83 + w58 * (top2_theta_dot * w48) - w68 * (w45 * upright2_theta_dot)
+    w95 = w85 + w58 * (top2_theta_dot * w54) - w68 * (upright2_theta_dot * w52)
+    w96 = (w48 * w94 + w54 * w95) / w57
+    w97 = (w45 * w94 + w52 * w95) / w57
+    w98 = 2 * -w97
+    w99 = 2 * top2_theta_dot
+    w100 = w14 * (w37 * w99) - w21 * (w43 * w99)
+    w101 = w14 * (w92 * top2_mass) - w21 * (w89 * top2_mass) - w68 * (2 * -w96 * c10) - w80 * w98 + w58 * w100
+    w102 = w101 + w58 * (w43 * w92 - w37 * w89 - w98 * c12)
+    w103 = w14 * w74 - w20 * c18 + w21 * w78 - w14 * (w66 + w71) - w21 * (w61 + w72) + w14 * w64 - w21 * w41
+    w104 = 2 * upright2_theta_dot
+    w105 = w40 - w97 * (w48 * w99) + w58 * (w48 * w59 - w55) + w96 * (w45 * w104) + w68 * (w53 - w45 * w69)
+    w106 = w63 - w97 * (w54 * w99) + w58 * (w49 + w54 * w59) + w96 * (w52 * w104) - w68 * (w47 + w52 * w69)
+    w107 = (w45 * w105 + w52 * w106) / w57
+    w108 = w103 + w68 * ((w48 * w105 + w54 * w106) / w57 * c10 + w68 * (w45 * w71 - w51 * c20 + w52 * w72)) + w80 * w107
+    w109 = w43 * w63
+    w110 = w37 * w40
+    w111 = w108 - w97 * w100 + w58 * (w14 * (w62 + w65) - w21 * (w60 - w38)) + w58 * (w109 - w110 + w107 * c12 + w58 * (w110 - w109 - w37 * gravity_y - w48 * w71 - w54 * w72))
+    w112 = w0 * w9 + w2 * w12
+    w113 = (w14 * w91 + w21 * w93) / w27
+    w114 = w0 * (w12 * w82) - w2 * (w9 * w82)
+    w115 = w79 + w33 * (w81 * ((w17 * w91 + w23 * w93) / w27) - w90 * w102 + w33 * w111) + w112 * w113 - w87 * w114
+    w116 = w5 * w9
+    w117 = w12 * w31
+    w118 = w115 + w28 * (w0 * (w10 + w30) - w2 * (w77 - w75)) + w28 * (w116 - w117 + w113 * c14 + w28 * (w117 - w116 - w12 * gravity_y - w17 * w74 - w23 * w78))
+    w119 = 2 * upright0_theta_dot
+    w120 = w2 * w119
+    w121 = w0 * w119
+    w122 = 2 * -w87
+    w123 = w0 * (w120 * top1_mass) - w2 * (w121 * top1_mass) + w33 * (w33 * w102 - w81 * (2 * -w90)) - w112 * w122
     # outputs
-    J_q = ca.vertcat(w79 + w33 * w120 + w121 * w122 - w88 * w123 + w28 * (w0 * (w10 + w30) - w2 * (w77 - w75)) + w126)
-    J_v = ca.vertcat(w132 + w121 * w133 + w28 * w123 + w28 * (w9 * w128 - w12 * w129 + w133 * c14))
+    J_q = ca.vertcat(w118)
+    J_v = ca.vertcat(w123 + w28 * w114 + w28 * (w9 * w120 - w12 * w121 - w122 * c14))
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 

@@ -908,7 +908,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i, through q_d
-    576 operations.
+    578 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -949,148 +949,150 @@ def dQ_hat_dq_i() -> ca.Function:
     c24 = c[24]
     c27 = c[27]
     c28 = c[28]
-    # intermediate terms (127)
+    # intermediate terms (129)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = crank_theta_dot**2
     w2 = w0 * w1
     w3 = w2 * c3
     w4 = rod_theta_dot**2
-    w5 = ca.cos(rod_theta)
+    w5 = ca.sin(rod_theta)
     w6 = rod_q1 * c9
     w7 = w6 + rod_q2 * c10
     w8 = rod_q2 * c12
     w9 = rod_q1 * c11 + w8
     w10 = c8 - (rod_q1 * w7 + rod_q2 * w9) * 0.5
-    w11 = ca.sin(rod_theta)
+    w11 = ca.cos(rod_theta)
     w12 = rod_q1 * c13
-    w13 = w5 * w10 - w11 * w12
+    w13 = w5 * w10 + w11 * w12
     w14 = w4 * w13
-    w15 = 2 * rod_theta_dot
-    w16 = rod_q1_dot * c13
-    w17 = w7 * rod_q1_dot + w9 * rod_q2_dot
-    w18 = w5 * w16 - w11 * w17
-    w19 = w15 * w18
-    w20 = rod_q1_dot * c9
-    w21 = rod_q2_dot * c12
-    w22 = rod_q1_dot * (w20 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + w21)
-    w23 = w5 * w22
-    w24 = w10 * w11 + w5 * w12
+    w15 = rod_q1_dot * c9
+    w16 = rod_q2_dot * c12
+    w17 = rod_q1_dot * (w15 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + w16)
+    w18 = w5 * w17
+    w19 = 2 * rod_theta_dot
+    w20 = w7 * rod_q1_dot + w9 * rod_q2_dot
+    w21 = rod_q1_dot * c13
+    w22 = w11 * w20 + w5 * w21
+    w23 = w19 * w22
+    w24 = w10 * w11 - w5 * w12
     w25 = rod_q1_dot * c6
     w26 = rod_q2_dot * c7
     w27 = rod_q1_dot * w25 + rod_q2_dot * w26
-    w28 = w11 * w27
+    w28 = w5 * w27
     w29 = rod_q1 * c6
     w30 = rod_q2 * c7
     w31 = rod_q1_dot * w29 + rod_q2_dot * w30
-    w32 = w5 * w31
-    w33 = w15 * w32
+    w32 = w11 * w31
+    w33 = w19 * w32
     w34 = rod_length - (rod_q1 * w29 + rod_q2 * w30) * 0.5
-    w35 = w11 * w34
+    w35 = w5 * w34
     w36 = w4 * w35
     w37 = ca.sin(crank_theta) * crank_tip_x
     w38 = w1 * w37
     w39 = w28 + w33 + w36 + w38
-    w40 = w5 * w34
+    w40 = w11 * w34
     w41 = w39 / w40
     w42 = w24 * w41
-    w43 = w11 * w31
-    w44 = w15 * w43
-    w45 = w5 * w27
-    w46 = w4 * w40
-    w47 = w35 * w41
-    w48 = (w44 - (w45 + w46) - w2 - w47) * slider_mass
-    w49 = w4 * w24
-    w50 = w11 * w22
-    w51 = w5 * w17 + w11 * w16
-    w52 = w15 * w51
-    w53 = w13 * w41
-    w54 = rod_theta_dot * -2.0
-    w55 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
-    w56 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
-    w57 = rod_q1_dot * w55 + rod_q2_dot * w56
-    w58 = c14 + (rod_q1 * w55 + rod_q2 * w56)
-    w59 = (w54 * w57 - (w2 * w24 - w13 * w38 + w41 * w58) + w35 * w48) / w40
-    w60 = w0 * w3 - (w0 * (w14 + w19 + w23 + (w3 + w42) - w48) + w37 * (w49 + w50 + w52 - (w53 - w38 * c3) - w59))
+    w43 = rod_theta_dot * -2.0
+    w44 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w45 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w46 = rod_q1_dot * w44 + rod_q2_dot * w45
+    w47 = c14 + (rod_q1 * w44 + rod_q2 * w45)
+    w48 = w5 * w31
+    w49 = w19 * w48
+    w50 = w11 * w27
+    w51 = w4 * w40
+    w52 = w35 * w41
+    w53 = (w49 - (w50 + w51) - w2 - w52) * slider_mass
+    w54 = (w43 * w46 - (w2 * w13 - w24 * w38 + w41 * w47) + w35 * w53) / w40
+    w55 = w4 * w24
+    w56 = w11 * w21 - w5 * w20
+    w57 = w19 * w56
+    w58 = w11 * w17
+    w59 = w13 * w41
+    w60 = w0 * w3 - (w37 * (w14 + w18 + w23 - (w42 - w38 * c3) - w54) + w0 * (w55 + w57 + w58 + (w3 + w59) - w53))
     w61 = w35 * slider_mass
-    w62 = w24 + w61
-    w63 = w0 * w13 + w37 * w62
-    w64 = 2 * w32 + w15 * w35
-    w65 = w5 * w29
-    w66 = w5 * w30
+    w62 = w13 + w61
+    w63 = w0 * w24 + w37 * w62
+    w64 = 2 * w32 + w19 * w35
+    w65 = w11 * w29
+    w66 = w11 * w30
     w67 = rod_q1_dot * w65 + rod_theta_dot * w35 + rod_q2_dot * w66
     w68 = w0 / w40
     w69 = (crank_theta_dot * w37 - w67 * w68) / w40
-    w70 = w47 + (w46 + (w45 - w44))
+    w70 = w52 + (w51 + (w50 - w49))
     w71 = (w2 + w64 * w69 - w68 * w70) / w40
-    w72 = (2 * w43 - w15 * w40) * slider_mass
-    w73 = w0 * (w15 * w24 + 2 * w51) - w37 * (w13 * w15 + 2 * w18 - w72)
+    w72 = (2 * w48 - w19 * w40) * slider_mass
+    w73 = w0 * (w13 * w19 + 2 * w22) - w37 * (w19 * w24 + 2 * w56 - w72)
     w74 = (w39 - (w33 + (w28 + w36))) * slider_mass
-    w75 = w0 * (w42 + (w19 + (w14 + w23))) - w37 * (w53 - (w50 + (w49 + w52)) + w74)
-    w76 = w2 * w13
-    w77 = w58 + w35 * w61
-    w78 = w57 * -2.0 + w35 * w72
-    w79 = w40 * w48 + w35 * w59 - (w76 + w24 * w38) - w35 * w74
+    w75 = w0 * (w59 + (w57 + (w55 + w58))) - w37 * (w42 - (w18 + (w14 + w23)) + w74)
+    w76 = w2 * w24
+    w77 = w47 + w35 * w61
+    w78 = w46 * -2.0 + w35 * w72
+    w79 = w35 * w54 - (w76 + w13 * w38) + w40 * w53 - w35 * w74
     w80 = w76 + w38 * w62 - w71 * w77 + w69 * w78 - w68 * w79
-    w81 = w5 * c13
-    w82 = w2 * (w81 - w7 * w11)
-    w83 = w11 * c13
-    w84 = w5 * w7 + w83
+    w81 = w11 * c13
+    w82 = w2 * (w81 - w5 * w7)
+    w83 = w5 * c13
+    w84 = w7 * w11 + w83
     w85 = w65 * slider_mass
     w86 = c21 + w35 * w85
-    w87 = w15 * w55 + w65 * w72
-    w88 = w11 * w29
-    w89 = w48 * w88 - w59 * w65
-    w90 = w82 + w38 * w84 + w89 + w65 * w74
-    w91 = w88 / w40
-    w92 = w5 * w9
-    w93 = w66 * slider_mass
-    w94 = w2 * (w9 * w11)
-    w95 = c22 + w35 * w93
-    w96 = w15 * w56 + w66 * w72
-    w97 = w11 * w30
-    w98 = w48 * w97 - w59 * w66
-    w99 = w94 - w38 * w92 - w98 - w66 * w74
-    w100 = w97 / w40
-    w101 = (w6 + w7 + rod_q2 * c11) * 0.5
-    w102 = w81 - w11 * w101
-    w103 = w20 + rod_q2_dot * c11
-    w104 = w83 + w5 * w101
-    w105 = (w41 * w88 + (w15 * (w11 * w25) + w4 * w65)) * slider_mass
-    w106 = w0 * (w4 * w102 + w15 * (w5 * w103) + w41 * w104) - w37 * (w41 * w102 - (w4 * w104 + w15 * (w11 * w103)) - w105)
-    w107 = w11 * c6
-    w108 = (rod_q1_dot * w107 + rod_theta_dot * w65 + w67 * w91) / w40
-    w109 = (w41 * w65 + (w15 * (w5 * w25) - w4 * w88) + w64 * w108 + w70 * w91) / w40
-    w110 = w54 * (rod_q1_dot * c27 - rod_q2_dot * c19) - (w41 * (w55 + rod_q1 * c27 - rod_q2 * c19) + (w38 * w104 + w2 * w102))
-    w111 = w110 - w89 + w35 * w105 - w77 * w109 + w78 * w108 + w79 * w91
-    w112 = w4 * c27 - c23 - (w38 * (w11 * c9) + w2 * (w5 * c9)) + (w59 * w107 + w48 * (w5 * c6)) + w65 * w105
-    w113 = w66 * w105 - (w2 * (w5 * c11) + w38 * (w11 * c11) + w4 * c19) - w95 * w109 + w96 * w108 + w91 * w99
-    w114 = w21 + rod_q1_dot * c10
-    w115 = (rod_q1 * c10 + (w8 + w9)) * 0.5
-    w116 = w11 * w115
-    w117 = w5 * w115
-    w118 = (w41 * w97 + (w15 * (w11 * w26) + w4 * w66)) * slider_mass
-    w119 = w0 * (w15 * (w5 * w114) - w4 * w116 + w41 * w117) + w37 * (w4 * w117 + w15 * (w11 * w114) + w41 * w116 + w118)
-    w120 = w11 * c7
-    w121 = (rod_theta_dot * w66 + rod_q2_dot * w120 + w67 * w100) / w40
-    w122 = (w41 * w66 + (w15 * (w5 * w26) - w4 * w97) + w64 * w121 + w70 * w100) / w40
-    w123 = w54 * (rod_q2_dot * c28 - rod_q1_dot * c17) - (w38 * w117 - w2 * w116 + w41 * (w56 + rod_q2 * c28 - rod_q1 * c17))
-    w124 = w123 - w98 + w35 * w118 - w77 * w122 + w78 * w121 + w79 * w100
-    w125 = w65 * w118 - (w38 * (w11 * c10) + w2 * (w5 * c10) + w4 * c17) - w86 * w122 + w87 * w121 - w90 * w100
-    w126 = w4 * c28 - c24 - (w2 * (w5 * c12) + w38 * (w11 * c12)) + (w59 * w120 + w48 * (w5 * c7)) + w66 * w118
+    w87 = w19 * w44 + w65 * w72
+    w88 = w54 * w65
+    w89 = w5 * w29
+    w90 = w53 * w89
+    w91 = w88 - (w82 + w38 * w84) - w90 - w65 * w74
+    w92 = w89 / w40
+    w93 = w9 * w11
+    w94 = w66 * slider_mass
+    w95 = w2 * (w5 * w9)
+    w96 = c22 + w35 * w94
+    w97 = w19 * w45 + w66 * w72
+    w98 = w54 * w66
+    w99 = w5 * w30
+    w100 = w53 * w99
+    w101 = w95 - w38 * w93 + w98 - w100 - w66 * w74
+    w102 = w99 / w40
+    w103 = (w6 + w7 + rod_q2 * c11) * 0.5
+    w104 = w81 - w5 * w103
+    w105 = w15 + rod_q2_dot * c11
+    w106 = w83 + w11 * w103
+    w107 = (w41 * w89 + (w19 * (w5 * w25) + w4 * w65)) * slider_mass
+    w108 = w0 * (w4 * w104 + w19 * (w11 * w105) + w41 * w106) - w37 * (w41 * w104 - (w4 * w106 + w19 * (w5 * w105)) - w107)
+    w109 = w5 * c6
+    w110 = (rod_q1_dot * w109 + rod_theta_dot * w65 + w67 * w92) / w40
+    w111 = (w41 * w65 + (w19 * (w11 * w25) - w4 * w89) + w64 * w110 + w70 * w92) / w40
+    w112 = w43 * (rod_q1_dot * c27 - rod_q2_dot * c19) - (w41 * (w44 + rod_q1 * c27 - rod_q2 * c19) + (w38 * w106 + w2 * w104))
+    w113 = w88 + w112 - w90 + w35 * w107 - w77 * w111 + w78 * w110 + w79 * w92
+    w114 = w4 * c27 - c23 - (w38 * (w5 * c9) + w2 * (w11 * c9)) + w54 * w109 + w53 * (w11 * c6) + w65 * w107
+    w115 = w66 * w107 - (w2 * (w11 * c11) + w38 * (w5 * c11) + w4 * c19) - w96 * w111 + w97 * w110 + w92 * w101
+    w116 = w16 + rod_q1_dot * c10
+    w117 = (rod_q1 * c10 + (w8 + w9)) * 0.5
+    w118 = w5 * w117
+    w119 = w11 * w117
+    w120 = (w41 * w99 + (w19 * (w5 * w26) + w4 * w66)) * slider_mass
+    w121 = w0 * (w19 * (w11 * w116) - w4 * w118 + w41 * w119) + w37 * (w4 * w119 + w19 * (w5 * w116) + w41 * w118 + w120)
+    w122 = w5 * c7
+    w123 = (rod_theta_dot * w66 + rod_q2_dot * w122 + w67 * w102) / w40
+    w124 = (w41 * w66 + (w19 * (w11 * w26) - w4 * w99) + w64 * w123 + w70 * w102) / w40
+    w125 = w43 * (rod_q2_dot * c28 - rod_q1_dot * c17) - (w38 * w119 - w2 * w118 + w41 * (w45 + rod_q2 * c28 - rod_q1 * c17))
+    w126 = w98 + w125 - w100 + w35 * w120 - w77 * w124 + w78 * w123 + w79 * w102
+    w127 = w65 * w120 - (w38 * (w5 * c10) + w2 * (w11 * c10) + w4 * c17) - w86 * w124 + w87 * w123 + w91 * w102
+    w128 = w4 * c28 - c24 - (w2 * (w11 * c12) + w38 * (w5 * c12)) + w54 * w122 + w53 * (w11 * c7) + w66 * w120
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # crank.theta
             w60 + w37 * (w38 * c5) - w63 * w71 + w69 * w73 - w68 * w75 - w68 * w80,
-            w106 - w63 * w109 + w73 * w108 + w75 * w91 - w68 * w111,
-            w119 - w63 * w122 + w73 * w121 + w75 * w100 - w68 * w124,
+            w108 - w63 * w111 + w73 * w110 + w75 * w92 - w68 * w113,
+            w121 - w63 * w124 + w73 * w123 + w75 * w102 - w68 * w126,
         ),
         ca.horzcat(  # rod.q1
-            w82 + w38 * (w84 + w85) - w71 * w86 + w69 * w87 + w68 * w90 + w80 * w91,
-            w112 - w86 * w109 + w87 * w108 - w90 * w91 + w91 * w111, w125 + w91 * w124,
+            w82 + w38 * (w84 + w85) - w71 * w86 + w69 * w87 - w68 * w91 + w80 * w92,
+            w114 - w86 * w111 + w87 * w110 + w91 * w92 + w92 * w113, w127 + w92 * w126,
         ),
         ca.horzcat(  # rod.q2
-            w38 * (w92 + w93) - w94 - w71 * w95 + w69 * w96 - w68 * w99 + w80 * w100, w113 + w100 * w111,
-            w126 - w95 * w122 + w96 * w121 + w99 * w100 + w100 * w124,
+            w38 * (w93 + w94) - w95 - w71 * w96 + w69 * w97 - w68 * w101 + w80 * w102, w115 + w102 * w113,
+            w128 - w96 * w124 + w97 * w123 + w101 * w102 + w102 * w126,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -1106,7 +1108,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    313 operations.
+    320 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1148,7 +1150,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c31 = c[31]
     c32 = c[32]
     c33 = c[33]
-    # intermediate terms (64)
+    # intermediate terms (61)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(crank_theta) * crank_tip_x
     w2 = 2 * crank_theta_dot
@@ -1169,60 +1171,57 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w17 = w16 * slider_mass
     w18 = w12 + w17
     w19 = w0 * w11 + w1 * w18
-    w20 = w13 * rod_q1_dot + w14 * rod_q2_dot
-    w21 = 2 * rod_theta_dot
-    w22 = 2 * (w5 * w20) + w16 * w21
+    w20 = w5 * w13
+    w21 = w5 * w14
+    w22 = rod_q1_dot * w20 + w16 * rod_theta_dot + rod_q2_dot * w21
     w23 = w5 * w15
     w24 = w0 / w23
-    w25 = (w3 - w22 * w24) / w23
-    w26 = w6 * rod_q1_dot + w7 * rod_q2_dot
-    w27 = rod_q1_dot * c13
-    w28 = (2 * (w9 * w20) - w21 * w23) * slider_mass
-    w29 = w0 * (w12 * w21 + 2 * (w5 * w26 + w9 * w27)) - w1 * (w11 * w21 + 2 * (w5 * w27 - w9 * w26) - w28)
-    w30 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
-    w31 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
-    w32 = c14 + (rod_q1 * w30 + rod_q2 * w31) + w16 * w17
-    w33 = (rod_q1_dot * w30 + rod_q2_dot * w31) * -2.0 + w16 * w28
-    w34 = w3 * w11 - w4 * w18 - w25 * w32 - w24 * w33
-    w35 = w5 * c13 - w6 * w9
-    w36 = w5 * w6 + w9 * c13
-    w37 = w5 * w13
-    w38 = w37 * slider_mass
+    w25 = 2 * ((w1 * crank_theta_dot - w22 * w24) / w23)
+    w26 = 2 * rod_theta_dot
+    w27 = w6 * rod_q1_dot + w7 * rod_q2_dot
+    w28 = rod_q1_dot * c13
+    w29 = (2 * (w9 * (w13 * rod_q1_dot + w14 * rod_q2_dot)) - w23 * w26) * slider_mass
+    w30 = w0 * (w12 * w26 + 2 * (w5 * w27 + w9 * w28)) - w1 * (w11 * w26 + 2 * (w5 * w28 - w9 * w27) - w29)
+    w31 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w32 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w33 = c14 + (rod_q1 * w31 + rod_q2 * w32) + w16 * w17
+    w34 = (rod_q1_dot * w31 + rod_q2_dot * w32) * -2.0 + w16 * w29
+    w35 = w3 * w11 - w4 * w18 - w25 * w33 - w24 * w34
+    w36 = w5 * c13 - w6 * w9
+    w37 = w5 * w6 + w9 * c13
+    w38 = w20 * slider_mass
     w39 = c21 + w16 * w38
-    w40 = w21 * w30 + w28 * w37
+    w40 = w26 * w31 + w20 * w29
     w41 = w9 * w13
     w42 = w41 / w23
     w43 = w9 * w14
     w44 = w43 / w23
     w45 = w7 * w9
     w46 = w5 * w7
-    w47 = w5 * w14
-    w48 = w47 * slider_mass
-    w49 = c22 + w16 * w48
-    w50 = w21 * w31 + w28 * w47
-    w51 = rod_q1_dot * c31 + rod_q2_dot * c32
-    w52 = rod_q1_dot * c29
-    w53 = (w21 * w41 - w5 * w52) * slider_mass
-    w54 = (w9 * w52 + w21 * w37 + w22 * w42) / w23
-    w55 = rod_theta_dot * -2.0
-    w56 = w30 * w55 + w16 * w53 - w32 * w54 + w33 * w42
-    w57 = w0 * (w9 * w51 + w21 * w36) - w1 * (w21 * w35 + w5 * w51 - w53) - w19 * w54 + w29 * w42 - w24 * w56
-    w58 = rod_q2_dot * c33 + rod_q1_dot * c32
-    w59 = rod_q2_dot * c30
-    w60 = (w21 * w43 - w5 * w59) * slider_mass
-    w61 = (w9 * w59 + w21 * w47 + w22 * w44) / w23
-    w62 = w31 * w55 + w16 * w60 - w32 * w61 + w33 * w44
-    w63 = w0 * (w9 * w58 + w21 * w46) - w1 * (w5 * w58 - w21 * w45 - w60) - w19 * w61 + w29 * w44 - w24 * w62
+    w47 = w21 * slider_mass
+    w48 = c22 + w16 * w47
+    w49 = w26 * w32 + w21 * w29
+    w50 = rod_q1_dot * c31 + rod_q2_dot * c32
+    w51 = (w26 * w41 - w5 * (rod_q1_dot * c29)) * slider_mass
+    w52 = 2 * ((rod_q1_dot * (w9 * c6) + w20 * rod_theta_dot + w22 * w42) / w23)
+    w53 = rod_theta_dot * -2.0
+    w54 = w31 * w53 + w16 * w51 - w33 * w52 + w34 * w42
+    w55 = w0 * (w9 * w50 + w26 * w37) - w1 * (w26 * w36 + w5 * w50 - w51) - w19 * w52 + w30 * w42 - w24 * w54
+    w56 = rod_q2_dot * c33 + rod_q1_dot * c32
+    w57 = (w26 * w43 - w5 * (rod_q2_dot * c30)) * slider_mass
+    w58 = 2 * ((rod_theta_dot * w21 + rod_q2_dot * (w9 * c7) + w22 * w44) / w23)
+    w59 = w32 * w53 + w16 * w57 - w33 * w58 + w34 * w44
+    w60 = w0 * (w9 * w56 + w26 * w46) - w1 * (w5 * w56 - w26 * w45 - w57) - w19 * w58 + w30 * w44 - w24 * w59
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
-        ca.horzcat(w0 * (w3 * c3) - w1 * (w4 * c5) - w19 * w25 - w24 * w29 - w24 * w34, w57, w63),  # crank.theta
+        ca.horzcat(w0 * (w3 * c3) - w1 * (w4 * c5) - w19 * w25 - w24 * w30 - w24 * w35, w55, w60),  # crank.theta
         ca.horzcat(  # rod.q1
-            w3 * w35 - w4 * (w36 + w38) - w25 * w39 - w24 * w40 + w34 * w42,
-            w37 * w53 - w39 * w54 + w40 * w42 + w42 * w56, w37 * w60 - w39 * w61 + w40 * w44 + w42 * w62,
+            w3 * w36 - w4 * (w37 + w38) - w25 * w39 - w24 * w40 + w35 * w42,
+            w20 * w51 - w39 * w52 + w40 * w42 + w42 * w54, w20 * w57 - w39 * w58 + w40 * w44 + w42 * w59,
         ),
         ca.horzcat(  # rod.q2
-            w34 * w44 - (w3 * w45 + w4 * (w46 + w48) + w25 * w49 + w24 * w50),
-            w47 * w53 - w49 * w54 + w42 * w50 + w44 * w56, w47 * w60 - w49 * w61 + w44 * w50 + w44 * w62,
+            w35 * w44 - (w3 * w45 + w4 * (w46 + w47) + w25 * w48 + w24 * w49),
+            w21 * w51 - w48 * w52 + w42 * w49 + w44 * w54, w21 * w57 - w48 * w58 + w44 * w49 + w44 * w59,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
@@ -1240,7 +1239,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 3 x 3) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    791 operations.
+    781 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1292,198 +1291,198 @@ def residual_jacobian() -> ca.Function:
     w3 = crank_theta_ddot * w1 + w0 * w2
     w4 = w3 * c3
     w5 = rod_theta_dot**2
-    w6 = ca.cos(rod_theta)
+    w6 = ca.sin(rod_theta)
     w7 = rod_q1 * c9
     w8 = w7 + rod_q2 * c10
     w9 = rod_q2 * c12
     w10 = rod_q1 * c11 + w9
     w11 = c8 - (rod_q1 * w8 + rod_q2 * w10) * 0.5
-    w12 = ca.sin(rod_theta)
+    w12 = ca.cos(rod_theta)
     w13 = rod_q1 * c13
-    w14 = w6 * w11 - w12 * w13
+    w14 = w6 * w11 + w12 * w13
     w15 = w5 * w14
-    w16 = 2 * rod_theta_dot
-    w17 = rod_q1_dot * c13
-    w18 = w8 * rod_q1_dot + w10 * rod_q2_dot
-    w19 = w6 * w17 - w12 * w18
-    w20 = w16 * w19
-    w21 = rod_q1_dot * c9
-    w22 = w21 + rod_q2_dot * c10
-    w23 = rod_q2_dot * c12
-    w24 = rod_q1_dot * c11 + w23
-    w25 = rod_q1_dot * w22 + rod_q2_dot * w24
-    w26 = w6 * w25
-    w27 = w11 * w12 + w6 * w13
-    w28 = rod_q1_dot * c6
-    w29 = rod_q2_dot * c7
-    w30 = rod_q1_dot * w28 + rod_q2_dot * w29
-    w31 = w12 * w30
-    w32 = rod_q1 * c6
-    w33 = rod_q2 * c7
-    w34 = rod_q1_dot * w32 + rod_q2_dot * w33
-    w35 = w6 * w34
-    w36 = w16 * w35
-    w37 = rod_length - (rod_q1 * w32 + rod_q2 * w33) * 0.5
-    w38 = w12 * w37
-    w39 = w5 * w38
-    w40 = w1 * w2
-    w41 = w6 * w37
-    w42 = w0 / w41
-    w43 = w12 * w32
-    w44 = w43 / w41
-    w45 = w12 * w33
-    w46 = w45 / w41
-    w47 = (w31 + w36 + w39 + w40) / w41 - crank_theta_ddot * w42 + w44 * rod_q1_ddot + w46 * rod_q2_ddot
-    w48 = w27 * w47
-    w49 = w12 * c13
-    w50 = w6 * w8 + w49
-    w51 = rod_q1_ddot * w50
-    w52 = w6 * w10
-    w53 = rod_q2_ddot * w52
-    w54 = w12 * w34
-    w55 = w16 * w54
-    w56 = w6 * w30
-    w57 = w5 * w41
-    w58 = w38 * w47
-    w59 = w6 * w32
-    w60 = rod_q1_ddot * w59
-    w61 = w6 * w33
-    w62 = rod_q2_ddot * w61
-    w63 = (w55 - (w56 + w57) - w3 - w58 - w60 - w62) * slider_mass
-    w64 = w5 * w27
-    w65 = w12 * w25
-    w66 = w6 * w18 + w12 * w17
-    w67 = w16 * w66
-    w68 = w0 * crank_theta_ddot - w40
-    w69 = w14 * w47
-    w70 = w6 * c13
-    w71 = w70 - w8 * w12
-    w72 = rod_q1_ddot * w71
-    w73 = w10 * w12
-    w74 = rod_q2_ddot * w73
-    w75 = rod_theta_dot * -2.0
-    w76 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
-    w77 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
-    w78 = rod_q1_dot * w76 + rod_q2_dot * w77
-    w79 = c14 + (rod_q1 * w76 + rod_q2 * w77)
-    w80 = w75 * w78 - (w14 * w68 + w3 * w27 + w47 * w79 + rod_q1_ddot * c21 + rod_q2_ddot * c22) + w38 * w63
-    w81 = w80 / w41
-    w82 = w0 * (w15 + w20 + w26 + (w4 + w48 + w51 + w53) - w63) + w1 * (w64 + w65 + w67 - (w68 * c3 + w69 + w72 - w74) - w81)
-    w83 = w38 * slider_mass
-    w84 = w27 + w83
-    w85 = w0 * w14 + w1 * w84
-    w86 = 2 * w35 + w16 * w38
-    w87 = rod_q1_dot * w59 + rod_theta_dot * w38 + rod_q2_dot * w61
-    w88 = (w1 * crank_theta_dot - w42 * w87) / w41
-    w89 = w62 + (w58 + w60) + (w57 + (w56 - w55))
-    w90 = (w3 + w86 * w88 - w42 * w89) / w41
-    w91 = (2 * w54 - w16 * w41) * slider_mass
-    w92 = w0 * (w16 * w27 + 2 * w66) - w1 * (w14 * w16 + 2 * w19 - w91)
-    w93 = (w41 * w47 - w43 * rod_q1_ddot - w45 * rod_q2_ddot - (w36 + (w31 + w39))) * slider_mass
-    w94 = w0 * (w20 + (w15 + w26) + (w53 + (w48 + w51))) - w1 * (w93 - (w65 + (w64 + w67) + (w74 - (w69 + w72))))
-    w95 = w3 * w14
-    w96 = w79 + w38 * w83
-    w97 = w78 * -2.0 + w38 * w91
-    w98 = w27 * w68 - w95 + (w41 * w63 + w38 * w81) - w38 * w93
-    w99 = w95 - w68 * w84 - w90 * w96 + w88 * w97 - w42 * w98
-    w100 = w3 * w71
-    w101 = w59 * slider_mass
-    w102 = w50 + w101
-    w103 = c21 + w38 * w101
-    w104 = w16 * w76 + w59 * w91
-    w105 = w43 * w63 - w59 * w81
-    w106 = w50 * w68 - w100 - w105 - w59 * w93
-    w107 = w16 * w77 + w61 * w91
-    w108 = w3 * w73
-    w109 = w61 * slider_mass
-    w110 = w52 + w109
-    w111 = c22 + w38 * w109
-    w112 = w45 * w63 - w61 * w81
-    w113 = w108 + w52 * w68 - w112 - w61 * w93
-    w114 = (w7 + w8 + rod_q2 * c11) * 0.5
-    w115 = w70 - w12 * w114
-    w116 = rod_q2_dot * c11
-    w117 = w21 + w116
-    w118 = w49 + w6 * w114
-    w119 = w12 * c9
-    w120 = w12 * c11
+    w16 = rod_q1_dot * c9
+    w17 = w16 + rod_q2_dot * c10
+    w18 = rod_q2_dot * c12
+    w19 = rod_q1_dot * c11 + w18
+    w20 = rod_q1_dot * w17 + rod_q2_dot * w19
+    w21 = w6 * w20
+    w22 = 2 * rod_theta_dot
+    w23 = w8 * rod_q1_dot + w10 * rod_q2_dot
+    w24 = rod_q1_dot * c13
+    w25 = w12 * w23 + w6 * w24
+    w26 = w22 * w25
+    w27 = w1 * w2
+    w28 = w0 * crank_theta_ddot - w27
+    w29 = w11 * w12 - w6 * w13
+    w30 = rod_q1_dot * c6
+    w31 = rod_q2_dot * c7
+    w32 = rod_q1_dot * w30 + rod_q2_dot * w31
+    w33 = w6 * w32
+    w34 = rod_q1 * c6
+    w35 = rod_q2 * c7
+    w36 = rod_q1_dot * w34 + rod_q2_dot * w35
+    w37 = w12 * w36
+    w38 = w22 * w37
+    w39 = rod_length - (rod_q1 * w34 + rod_q2 * w35) * 0.5
+    w40 = w6 * w39
+    w41 = w5 * w40
+    w42 = w12 * w39
+    w43 = w0 / w42
+    w44 = w6 * w34
+    w45 = w44 / w42
+    w46 = w6 * w35
+    w47 = w46 / w42
+    w48 = (w27 + (w33 + w38 + w41)) / w42 - crank_theta_ddot * w43 + w45 * rod_q1_ddot + w47 * rod_q2_ddot
+    w49 = w29 * w48
+    w50 = w12 * c13
+    w51 = w50 - w6 * w8
+    w52 = rod_q1_ddot * w51
+    w53 = w6 * w10
+    w54 = rod_q2_ddot * w53
+    w55 = rod_theta_dot * -2.0
+    w56 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w57 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w58 = rod_q1_dot * w56 + rod_q2_dot * w57
+    w59 = c14 + (rod_q1 * w56 + rod_q2 * w57)
+    w60 = w6 * w36
+    w61 = w22 * w60
+    w62 = w12 * w32
+    w63 = w5 * w42
+    w64 = w40 * w48
+    w65 = w12 * w34
+    w66 = rod_q1_ddot * w65
+    w67 = w12 * w35
+    w68 = rod_q2_ddot * w67
+    w69 = (w61 - (w62 + w63) - w3 - w64 - w66 - w68) * slider_mass
+    w70 = w55 * w58 - (w28 * w29 + w3 * w14 + w48 * w59 + rod_q1_ddot * c21 + rod_q2_ddot * c22) + w40 * w69
+    w71 = w70 / w42
+    w72 = w5 * w29
+    w73 = w12 * w24 - w6 * w23
+    w74 = w22 * w73
+    w75 = w12 * w20
+    w76 = w14 * w48
+    w77 = w6 * c13
+    w78 = w8 * w12 + w77
+    w79 = rod_q1_ddot * w78
+    w80 = w10 * w12
+    w81 = rod_q2_ddot * w80
+    w82 = w1 * (w15 + w21 + w26 - (w28 * c3 + w49 + w52 - w54) - w71) + w0 * (w72 + w74 + w75 + (w4 + w76 + w79 + w81) - w69)
+    w83 = w40 * slider_mass
+    w84 = w14 + w83
+    w85 = w0 * w29 + w1 * w84
+    w86 = 2 * w37 + w22 * w40
+    w87 = rod_q1_dot * w65 + rod_theta_dot * w40 + rod_q2_dot * w67
+    w88 = (w1 * crank_theta_dot - w43 * w87) / w42
+    w89 = w68 + (w64 + w66) + (w63 + (w62 - w61))
+    w90 = (w3 + w86 * w88 - w43 * w89) / w42
+    w91 = (2 * w60 - w22 * w42) * slider_mass
+    w92 = w0 * (w14 * w22 + 2 * w25) - w1 * (w22 * w29 + 2 * w73 - w91)
+    w93 = (w42 * w48 - w44 * rod_q1_ddot - w46 * rod_q2_ddot - (w38 + (w33 + w41))) * slider_mass
+    w94 = w0 * (w74 + (w72 + w75) + (w81 + (w76 + w79))) - w1 * (w93 - (w21 + (w15 + w26) + (w54 - (w49 + w52))))
+    w95 = w3 * w29
+    w96 = w59 + w40 * w83
+    w97 = w58 * -2.0 + w40 * w91
+    w98 = w14 * w28 - w95 + w40 * w71 + w42 * w69 - w40 * w93
+    w99 = w95 - w28 * w84 - w90 * w96 + w88 * w97 - w43 * w98
+    w100 = w3 * w51
+    w101 = w65 * slider_mass
+    w102 = w78 + w101
+    w103 = c21 + w40 * w101
+    w104 = w22 * w56 + w65 * w91
+    w105 = w65 * w71
+    w106 = w44 * w69
+    w107 = w28 * w78 - w100 + w105 - w106 - w65 * w93
+    w108 = w22 * w57 + w67 * w91
+    w109 = w3 * w53
+    w110 = w67 * slider_mass
+    w111 = w80 + w110
+    w112 = c22 + w40 * w110
+    w113 = w67 * w71
+    w114 = w46 * w69
+    w115 = w109 + w28 * w80 + w113 - w114 - w67 * w93
+    w116 = (w7 + w8 + rod_q2 * c11) * 0.5
+    w117 = w50 - w6 * w116
+    w118 = rod_q2_dot * c11
+    w119 = w16 + w118
+    w120 = w77 + w12 * w116
     w121 = w6 * c9
     w122 = w6 * c11
-    w123 = w6 * c6
-    w124 = (rod_q1_ddot * w123 - w43 * w47 - (w16 * (w12 * w28) + w5 * w59)) * slider_mass
-    w125 = w1 * (w47 * w115 + rod_q1_ddot * w121 + rod_q2_ddot * w122 - (w5 * w118 + w16 * (w12 * w117)) + w124)
-    w126 = w0 * (w5 * w115 + w16 * (w6 * w117) + (w47 * w118 + rod_q1_ddot * w119 + rod_q2_ddot * w120)) - w125
-    w127 = w12 * c6
-    w128 = (rod_q1_dot * w127 + rod_theta_dot * w59 + w44 * w87) / w41
-    w129 = (rod_q1_ddot * w127 + w47 * w59 + (w16 * (w6 * w28) - w5 * w43) + w86 * w128 + w44 * w89) / w41
-    w130 = w75 * (rod_q1_dot * c27 - rod_q2_dot * c19) - (w47 * (w76 + rod_q1 * c27 - rod_q2 * c19) - (w68 * w118 - w3 * w115))
-    w131 = w130 - w105 - w38 * w124 - w96 * w129 + w97 * w128 + w44 * w98
-    w132 = w5 * c27 - c23 + (w68 * w119 - w3 * w121) + (w81 * w127 + w63 * w123) - w59 * w124 - w103 * w129 + w104 * w128
-    w133 = w68 * w120 - w3 * w122 - w5 * c19 - w61 * w124 - w111 * w129 + w107 * w128 + w44 * w113 + w46 * w131
-    w134 = rod_q1_dot * c10
-    w135 = w23 + w134
-    w136 = (rod_q1 * c10 + (w9 + w10)) * 0.5
-    w137 = w12 * w136
-    w138 = w6 * w136
-    w139 = w12 * c10
-    w140 = w12 * c12
-    w141 = w6 * c7
-    w142 = (rod_q2_ddot * w141 - w45 * w47 - (w16 * (w12 * w29) + w5 * w61)) * slider_mass
-    w143 = w6 * c10
-    w144 = w6 * c12
-    w145 = w1 * (w142 - (w5 * w138 + w16 * (w12 * w135) + (w47 * w137 - rod_q1_ddot * w143 - rod_q2_ddot * w144)))
-    w146 = w0 * (w16 * (w6 * w135) - w5 * w137 + (w47 * w138 + rod_q1_ddot * w139 + rod_q2_ddot * w140)) - w145
-    w147 = w12 * c7
-    w148 = (rod_theta_dot * w61 + rod_q2_dot * w147 + w46 * w87) / w41
-    w149 = (w47 * w61 + rod_q2_ddot * w147 + (w16 * (w6 * w29) - w5 * w45) + w86 * w148 + w46 * w89) / w41
-    w150 = w75 * (rod_q2_dot * c28 - rod_q1_dot * c17) - (w47 * (w77 + rod_q2 * c28 - rod_q1 * c17) - (w3 * w137 + w68 * w138))
-    w151 = w150 - w112 - w38 * w142 - w96 * w149 + w97 * w148 + w46 * w98
-    w152 = w68 * w139 - w3 * w143 - w5 * c17 - w59 * w142 - w103 * w149 + w104 * w148 + w46 * w106 + w44 * w151
-    w153 = w5 * c28 - c24 + (w68 * w140 - w3 * w144) + (w81 * w147 + w63 * w141) - w61 * w142 - w111 * w149 + w107 * w148
-    w154 = 2 * crank_theta_dot
-    w155 = w1 * w154
-    w156 = w0 * w154
-    w157 = (w155 - w42 * w86) / w41
-    w158 = w14 * w155 - w84 * w156 - w96 * w157 - w42 * w97
-    w159 = w116 + (w21 + w22)
-    w160 = 2 * w28
-    w161 = (w16 * w43 - w6 * w160) * slider_mass
-    w162 = (w12 * w160 + w16 * w59 + w44 * w86) / w41
-    w163 = w75 * w76 + w38 * w161 - w96 * w162 + w44 * w97
-    w164 = w0 * (w12 * w159 + w16 * w50) - w1 * (w16 * w71 + w6 * w159 - w161) - w85 * w162 + w44 * w92 - w42 * w163
-    w165 = w134 + (w23 + w24)
-    w166 = 2 * w29
-    w167 = (w16 * w45 - w6 * w166) * slider_mass
-    w168 = (w12 * w166 + w16 * w61 + w46 * w86) / w41
-    w169 = w75 * w77 + w38 * w167 - w96 * w168 + w46 * w97
-    w170 = w0 * (w12 * w165 + w16 * w52) - w1 * (w6 * w165 - w16 * w73 - w167) - w85 * w168 + w46 * w92 - w42 * w169
+    w123 = w12 * c9
+    w124 = w12 * c11
+    w125 = w12 * c6
+    w126 = (rod_q1_ddot * w125 - w44 * w48 - (w22 * (w6 * w30) + w5 * w65)) * slider_mass
+    w127 = w1 * (w48 * w117 + rod_q1_ddot * w123 + rod_q2_ddot * w124 - (w5 * w120 + w22 * (w6 * w119)) + w126)
+    w128 = w0 * (w5 * w117 + w22 * (w12 * w119) + (w48 * w120 + rod_q1_ddot * w121 + rod_q2_ddot * w122)) - w127
+    w129 = w6 * c6
+    w130 = (rod_q1_dot * w129 + rod_theta_dot * w65 + w45 * w87) / w42
+    w131 = (rod_q1_ddot * w129 + w48 * w65 + (w22 * (w12 * w30) - w5 * w44) + w86 * w130 + w45 * w89) / w42
+    w132 = w55 * (rod_q1_dot * c27 - rod_q2_dot * c19) - (w48 * (w56 + rod_q1 * c27 - rod_q2 * c19) - (w28 * w120 - w3 * w117))
+    w133 = w105 + w132 - w106 - w40 * w126 - w96 * w131 + w97 * w130 + w45 * w98
+    w134 = w5 * c27 - c23 + (w28 * w121 - w3 * w123) + w71 * w129 + w69 * w125 - w65 * w126 - w103 * w131 + w104 * w130
+    w135 = w28 * w122 - w3 * w124 - w5 * c19 - w67 * w126 - w112 * w131 + w108 * w130 + w45 * w115 + w47 * w133
+    w136 = rod_q1_dot * c10
+    w137 = w18 + w136
+    w138 = (rod_q1 * c10 + (w9 + w10)) * 0.5
+    w139 = w6 * w138
+    w140 = w12 * w138
+    w141 = w6 * c10
+    w142 = w6 * c12
+    w143 = w12 * c7
+    w144 = (rod_q2_ddot * w143 - w46 * w48 - (w22 * (w6 * w31) + w5 * w67)) * slider_mass
+    w145 = w12 * c10
+    w146 = w12 * c12
+    w147 = w1 * (w144 - (w5 * w140 + w22 * (w6 * w137) + (w48 * w139 - rod_q1_ddot * w145 - rod_q2_ddot * w146)))
+    w148 = w0 * (w22 * (w12 * w137) - w5 * w139 + (w48 * w140 + rod_q1_ddot * w141 + rod_q2_ddot * w142)) - w147
+    w149 = w6 * c7
+    w150 = (rod_theta_dot * w67 + rod_q2_dot * w149 + w47 * w87) / w42
+    w151 = (w48 * w67 + rod_q2_ddot * w149 + (w22 * (w12 * w31) - w5 * w46) + w86 * w150 + w47 * w89) / w42
+    w152 = w55 * (rod_q2_dot * c28 - rod_q1_dot * c17) - (w48 * (w57 + rod_q2 * c28 - rod_q1 * c17) - (w3 * w139 + w28 * w140))
+    w153 = w113 + w152 - w114 - w40 * w144 - w96 * w151 + w97 * w150 + w47 * w98
+    w154 = w28 * w141 - w3 * w145 - w5 * c17 - w65 * w144 - w103 * w151 + w104 * w150 + w47 * w107 + w45 * w153
+    w155 = w5 * c28 - c24 + (w28 * w142 - w3 * w146) + w71 * w149 + w69 * w143 - w67 * w144 - w112 * w151 + w108 * w150
+    w156 = 2 * crank_theta_dot
+    w157 = w1 * w156
+    w158 = w0 * w156
+    w159 = 2 * w88
+    w160 = w29 * w157 - w84 * w158 - w96 * w159 - w43 * w97
+    w161 = w118 + (w16 + w17)
+    w162 = (w22 * w44 - w12 * (2 * w30)) * slider_mass
+    w163 = 2 * w130
+    w164 = w55 * w56 + w40 * w162 - w96 * w163 + w45 * w97
+    w165 = w0 * (w6 * w161 + w22 * w78) - w1 * (w22 * w51 + w12 * w161 - w162) - w85 * w163 + w45 * w92 - w43 * w164
+    w166 = w136 + (w18 + w19)
+    w167 = (w22 * w46 - w12 * (2 * w31)) * slider_mass
+    w168 = 2 * w150
+    w169 = w55 * w57 + w40 * w167 - w96 * w168 + w47 * w97
+    w170 = w0 * (w6 * w166 + w22 * w80) - w1 * (w12 * w166 - w22 * w53 - w167) - w85 * w168 + w47 * w92 - w43 * w169
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w0 * w4 - w82 - w1 * (w68 * c5) - w85 * w90 + w88 * w92 - w42 * w94 - w42 * w99,
-            w126 - w85 * w129 + w92 * w128 + w44 * w94 - w42 * w131,
-            w146 - w85 * w149 + w92 * w148 + w46 * w94 - w42 * w151,
+            w0 * w4 - w82 - w1 * (w28 * c5) - w85 * w90 + w88 * w92 - w43 * w94 - w43 * w99,
+            w128 - w85 * w131 + w92 * w130 + w45 * w94 - w43 * w133,
+            w148 - w85 * w151 + w92 * w150 + w47 * w94 - w43 * w153,
         ),
         ca.horzcat(  # rod.q1
-            w100 - w68 * w102 - w90 * w103 + w88 * w104 - w42 * w106 + w44 * w99, w132 + w44 * w106 + w44 * w131,
-            w152,
+            w100 - w28 * w102 - w90 * w103 + w88 * w104 - w43 * w107 + w45 * w99, w134 + w45 * w107 + w45 * w133,
+            w154,
         ),
         ca.horzcat(  # rod.q2
-            w88 * w107 - (w108 + w68 * w110 + w90 * w111) - w42 * w113 + w46 * w99, w133,
-            w153 + w46 * w113 + w46 * w151,
+            w88 * w108 - (w109 + w28 * w111 + w90 * w112) - w43 * w115 + w47 * w99, w135,
+            w155 + w47 * w115 + w47 * w153,
         ),
     )
     J_v = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w0 * (w155 * c3) - w1 * (w156 * c5) - w85 * w157 - w42 * w92 - w42 * w158, w164, w170,
+            w0 * (w157 * c3) - w1 * (w158 * c5) - w85 * w159 - w43 * w92 - w43 * w160, w165, w170,
         ),
         ca.horzcat(  # rod.q1
-            w71 * w155 - w102 * w156 - w103 * w157 - w42 * w104 + w44 * w158,
-            w59 * w161 - w103 * w162 + w44 * w104 + w44 * w163, w59 * w167 - w103 * w168 + w46 * w104 + w44 * w169,
+            w51 * w157 - w102 * w158 - w103 * w159 - w43 * w104 + w45 * w160,
+            w65 * w162 - w103 * w163 + w45 * w104 + w45 * w164, w65 * w167 - w103 * w168 + w47 * w104 + w45 * w169,
         ),
         ca.horzcat(  # rod.q2
-            w46 * w158 - (w73 * w155 + w110 * w156 + w111 * w157 + w42 * w107),
-            w61 * w161 - w111 * w162 + w44 * w107 + w46 * w163, w61 * w167 - w111 * w168 + w46 * w107 + w46 * w169,
+            w47 * w160 - (w53 * w157 + w111 * w158 + w112 * w159 + w43 * w108),
+            w67 * w162 - w112 * w163 + w45 * w108 + w47 * w164, w67 * w167 - w112 * w168 + w47 * w108 + w47 * w169,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]

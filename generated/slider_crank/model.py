@@ -701,7 +701,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w20 = w5 * w10
     w21 = w7 * w15
     w22 = (w7 * gravity_y - (w2 * w10 - w7 * w13 + w15 * c7) - w11 * w19) / w14
-    w23 = w0 * w3 - (w4 * c9 + (w0 * (w8 + (w3 + w16) + w19) + w12 * (c10 + w20 - (w21 - w13 * rod_mass) - w22)))
+    w23 = w0 * w3 - (w4 * c9 + w0 * (w8 + (w3 + w16) + w19) + w12 * (c10 + w20 - (w21 - w13 * rod_mass) - w22))
     w24 = w11 * slider_mass
     w25 = w10 + w24
     w26 = 2 * rod_theta_dot
@@ -712,7 +712,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w31 = w23 + w12 * (w13 * c4) - (w0 * w7 + w12 * w25) * w29 + w28 * (w0 * (w10 * w26) - w12 * (w7 * w26 + w30))
     w32 = w13 * slider_mass
     w33 = w2 * w7
-    w34 = w33 + w13 * w25 - w29 * (c7 + w11 * w24) - w28 * (w11 * w30) + w27 * (w33 + w10 * w13 + w10 * gravity_y + (w14 * w19 - w11 * w22) + w11 * w32)
+    w34 = w33 + w13 * w25 - w29 * (c7 + w11 * w24) - w28 * (w11 * w30) - w27 * (w11 * w22 - (w33 + w10 * w13 + w10 * gravity_y) - w14 * w19 - w11 * w32)
     # outputs
     dQ_hat_dq_i = ca.vertcat(w31 - w27 * (w0 * (w8 + w16) - w12 * (w21 - w20 + w32)) - w27 * w34)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -778,7 +778,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    168 operations.
+    166 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
@@ -801,7 +801,7 @@ def residual_jacobian() -> ca.Function:
     gravity_y = c[8]
     c9 = c[9]
     c10 = c[10]
-    # intermediate terms (47)
+    # intermediate terms (46)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(crank_theta)
     w2 = w1 * crank_tip_x
@@ -828,30 +828,29 @@ def residual_jacobian() -> ca.Function:
     w23 = w0 * crank_theta_ddot - w14
     w24 = w8 * w17
     w25 = (w8 * gravity_y - (w8 * w23 + w4 * w11 + w17 * c7) - w12 * w21) / w15
-    w26 = w0 * w5 - (w1 * c9 + (w0 * (w9 + (w5 + w18) + w21) + w2 * (c10 + w22 - (w23 * rod_mass + w24) - w25)))
+    w26 = w0 * w5 - (w1 * c9 + w0 * (w9 + (w5 + w18) + w21) + w2 * (c10 + w22 - (w23 * rod_mass + w24) - w25))
     w27 = w12 * slider_mass
     w28 = w11 + w27
     w29 = w0 * w8 + w2 * w28
     w30 = 2 * rod_theta_dot
-    w31 = w12 * w30
-    w32 = (w2 * crank_theta_dot - w16 * (rod_theta_dot * w12)) / w15
-    w33 = (w4 + w31 * w32 - w16 * (w19 + w20)) / w15
-    w34 = w15 * w30 * slider_mass
-    w35 = w0 * (w11 * w30) - w2 * (w8 * w30 + w34)
-    w36 = (w15 * w17 - w13) * slider_mass
-    w37 = w4 * w8
-    w38 = c7 + w12 * w27
-    w39 = w12 * w34
-    w40 = w37 - w23 * w28 - w33 * w38 - w32 * w39 - w16 * (w11 * w23 - w37 - w11 * gravity_y - (w15 * w21 - w12 * w25) - w12 * w36)
-    w41 = w26 - w2 * (w23 * c4) - w29 * w33 + w32 * w35 - w16 * (w0 * (w9 + w18) - w2 * (w24 - w22 + w36)) - w16 * w40
-    w42 = 2 * crank_theta_dot
-    w43 = w2 * w42
-    w44 = w0 * w42
-    w45 = (w43 - w16 * w31) / w15
-    w46 = w0 * (w43 * rod_mass) - w2 * (w44 * c4) - w29 * w45 - w16 * w35 - w16 * (w8 * w43 - w28 * w44 - w38 * w45 + w16 * w39)
+    w31 = (w2 * crank_theta_dot - w16 * (rod_theta_dot * w12)) / w15
+    w32 = (w4 + w12 * w30 * w31 - w16 * (w19 + w20)) / w15
+    w33 = w15 * w30 * slider_mass
+    w34 = w0 * (w11 * w30) - w2 * (w8 * w30 + w33)
+    w35 = (w15 * w17 - w13) * slider_mass
+    w36 = w4 * w8
+    w37 = c7 + w12 * w27
+    w38 = w12 * w33
+    w39 = w36 - w23 * w28 - w32 * w37 - w31 * w38 - w16 * (w11 * w23 - w36 - w11 * gravity_y + w12 * w25 - w15 * w21 - w12 * w35)
+    w40 = w26 - w2 * (w23 * c4) - w29 * w32 + w31 * w34 - w16 * (w0 * (w9 + w18) - w2 * (w24 - w22 + w35)) - w16 * w39
+    w41 = 2 * crank_theta_dot
+    w42 = w2 * w41
+    w43 = w0 * w41
+    w44 = 2 * w31
+    w45 = w0 * (w42 * rod_mass) - w2 * (w43 * c4) - w29 * w44 - w16 * w34 - w16 * (w8 * w42 - w28 * w43 - w37 * w44 + w16 * w38)
     # outputs
-    J_q = ca.vertcat(w41)
-    J_v = ca.vertcat(w46)
+    J_q = ca.vertcat(w40)
+    J_v = ca.vertcat(w45)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 

@@ -1076,126 +1076,126 @@ def dQ_hat_dq_i() -> ca.Function:
     w2 = w0 * w1
     w3 = w2 * rod_mass
     w4 = rod_theta_dot**2
-    w5 = ca.cos(rod_theta)
+    w5 = ca.sin(rod_theta)
     w6 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
-    w7 = ca.sin(rod_theta)
+    w7 = ca.cos(rod_theta)
     w8 = rod_q1 * rod_phi_integral_1_0
-    w9 = w5 * w6 - w7 * w8
-    w10 = 2 * rod_theta_dot
-    w11 = rod_q3_dot * rod_phi_integral_0_2 + rod_q4_dot * rod_phi_integral_0_3
-    w12 = rod_q1_dot * rod_phi_integral_1_0
-    w13 = w7 * w11 + w5 * w12
-    w14 = w4 * w9 + w10 * w13
-    w15 = w6 * w7 + w5 * w8
-    w16 = rod_q4_dot * rod_end_shape_0_3
-    w17 = w5 * w16
-    w18 = rod_end_x + rod_q4 * rod_end_shape_0_3
-    w19 = w7 * w18
-    w20 = w10 * w17 - w4 * w19
-    w21 = ca.sin(crank_theta) * crank_tip_x
-    w22 = w1 * w21
-    w23 = w20 - w22
-    w24 = w5 * w18
-    w25 = w23 / w24
-    w26 = w15 * w25
-    w27 = w19 * w25
-    w28 = w7 * w16
-    w29 = w4 * w24 + w10 * w28
-    w30 = (w27 - (w2 + w29)) * slider_mass
-    w31 = w4 * w15
-    w32 = w5 * w11 - w7 * w12
-    w33 = w10 * w32
-    w34 = w9 * w25
-    w35 = rod_theta_dot * -2.0
-    w36 = rod_q1 * rod_M_ff_0_0
-    w37 = rod_q2 * rod_M_ff_1_1
-    w38 = rod_q3 * rod_M_ff_2_2
-    w39 = rod_q4 * rod_M_ff_2_3
-    w40 = rod_rho_dot_phi_2_0 + (w38 + w39)
-    w41 = rod_q3 * rod_M_ff_2_3
-    w42 = rod_q4 * rod_M_ff_3_3
-    w43 = rod_rho_dot_phi_3_0 + (w41 + w42)
-    w44 = rod_q1_dot * w36 + w37 * rod_q2_dot + rod_q3_dot * w40 + rod_q4_dot * w43
-    w45 = rod_rho_dot_phi_2_0 + w40
-    w46 = rod_rho_dot_phi_3_0 + w43
-    w47 = rod_inertia + (rod_q1 * w36 + rod_q2 * w37 + rod_q3 * w45 + rod_q4 * w46)
-    w48 = (w35 * w44 - (w2 * w15 - w9 * w22 - w25 * w47) + w19 * w30) / w24
-    w49 = w0 * w3 - (w0 * (w14 - (w26 - w3) - w30) + w21 * (w31 - w33 + (w22 * rod_mass + w34) - w48)) + w21 * (w22 * c4)
-    w50 = w19 * slider_mass
-    w51 = w15 + w50
-    w52 = w0 * w9 + w21 * w51
-    w53 = 2 * w17 - w10 * w19
-    w54 = w5 * rod_end_shape_0_3
-    w55 = rod_q4_dot * w54 - rod_theta_dot * w19
-    w56 = w0 / w24
-    w57 = (crank_theta_dot * w21 + w55 * w56) / w24
-    w58 = w29 - w27
-    w59 = (w2 - w53 * w57 - w56 * w58) / w24
-    w60 = (w10 * w24 + 2 * w28) * slider_mass
-    w61 = w0 * (w10 * w15 - 2 * w32) - w21 * (w9 * w10 + 2 * w13 + w60)
-    w62 = (w20 - w23) * slider_mass
-    w63 = w0 * (w14 - w26) - w21 * (w33 - w31 - w34 + w62)
-    w64 = w2 * w9
-    w65 = w47 + w19 * w50
-    w66 = w44 * -2.0 - w19 * w60
-    w67 = w24 * w30 + w19 * w48 - (w64 + w15 * w22) - w19 * w62
-    w68 = w64 + w22 * w51 - w59 * w65 + w57 * w66 - w56 * w67
-    w69 = w5 * rod_phi_integral_1_0
-    w70 = w7 * rod_phi_integral_1_0
-    w71 = w2 * w69 + w22 * w70
+    w9 = w5 * w6 + w7 * w8
+    w10 = w4 * w9
+    w11 = 2 * rod_theta_dot
+    w12 = rod_q3_dot * rod_phi_integral_0_2 + rod_q4_dot * rod_phi_integral_0_3
+    w13 = rod_q1_dot * rod_phi_integral_1_0
+    w14 = w7 * w12 - w5 * w13
+    w15 = w11 * w14
+    w16 = ca.sin(crank_theta) * crank_tip_x
+    w17 = w1 * w16
+    w18 = w6 * w7 - w5 * w8
+    w19 = rod_q4_dot * rod_end_shape_0_3
+    w20 = w7 * w19
+    w21 = rod_end_x + rod_q4 * rod_end_shape_0_3
+    w22 = w5 * w21
+    w23 = w11 * w20 - w4 * w22
+    w24 = w23 - w17
+    w25 = w7 * w21
+    w26 = w24 / w25
+    w27 = w18 * w26
+    w28 = rod_theta_dot * -2.0
+    w29 = rod_q1 * rod_M_ff_0_0
+    w30 = rod_q2 * rod_M_ff_1_1
+    w31 = rod_q3 * rod_M_ff_2_2
+    w32 = rod_q4 * rod_M_ff_2_3
+    w33 = rod_rho_dot_phi_2_0 + (w31 + w32)
+    w34 = rod_q3 * rod_M_ff_2_3
+    w35 = rod_q4 * rod_M_ff_3_3
+    w36 = rod_rho_dot_phi_3_0 + (w34 + w35)
+    w37 = rod_q1_dot * w29 + w30 * rod_q2_dot + rod_q3_dot * w33 + rod_q4_dot * w36
+    w38 = rod_rho_dot_phi_2_0 + w33
+    w39 = rod_rho_dot_phi_3_0 + w36
+    w40 = rod_inertia + (rod_q1 * w29 + rod_q2 * w30 + rod_q3 * w38 + rod_q4 * w39)
+    w41 = w22 * w26
+    w42 = w5 * w19
+    w43 = w4 * w25 + w11 * w42
+    w44 = (w41 - (w2 + w43)) * slider_mass
+    w45 = (w28 * w37 - (w2 * w9 - w17 * w18 - w26 * w40) + w22 * w44) / w25
+    w46 = w5 * w12 + w7 * w13
+    w47 = w4 * w18 + w11 * w46
+    w48 = w9 * w26
+    w49 = w0 * w3 - (w16 * (w10 - w15 + (w17 * rod_mass + w27) - w45) + w0 * (w47 - (w48 - w3) - w44)) + w16 * (w17 * c4)
+    w50 = w22 * slider_mass
+    w51 = w9 + w50
+    w52 = w0 * w18 + w16 * w51
+    w53 = 2 * w20 - w11 * w22
+    w54 = w7 * rod_end_shape_0_3
+    w55 = rod_q4_dot * w54 - rod_theta_dot * w22
+    w56 = w0 / w25
+    w57 = (crank_theta_dot * w16 + w55 * w56) / w25
+    w58 = w43 - w41
+    w59 = (w2 - w53 * w57 - w56 * w58) / w25
+    w60 = (w11 * w25 + 2 * w42) * slider_mass
+    w61 = w0 * (w9 * w11 - 2 * w14) - w16 * (w11 * w18 + 2 * w46 + w60)
+    w62 = (w23 - w24) * slider_mass
+    w63 = w0 * (w47 - w48) - w16 * (w15 - w10 - w27 + w62)
+    w64 = w2 * w18
+    w65 = w40 + w22 * w50
+    w66 = w37 * -2.0 - w22 * w60
+    w67 = w22 * w45 - (w64 + w9 * w17) + w25 * w44 - w22 * w62
+    w68 = w64 + w17 * w51 - w59 * w65 + w57 * w66 - w56 * w67
+    w69 = w7 * rod_phi_integral_1_0
+    w70 = w5 * rod_phi_integral_1_0
+    w71 = w2 * w69 + w17 * w70
     w72 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
-    w73 = w10 * w36 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)
-    w74 = w10 * w37 + rod_q4_dot * c41
+    w73 = w11 * w29 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)
+    w74 = w11 * w30 + rod_q4_dot * c41
     w75 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
-    w76 = w7 * rod_phi_integral_0_2
-    w77 = w5 * rod_phi_integral_0_2
-    w78 = w2 * w76 - w22 * w77
+    w76 = w5 * rod_phi_integral_0_2
+    w77 = w7 * rod_phi_integral_0_2
+    w78 = w2 * w76 - w17 * w77
     w79 = rod_q1 * rod_phi_cross_phi_2_0
-    w80 = w10 * w40 + rod_q1_dot * c42
-    w81 = w7 * rod_phi_integral_0_3
+    w80 = w11 * w33 + rod_q1_dot * c42
+    w81 = w5 * rod_phi_integral_0_3
     w82 = w2 * w81
-    w83 = w5 * rod_phi_integral_0_3
+    w83 = w7 * rod_phi_integral_0_3
     w84 = w54 * slider_mass
-    w85 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1 + w19 * w84
-    w86 = w10 * w43 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) + w54 * w60
-    w87 = w7 * rod_end_shape_0_3
-    w88 = w30 * w87
-    w89 = w48 * w54
-    w90 = w82 - w22 * w83
-    w91 = w88 - w89 - w90 + w54 * w62
-    w92 = w87 / w24
-    w93 = w35 * (rod_q1_dot * rod_M_ff_0_0) - (w71 - w25 * (2 * w36))
-    w94 = w35 * (rod_q2_dot * rod_M_ff_1_1) + w25 * (2 * w37)
-    w95 = w35 * (rod_q3_dot * rod_M_ff_2_2 + rod_q4_dot * rod_M_ff_2_3) - (w78 - w25 * (w39 + (w38 + w45)))
+    w85 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1 + w22 * w84
+    w86 = w11 * w36 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) + w54 * w60
+    w87 = w5 * rod_end_shape_0_3
+    w88 = w44 * w87
+    w89 = w45 * w54
+    w90 = w82 - w17 * w83
+    w91 = w88 - (w89 + w90) + w54 * w62
+    w92 = w87 / w25
+    w93 = w28 * (rod_q1_dot * rod_M_ff_0_0) - (w71 - w26 * (2 * w29))
+    w94 = w28 * (rod_q2_dot * rod_M_ff_1_1) + w26 * (2 * w30)
+    w95 = w28 * (rod_q3_dot * rod_M_ff_2_2 + rod_q4_dot * rod_M_ff_2_3) - (w78 - w26 * (w32 + (w31 + w38)))
     w96 = w4 * rod_M_ff_2_3 - rod_K_ff_2_3
-    w97 = (w4 * w54 - w25 * w87) * slider_mass
-    w98 = (w55 * w92 - rod_theta_dot * w54) / w24
-    w99 = (w4 * w87 + w25 * w54 - w53 * w98 - w58 * w92) / w24
-    w100 = w0 * (w4 * w81 + w25 * w83) - w21 * (w4 * w83 - w25 * w81 + w97) - w52 * w99 + w61 * w98 - w63 * w92
-    w101 = w35 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - (w90 - w25 * (w41 + (w42 + w46)))
-    w102 = w101 - (w89 - w88) - w19 * w97 - w65 * w99 + w66 * w98 - w67 * w92
+    w97 = (w4 * w54 - w26 * w87) * slider_mass
+    w98 = (w55 * w92 - rod_theta_dot * w54) / w25
+    w99 = (w4 * w87 + w26 * w54 - w53 * w98 - w58 * w92) / w25
+    w100 = w0 * (w4 * w81 + w26 * w83) - w16 * (w4 * w83 - w26 * w81 + w97) - w52 * w99 + w61 * w98 - w63 * w92
+    w101 = w28 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - (w90 - w26 * (w34 + (w35 + w39)))
+    w102 = w88 + (w101 - w89) - w22 * w97 - w65 * w99 + w66 * w98 - w67 * w92
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # crank.theta
             w49 - w52 * w59 + w57 * w61 - w56 * w63 - w56 * w68,
-            w0 * (w4 * w69 - w25 * w70) + w21 * (w25 * w69 + w4 * w70) - w56 * w93, -(w56 * w94),
-            w0 * (w4 * w76 + w25 * w77) - w21 * (w4 * w77 - w25 * w76) - w56 * w95, w100 - w56 * w102,
+            w0 * (w4 * w69 - w26 * w70) + w16 * (w26 * w69 + w4 * w70) - w56 * w93, -(w56 * w94),
+            w0 * (w4 * w76 + w26 * w77) - w16 * (w4 * w77 - w26 * w76) - w56 * w95, w100 - w56 * w102,
         ),
         ca.horzcat(  # rod.q1
-            w71 - w59 * w72 + w57 * w73 + w56 * w71, w4 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w25 * c43,
-            w73 * w98 - (w25 * rod_phi_cross_phi_0_3 + w72 * w99) + w71 * w92,
+            w71 - w59 * w72 + w57 * w73 + w56 * w71, w4 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w26 * c43,
+            w73 * w98 - (w26 * rod_phi_cross_phi_0_3 + w72 * w99) + w71 * w92,
         ),
         ca.horzcat(  # rod.q2
             w57 * w74 - w59 * w75, 0.0, w4 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0,
-            w74 * w98 - (w25 * rod_phi_cross_phi_1_3 + w75 * w99),
+            w74 * w98 - (w26 * rod_phi_cross_phi_1_3 + w75 * w99),
         ),
         ca.horzcat(  # rod.q3
-            w78 + w59 * w79 + w57 * w80 + w56 * w78, w25 * c36, 0.0, w4 * rod_M_ff_2_2 - rod_K_ff_2_2,
+            w78 + w59 * w79 + w57 * w80 + w56 * w78, w26 * c36, 0.0, w4 * rod_M_ff_2_2 - rod_K_ff_2_2,
             w96 + w79 * w99 + w80 * w98 + w78 * w92,
         ),
         ca.horzcat(  # rod.q4
-            w82 - w22 * (w83 + w84) + w59 * w85 + w57 * w86 - w56 * w91 - w68 * w92,
-            -(w25 * rod_phi_cross_phi_3_0 + w92 * w93), -(w25 * rod_phi_cross_phi_3_1 + w92 * w94), w96 - w92 * w95,
+            w82 - w17 * (w83 + w84) + w59 * w85 + w57 * w86 - w56 * w91 - w68 * w92,
+            -(w26 * rod_phi_cross_phi_3_0 + w92 * w93), -(w26 * rod_phi_cross_phi_3_1 + w92 * w94), w96 - w92 * w95,
             w4 * rod_M_ff_3_3 - rod_K_ff_3_3 + w54 * w97 + w85 * w99 + w86 * w98 - w91 * w92 - w92 * w102,
         ),
     )
@@ -1212,7 +1212,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    328 operations.
+    330 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -1259,7 +1259,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     rod_phi_cross_phi_3_1 = c[26]
     c41 = c[41]
     c42 = c[42]
-    # intermediate terms (59)
+    # intermediate terms (58)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(crank_theta) * crank_tip_x
     w2 = 2 * crank_theta_dot
@@ -1276,16 +1276,16 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w13 = w12 * slider_mass
     w14 = w10 + w13
     w15 = w0 * w9 + w1 * w14
-    w16 = rod_q4_dot * rod_end_shape_0_3
-    w17 = 2 * rod_theta_dot
-    w18 = 2 * (w5 * w16) - w12 * w17
-    w19 = w5 * w11
-    w20 = w0 / w19
-    w21 = (w3 + w18 * w20) / w19
+    w16 = w5 * rod_end_shape_0_3
+    w17 = rod_q4_dot * w16 - w12 * rod_theta_dot
+    w18 = w5 * w11
+    w19 = w0 / w18
+    w20 = 2 * ((w1 * crank_theta_dot + w17 * w19) / w18)
+    w21 = 2 * rod_theta_dot
     w22 = rod_q3_dot * rod_phi_integral_0_2 + rod_q4_dot * rod_phi_integral_0_3
     w23 = rod_q1_dot * rod_phi_integral_1_0
-    w24 = (w17 * w19 + 2 * (w7 * w16)) * slider_mass
-    w25 = w0 * (w10 * w17 - 2 * (w5 * w22 - w7 * w23)) - w1 * (w9 * w17 + 2 * (w7 * w22 + w5 * w23) + w24)
+    w24 = (w18 * w21 + 2 * (w7 * (rod_q4_dot * rod_end_shape_0_3))) * slider_mass
+    w25 = w0 * (w10 * w21 - 2 * (w5 * w22 - w7 * w23)) - w1 * (w9 * w21 + 2 * (w7 * w22 + w5 * w23) + w24)
     w26 = rod_q1 * rod_M_ff_0_0
     w27 = rod_q2 * rod_M_ff_1_1
     w28 = rod_rho_dot_phi_2_0 + (rod_q3 * rod_M_ff_2_2 + rod_q4 * rod_M_ff_2_3)
@@ -1293,55 +1293,54 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w30 = rod_q1 * w26 + rod_q2 * w27 + rod_q3 * (rod_rho_dot_phi_2_0 + w28) + rod_q4 * (rod_rho_dot_phi_3_0 + w29)
     w31 = rod_inertia + w30 + w12 * w13
     w32 = (rod_q1_dot * w26 + w27 * rod_q2_dot + rod_q3_dot * w28 + rod_q4_dot * w29) * -2.0 - w12 * w24
-    w33 = w3 * w9 - w4 * w14 - w21 * w31 - w20 * w32
+    w33 = w3 * w9 - w4 * w14 - w20 * w31 - w19 * w32
     w34 = w5 * rod_phi_integral_1_0
     w35 = w7 * rod_phi_integral_1_0
     w36 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
-    w37 = w17 * w26 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)
+    w37 = w21 * w26 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)
     w38 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
-    w39 = w17 * w27 + rod_q4_dot * c41
+    w39 = w21 * w27 + rod_q4_dot * c41
     w40 = w7 * rod_phi_integral_0_2
     w41 = w5 * rod_phi_integral_0_2
     w42 = rod_q1 * rod_phi_cross_phi_2_0
-    w43 = w17 * w28 + rod_q1_dot * c42
+    w43 = w21 * w28 + rod_q1_dot * c42
     w44 = w7 * rod_phi_integral_0_3
     w45 = w5 * rod_phi_integral_0_3
-    w46 = w5 * rod_end_shape_0_3
-    w47 = w46 * slider_mass
-    w48 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1 + w12 * w47
-    w49 = w17 * w29 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) + w24 * w46
-    w50 = w7 * rod_end_shape_0_3
-    w51 = w50 / w19
-    w52 = rod_theta_dot * -2.0
-    w53 = w26 * w52
-    w54 = w27 * w52
-    w55 = w28 * w52
-    w56 = w17 * w50 * slider_mass
-    w57 = (w18 * w51 - w17 * w46) / w19
-    w58 = w29 * w52 - w12 * w56 - w31 * w57 - w32 * w51
+    w46 = w16 * slider_mass
+    w47 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1 + w12 * w46
+    w48 = w21 * w29 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) + w16 * w24
+    w49 = w7 * rod_end_shape_0_3
+    w50 = w49 / w18
+    w51 = rod_theta_dot * -2.0
+    w52 = w26 * w51
+    w53 = w27 * w51
+    w54 = w28 * w51
+    w55 = w21 * w49 * slider_mass
+    w56 = 2 * ((w17 * w50 - w16 * rod_theta_dot) / w18)
+    w57 = w29 * w51 - w12 * w55 - w31 * w56 - w32 * w50
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w0 * (w3 * rod_mass) - w1 * (w4 * c4) - w15 * w21 - w20 * w25 - w20 * w33,
-            w0 * (w17 * w35) - w1 * (w17 * w34) - w20 * w53, -(w20 * w54),
-            -(w0 * (w17 * w41) + w1 * (w17 * w40) + w20 * w55),
-            -(w0 * (w17 * w45) + w1 * (w17 * w44 + w56) + w15 * w57 + w25 * w51 + w20 * w58),
+            w0 * (w3 * rod_mass) - w1 * (w4 * c4) - w15 * w20 - w19 * w25 - w19 * w33,
+            w0 * (w21 * w35) - w1 * (w21 * w34) - w19 * w52, -(w19 * w53),
+            -(w0 * (w21 * w41) + w1 * (w21 * w40) + w19 * w54),
+            -(w0 * (w21 * w45) + w1 * (w21 * w44 + w55) + w15 * w56 + w25 * w50 + w19 * w57),
         ),
         ca.horzcat(  # rod.q1
-            w3 * w34 - w4 * w35 - w21 * w36 - w20 * w37, 0.0, 0.0, w17 * rod_phi_cross_phi_0_2,
-            w17 * rod_phi_cross_phi_0_3 - w36 * w57 - w37 * w51,
+            w3 * w34 - w4 * w35 - w20 * w36 - w19 * w37, 0.0, 0.0, w21 * rod_phi_cross_phi_0_2,
+            w21 * rod_phi_cross_phi_0_3 - w36 * w56 - w37 * w50,
         ),
         ca.horzcat(  # rod.q2
-            -(w21 * w38 + w20 * w39), 0.0, 0.0, 0.0, w17 * rod_phi_cross_phi_1_3 - w38 * w57 - w39 * w51,
+            -(w20 * w38 + w19 * w39), 0.0, 0.0, 0.0, w21 * rod_phi_cross_phi_1_3 - w38 * w56 - w39 * w50,
         ),
         ca.horzcat(  # rod.q3
-            w3 * w40 + w4 * w41 + w21 * w42 - w20 * w43, w17 * rod_phi_cross_phi_2_0, 0.0, 0.0,
-            w42 * w57 - w43 * w51,
+            w3 * w40 + w4 * w41 + w20 * w42 - w19 * w43, w21 * rod_phi_cross_phi_2_0, 0.0, 0.0,
+            w42 * w56 - w43 * w50,
         ),
         ca.horzcat(  # rod.q4
-            w3 * w44 + w4 * (w45 + w47) + w21 * w48 - w20 * w49 - w33 * w51,
-            w17 * rod_phi_cross_phi_3_0 - w51 * w53, w17 * rod_phi_cross_phi_3_1 - w51 * w54, -(w51 * w55),
-            w46 * w56 + w48 * w57 - w49 * w51 - w51 * w58,
+            w3 * w44 + w4 * (w45 + w46) + w20 * w47 - w19 * w48 - w33 * w50,
+            w21 * rod_phi_cross_phi_3_0 - w50 * w52, w21 * rod_phi_cross_phi_3_1 - w50 * w53, -(w50 * w54),
+            w16 * w55 + w47 * w56 - w48 * w50 - w50 * w57,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
@@ -1359,7 +1358,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 5 x 5) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    702 operations.
+    697 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -1426,176 +1425,176 @@ def residual_jacobian() -> ca.Function:
     w3 = crank_theta_ddot * w1 + w0 * w2
     w4 = w3 * rod_mass
     w5 = rod_theta_dot**2
-    w6 = ca.cos(rod_theta)
+    w6 = ca.sin(rod_theta)
     w7 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
-    w8 = ca.sin(rod_theta)
+    w8 = ca.cos(rod_theta)
     w9 = rod_q1 * rod_phi_integral_1_0
-    w10 = w6 * w7 - w8 * w9
-    w11 = 2 * rod_theta_dot
-    w12 = rod_q3_dot * rod_phi_integral_0_2 + rod_q4_dot * rod_phi_integral_0_3
-    w13 = rod_q1_dot * rod_phi_integral_1_0
-    w14 = w8 * w12 + w6 * w13
-    w15 = w5 * w10 + w11 * w14
-    w16 = w7 * w8 + w6 * w9
-    w17 = rod_q4_dot * rod_end_shape_0_3
-    w18 = w6 * w17
-    w19 = rod_end_x + rod_q4 * rod_end_shape_0_3
-    w20 = w8 * w19
-    w21 = w11 * w18 - w5 * w20
-    w22 = w1 * w2
-    w23 = w6 * w19
-    w24 = w0 / w23
-    w25 = w8 * rod_end_shape_0_3
-    w26 = w25 / w23
-    w27 = (w21 - w22) / w23 + crank_theta_ddot * w24 + w26 * rod_q4_ddot
-    w28 = w16 * w27
-    w29 = w8 * rod_phi_integral_1_0
-    w30 = w29 * rod_q1_ddot
-    w31 = w6 * rod_phi_integral_0_2
-    w32 = w31 * rod_q3_ddot
-    w33 = w6 * rod_phi_integral_0_3
-    w34 = rod_q4_ddot * w33
-    w35 = w20 * w27
-    w36 = w8 * w17
-    w37 = w5 * w23 + w11 * w36
-    w38 = w6 * rod_end_shape_0_3
-    w39 = rod_q4_ddot * w38
-    w40 = (w35 - (w3 + w37) + w39) * slider_mass
-    w41 = w5 * w16
-    w42 = w6 * w12 - w8 * w13
-    w43 = w11 * w42
-    w44 = w0 * crank_theta_ddot - w22
-    w45 = w10 * w27
-    w46 = w6 * rod_phi_integral_1_0
-    w47 = rod_q1_ddot * w46
-    w48 = w8 * rod_phi_integral_0_2
-    w49 = rod_q3_ddot * w48
-    w50 = w8 * rod_phi_integral_0_3
-    w51 = rod_q4_ddot * w50
-    w52 = rod_theta_dot * -2.0
-    w53 = rod_q1 * rod_M_ff_0_0
-    w54 = rod_q2 * rod_M_ff_1_1
-    w55 = rod_q3 * rod_M_ff_2_2
-    w56 = rod_q4 * rod_M_ff_2_3
-    w57 = rod_rho_dot_phi_2_0 + (w55 + w56)
-    w58 = rod_q3 * rod_M_ff_2_3
-    w59 = rod_q4 * rod_M_ff_3_3
-    w60 = rod_rho_dot_phi_3_0 + (w58 + w59)
-    w61 = rod_q1_dot * w53 + w54 * rod_q2_dot + rod_q3_dot * w57 + rod_q4_dot * w60
-    w62 = rod_rho_dot_phi_2_0 + w57
-    w63 = rod_rho_dot_phi_3_0 + w60
-    w64 = rod_inertia + (rod_q1 * w53 + rod_q2 * w54 + rod_q3 * w62 + rod_q4 * w63)
-    w65 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
-    w66 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
-    w67 = rod_q1 * rod_phi_cross_phi_2_0
-    w68 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
-    w69 = w10 * w44 + w3 * w16 - w27 * w64 + rod_q1_ddot * w65 + w66 * rod_q2_ddot - rod_q3_ddot * w67 - rod_q4_ddot * w68
-    w70 = (w52 * w61 - w69 + w20 * w40) / w23
-    w71 = w0 * (w15 - (w28 - w4 - w30 + w32 + w34) - w40) + w1 * (w41 - w43 - (w44 * rod_mass - w45 + w47 + w49 + w51) - w70)
-    w72 = w20 * slider_mass
-    w73 = w16 + w72
-    w74 = w0 * w10 + w1 * w73
-    w75 = 2 * w18 - w11 * w20
-    w76 = rod_q4_dot * w38 - rod_theta_dot * w20
-    w77 = (w1 * crank_theta_dot + w24 * w76) / w23
-    w78 = w37 - (w35 + w39)
-    w79 = (w3 - w75 * w77 - w24 * w78) / w23
-    w80 = (w11 * w23 + 2 * w36) * slider_mass
-    w81 = w0 * (w11 * w16 - 2 * w42) - w1 * (w10 * w11 + 2 * w14 + w80)
-    w82 = (w21 + (w25 * rod_q4_ddot - w23 * w27)) * slider_mass
-    w83 = w0 * (w15 - (w34 + (w32 - (w30 - w28)))) - w1 * (w43 - w41 + (w51 + (w49 + (w47 - w45))) + w82)
-    w84 = w3 * w10
-    w85 = w64 + w20 * w72
-    w86 = w61 * -2.0 - w20 * w80
-    w87 = w16 * w44 - w84 + (w23 * w40 + w20 * w70) - w20 * w82
-    w88 = w84 - w44 * w73 - w79 * w85 + w77 * w86 - w24 * w87
-    w89 = w3 * w46
-    w90 = w29 * w44
-    w91 = w11 * w53 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)
+    w10 = w6 * w7 + w8 * w9
+    w11 = w5 * w10
+    w12 = 2 * rod_theta_dot
+    w13 = rod_q3_dot * rod_phi_integral_0_2 + rod_q4_dot * rod_phi_integral_0_3
+    w14 = rod_q1_dot * rod_phi_integral_1_0
+    w15 = w8 * w13 - w6 * w14
+    w16 = w12 * w15
+    w17 = w1 * w2
+    w18 = w0 * crank_theta_ddot - w17
+    w19 = w7 * w8 - w6 * w9
+    w20 = rod_q4_dot * rod_end_shape_0_3
+    w21 = w8 * w20
+    w22 = rod_end_x + rod_q4 * rod_end_shape_0_3
+    w23 = w6 * w22
+    w24 = w12 * w21 - w5 * w23
+    w25 = w8 * w22
+    w26 = w0 / w25
+    w27 = w6 * rod_end_shape_0_3
+    w28 = w27 / w25
+    w29 = (w24 - w17) / w25 + crank_theta_ddot * w26 + w28 * rod_q4_ddot
+    w30 = w19 * w29
+    w31 = w8 * rod_phi_integral_1_0
+    w32 = w31 * rod_q1_ddot
+    w33 = w6 * rod_phi_integral_0_2
+    w34 = w33 * rod_q3_ddot
+    w35 = w6 * rod_phi_integral_0_3
+    w36 = rod_q4_ddot * w35
+    w37 = rod_theta_dot * -2.0
+    w38 = rod_q1 * rod_M_ff_0_0
+    w39 = rod_q2 * rod_M_ff_1_1
+    w40 = rod_q3 * rod_M_ff_2_2
+    w41 = rod_q4 * rod_M_ff_2_3
+    w42 = rod_rho_dot_phi_2_0 + (w40 + w41)
+    w43 = rod_q3 * rod_M_ff_2_3
+    w44 = rod_q4 * rod_M_ff_3_3
+    w45 = rod_rho_dot_phi_3_0 + (w43 + w44)
+    w46 = rod_q1_dot * w38 + w39 * rod_q2_dot + rod_q3_dot * w42 + rod_q4_dot * w45
+    w47 = rod_rho_dot_phi_2_0 + w42
+    w48 = rod_rho_dot_phi_3_0 + w45
+    w49 = rod_inertia + (rod_q1 * w38 + rod_q2 * w39 + rod_q3 * w47 + rod_q4 * w48)
+    w50 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
+    w51 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
+    w52 = rod_q1 * rod_phi_cross_phi_2_0
+    w53 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
+    w54 = w18 * w19 + w3 * w10 - w29 * w49 + rod_q1_ddot * w50 + w51 * rod_q2_ddot - rod_q3_ddot * w52 - rod_q4_ddot * w53
+    w55 = w23 * w29
+    w56 = w6 * w20
+    w57 = w5 * w25 + w12 * w56
+    w58 = w8 * rod_end_shape_0_3
+    w59 = rod_q4_ddot * w58
+    w60 = (w55 - (w3 + w57) + w59) * slider_mass
+    w61 = (w37 * w46 - w54 + w23 * w60) / w25
+    w62 = w6 * w13 + w8 * w14
+    w63 = w5 * w19 + w12 * w62
+    w64 = w10 * w29
+    w65 = w6 * rod_phi_integral_1_0
+    w66 = rod_q1_ddot * w65
+    w67 = w8 * rod_phi_integral_0_2
+    w68 = rod_q3_ddot * w67
+    w69 = w8 * rod_phi_integral_0_3
+    w70 = rod_q4_ddot * w69
+    w71 = w1 * (w11 - w16 - (w18 * rod_mass - w30 + w32 + w34 + w36) - w61) + w0 * (w63 - (w64 - w4 - w66 + w68 + w70) - w60)
+    w72 = w23 * slider_mass
+    w73 = w10 + w72
+    w74 = w0 * w19 + w1 * w73
+    w75 = 2 * w21 - w12 * w23
+    w76 = rod_q4_dot * w58 - rod_theta_dot * w23
+    w77 = (w1 * crank_theta_dot + w26 * w76) / w25
+    w78 = w57 - (w55 + w59)
+    w79 = (w3 - w75 * w77 - w26 * w78) / w25
+    w80 = (w12 * w25 + 2 * w56) * slider_mass
+    w81 = w0 * (w10 * w12 - 2 * w15) - w1 * (w12 * w19 + 2 * w62 + w80)
+    w82 = (w24 + (w27 * rod_q4_ddot - w25 * w29)) * slider_mass
+    w83 = w0 * (w63 - (w70 + (w68 - (w66 - w64)))) - w1 * (w16 - w11 + (w36 + (w34 + (w32 - w30))) + w82)
+    w84 = w3 * w19
+    w85 = w49 + w23 * w72
+    w86 = w46 * -2.0 - w23 * w80
+    w87 = w10 * w18 - w84 + w23 * w61 + w25 * w60 - w23 * w82
+    w88 = w84 - w18 * w73 - w79 * w85 + w77 * w86 - w26 * w87
+    w89 = w3 * w31
+    w90 = w18 * w65
+    w91 = w12 * w38 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)
     w92 = w90 - w89
-    w93 = w11 * w54 + rod_q4_dot * c41
-    w94 = w3 * w48 + w31 * w44
-    w95 = w11 * w57 + rod_q1_dot * c42
-    w96 = w3 * w50
-    w97 = w38 * slider_mass
-    w98 = w33 + w97
-    w99 = w68 + w20 * w97
-    w100 = w11 * w60 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) + w38 * w80
-    w101 = w25 * w40
-    w102 = w38 * w70
-    w103 = w96 + w33 * w44
-    w104 = w101 - w102 - w103 + w38 * w82
-    w105 = w92 + w27 * (2 * w53) + rod_q3_ddot * rod_phi_cross_phi_2_0 + rod_q4_ddot * rod_phi_cross_phi_3_0
-    w106 = w52 * (rod_q1_dot * rod_M_ff_0_0) + w105
-    w107 = w52 * (rod_q2_dot * rod_M_ff_1_1) + (w27 * (2 * w54) + rod_q4_ddot * rod_phi_cross_phi_3_1)
-    w108 = w52 * (rod_q3_dot * rod_M_ff_2_2 + rod_q4_dot * rod_M_ff_2_3) - (w94 - w27 * (w56 + (w55 + w62)) - rod_q1_ddot * rod_phi_cross_phi_0_2)
+    w93 = w12 * w39 + rod_q4_dot * c41
+    w94 = w3 * w33 + w18 * w67
+    w95 = w12 * w42 + rod_q1_dot * c42
+    w96 = w3 * w35
+    w97 = w58 * slider_mass
+    w98 = w69 + w97
+    w99 = w53 + w23 * w97
+    w100 = w12 * w45 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) + w58 * w80
+    w101 = w27 * w60
+    w102 = w58 * w61
+    w103 = w96 + w18 * w69
+    w104 = w101 - (w102 + w103) + w58 * w82
+    w105 = w92 + w29 * (2 * w38) + rod_q3_ddot * rod_phi_cross_phi_2_0 + rod_q4_ddot * rod_phi_cross_phi_3_0
+    w106 = w37 * (rod_q1_dot * rod_M_ff_0_0) + w105
+    w107 = w37 * (rod_q2_dot * rod_M_ff_1_1) + (w29 * (2 * w39) + rod_q4_ddot * rod_phi_cross_phi_3_1)
+    w108 = w37 * (rod_q3_dot * rod_M_ff_2_2 + rod_q4_dot * rod_M_ff_2_3) - (w94 - w29 * (w41 + (w40 + w47)) - rod_q1_ddot * rod_phi_cross_phi_0_2)
     w109 = w5 * rod_M_ff_2_3 - rod_K_ff_2_3
-    w110 = (w5 * w38 - w25 * w27) * slider_mass
-    w111 = (w26 * w76 - rod_theta_dot * w38) / w23
-    w112 = (w5 * w25 + w27 * w38 - w75 * w111 - w26 * w78) / w23
-    w113 = w0 * (w5 * w50 + w27 * w33) - w1 * (w5 * w33 - w27 * w50 + w110) - w74 * w112 + w81 * w111 - w26 * w83
-    w114 = w103 - w27 * (w58 + (w59 + w63)) - rod_q1_ddot * rod_phi_cross_phi_0_3 - rod_q2_ddot * rod_phi_cross_phi_1_3
-    w115 = w52 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - w114 - (w102 - w101) - w20 * w110
-    w116 = w115 - w85 * w112 + w86 * w111 - w26 * w87
-    w117 = w5 * rod_M_ff_3_3 - rod_K_ff_3_3 + w38 * w110 + w99 * w112 + w100 * w111 - w26 * w104 - w26 * w116
+    w110 = (w5 * w58 - w27 * w29) * slider_mass
+    w111 = (w28 * w76 - rod_theta_dot * w58) / w25
+    w112 = (w5 * w27 + w29 * w58 - w75 * w111 - w28 * w78) / w25
+    w113 = w0 * (w5 * w35 + w29 * w69) - w1 * (w5 * w69 - w29 * w35 + w110) - w74 * w112 + w81 * w111 - w28 * w83
+    w114 = w103 - w29 * (w43 + (w44 + w48)) - rod_q1_ddot * rod_phi_cross_phi_0_3 - rod_q2_ddot * rod_phi_cross_phi_1_3
+    w115 = w101 + (w37 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - w114 - w102) - w23 * w110
+    w116 = w115 - w85 * w112 + w86 * w111 - w28 * w87
+    w117 = w5 * rod_M_ff_3_3 - rod_K_ff_3_3 + w58 * w110 + w99 * w112 + w100 * w111 - w28 * w104 - w28 * w116
     w118 = 2 * crank_theta_dot
     w119 = w1 * w118
     w120 = w0 * w118
-    w121 = (w119 + w24 * w75) / w23
-    w122 = w10 * w119 - w73 * w120 - w85 * w121 - w24 * w86
-    w123 = w52 * w53
-    w124 = w52 * w54
-    w125 = w52 * w57
-    w126 = w11 * w25 * slider_mass
-    w127 = (w26 * w75 - w11 * w38) / w23
-    w128 = w52 * w60 - w20 * w126 - w85 * w127 - w26 * w86
+    w121 = 2 * w77
+    w122 = w19 * w119 - w73 * w120 - w85 * w121 - w26 * w86
+    w123 = w37 * w38
+    w124 = w37 * w39
+    w125 = w37 * w42
+    w126 = w12 * w27 * slider_mass
+    w127 = 2 * w111
+    w128 = w37 * w45 - w23 * w126 - w85 * w127 - w28 * w86
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w0 * w4 - w71 - w1 * (w44 * c4) - w74 * w79 + w77 * w81 - w24 * w83 - w24 * w88,
-            w0 * (w5 * w46 - w27 * w29) + w1 * (w27 * w46 + w5 * w29) - w24 * w106, -(w24 * w107),
-            w0 * (w5 * w48 + w27 * w31) - w1 * (w5 * w31 - w27 * w48) - w24 * w108, w113 - w24 * w116,
+            w0 * w4 - w71 - w1 * (w18 * c4) - w74 * w79 + w77 * w81 - w26 * w83 - w26 * w88,
+            w0 * (w5 * w31 - w29 * w65) + w1 * (w29 * w31 + w5 * w65) - w26 * w106, -(w26 * w107),
+            w0 * (w5 * w33 + w29 * w67) - w1 * (w5 * w67 - w29 * w33) - w26 * w108, w113 - w26 * w116,
         ),
         ca.horzcat(  # rod.q1
-            w89 - w90 - w65 * w79 + w77 * w91 - w24 * w92, w5 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w27 * c43,
-            w91 * w111 - (w27 * rod_phi_cross_phi_0_3 + w65 * w112) - w26 * w92,
+            w89 - w90 - w50 * w79 + w77 * w91 - w26 * w92, w5 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w29 * c43,
+            w91 * w111 - (w29 * rod_phi_cross_phi_0_3 + w50 * w112) - w28 * w92,
         ),
         ca.horzcat(  # rod.q2
-            w77 * w93 - w66 * w79, 0.0, w5 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0,
-            w93 * w111 - (w27 * rod_phi_cross_phi_1_3 + w66 * w112),
+            w77 * w93 - w51 * w79, 0.0, w5 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0,
+            w93 * w111 - (w29 * rod_phi_cross_phi_1_3 + w51 * w112),
         ),
         ca.horzcat(  # rod.q3
-            w94 + w67 * w79 + w77 * w95 + w24 * w94, w27 * c36, 0.0, w5 * rod_M_ff_2_2 - rod_K_ff_2_2,
-            w109 + w67 * w112 + w95 * w111 + w26 * w94,
+            w94 + w52 * w79 + w77 * w95 + w26 * w94, w29 * c36, 0.0, w5 * rod_M_ff_2_2 - rod_K_ff_2_2,
+            w109 + w52 * w112 + w95 * w111 + w28 * w94,
         ),
         ca.horzcat(  # rod.q4
-            w96 + w44 * w98 + w79 * w99 + w77 * w100 - w24 * w104 - w26 * w88,
-            -(w27 * rod_phi_cross_phi_3_0 + w26 * w106), -(w27 * rod_phi_cross_phi_3_1 + w26 * w107),
-            w109 - w26 * w108, w117,
+            w96 + w18 * w98 + w79 * w99 + w77 * w100 - w26 * w104 - w28 * w88,
+            -(w29 * rod_phi_cross_phi_3_0 + w28 * w106), -(w29 * rod_phi_cross_phi_3_1 + w28 * w107),
+            w109 - w28 * w108, w117,
         ),
     )
     J_v = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w0 * (w119 * rod_mass) - w1 * (w120 * c4) - w74 * w121 - w24 * w81 - w24 * w122,
-            w0 * (w11 * w29) - w1 * (w11 * w46) - w24 * w123, -(w24 * w124),
-            -(w0 * (w11 * w31) + w1 * (w11 * w48) + w24 * w125),
-            -(w0 * (w11 * w33) + w1 * (w11 * w50 + w126) + w74 * w127 + w26 * w81 + w24 * w128),
+            w0 * (w119 * rod_mass) - w1 * (w120 * c4) - w74 * w121 - w26 * w81 - w26 * w122,
+            w0 * (w12 * w65) - w1 * (w12 * w31) - w26 * w123, -(w26 * w124),
+            -(w0 * (w12 * w67) + w1 * (w12 * w33) + w26 * w125),
+            -(w0 * (w12 * w69) + w1 * (w12 * w35 + w126) + w74 * w127 + w28 * w81 + w26 * w128),
         ),
         ca.horzcat(  # rod.q1
-            w46 * w119 - w29 * w120 - w65 * w121 - w24 * w91, 0.0, 0.0, w11 * rod_phi_cross_phi_0_2,
-            w11 * rod_phi_cross_phi_0_3 - w65 * w127 - w26 * w91,
+            w31 * w119 - w65 * w120 - w50 * w121 - w26 * w91, 0.0, 0.0, w12 * rod_phi_cross_phi_0_2,
+            w12 * rod_phi_cross_phi_0_3 - w50 * w127 - w28 * w91,
         ),
         ca.horzcat(  # rod.q2
-            -(w66 * w121 + w24 * w93), 0.0, 0.0, 0.0, w11 * rod_phi_cross_phi_1_3 - w66 * w127 - w26 * w93,
+            -(w51 * w121 + w26 * w93), 0.0, 0.0, 0.0, w12 * rod_phi_cross_phi_1_3 - w51 * w127 - w28 * w93,
         ),
         ca.horzcat(  # rod.q3
-            w48 * w119 + w31 * w120 + w67 * w121 - w24 * w95, w11 * rod_phi_cross_phi_2_0, 0.0, 0.0,
-            w67 * w127 - w26 * w95,
+            w33 * w119 + w67 * w120 + w52 * w121 - w26 * w95, w12 * rod_phi_cross_phi_2_0, 0.0, 0.0,
+            w52 * w127 - w28 * w95,
         ),
         ca.horzcat(  # rod.q4
-            w50 * w119 + w98 * w120 + w99 * w121 - w24 * w100 - w26 * w122,
-            w11 * rod_phi_cross_phi_3_0 - w26 * w123, w11 * rod_phi_cross_phi_3_1 - w26 * w124, -(w26 * w125),
-            w38 * w126 + w99 * w127 - w26 * w100 - w26 * w128,
+            w35 * w119 + w98 * w120 + w99 * w121 - w26 * w100 - w28 * w122,
+            w12 * rod_phi_cross_phi_3_0 - w28 * w123, w12 * rod_phi_cross_phi_3_1 - w28 * w124, -(w28 * w125),
+            w58 * w126 + w99 * w127 - w28 * w100 - w28 * w128,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from symgen.algebra.rows import Row
-from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg
+from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
 from symgen.algebra.vectors import Vector, cross, plus, product, scaled, zeros
 from symgen.bodies.spatial_moments import LocalMotion, Matrix, SpatialPoint
 
@@ -25,6 +25,7 @@ class Bent:
     rho_dot, omega and the bias terms nu (of rho_ddot) and fading (of omega_dot in body axes) go with q_f_dot.
     """
 
+    point: SpatialPoint
     psi: Vector
     inverse: ca.SX  # 1 / k
     R: Matrix
@@ -41,6 +42,14 @@ class Bent:
         if self.inverse.is_zero():
             return zeros()
         return scaled(self.inverse, plus(moment, scaled(ca.SX(0.5), cross(moment, self.psi))))
+
+    def twice_turned(self, a: int, b: int, vector: Vector) -> ca.SX:
+        """d(turned_a) / dq_b along a vector."""
+        if self.inverse.is_zero():
+            return ZERO
+        half, (first, second) = mul(ca.SX(0.5), self.inverse), (self.point.turns[k] for k in (a, b))
+        own = dot(first, scaled(half, cross(vector, second)))
+        return sub(own, mul(mul(half, dot(self.psi, second)), dot(self.turned[a], vector)))
 
     def drift(self, omega: Vector) -> Vector:
         """2 omega x rho_dot + nu: acceleration of the point by moving in a body that turns with omega."""
@@ -80,7 +89,8 @@ class Deformation:
         kinds = local.rho, local.shapes, local.rho_dot, local.nu
         if all(component.is_zero() for turn in self.point.turns for component in turn):
             still = [zeros() for _ in self.columns]
-            return Bent(zeros(), ZERO, self.point.axes, kinds[0], kinds[1], still, kinds[2], kinds[3], zeros(), zeros())
+            axes, none = self.point.axes, zeros()
+            return Bent(self.point, none, ZERO, axes, kinds[0], kinds[1], still, kinds[2], kinds[3], none, none)
         psi, rate, half = local.psi, local.psi_dot, ca.SX(0.5)
         k = add(ONE, mul(ca.SX(0.25), dot(psi, psi)))
         inverse = div(ONE, k)
@@ -88,7 +98,7 @@ class Deformation:
         omega = scaled(inverse, plus(rate, scaled(half, cross(psi, rate))))
         fading = scaled(neg(mul(mul(half, dot(psi, rate)), inverse)), omega)
         R = product(_rotation(psi, inverse), self.point.axes)
-        return Bent(psi, inverse, R, kinds[0], kinds[1], turned, kinds[2], kinds[3], omega, fading)
+        return Bent(self.point, psi, inverse, R, kinds[0], kinds[1], turned, kinds[2], kinds[3], omega, fading)
 
 
 def _rotation(psi: Vector, inverse: ca.SX) -> Matrix:

@@ -38,12 +38,13 @@ def held_jacobians(system: Condensed, q_i_ddot: Sequence[ca.SX]) -> list[tuple[c
 class _Held:
     """rho by column, accelerations by column (of dependent coordinates: symbols), and what the symbols stand for.
 
-    reactions: C_q^T lambda by column.
+    reactions: C_q^T lambda by column, of the rows whose second derivatives are not known; lam by constraint row.
     """
 
     system: Condensed
     rho: Row
     reactions: Row
+    lam: Row
     accelerations: Row
     values: tuple[list[ca.SX], list[ca.SX]]
 
@@ -56,15 +57,17 @@ def _held(system: Condensed, given: Row) -> _Held:
     rows = _rows(system)
     lam = {row: ca.SX.sym(f"lam_{row}") for row in rows}
     reactions: Row = {}
+    rho = {column: force[column] for column in accelerations}
     for row, value in lam.items():
-        add_scaled(reactions, value, eq.constraints[row].C_q)
-    rho = {column: sub(force[column], reactions.get(column, ZERO)) for column in accelerations}
+        add_scaled(rho, neg(value), {c: entry for c, entry in eq.constraints[row].C_q.items() if c in rho})
+        if eq.constraints[row].joint not in eq.curvatures:
+            add_scaled(reactions, value, eq.constraints[row].C_q)
     found = system.accelerations(given)
     known = ca.SX(ca.vertcat(*(found.get(column, ZERO) for column in a_d)))
     symbols = ca.SX(ca.vertcat(*a_d.values()))
     multipliers = ca.substitute(ca.SX(ca.vertcat(*_multipliers(system, rows, force))), symbols, known)
     values = [symbols, ca.SX(ca.vertcat(*lam.values()))], [known, multipliers]
-    return _Held(system, rho, reactions, accelerations, values)
+    return _Held(system, rho, reactions, lam, accelerations, values)
 
 
 def _eliminated(held: _Held) -> list[ca.SX]:
@@ -78,18 +81,34 @@ def _eliminated(held: _Held) -> list[ca.SX]:
     return [left.matrix(matrix, system.choice.independent) for matrix in (left.K, left.D)]
 
 
+def _tangents(system: Condensed, columns: list[int]) -> ca.SX:
+    """S in the rows of some columns of q."""
+    moved = [system.tangent({column: ONE}) for column in system.choice.independent]
+    return ca.horzcat(*(ca.vertcat(*(one.get(c, ZERO) for c in columns)) for one in moved))
+
+
 def _derivatives(held: _Held, columns: list[int]) -> list[list[Row]]:
-    """Rows of K and D: of inertia forces by composites where these are known, of all else by what they hold."""
+    """Rows of K and D: of inertia forces by composites and of loops by curvatures, where known."""
     eq = held.system.reduced
     if eq.force_changes is None:
         values = [held.rho[column] for column in columns]
         return [derivative_rows(values, columns, by) for by in (eq.q, eq.q_dot)]
     values = [sub(eq.outer_forces[column], held.reactions.get(column, ZERO)) for column in columns]
-    found = [derivative_rows(values, columns, by) for by in (eq.q, eq.q_dot)]
-    for rows, changes in zip(found, eq.force_changes(held.accelerations), strict=True):
+    K, D = (derivative_rows(values, columns, by) for by in (eq.q, eq.q_dot))
+    inertia = eq.force_changes(held.accelerations)
+    known = [inertia[0], *(_curvature(held, joint) for joint in eq.curvatures)]
+    for rows, changes in ((K, known), (D, [inertia[1]])):
         for row, column in zip(rows, columns, strict=True):
-            add_scaled(row, neg(ONE), {c: value for c, value in changes[column].items() if c in held.rho})
-    return found
+            for change in changes:
+                add_scaled(row, neg(ONE), {c: v for c, v in change[column].items() if c in held.rho})
+    return [K, D]
+
+
+def _curvature(held: _Held, joint: str) -> list[Row]:
+    eq = held.system.reduced
+    rows = [k for k, row in enumerate(eq.constraints) if row.joint == joint]
+    found = eq.curvatures[joint].weighted([held.lam.get(k, ZERO) for k in rows])
+    return [found.get(column, {}) for column in range(len(eq.q))]
 
 
 def _directed(held: _Held) -> list[ca.SX]:
@@ -99,8 +118,7 @@ def _directed(held: _Held) -> list[ca.SX]:
     q, rates = (ca.vertcat(*(source[c] for c in columns)) for source in (eq.q, eq.q_dot))
     dependent = [place for place, c in enumerate(columns) if c not in system.choice.independent]
     a = ca.vertcat(*(held.accelerations[columns[place]] for place in dependent))
-    moved = [system.tangent({column: ONE}) for column in system.choice.independent]
-    S = ca.horzcat(*(ca.vertcat(*(one.get(c, ZERO) for c in columns)) for one in moved))
+    S = _tangents(system, columns)
 
     def along(values: ca.SX, seeds: Sequence[tuple[ca.SX, ca.SX]]) -> ca.SX:
         symbols, directions = zip(*seeds, strict=True)

@@ -39,6 +39,13 @@ class ForceChanges(Protocol):
         """By q and by q_dot, at fixed accelerations: rows by column."""
 
 
+class Curvature(Protocol):
+    """Second derivatives of the rows of a joint that closes a loop."""
+
+    def weighted(self, multipliers: list[ca.SX]) -> dict[int, Row]:
+        """Rows by column of their sum, weighted by the joint's multipliers."""
+
+
 class FreeJointAccelerations(Protocol):
     """Accelerations of a tree of frames in O(N)."""
 
@@ -54,7 +61,7 @@ class Equations:
 
     Q_F holds loads, gravity and damping; Q_star = Q_v - K q + Q_F. inertia_forces, where the bodies are a tree of
     frames: accelerations -> M q_ddot - Q_v; Q_v holds the weight too there, not Q_F.
-    force_changes: derivatives of these, where they are known by composites.
+    force_changes: derivatives of these, where they are known by composites; curvatures: with them, by joint.
     free_joints: accelerations for a force on such a tree, if joints place all its bodies.
     placed_columns: coordinates of the frames of placed bodies, which no mass and no other constraint knows of.
     Energies [J] and powers [W] are scalars.
@@ -101,6 +108,7 @@ class Equations:
     baumgarte: tuple[ca.SX, ca.SX] = field(default_factory=lambda: (ca.SX(0), ca.SX(0)))
     inertia_forces: InertiaForces | None = None
     force_changes: ForceChanges | None = None
+    curvatures: Mapping[str, Curvature] = field(default_factory=dict)
     free_joints: FreeJointAccelerations | None = None
     placed_columns: frozenset[int] = frozenset()
     turnings: list[Turning] = field(default_factory=list)

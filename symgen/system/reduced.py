@@ -30,6 +30,7 @@ from symgen.scene.placing import PLACING
 from symgen.system.equations import Equations
 from symgen.system.frames.ball import Ball
 from symgen.system.frames.body_moves import Bend
+from symgen.system.frames.curvature import COVERED, LoopCurvature
 from symgen.system.frames.force_changes import force_changes, has_force_changes
 from symgen.system.frames.free_joints import floats, free_joint_accelerations
 from symgen.system.frames.inverse_dynamics import floating_forces, inverse_dynamics, mass_rows
@@ -84,6 +85,7 @@ class TreeSpace(SpatialSpace):
         self.whole, self.orientations = whole, orientations
         self._turnings = {turning.body: turning for turning in equations.turnings}
         self._paths: dict[tuple[int, int], Path] = {}
+        self.curvatures: dict[str, LoopCurvature] = {}
 
     def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[Any, int]:
         """Its modal stiffness and damping."""
@@ -165,18 +167,20 @@ class TreeSpace(SpatialSpace):
         return any(isinstance(move, Ball) for frame in frames for move in self.tree.frames[frame].moves)
 
     def _seen_from(self, base: int, reference: str) -> SpatialMarker:
+        return self._way_to(base, reference).end()
+
+    def _way_to(self, base: int, reference: str) -> Path:
         marker = self._deformation(reference)
         seat = self.tree.seats[reference.partition(".")[0]]
-        path = self._path(base, seat.frame)
+        path = self._path(base, seat.frame).branch()
         if marker.rigid:
-            place = seat.place
-            path = path.branch()
-            path.shift(place.r)
-            path.turn_by(place.R)
-            return path.point(marker.point.axes, marker.point.position)
-        path = path.branch()
-        Bend(marker).lead(path)
-        return path.end()
+            path.shift(seat.place.r)
+            path.turn_by(seat.place.R)
+            path.shift(marker.point.position)
+            path.turn_by(marker.point.axes)
+        else:
+            Bend(marker).lead(path)
+        return path
 
     def _path(self, base: int, frame: int) -> Path:
         if frame == base:
@@ -192,6 +196,9 @@ class TreeSpace(SpatialSpace):
         """Rows of a placing joint as in all coordinates, all others by the tree's coordinates."""
         if joint.name in self.topology.placements or joint.name in self.orientations.balls:
             return [row for row in self.whole.constraints if row.joint == joint.name]
+        if joint.type in COVERED:
+            ways = (self._way_to(GROUND, reference) for reference in (joint.marker_a, joint.marker_b))
+            self.curvatures[joint.name] = LoopCurvature(*ways)
         return super().joint_rows(joint, motion)
 
     def picture(self) -> Picture:
@@ -252,6 +259,7 @@ def reduced_equations(
     equations.inertia_forces = partial(_inertia_forces, space.tree, equations)
     if has_force_changes(space.tree):
         equations.force_changes = partial(_force_changes, space.tree, equations)
+        equations.curvatures = space.curvatures
     if not floats(space.tree):
         equations.free_joints = partial(free_joint_accelerations, space.tree)
     for column, value in equations.inertia_forces({}).items():

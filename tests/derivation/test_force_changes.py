@@ -1,4 +1,4 @@
-"""Derivatives of inertia forces by composites against automatic differentiation of inverse dynamics."""
+"""Derivatives of inertia forces by composites, and of the rows of loops, against automatic differentiation."""
 
 from __future__ import annotations
 
@@ -14,11 +14,16 @@ from symgen.system.build import build_system
 from tests.hand_derived.spatial.spatial_scenes import flexible
 from tests.hand_derived.spatial.twin_flexible_nodes import scattered
 
+ALL = ("revolute", "universal", "planar")
 
-def bent_chain() -> Scene:
-    """Three bodies of two modes each, every integral non-zero, on joints of all kinds between bent and turned ends."""
+
+def bent_chain(kinds: tuple[str, ...], closing: str = "") -> Scene:
+    """Three bodies of two modes each, every integral non-zero, on joints of some kinds between bent and turned ends.
+
+    closing: type of a joint that ties the last one to the ground.
+    """
     builder, rng = SceneBuilder("bent", space="spatial").gravity(0.3, 0.5, -9.81), np.random.default_rng(1)
-    for k, kind in enumerate(("revolute", "universal", "planar")):
+    for k, kind in enumerate(kinds):
         start, end = (
             {
                 "position": rng.normal(size=3),
@@ -31,12 +36,14 @@ def bent_chain() -> Scene:
         builder.flexible(f"link{k}", **flexible(scattered(7, 2, seed=k)), markers={"start": start, "end": end})
         near, far = f"link{k - 1}.end" if k else "ground.origin", f"link{k}.start"
         builder.joint(kind, f"joint{k}", *((far, near) if k == 1 else (near, far)))
+    if closing:
+        builder.joint(closing, "closing", "ground.origin", "link2.end")
     return builder.build()
 
 
 @pytest.mark.parametrize(
     "scene",
-    [skew_tree().scene, SCENES["bricard"](), SCENES["spatial_slider_crank"](), bent_chain()],
+    [skew_tree().scene, SCENES["bricard"](), SCENES["spatial_slider_crank"](), bent_chain(ALL)],
     ids=["tree of 8", "bricard", "slider-crank", "bent chain"],
 )
 def test_derivatives_of_inertia_forces(scene: Scene) -> None:
@@ -62,3 +69,23 @@ def test_derivatives_of_inertia_forces(scene: Scene) -> None:
     found = [np.asarray(value) for value in function(*sizes)]
     for composite, differentiated in (found[:2], found[2:]):
         assert np.max(np.abs(composite - differentiated)) <= 1e-13 * np.max(np.abs(differentiated)) > 0
+
+
+@pytest.mark.parametrize("kind", ["spherical", "revolute"])
+def test_second_derivatives_of_loop_rows(kind: str) -> None:
+    """Both ends of the ways bent, weighted by random multipliers."""
+    system = build_system(bent_chain(ALL if kind == "spherical" else ("revolute",) * 3, kind))
+    eq, p = system.reduced, system.parameters.vector()
+    columns = [column for column in range(len(eq.q)) if column not in eq.placed_columns]
+    ((joint, curvature),) = eq.curvatures.items()
+    rows = [row for row in eq.constraints if row.joint == joint]
+    lam = ca.SX.sym("lam", len(rows))
+    weighted = [sum((lam[k] * row.C_q.get(column, 0) for k, row in enumerate(rows)), ca.SX(0)) for column in columns]
+    expected = ca.jacobian(ca.vertcat(*weighted), ca.vertcat(*(eq.q[column] for column in columns)))
+    found = curvature.weighted(ca.vertsplit(lam))
+    emitted = ca.vertcat(*(ca.horzcat(*(found.get(i, {}).get(j, ca.SX(0)) for j in columns)) for i in columns))
+    function = ca.Function("both", [ca.vertcat(*eq.q), lam, p], [emitted, expected])
+    rng, defaults = np.random.default_rng(0), np.array([entry.default for entry in system.parameters.entries])
+    values = function(0.3 * rng.normal(size=len(eq.q)), rng.normal(size=len(rows)), defaults)
+    by_geometry, differentiated = (np.asarray(value) for value in values)
+    assert np.max(np.abs(by_geometry - differentiated)) <= 1e-13 * np.max(np.abs(differentiated)) > 0

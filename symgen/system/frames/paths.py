@@ -27,6 +27,7 @@ class Cause:
 
     before: how many arms of the path come before it. axis: the axis itself, where `turns` is that or its opposite.
     until: how many arms come before the ball beyond which it turns nothing; None: there is none.
+    modes: for modes of a flexible body, what they bend.
     """
 
     column: int
@@ -35,6 +36,17 @@ class Cause:
     before: int
     axis: Vector | None = None
     until: int | None = None
+    modes: Modes | None = None
+
+
+@dataclass(frozen=True)
+class Modes:
+    """Modes of a flexible body in a path: to a marker of it or `back` from one; axes: of the body (columns)."""
+
+    columns: list[int]
+    bent: Bent
+    axes: list[Vector]
+    back: bool
 
 
 @dataclass(frozen=True)
@@ -144,7 +156,7 @@ class Path:
         self.r_dot = plus(self.r_dot, self.along(bent.rho_dot))
         self.alpha = plus(self.alpha, cross(self.omega, own), self.along(bent.fading))
         self.omega = plus(self.omega, own)
-        self._cause(columns, bent, ONE)
+        self._cause(Modes(columns, bent, self.axes, False))
         self.turn_by(bent.R)
 
     def unbend(self, columns: list[int], bent: Bent) -> None:
@@ -156,17 +168,18 @@ class Path:
         self.alpha = plus(self.alpha, scaled(neg(ONE), plus(cross(self.omega, own), self.along(bent.fading))))
         self.a = plus(self.a, scaled(neg(ONE), self._drift(bent)))
         self.r_dot = plus(self.r_dot, scaled(neg(ONE), self.along(bent.rho_dot)))
-        self._cause(columns, bent, neg(ONE))
+        self._cause(Modes(columns, bent, self.axes, True))
         self.shift(scaled(neg(ONE), bent.rho))
 
     def _drift(self, bent: Bent) -> Vector:
         speed = self.along(bent.rho_dot)
         return plus(scaled(ca.SX(2), cross(self.omega, speed)), self.along(bent.nu))
 
-    def _cause(self, columns: list[int], bent: Bent, sign: ca.SX) -> None:
-        for a, column in enumerate(columns):
+    def _cause(self, modes: Modes) -> None:
+        sign, bent = neg(ONE) if modes.back else ONE, modes.bent
+        for a, column in enumerate(modes.columns):
             turns, slides = (scaled(sign, self.along(vector)) for vector in (bent.turned[a], bent.shapes[a]))
-            self.causes.append(Cause(column, turns, slides, len(self._arms)))
+            self.causes.append(Cause(column, turns, slides, len(self._arms), modes=modes))
 
     def _reach(self) -> None:
         """The arm so far is done: what turns from here on does not move its end."""
@@ -183,16 +196,11 @@ class Path:
     def end(self) -> SpatialMarker:
         """The motion of the point and the axes that are reached."""
         self._reach()
-        to_end = [zeros()]  # from the end of each arm to the end of the path, the last one first
-        for arm in reversed(self._arms):
-            to_end.append(plus(arm.vector, to_end[-1]))
-        to_end.reverse()
+        to_end = self.to_end()
         moved: list[Row] = [{}, {}, {}]
         turned: list[Row] = [{}, {}, {}]
         for cause in self.causes:
-            parts = [] if cause.turns is None else [cross(cause.turns, self._across(cause, to_end))]
-            parts += [] if cause.slides is None else [cause.slides]
-            for i, value in enumerate(plus(*parts)):
+            for i, value in enumerate(self.moved(cause, to_end)):
                 add_to(moved[i], cause.column, value)
             for i, value in enumerate(cause.turns or () if cause.until is None else ()):
                 add_to(turned[i], cause.column, value)
@@ -200,6 +208,18 @@ class Path:
         return SpatialMarker(
             to_end[0], self.r_dot, self.a, moved, self.axes, self.omega, turned, self.alpha, None, none
         )
+
+    def to_end(self) -> list[Vector]:
+        """From the end of each arm, and before them from the beginning, to the end of the path."""
+        found = [zeros()]
+        for arm in reversed(self._arms):
+            found.append(plus(arm.vector, found[-1]))
+        return found[::-1]
+
+    def moved(self, cause: Cause, to_end: list[Vector]) -> Vector:
+        """The velocity of the end for a unit rate of a cause."""
+        parts = [] if cause.turns is None else [cross(cause.turns, self._across(cause, to_end))]
+        return plus(*parts, *([] if cause.slides is None else [cause.slides]))
 
     def _across(self, cause: Cause, to_end: list[Vector]) -> Vector:
         """From the cause's axis to the end of what it turns, without the arms along that axis."""
