@@ -13,7 +13,9 @@ from runtime.contract.model import Model
 from runtime.schemes.catalogue import SCHEMES, scheme_kind
 from runtime.schemes.stepper import Stepper
 from runtime.start.start_state import start_state
+from runtime.studies.stability.along import states_along
 from runtime.studies.stability.chart import stability_chart
+from runtime.studies.stability.spectrum import ExactMotion
 from runtime.studies.stability.tangent import TangentStep
 from symgen.scene import Scene
 from tests.support.model_values import Array
@@ -197,3 +199,22 @@ def test_a_sweep_arrives_where_a_group_passes_through_zero(built_in: Load) -> No
     )
     assert run.status.name == "inaccurate"  # its masses are late by half an amplitude, as the estimate says
     np.testing.assert_allclose(run.q_i, direct.q_i, rtol=0, atol=1e-9)
+
+
+def test_exact_motion_goes_on_from_shorter_times(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Twenty times one after the other take little more than a step each, and give what each alone gives."""
+    model = built_in("double_pendulum")
+    c = model.constants(model.parameter_vector({}))
+    (state,) = states_along(model, t_end=1.0, count=1)
+    times = np.geomspace(2e-4, 2e-2, 20)
+    alone = [ExactMotion(model, c)(state, dt) for dt in times]
+    plain, steps = TangentStep.__call__, []
+
+    def counted(self: TangentStep, z: Array, c: Array) -> tuple[Array, Array]:
+        steps.append(1)
+        return plain(self, z, c)
+
+    exact = ExactMotion(model, c)
+    monkeypatch.setattr(TangentStep, "__call__", counted)
+    np.testing.assert_allclose([exact(state, dt) for dt in times], alone, rtol=1e-6)
+    assert len(steps) == 4 + 19

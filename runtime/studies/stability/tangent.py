@@ -10,9 +10,11 @@ matrix is not finite.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import casadi as ca
 import numpy as np
+from scipy.sparse import csc_array
 
 from runtime.contract.angular import angular_velocity, chart_rates, parameter_rates, rotation
 from runtime.engine.program import Repeat, Until
@@ -91,11 +93,25 @@ class TangentStep:
 def _tangent_of_stage(stage: ca.Function) -> Advance:
     z, c = ca.SX.sym("z", stage.size1_in(0)), ca.SX.sym("c", stage.size1_in(1))
     result = stage(z, c)
-    function = ca.Function("tangent", [z, c], [result, ca.jacobian(result, z)])
+    jacobian = ca.jacobian(result, z)
+    function = ca.Function("tangent", [z, c], [ca.densify(result), jacobian.nz[:]])
+    places = (jacobian.sparsity().row(), jacobian.sparsity().colind())
+    given, found = [np.zeros(z.numel()), np.zeros(c.numel())], [np.zeros(z.numel()), np.zeros(jacobian.nnz())]
+    matrix = csc_array((found[1].copy(), *places), shape=jacobian.shape)
+    buffers: Any = function.buffer()  # as matrices of CasADi, values would cost more than the stage itself
+    buffer, evaluate = buffers
+    for k in range(2):
+        buffer.set_arg(k, given[k].data)
+        buffer.set_res(k, found[k].data)
+    kept = (function, buffer)  # which the buffer itself does not hold
 
-    def advance(z: np.ndarray, tangent: np.ndarray, c: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        value, jacobian = function(z, c)
-        return np.asarray(value).ravel(), jacobian.sparse() @ tangent
+    def advance(
+        z: np.ndarray, tangent: np.ndarray, c: np.ndarray, keep: object = kept
+    ) -> tuple[np.ndarray, np.ndarray]:
+        given[0][:], given[1][:] = z, c
+        evaluate()
+        matrix.data[:] = found[1]
+        return found[0].copy(), matrix @ tangent
 
     return advance
 
