@@ -90,7 +90,7 @@ class Skeleton:
         if not far.rigid:
             self._add(_Rough(frame, JointLink(beyond)))
             frame = len(self._rough) - 1
-            self._add(_Rough(frame, moves=[Unbend(far)], inertia=_inertia(body, data.mass)))
+            self._add(_Rough(frame, moves=_from_marker(far), inertia=_inertia(body, data.mass)))
             self._seats[body.name] = Seat(len(self._rough) - 1)
             return
         place = beyond.then(_marker(far).back())
@@ -125,7 +125,7 @@ class Skeleton:
         data, at = body.integrals, _place_of(far)
         assert data is not None
         if data.nf:
-            moves = [*moves, Unbend(at)]
+            moves = [*moves, *_from_marker(at)]
             place, inertia = Displacement.none(), _inertia(body, data.mass)
         else:
             place = _marker(at).back()
@@ -141,7 +141,7 @@ class Skeleton:
         seat = self._seats[body]
         if marker.rigid:
             return seat.frame, seat.place.then(_marker(marker))
-        self._add(_Rough(seat.frame, moves=[Bend(marker)]))
+        self._add(_Rough(seat.frame, moves=_to_marker(marker)))
         return len(self._rough) - 1, Displacement.none()
 
     # ---- alignment -------------------------------------------------------------------------------------------
@@ -189,6 +189,26 @@ class Skeleton:
         if seat.frame == GROUND:
             return seat
         return Seat(seat.frame, self._rough[seat.frame].screw.displacement.back().then(seat.place))
+
+
+def _to_marker(marker: Deformation) -> list[Move]:
+    """From the frame of a flexible body: to where the marker is, then to its axes."""
+    shifts, turns = _apart(marker)
+    return [Bend(shifts), Bend(turns)]
+
+
+def _from_marker(marker: Deformation) -> list[Move]:
+    """To the frame of a flexible body: to its axes, then to its origin."""
+    shifts, turns = _apart(marker)
+    return [Unbend(turns), Unbend(shifts)]
+
+
+def _apart(marker: Deformation) -> tuple[Deformation, Deformation]:
+    """How the modes shift a marker, and how they turn it: each part has fewer entries than both together."""
+    point, still = marker.point, [zeros() for _ in marker.point.turns]
+    shifts = replace(point, axes=identity(), turns=still)
+    turns = replace(point, position=zeros(), shapes=still, H=[])
+    return replace(marker, point=shifts), replace(marker, point=turns)
 
 
 def _ball(turning: Turning) -> Ball:
