@@ -92,8 +92,8 @@ def tree_accelerations(system: Condensed, topology: Topology) -> dict[int, ca.SX
     if solve is None or any(s.e for s in system.inner if s.column not in parameters):
         return tree_solutions(system, topology, [forces_side(system)])[0]
     imposed = {s.column: s.c_acceleration for s in system.inner}
-    force = system.projected(dict(enumerate(system.reduced.force(imposed))))
-    other = solve(force, frozenset(columns))
+    force = system.projected(dict(enumerate(system.reduced.outer_forces)))
+    other = solve(force, frozenset(columns), imposed)
     other |= {column: force[column] for column in system.reduced.states.values()}  # of controllers: unit inertia
     if len(columns) > LONGEST_ELIMINATION:
         return other

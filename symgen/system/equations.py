@@ -49,8 +49,11 @@ class Curvature(Protocol):
 class FreeJointAccelerations(Protocol):
     """Accelerations of a tree of frames in O(N)."""
 
-    def __call__(self, force: Row, free: frozenset[int]) -> Row:
-        """M_hat^-1 force by column; free: the columns that accelerate."""
+    def __call__(self, force: Row, free: frozenset[int], imposed: Row | None = None) -> Row:
+        """M_hat^-1 force by column; free: the columns that accelerate.
+
+        imposed: accelerations of the others; then also by rates and weight, which `force` does not have.
+        """
 
 
 @dataclass

@@ -17,7 +17,7 @@ import casadi as ca
 import numpy as np
 
 from symgen.algebra.parameters import ParameterTable
-from symgen.algebra.rows import Row, add_scaled
+from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE, ZERO, neg
 from symgen.bodies.deformation import Deformation
 from symgen.bodies.outlines import Picture
@@ -31,9 +31,9 @@ from symgen.system.equations import Equations
 from symgen.system.frames.ball import Ball
 from symgen.system.frames.body_moves import Bend
 from symgen.system.frames.curvature import COVERED, LoopCurvature
-from symgen.system.frames.force_changes import force_changes, has_force_changes
-from symgen.system.frames.free_joints import floats, free_joint_accelerations
-from symgen.system.frames.inverse_dynamics import floating_forces, inverse_dynamics, mass_rows
+from symgen.system.frames.force_changes import has_force_changes
+from symgen.system.frames.free_joints import floats
+from symgen.system.frames.inverse_dynamics import mass_rows
 from symgen.system.frames.linkage import links_of
 from symgen.system.frames.motion import Matrix
 from symgen.system.frames.paths import Path
@@ -43,6 +43,7 @@ from symgen.system.mechanism import Mechanism
 from symgen.system.orientations import Orientations, Turning, turn_coordinates
 from symgen.system.spatial import SpatialSpace
 from symgen.system.topology import Topology
+from symgen.system.tree_forces import TreeForces
 
 
 class ReducedBody:
@@ -256,12 +257,13 @@ def reduced_equations(
     equations.M = mass_rows(space.tree, len(equations.q))
     for column in equations.states.values():  # of controllers, which no body knows of
         equations.M[column] = {column: ONE}
-    equations.inertia_forces = partial(_inertia_forces, space.tree, equations)
+    forces = TreeForces(space.tree, equations)
+    equations.inertia_forces = forces.inertia_forces
     if has_force_changes(space.tree):
-        equations.force_changes = partial(_force_changes, space.tree, equations)
+        equations.force_changes = forces.force_changes
         equations.curvatures = space.curvatures
     if not floats(space.tree):
-        equations.free_joints = partial(free_joint_accelerations, space.tree)
+        equations.free_joints = forces.free_joints
     for column, value in equations.inertia_forces({}).items():
         equations.Q_v[column] = neg(value)
     return equations
@@ -273,20 +275,3 @@ def _turning(whole: Equations, body: str, first: int, q_dot: list[ca.SX]) -> Tur
     parameters = [whole.names.index(f"{body}.e{k}") for k in range(4)]
     chart = [ca.SX.sym(f"{body}.chart_{k}") for k in range(4)]
     return Turning(body, columns, parameters, [whole.q[k] for k in parameters], [q_dot[k] for k in columns], chart)
-
-
-def _inertia_forces(tree: FrameTree, equations: Equations, accelerations: Row) -> Row:
-    """M x'' - Q_v and the weight, by the tree's recursion."""
-    base = [neg(component) for component in equations.gravity]
-    force = inverse_dynamics(tree, base, dict(enumerate(equations.q_dot)), accelerations)
-    add_scaled(force, ONE, floating_forces(tree, equations.M, base, accelerations))
-    for column in equations.states.values():
-        if column in accelerations:
-            force[column] = accelerations[column]
-    return force
-
-
-def _force_changes(tree: FrameTree, equations: Equations, accelerations: Row) -> tuple[list[Row], list[Row]]:
-    """Derivatives of `_inertia_forces` by q and by q_dot."""
-    base = [neg(component) for component in equations.gravity]
-    return force_changes(tree, len(equations.q), base, dict(enumerate(equations.q_dot)), accelerations)

@@ -8,7 +8,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from benchmarks.cases.rhs_pinocchio import skew_tree
+from benchmarks.cases.rhs_pinocchio import skew_chain, skew_tree
 from runtime import load_model
 from runtime.contract.tape import as_function
 from runtime.engine.choose import arithmetic
@@ -111,6 +111,7 @@ def test_spatial_equations_stay_within_their_budget(scene: Scene, budget: int) -
     [
         (skew_tree().scene, "condensed", 1850),
         (skew_tree().scene, "forward_dynamics", 2000),
+        (skew_chain(20).scene, "forward_dynamics", 7150),
         (SCENES["flyball_governor"](), "condensed", 160),
         (SCENES["bricard"](), "condensed", 650),
         (SCENES["spatial_slider_crank"](), "condensed", 2760),
@@ -122,6 +123,7 @@ def test_spatial_equations_stay_within_their_budget(scene: Scene, budget: int) -
     ids=[
         "tree of 8",
         "accelerations of the tree of 8",
+        "accelerations of a chain of 20",
         "governor",
         "bricard",
         "slider-crank",

@@ -14,7 +14,7 @@ import casadi as ca
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ZERO, add, dot, mul, neg, sub
 from symgen.algebra.vectors import Vector, cross, plus, scaled, zeros
-from symgen.system.frames.paths import Cause, Modes, Path
+from symgen.system.frames.paths import Cause, ModesOnWay, Path
 
 COVERED = {"spherical": 3, "revolute": 5}  # rows of the joints whose second derivatives are known here
 
@@ -114,7 +114,7 @@ def _same_move(causes: list[Cause], last: int) -> range:
     return range(last, last - 1, -1) if modes is None else range(last - len(modes.columns) + 1, last + 1)
 
 
-def _modes(found: _Entries, modes: Modes, weight: Vector, rest: Vector, moving: bool) -> None:
+def _modes(found: _Entries, modes: ModesOnWay, weight: Vector, rest: Vector, moving: bool) -> None:
     """Between modes of one move, in the body's axes."""
     bent = modes.bent
     w, y = ([dot(axis, vector) for axis in modes.axes] for vector in (weight, rest))
@@ -136,7 +136,7 @@ def _modes(found: _Entries, modes: Modes, weight: Vector, rest: Vector, moving: 
                 found.pair(modes.columns[a], column, value)
 
 
-def _bending(modes: Modes, a: int, b: int, w: Vector) -> ca.SX:
+def _bending(modes: ModesOnWay, a: int, b: int, w: Vector) -> ca.SX:
     """H of the marker along w: what its shapes lose as modes a and b grow."""
     total = ZERO
     for i, H in enumerate(modes.bent.point.H):

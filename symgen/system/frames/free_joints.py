@@ -2,11 +2,13 @@
 
 From the tips to the ground each frame carries the inertia of all beyond it with its joints free, and the wrench that is
 left of the forces there. A coordinate is eliminated at the last move on this way that depends on it; on the way out its
-acceleration follows from that of the frame. Rates and weight are in the force already: nothing here depends on them.
+acceleration follows from that of the frame. Rates and weight are in the force already, or in wrenches on the frames,
+which go to the ground with what is left of the forces: nothing here depends on them.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import casadi as ca
@@ -28,9 +30,14 @@ def floats(tree: FrameTree) -> bool:
     return any(isinstance(move, Float) for frame in tree.frames for move in frame.moves)
 
 
-def free_joint_accelerations(tree: FrameTree, force: Row, free: frozenset[int]) -> Row:
-    """x'' of M x'' = force by column; free: the columns that accelerate. Only for a tree in which no body floats."""
-    return _FreeJoints(tree, force, free).accelerations
+def free_joint_accelerations(
+    tree: FrameTree, force: Row, free: frozenset[int], wrenches: Sequence[Wrench] | None = None
+) -> Row:
+    """x'' of M x'' = force by column; free: the columns that accelerate. Only for a tree in which no body floats.
+
+    wrenches: what the masses of each frame need at rates and weight, and do not get by `force`.
+    """
+    return _FreeJoints(tree, force, free, wrenches or [NOTHING] * len(tree.frames)).accelerations
 
 
 @dataclass(frozen=True)
@@ -59,8 +66,8 @@ class _FreeJoints:
     free: the columns to solve for; the others do not accelerate here.
     """
 
-    def __init__(self, tree: FrameTree, force: Row, free: frozenset[int]) -> None:
-        self._tree, self._free = tree, free
+    def __init__(self, tree: FrameTree, force: Row, free: frozenset[int], wrenches: Sequence[Wrench]) -> None:
+        self._tree, self._free, self._wrenches = tree, free, wrenches
         self._force = {column: force.get(column, ZERO) for column in free}
         self._mass: dict[tuple[int, int], ca.SX] = {}
         self._freed: dict[Place, list[_Freed]] = {}
@@ -87,6 +94,7 @@ class _FreeJoints:
         states = [_State(Articulated.of(no_masses()), {}, NOTHING) for _ in self._tree.frames]
         for k in reversed(range(len(self._tree.frames))):
             frame, state = self._tree.frames[k], states[k]
+            state.wrench = state.wrench.plus(self._wrenches[k])
             if frame.inertia is not None:
                 state.inertia = state.inertia.plus(Articulated.of(frame.inertia.rigid))
                 for (row, column), value in frame.inertia.own_masses().items():

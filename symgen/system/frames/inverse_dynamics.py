@@ -23,21 +23,10 @@ def inverse_dynamics(tree: FrameTree, base: Vector, rates: Row, accelerations: R
 
     Without the accelerations of the origins of bodies that no joint places, which `floating_forces` adds.
     """
-    motions: list[Motion] = []
-    for frame in tree.frames:
-        motion = Motion(zeros(), zeros(), base) if frame.parent == GROUND else motions[frame.parent]
-        for move in frame.moves:
-            motion = move.motion(motion, rates, accelerations)
-        motions.append(motion)
+    own, force = own_wrenches(tree, base, rates, accelerations)
     wrenches = [NOTHING] * len(tree.frames)
-    force: Row = {}
     for k in reversed(range(len(tree.frames))):
-        frame, wrench = tree.frames[k], wrenches[k]
-        if frame.inertia is not None:
-            own, modes = frame.inertia.inertia_force(motions[k], rates, accelerations)
-            wrench = wrench.plus(own)
-            for column, value in modes.items():
-                add_to(force, column, value)
+        frame, wrench = tree.frames[k], wrenches[k].plus(own[k])
         for move in reversed(frame.moves):
             for column, value in move.powers(wrench).items():
                 add_to(force, column, value)
@@ -45,6 +34,25 @@ def inverse_dynamics(tree: FrameTree, base: Vector, rates: Row, accelerations: R
         if frame.parent != GROUND:
             wrenches[frame.parent] = wrenches[frame.parent].plus(wrench)
     return force
+
+
+def own_wrenches(tree: FrameTree, base: Vector, rates: Row, accelerations: Row) -> tuple[list[Wrench], Row]:
+    """(what moves the masses of each frame, generalised forces on modes by column)."""
+    motions: list[Motion] = []
+    wrenches: list[Wrench] = []
+    force: Row = {}
+    for frame in tree.frames:
+        motion = Motion(zeros(), zeros(), base) if frame.parent == GROUND else motions[frame.parent]
+        for move in frame.moves:
+            motion = move.motion(motion, rates, accelerations)
+        motions.append(motion)
+        own = NOTHING
+        if frame.inertia is not None:
+            own, modes = frame.inertia.inertia_force(motion, rates, accelerations)
+            for column, value in modes.items():
+                add_to(force, column, value)
+        wrenches.append(own)
+    return wrenches, force
 
 
 def floating_forces(tree: FrameTree, M: list[Row], base: Vector, accelerations: Row) -> Row:

@@ -36,12 +36,12 @@ class Cause:
     before: int
     axis: Vector | None = None
     until: int | None = None
-    modes: Modes | None = None
+    modes: ModesOnWay | None = None
 
 
 @dataclass(frozen=True)
-class Modes:
-    """Modes of a flexible body in a path: to a marker of it or `back` from one; axes: of the body (columns)."""
+class ModesOnWay:
+    """ModesOnWay of a flexible body in a path: to a marker of it or `back` from one; axes: of the body (columns)."""
 
     columns: list[int]
     bent: Bent
@@ -156,7 +156,7 @@ class Path:
         self.r_dot = plus(self.r_dot, self.along(bent.rho_dot))
         self.alpha = plus(self.alpha, cross(self.omega, own), self.along(bent.fading))
         self.omega = plus(self.omega, own)
-        self._cause(Modes(columns, bent, self.axes, False))
+        self._cause(ModesOnWay(columns, bent, self.axes, False))
         self.turn_by(bent.R)
 
     def unbend(self, columns: list[int], bent: Bent) -> None:
@@ -168,14 +168,14 @@ class Path:
         self.alpha = plus(self.alpha, scaled(neg(ONE), plus(cross(self.omega, own), self.along(bent.fading))))
         self.a = plus(self.a, scaled(neg(ONE), self._drift(bent)))
         self.r_dot = plus(self.r_dot, scaled(neg(ONE), self.along(bent.rho_dot)))
-        self._cause(Modes(columns, bent, self.axes, True))
+        self._cause(ModesOnWay(columns, bent, self.axes, True))
         self.shift(scaled(neg(ONE), bent.rho))
 
     def _drift(self, bent: Bent) -> Vector:
         speed = self.along(bent.rho_dot)
         return plus(scaled(ca.SX(2), cross(self.omega, speed)), self.along(bent.nu))
 
-    def _cause(self, modes: Modes) -> None:
+    def _cause(self, modes: ModesOnWay) -> None:
         sign, bent = neg(ONE) if modes.back else ONE, modes.bent
         for a, column in enumerate(modes.columns):
             turns, slides = (scaled(sign, self.along(vector)) for vector in (bent.turned[a], bent.shapes[a]))

@@ -1,0 +1,52 @@
+"""The recursions along a tree of frames with the rates and the weight of a system."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from symgen.algebra.rows import Row, add_scaled
+from symgen.algebra.scalar import ONE, neg
+from symgen.algebra.vectors import Vector
+from symgen.system.equations import Equations
+from symgen.system.frames.force_changes import force_changes
+from symgen.system.frames.free_joints import free_joint_accelerations
+from symgen.system.frames.inverse_dynamics import floating_forces, inverse_dynamics, own_wrenches
+from symgen.system.frames.tree import FrameTree
+
+
+@dataclass(frozen=True)
+class TreeForces:
+    """Of a tree of frames that moves by the coordinates of some equations."""
+
+    tree: FrameTree
+    equations: Equations
+
+    @property
+    def _base(self) -> Vector:
+        return [neg(component) for component in self.equations.gravity]
+
+    @property
+    def _rates(self) -> Row:
+        return dict(enumerate(self.equations.q_dot))
+
+    def inertia_forces(self, accelerations: Row) -> Row:
+        """M x'' - Q_v and the weight, by column."""
+        force = inverse_dynamics(self.tree, self._base, self._rates, accelerations)
+        add_scaled(force, ONE, floating_forces(self.tree, self.equations.M, self._base, accelerations))
+        for column in self.equations.states.values():
+            if column in accelerations:
+                force[column] = accelerations[column]
+        return force
+
+    def force_changes(self, accelerations: Row) -> tuple[list[Row], list[Row]]:
+        """Derivatives of `inertia_forces` by q and by q_dot."""
+        return force_changes(self.tree, len(self.equations.q), self._base, self._rates, accelerations)
+
+    def free_joints(self, force: Row, free: frozenset[int], imposed: Row | None = None) -> Row:
+        """Accelerations by a force, and with `imposed` ones by rates and weight too."""
+        if imposed is None:
+            return free_joint_accelerations(self.tree, force, free)
+        wrenches, modes = own_wrenches(self.tree, self._base, self._rates, imposed)
+        left = dict(force)
+        add_scaled(left, neg(ONE), modes)
+        return free_joint_accelerations(self.tree, left, free, wrenches)
