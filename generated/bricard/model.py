@@ -22,8 +22,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 48) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
-    379 operations.
+    gives c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
+    385 operations.
     """
     p = ca.SX.sym("p", 48)
     gravity_y = p[0]
@@ -252,10 +252,13 @@ def constants() -> ca.Function:
         bar4_mass * gravity_y,  # c115
         bar5_mass * gravity_y,  # c116
         -w31,  # c117
-        2 * bar5_end_y,  # c118
-        2.0,  # c119
-        2 * bar3_end_z,  # c120
-        2 * bar4_end_x,  # c121
+        -gravity_y,  # c118
+        2 * bar3_end_z,  # c119
+        4.0 * bar3_end_z,  # c120
+        2 * bar5_end_y,  # c121
+        2.0,  # c122
+        2 * bar3_end_z,  # c123
+        2 * bar4_end_x,  # c124
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -268,7 +271,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
     674 operations.
@@ -277,7 +280,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
-    c = ca.SX.sym("c", 122)
+    c = ca.SX.sym("c", 125)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -506,7 +509,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 39) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 4) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -514,7 +517,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
-    c = ca.SX.sym("c", 122)
+    c = ca.SX.sym("c", 125)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -727,14 +730,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
     810 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 122)
+    c = ca.SX.sym("c", 125)
     hinge0_angle = q_i[0]
     bar1_e0 = q_d[3]
     bar1_e1 = q_d[4]
@@ -1037,7 +1040,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 39) [mixed]: accelerations of the dependent coordinates
     1455 operations.
     """
@@ -1046,7 +1049,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 122)
+    c = ca.SX.sym("c", 125)
     hinge0_angle = q_i[0]
     bar1_e0 = q_d[3]
     bar1_e1 = q_d[4]
@@ -1511,7 +1514,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
-    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 40) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 40 x 40) [SI]: constraint Jacobian
     gives C_t (n_c = 40) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -1521,7 +1524,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
-    c = ca.SX.sym("c", 122)
+    c = ca.SX.sym("c", 125)
     bar1_x = q[0]
     bar1_y = q[1]
     bar1_z = q[2]
@@ -2191,7 +2194,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
-    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 40 x 40) [SI]: mass matrix in all coordinates
     gives K (n x n = 40 x 40) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 40) [N, N m]: quadratic velocity force in all coordinates
@@ -2203,7 +2206,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
-    c = ca.SX.sym("c", 122)
+    c = ca.SX.sym("c", 125)
     bar1_e0 = q[3]
     bar1_e1 = q[4]
     bar1_e2 = q[5]
@@ -3615,7 +3618,7 @@ def reactions() -> ca.Function:
     takes q_dot (n = 40) [mixed]: rates of all coordinates
     takes q_ddot (n = 40) [mixed]: accelerations of all coordinates
     takes lam_R (n_R = 1) [N, N m]: multipliers of the redundant rows, which no equation determines
-    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 40) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 6) [N, N m]: world force and moment of a joint on its body b, at b
     3007 operations.
@@ -3624,7 +3627,7 @@ def reactions() -> ca.Function:
     q_dot = ca.SX.sym("q_dot", 40)
     q_ddot = ca.SX.sym("q_ddot", 40)
     lam_R = ca.SX.sym("lam_R", 1)
-    c = ca.SX.sym("c", 122)
+    c = ca.SX.sym("c", 125)
     bar1_e0 = q[3]
     bar1_e1 = q[4]
     bar1_e2 = q[5]
@@ -4594,17 +4597,17 @@ def energy() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
-    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    1150 operations.
+    1145 operations.
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
-    c = ca.SX.sym("c", 122)
+    c = ca.SX.sym("c", 125)
     bar1_y = q[1]
     bar1_e0 = q[3]
     bar1_e1 = q[4]
@@ -4667,7 +4670,6 @@ def energy() -> ca.Function:
     bar5_e3_dot = q_dot[34]
     c4 = c[4]
     c22 = c[22]
-    gravity_y = c[24]
     bar3_mass = c[47]
     bar2_mass = c[48]
     c52 = c[52]
@@ -4721,6 +4723,7 @@ def energy() -> ca.Function:
     c109 = c[109]
     c110 = c[110]
     c111 = c[111]
+    c118 = c[118]
     # intermediate terms (253)
     w0 = bar1_e2 * -2.0
     w1 = 2 * bar1_e1
@@ -4974,11 +4977,11 @@ def energy() -> ca.Function:
     w249 = bar5_e2_dot * (w247 + bar5_e2_dot * (w209 * (w209 * c102) + w202 * w236 + w214 * w237) + bar5_e3_dot * w248)
     w250 = bar5_x_dot * w217 + bar5_y_dot * w226 + bar5_z_dot * w231 + bar5_e0_dot * w242 + bar5_e1_dot * w246
     w251 = bar5_e3_dot * (w250 + bar5_e2_dot * w248 + bar5_e3_dot * (w201 * w239 + w212 * w240 + w202 * w241))
-    w252 = (w5 + bar1_y * bar1_mass) * gravity_y + (w54 + bar2_y * bar2_mass) * gravity_y + (w104 + bar3_y * bar3_mass) * gravity_y
+    w252 = w5 + bar1_y * bar1_mass + (w54 + bar2_y * bar2_mass) + (w104 + bar3_y * bar3_mass) + (w155 + bar4_y * bar4_mass)
     # outputs
     kinetic = ca.vertcat((w243 + bar5_e1_dot * (w244 + bar5_e2_dot * w245 + bar5_e3_dot * w246) + w249 + w251) / 2.0)
     elastic = ca.SX(1, 1)
-    potential = ca.vertcat(-(w252 + (w155 + bar4_y * bar4_mass) * gravity_y + (w206 + bar5_y * bar5_mass) * gravity_y))
+    potential = ca.vertcat((w252 + (w206 + bar5_y * bar5_mass)) * c118)
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -4990,13 +4993,13 @@ def measures() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
-    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives measures (measures = 6) [mixed]: measures of the scene and their rates
-    71 operations.
+    64 operations.
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
-    c = ca.SX.sym("c", 122)
+    c = ca.SX.sym("c", 125)
     bar3_x = q[14]
     bar3_y = q[15]
     bar3_z = q[16]
@@ -5012,21 +5015,19 @@ def measures() -> ca.Function:
     bar3_e2_dot = q_dot[19]
     bar3_e3_dot = q_dot[20]
     bar3_end_z = c[11]
-    # intermediate terms (6)
-    w0 = 2 * bar3_e0
-    w1 = 2 * bar3_e1
-    w2 = 2 * bar3_e0_dot
-    w3 = (bar3_e2 * w2 + w0 * bar3_e2_dot + (bar3_e3 * (2 * bar3_e1_dot) + w1 * bar3_e3_dot)) * bar3_end_z
-    w4 = 2 * bar3_e2
-    w5 = (bar3_e3 * (2 * bar3_e2_dot) + bar3_e3_dot * w4 - (bar3_e1 * w2 + w0 * bar3_e1_dot)) * bar3_end_z
+    c119 = c[119]
+    c120 = c[120]
+    # intermediate terms (2)
+    w0 = bar3_e3 * bar3_e1_dot + (bar3_e1 * bar3_e3_dot + (bar3_e0 * bar3_e2_dot + bar3_e2 * bar3_e0_dot))
+    w1 = (bar3_e2 * bar3_e3_dot + bar3_e3 * bar3_e2_dot - bar3_e0 * bar3_e1_dot - bar3_e1 * bar3_e0_dot) * c119
     # outputs
     measures = ca.vertcat(
-        bar3_x + (w0 * bar3_e2 + w1 * bar3_e3) * bar3_end_z,  # P3_x
-        bar3_x_dot + w3,  # P3_x_dot
-        bar3_y + (bar3_e3 * w4 - w0 * bar3_e1) * bar3_end_z,  # P3_y
-        bar3_y_dot + w5,  # P3_y_dot
-        bar3_z + (1.0 - 2 * bar3_e1**2 - 2 * bar3_e2**2) * bar3_end_z,  # P3_z
-        bar3_z_dot - (2 * (w1 * bar3_e1_dot) + 2 * (bar3_e2_dot * w4)) * bar3_end_z,  # P3_z_dot
+        bar3_x + (bar3_e0 * bar3_e2 + bar3_e1 * bar3_e3) * c119,  # P3_x
+        bar3_x_dot + w0 * c119,  # P3_x_dot
+        bar3_y + (bar3_e2 * bar3_e3 - bar3_e0 * bar3_e1) * c119,  # P3_y
+        bar3_y_dot + w1,  # P3_y_dot
+        bar3_end_z + bar3_z - bar3_e2**2 * c119 - bar3_e1**2 * c119,  # P3_z
+        bar3_z_dot - bar3_e2 * bar3_e2_dot * c120 - bar3_e1 * bar3_e1_dot * c120,  # P3_z_dot
     )
     inputs, outputs = [q, q_dot, c], [ca.densify(measures)]
     return ca.Function("measures", inputs, outputs, ["q", "q_dot", "c"], ["measures"])
@@ -5157,7 +5158,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
     1636 operations.
     """
@@ -5165,7 +5166,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
-    c = ca.SX.sym("c", 122)
+    c = ca.SX.sym("c", 125)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -5583,7 +5584,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     701 operations.
     """
@@ -5591,7 +5592,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
-    c = ca.SX.sym("c", 122)
+    c = ca.SX.sym("c", 125)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -5816,7 +5817,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 122) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     1933 operations.
@@ -5826,7 +5827,7 @@ def residual_jacobian() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 122)
+    c = ca.SX.sym("c", 125)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -5861,10 +5862,10 @@ def residual_jacobian() -> ca.Function:
     c23 = c[23]
     gravity_y = c[24]
     c25 = c[25]
-    c118 = c[118]
-    c119 = c[119]
-    c120 = c[120]
     c121 = c[121]
+    c122 = c[122]
+    c123 = c[123]
+    c124 = c[124]
     # intermediate terms (485)
     w0 = ca.cos(hinge0_angle)
     w1 = ca.sin(hinge2_angle)
@@ -5952,7 +5953,7 @@ def residual_jacobian() -> ca.Function:
     w83 = w60 * w77 + w53 * w80 - w58 * w82
     w84 = (w50 * w52 - w64 * w66 - w30 * w68) / w83
     w85 = w28 * c14
-    w86 = w85 * c118 + (c20 + (c15 - w15 * (w15 * c17)))
+    w86 = w85 * c121 + (c20 + (c15 - w15 * (w15 * c17)))
     w87 = w5 * hinge0_angle_dot
     w88 = w2 * hinge1_angle_dot
     w89 = w88 * bar2_end_y
@@ -6075,7 +6076,7 @@ def residual_jacobian() -> ca.Function:
     w206 = (w77 * w185 + w147 * w192 + w118 * w195 - w98 * w205) / w83 + w119 * hinge0_angle_ddot
     w207 = w18 * w206 - hinge1_angle_dot * w88
     w208 = w0 * hinge0_angle_ddot - hinge0_angle_dot * w87
-    w209 = w2 * w208 + (w5 * w207 + hinge1_angle_dot * (w26 * hinge0_angle_dot) * c119)
+    w209 = w2 * w208 + (w5 * w207 + hinge1_angle_dot * (w26 * hinge0_angle_dot) * c122)
     w210 = w60 * w72
     w211 = w210 - w58 * w79
     w212 = (w192 * w211 - w80 * w185 - w123 * w195 + w125 * w205) / w83 + w126 * hinge0_angle_ddot
@@ -6083,7 +6084,7 @@ def residual_jacobian() -> ca.Function:
     w214 = w87 * w141
     w215 = hinge0_angle_dot * w104 + w5 * hinge0_angle_ddot
     w216 = w4 * w212 - hinge2_angle_dot * w141
-    w217 = (w0 * w213 - w214 + (w4 * w215 - w214) + (w1 * w209 + (w9 * w216 + w90 * w140 * c119))) * bar3_end_z
+    w217 = (w0 * w213 - w214 + (w4 * w215 - w214) + (w1 * w209 + (w9 * w216 + w90 * w140 * c122))) * bar3_end_z
     w218 = w209 * bar2_end_y - w217
     w219 = w87 * w93
     w220 = hinge1_angle_dot * w112 + w2 * w206
@@ -6095,7 +6096,7 @@ def residual_jacobian() -> ca.Function:
     w226 = w112 * w142
     w227 = w88 * w104
     w228 = w18 * w208 - w227 - (w227 + w5 * w220)
-    w229 = w126 * (w11 * w207 - w226 - (w226 + w2 * w217) - (w19 * w222 + (w35 * w228 + w91 * w105 * c120)))
+    w229 = w126 * (w11 * w207 - w226 - (w226 + w2 * w217) - (w19 * w222 + (w35 * w228 + w91 * w105 * c123)))
     w230 = w60 * w74 + w53 * w79
     w231 = (w82 * w145 + w157 * w230 + w130 * w162 + w132 * w135) / w83
     w232 = w48 * w58
@@ -6104,24 +6105,24 @@ def residual_jacobian() -> ca.Function:
     w235 = w20 * w234 - hinge5_angle_dot * w109
     w236 = w133 * hinge0_angle_ddot - (w82 * w185 + w192 * w230 + w130 * w195 + w132 * w205) / w83
     w237 = w15 * w236 - hinge4_angle_dot * w100
-    w238 = (w28 * w235 + (w14 * w237 + hinge4_angle_dot * w196 * c119)) * bar4_end_x
+    w238 = (w28 * w235 + (w14 * w237 + hinge4_angle_dot * w196 * c122)) * bar4_end_x
     w239 = w106 * w109
     w240 = hinge5_angle_dot * w99 + w14 * w234
     w241 = (w20 * w237 - w239 - (w239 + w28 * w240)) * bar4_end_x
     w242 = w109 * w138
-    w243 = w133 * (w14 * w238 + (w55 * w235 + w99 * w136 * c121) + (w20 * w241 - w242 - (w242 + w57 * w240)))
+    w243 = w133 * (w14 * w238 + (w55 * w235 + w99 * w136 * c124) + (w20 * w241 - w242 - (w242 + w57 * w240)))
     w244 = w225 - w229 + 2 * w139 * w231 + w243
     w245 = w87 * w112
     w246 = w0 * w207 - w245 - (w245 + w2 * w215)
     w247 = w104 * w141
-    w248 = (w1 * w246 + (w3 * w216 + w90 * w148 * c119) + (w4 * w208 - w247 - (w247 + w5 * w213))) * bar3_end_z
+    w248 = (w1 * w246 + (w3 * w216 + w90 * w148 * c122) + (w4 * w208 - w247 - (w247 + w5 * w213))) * bar3_end_z
     w249 = w248 - w246 * bar2_end_y
     w250 = w87 * w152
-    w251 = w163 * (2 * -w153) - w119 * (w0 * w249 - w250 - (w250 + w8 * w215) - (w5 * w218 + (w12 * w208 + w104 * w143 * c119)))
+    w251 = w163 * (2 * -w153) - w119 * (w0 * w249 - w250 - (w250 + w8 * w215) - (w5 * w218 + (w12 * w208 + w104 * w143 * c122)))
     w252 = w87 * w88
     w253 = w0 * w220 - w252 + (w18 * w215 - w252)
     w254 = w102 * w142
-    w255 = w126 * (w19 * w248 + (w6 * w228 + w105 * w149 * c120) - (w11 * w253 - w254 + (w26 * w217 - w254)))
+    w255 = w126 * (w19 * w248 + (w6 * w228 + w105 * w149 * c123) - (w11 * w253 - w254 + (w26 * w217 - w254)))
     w256 = w109 * w154
     w257 = hinge4_angle_dot * w106 + w28 * w236
     w258 = w257 * bar4_end_x
@@ -6131,7 +6132,7 @@ def residual_jacobian() -> ca.Function:
     w262 = w93 * w104
     w263 = w249 - w215 * bar1_end_x + w163 * (2 * -w158) - w119 * (w43 * w208 - w262 - (w262 + w5 * w223)) + w224 * (2 * w159)
     w264 = w92 * w102
-    w265 = w126 * (w26 * w222 - w264 - (w264 + w35 * w253) + (w2 * w248 + (w6 * w207 + w112 * w149 * c120)))
+    w265 = w126 * (w26 * w222 - w264 - (w264 + w35 * w253) + (w2 * w248 + (w6 * w207 + w112 * w149 * c123)))
     w266 = w99 * w154
     w267 = w263 + w265 + w231 * (2 * -w160) - w133 * (w16 * w235 - w266 - (w266 + w14 * w258)) - w260 * (2 * -w161)
     w268 = w267 - w84 * (w241 + w240 * bar5_end_y)
@@ -6139,23 +6140,23 @@ def residual_jacobian() -> ca.Function:
     w270 = w15 * w235 - w269 - (w269 + w14 * w257)
     w271 = w101 * w102
     w272 = w26 * w270 - w271 - (w271 + w23 * w253)
-    w273 = w19 * w237 + (w28 * w228 + w105 * w106 * c119)
+    w273 = w19 * w237 + (w28 * w228 + w105 * w106 * c122)
     w274 = w272 - w273
     w275 = w105 * w110
     w276 = w100 * w109
     w277 = w20 * w257 - w276 + (w15 * w240 - w276)
     w278 = w21 * w228 - w275 - (w275 + w19 * w277)
-    w279 = w2 * w270 + (w23 * w207 + w101 * w112 * c119)
+    w279 = w2 * w270 + (w23 * w207 + w101 * w112 * c122)
     w280 = w278 - w279
     w281 = w102 * w110
-    w282 = w21 * w253 - w281 + (w26 * w277 - w281) + (w2 * w237 + (w28 * w207 + hinge4_angle_dot * (hinge1_angle_dot * (w15 * w18)) * c119))
+    w282 = w21 * w253 - w281 + (w26 * w277 - w281) + (w2 * w237 + (w28 * w207 + hinge4_angle_dot * (hinge1_angle_dot * (w15 * w18)) * c122))
     w283 = w87 * w115
-    w284 = w119 * (w25 * w208 + (w5 * w280 + w104 * w114 * c119) - (w0 * w282 - w283 + (w33 * w215 - w283)))
+    w284 = w119 * (w25 * w208 + (w5 * w280 + w104 * w114 * c122) - (w0 * w282 - w283 + (w33 * w215 - w283)))
     w285 = w102 * w114
     w286 = w105 * w115
-    w287 = w26 * w280 - w285 - (w285 + w25 * w253) + (w30 * w207 + (w2 * w274 + w108 * w112 * c119)) - (w33 * w228 - w286 - (w286 + w19 * w282))
+    w287 = w26 * w280 - w285 - (w285 + w25 * w253) + (w30 * w207 + (w2 * w274 + w108 * w112 * c122)) - (w33 * w228 - w286 - (w286 + w19 * w282))
     w288 = w109 * w115
-    w289 = w37 * w235 + (w14 * (w273 - w272) + w99 * w127 * c119) + (w20 * w282 - w288 - (w288 + w38 * w240))
+    w289 = w37 * w235 + (w14 * (w273 - w272) + w99 * w127 * c122) + (w20 * w282 - w288 - (w288 + w38 * w240))
     w290 = w274 + w163 * (2 * w116) + w284 + w224 * (2 * w120) + w126 * w287 + w231 * (2 * -w128) - w133 * w289
     w291 = w290 - w260 * (2 * -w134) - w84 * (w279 - w278)
     w292 = w58 * w71

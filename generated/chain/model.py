@@ -20,8 +20,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 12) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
-    156 operations.
+    gives c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
+    158 operations.
     """
     p = ca.SX.sym("p", 12)
     link_length = p[0]
@@ -119,7 +119,8 @@ def constants() -> ca.Function:
         w19,  # c56
         w20,  # c57
         link1_mass * gravity_y,  # c58
-        w11,  # c59
+        -gravity_y,  # c59
+        w11,  # c60
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -130,14 +131,14 @@ def condensed() -> ca.Function:
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
-    takes c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 10 x 10) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 10) [N, N m]: condensed force S^T (Q* - M s)
     605 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 60)
+    c = ca.SX.sym("c", 61)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -396,12 +397,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 20) [mixed]: dependent coordinates after one Newton step
     83 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
-    c = ca.SX.sym("c", 60)
+    c = ca.SX.sym("c", 61)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -461,13 +462,13 @@ def velocities() -> ca.Function:
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
-    takes c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 20) [mixed]: rates of the dependent coordinates
     119 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 60)
+    c = ca.SX.sym("c", 61)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -537,14 +538,14 @@ def accelerations() -> ca.Function:
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 10) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 20) [mixed]: accelerations of the dependent coordinates
     173 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
     q_i_ddot = ca.SX.sym("q_i_ddot", 10)
-    c = ca.SX.sym("c", 60)
+    c = ca.SX.sym("c", 61)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -649,7 +650,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 30) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 30) [mixed]: rates of all coordinates
-    takes c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 20) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 20 x 30) [SI]: constraint Jacobian
     gives C_t (n_c = 20) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -659,7 +660,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
-    c = ca.SX.sym("c", 60)
+    c = ca.SX.sym("c", 61)
     link1_x = q[0]
     link1_y = q[1]
     link1_theta = q[2]
@@ -860,7 +861,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 30) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 30) [mixed]: rates of all coordinates
-    takes c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 30 x 30) [SI]: mass matrix in all coordinates
     gives K (n x n = 30 x 30) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 30) [N, N m]: quadratic velocity force in all coordinates
@@ -872,7 +873,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
-    c = ca.SX.sym("c", 60)
+    c = ca.SX.sym("c", 61)
     link1_theta = q[2]
     link2_theta = q[5]
     link3_theta = q[8]
@@ -1350,7 +1351,7 @@ def reactions() -> ca.Function:
     takes q (n = 30) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 30) [mixed]: rates of all coordinates
     takes q_ddot (n = 30) [mixed]: accelerations of all coordinates
-    takes c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 20) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 10) [N, N m]: world force and moment of a joint on its body b, at b
     329 operations.
@@ -1358,7 +1359,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
     q_ddot = ca.SX.sym("q_ddot", 30)
-    c = ca.SX.sym("c", 60)
+    c = ca.SX.sym("c", 61)
     link1_theta = q[2]
     link2_theta = q[5]
     link3_theta = q[8]
@@ -1534,17 +1535,17 @@ def energy() -> ca.Function:
 
     takes q (n = 30) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 30) [mixed]: rates of all coordinates
-    takes c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    338 operations.
+    328 operations.
     """
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
-    c = ca.SX.sym("c", 60)
+    c = ca.SX.sym("c", 61)
     link1_y = q[1]
     link1_theta = q[2]
     link2_y = q[4]
@@ -1614,7 +1615,6 @@ def energy() -> ca.Function:
     c25 = c[25]
     c26 = c[26]
     c35 = c[35]
-    gravity_y = c[36]
     link1_mass = c[47]
     c48 = c[48]
     c49 = c[49]
@@ -1626,7 +1626,8 @@ def energy() -> ca.Function:
     c55 = c[55]
     c56 = c[56]
     c57 = c[57]
-    # intermediate terms (38)
+    c59 = c[59]
+    # intermediate terms (37)
     w0 = ca.sin(link1_theta) * c57
     w1 = ca.cos(link1_theta) * c57
     w2 = link1_x_dot * (link1_x_dot * link1_mass - w0 * link1_theta_dot) + link1_y_dot * (link1_y_dot * link1_mass + link1_theta_dot * w1)
@@ -1662,13 +1663,12 @@ def energy() -> ca.Function:
     w32 = w30 + link9_theta_dot * (link9_y_dot * w29 - link9_x_dot * w28 + link9_theta_dot * c56) + link10_x_dot * (link10_x_dot * link10_mass - w31 * link10_theta_dot)
     w33 = ca.cos(link10_theta) * c26
     w34 = w32 + link10_y_dot * (link10_y_dot * link10_mass + link10_theta_dot * w33) + link10_theta_dot * (link10_y_dot * w33 - link10_x_dot * w31 + link10_theta_dot * c35)
-    w35 = (w0 + link1_y * link1_mass) * gravity_y + (w3 + link2_y * link2_mass) * gravity_y + (w7 + link3_y * link3_mass) * gravity_y
-    w36 = w35 + (w10 + link4_y * link4_mass) * gravity_y + (w14 + link5_y * link5_mass) * gravity_y + (w17 + link6_y * link6_mass) * gravity_y
-    w37 = w36 + (w21 + link7_y * link7_mass) * gravity_y + (w24 + link8_y * link8_mass) * gravity_y + (w28 + link9_y * link9_mass) * gravity_y
+    w35 = w0 + link1_y * link1_mass + (w3 + link2_y * link2_mass) + (w7 + link3_y * link3_mass) + (w10 + link4_y * link4_mass)
+    w36 = w35 + (w14 + link5_y * link5_mass) + (w17 + link6_y * link6_mass) + (w21 + link7_y * link7_mass) + (w24 + link8_y * link8_mass)
     # outputs
     kinetic = ca.vertcat(w34 / 2.0)
     elastic = ca.SX(1, 1)
-    potential = ca.vertcat(-(w37 + (w31 + link10_y * link10_mass) * gravity_y))
+    potential = ca.vertcat((w36 + (w28 + link9_y * link9_mass) + (w31 + link10_y * link10_mass)) * c59)
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -1815,13 +1815,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
-    takes c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 10 x 10) [SI]: total derivative of Q_hat by q_i, through q_d
     792 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 60)
+    c = ca.SX.sym("c", 61)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -1879,7 +1879,7 @@ def dQ_hat_dq_i() -> ca.Function:
     c44 = c[44]
     c45 = c[45]
     c46 = c[46]
-    c59 = c[59]
+    c60 = c[60]
     # intermediate terms (179)
     w0 = ca.cos(link1_theta) * link_length
     w1 = link1_theta_dot**2
@@ -2012,7 +2012,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w128 = c41 + w90 + w93 * link5_mass + w127
     w129 = c40 + w84 + w87 * link4_mass + w128
     w130 = c39 + w78 + w81 * link3_mass + w129
-    w131 = w0 * (w2 * c59) - (w3 * c37 + w0 * (w7 + w2 * link2_mass + w70) + w74 * (c38 + w73 + w75 * link2_mass + w130))
+    w131 = w0 * (w2 * c60) - (w3 * c37 + w0 * (w7 + w2 * link2_mass + w70) + w74 * (c38 + w73 + w75 * link2_mass + w130))
     w132 = w10 + w19 * c15
     w133 = w77 + w85 * c15
     w134 = w17 + w26 * c14
@@ -2063,7 +2063,7 @@ def dQ_hat_dq_i() -> ca.Function:
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w131 + w74 * (w75 * c59), w0 * (w7 + w146) + w74 * (w73 + w147), w0 * w149 + w74 * w151,
+            w131 + w74 * (w75 * c60), w0 * (w7 + w146) + w74 * (w73 + w147), w0 * w149 + w74 * w151,
             w0 * w153 + w74 * w155, w0 * w157 + w74 * w159, w0 * w161 + w74 * w163, w0 * w165 + w74 * w167,
             w0 * w170 + w74 * w172, w0 * w175 + w74 * w177, w0 * w59 + w74 * w119,
         ),
@@ -2127,13 +2127,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
-    takes c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 10 x 10) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     605 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 60)
+    c = ca.SX.sym("c", 61)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -2172,7 +2172,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
-    c59 = c[59]
+    c60 = c[60]
     # intermediate terms (126)
     w0 = ca.cos(link1_theta) * link_length
     w1 = ca.sin(link1_theta) * link_length
@@ -2303,7 +2303,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w0 * (w3 * c59) - w1 * (w4 * c59), w0 * (w9 * w69 + w71) - w1 * (w6 * w69 + w73), w0 * w77 - w1 * w80,
+            w0 * (w3 * c60) - w1 * (w4 * c60), w0 * (w9 * w69 + w71) - w1 * (w6 * w69 + w73), w0 * w77 - w1 * w80,
             w0 * w84 - w1 * w87, w0 * w91 - w1 * w94, w0 * w98 - w1 * w101, w0 * w105 - w1 * w108,
             w0 * w112 - w1 * w115, w0 * w119 - w1 * w122, w0 * w124 - w1 * w125,
         ),
@@ -2363,7 +2363,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 10) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 10 x 10) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 10 x 10) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     1385 operations.
@@ -2371,7 +2371,7 @@ def residual_jacobian() -> ca.Function:
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
     q_i_ddot = ca.SX.sym("q_i_ddot", 10)
-    c = ca.SX.sym("c", 60)
+    c = ca.SX.sym("c", 61)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -2439,7 +2439,7 @@ def residual_jacobian() -> ca.Function:
     c44 = c[44]
     c45 = c[45]
     c46 = c[46]
-    c59 = c[59]
+    c60 = c[60]
     # intermediate terms (290)
     w0 = ca.cos(link1_theta) * link_length
     w1 = ca.sin(link1_theta)
@@ -2734,7 +2734,7 @@ def residual_jacobian() -> ca.Function:
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w0 * (w4 * c59) - w165 - w2 * (w115 * c59), w0 * (w8 + w11 + w183) - w2 * (w116 - w114 + w185),
+            w0 * (w4 * c60) - w165 - w2 * (w115 * c60), w0 * (w8 + w11 + w183) - w2 * (w116 - w114 + w185),
             w0 * w188 - w2 * w191, w0 * w194 - w2 * w197, w0 * w200 - w2 * w203, w0 * w206 - w2 * w209,
             w0 * w212 - w2 * w215, w0 * w218 - w2 * w221, w0 * w224 - w2 * w227, w0 * w228 - w2 * w229,
         ),
@@ -2797,7 +2797,7 @@ def residual_jacobian() -> ca.Function:
     )
     J_v = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w0 * (w231 * c59) - w2 * (w232 * c59), w0 * (w10 * w233 + w235) - w2 * (w7 * w233 + w237),
+            w0 * (w231 * c60) - w2 * (w232 * c60), w0 * (w10 * w233 + w235) - w2 * (w7 * w233 + w237),
             w0 * w241 - w2 * w244, w0 * w248 - w2 * w251, w0 * w255 - w2 * w258, w0 * w262 - w2 * w265,
             w0 * w269 - w2 * w272, w0 * w276 - w2 * w279, w0 * w283 - w2 * w286, w0 * w288 - w2 * w289,
         ),
@@ -2857,13 +2857,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
-    takes c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 10) [mixed]: accelerations of the independent coordinates
     674 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 60)
+    c = ca.SX.sym("c", 61)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]

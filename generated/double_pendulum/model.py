@@ -16,8 +16,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 9) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
-    53 operations.
+    gives c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    55 operations.
     """
     p = ca.SX.sym("p", 9)
     gravity_y = p[0]
@@ -51,9 +51,10 @@ def constants() -> ca.Function:
         gravity_y,  # gravity_y
         lower_mass * gravity_y,  # c13
         upper_mass * gravity_y,  # c14
-        -w4,  # c15
-        lower_center_of_mass_x * (lower_mass * (2 * upper_tip_x)),  # c16
-        w3,  # c17
+        -gravity_y,  # c15
+        -w4,  # c16
+        lower_center_of_mass_x * (lower_mass * (2 * upper_tip_x)),  # c17
+        w3,  # c18
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -64,14 +65,14 @@ def condensed() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 2 x 2) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 2) [N, N m]: condensed force S^T (Q* - M s)
     30 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -102,12 +103,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 4) [mixed]: dependent coordinates after one Newton step
     11 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]
     upper_tip_x = c[5]
     # outputs
@@ -123,13 +124,13 @@ def velocities() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 4) [mixed]: rates of the dependent coordinates
     15 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]
     upper_theta_dot = q_i_dot[0]
     upper_tip_x = c[5]
@@ -147,14 +148,14 @@ def accelerations() -> ca.Function:
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 4) [mixed]: accelerations of the dependent coordinates
     21 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]
     upper_theta_dot = q_i_dot[0]
     upper_theta_ddot = q_i_ddot[0]
@@ -176,7 +177,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 4) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 4 x 6) [SI]: constraint Jacobian
     gives C_t (n_c = 4) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -186,7 +187,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 19)
     upper_x = q[0]
     upper_y = q[1]
     upper_theta = q[2]
@@ -232,7 +233,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 6 x 6) [SI]: mass matrix in all coordinates
     gives K (n x n = 6 x 6) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 6) [N, N m]: quadratic velocity force in all coordinates
@@ -244,7 +245,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 19)
     upper_theta = q[2]
     lower_theta = q[5]
     upper_theta_dot = q_dot[2]
@@ -351,7 +352,7 @@ def reactions() -> ca.Function:
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
     takes q_ddot (n = 6) [mixed]: accelerations of all coordinates
-    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 4) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 2) [N, N m]: world force and moment of a joint on its body b, at b
     65 operations.
@@ -359,7 +360,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     q_ddot = ca.SX.sym("q_ddot", 6)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 19)
     upper_theta = q[2]
     lower_theta = q[5]
     upper_theta_dot = q_dot[2]
@@ -407,17 +408,17 @@ def energy() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    74 operations.
+    72 operations.
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 19)
     upper_y = q[1]
     upper_theta = q[2]
     lower_y = q[4]
@@ -434,7 +435,7 @@ def energy() -> ca.Function:
     c9 = c[9]
     c10 = c[10]
     c11 = c[11]
-    gravity_y = c[12]
+    c15 = c[15]
     # intermediate terms (7)
     w0 = ca.sin(upper_theta) * c11
     w1 = ca.cos(upper_theta) * c11
@@ -446,7 +447,7 @@ def energy() -> ca.Function:
     # outputs
     kinetic = ca.vertcat(w6 / 2.0)
     elastic = ca.SX(1, 1)
-    potential = ca.vertcat(-((w0 + upper_y * upper_mass) * gravity_y + (w3 + lower_y * lower_mass) * gravity_y))
+    potential = ca.vertcat((w0 + upper_y * upper_mass + (w3 + lower_y * lower_mass)) * c15)
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -497,27 +498,27 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i, through q_d
     25 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
     lower_theta_dot = q_i_dot[1]
     c1 = c[1]
     c4 = c[4]
-    c15 = c[15]
+    c16 = c[16]
     # intermediate terms (3)
     w0 = ca.cos(lower_theta - upper_theta) * c1
     w1 = lower_theta_dot**2 * w0
     w2 = upper_theta_dot**2 * w0
     # outputs
     dQ_hat_dq_i = ca.vertcat(
-        ca.horzcat(ca.sin(upper_theta) * c15 - w1, w1),  # upper.theta
+        ca.horzcat(ca.sin(upper_theta) * c16 - w1, w1),  # upper.theta
         ca.horzcat(w2, -(w2 + ca.sin(lower_theta) * c4)),  # lower.theta
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -529,20 +530,20 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     16 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
     lower_theta_dot = q_i_dot[1]
-    c16 = c[16]
+    c17 = c[17]
     # intermediate terms (1)
-    w0 = ca.sin(lower_theta - upper_theta) * c16
+    w0 = ca.sin(lower_theta - upper_theta) * c17
     # outputs
     dQ_hat_dq_i_dot = ca.SX(2, 2)
     # upper.theta
@@ -559,7 +560,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 2 x 2) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     44 operations.
@@ -567,7 +568,7 @@ def residual_jacobian() -> ca.Function:
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -576,8 +577,8 @@ def residual_jacobian() -> ca.Function:
     lower_theta_ddot = q_i_ddot[1]
     c1 = c[1]
     c4 = c[4]
-    c15 = c[15]
     c16 = c[16]
+    c17 = c[17]
     # intermediate terms (9)
     w0 = lower_theta - upper_theta
     w1 = ca.sin(w0)
@@ -587,10 +588,10 @@ def residual_jacobian() -> ca.Function:
     w5 = lower_theta_ddot * w4
     w6 = upper_theta_ddot * w4
     w7 = upper_theta_dot**2 * w2
-    w8 = w1 * c16
+    w8 = w1 * c17
     # outputs
     J_q = ca.vertcat(
-        ca.horzcat(ca.sin(upper_theta) * c15 - w3 - w5, w3 + w5),  # upper.theta
+        ca.horzcat(ca.sin(upper_theta) * c16 - w3 - w5, w3 + w5),  # upper.theta
         ca.horzcat(w7 - w6, w6 - w7 - ca.sin(lower_theta) * c4),  # lower.theta
     )
     J_v = ca.SX(2, 2)
@@ -607,13 +608,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
     74 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -625,7 +626,7 @@ def forward_dynamics() -> ca.Function:
     c10 = c[10]
     gravity_y = c[12]
     c13 = c[13]
-    c17 = c[17]
+    c18 = c[18]
     # intermediate terms (18)
     w0 = ca.cos(upper_theta)
     w1 = w0 * upper_tip_x
@@ -643,7 +644,7 @@ def forward_dynamics() -> ca.Function:
     w13 = w1 * w12
     w14 = w1 * w8
     w15 = lower_mass - w3 * w11
-    w16 = w0 * c17 + w1 * (c13 + w2 * w3 - w5 * w6 + w7 * w10) + w13 * w14 - w9 * (w2 * w4 + w6 * w11 + w10 * w12 + w14 * w15)
+    w16 = w0 * c18 + w1 * (c13 + w2 * w3 - w5 * w6 + w7 * w10) + w13 * w14 - w9 * (w2 * w4 + w6 * w11 + w10 * w12 + w14 * w15)
     w17 = w16 / (c7 + w1 * (w1 * w7) - (w9 * (w13 - w9 * w15) + w9 * w13))
     # outputs
     q_i_ddot = ca.vertcat(w17, (w6 - (w3 * (w14 + w9 * w17) + w4 * (w1 * w17 - w10))) / c10)

@@ -49,7 +49,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 3 x 3) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 3) [N, N m]: condensed force S^T (Q* - M s)
-    46 operations.
+    45 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -66,7 +66,7 @@ def condensed() -> ca.Function:
     c5 = c[5]
     # intermediate terms (3)
     w0 = bob_x**2 + bob_y**2
-    w1 = 1.0 - spring_free_length / ca.sqrt(w0)
+    w1 = spring_free_length / ca.sqrt(w0)
     w2 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * spring_damping
     # outputs
     M_hat = ca.SX(3, 3)
@@ -77,8 +77,8 @@ def condensed() -> ca.Function:
     # bob.theta
     M_hat[2, 2] = bob_inertia
     Q_hat = ca.vertcat(
-        -(bob_x * w1 * spring_stiffness + bob_x * w2 / w0),  # bob.x
-        c5 - (bob_y * w1 * spring_stiffness + bob_y * w2 / w0),  # bob.y
+        (bob_x * w1 - bob_x) * spring_stiffness - bob_x * w2 / w0,  # bob.x
+        c5 + (bob_y * w1 - bob_y) * spring_stiffness - bob_y * w2 / w0,  # bob.y
         0.0,  # bob.theta
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
@@ -96,7 +96,7 @@ def augmented() -> ca.Function:
     gives Q_v (n = 3) [N, N m]: quadratic velocity force in all coordinates
     gives Q_F (n = 3) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 3) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
-    61 operations.
+    60 operations.
     """
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
@@ -113,10 +113,10 @@ def augmented() -> ca.Function:
     c5 = c[5]
     # intermediate terms (5)
     w0 = bob_x**2 + bob_y**2
-    w1 = 1.0 - spring_free_length / ca.sqrt(w0)
+    w1 = spring_free_length / ca.sqrt(w0)
     w2 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * spring_damping
-    w3 = -(bob_x * w1 * spring_stiffness + bob_x * w2 / w0)
-    w4 = c5 - (bob_y * w1 * spring_stiffness + bob_y * w2 / w0)
+    w3 = (bob_x * w1 - bob_x) * spring_stiffness - bob_x * w2 / w0
+    w4 = c5 + (bob_y * w1 - bob_y) * spring_stiffness - bob_y * w2 / w0
     # outputs
     M = ca.SX(3, 3)
     # bob.x
@@ -206,7 +206,7 @@ def load_actions() -> ca.Function:
     takes q_dot (n = 3) [mixed]: rates of all coordinates
     takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
-    34 operations.
+    32 operations.
     """
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
@@ -220,12 +220,12 @@ def load_actions() -> ca.Function:
     spring_damping = c[4]
     # intermediate terms (3)
     w0 = bob_x**2 + bob_y**2
-    w1 = 1.0 - spring_free_length / ca.sqrt(w0)
+    w1 = spring_free_length / ca.sqrt(w0)
     w2 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * spring_damping
     # outputs
     load_actions = ca.vertcat(
-        -(bob_x * w1 * spring_stiffness + bob_x * w2 / w0), -(bob_y * w1 * spring_stiffness + bob_y * w2 / w0),
-        0.0,
+        (bob_x * w1 - bob_x) * spring_stiffness - bob_x * w2 / w0,
+        (bob_y * w1 - bob_y) * spring_stiffness - bob_y * w2 / w0, 0.0,
     )
     inputs, outputs = [q, q_dot, c], [ca.densify(load_actions)]
     return ca.Function("load_actions", inputs, outputs, ["q", "q_dot", "c"], ["load_actions"])

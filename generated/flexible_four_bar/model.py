@@ -1154,7 +1154,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    280 operations.
+    279 operations.
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
@@ -1264,7 +1264,7 @@ def energy() -> ca.Function:
     # outputs
     kinetic = ca.vertcat((w35 + w36 + w37) / 2.0)
     elastic = ca.vertcat(w38)
-    potential = ca.vertcat(-(crank_y * c49 + (w7 + coupler_y * c2) * gravity_y + (w25 + rocker_y * c47) * gravity_y))
+    potential = ca.vertcat(-(crank_y * c49 + (w7 + coupler_y * c2 + (w25 + rocker_y * c47)) * gravity_y))
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]

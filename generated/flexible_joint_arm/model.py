@@ -113,15 +113,13 @@ def condensed() -> ca.Function:
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
-    # intermediate terms (8)
+    # intermediate terms (6)
     w0 = ca.sin(t * 6.283185307179586) * elbow_torque
     w1 = link2_theta - link1_theta
     w2 = ca.cos(w1) * c7
-    w3 = link1_theta * gear1_stiffness
-    w4 = rotor1_theta * gear1_stiffness
-    w5 = ca.sin(w1) * c7
-    w6 = link2_theta * gear2_stiffness
-    w7 = rotor2_theta * gear2_stiffness
+    w3 = ca.sin(w1) * c7
+    w4 = ca.cos(link1_theta) * c9 + (link2_theta_dot**2 * w3 + (rotor1_theta - link1_theta) * gear1_stiffness)
+    w5 = ca.cos(link2_theta) * c10 + (rotor2_theta - link2_theta) * gear2_stiffness - link1_theta_dot**2 * w3
     # outputs
     M_hat = ca.SX(4, 4)
     # link1.theta
@@ -135,10 +133,10 @@ def condensed() -> ca.Function:
     # rotor2.theta
     M_hat[3, 3] = rotor2_inertia
     Q_hat = ca.vertcat(
-        link2_theta_dot**2 * w5 + (ca.cos(link1_theta) * c9 + w4) - w3 - w0,  # link1.theta
-        ca.sin(t * 3.141592653589793) * shoulder_torque + w3 - w4,  # rotor1.theta
-        ca.cos(link2_theta) * c10 + w7 - w6 - link1_theta_dot**2 * w5,  # link2.theta
-        w0 + w6 - w7,  # rotor2.theta
+        w4 - w0,  # link1.theta
+        (link1_theta - rotor1_theta) * gear1_stiffness + ca.sin(t * 3.141592653589793) * shoulder_torque,  # rotor1.theta
+        w5,  # link2.theta
+        w0 + (link2_theta - rotor2_theta) * gear2_stiffness,  # rotor2.theta
     )
     inputs, outputs = [q_i, q_i_dot, t, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_i_dot", "t", "c"], ["M_hat", "Q_hat"])
@@ -576,7 +574,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    138 operations.
+    137 operations.
     """
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
@@ -631,12 +629,12 @@ def energy() -> ca.Function:
     w8 = w7 + link2_theta_dot * (link2_y_dot * w6 - link2_x_dot * w5 + link2_theta_dot * c17) + rotor2_x_dot * (rotor2_x_dot * rotor2_mass)
     w9 = w8 + rotor2_y_dot * (rotor2_y_dot * rotor2_mass) + rotor2_theta_dot * (rotor2_theta_dot * rotor2_inertia)
     w10 = (link1_theta - rotor1_theta)**2 * gear1_stiffness / 2.0 + (link2_theta - rotor2_theta)**2 * gear2_stiffness / 2.0
-    w11 = (w0 + link1_y * link1_mass) * gravity_y + rotor1_y * c24 + (w5 + link2_y * link2_mass) * gravity_y
+    w11 = rotor1_y * c24 + (w0 + link1_y * link1_mass + (w5 + link2_y * link2_mass)) * gravity_y + rotor2_y * c20
     w12 = rotor1_theta_dot * (ca.sin(t * 3.141592653589793) * shoulder_torque) + ca.sin(t * 6.283185307179586) * elbow_torque * (rotor2_theta_dot - link1_theta_dot)
     # outputs
     kinetic = ca.vertcat(w9 / 2.0)
     elastic = ca.vertcat(w10)
-    potential = ca.vertcat(-(w11 + rotor2_y * c20))
+    potential = ca.vertcat(-w11)
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.vertcat(w12)
     inputs, outputs = [q, q_dot, t, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -1033,15 +1031,13 @@ def blocks() -> ca.Function:
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
-    # intermediate terms (8)
+    # intermediate terms (6)
     w0 = ca.sin(t * 6.283185307179586) * elbow_torque
     w1 = link2_theta - link1_theta
     w2 = ca.cos(w1) * c7
-    w3 = link1_theta * gear1_stiffness
-    w4 = rotor1_theta * gear1_stiffness
-    w5 = ca.sin(w1) * c7
-    w6 = link2_theta * gear2_stiffness
-    w7 = rotor2_theta * gear2_stiffness
+    w3 = ca.sin(w1) * c7
+    w4 = ca.cos(link1_theta) * c9 + (link2_theta_dot**2 * w3 + (rotor1_theta - link1_theta) * gear1_stiffness)
+    w5 = ca.cos(link2_theta) * c10 + (rotor2_theta - link2_theta) * gear2_stiffness - link1_theta_dot**2 * w3
     # outputs
     M_hat_LL = ca.vertcat(
         ca.horzcat(c6, w2),  # link1.theta
@@ -1054,11 +1050,11 @@ def blocks() -> ca.Function:
     M_hat_SS[0, 0] = rotor1_inertia
     # rotor2.theta
     M_hat_SS[1, 1] = rotor2_inertia
-    Q_hat_L = ca.vertcat(
-        link2_theta_dot**2 * w5 + (ca.cos(link1_theta) * c9 + w4) - w3 - w0,  # link1.theta
-        ca.cos(link2_theta) * c10 + w7 - w6 - link1_theta_dot**2 * w5,  # link2.theta
+    Q_hat_L = ca.vertcat(w4 - w0, w5)
+    Q_hat_S = ca.vertcat(
+        (link1_theta - rotor1_theta) * gear1_stiffness + ca.sin(t * 3.141592653589793) * shoulder_torque,  # rotor1.theta
+        w0 + (link2_theta - rotor2_theta) * gear2_stiffness,  # rotor2.theta
     )
-    Q_hat_S = ca.vertcat(ca.sin(t * 3.141592653589793) * shoulder_torque + w3 - w4, w0 + w6 - w7)
     inputs, outputs = [q_i, q_i_dot, t, c], [ca.densify(M_hat_LL), ca.densify(M_hat_LS), ca.densify(M_hat_SL), ca.densify(M_hat_SS), ca.densify(Q_hat_L), ca.densify(Q_hat_S)]
     return ca.Function("blocks", inputs, outputs, ["q_i", "q_i_dot", "t", "c"], ["M_hat_LL", "M_hat_LS", "M_hat_SL", "M_hat_SS", "Q_hat_L", "Q_hat_S"])
 

@@ -854,7 +854,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    198 operations.
+    197 operations.
     """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
@@ -931,7 +931,7 @@ def energy() -> ca.Function:
     # outputs
     kinetic = ca.vertcat(w20 / 2.0)
     elastic = ca.vertcat((rod_q1 * (rod_q1 * c27) + rod_q2 * (rod_q2 * c29)) / 2.0)
-    potential = ca.vertcat(-((w0 + crank_y * crank_mass) * gravity_y + (w9 + rod_y * c3) * gravity_y + slider_y * c35))
+    potential = ca.vertcat(-((w0 + crank_y * crank_mass + (w9 + rod_y * c3)) * gravity_y + slider_y * c35))
     power_dissipated = ca.vertcat(rod_q1_dot * (rod_q1_dot * c28) + rod_q2_dot * (rod_q2_dot * c30))
     power_applied = ca.vertcat(ca.if_else(t < 0.15, crank_theta_dot * motor_torque, 0))
     inputs, outputs = [q, q_dot, t, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]

@@ -3033,7 +3033,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    1086 operations.
+    1084 operations.
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
@@ -3366,7 +3366,7 @@ def energy() -> ca.Function:
     w213 = w212**2
     w214 = w205 + w209 + w213
     w215 = (ca.sqrt(w201) - right_spring_free_length)**2 * c101 + (ca.sqrt(w214) - left_spring_free_length)**2 * c102
-    w216 = (w1 + shaft_z * shaft_mass) * gravity_z + slider_z * c19 + (w79 + right_rod_z * right_rod_mass) * gravity_z
+    w216 = w1 + shaft_z * shaft_mass + (w79 + right_rod_z * right_rod_mass) + (w135 + left_rod_z * left_rod_mass)
     w217 = slider_e0_dot * w52 + slider_e1_dot * w59 + w54 * slider_e2_dot + w51 * slider_e3_dot
     w218 = slider_e0_dot * w53 + w52 * slider_e1_dot + slider_e2_dot * w64 + w54 * slider_e3_dot
     w219 = w75 * right_rod_e0_dot + w85 * right_rod_e1_dot + w77 * right_rod_e2_dot + w90 * right_rod_e3_dot
@@ -3391,7 +3391,7 @@ def energy() -> ca.Function:
     # outputs
     kinetic = ca.vertcat((w180 + left_rod_e2_dot * w183 + w185) / 2.0)
     elastic = ca.vertcat(w215)
-    potential = ca.vertcat(-(w216 + (w135 + left_rod_z * left_rod_mass) * gravity_z))
+    potential = ca.vertcat(-(slider_z * c19 + w216 * gravity_z))
     power_dissipated = ca.vertcat(w228 + w237)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]

@@ -17,8 +17,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 15) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
-    68 operations.
+    gives c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
+    70 operations.
     """
     p = ca.SX.sym("p", 15)
     gravity_y = p[0]
@@ -65,10 +65,11 @@ def constants() -> ca.Function:
         w4,  # c18
         crank_mass * gravity_y,  # c19
         rocker_mass * gravity_y,  # c20
-        coupler_inertia + coupler_center_of_mass_x * w2,  # c21
-        rocker_inertia + rocker_center_of_mass_x * w4,  # c22
-        coupler_center_of_mass_x * (coupler_mass * (2 * crank_tip_x)),  # c23
-        w1 * coupler_center_of_mass_x,  # c24
+        -gravity_y,  # c21
+        coupler_inertia + coupler_center_of_mass_x * w2,  # c22
+        rocker_inertia + rocker_center_of_mass_x * w4,  # c23
+        coupler_center_of_mass_x * (coupler_mass * (2 * crank_tip_x)),  # c24
+        w1 * coupler_center_of_mass_x,  # c25
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -81,7 +82,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
     110 operations.
@@ -90,7 +91,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -149,7 +150,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 2) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -157,7 +158,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -194,14 +195,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     44 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -235,7 +236,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
     72 operations.
     """
@@ -244,7 +245,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -285,7 +286,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 8 x 9) [SI]: constraint Jacobian
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -295,7 +296,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -376,7 +377,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 9 x 9) [SI]: mass matrix in all coordinates
     gives K (n x n = 9 x 9) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 9) [N, N m]: quadratic velocity force in all coordinates
@@ -388,7 +389,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q[2]
     coupler_theta = q[5]
     rocker_theta = q[8]
@@ -554,7 +555,7 @@ def reactions() -> ca.Function:
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
     takes q_ddot (n = 9) [mixed]: accelerations of all coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
     141 operations.
@@ -562,7 +563,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q[2]
     coupler_theta = q[5]
     rocker_theta = q[8]
@@ -647,17 +648,17 @@ def energy() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    109 operations.
+    106 operations.
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_y = q[1]
     crank_theta = q[2]
     coupler_y = q[4]
@@ -677,13 +678,13 @@ def energy() -> ca.Function:
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
-    gravity_y = c[8]
     motor_value = c[10]
     crank_mass = c[14]
     c15 = c[15]
     rocker_mass = c[16]
     c17 = c[17]
     c18 = c[18]
+    c21 = c[21]
     # intermediate terms (11)
     w0 = ca.sin(crank_theta) * c17
     w1 = ca.cos(crank_theta) * c17
@@ -695,13 +696,13 @@ def energy() -> ca.Function:
     w7 = ca.sin(rocker_theta) * c18
     w8 = ca.cos(rocker_theta) * c18
     w9 = w6 + rocker_x_dot * (rocker_x_dot * rocker_mass - w7 * rocker_theta_dot) + rocker_y_dot * (rocker_y_dot * rocker_mass + rocker_theta_dot * w8)
-    w10 = (w0 + crank_y * crank_mass) * gravity_y + (w3 + coupler_y * coupler_mass) * gravity_y + (w7 + rocker_y * rocker_mass) * gravity_y
+    w10 = (w0 + crank_y * crank_mass + (w3 + coupler_y * coupler_mass) + (w7 + rocker_y * rocker_mass)) * c21
     # outputs
     kinetic = ca.vertcat(
         (w9 + rocker_theta_dot * (rocker_y_dot * w8 - rocker_x_dot * w7 + rocker_theta_dot * c5)) / 2.0,
     )
     elastic = ca.SX(1, 1)
-    potential = ca.vertcat(-w10)
+    potential = ca.vertcat(w10)
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.vertcat(crank_theta_dot * motor_value)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -711,11 +712,11 @@ def energy() -> ca.Function:
 def load_actions() -> ca.Function:
     """What the loads do at their markers.
 
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
     5 operations.
     """
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     motor_value = c[10]
     # outputs
     load_actions = ca.vertcat(0.0, 0.0, motor_value)
@@ -781,7 +782,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
     208 operations.
     """
@@ -789,7 +790,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -873,7 +874,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     78 operations.
     """
@@ -881,7 +882,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -891,10 +892,10 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     crank_tip_x = c[0]
     coupler_tip_x = c[3]
     rocker_tip_x = c[4]
-    c21 = c[21]
     c22 = c[22]
     c23 = c[23]
     c24 = c[24]
+    c25 = c[25]
     # intermediate terms (18)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(rocker_theta) * rocker_tip_x
@@ -912,10 +913,10 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w13 = w1 * w10 - w4 * w8 - w3 * w11
     w14 = (w2 * w12 + w1 * w13) / w6
     w15 = coupler_theta - crank_theta
-    w16 = ca.sin(w15) * c23
-    w17 = w16 * (coupler_theta_dot * w7) - w16 * (w7 * crank_theta_dot) - w7 * w14 * c21 - w9 * ((w5 * w12 + w4 * w13) / w6) * c22
+    w16 = ca.sin(w15) * c24
+    w17 = w16 * (coupler_theta_dot * w7) - w16 * (w7 * crank_theta_dot) - w7 * w14 * c22 - w9 * ((w5 * w12 + w4 * w13) / w6) * c23
     # outputs
-    dQ_hat_dq_i_dot = ca.vertcat(w17 - w14 * (ca.cos(w15) * c24))
+    dQ_hat_dq_i_dot = ca.vertcat(w17 - w14 * (ca.cos(w15) * c25))
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
 
@@ -928,7 +929,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 26) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     245 operations.
@@ -938,7 +939,7 @@ def residual_jacobian() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]

@@ -85,7 +85,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 3 x 3) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 3) [N, N m]: condensed force S^T (Q* - M s)
-    47 operations.
+    45 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -114,9 +114,9 @@ def condensed() -> ca.Function:
     # top.turn_z
     M_hat[2, 2] = c3
     Q_hat = ca.vertcat(
-        top_omega_y * top_omega_z * c5 + (top_e1**2 * c4 + top_e2**2 * c4) - c0,  # top.turn_x
+        top_omega_y * top_omega_z * c5 + (top_e1**2 + top_e2**2) * c4 - c0,  # top.turn_x
         top_omega_z * top_omega_x * c6,  # top.turn_y
-        top_e1 * top_e3 * c4 + top_omega_y * top_omega_x * c7 - top_e2 * top_e0 * c4,  # top.turn_z
+        top_omega_y * top_omega_x * c7 + (top_e1 * top_e3 - top_e2 * top_e0) * c4,  # top.turn_z
     )
     inputs, outputs = [q_d, q_i_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_d", "q_i_dot", "c"], ["M_hat", "Q_hat"])
@@ -767,7 +767,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 7) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i, through q_d
-    37 operations.
+    32 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     c = ca.SX.sym("c", 28)
@@ -778,14 +778,14 @@ def dQ_hat_dq_i() -> ca.Function:
     c0 = c[0]
     c4 = c[4]
     # intermediate terms (1)
-    w0 = top_e2 * top_e3 * c4 + top_e1 * top_e0 * c4
+    w0 = (top_e1 * top_e0 + top_e2 * top_e3) * c4
     # outputs
     dQ_hat_dq_i = ca.SX(3, 3)
     # top.turn_x
     dQ_hat_dq_i[0, 0] = w0
-    dQ_hat_dq_i[0, 1] = top_e2 * top_e0 * c4 - top_e3 * top_e1 * c4
+    dQ_hat_dq_i[0, 1] = (top_e2 * top_e0 - top_e3 * top_e1) * c4
     # top.turn_z
-    dQ_hat_dq_i[2, 1] = top_e2**2 * c0 + top_e1**2 * c0 - top_e3**2 * c0 - top_e0**2 * c0
+    dQ_hat_dq_i[2, 1] = (top_e2**2 + top_e1**2 - top_e3**2 - top_e0**2) * c0
     dQ_hat_dq_i[2, 2] = w0
     inputs, outputs = [q_d, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_d", "c"], ["dQ_hat_dq_i"])
@@ -825,7 +825,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 3 x 3) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    58 operations.
+    53 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -843,14 +843,14 @@ def residual_jacobian() -> ca.Function:
     c6 = c[6]
     c7 = c[7]
     # intermediate terms (1)
-    w0 = top_e2 * top_e3 * c4 + top_e1 * top_e0 * c4
+    w0 = (top_e1 * top_e0 + top_e2 * top_e3) * c4
     # outputs
     J_q = ca.SX(3, 3)
     # top.turn_x
     J_q[0, 0] = w0
-    J_q[0, 1] = top_e2 * top_e0 * c4 - top_e3 * top_e1 * c4
+    J_q[0, 1] = (top_e2 * top_e0 - top_e3 * top_e1) * c4
     # top.turn_z
-    J_q[2, 1] = top_e2**2 * c0 + top_e1**2 * c0 - top_e3**2 * c0 - top_e0**2 * c0
+    J_q[2, 1] = (top_e2**2 + top_e1**2 - top_e3**2 - top_e0**2) * c0
     J_q[2, 2] = w0
     J_v = ca.vertcat(
         ca.horzcat(0.0, top_omega_z * c5, top_omega_y * c5),  # top.turn_x

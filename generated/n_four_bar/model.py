@@ -18,8 +18,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 18) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
-    86 operations.
+    gives c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
+    88 operations.
     """
     p = ca.SX.sym("p", 18)
     gravity_y = p[0]
@@ -81,6 +81,7 @@ def constants() -> ca.Function:
         upright0_mass * gravity_y,  # c30
         upright1_mass * gravity_y,  # c31
         upright2_mass * gravity_y,  # c32
+        -gravity_y,  # c33
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -93,7 +94,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
     209 operations.
@@ -102,7 +103,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 14)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 14)
-    c = ca.SX.sym("c", 33)
+    c = ca.SX.sym("c", 34)
     upright0_theta = q_i[0]
     top1_theta = q_d[4]
     upright1_theta = q_d[7]
@@ -198,7 +199,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 14) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 4) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 2) [SI]: determinants of the loop blocks, zero if singular
@@ -206,7 +207,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
-    c = ca.SX.sym("c", 33)
+    c = ca.SX.sym("c", 34)
     upright0_theta = q_i[0]
     top1_theta = q_d[4]
     upright1_theta = q_d[7]
@@ -275,14 +276,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
     78 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 33)
+    c = ca.SX.sym("c", 34)
     upright0_theta = q_i[0]
     top1_theta = q_d[4]
     upright1_theta = q_d[7]
@@ -330,7 +331,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 14) [mixed]: accelerations of the dependent coordinates
     130 operations.
     """
@@ -339,7 +340,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 14)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 33)
+    c = ca.SX.sym("c", 34)
     upright0_theta = q_i[0]
     top1_theta = q_d[4]
     upright1_theta = q_d[7]
@@ -402,7 +403,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 15) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 15) [mixed]: rates of all coordinates
-    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 14) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 14 x 15) [SI]: constraint Jacobian
     gives C_t (n_c = 14) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -412,7 +413,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 15)
     q_dot = ca.SX.sym("q_dot", 15)
-    c = ca.SX.sym("c", 33)
+    c = ca.SX.sym("c", 34)
     upright0_x = q[0]
     upright0_y = q[1]
     upright0_theta = q[2]
@@ -546,7 +547,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 15) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 15) [mixed]: rates of all coordinates
-    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 15 x 15) [SI]: mass matrix in all coordinates
     gives K (n x n = 15 x 15) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 15) [N, N m]: quadratic velocity force in all coordinates
@@ -558,7 +559,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 15)
     q_dot = ca.SX.sym("q_dot", 15)
-    c = ca.SX.sym("c", 33)
+    c = ca.SX.sym("c", 34)
     upright0_theta = q[2]
     top1_theta = q[5]
     upright1_theta = q[8]
@@ -825,7 +826,7 @@ def reactions() -> ca.Function:
     takes q (n = 15) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 15) [mixed]: rates of all coordinates
     takes q_ddot (n = 15) [mixed]: accelerations of all coordinates
-    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 14) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 7) [N, N m]: world force and moment of a joint on its body b, at b
     257 operations.
@@ -833,7 +834,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 15)
     q_dot = ca.SX.sym("q_dot", 15)
     q_ddot = ca.SX.sym("q_ddot", 15)
-    c = ca.SX.sym("c", 33)
+    c = ca.SX.sym("c", 34)
     upright0_theta = q[2]
     top1_theta = q[5]
     upright1_theta = q[8]
@@ -973,17 +974,17 @@ def energy() -> ca.Function:
 
     takes q (n = 15) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 15) [mixed]: rates of all coordinates
-    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    173 operations.
+    168 operations.
     """
     q = ca.SX.sym("q", 15)
     q_dot = ca.SX.sym("q_dot", 15)
-    c = ca.SX.sym("c", 33)
+    c = ca.SX.sym("c", 34)
     upright0_y = q[1]
     upright0_theta = q[2]
     top1_y = q[4]
@@ -1017,7 +1018,6 @@ def energy() -> ca.Function:
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
-    gravity_y = c[15]
     upright0_mass = c[23]
     c24 = c[24]
     upright1_mass = c[25]
@@ -1025,6 +1025,7 @@ def energy() -> ca.Function:
     c27 = c[27]
     c28 = c[28]
     c29 = c[29]
+    c33 = c[33]
     # intermediate terms (19)
     w0 = ca.sin(upright0_theta) * c27
     w1 = ca.cos(upright0_theta) * c27
@@ -1044,13 +1045,11 @@ def energy() -> ca.Function:
     w15 = ca.cos(upright2_theta) * c29
     w16 = w13 + upright2_x_dot * (upright2_x_dot * upright2_mass - w14 * upright2_theta_dot) + upright2_y_dot * (upright2_y_dot * upright2_mass + upright2_theta_dot * w15)
     w17 = w16 + upright2_theta_dot * (upright2_y_dot * w15 - upright2_x_dot * w14 + upright2_theta_dot * c10)
-    w18 = (w0 + upright0_y * upright0_mass) * gravity_y + (w3 + top1_y * top1_mass) * gravity_y + (w7 + upright1_y * upright1_mass) * gravity_y
+    w18 = w0 + upright0_y * upright0_mass + (w3 + top1_y * top1_mass) + (w7 + upright1_y * upright1_mass) + (w10 + top2_y * top2_mass)
     # outputs
     kinetic = ca.vertcat(w17 / 2.0)
     elastic = ca.SX(1, 1)
-    potential = ca.vertcat(
-        -(w18 + (w10 + top2_y * top2_mass) * gravity_y + (w14 + upright2_y * upright2_mass) * gravity_y),
-    )
+    potential = ca.vertcat((w18 + (w14 + upright2_y * upright2_mass)) * c33)
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -1139,7 +1138,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
     438 operations.
     """
@@ -1147,7 +1146,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 14)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 14)
-    c = ca.SX.sym("c", 33)
+    c = ca.SX.sym("c", 34)
     upright0_theta = q_i[0]
     top1_theta = q_d[4]
     upright1_theta = q_d[7]
@@ -1306,7 +1305,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     170 operations.
     """
@@ -1314,7 +1313,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 14)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 14)
-    c = ca.SX.sym("c", 33)
+    c = ca.SX.sym("c", 34)
     upright0_theta = q_i[0]
     top1_theta = q_d[4]
     upright1_theta = q_d[7]
@@ -1400,7 +1399,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     488 operations.
@@ -1410,7 +1409,7 @@ def residual_jacobian() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 14)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 33)
+    c = ca.SX.sym("c", 34)
     upright0_theta = q_i[0]
     top1_theta = q_d[4]
     upright1_theta = q_d[7]

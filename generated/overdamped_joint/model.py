@@ -16,8 +16,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 10) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
-    59 operations.
+    gives c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    61 operations.
     """
     p = ca.SX.sym("p", 10)
     gravity_y = p[0]
@@ -54,10 +54,11 @@ def constants() -> ca.Function:
         gravity_y,  # gravity_y
         finger_mass * gravity_y,  # c15
         rod_mass * gravity_y,  # c16
-        -spring_stiffness,  # c17
-        -spring_damping,  # c18
-        finger_center_of_mass_x * (finger_mass * (2 * rod_tip_x)),  # c19
-        w3,  # c20
+        -gravity_y,  # c17
+        -spring_stiffness,  # c18
+        -spring_damping,  # c19
+        finger_center_of_mass_x * (finger_mass * (2 * rod_tip_x)),  # c20
+        w3,  # c21
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -68,14 +69,14 @@ def condensed() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 2 x 2) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 2) [N, N m]: condensed force S^T (Q* - M s)
-    44 operations.
+    43 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 22)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
@@ -87,23 +88,18 @@ def condensed() -> ca.Function:
     c4 = c[4]
     c5 = c[5]
     c6 = c[6]
-    # intermediate terms (7)
+    # intermediate terms (5)
     w0 = finger_theta - rod_theta
     w1 = ca.cos(w0) * c3
-    w2 = rod_theta * spring_stiffness
-    w3 = finger_theta * spring_stiffness
-    w4 = finger_theta_dot * spring_damping
-    w5 = ca.sin(w0) * c3
-    w6 = rod_theta_dot * spring_damping
+    w2 = ca.sin(w0) * c3
+    w3 = w0 * spring_stiffness + ((finger_theta_dot - rod_theta_dot) * spring_damping + ca.cos(rod_theta) * c5)
+    w4 = (rod_theta - finger_theta) * spring_stiffness + (ca.cos(finger_theta) * c6 + (rod_theta_dot - finger_theta_dot) * spring_damping)
     # outputs
     M_hat = ca.vertcat(
         ca.horzcat(c2, w1),  # rod.theta
         ca.horzcat(w1, c4),  # finger.theta
     )
-    Q_hat = ca.vertcat(
-        finger_theta_dot**2 * w5 + (w4 + (ca.cos(rod_theta) * c5 + w3)) - w2 - w6,  # rod.theta
-        w6 + (w2 + ca.cos(finger_theta) * c6) - w3 - w4 - rod_theta_dot**2 * w5,  # finger.theta
-    )
+    Q_hat = ca.vertcat(finger_theta_dot**2 * w2 + w3, w4 - rod_theta_dot**2 * w2)
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_i_dot", "c"], ["M_hat", "Q_hat"])
 
@@ -112,12 +108,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 4) [mixed]: dependent coordinates after one Newton step
     11 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 22)
     rod_theta = q_i[0]
     rod_tip_x = c[7]
     # outputs
@@ -133,13 +129,13 @@ def velocities() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 4) [mixed]: rates of the dependent coordinates
     15 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 22)
     rod_theta = q_i[0]
     rod_theta_dot = q_i_dot[0]
     rod_tip_x = c[7]
@@ -157,14 +153,14 @@ def accelerations() -> ca.Function:
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 4) [mixed]: accelerations of the dependent coordinates
     21 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 22)
     rod_theta = q_i[0]
     rod_theta_dot = q_i_dot[0]
     rod_theta_ddot = q_i_ddot[0]
@@ -186,7 +182,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 4) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 4 x 6) [SI]: constraint Jacobian
     gives C_t (n_c = 4) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -196,7 +192,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 22)
     rod_x = q[0]
     rod_y = q[1]
     rod_theta = q[2]
@@ -242,7 +238,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 6 x 6) [SI]: mass matrix in all coordinates
     gives K (n x n = 6 x 6) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 6) [N, N m]: quadratic velocity force in all coordinates
@@ -254,7 +250,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 22)
     rod_theta = q[2]
     finger_theta = q[5]
     rod_theta_dot = q_dot[2]
@@ -364,7 +360,7 @@ def reactions() -> ca.Function:
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
     takes q_ddot (n = 6) [mixed]: accelerations of all coordinates
-    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 4) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 2) [N, N m]: world force and moment of a joint on its body b, at b
     65 operations.
@@ -372,7 +368,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     q_ddot = ca.SX.sym("q_ddot", 6)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 22)
     rod_theta = q[2]
     finger_theta = q[5]
     rod_theta_dot = q_dot[2]
@@ -420,17 +416,17 @@ def energy() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    83 operations.
+    81 operations.
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 22)
     rod_y = q[1]
     rod_theta = q[2]
     finger_y = q[4]
@@ -449,7 +445,7 @@ def energy() -> ca.Function:
     c11 = c[11]
     c12 = c[12]
     c13 = c[13]
-    gravity_y = c[14]
+    c17 = c[17]
     # intermediate terms (7)
     w0 = ca.sin(rod_theta) * c13
     w1 = ca.cos(rod_theta) * c13
@@ -461,7 +457,7 @@ def energy() -> ca.Function:
     # outputs
     kinetic = ca.vertcat(w6 / 2.0)
     elastic = ca.vertcat((finger_theta - rod_theta)**2 * spring_stiffness / 2.0)
-    potential = ca.vertcat(-((w0 + rod_y * rod_mass) * gravity_y + (w3 + finger_y * finger_mass) * gravity_y))
+    potential = ca.vertcat((w0 + rod_y * rod_mass + (w3 + finger_y * finger_mass)) * c17)
     power_dissipated = ca.vertcat((finger_theta_dot - rod_theta_dot)**2 * spring_damping)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -473,13 +469,13 @@ def load_actions() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
-    16 operations.
+    15 operations.
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 22)
     rod_theta = q[2]
     finger_theta = q[5]
     rod_theta_dot = q_dot[2]
@@ -487,9 +483,9 @@ def load_actions() -> ca.Function:
     spring_stiffness = c[0]
     spring_damping = c[1]
     # intermediate terms (1)
-    w0 = (finger_theta - rod_theta) * spring_stiffness + (finger_theta_dot - rod_theta_dot) * spring_damping
+    w0 = (rod_theta - finger_theta) * spring_stiffness + (rod_theta_dot - finger_theta_dot) * spring_damping
     # outputs
-    load_actions = ca.vertcat(0.0, 0.0, -w0)
+    load_actions = ca.vertcat(0.0, 0.0, w0)
     inputs, outputs = [q, q_dot, c], [ca.densify(load_actions)]
     return ca.Function("load_actions", inputs, outputs, ["q", "q_dot", "c"], ["load_actions"])
 
@@ -538,13 +534,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i, through q_d
     30 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 22)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
@@ -553,15 +549,15 @@ def dQ_hat_dq_i() -> ca.Function:
     c3 = c[3]
     c5 = c[5]
     c6 = c[6]
-    c17 = c[17]
+    c18 = c[18]
     # intermediate terms (3)
     w0 = ca.cos(finger_theta - rod_theta) * c3
     w1 = finger_theta_dot**2 * w0
     w2 = rod_theta_dot**2 * w0
     # outputs
     dQ_hat_dq_i = ca.vertcat(
-        ca.horzcat(c17 - ca.sin(rod_theta) * c5 - w1, spring_stiffness + w1),  # rod.theta
-        ca.horzcat(spring_stiffness + w2, c17 - w2 - ca.sin(finger_theta) * c6),  # finger.theta
+        ca.horzcat(c18 - ca.sin(rod_theta) * c5 - w1, spring_stiffness + w1),  # rod.theta
+        ca.horzcat(spring_stiffness + w2, c18 - w2 - ca.sin(finger_theta) * c6),  # finger.theta
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
@@ -572,26 +568,26 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     18 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 22)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
     finger_theta_dot = q_i_dot[1]
     spring_damping = c[1]
-    c18 = c[18]
     c19 = c[19]
+    c20 = c[20]
     # intermediate terms (1)
-    w0 = ca.sin(finger_theta - rod_theta) * c19
+    w0 = ca.sin(finger_theta - rod_theta) * c20
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
-        ca.horzcat(c18, spring_damping + finger_theta_dot * w0),  # rod.theta
-        ca.horzcat(spring_damping - rod_theta_dot * w0, c18),  # finger.theta
+        ca.horzcat(c19, spring_damping + finger_theta_dot * w0),  # rod.theta
+        ca.horzcat(spring_damping - rod_theta_dot * w0, c19),  # finger.theta
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
@@ -603,7 +599,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 2 x 2) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     52 operations.
@@ -611,7 +607,7 @@ def residual_jacobian() -> ca.Function:
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 22)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
@@ -623,9 +619,9 @@ def residual_jacobian() -> ca.Function:
     c3 = c[3]
     c5 = c[5]
     c6 = c[6]
-    c17 = c[17]
     c18 = c[18]
     c19 = c[19]
+    c20 = c[20]
     # intermediate terms (9)
     w0 = finger_theta - rod_theta
     w1 = ca.sin(w0)
@@ -635,15 +631,15 @@ def residual_jacobian() -> ca.Function:
     w5 = finger_theta_ddot * w4
     w6 = rod_theta_ddot * w4
     w7 = rod_theta_dot**2 * w2
-    w8 = w1 * c19
+    w8 = w1 * c20
     # outputs
     J_q = ca.vertcat(
-        ca.horzcat(c17 - ca.sin(rod_theta) * c5 - w3 - w5, w5 + (spring_stiffness + w3)),  # rod.theta
+        ca.horzcat(c18 - ca.sin(rod_theta) * c5 - w3 - w5, w5 + (spring_stiffness + w3)),  # rod.theta
         ca.horzcat(spring_stiffness + w7 - w6, w6 - spring_stiffness - w7 - ca.sin(finger_theta) * c6),  # finger.theta
     )
     J_v = ca.vertcat(
-        ca.horzcat(c18, spring_damping + finger_theta_dot * w8),  # rod.theta
-        ca.horzcat(spring_damping - rod_theta_dot * w8, c18),  # finger.theta
+        ca.horzcat(c19, spring_damping + finger_theta_dot * w8),  # rod.theta
+        ca.horzcat(spring_damping - rod_theta_dot * w8, c19),  # finger.theta
     )
     inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
@@ -652,13 +648,13 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 2) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 1) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 1) [SI]: damping of the stiff deflections
     8 operations.
     """
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 22)
     spring_stiffness = c[0]
     spring_damping = c[1]
     # outputs
@@ -674,13 +670,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
     83 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 22)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
@@ -694,7 +690,7 @@ def forward_dynamics() -> ca.Function:
     c12 = c[12]
     gravity_y = c[14]
     c15 = c[15]
-    c20 = c[20]
+    c21 = c[21]
     # intermediate terms (19)
     w0 = ca.cos(rod_theta)
     w1 = (finger_theta - rod_theta) * spring_stiffness + (finger_theta_dot - rod_theta_dot) * spring_damping
@@ -713,7 +709,7 @@ def forward_dynamics() -> ca.Function:
     w14 = w2 * w13
     w15 = w2 * w9
     w16 = finger_mass - w4 * w12
-    w17 = w0 * c20 + w1 + w2 * (c15 + w3 * w4 - w6 * w7 + w8 * w11) + w14 * w15 - w10 * (w3 * w5 + w7 * w12 + w11 * w13 + w15 * w16)
+    w17 = w0 * c21 + w1 + w2 * (c15 + w3 * w4 - w6 * w7 + w8 * w11) + w14 * w15 - w10 * (w3 * w5 + w7 * w12 + w11 * w13 + w15 * w16)
     w18 = w17 / (c9 + w2 * (w2 * w8) - (w10 * (w14 - w10 * w16) + w10 * w14))
     # outputs
     q_i_ddot = ca.vertcat(w18, (w7 - (w4 * (w15 + w10 * w18) + w5 * (w2 * w18 - w11))) / c12)
@@ -726,18 +722,18 @@ def blocks() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
     gives M_hat_LS (n_L x n_S = 1) [SI]: block of M_hat, rows of L, columns of S
     gives M_hat_SL (n_S x n_L = 1) [SI]: block of M_hat, rows of S, columns of L
     gives M_hat_SS (n_S x n_S = 1) [SI]: block of M_hat, rows of S, columns of S
     gives Q_hat_L (n_L = 1) [N, N m]: part of Q_hat of L
     gives Q_hat_S (n_S = 1) [N, N m]: part of Q_hat of S
-    44 operations.
+    43 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 22)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
@@ -749,21 +745,19 @@ def blocks() -> ca.Function:
     c4 = c[4]
     c5 = c[5]
     c6 = c[6]
-    # intermediate terms (7)
+    # intermediate terms (5)
     w0 = finger_theta - rod_theta
     w1 = ca.cos(w0) * c3
-    w2 = rod_theta * spring_stiffness
-    w3 = finger_theta * spring_stiffness
-    w4 = finger_theta_dot * spring_damping
-    w5 = ca.sin(w0) * c3
-    w6 = rod_theta_dot * spring_damping
+    w2 = ca.sin(w0) * c3
+    w3 = w0 * spring_stiffness + ((finger_theta_dot - rod_theta_dot) * spring_damping + ca.cos(rod_theta) * c5)
+    w4 = (rod_theta - finger_theta) * spring_stiffness + (ca.cos(finger_theta) * c6 + (rod_theta_dot - finger_theta_dot) * spring_damping)
     # outputs
     M_hat_LL = ca.vertcat(c2)
     M_hat_LS = ca.vertcat(w1)
     M_hat_SL = ca.vertcat(w1)
     M_hat_SS = ca.vertcat(c4)
-    Q_hat_L = ca.vertcat(finger_theta_dot**2 * w5 + (w4 + (ca.cos(rod_theta) * c5 + w3)) - w2 - w6)
-    Q_hat_S = ca.vertcat(w6 + (w2 + ca.cos(finger_theta) * c6) - w3 - w4 - rod_theta_dot**2 * w5)
+    Q_hat_L = ca.vertcat(finger_theta_dot**2 * w2 + w3)
+    Q_hat_S = ca.vertcat(w4 - rod_theta_dot**2 * w2)
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(M_hat_LL), ca.densify(M_hat_LS), ca.densify(M_hat_SL), ca.densify(M_hat_SS), ca.densify(Q_hat_L), ca.densify(Q_hat_S)]
     return ca.Function("blocks", inputs, outputs, ["q_i", "q_i_dot", "c"], ["M_hat_LL", "M_hat_LS", "M_hat_SL", "M_hat_SS", "Q_hat_L", "Q_hat_S"])
 
@@ -774,15 +768,15 @@ def substep_2() -> ca.Function:
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
-    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 1) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 1) [N, N m]: right-hand side of a sub-step, slow q'' given
-    32 operations.
+    29 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 22)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
@@ -793,13 +787,12 @@ def substep_2() -> ca.Function:
     c3 = c[3]
     c4 = c[4]
     c6 = c[6]
-    # intermediate terms (3)
+    # intermediate terms (2)
     w0 = rod_theta - finger_theta
-    w1 = rod_theta_dot**2 * (ca.sin(w0) * c3) + (rod_theta_dot * spring_damping + (ca.cos(finger_theta) * c6 + rod_theta * spring_stiffness))
-    w2 = w1 - finger_theta * spring_stiffness - finger_theta_dot * spring_damping - rod_theta_ddot * (ca.cos(w0) * c3)
+    w1 = rod_theta_dot**2 * (ca.sin(w0) * c3) + (ca.cos(finger_theta) * c6 + (rod_theta_dot - finger_theta_dot) * spring_damping)
     # outputs
     M_hat_SS = ca.vertcat(c4)
-    rhs_S = ca.vertcat(w2)
+    rhs_S = ca.vertcat(w0 * spring_stiffness + w1 - rod_theta_ddot * (ca.cos(w0) * c3))
     inputs, outputs = [q_i, q_i_dot, q_L_ddot, c], [ca.densify(M_hat_SS), ca.densify(rhs_S)]
     return ca.Function("substep_2", inputs, outputs, ["q_i", "q_i_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])
 

@@ -547,7 +547,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    92 operations.
+    91 operations.
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
@@ -576,7 +576,7 @@ def energy() -> ca.Function:
     c12 = c[12]
     slider_inertia = c[13]
     c15 = c[15]
-    # intermediate terms (9)
+    # intermediate terms (8)
     w0 = ca.sin(crank_theta) * c12
     w1 = ca.cos(crank_theta) * c12
     w2 = crank_x_dot * (crank_x_dot * crank_mass - w0 * crank_theta_dot) + crank_y_dot * (crank_y_dot * crank_mass + crank_theta_dot * w1)
@@ -585,11 +585,10 @@ def energy() -> ca.Function:
     w5 = ca.cos(rod_theta) * c6
     w6 = w4 + rod_y_dot * (rod_y_dot * rod_mass + rod_theta_dot * w5) + rod_theta_dot * (rod_y_dot * w5 - rod_x_dot * w3 + rod_theta_dot * c7)
     w7 = w6 + slider_x_dot * (slider_x_dot * slider_mass) + slider_y_dot * (slider_y_dot * slider_mass) + slider_theta_dot * (slider_theta_dot * slider_inertia)
-    w8 = -((w0 + crank_y * crank_mass) * gravity_y + (w3 + rod_y * rod_mass) * gravity_y + slider_y * c15)
     # outputs
     kinetic = ca.vertcat(w7 / 2.0)
     elastic = ca.SX(1, 1)
-    potential = ca.vertcat(w8)
+    potential = ca.vertcat(-((w0 + crank_y * crank_mass + (w3 + rod_y * rod_mass)) * gravity_y + slider_y * c15))
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]

@@ -19,8 +19,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 19) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
-    120 operations.
+    gives c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
+    122 operations.
     """
     p = ca.SX.sym("p", 19)
     gravity_z = p[0]
@@ -100,13 +100,14 @@ def constants() -> ca.Function:
         link1_mass * gravity_z,  # c34
         link2_mass * gravity_z,  # c35
         link3_mass * gravity_z,  # c36
-        2.0,  # c37
-        2 * link1_end_x,  # c38
-        w6 + w12,  # c39
-        2 * link2_end_x,  # c40
-        -w1,  # c41
-        -w8,  # c42
-        -w14,  # c43
+        -gravity_z,  # c37
+        2.0,  # c38
+        2 * link1_end_x,  # c39
+        w6 + w12,  # c40
+        2 * link2_end_x,  # c41
+        -w1,  # c42
+        -w8,  # c43
+        -w14,  # c44
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -117,14 +118,14 @@ def condensed() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 9 x 9) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 9) [N, N m]: condensed force S^T (Q* - M s)
     723 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 45)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -432,12 +433,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 9) [mixed]: dependent coordinates after one Newton step
     39 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 45)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link2_theta1 = q_i[3]
@@ -471,13 +472,13 @@ def velocities() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     65 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 45)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link2_theta1 = q_i[3]
@@ -522,14 +523,14 @@ def accelerations() -> ca.Function:
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 9) [mixed]: accelerations of the dependent coordinates
     253 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 9)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 45)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -630,7 +631,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 18) [mixed]: rates of all coordinates
-    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 9) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 9 x 18) [SI]: constraint Jacobian
     gives C_t (n_c = 9) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -640,7 +641,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 45)
     link1_x = q[0]
     link1_y = q[1]
     link1_z = q[2]
@@ -788,7 +789,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 18) [mixed]: rates of all coordinates
-    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 18 x 18) [SI]: mass matrix in all coordinates
     gives K (n x n = 18 x 18) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 18) [N, N m]: quadratic velocity force in all coordinates
@@ -800,7 +801,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 45)
     link1_theta1 = q[3]
     link1_theta2 = q[4]
     link1_theta3 = q[5]
@@ -1215,7 +1216,7 @@ def reactions() -> ca.Function:
     takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 18) [mixed]: rates of all coordinates
     takes q_ddot (n = 18) [mixed]: accelerations of all coordinates
-    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 9) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 3) [N, N m]: world force and moment of a joint on its body b, at b
     373 operations.
@@ -1223,7 +1224,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
     q_ddot = ca.SX.sym("q_ddot", 18)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 45)
     link1_theta1 = q[3]
     link1_theta2 = q[4]
     link1_theta3 = q[5]
@@ -1385,17 +1386,17 @@ def energy() -> ca.Function:
 
     takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 18) [mixed]: rates of all coordinates
-    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    299 operations.
+    296 operations.
     """
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 45)
     link1_z = q[2]
     link1_theta1 = q[3]
     link1_theta2 = q[4]
@@ -1439,10 +1440,10 @@ def energy() -> ca.Function:
     c23 = c[23]
     c25 = c[25]
     c26 = c[26]
-    gravity_z = c[27]
     link1_mass = c[29]
     c30 = c[30]
-    # intermediate terms (70)
+    c37 = c[37]
+    # intermediate terms (69)
     w0 = ca.cos(link1_theta2)
     w1 = ca.sin(link1_theta1)
     w2 = w0 * w1 * c30
@@ -1512,11 +1513,12 @@ def energy() -> ca.Function:
     w66 = w55 + link3_z_dot * (link3_z_dot * link3_mass - link3_theta2_dot * w56) + link3_theta1_dot * (w62 + link3_theta2_dot * w65 - w57 * link3_theta3_dot)
     w67 = link3_theta1_dot * w65 - (link3_x_dot * w52 + link3_y_dot * w54 + link3_z_dot * w56) + link3_theta2_dot * (w60 * w63 + w58 * w64)
     w68 = w66 + link3_theta2_dot * w67 + link3_theta3_dot * (link3_theta3_dot * c23 - link3_theta1_dot * w57)
-    w69 = (link1_z * link1_mass - w5) * gravity_z + (link2_z * link2_mass - w28) * gravity_z + (link3_z * link3_mass - w51) * gravity_z
     # outputs
     kinetic = ca.vertcat(w68 / 2.0)
     elastic = ca.SX(1, 1)
-    potential = ca.vertcat(-w69)
+    potential = ca.vertcat(
+        (link1_z * link1_mass - w5 + (link2_z * link2_mass - w28) + (link3_z * link3_mass - w51)) * c37,
+    )
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -1598,13 +1600,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat by q_i, through q_d
     1345 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 45)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -1641,10 +1643,10 @@ def dQ_hat_dq_i() -> ca.Function:
     c24 = c[24]
     gravity_z = c[27]
     c28 = c[28]
-    c37 = c[37]
     c38 = c[38]
     c39 = c[39]
     c40 = c[40]
+    c41 = c[41]
     # intermediate terms (347)
     w0 = ca.cos(link1_theta1)
     w1 = ca.cos(link1_theta2)
@@ -1811,7 +1813,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w162 = w158 + w161 * link3_mass
     w163 = w148 + w152 * link2_mass + w162
     w164 = link1_theta1_dot * w7
-    w165 = (w6 * w12 + (w1 * w164 + link1_theta2_dot * (w4 * w8) * c37)) * link1_end_x
+    w165 = (w6 * w12 + (w1 * w164 + link1_theta2_dot * (w4 * w8) * c38)) * link1_end_x
     w166 = w165 * c9
     w167 = w0 * w76
     w168 = w6 * w76
@@ -1825,9 +1827,9 @@ def dQ_hat_dq_i() -> ca.Function:
     w176 = w175 + w141 * link3_mass
     w177 = w19 * c11
     w178 = w15 * w137
-    w179 = w132 * c39
+    w179 = w132 * c40
     w180 = w18 * w137
-    w181 = w20 * c39
+    w181 = w20 * c40
     w182 = w155 * c13
     w183 = w108 * c13
     w184 = w90 * c13
@@ -1861,7 +1863,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w212 = link1_theta1_dot * (w1 * w68 - w58 * w77)
     w213 = (w211 + w212) * c3 + (w212 - w211) * c0
     w214 = w195 * w196 + w59 * w202 + (w1 * ((w204 - w57) * c0 - (w57 + w204) * c1) + w8 * w208) + (w198 * w210 + w66 * w213)
-    w215 = w5 * w76 + (w0 * w188 + link1_theta2_dot * (w6 * w197) * c38)
+    w215 = w5 * w76 + (w0 * w188 + link1_theta2_dot * (w6 * w197) * c39)
     w216 = w215 * c9
     w217 = w1 * link1_end_x
     w218 = w58 * w213 - w61 * w202 - w8 * c28 - w163 * (w0 * w217) - w147 * (w6 * w217) + w76 * (w19 * w43 + w25 * w35 + w39 * w55 + w170 * link2_mass + w172)
@@ -1887,7 +1889,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w238 = w237 * link3_mass
     w239 = w238 - w148
     w240 = link2_theta1_dot * w233
-    w241 = (w18 * w236 + (w24 * w240 + link2_theta2_dot * (link2_theta1_dot * w132) * c37)) * link2_end_x
+    w241 = (w18 * w236 + (w24 * w240 + link2_theta2_dot * (link2_theta1_dot * w132) * c38)) * link2_end_x
     w242 = w241 * link3_mass
     w243 = w44 - w36 + w55 * (w47 - w46) + w242
     w244 = w178 * w242 - (w180 * w238 - (w146 * w178 + (w85 * (w15 * w177) - w152 * (w18 * w177) - w162 * w180)))
@@ -1914,7 +1916,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w265 = w248 - (w35 * (w21 * w37) - w22 * w255 + (w20 * w43 + w37 * w260) + (w55 * (w24 * w45) + w48 * w264))
     w266 = w35 * (w21 * w130) - w133 * w255 + (w43 * w132 + w130 * w260) + (w55 * (w17 * w24) + w135 * w264)
     w267 = w24 * w233
-    w268 = w137 * w232 + (w15 * w246 + link2_theta2_dot * w267 * c40)
+    w268 = w137 * w232 + (w15 * w246 + link2_theta2_dot * w267 * c41)
     w269 = w268 * link3_mass
     w270 = w266 + w269
     w271 = w231 * ((w24 * w231 - w18 * w51) * link2_end_x)
@@ -2017,7 +2019,7 @@ def dQ_hat_dq_i() -> ca.Function:
             w141 * w301 - w131 * w158, w141 * w319 - w131 * w320, w141 * w340 - w131 * w341,
         ),
         ca.horzcat(  # link2.theta2
-            w165 * w179 - w13 * w181, w179 * w215 - (w221 * (w24 * c39) + w181 * w189), 0.0, w244,
+            w165 * w179 - w13 * w181, w179 * w215 - (w221 * (w24 * c40) + w181 * w189), 0.0, w244,
             w178 * w269 - (w286 - w146 * (w18 * w223) + w137 * w172 + w223 * w274 + w180 * w248),
             w21 * w276 + w16 * w297 + (w16 * w282 + w21 * w300), w158 * w180 + w178 * w301,
             w223 * w321 + w180 * w320 + w178 * w319, w223 * w342 + w180 * w341 + w178 * w340,
@@ -2046,13 +2048,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     803 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 45)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -2086,10 +2088,10 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c21 = c[21]
     c22 = c[22]
     c24 = c[24]
-    c39 = c[39]
-    c41 = c[41]
+    c40 = c[40]
     c42 = c[42]
     c43 = c[43]
+    c44 = c[44]
     # intermediate terms (204)
     w0 = ca.cos(link1_theta1)
     w1 = ca.cos(link1_theta2)
@@ -2140,10 +2142,10 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w46 = w45 * link2_end_x
     w47 = w41 * w46
     w48 = w41 * w45
-    w49 = w48 * c39
+    w49 = w48 * c40
     w50 = w36 * w46
     w51 = w36 * w45
-    w52 = w51 * c39
+    w52 = w51 * c40
     w53 = ca.cos(link3_theta1)
     w54 = ca.cos(link3_theta2)
     w55 = w53 * w54
@@ -2174,7 +2176,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w80 = w37 * link2_end_x
     w81 = w54 * c13
     w82 = (w15 + w15) * c1
-    w83 = (w21 + w21) * c41
+    w83 = (w21 + w21) * c42
     w84 = w41 * link2_theta1_dot
     w85 = w45 * link2_theta2_dot
     w86 = (w37 * w84 + w36 * w85) * link2_end_x
@@ -2241,7 +2243,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w147 = w37 * link2_theta1_dot
     w148 = (w146 - w147) * c14 - (w146 + w147) * c15
     w149 = (w104 + w104) * c15
-    w150 = (w96 + w96) * c42
+    w150 = (w96 + w96) * c43
     w151 = ca.sin(link3_theta3)
     w152 = ca.cos(link3_theta3)
     w153 = w57 * w152
@@ -2294,7 +2296,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w200 = w54 * link3_theta1_dot
     w201 = (w199 - w200) * c21 - (w199 + w200) * c22
     w202 = (w166 + w166) * c22
-    w203 = (w158 + w158) * c43
+    w203 = (w158 + w158) * c44
     # outputs
     dQ_hat_dq_i_dot = ca.SX(9, 9)
     # link1.theta1
@@ -2326,7 +2328,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     dQ_hat_dq_i_dot[3, 7] = w43 * w194 - w39 * w195
     # link2.theta2
     dQ_hat_dq_i_dot[4, 0] = -(w8 * w49 + w31 * w52)
-    dQ_hat_dq_i_dot[4, 1] = -(w79 * (w37 * c39) + w49 * w65 + w52 * w76)
+    dQ_hat_dq_i_dot[4, 1] = -(w79 * (w37 * c40) + w49 * w65 + w52 * w76)
     dQ_hat_dq_i_dot[4, 3] = -(w89 * w121 - w91 * w125 + w47 * w88 + w50 * w117)
     dQ_hat_dq_i_dot[4, 4] = w89 * w145 + w91 * w144 - w80 * w143 - w47 * w128 - w50 * w140
     dQ_hat_dq_i_dot[4, 5] = -(w89 * w149 - w91 * w150)
@@ -2364,7 +2366,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 9 x 9) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     2050 operations.
@@ -2372,7 +2374,7 @@ def residual_jacobian() -> ca.Function:
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 9)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 45)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -2418,12 +2420,12 @@ def residual_jacobian() -> ca.Function:
     c24 = c[24]
     gravity_z = c[27]
     c28 = c[28]
-    c38 = c[38]
     c39 = c[39]
     c40 = c[40]
     c41 = c[41]
     c42 = c[42]
     c43 = c[43]
+    c44 = c[44]
     # intermediate terms (472)
     w0 = ca.cos(link1_theta1)
     w1 = ca.cos(link1_theta2)
@@ -2620,8 +2622,8 @@ def residual_jacobian() -> ca.Function:
     w192 = w41 * c11
     w193 = w192 + w154 * link3_mass
     w194 = w19 * c11
-    w195 = w20 * c39
-    w196 = w145 * c39
+    w195 = w20 * c40
+    w196 = w145 * c40
     w197 = w170 * c13
     w198 = w120 * c13
     w199 = w99 * c13
@@ -2629,7 +2631,7 @@ def residual_jacobian() -> ca.Function:
     w201 = w95 * w199
     w202 = w11 * link1_end_x
     w203 = (w1 * link1_theta2_ddot - link1_theta2_dot * w9) * link1_end_x
-    w204 = w5 * w203 + (w84 * w180 + link1_theta2_dot * (w2 * link1_theta1_dot) * c38)
+    w204 = w5 * w203 + (w84 * w180 + link1_theta2_dot * (w2 * link1_theta1_dot) * c39)
     w205 = w204 * c9
     w206 = link1_theta3_dot - link1_theta1_dot * w8
     w207 = link1_theta2_dot * w64
@@ -2668,9 +2670,9 @@ def residual_jacobian() -> ca.Function:
     w240 = w239 * link1_end_x
     w241 = (w1 * w7 + w0 * w9) * link1_end_x
     w242 = w7 * w241
-    w243 = w5 * w182 + (w89 * w180 + w4 * w239 * c38) - (w3 * w6 - w242 + (w0 * w13 - w242))
+    w243 = w5 * w182 + (w89 * w180 + w4 * w239 * c39) - (w3 * w6 - w242 + (w0 * w13 - w242))
     w244 = w24 * c11
-    w245 = w24 * c39
+    w245 = w24 * c40
     w246 = w104 * c13
     w247 = w228 - (w77 + link1_theta1_dot * (w74 + w9 * w67))
     w248 = (w247 - w227) * c1 + (w227 + w247) * c3
@@ -2696,7 +2698,7 @@ def residual_jacobian() -> ca.Function:
     w268 = w257 * link2_end_x
     w269 = (w24 * link2_theta2_ddot - link2_theta2_dot * w54) * link2_end_x
     w270 = w24 * w253
-    w271 = w18 * w269 + (w150 * w262 + link2_theta2_dot * w270 * c40)
+    w271 = w18 * w269 + (w150 * w262 + link2_theta2_dot * w270 * c41)
     w272 = w271 * link3_mass
     w273 = link2_theta1_dot * w24
     w274 = w19 * w21
@@ -2724,7 +2726,7 @@ def residual_jacobian() -> ca.Function:
     w296 = w295 * link2_end_x
     w297 = (w24 * w255 + w15 * w54) * link2_end_x
     w298 = w255 * w297
-    w299 = w18 * w264 + (w154 * w262 + w253 * w295 * c40) - (w144 * w254 - w298 + (w15 * w259 - w298))
+    w299 = w18 * w264 + (w154 * w262 + w253 * w295 * c41) - (w144 * w254 - w298 + (w15 * w259 - w298))
     w300 = w299 * link3_mass
     w301 = w184 * (w300 - (w24 * w46 - w19 * w284 - (w39 * w274 + w25 * w280) + (w29 * w288 - w61 * w277))) + w93 * w289
     w302 = (w52 + w59) * c15 - w60 * c17
@@ -2824,7 +2826,7 @@ def residual_jacobian() -> ca.Function:
     w396 = w395 * c9
     w397 = 2 * (w4 * w89 + w5 * w240 - (w3 * w7 + w0 * w241))
     w398 = (w208 + w208) * c1
-    w399 = (w220 + w220) * c41
+    w399 = (w220 + w220) * c42
     w400 = 2 * w297
     w401 = w400 * link3_mass
     w402 = w23 * w25 - w19 * w27
@@ -2864,7 +2866,7 @@ def residual_jacobian() -> ca.Function:
     w436 = w16 * w44 - w21 * w27
     w437 = (w436 - w273) * c14 - (w273 + w436) * c15
     w438 = (w44 + w44) * c15
-    w439 = (w27 + w27) * c42
+    w439 = (w27 + w27) * c43
     w440 = w103 * w105 - w99 * w107
     w441 = w440 - w113
     w442 = w441 * c13
@@ -2896,7 +2898,7 @@ def residual_jacobian() -> ca.Function:
     w468 = w96 * w123 - w101 * w107
     w469 = (w468 - w329) * c21 - (w329 + w468) * c22
     w470 = (w123 + w123) * c22
-    w471 = (w107 + w107) * c43
+    w471 = (w107 + w107) * c44
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # link1.theta1
@@ -3009,13 +3011,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
     844 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 45)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]

@@ -1,10 +1,11 @@
 """Expressions of the kernels as one graph with shared nodes, simplified as it is built.
 
-Three rules CasADi does not know, all about parameters (p) and rotations:
+Four rules CasADi does not know, all about parameters (p) and rotations:
 
     (x k1) k2 -> x (k1 k2)              parameters gather and can be hoisted out of the kernel as one constant
     k1 X + k2 X -> (k1 + k2) X          like terms
     k X cos^2 + k X sin^2 -> k X        a rotated arm keeps its length
+    k X + k Y -> k (X + Y)              one product less
 """
 
 from __future__ import annotations
@@ -114,6 +115,12 @@ class Graph:
             return self.apply(ca.OP_ADD, a, self.nodes[b].a)
         if self._stays_negative(a, b):
             return self._neg(self.apply(ca.OP_ADD, self.nodes[a].a, b))
+        if self._ends_in_p(b):
+            terms = self._terms(a)
+            for place, term in enumerate(terms):
+                difference = self._with_common_factor(ca.OP_SUB, term, b)
+                if difference is not None:
+                    return self._sum([difference, *terms[:place], *terms[place + 1 :]])
         return self._plain(ca.OP_SUB, a, b)
 
     def _mul(self, a: int, b: int) -> int:
@@ -202,7 +209,13 @@ class Graph:
             rest = self._pythagoras(first[1], second[1]) or self._pythagoras(second[1], first[1])
             if rest is not None:
                 return self._product(first[0], rest)
-        return None
+        return self._with_common_factor(ca.OP_ADD, a, b)
+
+    def _with_common_factor(self, op: int, a: int, b: int) -> int | None:
+        """k X + k Y, or their difference, as k (X + Y)."""
+        if not (self._ends_in_p(a) and self._ends_in_p(b)) or self.nodes[a].b != self.nodes[b].b:
+            return None
+        return self._mul(self.apply(op, self.nodes[a].a, self.nodes[b].a), self.nodes[a].b)
 
     def _pythagoras(self, u: tuple[int, ...], v: tuple[int, ...]) -> tuple[int, ...] | None:
         """Common factors X if u = X cos^2 and v = X sin^2 of one angle (as a non-empty marker: X or (one,))."""

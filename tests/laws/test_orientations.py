@@ -92,7 +92,7 @@ def test_tumbling_body(built_in: Build, scheme: str, steps: list[float], error: 
 def test_prices() -> None:
     """M_hat and Q_hat: a free body's six products of Euler's equations; chains without what a joint cannot pass."""
     assert operations(tumbling_body()) == 6
-    assert operations(heavy_top()) <= 19
+    assert operations(heavy_top()) == 17
     assert operations(spatial_chain(3, orientation="euler_parameters")) <= 370
     assert operations(spatial_chain(10, orientation="euler_parameters")) <= 2280
 
