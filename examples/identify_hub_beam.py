@@ -26,12 +26,12 @@ def build():
     return builder.simulation(t_end=8.0, dt=0.01, scheme="rk4", save_every=4).build()
 
 
-def main(picture: Path | None = None, repetitions: int = 1) -> None:
+def main(picture: Path | None = None, repetitions: int = 1, seed: int = 7) -> None:
     """Fit with the derivatives of the run; measured again and again, how often does the 95 % region hold the truth?"""
     with tempfile.TemporaryDirectory() as folder:
         model = load_model(generate(build(), folder))
     true = DifferentiableRun(model, ["tip_y"], list(TRUTH))
-    path, noise, inside = true.values(TRUTH)[:, 0], np.random.default_rng(7), 0
+    path, noise, inside = true.values(TRUTH)[:, 0], np.random.default_rng(seed), 0
     for k in range(repetitions):
         data = {"t": true.t, "tip_y": path + noise.normal(0.0, NOISE, len(true.t))}
         found = fit(model, data, list(TRUTH), guess=GUESS, bounds={"beam.damping_ratio": (0.0, 0.3)})
