@@ -69,9 +69,8 @@ class CurvePoints(Protocol):
 class Declarations(Protocol):
     """What the table asks of a scene: declared parameters and tables, and how a text that uses them is read."""
 
-    @property
-    def parameters(self) -> Mapping[str, Declaration]:
-        """By name."""
+    def fixed_parameters(self) -> Mapping[str, Declaration]:
+        """Those that stay as they are during a run, by name."""
 
     @property
     def tables(self) -> Mapping[str, CurvePoints]:
@@ -125,7 +124,7 @@ class ParameterTable:
         self._symbols: dict[str, ca.SX] = {}
         self._data: dict[str, ca.SX] = {}
         self._bounded: dict[str, tuple[BoundedQuantity, ca.SX]] = {}
-        for name, parameter in declarations.parameters.items():
+        for name, parameter in declarations.fixed_parameters().items():
             self._add(Parameter(name, parameter.unit, parameter.description, "declared", parameter.default))
 
     @property
@@ -194,7 +193,7 @@ class ParameterTable:
     def environment(self) -> Mapping[str, Any]:
         """Declared parameters by name, and tables as functions, for expressions in the scene."""
         tables = {f"table {name}": partial(self._curve, name) for name in self._declarations.tables}
-        return {**{name: self._symbols[name] for name in self._declarations.parameters}, **tables}
+        return {**{name: self._symbols[name] for name in self._declarations.fixed_parameters()}, **tables}
 
     def points(self, table: str) -> list[ca.SX]:
         """The x of a table's points."""

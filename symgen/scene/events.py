@@ -21,8 +21,8 @@ Duration = Annotated[Number, AfterValidator(_not_negative)]
 class DeclaredEvent(StrictModel):
     """A time at which ``when`` passes zero, rising, falling or either way; a step ends there.
 
-    ``terminal`` ends the run. ``action`` gives inputs other values from then on, by name. For ``cool_down`` seconds
-    after it has happened it is not looked for.
+    ``terminal`` ends the run. ``action`` gives inputs and parameters other values from then on, by name. For
+    ``cool_down`` seconds after it has happened it is not looked for.
     """
 
     when: Annotated[Quantity, Meaning("value that passes zero", "any", scope=Scope.MEASURES)]

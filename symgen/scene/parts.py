@@ -143,16 +143,32 @@ class SceneParts(StrictModel):
         warn("Scene.places is placements since 0.4; the old name goes with 0.5", DeprecationWarning, 2)
         return self.placements()
 
+    def switched_parameters(self) -> set[str]:
+        """Parameters that actions of events set: they are held as inputs are, and stand where inputs may."""
+        return {target for event in self.events.values() for target in event.action} & set(self.parameters)
+
+    def all_inputs(self) -> dict[str, DeclaredInput]:
+        """The declared inputs, and the parameters that events set as inputs."""
+        switched = self.switched_parameters()
+        found = {name: entry for name, entry in self.parameters.items() if name in switched}
+        return {**self.inputs, **{name: DeclaredInput(**entry.model_dump()) for name, entry in found.items()}}
+
+    def fixed_parameters(self) -> dict[str, DeclaredParameter]:
+        """Parameters that stay as they are during a run."""
+        switched = self.switched_parameters()
+        return {name: parameter for name, parameter in self.parameters.items() if name not in switched}
+
     def parameter_defaults(self) -> dict[str, float]:
-        """DeclaredParameter names and their default values, in SI units."""
-        return {name: parameter.default for name, parameter in self.parameters.items()}
+        """Their names and default values, in SI units."""
+        return {name: parameter.default for name, parameter in self.fixed_parameters().items()}
 
     def input_defaults(self) -> dict[str, float]:
         """The entries of u by name and what they are at rest: defaults, rates zero."""
-        names = {name: entry.names(name) for name, entry in self.inputs.items()}
-        return {part: self.inputs[name].default if part == name else 0.0 for name in names for part in names[name]}
+        inputs = self.all_inputs()
+        names = {name: entry.names(name) for name, entry in inputs.items()}
+        return {part: inputs[name].default if part == name else 0.0 for name in names for part in names[name]}
 
     def expression(self, text: str | float, item: str, extra_names: tuple[str, ...] = ()) -> Expression:
         """Parse a quantity that may use the parameters, tables and ``extra_names`` ("t"); raises SceneError."""
         tables = map(table_name, self.tables)
-        return parse_expression(text, frozenset((*self.parameters, *tables, *extra_names)), item)
+        return parse_expression(text, frozenset((*self.fixed_parameters(), *tables, *extra_names)), item)

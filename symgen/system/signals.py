@@ -15,7 +15,7 @@ def input_records(scene: Scene) -> list[InputRecord]:
     """The inputs that a scene declares."""
     return [
         InputRecord(name, entry.unit, entry.description, entry.default, entry.has_rates, entry.filter or 0.0)
-        for name, entry in scene.inputs.items()
+        for name, entry in scene.all_inputs().items()
     ]
 
 
@@ -23,7 +23,7 @@ def input_units(scene: Scene) -> dict[str, str]:
     """SI unit of each entry of u: inputs are measures, so that a solution holds them."""
     return {
         part: (entry.unit or "1") + rate if rate else entry.unit
-        for name, entry in scene.inputs.items()
+        for name, entry in scene.all_inputs().items()
         for part, rate in zip(entry.names(name), RATES, strict=False)
     }
 
@@ -40,19 +40,19 @@ def motion_derivatives(
     for name, symbol in u.items():
         if not ca.depends_on(f, symbol):
             continue
-        if name not in scene.inputs:
+        if name not in scene.all_inputs():
             raise DerivationError(
                 f"joints.{joint}.motion",
                 f"uses '{name}', whose own rate and acceleration are not known",
                 "use the input itself: its rate and acceleration follow",
             )
-        if not scene.inputs[name].has_rates:
+        if not scene.all_inputs()[name].has_rates:
             raise DerivationError(
                 f"joints.{joint}.motion",
                 f"uses the input '{name}', which may jump, and a motion needs a rate and an acceleration",
                 f"give inputs.{name} rates = true, or a filter = ... [rad/s]",
             )
-    rated = [name for name, entry in scene.inputs.items() if entry.has_rates]
+    rated = [name for name, entry in scene.all_inputs().items() if entry.has_rates]
     values = ca.vertcat(t, *(u[name] for name in rated), *(u[f"{name}_dot"] for name in rated))
     rates = ca.vertcat(1, *(u[f"{name}_dot"] for name in rated), *(u[f"{name}_ddot"] for name in rated))
     if not rated:

@@ -1,4 +1,4 @@
-"""Events: what they act on are inputs."""
+"""Events: what they act on are inputs and parameters."""
 
 from __future__ import annotations
 
@@ -9,14 +9,12 @@ from symgen.scene.parts import SceneParts
 
 
 def event_errors(scene: SceneParts) -> Iterator[SceneError]:
-    """Actions on what is no input, and events of a structure or of a mechanism that cannot move freely."""
+    """Actions on what is neither, and events of a structure or of a mechanism that cannot move freely."""
     if scene.events and scene.structure is not None:
         yield SceneError("events", "a structure has no measures to look at", "remove them, or build it from bodies")
+    known = [*scene.inputs, *scene.parameters]
     for name, event in scene.events.items():
         for target in event.action:
-            if target in scene.inputs:
-                continue
-            remedy = did_you_mean(target, scene.inputs)
-            if target in scene.parameters:
-                remedy = f"move '{target}' from parameters to inputs: a parameter stays as it is during a run"
-            yield SceneError(f"events.{name}.action", f"'{target}' is not an input", remedy)
+            if target not in known:
+                problem = f"'{target}' is neither an input nor a parameter"
+                yield SceneError(f"events.{name}.action", problem, did_you_mean(target, known))

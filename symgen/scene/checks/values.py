@@ -38,6 +38,7 @@ WORD = re.compile(r"[A-Za-z]\w*")
 
 class _QuantityCheck:
     def __init__(self, scene: SceneParts) -> None:
+        self.switched = scene.switched_parameters()
         self.defaults, inputs = scene.parameter_defaults(), scene.input_defaults()
         tables = {table_name(name): table.value for name, table in scene.tables.items()}
         self.known: dict[str, Any] = {**self.defaults, **inputs, **tables, "t": 0.0}
@@ -57,6 +58,12 @@ class _QuantityCheck:
                 path, "uses a state, which would have to be driven by the mechanism's own motor",
                 "let an input with rates or a filter give the motion, or a load in place of the motion",
             )  # fmt: skip
+        if meaning.scope is Scope.PARAMETERS and isinstance(value, str):
+            for name in sorted(self.switched & set(WORD.findall(value))):
+                raise SceneError(
+                    path, f"uses '{name}', which an event sets during the run, and must stay as it is",
+                    "let the expression of a load use it, or name another parameter here",
+                )  # fmt: skip
         expression = parse_expression(value, self.names[meaning.scope], path)
         if not expression.names <= self.known.keys():
             return  # it uses measures, whose values are not known before the motion is
