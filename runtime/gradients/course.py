@@ -102,7 +102,7 @@ def course(steps: int, every: int, holds: Iterable[Hold]) -> Course:
 
 def across(course: Course, breaks: Breaks, moves: Moves) -> Course:
     """The course with its steps broken where something jumps."""
-    special = sorted({*breaks.broken.tolist(), *breaks.on})
+    special = sorted({*breaks.broken, *breaks.on})
     stops: list[Stop] = []
     done = 0
     for stop in course.stops:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Sequence
 from math import floor
 
@@ -24,7 +25,7 @@ class Breaks:
             near = [step for step in (k, k + 1) if abs(one.time - self.time(step)) <= ON_THE_GRID * dt]
             where, step = (self.on, near[0]) if near else (self.inside, k)
             where.setdefault(step, []).append(one)
-        self.broken = np.unique([*self.inside, *(k - 1 for k in self.on if k > 0)]).astype(int)
+        self.broken = sorted({*self.inside, *(k - 1 for k in self.on if k > 0)})
 
     def time(self, step: int) -> float:
         """Of the grid [s]."""
@@ -44,5 +45,5 @@ class Breaks:
 
     def next_broken(self, step: int) -> int | None:
         """The first broken step from this one on."""
-        k = int(np.searchsorted(self.broken, step))
-        return int(self.broken[k]) if k < len(self.broken) else None
+        k = bisect_left(self.broken, step)
+        return self.broken[k] if k < len(self.broken) else None

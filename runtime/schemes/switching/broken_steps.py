@@ -8,8 +8,9 @@ it, one that begins there on clocks after it, so that no rounding of t decides w
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -18,12 +19,22 @@ from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.breaks import ON_THE_GRID, Breaks
 from runtime.schemes.switching.event_search import first_passage
 from runtime.schemes.switching.impulse import Impulse, impulse_at, moves_in_time
-from runtime.schemes.switching.legs import Acts, Leg, Legs
+from runtime.schemes.switching.legs import MOST_KEPT, Acts, Leg, Legs
 from runtime.schemes.switching.times import SwitchTime
 from runtime.schemes.switching.watched import NEVER, begin_events, event_values, passed, quiet_until, watches
 from runtime.schemes.work import account_at, accounted, begin_account
 
 AHEAD = 2  # steps that the account of work looks at in advance
+
+
+@dataclass(frozen=True)
+class Planned:
+    """A broken step: a z of its own (n_z,), clocks [s] with the step from each, what these read, t0 after it."""
+
+    z: np.ndarray
+    parts: list[tuple[float, Callable[[int], None]]]
+    ready: list[np.ndarray]
+    t0: float
 
 
 class BrokenSteps:
@@ -37,6 +48,7 @@ class BrokenSteps:
         self.legs, self.grid = Legs(stepper), Breaks(t0, dt, switches)
         self.impulses: dict[float, Impulse] = {}
         self._moves = moves_in_time(self.model)
+        self._planned: dict[int, Planned] = {}
 
     @property
     def model(self) -> Model:
@@ -49,7 +61,7 @@ class BrokenSteps:
         while (step := int(z[1])) < end:
             broken = self.grid.next_broken(step)
             if broken == step:
-                self._break(z, c)
+                (self._break_plainly if self._plain else self._break)(z, c)
                 continue
             n = end - step if broken is None else min(end, broken) - step
             if z[0] != self.t0:  # the clock was set after a jump at the start of this step
@@ -57,6 +69,35 @@ class BrokenSteps:
                 z[0] = self.t0
             else:
                 self.stepper.run(z, ready, n)
+
+    @cached_property
+    def _plain(self) -> bool:
+        """Are the parts of a broken step nothing but steps of their own lengths?"""
+        scheme = self.stepper.scheme
+        return not (self.legs.remembers or accounted(scheme) or watches(scheme) or self._moves)
+
+    def _break_plainly(self, z: np.ndarray, c: np.ndarray) -> None:
+        """One major step in parts; what they need is known before."""
+        step = int(z[1])
+        if step not in self._planned:
+            if len(self._planned) >= MOST_KEPT:
+                self._planned.clear()
+            clocks, ends = [self.grid.clock(step)], self.grid.ends(step)
+            clocks += [after for _, after in ends[:-1] if after is not None]
+            lengths = [self.legs.length(start, end) for start, (end, _) in zip(clocks, ends, strict=True)]
+            shift = self.grid.clock(step + 1) - self.grid.time(step + 1)
+            ready = [self.legs.ready(c, length) for length in lengths]
+            own = np.zeros_like(z)  # code that is bound knows where it is
+            steps = [self.stepper.engine.bound(own, one) for one in ready]
+            self._planned[step] = Planned(own, list(zip(clocks, steps, strict=True)), ready, self.t0 + shift)
+        planned = self._planned[step]
+        own = planned.z
+        own[:] = z
+        for clock, go in planned.parts:
+            own[0], own[1] = clock, 0.0
+            go(1)
+        z[:] = own
+        z[0], z[1] = planned.t0, step + 1
 
     def _break(self, z: np.ndarray, c: np.ndarray, acts: Acts | None = None) -> None:
         """One major step in parts; acts: what events do, where they are looked for."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from math import prod
 
 import numpy as np
@@ -43,7 +44,7 @@ class Legs:
         self.stepper = stepper
         self._kept: dict[float, np.ndarray] = {}
 
-    @property
+    @cached_property
     def remembers(self) -> bool:
         """Does the scheme act through more than positions and rates?"""
         return set(self.scheme.memory) != {"x", "v", "loop"}
@@ -71,11 +72,14 @@ class Legs:
 
     def flown(self, leg: Leg, c: np.ndarray, start: float, end: float) -> tuple[np.ndarray, float]:
         """(z, its step) after a step between two clocks, nothing counted."""
-        eps = np.finfo(float).eps
-        length = (end - start) * (1 - 2 * eps * prod(self.scheme.grid.m))  # sub-steps add up by rounding
+        length = self.length(start, end)
         z = self.set_out(leg, c, start, length)
         self.stepper.run(z, self.ready(c, length), 1)
         return z, length
+
+    def length(self, start: float, end: float) -> float:
+        """The step [s] between two clocks."""
+        return (end - start) * (1 - 2 * np.finfo(float).eps * prod(self.scheme.grid.m))  # sub-steps add up by rounding
 
     def set_out(self, leg: Leg, c: np.ndarray, t: float, dt: float) -> np.ndarray:
         """z (n_z,) from which steps dt [s] go on at a clock, with the accounts and inputs of the leg before."""
