@@ -133,7 +133,11 @@ def energy(system: Condensed) -> Kernel:
 
 
 def load_forces(system: Condensed, bodies: Sequence[str]) -> Kernel:
-    """Generalised force of each load on the coordinates of each body's frame [N, N m], zeros where one has fewer."""
+    """Generalised force of each load on the coordinates of each body's frame [N, N m], zeros where one has fewer.
+
+    Of both its ends, and of the friction of joints, on flexible bodies: what their stresses and section forces are made
+    of. `load_actions` has one end of a load, in world axes, for who draws or reads it: neither follows from the other.
+    """
     eq = system.equations
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
     frames = {body: eq.frame_columns(body) for body in bodies}
