@@ -77,14 +77,14 @@ class AdaptiveExponentialRungeKutta(AdaptiveSteps):
             seen.append(at)
             v = self.charts.velocities(stage.q, stage.v)
             a = equations.accelerations(at, v)
-            if len(seen) == 2 and "work_from" in z:
-                powers["power_mid"] = equations.power_of(at, v, a)
             return motion.remainder(self.charts.accelerations(stage.q, stage.v, v, a), stage)
 
         found = krogstad(motion, d, rough=True)
         kept = {"b1": found.b1, "b2": found.b2}
         end, loop = found.end, equations.loop_part(seen[-1].q_d)
         v = self.charts.velocities(end.q, end.v)
+        if "work_from" in z:  # a stage in the middle is of lower order than the motion that leads to the end
+            powers["power_mid"] = self.power_between({**z, **kept}, equations, h / 2, (z["loop_from"] + loop) / 2, h)
         return Attempt(end.q, v, loop, end.q - found.before.q, end.v - found.before.v, kept, tuple(seen), powers)
 
     def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
