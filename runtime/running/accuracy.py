@@ -5,7 +5,8 @@ from the same positions and velocities to B. With order p the error of the windo
 Where steps follow from a tolerance, B is made with an eighth of it, and with an estimate of order p the error is about
 (A - B) 8/7.
 Errors of all steps are taken to add up as those of the windows do, which is right for phases of undamped oscillations,
-too much where a damper forgets errors, and too little where a motion is chaotic. Where a coordinate turns on and on,
+too much where a damper forgets errors, and too little where a motion is unstable in itself: there the motion carries
+them on (carried_error.py), and the larger of the two is said. Where a coordinate turns on and on,
 an error dE of the energy keeps the mechanism late for the rest of the run, by dE / 2 T of it with the kinetic energy T;
 then every coordinate is off by its rate times that delay.
 """
@@ -17,9 +18,11 @@ from dataclasses import astuple, dataclass
 
 import numpy as np
 
-from runtime.contract.coordinates import followed, whole
+from runtime.contract.coordinates import followed
 from runtime.contract.model import Model
 from runtime.results.amplitudes import floored
+from runtime.running.carried_error import CarriedError
+from runtime.running.neighbour import seen_state, small_change
 from runtime.running.segment import Segment
 from runtime.running.singular.guard import Guard
 from runtime.running.window import Window, window_at
@@ -30,6 +33,11 @@ SHARE = 0.05  # of the run's steps lie in windows; stepping them three times cos
 ROUND = 2 * np.pi  # rad: what has turned further turns on and on
 ONE_SIGN = 0.75  # sum of the delays over that of their magnitudes: less is no delay, but energies that go to and fro
 WORTH_A_WORD = 0.03  # error relative to an amplitude that a run says, if all of it is as its worst window
+GROWN = 1.5  # times what errors would be if none grew: from there the motion itself is to blame
+
+CARRIED = "/"  # before what is carried, among the names of coordinates
+
+States = tuple[np.ndarray, np.ndarray]  # coordinates and rates, (n,) each
 
 
 @dataclass
@@ -70,51 +78,55 @@ class Accuracy:
         self.marks = [steps * k // self.count for k in range(self.count)]
         self.apart = steps / max(1, self.count)
         self.errors: dict[str, CoordinateError] = {}
+        self.carried = CarriedError(steps)
 
     def until_next(self, step: int) -> int | None:
-        """Steps to the next window; None if there is none behind this step."""
-        return next((mark - step for mark in self.marks if mark > step), None)
+        """Steps to where the next window starts or what is carried is looked at; None if there is none behind."""
+        ahead = [mark - step for mark in self.marks if mark > step][:1]
+        return min([*ahead, *filter(None, [self.carried.until_next(step)])], default=None)
 
     def look(self, segment: Segment, z: np.ndarray, guard: Guard) -> None:
         """Judge the window that starts at z (whole, flat), if one does; near a singular position it says nothing."""
-        if segment.step_of(z) not in self.marks:
-            return
         with np.errstate(all="ignore"):
-            window = window_at(segment, z, self.length)
-            found = None if window is None else self._judged(segment, window, guard)
+            self.carried.look(segment, z)
+            if segment.step_of(z) in self.marks:
+                self._window(segment, z, guard)
+
+    def _window(self, segment: Segment, z: np.ndarray, guard: Guard) -> None:
+        """Judge the window from z."""
+        window = window_at(segment, z, self.length)
+        found = None if window is None else self._judged(segment, window, guard)
         if window is None or found is None:
             return
-        plan = segment.plan
-        time, windows = plan.time(segment.step_of(z)), self.apart * plan.grid.dt_L / window.seconds
-        late = found[-1] * windows * (plan.t_end - time)
-        self.late, self.lates = self.late + late, self.lates + abs(late)
-        for name, error, values, rates in zip(followed(segment.model)[0], *found[:-1], strict=True):
-            one = self.errors.setdefault(name, CoordinateError())
-            one.error += float(error) * windows
-            one.widen(values, rates)
-            if error * windows > one.worst:
-                one.worst, one.worst_time = float(error) * windows, time
+        (dq, dq_dot), (q, q_dot), slower = found
+        windows = self.apart * segment.plan.grid.dt_L / window.seconds
+        self._count(segment, window, dq * windows, (q, q_dot), slower * windows)
+        self.carried.add(*small_change(segment.model, q, q_dot, dq * windows, dq_dot * windows))
 
-    def _judged(
-        self, segment: Segment, window: Window, guard: Guard
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, float] | None:
-        """Errors (n_i,), positions and rates at both ends (n_i, 2), dE / 2 T; None if the window tells nothing."""
+    def _count(self, segment: Segment, window: Window, dq: np.ndarray, end: States, slower: float) -> None:
+        """Add the errors (n,) and dE / 2 T until the next window, by those of a window; end: its last state."""
+        time, (names, columns) = window.t, followed(segment.model)
+        late = slower * (segment.plan.t_end - time)
+        self.late, self.lates = self.late + late, self.lates + abs(late)
+        for name, k in zip(names, columns, strict=True):
+            one, error = self.errors.setdefault(name, CoordinateError()), abs(float(dq[k]))
+            one.error += error
+            one.widen(np.array([window.q[k], end[0][k]]), np.array([window.q_dot[k], end[1][k]]))
+            if error > one.worst:
+                one.worst, one.worst_time = error, time
+
+    def _judged(self, segment: Segment, window: Window, guard: Guard) -> tuple[States, States, float] | None:
+        """Errors (n,) of coordinates and rates, both at the end, and dE / 2 T; None if the window tells nothing."""
         if guard.alarm(*segment.determinants(window.own)):
             return None
-        ends, energies, model = [], [], segment.model
-        columns = followed(model)[1]
+        ends, energies = [], []
         for z, constants in ((window.own, window.own_constants), (window.finer, window.finer_constants)):
-            at = segment.stepper.state(z), constants
-            seen = segment.plan.scheme.observer(z=at[0], c=at[1])
-            parts = {key: np.asarray(value).ravel() for key, value in seen.items()}
-            ends.append(np.array([whole(model, parts[f"q_i{k}"], parts[f"q_d{k}"])[columns] for k in ("", "_dot")]))
-            energies.append(segment.energies(*at))
-        off, kinetic = np.abs(ends[0][0] - ends[1][0]) * window.more, energies[1][0]
+            ends.append(seen_state(segment, z, constants))
+            energies.append(segment.energies(segment.stepper.state(z), constants))
+        dq, dq_dot = ((own - finer) * window.more for own, finer in zip(*ends, strict=True))
+        kinetic = energies[1][0]
         slower = (sum(energies[0]) - sum(energies[1])) * window.more / (2 * kinetic) if kinetic > 0 else 0.0
-        if not np.isfinite([*off, slower]).all():
-            return None
-        q, rates = window.q[columns], window.q_dot[columns]
-        return off, np.column_stack([q, ends[0][0]]), np.column_stack([rates, ends[0][1]]), slower
+        return ((dq, dq_dot), ends[0], slower) if np.isfinite([*dq, *dq_dot, slower]).all() else None
 
     def watch(self, samples: dict[str, tuple[np.ndarray, np.ndarray]]) -> None:
         """Widen the ranges by samples of coordinates and rates (N,)."""
@@ -123,11 +135,62 @@ class Accuracy:
                 one.widen(*samples[name])
 
     def error(self, model: Model, name: str) -> float:
-        """Of a coordinate at the end of the run [m or rad]: its own, and what the delay of the mechanism makes."""
+        """Of a coordinate at the end of the run [m or rad]: what its motion has made of the errors of windows, at most
+        all of the range; where nothing was carried on to the end, what windows and the delay of the mechanism add up
+        to, or more if errors have grown until then.
+        """
         one = self.errors.get(name, CoordinateError(low=0.0, high=0.0))
-        if abs(self.late) < ONE_SIGN * self.lates or not self._turns(model):
-            return one.error
-        return float(np.hypot(one.error, min(one.fastest * abs(self.late), one.high - one.low)))
+        carried = min(float(self._carried(model, name).max(initial=0.0)), one.high - one.low)
+        if self.carried.arrived:
+            return carried
+        added = one.error
+        if abs(self.late) >= ONE_SIGN * self.lates and self._turns(model):
+            added = float(np.hypot(added, min(one.fastest * abs(self.late), one.high - one.low)))
+        return max(added, carried) if self._growth(model) > GROWN else added
+
+    def _carried(self, model: Model, name: str, first: int = 0) -> np.ndarray:
+        """(N,) magnitudes of what was carried of a coordinate, at the times of its course; first: n for what they would
+        be if nothing grew.
+        """
+        return np.array([row[1 + first + model.coordinates.index(name)] for row in self.carried.course])
+
+    def _amplitudes(self, model: Model) -> np.ndarray:
+        seen = [self.errors.get(name, CoordinateError(low=0.0, high=0.0)) for name in followed(model)[0]]
+        return floored(model, np.array([one.amplitude for one in seen]))
+
+    def _growth(self, model: Model) -> float:
+        """By how much errors have grown, seen at the coordinate and the time where they are the largest; 1 at least."""
+        if not self.carried.course:
+            return 1.0
+        names = followed(model)[0]
+        courses = np.array([self._carried(model, name) for name in names]) / self._amplitudes(model)[:, None]
+        k, at = np.unravel_index(int(courses.argmax()), courses.shape)
+        calm = self._carried(model, names[k], len(model.coordinates))[at] / self._amplitudes(model)[k]
+        return float(max(1.0, courses[k, at] / calm)) if calm > 0 else 1.0
+
+    def _grown(self, model: Model) -> dict[str, float | int | str]:
+        """What to say where the motion itself makes errors grow: by how much, and until when the run is good."""
+        growth = self._growth(model)
+        if growth < GROWN:
+            return {}
+        passed = {}
+        for name, amplitude in zip(followed(model)[0], self._amplitudes(model), strict=True):
+            large = np.flatnonzero(self._carried(model, name) > WORTH_A_WORD * amplitude)
+            if len(large):
+                passed[name] = float(self.carried.course[large[0]][0])
+        if not passed:
+            return {"error_growth": growth}
+        name = min(passed, key=lambda one: passed[one])
+        return {
+            "error_growth": growth,
+            "reliable_until": passed[name],
+            "remark": (
+                f"this motion is unstable in itself: small errors grow {growth:.2g} times, and that of {name} passes "
+                f"{100 * WORTH_A_WORD:.0f} % of its amplitude at about t = {passed[name]:.4g} s; what follows is not "
+                f"to be relied on. A smaller {'tolerance' if self.adaptive else 'step'} or a scheme of higher order "
+                "moves that time on, but not far"
+            ),
+        }
 
     def _turns(self, model: Model) -> bool:
         angles = {entry.name for entry in model.description.coordinates if entry.unit == "rad" and not entry.elastic}
@@ -160,14 +223,19 @@ class Accuracy:
                     f"{at_worst[name]:.2g} if all of the motion is as near t = {time:.4g} s: "
                     f"take a smaller {'tolerance' if self.adaptive else 'step'}, or another scheme (symgen advise)"
                 )
+            found |= self._grown(model)
         return found
 
     def memory(self) -> dict[str, list[float]]:
-        """In plain numbers, by coordinate; the delay has no name."""
+        """In plain numbers, by coordinate; the delay has no name, and what is carried no name of a coordinate."""
         kept = {name: [float(value) for value in astuple(one)] for name, one in self.errors.items()}
-        return {"": [self.late, self.lates], **kept}
+        carried = {f"{CARRIED}{key}": values for key, values in self.carried.memory().items()}
+        return {"": [self.late, self.lates], **kept, **carried}
 
-    def resume(self, memory: Mapping[str, Sequence[float]]) -> None:
-        """From `memory`."""
+    def resume(self, memory: Mapping[str, Sequence[float]], states: Mapping[str, np.ndarray]) -> None:
+        """From `memory` and the arrays of what is carried."""
+        carried = {name[len(CARRIED) :]: values for name, values in memory.items() if name.startswith(CARRIED)}
+        self.carried.resume(carried, states)
         self.late, self.lates = memory[""]
-        self.errors = {name: CoordinateError(*values) for name, values in memory.items() if name}
+        kept = {name: values for name, values in memory.items() if name and not name.startswith(CARRIED)}
+        self.errors = {name: CoordinateError(*values) for name, values in kept.items()}

@@ -14,7 +14,7 @@ from runtime.running.plan import Plan
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 
-FORMAT = "symgen checkpoint 3"
+FORMAT = "symgen checkpoint 4"
 
 
 @dataclass(frozen=True)

@@ -36,6 +36,8 @@ def _ended(run: Run, setup: float) -> Solution:
     last = (run.record.segments.index(run.segment), run.segment.stepper.state(run.z))
     run.record.flush()
     solution = run.record.solution(last)
+    if status.name == "completed":
+        run.accuracy.look(run.segment, run.z, run.guard)
     run.accuracy.watch({name: (solution[name], solution.rate(name)) for name in run.accuracy.errors})
     circumstances = {**_circumstances(run), **run.accuracy.stats(run.segment.model)}
     stats = {**_statistics(run.segment, run.z, setup, wall), **solution.stats, **circumstances}

@@ -62,7 +62,7 @@ def resume(
     with record.closed_on_error():
         record.restore(kept.arrays, header.rows, header.last_step)
     accuracy = Accuracy(header.steps, segment.plan.scheme.adaptive)
-    accuracy.resume(header.accuracy)
+    accuracy.resume(header.accuracy, kept.arrays)
     run = Run(
         segment,
         z,

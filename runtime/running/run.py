@@ -157,6 +157,7 @@ class Run:
             status = self.status or self._checked()
         else:
             self.guard.accept(*determinants)
+            self.accuracy.carried.follow(self.segment, before, self.z)
             self.earlier = before
             self.pace.went_well()
         for sample in saved:
@@ -167,11 +168,13 @@ class Run:
     def _step_with_events(self) -> None:
         """The next step, in which events happen."""
         assert self.segment.broken is not None
+        self.accuracy.carried.hold(self.segment, self.z)
         self.segment.forget_determinants(self.z)
         self._take_event(self._happenings.step(self.z, self.segment.broken))
 
     def _end_at_event(self, scheme: AdaptiveSteps) -> None:
         """The last step ends at an event: what lies before it is seen first."""
+        self.accuracy.carried.drop()
         happened = self._happenings.end_step(self.z)
         while scheme.next_seen(self.z, self.segment.plan.grid.dt_L) <= scheme.reached(self.z):
             self.segment.run(self.z, 1)
@@ -205,12 +208,14 @@ class Run:
         """The determinant of a loop block is small on the way from `before`: decide there how to go on."""
         self.z = before.copy()  # what Ctrl-C during the search leaves
         z, previous, alarm = locate(self.segment, self.guard, self.earlier, before, n)
+        self.accuracy.carried.follow(self.segment, before, z)
         if not alarm:
             self.z, self.earlier = z, before
             return
         if self.guard.threshold < FLOOR:
             self._step_unguarded(z)
             return
+        self.accuracy.carried.hold(self.segment, z)
         passage = Passage(self.segment, self.guard, self.record.segments, self.engine, lambda: self._interrupts.asked)
         found = passage.go_on(z if previous is None else previous)
         if found.event is not None and (
@@ -229,6 +234,7 @@ class Run:
             self.segment, self.guard = found.segment, found.segment.new_guard()
             if found.segment not in self.record.segments:
                 self.record.segments.append(found.segment)
+        self.accuracy.carried.pass_on(self.segment, found.event)
         self.z, self.earlier = found.z, None
 
     def _step_unguarded(self, z: np.ndarray) -> None:
@@ -273,7 +279,7 @@ class Run:
     def _write_checkpoint(self) -> None:
         if self.rule.path is None:
             return
-        arrays = self.record.arrays()
+        arrays = self.record.arrays() | self.accuracy.carried.states
         if self.earlier is not None:
             arrays["earlier"] = self.earlier
         try:

@@ -87,6 +87,10 @@ class Segment(SteppedModel):
         """Major steps that were made when z was reached."""
         return int(z[1])
 
+    def time_of(self, z: np.ndarray) -> float:
+        """Time of z by its own clock [s]."""
+        return float(z[0] + z[1] * self.plan.grid.dt_L)
+
     def run(self, z: np.ndarray, steps: int) -> None:
         """Advance z in place."""
         self.forget_determinants(z)

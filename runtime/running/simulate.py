@@ -103,7 +103,10 @@ def with_reads(schedule: Schedule, run: Run) -> Schedule | None:
                 "give its numbers as Sampled(..., memory=[...]), memory=() if it has none, or leave the checkpoint out",
             )
         controller.read_from(run.segment.model, run.segment.plan.scheme, run.segment.c)
-    return schedule if schedule.samples or schedule.controllers else None
+    if not schedule.samples and not schedule.controllers:
+        return None
+    run.accuracy.carried.ended = True  # what a controller would do beside the run is not known
+    return schedule
 
 
 def _begun(

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.contract.model import ModelError
+from runtime.running.neighbour import seen_state
 from runtime.running.segment import Segment
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.switching.broken_steps import BrokenSteps
@@ -17,11 +18,12 @@ STEPS, SHARE = 4, 0.005  # of a run whose steps follow from a tolerance: so many
 
 @dataclass(frozen=True)
 class Window:
-    """Where it starts (all coordinates and rates (n,)), and states at its end with the constants that they go with.
+    """When [s] and where it starts (all coordinates and rates (n,)), and states at its end with their constants.
 
     own: as the run steps; finer: more finely. seconds: its length. more: error over the difference of the two.
     """
 
+    t: float
     q: np.ndarray
     q_dot: np.ndarray
     own: np.ndarray
@@ -45,21 +47,20 @@ def window_at(segment: Segment, z: np.ndarray, length: int) -> Window | None:
 def _of_one_length(segment: Segment, z: np.ndarray, length: int) -> Window:
     """Steps of the run, and twice as many of half their length."""
     scheme, stepper, dt = segment.plan.scheme, segment.stepper, segment.plan.grid.dt_L
-    start = segment.observed([stepper.state(z)])
-    t, q, q_dot = float(start.t[0]), start.q[0], start.q_dot[0]
+    t, (q, q_dot) = segment.time_of(z), seen_state(segment, z)
     segment.run(z, length)
     halved, half = stepper.start(t, q, q_dot, segment.c, dt / 2), BrokenSteps(stepper, t, dt / 2, segment.switches)
     half.run(halved, stepper.ready(segment.c, dt / 2), segment.c, 2 * length)
     constants = scheme.constants(segment.c, dt), scheme.constants(segment.c, dt / 2)
     more = 2.0**scheme.order / (2.0**scheme.order - 1)
-    return Window(q, q_dot, z, constants[0], halved, constants[1], length * dt, more)
+    return Window(t, q, q_dot, z, constants[0], halved, constants[1], length * dt, more)
 
 
 def _of_tolerance(segment: Segment, scheme: AdaptiveSteps, z: np.ndarray) -> Window | None:
     """From the end of the last step, for STEPS steps or a SHARE of the run, and the same with a smaller tolerance."""
     stepper, plan = segment.stepper, segment.plan
     seconds = max(scheme.begin_anew(z) * STEPS, SHARE * (plan.t_end - plan.t0))
-    start = segment.observed([stepper.state(z)])
+    t, (q, q_dot) = segment.time_of(z), seen_state(segment, z)
     states, constants = [], []
     for tolerance in (scheme.tolerance, scheme.tolerance / FINER):
         constants.append(scheme.constants(segment.c, seconds, tolerance))
@@ -70,4 +71,5 @@ def _of_tolerance(segment: Segment, scheme: AdaptiveSteps, z: np.ndarray) -> Win
             return None
     own, finer = states
     finest = FINER ** (scheme.order / scheme.error_order)
-    return Window(start.q[0], start.q_dot[0], own, constants[0], finer, constants[1], seconds, finest / (finest - 1))
+    more = finest / (finest - 1)
+    return Window(t, q, q_dot, own, constants[0], finer, constants[1], seconds, more)

@@ -132,7 +132,7 @@ def summary(solution: Solution, judged: float | None = None) -> list[str]:
         f"largest constraint error {float(solution.constraint_error.max(initial=0.0)):.3g}, {_energy(solution)}",
     ]
     balance = float(abs(solution.energy_balance()).max()) if len(solution.t) > 2 else 0.0
-    scale = float(solution.energy["kinetic"].max() + solution.energy["elastic"].max())
+    scale = float(solution.energy["kinetic"].max() + abs(solution.energy["elastic"]).max())
     if balance - float(stats.get("work_doubt", 0.0)) > BALANCE_REMARK * scale:
         lines.append(
             f"the energy balance is off by {balance / scale:.2g} of the energy in motion: the step is too long for "

@@ -60,10 +60,10 @@ class Energy(Check):
         return steps < SETTLED and self.moving_at_start < ENERGY_LIMIT * moving
 
     def _measured(self, z: np.ndarray) -> tuple[float, float]:
-        """(kinetic plus elastic energy, total energy) [J]."""
+        """(kinetic plus elastic energy, a negative one of springs that push by its magnitude; total energy) [J]."""
         assert self._energies is not None
         kinetic, elastic, potential = (float(value) for value in self._energies(z, self.subject.c))
-        return kinetic + elastic, kinetic + elastic + potential
+        return kinetic + abs(elastic), kinetic + elastic + potential
 
     def memory(self) -> list[float]:
         """[at_start, largest, largest_work, moving_at_start]."""

@@ -1,0 +1,76 @@
+"""The error that the steps of a run make between two of its states, by other steps from the first of them.
+
+Steps of a double length make 2^p times as much with order p, at half the price of the run's. Where those may be
+unstable, or too long to be told by their order, steps of half the length make 2^-p of it. Where steps follow from a
+tolerance the others follow from one that is larger by TOLERANCE.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from runtime.contract.model import ModelError
+from runtime.operating.mode_solver import ModeSolver
+from runtime.running.neighbour import seen_state
+from runtime.running.segment import Segment
+from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
+from runtime.schemes.switching.broken_steps import BrokenSteps
+
+TOLERANCE = 8
+ROOM = 4.0  # the limit of the step over the step, from which steps may be doubled
+
+
+def may_be_longer(segment: Segment) -> bool:
+    """Are steps of the double length well below what limits them?"""
+    scheme, grid = segment.plan.scheme, segment.plan.grid
+    if scheme.adaptive:
+        return True
+    if len(grid.groups) > 1 or (scheme.limited(scheme.options) and not ModeSolver.possible(segment.model)):
+        return False
+    limit = segment.monitor.step_limit
+    return limit is None or ROOM * grid.h[-1] <= limit
+
+
+def error_made(
+    segment: Segment, start: np.ndarray, end: np.ndarray, here: tuple[np.ndarray, np.ndarray], longer: bool
+) -> tuple[np.ndarray, np.ndarray] | None:
+    """(n,) of all coordinates and rates, at the end; start, end: whole, flat; here: coordinates and rates of the end.
+
+    longer: by steps that are. None if the other steps fail.
+    """
+    try:
+        other, constants, share = (_varying if segment.plan.scheme.adaptive else _fixed)(segment, start, end, longer)
+    except ModelError:
+        return None
+    failures = segment.plan.scheme.layout.slice("failures")
+    if (other[failures] > start[failures]).any():
+        return None
+    there = seen_state(segment, other, constants)
+    dq, dq_dot = ((a - b) * share for a, b in zip(there, here, strict=True))
+    return (dq, dq_dot) if np.isfinite([*dq, *dq_dot]).all() else None
+
+
+def _fixed(segment: Segment, start: np.ndarray, end: np.ndarray, longer: bool) -> tuple[np.ndarray, np.ndarray, float]:
+    """(the other state, the constants that go with it, error over their difference)."""
+    scheme, stepper, begin = segment.plan.scheme, segment.stepper, start.copy()
+    steps, factor = segment.step_of(end) - segment.step_of(start), 2.0 if longer else 0.5
+    if longer and steps % 2:
+        segment.run(begin, 1)
+        steps -= 1
+    t, dt, c = segment.time_of(begin), factor * segment.plan.grid.dt_L, segment.with_inputs(start)
+    other = stepper.start(t, *seen_state(segment, begin), c, dt)
+    BrokenSteps(stepper, t, dt, segment.switches).run(other, stepper.ready(c, dt), c, round(steps / factor))
+    return other, scheme.constants(c, dt), 1 / (factor**scheme.order - 1)
+
+
+def _varying(
+    segment: Segment, start: np.ndarray, end: np.ndarray, longer: bool
+) -> tuple[np.ndarray, np.ndarray, float]:
+    scheme, stepper, other = segment.plan.scheme, segment.stepper, start.copy()
+    assert isinstance(scheme, AdaptiveSteps)
+    constants = scheme.constants(segment.c, None, TOLERANCE * scheme.tolerance)
+    scheme.look_ahead(other, segment.switches)
+    stepper.run(other, stepper.ready_for(constants), segment.step_of(end) - segment.step_of(start))
+    if segment.step_of(other) != segment.step_of(end):
+        other[:] = np.nan
+    return other, constants, 1 / (TOLERANCE - 1)

@@ -1,0 +1,142 @@
+"""Motions that are unstable in themselves: what a run says of its error, and until when it can be relied on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from runtime import Model, Sampled, Solution, reference_solution, resume, simulate
+from runtime.contract.coordinates import followed
+from runtime.results.amplitudes import floored
+from symgen.scene import Scene, SceneBuilder
+
+Load = Callable[[str], Model]
+Build = Callable[[Scene], Model]
+WITHIN = 10.0
+TUMBLING = {"body.omega_x": 0.01, "body.omega_y": 5.0, "body.omega_z": 0.01}  # about the middle axis: flips for ever
+OVER_THE_TOP = {"upper.theta": 3.0, "lower.theta": 2.5}
+
+
+def errors(run: Solution, initial: dict[str, float]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(true errors on the way relative to the amplitudes (N, n), true and estimated ones of what moves)."""
+    model = run.model
+    names, columns = followed(model)
+    exact = reference_solution(model, t_end=float(run.t[-1]), times=run.t, initial=initial)
+    off = np.abs(run.q - exact.q)[:, columns]
+    moves = off.max(axis=0) > 0
+    estimated = np.array([run.stats[f"estimated_error.{name}"] for name in names])
+    relative = off / floored(model, np.ptp(exact.q[:, columns], axis=0) / 2)
+    return relative, off.max(axis=0)[moves], estimated[moves]
+
+
+@pytest.mark.parametrize(
+    "scheme, dt, off",
+    [("linearised", 5e-3, 0.38), ("exponential", 2e-2, 0.06), ("radau", 2e-2, 2.5e-3), ("rk4", 2e-2, 2.5e-6)],
+)
+def test_errors_of_a_tumbling_body_are_known(built_in: Load, scheme: str, dt: float, off: float) -> None:
+    """Windows alone say 3e-4, 1.5e-6 and 3e-9 of the first three, and rk4's errors grow no more than they say."""
+    settings = {"t_end": 20.0, "initial": TUMBLING, "save_every": 10}
+    run = simulate(built_in("tumbling_body"), scheme=scheme, dt=dt, **settings)
+    relative, true, estimated = errors(run, TUMBLING)
+    assert true.max() == pytest.approx(off, rel=0.1)
+    assert (estimated < WITHIN * true).all() and (true < WITHIN * estimated).all(), estimated / true
+    late = run.t[(relative > 0.03).any(axis=1)]
+    if off > 0.03:
+        assert "unstable in itself" in str(run.stats["remark"])
+        assert float(run.stats["reliable_until"]) == pytest.approx(late[0], abs=1.0)
+    else:
+        assert len(late) == 0 and "reliable_until" not in run.stats and "remark" not in run.stats
+
+
+def test_errors_of_a_tumbling_body_are_known_with_a_tolerance(built_in: Load) -> None:
+    settings = {"t_end": 20.0, "initial": TUMBLING, "dt": 0.1}
+    run = simulate(built_in("tumbling_body"), scheme="exponential", tolerance=1e-4, **settings)
+    relative, true, estimated = errors(run, TUMBLING)
+    assert true.max() > 1.0 and (estimated < WITHIN * true).all() and (true < WITHIN * estimated).all()
+    assert float(run.stats["reliable_until"]) == pytest.approx(run.t[(relative > 0.03).any(axis=1)][0], abs=2.0)
+
+
+@pytest.mark.parametrize("scheme, dt, said", [("exponential", 1e-2, True), ("rk4", 5e-3, False)])
+def test_errors_of_a_double_pendulum_are_known(built_in: Load, scheme: str, dt: float, said: bool) -> None:
+    """Thrown over the top: 0.3 rad and 0.004 rad off after ten seconds."""
+    settings = {"t_end": 10.0, "initial": OVER_THE_TOP, "save_every": 10}
+    run = simulate(built_in("double_pendulum"), scheme=scheme, dt=dt, **settings)
+    relative, true, estimated = errors(run, OVER_THE_TOP)
+    assert (estimated < WITHIN * true).all() and (true < WITHIN * estimated).all(), estimated / true
+    assert ("reliable_until" in run.stats) == said == bool((relative > 0.03).any())
+
+
+def falling() -> Scene:
+    """x'' = x from x = 1: cosh t."""
+    builder = SceneBuilder("falling")
+    builder.structure(coordinates=["x"], mass=[[1.0]], stiffness=[[-1.0]]).initial({"x": 1.0})
+    return builder.simulation(t_end=8.0, dt=0.02, scheme="single_rate").build()
+
+
+def test_the_error_of_a_linear_fall_is_that_of_central_differences(model_of: Build) -> None:
+    """x_n = cosh(mu n h), sinh(mu h / 2) = h / 2: at t = 8 s the error is 8 sinh(8) h^2 / 24, 0.2 m."""
+    h, run = 0.02, simulate(model_of(falling()))
+    mu = 2 * np.arcsinh(h / 2) / h
+    true = abs(np.cosh(mu * 8.0) - np.cosh(8.0))
+    assert run.status.ok  # the energy of a spring that pushes is negative, and no failure
+    assert abs(run["x"][-1] - np.cosh(8.0)) == pytest.approx(true, rel=1e-6)
+    assert run.stats["estimated_error.x"] == pytest.approx(true, rel=0.2)
+
+
+@pytest.mark.parametrize(
+    "name", ["slider_crank", "four_bar", "flexible_slider_crank_torque", "near_singular_slider_crank"]
+)
+def test_what_turns_and_does_not_grow_is_not_called_unstable(built_in: Load, name: str) -> None:
+    """Linearised at an instant all of them grow; carried along, their errors do not, and are known within 3 times."""
+    run = simulate(built_in(name), save_every=50)
+    _, true, estimated = errors(run, {})
+    assert run.status.ok and "error_growth" not in run.stats and "reliable_until" not in run.stats
+    assert (estimated < 3 * true).all() and (true < 3 * estimated).all(), estimated / true
+
+
+def test_what_is_carried_goes_on_after_a_checkpoint(built_in: Load, tmp_path: Path) -> None:
+    """Between two looks: bit for bit, for steps of one length and for others."""
+    model, settings = built_in("tumbling_body"), {"t_end": 20.0, "initial": TUMBLING}
+
+    def stop(t: float, t_end: float) -> None:
+        if t > 7.3:
+            raise KeyboardInterrupt
+
+    for choice in ({"scheme": "single_rate", "dt": 5e-3}, {"scheme": "exponential", "tolerance": 1e-4, "dt": 0.05}):
+        whole = simulate(model, **settings, **choice)
+        simulate(model, **settings, **choice, checkpoint=tmp_path / "run.npz", progress=stop)
+        with np.load(tmp_path / "run.npz") as kept:
+            assert {"record_neighbour", "record_judged"} <= set(kept.files)
+        again = resume(model, tmp_path / "run.npz")
+        keys = [key for key in whole.stats if "error" in key or key == "reliable_until"]
+        assert len(keys) > 8 and all(again.stats[key] == whole.stats[key] for key in keys)
+
+
+def test_a_motion_that_grows_costs_twice_and_a_half_its_steps(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its own, the neighbour's, half as many of double length, and the windows' 15 in a hundred."""
+    from runtime.schemes.stepper import Stepper
+
+    taken, honest = [0], Stepper.run
+
+    def counted(self: Stepper, z: np.ndarray, ready: np.ndarray, steps: int) -> None:
+        taken[0] += steps
+        honest(self, z, ready, steps)
+
+    monkeypatch.setattr(Stepper, "run", counted)
+    simulate(built_in("double_pendulum"), scheme="single_rate", dt=1e-3, t_end=2.0, initial=OVER_THE_TOP)
+    assert 2.4 * 2000 < taken[0] <= 2.7 * 2000
+
+
+def test_what_a_controller_holds_is_not_called_unstable(model_of: Build) -> None:
+    """An inverted pendulum that a sampled torque holds: what the controller would do beside the run is not known."""
+    builder = (
+        SceneBuilder("held").gravity(0, -9.81).input("u").rigid("rod", mass=1.0, center_of_mass=(0.5, 0), inertia=0.1)
+    )
+    builder.revolute("pin", "ground.origin", "rod.origin").torque("motor", "rod.origin", "u")
+    builder.initial({"rod.theta": 1.5}).simulation(t_end=20.0, dt=1e-2, scheme="rk4")
+    hold = Sampled(lambda t, y: -20.0 * (y[0] - np.pi / 2) - 5.0 * y[1], 0.02, reads=("rod.theta", "rod.theta_dot"))
+    run = simulate(model_of(builder.build()), inputs={"u": hold})
+    assert run["rod.theta"][-1] == pytest.approx(np.pi / 2, abs=1e-6) and "remark" not in run.stats
