@@ -58,8 +58,7 @@ def _changed(
 def _change(segment: Segment, z: np.ndarray, di: np.ndarray, dv: np.ndarray) -> np.ndarray:
     """Change (len(z),) of a state z for changes as in `small_change`."""
     scheme, plan = segment.plan.scheme, segment.plan
-    layout, step = scheme.layout, segment.step_of(z)
-    clock = plan.time(step) if segment.broken is None else segment.broken.clock(step)
+    layout, clock = scheme.layout, segment.time_of(z)
     c, found, state = segment.with_inputs(z), np.zeros_like(z), seen_state(segment, z)
     states = (_changed(segment.model, *state, k * di, k * dv) for k in (0, 1))
     here, there = (segment.stepper.start(clock, *one, c, plan.grid.dt_L) for one in states)
