@@ -35,8 +35,6 @@ ONE_SIGN = 0.75  # sum of the delays over that of their magnitudes: less is no d
 WORTH_A_WORD = 0.03  # error relative to an amplitude that a run says, if all of it is as its worst window
 GROWN = 1.5  # times what errors would be if none grew: from there the motion itself is to blame
 
-CARRIED = "/"  # before what is carried, among the names of coordinates
-
 States = tuple[np.ndarray, np.ndarray]  # coordinates and rates, (n,) each
 
 
@@ -227,15 +225,11 @@ class Accuracy:
         return found
 
     def memory(self) -> dict[str, list[float]]:
-        """In plain numbers, by coordinate; the delay has no name, and what is carried no name of a coordinate."""
+        """In plain numbers, by coordinate; the delay has no name."""
         kept = {name: [float(value) for value in astuple(one)] for name, one in self.errors.items()}
-        carried = {f"{CARRIED}{key}": values for key, values in self.carried.memory().items()}
-        return {"": [self.late, self.lates], **kept, **carried}
+        return {"": [self.late, self.lates], **kept}
 
-    def resume(self, memory: Mapping[str, Sequence[float]], states: Mapping[str, np.ndarray]) -> None:
-        """From `memory` and the arrays of what is carried."""
-        carried = {name[len(CARRIED) :]: values for name, values in memory.items() if name.startswith(CARRIED)}
-        self.carried.resume(carried, states)
+    def resume(self, memory: Mapping[str, Sequence[float]]) -> None:
+        """From `memory`."""
         self.late, self.lates = memory[""]
-        kept = {name: values for name, values in memory.items() if name and not name.startswith(CARRIED)}
-        self.errors = {name: CoordinateError(*values) for name, values in kept.items()}
+        self.errors = {name: CoordinateError(*values) for name, values in memory.items() if name}

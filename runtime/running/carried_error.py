@@ -224,9 +224,13 @@ class CarriedError:
     def memory(self) -> dict[str, list[float]]:
         """In plain numbers."""
         flags = [float(getattr(self, name)) for name in FLAGS]
-        parts = {"flags": [self.scale, *flags], "di": self.di.tolist(), "dv": self.dv.tolist()}
-        made = {f"made {k}": part.tolist() for k, part in enumerate(self.made)}
-        return {**parts, **made, **{f"at {k}": row for k, row in enumerate(self.course)}}
+        numbers = {"di": self.di, "dv": self.dv, "made": self.made, "course": np.array(self.course)}
+        width = [float(len(self.course[0]) if self.course else 0)]
+        return {
+            "flags": [self.scale, *flags],
+            "width": width,
+            **{name: one.ravel().tolist() for name, one in numbers.items()},
+        }
 
     def resume(self, memory: Mapping[str, Sequence[float]], states: Mapping[str, np.ndarray]) -> None:
         """From `memory` and `states`."""
@@ -235,8 +239,8 @@ class CarriedError:
             setattr(self, name, bool(flag))
         self.z, self.start = states.get("neighbour"), states.get("judged")
         self.di, self.dv = np.array(memory["di"]), np.array(memory["dv"])
-        self.made = np.array([memory[f"made {k}"] for k in range(3)])
-        self.course = [list(row) for name, row in memory.items() if name.startswith("at ")]
+        self.made, row = np.array(memory["made"]).reshape(3, -1), int(memory["width"][0])
+        self.course = np.array(memory["course"]).reshape(-1, row).tolist() if row else []
 
 
 def _grows(segment: Segment, z: np.ndarray) -> bool:

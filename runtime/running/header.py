@@ -22,7 +22,7 @@ class CheckpointHeader:
     """The run: model (manifest, inputs, scene), plan. How far: steps done, rows streamed, what was kept.
 
     segments: q_i of each segment so far, in the order of the record; segment: the one under way. position: all
-    coordinates there, which tell a generator of variants where it is. monitor, guard, accuracy: what checks
+    coordinates there, which tell a generator of variants where it is. monitor, guard, accuracy, carried: what checks
     compare with, and errors so far. schedule: what drives it remembers.
     """
 
@@ -51,6 +51,7 @@ class CheckpointHeader:
     monitor: dict[str, list[float]]
     guard: list[list[float]]
     accuracy: dict[str, list[float]]
+    carried: dict[str, list[float]]
     schedule: dict[str, list[float]]
 
     def to_json(self) -> str:

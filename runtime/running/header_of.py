@@ -53,5 +53,6 @@ def header_of(
         monitor=segment.monitor.memory(),
         guard=guard.memory(),
         accuracy=accuracy.memory(),
+        carried=accuracy.carried.memory(),
         schedule={} if schedule is None else schedule.memory(),
     )

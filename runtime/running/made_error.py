@@ -73,4 +73,4 @@ def _varying(
     stepper.run(other, stepper.ready_for(constants), segment.step_of(end) - segment.step_of(start))
     if segment.step_of(other) != segment.step_of(end):
         other[:] = np.nan
-    return other, constants, 1 / (TOLERANCE - 1)
+    return other, constants, 1 / (TOLERANCE ** (scheme.order / scheme.error_order) - 1)

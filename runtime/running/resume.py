@@ -62,7 +62,8 @@ def resume(
     with record.closed_on_error():
         record.restore(kept.arrays, header.rows, header.last_step)
     accuracy = Accuracy(header.steps, segment.plan.scheme.adaptive)
-    accuracy.resume(header.accuracy, kept.arrays)
+    accuracy.resume(header.accuracy)
+    accuracy.carried.resume(header.carried, kept.arrays)
     run = Run(
         segment,
         z,

@@ -10,12 +10,14 @@ import numpy as np
 import pytest
 
 from runtime import Model
+from runtime.operating.balance import Clamped
 from runtime.operating.equilibrium import NoEquilibrium, equilibrium, is_steady
-from runtime.operating.functions import PointValues
+from runtime.operating.functions import PointFunctions, PointValues
 from runtime.operating.linearise import linearise
 from runtime.operating.modal import modal_analysis
 from runtime.operating.newton import Balance, balanced
 from runtime.operating.tracking import ModeState, tracked
+from runtime.operating.trim import trimmed
 from symgen.scene import Scene, SceneBuilder
 
 UNIT = np.eye(2)
@@ -171,3 +173,12 @@ def test_dependent_coordinates_are_held_where_they_are_asked_for(built_in: Calla
     name = next(name for name in model.q_d if name.startswith("slider") and name.endswith(".x"))
     for place in np.linspace(0.33, 0.4, 10):
         assert abs(equilibrium(model, {name: place}, initial={"crank.theta": 1.0})[name] - place) < 1e-12
+
+
+def test_a_trim_goes_on_until_the_correction_is_small(built_in: Callable[[str], Model]) -> None:
+    """Newton on sin d from d = 1e-3: tan d - d = 3.3e-10 is left after one step, 1e-29 after two."""
+    model = built_in("pendulum")
+    p, none = model.parameter_vector(), np.zeros(0)
+    task = Clamped(model, PointFunctions(model, model.constants(p)), 0.0, np.zeros(1), [], none, none)
+    found = trimmed(model, task, np.array([-np.pi / 2 + 1e-3]), p, [])
+    assert found.converged and found.q_i[0] == pytest.approx(-np.pi / 2, abs=1e-14)
