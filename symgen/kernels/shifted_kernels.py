@@ -23,20 +23,23 @@ from symgen.kernels.kernel import Kernel
 from symgen.kernels.partition_kernels import LARGE_TREE
 from symgen.system.topology import Topology
 
-FOR_A_COORDINATE = 1_100  # operations of a step of `exponential_rk4` by such solutions, for each coordinate
+FOR_A_COORDINATE, IN_SPACE = (
+    1_100,
+    4_000,
+)  # operations of a step of `exponential_rk4` by such solutions, for each of q_i
 
 
-def shorter_than_dense(n: int, n_s: int) -> bool:
+def shorter_than_dense(n: int, n_s: int, in_space: bool) -> bool:
     """Are such solutions shorter than a dense block of n_s deflections of n coordinates? By counts of built steps."""
-    return FOR_A_COORDINATE * n < 10 * n_s**3 + 100 * n_s**2
+    return (IN_SPACE if in_space else FOR_A_COORDINATE) * n < 10 * n_s**3 + 100 * n_s**2
 
 
 def shifted_kernels(
     system: Condensed, topology: Topology, arguments: Arguments, deflections: Deflections
 ) -> dict[str, Callable[[], Kernel]]:
-    """Builders by name on a large tree in a plane with many deflections, none on others."""
+    """Builders by name on a large tree with many deflections, none on others."""
     n, in_space = len(system.choice.independent), system.reduced.free_joints is not None
-    if n <= LARGE_TREE or in_space or not shorter_than_dense(n, len(deflections.rows)):
+    if n <= LARGE_TREE or not shorter_than_dense(n, len(deflections.rows), in_space):
         return {}
     return {"shifted_solution": lambda: _shifted_solution(system, topology, arguments, deflections)}
 

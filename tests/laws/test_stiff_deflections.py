@@ -18,6 +18,7 @@ from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.step_limit import limit_beside_deflections
 from runtime.studies.stability.tangent import TangentStep
 from symgen.generate import model_of as on_demand
+from symgen.kernels import shifted_kernels
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneError
 from symgen.scenes import SCENES
@@ -200,9 +201,11 @@ def test_tangents_keep_the_order(model_of: Build, name: str) -> None:
     assert errors[1] < case.cap and 3.0 < np.log(errors[0] / errors[1]) / np.log(4.0) < 5.0, errors
 
 
-def test_shifted_solutions_along_a_tree() -> None:
+@pytest.mark.parametrize("scene", [chain(5, 2), spatial_chain(2, 4)], ids=["plane", "space"])
+def test_shifted_solutions_along_a_tree(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
     """(M_hat + B (kappa K + delta D) B^T) x = B f for complex shifts and forces, by the dense matrices."""
-    model = on_demand(chain(5, 2))
+    monkeypatch.setattr(shifted_kernels, "shorter_than_dense", lambda n, n_s, in_space: True)
+    model = on_demand(scene)
     n, (B, K, D), random = len(model.q_i), deflections(model), np.random.default_rng(3)
     for state in random_states(model, 2):
         M_hat = evaluate(model, "condensed", **state.values())["M_hat"].reshape(n, n)
@@ -215,15 +218,22 @@ def test_shifted_solutions_along_a_tree() -> None:
         np.testing.assert_allclose(x, wanted, rtol=0, atol=1e-10 * np.abs(wanted).max())
 
 
-@pytest.mark.parametrize("scheme", [NAME, "exponential_midpoint"])
-def test_steps_along_a_tree_are_those_of_the_dense_block(scheme: str) -> None:
+@pytest.mark.parametrize(
+    "scheme, scene, dt",
+    [(NAME, chain(3, 3), 2e-3), ("exponential_midpoint", chain(3, 3), 2e-3), (NAME, spatial_chain(2, 4), 2e-4)],
+    ids=["plane", "midpoint", "space"],
+)
+def test_steps_along_a_tree_are_those_of_the_dense_block(
+    scheme: str, scene: Scene, dt: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Ten steps of a chain whose links are all flexible and damped, by shifted solutions and by n_s equations."""
-    data = chain(3, 3).to_dict()
+    monkeypatch.setattr(shifted_kernels, "shorter_than_dense", lambda n, n_s, in_space: True)
+    data = scene.to_dict()
     for body in data["bodies"]:
         body["damping_ratio"] = 0.02
     model = on_demand(Scene.from_dict(data))
     dense = replace(model, builders={k: v for k, v in model.builders.items() if k != "shifted_solution"}, _kernels={})
-    ends = [PreparedRuns(one, scheme, engine="interpreted").samples(2e-3, 10, 10)["x"][-1] for one in (model, dense)]
+    ends = [PreparedRuns(one, scheme, engine="interpreted").samples(dt, 10, 10)["x"][-1] for one in (model, dense)]
     assert model.has("shifted_solution") and not dense.has("shifted_solution")
     np.testing.assert_allclose(ends[0], ends[1], rtol=0, atol=1e-12)
 
