@@ -50,12 +50,14 @@ def sundials_solution(
     start: str | None = None,
     multistep: str = "bdf",
     compiled: bool = True,
+    most_steps: int = MAX_STEPS,
 ) -> Solution:
     """Integrate from 0 to t_end [s] with `cvodes` or `idas`; for cvodes, multistep is `bdf` or `adams`.
 
-    times: where to report (the end only by default). A failed integration gives the start only, with its status.
-    The time in stats is that of a second run: it holds no compilation or first call. Raises ArgumentError for an
-    unknown method, ModelError or InitialStateError for bad arguments, CompilerError if compiling fails.
+    times: where to report (the end only by default); most_steps: from one of them to the next. A failed integration
+    gives the start only, with its status. The times in stats are those of a second run: they hold no compilation or
+    first call. Raises ArgumentError for an unknown method, ModelError or InitialStateError for bad arguments,
+    CompilerError if compiling fails.
     """
     if method not in METHODS or multistep not in MULTISTEP:
         raise ArgumentError(
@@ -65,7 +67,7 @@ def sundials_solution(
     given = start_of(model, parameters, initial, start)
     refuse_impulses(model, given.c, t_end, given.y, method)
     t = np.array([t_end]) if times is None else np.asarray(times, dtype=float)
-    done = _integrated(model, method, given, t, _options(method, multistep, rtol, atol), compiled)
+    done = _integrated(model, method, given, t, _options(method, multistep, rtol, atol, most_steps), compiled)
     name = f"{method} {multistep}" if method == "cvodes" else method
     stats = {**done.stats, "rtol": rtol, "atol": atol}
     if done.refused:
@@ -74,9 +76,9 @@ def sundials_solution(
     return observed_solution(model, given, t, done.y, name, stats, Status("completed", t_end))
 
 
-def _options(method: str, multistep: str, rtol: float, atol: float) -> dict[str, Any]:
+def _options(method: str, multistep: str, rtol: float, atol: float, most_steps: int) -> dict[str, Any]:
     """Of CasADi's integrator."""
-    options: dict[str, Any] = {"reltol": rtol, "abstol": atol, "max_num_steps": MAX_STEPS}
+    options: dict[str, Any] = {"reltol": rtol, "abstol": atol, "max_num_steps": most_steps}
     if method == "idas":  # accelerations stay out of the error test: as exact, with fewer steps
         return {**options, "suppress_algebraic": True}
     return {**options, "linear_multistep_method": multistep, "nonlinear_solver_iteration": MULTISTEP[multistep]}
@@ -104,6 +106,7 @@ def _integrated(
         "engine": "compiled" if native else "interpreted",
         "setup_seconds": time.perf_counter() - began,
         "wall_seconds": 0.0,
+        "cpu_seconds": 0.0,
     }
     arguments = {"x0": given.y, "z0": guess, "p": given.c}
     try:
@@ -115,11 +118,11 @@ def _integrated(
             # IDACalcIC gives up on some consistent starts; without it the rates at the start are taken as zero
             integrator = _integrator(method, system, t, {**options, "calc_ic": False}, compiled)
             integrator(**arguments)
-        started = time.perf_counter()
+        started, worked = time.perf_counter(), time.process_time()
         result = integrator(**arguments)
     except RuntimeError as error:
         return SundialsRun(given.y[None, :], stats, str(error).strip().splitlines()[-1])
-    stats["wall_seconds"] = time.perf_counter() - started
+    stats |= {"wall_seconds": time.perf_counter() - started, "cpu_seconds": time.process_time() - worked}
     counted = integrator.stats()
     stats |= {key: int(counted.get(counter, 0)) for key, counter in COUNTERS.items()}
     return SundialsRun(np.asarray(result["xf"]).T, stats)

@@ -1,0 +1,97 @@
+"""Schemes with steps of one length on the hard suite: the time of each to 1e-3, and how far each is behind the best."""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from benchmarks.harness.models import model_of, workplace
+from benchmarks.harness.result import Line, Result
+from benchmarks.harness.tolerance_runs import KEPT, Case
+from runtime.contract.model import Model
+from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
+from runtime.studies.work_precision.problem import Problem, make_setting
+from runtime.studies.work_precision.search import search_steps
+from symgen.scenes.hard_suite import CASES, HardCase
+
+TOLERANCE, MOST = 1e-3, 200_000
+DENSE = 13  # independent coordinates up to which schemes that factorise M_hat take part
+STIFF = "exponential_rk4"
+FIVE = {"order": 5}
+OWN = ("exponential", "linearised")
+REMARK = """\
+CPU time of one native call for the whole motion, at the fewest steps that bring every graded coordinate below 1e-3 of
+its RMS amplitude; the best of at least five calls. `exponential_rk4 / best` is its time over that of the fastest scheme
+on the case; `radau / best of ours` is how many times as long `radau` takes as the fastest of `exponential_rk4`,
+`exponential` and `linearised`. Schemes that factorise M_hat are left out above {dense} coordinates."""
+
+
+def run() -> Result:
+    """All cases, small ones first."""
+    lines: list[Line] = []
+    details: dict = {}
+    with workplace() as folder:
+        for hard in CASES:
+            print(f"  {hard.name} ...", file=sys.stderr, flush=True)
+            found = best_trials(hard, model_of(hard.make(), folder))
+            details[hard.name] = {name: (one.steps, one.seconds, one.error) for name, one in found.items()}
+            lines += _lines(hard.name, {name: one.seconds for name, one in found.items()}, found)
+    return Result("hard_steps", "Steps of one length on the hard suite", lines, details, REMARK.format(dense=DENSE))
+
+
+def best_trials(hard: HardCase, model: Model) -> dict[str, Trial]:
+    """The best run of every scheme that meets the tolerance, by label."""
+    return best_of(contenders(model), problem_of(hard, model))
+
+
+def best_of(specs: list[Spec], problem: Problem) -> dict[str, Trial]:
+    """The best run to the tolerance of each of these methods that meets it, by label."""
+    found: dict[str, Trial] = {}
+    quickest = np.inf
+    for spec in specs:
+        best = search_steps(PreparedMethod(spec, problem), TOLERANCE, most=MOST, seconds_to_beat=5 * quickest).best
+        if best is not None:
+            found[spec.label] = best
+            quickest = min(quickest, best.seconds)
+    return found
+
+
+def problem_of(hard: HardCase, model: Model) -> Problem:
+    """With the reference of the case's own making: order 8, steps that resolve every mode."""
+    case = Case(hard, model)
+    setting = make_setting(
+        model,
+        t_end=hard.t_end,
+        parameters=hard.parameters,
+        initial=hard.initial,
+        start=hard.start,
+        graded=list(hard.graded),
+    )
+    path = CubicSpline(np.linspace(0.0, hard.t_end, KEPT + 1), case.reference)
+    return Problem(setting, hard.t_end, path, 1e-7)
+
+
+def contenders(model: Model) -> list[Spec]:
+    """The likeliest first."""
+    found = [Spec(STIFF)] if model.has("deflections") else []
+    if len(model.q_i) <= DENSE and model.has("residual_jacobian"):
+        orders = [Spec("exponential", (m,), options) for options in ({}, FIVE) for m in (1, 2)]
+        found += [*orders, Spec("linearised", (2,)), Spec("radau", None, {"eps": (1e-6,)})]
+    return [*found, Spec("dop853"), Spec("rk4"), Spec("single_rate", None, {"common_velocity": "predictor"})]
+
+
+def _lines(name: str, times: dict[str, float], found: dict[str, Trial]) -> list[Line]:
+    ranked = sorted(times, key=lambda label: times[label])
+    told = ", ".join(f"{label} {times[label] * 1e3:.3g} ms in {found[label].steps} steps" for label in ranked[:4])
+    lines = []
+    if STIFF in times:
+        lines.append(Line(f"{name}: {STIFF} / best", times[STIFF] / times[ranked[0]], "", 1.1, told))
+    else:
+        lines.append(Line(f"{name}: best", times[ranked[0]] * 1e3, "ms", note=told))
+    radau = next((times[label] for label in ranked if label.startswith("radau")), None)
+    ours = [time for label, time in times.items() if label == STIFF or label.startswith(OWN)]
+    if radau is not None and ours:
+        lines.append(Line(f"{name}: radau / best of ours", radau / min(ours), ""))
+    return lines
