@@ -28,7 +28,17 @@ from benchmarks.cases import (
 from benchmarks.harness.machine import describe_machine
 from benchmarks.harness.page import as_json, as_markdown, with_sections
 from benchmarks.harness.result import Benchmark, Result, Skipped
-from benchmarks.pages import bad_input, estimates, hard_tables, hard_twins, long_runs, stress_modes, sub_steps
+from benchmarks.pages import (
+    bad_input,
+    estimates,
+    hard_tables,
+    hard_twins,
+    long_runs,
+    orientations,
+    spherical_trees,
+    stress_modes,
+    sub_steps,
+)
 
 BENCHMARKS: dict[str, Benchmark] = {
     "step_slider_crank": step_slider_crank.run,
@@ -55,6 +65,8 @@ PAGES: dict[str, Callable[[list[str]], int]] = {
     "hard_twins": hard_twins.main,
     "stress_modes": stress_modes.main,
     "sub_steps": sub_steps.main,
+    "orientations": orientations.main,
+    "spherical_trees": spherical_trees.main,
 }
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "evidence" / "benchmarks.md"
 

@@ -234,7 +234,7 @@ def _choice(system: System, numbers: ConstraintNumbers, q: np.ndarray, at: Confi
         structural, loop_rows = structural_pivots(system, frozenset(redundant))
         return choose_loops(system, structural, loop_rows, jacobian, scales, redundant)
     structural, loop_rows = structural_pivots(system)
-    redundant = dependent_rows(equations, structural, loop_rows, jacobian, scales)
+    redundant = dependent_rows(system.reduced, structural, loop_rows, jacobian, scales)
     if redundant:
         require_redundant(equations, numbers.position, q, redundant)
     kept = [row for row in loop_rows if row not in redundant]

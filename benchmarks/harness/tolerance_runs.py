@@ -9,7 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
-from runtime.contract.coordinates import followed, independent, whole
+from runtime.contract.coordinates import followed, independent, loop_part, whole
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.sampling import evaluate
@@ -83,7 +83,7 @@ class Case:
         if not ModeSolver.possible(model):
             return 0.0
         q, v = s.state.q, s.state.q_dot
-        at = State(0.0, *independent(model, q, v), q[model.loop_columns])
+        at = State(0.0, *independent(model, q, v), loop_part(model, q))
         A_q, A_v = ModeSolver(model, s.c).slopes(at)
         n = len(A_q)
         return float(np.abs(np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [A_q, A_v]]))).max())

@@ -1,6 +1,6 @@
 """The condensed equations as a first-order system for general-purpose integrators: y = [q_i, q_i_dot, loop unknowns].
 
-Turns in q_i stay zero: behind the loop unknowns come the Euler parameters of their bodies, e' = e o (0, omega) / 2, and
+Turns stay zero: behind the loop unknowns come the Euler parameters of their bodies, e' = e o (0, omega) / 2, and
 each evaluation takes e, made of unit length, for the chart.
 
 The loop unknowns ride along as states, so that the right-hand side is a pure function: they only serve as the
@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from runtime.contract.coordinates import charts_in, independent
+from runtime.contract.coordinates import charts_in, independent, loop_part
 from runtime.contract.model import Model
 from runtime.contract.refused_events import refuse_events
 from runtime.contract.status import Status
@@ -47,14 +47,15 @@ class CondensedOde:
         c = ca.vertcat(self.c[: at.start], self.charts.unit(self.e), self.c[at.stop :])
         self.equations = StageEquations(model, c)
         self.motion: ClosedConfiguration = self.equations.close(
-            self.q_i, self.y[2 * n : ends], self.t, closure_iterations
+            self.q_i, self.charts.zeroed_loops(self.y[2 * n : ends]), self.t, closure_iterations
         )
         self.v_d = self.equations.rates(self.motion, self.v)
 
     def slope(self, a: ca.SX) -> ca.SX:
         """y_dot for q_i_ddot = a."""
-        turning = self.charts.parameter_rates(self.e, self.v)
-        return ca.densify(ca.vertcat(self.charts.zeroed(self.v), a, self.equations.loop_part(self.v_d), turning))
+        turning = self.charts.parameter_rates(self.e, self.v, self.v_d)
+        following = self.equations.loop_part(self.charts.zeroed_dependent(self.v_d))
+        return ca.densify(ca.vertcat(self.charts.zeroed(self.v), a, following, turning))
 
     def accelerations(self) -> ca.SX:
         """q_i_ddot by the cheapest route."""
@@ -73,15 +74,7 @@ class CondensedOde:
         """(t, y, c) -> OBSERVED."""
         a, a_d = self.accelerations(), ca.SX(0, 1)
         if self.model.q_d:
-            a_d = self.equations.call(
-                "accelerations",
-                q_i=self.q_i,
-                q_d=self.motion.q_d,
-                q_i_dot=self.v,
-                q_d_dot=self.v_d,
-                q_i_ddot=a,
-                t=self.t,
-            )["q_d_ddot"]
+            a_d = self.equations.dependent_accelerations(self.motion, self.v, a)
         parts = [self.q_i, self.motion.q_d, self.v, self.v_d, a, a_d]
         return ca.Function("observe", [self.t, self.y, self.c], ca.cse(parts), ["t", "y", "c"], list(OBSERVED))
 
@@ -108,7 +101,8 @@ def start_of(
 
 def integrated(model: Model, q: np.ndarray, q_dot: np.ndarray) -> np.ndarray:
     """y of a consistent state of all coordinates."""
-    return np.concatenate([*independent(model, q, q_dot), q[model.loop_columns], q[model.places.parameters.ravel()]])
+    loop = loop_part(model, q)
+    return np.concatenate([*independent(model, q, q_dot), loop, q[model.places.parameters.ravel()]])
 
 
 def observed_solution(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import casadi as ca
 import numpy as np
 
@@ -31,24 +33,49 @@ def told_state(model: Model, told: np.ndarray) -> np.ndarray:
     return q
 
 
-def independent_part(model: Model, q: np.ndarray) -> np.ndarray:
-    """q_i (..., n_i) of all coordinates q (..., n); turns are rotation vectors, below 2 pi, from charts that are 1."""
-    at, q = model.places, np.asarray(q)
-    found = np.zeros((*q.shape[:-1], len(model.q_i)))
-    found[..., at.plain] = q[..., at.columns]
+def _parts(model: Model, q: np.ndarray, of_turns: Callable[[np.ndarray], np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """(independent, dependent) part of a vector (..., n) of all coordinates; of_turns: columns of e -> (..., 3)."""
+    at = model.places
+    found = np.zeros((*q.shape[:-1], at.n_i + len(model.q_d)), dtype=q.dtype)
+    found[..., at.plain], found[..., at.n_i + at.dependent_plain] = q[..., at.columns], q[..., at.dependent]
     for turns, e in zip(at.turns, at.parameters, strict=True):
-        found[..., turns] = rotation_vector(q[..., e])
-    return found
+        found[..., turns] = of_turns(e)
+    return found[..., : at.n_i], found[..., at.n_i :]
+
+
+def parts(model: Model, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(q_i (..., n_i), q_d (..., n_d)) of all coordinates q (..., n).
+
+    Turns are rotation vectors, below 2 pi, from charts that are 1.
+    """
+    q = np.asarray(q)
+    return _parts(model, q, lambda e: rotation_vector(q[..., e]))
+
+
+def rate_parts(model: Model, q: np.ndarray, q_dot: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(q_i_dot, q_d_dot) of all coordinates and rates (..., n): angular velocities for the turns."""
+    q, q_dot = np.asarray(q), np.asarray(q_dot)
+    return _parts(model, q_dot, lambda e: angular_velocity(q[..., e], q_dot[..., e]))
+
+
+def independent_part(model: Model, q: np.ndarray) -> np.ndarray:
+    """q_i (..., n_i) of all coordinates, see `parts`."""
+    return parts(model, q)[0]
+
+
+def dependent_part(model: Model, q: np.ndarray) -> np.ndarray:
+    """q_d (..., n_d) of all coordinates, see `parts`."""
+    return parts(model, q)[1]
+
+
+def loop_part(model: Model, q: np.ndarray) -> np.ndarray:
+    """The loop unknowns (..., n_l) of all coordinates, see `parts`."""
+    return parts(model, q)[1][..., model.places.loops]
 
 
 def independent_rates(model: Model, q: np.ndarray, q_dot: np.ndarray) -> np.ndarray:
-    """q_i_dot (..., n_i) of all coordinates and rates (..., n): angular velocities for the turns."""
-    at, q, q_dot = model.places, np.asarray(q), np.asarray(q_dot)
-    found = np.zeros((*q_dot.shape[:-1], len(model.q_i)))
-    found[..., at.plain] = q_dot[..., at.columns]
-    for turns, e in zip(at.turns, at.parameters, strict=True):
-        found[..., turns] = angular_velocity(q[..., e], q_dot[..., e])
-    return found
+    """q_i_dot (..., n_i) of all coordinates and rates, see `rate_parts`."""
+    return rate_parts(model, q, q_dot)[0]
 
 
 def independent(model: Model, q: np.ndarray, q_dot: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -76,10 +103,10 @@ def parameter_columns(model: Model) -> dict[str, list[int]]:
 
 def whole(model: Model, independent: np.ndarray, dependent: np.ndarray) -> np.ndarray:
     """A vector (..., n) in the order of the model's coordinates of its parts (..., n_i) and (..., n_d)."""
-    at, independent = model.places, np.asarray(independent)
+    at, independent, dependent = model.places, np.asarray(independent), np.asarray(dependent)
     found = np.zeros((*independent.shape[:-1], len(model.coordinates)), dtype=independent.dtype)
     found[..., at.columns] = independent[..., at.plain]
-    found[..., at.dependent] = dependent
+    found[..., at.dependent] = dependent[..., at.dependent_plain]
     return found
 
 
@@ -88,27 +115,50 @@ def joined(model: Model, independent: ca.SX, dependent: ca.SX) -> ca.SX:
     found, at = ca.SX(len(model.coordinates), 1), model.places
     for position, column in zip(at.plain, at.columns, strict=True):
         found[int(column)] = independent[int(position)]
-    for position, column in enumerate(at.dependent):
-        found[int(column)] = dependent[position]
+    for position, column in zip(at.dependent_plain, at.dependent, strict=True):
+        found[int(column)] = dependent[int(position)]
     return found
 
 
-def turned_by(model: Model, q_i: np.ndarray, step: np.ndarray) -> np.ndarray:
-    """q_i (n_i,) after a step (n_i,) whose turns are rotations in the axes of their bodies."""
-    found = q_i + step
-    for turns in model.places.turns:
-        found[turns] = rotation_vector(product(exponential(q_i[turns]), exponential(step[turns])))
-    return np.asarray(found)
+def turned_by(
+    model: Model, q: np.ndarray, change: np.ndarray, q_i: np.ndarray, step: np.ndarray, loop: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """(q_i (n_i,), guess of the loop unknowns) after a step (n_i,) whose turns are rotations in axes of their bodies.
+
+    q, change (n,): all coordinates before, and what the step does to them; charts are 1.
+    """
+    at = model.places
+    found, following = q_i + step, np.zeros(len(model.q_d))
+    following[at.loops] = loop
+    whole_ = np.concatenate([found, following])
+    for turns, e in zip(at.turns, at.parameters, strict=True):
+        turn = angular_velocity(q[e], change[e])
+        before = exponential(rotation_vector(q[e]))
+        whole_[turns] = rotation_vector(product(before, exponential(turn)))
+    return whole_[: at.n_i], whole_[at.n_i :][at.loops]
+
+
+def at_home(model: Model, c: np.ndarray, q_d: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """c (..., c_size) and q_d (..., n_d) with charts where the bodies are; independent turns are zero there."""
+    at = model.places
+    if not len(at.turns):
+        return c, q_d
+    c, q_d = np.array(np.broadcast_to(c, (*q_d.shape[:-1], c.shape[-1]))), q_d.copy()
+    q = whole(model, np.zeros((*q_d.shape[:-1], at.n_i)), q_d)
+    c[..., charts_in(model)] = q[..., at.parameters.ravel()]
+    q_d[..., [k - at.n_i for k in at.turns.ravel() if k >= at.n_i]] = 0.0
+    return c, q_d
 
 
 def independent_slopes(
     model: Model, q: np.ndarray, q_dot: np.ndarray, dq: np.ndarray, dq_dot: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Derivatives (n_i, k) of `independent_part` and `independent_rates` at q, q_dot (n,) by those of them (n, k)."""
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Derivatives (., k) of q_i, q_i_dot and the loop unknowns at q, q_dot (n,) by those of q and q_dot (n, k)."""
     at = model.places
-    di, dv = (np.zeros((len(model.q_i), dq.shape[1])) for _ in range(2))
-    di[at.plain], dv[at.plain] = dq[at.columns], dq_dot[at.columns]
+    di, dv = (np.zeros((at.n_i + len(model.q_d), dq.shape[1])) for _ in range(2))
+    plain, columns = [*at.plain, *(at.n_i + at.dependent_plain)], [*at.columns, *at.dependent]
+    di[plain], dv[plain] = dq[columns], dq_dot[columns]
     for turns, e in zip(at.turns, at.parameters, strict=True):
         di[turns] = chart_rates(rotation_vector(q[e])) @ angular_velocity(q[e], dq[e].T).T
         dv[turns] = (angular_velocity(q[e], dq_dot[e].T) + angular_velocity(dq[e].T, q_dot[e])).T
-    return di, dv
+    return di[: at.n_i], dv[: at.n_i], di[at.n_i :][at.loops]

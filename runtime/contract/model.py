@@ -256,7 +256,8 @@ class Model:
     @cached_property
     def places(self) -> Places:
         """Where q_i and q_d stand in q; see runtime.contract.coordinates."""
-        return places_of(self.coordinates, self.q_i, self.q_d, self.description.orientations)
+        described = self.description
+        return places_of(self.coordinates, self.q_i, self.q_d, self.loop_unknowns, described.orientations)
 
     @cached_property
     def independent_columns(self) -> np.ndarray:
@@ -264,14 +265,9 @@ class Model:
         return np.array([self.coordinates.index(name) for name in self.q_i], dtype=int)
 
     @cached_property
-    def loop_columns(self) -> np.ndarray:
-        """Columns of the loop unknowns in q, (n_l,)."""
-        return np.array([self.coordinates.index(name) for name in self.loop_unknowns], dtype=int)
-
-    @cached_property
     def dependent_columns(self) -> np.ndarray:
-        """Columns of q_d in q, (n_d,)."""
-        return np.array([self.coordinates.index(name) for name in self.q_d], dtype=int)
+        """Columns in q of those of q_d that are coordinates: all but turns."""
+        return self.places.dependent
 
     @cached_property
     def redundant_rows(self) -> np.ndarray:

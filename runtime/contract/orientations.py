@@ -1,7 +1,8 @@
 """Orientations with velocities of their own: where they stand in q_i and q, and their charts.
 
-The turns of such a body in q_i are a rotation vector theta from a chart, a unit quaternion, and its entries of q_i'
-are the angular velocity omega in body axes; its Euler parameters e are dependent coordinates. What the runtime calls
+The turns of such a body are a rotation vector theta from a chart, a unit quaternion, and their velocities are the
+angular velocity omega in body axes; its Euler parameters e are dependent coordinates. Of a body in a closed loop some
+or all turns may be loop unknowns: they stand in q_d, which then is not of coordinates alone. What the runtime calls
 takes [c, charts] instead of c, so whatever evaluates a model has the charts as well. Outside time steps, which have one
 chart a step, charts are 1.
 """
@@ -19,7 +20,7 @@ IDENTITY = (1.0, 0.0, 0.0, 0.0)
 
 @dataclass(frozen=True)
 class OrientationRecord:
-    """An orientation with velocities of its own: names of its turns in q_i and of its Euler parameters in q_d."""
+    """An orientation with velocities of its own: names of its turns in q_i or q_d, of its Euler parameters in q_d."""
 
     body: str
     turns: list[str]
@@ -28,24 +29,40 @@ class OrientationRecord:
 
 @dataclass(frozen=True)
 class Places:
-    """Where things stand: entries of q_i that are coordinates, their columns of q, columns of q_d.
+    """Where things stand: entries of q_i that are coordinates, their columns of q; the same of q_d.
 
-    turns (k, 3): positions in q_i of each orientation; parameters (k, 4): columns of q of its Euler parameters.
+    turns (k, 3): positions of each orientation in q_i followed by q_d; parameters (k, 4): columns of q of its Euler
+    parameters. loops: positions in q_d of the loop unknowns.
     """
 
     plain: np.ndarray
     columns: np.ndarray
+    dependent_plain: np.ndarray
     dependent: np.ndarray
     turns: np.ndarray
     parameters: np.ndarray
+    loops: np.ndarray
+    n_i: int
+
+    @property
+    def split(self) -> bool:
+        """Is there an orientation of which some turns are independent and some not?"""
+        return bool(len(self.turns)) and bool(((self.turns < self.n_i).sum(axis=1) % 3).any())
+
+    @property
+    def all_independent(self) -> bool:
+        """Are all turns in q_i?"""
+        return bool((self.turns < self.n_i).all())
 
 
-def places_of(coordinates: list[str], q_i: list[str], q_d: list[str], records: list[OrientationRecord]) -> Places:
+def places_of(
+    coordinates: list[str], q_i: list[str], q_d: list[str], loops: list[str], records: list[OrientationRecord]
+) -> Places:
     """Of a model's names."""
     at = {name: column for column, name in enumerate(coordinates)}
     turning = {name for record in records for name in record.turns}
-    plain = [k for k, name in enumerate(q_i) if name not in turning]
-    turns = [[q_i.index(name) for name in record.turns] for record in records]
+    plain, dependent = ([k for k, name in enumerate(names) if name not in turning] for names in (q_i, q_d))
+    turns = [[[*q_i, *q_d].index(name) for name in record.turns] for record in records]
     parameters = [[at[name] for name in record.parameters] for record in records]
 
     def array(values: Any, *shape: int) -> np.ndarray:
@@ -54,9 +71,12 @@ def places_of(coordinates: list[str], q_i: list[str], q_d: list[str], records: l
     return Places(
         array(plain, -1),
         array([at[q_i[k]] for k in plain], -1),
-        array([at[name] for name in q_d], -1),
+        array(dependent, -1),
+        array([at[q_d[k]] for k in dependent], -1),
         array(turns, len(records), 3),
         array(parameters, len(records), 4),
+        array([q_d.index(name) for name in loops], -1),
+        len(q_i),
     )
 
 

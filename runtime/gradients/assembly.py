@@ -42,7 +42,7 @@ def start_slopes(
     dependent = set(map(int, model.dependent_columns))
     if model.constraints and (set(free_q) != dependent or set(free_v) != dependent):
         _assembled(model, p, t0, state, dp, dq, dv, free_q, free_v)
-    return np.concatenate([dp, *independent_slopes(model, state.q, state.q_dot, dq, dv), dq[model.loop_columns]])
+    return np.concatenate([dp, *independent_slopes(model, state.q, state.q_dot, dq, dv)])
 
 
 def _open(model: Model, given: Mapping[str, float], rates: bool) -> list[int]:

@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
-from runtime.contract.coordinates import independent, joined
+from runtime.contract.coordinates import independent, joined, loop_part
 from runtime.contract.model import Model
 from runtime.schemes.stage_equations import StageEquations
 from runtime.start.elastic_residual import CLOSURE_ITERATIONS, elastic_residual
@@ -28,7 +28,7 @@ def settled_slopes(
     n_p, n = len(p), len(model.q_i)
     found = slopes.copy()
     dp, dq, dv = found[:n_p], found[n_p : n_p + n], found[n_p + n : n_p + 2 * n]
-    (q, v), loop = independent(model, given.q, given.q_dot), given.q[model.loop_columns]
+    (q, v), loop = independent(model, given.q, given.q_dot), loop_part(model, given.q)
     step, coordinate = small_motion(model, given.q_dot)
     rates = model.derived("rate_slopes", lambda: _rate_slopes(model))(t, q, v, loop, p)
     moving = np.asarray(rates)[coordinate] @ np.concatenate([dq, dv, dp])  # of the speed that sets the step

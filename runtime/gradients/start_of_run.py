@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from runtime.contract.consistent_state import InitialStateError
-from runtime.contract.coordinates import independent
+from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.refused_events import refuse_events
 from runtime.gradients.assembly import start_slopes
 from runtime.gradients.beginning import Begun
@@ -70,7 +70,7 @@ class StartOfRun:
         moved = self._slopes(p, c, given) if slopes else np.zeros((0, 0))
         watch = Watch(plan, c, p)
         watch.begin(z)
-        where = np.concatenate([p, *independent(model, state.q, state.q_dot), state.q[model.loop_columns]])
+        where = np.concatenate([p, *independent(model, state.q, state.q_dot), loop_part(model, state.q)])
         return Begun(z, self._program.prepared.ready(scheme.constants(c)), where, moved, x, watch)
 
     def _slopes(self, p: np.ndarray, c: np.ndarray, given: Given) -> np.ndarray:

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
+from runtime.contract.coordinates import independent_part, loop_part, whole
 from runtime.contract.errors import NoResult
 from runtime.contract.tape import UNUSED, Tape, node_value, read_tape
 from runtime.engine.native import NativeProgram
@@ -81,9 +82,9 @@ class Switches:
         """(t, q_i, q_i_dot, loop unknowns) that a state shows."""
         scheme, model = self._plan.scheme, self._plan.scheme.model
         seen = scheme.observer(z=z[: scheme.layout.size], c=constants)
-        q_d = np.asarray(seen["q_d"]).ravel()
-        loop = [q_d[model.q_d.index(name)] for name in model.loop_unknowns]
-        return np.concatenate([np.asarray(seen[key]).ravel() for key in ("t", "q_i", "q_i_dot")] + [np.array(loop)])
+        t, q_i, rates, q_d = (np.asarray(seen[key]).ravel() for key in ("t", "q_i", "q_i_dot", "q_d"))
+        q = whole(model, q_i, q_d)
+        return np.concatenate([t, independent_part(model, q), rates, loop_part(model, q)])
 
     def _conditions(self, at: np.ndarray, c: np.ndarray) -> np.ndarray:
         assert self._watched is not None

@@ -10,7 +10,7 @@ import numpy as np
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import turned_by
 from runtime.contract.model import Model
-from runtime.operating.functions import PointFunctions, PointValues
+from runtime.operating.functions import PointFunctions, PointValues, row_names
 from runtime.operating.mode_solver import State
 from runtime.operating.newton import LARGEST_STEP, Balance, Found, balanced
 
@@ -85,22 +85,23 @@ class Clamped:
         """(k,) forces on the clamped coordinates that keep them, of least norm: S_k^T f = -Q_hat."""
         if not self.rows:
             return np.zeros(0)
-        return np.asarray(np.linalg.lstsq(at.S[self.rows].T, -at.Q, rcond=1e-12)[0])
+        return np.asarray(np.linalg.lstsq(at.directions[self.rows].T, -at.Q, rcond=1e-12)[0])
 
     def slope(self, q_i: np.ndarray, at: PointValues) -> np.ndarray:
         """dQ_hat/dq_i with the holding forces constant (n_i x n_i)."""
-        dependent = [self.model.coordinates[row] not in self.model.q_i for row in self.rows]
-        if not any(dependent):
+        n, names = len(self.model.coordinates), row_names(self.model)
+        if all(names[row] in self.model.q_i for row in self.rows):
             return self.unknowns_slope(at)
-        force = np.zeros(len(self.model.coordinates))
+        force = np.zeros(len(names))
         force[self.rows] = self.holding(at)
+        force = force[:n]  # what holds an independent turn adds no stiffness
         return np.asarray(
             self.unknowns_slope(at) + self.functions.pull_slope(replace(self.state(q_i), loop=at.loop), force)
         )
 
     def free(self, at: PointValues) -> np.ndarray:
         """Directions in which the clamped coordinates do not move (n_i x k)."""
-        return clamped_directions(at.S[self.rows], self.model.states)
+        return clamped_directions(at.directions[self.rows], self.model.states)
 
     def balance(self, q_i: np.ndarray) -> Balance | None:
         """Force, slope and mass in the free directions."""
@@ -113,7 +114,7 @@ class Clamped:
     def advance(self, q_i: np.ndarray, step: np.ndarray) -> np.ndarray | None:
         """q_i after a step in the free directions, with clamped coordinates back on their values."""
         at = self.values(q_i)
-        return None if at is None else self.placed(turned_by(self.model, q_i, self.free(at) @ step))
+        return None if at is None else self.placed(self._after(at, q_i, self.free(at) @ step))
 
     def placed(self, q_i: np.ndarray) -> np.ndarray | None:
         """The nearest q_i at which the clamped coordinates have their values; None if there is none in reach."""
@@ -123,13 +124,18 @@ class Clamped:
             at = self.values(q_i)
             if at is None:
                 return None
-            off = at.q[self.rows] - self.goal
+            off = at.places[self.rows] - self.goal
             if np.abs(off).max() <= PLACED * max(1.0, float(np.abs(self.goal).max())):
                 return q_i
-            step = np.linalg.lstsq(at.S[self.rows], off, rcond=1e-12)[0]
+            step = np.linalg.lstsq(at.directions[self.rows], off, rcond=1e-12)[0]
             share = min(1.0, LARGEST_STEP / max(float(np.abs(step).max()), 1e-300))
-            q_i = turned_by(self.model, q_i, -share * step)
+            q_i = self._after(at, q_i, -share * step)
         return None
+
+    def _after(self, at: PointValues, q_i: np.ndarray, step: np.ndarray) -> np.ndarray:
+        """q_i after a step; the guess of the loop unknowns goes with it where they turn."""
+        q_i, self.loop = turned_by(self.model, at.q, at.S @ step, q_i, step, self.loop)
+        return q_i
 
     def solve(self, q_i: np.ndarray) -> Found:
         """Equilibrium in the free directions."""
@@ -147,9 +153,9 @@ def steady_rates(
     if not rates:
         return np.zeros(n)
     at = functions(State(t, q_i, np.zeros(n), loop))
-    rows = [model.coordinates.index(name) for name in rates]
-    wanted = np.array(list(rates.values())) - at.q_dot[rows]
-    v = np.linalg.lstsq(at.S[rows], wanted, rcond=1e-12)[0]
-    if np.abs(at.S[rows] @ v - wanted).max() > 1e-9 * max(1.0, float(np.abs(wanted).max())):
+    rows = [row_names(model).index(name) for name in rates]
+    wanted, S = np.array(list(rates.values())) - at.speeds[rows], at.directions[rows]
+    v = np.linalg.lstsq(S, wanted, rcond=1e-12)[0]
+    if np.abs(S @ v - wanted).max() > 1e-9 * max(1.0, float(np.abs(wanted).max())):
         raise InitialStateError(f"{', '.join(rates)} cannot have these rates: they depend on each other, or are given")
     return np.where(np.abs(v) > 1e-14 * np.abs(v).max(initial=0.0), v, 0.0)

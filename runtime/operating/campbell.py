@@ -12,7 +12,7 @@ from runtime.contract.coordinates import followed
 from runtime.contract.errors import ArgumentError
 from runtime.contract.files import write_text
 from runtime.contract.model import Model
-from runtime.operating.equilibrium import Equilibrium, equilibrium, named
+from runtime.operating.equilibrium import Equilibrium, equilibrium, turning_name
 from runtime.operating.linearisation import Linearisation
 from runtime.operating.linearise import linearise
 from runtime.operating.tracking import Followed, ModeState, tracked
@@ -149,5 +149,5 @@ class Sweep:
 
 
 def _rate_of(model: Model, over: str) -> str:
-    """The coordinate whose rate is meant: by the rate's name, the coordinate's, or `hub.omega`. Raises ModelError."""
-    return next((name for name in model.coordinates if over == f"{name}_dot"), None) or named(model, over)
+    """The coordinate or turn whose rate is meant: by the rate's name, its own, or `hub.omega`. Raises ModelError."""
+    return next((name for name in model.coordinates if over == f"{name}_dot"), None) or turning_name(model, over)

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.contract.consistent_state import InitialStateError
-from runtime.contract.coordinates import followed, independent_part, independent_rates
+from runtime.contract.coordinates import followed, independent_part, independent_rates, loop_part
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model, ModelError
 from runtime.operating.all_coordinates import AllCoordinates
 from runtime.operating.balance import Clamped, clamped_directions, steady_rates
-from runtime.operating.functions import PointFunctions, PointValues
+from runtime.operating.functions import PointFunctions, PointValues, independent_turns, row_names
 from runtime.operating.given_state import given_position, given_state
 from runtime.operating.modal import modal_analysis
 from runtime.operating.mode_solver import State
@@ -98,7 +98,7 @@ def equilibrium(
     """
     inputs = inputs or {}
     held = {named(model, name): float(value) for name, value in (held or {}).items()}
-    rates = {named(model, name): float(value) for name, value in (rates or {}).items()}
+    rates = {turning_name(model, name): float(value) for name, value in (rates or {}).items()}
     trim = [name for name, value in inputs.items() if value is None]
     given = {name: value for name, value in inputs.items() if value is not None}
     p = model.parameter_vector({**(parameters or {}), **given})
@@ -132,6 +132,13 @@ def named(model: Model, name: str) -> str:
     raise ModelError(f"model {model.name} has no coordinate {name!r}; it has {_listed(model)}")
 
 
+def turning_name(model: Model, name: str) -> str:
+    """The coordinate or turn whose rate is given: `body.turn_x` for `body.omega_x`. Raises ModelError."""
+    turns = {model.q_i[k] for k in independent_turns(model)}
+    turn = name.replace(".omega_", ".turn_")
+    return turn if turn in turns else named(model, name)
+
+
 def force_unit(model: Model, name: str) -> str:
     """SI unit of the generalised force on a coordinate."""
     return "N m" if name not in model.coordinates or model.coordinate(name).turns else "N"
@@ -162,13 +169,13 @@ def _clamped(
     """The task with its clamped coordinates, and q_i where it starts."""
     functions = PointFunctions(model, model.constants(p))
     own = {name: value for name, value in held.items() if name in model.q_i}
-    rows = [model.coordinates.index(name) for name in fixed]
+    rows = [row_names(model).index(name) for name in fixed]
     q_i, loop = given_position(model, p, functions.c, t, {**initial, **own})
     q_i[model.states] = independent_rates(model, model.initial_q, model.initial_q_dot)[model.states]
     task = Clamped(model, functions, t, np.zeros(len(q_i)), rows, np.zeros(0), loop)
     at = task.values(q_i)
     if at is not None:
-        task.goal = np.array([held.get(name, float(at.q[row])) for name, row in zip(fixed, rows, strict=True)])
+        task.goal = np.array([held.get(name, float(at.places[row])) for name, row in zip(fixed, rows, strict=True)])
     placed = task.placed(q_i) if at is not None else None
     if placed is None:
         wanted = ", ".join(f"{name} = {held[name]:g}" for name in held) or "closed loops"
@@ -191,7 +198,7 @@ def _led_around(
     q = AllCoordinates(model, clamped.functions.c, clamped.t, clamped.rows, clamped.goal).solve(start.q)
     if q is None:
         return None
-    clamped.loop = q[model.loop_columns]
+    clamped.loop = loop_part(model, q)
     return clamped.solve(independent_part(model, q))
 
 
@@ -210,11 +217,11 @@ def _told(
     Z = clamped_directions(at.S[[model.coordinates.index(name) for name in held]], states)
     K = -clamped.slope(q_i, at)
     K[:, states] = 0.0
-    moving = clamped.functions.in_moving_axes(at, v, np.zeros(len(v)))
+    moving = clamped.functions.in_moving_axes(at, clamped.state(q_i), np.zeros(len(v)))
     K -= moving.J_q - at.J_q
     modal = modal_analysis(Z.T @ at.M @ Z, -Z.T @ moving.J_v @ Z, Z.T @ K @ Z, len(states))
     forces = clamped.holding(at)
-    names = [model.coordinates[row] for row in clamped.rows]
+    names = [row_names(model)[row] for row in clamped.rows]
     return Equilibrium(
         model=model,
         q=at.q,
@@ -246,14 +253,14 @@ def _failure(model: Model, clamped: Clamped, found: Found) -> NoEquilibrium:
         return NoEquilibrium(
             f"model {model.name}: the loops do not close, or a force is not finite, where it starts", {}
         )
-    left = at.Q + at.S[clamped.rows].T @ clamped.holding(at)
+    left = at.Q + at.directions[clamped.rows].T @ clamped.holding(at)
     residual = {name: float(value) for name, value in zip(model.q_i, left, strict=True)}
     worst = max(residual, key=lambda name: abs(residual[name]))
     remedy = "Hold that coordinate, give it a rate, or begin elsewhere with `initial`"
     if worst not in model.coordinates:
         remedy = (
-            "That is a turn of a body: a steady spin is one of angles with rates of their own, those of joints or of "
-            'orientation = "zxz"; for a state at rest give `rates` without Euler parameters'
+            f"That is a turn of a body: give the spin as rates ({worst.replace('.turn_', '.omega_')}); what spins and "
+            'precesses is steady in angles only, orientation = "zxz"'
         )
     return NoEquilibrium(
         f"model {model.name} has no equilibrium in reach of its initial state: a force of {residual[worst]:.6g} "

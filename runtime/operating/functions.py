@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import joined
 from runtime.contract.model import Model, ModelError
-from runtime.operating.mode_solver import State, in_moving_axes
-from runtime.schemes.charts import along_rotations
+from runtime.operating.mode_solver import State
+from runtime.operating.moving_axes import axes_turning, in_moving_axes
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
+from runtime.schemes.turned_axes import along_rotations
 
 CLOSURE_ITERATIONS = 4
 CLOSED = 1e-9  # rad or m: a larger error before the last Newton step means that the loops did not close
@@ -22,7 +23,8 @@ ALREADY_CLOSED = 2  # Newton steps from a closed state, through which derivative
 class PointValues:
     """At a state: M_hat, Q_hat, J_q = d(Q_hat - M_hat a)/dq_i, J_v = dQ_hat/dq_i_dot (n_i x n_i) of Eq. (38), all
     coordinates q and rates q_dot (n), S = dq/dq_i (n x n_i), the loop unknowns, how far the loops were open, and
-    Q_t = d(Q_hat - M_hat a)/dt at fixed q_i and q_i_dot (n_i).
+    Q_t = d(Q_hat - M_hat a)/dt at fixed q_i and q_i_dot (n_i). turns: positions in q_i of independent turns, and
+    turn_rates their angular velocities.
     """
 
     M: np.ndarray
@@ -35,6 +37,23 @@ class PointValues:
     loop: np.ndarray
     open_by: float
     Q_t: np.ndarray
+    turns: np.ndarray = field(default_factory=lambda: np.zeros(0, dtype=int))
+    turn_rates: np.ndarray = field(default_factory=lambda: np.zeros(0))
+
+    @property
+    def places(self) -> np.ndarray:
+        """q, followed by the independent turns, which count from here: the rows that `row_names` names."""
+        return np.concatenate([self.q, np.zeros(len(self.turns))])
+
+    @property
+    def speeds(self) -> np.ndarray:
+        """q_dot and angular velocities of these rows."""
+        return np.concatenate([self.q_dot, self.turn_rates])
+
+    @property
+    def directions(self) -> np.ndarray:
+        """S of these rows."""
+        return np.vstack([self.S, np.eye(self.S.shape[1])[self.turns]])
 
     @property
     def usable(self) -> bool:
@@ -61,16 +80,29 @@ class PointFunctions:
         found = self._function(state.t, state.q_i, state.q_i_dot, a, state.loop, self.c)
         M, Q, J_q, J_v, q, q_dot, S, loop, open_by, Q_t = (np.asarray(value) for value in found)
         vectors = (Q.ravel(), q.ravel(), q_dot.ravel(), loop.ravel(), Q_t.ravel())
+        turns = independent_turns(self.model)
         return PointValues(
-            M, vectors[0], J_q, J_v, vectors[1], vectors[2], S, vectors[3], float(open_by.max()), vectors[4]
+            M,
+            vectors[0],
+            J_q,
+            J_v,
+            vectors[1],
+            vectors[2],
+            S,
+            vectors[3],
+            float(open_by.max()),
+            vectors[4],
+            turns,
+            state.q_i_dot[turns],
         )
 
-    def in_moving_axes(self, at: PointValues, v: np.ndarray, a: np.ndarray) -> PointValues:
-        """Values with J_q and J_v for turns dtheta in axes that move with the state: d omega = dtheta' + v x dtheta.
+    def in_moving_axes(self, at: PointValues, state: State, a: np.ndarray) -> PointValues:
+        """Values with J_q and J_v for turns dphi in axes that move with the state: d omega = dphi' + omega x dphi.
 
-        v, a: q_i_dot and q_i_ddot (n_i) of the state.
+        a: q_i_ddot (n_i) of the state.
         """
-        J_q, J_v = in_moving_axes(self.model.places.turns, at.M, at.J_q, at.J_v, v, a)
+        turning = axes_turning(self.model, self.c, state.t, state.q_i, state.q_i_dot, a, state.loop)
+        J_q, J_v = in_moving_axes(turning, at.M, at.J_q, at.J_v)
         return replace(at, J_q=J_q, J_v=J_v)
 
     def pull_slope(self, state: State, force: np.ndarray) -> np.ndarray:
@@ -78,6 +110,16 @@ class PointFunctions:
         if self._pull is None:
             return np.zeros((len(self.model.q_i),) * 2)
         return np.asarray(self._pull(state.t, state.q_i, state.loop, force, self.c))
+
+
+def independent_turns(model: Model) -> np.ndarray:
+    """Positions in q_i of turns."""
+    return np.array([k for k in model.places.turns.ravel() if k < len(model.q_i)], dtype=int)
+
+
+def row_names(model: Model) -> list[str]:
+    """Names of what can be held or has a rate: coordinates, and independent turns."""
+    return [*model.coordinates, *(model.q_i[k] for k in independent_turns(model))]
 
 
 def all_coordinates(model: Model, q_i: ca.SX, q_d: ca.SX) -> ca.SX:
@@ -124,6 +166,7 @@ def _pull(model: Model) -> ca.Function:
     loop, c = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
     force = ca.SX.sym("force", len(model.coordinates))
     equations = StageEquations(model, c)
-    pull = ca.mtimes(tangents(model, equations, equations.close(q, loop, t, ALREADY_CLOSED)).T, force)
-    slope = along_rotations(model, q, ca.jacobian(pull, q))
+    motion = equations.close(q, loop, t, ALREADY_CLOSED)
+    pull = ca.mtimes(tangents(model, equations, motion).T, force)
+    slope = along_rotations(equations, motion, ca.jacobian(pull, q))
     return ca.Function("pull", [t, q, loop, force, c], [ca.densify(slope)])

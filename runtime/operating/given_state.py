@@ -11,9 +11,11 @@ from runtime.contract.consistent_state import ConsistentState, GivenValues, Init
 from runtime.contract.coordinates import (
     OMEGA,
     angular_velocities,
+    dependent_part,
     followed,
     independent,
     independent_part,
+    loop_part,
     parameter_columns,
 )
 from runtime.contract.model import Model
@@ -35,7 +37,7 @@ def given_position(
         q_i = independent_part(model, model.initial_q)
         return np.array([changes.get(name, q_i[k]) for k, name in enumerate(model.q_i)]), np.zeros(0)
     state = given_state(model, p, c, t, changes)
-    return independent_part(model, state.q), state.q[model.loop_columns]
+    return independent_part(model, state.q), loop_part(model, state.q)
 
 
 def given_state(
@@ -64,7 +66,7 @@ def given_state(
         q, q_dot = model.initial_q.copy(), model.initial_q_dot.copy()
         for k, name in enumerate(model.coordinates):
             q[k], q_dot[k] = coordinates.get(name, q[k]), rates.get(name, q_dot[k])
-        found = closed_state(model, c, t0, *independent(model, q, q_dot), q[model.dependent_columns])
+        found = closed_state(model, c, t0, *independent(model, q, q_dot), dependent_part(model, q))
         if found is not None:
             return found
     return _assembled(model, c, t0, coordinates, rates)

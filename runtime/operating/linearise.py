@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from runtime.contract.coordinates import followed, independent
+from runtime.contract.coordinates import independent, independent_rates, loop_part
 from runtime.contract.model import Model, ModelError
 from runtime.operating.balance import clamped_directions
-from runtime.operating.equilibrium import Equilibrium, equilibrium, force_unit, is_steady, named
-from runtime.operating.functions import PointFunctions
+from runtime.operating.equilibrium import Equilibrium, equilibrium, force_unit, is_steady, named, turning_name
+from runtime.operating.functions import PointFunctions, independent_turns, row_names
 from runtime.operating.given_state import given_state
 from runtime.operating.linearisation import Linearisation
 from runtime.operating.mode_solver import State, parameters_at, state_at
@@ -43,7 +43,7 @@ def linearise(
     ModelError, InitialStateError and NoEquilibrium.
     """
     point = _point(model, at, parameters, t)
-    locked = tuple(named(model, name) for name in (point.held if locked is None else locked))
+    locked = tuple(turning_name(model, name) for name in (point.held if locked is None else locked))
     input_names = [_input(model, name) for name in inputs] if inputs is not None else list(model.q_i)
     output_names = list(outputs if outputs is not None else model.measures or model.q_i)
     functions = PointFunctions(model, model.constants(point.p))
@@ -51,9 +51,9 @@ def linearise(
     resting = point.at_rest
     a = np.zeros(len(model.q_i)) if resting else np.linalg.solve(here.M, here.Q)
     values = here if resting else functions(point.state, a)
-    values = functions.in_moving_axes(values, point.state.q_i_dot, a)
-    rows = [model.coordinates.index(name) for name in locked]
-    Z = clamped_directions(values.S[rows], model.states)
+    values = functions.in_moving_axes(values, point.state, a)
+    rows = [row_names(model).index(name) for name in locked]
+    Z = clamped_directions(values.directions[rows], model.states)
     K = -(values.J_q + _held_slope(model, functions, point, values.S, here.Q) if resting else values.J_q)
     B = _inputs(model, point, a, input_names, values.S)
     C, through = _outputs(model, point, input_names, output_names)
@@ -101,7 +101,8 @@ def _point(model: Model, at: Place, parameters: Mapping[str, float] | None, t: f
     if isinstance(at, Equilibrium):
         force = np.zeros(len(model.coordinates))
         for name, value in at.holding.items():
-            force[model.coordinates.index(name)] = value
+            if name in model.coordinates:  # what holds an independent turn adds no stiffness
+                force[model.coordinates.index(name)] = value
         return _Point(at.state, at.parameters, at.held, force, True)
     p = model.parameter_vector(parameters)
     if isinstance(at, State):
@@ -109,15 +110,20 @@ def _point(model: Model, at: Place, parameters: Mapping[str, float] | None, t: f
     if isinstance(at, tuple):
         return _Point(state_at(*at), parameters_at(*at))
     found = given_state(model, p, model.constants(p), t, at)
-    return _Point(State(t, *independent(model, found.q, found.q_dot), found.q[model.loop_columns]), p)
+    return _Point(State(t, *independent(model, found.q, found.q_dot), loop_part(model, found.q)), p)
 
 
 def starting_rates(model: Model) -> dict[str, float]:
-    """The rates of rigid independent coordinates at the scene's start that are not zero."""
+    """The rates of rigid independent coordinates at the scene's start that are not zero, `body.omega_x` of turns."""
     left_out = {*model.elastic, *(model.q_i[k] for k in model.states)}
-    names, columns = followed(model)
-    rates = dict(zip(names, model.initial_q_dot[columns].tolist(), strict=True))
-    return {name: rate for name, rate in rates.items() if rate != 0 and name not in left_out}
+    turns = set(independent_turns(model).tolist())
+    rates = independent_rates(model, model.initial_q, model.initial_q_dot).tolist()
+    moving = [(k, name, rate) for k, (name, rate) in enumerate(zip(model.q_i, rates, strict=True)) if rate != 0]
+    return {
+        name.replace(".turn_", ".omega_") if k in turns else name: rate
+        for k, name, rate in moving
+        if name not in left_out
+    }
 
 
 def _held_slope(model: Model, functions: PointFunctions, point: _Point, S: np.ndarray, Q: np.ndarray) -> np.ndarray:

@@ -12,9 +12,10 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from runtime.contract.angular import chart_rates, tilde
-from runtime.contract.coordinates import independent
+from runtime.contract.angular import chart_rates
+from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
+from runtime.operating.moving_axes import axes_turning, in_moving_axes
 from runtime.results.solution import Solution
 from runtime.schemes.stage_equations import StageEquations, is_long_tree
 
@@ -79,7 +80,10 @@ class ModeSolver:
         function = self.model.derived("modes", lambda: self._built(self.model))
         found = function(state.t, state.q_i, state.q_i_dot, state.loop, self.c)
         M, J_q, J_v, a = (np.asarray(value) for value in found)
-        return M, *(in_moving_axes(self._turns, M, J_q, J_v, state.q_i_dot, a.ravel()) if moving else (J_q, J_v))
+        return M, *(in_moving_axes(self._turning(state, a.ravel()), M, J_q, J_v) if moving else (J_q, J_v))
+
+    def _turning(self, state: State, a: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return axes_turning(self.model, self.c, state.t, state.q_i, state.q_i_dot, a, state.loop)
 
     def slopes(self, state: State, moving: bool = False) -> tuple[np.ndarray, np.ndarray]:
         """A_q and A_v of w'' = A_q w + A_v w'; of a long tree without M_hat, then not finite where that is singular.
@@ -93,7 +97,7 @@ class ModeSolver:
             for own in self._turns:  # along rotations
                 A_q[:, own] = A_q[:, own] @ chart_rates(state.q_i[own])
             unit = np.eye(self.n)
-            return in_moving_axes(self._turns, unit, A_q, A_v, state.q_i_dot, a[:, 0]) if moving else (A_q, A_v)
+            return in_moving_axes(self._turning(state, a[:, 0]), unit, A_q, A_v) if moving else (A_q, A_v)
         M, J_q, J_v = self.matrices(state, moving)
         return np.linalg.solve(M, J_q), np.linalg.solve(M, J_v)
 
@@ -128,26 +132,11 @@ class ModeSolver:
         return Modes(values, size, damping, weight / np.where(total > 0, total, 1.0), undamped)
 
 
-def in_moving_axes(
-    turns: np.ndarray, M: np.ndarray, J_q: np.ndarray, J_v: np.ndarray, v: np.ndarray, a: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """J_q and J_v (n_i x n_i) for turns dtheta in axes that move with the state: d omega = dtheta' + omega x dtheta.
-
-    turns (k, 3): their positions in q_i; v, a: q_i_dot and q_i_ddot (n_i) of the state.
-    """
-    J_q, J_v = J_q.copy(), J_v.copy()
-    for own in turns:
-        J_q[:, own] += J_v[:, own] @ tilde(v[own]) - M[:, own] @ tilde(a[own])
-        J_v[:, own] -= M[:, own] @ tilde(v[own])
-    return J_q, J_v
-
-
 def state_at(solution: Solution, k: int) -> State:
     """Sample k of a solution."""
     model = solution.model
-    loops = [model.coordinates.index(name) for name in model.loop_unknowns]
     q, q_dot = solution.q[k], solution.q_dot[k]
-    return State(float(solution.t[k]), *independent(model, q, q_dot), q[loops])
+    return State(float(solution.t[k]), *independent(model, q, q_dot), loop_part(model, q))
 
 
 def parameters_at(solution: Solution, k: int) -> np.ndarray:

@@ -8,8 +8,8 @@ import casadi as ca
 
 from runtime.contract.model import Model, ModelError
 from runtime.operating.functions import ALREADY_CLOSED, all_coordinates
-from runtime.schemes.charts import along_rotations
 from runtime.schemes.stage_equations import StageEquations
+from runtime.schemes.turned_axes import along_rotations, turning
 
 SHOWN = 30  # names that an error lists
 
@@ -39,13 +39,11 @@ def output_slopes(model: Model, names: Sequence[str], inputs: Sequence[str]) -> 
             raise ModelError(f"model {model.name} has no output {name!r}; it has {listed} (rates end in _dot)")
     y = ca.vertcat(*(known[name] for name in names))
     index = [parameter.name for parameter in model.parameters]
-    by_q, by_v = along_rotations(model, q, ca.jacobian(y, q)), ca.jacobian(y, v)
-    for turns in model.places.turns:  # in axes that move with the state, d omega = dtheta' + omega x dtheta
-        for position, k in enumerate(turns):
-            own = [int(one) for one in turns]
-            by_q[:, int(k)] = by_q[:, int(k)] + ca.mtimes(by_v[:, own], ca.skew(v[own]))[:, position]
-            for row, name in enumerate(names):
-                if name == model.q_i[int(k)]:  # the turn itself
-                    by_q[row, :] = ca.SX.eye(n)[int(k), :]
+    by_q, by_v = along_rotations(equations, motion, ca.jacobian(y, q)), ca.jacobian(y, v)
+    by_q = ca.densify(by_q + ca.mtimes(by_v, turning(equations, motion, v)))  # in axes that move with the state
+    turns = {model.q_i[int(k)]: int(k) for k in model.places.turns.ravel() if k < n}
+    for row, name in enumerate(names):
+        if name in turns:  # the turn itself
+            by_q[row, :] = ca.SX.eye(n)[turns[name], :]
     slopes = [ca.horzcat(by_q, by_v), ca.jacobian(y, p)[:, [index.index(name) for name in inputs]]]
     return ca.Function("outputs", [t, q, v, loop, p], [ca.densify(slope) for slope in slopes])

@@ -58,8 +58,8 @@ def trimmed(model: Model, clamped: Clamped, q_i: np.ndarray, p: np.ndarray, name
         state = State(clamped.t, q_i, clamped.rates(q_i), at.loop)
         Q_p = np.asarray(by_parameters(state.t, state.q_i, state.q_i_dot, np.zeros(n), state.loop, p))
         k = len(clamped.rows)
-        matrix = np.block([[clamped.unknowns_slope(at), Q_p], [at.S[clamped.rows], np.zeros((k, len(index)))]])
-        side = np.concatenate([at.Q, at.q[clamped.rows] - clamped.goal])
+        matrix = np.block([[clamped.unknowns_slope(at), Q_p], [at.directions[clamped.rows], np.zeros((k, len(index)))]])
+        side = np.concatenate([at.Q, at.places[clamped.rows] - clamped.goal])
         scale = 1.0 / np.maximum(np.abs(matrix).max(axis=1), 1e-300)
         columns = 1.0 / np.maximum(np.abs(matrix * scale[:, None]).max(axis=0), 1e-300)
         step = -columns * np.linalg.lstsq(matrix * np.outer(scale, columns), scale * side, rcond=1e-13)[0]

@@ -9,7 +9,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from runtime.contract.coordinates import independent_part, whole
+from runtime.contract.coordinates import at_home, independent_part, whole
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.results.reactions import joint_reactions
@@ -53,8 +53,12 @@ def observe_samples(
 
 
 def _close_tightly(model: Model, observed: dict[str, np.ndarray], c: np.ndarray) -> None:
-    """More Newton steps for samples whose constraints do not hold to rounding; their rates follow (Eq. 36)."""
+    """More Newton steps for samples whose constraints do not hold to rounding; their rates follow (Eq. 36).
+
+    Turns are observed at zero, so the charts are where the bodies are.
+    """
     for _ in range(MOST_CLOSURES):
+        c, observed["q_d"] = at_home(model, c, observed["q_d"])
         found = evaluate(model.kernel("closure"), observed, c)
         scale = np.maximum(1.0, np.abs(observed["q_d"]).max(axis=1, initial=0.0))
         open_ = np.flatnonzero(np.abs(found["C_loop"]).max(axis=1) > CLOSED * scale)

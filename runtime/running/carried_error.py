@@ -13,7 +13,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from runtime.contract.coordinates import independent
+from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
 from runtime.contract.status import Event
 from runtime.operating.mode_solver import ModeSolver, State
@@ -249,7 +249,7 @@ def _grows(segment: Segment, z: np.ndarray) -> bool:
     if not ModeSolver.possible(model):
         return True
     q, q_dot = seen_state(segment, z)
-    state = State(plan.time(segment.step_of(z)), *independent(model, q, q_dot), q[model.loop_columns])
+    state = State(plan.time(segment.step_of(z)), *independent(model, q, q_dot), loop_part(model, q))
     try:
         rates = eigenvalues(*ModeSolver(model, segment.with_inputs(z)).slopes(state, moving=True)).real
     except np.linalg.LinAlgError:

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.coordinates import at_home, dependent_part, whole
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.results.observe import assemble_solution
@@ -51,16 +52,15 @@ def driven_solution(
         c = np.tile(c, (len(times), 1))
         c[:, -w:] = schedule.rows(times, dt, p[-w:])
     follower = _Follower(model, c)
-    q_d = follower.along(times, state.q[model.dependent_columns])
+    q_d = follower.along(times, dependent_part(model, state.q))
     lost = len(q_d) < len(times)
     times, c = times[: len(q_d)], c if c.ndim == 1 else c[: len(q_d)]
     values = {"q_d": q_d, "t": times[:, None], "q_i": np.zeros((len(times), 0)), "q_i_dot": np.zeros((len(times), 0))}
     values["q_d_dot"] = evaluate(model.kernel("velocities"), values, c)["q_d_dot"]
     values["q_i_ddot"] = np.zeros((len(times), 0))
     q_d_ddot = evaluate(model.kernel("accelerations"), values, c)["q_d_ddot"]
-    columns, shape = model.dependent_columns, (len(times), len(model.coordinates))
-    q, q_dot, q_ddot = np.zeros(shape), np.zeros(shape), np.zeros(shape)
-    q[:, columns], q_dot[:, columns], q_ddot[:, columns] = q_d, values["q_d_dot"], q_d_ddot
+    none = np.zeros((len(times), 0))
+    q, q_dot, q_ddot = (whole(model, none, own) for own in (q_d, values["q_d_dot"], q_d_ddot))
     status = Status("completed", float(times[-1])) if not lost else _lost(float(times[-1]))
     stats: dict[str, float | int | str] = {"seconds": time.perf_counter() - started, "closures": follower.closures}
     return with_limits(assemble_solution(model, times, q, q_dot, q_ddot, p, c, SCHEME, dt, [], stats, status))
@@ -88,7 +88,8 @@ class _Follower:
             return evaluate(self.model.kernel("closure"), values, self.c)["q_d_next"]
         rows = np.broadcast_to(self.c, (len(times), self.c.shape[-1]))  # what is held from each instant on
         self.c = rows[0]
-        found = [self._closed(q_d, float(times[0]))]
+        c, q_d = at_home(self.model, self.c, q_d)
+        found = [self._closed(q_d, float(times[0]), c)]
         if found[0] is None:
             found = [q_d]
         for before, t, self.c in zip(times, times[1:], rows, strict=False):
@@ -100,10 +101,11 @@ class _Follower:
 
     def _next(self, q_d: np.ndarray, before: float, t: float, halvings: int) -> np.ndarray | None:
         """Positions at t from those before, through instants in between where the loops do not close at once."""
-        values = {"q_d": q_d, "t": before, "q_i": np.zeros(0), "q_i_dot": np.zeros(0), "c": self.c}
+        c, q_d = at_home(self.model, self.c, q_d)
+        values = {"q_d": q_d, "t": before, "q_i": np.zeros(0), "q_i_dot": np.zeros(0), "c": c}
         rate = np.asarray(self.model.evaluate("velocities", **values)["q_d_dot"]).ravel()
         guess = q_d + (t - before) * rate
-        found = self._closed(guess, t) if np.isfinite(guess).all() else None
+        found = self._closed(guess, t, c) if np.isfinite(guess).all() else None
         if found is not None and np.abs(found - guess).max() <= NEAR:
             return found
         if not halvings:
@@ -111,12 +113,12 @@ class _Follower:
         middle = self._next(q_d, before, 0.5 * (before + t), halvings - 1)
         return None if middle is None else self._next(middle, 0.5 * (before + t), t, halvings - 1)
 
-    def _closed(self, q_d: np.ndarray, t: float) -> np.ndarray | None:
+    def _closed(self, q_d: np.ndarray, t: float, c: np.ndarray) -> np.ndarray | None:
         """Newton on the loop unknowns until the correction is rounding; None if it does not get there."""
         before = np.inf
         for _ in range(MOST_CLOSURES):
             self.closures += 1
-            found = self.model.evaluate("closure", q_d=q_d, t=t, q_i=np.zeros(0), c=self.c)
+            found = self.model.evaluate("closure", q_d=q_d, t=t, q_i=np.zeros(0), c=c)
             following = np.asarray(found["q_d_next"]).ravel()
             if not np.isfinite(following).all():
                 return None

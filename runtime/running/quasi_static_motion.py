@@ -11,7 +11,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from runtime.contract.coordinates import independent_part
+from runtime.contract.coordinates import parts
 from runtime.contract.model import Model, ModelError
 from runtime.contract.status import Status
 from runtime.operating.balance import Clamped
@@ -52,8 +52,8 @@ def quasi_static_motion(
     p = model.parameter_vector(parameters)
     c = model.constants(p)
     q, q_i_dot = _followed(model, PointFunctions(model, c), times, *given_position(model, p, c, t0, {}))
-    dependent, still = q[:, model.dependent_columns], np.zeros_like(q_i_dot)
-    values = {"q_i": independent_part(model, q), "q_d": dependent, "q_i_dot": q_i_dot, "t": times[:, None]}
+    (independent, dependent), still = parts(model, q), np.zeros_like(q_i_dot)
+    values = {"q_i": independent, "q_d": dependent, "q_i_dot": q_i_dot, "t": times[:, None]}
     values["q_d_dot"], values["q_i_ddot"], q_d_ddot = np.zeros_like(dependent), still, np.zeros_like(dependent)
     if model.q_d:
         values["q_d_dot"] = evaluate(model.kernel("velocities"), values, c)["q_d_dot"]

@@ -15,7 +15,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
-from runtime.contract.coordinates import independent
+from runtime.contract.coordinates import parts, rate_parts
 from runtime.contract.model import Model, ModelError
 from runtime.contract.status import Event
 from runtime.running.plan import Plan
@@ -75,15 +75,15 @@ def _of_time(model: Model, c: np.ndarray, state: ConsistentState, name: str, out
     """t -> an output of a kernel at the state; None if it does not depend on t."""
     if not model.has(name) or "t" not in model.kernel(name).name_in():
         return None
-    d, t = model.dependent_columns, ca.SX.sym("t")
-    q_i, q_i_dot = independent(model, state.q, state.q_dot)
+    t = ca.SX.sym("t")
+    (q_i, q_d), (q_i_dot, q_d_dot) = parts(model, state.q), rate_parts(model, state.q, state.q_dot)
     values = {
         "q": state.q,
         "q_dot": state.q_dot,
         "q_i": q_i,
-        "q_d": state.q[d],
+        "q_d": q_d,
         "q_i_dot": q_i_dot,
-        "q_d_dot": state.q_dot[d],
+        "q_d_dot": q_d_dot,
         "c": c,
     }
     found = ca.densify(model.evaluate(name, **{key: ca.SX(ca.DM(one)) for key, one in values.items()}, t=t)[output])

@@ -115,7 +115,8 @@ class CentralDifference(Scheme):
     ) -> dict[str, ca.SX]:
         """x, d and a after `members` have made their own steps with the accelerations a, (40) and (42)."""
         d = next_increment(z["d"], a, self.steps(equations))
-        begun = self.rebased(z, z["x"], members)  # in the new chart the last turn d is what it was
+        begun = self.rebased(z, motion, z["loop"], members, x=z["x"])  # in the new chart the last turn d is what it was
+        earlier = begun.pop("loop")
         out = {
             **begun,
             "d": replaced(z["d"], members, d[members]),
@@ -123,7 +124,8 @@ class CentralDifference(Scheme):
             "a": replaced(z["a"], members, a[members]),
         }
         if equations.loops:
-            out["loop_old"], out["loop"] = z["loop"], equations.loop_part(motion.q_d)
+            now = equations.loop_part(motion.q_d)
+            out["loop_old"], out["loop"] = earlier, self.charts.loops_from(now, motion.q_d, members)
             out["loop_dot"] = equations.loop_part(equations.rates(motion, v))
             out |= self.closed(z, motion)
         return out

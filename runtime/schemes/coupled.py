@@ -126,7 +126,7 @@ class Coupled(HeldSlow):
             return super()._sub_step(z, equations)
         L, S, h, s = self.slow, self.fast, equations.h[-1], z["s"] + equations.h[-1]
         half = z["v"][S] + h / 2 * z["a"][S]
-        turning = self.turning(z["x"], replaced(z["v"], S, half), h)[S]
+        turning = self.turning(z, equations, replaced(z["v"], S, half))[S]
         x, v = z["x"][S] + h * turning, half + h / 2 * z["a"][S]
         motion = equations.close(replaced(z["hold_q"], S, x), z["loop"], self.now(z, equations) + s, 1)
         found = equations.branch_motion(motion, replaced(z["hold_v"], S, v), z["interface"])

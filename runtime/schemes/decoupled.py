@@ -164,7 +164,7 @@ class Decoupled(HeldSlow):
         S, h, s = self.fast, equations.h[-1], z["s"] + equations.h[-1]
         half = z["v"][S] + h / 2 * z["a"][S]
         whole = replaced(z["v"], S, half)
-        x, v = z["x"][S] + h * self.turning(z["x"], whole, h)[S], half + h / 2 * z["a"][S]
+        x, v = z["x"][S] + h * self.turning(z, equations, whole)[S], half + h / 2 * z["a"][S]
         a, motion = self._fast_accelerations(z, equations, x, v, s)
         out = {"x": x, "v": half + h / 2 * a, "a": a}
         out = {name: replaced(z[name], S, value) for name, value in out.items()} | {"s": s}

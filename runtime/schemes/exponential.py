@@ -179,5 +179,6 @@ class Exponential(LinearSubSteps):
         ]
 
     def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        x = z["x"] + z["w"]
-        return {**self.rebased(z, x), "v": self.charts.velocities(x, z["u"]), "n": z["n"] + 1}
+        t = self.now(z, equations) + equations.h[0]
+        end = self.arrived(equations, z["x"] + z["w"], z["loop"], t)
+        return {**self.rebased(z, end, z["loop"]), "v": equations.velocities(end, z["u"]), "n": z["n"] + 1}

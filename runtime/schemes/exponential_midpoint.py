@@ -140,10 +140,11 @@ class ExponentialMidpoint(OneStep):
 
     def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         h = equations.h[0]
+        ahead = z["loop"] + h * z["loop_dot"]
+        end = self.arrived(equations, z["x_end"], ahead, self.now(z, equations) + h)
         return {
-            **self.rebased(z, z["x_end"]),
+            **self.rebased(z, end, ahead),
             "v": z["v_end"],
-            "loop": z["loop"] + h * z["loop_dot"],
             "n": z["n"] + 1,
             "failures": z["failures"] + z["unconverged"],
             **self._worked_in_the_middle(z, equations),

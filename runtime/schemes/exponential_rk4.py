@@ -155,6 +155,7 @@ class ExponentialRungeKutta(OneStep):
 
         end = krogstad(motion, d).end
         work = self.worked(z, equations, start, v, motion.a)
-        ahead = {"loop": equations.loop_part(seen[-1].q_d)} if equations.loops else {}
-        ends = {**self.rebased(z, end.q), "v": self.charts.velocities(end.q, end.v), "n": z["n"] + 1}
-        return {**ends, **ahead, **work, **self.closed(z, *seen)}
+        there = equations.loop_part(seen[-1].q_d)
+        at = self.arrived(equations, end.q, there, t + h)
+        ends = {**self.rebased(z, at, there), "v": equations.velocities(at, end.v), "n": z["n"] + 1}
+        return {**ends, **work, **self.closed(z, *seen)}

@@ -165,7 +165,7 @@ class HeldSlow(OneStep):
     def _sub_step(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         h = equations.h[-1]
         half = z["v"] + h / 2 * z["a"]
-        x, v, s = z["x"] + h * self.turning(z["x"], half, h), half + h / 2 * z["a"], z["s"] + h
+        x, v, s = z["x"] + h * self.turning(z, equations, half), half + h / 2 * z["a"], z["s"] + h
         seen = ca.SX(x)
         for k in self.slow:
             seen[k] = z["hold_q"][k]
@@ -176,14 +176,21 @@ class HeldSlow(OneStep):
             out |= {"loop": equations.loop_part(motion.q_d), **self.closed(z, motion)}
         return out
 
-    def turning(self, x: ca.SX, half: ca.SX, h: ca.SX) -> ca.SX:
+    def turning(self, z: Fields, equations: StageEquations, half: ca.SX) -> ca.SX:
         """Rates of x in the middle of a sub-step with the velocities half there."""
-        return self.charts.rates(x + h / 2 * half, half)
+        h = equations.h[-1]
+        there = z["x"] + h / 2 * half
+        if not self.charts.split:
+            return self.charts.rates(there, half)
+        t = self.now(z, equations) + z["s"] + h / 2
+        return equations.turning(equations.close(there, z["loop"], t, self.options.closure_iterations), half)
 
     @abstractmethod
     def accelerations(self, z: Fields, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
         """q_i_ddot at the seen motion and the rates of the sub-step."""
 
     def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        since = ("x_last",) if "x_last" in z else ()
-        return {**self.rebased(z, z["x"], since=since), "n": z["n"] + 1, "s": ca.SX(0)}
+        end = self.arrived(equations, z["x"], z["loop"], self.now(z, equations) + equations.h[0])
+        before, loops = (tuple(name for name in (one,) if name in z) for one in ("x_last", "loop_old"))
+        moved = self.rebased(z, end, z["loop"], since=before, loops_since=loops)
+        return {**moved, "n": z["n"] + 1, "s": ca.SX(0)}

@@ -18,7 +18,7 @@ exp(part z) is cut off at degree DEGREE, which makes it of order DEGREE only.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import cache
 from math import factorial
@@ -102,21 +102,35 @@ def propagate(
     part: float = 1.0,
     decaying: bool = False,
     echo: tuple[float, ca.SX] | None = None,
+    free: Collection[int] = (),
 ) -> tuple[ca.SX, ca.SX]:
     """(w, w') after a part of a sub-step h from (w, u) at tau; G: G0, G1, ... The factors are of these poles.
 
-    echo: (share, bend); adds what a force bend tau^2 / 2 does from rest in that share of a sub-step.
+    echo: (share, bend); adds what a force bend tau^2 / 2 does from rest in that share of a sub-step. free: coordinates
+    whose even motion is summed apart, so that changes of w' are no differences of large numbers, whose rounding would
+    grow with the number of steps: turns of bodies. What is stiff is much smaller than an even motion, and is not.
     """
-    Mu = ca.mtimes(system.M, u)
     slopes = [polynomial(G[k:], tau) for k in range(len(G))]
     slopes[0] = slopes[0] + ca.mtimes(system.J_q, w)  # and J_v u, which _solved takes off again
-    new_w, new_u = w, u
+    even, rest = (ca.vertcat(*(u[k] if (k in free) == own else 0 for k in range(u.numel()))) for own in (True, False))
+    slopes[0] = slopes[0] + ca.mtimes(system.J_v, even)
+    start = _Start(rest, ca.mtimes(system.M, rest), ca.mtimes(system.J_q, even))
+    new_w, new_u = w + part * h * even, u
     echoes = poles(part=1.0 if echo is None else echo[0], decaying=decaying)
     for pole, echoing, entries in zip(poles(part=part, decaying=decaying), echoes, factors, strict=True):
         extra = None if echo is None else (echoing.weights[2], echo[1])
-        x, y = _solved(pole, entries, slopes, u, Mu, h, extra)
+        x, y = _solved(pole, entries, slopes, start, h, extra)
         new_w, new_u = new_w + pole.share * x, new_u + pole.share * y
     return new_w, new_u
+
+
+@dataclass(frozen=True)
+class _Start:
+    """w' that is not summed apart, M times it, and J_q times the even part."""
+
+    u: ca.SX
+    Mu: ca.SX
+    pull: ca.SX
 
 
 def polynomial(G: Sequence[ca.SX], tau: ca.SX) -> ca.SX:
@@ -132,14 +146,14 @@ def _solved(
     pole: Pole,
     factors: Number,
     slopes: Sequence[ca.SX],
-    u: ca.SX,
-    Mu: ca.SX,
+    start: _Start,
     h: ca.SX,
     extra: tuple[complex, ca.SX] | None,
 ) -> tuple[ca.SX, ca.SX]:
-    """Real parts of (r - h A)^-1 (p, s) with p = h w1 u and M s = h w1 M a + h^2 w2 G' + h^3 w3 G'' + ...
+    """Real parts of (r - h A)^-1 (p, s) with p = h w1 u and M s = h w1 M a + h^2 w2 G' + h^3 w3 G'' + ..., of the even
+    part less p / r in x, which of all poles together is part h u, and nothing in y.
 
-    slopes: M a less J_v u, G', G'', ...; extra: a weight beside w3 with its G''. Powers of h are computed once a run.
+    slopes: M a less J_v rest, G', G'', ...; extra: a weight beside w3 with its G''. Powers of h are made once a run.
     """
     r, w1 = pole.r, pole.weights[0]
 
@@ -147,7 +161,7 @@ def _solved(
         def of(value: complex) -> float:
             return float(getattr(value, part))
 
-        side, power = of(r * w1) * h * Mu, h
+        side, power = of(r * w1) * h * start.Mu + of(w1 / r) * h**3 * start.pull, h
         for weight, slope in zip(pole.weights, slopes, strict=False):
             power = power * h
             side = side + of(weight) * power * slope
@@ -155,7 +169,7 @@ def _solved(
 
     X, Y = solve_shifted(factors, r, real_or_imaginary("real"), real_or_imaginary("imag") if r.imag else None)
     turned = r.real * X - r.imag * Y if r.imag else r.real * X
-    return X, turned / h - w1.real * u
+    return X, turned / h - w1.real * start.u
 
 
 def solve_shifted(factors: Number, r: complex, re: ca.SX, im: ca.SX | None) -> tuple[ca.SX, ca.SX]:

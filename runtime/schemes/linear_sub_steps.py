@@ -93,7 +93,9 @@ class LinearSubSteps(OneStep):
         tau = z["tau"] + h
         if not self.by_central_difference:
             factors, whole = self.stored.unpack_factors(z), equations.h[1]
-            w, u = propagate(system, factors, z["w"], z["u"], G, z["tau"], whole, part, self.decaying, echo)
+            w, u = propagate(
+                system, factors, z["w"], z["u"], G, z["tau"], whole, part, self.decaying, echo, self.charts.independent
+            )
             return {"w": w, "u": u, "tau": tau}
         half = z["u"] + h / 2 * z["acceleration"]
         w = z["w"] + h * half

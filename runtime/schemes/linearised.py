@@ -113,5 +113,7 @@ class Linearised(LinearSubSteps):
         return {"x": z["x"] + z["w"], "v": z["u"], "n": z["n"] + 1, "x_start": z["x"], **work}
 
     def _predict(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        ahead = {"x_mid": z["x_start"] + z["w"], "v_mid": z["u"], "loop": z["loop"] + equations.h[0] * z["loop_dot"]}
-        return {**ahead, **self.rebased({**z, **ahead}, z["x"], since=("x_mid",))}
+        ahead = {"x_mid": z["x_start"] + z["w"], "v_mid": z["u"]}
+        next_middle, here = (z["loop"] + share * equations.h[0] * z["loop_dot"] for share in (1, 0.5))
+        end = self.arrived(equations, z["x"], here, self.now(z, equations))
+        return {**ahead, **self.rebased({**z, **ahead}, end, next_middle, since=("x_mid",))}

@@ -195,19 +195,37 @@ class Scheme(ABC):
         chart, inputs = z.get("chart", c[charts]), z.get("inputs", c[charts.stop : end])
         return ca.vertcat(c[: charts.start], chart, inputs, c[end:])
 
-    def rebased(
-        self, z: Fields, x: ca.SX, members: list[int] | None = None, since: tuple[str, ...] = ()
-    ) -> dict[str, ca.SX]:
-        """The fields that put the turns x (of the members) into their charts, from where they count on; x is theirs.
+    def arrived(self, equations: StageEquations, x: ca.SX, loop: ca.SX, t: ca.SX) -> ClosedConfiguration:
+        """Where a step has led: closed where charts take turns from the loop unknowns as they are."""
+        if self.charts.all_independent:
+            return ClosedConfiguration(x, ca.SX(0, 1), t, ca.SX(0), ca.SX(0, 1))
+        assert isinstance(self.options, ClosureOptions)
+        return equations.close(x, loop, t, self.options.closure_iterations)
 
-        since: fields of earlier positions, which move with them.
+    def rebased(
+        self,
+        z: Fields,
+        at: ClosedConfiguration,
+        loop: ca.SX,
+        members: list[int] | None = None,
+        since: tuple[str, ...] = (),
+        loops_since: tuple[str, ...] = (),
+        x: ca.SX | None = None,
+    ) -> dict[str, ca.SX]:
+        """x and loop, and the fields that put the turns (of the members) into their charts, from where they count on.
+
+        at: the configuration; loop: what is known of the loop unknowns there, or elsewhere from the same charts.
+        since, loops_since: fields of earlier positions and loop unknowns, which move with them. x: q_i reached, where
+        coordinates other than the members are not at the configuration.
         """
-        if not self.charts.size:
-            return {"x": x}
-        zeroed = self.charts.zeroed(x, members)
-        return {"x": zeroed, "chart": self.charts.turned(z["chart"], x, members)} | {
-            name: z[name] + zeroed - x for name in since
-        }
+        x, charts = at.q_i if x is None else x, self.charts
+        if not charts.size:
+            return {"x": x, "loop": loop}
+        zeroed = charts.zeroed(x, members)
+        out = {"x": zeroed, "loop": charts.loops_from(loop, at.q_d, members)}
+        out["chart"] = charts.turned(z["chart"], at.q_i, at.q_d, members)
+        out |= {name: z[name] + zeroed - x for name in since}
+        return out | {name: charts.loops_from(z[name], at.q_d, members) for name in loops_since}
 
     def equations(self, c: ca.SX, z: Fields | None = None) -> StageEquations:
         """The model's equations on a symbolic vector of constants, with the inputs that z holds."""
@@ -240,12 +258,13 @@ class Scheme(ABC):
         loop = ca.SX.sym("loop", len(self.model.loop_unknowns))
         equations = self.equations(c)
         if self.charts.size:  # begin at theta = 0 of charts where the bodies are
-            chart = self.charts.turned(c[charts_in(self.model)], q_i)
+            q_d = equations.close_well(q_i, loop, t0).q_d if not self.charts.all_independent else ca.SX(0, 1)
+            chart, guess = self.charts.turned(c[charts_in(self.model)], q_i, q_d), self.charts.loops_from(loop, q_d)
             c_there = ca.vertcat(c[: charts_in(self.model).start], chart, c[charts_in(self.model).stop :])
             q_i_there, equations = self.charts.zeroed(q_i), self.equations(c_there)
         else:
-            q_i_there = q_i
-        fields = body(t0, q_i_there, q_i_dot, loop, equations)
+            q_i_there, guess = q_i, loop
+        fields = body(t0, q_i_there, q_i_dot, guess, equations)
         if self.model.inputs:
             fields = {**fields, "inputs": equations.c[self.model.c_size - self.model.signals.size :]}
         if "chart" in self.layout.sizes:
@@ -262,10 +281,9 @@ class Scheme(ABC):
         v_d = equations.rates(motion, v)
         a_d = ca.SX(0, 1)
         if self.model.q_d:
-            a_d = equations.call(
-                "accelerations", q_i=motion.q_i, q_d=motion.q_d, q_i_dot=v, q_d_dot=v_d, q_i_ddot=a, t=motion.t
-            )["q_d_ddot"]
-        outputs = ca.cse([motion.t, self.charts.zeroed(motion.q_i), motion.q_d, v, v_d, a, a_d])
+            a_d = equations.dependent_accelerations(motion, v, a)
+        q_i, q_d = self.charts.zeroed(motion.q_i), self.charts.zeroed_dependent(motion.q_d)
+        outputs = ca.cse([motion.t, q_i, q_d, v, v_d, a, a_d])
         return ca.Function("observe", [z, c], [ca.densify(output) for output in outputs], ["z", "c"], list(OBSERVED))
 
 

@@ -14,6 +14,8 @@ from runtime.schemes.sparse_lu import Number, factor, solve
 from runtime.schemes.stage_records import ClosedConfiguration as ClosedConfiguration
 from runtime.schemes.stage_records import LinearisedEquations as LinearisedEquations
 from runtime.schemes.stiff_deflections import StiffDeflections, StiffResponse
+from runtime.schemes.turned_axes import in_chart
+from runtime.schemes.turns_in_loops import rates_of, second_rates_of, velocities_of
 
 START_CLOSURE_ITERATIONS = 4  # Newton steps on the loop unknowns where a scheme starts or is observed
 LONG_TREE = 12  # independent coordinates beyond which M_hat and the Jacobians of a tree are left alone
@@ -93,12 +95,31 @@ class StageEquations:
         """q_i_ddot of a tree by topology-ordered elimination: O(N) operations, M_hat is not formed."""
         return self.call("forward_dynamics", **self._arguments(motion, q_i_dot))["q_i_ddot"]
 
+    def dependent_accelerations(self, motion: ClosedConfiguration, q_i_dot: ca.SX, q_i_ddot: ca.SX) -> ca.SX:
+        """q_d_ddot (Eq. 35)."""
+        if not self.model.q_d:
+            return ca.SX(0, 1)
+        at = self._arguments(motion, q_i_dot)
+        return self.call("accelerations", **at, q_i_ddot=q_i_ddot)["q_d_ddot"]
+
+    def turning(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> ca.SX:
+        """Rates of q_i (with those of rotation vectors) of the velocities q_i_dot (with angular velocities)."""
+        return rates_of(self, motion, q_i_dot)
+
+    def velocities(self, motion: ClosedConfiguration, rate: ca.SX) -> ca.SX:
+        """Velocities (with angular velocities) of rates of q_i (with those of rotation vectors)."""
+        return velocities_of(self, motion, rate)
+
+    def bent(self, motion: ClosedConfiguration, rate: ca.SX, v: ca.SX, a: ca.SX) -> ca.SX:
+        """Second rates of q_i of its rates, its velocities v and accelerations a."""
+        return second_rates_of(self, motion, rate, v, a)
+
     def chart_accelerations(self, motion: ClosedConfiguration, rate: ca.SX) -> ca.SX:
         """Second rates of q_i at rates of q_i: with rotation vectors and not angular velocities for the turns."""
         if not self.charts.turns:
             return self.accelerations(motion, rate)
-        v = self.charts.velocities(motion.q_i, rate)
-        return self.charts.accelerations(motion.q_i, rate, v, self.accelerations(motion, v))
+        v = self.velocities(motion, rate)
+        return self.bent(motion, rate, v, self.accelerations(motion, v))
 
     def slow_response(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> dict[str, ca.SX]:
         """y_ddot, N and crossing of a large tree in two groups: q_L'' = y'' - N q_S'' by one elimination."""
@@ -166,7 +187,7 @@ class StageEquations:
         at = self._arguments(motion, q_i_dot)
         q_d_ddot = ca.SX(0, 1)
         if self.drives:
-            q_d_ddot = self.call("accelerations", **at, q_i_ddot=q_i_ddot)["q_d_ddot"]
+            q_d_ddot = self.dependent_accelerations(motion, q_i_dot, q_i_ddot)
         elif self.model.q_d:
             q_d_ddot = ca.SX.zeros(len(self.model.q_d))
         q, q_dot = self.joined(motion.q_i, motion.q_d), self.joined(q_i_dot, at["q_d_dot"])
@@ -194,7 +215,7 @@ class StageEquations:
     def linearised(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> LinearisedEquations:
         """The equations to first order about a state: M_hat a + (Q_hat, and its total derivatives less M_hat's)."""
         found = self.along_rotations(motion, q_i_dot)
-        J_q = self.charts.tangents(found.J_q, found.J_v, found.M_hat, q_i_dot, found.a)
+        J_q = in_chart(self, motion, q_i_dot, found.a, (found.M_hat, found.J_q, found.J_v))
         return replace(found, J_q=J_q)
 
     def along_rotations(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> LinearisedEquations:

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from runtime.contract.coordinates import independent
+from runtime.contract.coordinates import independent, loop_part
 from runtime.engine.choose import choose_engine, operations_per_step
 from runtime.engine.prepare import prepare
 from runtime.schemes.scheme import Scheme
@@ -20,7 +20,7 @@ def start_vector(
 ) -> np.ndarray:
     """The scheme's own z at a consistent state of all coordinates (Eqs. 68-71); dt: another step than its grid's."""
     model = scheme.model
-    z = scheme.starter(t, *independent(model, q, q_dot), q[model.loop_columns], scheme.constants(c, dt))
+    z = scheme.starter(t, *independent(model, q, q_dot), loop_part(model, q), scheme.constants(c, dt))
     return np.asarray(z, dtype=float).ravel().copy()
 
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
-from runtime.contract.coordinates import independent, whole
+from runtime.contract.coordinates import dependent_part, independent, loop_part, whole
 from runtime.contract.model import Model
 from runtime.operating.newton import Balance, balanced
 from runtime.start.elastic_residual import elastic_residual, positions
@@ -33,11 +33,11 @@ def quasi_static_state(
     if not elastic:
         return state
     q_i, v = independent(model, state.q, state.q_dot)
-    quick = settled(model, c, t, q_i, v, state.q[model.dependent_columns])
+    quick = settled(model, c, t, q_i, v, dependent_part(model, state.q))
     if quick is not None:
         return _with_elastic(model, state, *quick)
     solver = ElasticEquilibrium(model, elastic, c, unstable)
-    loop = state.q[model.loop_columns]
+    loop = loop_part(model, state.q)
     rigid = [k for k in range(len(q_i)) if k not in elastic]
     step, _ = small_motion(model, state.q_dot)
     for _ in range(PASSES):

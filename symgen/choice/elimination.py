@@ -51,7 +51,7 @@ def structural_pivots(
         k for k, row in enumerate(constraints) if row.label in {f"{t.body}.norm" for t in orientations}
     }
     column_distance = {c: topology.distance_of(b) for b, columns in equations.body_columns.items() for c in columns}
-    keep = _requested_independent(system)
+    keep, turns = _requested_independent(system), system.reduced.turn_columns  # no row is linear in a turn
     joint_depth = topology.depth()
     rows = sorted(
         (r for r in range(len(constraints)) if r not in left_out),
@@ -74,6 +74,7 @@ def structural_pivots(
             and (c not in placed if own is None else c in own)
             and c not in depends_on
             and c not in equations.elastic_columns
+            and c not in turns
             and c not in keep
             and not _reaches(depends_on, set(entries) - {c}, c)
         ]

@@ -63,6 +63,7 @@ def _as_requested(requested: Sequence[RequestedGroup], names: list[str], equatio
         own = {
             next(g for g, group in enumerate(groups) if names.index(equations.names[c]) in group.positions)
             for c in turning.columns
+            if equations.names[c] in names
         }
         if len(own) > 1:
             raise DerivationError(

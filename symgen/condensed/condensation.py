@@ -143,9 +143,18 @@ def condense(
     """
     structural = [_structural(reduced, row, column) for row, column in choice.structural]
     rows = _reduced_rows(reduced, choice, structural)
-    entries = {row: reduced.entries for row, reduced in rows.items()}
+    entries = {row: _with_all_turns(reduced, one.entries) for row, one in rows.items()}
     loops = Loops(order_blocks(choice.loop_rows, choice.loop_columns, entries), rows)
     return Condensed(equations, reduced, choice, _loop_substitutions(loops) + structural, loops, deflections)
+
+
+def _with_all_turns(equations: Equations, entries: Row) -> Row:
+    """Entries of a row, with all turns of a body where there is one: away from zero theta they come together."""
+    found = dict(entries)
+    for turning in equations.turnings:
+        own = [column for column in turning.columns if column in entries]
+        found |= {column: found.get(column, entries[own[0]]) for column in turning.columns if own}
+    return found
 
 
 def _structural(equations: Equations, row: int, column: int) -> Substitution:

@@ -12,7 +12,7 @@ Where velocities are rates of coordinates, k = 2 g, which saves loops a solution
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
 import casadi as ca
@@ -179,12 +179,19 @@ def _by_differentiation(eq: Equations, rows: Sequence[int], accelerations: Row) 
     by_rate = derivative_rows(second, columns, eq.q_dot)
     n = len(rows)
     return {
-        row: _RowChange(dict(own), *(_of(own, change) for change in (g, h, k)))
+        row: _RowChange(dict(own), *(_of(_places(eq, own), change) for change in (g, h, k)))
         for row, own, g, h, k in zip(rows, entries, by_q[:n], by_q[n:], by_rate, strict=True)
     }
 
 
-def _of(entries: Row, change: Row) -> Row:
+def _places(eq: Equations, entries: Row) -> set[int]:
+    """Columns that a row depends on: those of its entries, and Euler parameters of bodies whose turns it has."""
+    turned = [one for one in eq.turnings if entries.keys().isdisjoint(one.parameters)]
+    turned = [one for one in turned if not entries.keys().isdisjoint(one.columns)]
+    return {*entries, *(column for one in turned for column in one.parameters)}
+
+
+def _of(entries: Collection[int], change: Row) -> Row:
     """What a row does not depend on changes nothing, whatever stands in its terms."""
     return {column: value for column, value in change.items() if column in entries}
 

@@ -35,6 +35,7 @@ from symgen.scene.flexible import SpatialModalBody
 def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) -> Description:
     """Coordinates, rows, parts, parameters and functions of a derived model (these, where they are given)."""
     eq, choice, scene = derived.system.equations, derived.system.choice, derived.scene
+    reduced = derived.system.reduced
     missing: dict[str, float] = {}
     for one in eq.static_residuals:
         missing[one.body] = max(missing.get(one.body, 0.0), float(f"{one.share:.3g}"))
@@ -42,9 +43,9 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
         name=scene.name,
         title=scene.title or scene.name,
         coordinates=eq.coordinates,
-        q_i=[derived.system.reduced.names[c] for c in choice.independent],
-        q_d=[eq.names[c] for c in derived.dependent],
-        loop_unknowns=[eq.names[c] for c in choice.loop_columns],
+        q_i=[reduced.names[c] for c in choice.independent],
+        q_d=[reduced.names[c] for c in derived.dependent],
+        loop_unknowns=[reduced.names[c] for c in choice.loop_columns],
         groups=derived.groups,
         constraints=[row.record for row in eq.constraints],
         redundant=[eq.constraints[row].label for row in derived.redundant],
@@ -68,10 +69,10 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
         orientations=[
             OrientationRecord(
                 turning.body,
-                [derived.system.reduced.names[c] for c in turning.columns],
+                [reduced.names[c] for c in turning.columns],
                 [eq.names[c] for c in turning.parameters],
             )
-            for turning in derived.system.reduced.turnings
+            for turning in reduced.turnings
         ],
         gauges=[
             GaugeRecord(body.name, name, **gauge.model_dump(mode="json"))

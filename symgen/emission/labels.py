@@ -48,7 +48,8 @@ class Labels:
             self.arguments[f"{source}_dot"] = [f"{name}_dot" for name in self.arguments[source]]
             self.arguments[f"{source}_ddot"] = [f"{name}_ddot" for name in self.arguments[source]]
         omega = {f"{name}_dot": name.replace("turn_", "omega_") for name in names[len(eq.names) :]}
-        self.arguments["q_i_dot"] = [omega.get(name, name) for name in self.arguments["q_i_dot"]]
+        for rates in ("q_i_dot", "q_d_dot"):
+            self.arguments[rates] = [omega.get(name, name) for name in self.arguments[rates]]
         charts = [f"{turning.body}.chart_{k}" for turning in reduced.turnings for k in range(4)]
         self.arguments["chart"] = local_names(charts, names)
         self.arguments["lam_R"] = [f"lam_R{k}" for k in range(len(derived.redundant))]
@@ -71,7 +72,7 @@ class Labels:
         self.rows: dict[str, list[str]] = {
             "n": eq.names,
             "n_i": independent,
-            "n_d": [eq.names[c] for c in derived.dependent],
+            "n_d": [reduced.names[c] for c in derived.dependent],
             "n_c": [row.label for row in eq.constraints],
             "n_const": self.arguments["c"],
             "loops": [eq.constraints[row].label for row in choice.loop_rows],

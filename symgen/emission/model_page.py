@@ -40,20 +40,22 @@ def _coordinates(derived: Derived) -> str:
     group_of = {k: group.name for group in derived.groups for k in group.positions}
     independent = {column: group_of[k] for k, column in enumerate(choice.independent)}
     loops = set(choice.loop_columns)
-    lines = ["## Coordinates", "", "| coordinate | role |", "|---|---|"]
-    for column, name in enumerate(eq.names):
+
+    def role(column: int) -> str:
         if column in independent:
-            role = f"independent, group {independent[column]}"
-        elif column in loops:
-            role = "dependent, loop unknown (Newton)"
-        else:
-            role = "dependent, closed form"
-        lines.append(f"| `{name}` | {role} |")
+            return f"independent, group {independent[column]}"
+        return "dependent, loop unknown (Newton)" if column in loops else "dependent, closed form"
+
+    lines = ["## Coordinates", "", "| coordinate | role |", "|---|---|"]
+    lines += [f"| `{name}` | {role(column)} |" for column, name in enumerate(eq.names)]
     for turning in derived.system.reduced.turnings:
-        role = (
-            f"independent, group {independent[turning.columns[0]]}; their velocities are `{turning.body}.omega_x`, ..."
-        )
-        lines.append(f"| `{turning.body}.turn_x`, `_y`, `_z` | {role} |")
+        roles = [role(column) for column in turning.columns]
+        if len(set(roles)) == 1:
+            velocities = f"their velocities are `{turning.body}.omega_x`, ..."
+            lines.append(f"| `{turning.body}.turn_x`, `_y`, `_z` | {roles[0]}; {velocities} |")
+            continue
+        for axis, own in zip("xyz", roles, strict=True):
+            lines.append(f"| `{turning.body}.turn_{axis}` | {own}; its velocity is `{turning.body}.omega_{axis}` |")
     return "\n".join(lines)
 
 

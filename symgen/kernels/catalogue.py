@@ -13,6 +13,7 @@ import casadi as ca
 
 from runtime.contract.records import Group
 from symgen.algebra.rows import Row
+from symgen.algebra.scalar import ZERO, dot
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.forward_dynamics import NoInertia, is_tree, tree_accelerations
 from symgen.condensed.loops import solve_forward
@@ -180,12 +181,7 @@ def _closure(system: Condensed, a: Arguments) -> Kernel:
     if choice.loop_rows:
         guess = _structural_positions(system, {c: eq.q[c] for c in (*choice.independent, *choice.loop_columns)})
         old, new = _replacement(system, guess)
-        entries = [
-            (row, column)
-            for row in choice.loop_rows
-            for column in choice.loop_columns
-            if column in system.loops.rows[row].entries
-        ]
+        entries = [(row, column) for row in choice.loop_rows for column in system.loops.rows[row].entries]
         values = [system.loops.rows[row].entries[column] for row, column in entries]
         residual = ca.vertcat(*(eq.constraints[row].C for row in choice.loop_rows))
         flat = ca.substitute([residual, *values], [old], [new])
@@ -193,6 +189,7 @@ def _closure(system: Condensed, a: Arguments) -> Kernel:
         U: dict[int, Row] = {row: {} for row in choice.loop_rows}
         for (row, column), value in zip(entries, flat[1:], strict=True):
             U[row][column] = value + 0
+        U = {row: _by_rotation_vectors(system, found) for row, found in U.items()}
         (step,), determinants = solve_forward(system.loops.blocks, U, [dict(zip(choice.loop_rows, C, strict=True))])
         x_loop = [eq.q[c] - step[c] for c in choice.loop_columns]
         loops = ca.vertcat(*(eq.q[c] for c in choice.loop_columns))
@@ -202,6 +199,19 @@ def _closure(system: Condensed, a: Arguments) -> Kernel:
             "det_loop": ca.vertcat(*determinants),
         }
     return Kernel(a.select("q_i", "q_d"), outputs)
+
+
+def _by_rotation_vectors(system: Condensed, row: Row) -> Row:
+    """A loop row of C_q by the loop unknowns alone, where they are turns by theta: along omega times T(theta)."""
+    loops = system.choice.loop_columns
+    found = {column: value for column, value in row.items() if column in loops}
+    for turning in system.reduced.turnings:
+        own = [(k, column) for k, column in enumerate(turning.columns) if column in loops]
+        along = [row.get(column, ZERO) for column in turning.columns]
+        if own and not all(value.is_zero() for value in along):
+            T = turning.T([system.reduced.q[column] for column in turning.columns])
+            found |= {column: dot(along, [T[i][k] for i in range(3)]) for k, column in own}
+    return found
 
 
 def _structural_positions(system: Condensed, known: dict[int, ca.SX]) -> dict[int, ca.SX]:

@@ -67,7 +67,7 @@ FIELDS: tuple[Notation, ...] = (
     Notation("loop_dot", "q_d'", "36", "loops", "mixed", "rates of the loop unknowns"),
     Notation("loop_bend", "", "", "loops", "mixed", "their second rates at the start of the major step"),
     Notation(
-        "chart", "", "", "4 x orientations", "1", "unit quaternions from which the turns in x are rotation vectors"
+        "chart", "", "", "4 x orientations", "1", "unit quaternions from which turns in x and loop unknowns count"
     ),
     # one-step schemes
     Notation("v", "q_i'", "36", "n_i", "mixed", "q_i_dot reached"),

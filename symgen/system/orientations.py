@@ -78,9 +78,8 @@ class Turning:
 
     def rows(self, theta: Vector) -> list[ConstraintRow]:
         """e - chart o exp(theta) = 0, with C_q along the angular velocity."""
-        square = div(dot(theta, theta), ca.SX(4)) + SMALLEST
-        half = ca.sqrt(square)
-        turn = [ca.cos(half), *scaled(ca.sin(half) / half / 2, theta)]
+        half, share = _half(theta)
+        turn = [ca.cos(half), *scaled(share / 2, theta)]
         reached = quaternion_product(self.chart, turn)
         slopes = [quaternion_product(self.e, [ZERO, *(div(one, ca.SX(2)) for one in unit)]) for unit in _units()]
         fading = div(dot(self.omega, self.omega), ca.SX(4))
@@ -98,6 +97,26 @@ class Turning:
             for k in range(4)
         ]
 
+    def T(self, theta: Vector) -> list[Vector]:
+        """By rows: omega = T theta', T = 1 - (1 - cos s)/s^2 theta~ + (1 - sin s/s)/s^2 theta~^2, s = |theta|."""
+        half, share = _half(theta)
+        first, second = mul(share, share) / 2, (1 - mul(share, ca.cos(half))) / (4 * mul(half, half))
+        square = dot(theta, theta)
+        tilde = [[ZERO, neg(theta[2]), theta[1]], [theta[2], ZERO, neg(theta[0])], [neg(theta[1]), theta[0], ZERO]]
+        return [
+            [
+                one - mul(first, tilde[i][j]) + mul(second, mul(theta[i], theta[j]) - mul(square, one))
+                for j, one in enumerate(unit)
+            ]
+            for i, unit in enumerate(_units())
+        ]
+
+
+def _half(theta: Vector) -> tuple[ca.SX, ca.SX]:
+    """(|theta| / 2, its sine over it)."""
+    half = ca.sqrt(div(dot(theta, theta), ca.SX(4)) + SMALLEST)
+    return half, ca.sin(half) / half
+
 
 def _units() -> list[Vector]:
     return [[ONE if i == j else ZERO for i in range(3)] for j in range(3)]
@@ -112,8 +131,8 @@ def orientations_of(scene: Scene, topology: Topology) -> Orientations:
     """Those of a spatial scene."""
     described = {body.name: body for body in scene.moving_bodies}
     spherical = {joint.name for joint in scene.joints if joint.type == "spherical"}
-    balls, parents = _tree(topology, list(described), spherical)
-    held = set(_held(topology, balls, parents)) | set(_chosen(scene))
+    balls, _ = _tree(topology, list(described), spherical)
+    held = set(_chosen(scene))
     free = [
         name
         for name in described
@@ -147,26 +166,6 @@ def _tree(
                         reached.add(far)
             growing = len(reached) > before
     return balls, parents
-
-
-def _held(topology: Topology, balls: Mapping[str, BallPlacement], parents: Mapping[str, str]) -> Iterator[str]:
-    """Bodies whose turning a joint reaches that is not of the tree."""
-    for link in topology.links:
-        if link.joint in topology.placements or link.joint in balls:
-            continue
-        ways = [_way_to_root(body, parents) for body in (link.a, link.b)]
-        common = [body for body in ways[0] if body in ways[1]]
-        apart = [body for way in ways for body in way if body not in common]
-        if common and all(body in topology.placed for body in apart):
-            continue
-        yield from (body for way in ways for body in way)
-
-
-def _way_to_root(body: str, parents: Mapping[str, str]) -> list[str]:
-    way = [body]
-    while way[-1] in parents:
-        way.append(parents[way[-1]])
-    return way
 
 
 def _chosen(scene: Scene) -> Iterator[str]:

@@ -239,6 +239,10 @@ def reduced_equations(
         body_columns={},
         measure_units={},
         load_forces={},
+        load_actions={},
+        springs={},
+        events={},
+        switching=[],
         placed_columns=frozenset(
             column
             for column, coordinate in enumerate(whole.coordinates)
@@ -251,6 +255,7 @@ def reduced_equations(
     )
     space = TreeSpace(scene, table, blank, topology, whole, orientations)
     equations = Mechanism(scene, table, space, blank, topology).equations
+    _tell(whole, equations, ca.vertcat(*q_dot[n:]))
     for turning in equations.turnings:
         equations.body_columns[turning.body] += turning.columns
         equations.constraints += turning.rows([q[column] for column in turning.columns])
@@ -267,6 +272,16 @@ def reduced_equations(
     for column, value in equations.inertia_forces({}).items():
         equations.Q_v[column] = neg(value)
     return equations
+
+
+def _tell(whole: Equations, reduced: Equations, omega: ca.SX) -> None:
+    """Actions of loads and events by the coordinates of the tree, which are shorter, where no angular velocity is."""
+    for name, action in reduced.load_actions.items():
+        if not ca.depends_on(ca.vertcat(*action), omega):
+            whole.load_actions[name] = action
+    for name, event in reduced.events.items():
+        if not ca.depends_on(ca.vertcat(event[0], *event[1].values()), omega):
+            whole.events[name] = event
 
 
 def _turning(whole: Equations, body: str, first: int, q_dot: list[ca.SX]) -> Turning:

@@ -74,9 +74,12 @@ def operations(scene: Scene, name: str = "condensed") -> int:
     return sum(function.instruction_id(k) not in COUNTED for k in range(function.n_instructions()))
 
 
-@pytest.mark.parametrize("scheme, steps, error", [("rk4", [0.01], 1e-9), ("single_rate", [0.02, 0.01], 2.5e-5)])
+@pytest.mark.parametrize(
+    "scheme, steps, error",
+    [("rk4", [0.01], 1e-9), ("single_rate", [0.02, 0.01], 2.5e-5), ("exponential", [1e-3], 1e-11)],
+)
 def test_tumbling_body(built_in: Build, scheme: str, steps: list[float], error: float) -> None:
-    """20 s of turning over, at the scene's step; central difference with slope 2."""
+    """20 s of turning over, at the scene's step; central difference with slope 2; rounding of 20,000 linear systems."""
     wanted = euler(np.array([1.0, 2.0, 3.0]), np.array([1.0, 0, 0, 0]), np.array([0.01, 1, 0.01]), 20.0)
     errors = []
     for dt in steps:
@@ -117,22 +120,6 @@ def test_heavy_top_by_hand(built_in: Build) -> None:
         assert relative_error(found["J_q"].reshape(3, 3), np.cross(r, m * -tilde).T) < 1e-12
         by_omega = [-np.cross(unit, J @ omega) - np.cross(omega, J @ unit) for unit in np.eye(3)]
         assert relative_error(found["J_v"].reshape(3, 3), np.array(by_omega).T) < 1e-12
-
-
-def test_no_orientation_is_special(built_in: Build) -> None:
-    """Steps from 60 random orientations and spins, those with one Euler parameter alone among them: momentum stays."""
-    stepper, rng = built_in("tumbling_body").stepper(scheme="rk4", dt=0.01), np.random.default_rng(1)
-    J, spins = np.array([1.0, 2.0, 3.0]), 3 * rng.normal(size=(60, 3))
-    orientations = np.vstack([np.eye(4), rng.normal(size=(56, 4))])
-    orientations /= np.linalg.norm(orientations, axis=1, keepdims=True)
-    for e, omega in zip(orientations, spins, strict=True):
-        start = {f"body.e{k}": float(value) for k, value in enumerate(e)}
-        stepper.reset({**start, **{f"body.{name}": float(w) for name, w in zip(OMEGA, omega, strict=True)}})
-        stepper.step(10)
-        state = stepper.state
-        after, rate = (np.array([state[f"body.e{k}{end}"] for k in range(4)]) for end in ("", "_dot"))
-        w = 2 * product(after * [1, -1, -1, -1], rate)[1:]
-        assert relative_error(rotation(after) @ (J * w), rotation(e) @ (J * omega)) < 1e-6
 
 
 def spinner() -> Scene:

@@ -11,9 +11,12 @@ import pytest
 from scipy.linalg import eigh
 
 from runtime.contract.model import Model
+from symgen.pipeline import derive
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.chain import chain
+from symgen.scenes.double_pendulum import double_pendulum
 from symgen.scenes.four_bar import four_bar
+from symgen.scenes.pendulum import pendulum
 from symgen.scenes.slider_crank import slider_crank
 from tests.support.model_values import (
     Array,
@@ -88,6 +91,15 @@ def test_planar_scene_in_space(build: Build, scene: Scene) -> None:
         for name, force in expected_forces.items():
             in_plane = forces[name][[0, 1, 5]]
             assert np.max(np.abs(in_plane - force)) < 1e-9 * scale, name
+
+
+def test_the_plane_is_cheaper(build: Build) -> None:
+    """M_hat and Q_hat of planar scenes have no more operations than those of their twins in space: why the plane
+    has equations of its own (docs/inside/decisions/two-spaces.md)."""
+    for scene in (pendulum(), double_pendulum(), chain(4), slider_crank()):
+        planar = build(scene, frozenset({"condensed", "constraints"}))
+        twin = derive(posed(scene, planar), frozenset({"condensed"}))
+        assert planar.operations["condensed"] <= twin.functions["condensed"].operations, scene.name
 
 
 def spinning(axis: str, space: str, speed: float, stiffening: bool = True) -> Scene:

@@ -9,14 +9,17 @@ from hypothesis import HealthCheck, Phase, assume, given, settings
 
 from runtime import load_model
 from runtime.baselines.augmented import augmented_accelerations
-from runtime.contract.coordinates import independent_part, turned_by
+from runtime.contract.coordinates import independent_part, loop_part, turned_by
 from runtime.contract.model import Model
+from runtime.running.singular.exchange import by_velocities
 from symgen.generate import generate
 from symgen.scene import Scene
 from tests.support.model_values import (
+    Array,
     State,
     condensed_accelerations,
     evaluate,
+    join,
     make_state,
     power_gap,
     reactions,
@@ -68,7 +71,11 @@ def check_laws(scene: Scene, redundant: bool | None = False, jacobians: bool = F
 def well_posed(model: Model) -> bool:
     """Do the dependent coordinates follow at the start, and in its neighbourhood?"""
     C_q = evaluate(model, "constraints", q=model.initial_q, q_dot=model.initial_q_dot, t=0.0)["C_q"]
-    part = C_q.reshape(-1, len(model.coordinates))[np.ix_(model.kept_rows, model.dependent_columns)]
+    names, slopes, _ = by_velocities(model, model.initial_q, C_q.reshape(-1, len(model.coordinates)), 1.0)
+    turned = {name for record in model.description.orientations for name in record.parameters}
+    norms = {f"{record.body}.norm" for record in model.description.orientations}
+    rows = [row for row in model.kept_rows if model.constraints[row] not in norms]
+    part = slopes[np.ix_(rows, [names.index(name) for name in model.q_d if name not in turned])]
     size = np.linalg.svd(part, compute_uv=False)
     return bool(size[-1] > WELL_POSED * size[0])
 
@@ -80,6 +87,16 @@ def random_state(model: Model) -> State:
     return make_state(model, start + reach * rng.uniform(-1, 1, n), rng.uniform(-1, 1, n), 0.2)
 
 
+def turned_place(model: Model, state: State, step: Array) -> Array:
+    """q_i after a step whose turns are rotations in the axes of their bodies."""
+    rates = np.zeros((2, len(model.q_d)))
+    if model.q_d:
+        moving = [{**state.values(), "q_i_dot": own} for own in (step, 0 * step)]
+        rates = np.array([evaluate(model, "velocities", **own)["q_d_dot"] for own in moving])
+    change = join(model, step, rates[0] - rates[1])
+    return turned_by(model, state.q, change, state.q_i, step, loop_part(model, state.q))[0]
+
+
 def check_jacobians(model: Model, state: State) -> None:
     """Central differences of Q_hat along a random direction, the loops closed anew."""
     rng, h = np.random.default_rng(1), 1e-5
@@ -88,7 +105,7 @@ def check_jacobians(model: Model, state: State) -> None:
         turned = (along, 0 * along) if name == "dQ_hat_dq_i" else (0 * along, along)
         moved = [
             make_state(
-                model, turned_by(model, state.q_i, s * turned[0]), state.q_i_dot + s * turned[1], state.t, guess=state.q
+                model, turned_place(model, state, s * turned[0]), state.q_i_dot + s * turned[1], state.t, state.q
             )
             for s in (-h, h)
         ]

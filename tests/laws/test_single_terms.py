@@ -220,7 +220,7 @@ def test_the_choice_of_an_exchange_does_not_depend_on_the_unit_of_length(model_o
         model = model_of(slider_crank_of_size(size))
         state = make_state(model, model.initial_q[model.independent_columns], np.zeros(1))
         C_q = evaluate(model, "constraints", **state.values())["C_q"]
-        found.append(best_exchange(model, C_q.reshape(len(model.constraints), -1)))
+        found.append(best_exchange(model, state.q, C_q.reshape(len(model.constraints), -1)))
     assert found[0] is not None
     assert all(other is not None and (other.out, other.into) == (found[0].out, found[0].into) for other in found)
     assert [other.gain for other in found if other] == pytest.approx([found[0].gain] * 3, rel=1e-9)

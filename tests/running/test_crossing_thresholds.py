@@ -174,13 +174,12 @@ def test_a_loop_unknown_takes_the_place_that_it_nearly_deserves() -> None:
             loop_unknowns=["loop"],
             elastic=[],
             kept_rows=np.arange(2),
-            places=SimpleNamespace(columns=np.array([0]), parameters=np.zeros((0, 4), dtype=int)),
-            dependent_columns=np.array([1, 2]),
+            places=SimpleNamespace(parameters=np.zeros((0, 4), dtype=int)),
             description=SimpleNamespace(
                 coordinates=[entry] * 3, constraints=[SimpleNamespace(unit="m")] * 2, orientations=[]
             ),
         )
-        found = best_exchange(model, np.array([[-10.0, 1.0, 0.0], [-gain, 0.0, 1.0]]))
+        found = best_exchange(model, np.zeros(3), np.array([[-10.0, 1.0, 0.0], [-gain, 0.0, 1.0]]))
         assert found is not None and (found.into, found.gain) == (chosen, 10.0 if chosen == "closed" else gain)
         assert found.apply(["lead", "other"]) == [chosen, "other"]
 

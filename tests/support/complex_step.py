@@ -84,7 +84,14 @@ def derivatives(run: DifferentiableRun, name: str, initial: Mapping[str, float] 
     tapes = {stage.name(): read_tape(stage) for part in (program.step, program.observe) for stage in part.stages()}
     c = np.concatenate([evaluated(read_tape(model.kernel("constants")), p), scheme.grid.h])
     i = model.independent_columns
-    z = evaluated(read_tape(scheme.starter), np.array([run.plan.t0]), q[i], v[i], q[model.loop_columns], c)
+    z = evaluated(
+        read_tape(scheme.starter),
+        np.array([run.plan.t0]),
+        q[i],
+        v[i],
+        q[[model.coordinates.index(name) for name in model.loop_unknowns]],
+        c,
+    )
     z = np.concatenate([z, np.zeros(program.prepared.z_size - len(z))])
     ready = evaluated(read_tape(program.prepared.constants), c)
 

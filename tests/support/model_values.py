@@ -9,7 +9,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from runtime.contract.coordinates import independent_part, whole
+from runtime.contract.coordinates import dependent_part, independent_part, whole
 from runtime.contract.model import Model
 from runtime.results.reactions import joint_reactions
 
@@ -59,7 +59,7 @@ def make_state(model: Model, q_i: Array, q_i_dot: Array, t: float = 0.0, guess: 
     """Assembled state with consistent velocities. guess: full q (the model's initial one by default)."""
     q_i, q_i_dot = np.asarray(q_i, dtype=float), np.asarray(q_i_dot, dtype=float)
     start = model.initial_q if guess is None else np.asarray(guess)
-    q_d = positions(model, q_i, t, start[model.dependent_columns])
+    q_d = positions(model, q_i, t, dependent_part(model, start))
     q_d_dot = np.zeros(0)
     if model.q_d:
         q_d_dot = evaluate(model, "velocities", q_i=q_i, q_d=q_d, q_i_dot=q_i_dot, t=t)["q_d_dot"]

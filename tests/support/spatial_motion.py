@@ -14,7 +14,7 @@ import casadi as ca
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from runtime.contract.coordinates import independent
+from runtime.contract.coordinates import parts, rate_parts
 from runtime.contract.model import Model
 from symgen.scene import Scene
 from tests.hand_derived.spatial.twin_flexible_nodes import Nodes
@@ -112,8 +112,8 @@ def place(scene: Scene, model: Model, moving: Mapping[str, Frame], t: float) -> 
 
 def full_state(model: Model, q: Array, q_dot: Array, t: float) -> State:
     """State of full coordinate vectors."""
-    d, (q_i, q_i_dot) = model.dependent_columns, independent(model, q, q_dot)
-    return State(q_i, q[d], q_i_dot, q_dot[d], q, q_dot, t)
+    (q_i, q_d), (q_i_dot, q_d_dot) = parts(model, q), rate_parts(model, q, q_dot)
+    return State(q_i, q_d, q_i_dot, q_d_dot, q, q_dot, t)
 
 
 def assembled(model: Model, q: Array, q_dot: Array, t: float) -> State:

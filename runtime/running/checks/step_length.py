@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from runtime.contract.coordinates import independent_part, whole
+from runtime.contract.coordinates import independent_part, loop_part, whole
 from runtime.contract.status import Status
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.running.checks.check import Check, Subject
@@ -48,11 +48,11 @@ def _slopes(subject: Subject) -> tuple[np.ndarray, np.ndarray] | None:
     if subject.good is None or not ModeSolver.possible(model):
         return None
     seen = subject.scheme.observer(z=subject.good, c=subject.c)
-    loop = [model.q_d.index(name) for name in model.loop_unknowns]
     q_i, rates, q_d = (np.asarray(seen[name]).ravel() for name in ("q_i", "q_i_dot", "q_d"))
-    q_i = independent_part(model, whole(model, q_i, q_d))
+    q = whole(model, q_i, q_d)
+    q_i, loop = independent_part(model, q), loop_part(model, q)
     try:
-        found = ModeSolver(model, subject.c[: model.c_size]).slopes(State(float(seen["t"]), q_i, rates, q_d[loop]))
+        found = ModeSolver(model, subject.c[: model.c_size]).slopes(State(float(seen["t"]), q_i, rates, loop))
     except np.linalg.LinAlgError:  # M_hat is singular
         return None
     return found if all(np.isfinite(slope).all() for slope in found) else None

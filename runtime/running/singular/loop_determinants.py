@@ -5,7 +5,7 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 
-from runtime.contract.coordinates import independent
+from runtime.contract.coordinates import parts, rate_parts
 from runtime.contract.model import Model
 
 
@@ -23,9 +23,9 @@ class LoopDeterminants:
 
     def determinants(self, t: float, q: np.ndarray, q_dot: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(determinant of each loop block, its rate [1/s])."""
-        d, q_i, v = self.model.dependent_columns, *independent(self.model, q, q_dot)
-        values, rates = self._determinants(t, q_i, q[d], v, q_dot[d], self.c)
-        return np.asarray(values).ravel(), np.asarray(rates).ravel()
+        found = self._determinants(t, *parts(self.model, q), *rate_parts(self.model, q, q_dot), self.c)
+        values, slopes = found
+        return np.asarray(values).ravel(), np.asarray(slopes).ravel()
 
 
 def _determinants(model: Model) -> ca.Function:

@@ -100,7 +100,7 @@ class Passage:
         if not (np.isfinite(q).all() and np.isfinite(v).all() and np.isfinite(values).all()):
             return self._look_later(z)
         block = self.guard.worst(values)
-        exchange = best_exchange(self.segment.model, self.loops.jacobian(t, q), self.length)
+        exchange = best_exchange(self.segment.model, q, self.loops.jacobian(t, q), self.length)
         if exchange is not None and exchange.gain >= CLEARLY:
             return self._exchanged(z, seen, exchange)
         return self._ahead(z, seen, block, abs(float(values[block])))
@@ -118,7 +118,7 @@ class Passage:
         if near is None:
             return self._look_later(z)
         there = integrator.seen(np.array([near[0]]), near[1][None, :])
-        exchange = best_exchange(self.segment.model, self.loops.jacobian(near[0], there.q[0]), self.length)
+        exchange = best_exchange(self.segment.model, there.q[0], self.loops.jacobian(near[0], there.q[0]), self.length)
         if exchange is not None and exchange.gain >= CLEARLY:
             return self._exchanged(z, seen, exchange)
         try:

@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.model import Model
-from runtime.engine.program import Program
+from runtime.engine.program import Fields, Program
 from runtime.schemes.grid import Grid
 from runtime.schemes.one_step import OneStep
 from runtime.schemes.options import Options
@@ -133,8 +133,17 @@ class AdaptiveState(OneStep):
         found = ca.SX(q)
         for record, own in zip(self.model.description.orientations, self.charts.turns, strict=True):
             for name, k in zip(record.parameters[1:], own, strict=True):
+                if k >= q.numel():
+                    continue
                 found[k] = 2 * motion.q_d[self.model.q_d.index(name)]
         return found
+
+    def velocities_at(self, z: Fields, equations: StageEquations, tau: ca.SX, q: ca.SX, rate: ca.SX) -> ca.SX:
+        """q_i_dot of the rates of q, tau after the start of a step."""
+        if not self.charts.split:
+            return self.charts.velocities(q, rate)
+        guess = z["loop_from"] + tau * z["loop_dot"]
+        return equations.velocities(equations.close_well(q, guess, z["t_from"] + tau), rate)
 
     def evaluations(self) -> tuple[int, int]:
         """Not to be told from the number of states that are seen; see `taken`."""

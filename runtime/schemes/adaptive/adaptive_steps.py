@@ -95,8 +95,9 @@ class AdaptiveSteps(StepControl):
         out = {f"{name}_from": z[f"{name}_to"] for name in ("q", "v", "loop", "t")}
         out["before"] = ca.vertcat(*(z[name] for name in RESTORED))
         if self.charts.size:
-            zeroed = self.charts.zeroed(z["q_to"])
-            out |= {"chart": self.charts.turned(z["chart"], z["q_to"]), "q_from": zeroed, "q_to": zeroed}
+            moved = self.rebased(z, self.arrived(equations, z["q_to"], z["loop_to"], z["t_to"]), z["loop_to"])
+            out |= {"chart": moved["chart"], "q_from": moved["x"], "q_to": moved["x"]}
+            out |= {"loop_from": moved["loop"], "loop_to": moved["loop"]}
         if self.first_same_as_last and "work_from" in z:
             out |= self._worked(z, z["power_to"])
         cold = z["cold"] if self.first_same_as_last else ca.SX(1)

@@ -78,7 +78,7 @@ class AdaptiveDormandPrince(AdaptiveSteps):
             y = start + h * combined(row[: len(slopes)], slopes)
             v = y[n : 2 * n]
             at = equations.close(y[:n], y[2 * n :], self.time_in_step(z, h, node), self.options.closure_iterations)
-            rate = self.charts.rates(y[:n], v)
+            rate = equations.turning(at, v)
             slopes.append(ca.vertcat(rate, equations.accelerations(at, v), equations.loop_part(equations.rates(at, v))))
             seen.append(at)
         error, last = h * combined(ERROR, slopes), slopes[-1]
@@ -94,10 +94,13 @@ class AdaptiveDormandPrince(AdaptiveSteps):
         """The polynomial of degree 5 and its derivative."""
         h = z["t_to"] - z["t_from"] if h is None else h
         q, v, a = (z[f"{name}_to"] for name in "qva")
-        rate = self.charts.rates(q, v)
-        end = self.charts.accelerations(q, rate, v, a)
+        to = ClosedConfiguration(q, ca.SX(0, 1), z["t_to"], ca.SX(0), ca.SX(0, 1))
+        if self.charts.split:
+            to = equations.close(q, z["loop_to"], z["t_to"], self.options.closure_iterations)
+        rate = equations.turning(to, v)
+        end = equations.bent(to, rate, v, a)
         place, rate = quintic(tau, h, z["q_from"], z["v_from"], z["a_from"], q, rate, end)
-        return place, self.charts.velocities(place, rate)
+        return place, self.velocities_at(z, equations, tau, place, rate)
 
 
 def quintic(

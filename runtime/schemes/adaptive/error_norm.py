@@ -37,7 +37,9 @@ def amplitudes(model: Model, half_ranges: ca.SX) -> ca.SX:
     turns = [kind[1] == "rad" and kind[0] != "modal" for kind in kinds]
     seen = [ca.fmin(half_ranges[k], TURN) if turns[k] else half_ranges[k] for k in range(len(kinds))]
     for own in model.places.turns:  # an orientation as a whole
-        widest = ca.fmax(ca.fmax(seen[own[0]], seen[own[1]]), seen[own[2]])
+        widest = ca.SX(0)
+        for k in own:
+            widest = ca.fmax(widest, seen[k]) if k < len(seen) else widest
         seen = [widest if k in own else one for k, one in enumerate(seen)]
     largest = {kind: ca.SX(LEAST) for kind in kinds}
     for kind, one in zip(kinds, seen, strict=True):

@@ -89,16 +89,15 @@ class AdaptiveExponential(AdaptiveSteps):
         if "work_from" in z:
             share = z["loop_from"] + h / 2 * z["loop_dot"] + bend / NODE**2 / 4
             q = z["q_from"] + middle[0]
-            v = self.charts.velocities(q, middle[1])
+            v = self.velocities_at(z, equations, h / 2, q, middle[1])
             powers["power_mid"] = self.power_at_state(z, equations, h / 2, q, v, share)
-        return Attempt(
-            end, self.charts.velocities(end, u), loop, w - second[0], u - second[1], {"G2": G2}, (at,), powers
-        )
+        v = self.velocities_at(z, equations, h, end, u)
+        return Attempt(end, v, loop, w - second[0], u - second[1], {"G2": G2}, (at,), powers)
 
     def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """The same linear motion, ended sooner."""
         w, u = self._motion(z, tau, z["G2"], 1.0)[-1]
-        return z["q_from"] + w, self.charts.velocities(z["q_from"] + w, u)
+        return z["q_from"] + w, self.velocities_at(z, equations, tau, z["q_from"] + w, u)
 
     def _motion(self, z: Fields, h: ca.SX, G2: ca.SX, share: float) -> list[tuple[ca.SX, ca.SX]]:
         """(w, w') at the end of each sub-step of h / 2, and at a share of h."""
@@ -109,7 +108,7 @@ class AdaptiveExponential(AdaptiveSteps):
         for k in range(HALVES):
             part = min(1.0, share * HALVES - k)
             G, tau = (z["G0"], z["G1"], G2), k * h / HALVES
-            w, u = propagate(system, factors, w, u, G, tau, h / HALVES, part, decaying)
+            w, u = propagate(system, factors, w, u, G, tau, h / HALVES, part, decaying, free=self.charts.independent)
             found.append((w, u))
         return found
 

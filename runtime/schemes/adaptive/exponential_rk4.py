@@ -75,14 +75,14 @@ class AdaptiveExponentialRungeKutta(AdaptiveSteps):
             guess = polynomial([z["loop_from"], z["loop_dot"], z["loop_bend"]], stage.tau)
             at = equations.close(stage.q, guess, self.time_in_step(z, h, share), self.options.closure_iterations)
             seen.append(at)
-            v = self.charts.velocities(stage.q, stage.v)
+            v = equations.velocities(at, stage.v)
             a = equations.accelerations(at, v)
-            return motion.remainder(self.charts.accelerations(stage.q, stage.v, v, a), stage)
+            return motion.remainder(equations.bent(at, stage.v, v, a), stage)
 
         found = krogstad(motion, d, rough=True)
         kept = {"b1": found.b1, "b2": found.b2}
         end, loop = found.end, equations.loop_part(seen[-1].q_d)
-        v = self.charts.velocities(end.q, end.v)
+        v = self.velocities_at(z, equations, h, end.q, end.v)
         if "work_from" in z:  # a stage in the middle is of lower order than the motion that leads to the end
             powers["power_mid"] = self.power_between({**z, **kept}, equations, h / 2, (z["loop_from"] + loop) / 2, h)
         return Attempt(end.q, v, loop, end.q - found.before.q, end.v - found.before.v, kept, tuple(seen), powers)
@@ -90,7 +90,7 @@ class AdaptiveExponentialRungeKutta(AdaptiveSteps):
     def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """The same motion, ended sooner."""
         stage = self._motion(z, equations, tau).to(2, z["b1"], z["b2"])
-        return stage.q, self.charts.velocities(stage.q, stage.v)
+        return stage.q, self.velocities_at(z, equations, tau, stage.q, stage.v)
 
     def _motion(self, z: Fields, equations: StageEquations, h: ca.SX) -> StiffMotion | StiffTreeMotion:
         if along_tree(self.model, self.options):

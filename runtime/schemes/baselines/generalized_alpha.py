@@ -143,7 +143,7 @@ class AlphaMethod(Scheme):
             "q": q,
             "q_dot": v,
             "a_alpha": a,
-            "x": self.charts.seen_in(self.model, q),
+            "x": self.charts.seen_in(self.model, q)[0],
             "n": z["n"] + 1,
             "failures": z["failures"] + (z["unconverged"] > 0),
         }
@@ -197,11 +197,10 @@ class AlphaMethod(Scheme):
         z, c = ca.SX.sym("z", self.layout.size), ca.SX.sym("c", self.c_size)
         fields = self.layout.unpack(z)
         equations = self.equations(c, fields)
-        dependent = [int(column) for column in self.model.dependent_columns]
-        q, parts = fields["q"], []
+        q = fields["q"]
+        parts: list[ca.SX] = []
         for name in ("q", "q_dot", "q_ddot"):
-            own = self.charts.seen_in(self.model, q, None if name == "q" else fields[name])
-            parts += [own, fields[name][dependent]]
+            parts += self.charts.seen_in(self.model, q, None if name == "q" else fields[name])
         return ca.Function("observe", [z, c], [self.now(fields, equations), *parts], ["z", "c"], list(OBSERVED))
 
 

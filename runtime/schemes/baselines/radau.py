@@ -217,11 +217,11 @@ class Radau(OneStep):
 
     def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         K, h = self._columns(z["K"]), equations.h[0]
-        x = self._positions(z, K, h)[-1]
+        x, loop = self._positions(z, K, h)[-1], self._columns(z["loop_stages"])[-1]
+        end = self.arrived(equations, x, loop, self.now(z, equations) + h)
         return {
-            **self.rebased(z, x),
-            "v": self.charts.velocities(x, self._velocities(z, K, h)[-1]),
-            "loop": self._columns(z["loop_stages"])[-1],
+            **self.rebased(z, end, loop),
+            "v": equations.velocities(end, self._velocities(z, K, h)[-1]),
             "n": z["n"] + 1,
             "failures": z["failures"] + (z["unconverged"] > 0),
             "closure_error": ca.fmax(z["closure_error"], z["stage_error"]),

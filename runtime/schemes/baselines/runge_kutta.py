@@ -61,10 +61,11 @@ class ExplicitRungeKutta(OneStep):
                 y = ca.vertcat(y[: 2 * n], equations.loop_part(motion.q_d))
             a, v = equations.accelerations(motion, at[n : 2 * n]), at[n : 2 * n]
             work = work if k else self.worked(z, equations, motion, v, a)
-            slopes.append(ca.vertcat(self.charts.rates(at[:n], v), a, equations.loop_part(equations.rates(motion, v))))
+            slopes.append(ca.vertcat(equations.turning(motion, v), a, equations.loop_part(equations.rates(motion, v))))
             motions.append(motion)
         y = y + h * combined(b, slopes)
-        ends = {**self.rebased(z, y[:n]), "v": y[n : 2 * n], "loop": y[2 * n :], "n": z["n"] + 1}
+        end = self.arrived(equations, y[:n], y[2 * n :], t + h)
+        ends = {**self.rebased(z, end, y[2 * n :]), "v": y[n : 2 * n], "n": z["n"] + 1}
         return {**ends, **work, **self.closed(z, *motions)}
 
 

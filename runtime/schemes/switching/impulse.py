@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from runtime.contract.coordinates import independent, whole
+from runtime.contract.coordinates import parts, rate_parts, whole
 from runtime.contract.model import Model, ModelError
 
 DUST = 1e-12  # of the largest rate: less is rounding of a rate that does not jump
@@ -38,15 +38,14 @@ def impulse_at(
 
     q, q_dot (n,): all coordinates and rates before. Raises ModelError for a model without the function `energy`.
     """
-    d, (q_i, q_i_dot) = model.dependent_columns, independent(model, q, q_dot)
-    if not len(d):
+    (q_i, q_d), (q_i_dot, _) = parts(model, q), rate_parts(model, q, q_dot)
+    if not len(q_d):
         return None
-    at = {"q_i": q_i, "q_d": q[d], "c": c}
+    at = {"q_i": q_i, "q_d": q_d, "c": c}
     rates = [
         np.asarray(model.evaluate("velocities", **at, q_i_dot=q_i_dot, t=t)["q_d_dot"]).ravel() for t in (before, after)
     ]
-    jump = np.zeros(len(q))
-    jump[d] = rates[1] - rates[0]
+    jump = whole(model, np.zeros(len(q_i)), rates[1] - rates[0])
     if np.abs(jump).max() <= DUST * max(1e-300, float(np.abs(q_dot).max()), float(np.abs(rates).max())):
         return None
     if not model.has("energy"):
@@ -56,7 +55,7 @@ def impulse_at(
             "regenerate the scene with that function",
         )
     momentum = model.derived("momentum", lambda: _momentum(model))
-    projected = np.asarray(momentum(q, jump, q_i, q[d], after, c)).ravel()
+    projected = np.asarray(momentum(q, jump, q_i, q_d, after, c)).ravel()
     M_hat = np.asarray(model.evaluate("condensed", **at, q_i_dot=q_i_dot, q_d_dot=rates[0], t=before)["M_hat"])
     q_i_dot = q_i_dot - np.linalg.solve(M_hat, projected)
     q_d_dot = np.asarray(model.evaluate("velocities", **at, q_i_dot=q_i_dot, t=after)["q_d_dot"]).ravel()
@@ -73,7 +72,8 @@ def _momentum(model: Model) -> ca.Function:
     momentum = ca.gradient(model.evaluate("energy", q=q, q_dot=v, t=t, c=c)["kinetic"], v)
     q_d_dot = model.evaluate("velocities", q_i=q_i, q_d=q_d, q_i_dot=q_i_dot, t=t, c=c)["q_d_dot"]
     B = ca.jacobian(q_d_dot, q_i_dot)
-    projected = ca.mtimes(B.T, momentum[model.dependent_columns.tolist()])
+    at = model.places
+    projected = ca.mtimes(B[at.dependent_plain.tolist(), :].T, momentum[at.dependent.tolist()])
     for k, column in zip(model.places.plain, model.places.columns, strict=True):
         projected[int(k)] = projected[int(k)] + momentum[int(column)]
     return ca.Function("momentum", [q, v, q_i, q_d, t, c], [ca.densify(projected)])

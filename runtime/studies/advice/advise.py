@@ -13,7 +13,7 @@ from html import escape
 import numpy as np
 
 from runtime.contract.cards import card, line, table
-from runtime.contract.coordinates import followed, independent, told_state
+from runtime.contract.coordinates import followed, independent, loop_part, told_state
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
@@ -161,7 +161,7 @@ def _states(problem: Problem) -> list[State]:
     times = (np.arange(STATES) + 0.5 * np.sin(np.arange(STATES)) ** 2) / STATES * problem.t_end
     step = 1e-4 * problem.t_end / STATES
     now, ahead = (told_state(problem.model, problem.path(at)) for at in (times, times + step))
-    loop = problem.state.q[problem.model.loop_columns]
+    loop = loop_part(problem.model, problem.state.q)
     q_i, v = independent(problem.model, now, (ahead - now) / step)
     return [State(float(t), q, rate, loop) for t, q, rate in zip(times, q_i, v, strict=True)]
 

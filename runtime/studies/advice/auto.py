@@ -13,7 +13,7 @@ from typing import Unpack
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
-from runtime.contract.coordinates import independent
+from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.meter import Meter
@@ -161,7 +161,7 @@ class _Motion:
             return True
         at = independent(self.model, self.state.q, self.state.q_dot)
         try:
-            state = State(self.t0, *at, self.state.q[self.model.loop_columns])
+            state = State(self.t0, *at, loop_part(self.model, self.state.q))
             slopes = ModeSolver(self.model, self.c).slopes(state)
             limit = limit_between_the_axes(*slopes, DormandPrince5.reach, DormandPrince5.decay_reach)
         except np.linalg.LinAlgError:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from runtime.contract.coordinates import joined, parameter_columns
+from runtime.contract.coordinates import charts_in, joined, parameter_columns
 from runtime.contract.model import Model, ModelError
 from runtime.engine.program import Call, Fields, Layout, Program, Until, make_stage
 from runtime.engine.program import Sequence as InSequence
@@ -144,8 +144,12 @@ class Observation:
         return {**found, "seen_t": seen["t"], "seen_open": ca.SX(1)}
 
     def _closed(self, z: Fields, c: ca.SX) -> Mapping[str, ca.SX]:
-        q_d = z["seen_d"]
-        found = self.model.evaluate("closure", q_i=z["seen_i"], q_d=q_d, t=z["seen_t"], c=c[: self.model.c_size])
+        charts, q_d, c = self.scheme.charts, z["seen_d"], c[: self.model.c_size]
+        if charts.size:  # where the bodies are, as turns are observed at zero
+            whole, at = joined(self.model, z["seen_i"], q_d), charts_in(self.model)
+            e = whole[self.model.places.parameters.ravel().tolist()]
+            c, q_d = ca.vertcat(c[: at.start], e, c[at.stop :]), charts.zeroed_dependent(q_d)
+        found = self.model.evaluate("closure", q_i=z["seen_i"], q_d=q_d, t=z["seen_t"], c=c)
         tolerance = CLOSED * ca.fmax(1, ca.norm_inf(q_d))
         finite = ca.sum1(ca.fabs(found["q_d_next"])) < LARGEST
         open_ = ca.logic_and(ca.norm_inf(found["C_loop"]) > tolerance, finite)

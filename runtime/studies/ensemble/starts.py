@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.contract.consistent_state import InitialStateError
-from runtime.contract.coordinates import independent
+from runtime.contract.coordinates import dependent_part, independent
 from runtime.contract.model import Model, ModelError
 from runtime.operating.assembly import closable
 from runtime.operating.given_state import keeps_independent, spin_names
@@ -71,7 +71,7 @@ class CaseStarts:
             self._one_by_one(table, q, q_dot, impossible)
         q_i, q_i_dot = independent(model, q, q_dot)
         settle = np.full(cases, self._settle)
-        return Starts(self._own, varied, q_i, q_i_dot, q[:, model.dependent_columns], close, settle, impossible)
+        return Starts(self._own, varied, q_i, q_i_dot, dependent_part(model, q), close, settle, impossible)
 
     def _one_by_one(self, table: np.ndarray, q: np.ndarray, q_dot: np.ndarray, impossible: np.ndarray) -> None:
         """As for a run by itself, into q and q_dot."""
@@ -89,7 +89,7 @@ class CaseStarts:
 
 def in_lanes(model: Model, initial: list[str], start: str) -> bool:
     """Can these starts be made in lanes? Else Python makes them one by one."""
-    if set(initial) & set(spin_names(model)):
+    if set(initial) & set(spin_names(model)) or not model.places.all_independent:
         return False
     names = [model.coordinates[_column(model, name)] for name in initial]
     free = not model.constraints or (closable(model) and keeps_independent(model, names, ()))

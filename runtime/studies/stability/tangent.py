@@ -48,9 +48,12 @@ class TangentStep:
         """(places of the turns in z, of the chart) of each orientation; changes are rotations in its axes."""
         layout = self.scheme.layout
         if "chart" in layout.sizes:
-            first = layout.slice("chart").start
-            for k, turns in enumerate(self.scheme.model.places.turns):
-                yield layout.slice("x").start + turns, slice(first + 4 * k, first + 4 * k + 4)
+            first, at = layout.slice("chart").start, self.scheme.model.places
+            where = np.zeros(at.n_i + len(self.scheme.model.q_d), dtype=int)
+            where[: at.n_i] = layout.slice("x").start + np.arange(at.n_i)
+            where[at.n_i + at.loops] = layout.slice("loop").start + np.arange(len(at.loops))
+            for k, turns in enumerate(at.turns):
+                yield where[turns], slice(first + 4 * k, first + 4 * k + 4)
 
     def _set_out(self, z: np.ndarray, tangent: np.ndarray) -> None:
         """Changes of turns put into their charts, from which everything else counts, in place."""

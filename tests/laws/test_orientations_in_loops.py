@@ -1,0 +1,264 @@
+"""Angular velocities in closed loops: equations by hand, orders of schemes, exchange, resumed runs, spinning parts.
+
+A crank on a hinge about x, a rod between two balls, a rocker on a hinge about y. The rod may spin about its line, so
+that one of its turns is independent and two follow from the loop; with a stay to the ground all three follow. The
+reference is written here with the rod's position, quaternion and angular velocity, and the forces of the balls.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from runtime import ensemble, linearise, resume, simulate
+from runtime.contract.coordinates import independent
+from runtime.contract.model import Model
+from symgen.scene import Scene, SceneBuilder
+from tests.laws.test_orientations import product, rotation
+from tests.laws.test_random_spatial import turned_place
+from tests.support.model_values import (
+    Array,
+    augmented_solution,
+    condensed_accelerations,
+    evaluate,
+    make_state,
+    relative_error,
+)
+
+Build = Callable[..., Model]
+OMEGA = ("omega_x", "omega_y", "omega_z")
+CRANK, ROCKER, PIVOT, STAY = 0.25, 0.4, np.array([0.3, 1.0, 0.0]), np.array([1.478, 0.275, 0.757])
+NEAR, FAR, SIDE, CENTRE = (np.array(v) for v in ([0, -0.5, 0], [0, 0.5, 0], [0.1, 0.2, 0], [0.02, 0.05, 0]))
+J, MASS, G = np.array([0.05, 0.004, 0.052]), 0.7, np.array([0, 0, -9.81])
+
+
+def mechanism(stay: bool = False, **rod: Any) -> Scene:
+    """The linkage; stay: a rigid stay from the rod to the ground. rod: other data of the rod."""
+    builder = SceneBuilder("linkage", space="spatial").gravity(0, 0, -9.81)
+    about = {"a": {"axis": [1, 0, 0], "x_axis": [0, 1, 0]}, "b": {"axis": [0, 1, 0], "x_axis": [1, 0, 0]}}
+    builder.ground(
+        markers={"a": about["a"], "b": {**about["b"], "position": PIVOT.tolist()}, "stay": {"position": STAY.tolist()}}
+    )
+    crank, rocker = {"position": [0, CRANK, 0]}, {"position": [ROCKER, 0, 0]}
+    builder.rigid(
+        "crank", mass=1.0, inertia=[0.02, 0.01, 0.015], center_of_mass=[0, 0.1, 0], markers={**about, "tip": crank}
+    )
+    data = {"mass": MASS, "inertia": J.tolist(), "center_of_mass": CENTRE.tolist(), **rod}
+    ends = {name: {"position": place.tolist()} for name, place in (("near", NEAR), ("far", FAR), ("side", SIDE))}
+    builder.rigid("rod", **data, markers=ends)
+    builder.rigid(
+        "rocker", mass=1.5, inertia=[0.03, 0.02, 0.04], center_of_mass=[0.2, 0, 0], markers={**about, "tip": rocker}
+    )
+    builder.revolute("left", "ground.a", "crank.a").revolute("right", "ground.b", "rocker.b")
+    builder.spherical("first", "crank.tip", "rod.near").spherical("second", "rod.far", "rocker.tip")
+    if stay:
+        builder.distance("stay", "ground.stay", "rod.side", length=1.2)
+    spin = {} if stay else {"rod.omega_y": 6.0}
+    near = dict(zip("xyz", (0.315, 0.619, 0.149), strict=True)) | {"e0": 0.938, "e1": 0.068, "e2": -0.035, "e3": -0.339}
+    builder.initial({"left.angle": {"value": 0.3, "fixed": True}, **{f"rod.{name}": at for name, at in near.items()}})
+    builder.rates({"left.angle": {"value": 4.0, "fixed": True}, **spin})
+    return builder.simulation(t_end=0.2, dt=2e-3, scheme="rk4").build()
+
+
+def crank_tip(phi: float) -> tuple[Array, Array, Array]:
+    """Place, and its first and second derivatives by the angle."""
+    c, s = np.cos(phi), np.sin(phi)
+    return tuple(CRANK * np.array(v) for v in ([0, c, s], [0, -s, c], [0, -c, -s]))  # type: ignore[return-value]
+
+
+def rocker_tip(psi: float) -> tuple[Array, Array, Array]:
+    """The same of the rocker."""
+    c, s = np.cos(psi), np.sin(psi)
+    first, second, third = (ROCKER * np.array(v) for v in ([c, 0, -s], [-s, 0, -c], [-c, 0, s]))
+    return PIVOT + first, second, third
+
+
+def by_hand(phi: float, psi: float, e: Array, rates: Array, stay: bool) -> Array:
+    """(phi'', psi'', omega') of the rates (phi', psi', omega): forces of the balls and of the stay as unknowns.
+
+    Unknowns: phi'', psi'', x'' of the rod's centre of mass, omega', force of each ball on the rod, tension of the stay.
+    """
+    A, omega = rotation(e), rates[2:]
+    ends = [(NEAR - CENTRE, crank_tip(phi), 0), (FAR - CENTRE, rocker_tip(psi), 1)]
+    K, side = np.zeros((14 + stay, 14 + stay)), np.zeros(14 + stay)
+    K[0, 0], K[1, 1] = 0.02 + 1.0 * 0.1**2, 0.02 + 1.5 * 0.2**2
+    side[0] = 1.0 * G @ (crank_tip(phi)[1] * 0.1 / CRANK)
+    side[1] = 1.5 * G @ (rocker_tip(psi)[1] * 0.2 / ROCKER)
+    K[2:5, 2:5], side[2:5] = MASS * np.eye(3), MASS * G
+    K[5:8, 5:8], side[5:8] = np.diag(J), -np.cross(omega, J * omega)
+    for k, (arm, (_, slope, bend), angle) in enumerate(ends):
+        force, tilde = slice(8 + 3 * k, 11 + 3 * k), np.cross(arm, np.eye(3)).T
+        K[angle, force] = slope  # the ball pushes back
+        K[2:5, force] = -np.eye(3)
+        K[5:8, force] = -tilde @ A.T
+        K[force, 2:5], K[force, 5:8], K[force, angle] = np.eye(3), -A @ tilde, -slope
+        side[force] = bend * rates[angle] ** 2 - A @ np.cross(omega, np.cross(omega, arm))
+    if stay:
+        arm = SIDE - CENTRE
+        tilde = np.cross(arm, np.eye(3)).T
+        tip, slope, _ = crank_tip(phi)
+        along = tip + A @ (SIDE - NEAR) - STAY
+        speed = slope * rates[0] + A @ np.cross(omega, SIDE - NEAR)
+        K[2:5, 14], K[5:8, 14] = along, tilde @ A.T @ along
+        K[14, 2:5], K[14, 5:8] = along, -along @ A @ tilde
+        side[14] = -speed @ speed - along @ A @ np.cross(omega, np.cross(omega, arm))
+    return np.linalg.solve(K, side)[[0, 1, 5, 6, 7]]
+
+
+def motion_by_hand(model: Model, t_end: float, stay: bool) -> Array:
+    """(phi, psi, e) at the end, from the model's own start."""
+    at = [model.coordinates.index(name) for name in ("left.angle", "right.angle", *(f"rod.e{k}" for k in range(4)))]
+    q, v = model.initial_q[at], model.initial_q_dot[at]
+    omega = 2 * product(q[2:] * [1, -1, -1, -1], v[2:])[1:]
+
+    def slope(t: float, y: Array) -> Array:
+        e, rates = y[2:6], y[6:]
+        return np.r_[rates[:2], product(e, np.r_[0, rates[2:]]) / 2, by_hand(y[0], y[1], e, rates, stay)]
+
+    start = np.r_[q, v[:2], omega]
+    return solve_ivp(slope, (0, t_end), start, method="DOP853", rtol=1e-11, atol=1e-12).y[:6, -1]
+
+
+@pytest.mark.parametrize("stay", [False, True])
+def test_equations_by_hand(model_of: Build, stay: bool) -> None:
+    """Which turns are independent, and accelerations at random states, by hand and with Euler parameters."""
+    model, rng = model_of(mechanism(stay)), np.random.default_rng(2)
+    turns = [f"rod.turn_{axis}" for axis in "xyz"]
+    assert model.q_i == (["left.angle"] if stay else ["left.angle", "rod.turn_y"])
+    assert model.loop_unknowns == ["right.angle", *(turns if stay else [turns[0], turns[2]])]
+    start = independent(model, model.initial_q, model.initial_q_dot)[0]
+    for _ in range(3):
+        n = len(start)
+        state = make_state(model, start + 0.2 * rng.uniform(-1, 1, n), 3 * rng.uniform(-1, 1, n))
+        names = ["left.angle", "right.angle", *(f"rod.e{k}" for k in range(4))]
+        q, v = (source[[model.coordinates.index(name) for name in names]] for source in (state.q, state.q_dot))
+        omega = 2 * product(q[2:] * [1, -1, -1, -1], v[2:])[1:]
+        wanted = by_hand(q[0], q[1], q[2:], np.r_[v[:2], omega], stay)
+        out = evaluate(model, "condensed", **state.values())
+        a = np.linalg.solve(out["M_hat"].reshape(n, n), out["Q_hat"])
+        a_d = evaluate(model, "accelerations", **state.values(), q_i_ddot=a)["q_d_ddot"]
+        found = dict(zip([*model.q_i, *model.q_d], [*a, *a_d], strict=True))
+        assert relative_error([found[name] for name in ("left.angle", "right.angle", *turns)], wanted) < 1e-11
+        assert relative_error(condensed_accelerations(model, state), augmented_solution(model, state)[0]) < 1e-9
+
+
+@pytest.mark.parametrize("stay", [False, True])
+def test_residual_jacobian(model_of: Build, stay: bool) -> None:
+    """J_q along rotations in the axes of the rod, the loop following, and J_v: differences of Q_hat - M_hat a."""
+    model, rng, h = model_of(mechanism(stay)), np.random.default_rng(5), 1e-5
+    n = len(model.q_i)
+    start = independent(model, model.initial_q, model.initial_q_dot)[0]
+    state = make_state(model, start + 0.1 * rng.uniform(-1, 1, n), 3 * rng.uniform(-1, 1, n))
+    a = rng.uniform(-1, 1, n)
+
+    def residual(step: Array, change: Array) -> Array:
+        at = make_state(model, turned_place(model, state, step), state.q_i_dot + change, 0.0, state.q)
+        out = evaluate(model, "condensed", **at.values())
+        return np.asarray(out["Q_hat"] - out["M_hat"].reshape(n, n) @ a)
+
+    found = evaluate(model, "residual_jacobian", **state.values(), q_i_ddot=a)
+    none, units = np.zeros(n), h * np.eye(n)
+    J_q = np.array([residual(unit, none) - residual(-unit, none) for unit in units]).T / (2 * h)
+    J_v = np.array([residual(none, unit) - residual(none, -unit) for unit in units]).T / (2 * h)
+    assert relative_error(found["J_q"].reshape(n, n), J_q) < 1e-7
+    assert relative_error(found["J_v"].reshape(n, n), J_v) < 1e-7
+
+
+SCHEMES: list[tuple[str, dict[str, Any], float, float, float]] = [  # scheme, settings, step, order, error at most
+    ("single_rate", {}, 2e-3, 2, 1.5e-4),
+    ("rk4", {}, 2e-3, 4, 1e-7),
+    ("linearised", {"m": [2]}, 4e-3, 2, 1e-4),
+    ("exponential", {"m": [2]}, 4e-3, 4, 3e-6),
+    ("exponential_midpoint", {}, 4e-3, 2, 1e-4),
+    ("radau", {}, 8e-3, 5, 3e-7),
+]
+
+
+@pytest.mark.parametrize("stay", [False, True])
+def test_orders(model_of: Build, stay: bool) -> None:
+    """Size and slope of the errors against the motion by hand, with one independent turn and with none."""
+    model = model_of(mechanism(stay))
+    wanted = motion_by_hand(model, 0.2, stay)
+    names = ["left.angle", "right.angle", *(f"rod.e{k}" for k in range(4))]
+
+    def error(scheme: str, dt: float, **settings: Any) -> float:
+        solution = simulate(model, scheme=scheme, dt=dt, t_end=0.2, save_every=10**6, **settings)
+        assert solution.status.ok and solution.constraint_error.max() < 1e-12
+        return float(np.abs([solution[name][-1] for name in names] - wanted).max())
+
+    for scheme, settings, dt, order, most in SCHEMES if not stay else SCHEMES[:4]:
+        errors = [error(scheme, h, **settings) for h in (dt, dt / 2)]
+        assert errors[0] < most, (scheme, errors)
+        assert np.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.35), (scheme, errors)
+    assert error("dopri5", 0.1, options={"tolerance": 1e-8}) < 1e-9
+
+
+def test_exchange_of_a_turn(model_of: Build) -> None:
+    """A body on a rigid rod: where its position no longer changes the length a turn takes its place, and all three are
+    independent then; energy and the rod's length stay."""
+    builder = SceneBuilder("bob", space="spatial").gravity(0, 0, -9.81)
+    builder.rigid("bob", mass=2.0, inertia=[0.1, 0.2, 0.3], markers={"eye": {"position": [0, 0, 0.5]}})
+    builder.distance("rod", "ground.origin", "bob.eye", length=1.0).initial({"bob.x": 1.0})
+    model = model_of(builder.simulation(t_end=0.7, dt=1e-3).build())
+    assert model.loop_unknowns == ["bob.turn_y"]
+    found = simulate(model, scheme="rk4")
+    assert [event.text.startswith("bob.turn_y took the place of") for event in found.events] == [True]
+    assert np.abs(found.energy_balance()).max() < 1e-4 and found.constraint_error.max() < 1e-12
+
+
+def test_resumed_runs_and_lanes(model_of: Build, tmp_path: Path) -> None:
+    """Bit for bit the whole run, and the run by itself."""
+    model = model_of(mechanism())
+
+    def stop(t: float, t_end: float) -> None:
+        if t >= 0.05:
+            raise KeyboardInterrupt
+
+    for scheme in ("rk4", "single_rate"):
+        settings: dict[str, Any] = {"scheme": scheme, "dt": 2e-3, "t_end": 0.1}
+        whole = simulate(model, **settings)
+        simulate(model, **settings, checkpoint=tmp_path / "run.npz", checkpoint_every=3, progress=stop)
+        assert np.array_equal(resume(model, tmp_path / "run.npz").q, whole.q)
+    rates, name = np.array([3.0, 4.0]), "rod.omega_x"
+    many = ensemble(model, initial={"left.angle_dot": rates}, reduce={name: ["end"]}, outputs=[name], **settings)
+    alone = [simulate(model, initial={"left.angle_dot": rate}, **settings)[name][-1] for rate in rates]
+    assert np.array_equal(np.asarray(many[f"{name}_end"]), alone)
+
+
+def spinning(orientation: str, rates: dict[str, float]) -> Scene:
+    """At rest but for the spin: a crank on a universal joint between two springs, a rod of revolution, the rocker."""
+    builder = SceneBuilder(f"spinning_{orientation}", space="spatial")
+    hinge = {"b": {"axis": [0, 0.8, 0.6], "x_axis": [1, 0, 0]}}
+    anchors = {"up": [0.1, CRANK, 0.3], "aside": [0.4, 0.0, -0.1]}
+    builder.ground(
+        markers={"b": {**hinge["b"], "position": PIVOT.tolist()}, **{k: {"position": v} for k, v in anchors.items()}}
+    )
+    builder.rigid("crank", mass=1.0, inertia=[0.02, 0.01, 0.015], markers={"tip": {"position": [0, CRANK, 0]}})
+    ends = {name: {"position": place.tolist()} for name, place in (("near", NEAR), ("far", FAR))}
+    builder.rigid("rod", mass=MASS, inertia=[0.05, 0.03, 0.05], orientation=orientation, markers=ends)
+    tip = {"position": [ROCKER, 0, 0]}
+    builder.rigid("rocker", mass=0.5, inertia=[0.03, 0.02, 0.04], markers={**hinge, "tip": tip})
+    builder.universal("left", "ground.origin", "crank.origin").revolute("right", "ground.b", "rocker.b")
+    builder.spherical("first", "crank.tip", "rod.near").spherical("second", "rod.far", "rocker.tip")
+    for name, place in anchors.items():
+        free = float(np.linalg.norm(np.array(place) - [0, CRANK, 0]))
+        builder.spring_damper(name, f"ground.{name}", "crank.tip", stiffness=900.0, damping=0.0, free_length=free)
+    turn = {} if orientation == "euler_parameters" else {"rod.theta3": {"value": 0.0, "fixed": True}}
+    angles = {f"left.angle{k}": {"value": 0.0, "fixed": True} for k in (1, 2)}
+    return builder.initial({**angles, **turn}).rates(rates).simulation(t_end=0.1, dt=1e-3, scheme="rk4").build()
+
+
+def test_a_spinning_part_of_a_loop(model_of: Build) -> None:
+    """Its linear system is the steady one that Euler angles have, of which the last is the spin; the whirl splits."""
+    roots = []
+    for orientation, spin in (("euler_parameters", "rod.omega_y"), ("zxy", "rod.theta3_dot")):
+        model = model_of(spinning(orientation, {}))
+        roots.append(np.sort(linearise(model, {spin: 300.0}).modal.every_eigenvalue.imag))
+        still = np.sort(linearise(model, {}).modal.every_eigenvalue.imag)
+        assert np.abs(roots[-1][-2:] / still[-2:] - 1).max() > 0.05
+    assert relative_error(roots[0], roots[1]) < 1e-8
