@@ -203,7 +203,7 @@ class CarriedError:
         gone = sums[0] + sums[1] * t - sums[2]
         found[at.columns] = gone[at.plain]
         for turns, e in zip(at.turns, at.parameters, strict=True):
-            found[e] = np.linalg.norm(gone[turns]) / 2
+            found[e] = np.linalg.norm(gone[turns[turns < at.n_i]]) / 2
         return found
 
     def _size(self, segment: Segment) -> float:

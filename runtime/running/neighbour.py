@@ -37,21 +37,28 @@ def small_change(
     at, change = model.places, np.zeros((2, len(model.q_i)))
     change[:, at.plain] = dq[at.columns], dq_dot[at.columns]
     for turns, e in zip(at.turns, at.parameters, strict=True):
-        change[0, turns] = angular_velocity(q[e], dq[e])
-        change[1, turns] = angular_velocity(q[e], dq_dot[e]) + angular_velocity(dq[e], q_dot[e])
+        own = turns < at.n_i
+        change[0, turns[own]] = angular_velocity(q[e], dq[e])[own]
+        change[1, turns[own]] = (angular_velocity(q[e], dq_dot[e]) + angular_velocity(dq[e], q_dot[e]))[own]
     return change[0], change[1]
 
 
 def _changed(
     model: Model, q: np.ndarray, q_dot: np.ndarray, di: np.ndarray, dv: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """All coordinates and rates (n,) after changes as in `small_change`; dependent ones are left as they are."""
+    """All coordinates and rates (n,) after changes as in `small_change`; dependent ones are left as they are.
+
+    Of an orientation that a loop splits the part that follows is found by the closure.
+    """
     at, q_new, rates = model.places, q.copy(), q_dot.copy()
     q_new[at.columns] += di[at.plain]
     rates[at.columns] += dv[at.plain]
     for turns, e in zip(at.turns, at.parameters, strict=True):
-        q_new[e] = product(q[e], exponential(di[turns]))
-        rates[e] = parameter_rates(q_new[e], angular_velocity(q[e], q_dot[e]) + dv[turns])
+        own, turn, spin = turns < at.n_i, np.zeros(3), angular_velocity(q[e], q_dot[e])
+        turn[own] = di[turns[own]]
+        spin[own] += dv[turns[own]]
+        q_new[e] = product(q[e], exponential(turn))
+        rates[e] = parameter_rates(q_new[e], spin)
     return q_new, rates
 
 
