@@ -175,11 +175,12 @@ class Run:
     def _end_at_event(self, scheme: AdaptiveSteps) -> None:
         """The last step ends at an event: what lies before it is seen first."""
         self.accuracy.carried.drop()
-        happened = self._happenings.end_step(self.z)
-        while scheme.next_seen(self.z, self.segment.plan.grid.dt_L) <= scheme.reached(self.z):
+        happened, plan = self._happenings.end_step(self.z), self.segment.plan
+        while self.step < plan.steps and scheme.next_seen(self.z, plan.grid.dt_L) <= scheme.reached(self.z):
             self.segment.run(self.z, 1)
             self._keep()
-        self._take_event(self._happenings.happen(self.z, happened))
+        if self.step < plan.steps:  # else it lies behind the end of the run
+            self._take_event(self._happenings.happen(self.z, happened))
 
     @property
     def _happenings(self) -> Happenings:

@@ -66,6 +66,8 @@ def test_events_with_a_tolerance(model_of: Build, tmp_path: Path, scheme: str) -
     assert run.energy["work"][-1] == pytest.approx(6 * G * 0.3, rel=1e-9)
     again = resume(model, where)
     assert again.events == run.events and np.array_equal(again.q, run.q)
+    short = simulate(model, scheme=scheme, tolerance=1e-6, t_end=0.5, dt=0.05)  # its last step may run beyond the end
+    assert short.status.name == "completed" and short.t[-1] == pytest.approx(0.5) and len(short.events) == 1
 
 
 def latched(mass: str = "m") -> Scene:
