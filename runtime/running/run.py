@@ -284,16 +284,8 @@ class Run:
         if self.earlier is not None:
             arrays["earlier"] = self.earlier
         try:
-            header = header_of(
-                self.segment,
-                self.z,
-                self.record,
-                self.events,
-                self.guard,
-                self.accuracy,
-                self.schedule,
-                self.initial_changes,
-            )
+            watching = self.guard, self.accuracy, self.schedule
+            header = header_of(self.segment, self.z, self.record, self.events, *watching, self.initial_changes)
             Checkpoint(header, self.z, self.segment.p, arrays).write(self.rule.path)
         except OutputError as error:  # what is in memory is worth more than its copy on the disk
             if not any(event.kind == "checkpoint_failed" for event in self.events):
