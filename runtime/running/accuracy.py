@@ -93,7 +93,8 @@ class Accuracy:
     def _window(self, segment: Segment, z: np.ndarray, guard: Guard) -> None:
         """Judge the window from z."""
         window = window_at(segment, z, self.length)
-        found = None if window is None else self._judged(segment, window, guard)
+        before = segment.energies(segment.stepper.state(z), segment.plan.scheme.constants(segment.c))[0]
+        found = None if window is None else self._judged(segment, window, guard, before)
         if window is None or found is None:
             return
         (dq, dq_dot), (q, q_dot), slower = found
@@ -113,8 +114,13 @@ class Accuracy:
             if error > one.worst:
                 one.worst, one.worst_time = error, time
 
-    def _judged(self, segment: Segment, window: Window, guard: Guard) -> tuple[States, States, float] | None:
-        """Errors (n,) of coordinates and rates, both at the end, and dE / 2 T; None if the window tells nothing."""
+    def _judged(
+        self, segment: Segment, window: Window, guard: Guard, kinetic_before: float
+    ) -> tuple[States, States, float] | None:
+        """Errors (n,) of coordinates and rates, both at the end, and dE / 2 T; None if the window tells nothing.
+
+        kinetic_before: T [J] where the window starts.
+        """
         if guard.alarm(*segment.determinants(window.own)):
             return None
         ends, energies = [], []
@@ -123,7 +129,9 @@ class Accuracy:
             energies.append(segment.energies(segment.stepper.state(z), constants))
         dq, dq_dot = ((own - finer) * window.more for own, finer in zip(*ends, strict=True))
         kinetic = energies[1][0]
-        slower = (sum(energies[0]) - sum(energies[1])) * window.more / (2 * kinetic) if kinetic > 0 else 0.0
+        # a long step from rest errs by much of the little energy that is there then, and that tells no delay
+        steady = kinetic > 0 and (not self.adaptive or kinetic_before > kinetic / 2)
+        slower = (sum(energies[0]) - sum(energies[1])) * window.more / (2 * kinetic) if steady else 0.0
         return ((dq, dq_dot), ends[0], slower) if np.isfinite([*dq, *dq_dot, slower]).all() else None
 
     def watch(self, samples: dict[str, tuple[np.ndarray, np.ndarray]]) -> None:

@@ -52,6 +52,12 @@ def test_trials_tell_amplitudes_before_the_first_step(built_in: Load) -> None:
     assert taken[0] < 0.8 * taken[1]
 
 
+def test_a_start_from_rest_is_no_delay(built_in: Load) -> None:
+    """The arm's first step from rest is long; an error of its little energy is not taken for one of all the motion."""
+    run = simulate(built_in("flexible_joint_arm"), scheme="exponential_rk4", tolerance=1e-4)
+    assert run.status.ok and float(run.stats["estimated_error"]) < 1e-3
+
+
 def test_trials_have_a_budget(built_in: Load) -> None:
     """A motion whose trials would take more than it tells nothing but about how long they would be."""
     runs = PreparedRuns(built_in("pendulum"), "dopri5", options={"tolerance": 1e-4})
