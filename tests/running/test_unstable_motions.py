@@ -51,6 +51,16 @@ def test_errors_of_a_tumbling_body_are_known(built_in: Load, scheme: str, dt: fl
         assert len(late) == 0 and "reliable_until" not in run.stats and "remark" not in run.stats
 
 
+def test_what_is_carried_beside_a_tolerance_is_a_remark(built_in: Load) -> None:
+    """It may be a thousand times too much there: the run is right to 2e-3 and stays `completed`."""
+    run = simulate(built_in("tumbling_body"), scheme="dopri5", tolerance=1e-3, dt=0.1, t_end=20.0, initial=TUMBLING)
+    _, true, estimated = errors(run, TUMBLING)
+    assert true.max() < 5e-3 and estimated.max() > 0.1 and "unstable in itself" in str(run.stats["remark"])
+    assert run.status.ok
+    fixed = simulate(built_in("tumbling_body"), scheme="linearised", dt=5e-3, t_end=20.0, initial=TUMBLING)
+    assert fixed.status.name == "inaccurate"
+
+
 def test_errors_of_a_double_pendulum_are_known_with_a_tolerance(built_in: Load) -> None:
     settings = {"t_end": 10.0, "initial": OVER_THE_TOP, "dt": 0.05}
     run = simulate(built_in("double_pendulum"), scheme="dopri5", tolerance=1e-3, **settings)
