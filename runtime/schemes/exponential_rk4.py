@@ -49,7 +49,7 @@ class ExponentialRungeKuttaOptions(AdaptiveOptions):
         the other coordinates is held: for undamped motion over very many steps.
     """
 
-    closure_iterations: int = whole_number(1, most=MOST_UNROLLED)
+    closure_iterations: int = whole_number(2, most=MOST_UNROLLED)
     linearisation: str = one_of("stiffness", "tangent")
 
 

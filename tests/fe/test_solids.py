@@ -187,6 +187,7 @@ def test_fields_are_plain_numbers() -> None:
         "rho_phi",
         "phi_phi",
         "markers",
+        "struts",
     ]
     assert np.shape(fields["phi_phi"]) == (3, 3, 3, 3) and np.shape(fields["rho_phi"]) == (3, 3, 3)
     omega = np.sqrt(np.diag(fields["K_ff"]))

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import ast
 import re
 import runpy
 import shlex
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import get_args
 
@@ -88,12 +88,12 @@ def test_pictures_are_small() -> None:
     assert pictures and all(picture.stat().st_size < 200_000 for picture in pictures)
 
 
+@cache
 def defined_tests() -> set[str]:
     return {
-        node.name
+        name
         for path in (ROOT / "tests").rglob("test_*.py")
-        for node in ast.parse(read(path)).body
-        if isinstance(node, ast.FunctionDef) and node.name.startswith("test_")
+        for name in re.findall(r"^def (test_\w+)\(", read(path), re.MULTILINE)
     }
 
 

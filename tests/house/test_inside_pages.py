@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import re
 from pathlib import Path
 
@@ -65,10 +64,9 @@ def test_the_code_map_is_the_map(package: str) -> None:
 
 def test_every_invariant_names_a_test_that_exists() -> None:
     defined = {
-        node.name
+        name
         for path in (ROOT / "tests").rglob("test_*.py")
-        for node in ast.parse(path.read_text(encoding="utf-8")).body
-        if isinstance(node, ast.FunctionDef)
+        for name in re.findall(r"^def (test_\w+)\(", path.read_text(encoding="utf-8"), re.MULTILINE)
     }
     invariants = re.findall(r"\*Architecture Invariant:\*(.*?)(?=\n\n|\Z)", ARCHITECTURE, re.DOTALL)
     assert len(invariants) > 10

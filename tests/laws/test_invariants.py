@@ -42,7 +42,8 @@ def test_hoisting_changes_no_bit(built_in: Load, name: str, dt: float, scheme: s
     scheme_on, z, c = started(built_in(name), scheme, m, dt)
     program, size = hoist_invariants(scheme_on.program(), len(z))
     program = program.map(lambda stage: as_function(stage.name(), widened(read_tape(stage), size)))
-    assert size > len(z) or name == "two_oscillators"
+    # of two oscillators nothing is left to take out; slow coordinates that move along a cubic change all of the other
+    assert size > len(z) or name == "two_oscillators" or (name, scheme) == ("overdamped_joint", "decoupled")
     plain, hoisted = z.copy(), np.concatenate([z, np.zeros(size - len(z))])
     InterpretedProgram(scheme_on.program(), len(z), len(c)).run(plain, c, 30)
     InterpretedProgram(program, size, len(c)).run(hoisted, c, 30)

@@ -77,9 +77,9 @@ def test_what_rests_has_no_drift_of_energy(model_of: Build) -> None:
     assert energy_drift(PreparedMethod(Spec("rk4"), problem, engine="interpreted"), 4) is None
 
 
-@pytest.mark.parametrize("n, dense", [(20, True), (22, False)])
+@pytest.mark.parametrize("n, dense", [(32, True), (33, False)])
 def test_methods_with_dense_systems_are_tried_up_to_their_price(n: int, dense: bool) -> None:
-    """40 n^3 operations: 320,000 for 20 coordinates, 425,920 for 22, where 400,000 are too many."""
+    """12 n^3 operations: 393,216 for 32 coordinates, 431,244 for 33, where 400,000 are too many."""
     model: Any = SimpleNamespace(q_i=["x"] * n, has=lambda name: True, operations={}, groups=["all"])
     assert any(spec.scheme == "exponential" for spec in candidates(model)) == dense
 
