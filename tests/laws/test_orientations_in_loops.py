@@ -191,7 +191,7 @@ def test_orders(model_of: Build, stay: bool) -> None:
         assert solution.status.ok and solution.constraint_error.max() < 1e-12
         return float(np.abs([solution[name][-1] for name in names] - wanted).max())
 
-    for scheme, settings, dt, order, most in SCHEMES if not stay else SCHEMES[:4]:
+    for scheme, settings, dt, order, most in SCHEMES if not stay else SCHEMES[:2]:
         errors = [error(scheme, h, **settings) for h in (dt, dt / 2)]
         assert errors[0] < most, (scheme, errors)
         assert np.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.35), (scheme, errors)
