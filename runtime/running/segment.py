@@ -97,18 +97,26 @@ class Segment(SteppedModel):
         self._go_on(z, steps)
 
     def run_and_save(self, z: np.ndarray, steps: int) -> list[np.ndarray]:
-        """Advance z in place; whole states that are to be saved on the way, the last one left out."""
+        """Advance z in place; whole states that are to be saved on the way, the last one left out.
+
+        Ctrl-C among the steps leaves z where it began, so that no saved state is missing before it.
+        """
         self.forget_determinants(z)
+        begun = z.copy()
         saved: list[np.ndarray] = []
-        step, every = self.step_of(z), self.plan.save_every
-        end = step + steps
-        while True:
-            n = min(every - step % every, end - step)
-            self._go_on(z, n)
-            if self.step_of(z) < step + n or step + n == end:  # a step that cannot be made, or the end
-                return saved
-            step += n
-            saved.append(z.copy())
+        try:
+            step, every = self.step_of(z), self.plan.save_every
+            end = step + steps
+            while True:
+                n = min(every - step % every, end - step)
+                self._go_on(z, n)
+                if self.step_of(z) < step + n or step + n == end:  # a step that cannot be made, or the end
+                    return saved
+                step += n
+                saved.append(z.copy())
+        except KeyboardInterrupt:
+            z[:] = begun
+            raise
 
     def _go_on(self, z: np.ndarray, steps: int) -> None:
         scheme = self.plan.scheme

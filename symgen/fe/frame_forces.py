@@ -16,7 +16,7 @@ import scipy.linalg as la
 from numpy.typing import ArrayLike
 
 from runtime.contract.body_motion import BodyMotion
-from runtime.contract.stress_causes import UnknownInterface, causes
+from symgen.fe.acting import acting
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.frame_elements import FrameElements, frame_elements
 from symgen.fe.interfaces import Interface
@@ -79,17 +79,7 @@ class EquilibriumForces:
         Raises FiniteElementError for a motion of a body with other modes, and for forces at a marker that is no
         interface.
         """
-        nf = motion.q_f.shape[1]
-        if nf != len(self.modes):
-            raise FiniteElementError(
-                "motion", f"{motion.body} has {nf} modes, not {len(self.modes)}", "give that body's motion"
-            )
-        try:
-            amounts = causes(motion, self.interfaces, self.size)
-        except UnknownInterface as error:
-            raise FiniteElementError(
-                f"marker '{error}'", "forces act there, but it is no interface", "name an interface at that place"
-            ) from None
+        amounts = acting(motion, len(self.modes), self.interfaces, self.size)
         return FrameForces(fixed(motion.t), fixed(np.tensordot(amounts, self.causes, axes=1)))
 
     def of_modes(self, q_f: ArrayLike, t: ArrayLike = ()) -> FrameForces:

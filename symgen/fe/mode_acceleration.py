@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from runtime.contract.body_motion import BodyMotion
-from runtime.contract.stress_causes import UnknownInterface, causes
+from symgen.fe.acting import acting
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.interfaces import Interface
 from symgen.fe.static import inertia_relief
@@ -50,18 +50,8 @@ class EquilibriumStresses:
 
     def _causes(self, motion: BodyMotion) -> Array:
         """(N, k) amounts of the unit causes."""
-        nf = motion.q_f.shape[1]
-        if nf != self.nf:
-            raise FiniteElementError(
-                "motion", f"{motion.body} has {nf} modes, not {self.nf}", "give that body's motion"
-            )
         size = float(np.ptp(self.points, axis=0).max()) if len(self.points) > 1 else 1.0
-        try:
-            return causes(motion, self.interfaces, size)
-        except UnknownInterface as error:
-            raise FiniteElementError(
-                f"marker '{error}'", "forces act there, but it is no interface", "name an interface at that place"
-            ) from None
+        return acting(motion, self.nf, self.interfaces, size)
 
 
 def equilibrium_stresses(
