@@ -135,7 +135,9 @@ class CarriedError:
         take_given(segment, before, self.z)
         steps = segment.step_of(z) - segment.step_of(before)
         if segment.broken is None:
+            told = dict(segment.given)
             segment.run(self.z, steps)
+            segment.given = told  # impulses that the run tells are its own
         else:
             self._own_broken(segment, segment.broken).run(self.z, segment.ready, segment.c, steps)
         if segment.step_of(self.z) != segment.step_of(z) or not np.isfinite(self.z).all():

@@ -131,7 +131,9 @@ class Run:
         before, known = self.z.copy(), self.segment.monitor.memory()
         saved = self.segment.run_and_save(self.z, n)
         at = self.segment.first_event(self.z)
-        if at is not None:
+        determinants = self.segment.determinants(self.z)
+        alarm = self.guard.alarm(*determinants)
+        if at is not None and not (saved and alarm):  # else the alarm comes first: what it is about is sought below
             self.pace.steps = 1
             if isinstance(self.segment.plan.scheme, AdaptiveSteps):
                 for sample in saved:
@@ -144,8 +146,8 @@ class Run:
                 return
             n = at - 1 - self.segment.step_of(before)  # the step in which it happens comes next
             saved = self.segment.run_and_save(self.z, n)
-        determinants = self.segment.determinants(self.z)
-        alarm = self.guard.alarm(*determinants)
+            determinants = self.segment.determinants(self.z)
+            alarm = self.guard.alarm(*determinants)
         status = None if alarm else self._checked(samples=len(saved) + 1)
         if saved and (alarm or status is not None):
             self.pace.went_wrong(until=self.segment.step_of(before) + n)
@@ -177,6 +179,8 @@ class Run:
         self.accuracy.carried.drop()
         happened, plan = self._happenings.end_step(self.z), self.segment.plan
         while self.step < plan.steps and scheme.next_seen(self.z, plan.grid.dt_L) <= scheme.reached(self.z):
+            if scheme.is_stuck(self.z):  # the check of the least step tells
+                break
             self.segment.run(self.z, 1)
             self._keep()
         if self.step < plan.steps:  # else it lies behind the end of the run

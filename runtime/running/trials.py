@@ -24,6 +24,7 @@ from runtime.running.segment import Segment
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.error_norm import FLOOR, LEAST
 from runtime.schemes.stepper import Stepper
+from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.times import SwitchTime
 
 SEEN = 100  # states of a trial
@@ -259,6 +260,8 @@ def trials_of(segment: Segment, state: ConsistentState) -> Calibration | None:
     plan, scheme = segment.plan, segment.plan.scheme
     if not isinstance(scheme, AdaptiveSteps) or scheme.error_of == "step":
         return None
+    if segment.switches and moves_in_time(segment.model):
+        return None  # trials know no impulses of a prescribed motion whose velocity jumps
     span = plan.t_end - plan.t0
     z = segment.stepper.start(plan.t0, state.q, state.q_dot, segment.c, span / SEEN)
     return Trials(segment.stepper, z, segment.c, span, segment.switches).calibration(scheme.tolerance)

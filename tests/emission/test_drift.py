@@ -147,9 +147,8 @@ def test_a_large_model_is_kept_as_scene_and_manifest(monkeypatch: pytest.MonkeyP
     """Texts of built-in scenes are no longer than the rule says; of longer ones two files are kept."""
     for name in SCENES:
         there = {path.name for path in kept_folder(name).iterdir() if path.is_file()}
-        assert there in ({*FILES}, {"scene.toml", "manifest.json"}), name
-        if "model.py" in there:
-            assert (kept_folder(name) / "model.py").read_text(encoding="utf-8").count("\n") <= LARGEST_TEXT
+        assert there == {*FILES}, name
+        assert (kept_folder(name) / "model.py").read_text(encoding="utf-8").count("\n") <= LARGEST_TEXT
     files = {name: (kept_folder("pendulum") / name).read_text(encoding="utf-8") for name in FILES}
     assert kept(files) == files
     monkeypatch.setattr(write, "LARGEST_TEXT", files["model.py"].count("\n") - 1)

@@ -38,7 +38,7 @@ ORDERS: dict[tuple[str, str], tuple[int, float, float, float]] = {
 
 def run(model: Model, scheme: str, dt: float, t_end: float, **given: Any) -> Solution:
     solution = simulate(model, t_end=t_end, dt=dt, scheme=scheme, save_every=max(1, round(t_end / dt / 5)), **given)
-    assert solution.status.whole, solution.status
+    assert solution.status.ok, solution.status
     return solution
 
 
@@ -70,7 +70,7 @@ def test_implicit_opponents_are_stable_for_any_step(built_in: Load, scheme: str)
     limit = simulate(model, scheme="single_rate", t_end=1e-5, dt=1e-5).stats["step_limit_at_start"]
     dt = 8 * float(limit)
     solution = simulate(model, scheme=scheme, dt=dt, t_end=0.05)
-    assert solution.status.whole, solution.status
+    assert solution.status.name == ("completed" if scheme == "radau" else "inaccurate")
     energy = solution.total_energy
     assert np.max(energy) < energy[0] + 0.02 * np.max(solution.energy["kinetic"])
     exact = reference_solution(model, t_end=float(solution.t[-1]))
@@ -167,7 +167,7 @@ def test_adaptive_opponents_agree_with_the_reference(built_in: Load, which: str,
     model = built_in(name)
     exact = reference_solution(model, t_end=t_end, times=t_end * TIMES)
     found = solve(model, method, t_end=t_end, times=t_end * TIMES, rtol=1e-9, atol=1e-11, **more)
-    assert found.status.whole, found.status
+    assert found.status.ok, found.status
     assert np.max(np.abs(found.q - exact.q)) < 1e-6
     assert np.max(np.abs(found.q_dot - exact.q_dot)) < 1e-5
     assert np.max(found.constraint_error) < 1e-10

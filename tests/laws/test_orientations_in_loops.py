@@ -222,7 +222,8 @@ def test_resumed_runs_and_lanes(model_of: Build, tmp_path: Path) -> None:
     for scheme in ("rk4", "single_rate"):
         settings: dict[str, Any] = {"scheme": scheme, "dt": 2e-3, "t_end": 0.1}
         whole = simulate(model, **settings)
-        simulate(model, **settings, checkpoint=tmp_path / "run.npz", checkpoint_every=3, progress=stop)
+        broken = simulate(model, **settings, checkpoint=tmp_path / "run.npz", checkpoint_every=3, progress=stop)
+        assert broken.status.name == "interrupted"
         assert np.array_equal(resume(model, tmp_path / "run.npz").q, whole.q)
     rates, name = np.array([3.0, 4.0]), "rod.omega_x"
     many = ensemble(model, initial={"left.angle_dot": rates}, reduce={name: ["end"]}, outputs=[name], **settings)

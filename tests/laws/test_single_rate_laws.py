@@ -31,7 +31,7 @@ def run(model: Model, dt: float, t_end: float, samples: int = 10, **given: objec
     """q at `samples` equal times."""
     every = round(t_end / dt / samples)
     solution = simulate(model, t_end=t_end, dt=dt, scheme="single_rate", save_every=every, **given)  # type: ignore[arg-type]
-    assert solution.status.whole, solution.status
+    assert solution.status.ok, solution.status
     return solution.q
 
 

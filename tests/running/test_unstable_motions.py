@@ -117,7 +117,8 @@ def test_what_is_carried_goes_on_after_a_checkpoint(built_in: Load, tmp_path: Pa
 
     for choice in ({"scheme": "single_rate", "dt": 5e-3}, {"scheme": "exponential", "tolerance": 1e-4, "dt": 0.05}):
         whole = simulate(model, **settings, **choice)
-        simulate(model, **settings, **choice, checkpoint=tmp_path / "run.npz", progress=stop)
+        broken = simulate(model, **settings, **choice, checkpoint=tmp_path / "run.npz", progress=stop)
+        assert broken.status.name == "interrupted"
         with np.load(tmp_path / "run.npz") as kept:
             assert {"record_neighbour", "record_judged"} <= set(kept.files)
         again = resume(model, tmp_path / "run.npz")
