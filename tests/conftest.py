@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Callable
 from pathlib import Path
@@ -105,3 +106,10 @@ def model_of(tmp_path_factory: pytest.TempPathFactory) -> Callable[[Scene], Mode
 def build(tmp_path_factory: pytest.TempPathFactory) -> Callable[[Scene, frozenset[str] | None], Model]:
     """Model of any scene with the named functions only (None: all), generated anew."""
     return lambda scene, functions: load_model(generate(scene, tmp_path_factory.mktemp(scene.name), functions))
+
+
+def pytest_collection_finish() -> None:
+    """What is imported and collected stays: the garbage collector need not look at it again with every test."""
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(50_000, 50, 50)

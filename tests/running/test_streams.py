@@ -116,7 +116,6 @@ def test_memory_stays_bounded(built_in: Load, tmp_path: Path, kept: str) -> None
         tracemalloc.stop()
         return found
 
-    peak(1000)
-    few, many = peak(2000), peak(8000)
+    few, many = peak(1200), peak(4800)
     row = 8 * 2 if kept == "outputs" else 0
-    assert many - few < 6000 * row * 3 + 500_000
+    assert many - few < 3600 * row * 3 + 300_000
