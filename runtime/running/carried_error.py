@@ -17,7 +17,7 @@ from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
 from runtime.contract.status import Event
 from runtime.operating.mode_solver import ModeSolver, State
-from runtime.running.made_error import error_made, may_be_longer
+from runtime.running.made_error import error_made, may_be_judged, may_be_longer
 from runtime.running.neighbour import placed_beside, seen_state, small_change, take_given
 from runtime.running.segment import Segment
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
@@ -90,6 +90,8 @@ class CarriedError:
                 self.di = self.dv = np.zeros(0)  # all steps until now are judged at once
             else:
                 self.start = None
+        if marked and self.start is not None and step < self.marks[-1]:
+            marked = may_be_judged(segment, self.start, z)  # else at a later mark
         if marked:
             self._arrive(segment, z)
         if marked or self.held:

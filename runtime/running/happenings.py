@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -61,6 +62,14 @@ class Happenings:
         if self.status is not None:
             shown_at_end(scheme, z, own.plan.grid.dt_L, self._once)
         return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
+
+    def memory(self) -> dict[str, list[float]]:
+        """Latest times of each event [s]: what tells chattering."""
+        return {name: list(times) for name, times in self._recent.items()}
+
+    def resume(self, memory: Mapping[str, Sequence[float]]) -> None:
+        """From `memory`."""
+        self._recent = {name: list(times) for name, times in memory.items()}
 
     def _once(self, z: np.ndarray) -> None:
         self.own.stepper.run(z, self.own.ready, 1)

@@ -14,7 +14,9 @@ from runtime.running.plan import Plan
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 
-FORMAT = "symgen checkpoint 4"
+FORMAT = "symgen checkpoint 5"
+# an older format, and the entries that it lacks: nothing to be told, and no event before it counts as one of many
+WITHOUT: dict[str, dict[str, Any]] = {"symgen checkpoint 4": {"impulses": [], "happened": {}}}
 
 
 @dataclass(frozen=True)
@@ -23,7 +25,8 @@ class CheckpointHeader:
 
     segments: q_i of each segment so far, in the order of the record; segment: the one under way. position: all
     coordinates there, which tell a generator of variants where it is. monitor, guard, accuracy, carried: what checks
-    compare with, and errors so far. schedule: what drives it remembers.
+    compare with, and errors so far. schedule: what drives it remembers. impulses: those of the segment, which may be
+    told later: time, energy, rates after them and their jumps. happened: latest times of each event [s].
     """
 
     model: str
@@ -53,6 +56,8 @@ class CheckpointHeader:
     accuracy: dict[str, list[float]]
     carried: dict[str, list[float]]
     schedule: dict[str, list[float]]
+    impulses: list[list[float]]
+    happened: dict[str, list[float]]
 
     def to_json(self) -> str:
         """One JSON object with its format."""
@@ -62,7 +67,7 @@ class CheckpointHeader:
     def from_json(cls, text: str) -> CheckpointHeader:
         """From `to_json`. Raises KeyError, TypeError, AttributeError or ValueError for another text."""
         values = json.loads(text)
-        del values["format"]
+        values |= WITHOUT.get(values.pop("format"), {})
         if set(values) != {entry.name for entry in fields(cls)}:
             raise ValueError("its header has other entries than a checkpoint's")
         events = [Event(**event) for event in values.pop("events")]

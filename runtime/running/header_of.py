@@ -7,6 +7,7 @@ import numpy as np
 from runtime.contract.status import Event
 from runtime.results.stream import StreamFile
 from runtime.running.accuracy import Accuracy
+from runtime.running.happenings import Happenings
 from runtime.running.header import CheckpointHeader
 from runtime.running.record import Record
 from runtime.running.schedule import Schedule
@@ -22,6 +23,7 @@ def header_of(
     guard: Guard,
     accuracy: Accuracy,
     schedule: Schedule | None,
+    happenings: Happenings,
     initial_changes: str,
 ) -> CheckpointHeader:
     """What a checkpoint says of a run whose `segment` is at z (n_z,). initial_changes: of the start, in words."""
@@ -55,4 +57,6 @@ def header_of(
         accuracy=accuracy.memory(),
         carried=accuracy.carried.memory(),
         schedule={} if schedule is None else schedule.memory(),
+        impulses=segment.impulse_memory(z),
+        happened=happenings.memory(),
     )

@@ -17,6 +17,7 @@ from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.switching.broken_steps import BrokenSteps
 
 TOLERANCE = 8
+FEWEST = 4  # steps to a tolerance that are judged at once: what the last one is ahead of the end is not seen
 ROOM = 4.0  # the limit of the step over the step, from which steps may be doubled
 
 
@@ -29,6 +30,15 @@ def may_be_longer(segment: Segment) -> bool:
         return False
     limit = segment.monitor.step_limit
     return limit is None or ROOM * grid.h[-1] <= limit
+
+
+def may_be_judged(segment: Segment, start: np.ndarray, z: np.ndarray) -> bool:
+    """Were there steps enough from one state of the run (whole, flat) to another?"""
+    scheme = segment.plan.scheme
+    if not isinstance(scheme, AdaptiveSteps):
+        return True
+    accepted = scheme.layout.slice("accepted")
+    return bool(z[accepted] - start[accepted] >= FEWEST)
 
 
 def error_made(
@@ -66,11 +76,11 @@ def _fixed(segment: Segment, start: np.ndarray, end: np.ndarray, longer: bool) -
 def _varying(
     segment: Segment, start: np.ndarray, end: np.ndarray, longer: bool
 ) -> tuple[np.ndarray, np.ndarray, float]:
-    scheme, stepper, other = segment.plan.scheme, segment.stepper, start.copy()
+    scheme, other, steps = segment.plan.scheme, start.copy(), segment.step_of(end) - segment.step_of(start)
     assert isinstance(scheme, AdaptiveSteps)
     constants = scheme.constants(segment.c, None, TOLERANCE * scheme.tolerance)
-    scheme.look_ahead(other, segment.switches)
-    stepper.run(other, stepper.ready_for(constants), segment.step_of(end) - segment.step_of(start))
+    scheme.step_from_seen(other, segment.plan.grid.dt_L)  # the run's own step has gone further, and its error with it
+    segment.run_varying(other, steps, segment.stepper.ready_for(constants), segment.plan.grid.dt_L)
     if segment.step_of(other) != segment.step_of(end):
         other[:] = np.nan
     return other, constants, 1 / (TOLERANCE ** (scheme.order / scheme.error_order) - 1)

@@ -87,16 +87,18 @@ class Monitor:
     def memory(self) -> dict[str, list[float]]:
         """What later checks compare with, by the name of the check."""
         kept = {type(check).__name__: check.memory() for check in self.checks}
-        return {"length": [self.subject.length], **{name: values for name, values in kept.items() if values}}
+        own = {"length": [self.subject.length], "samples": [float(self._samples)]}
+        return {**own, **{name: values for name, values in kept.items() if values}}
 
     def resume(self, z: np.ndarray, memory: Mapping[str, list[float]]) -> None:
         """Go on from a good state with the memory of an earlier monitor."""
-        self.subject.good = z.copy()
+        self.subject.good, self._latest = z.copy(), z.copy()
         self.recall(memory)
 
     def recall(self, memory: Mapping[str, list[float]]) -> None:
         """Compare with what `memory` holds again; the last good state stays."""
         (self.subject.length,) = memory["length"]
+        self._samples = int(memory.get("samples", [self._samples])[0])
         for check in self.checks:
             if type(check).__name__ in memory:
                 check.resume(memory[type(check).__name__])

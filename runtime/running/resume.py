@@ -56,6 +56,7 @@ def resume(
     set_up = time.perf_counter() - started
     segment, z = segments[header.segment], kept.z.copy()
     segment.monitor.resume(segment.stepper.state(z), header.monitor)
+    segment.resume_impulses(header.impulses)
     keep_rows = bool(header.outputs) or header.stream is not None
     record = record_of(segment, z, stream or header.stream, keep_rows, resumed=True)
     record.segments[:] = segments
@@ -77,6 +78,7 @@ def resume(
         accuracy=accuracy,
         earlier=kept.arrays.get("earlier"),
     )
+    run.happenings.resume(header.happened)
     schedule = scheduled(model, inputs, header.t0, header.dt)
     schedule.resume(header.schedule)
     run.schedule = with_reads(schedule, run)

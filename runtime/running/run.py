@@ -172,22 +172,22 @@ class Run:
         assert self.segment.broken is not None
         self.accuracy.carried.hold(self.segment, self.z)
         self.segment.forget_determinants(self.z)
-        self._take_event(self._happenings.step(self.z, self.segment.broken))
+        self._take_event(self.happenings.step(self.z, self.segment.broken))
 
     def _end_at_event(self, scheme: AdaptiveSteps) -> None:
         """The last step ends at an event: what lies before it is seen first."""
         self.accuracy.carried.drop()
-        happened, plan = self._happenings.end_step(self.z), self.segment.plan
+        happened, plan = self.happenings.end_step(self.z), self.segment.plan
         while self.step < plan.steps and scheme.next_seen(self.z, plan.grid.dt_L) <= scheme.reached(self.z):
             if scheme.is_stuck(self.z):  # the check of the least step tells
                 break
             self.segment.run(self.z, 1)
             self._keep()
         if self.step < plan.steps:  # else it lies behind the end of the run
-            self._take_event(self._happenings.happen(self.z, happened))
+            self._take_event(self.happenings.happen(self.z, happened))
 
     @property
-    def _happenings(self) -> Happenings:
+    def happenings(self) -> Happenings:
         """Of the segment that is stepped."""
         if self._happened is None or self._happened.own is not self.segment:
             self._happened = Happenings(self.segment)
@@ -195,7 +195,7 @@ class Run:
 
     def _take_event(self, w: np.ndarray | None) -> None:
         """What has happened: w (n_w,), the inputs where they have changed."""
-        happened = self._happenings
+        happened = self.happenings
         self.events += happened.told
         happened.told.clear()
         if w is not None:
@@ -288,7 +288,7 @@ class Run:
         if self.earlier is not None:
             arrays["earlier"] = self.earlier
         try:
-            watching = self.guard, self.accuracy, self.schedule
+            watching = self.guard, self.accuracy, self.schedule, self.happenings
             header = header_of(self.segment, self.z, self.record, self.events, *watching, self.initial_changes)
             Checkpoint(header, self.z, self.segment.p, arrays).write(self.rule.path)
         except OutputError as error:  # what is in memory is worth more than its copy on the disk

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -15,7 +16,7 @@ from runtime.running.plan import Plan
 from runtime.running.singular.guard import Guard
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
-from runtime.schemes.adaptive.impulses import give_impulse
+from runtime.schemes.adaptive.impulses import run_across
 from runtime.schemes.switching.impulse import Impulse, moves_in_time
 from runtime.schemes.switching.watched import watch_events
 from runtime.schemes.turns import begin_turns, watch_turns
@@ -119,38 +120,44 @@ class Segment(SteppedModel):
             raise
 
     def _go_on(self, z: np.ndarray, steps: int) -> None:
-        scheme = self.plan.scheme
-        if not isinstance(scheme, AdaptiveSteps):
+        if self.plan.scheme.adaptive:
+            self.run_varying(z, steps, self.ready, self.plan.grid.dt_L, self.given)
+        else:
             self.advance(z, steps)
-            return
-        end = self.step_of(z) + steps
-        while self.step_of(z) < end and not scheme.is_stuck(z) and self.first_event(z) is None:
-            self._look_ahead(scheme, z)
-            self.advance(z, end - self.step_of(z))
-        if self._moves:
-            self._look_ahead(scheme, z)
 
-    def _look_ahead(self, scheme: AdaptiveSteps, z: np.ndarray) -> None:
-        """Where no step crosses next; where motions are prescribed it halts there, for their impulses."""
-        if self._moves and scheme.has_halted(z):
-            if scheme.next_seen(z, self.plan.grid.dt_L) <= scheme.reached(z):
-                return  # what lies before it is seen first
-            self.given |= give_impulse(scheme, z, self.with_inputs(z), self.switches)
-        scheme.look_ahead(z, self.switches, halts=self._moves)
+    def run_varying(
+        self, z: np.ndarray, steps: int, ready: np.ndarray, dt: float, given: dict[float, Impulse] | None = None
+    ) -> None:
+        """Advance z in place by states dt [s] apart, by steps of a tolerance with what their program reads.
 
-    @property
-    def _moves(self) -> bool:
-        """Are there prescribed motions that may jump?"""
-        return bool(self.switches) and self._prescribes
+        given: impulses on the way are entered here, with their times; None: nobody asks.
+        """
+        noted = given if given is not None else {}
+        run_across(
+            self.stepper, z, steps, ready, self.with_inputs(z), dt, self.switches, noted if self._prescribes else None
+        )
 
     @cached_property
     def _prescribes(self) -> bool:
+        """Are there prescribed motions that may jump?"""
         return moves_in_time(self.model)
 
     @property
     def impulses(self) -> dict[float, Impulse]:
         """Of prescribed motions whose velocity has jumped so far, by time [s]."""
         return self.given if self.broken is None else self.broken.impulses
+
+    def impulse_memory(self, z: np.ndarray) -> list[list[float]]:
+        """`impulses` that lie ahead of what is seen at z, in plain numbers."""
+        seen = self.plan.time(self.step_of(z))
+        ahead = sorted((at, one) for at, one in self.impulses.items() if at > seen)
+        return [[at, one.energy, *one.q_dot.tolist(), *one.jumps.tolist()] for at, one in ahead]
+
+    def resume_impulses(self, memory: Sequence[Sequence[float]]) -> None:
+        """From `impulse_memory`."""
+        for at, energy, *rates in memory:
+            q_dot, jumps = np.array(rates).reshape(2, -1)
+            self.impulses[at] = Impulse(q_dot, energy, jumps)
 
     def land(self, z: np.ndarray) -> None:
         """From z on every state that is seen is the end of a step: what comes from outside changes there."""

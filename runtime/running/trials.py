@@ -23,8 +23,9 @@ from runtime.results.sampling import evaluate
 from runtime.running.segment import Segment
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.error_norm import FLOOR, LEAST
+from runtime.schemes.adaptive.impulses import run_across
 from runtime.schemes.stepper import Stepper
-from runtime.schemes.switching.impulse import moves_in_time
+from runtime.schemes.switching.impulse import Impulse, moves_in_time
 from runtime.schemes.switching.times import SwitchTime
 
 SEEN = 100  # states of a trial
@@ -112,6 +113,7 @@ class Trials:
         assert isinstance(scheme, AdaptiveSteps)
         self.scheme, self.stepper, self.z, self.c, self.span = scheme, stepper, z, c, span
         self.switches, self.budget = switches, budget
+        self._impulses: dict[float, Impulse] | None = {} if moves_in_time(scheme.model) else None  # nobody asks
         self.made: list[TriedMotion] = []  # ever finer
         self.spent, self.tries, self.expected = 0.0, 0, np.inf
 
@@ -220,8 +222,7 @@ class Trials:
         states, first, spent = [self.stepper.state(z).copy()], 0.0, [0.0]
         self.tries += 1
         while len(states) <= SEEN:
-            scheme.look_ahead(z, self.switches)
-            self.stepper.run(z, ready, 1)
+            run_across(self.stepper, z, 1, ready, self.c, self.span / SEEN, self.switches, self._impulses)
             spent = [*spent[: len(states)], scheme.operations_taken(z, self.stepper.program)]
             if int(z[1]) == len(states):
                 states.append(self.stepper.state(z).copy())
@@ -260,8 +261,6 @@ def trials_of(segment: Segment, state: ConsistentState) -> Calibration | None:
     plan, scheme = segment.plan, segment.plan.scheme
     if not isinstance(scheme, AdaptiveSteps) or scheme.error_of == "step":
         return None
-    if segment.switches and moves_in_time(segment.model):
-        return None  # trials know no impulses of a prescribed motion whose velocity jumps
     span = plan.t_end - plan.t0
     z = segment.stepper.start(plan.t0, state.q, state.q_dot, segment.c, span / SEEN)
     return Trials(segment.stepper, z, segment.c, span, segment.switches).calibration(scheme.tolerance)

@@ -66,7 +66,7 @@ def _of_tolerance(segment: Segment, scheme: AdaptiveSteps, z: np.ndarray) -> Win
         constants.append(scheme.constants(segment.c, seconds, tolerance))
         states.append(z.copy())
         segment.forget_determinants(states[-1])
-        stepper.run(states[-1], stepper.ready_for(constants[-1]), 1)
+        segment.run_varying(states[-1], 1, stepper.ready_for(constants[-1]), seconds)
         if segment.step_of(states[-1]) != 1:
             return None
     own, finer = states

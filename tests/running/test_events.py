@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -12,6 +14,8 @@ import pytest
 from runtime import Environment, Model, ModelError, ensemble, gradient, resume, simulate
 from runtime.contract.errors import ArgumentError
 from runtime.gradients.objectives import End
+from runtime.running.checkpoint import read_checkpoint
+from runtime.running.header import CheckpointHeader
 from runtime.schemes.catalogue import SCHEMES
 from symgen.scene import Scene, SceneBuilder, SceneError
 
@@ -171,6 +175,37 @@ def test_an_action_that_undoes_itself_is_named(model_of: Build) -> None:
     run = simulate(model_of(falling(up=up, down=down)), initial={"mass.x_dot": 1.0})
     assert run.status.name == "chattering" and run.status.time == pytest.approx(1 / G, abs=1e-6)
     assert "event down happens 50 times within one step" in run.status.cause
+
+
+def test_chattering_across_a_resume_is_found_when_it_would_have_been(model_of: Build, tmp_path: Path) -> None:
+    """Gone on with after some of the fifty; an older checkpoint does not know of them, and goes on all the same."""
+    up = {"when": "x_dot", "direction": "rising", "action": {"push": "-40"}}
+    down = {"when": "x_dot", "direction": "falling", "action": {"push": "40"}}
+    model, path, old = model_of(falling(up=up, down=down)), tmp_path / "run.npz", tmp_path / "old.npz"
+    settings: dict[str, Any] = {"scheme": "dopri5", "tolerance": 1e-6, "initial": {"mass.x_dot": 1.0}}
+    whole = simulate(model, **settings)
+    seen = []
+
+    def interrupt(t: float, t_end: float) -> None:
+        seen.append(t)
+        if seen.count(t) == 30:
+            raise KeyboardInterrupt
+
+    assert simulate(model, **settings, checkpoint=path, progress=interrupt).status.name == "interrupted"
+    kept = read_checkpoint(path)
+    assert 10 < len(kept.header.events) < len(whole.events) - 10
+    text = json.loads(kept.header.to_json()) | {"format": "symgen checkpoint 4"}
+    del text["impulses"], text["happened"], text["monitor"]["samples"]
+
+    class Older(CheckpointHeader):
+        def to_json(self) -> str:
+            return json.dumps(text)
+
+    older = Older(**{entry.name: getattr(kept.header, entry.name) for entry in dataclasses.fields(kept.header)})
+    dataclasses.replace(kept, header=older).write(old)
+    again, later = resume(model, path), resume(model, old)
+    assert again.status == whole.status and again.events == whole.events and whole.status.name == "chattering"
+    assert later.status.name == "chattering" and len(later.events) > len(whole.events)
 
 
 def end_stop(event: bool) -> Scene:

@@ -135,11 +135,15 @@ def test_a_position_that_jumps_is_refused_by_name(model_of: Build) -> None:
         simulate(model)
 
 
-def test_a_run_across_jumps_is_gone_on_with_bit_for_bit(model_of: Build, tmp_path: Path) -> None:
-    """Stopped before and after a jump, at the end of a step and within one."""
+@pytest.mark.parametrize("scheme, tolerance", [("single_rate", None), ("dopri5", 1e-6)])
+def test_a_run_across_jumps_is_gone_on_with_bit_for_bit(
+    model_of: Build, tmp_path: Path, scheme: str, tolerance: float | None
+) -> None:
+    """Stopped before and after a jump, at the end of a step and within one; steps of a tolerance are there before."""
     model = model_of(kicked_crank("where(t < jump, 0, 2 * (t - jump))"))
     for jump in (0.46, 0.4567):
-        settings: dict[str, Any] = {"parameters": {"jump": jump}, "scheme": "single_rate", "save_every": 1}
+        settings: dict[str, Any] = {"parameters": {"jump": jump}, "scheme": scheme, "save_every": 1}
+        settings |= {"tolerance": tolerance, "dt": 0.01}
         whole = simulate(model, **settings)
         for stop in (0.45, 0.46):
 
@@ -148,10 +152,22 @@ def test_a_run_across_jumps_is_gone_on_with_bit_for_bit(model_of: Build, tmp_pat
                     raise KeyboardInterrupt
 
             path = tmp_path / f"{jump}_{stop}.npz"
-            simulate(model, **settings, checkpoint=path, progress=interrupt)
+            simulate(model, **settings, checkpoint=path, checkpoint_every=1, progress=interrupt)
             again = resume(model, path)
             assert np.array_equal(again.q, whole.q) and np.array_equal(again.q_dot, whole.q_dot)
-            assert again.events == whole.events
+            assert again.events == whole.events and len(again.events) == 1
+
+
+@pytest.mark.parametrize("scheme", ["dopri5", "exponential", "exponential_rk4"])
+def test_an_impulse_is_no_error(model_of: Build, scheme: str) -> None:
+    """A bob that stands and falls, so that errors grow; the jump lies where the estimate looks, trials know it."""
+    model = model_of(kicked_crank("where(t < jump, 0, 2 * (t - jump))"))
+    settings: dict[str, Any] = {"parameters": {"jump": 0.402}, "initial": {"bob.theta": 1.5}}
+    exact = simulate(model, scheme="dop853", dt=0.002, **settings)["bob.theta"]
+    run = simulate(model, scheme=scheme, tolerance=1e-5, dt=0.1, **settings)
+    error = abs(run["bob.theta"][-1] - exact[-1]) / (np.ptp(exact) / 2)
+    assert run.stats["trials"] > 0 and 1e-7 < error < 3e-5
+    assert error / 30 < run.stats["estimated_error"] < 10 * error
 
 
 def test_a_stepper_gives_the_run(model_of: Build) -> None:

@@ -1,4 +1,4 @@
-"""Impulses of prescribed motions whose velocity jumps, where steps follow from a tolerance."""
+"""Steps of a tolerance across jumps: where they may go next, and impulses of motions whose velocity jumps."""
 
 from __future__ import annotations
 
@@ -9,18 +9,62 @@ import numpy as np
 from runtime.contract.coordinates import independent_rates, whole
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.event_ends import settled
+from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.breaks import ON_THE_GRID
 from runtime.schemes.switching.impulse import Impulse, impulse_at
 from runtime.schemes.switching.times import SwitchTime
+from runtime.schemes.switching.watched import NEVER
 from runtime.schemes.work import accounted
 
 
+def run_across(
+    stepper: Stepper,
+    z: np.ndarray,
+    steps: int,
+    ready: np.ndarray,
+    c: np.ndarray,
+    dt: float,
+    jumps: Sequence[SwitchTime],
+    given: dict[float, Impulse] | None,
+) -> None:
+    """Advance z (whole, flat) in place by so many states dt [s] apart; fewer up to an event or the least step.
+
+    ready: what the program reads; c (c_size,): the model's constants with the inputs that hold. given: impulses are
+    entered here by their time; None where there are no prescribed motions.
+    """
+    scheme = stepper.scheme
+    assert isinstance(scheme, AdaptiveSteps)
+    end, moves = z[1] + steps, given is not None and bool(jumps)
+    event = scheme.layout.slice("event_step") if "event_step" in scheme.layout.sizes else slice(0, 0)
+    while z[1] < end and not scheme.is_stuck(z) and not (z[event] < NEVER).any():
+        _look_ahead(scheme, z, c, dt, jumps, given if moves else None)
+        stepper.run(z, ready, int(end - z[1]))
+    if moves:
+        _look_ahead(scheme, z, c, dt, jumps, given)
+
+
+def _look_ahead(
+    scheme: AdaptiveSteps,
+    z: np.ndarray,
+    c: np.ndarray,
+    dt: float,
+    jumps: Sequence[SwitchTime],
+    given: dict[float, Impulse] | None,
+) -> None:
+    """Where no step crosses next; where impulses are `given` it halts there for them."""
+    if given is not None and scheme.has_halted(z):
+        if scheme.next_seen(z, dt) <= scheme.reached(z):
+            return  # what lies before it is seen first
+        given |= give_impulse(scheme, z, c, jumps, dt)
+    scheme.look_ahead(z, jumps, halts=given is not None)
+
+
 def give_impulse(
-    scheme: AdaptiveSteps, z: np.ndarray, c: np.ndarray, jumps: Sequence[SwitchTime]
+    scheme: AdaptiveSteps, z: np.ndarray, c: np.ndarray, jumps: Sequence[SwitchTime], dt: float
 ) -> dict[float, Impulse]:
     """Of the jump at the end of the last step of z (n_z,), in place: rates just after it; {} where none jumps.
 
-    c (c_size,): the model's constants.
+    c (c_size,): the model's constants; dt [s]: from one state that is seen to the next.
     """
     own, model, reached = scheme.layout.slice, scheme.model, scheme.reached(z)
     there = next((one for one in jumps if one.time == reached), None)
@@ -38,8 +82,8 @@ def give_impulse(
     z[own("v_to")] = independent_rates(model, q, found.q_dot)
     if accounted(scheme):
         z[own("work_from")] += found.energy
-    seen_at = float(z[own("t0")][0] + z[own("n")][0] * scheme.grid.dt_L)
-    if abs(seen_at - reached) <= ON_THE_GRID * scheme.grid.dt_L:  # what is seen there is after the jump
+    seen_at = float(z[own("t0")][0] + z[own("n")][0] * dt)
+    if abs(seen_at - reached) <= ON_THE_GRID * dt:  # what is seen there is after the jump
         z[own("t0")] += max(0.0, there.after - seen_at)
         z[own("v")] = z[own("v_to")]
         if accounted(scheme):
