@@ -9,16 +9,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+import casadi as ca
+
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ZERO, mul, neg
 from symgen.algebra.vectors import Vector, cross, negative, plus, scaled, zeros
+from symgen.system.frames.bend_changes import BendChanges
 from symgen.system.frames.body_moves import Bend, Unbend
 from symgen.system.frames.flexible import FlexibleInertia, RigidInertia
 from symgen.system.frames.inertia_changes import TWO, by_mode_rates, by_modes, mode_rows, tangent_of
-from symgen.system.frames.motion import NOTHING, Motion, Wrench, no_masses
-from symgen.system.frames.move_changes import BendChanges, Spot, slide_changes, turn_changes
+from symgen.system.frames.motion import NOTHING, Motion, Twist, Wrench, no_masses
+from symgen.system.frames.move_changes import Part, Spot, slide_part, turn_part
 from symgen.system.frames.moves import Fixed, Move, Slide, Turn
-from symgen.system.frames.tangents import Change, RowChange, Tangent
+from symgen.system.frames.tangents import RowChange, Tangent
 from symgen.system.frames.tree import GROUND, FrameTree
 
 
@@ -109,48 +112,57 @@ class _Sweep:
         bending = None
         if isinstance(move, Bend | Unbend):
             bending = BendChanges(move.deformation, spot, isinstance(move, Unbend))
-        changes = _changes(move, spot) if bending is None else bending.changes()
-        for target, own, wrenches in zip((self.K, self.D), changes, (state.by_position, state.by_rate), strict=True):
-            for column, change in own.items():
-                for row, form in state.rows.items():
-                    add_to(target[row], column, form.of(change))
-                gather(wrenches, {column: state.tangent.wrench(change)})
+        parts = _parts(move, spot) if bending is None else bending.parts
+        turned: dict[int, Wrench] = {}
+        for part in parts:
+            for row, form in state.rows.items():
+                self._shared(self.K, row, part, form.of(part.by_position))
+                self._shared(self.D, row, part, form.of(part.by_rate))
+            gather(state.by_position, _shares(part, state.tangent.wrench(part.by_position)))
+            gather(state.by_rate, _shares(part, state.tangent.wrench(part.by_rate)))
+            gather(turned, _shares(part, _turned(part.twist, state.wrench)))
         for column, wrench in state.by_position.items():
-            if bending is not None and column in changes[0]:
-                found = bending.own(column, state.wrench, wrench)
-                state.by_position[column], powers = found.before, found.powers
-            else:
-                powers = move.powers(wrench)
-                turned = _turned(move, column, state.wrench) if column in changes[0] else NOTHING
-                state.by_position[column] = move.wrench(wrench.plus(turned))
+            own = bending is not None and column in turned
+            powers = bending.powers(column, state.wrench, wrench) if bending and own else move.powers(wrench)
             for row, value in powers.items():
                 add_to(self.K[row], column, value)
+            state.by_position[column] = move.wrench(wrench.plus(turned.get(column, NOTHING)))
         for column, wrench in state.by_rate.items():
             for row, value in move.powers(wrench).items():
                 add_to(self.D[row], column, value)
             state.by_rate[column] = move.wrench(wrench)
-        self._before(move, spot, state)
+        self._before(move, spot, state, parts)
 
-    def _before(self, move: Move, spot: Spot, state: _Beyond) -> None:
+    def _shared(self, target: list[Row], row: int, part: Part, value: ca.SX) -> None:
+        for column, share in part.shares.items():
+            add_to(target[row], column, mul(share, value))
+
+    def _before(self, move: Move, spot: Spot, state: _Beyond, parts: list[Part]) -> None:
         """Rows, inertia and wrench as seen before a move."""
-        for column, twist in move.twists.items():
-            row = state.tangent.row(twist)
-            state.rows[column] = state.rows[column].plus(row) if column in state.rows else row
+        for part in parts:
+            row = state.tangent.row(part.twist)
+            for column, share in part.shares.items():
+                own = row.scaled(share)
+                state.rows[column] = state.rows[column].plus(own) if column in state.rows else own
         velocity = _twice_velocity(move, spot)
         state.rows = {column: _row_before(move, row, velocity) for column, row in state.rows.items()}
         state.tangent = _tangent_before(move, velocity, state.tangent)
         state.wrench = move.wrench(state.wrench)
 
 
-def _changes(move: Move, spot: Spot) -> tuple[dict[int, Change], dict[int, Change]]:
+def _parts(move: Move, spot: Spot) -> list[Part]:
     if isinstance(move, Turn):
-        return turn_changes(move, spot)
-    return slide_changes(move, spot) if isinstance(move, Slide) else ({}, {})
+        return turn_part(move, spot)
+    return slide_part(move, spot) if isinstance(move, Slide) else []
 
 
-def _turned(move: Move, column: int, wrench: Wrench) -> Wrench:
-    """What the displacement by a move's coordinate does to the wrench after it."""
-    twist = move.twists[column]
+def _shares(part: Part, wrench: Wrench) -> dict[int, Wrench]:
+    """Of a wrench, by column."""
+    return {column: Wrench(scaled(share, wrench.f), scaled(share, wrench.n)) for column, share in part.shares.items()}
+
+
+def _turned(twist: Twist, wrench: Wrench) -> Wrench:
+    """What a displacement of the frame after a move does to the wrench there, which goes with it."""
     return Wrench(cross(twist.omega, wrench.f), plus(cross(twist.omega, wrench.n), cross(twist.v, wrench.f)))
 
 

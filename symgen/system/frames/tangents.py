@@ -39,6 +39,10 @@ class RowChange:
         """For a change of the frame."""
         return add(add(dot(self.nu, change.beta), dot(self.phi, change.d)), dot(self.r, change.u))
 
+    def scaled(self, factor: ca.SX) -> RowChange:
+        """Of a share."""
+        return RowChange(scaled(factor, self.nu), scaled(factor, self.phi), scaled(factor, self.r))
+
     def plus(self, other: RowChange) -> RowChange:
         """Of both."""
         return RowChange(plus(self.nu, other.nu), plus(self.phi, other.phi), plus(self.r, other.r))
