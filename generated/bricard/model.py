@@ -22,8 +22,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 48) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
-    385 operations.
+    gives c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    389 operations.
     """
     p = ca.SX.sym("p", 48)
     gravity_y = p[0]
@@ -70,7 +70,7 @@ def constants() -> ca.Function:
     ground_P5_quaternion_1_0_0 = p[45]
     ground_P5_quaternion_3_0_0 = p[46]
     ground_P5_z = p[47]
-    # intermediate terms (61)
+    # intermediate terms (63)
     w0 = (bar3_inertia_xx + bar3_inertia_yy + bar3_inertia_zz) / 2.0
     w1 = w0 - bar3_inertia_zz + bar3_mass * bar3_center_of_mass_z**2
     w2 = w0 - bar3_inertia_yy
@@ -78,60 +78,62 @@ def constants() -> ca.Function:
     w4 = (bar2_inertia_xx + bar2_inertia_yy + bar2_inertia_zz) / 2.0
     w5 = w4 - bar2_inertia_yy + bar2_mass * bar2_center_of_mass_y**2
     w6 = bar3_mass * bar2_end_y
-    w7 = w4 - bar2_inertia_xx
-    w8 = w0 - bar3_inertia_xx
-    w9 = bar2_mass * bar2_center_of_mass_y
-    w10 = (bar1_inertia_xx + bar1_inertia_yy + bar1_inertia_zz) / 2.0
-    w11 = w10 - bar1_inertia_xx + bar1_mass * bar1_center_of_mass_x**2
-    w12 = w10 - bar1_inertia_zz
-    w13 = w4 - bar2_inertia_zz
-    w14 = bar4_mass * bar4_center_of_mass_x
-    w15 = w14 - bar4_end_x * bar4_mass
-    w16 = (bar4_inertia_xx + bar4_inertia_yy + bar4_inertia_zz) / 2.0
-    w17 = w16 - bar4_inertia_xx + bar4_mass * bar4_center_of_mass_x**2
-    w18 = w17 - (bar4_end_x * w14 + bar4_end_x * w15)
-    w19 = w16 - bar4_inertia_yy
-    w20 = bar5_end_y * w15
-    w21 = (bar5_inertia_xx + bar5_inertia_yy + bar5_inertia_zz) / 2.0
-    w22 = w21 - bar5_inertia_yy + bar5_mass * bar5_center_of_mass_y**2
-    w23 = bar5_mass * bar5_center_of_mass_y
-    w24 = bar5_end_y * bar5_mass - w23
-    w25 = bar5_end_y * bar4_mass
-    w26 = w21 - bar5_inertia_zz
-    w27 = w16 - bar4_inertia_zz
-    w28 = w1 + w2
-    w29 = ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0 + ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
-    w30 = bar1_start_quaternion_0_0_0 * ground_P0_quaternion_1_0_0 + ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0
-    w31 = bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0 + bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
-    w32 = bar3_start_quaternion_1_0_0 * bar2_end_quaternion_3_0_0 + bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
-    w33 = ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 + ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
-    w34 = bar5_end_quaternion_1_0_0 * ground_P5_quaternion_1_0_0 + ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
-    w35 = w10 - bar1_inertia_yy
-    w36 = w12 + w35
-    w37 = w11 + w12
-    w38 = w11 + w35
-    w39 = -4.0 * w38
-    w40 = -4.0 * w37
-    w41 = w5 + w13
-    w42 = w7 + w13
-    w43 = w5 + w7
-    w44 = -4.0 * w43
-    w45 = -4.0 * w42
-    w46 = w1 + w8
-    w47 = w2 + w8
-    w48 = -4.0 * w47
-    w49 = -4.0 * w46
-    w50 = w19 + w27
-    w51 = w17 + w27
-    w52 = w17 + w19
-    w53 = -4.0 * w52
-    w54 = -4.0 * w51
-    w55 = w22 + w26
-    w56 = w21 - bar5_inertia_xx
-    w57 = w26 + w56
-    w58 = w22 + w56
-    w59 = -4.0 * w58
-    w60 = -4.0 * w57
+    w7 = w5 + bar2_end_y * w6
+    w8 = w4 - bar2_inertia_xx
+    w9 = w0 - bar3_inertia_xx
+    w10 = w8 + w9
+    w11 = bar2_mass * bar2_center_of_mass_y
+    w12 = (bar1_inertia_xx + bar1_inertia_yy + bar1_inertia_zz) / 2.0
+    w13 = w12 - bar1_inertia_xx + bar1_mass * bar1_center_of_mass_x**2
+    w14 = w12 - bar1_inertia_zz
+    w15 = w4 - bar2_inertia_zz
+    w16 = bar4_mass * bar4_center_of_mass_x
+    w17 = w16 - bar4_end_x * bar4_mass
+    w18 = (bar4_inertia_xx + bar4_inertia_yy + bar4_inertia_zz) / 2.0
+    w19 = w18 - bar4_inertia_xx + bar4_mass * bar4_center_of_mass_x**2
+    w20 = w19 - (bar4_end_x * w16 + bar4_end_x * w17)
+    w21 = w18 - bar4_inertia_yy
+    w22 = bar5_end_y * w17
+    w23 = (bar5_inertia_xx + bar5_inertia_yy + bar5_inertia_zz) / 2.0
+    w24 = w23 - bar5_inertia_yy + bar5_mass * bar5_center_of_mass_y**2
+    w25 = bar5_mass * bar5_center_of_mass_y
+    w26 = bar5_end_y * bar5_mass - w25
+    w27 = bar5_end_y * bar4_mass
+    w28 = w23 - bar5_inertia_zz
+    w29 = w18 - bar4_inertia_zz
+    w30 = w1 + w2
+    w31 = ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0 + ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
+    w32 = bar1_start_quaternion_0_0_0 * ground_P0_quaternion_1_0_0 + ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0
+    w33 = bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0 + bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
+    w34 = bar3_start_quaternion_1_0_0 * bar2_end_quaternion_3_0_0 + bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w35 = ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 + ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
+    w36 = bar5_end_quaternion_1_0_0 * ground_P5_quaternion_1_0_0 + ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
+    w37 = w12 - bar1_inertia_yy
+    w38 = w14 + w37
+    w39 = w13 + w14
+    w40 = w13 + w37
+    w41 = -4.0 * w40
+    w42 = -4.0 * w39
+    w43 = w5 + w15
+    w44 = w8 + w15
+    w45 = w5 + w8
+    w46 = -4.0 * w45
+    w47 = -4.0 * w44
+    w48 = w1 + w9
+    w49 = w2 + w9
+    w50 = -4.0 * w49
+    w51 = -4.0 * w48
+    w52 = w21 + w29
+    w53 = w19 + w29
+    w54 = w19 + w21
+    w55 = -4.0 * w54
+    w56 = -4.0 * w53
+    w57 = w24 + w28
+    w58 = w23 - bar5_inertia_xx
+    w59 = w28 + w58
+    w60 = w24 + w58
+    w61 = -4.0 * w60
+    w62 = -4.0 * w59
     # outputs
     c = ca.vertcat(
         w1,  # c0
@@ -139,126 +141,128 @@ def constants() -> ca.Function:
         w1 - w2,  # c2
         bar2_end_y,  # bar2_end_y
         w3,  # c4
-        w5 + bar2_end_y * w6,  # c5
-        w7 + w8,  # c6
+        w7,  # c5
+        w10,  # c6
         bar1_end_x,  # bar1_end_x
-        w6 + w9,  # c8
+        w6 + w11,  # c8
         2 * bar1_end_x,  # c9
-        w11 + bar1_end_x * (bar1_end_x * (bar3_mass + bar2_mass)) + (w12 + w13),  # c10
+        w13 + bar1_end_x * (bar1_end_x * (bar3_mass + bar2_mass)) + (w14 + w15),  # c10
         bar3_end_z,  # bar3_end_z
         bar4_end_x,  # bar4_end_x
         bar5_end_y,  # bar5_end_y
-        w15,  # c14
-        w18,  # c15
-        w19,  # c16
-        w18 - w19,  # c17
-        w20,  # c18
-        2 * w20,  # c19
-        w22 + (bar5_end_y * w24 - bar5_end_y * w23) + bar5_end_y * w25 + (w26 + w27),  # c20
-        w18 + w19,  # c21
-        w28,  # c22
+        w17,  # c14
+        w20,  # c15
+        w21,  # c16
+        w20 - w21,  # c17
+        w22,  # c18
+        2 * w22,  # c19
+        w24 + (bar5_end_y * w26 - bar5_end_y * w25) + bar5_end_y * w27 + (w28 + w29),  # c20
+        w20 + w21,  # c21
+        w30,  # c22
         bar2_end_y * w3,  # c23
         gravity_y,  # gravity_y
-        w24 + w25,  # c25
+        w26 + w27,  # c25
         ground_P0_quaternion_0_0_0,  # ground_P0_quaternion_0_0_0
         bar1_start_quaternion_0_0_0,  # bar1_start_quaternion_0_0_0
         ground_P0_quaternion_1_0_0,  # ground_P0_quaternion_1_0_0
         bar1_start_quaternion_1_0_0,  # bar1_start_quaternion_1_0_0
-        w29,  # c30
-        w30,  # c31
+        w31,  # c30
+        w32,  # c31
         ground_P5_z,  # ground_P5_z
         bar2_end_quaternion_1_0_0,  # bar2_end_quaternion_1_0_0
         bar3_start_quaternion_1_0_0,  # bar3_start_quaternion_1_0_0
         bar2_end_quaternion_3_0_0,  # bar2_end_quaternion_3_0_0
         bar3_start_quaternion_3_0_0,  # bar3_start_quaternion_3_0_0
-        w31,  # c37
-        w32,  # c38
+        w33,  # c37
+        w34,  # c38
         ground_P5_quaternion_3_0_0,  # ground_P5_quaternion_3_0_0
         bar5_end_quaternion_1_0_0,  # bar5_end_quaternion_1_0_0
         ground_P5_quaternion_1_0_0,  # ground_P5_quaternion_1_0_0
         bar5_end_quaternion_3_0_0,  # bar5_end_quaternion_3_0_0
-        w33,  # c43
-        w34,  # c44
-        -w29,  # c45
-        -w34,  # c46
+        w35,  # c43
+        w36,  # c44
+        -bar4_end_x,  # c45
+        -w31,  # c46
+        -w36,  # c47
         bar3_mass,  # bar3_mass
         bar2_mass,  # bar2_mass
-        w5,  # c49
-        w7,  # c50
+        w5,  # c50
         w8,  # c51
         w9,  # c52
+        w11,  # c53
         bar1_mass,  # bar1_mass
-        w11,  # c54
-        w12,  # c55
-        w13,  # c56
+        w13,  # c55
+        w14,  # c56
+        w15,  # c57
         bar4_mass,  # bar4_mass
-        w17,  # c58
-        w14,  # c59
+        w19,  # c59
+        w16,  # c60
         bar5_mass,  # bar5_mass
-        w22,  # c61
-        w23,  # c62
-        w26,  # c63
-        w27,  # c64
-        bar1_mass * bar1_center_of_mass_x,  # c65
-        w35,  # c66
-        w36,  # c67
-        w37,  # c68
-        w38,  # c69
-        4.0 * w37 + w39,  # c70
-        4.0 * w38 + -4.0 * w36,  # c71
-        4.0 * w36 + w40,  # c72
-        w40 + 4.0 * w36,  # c73
-        4.0 * w38 + -4.0 * w36,  # c74
-        w39 + 4.0 * w37,  # c75
-        w41,  # c76
-        w42,  # c77
-        w43,  # c78
-        4.0 * w42 + w44,  # c79
-        4.0 * w43 + -4.0 * w41,  # c80
-        4.0 * w41 + w45,  # c81
-        w45 + 4.0 * w41,  # c82
-        4.0 * w43 + -4.0 * w41,  # c83
-        w44 + 4.0 * w42,  # c84
-        w46,  # c85
-        w47,  # c86
-        4.0 * w46 + w48,  # c87
-        4.0 * w47 + -4.0 * w28,  # c88
-        4.0 * w28 + w49,  # c89
-        w49 + 4.0 * w28,  # c90
-        4.0 * w47 + -4.0 * w28,  # c91
-        w48 + 4.0 * w46,  # c92
-        w50,  # c93
-        w51,  # c94
-        w52,  # c95
-        4.0 * w51 + w53,  # c96
-        4.0 * w52 + -4.0 * w50,  # c97
-        4.0 * w50 + w54,  # c98
-        w54 + 4.0 * w50,  # c99
-        4.0 * w52 + -4.0 * w50,  # c100
-        w53 + 4.0 * w51,  # c101
-        w55,  # c102
-        w56,  # c103
-        w57,  # c104
-        w58,  # c105
-        4.0 * w57 + w59,  # c106
-        4.0 * w58 + -4.0 * w55,  # c107
-        4.0 * w55 + w60,  # c108
-        w60 + 4.0 * w55,  # c109
-        4.0 * w58 + -4.0 * w55,  # c110
-        w59 + 4.0 * w57,  # c111
-        bar1_mass * gravity_y,  # c112
-        bar2_mass * gravity_y,  # c113
-        bar3_mass * gravity_y,  # c114
-        bar4_mass * gravity_y,  # c115
-        bar5_mass * gravity_y,  # c116
-        -w31,  # c117
-        -gravity_y,  # c118
-        2 * bar3_end_z,  # c119
-        4.0 * bar3_end_z,  # c120
-        2 * bar5_end_y,  # c121
-        2.0,  # c122
-        2 * bar3_end_z,  # c123
-        2 * bar4_end_x,  # c124
+        w24,  # c62
+        w25,  # c63
+        w28,  # c64
+        w29,  # c65
+        bar1_mass * bar1_center_of_mass_x,  # c66
+        w37,  # c67
+        w38,  # c68
+        w39,  # c69
+        w40,  # c70
+        4.0 * w39 + w41,  # c71
+        4.0 * w40 + -4.0 * w38,  # c72
+        4.0 * w38 + w42,  # c73
+        w42 + 4.0 * w38,  # c74
+        4.0 * w40 + -4.0 * w38,  # c75
+        w41 + 4.0 * w39,  # c76
+        w43,  # c77
+        w44,  # c78
+        w45,  # c79
+        4.0 * w44 + w46,  # c80
+        4.0 * w45 + -4.0 * w43,  # c81
+        4.0 * w43 + w47,  # c82
+        w47 + 4.0 * w43,  # c83
+        4.0 * w45 + -4.0 * w43,  # c84
+        w46 + 4.0 * w44,  # c85
+        w48,  # c86
+        w49,  # c87
+        4.0 * w48 + w50,  # c88
+        4.0 * w49 + -4.0 * w30,  # c89
+        4.0 * w30 + w51,  # c90
+        w51 + 4.0 * w30,  # c91
+        4.0 * w49 + -4.0 * w30,  # c92
+        w50 + 4.0 * w48,  # c93
+        w52,  # c94
+        w53,  # c95
+        w54,  # c96
+        4.0 * w53 + w55,  # c97
+        4.0 * w54 + -4.0 * w52,  # c98
+        4.0 * w52 + w56,  # c99
+        w56 + 4.0 * w52,  # c100
+        4.0 * w54 + -4.0 * w52,  # c101
+        w55 + 4.0 * w53,  # c102
+        w57,  # c103
+        w58,  # c104
+        w59,  # c105
+        w60,  # c106
+        4.0 * w59 + w61,  # c107
+        4.0 * w60 + -4.0 * w57,  # c108
+        4.0 * w57 + w62,  # c109
+        w62 + 4.0 * w57,  # c110
+        4.0 * w60 + -4.0 * w57,  # c111
+        w61 + 4.0 * w59,  # c112
+        bar1_mass * gravity_y,  # c113
+        bar2_mass * gravity_y,  # c114
+        bar3_mass * gravity_y,  # c115
+        bar4_mass * gravity_y,  # c116
+        bar5_mass * gravity_y,  # c117
+        -w33,  # c118
+        -gravity_y,  # c119
+        2 * bar3_end_z,  # c120
+        4.0 * bar3_end_z,  # c121
+        w7 - w10,  # c122
+        2 * bar5_end_y,  # c123
+        2.0,  # c124
+        2 * bar3_end_z,  # c125
+        2 * bar4_end_x,  # c126
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -271,7 +275,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
     674 operations.
@@ -280,7 +284,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
-    c = ca.SX.sym("c", 125)
+    c = ca.SX.sym("c", 127)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -509,15 +513,15 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 39) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 4) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
-    504 operations.
+    503 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
-    c = ca.SX.sym("c", 125)
+    c = ca.SX.sym("c", 127)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -547,6 +551,7 @@ def closure() -> ca.Function:
     bar5_end_quaternion_3_0_0 = c[42]
     c43 = c[43]
     c44 = c[44]
+    c45 = c[45]
     # intermediate terms (123)
     w0 = hinge0_angle / 2.0
     w1 = ca.cos(w0)
@@ -694,8 +699,8 @@ def closure() -> ca.Function:
         w80 * w94 + w81 * w92 - (w82 * w96 + w84 * w95),  # bar3.e1
         w80 * w95 - w82 * w92 + (w84 * w94 - w81 * w96),  # bar3.e2
         w80 * w96 + w84 * w92 + (w81 * w95 + w82 * w94),  # bar3.e3
-        -(w109 + (1.0 - 2 * w115**2 - 2 * w116**2) * bar4_end_x),  # bar4.x
-        -(w117 + (w116 * w119 + w115 * w121) * bar4_end_x),  # bar4.y
+        (1.0 - 2 * w115**2 - 2 * w116**2) * c45 - w109,  # bar4.x
+        (w116 * w119 + w115 * w121) * c45 - w117,  # bar4.y
         w122 - (w116 * w121 - w115 * w119) * bar4_end_x,  # bar4.z
         w118,  # bar4.e0
         w120,  # bar4.e1
@@ -730,14 +735,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
     810 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 125)
+    c = ca.SX.sym("c", 127)
     hinge0_angle = q_i[0]
     bar1_e0 = q_d[3]
     bar1_e1 = q_d[4]
@@ -1040,7 +1045,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 39) [mixed]: accelerations of the dependent coordinates
     1455 operations.
     """
@@ -1049,7 +1054,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 125)
+    c = ca.SX.sym("c", 127)
     hinge0_angle = q_i[0]
     bar1_e0 = q_d[3]
     bar1_e1 = q_d[4]
@@ -1514,17 +1519,17 @@ def constraints() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
-    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 40) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 40 x 40) [SI]: constraint Jacobian
     gives C_t (n_c = 40) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 40) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 40) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    3083 operations.
+    3009 operations.
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
-    c = ca.SX.sym("c", 125)
+    c = ca.SX.sym("c", 127)
     bar1_x = q[0]
     bar1_y = q[1]
     bar1_z = q[2]
@@ -1614,8 +1619,8 @@ def constraints() -> ca.Function:
     bar5_end_quaternion_3_0_0 = c[42]
     c43 = c[43]
     c44 = c[44]
-    c45 = c[45]
     c46 = c[46]
+    c47 = c[47]
     # intermediate terms (262)
     w0 = hinge0_angle / 2.0
     w1 = ca.cos(w0)
@@ -1768,117 +1773,117 @@ def constraints() -> ca.Function:
     w148 = w62 * w64
     w149 = w62 * w63
     w150 = w3 / 2.0
-    w151 = w150 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w150 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
-    w152 = w1 / 2.0
-    w153 = w152 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0 - w152 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
-    w154 = w7 / 2.0
-    w155 = w6 / 2.0
-    w156 = w16 / 2.0
-    w157 = w156 * c37
-    w158 = w14 / 2.0
-    w159 = w158 * c38
-    w160 = w156 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w156 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
-    w161 = w158 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w158 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
-    w162 = w51 / 2.0
-    w163 = w52 / 2.0
-    w164 = w58 / 2.0
-    w165 = w57 / 2.0
-    w166 = w164 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w164 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
-    w167 = w165 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0 - w165 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
-    w168 = hinge0_angle_dot / 2.0
-    w169 = w168**2
-    w170 = w1 * w169
-    w171 = w170 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w170 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
-    w172 = w3 * w169
-    w173 = w172 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0 - w172 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0
-    w174 = (hinge1_angle_dot / 2.0)**2
-    w175 = w7 * w174
-    w176 = w6 * w174
-    w177 = w154 * hinge1_angle_dot
-    w178 = w155 * hinge1_angle_dot
-    w179 = bar1_e0_dot * w177 + bar1_e3_dot * w178
-    w180 = w178 * bar1_e2_dot - w177 * bar1_e1_dot
-    w181 = w177 * bar1_e2_dot + w178 * bar1_e1_dot
-    w182 = bar1_e0_dot * w178 - w177 * bar1_e3_dot
-    w183 = w69 * bar1_e0_dot + w75 * bar1_e1_dot + w9 * bar1_e2_dot + w72 * bar1_e3_dot
-    w184 = w72 * bar1_e0_dot + w9 * bar1_e1_dot + w70 * bar1_e2_dot + w79 * bar1_e3_dot
-    w185 = w11 * w184 - w8 * w183
-    w186 = w70 * bar1_e0_dot + w69 * bar1_e1_dot + w10 * bar1_e2_dot + w9 * bar1_e3_dot
-    w187 = w8 * w186 - w12 * w184
-    w188 = w12 * w183 - w11 * w186
-    w189 = hinge2_angle_dot / 2.0
-    w190 = w189**2
-    w191 = w14 * w190
-    w192 = w189 * (w14 * w189) * c37
-    w193 = w191 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w191 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
-    w194 = w16 * w190
-    w195 = w189 * (w16 * w189) * c38
-    w196 = w194 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0 - w194 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
-    w197 = w156 * hinge2_angle_dot
-    w198 = w197 * c37
-    w199 = w158 * hinge2_angle_dot
-    w200 = w199 * c38
-    w201 = w197 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w197 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
-    w202 = w199 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w199 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
-    w203 = bar2_e0_dot * w198 + (bar2_e1_dot * w200 + bar2_e2_dot * w201 + bar2_e3_dot * w202)
-    w204 = bar2_e0_dot * w200 - w198 * bar2_e1_dot + (bar2_e2_dot * w202 - w201 * bar2_e3_dot)
-    w205 = bar2_e0_dot * w201 - w198 * bar2_e2_dot + (w200 * bar2_e3_dot - bar2_e1_dot * w202)
-    w206 = bar2_e0_dot * w202 - w198 * bar2_e3_dot + (bar2_e1_dot * w201 - w200 * bar2_e2_dot)
-    w207 = w84 * bar2_e0_dot + w90 * bar2_e1_dot + w21 * bar2_e2_dot + w87 * bar2_e3_dot
-    w208 = w87 * bar2_e0_dot + w21 * bar2_e1_dot + w85 * bar2_e2_dot + w24 * bar2_e3_dot
-    w209 = w23 * w208 - w22 * w207
-    w210 = w85 * bar2_e0_dot + w84 * bar2_e1_dot + w20 * bar2_e2_dot + w21 * bar2_e3_dot
-    w211 = w22 * w210 - w25 * w208
-    w212 = w25 * w207 - w23 * w210
-    w213 = w94 * bar3_e0_dot + w118 * bar3_e1_dot + w26 * bar3_e2_dot + w97 * bar3_e3_dot
-    w214 = w97 * bar3_e0_dot + w26 * bar3_e1_dot + w95 * bar3_e2_dot + w32 * bar3_e3_dot
-    w215 = w34 * w214 - w31 * w213
-    w216 = w95 * bar3_e0_dot + w94 * bar3_e1_dot + w28 * bar3_e2_dot + w26 * bar3_e3_dot
-    w217 = w31 * w216 - w37 * w214
-    w218 = w37 * w213 - w34 * w216
-    w219 = w125 * bar4_e0_dot + w134 * bar4_e1_dot + w41 * bar4_e2_dot + w123 * bar4_e3_dot
-    w220 = w123 * bar4_e0_dot + w41 * bar4_e1_dot + w127 * bar4_e2_dot + w48 * bar4_e3_dot
-    w221 = w46 * w220 - w43 * w219
-    w222 = w127 * bar4_e0_dot + w125 * bar4_e1_dot + w39 * bar4_e2_dot + w41 * bar4_e3_dot
-    w223 = w43 * w222 - w49 * w220
-    w224 = w219 * w221 - w222 * w223
-    w225 = w49 * w219 - w46 * w222
-    w226 = w222 * w225 - w220 * w221
-    w227 = w220 * w223 - w219 * w225
-    w228 = w44 * w214 - w38 * w213
-    w229 = w38 * w216 - w47 * w214
-    w230 = w47 * w213 - w44 * w216
-    w231 = w38 * w224 + w44 * w226 + w47 * w227 + w43 * (w213 * w228 - w216 * w229) + w46 * (w216 * w230 - w214 * w228)
-    w232 = w231 + w49 * (w214 * w229 - w213 * w230) + w225 * (2 * w230) + w223 * (2 * w229) + w221 * (2 * w228)
-    w233 = w30 * w213 - w33 * w214
-    w234 = w36 * w214 - w30 * w216
-    w235 = w33 * w216 - w36 * w213
-    w236 = w43 * (w213 * w233 - w216 * w234) - (w30 * w224 + w33 * w226 + w36 * w227) + w46 * (w216 * w235 - w214 * w233)
-    w237 = w236 + w49 * (w214 * w234 - w213 * w235) + w225 * (2 * w235) + w223 * (2 * w234) + w221 * (2 * w233)
-    w238 = w162 * hinge4_angle_dot
-    w239 = w163 * hinge4_angle_dot
-    w240 = bar5_e3_dot * w238 - bar5_e0_dot * w239
-    w241 = (hinge4_angle_dot / 2.0)**2
-    w242 = w51 * w241
-    w243 = w52 * w241
-    w244 = w239 * bar5_e1_dot + w238 * bar5_e2_dot
-    w245 = w238 * bar5_e1_dot - w239 * bar5_e2_dot
-    w246 = w238 * bar5_e0_dot + bar5_e3_dot * w239
-    w247 = w54 * w220 - w53 * w219
-    w248 = w53 * w222 - w55 * w220
-    w249 = w55 * w219 - w54 * w222
-    w250 = hinge5_angle_dot / 2.0
-    w251 = w250**2
-    w252 = w57 * w251
-    w253 = w58 * w251
-    w254 = w252 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w252 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
-    w255 = w253 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0 - w253 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0
-    w256 = w139 * bar5_e0_dot + w146 * bar5_e1_dot + w62 * bar5_e2_dot + w142 * bar5_e3_dot
-    w257 = w142 * bar5_e0_dot + w62 * bar5_e1_dot + w140 * bar5_e2_dot + w65 * bar5_e3_dot
-    w258 = w64 * w257 - w63 * w256
-    w259 = w140 * bar5_e0_dot + w139 * bar5_e1_dot + w61 * bar5_e2_dot + w62 * bar5_e3_dot
-    w260 = w63 * w259 - w66 * w257
-    w261 = w66 * w256 - w64 * w259
+    w151 = w1 / 2.0
+    w152 = w7 / 2.0
+    w153 = w6 / 2.0
+    w154 = w16 / 2.0
+    w155 = w154 * c37
+    w156 = w14 / 2.0
+    w157 = w156 * c38
+    w158 = w154 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w154 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w159 = w156 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w156 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
+    w160 = w51 / 2.0
+    w161 = w52 / 2.0
+    w162 = w58 / 2.0
+    w163 = w57 / 2.0
+    w164 = hinge0_angle_dot / 2.0
+    w165 = w164**2
+    w166 = w1 * w165
+    w167 = w166 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w166 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
+    w168 = w3 * w165
+    w169 = w168 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0 - w168 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0
+    w170 = (hinge1_angle_dot / 2.0)**2
+    w171 = w7 * w170
+    w172 = w6 * w170
+    w173 = w152 * hinge1_angle_dot
+    w174 = w153 * hinge1_angle_dot
+    w175 = bar1_e0_dot * w173 + bar1_e3_dot * w174
+    w176 = w174 * bar1_e2_dot - w173 * bar1_e1_dot
+    w177 = w173 * bar1_e2_dot + w174 * bar1_e1_dot
+    w178 = bar1_e0_dot * w174 - w173 * bar1_e3_dot
+    w179 = w69 * bar1_e0_dot + w75 * bar1_e1_dot + w9 * bar1_e2_dot + w72 * bar1_e3_dot
+    w180 = w72 * bar1_e0_dot + w9 * bar1_e1_dot + w70 * bar1_e2_dot + w79 * bar1_e3_dot
+    w181 = w11 * w180 - w8 * w179
+    w182 = w70 * bar1_e0_dot + w69 * bar1_e1_dot + w10 * bar1_e2_dot + w9 * bar1_e3_dot
+    w183 = w8 * w182 - w12 * w180
+    w184 = w12 * w179 - w11 * w182
+    w185 = hinge2_angle_dot / 2.0
+    w186 = w185**2
+    w187 = w14 * w186
+    w188 = w185 * (w14 * w185) * c37
+    w189 = w187 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w187 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w190 = w16 * w186
+    w191 = w185 * (w16 * w185) * c38
+    w192 = w190 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0 - w190 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
+    w193 = w154 * hinge2_angle_dot
+    w194 = w193 * c37
+    w195 = w156 * hinge2_angle_dot
+    w196 = w195 * c38
+    w197 = w193 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w193 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w198 = w195 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w195 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
+    w199 = bar2_e0_dot * w194 + (bar2_e1_dot * w196 + bar2_e2_dot * w197 + bar2_e3_dot * w198)
+    w200 = bar2_e0_dot * w196 - w194 * bar2_e1_dot + (bar2_e2_dot * w198 - w197 * bar2_e3_dot)
+    w201 = bar2_e0_dot * w197 - w194 * bar2_e2_dot + (w196 * bar2_e3_dot - bar2_e1_dot * w198)
+    w202 = bar2_e0_dot * w198 - w194 * bar2_e3_dot + (bar2_e1_dot * w197 - w196 * bar2_e2_dot)
+    w203 = w84 * bar2_e0_dot + w90 * bar2_e1_dot + w21 * bar2_e2_dot + w87 * bar2_e3_dot
+    w204 = w87 * bar2_e0_dot + w21 * bar2_e1_dot + w85 * bar2_e2_dot + w24 * bar2_e3_dot
+    w205 = w23 * w204 - w22 * w203
+    w206 = w85 * bar2_e0_dot + w84 * bar2_e1_dot + w20 * bar2_e2_dot + w21 * bar2_e3_dot
+    w207 = w22 * w206 - w25 * w204
+    w208 = w25 * w203 - w23 * w206
+    w209 = w94 * bar3_e0_dot + w118 * bar3_e1_dot + w26 * bar3_e2_dot + w97 * bar3_e3_dot
+    w210 = w97 * bar3_e0_dot + w26 * bar3_e1_dot + w95 * bar3_e2_dot + w32 * bar3_e3_dot
+    w211 = w34 * w210 - w31 * w209
+    w212 = w95 * bar3_e0_dot + w94 * bar3_e1_dot + w28 * bar3_e2_dot + w26 * bar3_e3_dot
+    w213 = w31 * w212 - w37 * w210
+    w214 = w37 * w209 - w34 * w212
+    w215 = w125 * bar4_e0_dot + w134 * bar4_e1_dot + w41 * bar4_e2_dot + w123 * bar4_e3_dot
+    w216 = w123 * bar4_e0_dot + w41 * bar4_e1_dot + w127 * bar4_e2_dot + w48 * bar4_e3_dot
+    w217 = w46 * w216 - w43 * w215
+    w218 = w127 * bar4_e0_dot + w125 * bar4_e1_dot + w39 * bar4_e2_dot + w41 * bar4_e3_dot
+    w219 = w43 * w218 - w49 * w216
+    w220 = w215 * w217 - w218 * w219
+    w221 = w49 * w215 - w46 * w218
+    w222 = w218 * w221 - w216 * w217
+    w223 = w216 * w219 - w215 * w221
+    w224 = w44 * w210 - w38 * w209
+    w225 = w38 * w212 - w47 * w210
+    w226 = w47 * w209 - w44 * w212
+    w227 = w30 * w209 - w33 * w210
+    w228 = w36 * w210 - w30 * w212
+    w229 = w33 * w212 - w36 * w209
+    w230 = w160 * hinge4_angle_dot
+    w231 = w161 * hinge4_angle_dot
+    w232 = bar5_e3_dot * w230 - bar5_e0_dot * w231
+    w233 = (hinge4_angle_dot / 2.0)**2
+    w234 = w51 * w233
+    w235 = w52 * w233
+    w236 = w231 * bar5_e1_dot + w230 * bar5_e2_dot
+    w237 = w230 * bar5_e1_dot - w231 * bar5_e2_dot
+    w238 = w230 * bar5_e0_dot + bar5_e3_dot * w231
+    w239 = w54 * w216 - w53 * w215
+    w240 = w53 * w218 - w55 * w216
+    w241 = w55 * w215 - w54 * w218
+    w242 = hinge5_angle_dot / 2.0
+    w243 = w242**2
+    w244 = w57 * w243
+    w245 = w58 * w243
+    w246 = w244 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w244 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
+    w247 = w245 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0 - w245 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0
+    w248 = w139 * bar5_e0_dot + w146 * bar5_e1_dot + w62 * bar5_e2_dot + w142 * bar5_e3_dot
+    w249 = w142 * bar5_e0_dot + w62 * bar5_e1_dot + w140 * bar5_e2_dot + w65 * bar5_e3_dot
+    w250 = w64 * w249 - w63 * w248
+    w251 = w140 * bar5_e0_dot + w139 * bar5_e1_dot + w61 * bar5_e2_dot + w62 * bar5_e3_dot
+    w252 = w63 * w251 - w66 * w249
+    w253 = w66 * w248 - w64 * w251
+    w254 = w150 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0 - w150 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0
+    w255 = w151 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0 - w151 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0
+    w256 = w162 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0 - w162 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0
+    w257 = w163 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0 - w163 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0
+    w258 = (w212 * w225 - w209 * w224) * w43 - (w38 * w220 + w44 * w222 + w47 * w223) - w46 * (w212 * w226 - w210 * w224)
+    w259 = w258 - w49 * (w210 * w225 - w209 * w226) - w221 * (2 * w226) - w219 * (2 * w225) - w217 * (2 * w224)
+    w260 = w30 * w220 + w33 * w222 + w36 * w223 - w43 * (w209 * w227 - w212 * w228) - w46 * (w212 * w229 - w210 * w227)
+    w261 = w260 - w49 * (w210 * w228 - w209 * w229) - w221 * (2 * w229) - w219 * (2 * w228) - w217 * (2 * w227)
     # outputs
     C = ca.vertcat(
         bar1_e0 - w1 * c30,  # hinge0.e0
@@ -1928,13 +1933,13 @@ def constraints() -> ca.Function:
     C_q[0, 35] = w150 * c30
     # hinge0.e1
     C_q[1, 4] = 1.0
-    C_q[1, 35] = -w151
+    C_q[1, 35] = w254
     # hinge0.e2
     C_q[2, 5] = 1.0
-    C_q[2, 35] = w152 * c31
+    C_q[2, 35] = w151 * c31
     # hinge0.e3
     C_q[3, 6] = 1.0
-    C_q[3, 35] = -w153
+    C_q[3, 35] = w255
     # hinge0.x
     C_q[4, 0] = 1.0
     # hinge0.y
@@ -1945,42 +1950,42 @@ def constraints() -> ca.Function:
     C_q[7, 3] = w67
     C_q[7, 6] = w7
     C_q[7, 10] = 1.0
-    C_q[7, 36] = bar1_e0 * w154 + bar1_e3 * w155
+    C_q[7, 36] = bar1_e0 * w152 + bar1_e3 * w153
     # hinge1.e1
     C_q[8, 4] = w67
     C_q[8, 5] = w68
     C_q[8, 11] = 1.0
-    C_q[8, 36] = -(bar1_e2 * w155 - bar1_e1 * w154)
+    C_q[8, 36] = bar1_e1 * w152 - bar1_e2 * w153
     # hinge1.e2
     C_q[9, 4] = w7
     C_q[9, 5] = w67
     C_q[9, 12] = 1.0
-    C_q[9, 36] = bar1_e2 * w154 + bar1_e1 * w155
+    C_q[9, 36] = bar1_e2 * w152 + bar1_e1 * w153
     # hinge1.e3
     C_q[10, 3] = w68
     C_q[10, 6] = w67
     C_q[10, 13] = 1.0
-    C_q[10, 36] = -(bar1_e0 * w155 - bar1_e3 * w154)
+    C_q[10, 36] = bar1_e3 * w152 - bar1_e0 * w153
     # hinge1.x
     C_q[11, 0] = -1.0
-    C_q[11, 3] = -(w12 * w69 - w71)
-    C_q[11, 4] = -(w12 * w75 - w11 * w69)
-    C_q[11, 5] = -(w76 - w10 * w11)
-    C_q[11, 6] = -(w73 - w77)
+    C_q[11, 3] = w71 - w12 * w69
+    C_q[11, 4] = w11 * w69 - w12 * w75
+    C_q[11, 5] = w10 * w11 - w76
+    C_q[11, 6] = w77 - w73
     C_q[11, 7] = 1.0
     # hinge1.y
     C_q[12, 1] = -1.0
-    C_q[12, 3] = -(w8 * w70 - w73)
-    C_q[12, 4] = -(w74 - w76)
-    C_q[12, 5] = -(w8 * w10 - w12 * w70)
-    C_q[12, 6] = -(w78 - w12 * w79)
+    C_q[12, 3] = w73 - w8 * w70
+    C_q[12, 4] = w76 - w74
+    C_q[12, 5] = w12 * w70 - w8 * w10
+    C_q[12, 6] = w12 * w79 - w78
     C_q[12, 8] = 1.0
     # hinge1.z
     C_q[13, 2] = -1.0
-    C_q[13, 3] = -(w11 * w72 - w74)
-    C_q[13, 4] = -(w77 - w8 * w75)
-    C_q[13, 5] = -(w71 - w78)
-    C_q[13, 6] = -(w11 * w79 - w8 * w72)
+    C_q[13, 3] = w74 - w11 * w72
+    C_q[13, 4] = w8 * w75 - w77
+    C_q[13, 5] = w78 - w71
+    C_q[13, 6] = w8 * w72 - w11 * w79
     C_q[13, 9] = 1.0
     # hinge2.e0
     C_q[14, 10] = w80
@@ -1988,69 +1993,69 @@ def constraints() -> ca.Function:
     C_q[14, 12] = w18
     C_q[14, 13] = w19
     C_q[14, 17] = 1.0
-    C_q[14, 37] = bar2_e0 * w157 + (bar2_e1 * w159 + bar2_e2 * w160 + bar2_e3 * w161)
+    C_q[14, 37] = bar2_e0 * w155 + (bar2_e1 * w157 + bar2_e2 * w158 + bar2_e3 * w159)
     # hinge2.e1
     C_q[15, 10] = w81
     C_q[15, 11] = w80
     C_q[15, 12] = w83
     C_q[15, 13] = w18
     C_q[15, 18] = 1.0
-    C_q[15, 37] = -(bar2_e0 * w159 - bar2_e1 * w157 + (bar2_e2 * w161 - bar2_e3 * w160))
+    C_q[15, 37] = bar2_e1 * w155 - bar2_e0 * w157 - (bar2_e2 * w159 - bar2_e3 * w158)
     # hinge2.e2
     C_q[16, 10] = w82
     C_q[16, 11] = w19
     C_q[16, 12] = w80
     C_q[16, 13] = w81
     C_q[16, 19] = 1.0
-    C_q[16, 37] = -(bar2_e0 * w160 - bar2_e2 * w157 + (bar2_e3 * w159 - bar2_e1 * w161))
+    C_q[16, 37] = bar2_e2 * w155 - bar2_e0 * w158 - (bar2_e3 * w157 - bar2_e1 * w159)
     # hinge2.e3
     C_q[17, 10] = w83
     C_q[17, 11] = w82
     C_q[17, 12] = w17
     C_q[17, 13] = w80
     C_q[17, 20] = 1.0
-    C_q[17, 37] = -(bar2_e0 * w161 - bar2_e3 * w157 + (bar2_e1 * w160 - bar2_e2 * w159))
+    C_q[17, 37] = bar2_e3 * w155 - bar2_e0 * w159 - (bar2_e1 * w158 - bar2_e2 * w157)
     # hinge2.x
     C_q[18, 7] = -1.0
-    C_q[18, 10] = -(w25 * w84 - w86)
-    C_q[18, 11] = -(w25 * w90 - w23 * w84)
-    C_q[18, 12] = -(w91 - w20 * w23)
-    C_q[18, 13] = -(w88 - w92)
+    C_q[18, 10] = w86 - w25 * w84
+    C_q[18, 11] = w23 * w84 - w25 * w90
+    C_q[18, 12] = w20 * w23 - w91
+    C_q[18, 13] = w92 - w88
     C_q[18, 14] = 1.0
     # hinge2.y
     C_q[19, 8] = -1.0
-    C_q[19, 10] = -(w22 * w85 - w88)
-    C_q[19, 11] = -(w89 - w91)
-    C_q[19, 12] = -(w20 * w22 - w25 * w85)
-    C_q[19, 13] = -(w93 - w24 * w25)
+    C_q[19, 10] = w88 - w22 * w85
+    C_q[19, 11] = w91 - w89
+    C_q[19, 12] = w25 * w85 - w20 * w22
+    C_q[19, 13] = w24 * w25 - w93
     C_q[19, 15] = 1.0
     # hinge2.z
     C_q[20, 9] = -1.0
-    C_q[20, 10] = -(w23 * w87 - w89)
-    C_q[20, 11] = -(w92 - w22 * w90)
-    C_q[20, 12] = -(w86 - w93)
-    C_q[20, 13] = -(w23 * w24 - w22 * w87)
+    C_q[20, 10] = w89 - w23 * w87
+    C_q[20, 11] = w22 * w90 - w92
+    C_q[20, 12] = w93 - w86
+    C_q[20, 13] = w22 * w87 - w23 * w24
     C_q[20, 16] = 1.0
     # hinge3.x
     C_q[21, 14] = -1.0
-    C_q[21, 17] = -(w37 * w94 - w96)
-    C_q[21, 18] = -(w37 * w118 - w34 * w94)
-    C_q[21, 19] = -(w119 - w28 * w34)
-    C_q[21, 20] = -(w98 - w120)
+    C_q[21, 17] = w96 - w37 * w94
+    C_q[21, 18] = w34 * w94 - w37 * w118
+    C_q[21, 19] = w28 * w34 - w119
+    C_q[21, 20] = w120 - w98
     C_q[21, 21] = 1.0
     # hinge3.y
     C_q[22, 15] = -1.0
-    C_q[22, 17] = -(w31 * w95 - w98)
-    C_q[22, 18] = -(w99 - w119)
-    C_q[22, 19] = -(w28 * w31 - w37 * w95)
-    C_q[22, 20] = -(w121 - w32 * w37)
+    C_q[22, 17] = w98 - w31 * w95
+    C_q[22, 18] = w119 - w99
+    C_q[22, 19] = w37 * w95 - w28 * w31
+    C_q[22, 20] = w32 * w37 - w121
     C_q[22, 22] = 1.0
     # hinge3.z
     C_q[23, 16] = -1.0
-    C_q[23, 17] = -(w34 * w97 - w99)
-    C_q[23, 18] = -(w120 - w31 * w118)
-    C_q[23, 19] = -(w96 - w121)
-    C_q[23, 20] = -(w32 * w34 - w31 * w97)
+    C_q[23, 17] = w99 - w34 * w97
+    C_q[23, 18] = w31 * w118 - w120
+    C_q[23, 19] = w121 - w96
+    C_q[23, 20] = w31 * w97 - w32 * w34
     C_q[23, 23] = 1.0
     # hinge3.parallel_x
     C_q[24, 17] = w97 * w102 + w94 * w105 + w95 * w108
@@ -2074,116 +2079,116 @@ def constraints() -> ca.Function:
     C_q[26, 24] = 1.0
     C_q[26, 31] = w138
     C_q[26, 34] = w145
-    C_q[26, 38] = -(bar5_e3 * w162 - bar5_e0 * w163)
+    C_q[26, 38] = bar5_e0 * w161 - bar5_e3 * w160
     # hinge4.e1
     C_q[27, 25] = 1.0
     C_q[27, 32] = w138
     C_q[27, 33] = w52
-    C_q[27, 38] = bar5_e1 * w163 + bar5_e2 * w162
+    C_q[27, 38] = bar5_e1 * w161 + bar5_e2 * w160
     # hinge4.e2
     C_q[28, 26] = 1.0
     C_q[28, 32] = w145
     C_q[28, 33] = w138
-    C_q[28, 38] = -(bar5_e1 * w162 - bar5_e2 * w163)
+    C_q[28, 38] = bar5_e2 * w161 - bar5_e1 * w160
     # hinge4.e3
     C_q[29, 27] = 1.0
     C_q[29, 31] = w52
     C_q[29, 34] = w138
-    C_q[29, 38] = bar5_e0 * w162 + bar5_e3 * w163
+    C_q[29, 38] = bar5_e0 * w160 + bar5_e3 * w161
     # hinge4.x
     C_q[30, 21] = -1.0
-    C_q[30, 24] = -(w55 * w125 - w131)
-    C_q[30, 25] = -(w55 * w134 - w54 * w125)
-    C_q[30, 26] = -(w135 - w39 * w54)
-    C_q[30, 27] = -(w132 - w136)
+    C_q[30, 24] = w131 - w55 * w125
+    C_q[30, 25] = w54 * w125 - w55 * w134
+    C_q[30, 26] = w39 * w54 - w135
+    C_q[30, 27] = w136 - w132
     C_q[30, 28] = 1.0
     # hinge4.y
     C_q[31, 22] = -1.0
-    C_q[31, 24] = -(w53 * w127 - w132)
-    C_q[31, 25] = -(w133 - w135)
-    C_q[31, 26] = -(w39 * w53 - w55 * w127)
-    C_q[31, 27] = -(w137 - w48 * w55)
+    C_q[31, 24] = w132 - w53 * w127
+    C_q[31, 25] = w135 - w133
+    C_q[31, 26] = w55 * w127 - w39 * w53
+    C_q[31, 27] = w48 * w55 - w137
     C_q[31, 29] = 1.0
     # hinge4.z
     C_q[32, 23] = -1.0
-    C_q[32, 24] = -(w54 * w123 - w133)
-    C_q[32, 25] = -(w136 - w53 * w134)
-    C_q[32, 26] = -(w131 - w137)
-    C_q[32, 27] = -(w48 * w54 - w53 * w123)
+    C_q[32, 24] = w133 - w54 * w123
+    C_q[32, 25] = w53 * w134 - w136
+    C_q[32, 26] = w137 - w131
+    C_q[32, 27] = w53 * w123 - w48 * w54
     C_q[32, 30] = 1.0
     # hinge5.e0
     C_q[33, 31] = 1.0
-    C_q[33, 39] = w164 * c44
+    C_q[33, 39] = w162 * c44
     # hinge5.e1
     C_q[34, 32] = 1.0
-    C_q[34, 39] = w165 * c43
+    C_q[34, 39] = w163 * c43
     # hinge5.e2
     C_q[35, 33] = 1.0
-    C_q[35, 39] = -w166
+    C_q[35, 39] = w256
     # hinge5.e3
     C_q[36, 34] = 1.0
-    C_q[36, 39] = -w167
+    C_q[36, 39] = w257
     # hinge5.x
     C_q[37, 28] = -1.0
-    C_q[37, 31] = -(w66 * w139 - w141)
-    C_q[37, 32] = -(w66 * w146 - w64 * w139)
-    C_q[37, 33] = -(w147 - w61 * w64)
-    C_q[37, 34] = -(w143 - w148)
+    C_q[37, 31] = w141 - w66 * w139
+    C_q[37, 32] = w64 * w139 - w66 * w146
+    C_q[37, 33] = w61 * w64 - w147
+    C_q[37, 34] = w148 - w143
     # hinge5.y
     C_q[38, 29] = -1.0
-    C_q[38, 31] = -(w63 * w140 - w143)
-    C_q[38, 32] = -(w144 - w147)
-    C_q[38, 33] = -(w61 * w63 - w66 * w140)
-    C_q[38, 34] = -(w149 - w65 * w66)
+    C_q[38, 31] = w143 - w63 * w140
+    C_q[38, 32] = w147 - w144
+    C_q[38, 33] = w66 * w140 - w61 * w63
+    C_q[38, 34] = w65 * w66 - w149
     # hinge5.z
     C_q[39, 30] = -1.0
-    C_q[39, 31] = -(w64 * w142 - w144)
-    C_q[39, 32] = -(w148 - w63 * w146)
-    C_q[39, 33] = -(w141 - w149)
-    C_q[39, 34] = -(w64 * w65 - w63 * w142)
+    C_q[39, 31] = w144 - w64 * w142
+    C_q[39, 32] = w63 * w146 - w148
+    C_q[39, 33] = w149 - w141
+    C_q[39, 34] = w63 * w142 - w64 * w65
     C_t = ca.SX(40, 1)
     nu = ca.SX(40, 1)
     gamma = ca.vertcat(
-        w168 * (w1 * w168) * c45,  # hinge0.e0
-        w171,  # hinge0.e1
-        w168 * (w3 * w168) * c31,  # hinge0.e2
-        w173,  # hinge0.e3
+        w164 * (w1 * w164) * c46,  # hinge0.e0
+        w167,  # hinge0.e1
+        w164 * (w3 * w164) * c31,  # hinge0.e2
+        w169,  # hinge0.e3
         0.0,  # hinge0.x
         0.0,  # hinge0.y
         0.0,  # hinge0.z
-        bar1_e3 * w175 - bar1_e0 * w176 - w179 - w179,  # hinge1.e0
-        w180 + (w180 - (bar1_e1 * w176 + bar1_e2 * w175)),  # hinge1.e1
-        bar1_e1 * w175 - bar1_e2 * w176 - w181 - w181,  # hinge1.e2
-        w182 + (w182 - (bar1_e0 * w175 + bar1_e3 * w176)),  # hinge1.e3
-        w183 * w185 - w186 * w187,  # hinge1.x
-        w186 * w188 - w184 * w185,  # hinge1.y
-        w184 * w187 - w183 * w188,  # hinge1.z
-        -(w203 + (bar2_e0 * w192 + (bar2_e2 * w193 - bar2_e1 * w195 + bar2_e3 * w196) + w203)),  # hinge2.e0
-        w204 + (bar2_e2 * w196 - bar2_e3 * w193 - (bar2_e0 * w195 + bar2_e1 * w192) + w204),  # hinge2.e1
-        w205 + (bar2_e0 * w193 - bar2_e2 * w192 - (bar2_e3 * w195 + bar2_e1 * w196) + w205),  # hinge2.e2
-        w206 + (bar2_e0 * w196 - bar2_e3 * w192 + (bar2_e1 * w193 + bar2_e2 * w195) + w206),  # hinge2.e3
-        w207 * w209 - w210 * w211,  # hinge2.x
-        w210 * w212 - w208 * w209,  # hinge2.y
-        w208 * w211 - w207 * w212,  # hinge2.z
-        w213 * w215 - w216 * w217,  # hinge3.x
-        w216 * w218 - w214 * w215,  # hinge3.y
-        w214 * w217 - w213 * w218,  # hinge3.z
-        -w232,  # hinge3.parallel_x
-        -w237,  # hinge3.parallel_y
-        w240 + (w240 - (bar5_e0 * w242 + bar5_e3 * w243)),  # hinge4.e0
-        bar5_e2 * w243 - bar5_e1 * w242 - w244 - w244,  # hinge4.e1
-        w245 + (w245 - (bar5_e2 * w242 + bar5_e1 * w243)),  # hinge4.e2
-        bar5_e0 * w243 - bar5_e3 * w242 - w246 - w246,  # hinge4.e3
-        w219 * w247 - w222 * w248,  # hinge4.x
-        w222 * w249 - w220 * w247,  # hinge4.y
-        w220 * w248 - w219 * w249,  # hinge4.z
-        w250 * (w57 * w250) * c46,  # hinge5.e0
-        w250 * (w58 * w250) * c43,  # hinge5.e1
-        w254,  # hinge5.e2
-        w255,  # hinge5.e3
-        w256 * w258 - w259 * w260,  # hinge5.x
-        w259 * w261 - w257 * w258,  # hinge5.y
-        w257 * w260 - w256 * w261,  # hinge5.z
+        bar1_e3 * w171 - bar1_e0 * w172 - w175 - w175,  # hinge1.e0
+        w176 + (w176 - (bar1_e1 * w172 + bar1_e2 * w171)),  # hinge1.e1
+        bar1_e1 * w171 - bar1_e2 * w172 - w177 - w177,  # hinge1.e2
+        w178 + (w178 - (bar1_e0 * w171 + bar1_e3 * w172)),  # hinge1.e3
+        w179 * w181 - w182 * w183,  # hinge1.x
+        w182 * w184 - w180 * w181,  # hinge1.y
+        w180 * w183 - w179 * w184,  # hinge1.z
+        bar2_e1 * w191 - bar2_e2 * w189 - bar2_e3 * w192 - bar2_e0 * w188 - w199 - w199,  # hinge2.e0
+        w200 + (bar2_e2 * w192 - bar2_e3 * w189 - (bar2_e0 * w191 + bar2_e1 * w188) + w200),  # hinge2.e1
+        w201 + (bar2_e0 * w189 - bar2_e2 * w188 - (bar2_e3 * w191 + bar2_e1 * w192) + w201),  # hinge2.e2
+        w202 + (bar2_e0 * w192 - bar2_e3 * w188 + (bar2_e1 * w189 + bar2_e2 * w191) + w202),  # hinge2.e3
+        w203 * w205 - w206 * w207,  # hinge2.x
+        w206 * w208 - w204 * w205,  # hinge2.y
+        w204 * w207 - w203 * w208,  # hinge2.z
+        w209 * w211 - w212 * w213,  # hinge3.x
+        w212 * w214 - w210 * w211,  # hinge3.y
+        w210 * w213 - w209 * w214,  # hinge3.z
+        w259,  # hinge3.parallel_x
+        w261,  # hinge3.parallel_y
+        w232 + (w232 - (bar5_e0 * w234 + bar5_e3 * w235)),  # hinge4.e0
+        bar5_e2 * w235 - bar5_e1 * w234 - w236 - w236,  # hinge4.e1
+        w237 + (w237 - (bar5_e2 * w234 + bar5_e1 * w235)),  # hinge4.e2
+        bar5_e0 * w235 - bar5_e3 * w234 - w238 - w238,  # hinge4.e3
+        w215 * w239 - w218 * w240,  # hinge4.x
+        w218 * w241 - w216 * w239,  # hinge4.y
+        w216 * w240 - w215 * w241,  # hinge4.z
+        w242 * (w57 * w242) * c47,  # hinge5.e0
+        w242 * (w58 * w242) * c43,  # hinge5.e1
+        w246,  # hinge5.e2
+        w247,  # hinge5.e3
+        w248 * w250 - w251 * w252,  # hinge5.x
+        w251 * w253 - w249 * w250,  # hinge5.y
+        w249 * w252 - w248 * w253,  # hinge5.z
     )
     inputs, outputs = [q, q_dot, c], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
     return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
@@ -2194,7 +2199,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
-    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 40 x 40) [SI]: mass matrix in all coordinates
     gives K (n x n = 40 x 40) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 40) [N, N m]: quadratic velocity force in all coordinates
@@ -2202,11 +2207,11 @@ def augmented() -> ca.Function:
     gives Q_star (n = 40) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 40 x 40) [SI]: constraint Jacobian
     gives gamma_b (n_c = 40) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    7075 operations.
+    7001 operations.
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
-    c = ca.SX.sym("c", 125)
+    c = ca.SX.sym("c", 127)
     bar1_e0 = q[3]
     bar1_e1 = q[4]
     bar1_e2 = q[5]
@@ -2286,23 +2291,22 @@ def augmented() -> ca.Function:
     bar5_end_quaternion_3_0_0 = c[42]
     c43 = c[43]
     c44 = c[44]
-    c45 = c[45]
     c46 = c[46]
-    bar3_mass = c[47]
-    bar2_mass = c[48]
-    c49 = c[49]
+    c47 = c[47]
+    bar3_mass = c[48]
+    bar2_mass = c[49]
     c50 = c[50]
     c51 = c[51]
     c52 = c[52]
-    bar1_mass = c[53]
-    c54 = c[54]
+    c53 = c[53]
+    bar1_mass = c[54]
     c55 = c[55]
     c56 = c[56]
-    bar4_mass = c[57]
-    c58 = c[58]
+    c57 = c[57]
+    bar4_mass = c[58]
     c59 = c[59]
-    bar5_mass = c[60]
-    c61 = c[61]
+    c60 = c[60]
+    bar5_mass = c[61]
     c62 = c[62]
     c63 = c[63]
     c64 = c[64]
@@ -2359,6 +2363,7 @@ def augmented() -> ca.Function:
     c115 = c[115]
     c116 = c[116]
     c117 = c[117]
+    c118 = c[118]
     # intermediate terms (623)
     w0 = bar1_e2 * -2.0
     w1 = 2 * bar1_e1
@@ -2366,12 +2371,12 @@ def augmented() -> ca.Function:
     w3 = 2 * bar1_e0
     w4 = bar1_e2 * w3
     w5 = w2 - w4
-    w6 = w5 * c65
+    w6 = w5 * c66
     w7 = bar1_e3 * -2.0
     w8 = bar1_e3 * w3
     w9 = bar1_e2 * w1
     w10 = w8 + w9
-    w11 = w10 * c65
+    w11 = w10 * c66
     w12 = w7 * w11
     w13 = w0 * w6 - w12
     w14 = 2 * bar1_e3
@@ -2385,7 +2390,7 @@ def augmented() -> ca.Function:
     w22 = 2 * bar1_e2**2
     w23 = 2 * bar1_e3**2
     w24 = 1.0 - w22 - w23
-    w25 = w24 * c65
+    w25 = w24 * c66
     w26 = w7 * w25 - w19
     w27 = w0 * w25
     w28 = w27 - w16
@@ -2397,30 +2402,30 @@ def augmented() -> ca.Function:
     w34 = w20 - w14 * w25
     w35 = w12 - w30
     w36 = w11 * w31 - w18 * w25
-    w37 = w3 * c67
-    w38 = w18 * w37 + bar1_e2 * bar1_e3 * c70
-    w39 = w3 * c68
-    w40 = w18 * c69
-    w41 = w0 * w39 + bar1_e1 * bar1_e3 * c71
-    w42 = w0 * c67
-    w43 = w1 * c68
-    w44 = w3 * c69
-    w45 = bar1_e2 * bar1_e1 * c72 + w7 * w44
-    w46 = bar1_e3 * bar1_e0 * c73 + w31 * w40
-    w47 = w7 * w43 + bar1_e2 * bar1_e0 * c74
-    w48 = w14 * w42 + bar1_e1 * bar1_e0 * c75
+    w37 = w3 * c68
+    w38 = w18 * w37 + bar1_e2 * bar1_e3 * c71
+    w39 = w3 * c69
+    w40 = w18 * c70
+    w41 = w0 * w39 + bar1_e1 * bar1_e3 * c72
+    w42 = w0 * c68
+    w43 = w1 * c69
+    w44 = w3 * c70
+    w45 = bar1_e2 * bar1_e1 * c73 + w7 * w44
+    w46 = bar1_e3 * bar1_e0 * c74 + w31 * w40
+    w47 = w7 * w43 + bar1_e2 * bar1_e0 * c75
+    w48 = w14 * w42 + bar1_e1 * bar1_e0 * c76
     w49 = bar2_e2 * -2.0
     w50 = 2 * bar2_e0
     w51 = w50 * bar2_e1
     w52 = 2 * bar2_e2
     w53 = w52 * bar2_e3
     w54 = w51 + w53
-    w55 = w54 * c52
+    w55 = w54 * c53
     w56 = bar2_e3 * -2.0
     w57 = 1.0 - 2 * bar2_e1**2
     w58 = 2 * bar2_e3**2
     w59 = w57 - w58
-    w60 = w59 * c52
+    w60 = w59 * c53
     w61 = w56 * w60
     w62 = w49 * w55 - w61
     w63 = 2 * bar2_e3
@@ -2435,7 +2440,7 @@ def augmented() -> ca.Function:
     w72 = bar2_e2 * w66
     w73 = w50 * bar2_e3
     w74 = w72 - w73
-    w75 = w74 * c52
+    w75 = w74 * c53
     w76 = w56 * w75 - w69
     w77 = w49 * w75
     w78 = w77 - w65
@@ -2446,18 +2451,18 @@ def augmented() -> ca.Function:
     w83 = w70 - w63 * w75
     w84 = w61 - w80
     w85 = w52 * w60 - w68 * w75
-    w86 = w50 * c76
-    w87 = w68 * w86 + bar2_e2 * bar2_e3 * c79
-    w88 = w50 * c77
-    w89 = w68 * c78
-    w90 = w49 * w88 + bar2_e1 * bar2_e3 * c80
-    w91 = w49 * c76
-    w92 = w66 * c77
-    w93 = w50 * c78
-    w94 = bar2_e2 * bar2_e1 * c81 + w56 * w93
-    w95 = bar2_e0 * bar2_e3 * c82 + w52 * w89
-    w96 = w56 * w92 + bar2_e2 * bar2_e0 * c83
-    w97 = w63 * w91 + bar2_e0 * bar2_e1 * c84
+    w86 = w50 * c77
+    w87 = w68 * w86 + bar2_e2 * bar2_e3 * c80
+    w88 = w50 * c78
+    w89 = w68 * c79
+    w90 = w49 * w88 + bar2_e1 * bar2_e3 * c81
+    w91 = w49 * c77
+    w92 = w66 * c78
+    w93 = w50 * c79
+    w94 = bar2_e2 * bar2_e1 * c82 + w56 * w93
+    w95 = bar2_e0 * bar2_e3 * c83 + w52 * w89
+    w96 = w56 * w92 + bar2_e2 * bar2_e0 * c84
+    w97 = w63 * w91 + bar2_e0 * bar2_e1 * c85
     w98 = bar3_e2 * -2.0
     w99 = 1.0 - 2 * bar3_e1**2
     w100 = 2 * bar3_e2**2
@@ -2496,29 +2501,29 @@ def augmented() -> ca.Function:
     w133 = w110 - w129
     w134 = w104 * w109 - w117 * w124
     w135 = w106 * c22
-    w136 = w117 * w135 + bar3_e2 * bar3_e3 * c87
-    w137 = w106 * c85
-    w138 = w117 * c86
-    w139 = w98 * w137 + bar3_e1 * bar3_e3 * c88
+    w136 = w117 * w135 + bar3_e2 * bar3_e3 * c88
+    w137 = w106 * c86
+    w138 = w117 * c87
+    w139 = w98 * w137 + bar3_e1 * bar3_e3 * c89
     w140 = w98 * c22
-    w141 = w115 * c85
-    w142 = w106 * c86
-    w143 = bar3_e2 * bar3_e1 * c89 + w103 * w142
-    w144 = bar3_e3 * bar3_e0 * c90 + w104 * w138
-    w145 = w103 * w141 + bar3_e2 * bar3_e0 * c91
-    w146 = w112 * w140 + bar3_e1 * bar3_e0 * c92
+    w141 = w115 * c86
+    w142 = w106 * c87
+    w143 = bar3_e2 * bar3_e1 * c90 + w103 * w142
+    w144 = bar3_e3 * bar3_e0 * c91 + w104 * w138
+    w145 = w103 * w141 + bar3_e2 * bar3_e0 * c92
+    w146 = w112 * w140 + bar3_e1 * bar3_e0 * c93
     w147 = bar4_e2 * -2.0
     w148 = 2 * bar4_e1
     w149 = w148 * bar4_e3
     w150 = 2 * bar4_e0
     w151 = bar4_e2 * w150
     w152 = w149 - w151
-    w153 = w152 * c59
+    w153 = w152 * c60
     w154 = bar4_e3 * -2.0
     w155 = bar4_e3 * w150
     w156 = bar4_e2 * w148
     w157 = w155 + w156
-    w158 = w157 * c59
+    w158 = w157 * c60
     w159 = w154 * w158
     w160 = w147 * w153 - w159
     w161 = 2 * bar4_e3
@@ -2532,7 +2537,7 @@ def augmented() -> ca.Function:
     w169 = 2 * bar4_e2**2
     w170 = 2 * bar4_e3**2
     w171 = 1.0 - w169 - w170
-    w172 = w171 * c59
+    w172 = w171 * c60
     w173 = w154 * w172 - w166
     w174 = w147 * w172
     w175 = w174 - w163
@@ -2544,30 +2549,30 @@ def augmented() -> ca.Function:
     w181 = w167 - w161 * w172
     w182 = w159 - w177
     w183 = w158 * w178 - w165 * w172
-    w184 = w150 * c93
-    w185 = w165 * w184 + bar4_e2 * bar4_e3 * c96
-    w186 = w150 * c94
-    w187 = w165 * c95
-    w188 = w147 * w186 + bar4_e1 * bar4_e3 * c97
-    w189 = w147 * c93
-    w190 = w148 * c94
-    w191 = w150 * c95
-    w192 = bar4_e2 * bar4_e1 * c98 + w154 * w191
-    w193 = bar4_e3 * bar4_e0 * c99 + w178 * w187
-    w194 = w154 * w190 + bar4_e2 * bar4_e0 * c100
-    w195 = w161 * w189 + bar4_e1 * bar4_e0 * c101
+    w184 = w150 * c94
+    w185 = w165 * w184 + bar4_e2 * bar4_e3 * c97
+    w186 = w150 * c95
+    w187 = w165 * c96
+    w188 = w147 * w186 + bar4_e1 * bar4_e3 * c98
+    w189 = w147 * c94
+    w190 = w148 * c95
+    w191 = w150 * c96
+    w192 = bar4_e2 * bar4_e1 * c99 + w154 * w191
+    w193 = bar4_e3 * bar4_e0 * c100 + w178 * w187
+    w194 = w154 * w190 + bar4_e2 * bar4_e0 * c101
+    w195 = w161 * w189 + bar4_e1 * bar4_e0 * c102
     w196 = bar5_e2 * -2.0
     w197 = 2 * bar5_e0
     w198 = w197 * bar5_e1
     w199 = 2 * bar5_e2
     w200 = w199 * bar5_e3
     w201 = w198 + w200
-    w202 = w201 * c62
+    w202 = w201 * c63
     w203 = bar5_e3 * -2.0
     w204 = 1.0 - 2 * bar5_e1**2
     w205 = 2 * bar5_e3**2
     w206 = w204 - w205
-    w207 = w206 * c62
+    w207 = w206 * c63
     w208 = w203 * w207
     w209 = w196 * w202 - w208
     w210 = 2 * bar5_e3
@@ -2582,7 +2587,7 @@ def augmented() -> ca.Function:
     w219 = bar5_e2 * w213
     w220 = w197 * bar5_e3
     w221 = w219 - w220
-    w222 = w221 * c62
+    w222 = w221 * c63
     w223 = w203 * w222 - w216
     w224 = w196 * w222
     w225 = w224 - w212
@@ -2593,26 +2598,26 @@ def augmented() -> ca.Function:
     w230 = w217 - w210 * w222
     w231 = w208 - w227
     w232 = w199 * w207 - w215 * w222
-    w233 = w197 * c102
-    w234 = w215 * w233 + bar5_e2 * bar5_e3 * c106
-    w235 = w197 * c104
-    w236 = w215 * c105
-    w237 = w196 * w235 + bar5_e1 * bar5_e3 * c107
-    w238 = w196 * c102
-    w239 = w213 * c104
-    w240 = w197 * c105
-    w241 = bar5_e2 * bar5_e1 * c108 + w203 * w240
-    w242 = bar5_e0 * bar5_e3 * c109 + w199 * w236
-    w243 = w203 * w239 + bar5_e2 * bar5_e0 * c110
-    w244 = w210 * w238 + bar5_e0 * bar5_e1 * c111
+    w233 = w197 * c103
+    w234 = w215 * w233 + bar5_e2 * bar5_e3 * c107
+    w235 = w197 * c105
+    w236 = w215 * c106
+    w237 = w196 * w235 + bar5_e1 * bar5_e3 * c108
+    w238 = w196 * c103
+    w239 = w213 * c105
+    w240 = w197 * c106
+    w241 = bar5_e2 * bar5_e1 * c109 + w203 * w240
+    w242 = bar5_e0 * bar5_e3 * c110 + w199 * w236
+    w243 = w203 * w239 + bar5_e2 * bar5_e0 * c111
+    w244 = w210 * w238 + bar5_e0 * bar5_e1 * c112
     w245 = w7 * bar1_e0_dot
     w246 = w3 * bar1_e3_dot
     w247 = w245 + w31 * bar1_e1_dot + w18 * bar1_e2_dot + w246
-    w248 = w247 * c65
+    w248 = w247 * c66
     w249 = w0 * bar1_e0_dot
     w250 = w3 * bar1_e2_dot
     w251 = w249 + w7 * bar1_e1_dot + w250 + w1 * bar1_e3_dot
-    w252 = w251 * c65
+    w252 = w251 * c66
     w253 = w247 * w248 + w251 * w252
     w254 = w18 * bar1_e0_dot + w3 * bar1_e1_dot
     w255 = w254 + w14 * bar1_e2_dot + w0 * bar1_e3_dot
@@ -2624,10 +2629,10 @@ def augmented() -> ca.Function:
     w261 = bar1_e1 * w3
     w262 = w10 * w253 - w256 * (w259 - w23) - w257 * (w260 - w261)
     w263 = w5 * w253 - w256 * (w260 + w261) - w257 * (w259 - w22)
-    w264 = w247 * c55
-    w265 = w251 * c66
+    w264 = w247 * c56
+    w265 = w251 * c67
     w266 = w251 * w264 - w247 * w265
-    w267 = w255 * c54
+    w267 = w255 * c55
     w268 = w247 * w267 - w255 * w264
     w269 = w255 * w265 - w251 * w267
     w270 = w18 * w266 + w0 * w268 + w7 * w269
@@ -2636,11 +2641,11 @@ def augmented() -> ca.Function:
     w273 = w0 * w266 + w1 * w268 + w3 * w269
     w274 = w68 * bar2_e0_dot + w50 * bar2_e1_dot
     w275 = w274 + w63 * bar2_e2_dot + w49 * bar2_e3_dot
-    w276 = w275 * c52
+    w276 = w275 * c53
     w277 = w56 * bar2_e0_dot
     w278 = w50 * bar2_e3_dot
     w279 = w277 + w52 * bar2_e1_dot + w68 * bar2_e2_dot + w278
-    w280 = w279 * c52
+    w280 = w279 * c53
     w281 = w275 * w276 + w279 * w280
     w282 = 2 * bar2_e2**2
     w283 = w49 * bar2_e0_dot
@@ -2653,10 +2658,10 @@ def augmented() -> ca.Function:
     w290 = w74 * w281 - (1.0 - w282 - w58) * w286 - (w287 + w288) * w289
     w291 = w59 * w281 - w286 * (w72 + w73) - w289 * (w53 - w51)
     w292 = w54 * w281 - w286 * (w288 - w287) - w289 * (w57 - w282)
-    w293 = w279 * c56
-    w294 = w285 * c49
+    w293 = w279 * c57
+    w294 = w285 * c50
     w295 = w285 * w293 - w279 * w294
-    w296 = w275 * c50
+    w296 = w275 * c51
     w297 = w279 * w296 - w275 * w293
     w298 = w275 * w294 - w285 * w296
     w299 = w68 * w295 + w49 * w297 + w56 * w298
@@ -2688,7 +2693,7 @@ def augmented() -> ca.Function:
     w325 = w315 * c0
     w326 = w305 * c1
     w327 = w305 * w325 - w315 * w326
-    w328 = w308 * c51
+    w328 = w308 * c52
     w329 = w315 * w328 - w308 * w325
     w330 = w308 * w326 - w305 * w328
     w331 = w117 * w327 + w98 * w329 + w103 * w330
@@ -2698,11 +2703,11 @@ def augmented() -> ca.Function:
     w335 = w154 * bar4_e0_dot
     w336 = w150 * bar4_e3_dot
     w337 = w335 + w178 * bar4_e1_dot + w165 * bar4_e2_dot + w336
-    w338 = w337 * c59
+    w338 = w337 * c60
     w339 = w147 * bar4_e0_dot
     w340 = w150 * bar4_e2_dot
     w341 = w339 + w154 * bar4_e1_dot + w340 + w148 * bar4_e3_dot
-    w342 = w341 * c59
+    w342 = w341 * c60
     w343 = w337 * w338 + w341 * w342
     w344 = w156 - w155
     w345 = w165 * bar4_e0_dot + w150 * bar4_e1_dot
@@ -2717,10 +2722,10 @@ def augmented() -> ca.Function:
     w354 = w157 * w343 - w347 * w351 - w348 * (w352 - w353)
     w355 = w352 + w353
     w356 = w152 * w343 - w347 * w355 - w348 * (w350 - w169)
-    w357 = w337 * c64
+    w357 = w337 * c65
     w358 = w341 * c16
     w359 = w341 * w357 - w337 * w358
-    w360 = w346 * c58
+    w360 = w346 * c59
     w361 = w337 * w360 - w346 * w357
     w362 = w346 * w358 - w341 * w360
     w363 = w165 * w359 + w147 * w361 + w154 * w362
@@ -2729,11 +2734,11 @@ def augmented() -> ca.Function:
     w366 = w147 * w359 + w148 * w361 + w150 * w362
     w367 = w215 * bar5_e0_dot + w197 * bar5_e1_dot
     w368 = w367 + w210 * bar5_e2_dot + w196 * bar5_e3_dot
-    w369 = w368 * c62
+    w369 = w368 * c63
     w370 = w203 * bar5_e0_dot
     w371 = w197 * bar5_e3_dot
     w372 = w370 + w199 * bar5_e1_dot + w215 * bar5_e2_dot + w371
-    w373 = w372 * c62
+    w373 = w372 * c63
     w374 = w368 * w369 + w372 * w373
     w375 = 2 * bar5_e2**2
     w376 = w196 * bar5_e0_dot
@@ -2746,10 +2751,10 @@ def augmented() -> ca.Function:
     w383 = w221 * w374 - (1.0 - w375 - w205) * w379 - (w380 + w381) * w382
     w384 = w206 * w374 - w379 * (w219 + w220) - w382 * (w200 - w198)
     w385 = w201 * w374 - w379 * (w381 - w380) - w382 * (w204 - w375)
-    w386 = w372 * c63
-    w387 = w378 * c61
+    w386 = w372 * c64
+    w387 = w378 * c62
     w388 = w378 * w386 - w372 * w387
-    w389 = w368 * c103
+    w389 = w368 * c104
     w390 = w372 * w389 - w368 * w386
     w391 = w368 * w387 - w378 * w389
     w392 = w215 * w388 + w196 * w390 + w203 * w391
@@ -2792,7 +2797,7 @@ def augmented() -> ca.Function:
     w429 = w3 * w424
     w430 = hinge2_angle / 2.0
     w431 = ca.cos(w430)
-    w432 = w431 * c117
+    w432 = w431 * c118
     w433 = ca.sin(w430)
     w434 = w433 * c38
     w435 = -w434
@@ -2868,121 +2873,121 @@ def augmented() -> ca.Function:
     w505 = hinge0_angle / 2.0
     w506 = ca.sin(w505)
     w507 = w506 / 2.0
-    w508 = w507 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w507 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
-    w509 = ca.cos(w505)
-    w510 = w509 / 2.0
-    w511 = w510 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0 - w510 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
-    w512 = w419 / 2.0
-    w513 = w417 / 2.0
-    w514 = w433 / 2.0
-    w515 = w514 * c37
-    w516 = w431 / 2.0
-    w517 = w516 * c38
-    w518 = w514 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w514 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
-    w519 = w516 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w516 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
-    w520 = w492 / 2.0
-    w521 = w494 / 2.0
-    w522 = hinge5_angle / 2.0
-    w523 = ca.sin(w522)
+    w508 = ca.cos(w505)
+    w509 = w508 / 2.0
+    w510 = w419 / 2.0
+    w511 = w417 / 2.0
+    w512 = w433 / 2.0
+    w513 = w512 * c37
+    w514 = w431 / 2.0
+    w515 = w514 * c38
+    w516 = w512 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w512 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w517 = w514 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w514 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
+    w518 = w492 / 2.0
+    w519 = w494 / 2.0
+    w520 = hinge5_angle / 2.0
+    w521 = ca.sin(w520)
+    w522 = w521 / 2.0
+    w523 = ca.cos(w520)
     w524 = w523 / 2.0
-    w525 = ca.cos(w522)
-    w526 = w525 / 2.0
-    w527 = w524 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w524 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
-    w528 = w526 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0 - w526 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
-    w529 = hinge0_angle_dot / 2.0
-    w530 = w529**2
-    w531 = w509 * w530
-    w532 = w531 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w531 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
-    w533 = w506 * w530
-    w534 = w533 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0 - w533 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0
-    w535 = (hinge1_angle_dot / 2.0)**2
-    w536 = w419 * w535
-    w537 = w417 * w535
-    w538 = w512 * hinge1_angle_dot
-    w539 = w513 * hinge1_angle_dot
-    w540 = bar1_e0_dot * w538 + bar1_e3_dot * w539
-    w541 = bar1_e2_dot * w539 - bar1_e1_dot * w538
-    w542 = bar1_e2_dot * w538 + bar1_e1_dot * w539
-    w543 = bar1_e0_dot * w539 - bar1_e3_dot * w538
-    w544 = w250 + (w249 + w14 * bar1_e1_dot) + w18 * bar1_e3_dot
-    w545 = w254 + w7 * bar1_e2_dot + w31 * bar1_e3_dot
-    w546 = w422 * w545 - w424 * w544
-    w547 = w246 + (w245 + w0 * bar1_e1_dot + w1 * bar1_e2_dot)
-    w548 = w424 * w547 - w421 * w545
-    w549 = w421 * w544 - w422 * w547
-    w550 = hinge2_angle_dot / 2.0
-    w551 = w550**2
-    w552 = w431 * w551
-    w553 = w550 * (w431 * w550) * c37
-    w554 = w552 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w552 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
-    w555 = w433 * w551
-    w556 = w550 * (w433 * w550) * c38
-    w557 = w555 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0 - w555 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
-    w558 = w514 * hinge2_angle_dot
-    w559 = w558 * c37
-    w560 = w516 * hinge2_angle_dot
-    w561 = w560 * c38
-    w562 = w558 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w558 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
-    w563 = w560 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w560 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
-    w564 = bar2_e0_dot * w559 + (bar2_e1_dot * w561 + bar2_e2_dot * w562 + bar2_e3_dot * w563)
-    w565 = bar2_e0_dot * w561 - bar2_e1_dot * w559 + (bar2_e2_dot * w563 - bar2_e3_dot * w562)
-    w566 = bar2_e0_dot * w562 - bar2_e2_dot * w559 + (bar2_e3_dot * w561 - bar2_e1_dot * w563)
-    w567 = bar2_e0_dot * w563 - bar2_e3_dot * w559 + (bar2_e1_dot * w562 - bar2_e2_dot * w561)
-    w568 = w284 + (w283 + w63 * bar2_e1_dot) + w68 * bar2_e3_dot
-    w569 = w274 + w56 * bar2_e2_dot + w52 * bar2_e3_dot
-    w570 = w441 * w569 - w443 * w568
-    w571 = w278 + (w277 + w49 * bar2_e1_dot + w66 * bar2_e2_dot)
-    w572 = w443 * w571 - w440 * w569
-    w573 = w440 * w568 - w441 * w571
-    w574 = w304 + (w303 + w112 * bar3_e1_dot) + w117 * bar3_e3_dot
-    w575 = w307 + w103 * bar3_e2_dot + w104 * bar3_e3_dot
-    w576 = w450 * w575 - w452 * w574
-    w577 = w314 + (w313 + w98 * bar3_e1_dot + w115 * bar3_e2_dot)
-    w578 = w452 * w577 - w449 * w575
-    w579 = w449 * w574 - w450 * w577
-    w580 = w340 + (w339 + w161 * bar4_e1_dot) + w165 * bar4_e3_dot
-    w581 = w345 + w154 * bar4_e2_dot + w178 * bar4_e3_dot
-    w582 = w351 * w581 - w344 * w580
-    w583 = w336 + (w335 + w147 * bar4_e1_dot + w148 * bar4_e2_dot)
-    w584 = w344 * w583 - w355 * w581
-    w585 = w580 * w582 - w583 * w584
-    w586 = w355 * w580 - w351 * w583
-    w587 = w583 * w586 - w581 * w582
-    w588 = w581 * w584 - w580 * w586
-    w589 = w321 * w575 - w312 * w574
-    w590 = w312 * w577 - w323 * w575
-    w591 = w323 * w574 - w321 * w577
-    w592 = w312 * w585 + w321 * w587 + w323 * w588 + w344 * (w574 * w589 - w577 * w590) + w351 * (w577 * w591 - w575 * w589)
-    w593 = w592 + w355 * (w575 * w590 - w574 * w591) + w586 * (2 * w591) + w584 * (2 * w590) + w582 * (2 * w589)
-    w594 = w123 * w574 - w108 * w575
-    w595 = w101 * w575 - w123 * w577
-    w596 = w108 * w577 - w101 * w574
-    w597 = w344 * (w574 * w594 - w577 * w595) - (w123 * w585 + w108 * w587 + w101 * w588) + w351 * (w577 * w596 - w575 * w594)
-    w598 = w597 + w355 * (w575 * w595 - w574 * w596) + w586 * (2 * w596) + w584 * (2 * w595) + w582 * (2 * w594)
-    w599 = w520 * hinge4_angle_dot
-    w600 = w521 * hinge4_angle_dot
-    w601 = bar5_e3_dot * w599 - bar5_e0_dot * w600
-    w602 = (hinge4_angle_dot / 2.0)**2
-    w603 = w492 * w602
-    w604 = w494 * w602
-    w605 = bar5_e1_dot * w600 + bar5_e2_dot * w599
-    w606 = bar5_e1_dot * w599 - bar5_e2_dot * w600
-    w607 = bar5_e0_dot * w599 + bar5_e3_dot * w600
-    w608 = w483 * w581 - w485 * w580
-    w609 = w485 * w583 - w482 * w581
-    w610 = w482 * w580 - w483 * w583
-    w611 = hinge5_angle_dot / 2.0
-    w612 = w611**2
-    w613 = w525 * w612
-    w614 = w523 * w612
-    w615 = w613 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w613 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
-    w616 = w614 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0 - w614 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0
-    w617 = w377 + (w376 + w210 * bar5_e1_dot) + w215 * bar5_e3_dot
-    w618 = w367 + w203 * bar5_e2_dot + w199 * bar5_e3_dot
-    w619 = w496 * w618 - w498 * w617
-    w620 = w371 + (w370 + w196 * bar5_e1_dot + w213 * bar5_e2_dot)
-    w621 = w498 * w620 - w495 * w618
-    w622 = w495 * w617 - w496 * w620
+    w525 = hinge0_angle_dot / 2.0
+    w526 = w525**2
+    w527 = w508 * w526
+    w528 = w527 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w527 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
+    w529 = w506 * w526
+    w530 = w529 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0 - w529 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0
+    w531 = (hinge1_angle_dot / 2.0)**2
+    w532 = w419 * w531
+    w533 = w417 * w531
+    w534 = w510 * hinge1_angle_dot
+    w535 = w511 * hinge1_angle_dot
+    w536 = bar1_e0_dot * w534 + bar1_e3_dot * w535
+    w537 = bar1_e2_dot * w535 - bar1_e1_dot * w534
+    w538 = bar1_e2_dot * w534 + bar1_e1_dot * w535
+    w539 = bar1_e0_dot * w535 - bar1_e3_dot * w534
+    w540 = w250 + (w249 + w14 * bar1_e1_dot) + w18 * bar1_e3_dot
+    w541 = w254 + w7 * bar1_e2_dot + w31 * bar1_e3_dot
+    w542 = w422 * w541 - w424 * w540
+    w543 = w246 + (w245 + w0 * bar1_e1_dot + w1 * bar1_e2_dot)
+    w544 = w424 * w543 - w421 * w541
+    w545 = w421 * w540 - w422 * w543
+    w546 = hinge2_angle_dot / 2.0
+    w547 = w546**2
+    w548 = w431 * w547
+    w549 = w546 * (w431 * w546) * c37
+    w550 = w548 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w548 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w551 = w433 * w547
+    w552 = w546 * (w433 * w546) * c38
+    w553 = w551 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0 - w551 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
+    w554 = w512 * hinge2_angle_dot
+    w555 = w554 * c37
+    w556 = w514 * hinge2_angle_dot
+    w557 = w556 * c38
+    w558 = w554 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w554 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w559 = w556 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w556 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
+    w560 = bar2_e0_dot * w555 + (bar2_e1_dot * w557 + bar2_e2_dot * w558 + bar2_e3_dot * w559)
+    w561 = bar2_e0_dot * w557 - bar2_e1_dot * w555 + (bar2_e2_dot * w559 - bar2_e3_dot * w558)
+    w562 = bar2_e0_dot * w558 - bar2_e2_dot * w555 + (bar2_e3_dot * w557 - bar2_e1_dot * w559)
+    w563 = bar2_e0_dot * w559 - bar2_e3_dot * w555 + (bar2_e1_dot * w558 - bar2_e2_dot * w557)
+    w564 = w284 + (w283 + w63 * bar2_e1_dot) + w68 * bar2_e3_dot
+    w565 = w274 + w56 * bar2_e2_dot + w52 * bar2_e3_dot
+    w566 = w441 * w565 - w443 * w564
+    w567 = w278 + (w277 + w49 * bar2_e1_dot + w66 * bar2_e2_dot)
+    w568 = w443 * w567 - w440 * w565
+    w569 = w440 * w564 - w441 * w567
+    w570 = w304 + (w303 + w112 * bar3_e1_dot) + w117 * bar3_e3_dot
+    w571 = w307 + w103 * bar3_e2_dot + w104 * bar3_e3_dot
+    w572 = w450 * w571 - w452 * w570
+    w573 = w314 + (w313 + w98 * bar3_e1_dot + w115 * bar3_e2_dot)
+    w574 = w452 * w573 - w449 * w571
+    w575 = w449 * w570 - w450 * w573
+    w576 = w340 + (w339 + w161 * bar4_e1_dot) + w165 * bar4_e3_dot
+    w577 = w345 + w154 * bar4_e2_dot + w178 * bar4_e3_dot
+    w578 = w351 * w577 - w344 * w576
+    w579 = w336 + (w335 + w147 * bar4_e1_dot + w148 * bar4_e2_dot)
+    w580 = w344 * w579 - w355 * w577
+    w581 = w576 * w578 - w579 * w580
+    w582 = w355 * w576 - w351 * w579
+    w583 = w579 * w582 - w577 * w578
+    w584 = w577 * w580 - w576 * w582
+    w585 = w321 * w571 - w312 * w570
+    w586 = w312 * w573 - w323 * w571
+    w587 = w323 * w570 - w321 * w573
+    w588 = w123 * w570 - w108 * w571
+    w589 = w101 * w571 - w123 * w573
+    w590 = w108 * w573 - w101 * w570
+    w591 = w518 * hinge4_angle_dot
+    w592 = w519 * hinge4_angle_dot
+    w593 = bar5_e3_dot * w591 - bar5_e0_dot * w592
+    w594 = (hinge4_angle_dot / 2.0)**2
+    w595 = w492 * w594
+    w596 = w494 * w594
+    w597 = bar5_e1_dot * w592 + bar5_e2_dot * w591
+    w598 = bar5_e1_dot * w591 - bar5_e2_dot * w592
+    w599 = bar5_e0_dot * w591 + bar5_e3_dot * w592
+    w600 = w483 * w577 - w485 * w576
+    w601 = w485 * w579 - w482 * w577
+    w602 = w482 * w576 - w483 * w579
+    w603 = hinge5_angle_dot / 2.0
+    w604 = w603**2
+    w605 = w523 * w604
+    w606 = w521 * w604
+    w607 = w605 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w605 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
+    w608 = w606 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0 - w606 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0
+    w609 = w377 + (w376 + w210 * bar5_e1_dot) + w215 * bar5_e3_dot
+    w610 = w367 + w203 * bar5_e2_dot + w199 * bar5_e3_dot
+    w611 = w496 * w610 - w498 * w609
+    w612 = w371 + (w370 + w196 * bar5_e1_dot + w213 * bar5_e2_dot)
+    w613 = w498 * w612 - w495 * w610
+    w614 = w495 * w609 - w496 * w612
+    w615 = w507 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0 - w507 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0
+    w616 = w509 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0 - w509 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0
+    w617 = w522 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0 - w522 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0
+    w618 = w524 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0 - w524 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0
+    w619 = (w573 * w586 - w570 * w585) * w344 - (w312 * w581 + w321 * w583 + w323 * w584) - w351 * (w573 * w587 - w571 * w585)
+    w620 = w619 - w355 * (w571 * w586 - w570 * w587) - w582 * (2 * w587) - w580 * (2 * w586) - w578 * (2 * w585)
+    w621 = w123 * w581 + w108 * w583 + w101 * w584 - w344 * (w570 * w588 - w573 * w589) - w351 * (w573 * w590 - w571 * w588)
+    w622 = w621 - w355 * (w571 * w589 - w570 * w590) - w582 * (2 * w590) - w580 * (2 * w589) - w578 * (2 * w588)
     # outputs
     M = ca.SX(40, 40)
     # bar1.x
@@ -3007,7 +3012,7 @@ def augmented() -> ca.Function:
     M[3, 0] = w13
     M[3, 1] = w26
     M[3, 2] = w33
-    M[3, 3] = w18 * (w18 * c67) + w0 * (w0 * c68) + w7 * (w7 * c69)
+    M[3, 3] = w18 * (w18 * c68) + w0 * (w0 * c69) + w7 * (w7 * c70)
     M[3, 4] = w38
     M[3, 5] = w41
     M[3, 6] = w45
@@ -3016,7 +3021,7 @@ def augmented() -> ca.Function:
     M[4, 1] = w28
     M[4, 2] = w34
     M[4, 3] = w38
-    M[4, 4] = w3 * w37 + w7 * (w7 * c68) + w31 * (w31 * c69)
+    M[4, 4] = w3 * w37 + w7 * (w7 * c69) + w31 * (w31 * c70)
     M[4, 5] = w46
     M[4, 6] = w47
     # bar1.e2
@@ -3025,7 +3030,7 @@ def augmented() -> ca.Function:
     M[5, 2] = w35
     M[5, 3] = w41
     M[5, 4] = w46
-    M[5, 5] = w14 * (w14 * c67) + w3 * w39 + w18 * w40
+    M[5, 5] = w14 * (w14 * c68) + w3 * w39 + w18 * w40
     M[5, 6] = w48
     # bar1.e3
     M[6, 0] = w21
@@ -3057,7 +3062,7 @@ def augmented() -> ca.Function:
     M[10, 7] = w62
     M[10, 8] = w76
     M[10, 9] = w82
-    M[10, 10] = w68 * (w68 * c76) + w49 * (w49 * c77) + w56 * (w56 * c78)
+    M[10, 10] = w68 * (w68 * c77) + w49 * (w49 * c78) + w56 * (w56 * c79)
     M[10, 11] = w87
     M[10, 12] = w90
     M[10, 13] = w94
@@ -3066,7 +3071,7 @@ def augmented() -> ca.Function:
     M[11, 8] = w78
     M[11, 9] = w83
     M[11, 10] = w87
-    M[11, 11] = w50 * w86 + w56 * (w56 * c77) + w52 * (w52 * c78)
+    M[11, 11] = w50 * w86 + w56 * (w56 * c78) + w52 * (w52 * c79)
     M[11, 12] = w95
     M[11, 13] = w96
     # bar2.e2
@@ -3075,7 +3080,7 @@ def augmented() -> ca.Function:
     M[12, 9] = w84
     M[12, 10] = w90
     M[12, 11] = w95
-    M[12, 12] = w63 * (w63 * c76) + w50 * w88 + w68 * w89
+    M[12, 12] = w63 * (w63 * c77) + w50 * w88 + w68 * w89
     M[12, 13] = w97
     # bar2.e3
     M[13, 7] = w71
@@ -3107,7 +3112,7 @@ def augmented() -> ca.Function:
     M[17, 14] = w111
     M[17, 15] = w125
     M[17, 16] = w131
-    M[17, 17] = w117 * (w117 * c22) + w98 * (w98 * c85) + w103 * (w103 * c86)
+    M[17, 17] = w117 * (w117 * c22) + w98 * (w98 * c86) + w103 * (w103 * c87)
     M[17, 18] = w136
     M[17, 19] = w139
     M[17, 20] = w143
@@ -3116,7 +3121,7 @@ def augmented() -> ca.Function:
     M[18, 15] = w127
     M[18, 16] = w132
     M[18, 17] = w136
-    M[18, 18] = w106 * w135 + w103 * (w103 * c85) + w104 * (w104 * c86)
+    M[18, 18] = w106 * w135 + w103 * (w103 * c86) + w104 * (w104 * c87)
     M[18, 19] = w144
     M[18, 20] = w145
     # bar3.e2
@@ -3157,7 +3162,7 @@ def augmented() -> ca.Function:
     M[24, 21] = w160
     M[24, 22] = w173
     M[24, 23] = w180
-    M[24, 24] = w165 * (w165 * c93) + w147 * (w147 * c94) + w154 * (w154 * c95)
+    M[24, 24] = w165 * (w165 * c94) + w147 * (w147 * c95) + w154 * (w154 * c96)
     M[24, 25] = w185
     M[24, 26] = w188
     M[24, 27] = w192
@@ -3166,7 +3171,7 @@ def augmented() -> ca.Function:
     M[25, 22] = w175
     M[25, 23] = w181
     M[25, 24] = w185
-    M[25, 25] = w150 * w184 + w154 * (w154 * c94) + w178 * (w178 * c95)
+    M[25, 25] = w150 * w184 + w154 * (w154 * c95) + w178 * (w178 * c96)
     M[25, 26] = w193
     M[25, 27] = w194
     # bar4.e2
@@ -3175,7 +3180,7 @@ def augmented() -> ca.Function:
     M[26, 23] = w182
     M[26, 24] = w188
     M[26, 25] = w193
-    M[26, 26] = w161 * (w161 * c93) + w150 * w186 + w165 * w187
+    M[26, 26] = w161 * (w161 * c94) + w150 * w186 + w165 * w187
     M[26, 27] = w195
     # bar4.e3
     M[27, 21] = w168
@@ -3207,7 +3212,7 @@ def augmented() -> ca.Function:
     M[31, 28] = w209
     M[31, 29] = w223
     M[31, 30] = w229
-    M[31, 31] = w215 * (w215 * c102) + w196 * (w196 * c104) + w203 * (w203 * c105)
+    M[31, 31] = w215 * (w215 * c103) + w196 * (w196 * c105) + w203 * (w203 * c106)
     M[31, 32] = w234
     M[31, 33] = w237
     M[31, 34] = w241
@@ -3216,7 +3221,7 @@ def augmented() -> ca.Function:
     M[32, 29] = w225
     M[32, 30] = w230
     M[32, 31] = w234
-    M[32, 32] = w197 * w233 + w203 * (w203 * c104) + w199 * (w199 * c105)
+    M[32, 32] = w197 * w233 + w203 * (w203 * c105) + w199 * (w199 * c106)
     M[32, 33] = w242
     M[32, 34] = w243
     # bar5.e2
@@ -3225,7 +3230,7 @@ def augmented() -> ca.Function:
     M[33, 30] = w231
     M[33, 31] = w237
     M[33, 32] = w242
-    M[33, 33] = w210 * (w210 * c102) + w197 * w235 + w215 * w236
+    M[33, 33] = w210 * (w210 * c103) + w197 * w235 + w215 * w236
     M[33, 34] = w244
     # bar5.e3
     M[34, 28] = w218
@@ -3279,62 +3284,62 @@ def augmented() -> ca.Function:
         0.0,  # hinge5.angle
     )
     Q_F = ca.SX(40, 1)
-    Q_F[1] = c112  # bar1.y
+    Q_F[1] = c113  # bar1.y
     Q_F[3] = w396  # bar1.e0
     Q_F[4] = w397  # bar1.e1
     Q_F[5] = w398  # bar1.e2
     Q_F[6] = w399  # bar1.e3
-    Q_F[8] = c113  # bar2.y
+    Q_F[8] = c114  # bar2.y
     Q_F[10] = w400  # bar2.e0
     Q_F[11] = w401  # bar2.e1
     Q_F[12] = w402  # bar2.e2
     Q_F[13] = w403  # bar2.e3
-    Q_F[15] = c114  # bar3.y
+    Q_F[15] = c115  # bar3.y
     Q_F[17] = w404  # bar3.e0
     Q_F[18] = w405  # bar3.e1
     Q_F[19] = w406  # bar3.e2
     Q_F[20] = w407  # bar3.e3
-    Q_F[22] = c115  # bar4.y
+    Q_F[22] = c116  # bar4.y
     Q_F[24] = w408  # bar4.e0
     Q_F[25] = w409  # bar4.e1
     Q_F[26] = w410  # bar4.e2
     Q_F[27] = w411  # bar4.e3
-    Q_F[29] = c116  # bar5.y
+    Q_F[29] = c117  # bar5.y
     Q_F[31] = w412  # bar5.e0
     Q_F[32] = w413  # bar5.e1
     Q_F[33] = w414  # bar5.e2
     Q_F[34] = w415  # bar5.e3
     Q_star = ca.vertcat(
         w258,  # bar1.x
-        w262 + c112,  # bar1.y
+        w262 + c113,  # bar1.y
         w263,  # bar1.z
         w270 + w396,  # bar1.e0
         w271 + w397,  # bar1.e1
         w272 + w398,  # bar1.e2
         w273 + w399,  # bar1.e3
         w290,  # bar2.x
-        w291 + c113,  # bar2.y
+        w291 + c114,  # bar2.y
         w292,  # bar2.z
         w299 + w400,  # bar2.e0
         w300 + w401,  # bar2.e1
         w301 + w402,  # bar2.e2
         w302 + w403,  # bar2.e3
         w320,  # bar3.x
-        w322 + c114,  # bar3.y
+        w322 + c115,  # bar3.y
         w324,  # bar3.z
         w331 + w404,  # bar3.e0
         w332 + w405,  # bar3.e1
         w333 + w406,  # bar3.e2
         w334 + w407,  # bar3.e3
         w349,  # bar4.x
-        w354 + c115,  # bar4.y
+        w354 + c116,  # bar4.y
         w356,  # bar4.z
         w363 + w408,  # bar4.e0
         w364 + w409,  # bar4.e1
         w365 + w410,  # bar4.e2
         w366 + w411,  # bar4.e3
         w383,  # bar5.x
-        w384 + c116,  # bar5.y
+        w384 + c117,  # bar5.y
         w385,  # bar5.z
         w392 + w412,  # bar5.e0
         w393 + w413,  # bar5.e1
@@ -3352,13 +3357,13 @@ def augmented() -> ca.Function:
     C_q[0, 35] = w507 * c30
     # hinge0.e1
     C_q[1, 4] = 1.0
-    C_q[1, 35] = -w508
+    C_q[1, 35] = w615
     # hinge0.e2
     C_q[2, 5] = 1.0
-    C_q[2, 35] = w510 * c31
+    C_q[2, 35] = w509 * c31
     # hinge0.e3
     C_q[3, 6] = 1.0
-    C_q[3, 35] = -w511
+    C_q[3, 35] = w616
     # hinge0.x
     C_q[4, 0] = 1.0
     # hinge0.y
@@ -3369,42 +3374,42 @@ def augmented() -> ca.Function:
     C_q[7, 3] = w418
     C_q[7, 6] = w419
     C_q[7, 10] = 1.0
-    C_q[7, 36] = bar1_e0 * w512 + bar1_e3 * w513
+    C_q[7, 36] = bar1_e0 * w510 + bar1_e3 * w511
     # hinge1.e1
     C_q[8, 4] = w418
     C_q[8, 5] = w420
     C_q[8, 11] = 1.0
-    C_q[8, 36] = -(bar1_e2 * w513 - bar1_e1 * w512)
+    C_q[8, 36] = bar1_e1 * w510 - bar1_e2 * w511
     # hinge1.e2
     C_q[9, 4] = w419
     C_q[9, 5] = w418
     C_q[9, 12] = 1.0
-    C_q[9, 36] = bar1_e2 * w512 + bar1_e1 * w513
+    C_q[9, 36] = bar1_e2 * w510 + bar1_e1 * w511
     # hinge1.e3
     C_q[10, 3] = w420
     C_q[10, 6] = w418
     C_q[10, 13] = 1.0
-    C_q[10, 36] = -(bar1_e0 * w513 - bar1_e3 * w512)
+    C_q[10, 36] = bar1_e3 * w510 - bar1_e0 * w511
     # hinge1.x
     C_q[11, 0] = -1.0
-    C_q[11, 3] = -(w0 * w421 - w423)
-    C_q[11, 4] = -(w14 * w421 - w0 * w422)
-    C_q[11, 5] = -(w427 - w1 * w422)
-    C_q[11, 6] = -(w425 - w428)
+    C_q[11, 3] = w423 - w0 * w421
+    C_q[11, 4] = w0 * w422 - w14 * w421
+    C_q[11, 5] = w1 * w422 - w427
+    C_q[11, 6] = w428 - w425
     C_q[11, 7] = 1.0
     # hinge1.y
     C_q[12, 1] = -1.0
-    C_q[12, 3] = -(w7 * w424 - w425)
-    C_q[12, 4] = -(w426 - w427)
-    C_q[12, 5] = -(w1 * w424 - w7 * w421)
-    C_q[12, 6] = -(w429 - w31 * w421)
+    C_q[12, 3] = w425 - w7 * w424
+    C_q[12, 4] = w427 - w426
+    C_q[12, 5] = w7 * w421 - w1 * w424
+    C_q[12, 6] = w31 * w421 - w429
     C_q[12, 8] = 1.0
     # hinge1.z
     C_q[13, 2] = -1.0
-    C_q[13, 3] = -(w18 * w422 - w426)
-    C_q[13, 4] = -(w428 - w14 * w424)
-    C_q[13, 5] = -(w423 - w429)
-    C_q[13, 6] = -(w31 * w422 - w18 * w424)
+    C_q[13, 3] = w426 - w18 * w422
+    C_q[13, 4] = w14 * w424 - w428
+    C_q[13, 5] = w429 - w423
+    C_q[13, 6] = w18 * w424 - w31 * w422
     C_q[13, 9] = 1.0
     # hinge2.e0
     C_q[14, 10] = w432
@@ -3412,69 +3417,69 @@ def augmented() -> ca.Function:
     C_q[14, 12] = w436
     C_q[14, 13] = w438
     C_q[14, 17] = 1.0
-    C_q[14, 37] = bar2_e0 * w515 + (bar2_e1 * w517 + bar2_e2 * w518 + bar2_e3 * w519)
+    C_q[14, 37] = bar2_e0 * w513 + (bar2_e1 * w515 + bar2_e2 * w516 + bar2_e3 * w517)
     # hinge2.e1
     C_q[15, 10] = w435
     C_q[15, 11] = w432
     C_q[15, 12] = w439
     C_q[15, 13] = w436
     C_q[15, 18] = 1.0
-    C_q[15, 37] = -(bar2_e0 * w517 - bar2_e1 * w515 + (bar2_e2 * w519 - bar2_e3 * w518))
+    C_q[15, 37] = bar2_e1 * w513 - bar2_e0 * w515 - (bar2_e2 * w517 - bar2_e3 * w516)
     # hinge2.e2
     C_q[16, 10] = w437
     C_q[16, 11] = w438
     C_q[16, 12] = w432
     C_q[16, 13] = w435
     C_q[16, 19] = 1.0
-    C_q[16, 37] = -(bar2_e0 * w518 - bar2_e2 * w515 + (bar2_e3 * w517 - bar2_e1 * w519))
+    C_q[16, 37] = bar2_e2 * w513 - bar2_e0 * w516 - (bar2_e3 * w515 - bar2_e1 * w517)
     # hinge2.e3
     C_q[17, 10] = w439
     C_q[17, 11] = w437
     C_q[17, 12] = w434
     C_q[17, 13] = w432
     C_q[17, 20] = 1.0
-    C_q[17, 37] = -(bar2_e0 * w519 - bar2_e3 * w515 + (bar2_e1 * w518 - bar2_e2 * w517))
+    C_q[17, 37] = bar2_e3 * w513 - bar2_e0 * w517 - (bar2_e1 * w516 - bar2_e2 * w515)
     # hinge2.x
     C_q[18, 7] = -1.0
-    C_q[18, 10] = -(w49 * w440 - w442)
-    C_q[18, 11] = -(w63 * w440 - w49 * w441)
-    C_q[18, 12] = -(w446 - w66 * w441)
-    C_q[18, 13] = -(w444 - w447)
+    C_q[18, 10] = w442 - w49 * w440
+    C_q[18, 11] = w49 * w441 - w63 * w440
+    C_q[18, 12] = w66 * w441 - w446
+    C_q[18, 13] = w447 - w444
     C_q[18, 14] = 1.0
     # hinge2.y
     C_q[19, 8] = -1.0
-    C_q[19, 10] = -(w56 * w443 - w444)
-    C_q[19, 11] = -(w445 - w446)
-    C_q[19, 12] = -(w66 * w443 - w56 * w440)
-    C_q[19, 13] = -(w448 - w52 * w440)
+    C_q[19, 10] = w444 - w56 * w443
+    C_q[19, 11] = w446 - w445
+    C_q[19, 12] = w56 * w440 - w66 * w443
+    C_q[19, 13] = w52 * w440 - w448
     C_q[19, 15] = 1.0
     # hinge2.z
     C_q[20, 9] = -1.0
-    C_q[20, 10] = -(w68 * w441 - w445)
-    C_q[20, 11] = -(w447 - w63 * w443)
-    C_q[20, 12] = -(w442 - w448)
-    C_q[20, 13] = -(w52 * w441 - w68 * w443)
+    C_q[20, 10] = w445 - w68 * w441
+    C_q[20, 11] = w63 * w443 - w447
+    C_q[20, 12] = w448 - w442
+    C_q[20, 13] = w68 * w443 - w52 * w441
     C_q[20, 16] = 1.0
     # hinge3.x
     C_q[21, 14] = -1.0
-    C_q[21, 17] = -(w98 * w449 - w451)
-    C_q[21, 18] = -(w112 * w449 - w98 * w450)
-    C_q[21, 19] = -(w473 - w115 * w450)
-    C_q[21, 20] = -(w453 - w474)
+    C_q[21, 17] = w451 - w98 * w449
+    C_q[21, 18] = w98 * w450 - w112 * w449
+    C_q[21, 19] = w115 * w450 - w473
+    C_q[21, 20] = w474 - w453
     C_q[21, 21] = 1.0
     # hinge3.y
     C_q[22, 15] = -1.0
-    C_q[22, 17] = -(w103 * w452 - w453)
-    C_q[22, 18] = -(w454 - w473)
-    C_q[22, 19] = -(w115 * w452 - w103 * w449)
-    C_q[22, 20] = -(w475 - w104 * w449)
+    C_q[22, 17] = w453 - w103 * w452
+    C_q[22, 18] = w473 - w454
+    C_q[22, 19] = w103 * w449 - w115 * w452
+    C_q[22, 20] = w104 * w449 - w475
     C_q[22, 22] = 1.0
     # hinge3.z
     C_q[23, 16] = -1.0
-    C_q[23, 17] = -(w117 * w450 - w454)
-    C_q[23, 18] = -(w474 - w112 * w452)
-    C_q[23, 19] = -(w451 - w475)
-    C_q[23, 20] = -(w104 * w450 - w117 * w452)
+    C_q[23, 17] = w454 - w117 * w450
+    C_q[23, 18] = w112 * w452 - w474
+    C_q[23, 19] = w475 - w451
+    C_q[23, 20] = w117 * w452 - w104 * w450
     C_q[23, 23] = 1.0
     # hinge3.parallel_x
     C_q[24, 17] = w117 * w457 + w98 * w460 + w103 * w463
@@ -3498,114 +3503,114 @@ def augmented() -> ca.Function:
     C_q[26, 24] = 1.0
     C_q[26, 31] = w493
     C_q[26, 34] = w501
-    C_q[26, 38] = -(bar5_e3 * w520 - bar5_e0 * w521)
+    C_q[26, 38] = bar5_e0 * w519 - bar5_e3 * w518
     # hinge4.e1
     C_q[27, 25] = 1.0
     C_q[27, 32] = w493
     C_q[27, 33] = w494
-    C_q[27, 38] = bar5_e1 * w521 + bar5_e2 * w520
+    C_q[27, 38] = bar5_e1 * w519 + bar5_e2 * w518
     # hinge4.e2
     C_q[28, 26] = 1.0
     C_q[28, 32] = w501
     C_q[28, 33] = w493
-    C_q[28, 38] = -(bar5_e1 * w520 - bar5_e2 * w521)
+    C_q[28, 38] = bar5_e2 * w519 - bar5_e1 * w518
     # hinge4.e3
     C_q[29, 27] = 1.0
     C_q[29, 31] = w494
     C_q[29, 34] = w493
-    C_q[29, 38] = bar5_e0 * w520 + bar5_e3 * w521
+    C_q[29, 38] = bar5_e0 * w518 + bar5_e3 * w519
     # hinge4.x
     C_q[30, 21] = -1.0
-    C_q[30, 24] = -(w147 * w482 - w484)
-    C_q[30, 25] = -(w161 * w482 - w147 * w483)
-    C_q[30, 26] = -(w488 - w148 * w483)
-    C_q[30, 27] = -(w486 - w489)
+    C_q[30, 24] = w484 - w147 * w482
+    C_q[30, 25] = w147 * w483 - w161 * w482
+    C_q[30, 26] = w148 * w483 - w488
+    C_q[30, 27] = w489 - w486
     C_q[30, 28] = 1.0
     # hinge4.y
     C_q[31, 22] = -1.0
-    C_q[31, 24] = -(w154 * w485 - w486)
-    C_q[31, 25] = -(w487 - w488)
-    C_q[31, 26] = -(w148 * w485 - w154 * w482)
-    C_q[31, 27] = -(w490 - w178 * w482)
+    C_q[31, 24] = w486 - w154 * w485
+    C_q[31, 25] = w488 - w487
+    C_q[31, 26] = w154 * w482 - w148 * w485
+    C_q[31, 27] = w178 * w482 - w490
     C_q[31, 29] = 1.0
     # hinge4.z
     C_q[32, 23] = -1.0
-    C_q[32, 24] = -(w165 * w483 - w487)
-    C_q[32, 25] = -(w489 - w161 * w485)
-    C_q[32, 26] = -(w484 - w490)
-    C_q[32, 27] = -(w178 * w483 - w165 * w485)
+    C_q[32, 24] = w487 - w165 * w483
+    C_q[32, 25] = w161 * w485 - w489
+    C_q[32, 26] = w490 - w484
+    C_q[32, 27] = w165 * w485 - w178 * w483
     C_q[32, 30] = 1.0
     # hinge5.e0
     C_q[33, 31] = 1.0
-    C_q[33, 39] = w524 * c44
+    C_q[33, 39] = w522 * c44
     # hinge5.e1
     C_q[34, 32] = 1.0
-    C_q[34, 39] = w526 * c43
+    C_q[34, 39] = w524 * c43
     # hinge5.e2
     C_q[35, 33] = 1.0
-    C_q[35, 39] = -w527
+    C_q[35, 39] = w617
     # hinge5.e3
     C_q[36, 34] = 1.0
-    C_q[36, 39] = -w528
+    C_q[36, 39] = w618
     # hinge5.x
     C_q[37, 28] = -1.0
-    C_q[37, 31] = -(w196 * w495 - w497)
-    C_q[37, 32] = -(w210 * w495 - w196 * w496)
-    C_q[37, 33] = -(w502 - w213 * w496)
-    C_q[37, 34] = -(w499 - w503)
+    C_q[37, 31] = w497 - w196 * w495
+    C_q[37, 32] = w196 * w496 - w210 * w495
+    C_q[37, 33] = w213 * w496 - w502
+    C_q[37, 34] = w503 - w499
     # hinge5.y
     C_q[38, 29] = -1.0
-    C_q[38, 31] = -(w203 * w498 - w499)
-    C_q[38, 32] = -(w500 - w502)
-    C_q[38, 33] = -(w213 * w498 - w203 * w495)
-    C_q[38, 34] = -(w504 - w199 * w495)
+    C_q[38, 31] = w499 - w203 * w498
+    C_q[38, 32] = w502 - w500
+    C_q[38, 33] = w203 * w495 - w213 * w498
+    C_q[38, 34] = w199 * w495 - w504
     # hinge5.z
     C_q[39, 30] = -1.0
-    C_q[39, 31] = -(w215 * w496 - w500)
-    C_q[39, 32] = -(w503 - w210 * w498)
-    C_q[39, 33] = -(w497 - w504)
-    C_q[39, 34] = -(w199 * w496 - w215 * w498)
+    C_q[39, 31] = w500 - w215 * w496
+    C_q[39, 32] = w210 * w498 - w503
+    C_q[39, 33] = w504 - w497
+    C_q[39, 34] = w215 * w498 - w199 * w496
     gamma_b = ca.vertcat(
-        w529 * (w509 * w529) * c45,  # hinge0.e0
-        w532,  # hinge0.e1
-        w529 * (w506 * w529) * c31,  # hinge0.e2
-        w534,  # hinge0.e3
+        w525 * (w508 * w525) * c46,  # hinge0.e0
+        w528,  # hinge0.e1
+        w525 * (w506 * w525) * c31,  # hinge0.e2
+        w530,  # hinge0.e3
         0.0,  # hinge0.x
         0.0,  # hinge0.y
         0.0,  # hinge0.z
-        bar1_e3 * w536 - bar1_e0 * w537 - w540 - w540,  # hinge1.e0
-        w541 + (w541 - (bar1_e1 * w537 + bar1_e2 * w536)),  # hinge1.e1
-        bar1_e1 * w536 - bar1_e2 * w537 - w542 - w542,  # hinge1.e2
-        w543 + (w543 - (bar1_e0 * w536 + bar1_e3 * w537)),  # hinge1.e3
-        w544 * w546 - w547 * w548,  # hinge1.x
-        w547 * w549 - w545 * w546,  # hinge1.y
-        w545 * w548 - w544 * w549,  # hinge1.z
-        -(w564 + (bar2_e0 * w553 + (bar2_e2 * w554 - bar2_e1 * w556 + bar2_e3 * w557) + w564)),  # hinge2.e0
-        w565 + (bar2_e2 * w557 - bar2_e3 * w554 - (bar2_e0 * w556 + bar2_e1 * w553) + w565),  # hinge2.e1
-        w566 + (bar2_e0 * w554 - bar2_e2 * w553 - (bar2_e3 * w556 + bar2_e1 * w557) + w566),  # hinge2.e2
-        w567 + (bar2_e0 * w557 - bar2_e3 * w553 + (bar2_e1 * w554 + bar2_e2 * w556) + w567),  # hinge2.e3
-        w568 * w570 - w571 * w572,  # hinge2.x
-        w571 * w573 - w569 * w570,  # hinge2.y
-        w569 * w572 - w568 * w573,  # hinge2.z
-        w574 * w576 - w577 * w578,  # hinge3.x
-        w577 * w579 - w575 * w576,  # hinge3.y
-        w575 * w578 - w574 * w579,  # hinge3.z
-        -w593,  # hinge3.parallel_x
-        -w598,  # hinge3.parallel_y
-        w601 + (w601 - (bar5_e0 * w603 + bar5_e3 * w604)),  # hinge4.e0
-        bar5_e2 * w604 - bar5_e1 * w603 - w605 - w605,  # hinge4.e1
-        w606 + (w606 - (bar5_e2 * w603 + bar5_e1 * w604)),  # hinge4.e2
-        bar5_e0 * w604 - bar5_e3 * w603 - w607 - w607,  # hinge4.e3
-        w580 * w608 - w583 * w609,  # hinge4.x
-        w583 * w610 - w581 * w608,  # hinge4.y
-        w581 * w609 - w580 * w610,  # hinge4.z
-        w611 * (w525 * w611) * c46,  # hinge5.e0
-        w611 * (w523 * w611) * c43,  # hinge5.e1
-        w615,  # hinge5.e2
-        w616,  # hinge5.e3
-        w617 * w619 - w620 * w621,  # hinge5.x
-        w620 * w622 - w618 * w619,  # hinge5.y
-        w618 * w621 - w617 * w622,  # hinge5.z
+        bar1_e3 * w532 - bar1_e0 * w533 - w536 - w536,  # hinge1.e0
+        w537 + (w537 - (bar1_e1 * w533 + bar1_e2 * w532)),  # hinge1.e1
+        bar1_e1 * w532 - bar1_e2 * w533 - w538 - w538,  # hinge1.e2
+        w539 + (w539 - (bar1_e0 * w532 + bar1_e3 * w533)),  # hinge1.e3
+        w540 * w542 - w543 * w544,  # hinge1.x
+        w543 * w545 - w541 * w542,  # hinge1.y
+        w541 * w544 - w540 * w545,  # hinge1.z
+        bar2_e1 * w552 - bar2_e2 * w550 - bar2_e3 * w553 - bar2_e0 * w549 - w560 - w560,  # hinge2.e0
+        w561 + (bar2_e2 * w553 - bar2_e3 * w550 - (bar2_e0 * w552 + bar2_e1 * w549) + w561),  # hinge2.e1
+        w562 + (bar2_e0 * w550 - bar2_e2 * w549 - (bar2_e3 * w552 + bar2_e1 * w553) + w562),  # hinge2.e2
+        w563 + (bar2_e0 * w553 - bar2_e3 * w549 + (bar2_e1 * w550 + bar2_e2 * w552) + w563),  # hinge2.e3
+        w564 * w566 - w567 * w568,  # hinge2.x
+        w567 * w569 - w565 * w566,  # hinge2.y
+        w565 * w568 - w564 * w569,  # hinge2.z
+        w570 * w572 - w573 * w574,  # hinge3.x
+        w573 * w575 - w571 * w572,  # hinge3.y
+        w571 * w574 - w570 * w575,  # hinge3.z
+        w620,  # hinge3.parallel_x
+        w622,  # hinge3.parallel_y
+        w593 + (w593 - (bar5_e0 * w595 + bar5_e3 * w596)),  # hinge4.e0
+        bar5_e2 * w596 - bar5_e1 * w595 - w597 - w597,  # hinge4.e1
+        w598 + (w598 - (bar5_e2 * w595 + bar5_e1 * w596)),  # hinge4.e2
+        bar5_e0 * w596 - bar5_e3 * w595 - w599 - w599,  # hinge4.e3
+        w576 * w600 - w579 * w601,  # hinge4.x
+        w579 * w602 - w577 * w600,  # hinge4.y
+        w577 * w601 - w576 * w602,  # hinge4.z
+        w603 * (w523 * w603) * c47,  # hinge5.e0
+        w603 * (w521 * w603) * c43,  # hinge5.e1
+        w607,  # hinge5.e2
+        w608,  # hinge5.e3
+        w609 * w611 - w612 * w613,  # hinge5.x
+        w612 * w614 - w610 * w611,  # hinge5.y
+        w610 * w613 - w609 * w614,  # hinge5.z
     )
     inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
@@ -3618,7 +3623,7 @@ def reactions() -> ca.Function:
     takes q_dot (n = 40) [mixed]: rates of all coordinates
     takes q_ddot (n = 40) [mixed]: accelerations of all coordinates
     takes lam_R (n_R = 1) [N, N m]: multipliers of the redundant rows, which no equation determines
-    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 40) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 6) [N, N m]: world force and moment of a joint on its body b, at b
     3007 operations.
@@ -3627,7 +3632,7 @@ def reactions() -> ca.Function:
     q_dot = ca.SX.sym("q_dot", 40)
     q_ddot = ca.SX.sym("q_ddot", 40)
     lam_R = ca.SX.sym("lam_R", 1)
-    c = ca.SX.sym("c", 125)
+    c = ca.SX.sym("c", 127)
     bar1_e0 = q[3]
     bar1_e1 = q[4]
     bar1_e2 = q[5]
@@ -3732,21 +3737,20 @@ def reactions() -> ca.Function:
     bar5_end_quaternion_3_0_0 = c[42]
     c43 = c[43]
     c44 = c[44]
-    bar3_mass = c[47]
-    bar2_mass = c[48]
-    c49 = c[49]
+    bar3_mass = c[48]
+    bar2_mass = c[49]
     c50 = c[50]
     c51 = c[51]
     c52 = c[52]
-    bar1_mass = c[53]
-    c54 = c[54]
+    c53 = c[53]
+    bar1_mass = c[54]
     c55 = c[55]
     c56 = c[56]
-    bar4_mass = c[57]
-    c58 = c[58]
+    c57 = c[57]
+    bar4_mass = c[58]
     c59 = c[59]
-    bar5_mass = c[60]
-    c61 = c[61]
+    c60 = c[60]
+    bar5_mass = c[61]
     c62 = c[62]
     c63 = c[63]
     c64 = c[64]
@@ -3802,51 +3806,52 @@ def reactions() -> ca.Function:
     c114 = c[114]
     c115 = c[115]
     c116 = c[116]
+    c117 = c[117]
     # intermediate terms (728)
     w0 = bar1_e1 * -2.0
     w1 = bar1_e3 * -2.0
     w2 = 2 * bar1_e2
     w3 = 2 * bar1_e0
     w4 = bar1_e0_dot * w1 + bar1_e1_dot * w2 + w0 * bar1_e2_dot + bar1_e3_dot * w3
-    w5 = w4 * c55
+    w5 = w4 * c56
     w6 = bar1_e2 * -2.0
     w7 = 2 * bar1_e1
     w8 = bar1_e0_dot * w6 + w1 * bar1_e1_dot + bar1_e2_dot * w3 + bar1_e3_dot * w7
-    w9 = w8 * c66
+    w9 = w8 * c67
     w10 = w5 * w8 - w4 * w9
     w11 = 2 * bar1_e3
     w12 = w0 * bar1_e0_dot + bar1_e1_dot * w3 + bar1_e2_dot * w11 + bar1_e3_dot * w6
-    w13 = w12 * c54
+    w13 = w12 * c55
     w14 = w4 * w13 - w5 * w12
     w15 = w9 * w12 - w8 * w13
     w16 = 2 * bar1_e2**2
     w17 = 2 * bar1_e3**2
     w18 = 1.0 - w16 - w17
-    w19 = w18 * c65
+    w19 = w18 * c66
     w20 = bar1_e3 * w7
     w21 = bar1_e2 * w3
     w22 = w20 - w21
-    w23 = w22 * c65
+    w23 = w22 * c66
     w24 = w0 * w23
     w25 = w1 * w19 - w24
     w26 = bar1_e3 * w3
     w27 = bar1_e2 * w7
     w28 = w26 + w27
-    w29 = w28 * c65
+    w29 = w28 * c66
     w30 = w1 * w29
     w31 = w6 * w23 - w30
     w32 = w6 * w19
     w33 = w0 * w29 - w32
-    w34 = w31 * bar1_x_ddot + w25 * bar1_y_ddot + w33 * bar1_z_ddot + (w0 * (w0 * c67) + w6 * (w6 * c68) + w1 * (w1 * c69)) * bar1_e0_ddot
-    w35 = w3 * c67
-    w36 = w0 * w35 + bar1_e3 * bar1_e2 * c70
-    w37 = w3 * c68
-    w38 = w0 * c69
-    w39 = w6 * w37 + bar1_e1 * bar1_e3 * c71
-    w40 = w6 * c67
-    w41 = w7 * c68
-    w42 = w3 * c69
-    w43 = bar1_e1 * bar1_e2 * c72 + w1 * w42
+    w34 = w31 * bar1_x_ddot + w25 * bar1_y_ddot + w33 * bar1_z_ddot + (w0 * (w0 * c68) + w6 * (w6 * c69) + w1 * (w1 * c70)) * bar1_e0_ddot
+    w35 = w3 * c68
+    w36 = w0 * w35 + bar1_e3 * bar1_e2 * c71
+    w37 = w3 * c69
+    w38 = w0 * c70
+    w39 = w6 * w37 + bar1_e1 * bar1_e3 * c72
+    w40 = w6 * c68
+    w41 = w7 * c69
+    w42 = w3 * c70
+    w43 = bar1_e1 * bar1_e2 * c73 + w1 * w42
     w44 = w0 * w10 + w6 * w14 + w1 * w15 + w25 * gravity_y - (w34 + w36 * bar1_e1_ddot + w39 * bar1_e2_ddot + w43 * bar1_e3_ddot)
     w45 = w28 * bar1_end_x
     w46 = w18 * bar1_end_x
@@ -3860,10 +3865,10 @@ def reactions() -> ca.Function:
     w54 = 2 * bar2_e3
     w55 = bar2_e2 * -2.0
     w56 = bar2_e0_dot * w53 + w48 * bar2_e1_dot + bar2_e2_dot * w54 + bar2_e3_dot * w55
-    w57 = w56 * c52
+    w57 = w56 * c53
     w58 = bar2_e3 * -2.0
     w59 = bar2_e0_dot * w58 + w50 * bar2_e1_dot + w53 * bar2_e2_dot + w48 * bar2_e3_dot
-    w60 = w59 * c52
+    w60 = w59 * c53
     w61 = w56 * w57 + w59 * w60
     w62 = 2 * bar2_e1
     w63 = bar2_e3 * w62
@@ -3876,11 +3881,11 @@ def reactions() -> ca.Function:
     w70 = w60 * w66
     w71 = 2 * bar2_e3**2
     w72 = w68 - w71
-    w73 = w72 * c52
+    w73 = w72 * c53
     w74 = bar2_e2 * w62
     w75 = w48 * bar2_e3
     w76 = w74 - w75
-    w77 = w76 * c52
+    w77 = w76 * c53
     w78 = w55 * w77
     w79 = w53 * w73 - w78
     w80 = w48 * w73
@@ -3972,23 +3977,23 @@ def reactions() -> ca.Function:
     w166 = w165 / 2.0
     w167 = ca.sin(w164)
     w168 = w167 / 2.0
-    w169 = w59 * c56
-    w170 = w66 * c49
+    w169 = w59 * c57
+    w170 = w66 * c50
     w171 = w66 * w169 - w59 * w170
-    w172 = w56 * c50
+    w172 = w56 * c51
     w173 = w59 * w172 - w56 * w169
     w174 = w56 * w170 - w66 * w172
-    w175 = w52 * c52
+    w175 = w52 * c53
     w176 = w83 - w50 * w175
     w177 = w53 * w175
     w178 = w177 - w80
-    w179 = w55 * c76
-    w180 = w62 * c77
-    w181 = w48 * c78
-    w182 = bar2_e1 * bar2_e2 * c81 + w58 * w181
-    w183 = w58 * w180 + bar2_e0 * bar2_e2 * c83
+    w179 = w55 * c77
+    w180 = w62 * c78
+    w181 = w48 * c79
+    w182 = bar2_e1 * bar2_e2 * c82 + w58 * w181
+    w183 = w58 * w180 + bar2_e0 * bar2_e2 * c84
     w184 = w178 * bar2_x_ddot + w176 * bar2_y_ddot + bar2_z_ddot * w85 + bar2_e0_ddot * w182 + bar2_e1_ddot * w183
-    w185 = w54 * w179 + bar2_e0 * bar2_e1 * c84
+    w185 = w54 * w179 + bar2_e0 * bar2_e1 * c85
     w186 = w55 * w171 + w62 * w173 + w48 * w174 + w176 * gravity_y - (w184 + bar2_e2_ddot * w185 + bar2_e3_ddot * (w55 * w179 + w62 * w180 + w48 * w181))
     w187 = w72 * bar2_end_y
     w188 = w76 * bar2_end_y
@@ -4008,7 +4013,7 @@ def reactions() -> ca.Function:
     w202 = w93 * w113 - w91 * w197
     w203 = w119 - w104 * w197
     w204 = bar3_y_ddot * bar3_mass + bar3_e0_ddot * w199 + bar3_e1_ddot * w201 + bar3_e2_ddot * w202 + bar3_e3_ddot * w203
-    w205 = c114 + (w100 * w110 - (w106 * w195 + w109 * (w87 - w196))) - w204
+    w205 = c115 + (w100 * w110 - (w106 * w195 + w109 * (w87 - w196))) - w204
     w206 = w53 * w191
     w207 = w48 * w187
     w208 = w206 - w207
@@ -4025,16 +4030,16 @@ def reactions() -> ca.Function:
     w219 = w105 * c0
     w220 = w94 * c1
     w221 = w94 * w219 - w105 * w220
-    w222 = w98 * c51
+    w222 = w98 * c52
     w223 = w105 * w222 - w98 * w219
     w224 = w98 * w220 - w94 * w222
     w225 = w90 * c22
-    w226 = w93 * c85
-    w227 = w92 * c86
-    w228 = bar3_e1 * bar3_e2 * c89 + w91 * w227
-    w229 = w91 * w226 + bar3_e2 * bar3_e0 * c91
+    w226 = w93 * c86
+    w227 = w92 * c87
+    w228 = bar3_e1 * bar3_e2 * c90 + w91 * w227
+    w229 = w91 * w226 + bar3_e2 * bar3_e0 * c92
     w230 = bar3_x_ddot * w213 + bar3_y_ddot * w203 + bar3_z_ddot * w121 + bar3_e0_ddot * w228 + bar3_e1_ddot * w229
-    w231 = w97 * w225 + bar3_e1 * bar3_e0 * c92
+    w231 = w97 * w225 + bar3_e1 * bar3_e0 * c93
     w232 = w90 * w221 + w93 * w223 + w92 * w224 + w203 * gravity_y - (w230 + bar3_e2_ddot * w231 + bar3_e3_ddot * (w90 * w225 + w93 * w226 + w92 * w227))
     w233 = 1.0 - 2 * bar4_e1**2
     w234 = 2 * bar4_e3**2
@@ -4060,33 +4065,33 @@ def reactions() -> ca.Function:
     w254 = w232 - (w104 * w243 + w96 * w250 + w92 * w253) * lam_R0
     w255 = ca.sin(w216)
     w256 = w255 * c38
-    w257 = w92 * c85
-    w258 = w96 * c86
-    w259 = w90 * w257 + bar3_e1 * bar3_e3 * c88
-    w260 = bar3_e3 * bar3_e0 * c90 + w104 * w258
+    w257 = w92 * c86
+    w258 = w96 * c87
+    w259 = w90 * w257 + bar3_e1 * bar3_e3 * c89
+    w260 = bar3_e3 * bar3_e0 * c91 + w104 * w258
     w261 = bar3_x_ddot * w212 + bar3_y_ddot * w202 + bar3_z_ddot * w120 + bar3_e0_ddot * w259 + bar3_e1_ddot * w260
     w262 = w97 * w221 + w92 * w223 + w96 * w224 + w202 * gravity_y - (w261 + bar3_e2_ddot * (w97 * (w97 * c22) + w92 * w257 + w96 * w258) + bar3_e3_ddot * w231)
     w263 = w262 - lam_R0 * (w91 * w243 + w92 * w250 + w93 * w253)
     w264 = w217 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0 - w217 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0
     w265 = w92 * c22
-    w266 = w96 * w265 + bar3_e2 * bar3_e3 * c87
-    w267 = bar3_x_ddot * w211 + bar3_y_ddot * w201 + bar3_z_ddot * w117 + bar3_e0_ddot * w266 + bar3_e1_ddot * (w92 * w265 + w91 * (w91 * c85) + w104 * (w104 * c86))
+    w266 = w96 * w265 + bar3_e2 * bar3_e3 * c88
+    w267 = bar3_x_ddot * w211 + bar3_y_ddot * w201 + bar3_z_ddot * w117 + bar3_e0_ddot * w266 + bar3_e1_ddot * (w92 * w265 + w91 * (w91 * c86) + w104 * (w104 * c87))
     w268 = w92 * w221 + w91 * w223 + w104 * w224 + w201 * gravity_y - (w267 + bar3_e2_ddot * w260 + bar3_e3_ddot * w229)
     w269 = w268 - lam_R0 * (w92 * w243 + w97 * w250 + w90 * w253)
     w270 = w255 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w255 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
-    w271 = bar3_x_ddot * w210 + bar3_y_ddot * w199 + bar3_z_ddot * w115 + bar3_e0_ddot * (w96 * (w96 * c22) + w90 * (w90 * c85) + w91 * (w91 * c86))
+    w271 = bar3_x_ddot * w210 + bar3_y_ddot * w199 + bar3_z_ddot * w115 + bar3_e0_ddot * (w96 * (w96 * c22) + w90 * (w90 * c86) + w91 * (w91 * c87))
     w272 = w96 * w221 + w90 * w223 + w91 * w224 + w199 * gravity_y - (w271 + bar3_e1_ddot * w266 + bar3_e2_ddot * w259 + bar3_e3_ddot * w228)
     w273 = w272 - lam_R0 * (w96 * w243 + w90 * w250 + w91 * w253)
     w274 = w186 + w123 * w189 + w192 * w205 + w208 * w215 + w218 * w254 + w256 * w263 - w264 * w269 - w270 * w273
     w275 = w62 * w77 - w58 * w175
     w276 = w48 * w175
     w277 = w276 - w62 * w73
-    w278 = w48 * c77
-    w279 = w53 * c78
-    w280 = w55 * w278 + bar2_e1 * bar2_e3 * c80
-    w281 = bar2_e0 * bar2_e3 * c82 + w50 * w279
+    w278 = w48 * c78
+    w279 = w53 * c79
+    w280 = w55 * w278 + bar2_e1 * bar2_e3 * c81
+    w281 = bar2_e0 * bar2_e3 * c83 + w50 * w279
     w282 = bar2_x_ddot * w277 + bar2_y_ddot * w275 + bar2_z_ddot * w84 + bar2_e0_ddot * w280 + bar2_e1_ddot * w281
-    w283 = w54 * w171 + w48 * w173 + w53 * w174 + w275 * gravity_y - (w282 + bar2_e2_ddot * (w54 * (w54 * c76) + w48 * w278 + w53 * w279) + bar2_e3_ddot * w185)
+    w283 = w54 * w171 + w48 * w173 + w53 * w174 + w275 * gravity_y - (w282 + bar2_e2_ddot * (w54 * (w54 * c77) + w48 * w278 + w53 * w279) + bar2_e3_ddot * w185)
     w284 = w58 * w187
     w285 = w284 - w190
     w286 = w62 * w188 - w58 * w191
@@ -4095,9 +4100,9 @@ def reactions() -> ca.Function:
     w289 = w283 + w123 * w285 + w205 * w286 + w215 * w288 - w254 * w256 + w218 * w263 + w269 * w270 - w264 * w273
     w290 = w78 - w276
     w291 = w54 * w175 - w55 * w73
-    w292 = w48 * c76
-    w293 = w53 * w292 + bar2_e2 * bar2_e3 * c79
-    w294 = bar2_x_ddot * w291 + bar2_y_ddot * w290 + bar2_z_ddot * w81 + bar2_e0_ddot * w293 + bar2_e1_ddot * (w48 * w292 + w58 * (w58 * c77) + w50 * (w50 * c78))
+    w292 = w48 * c77
+    w293 = w53 * w292 + bar2_e2 * bar2_e3 * c80
+    w294 = bar2_x_ddot * w291 + bar2_y_ddot * w290 + bar2_z_ddot * w81 + bar2_e0_ddot * w293 + bar2_e1_ddot * (w48 * w292 + w58 * (w58 * c78) + w50 * (w50 * c79))
     w295 = w48 * w171 + w58 * w173 + w50 * w174 + w290 * gravity_y - (w294 + bar2_e2_ddot * w281 + bar2_e3_ddot * w183)
     w296 = w207 - w54 * w188
     w297 = w55 * w188
@@ -4107,7 +4112,7 @@ def reactions() -> ca.Function:
     w301 = (bar1_e0 * w166 - bar1_e3 * w168) * w274 - (bar1_e2 * w168 + bar1_e1 * w166) * w289 + (bar1_e2 * w166 - bar1_e1 * w168) * w300
     w302 = w58 * w77 - w177
     w303 = w55 * w175 - w82
-    w304 = bar2_x_ddot * w303 + bar2_y_ddot * w302 + bar2_z_ddot * w79 + bar2_e0_ddot * (w53 * (w53 * c76) + w55 * (w55 * c77) + w58 * (w58 * c78))
+    w304 = bar2_x_ddot * w303 + bar2_y_ddot * w302 + bar2_z_ddot * w79 + bar2_e0_ddot * (w53 * (w53 * c77) + w55 * (w55 * c78) + w58 * (w58 * c79))
     w305 = w53 * w171 + w55 * w173 + w58 * w174 + w302 * gravity_y - (w304 + bar2_e1_ddot * w293 + bar2_e2_ddot * w280 + bar2_e3_ddot * w182)
     w306 = w53 * w187 - w297
     w307 = w58 * w188 - w206
@@ -4137,40 +4142,40 @@ def reactions() -> ca.Function:
     w331 = bar4_e3 * -2.0
     w332 = bar4_e1 * -2.0
     w333 = bar4_e0_dot * w331 + w239 * bar4_e1_dot + bar4_e2_dot * w332 + w237 * bar4_e3_dot
-    w334 = w333 * c64
+    w334 = w333 * c65
     w335 = bar4_e2 * -2.0
     w336 = bar4_e0_dot * w335 + w331 * bar4_e1_dot + w237 * bar4_e2_dot + w245 * bar4_e3_dot
     w337 = w336 * c16
     w338 = w334 * w336 - w333 * w337
     w339 = bar4_e0_dot * w332 + w237 * bar4_e1_dot + w330 * bar4_e2_dot + bar4_e3_dot * w335
-    w340 = w339 * c58
+    w340 = w339 * c59
     w341 = w333 * w340 - w334 * w339
     w342 = w337 * w339 - w336 * w340
     w343 = 2 * bar4_e2**2
     w344 = 1.0 - w343 - w234
-    w345 = w344 * c59
+    w345 = w344 * c60
     w346 = bar4_e3 * w245
     w347 = w237 * bar4_e2
     w348 = w346 - w347
-    w349 = w348 * c59
+    w349 = w348 * c60
     w350 = w245 * w345 - w331 * w349
     w351 = w237 * w349
     w352 = w246 + w247
-    w353 = w352 * c59
+    w353 = w352 * c60
     w354 = w351 - w245 * w353
     w355 = w331 * w353
     w356 = w237 * w345
     w357 = w355 - w356
-    w358 = w237 * c94
-    w359 = w332 * c95
-    w360 = w335 * w358 + bar4_e1 * bar4_e3 * c97
-    w361 = bar4_e3 * bar4_e0 * c99 + w239 * w359
+    w358 = w237 * c95
+    w359 = w332 * c96
+    w360 = w335 * w358 + bar4_e1 * bar4_e3 * c98
+    w361 = bar4_e3 * bar4_e0 * c100 + w239 * w359
     w362 = w354 * bar4_x_ddot + w350 * bar4_y_ddot + w357 * bar4_z_ddot + w360 * bar4_e0_ddot + w361 * bar4_e1_ddot
-    w363 = w335 * c93
-    w364 = w245 * c94
-    w365 = w237 * c95
-    w366 = w330 * w363 + bar4_e1 * bar4_e0 * c101
-    w367 = w330 * w338 + w237 * w341 + w332 * w342 + w350 * gravity_y - (w362 + (w330 * (w330 * c93) + w237 * w358 + w332 * w359) * bar4_e2_ddot + w366 * bar4_e3_ddot)
+    w363 = w335 * c94
+    w364 = w245 * c95
+    w365 = w237 * c96
+    w366 = w330 * w363 + bar4_e1 * bar4_e0 * c102
+    w367 = w330 * w338 + w237 * w341 + w332 * w342 + w350 * gravity_y - (w362 + (w330 * (w330 * c94) + w237 * w358 + w332 * w359) * bar4_e2_ddot + w366 * bar4_e3_ddot)
     w368 = w242 - w236
     w369 = w249 - w244
     w370 = w252 - w251
@@ -4180,8 +4185,8 @@ def reactions() -> ca.Function:
     w374 = w344 * bar4_end_x
     w375 = w237 * w374
     w376 = w373 - w375
-    w377 = w333 * c59
-    w378 = w336 * c59
+    w377 = w333 * c60
+    w378 = w336 * c60
     w379 = w333 * w377 + w336 * w378
     w380 = w339 * w378
     w381 = w233 - w343
@@ -4201,7 +4206,7 @@ def reactions() -> ca.Function:
     w395 = w383 - w351
     w396 = w356 - w239 * w349
     w397 = bar4_y_ddot * bar4_mass + bar4_e0_ddot * w394 + bar4_e1_ddot * w395 + w350 * bar4_e2_ddot + bar4_e3_ddot * w396
-    w398 = c115 + (w352 * w379 - w235 * w380 - w382 * w392) - w397
+    w398 = c116 + (w352 * w379 - w235 * w380 - w382 * w392) - w397
     w399 = w237 * w390
     w400 = w399 - w245 * w372
     w401 = w346 + w347
@@ -4211,8 +4216,8 @@ def reactions() -> ca.Function:
     w405 = bar4_x_ddot * bar4_mass + bar4_e0_ddot * w402 + bar4_e1_ddot * w403 + w354 * bar4_e2_ddot + bar4_e3_ddot * w404
     w406 = w344 * w379 - w248 * w380 - w382 * w401 - w405
     w407 = w371 - w376 * w389 - w391 * w398 - w400 * w406
-    w408 = bar4_e1 * bar4_e2 * c98 + w331 * w365
-    w409 = w331 * w364 + bar4_e0 * bar4_e2 * c100
+    w408 = bar4_e1 * bar4_e2 * c99 + w331 * w365
+    w409 = w331 * w364 + bar4_e0 * bar4_e2 * c101
     w410 = bar4_x_ddot * w404 + bar4_y_ddot * w396 + bar4_z_ddot * w387 + bar4_e0_ddot * w408 + bar4_e1_ddot * w409
     w411 = w335 * w338 + w245 * w341 + w237 * w342 + w396 * gravity_y - (w410 + bar4_e2_ddot * w366 + bar4_e3_ddot * (w335 * w363 + w245 * w364 + w237 * w365))
     w412 = w411 - lam_R0 * (w239 * w368 + w332 * w369 + w237 * w370)
@@ -4222,9 +4227,9 @@ def reactions() -> ca.Function:
     w416 = w237 * w372
     w417 = w415 - w416
     w418 = w412 - w389 * w413 - w398 * w414 - w406 * w417
-    w419 = w237 * c93
-    w420 = w332 * w419 + bar4_e3 * bar4_e2 * c96
-    w421 = bar4_x_ddot * w403 + bar4_y_ddot * w395 + bar4_z_ddot * w386 + bar4_e0_ddot * w420 + bar4_e1_ddot * (w237 * w419 + w331 * (w331 * c94) + w239 * (w239 * c95))
+    w419 = w237 * c94
+    w420 = w332 * w419 + bar4_e3 * bar4_e2 * c97
+    w421 = bar4_x_ddot * w403 + bar4_y_ddot * w395 + bar4_z_ddot * w386 + bar4_e0_ddot * w420 + bar4_e1_ddot * (w237 * w419 + w331 * (w331 * c95) + w239 * (w239 * c96))
     w422 = w237 * w338 + w331 * w341 + w239 * w342 + w395 * gravity_y - (w421 + w361 * bar4_e2_ddot + bar4_e3_ddot * w409)
     w423 = w422 - lam_R0 * (w237 * w368 + w330 * w369 + w335 * w370)
     w424 = w416 - w330 * w374
@@ -4233,7 +4238,7 @@ def reactions() -> ca.Function:
     w427 = w330 * w390 - w335 * w372
     w428 = w423 - w389 * w424 - w398 * w426 - w406 * w427
     w429 = (bar5_e1 * w327 - w329 * bar5_e2) * w407 - (w327 * bar5_e0 + w329 * bar5_e3) * w418 - (bar5_e1 * w329 + w327 * bar5_e2) * w428
-    w430 = bar4_x_ddot * w402 + bar4_y_ddot * w394 + bar4_z_ddot * w384 + bar4_e0_ddot * (w332 * (w332 * c93) + w335 * (w335 * c94) + w331 * (w331 * c95))
+    w430 = bar4_x_ddot * w402 + bar4_y_ddot * w394 + bar4_z_ddot * w384 + bar4_e0_ddot * (w332 * (w332 * c94) + w335 * (w335 * c95) + w331 * (w331 * c96))
     w431 = w332 * w338 + w335 * w341 + w331 * w342 + w394 * gravity_y - (w430 + bar4_e1_ddot * w420 + w360 * bar4_e2_ddot + bar4_e3_ddot * w408)
     w432 = w431 - lam_R0 * (w332 * w368 + w335 * w369 + w331 * w370)
     w433 = w332 * w372 - w425
@@ -4252,47 +4257,47 @@ def reactions() -> ca.Function:
     w446 = bar5_e1 * -2.0
     w447 = 2 * bar5_e0
     w448 = bar5_e0_dot * w444 + bar5_e1_dot * w445 + bar5_e2_dot * w446 + bar5_e3_dot * w447
-    w449 = w448 * c63
+    w449 = w448 * c64
     w450 = 2 * bar5_e1
     w451 = w443 * bar5_e0_dot + w444 * bar5_e1_dot + bar5_e2_dot * w447 + bar5_e3_dot * w450
-    w452 = w451 * c61
+    w452 = w451 * c62
     w453 = w449 * w451 - w448 * w452
     w454 = 2 * bar5_e3
     w455 = bar5_e0_dot * w446 + bar5_e1_dot * w447 + bar5_e2_dot * w454 + w443 * bar5_e3_dot
-    w456 = w455 * c103
+    w456 = w455 * c104
     w457 = w448 * w456 - w449 * w455
     w458 = w452 * w455 - w451 * w456
     w459 = bar5_e2 * w450
     w460 = bar5_e3 * w447
     w461 = w459 - w460
-    w462 = w461 * c62
+    w462 = w461 * c63
     w463 = w447 * w462
     w464 = bar5_e1 * w447
     w465 = bar5_e3 * w445
     w466 = w464 + w465
-    w467 = w466 * c62
+    w467 = w466 * c63
     w468 = w463 - w445 * w467
     w469 = w446 * w467
     w470 = 1.0 - 2 * bar5_e1**2
     w471 = 2 * bar5_e3**2
     w472 = w470 - w471
-    w473 = w472 * c62
+    w473 = w472 * c63
     w474 = w447 * w473
     w475 = w469 - w474
     w476 = w445 * w473 - w446 * w462
-    w477 = w443 * c102
-    w478 = w450 * c104
-    w479 = w447 * c105
-    w480 = bar5_e1 * bar5_e2 * c108 + w444 * w479
-    w481 = w444 * w478 + bar5_e2 * bar5_e0 * c110
+    w477 = w443 * c103
+    w478 = w450 * c105
+    w479 = w447 * c106
+    w480 = bar5_e1 * bar5_e2 * c109 + w444 * w479
+    w481 = w444 * w478 + bar5_e2 * bar5_e0 * c111
     w482 = w475 * bar5_x_ddot + w468 * bar5_y_ddot + w476 * bar5_z_ddot + w480 * bar5_e0_ddot + w481 * bar5_e1_ddot
-    w483 = w454 * w477 + bar5_e1 * bar5_e0 * c111
+    w483 = w454 * w477 + bar5_e1 * bar5_e0 * c112
     w484 = w443 * w453 + w450 * w457 + w447 * w458 + w468 * gravity_y - (w482 + w483 * bar5_e2_ddot + (w443 * w477 + w450 * w478 + w447 * w479) * bar5_e3_ddot)
     w485 = w472 * bar5_end_y
     w486 = w461 * bar5_end_y
     w487 = w445 * w485 - w446 * w486
-    w488 = w455 * c62
-    w489 = w448 * c62
+    w488 = w455 * c63
+    w489 = w448 * c63
     w490 = w455 * w488 + w448 * w489
     w491 = bar5_e3 * w450
     w492 = bar5_e2 * w447
@@ -4317,7 +4322,7 @@ def reactions() -> ca.Function:
     w511 = w497 - w510
     w512 = w450 * w462 - w444 * w467
     w513 = bar5_y_ddot * bar5_mass + bar5_e0_ddot * w509 + bar5_e1_ddot * w511 + bar5_e2_ddot * w512 + w468 * bar5_e3_ddot
-    w514 = c116 + (w472 * w490 - w494 * w508 - w496 * (w465 - w464)) - w513
+    w514 = c117 + (w472 * w490 - w494 * w508 - w496 * (w465 - w464)) - w513
     w515 = w398 + w514
     w516 = w446 * w506
     w517 = w447 * w485
@@ -4331,27 +4336,27 @@ def reactions() -> ca.Function:
     w525 = w406 + w524
     w526 = ca.sin(w440) / 2.0
     w527 = w526 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w526 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
-    w528 = w447 * c104
-    w529 = w446 * c105
-    w530 = w443 * w528 + bar5_e1 * bar5_e3 * c107
-    w531 = bar5_e0 * bar5_e3 * c109 + w445 * w529
+    w528 = w447 * c105
+    w529 = w446 * c106
+    w530 = w443 * w528 + bar5_e1 * bar5_e3 * c108
+    w531 = bar5_e0 * bar5_e3 * c110 + w445 * w529
     w532 = bar5_x_ddot * w522 + bar5_y_ddot * w512 + bar5_z_ddot * w501 + bar5_e0_ddot * w530 + bar5_e1_ddot * w531
-    w533 = w453 * w454 + w447 * w457 + w446 * w458 + w512 * gravity_y - (w532 + bar5_e2_ddot * (w454 * (w454 * c102) + w447 * w528 + w446 * w529) + w483 * bar5_e3_ddot)
+    w533 = w453 * w454 + w447 * w457 + w446 * w458 + w512 * gravity_y - (w532 + bar5_e2_ddot * (w454 * (w454 * c103) + w447 * w528 + w446 * w529) + w483 * bar5_e3_ddot)
     w534 = w444 * w485
     w535 = w534 - w505
     w536 = w450 * w486 - w444 * w506
     w537 = w447 * w506
     w538 = w537 - w450 * w485
     w539 = w442 * (w484 + w326 * w418 + w328 * w436 - w487 * w504 - w507 * w515 - w518 * w525) + w527 * (w533 + w326 * w407 - w328 * w428 - w504 * w535 - w515 * w536 - w525 * w538)
-    w540 = w447 * c102
-    w541 = w446 * w540 + bar5_e2 * bar5_e3 * c106
-    w542 = bar5_x_ddot * w521 + bar5_y_ddot * w511 + bar5_z_ddot * w499 + bar5_e0_ddot * w541 + bar5_e1_ddot * (w447 * w540 + w444 * (w444 * c104) + w445 * (w445 * c105))
+    w540 = w447 * c103
+    w541 = w446 * w540 + bar5_e2 * bar5_e3 * c107
+    w542 = bar5_x_ddot * w521 + bar5_y_ddot * w511 + bar5_z_ddot * w499 + bar5_e0_ddot * w541 + bar5_e1_ddot * (w447 * w540 + w444 * (w444 * c105) + w445 * (w445 * c106))
     w543 = w447 * w453 + w444 * w457 + w445 * w458 + w511 * gravity_y - (w542 + bar5_e2_ddot * w531 + w481 * bar5_e3_ddot)
     w544 = w517 - w454 * w486
     w545 = w443 * w486
     w546 = w545 - w537
     w547 = w454 * w506 - w443 * w485
-    w548 = bar5_x_ddot * w520 + bar5_y_ddot * w509 + bar5_z_ddot * w498 + bar5_e0_ddot * (w446 * (w446 * c102) + w443 * (w443 * c104) + w444 * (w444 * c105))
+    w548 = bar5_x_ddot * w520 + bar5_y_ddot * w509 + bar5_z_ddot * w498 + bar5_e0_ddot * (w446 * (w446 * c103) + w443 * (w443 * c105) + w444 * (w444 * c106))
     w549 = w446 * w453 + w443 * w457 + w444 * w458 + w509 * gravity_y - (w548 + bar5_e1_ddot * w541 + bar5_e2_ddot * w530 + w480 * bar5_e3_ddot)
     w550 = w446 * w485 - w545
     w551 = w444 * w486 - w516
@@ -4380,7 +4385,7 @@ def reactions() -> ca.Function:
     w574 = w161 * w562 + w314 * w557
     w575 = (w573 + w553 * (w323 * w554 - w140 * w574 - w154 * w572)) / w564
     w576 = w205 + w575
-    w577 = c113 + (w61 * w72 - w67 * w570 - w70 * (w51 - w49)) - w571 + w576
+    w577 = c114 + (w61 * w72 - w67 * w570 - w70 * (w51 - w49)) - w571 + w576
     w578 = w1 * w45
     w579 = 1.0 - w69 - w71
     w580 = bar2_x_ddot * bar2_mass + bar2_e0_ddot * w303 + bar2_e1_ddot * w291 + bar2_e2_ddot * w277 + bar2_e3_ddot * w178
@@ -4422,9 +4427,9 @@ def reactions() -> ca.Function:
     w616 = w11 * w23 - w6 * w29
     w617 = w3 * w29
     w618 = w617 - w11 * w19
-    w619 = bar1_x_ddot * w616 + bar1_y_ddot * w615 + bar1_z_ddot * w618 + bar1_e0_ddot * w36 + bar1_e1_ddot * (w3 * w35 + w1 * (w1 * c68) + w2 * (w2 * c69))
-    w620 = bar1_e3 * bar1_e0 * c73 + w2 * w38
-    w621 = w1 * w41 + bar1_e2 * bar1_e0 * c74
+    w619 = bar1_x_ddot * w616 + bar1_y_ddot * w615 + bar1_z_ddot * w618 + bar1_e0_ddot * w36 + bar1_e1_ddot * (w3 * w35 + w1 * (w1 * c69) + w2 * (w2 * c70))
+    w620 = bar1_e3 * bar1_e0 * c74 + w2 * w38
+    w621 = w1 * w41 + bar1_e2 * bar1_e0 * c75
     w622 = w3 * w10 + w1 * w14 + w2 * w15 + w615 * gravity_y - (w619 + bar1_e2_ddot * w620 + bar1_e3_ddot * w621)
     w623 = w3 * w45
     w624 = w3 * w568
@@ -4437,8 +4442,8 @@ def reactions() -> ca.Function:
     w631 = w3 * w19
     w632 = w30 - w631
     w633 = bar1_x_ddot * w630 + bar1_y_ddot * w629 + bar1_z_ddot * w632 + bar1_e0_ddot * w39 + bar1_e1_ddot * w620
-    w634 = w11 * w40 + bar1_e1 * bar1_e0 * c75
-    w635 = w10 * w11 + w3 * w14 + w0 * w15 + w629 * gravity_y - (w633 + bar1_e2_ddot * (w11 * (w11 * c67) + w3 * w37 + w0 * w38) + bar1_e3_ddot * w634)
+    w634 = w11 * w40 + bar1_e1 * bar1_e0 * c76
+    w635 = w10 * w11 + w3 * w14 + w0 * w15 + w629 * gravity_y - (w633 + bar1_e2_ddot * (w11 * (w11 * c68) + w3 * w37 + w0 * w38) + bar1_e3_ddot * w634)
     w636 = w3 * w46
     w637 = w635 + w567 * (w578 - w636) + w577 * (w7 * w46 - w1 * w568) + w585 * (w624 - w7 * w45) + w165 * w625
     w638 = w637 + w167 * w627
@@ -4449,8 +4454,8 @@ def reactions() -> ca.Function:
     w643 = w6 * w10 + w7 * w14 + w3 * w15 + w639 * gravity_y - (w642 + bar1_e2_ddot * w634 + bar1_e3_ddot * (w6 * w40 + w7 * w41 + w3 * w42))
     w644 = w643 + w567 * (w2 * w45 - w0 * w46) + w577 * (w636 - w2 * w568) + w585 * (w569 - w623) + w165 * w610
     w645 = w644 - w167 * w612
-    w646 = w4 * c65
-    w647 = w8 * c65
+    w646 = w4 * c66
+    w647 = w8 * c66
     w648 = w4 * w646 + w8 * w647
     w649 = w12 * w647
     w650 = w20 + w21
@@ -4462,7 +4467,7 @@ def reactions() -> ca.Function:
     w656 = bar1_e1 * w3
     w657 = w655 - w656
     w658 = bar1_y_ddot * bar1_mass + w25 * bar1_e0_ddot + bar1_e1_ddot * w615 + bar1_e2_ddot * w629 + bar1_e3_ddot * w639
-    w659 = w577 + (c112 + (w28 * w648 - w649 * (w654 - w17) - w651 * w657) - w658)
+    w659 = w577 + (c113 + (w28 * w648 - w649 * (w654 - w17) - w651 * w657) - w658)
     w660 = w654 - w16
     w661 = bar1_z_ddot * bar1_mass + w33 * bar1_e0_ddot + bar1_e1_ddot * w618 + bar1_e2_ddot * w632 + bar1_e3_ddot * w641
     w662 = w567 + (w22 * w648 - w649 * (w655 + w656) - w651 * w660 - w661)
@@ -4597,7 +4602,7 @@ def energy() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
-    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -4607,7 +4612,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
-    c = ca.SX.sym("c", 125)
+    c = ca.SX.sym("c", 127)
     bar1_y = q[1]
     bar1_e0 = q[3]
     bar1_e1 = q[4]
@@ -4670,16 +4675,15 @@ def energy() -> ca.Function:
     bar5_e3_dot = q_dot[34]
     c4 = c[4]
     c22 = c[22]
-    bar3_mass = c[47]
-    bar2_mass = c[48]
-    c52 = c[52]
-    bar1_mass = c[53]
-    bar4_mass = c[57]
-    c59 = c[59]
-    bar5_mass = c[60]
-    c62 = c[62]
-    c65 = c[65]
-    c67 = c[67]
+    bar3_mass = c[48]
+    bar2_mass = c[49]
+    c53 = c[53]
+    bar1_mass = c[54]
+    bar4_mass = c[58]
+    c60 = c[60]
+    bar5_mass = c[61]
+    c63 = c[63]
+    c66 = c[66]
     c68 = c[68]
     c69 = c[69]
     c70 = c[70]
@@ -4715,7 +4719,7 @@ def energy() -> ca.Function:
     c100 = c[100]
     c101 = c[101]
     c102 = c[102]
-    c104 = c[104]
+    c103 = c[103]
     c105 = c[105]
     c106 = c[106]
     c107 = c[107]
@@ -4723,14 +4727,15 @@ def energy() -> ca.Function:
     c109 = c[109]
     c110 = c[110]
     c111 = c[111]
-    c118 = c[118]
+    c112 = c[112]
+    c119 = c[119]
     # intermediate terms (253)
     w0 = bar1_e2 * -2.0
     w1 = 2 * bar1_e1
     w2 = 2 * bar1_e0
-    w3 = (w1 * bar1_e3 - bar1_e2 * w2) * c65
+    w3 = (w1 * bar1_e3 - bar1_e2 * w2) * c66
     w4 = bar1_e3 * -2.0
-    w5 = (bar1_e3 * w2 + bar1_e2 * w1) * c65
+    w5 = (bar1_e3 * w2 + bar1_e2 * w1) * c66
     w6 = w4 * w5
     w7 = w0 * w3 - w6
     w8 = 2 * bar1_e3
@@ -4742,7 +4747,7 @@ def energy() -> ca.Function:
     w14 = w2 * w5
     w15 = w13 - w14
     w16 = bar1_x_dot * bar1_mass + w7 * bar1_e0_dot + w9 * bar1_e1_dot + w11 * bar1_e2_dot + w15 * bar1_e3_dot
-    w17 = (1.0 - 2 * bar1_e2**2 - 2 * bar1_e3**2) * c65
+    w17 = (1.0 - 2 * bar1_e2**2 - 2 * bar1_e3**2) * c66
     w18 = w4 * w17 - w13
     w19 = w0 * w17
     w20 = w19 - w10
@@ -4756,30 +4761,30 @@ def energy() -> ca.Function:
     w28 = w6 - w22
     w29 = w5 * w23 - w12 * w17
     w30 = bar1_z_dot * bar1_mass + bar1_e0_dot * w26 + bar1_e1_dot * w27 + bar1_e2_dot * w28 + bar1_e3_dot * w29
-    w31 = bar1_x_dot * w7 + bar1_y_dot * w18 + bar1_z_dot * w26 + bar1_e0_dot * (w12 * (w12 * c67) + w0 * (w0 * c68) + w4 * (w4 * c69))
-    w32 = w2 * c67
-    w33 = w12 * w32 + bar1_e2 * bar1_e3 * c70
-    w34 = w2 * c68
-    w35 = w12 * c69
-    w36 = w0 * w34 + bar1_e1 * bar1_e3 * c71
-    w37 = w0 * c67
-    w38 = w1 * c68
-    w39 = w2 * c69
-    w40 = bar1_e2 * bar1_e1 * c72 + w4 * w39
+    w31 = bar1_x_dot * w7 + bar1_y_dot * w18 + bar1_z_dot * w26 + bar1_e0_dot * (w12 * (w12 * c68) + w0 * (w0 * c69) + w4 * (w4 * c70))
+    w32 = w2 * c68
+    w33 = w12 * w32 + bar1_e2 * bar1_e3 * c71
+    w34 = w2 * c69
+    w35 = w12 * c70
+    w36 = w0 * w34 + bar1_e1 * bar1_e3 * c72
+    w37 = w0 * c68
+    w38 = w1 * c69
+    w39 = w2 * c70
+    w40 = bar1_e2 * bar1_e1 * c73 + w4 * w39
     w41 = bar1_x_dot * w16 + bar1_y_dot * w25 + bar1_z_dot * w30 + bar1_e0_dot * (w31 + bar1_e1_dot * w33 + bar1_e2_dot * w36 + bar1_e3_dot * w40)
-    w42 = bar1_x_dot * w9 + bar1_y_dot * w20 + bar1_z_dot * w27 + bar1_e0_dot * w33 + bar1_e1_dot * (w2 * w32 + w4 * (w4 * c68) + w23 * (w23 * c69))
-    w43 = bar1_e3 * bar1_e0 * c73 + w23 * w35
-    w44 = w4 * w38 + bar1_e2 * bar1_e0 * c74
-    w45 = bar1_x_dot * w11 + bar1_y_dot * w21 + bar1_z_dot * w28 + bar1_e0_dot * w36 + bar1_e1_dot * w43 + bar1_e2_dot * (w8 * (w8 * c67) + w2 * w34 + w12 * w35)
-    w46 = w8 * w37 + bar1_e1 * bar1_e0 * c75
+    w42 = bar1_x_dot * w9 + bar1_y_dot * w20 + bar1_z_dot * w27 + bar1_e0_dot * w33 + bar1_e1_dot * (w2 * w32 + w4 * (w4 * c69) + w23 * (w23 * c70))
+    w43 = bar1_e3 * bar1_e0 * c74 + w23 * w35
+    w44 = w4 * w38 + bar1_e2 * bar1_e0 * c75
+    w45 = bar1_x_dot * w11 + bar1_y_dot * w21 + bar1_z_dot * w28 + bar1_e0_dot * w36 + bar1_e1_dot * w43 + bar1_e2_dot * (w8 * (w8 * c68) + w2 * w34 + w12 * w35)
+    w46 = w8 * w37 + bar1_e1 * bar1_e0 * c76
     w47 = w41 + bar1_e1_dot * (w42 + bar1_e2_dot * w43 + bar1_e3_dot * w44) + bar1_e2_dot * (w45 + bar1_e3_dot * w46)
     w48 = bar1_x_dot * w15 + bar1_y_dot * w24 + bar1_z_dot * w29 + bar1_e0_dot * w40 + bar1_e1_dot * w44 + bar1_e2_dot * w46
     w49 = bar2_e2 * -2.0
     w50 = 2 * bar2_e0
     w51 = 2 * bar2_e2
-    w52 = (w50 * bar2_e1 + w51 * bar2_e3) * c52
+    w52 = (w50 * bar2_e1 + w51 * bar2_e3) * c53
     w53 = bar2_e3 * -2.0
-    w54 = (1.0 - 2 * bar2_e1**2 - 2 * bar2_e3**2) * c52
+    w54 = (1.0 - 2 * bar2_e1**2 - 2 * bar2_e3**2) * c53
     w55 = w53 * w54
     w56 = w49 * w52 - w55
     w57 = 2 * bar2_e3
@@ -4792,7 +4797,7 @@ def energy() -> ca.Function:
     w64 = w50 * w54
     w65 = w63 - w64
     w66 = bar2_x_dot * bar2_mass + w56 * bar2_e0_dot + w58 * bar2_e1_dot + w61 * bar2_e2_dot + w65 * bar2_e3_dot
-    w67 = (bar2_e2 * w60 - w50 * bar2_e3) * c52
+    w67 = (bar2_e2 * w60 - w50 * bar2_e3) * c53
     w68 = w53 * w67 - w63
     w69 = w49 * w67
     w70 = w69 - w59
@@ -4806,22 +4811,22 @@ def energy() -> ca.Function:
     w78 = w55 - w72
     w79 = w51 * w54 - w62 * w67
     w80 = bar2_z_dot * bar2_mass + bar2_e0_dot * w76 + bar2_e1_dot * w77 + bar2_e2_dot * w78 + bar2_e3_dot * w79
-    w81 = bar2_x_dot * w56 + bar2_y_dot * w68 + bar2_z_dot * w76 + bar2_e0_dot * (w62 * (w62 * c76) + w49 * (w49 * c77) + w53 * (w53 * c78))
-    w82 = w50 * c76
-    w83 = w62 * w82 + bar2_e2 * bar2_e3 * c79
-    w84 = w50 * c77
-    w85 = w62 * c78
-    w86 = w49 * w84 + bar2_e1 * bar2_e3 * c80
-    w87 = w49 * c76
-    w88 = w60 * c77
-    w89 = w50 * c78
-    w90 = bar2_e2 * bar2_e1 * c81 + w53 * w89
+    w81 = bar2_x_dot * w56 + bar2_y_dot * w68 + bar2_z_dot * w76 + bar2_e0_dot * (w62 * (w62 * c77) + w49 * (w49 * c78) + w53 * (w53 * c79))
+    w82 = w50 * c77
+    w83 = w62 * w82 + bar2_e2 * bar2_e3 * c80
+    w84 = w50 * c78
+    w85 = w62 * c79
+    w86 = w49 * w84 + bar2_e1 * bar2_e3 * c81
+    w87 = w49 * c77
+    w88 = w60 * c78
+    w89 = w50 * c79
+    w90 = bar2_e2 * bar2_e1 * c82 + w53 * w89
     w91 = w75 + bar2_z_dot * w80 + bar2_e0_dot * (w81 + bar2_e1_dot * w83 + bar2_e2_dot * w86 + bar2_e3_dot * w90)
-    w92 = bar2_x_dot * w58 + bar2_y_dot * w70 + bar2_z_dot * w77 + bar2_e0_dot * w83 + bar2_e1_dot * (w50 * w82 + w53 * (w53 * c77) + w51 * (w51 * c78))
-    w93 = bar2_e0 * bar2_e3 * c82 + w51 * w85
-    w94 = w53 * w88 + bar2_e2 * bar2_e0 * c83
-    w95 = bar2_x_dot * w61 + bar2_y_dot * w71 + bar2_z_dot * w78 + bar2_e0_dot * w86 + bar2_e1_dot * w93 + bar2_e2_dot * (w57 * (w57 * c76) + w50 * w84 + w62 * w85)
-    w96 = w57 * w87 + bar2_e0 * bar2_e1 * c84
+    w92 = bar2_x_dot * w58 + bar2_y_dot * w70 + bar2_z_dot * w77 + bar2_e0_dot * w83 + bar2_e1_dot * (w50 * w82 + w53 * (w53 * c78) + w51 * (w51 * c79))
+    w93 = bar2_e0 * bar2_e3 * c83 + w51 * w85
+    w94 = w53 * w88 + bar2_e2 * bar2_e0 * c84
+    w95 = bar2_x_dot * w61 + bar2_y_dot * w71 + bar2_z_dot * w78 + bar2_e0_dot * w86 + bar2_e1_dot * w93 + bar2_e2_dot * (w57 * (w57 * c77) + w50 * w84 + w62 * w85)
+    w96 = w57 * w87 + bar2_e0 * bar2_e1 * c85
     w97 = w91 + bar2_e1_dot * (w92 + bar2_e2_dot * w93 + bar2_e3_dot * w94) + bar2_e2_dot * (w95 + bar2_e3_dot * w96)
     w98 = bar2_x_dot * w65 + bar2_y_dot * w73 + bar2_z_dot * w79 + bar2_e0_dot * w90 + bar2_e1_dot * w94 + bar2_e2_dot * w96
     w99 = bar3_e2 * -2.0
@@ -4856,31 +4861,31 @@ def energy() -> ca.Function:
     w128 = w105 - w123
     w129 = w102 * w104 - w112 * w118
     w130 = bar3_z_dot * bar3_mass + bar3_e0_dot * w126 + bar3_e1_dot * w127 + bar3_e2_dot * w128 + bar3_e3_dot * w129
-    w131 = bar3_x_dot * w106 + bar3_y_dot * w119 + bar3_z_dot * w126 + bar3_e0_dot * (w112 * (w112 * c22) + w99 * (w99 * c85) + w101 * (w101 * c86))
+    w131 = bar3_x_dot * w106 + bar3_y_dot * w119 + bar3_z_dot * w126 + bar3_e0_dot * (w112 * (w112 * c22) + w99 * (w99 * c86) + w101 * (w101 * c87))
     w132 = w103 * c22
-    w133 = w112 * w132 + bar3_e2 * bar3_e3 * c87
-    w134 = w103 * c85
-    w135 = w112 * c86
-    w136 = w99 * w134 + bar3_e1 * bar3_e3 * c88
+    w133 = w112 * w132 + bar3_e2 * bar3_e3 * c88
+    w134 = w103 * c86
+    w135 = w112 * c87
+    w136 = w99 * w134 + bar3_e1 * bar3_e3 * c89
     w137 = w99 * c22
-    w138 = w110 * c85
-    w139 = w103 * c86
-    w140 = bar3_e2 * bar3_e1 * c89 + w101 * w139
+    w138 = w110 * c86
+    w139 = w103 * c87
+    w140 = bar3_e2 * bar3_e1 * c90 + w101 * w139
     w141 = w117 + bar3_y_dot * w125 + bar3_z_dot * w130 + bar3_e0_dot * (w131 + bar3_e1_dot * w133 + bar3_e2_dot * w136 + bar3_e3_dot * w140)
-    w142 = bar3_x_dot * w108 + bar3_y_dot * w121 + bar3_z_dot * w127 + bar3_e0_dot * w133 + bar3_e1_dot * (w103 * w132 + w101 * (w101 * c85) + w102 * (w102 * c86))
-    w143 = bar3_e3 * bar3_e0 * c90 + w102 * w135
-    w144 = w101 * w138 + bar3_e2 * bar3_e0 * c91
+    w142 = bar3_x_dot * w108 + bar3_y_dot * w121 + bar3_z_dot * w127 + bar3_e0_dot * w133 + bar3_e1_dot * (w103 * w132 + w101 * (w101 * c86) + w102 * (w102 * c87))
+    w143 = bar3_e3 * bar3_e0 * c91 + w102 * w135
+    w144 = w101 * w138 + bar3_e2 * bar3_e0 * c92
     w145 = bar3_x_dot * w111 + bar3_y_dot * w122 + bar3_z_dot * w128 + bar3_e0_dot * w136 + bar3_e1_dot * w143
-    w146 = w107 * w137 + bar3_e1 * bar3_e0 * c92
+    w146 = w107 * w137 + bar3_e1 * bar3_e0 * c93
     w147 = bar3_e2_dot * (w145 + bar3_e2_dot * (w107 * (w107 * c22) + w103 * w134 + w112 * w135) + bar3_e3_dot * w146)
     w148 = bar3_x_dot * w115 + bar3_y_dot * w124 + bar3_z_dot * w129 + bar3_e0_dot * w140 + bar3_e1_dot * w144
     w149 = bar3_e3_dot * (w148 + bar3_e2_dot * w146 + bar3_e3_dot * (w99 * w137 + w110 * w138 + w103 * w139))
     w150 = bar4_e2 * -2.0
     w151 = 2 * bar4_e1
     w152 = 2 * bar4_e0
-    w153 = (w151 * bar4_e3 - bar4_e2 * w152) * c59
+    w153 = (w151 * bar4_e3 - bar4_e2 * w152) * c60
     w154 = bar4_e3 * -2.0
-    w155 = (bar4_e3 * w152 + bar4_e2 * w151) * c59
+    w155 = (bar4_e3 * w152 + bar4_e2 * w151) * c60
     w156 = w154 * w155
     w157 = w150 * w153 - w156
     w158 = 2 * bar4_e3
@@ -4893,7 +4898,7 @@ def energy() -> ca.Function:
     w165 = w163 - w164
     w166 = bar4_x_dot * bar4_mass + w157 * bar4_e0_dot + w159 * bar4_e1_dot + w161 * bar4_e2_dot + w165 * bar4_e3_dot
     w167 = w141 + bar3_e1_dot * (w142 + bar3_e2_dot * w143 + bar3_e3_dot * w144) + w147 + w149 + bar4_x_dot * w166
-    w168 = (1.0 - 2 * bar4_e2**2 - 2 * bar4_e3**2) * c59
+    w168 = (1.0 - 2 * bar4_e2**2 - 2 * bar4_e3**2) * c60
     w169 = w154 * w168 - w163
     w170 = w150 * w168
     w171 = w170 - w160
@@ -4907,31 +4912,31 @@ def energy() -> ca.Function:
     w179 = w156 - w173
     w180 = w155 * w174 - w162 * w168
     w181 = bar4_z_dot * bar4_mass + bar4_e0_dot * w177 + bar4_e1_dot * w178 + bar4_e2_dot * w179 + bar4_e3_dot * w180
-    w182 = bar4_x_dot * w157 + bar4_y_dot * w169 + bar4_z_dot * w177 + bar4_e0_dot * (w162 * (w162 * c93) + w150 * (w150 * c94) + w154 * (w154 * c95))
-    w183 = w152 * c93
-    w184 = w162 * w183 + bar4_e2 * bar4_e3 * c96
-    w185 = w152 * c94
-    w186 = w162 * c95
-    w187 = w150 * w185 + bar4_e1 * bar4_e3 * c97
-    w188 = w150 * c93
-    w189 = w151 * c94
-    w190 = w152 * c95
-    w191 = bar4_e2 * bar4_e1 * c98 + w154 * w190
+    w182 = bar4_x_dot * w157 + bar4_y_dot * w169 + bar4_z_dot * w177 + bar4_e0_dot * (w162 * (w162 * c94) + w150 * (w150 * c95) + w154 * (w154 * c96))
+    w183 = w152 * c94
+    w184 = w162 * w183 + bar4_e2 * bar4_e3 * c97
+    w185 = w152 * c95
+    w186 = w162 * c96
+    w187 = w150 * w185 + bar4_e1 * bar4_e3 * c98
+    w188 = w150 * c94
+    w189 = w151 * c95
+    w190 = w152 * c96
+    w191 = bar4_e2 * bar4_e1 * c99 + w154 * w190
     w192 = w167 + bar4_y_dot * w176 + bar4_z_dot * w181 + bar4_e0_dot * (w182 + bar4_e1_dot * w184 + bar4_e2_dot * w187 + bar4_e3_dot * w191)
-    w193 = bar4_x_dot * w159 + bar4_y_dot * w171 + bar4_z_dot * w178 + bar4_e0_dot * w184 + bar4_e1_dot * (w152 * w183 + w154 * (w154 * c94) + w174 * (w174 * c95))
-    w194 = bar4_e3 * bar4_e0 * c99 + w174 * w186
-    w195 = w154 * w189 + bar4_e2 * bar4_e0 * c100
+    w193 = bar4_x_dot * w159 + bar4_y_dot * w171 + bar4_z_dot * w178 + bar4_e0_dot * w184 + bar4_e1_dot * (w152 * w183 + w154 * (w154 * c95) + w174 * (w174 * c96))
+    w194 = bar4_e3 * bar4_e0 * c100 + w174 * w186
+    w195 = w154 * w189 + bar4_e2 * bar4_e0 * c101
     w196 = bar4_x_dot * w161 + bar4_y_dot * w172 + bar4_z_dot * w179 + bar4_e0_dot * w187 + bar4_e1_dot * w194
-    w197 = w158 * w188 + bar4_e1 * bar4_e0 * c101
-    w198 = bar4_e2_dot * (w196 + bar4_e2_dot * (w158 * (w158 * c93) + w152 * w185 + w162 * w186) + bar4_e3_dot * w197)
+    w197 = w158 * w188 + bar4_e1 * bar4_e0 * c102
+    w198 = bar4_e2_dot * (w196 + bar4_e2_dot * (w158 * (w158 * c94) + w152 * w185 + w162 * w186) + bar4_e3_dot * w197)
     w199 = bar4_x_dot * w165 + bar4_y_dot * w175 + bar4_z_dot * w180 + bar4_e0_dot * w191 + bar4_e1_dot * w195
     w200 = bar4_e3_dot * (w199 + bar4_e2_dot * w197 + bar4_e3_dot * (w150 * w188 + w151 * w189 + w152 * w190))
     w201 = bar5_e2 * -2.0
     w202 = 2 * bar5_e0
     w203 = 2 * bar5_e2
-    w204 = (w202 * bar5_e1 + w203 * bar5_e3) * c62
+    w204 = (w202 * bar5_e1 + w203 * bar5_e3) * c63
     w205 = bar5_e3 * -2.0
-    w206 = (1.0 - 2 * bar5_e1**2 - 2 * bar5_e3**2) * c62
+    w206 = (1.0 - 2 * bar5_e1**2 - 2 * bar5_e3**2) * c63
     w207 = w205 * w206
     w208 = w201 * w204 - w207
     w209 = 2 * bar5_e3
@@ -4945,7 +4950,7 @@ def energy() -> ca.Function:
     w217 = w215 - w216
     w218 = bar5_x_dot * bar5_mass + w208 * bar5_e0_dot + w210 * bar5_e1_dot + w213 * bar5_e2_dot + w217 * bar5_e3_dot
     w219 = w192 + bar4_e1_dot * (w193 + bar4_e2_dot * w194 + bar4_e3_dot * w195) + w198 + w200 + bar5_x_dot * w218
-    w220 = (bar5_e2 * w212 - w202 * bar5_e3) * c62
+    w220 = (bar5_e2 * w212 - w202 * bar5_e3) * c63
     w221 = w205 * w220 - w215
     w222 = w201 * w220
     w223 = w222 - w211
@@ -4958,30 +4963,30 @@ def energy() -> ca.Function:
     w230 = w207 - w225
     w231 = w203 * w206 - w214 * w220
     w232 = bar5_z_dot * bar5_mass + bar5_e0_dot * w228 + bar5_e1_dot * w229 + bar5_e2_dot * w230 + bar5_e3_dot * w231
-    w233 = bar5_x_dot * w208 + bar5_y_dot * w221 + bar5_z_dot * w228 + bar5_e0_dot * (w214 * (w214 * c102) + w201 * (w201 * c104) + w205 * (w205 * c105))
-    w234 = w202 * c102
-    w235 = w214 * w234 + bar5_e2 * bar5_e3 * c106
-    w236 = w202 * c104
-    w237 = w214 * c105
-    w238 = w201 * w236 + bar5_e1 * bar5_e3 * c107
-    w239 = w201 * c102
-    w240 = w212 * c104
-    w241 = w202 * c105
-    w242 = bar5_e2 * bar5_e1 * c108 + w205 * w241
+    w233 = bar5_x_dot * w208 + bar5_y_dot * w221 + bar5_z_dot * w228 + bar5_e0_dot * (w214 * (w214 * c103) + w201 * (w201 * c105) + w205 * (w205 * c106))
+    w234 = w202 * c103
+    w235 = w214 * w234 + bar5_e2 * bar5_e3 * c107
+    w236 = w202 * c105
+    w237 = w214 * c106
+    w238 = w201 * w236 + bar5_e1 * bar5_e3 * c108
+    w239 = w201 * c103
+    w240 = w212 * c105
+    w241 = w202 * c106
+    w242 = bar5_e2 * bar5_e1 * c109 + w205 * w241
     w243 = w219 + bar5_y_dot * w227 + bar5_z_dot * w232 + bar5_e0_dot * (w233 + bar5_e1_dot * w235 + bar5_e2_dot * w238 + bar5_e3_dot * w242)
-    w244 = bar5_x_dot * w210 + bar5_y_dot * w223 + bar5_z_dot * w229 + bar5_e0_dot * w235 + bar5_e1_dot * (w202 * w234 + w205 * (w205 * c104) + w203 * (w203 * c105))
-    w245 = bar5_e0 * bar5_e3 * c109 + w203 * w237
-    w246 = w205 * w240 + bar5_e2 * bar5_e0 * c110
+    w244 = bar5_x_dot * w210 + bar5_y_dot * w223 + bar5_z_dot * w229 + bar5_e0_dot * w235 + bar5_e1_dot * (w202 * w234 + w205 * (w205 * c105) + w203 * (w203 * c106))
+    w245 = bar5_e0 * bar5_e3 * c110 + w203 * w237
+    w246 = w205 * w240 + bar5_e2 * bar5_e0 * c111
     w247 = bar5_x_dot * w213 + bar5_y_dot * w224 + bar5_z_dot * w230 + bar5_e0_dot * w238 + bar5_e1_dot * w245
-    w248 = w209 * w239 + bar5_e0 * bar5_e1 * c111
-    w249 = bar5_e2_dot * (w247 + bar5_e2_dot * (w209 * (w209 * c102) + w202 * w236 + w214 * w237) + bar5_e3_dot * w248)
+    w248 = w209 * w239 + bar5_e0 * bar5_e1 * c112
+    w249 = bar5_e2_dot * (w247 + bar5_e2_dot * (w209 * (w209 * c103) + w202 * w236 + w214 * w237) + bar5_e3_dot * w248)
     w250 = bar5_x_dot * w217 + bar5_y_dot * w226 + bar5_z_dot * w231 + bar5_e0_dot * w242 + bar5_e1_dot * w246
     w251 = bar5_e3_dot * (w250 + bar5_e2_dot * w248 + bar5_e3_dot * (w201 * w239 + w212 * w240 + w202 * w241))
     w252 = w5 + bar1_y * bar1_mass + (w54 + bar2_y * bar2_mass) + (w104 + bar3_y * bar3_mass) + (w155 + bar4_y * bar4_mass)
     # outputs
     kinetic = ca.vertcat((w243 + bar5_e1_dot * (w244 + bar5_e2_dot * w245 + bar5_e3_dot * w246) + w249 + w251) / 2.0)
     elastic = ca.SX(1, 1)
-    potential = ca.vertcat((w252 + (w206 + bar5_y * bar5_mass)) * c118)
+    potential = ca.vertcat((w252 + (w206 + bar5_y * bar5_mass)) * c119)
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -4993,13 +4998,13 @@ def measures() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
-    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives measures (measures = 6) [mixed]: measures of the scene and their rates
     64 operations.
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
-    c = ca.SX.sym("c", 125)
+    c = ca.SX.sym("c", 127)
     bar3_x = q[14]
     bar3_y = q[15]
     bar3_z = q[16]
@@ -5015,19 +5020,19 @@ def measures() -> ca.Function:
     bar3_e2_dot = q_dot[19]
     bar3_e3_dot = q_dot[20]
     bar3_end_z = c[11]
-    c119 = c[119]
     c120 = c[120]
+    c121 = c[121]
     # intermediate terms (2)
     w0 = bar3_e3 * bar3_e1_dot + (bar3_e1 * bar3_e3_dot + (bar3_e0 * bar3_e2_dot + bar3_e2 * bar3_e0_dot))
-    w1 = (bar3_e2 * bar3_e3_dot + bar3_e3 * bar3_e2_dot - bar3_e0 * bar3_e1_dot - bar3_e1 * bar3_e0_dot) * c119
+    w1 = (bar3_e2 * bar3_e3_dot + bar3_e3 * bar3_e2_dot - bar3_e0 * bar3_e1_dot - bar3_e1 * bar3_e0_dot) * c120
     # outputs
     measures = ca.vertcat(
-        bar3_x + (bar3_e0 * bar3_e2 + bar3_e1 * bar3_e3) * c119,  # P3_x
-        bar3_x_dot + w0 * c119,  # P3_x_dot
-        bar3_y + (bar3_e2 * bar3_e3 - bar3_e0 * bar3_e1) * c119,  # P3_y
+        bar3_x + (bar3_e0 * bar3_e2 + bar3_e1 * bar3_e3) * c120,  # P3_x
+        bar3_x_dot + w0 * c120,  # P3_x_dot
+        bar3_y + (bar3_e2 * bar3_e3 - bar3_e0 * bar3_e1) * c120,  # P3_y
         bar3_y_dot + w1,  # P3_y_dot
-        bar3_end_z + bar3_z - bar3_e2**2 * c119 - bar3_e1**2 * c119,  # P3_z
-        bar3_z_dot - bar3_e2 * bar3_e2_dot * c120 - bar3_e1 * bar3_e1_dot * c120,  # P3_z_dot
+        bar3_end_z + bar3_z - bar3_e2**2 * c120 - bar3_e1**2 * c120,  # P3_z
+        bar3_z_dot - bar3_e2 * bar3_e2_dot * c121 - bar3_e1 * bar3_e1_dot * c121,  # P3_z_dot
     )
     inputs, outputs = [q, q_dot, c], [ca.densify(measures)]
     return ca.Function("measures", inputs, outputs, ["q", "q_dot", "c"], ["measures"])
@@ -5158,7 +5163,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
     1636 operations.
     """
@@ -5166,7 +5171,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
-    c = ca.SX.sym("c", 125)
+    c = ca.SX.sym("c", 127)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -5584,15 +5589,15 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    701 operations.
+    698 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
-    c = ca.SX.sym("c", 125)
+    c = ca.SX.sym("c", 127)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -5625,6 +5630,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c21 = c[21]
     c22 = c[22]
     c23 = c[23]
+    c122 = c[122]
     # intermediate terms (177)
     w0 = ca.cos(hinge0_angle)
     w1 = ca.sin(hinge2_angle)
@@ -5772,13 +5778,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w143 = 2 * (w4 * hinge1_angle_dot - w1 * w134)
     w144 = w143 * c1
     w145 = w4 * w144
-    w146 = w133 - w16 * (w16 * w133 - w2 * (w136 * bar2_end_y - w140 - (w142 - w145) + w138 * c5 - w138 * c6))
+    w146 = w133 - w16 * (w16 * w133 - w2 * (w136 * bar2_end_y - w140 - (w142 - w145) + w138 * c122)) + (w2 * w131 - w16 * (w136 + w138 * c8)) * bar1_end_x
     w147 = w4 * c4
     w148 = 2 * -w124
     w149 = w148 * bar2_end_y
     w150 = w147 * w149
     w151 = 2 * hinge0_angle_dot * bar1_end_x
-    w152 = w69 * (w69 * (w13 * (w26 * (w70 * c15 - w70 * c16)) + w13 * (w70 * c14) * bar5_end_y) - w123) - (w146 + (w2 * w131 - w16 * (w136 + w138 * c8)) * bar1_end_x - (w129 + w150 + w147 * w151))
+    w152 = w69 * (w69 * (w13 * (w26 * (w70 * c17)) + w13 * (w70 * c14) * bar5_end_y) - w123) - (w146 - (w129 + w150 + w147 * w151))
     w153 = 2 * -(w13 * hinge5_angle_dot)
     w154 = 2 * -(w26 * hinge5_angle_dot)
     w155 = w69 * (w26 * (w153 * c16) - w13 * (w154 * c15) - 2 * -hinge5_angle_dot * bar5_end_y * (w13 * c14))
@@ -5817,7 +5823,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 125) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     1933 operations.
@@ -5827,7 +5833,7 @@ def residual_jacobian() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 125)
+    c = ca.SX.sym("c", 127)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -5862,10 +5868,10 @@ def residual_jacobian() -> ca.Function:
     c23 = c[23]
     gravity_y = c[24]
     c25 = c[25]
-    c121 = c[121]
-    c122 = c[122]
     c123 = c[123]
     c124 = c[124]
+    c125 = c[125]
+    c126 = c[126]
     # intermediate terms (485)
     w0 = ca.cos(hinge0_angle)
     w1 = ca.sin(hinge2_angle)
@@ -5953,7 +5959,7 @@ def residual_jacobian() -> ca.Function:
     w83 = w60 * w77 + w53 * w80 - w58 * w82
     w84 = (w50 * w52 - w64 * w66 - w30 * w68) / w83
     w85 = w28 * c14
-    w86 = w85 * c121 + (c20 + (c15 - w15 * (w15 * c17)))
+    w86 = w85 * c123 + (c20 + (c15 - w15 * (w15 * c17)))
     w87 = w5 * hinge0_angle_dot
     w88 = w2 * hinge1_angle_dot
     w89 = w88 * bar2_end_y
@@ -6076,7 +6082,7 @@ def residual_jacobian() -> ca.Function:
     w206 = (w77 * w185 + w147 * w192 + w118 * w195 - w98 * w205) / w83 + w119 * hinge0_angle_ddot
     w207 = w18 * w206 - hinge1_angle_dot * w88
     w208 = w0 * hinge0_angle_ddot - hinge0_angle_dot * w87
-    w209 = w2 * w208 + (w5 * w207 + hinge1_angle_dot * (w26 * hinge0_angle_dot) * c122)
+    w209 = w2 * w208 + (w5 * w207 + hinge1_angle_dot * (w26 * hinge0_angle_dot) * c124)
     w210 = w60 * w72
     w211 = w210 - w58 * w79
     w212 = (w192 * w211 - w80 * w185 - w123 * w195 + w125 * w205) / w83 + w126 * hinge0_angle_ddot
@@ -6084,7 +6090,7 @@ def residual_jacobian() -> ca.Function:
     w214 = w87 * w141
     w215 = hinge0_angle_dot * w104 + w5 * hinge0_angle_ddot
     w216 = w4 * w212 - hinge2_angle_dot * w141
-    w217 = (w0 * w213 - w214 + (w4 * w215 - w214) + (w1 * w209 + (w9 * w216 + w90 * w140 * c122))) * bar3_end_z
+    w217 = (w0 * w213 - w214 + (w4 * w215 - w214) + (w1 * w209 + (w9 * w216 + w90 * w140 * c124))) * bar3_end_z
     w218 = w209 * bar2_end_y - w217
     w219 = w87 * w93
     w220 = hinge1_angle_dot * w112 + w2 * w206
@@ -6096,7 +6102,7 @@ def residual_jacobian() -> ca.Function:
     w226 = w112 * w142
     w227 = w88 * w104
     w228 = w18 * w208 - w227 - (w227 + w5 * w220)
-    w229 = w126 * (w11 * w207 - w226 - (w226 + w2 * w217) - (w19 * w222 + (w35 * w228 + w91 * w105 * c123)))
+    w229 = w126 * (w11 * w207 - w226 - (w226 + w2 * w217) - (w19 * w222 + (w35 * w228 + w91 * w105 * c125)))
     w230 = w60 * w74 + w53 * w79
     w231 = (w82 * w145 + w157 * w230 + w130 * w162 + w132 * w135) / w83
     w232 = w48 * w58
@@ -6105,24 +6111,24 @@ def residual_jacobian() -> ca.Function:
     w235 = w20 * w234 - hinge5_angle_dot * w109
     w236 = w133 * hinge0_angle_ddot - (w82 * w185 + w192 * w230 + w130 * w195 + w132 * w205) / w83
     w237 = w15 * w236 - hinge4_angle_dot * w100
-    w238 = (w28 * w235 + (w14 * w237 + hinge4_angle_dot * w196 * c122)) * bar4_end_x
+    w238 = (w28 * w235 + (w14 * w237 + hinge4_angle_dot * w196 * c124)) * bar4_end_x
     w239 = w106 * w109
     w240 = hinge5_angle_dot * w99 + w14 * w234
     w241 = (w20 * w237 - w239 - (w239 + w28 * w240)) * bar4_end_x
     w242 = w109 * w138
-    w243 = w133 * (w14 * w238 + (w55 * w235 + w99 * w136 * c124) + (w20 * w241 - w242 - (w242 + w57 * w240)))
+    w243 = w133 * (w14 * w238 + (w55 * w235 + w99 * w136 * c126) + (w20 * w241 - w242 - (w242 + w57 * w240)))
     w244 = w225 - w229 + 2 * w139 * w231 + w243
     w245 = w87 * w112
     w246 = w0 * w207 - w245 - (w245 + w2 * w215)
     w247 = w104 * w141
-    w248 = (w1 * w246 + (w3 * w216 + w90 * w148 * c122) + (w4 * w208 - w247 - (w247 + w5 * w213))) * bar3_end_z
+    w248 = (w1 * w246 + (w3 * w216 + w90 * w148 * c124) + (w4 * w208 - w247 - (w247 + w5 * w213))) * bar3_end_z
     w249 = w248 - w246 * bar2_end_y
     w250 = w87 * w152
-    w251 = w163 * (2 * -w153) - w119 * (w0 * w249 - w250 - (w250 + w8 * w215) - (w5 * w218 + (w12 * w208 + w104 * w143 * c122)))
+    w251 = w163 * (2 * -w153) - w119 * (w0 * w249 - w250 - (w250 + w8 * w215) - (w5 * w218 + (w12 * w208 + w104 * w143 * c124)))
     w252 = w87 * w88
     w253 = w0 * w220 - w252 + (w18 * w215 - w252)
     w254 = w102 * w142
-    w255 = w126 * (w19 * w248 + (w6 * w228 + w105 * w149 * c123) - (w11 * w253 - w254 + (w26 * w217 - w254)))
+    w255 = w126 * (w19 * w248 + (w6 * w228 + w105 * w149 * c125) - (w11 * w253 - w254 + (w26 * w217 - w254)))
     w256 = w109 * w154
     w257 = hinge4_angle_dot * w106 + w28 * w236
     w258 = w257 * bar4_end_x
@@ -6132,7 +6138,7 @@ def residual_jacobian() -> ca.Function:
     w262 = w93 * w104
     w263 = w249 - w215 * bar1_end_x + w163 * (2 * -w158) - w119 * (w43 * w208 - w262 - (w262 + w5 * w223)) + w224 * (2 * w159)
     w264 = w92 * w102
-    w265 = w126 * (w26 * w222 - w264 - (w264 + w35 * w253) + (w2 * w248 + (w6 * w207 + w112 * w149 * c123)))
+    w265 = w126 * (w26 * w222 - w264 - (w264 + w35 * w253) + (w2 * w248 + (w6 * w207 + w112 * w149 * c125)))
     w266 = w99 * w154
     w267 = w263 + w265 + w231 * (2 * -w160) - w133 * (w16 * w235 - w266 - (w266 + w14 * w258)) - w260 * (2 * -w161)
     w268 = w267 - w84 * (w241 + w240 * bar5_end_y)
@@ -6140,23 +6146,23 @@ def residual_jacobian() -> ca.Function:
     w270 = w15 * w235 - w269 - (w269 + w14 * w257)
     w271 = w101 * w102
     w272 = w26 * w270 - w271 - (w271 + w23 * w253)
-    w273 = w19 * w237 + (w28 * w228 + w105 * w106 * c122)
+    w273 = w19 * w237 + (w28 * w228 + w105 * w106 * c124)
     w274 = w272 - w273
     w275 = w105 * w110
     w276 = w100 * w109
     w277 = w20 * w257 - w276 + (w15 * w240 - w276)
     w278 = w21 * w228 - w275 - (w275 + w19 * w277)
-    w279 = w2 * w270 + (w23 * w207 + w101 * w112 * c122)
+    w279 = w2 * w270 + (w23 * w207 + w101 * w112 * c124)
     w280 = w278 - w279
     w281 = w102 * w110
-    w282 = w21 * w253 - w281 + (w26 * w277 - w281) + (w2 * w237 + (w28 * w207 + hinge4_angle_dot * (hinge1_angle_dot * (w15 * w18)) * c122))
+    w282 = w21 * w253 - w281 + (w26 * w277 - w281) + (w2 * w237 + (w28 * w207 + hinge4_angle_dot * (hinge1_angle_dot * (w15 * w18)) * c124))
     w283 = w87 * w115
-    w284 = w119 * (w25 * w208 + (w5 * w280 + w104 * w114 * c122) - (w0 * w282 - w283 + (w33 * w215 - w283)))
+    w284 = w119 * (w25 * w208 + (w5 * w280 + w104 * w114 * c124) - (w0 * w282 - w283 + (w33 * w215 - w283)))
     w285 = w102 * w114
     w286 = w105 * w115
-    w287 = w26 * w280 - w285 - (w285 + w25 * w253) + (w30 * w207 + (w2 * w274 + w108 * w112 * c122)) - (w33 * w228 - w286 - (w286 + w19 * w282))
+    w287 = w26 * w280 - w285 - (w285 + w25 * w253) + (w30 * w207 + (w2 * w274 + w108 * w112 * c124)) - (w33 * w228 - w286 - (w286 + w19 * w282))
     w288 = w109 * w115
-    w289 = w37 * w235 + (w14 * (w273 - w272) + w99 * w127 * c122) + (w20 * w282 - w288 - (w288 + w38 * w240))
+    w289 = w37 * w235 + (w14 * (w273 - w272) + w99 * w127 * c124) + (w20 * w282 - w288 - (w288 + w38 * w240))
     w290 = w274 + w163 * (2 * w116) + w284 + w224 * (2 * w120) + w126 * w287 + w231 * (2 * -w128) - w133 * w289
     w291 = w290 - w260 * (2 * -w134) - w84 * (w279 - w278)
     w292 = w58 * w71

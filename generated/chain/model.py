@@ -20,8 +20,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 12) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
-    158 operations.
+    gives c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    160 operations.
     """
     p = ca.SX.sym("p", 12)
     link_length = p[0]
@@ -107,20 +107,21 @@ def constants() -> ca.Function:
         link8_mass * gravity_y,  # c44
         link9_mass * gravity_y,  # c45
         link10_mass * gravity_y,  # c46
+        -link_length,  # c47
         link1_mass,  # link1_mass
-        w3,  # c48
-        w12,  # c49
-        w13,  # c50
-        w14,  # c51
-        w15,  # c52
-        w16,  # c53
-        w17,  # c54
-        w18,  # c55
-        w19,  # c56
-        w20,  # c57
-        link1_mass * gravity_y,  # c58
-        -gravity_y,  # c59
-        w11,  # c60
+        w3,  # c49
+        w12,  # c50
+        w13,  # c51
+        w14,  # c52
+        w15,  # c53
+        w16,  # c54
+        w17,  # c55
+        w18,  # c56
+        w19,  # c57
+        w20,  # c58
+        link1_mass * gravity_y,  # c59
+        -gravity_y,  # c60
+        w11,  # c61
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -131,14 +132,14 @@ def condensed() -> ca.Function:
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
-    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 10 x 10) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 10) [N, N m]: condensed force S^T (Q* - M s)
     605 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 61)
+    c = ca.SX.sym("c", 62)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -397,12 +398,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 20) [mixed]: dependent coordinates after one Newton step
     83 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
-    c = ca.SX.sym("c", 61)
+    c = ca.SX.sym("c", 62)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -462,13 +463,13 @@ def velocities() -> ca.Function:
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
-    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 20) [mixed]: rates of the dependent coordinates
     119 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 61)
+    c = ca.SX.sym("c", 62)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -488,6 +489,7 @@ def velocities() -> ca.Function:
     link8_theta_dot = q_i_dot[7]
     link9_theta_dot = q_i_dot[8]
     link_length = c[0]
+    c47 = c[47]
     # intermediate terms (16)
     w0 = ca.sin(link1_theta) * link_length * link1_theta_dot
     w1 = link1_theta_dot * (ca.cos(link1_theta) * link_length)
@@ -525,7 +527,7 @@ def velocities() -> ca.Function:
         w13,  # link8.y
         -w14,  # link9.x
         w15,  # link9.y
-        -(w14 + ca.sin(link9_theta) * link_length * link9_theta_dot),  # link10.x
+        ca.sin(link9_theta) * c47 * link9_theta_dot - w14,  # link10.x
         w15 + link9_theta_dot * (ca.cos(link9_theta) * link_length),  # link10.y
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_d_dot)]
@@ -538,14 +540,14 @@ def accelerations() -> ca.Function:
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 10) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 20) [mixed]: accelerations of the dependent coordinates
     173 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
     q_i_ddot = ca.SX.sym("q_i_ddot", 10)
-    c = ca.SX.sym("c", 61)
+    c = ca.SX.sym("c", 62)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -650,7 +652,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 30) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 30) [mixed]: rates of all coordinates
-    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 20) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 20 x 30) [SI]: constraint Jacobian
     gives C_t (n_c = 20) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -660,7 +662,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
-    c = ca.SX.sym("c", 61)
+    c = ca.SX.sym("c", 62)
     link1_x = q[0]
     link1_y = q[1]
     link1_theta = q[2]
@@ -861,7 +863,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 30) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 30) [mixed]: rates of all coordinates
-    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 30 x 30) [SI]: mass matrix in all coordinates
     gives K (n x n = 30 x 30) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 30) [N, N m]: quadratic velocity force in all coordinates
@@ -873,7 +875,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
-    c = ca.SX.sym("c", 61)
+    c = ca.SX.sym("c", 62)
     link1_theta = q[2]
     link2_theta = q[5]
     link3_theta = q[8]
@@ -924,8 +926,7 @@ def augmented() -> ca.Function:
     c44 = c[44]
     c45 = c[45]
     c46 = c[46]
-    link1_mass = c[47]
-    c48 = c[48]
+    link1_mass = c[48]
     c49 = c[49]
     c50 = c[50]
     c51 = c[51]
@@ -936,12 +937,13 @@ def augmented() -> ca.Function:
     c56 = c[56]
     c57 = c[57]
     c58 = c[58]
+    c59 = c[59]
     # intermediate terms (106)
     w0 = ca.sin(link1_theta)
-    w1 = w0 * c57
+    w1 = w0 * c58
     w2 = -w1
     w3 = ca.cos(link1_theta)
-    w4 = w3 * c57
+    w4 = w3 * c58
     w5 = ca.sin(link2_theta)
     w6 = w5 * c18
     w7 = -w6
@@ -1054,7 +1056,7 @@ def augmented() -> ca.Function:
     # link1.theta
     M[2, 0] = w2
     M[2, 1] = w4
-    M[2, 2] = c48
+    M[2, 2] = c49
     # link2.x
     M[3, 3] = link2_mass
     M[3, 5] = w7
@@ -1064,7 +1066,7 @@ def augmented() -> ca.Function:
     # link2.theta
     M[5, 3] = w7
     M[5, 4] = w9
-    M[5, 5] = c49
+    M[5, 5] = c50
     # link3.x
     M[6, 6] = link3_mass
     M[6, 8] = w12
@@ -1074,7 +1076,7 @@ def augmented() -> ca.Function:
     # link3.theta
     M[8, 6] = w12
     M[8, 7] = w14
-    M[8, 8] = c50
+    M[8, 8] = c51
     # link4.x
     M[9, 9] = link4_mass
     M[9, 11] = w17
@@ -1084,7 +1086,7 @@ def augmented() -> ca.Function:
     # link4.theta
     M[11, 9] = w17
     M[11, 10] = w19
-    M[11, 11] = c51
+    M[11, 11] = c52
     # link5.x
     M[12, 12] = link5_mass
     M[12, 14] = w22
@@ -1094,7 +1096,7 @@ def augmented() -> ca.Function:
     # link5.theta
     M[14, 12] = w22
     M[14, 13] = w24
-    M[14, 14] = c52
+    M[14, 14] = c53
     # link6.x
     M[15, 15] = link6_mass
     M[15, 17] = w27
@@ -1104,7 +1106,7 @@ def augmented() -> ca.Function:
     # link6.theta
     M[17, 15] = w27
     M[17, 16] = w29
-    M[17, 17] = c53
+    M[17, 17] = c54
     # link7.x
     M[18, 18] = link7_mass
     M[18, 20] = w32
@@ -1114,7 +1116,7 @@ def augmented() -> ca.Function:
     # link7.theta
     M[20, 18] = w32
     M[20, 19] = w34
-    M[20, 20] = c54
+    M[20, 20] = c55
     # link8.x
     M[21, 21] = link8_mass
     M[21, 23] = w37
@@ -1124,7 +1126,7 @@ def augmented() -> ca.Function:
     # link8.theta
     M[23, 21] = w37
     M[23, 22] = w39
-    M[23, 23] = c55
+    M[23, 23] = c56
     # link9.x
     M[24, 24] = link9_mass
     M[24, 26] = w42
@@ -1134,7 +1136,7 @@ def augmented() -> ca.Function:
     # link9.theta
     M[26, 24] = w42
     M[26, 25] = w44
-    M[26, 26] = c56
+    M[26, 26] = c57
     # link10.x
     M[27, 27] = link10_mass
     M[27, 29] = w46
@@ -1180,7 +1182,7 @@ def augmented() -> ca.Function:
     )
     Q_F = ca.vertcat(
         0.0,  # link1.x
-        c58,  # link1.y
+        c59,  # link1.y
         w78,  # link1.theta
         0.0,  # link2.x
         c38,  # link2.y
@@ -1212,7 +1214,7 @@ def augmented() -> ca.Function:
     )
     Q_star = ca.vertcat(
         w49,  # link1.x
-        w50 + c58,  # link1.y
+        w50 + c59,  # link1.y
         w78,  # link1.theta
         w52,  # link2.x
         c38 + w53,  # link2.y
@@ -1351,7 +1353,7 @@ def reactions() -> ca.Function:
     takes q (n = 30) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 30) [mixed]: rates of all coordinates
     takes q_ddot (n = 30) [mixed]: accelerations of all coordinates
-    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 20) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 10) [N, N m]: world force and moment of a joint on its body b, at b
     329 operations.
@@ -1359,7 +1361,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
     q_ddot = ca.SX.sym("q_ddot", 30)
-    c = ca.SX.sym("c", 61)
+    c = ca.SX.sym("c", 62)
     link1_theta = q[2]
     link2_theta = q[5]
     link3_theta = q[8]
@@ -1437,13 +1439,13 @@ def reactions() -> ca.Function:
     c44 = c[44]
     c45 = c[45]
     c46 = c[46]
-    link1_mass = c[47]
-    c57 = c[57]
+    link1_mass = c[48]
     c58 = c[58]
+    c59 = c[59]
     # intermediate terms (50)
     w0 = link1_theta_dot**2
-    w1 = ca.cos(link1_theta) * c57
-    w2 = ca.sin(link1_theta) * c57
+    w1 = ca.cos(link1_theta) * c58
+    w2 = ca.sin(link1_theta) * c58
     w3 = link2_theta_dot**2
     w4 = ca.cos(link2_theta) * c18
     w5 = ca.sin(link2_theta) * c18
@@ -1490,7 +1492,7 @@ def reactions() -> ca.Function:
     w46 = c40 + w9 * w11 - (link4_y_ddot * link4_mass + w10 * link4_theta_ddot) + w45
     w47 = c39 + w6 * w8 - (link3_y_ddot * link3_mass + w7 * link3_theta_ddot) + w46
     w48 = c38 + w3 * w5 - (link2_y_ddot * link2_mass + w4 * link2_theta_ddot) + w47
-    w49 = c58 + w0 * w2 - (link1_y_ddot * link1_mass + w1 * link1_theta_ddot) + w48
+    w49 = c59 + w0 * w2 - (link1_y_ddot * link1_mass + w1 * link1_theta_ddot) + w48
     # outputs
     lam = ca.vertcat(
         w39,  # hinge1.x
@@ -1535,7 +1537,7 @@ def energy() -> ca.Function:
 
     takes q (n = 30) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 30) [mixed]: rates of all coordinates
-    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -1545,7 +1547,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
-    c = ca.SX.sym("c", 61)
+    c = ca.SX.sym("c", 62)
     link1_y = q[1]
     link1_theta = q[2]
     link2_y = q[4]
@@ -1615,8 +1617,7 @@ def energy() -> ca.Function:
     c25 = c[25]
     c26 = c[26]
     c35 = c[35]
-    link1_mass = c[47]
-    c48 = c[48]
+    link1_mass = c[48]
     c49 = c[49]
     c50 = c[50]
     c51 = c[51]
@@ -1626,41 +1627,42 @@ def energy() -> ca.Function:
     c55 = c[55]
     c56 = c[56]
     c57 = c[57]
-    c59 = c[59]
+    c58 = c[58]
+    c60 = c[60]
     # intermediate terms (37)
-    w0 = ca.sin(link1_theta) * c57
-    w1 = ca.cos(link1_theta) * c57
+    w0 = ca.sin(link1_theta) * c58
+    w1 = ca.cos(link1_theta) * c58
     w2 = link1_x_dot * (link1_x_dot * link1_mass - w0 * link1_theta_dot) + link1_y_dot * (link1_y_dot * link1_mass + link1_theta_dot * w1)
     w3 = ca.sin(link2_theta) * c18
-    w4 = w2 + link1_theta_dot * (link1_y_dot * w1 - link1_x_dot * w0 + link1_theta_dot * c48) + link2_x_dot * (link2_x_dot * link2_mass - w3 * link2_theta_dot)
+    w4 = w2 + link1_theta_dot * (link1_y_dot * w1 - link1_x_dot * w0 + link1_theta_dot * c49) + link2_x_dot * (link2_x_dot * link2_mass - w3 * link2_theta_dot)
     w5 = ca.cos(link2_theta) * c18
-    w6 = w4 + link2_y_dot * (link2_y_dot * link2_mass + link2_theta_dot * w5) + link2_theta_dot * (link2_y_dot * w5 - link2_x_dot * w3 + link2_theta_dot * c49)
+    w6 = w4 + link2_y_dot * (link2_y_dot * link2_mass + link2_theta_dot * w5) + link2_theta_dot * (link2_y_dot * w5 - link2_x_dot * w3 + link2_theta_dot * c50)
     w7 = ca.sin(link3_theta) * c19
     w8 = ca.cos(link3_theta) * c19
     w9 = w6 + link3_x_dot * (link3_x_dot * link3_mass - w7 * link3_theta_dot) + link3_y_dot * (link3_y_dot * link3_mass + link3_theta_dot * w8)
     w10 = ca.sin(link4_theta) * c20
-    w11 = w9 + link3_theta_dot * (link3_y_dot * w8 - link3_x_dot * w7 + link3_theta_dot * c50) + link4_x_dot * (link4_x_dot * link4_mass - w10 * link4_theta_dot)
+    w11 = w9 + link3_theta_dot * (link3_y_dot * w8 - link3_x_dot * w7 + link3_theta_dot * c51) + link4_x_dot * (link4_x_dot * link4_mass - w10 * link4_theta_dot)
     w12 = ca.cos(link4_theta) * c20
-    w13 = w11 + link4_y_dot * (link4_y_dot * link4_mass + link4_theta_dot * w12) + link4_theta_dot * (link4_y_dot * w12 - link4_x_dot * w10 + link4_theta_dot * c51)
+    w13 = w11 + link4_y_dot * (link4_y_dot * link4_mass + link4_theta_dot * w12) + link4_theta_dot * (link4_y_dot * w12 - link4_x_dot * w10 + link4_theta_dot * c52)
     w14 = ca.sin(link5_theta) * c21
     w15 = ca.cos(link5_theta) * c21
     w16 = w13 + link5_x_dot * (link5_x_dot * link5_mass - w14 * link5_theta_dot) + link5_y_dot * (link5_y_dot * link5_mass + link5_theta_dot * w15)
     w17 = ca.sin(link6_theta) * c22
-    w18 = w16 + link5_theta_dot * (link5_y_dot * w15 - link5_x_dot * w14 + link5_theta_dot * c52) + link6_x_dot * (link6_x_dot * link6_mass - w17 * link6_theta_dot)
+    w18 = w16 + link5_theta_dot * (link5_y_dot * w15 - link5_x_dot * w14 + link5_theta_dot * c53) + link6_x_dot * (link6_x_dot * link6_mass - w17 * link6_theta_dot)
     w19 = ca.cos(link6_theta) * c22
-    w20 = w18 + link6_y_dot * (link6_y_dot * link6_mass + link6_theta_dot * w19) + link6_theta_dot * (link6_y_dot * w19 - link6_x_dot * w17 + link6_theta_dot * c53)
+    w20 = w18 + link6_y_dot * (link6_y_dot * link6_mass + link6_theta_dot * w19) + link6_theta_dot * (link6_y_dot * w19 - link6_x_dot * w17 + link6_theta_dot * c54)
     w21 = ca.sin(link7_theta) * c23
     w22 = ca.cos(link7_theta) * c23
     w23 = w20 + link7_x_dot * (link7_x_dot * link7_mass - w21 * link7_theta_dot) + link7_y_dot * (link7_y_dot * link7_mass + link7_theta_dot * w22)
     w24 = ca.sin(link8_theta) * c24
-    w25 = w23 + link7_theta_dot * (link7_y_dot * w22 - link7_x_dot * w21 + link7_theta_dot * c54) + link8_x_dot * (link8_x_dot * link8_mass - w24 * link8_theta_dot)
+    w25 = w23 + link7_theta_dot * (link7_y_dot * w22 - link7_x_dot * w21 + link7_theta_dot * c55) + link8_x_dot * (link8_x_dot * link8_mass - w24 * link8_theta_dot)
     w26 = ca.cos(link8_theta) * c24
-    w27 = w25 + link8_y_dot * (link8_y_dot * link8_mass + link8_theta_dot * w26) + link8_theta_dot * (link8_y_dot * w26 - link8_x_dot * w24 + link8_theta_dot * c55)
+    w27 = w25 + link8_y_dot * (link8_y_dot * link8_mass + link8_theta_dot * w26) + link8_theta_dot * (link8_y_dot * w26 - link8_x_dot * w24 + link8_theta_dot * c56)
     w28 = ca.sin(link9_theta) * c25
     w29 = ca.cos(link9_theta) * c25
     w30 = w27 + link9_x_dot * (link9_x_dot * link9_mass - w28 * link9_theta_dot) + link9_y_dot * (link9_y_dot * link9_mass + link9_theta_dot * w29)
     w31 = ca.sin(link10_theta) * c26
-    w32 = w30 + link9_theta_dot * (link9_y_dot * w29 - link9_x_dot * w28 + link9_theta_dot * c56) + link10_x_dot * (link10_x_dot * link10_mass - w31 * link10_theta_dot)
+    w32 = w30 + link9_theta_dot * (link9_y_dot * w29 - link9_x_dot * w28 + link9_theta_dot * c57) + link10_x_dot * (link10_x_dot * link10_mass - w31 * link10_theta_dot)
     w33 = ca.cos(link10_theta) * c26
     w34 = w32 + link10_y_dot * (link10_y_dot * link10_mass + link10_theta_dot * w33) + link10_theta_dot * (link10_y_dot * w33 - link10_x_dot * w31 + link10_theta_dot * c35)
     w35 = w0 + link1_y * link1_mass + (w3 + link2_y * link2_mass) + (w7 + link3_y * link3_mass) + (w10 + link4_y * link4_mass)
@@ -1668,7 +1670,7 @@ def energy() -> ca.Function:
     # outputs
     kinetic = ca.vertcat(w34 / 2.0)
     elastic = ca.SX(1, 1)
-    potential = ca.vertcat((w36 + (w28 + link9_y * link9_mass) + (w31 + link10_y * link10_mass)) * c59)
+    potential = ca.vertcat((w36 + (w28 + link9_y * link9_mass) + (w31 + link10_y * link10_mass)) * c60)
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -1815,13 +1817,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
-    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 10 x 10) [SI]: total derivative of Q_hat by q_i, through q_d
     792 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 61)
+    c = ca.SX.sym("c", 62)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -1880,6 +1882,7 @@ def dQ_hat_dq_i() -> ca.Function:
     c45 = c[45]
     c46 = c[46]
     c60 = c[60]
+    c61 = c[61]
     # intermediate terms (179)
     w0 = ca.cos(link1_theta) * link_length
     w1 = link1_theta_dot**2
@@ -2012,7 +2015,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w128 = c41 + w90 + w93 * link5_mass + w127
     w129 = c40 + w84 + w87 * link4_mass + w128
     w130 = c39 + w78 + w81 * link3_mass + w129
-    w131 = w0 * (w2 * c60) - (w3 * c37 + w0 * (w7 + w2 * link2_mass + w70) + w74 * (c38 + w73 + w75 * link2_mass + w130))
+    w131 = w0 * (w2 * c61) - (w3 * c37 + w0 * (w7 + w2 * link2_mass + w70) + w74 * (c38 + w73 + w75 * link2_mass + w130))
     w132 = w10 + w19 * c15
     w133 = w77 + w85 * c15
     w134 = w17 + w26 * c14
@@ -2063,7 +2066,7 @@ def dQ_hat_dq_i() -> ca.Function:
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w131 + w74 * (w75 * c60), w0 * (w7 + w146) + w74 * (w73 + w147), w0 * w149 + w74 * w151,
+            w131 + w74 * (w75 * c61), w0 * (w7 + w146) + w74 * (w73 + w147), w0 * w149 + w74 * w151,
             w0 * w153 + w74 * w155, w0 * w157 + w74 * w159, w0 * w161 + w74 * w163, w0 * w165 + w74 * w167,
             w0 * w170 + w74 * w172, w0 * w175 + w74 * w177, w0 * w59 + w74 * w119,
         ),
@@ -2115,7 +2118,7 @@ def dQ_hat_dq_i() -> ca.Function:
         ca.horzcat(  # link10.theta
             w2 * w58 + w75 * w118, w13 * w58 + w80 * w118, w20 * w58 + w86 * w118, w27 * w58 + w92 * w118,
             w34 * w58 + w98 * w118, w41 * w58 + w104 * w118, w48 * w58 + w110 * w118, w55 * w58 + w116 * w118,
-            w58 * w61 + w118 * w121, -(w118 * w122 + w58 * w62 + w118 * gravity_y),
+            w58 * w61 + w118 * w121, w118 * c60 - (w118 * w122 + w58 * w62),
         ),
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -2127,13 +2130,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
-    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 10 x 10) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     605 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 61)
+    c = ca.SX.sym("c", 62)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -2172,7 +2175,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
-    c60 = c[60]
+    c61 = c[61]
     # intermediate terms (126)
     w0 = ca.cos(link1_theta) * link_length
     w1 = ca.sin(link1_theta) * link_length
@@ -2303,7 +2306,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w0 * (w3 * c60) - w1 * (w4 * c60), w0 * (w9 * w69 + w71) - w1 * (w6 * w69 + w73), w0 * w77 - w1 * w80,
+            w0 * (w3 * c61) - w1 * (w4 * c61), w0 * (w9 * w69 + w71) - w1 * (w6 * w69 + w73), w0 * w77 - w1 * w80,
             w0 * w84 - w1 * w87, w0 * w91 - w1 * w94, w0 * w98 - w1 * w101, w0 * w105 - w1 * w108,
             w0 * w112 - w1 * w115, w0 * w119 - w1 * w122, w0 * w124 - w1 * w125,
         ),
@@ -2363,7 +2366,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 10) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 10 x 10) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 10 x 10) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     1385 operations.
@@ -2371,7 +2374,7 @@ def residual_jacobian() -> ca.Function:
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
     q_i_ddot = ca.SX.sym("q_i_ddot", 10)
-    c = ca.SX.sym("c", 61)
+    c = ca.SX.sym("c", 62)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -2439,7 +2442,7 @@ def residual_jacobian() -> ca.Function:
     c44 = c[44]
     c45 = c[45]
     c46 = c[46]
-    c60 = c[60]
+    c61 = c[61]
     # intermediate terms (290)
     w0 = ca.cos(link1_theta) * link_length
     w1 = ca.sin(link1_theta)
@@ -2734,7 +2737,7 @@ def residual_jacobian() -> ca.Function:
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w0 * (w4 * c60) - w165 - w2 * (w115 * c60), w0 * (w8 + w11 + w183) - w2 * (w116 - w114 + w185),
+            w0 * (w4 * c61) - w165 - w2 * (w115 * c61), w0 * (w8 + w11 + w183) - w2 * (w116 - w114 + w185),
             w0 * w188 - w2 * w191, w0 * w194 - w2 * w197, w0 * w200 - w2 * w203, w0 * w206 - w2 * w209,
             w0 * w212 - w2 * w215, w0 * w218 - w2 * w221, w0 * w224 - w2 * w227, w0 * w228 - w2 * w229,
         ),
@@ -2797,7 +2800,7 @@ def residual_jacobian() -> ca.Function:
     )
     J_v = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w0 * (w231 * c60) - w2 * (w232 * c60), w0 * (w10 * w233 + w235) - w2 * (w7 * w233 + w237),
+            w0 * (w231 * c61) - w2 * (w232 * c61), w0 * (w10 * w233 + w235) - w2 * (w7 * w233 + w237),
             w0 * w241 - w2 * w244, w0 * w248 - w2 * w251, w0 * w255 - w2 * w258, w0 * w262 - w2 * w265,
             w0 * w269 - w2 * w272, w0 * w276 - w2 * w279, w0 * w283 - w2 * w286, w0 * w288 - w2 * w289,
         ),
@@ -2857,13 +2860,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
-    takes c (n_const = 61) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 10) [mixed]: accelerations of the independent coordinates
     674 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 61)
+    c = ca.SX.sym("c", 62)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -2915,7 +2918,6 @@ def forward_dynamics() -> ca.Function:
     c44 = c[44]
     c45 = c[45]
     c46 = c[46]
-    c48 = c[48]
     c49 = c[49]
     c50 = c[50]
     c51 = c[51]
@@ -2924,6 +2926,7 @@ def forward_dynamics() -> ca.Function:
     c54 = c[54]
     c55 = c[55]
     c56 = c[56]
+    c57 = c[57]
     # intermediate terms (226)
     w0 = ca.cos(link1_theta)
     w1 = w0 * link_length
@@ -2971,7 +2974,7 @@ def forward_dynamics() -> ca.Function:
     w43 = w36 * w38
     w44 = link10_mass - w27 * w35
     w45 = w43 - w32 * w44
-    w46 = c56 + w38 * w41 - (w32 * w45 + w32 * w43)
+    w46 = c57 + w38 * w41 - (w32 * w45 + w32 * w43)
     w47 = w42 / w46
     w48 = w26 * w28 + w30 * w35 + w33 * w36 + w39 * w44
     w49 = w40 * gravity_y + w34 * w38 + w39 * w43 - w32 * w48
@@ -2991,7 +2994,7 @@ def forward_dynamics() -> ca.Function:
     w63 = w56 * w58
     w64 = link9_mass + w44 - w54 * w55
     w65 = w63 - w51 * w64
-    w66 = c55 + w58 * w61 - (w51 * w65 + w51 * w63)
+    w66 = c56 + w58 * w61 - (w51 * w65 + w51 * w63)
     w67 = w62 / w66
     w68 = w48 + w23 * w40 - w49 * w55 + w52 * w56 + w59 * w64
     w69 = w60 * gravity_y + w53 * w58 + w59 * w63 - w51 * w68
@@ -3011,7 +3014,7 @@ def forward_dynamics() -> ca.Function:
     w83 = w76 * w78
     w84 = link8_mass + w64 - w74 * w75
     w85 = w83 - w71 * w84
-    w86 = c54 + w78 * w81 - (w71 * w85 + w71 * w83)
+    w86 = c55 + w78 * w81 - (w71 * w85 + w71 * w83)
     w87 = w82 / w86
     w88 = w68 + w20 * w60 - w69 * w75 + w72 * w76 + w79 * w84
     w89 = w80 * gravity_y + w73 * w78 + w79 * w83 - w71 * w88
@@ -3031,7 +3034,7 @@ def forward_dynamics() -> ca.Function:
     w103 = w96 * w98
     w104 = link7_mass + w84 - w94 * w95
     w105 = w103 - w91 * w104
-    w106 = c53 + w98 * w101 - (w91 * w105 + w91 * w103)
+    w106 = c54 + w98 * w101 - (w91 * w105 + w91 * w103)
     w107 = w102 / w106
     w108 = w88 + w17 * w80 - w89 * w95 + w92 * w96 + w99 * w104
     w109 = w100 * gravity_y + w93 * w98 + w99 * w103 - w91 * w108
@@ -3051,7 +3054,7 @@ def forward_dynamics() -> ca.Function:
     w123 = w116 * w118
     w124 = link6_mass + w104 - w114 * w115
     w125 = w123 - w111 * w124
-    w126 = c52 + w118 * w121 - (w111 * w125 + w111 * w123)
+    w126 = c53 + w118 * w121 - (w111 * w125 + w111 * w123)
     w127 = w122 / w126
     w128 = w108 + w14 * w100 - w109 * w115 + w112 * w116 + w119 * w124
     w129 = w120 * gravity_y + w113 * w118 + w119 * w123 - w111 * w128
@@ -3071,7 +3074,7 @@ def forward_dynamics() -> ca.Function:
     w143 = w136 * w138
     w144 = link5_mass + w124 - w134 * w135
     w145 = w143 - w131 * w144
-    w146 = c51 + w138 * w141 - (w131 * w145 + w131 * w143)
+    w146 = c52 + w138 * w141 - (w131 * w145 + w131 * w143)
     w147 = w142 / w146
     w148 = w128 + w11 * w120 - w129 * w135 + w132 * w136 + w139 * w144
     w149 = w140 * gravity_y + w133 * w138 + w139 * w143 - w131 * w148
@@ -3091,7 +3094,7 @@ def forward_dynamics() -> ca.Function:
     w163 = w156 * w158
     w164 = link4_mass + w144 - w154 * w155
     w165 = w163 - w151 * w164
-    w166 = c50 + w158 * w161 - (w151 * w165 + w151 * w163)
+    w166 = c51 + w158 * w161 - (w151 * w165 + w151 * w163)
     w167 = w162 / w166
     w168 = w148 + w8 * w140 - w149 * w155 + w152 * w156 + w159 * w164
     w169 = w160 * gravity_y + w153 * w158 + w159 * w163 - w151 * w168
@@ -3111,7 +3114,7 @@ def forward_dynamics() -> ca.Function:
     w183 = w176 * w178
     w184 = link3_mass + w164 - w174 * w175
     w185 = w183 - w171 * w184
-    w186 = c49 + w178 * w181 - (w171 * w185 + w171 * w183)
+    w186 = c50 + w178 * w181 - (w171 * w185 + w171 * w183)
     w187 = w182 / w186
     w188 = w168 + w5 * w160 - w169 * w175 + w172 * w176 + w179 * w184
     w189 = w180 * gravity_y + w173 * w178 + w179 * w183 - w171 * w188
@@ -3126,7 +3129,7 @@ def forward_dynamics() -> ca.Function:
     w198 = w1 * w191
     w199 = link2_mass + w184 - w194 * w195
     w200 = w0 * c37 + w1 * (c38 + w2 * w4 + w173 + w176 * w179 - w187 * w189 + w190 * w193) + w197 * w198 - w192 * (w188 + w2 * w180 - w189 * w195 + w193 * w196 + w198 * w199)
-    w201 = w200 / (c48 + w1 * (w1 * w190) - (w192 * (w197 - w192 * w199) + w192 * w197))
+    w201 = w200 / (c49 + w1 * (w1 * w190) - (w192 * (w197 - w192 * w199) + w192 * w197))
     w202 = w1 * w201 - w193
     w203 = w198 + w192 * w201
     w204 = (w189 - (w182 * w202 - w194 * w203)) / w186

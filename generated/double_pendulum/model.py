@@ -16,8 +16,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 9) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
-    55 operations.
+    gives c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    59 operations.
     """
     p = ca.SX.sym("p", 9)
     gravity_y = p[0]
@@ -28,33 +28,36 @@ def constants() -> ca.Function:
     lower_inertia = p[5]
     lower_center_of_mass_x = p[6]
     upper_tip_x = p[7]
-    # intermediate terms (5)
+    # intermediate terms (6)
     w0 = upper_tip_x * lower_mass
     w1 = lower_mass * lower_center_of_mass_x
     w2 = upper_mass * upper_center_of_mass_x
     w3 = w2 * gravity_y
     w4 = w3 + w0 * gravity_y
+    w5 = w1 * gravity_y
     # outputs
     c = ca.vertcat(
         upper_inertia + upper_center_of_mass_x * w2 + lower_mass * upper_tip_x**2,  # c0
         w0 * lower_center_of_mass_x,  # c1
         lower_inertia + lower_center_of_mass_x * w1,  # c2
         w4,  # c3
-        w1 * gravity_y,  # c4
+        w5,  # c4
         upper_tip_x,  # upper_tip_x
+        -upper_tip_x,  # c6
         upper_mass,  # upper_mass
-        upper_inertia + upper_mass * upper_center_of_mass_x**2,  # c7
+        upper_inertia + upper_mass * upper_center_of_mass_x**2,  # c8
         lower_mass,  # lower_mass
-        w1,  # c9
-        lower_inertia + lower_mass * lower_center_of_mass_x**2,  # c10
-        w2,  # c11
+        w1,  # c10
+        lower_inertia + lower_mass * lower_center_of_mass_x**2,  # c11
+        w2,  # c12
         gravity_y,  # gravity_y
-        lower_mass * gravity_y,  # c13
-        upper_mass * gravity_y,  # c14
-        -gravity_y,  # c15
-        -w4,  # c16
-        lower_center_of_mass_x * (lower_mass * (2 * upper_tip_x)),  # c17
-        w3,  # c18
+        lower_mass * gravity_y,  # c14
+        upper_mass * gravity_y,  # c15
+        -gravity_y,  # c16
+        -w4,  # c17
+        -w5,  # c18
+        lower_center_of_mass_x * (lower_mass * (2 * upper_tip_x)),  # c19
+        w3,  # c20
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -65,14 +68,14 @@ def condensed() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 2 x 2) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 2) [N, N m]: condensed force S^T (Q* - M s)
     30 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 21)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -103,12 +106,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 4) [mixed]: dependent coordinates after one Newton step
     11 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 21)
     upper_theta = q_i[0]
     upper_tip_x = c[5]
     # outputs
@@ -124,19 +127,20 @@ def velocities() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 4) [mixed]: rates of the dependent coordinates
     15 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 21)
     upper_theta = q_i[0]
     upper_theta_dot = q_i_dot[0]
     upper_tip_x = c[5]
+    c6 = c[6]
     # outputs
     q_d_dot = ca.SX(4, 1)
-    q_d_dot[2] = -(ca.sin(upper_theta) * upper_tip_x * upper_theta_dot)  # lower.x
+    q_d_dot[2] = ca.sin(upper_theta) * c6 * upper_theta_dot  # lower.x
     q_d_dot[3] = upper_theta_dot * (ca.cos(upper_theta) * upper_tip_x)  # lower.y
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_d_dot"])
@@ -148,14 +152,14 @@ def accelerations() -> ca.Function:
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 4) [mixed]: accelerations of the dependent coordinates
     21 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 21)
     upper_theta = q_i[0]
     upper_theta_dot = q_i_dot[0]
     upper_theta_ddot = q_i_ddot[0]
@@ -177,7 +181,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 4) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 4 x 6) [SI]: constraint Jacobian
     gives C_t (n_c = 4) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -187,7 +191,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 21)
     upper_x = q[0]
     upper_y = q[1]
     upper_theta = q[2]
@@ -233,7 +237,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 6 x 6) [SI]: mass matrix in all coordinates
     gives K (n x n = 6 x 6) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 6) [N, N m]: quadratic velocity force in all coordinates
@@ -245,30 +249,30 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 21)
     upper_theta = q[2]
     lower_theta = q[5]
     upper_theta_dot = q_dot[2]
     lower_theta_dot = q_dot[5]
     upper_tip_x = c[5]
-    upper_mass = c[6]
-    c7 = c[7]
-    lower_mass = c[8]
-    c9 = c[9]
+    upper_mass = c[7]
+    c8 = c[8]
+    lower_mass = c[9]
     c10 = c[10]
     c11 = c[11]
-    gravity_y = c[12]
-    c13 = c[13]
+    c12 = c[12]
+    gravity_y = c[13]
     c14 = c[14]
+    c15 = c[15]
     # intermediate terms (18)
     w0 = ca.sin(upper_theta)
-    w1 = w0 * c11
+    w1 = w0 * c12
     w2 = -w1
     w3 = ca.cos(upper_theta)
-    w4 = w3 * c11
-    w5 = ca.sin(lower_theta) * c9
+    w4 = w3 * c12
+    w5 = ca.sin(lower_theta) * c10
     w6 = -w5
-    w7 = ca.cos(lower_theta) * c9
+    w7 = ca.cos(lower_theta) * c10
     w8 = upper_theta_dot**2
     w9 = w4 * w8
     w10 = w1 * w8
@@ -290,7 +294,7 @@ def augmented() -> ca.Function:
     # upper.theta
     M[2, 0] = w2
     M[2, 1] = w4
-    M[2, 2] = c7
+    M[2, 2] = c8
     # lower.x
     M[3, 3] = lower_mass
     M[3, 5] = w6
@@ -300,7 +304,7 @@ def augmented() -> ca.Function:
     # lower.theta
     M[5, 3] = w6
     M[5, 4] = w7
-    M[5, 5] = c10
+    M[5, 5] = c11
     K = ca.SX(6, 6)
     Q_v = ca.vertcat(
         w9,  # upper.x
@@ -312,18 +316,18 @@ def augmented() -> ca.Function:
     )
     Q_F = ca.vertcat(
         0.0,  # upper.x
-        c14,  # upper.y
+        c15,  # upper.y
         w14,  # upper.theta
         0.0,  # lower.x
-        c13,  # lower.y
+        c14,  # lower.y
         w15,  # lower.theta
     )
     Q_star = ca.vertcat(
         w9,  # upper.x
-        w10 + c14,  # upper.y
+        w10 + c15,  # upper.y
         w14,  # upper.theta
         w12,  # lower.x
-        c13 + w13,  # lower.y
+        c14 + w13,  # lower.y
         w15,  # lower.theta
     )
     C_q = ca.SX(4, 6)
@@ -352,7 +356,7 @@ def reactions() -> ca.Function:
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
     takes q_ddot (n = 6) [mixed]: accelerations of all coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 4) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 2) [N, N m]: world force and moment of a joint on its body b, at b
     65 operations.
@@ -360,7 +364,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     q_ddot = ca.SX.sym("q_ddot", 6)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 21)
     upper_theta = q[2]
     lower_theta = q[5]
     upper_theta_dot = q_dot[2]
@@ -371,23 +375,23 @@ def reactions() -> ca.Function:
     lower_x_ddot = q_ddot[3]
     lower_y_ddot = q_ddot[4]
     lower_theta_ddot = q_ddot[5]
-    upper_mass = c[6]
-    lower_mass = c[8]
-    c9 = c[9]
-    c11 = c[11]
-    c13 = c[13]
+    upper_mass = c[7]
+    lower_mass = c[9]
+    c10 = c[10]
+    c12 = c[12]
     c14 = c[14]
+    c15 = c[15]
     # intermediate terms (10)
     w0 = upper_theta_dot**2
-    w1 = ca.cos(upper_theta) * c11
-    w2 = ca.sin(upper_theta) * c11
+    w1 = ca.cos(upper_theta) * c12
+    w2 = ca.sin(upper_theta) * c12
     w3 = lower_theta_dot**2
-    w4 = ca.cos(lower_theta) * c9
-    w5 = ca.sin(lower_theta) * c9
+    w4 = ca.cos(lower_theta) * c10
+    w5 = ca.sin(lower_theta) * c10
     w6 = w3 * w4 - (lower_x_ddot * lower_mass - w5 * lower_theta_ddot)
     w7 = w0 * w1 - (upper_x_ddot * upper_mass - w2 * upper_theta_ddot) + w6
-    w8 = c13 + w3 * w5 - (lower_y_ddot * lower_mass + w4 * lower_theta_ddot)
-    w9 = c14 + w0 * w2 - (upper_y_ddot * upper_mass + w1 * upper_theta_ddot) + w8
+    w8 = c14 + w3 * w5 - (lower_y_ddot * lower_mass + w4 * lower_theta_ddot)
+    w9 = c15 + w0 * w2 - (upper_y_ddot * upper_mass + w1 * upper_theta_ddot) + w8
     # outputs
     lam = ca.vertcat(
         w7,  # shoulder.x
@@ -408,7 +412,7 @@ def energy() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -418,7 +422,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 21)
     upper_y = q[1]
     upper_theta = q[2]
     lower_y = q[4]
@@ -429,25 +433,25 @@ def energy() -> ca.Function:
     lower_x_dot = q_dot[3]
     lower_y_dot = q_dot[4]
     lower_theta_dot = q_dot[5]
-    upper_mass = c[6]
-    c7 = c[7]
-    lower_mass = c[8]
-    c9 = c[9]
+    upper_mass = c[7]
+    c8 = c[8]
+    lower_mass = c[9]
     c10 = c[10]
     c11 = c[11]
-    c15 = c[15]
+    c12 = c[12]
+    c16 = c[16]
     # intermediate terms (7)
-    w0 = ca.sin(upper_theta) * c11
-    w1 = ca.cos(upper_theta) * c11
+    w0 = ca.sin(upper_theta) * c12
+    w1 = ca.cos(upper_theta) * c12
     w2 = upper_x_dot * (upper_x_dot * upper_mass - w0 * upper_theta_dot) + upper_y_dot * (upper_y_dot * upper_mass + upper_theta_dot * w1)
-    w3 = ca.sin(lower_theta) * c9
-    w4 = w2 + upper_theta_dot * (upper_y_dot * w1 - upper_x_dot * w0 + upper_theta_dot * c7) + lower_x_dot * (lower_x_dot * lower_mass - w3 * lower_theta_dot)
-    w5 = ca.cos(lower_theta) * c9
-    w6 = w4 + lower_y_dot * (lower_y_dot * lower_mass + lower_theta_dot * w5) + lower_theta_dot * (lower_y_dot * w5 - lower_x_dot * w3 + lower_theta_dot * c10)
+    w3 = ca.sin(lower_theta) * c10
+    w4 = w2 + upper_theta_dot * (upper_y_dot * w1 - upper_x_dot * w0 + upper_theta_dot * c8) + lower_x_dot * (lower_x_dot * lower_mass - w3 * lower_theta_dot)
+    w5 = ca.cos(lower_theta) * c10
+    w6 = w4 + lower_y_dot * (lower_y_dot * lower_mass + lower_theta_dot * w5) + lower_theta_dot * (lower_y_dot * w5 - lower_x_dot * w3 + lower_theta_dot * c11)
     # outputs
     kinetic = ca.vertcat(w6 / 2.0)
     elastic = ca.SX(1, 1)
-    potential = ca.vertcat((w0 + upper_y * upper_mass + (w3 + lower_y * lower_mass)) * c15)
+    potential = ca.vertcat((w0 + upper_y * upper_mass + (w3 + lower_y * lower_mass)) * c16)
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -498,28 +502,28 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i, through q_d
-    25 operations.
+    24 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 21)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
     lower_theta_dot = q_i_dot[1]
     c1 = c[1]
-    c4 = c[4]
-    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
     # intermediate terms (3)
     w0 = ca.cos(lower_theta - upper_theta) * c1
     w1 = lower_theta_dot**2 * w0
     w2 = upper_theta_dot**2 * w0
     # outputs
     dQ_hat_dq_i = ca.vertcat(
-        ca.horzcat(ca.sin(upper_theta) * c16 - w1, w1),  # upper.theta
-        ca.horzcat(w2, -(w2 + ca.sin(lower_theta) * c4)),  # lower.theta
+        ca.horzcat(ca.sin(upper_theta) * c17 - w1, w1),  # upper.theta
+        ca.horzcat(w2, ca.sin(lower_theta) * c18 - w2),  # lower.theta
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
@@ -530,20 +534,20 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     16 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 21)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
     lower_theta_dot = q_i_dot[1]
-    c17 = c[17]
+    c19 = c[19]
     # intermediate terms (1)
-    w0 = ca.sin(lower_theta - upper_theta) * c17
+    w0 = ca.sin(lower_theta - upper_theta) * c19
     # outputs
     dQ_hat_dq_i_dot = ca.SX(2, 2)
     # upper.theta
@@ -560,7 +564,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 2 x 2) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     44 operations.
@@ -568,7 +572,7 @@ def residual_jacobian() -> ca.Function:
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 21)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -577,8 +581,8 @@ def residual_jacobian() -> ca.Function:
     lower_theta_ddot = q_i_ddot[1]
     c1 = c[1]
     c4 = c[4]
-    c16 = c[16]
     c17 = c[17]
+    c19 = c[19]
     # intermediate terms (9)
     w0 = lower_theta - upper_theta
     w1 = ca.sin(w0)
@@ -588,10 +592,10 @@ def residual_jacobian() -> ca.Function:
     w5 = lower_theta_ddot * w4
     w6 = upper_theta_ddot * w4
     w7 = upper_theta_dot**2 * w2
-    w8 = w1 * c17
+    w8 = w1 * c19
     # outputs
     J_q = ca.vertcat(
-        ca.horzcat(ca.sin(upper_theta) * c16 - w3 - w5, w3 + w5),  # upper.theta
+        ca.horzcat(ca.sin(upper_theta) * c17 - w3 - w5, w3 + w5),  # upper.theta
         ca.horzcat(w7 - w6, w6 - w7 - ca.sin(lower_theta) * c4),  # lower.theta
     )
     J_v = ca.SX(2, 2)
@@ -608,46 +612,46 @@ def forward_dynamics() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
     74 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 21)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
     lower_theta_dot = q_i_dot[1]
     upper_tip_x = c[5]
-    c7 = c[7]
-    lower_mass = c[8]
-    c9 = c[9]
+    c8 = c[8]
+    lower_mass = c[9]
     c10 = c[10]
-    gravity_y = c[12]
-    c13 = c[13]
-    c18 = c[18]
+    c11 = c[11]
+    gravity_y = c[13]
+    c14 = c[14]
+    c20 = c[20]
     # intermediate terms (18)
     w0 = ca.cos(upper_theta)
     w1 = w0 * upper_tip_x
     w2 = lower_theta_dot**2
-    w3 = ca.sin(lower_theta) * c9
-    w4 = ca.cos(lower_theta) * c9
-    w5 = w4 / c10
+    w3 = ca.sin(lower_theta) * c10
+    w4 = ca.cos(lower_theta) * c10
+    w5 = w4 / c11
     w6 = w4 * gravity_y
     w7 = lower_mass - w4 * w5
     w8 = upper_theta_dot**2
     w9 = ca.sin(upper_theta) * upper_tip_x
     w10 = w8 * w9
-    w11 = w3 / c10
+    w11 = w3 / c11
     w12 = w4 * w11
     w13 = w1 * w12
     w14 = w1 * w8
     w15 = lower_mass - w3 * w11
-    w16 = w0 * c18 + w1 * (c13 + w2 * w3 - w5 * w6 + w7 * w10) + w13 * w14 - w9 * (w2 * w4 + w6 * w11 + w10 * w12 + w14 * w15)
-    w17 = w16 / (c7 + w1 * (w1 * w7) - (w9 * (w13 - w9 * w15) + w9 * w13))
+    w16 = w0 * c20 + w1 * (c14 + w2 * w3 - w5 * w6 + w7 * w10) + w13 * w14 - w9 * (w2 * w4 + w6 * w11 + w10 * w12 + w14 * w15)
+    w17 = w16 / (c8 + w1 * (w1 * w7) - (w9 * (w13 - w9 * w15) + w9 * w13))
     # outputs
-    q_i_ddot = ca.vertcat(w17, (w6 - (w3 * (w14 + w9 * w17) + w4 * (w1 * w17 - w10))) / c10)
+    q_i_ddot = ca.vertcat(w17, (w6 - (w3 * (w14 + w9 * w17) + w4 * (w1 * w17 - w10))) / c11)
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_i_ddot"])
 

@@ -17,8 +17,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 169) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
-    167 operations.
+    gives c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
+    173 operations.
     """
     p = ca.SX.sym("p", 169)
     gravity_y = p[0]
@@ -55,7 +55,7 @@ def constants() -> ca.Function:
     beam_pinned_pinned2_1_0_H_0_0 = p[35]
     beam_pinned_pinned2_1_0_H_1_1 = p[36]
     ground_right_x = p[37]
-    # intermediate terms (26)
+    # intermediate terms (29)
     w0 = coupler_density * coupler_area
     w1 = w0 * coupler_length
     w2 = rocker_density * rocker_area
@@ -70,18 +70,21 @@ def constants() -> ca.Function:
     w11 = w0 * beam_pinned_pinned2_H_0_1
     w12 = w0 * beam_pinned_pinned2_H_1_0
     w13 = w0 * beam_pinned_pinned2_H_1_1
-    w14 = coupler_length**2
-    w15 = w1 * beam_pinned_pinned2_mass_0_0
-    w16 = w1 * beam_pinned_pinned2_xH_0_0
-    w17 = w1 * beam_pinned_pinned2_mass_1_1
-    w18 = w1 * beam_pinned_pinned2_xH_1_1
-    w19 = rocker_length * w3
-    w20 = w2 * beam_pinned_pinned2_H_0_0
-    w21 = w2 * beam_pinned_pinned2_H_0_1
-    w22 = w2 * beam_pinned_pinned2_H_1_0
-    w23 = w2 * beam_pinned_pinned2_H_1_1
-    w24 = coupler_youngs_modulus * coupler_second_moment / (coupler_length * w14)
-    w25 = rocker_youngs_modulus * rocker_second_moment / (rocker_length * w4)
+    w14 = w1 * beam_pinned_pinned2_phi_y_0_0
+    w15 = coupler_length**2
+    w16 = w1 * beam_pinned_pinned2_mass_0_0
+    w17 = w1 * beam_pinned_pinned2_xH_0_0
+    w18 = w1 * beam_pinned_pinned2_mass_1_1
+    w19 = w1 * beam_pinned_pinned2_xH_1_1
+    w20 = rocker_length * w3
+    w21 = w2 * beam_pinned_pinned2_H_0_0
+    w22 = w2 * beam_pinned_pinned2_H_0_1
+    w23 = w2 * beam_pinned_pinned2_H_1_0
+    w24 = w2 * beam_pinned_pinned2_H_1_1
+    w25 = w3 * beam_pinned_pinned2_phi_y_0_0
+    w26 = coupler_youngs_modulus * coupler_second_moment / (coupler_length * w15)
+    w27 = rocker_youngs_modulus * rocker_second_moment / (rocker_length * w4)
+    w28 = gravity_y * crank_mass
     # outputs
     c = ca.vertcat(
         crank_tip_x,  # crank_tip_x
@@ -105,47 +108,50 @@ def constants() -> ca.Function:
         w11,  # c18
         w12,  # c19
         w13,  # c20
-        w1 * beam_pinned_pinned2_phi_y_0_0,  # c21
-        beam_pinned_pinned2_i0_0_0 * (w1 * w14),  # c22
-        w15,  # c23
-        w16,  # c24
+        w14,  # c21
+        beam_pinned_pinned2_i0_0_0 * (w1 * w15),  # c22
+        w16,  # c23
+        w17,  # c24
         w1 * beam_pinned_pinned2_xH_0_1,  # c25
-        w17,  # c26
+        w18,  # c26
         w1 * beam_pinned_pinned2_xH_1_0,  # c27
-        w18,  # c28
+        w19,  # c28
         w9 * beam_pinned_pinned2_xi_phi_y_0_0,  # c29
         w9 * beam_pinned_pinned2_xi_phi_y_1_0,  # c30
-        beam_pinned_pinned2_xi_phi_y_0_0 * w19,  # c31
-        beam_pinned_pinned2_xi_phi_y_1_0 * w19,  # c32
+        beam_pinned_pinned2_xi_phi_y_0_0 * w20,  # c31
+        beam_pinned_pinned2_xi_phi_y_1_0 * w20,  # c32
         gravity_y,  # gravity_y
         w1 * gravity_y,  # c34
-        beam_pinned_pinned2_s1_0_0 * w19,  # c35
-        w20,  # c36
-        w21,  # c37
-        w22,  # c38
-        w23,  # c39
-        w3 * beam_pinned_pinned2_phi_y_0_0,  # c40
-        w24 * beam_pinned_pinned2_kappa_lateral_0_0,  # c41
-        w24 * beam_pinned_pinned2_kappa_lateral_1_1,  # c42
-        beam_pinned_pinned2_kappa_lateral_0_0 * w25,  # c43
-        beam_pinned_pinned2_kappa_lateral_1_1 * w25,  # c44
+        beam_pinned_pinned2_s1_0_0 * w20,  # c35
+        w21,  # c36
+        w22,  # c37
+        w23,  # c38
+        w24,  # c39
+        w25,  # c40
+        w26 * beam_pinned_pinned2_kappa_lateral_0_0,  # c41
+        w26 * beam_pinned_pinned2_kappa_lateral_1_1,  # c42
+        beam_pinned_pinned2_kappa_lateral_0_0 * w27,  # c43
+        beam_pinned_pinned2_kappa_lateral_1_1 * w27,  # c44
         ground_right_x,  # ground_right_x
         crank_inertia,  # crank_inertia
         w3,  # c47
         crank_mass,  # crank_mass
-        gravity_y * crank_mass,  # c49
+        w28,  # c49
         w3 * gravity_y,  # c50
-        w15 - w16,  # c51
-        w17 - w18,  # c52
-        w5 - w6,  # c53
-        gravity_y * w20,  # c54
-        gravity_y * w22,  # c55
-        w7 - w8,  # c56
+        -w14,  # c51
+        -w25,  # c52
+        -w28,  # c53
+        w16 - w17,  # c54
+        w18 - w19,  # c55
+        w5 - w6,  # c56
         gravity_y * w21,  # c57
         gravity_y * w23,  # c58
-        w10 + w10,  # c59
-        w11 + w12,  # c60
-        w13 + w13,  # c61
+        w7 - w8,  # c59
+        gravity_y * w22,  # c60
+        gravity_y * w24,  # c61
+        w10 + w10,  # c62
+        w11 + w12,  # c63
+        w13 + w13,  # c64
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -158,7 +164,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 5 x 5) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 5) [N, N m]: condensed force S^T (Q* - M s)
     521 operations.
@@ -167,7 +173,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 65)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -341,7 +347,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 2) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -349,7 +355,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 65)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -396,14 +402,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     123 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 65)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -463,7 +469,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
     193 operations.
     """
@@ -472,7 +478,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 65)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -549,7 +555,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 8 x 13) [SI]: constraint Jacobian
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -559,7 +565,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 65)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -676,7 +682,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 13 x 13) [SI]: mass matrix in all coordinates
     gives K (n x n = 13 x 13) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 13) [N, N m]: quadratic velocity force in all coordinates
@@ -688,7 +694,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 65)
     crank_theta = q[2]
     coupler_theta = q[5]
     coupler_q1 = q[6]
@@ -752,6 +758,8 @@ def augmented() -> ca.Function:
     crank_mass = c[48]
     c49 = c[49]
     c50 = c[50]
+    c51 = c[51]
+    c52 = c[52]
     # intermediate terms (75)
     w0 = ca.sin(coupler_theta)
     w1 = coupler_q1 * c17 + coupler_q2 * c18
@@ -761,73 +769,73 @@ def augmented() -> ca.Function:
     w5 = coupler_q1 * c21
     w6 = w0 * w3 + w4 * w5
     w7 = -w6
-    w8 = -(w1 * w4 + w0 * c21)
-    w9 = -(w2 * w4)
-    w10 = w3 * w4 - w0 * w5
-    w11 = w4 * c21 - w0 * w1
-    w12 = w0 * w2
-    w13 = -w12
-    w14 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
-    w15 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
-    w16 = ca.sin(rocker_theta)
-    w17 = rocker_q1 * c36 + rocker_q2 * c37
-    w18 = rocker_q1 * c38 + rocker_q2 * c39
-    w19 = c35 - (rocker_q1 * w17 + rocker_q2 * w18) * 0.5
-    w20 = ca.cos(rocker_theta)
-    w21 = rocker_q1 * c40
-    w22 = w16 * w19 + w20 * w21
-    w23 = -w22
-    w24 = -(w17 * w20 + w16 * c40)
-    w25 = -(w18 * w20)
-    w26 = w19 * w20 - w16 * w21
-    w27 = w20 * c40 - w16 * w17
-    w28 = w16 * w18
-    w29 = -w28
-    w30 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
-    w31 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
-    w32 = coupler_theta_dot**2
-    w33 = 2 * coupler_theta_dot
-    w34 = coupler_q1_dot * c21
-    w35 = w1 * coupler_q1_dot + w2 * coupler_q2_dot
-    w36 = coupler_q1_dot * (coupler_q1_dot * c17 + coupler_q2_dot * c18) + coupler_q2_dot * (coupler_q1_dot * c19 + coupler_q2_dot * c20)
-    w37 = w10 * w32 + w33 * (w4 * w34 - w0 * w35) + w4 * w36
-    w38 = w6 * w32 + w0 * w36 + w33 * (w4 * w35 + w0 * w34)
-    w39 = coupler_theta_dot * -2.0 * (w14 * coupler_q1_dot + w15 * coupler_q2_dot)
-    w40 = w14 * w32
-    w41 = w15 * w32
-    w42 = rocker_theta_dot**2
-    w43 = 2 * rocker_theta_dot
-    w44 = rocker_q1_dot * c40
-    w45 = w17 * rocker_q1_dot + w18 * rocker_q2_dot
-    w46 = rocker_q1_dot * (rocker_q1_dot * c36 + rocker_q2_dot * c37) + rocker_q2_dot * (rocker_q1_dot * c38 + rocker_q2_dot * c39)
-    w47 = w26 * w42 + w43 * (w20 * w44 - w16 * w45) + w20 * w46
-    w48 = w22 * w42 + w16 * w46 + w43 * (w20 * w45 + w16 * w44)
-    w49 = rocker_theta_dot * -2.0 * (w30 * rocker_q1_dot + w31 * rocker_q2_dot)
-    w50 = w30 * w42
-    w51 = w31 * w42
-    w52 = w10 * gravity_y
-    w53 = w11 * gravity_y
-    w54 = w12 * gravity_y
+    w8 = -(w2 * w4)
+    w9 = w3 * w4 - w0 * w5
+    w10 = w4 * c21 - w0 * w1
+    w11 = w0 * w2
+    w12 = -w11
+    w13 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
+    w14 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
+    w15 = ca.sin(rocker_theta)
+    w16 = rocker_q1 * c36 + rocker_q2 * c37
+    w17 = rocker_q1 * c38 + rocker_q2 * c39
+    w18 = c35 - (rocker_q1 * w16 + rocker_q2 * w17) * 0.5
+    w19 = ca.cos(rocker_theta)
+    w20 = rocker_q1 * c40
+    w21 = w15 * w18 + w19 * w20
+    w22 = -w21
+    w23 = -(w17 * w19)
+    w24 = w18 * w19 - w15 * w20
+    w25 = w19 * c40 - w15 * w16
+    w26 = w15 * w17
+    w27 = -w26
+    w28 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
+    w29 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
+    w30 = coupler_theta_dot**2
+    w31 = 2 * coupler_theta_dot
+    w32 = coupler_q1_dot * c21
+    w33 = w1 * coupler_q1_dot + w2 * coupler_q2_dot
+    w34 = coupler_q1_dot * (coupler_q1_dot * c17 + coupler_q2_dot * c18) + coupler_q2_dot * (coupler_q1_dot * c19 + coupler_q2_dot * c20)
+    w35 = w9 * w30 + w31 * (w4 * w32 - w0 * w33) + w4 * w34
+    w36 = w6 * w30 + w0 * w34 + w31 * (w4 * w33 + w0 * w32)
+    w37 = coupler_theta_dot * -2.0 * (w13 * coupler_q1_dot + w14 * coupler_q2_dot)
+    w38 = w13 * w30
+    w39 = w14 * w30
+    w40 = rocker_theta_dot**2
+    w41 = 2 * rocker_theta_dot
+    w42 = rocker_q1_dot * c40
+    w43 = w16 * rocker_q1_dot + w17 * rocker_q2_dot
+    w44 = rocker_q1_dot * (rocker_q1_dot * c36 + rocker_q2_dot * c37) + rocker_q2_dot * (rocker_q1_dot * c38 + rocker_q2_dot * c39)
+    w45 = w24 * w40 + w41 * (w19 * w42 - w15 * w43) + w19 * w44
+    w46 = w21 * w40 + w15 * w44 + w41 * (w19 * w43 + w15 * w42)
+    w47 = rocker_theta_dot * -2.0 * (w28 * rocker_q1_dot + w29 * rocker_q2_dot)
+    w48 = w28 * w40
+    w49 = w29 * w40
+    w50 = w9 * gravity_y
+    w51 = w10 * gravity_y
+    w52 = w11 * gravity_y
+    w53 = w24 * gravity_y
+    w54 = w25 * gravity_y
     w55 = w26 * gravity_y
-    w56 = w27 * gravity_y
-    w57 = w28 * gravity_y
-    w58 = ca.sin(crank_theta) * crank_tip_x
-    w59 = ca.cos(crank_theta) * crank_tip_x
-    w60 = coupler_q1 * c4
-    w61 = coupler_q2 * c5
-    w62 = coupler_length - (coupler_q1 * w60 + coupler_q2 * w61) * 0.5
-    w63 = w0 * w62
-    w64 = w4 * w62
-    w65 = rocker_q1 * c7
-    w66 = rocker_q2 * c8
-    w67 = rocker_length - (rocker_q1 * w65 + rocker_q2 * w66) * 0.5
-    w68 = w16 * w67
-    w69 = w20 * w67
-    w70 = crank_theta_dot**2
-    w71 = coupler_q1_dot * w60 + coupler_q2_dot * w61
-    w72 = coupler_q1_dot * (coupler_q1_dot * c4) + coupler_q2_dot * (coupler_q2_dot * c5)
-    w73 = rocker_q1_dot * w65 + rocker_q2_dot * w66
-    w74 = rocker_q1_dot * (rocker_q1_dot * c7) + rocker_q2_dot * (rocker_q2_dot * c8)
+    w56 = ca.sin(crank_theta) * crank_tip_x
+    w57 = ca.cos(crank_theta) * crank_tip_x
+    w58 = coupler_q1 * c4
+    w59 = coupler_q2 * c5
+    w60 = coupler_length - (coupler_q1 * w58 + coupler_q2 * w59) * 0.5
+    w61 = w0 * w60
+    w62 = w4 * w60
+    w63 = rocker_q1 * c7
+    w64 = rocker_q2 * c8
+    w65 = rocker_length - (rocker_q1 * w63 + rocker_q2 * w64) * 0.5
+    w66 = w15 * w65
+    w67 = w19 * w65
+    w68 = crank_theta_dot**2
+    w69 = coupler_q1_dot * w58 + coupler_q2_dot * w59
+    w70 = coupler_q1_dot * (coupler_q1_dot * c4) + coupler_q2_dot * (coupler_q2_dot * c5)
+    w71 = rocker_q1_dot * w63 + rocker_q2_dot * w64
+    w72 = rocker_q1_dot * (rocker_q1_dot * c7) + rocker_q2_dot * (rocker_q2_dot * c8)
+    w73 = w0 * c51 - w1 * w4
+    w74 = w15 * c52 - w16 * w19
     # outputs
     M = ca.SX(13, 13)
     # crank.x
@@ -839,53 +847,53 @@ def augmented() -> ca.Function:
     # coupler.x
     M[3, 3] = c2
     M[3, 5] = w7
-    M[3, 6] = w8
-    M[3, 7] = w9
+    M[3, 6] = w73
+    M[3, 7] = w8
     # coupler.y
     M[4, 4] = c2
-    M[4, 5] = w10
-    M[4, 6] = w11
-    M[4, 7] = w13
+    M[4, 5] = w9
+    M[4, 6] = w10
+    M[4, 7] = w12
     # coupler.theta
     M[5, 3] = w7
-    M[5, 4] = w10
-    M[5, 5] = c22 + (coupler_q1 * w14 + coupler_q2 * w15)
+    M[5, 4] = w9
+    M[5, 5] = c22 + (coupler_q1 * w13 + coupler_q2 * w14)
     M[5, 6] = c29
     M[5, 7] = c30
     # coupler.q1
-    M[6, 3] = w8
-    M[6, 4] = w11
+    M[6, 3] = w73
+    M[6, 4] = w10
     M[6, 5] = c29
     M[6, 6] = c23
     # coupler.q2
-    M[7, 3] = w9
-    M[7, 4] = w13
+    M[7, 3] = w8
+    M[7, 4] = w12
     M[7, 5] = c30
     M[7, 7] = c26
     # rocker.x
     M[8, 8] = c47
-    M[8, 10] = w23
-    M[8, 11] = w24
-    M[8, 12] = w25
+    M[8, 10] = w22
+    M[8, 11] = w74
+    M[8, 12] = w23
     # rocker.y
     M[9, 9] = c47
-    M[9, 10] = w26
-    M[9, 11] = w27
-    M[9, 12] = w29
+    M[9, 10] = w24
+    M[9, 11] = w25
+    M[9, 12] = w27
     # rocker.theta
-    M[10, 8] = w23
-    M[10, 9] = w26
-    M[10, 10] = c9 + (rocker_q1 * w30 + rocker_q2 * w31)
+    M[10, 8] = w22
+    M[10, 9] = w24
+    M[10, 10] = c9 + (rocker_q1 * w28 + rocker_q2 * w29)
     M[10, 11] = c31
     M[10, 12] = c32
     # rocker.q1
-    M[11, 8] = w24
-    M[11, 9] = w27
+    M[11, 8] = w74
+    M[11, 9] = w25
     M[11, 10] = c31
     M[11, 11] = c10
     # rocker.q2
-    M[12, 8] = w25
-    M[12, 9] = w29
+    M[12, 8] = w23
+    M[12, 9] = w27
     M[12, 10] = c32
     M[12, 12] = c13
     K = ca.SX(13, 13)
@@ -901,16 +909,16 @@ def augmented() -> ca.Function:
         0.0,  # crank.x
         0.0,  # crank.y
         0.0,  # crank.theta
-        w37,  # coupler.x
-        w38,  # coupler.y
-        w39,  # coupler.theta
-        w40,  # coupler.q1
-        w41,  # coupler.q2
-        w47,  # rocker.x
-        w48,  # rocker.y
-        w49,  # rocker.theta
-        w50,  # rocker.q1
-        w51,  # rocker.q2
+        w35,  # coupler.x
+        w36,  # coupler.y
+        w37,  # coupler.theta
+        w38,  # coupler.q1
+        w39,  # coupler.q2
+        w45,  # rocker.x
+        w46,  # rocker.y
+        w47,  # rocker.theta
+        w48,  # rocker.q1
+        w49,  # rocker.q2
     )
     Q_F = ca.vertcat(
         0.0,  # crank.x
@@ -918,29 +926,29 @@ def augmented() -> ca.Function:
         0.0,  # crank.theta
         0.0,  # coupler.x
         c34,  # coupler.y
-        w52,  # coupler.theta
-        w53,  # coupler.q1
-        -w54,  # coupler.q2
+        w50,  # coupler.theta
+        w51,  # coupler.q1
+        -w52,  # coupler.q2
         0.0,  # rocker.x
         c50,  # rocker.y
-        w55,  # rocker.theta
-        w56,  # rocker.q1
-        -w57,  # rocker.q2
+        w53,  # rocker.theta
+        w54,  # rocker.q1
+        -w55,  # rocker.q2
     )
     Q_star = ca.vertcat(
         0.0,  # crank.x
         c49,  # crank.y
         0.0,  # crank.theta
-        w37,  # coupler.x
-        c34 + w38,  # coupler.y
-        w39 + w52,  # coupler.theta
-        w53 + (w40 - coupler_q1 * c41),  # coupler.q1
-        w41 - coupler_q2 * c42 - w54,  # coupler.q2
-        w47,  # rocker.x
-        w48 + c50,  # rocker.y
-        w49 + w55,  # rocker.theta
-        w56 + (w50 - rocker_q1 * c43),  # rocker.q1
-        w51 - rocker_q2 * c44 - w57,  # rocker.q2
+        w35,  # coupler.x
+        c34 + w36,  # coupler.y
+        w37 + w50,  # coupler.theta
+        w51 + (w38 - coupler_q1 * c41),  # coupler.q1
+        w39 - coupler_q2 * c42 - w52,  # coupler.q2
+        w45,  # rocker.x
+        w46 + c50,  # rocker.y
+        w47 + w53,  # rocker.theta
+        w54 + (w48 - rocker_q1 * c43),  # rocker.q1
+        w49 - rocker_q2 * c44 - w55,  # rocker.q2
     )
     C_q = ca.SX(8, 13)
     # A.x
@@ -949,39 +957,39 @@ def augmented() -> ca.Function:
     C_q[1, 1] = 1.0
     # B.x
     C_q[2, 0] = -1.0
-    C_q[2, 2] = w58
+    C_q[2, 2] = w56
     C_q[2, 3] = 1.0
     # B.y
     C_q[3, 1] = -1.0
-    C_q[3, 2] = -w59
+    C_q[3, 2] = -w57
     C_q[3, 4] = 1.0
     # C.x
     C_q[4, 3] = -1.0
-    C_q[4, 5] = w63
-    C_q[4, 6] = w4 * w60
-    C_q[4, 7] = w4 * w61
+    C_q[4, 5] = w61
+    C_q[4, 6] = w4 * w58
+    C_q[4, 7] = w4 * w59
     C_q[4, 8] = 1.0
-    C_q[4, 10] = -w68
-    C_q[4, 11] = -(w20 * w65)
-    C_q[4, 12] = -(w20 * w66)
+    C_q[4, 10] = -w66
+    C_q[4, 11] = -(w19 * w63)
+    C_q[4, 12] = -(w19 * w64)
     # C.y
     C_q[5, 4] = -1.0
-    C_q[5, 5] = -w64
-    C_q[5, 6] = w0 * w60
-    C_q[5, 7] = w0 * w61
+    C_q[5, 5] = -w62
+    C_q[5, 6] = w0 * w58
+    C_q[5, 7] = w0 * w59
     C_q[5, 9] = 1.0
-    C_q[5, 10] = w69
-    C_q[5, 11] = -(w16 * w65)
-    C_q[5, 12] = -(w16 * w66)
+    C_q[5, 10] = w67
+    C_q[5, 11] = -(w15 * w63)
+    C_q[5, 12] = -(w15 * w64)
     # D.x
     C_q[6, 8] = 1.0
     # D.y
     C_q[7, 9] = 1.0
     gamma_b = ca.SX(8, 1)
-    gamma_b[2] = -(w59 * w70)  # B.x
-    gamma_b[3] = -(w58 * w70)  # B.y
-    gamma_b[4] = w33 * (w0 * w71) - (w4 * w72 + w32 * w64) - (w43 * (w16 * w73) - (w20 * w74 + w42 * w69))  # C.x
-    gamma_b[5] = w16 * w74 + w43 * (w20 * w73) + w42 * w68 - (w0 * w72 + w33 * (w4 * w71) + w32 * w63)  # C.y
+    gamma_b[2] = -(w57 * w68)  # B.x
+    gamma_b[3] = -(w56 * w68)  # B.y
+    gamma_b[4] = w31 * (w0 * w69) - (w4 * w70 + w30 * w62) - (w41 * (w15 * w71) - (w19 * w72 + w40 * w67))  # C.x
+    gamma_b[5] = w15 * w72 + w41 * (w19 * w71) + w40 * w66 - (w0 * w70 + w31 * (w4 * w69) + w30 * w61)  # C.y
     inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
@@ -992,7 +1000,7 @@ def reactions() -> ca.Function:
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
     takes q_ddot (n = 13) [mixed]: accelerations of all coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
     350 operations.
@@ -1000,7 +1008,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 65)
     coupler_theta = q[5]
     coupler_q1 = q[6]
     coupler_q2 = q[7]
@@ -1148,17 +1156,17 @@ def energy() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    279 operations.
+    278 operations.
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 65)
     crank_y = q[1]
     coupler_y = q[4]
     coupler_theta = q[5]
@@ -1220,7 +1228,7 @@ def energy() -> ca.Function:
     crank_inertia = c[46]
     c47 = c[47]
     crank_mass = c[48]
-    c49 = c[49]
+    c53 = c[53]
     # intermediate terms (39)
     w0 = crank_x_dot * (crank_x_dot * crank_mass) + crank_y_dot * (crank_y_dot * crank_mass) + crank_theta_dot * (crank_theta_dot * crank_inertia)
     w1 = ca.sin(coupler_theta)
@@ -1264,7 +1272,7 @@ def energy() -> ca.Function:
     # outputs
     kinetic = ca.vertcat((w35 + w36 + w37) / 2.0)
     elastic = ca.vertcat(w38)
-    potential = ca.vertcat(-(crank_y * c49 + (w7 + coupler_y * c2 + (w25 + rocker_y * c47)) * gravity_y))
+    potential = ca.vertcat(crank_y * c53 - (w7 + coupler_y * c2 + (w25 + rocker_y * c47)) * gravity_y)
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -1329,7 +1337,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i, through q_d
     1264 operations.
     """
@@ -1337,7 +1345,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 65)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -1396,14 +1404,14 @@ def dQ_hat_dq_i() -> ca.Function:
     c42 = c[42]
     c43 = c[43]
     c44 = c[44]
-    c51 = c[51]
-    c52 = c[52]
-    c53 = c[53]
     c54 = c[54]
     c55 = c[55]
     c56 = c[56]
     c57 = c[57]
     c58 = c[58]
+    c59 = c[59]
+    c60 = c[60]
+    c61 = c[61]
     # intermediate terms (244)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = crank_theta_dot**2
@@ -1591,10 +1599,10 @@ def dQ_hat_dq_i() -> ca.Function:
     w183 = (w40 * w181 - w62 * w182) / w67
     w184 = w87 * w183 + w127 * w180 + w128 * w142
     w185 = (w29 * w181 - w54 * w182) / w67
-    w186 = w71 * (coupler_q1_dot * c51 - coupler_q2_dot * c27) - w173 * gravity_y - (w68 * (w72 + coupler_q1 * c51 - coupler_q2 * c27) + (w65 * w173 + w2 * w171))
+    w186 = w71 * (coupler_q1_dot * c54 - coupler_q2_dot * c27) - w173 * gravity_y - (w68 * (w72 + coupler_q1 * c54 - coupler_q2 * c27) + (w65 * w173 + w2 * w171))
     w187 = w144 + w186 - w145 - w75 * w185 - w135 * w179 + w136 * w147
     w188 = w5 * c17
-    w189 = w4 * c51 - c41 - w188 * gravity_y - (w65 * w188 + w2 * (w11 * c17)) - w96 * w175 - w90 * w177 + w142 * w184
+    w189 = w4 * c54 - c41 - w188 * gravity_y - (w65 * w188 + w2 * (w11 * c17)) - w96 * w175 - w90 * w177 + w142 * w184
     w190 = w5 * c19
     w191 = w151 * w184 - (w2 * (w11 * c19) + w65 * w190 + (w4 * c27 + w190 * gravity_y)) - w185 * c30 - w152 * w179
     w192 = w16 + coupler_q1_dot * c18
@@ -1613,13 +1621,13 @@ def dQ_hat_dq_i() -> ca.Function:
     w205 = (w40 * w203 - w62 * w204) / w67
     w206 = w87 * w205 + w127 * w202 + w128 * w151
     w207 = (w29 * w203 - w54 * w204) / w67
-    w208 = w71 * (coupler_q2_dot * c52 - coupler_q1_dot * c25) - w195 * gravity_y - (w65 * w195 - w2 * w194 + w68 * (w73 + coupler_q2 * c52 - coupler_q1 * c25))
+    w208 = w71 * (coupler_q2_dot * c55 - coupler_q1_dot * c25) - w195 * gravity_y - (w65 * w195 - w2 * w194 + w68 * (w73 + coupler_q2 * c55 - coupler_q1 * c25))
     w209 = w153 + w208 - w154 - w75 * w207 - w135 * w201 + w136 * w156
     w210 = w5 * c18
     w211 = w142 * w206 - (w65 * w210 + w2 * (w11 * c18) + (w4 * c25 + w210 * gravity_y)) - w207 * c29 - w143 * w201
     w212 = w5 * c20
-    w213 = w4 * c52 - c42 - w212 * gravity_y - (w2 * (w11 * c20) + w65 * w212) - w96 * w197 - w90 * w199 + w151 * w206
-    w214 = w77 * (rocker_q1_dot * c53 - rocker_q2_dot * c14) - (w159 + w25 * ((w81 + w82 + rocker_q2 * c38) * 0.5)) * gravity_y
+    w213 = w4 * c55 - c42 - w212 * gravity_y - (w2 * (w11 * c20) + w65 * w212) - w96 * w197 - w90 * w199 + w151 * w206
+    w214 = w77 * (rocker_q1_dot * c56 - rocker_q2_dot * c14) - (w159 + w25 * ((w81 + w82 + rocker_q2 * c38) * 0.5)) * gravity_y
     w215 = w25 * c7
     w216 = rocker_theta_dot * w105 - rocker_q1_dot * w215 + w104 * w163 + w107 * w162
     w217 = w43 * c7
@@ -1629,12 +1637,12 @@ def dQ_hat_dq_i() -> ca.Function:
     w221 = w88 * w105 + (w42 * (w43 * w47) + w51 * w112) - w101 * w219 + w99 * w163 - w117 * w220 + w119 * w162
     w222 = w122 * w163 - (w88 * w112 + (w42 * (w25 * w47) - w51 * w105) + w121 * w219) - w123 * w220 - w124 * w162
     w223 = (w40 * w221 + w62 * w222) / w67
-    w224 = w158 + (w214 - w88 * (w78 + rocker_q1 * c53 - rocker_q2 * c14) - w160) + w87 * w223 - w127 * w220
+    w224 = w158 + (w214 - w88 * (w78 + rocker_q1 * c56 - rocker_q2 * c14) - w160) + w87 * w223 - w127 * w220
     w225 = w224 + w128 * w162
     w226 = (w29 * w221 + w54 * w222) / w67
     w227 = w75 * w226 - w135 * w219 - w136 * w163
-    w228 = w51 * c53 - c43 - w43 * c54 + w96 * w215 + w90 * w217 + w223 * c31 - w157 * w220 + w161 * w162 + w162 * w225
-    w229 = w77 * (rocker_q2_dot * c56 - rocker_q1_dot * c12) - w25 * ((rocker_q1 * c37 + (w83 + w84)) * 0.5) * gravity_y
+    w228 = w51 * c56 - c43 - w43 * c57 + w96 * w215 + w90 * w217 + w223 * c31 - w157 * w220 + w161 * w162 + w162 * w225
+    w229 = w77 * (rocker_q2_dot * c59 - rocker_q1_dot * c12) - w25 * ((rocker_q1 * c37 + (w83 + w84)) * 0.5) * gravity_y
     w230 = w25 * c8
     w231 = rocker_theta_dot * w106 - rocker_q2_dot * w230 + w104 * w169 + w107 * w168
     w232 = w43 * c8
@@ -1644,11 +1652,11 @@ def dQ_hat_dq_i() -> ca.Function:
     w236 = w88 * w106 + (w42 * (w43 * w48) + w51 * w113) - w101 * w234 + w99 * w169 - w117 * w235 + w119 * w168
     w237 = w122 * w169 - (w88 * w113 + (w42 * (w25 * w48) - w51 * w106) + w121 * w234) - w123 * w235 - w124 * w168
     w238 = (w40 * w236 + w62 * w237) / w67
-    w239 = w165 + (w229 - w88 * (w79 + rocker_q2 * c56 - rocker_q1 * c12) - w166) + w87 * w238 - w127 * w235
+    w239 = w165 + (w229 - w88 * (w79 + rocker_q2 * c59 - rocker_q1 * c12) - w166) + w87 * w238 - w127 * w235
     w240 = w239 + w128 * w168
     w241 = (w29 * w236 + w54 * w237) / w67
     w242 = w75 * w241 - w135 * w234 - w136 * w169
-    w243 = w51 * c56 - c44 - w43 * c58 + w96 * w230 + w90 * w232 + w238 * c32 - w164 * w235 + w167 * w168 + w168 * w240
+    w243 = w51 * c59 - c44 - w43 * c61 + w96 * w230 + w90 * w232 + w238 * c32 - w164 * w235 + w167 * w168 + w168 * w240
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # crank.theta
@@ -1674,13 +1682,13 @@ def dQ_hat_dq_i() -> ca.Function:
             w126 * c31 - w118 * w157 + w98 * w161 + w129 * w162 + w137 * w163,
             w163 * w187 - (w183 * c31 + w157 * w180 + w142 * w161 + w162 * w184),
             w163 * w209 - (w205 * c31 + w157 * w202 + w151 * w161 + w162 * w206), w228 + w163 * w227,
-            w238 * c31 - (w51 * c12 + w43 * c57) - w157 * w235 + w161 * w168 + w162 * w240 + w163 * w242,
+            w238 * c31 - (w51 * c12 + w43 * c60) - w157 * w235 + w161 * w168 + w162 * w240 + w163 * w242,
         ),
         ca.horzcat(  # rocker.q2
             w126 * c32 - w118 * w164 + w98 * w167 + w129 * w168 + w137 * w169,
             w169 * w187 - (w183 * c32 + w164 * w180 + w142 * w167 + w168 * w184),
             w169 * w209 - (w205 * c32 + w164 * w202 + w151 * w167 + w168 * w206),
-            w223 * c32 - (w51 * c14 + w43 * c55) - w164 * w220 + w162 * w167 + w168 * w225 + w169 * w227,
+            w223 * c32 - (w51 * c14 + w43 * c58) - w164 * w220 + w162 * w167 + w168 * w225 + w169 * w227,
             w243 + w169 * w242,
         ),
     )
@@ -1695,7 +1703,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     655 operations.
     """
@@ -1703,7 +1711,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 65)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -1750,9 +1758,9 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
-    c59 = c[59]
-    c60 = c[60]
-    c61 = c[61]
+    c62 = c[62]
+    c63 = c[63]
+    c64 = c[64]
     # intermediate terms (106)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = 2 * crank_theta_dot
@@ -1830,7 +1838,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w73 = w22 * w69
     w74 = (w11 * w37 + w9 * w30) / w19
     w75 = rocker_q2 * w15 * c8 / w19
-    w76 = coupler_q1_dot * c59 + coupler_q2_dot * c60
+    w76 = coupler_q1_dot * c62 + coupler_q2_dot * c63
     w77 = coupler_q1_dot * (w10 * c4) - coupler_theta_dot * w25 - w27 * w63 - w31 * w61
     w78 = coupler_q1_dot * (w5 * c4) + coupler_theta_dot * w33 - w35 * w63 + w38 * w61
     w79 = 2 * -((w11 * w77 + w9 * w78) / w19)
@@ -1839,7 +1847,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w82 = coupler_theta_dot * -2.0
     w83 = w54 * w82 - w56 * w81 - w57 * w63
     w84 = w0 * (w5 * w76 + w50 * w60) - w2 * (w50 * w59 + w10 * w76) - w20 * w80 - w48 * w81 - w53 * w63 + w28 * w83
-    w85 = coupler_q2_dot * c61 + coupler_q1_dot * c60
+    w85 = coupler_q2_dot * c64 + coupler_q1_dot * c63
     w86 = coupler_q2_dot * (w10 * c5) - coupler_theta_dot * w26 - w27 * w68 - w31 * w67
     w87 = coupler_theta_dot * w34 + coupler_q2_dot * (w5 * c5) - w35 * w68 + w38 * w67
     w88 = 2 * -((w11 * w86 + w9 * w87) / w19)
@@ -1899,7 +1907,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 5 x 5) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     1665 operations.
@@ -1909,7 +1917,7 @@ def residual_jacobian() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 65)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -1973,14 +1981,14 @@ def residual_jacobian() -> ca.Function:
     c42 = c[42]
     c43 = c[43]
     c44 = c[44]
-    c51 = c[51]
-    c52 = c[52]
-    c53 = c[53]
     c54 = c[54]
     c55 = c[55]
     c56 = c[56]
     c57 = c[57]
     c58 = c[58]
+    c59 = c[59]
+    c60 = c[60]
+    c61 = c[61]
     # intermediate terms (300)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(crank_theta) * crank_tip_x
@@ -2189,9 +2197,9 @@ def residual_jacobian() -> ca.Function:
     w204 = (w47 * w201 + w69 * w203) / w72
     w205 = w110 * w204 - w151 * w199 - w112 * w152
     w206 = (w36 * w201 + w61 * w203) / w72
-    w207 = w94 * (coupler_q1_dot * c51 - coupler_q2_dot * c27) - w187 * gravity_y - (w87 * (w95 + coupler_q1 * c51 - coupler_q2 * c27) - (w29 * w187 - w4 * w184))
+    w207 = w94 * (coupler_q1_dot * c54 - coupler_q2_dot * c27) - w187 * gravity_y - (w87 * (w95 + coupler_q1 * c54 - coupler_q2 * c27) - (w29 * w187 - w4 * w184))
     w208 = w166 + w207 - w167 + w98 * w206 - w160 * w198 - w76 * w161
-    w209 = w6 * c51 - c41 - w188 * gravity_y + (w29 * w188 - w4 * w191) - w130 * w194 - w119 * w196 - w112 * w205
+    w209 = w6 * c54 - c41 - w188 * gravity_y + (w29 * w188 - w4 * w191) - w130 * w194 - w119 * w196 - w112 * w205
     w210 = w29 * w189 - w4 * w192 - (w6 * c27 + w189 * gravity_y) - w113 * w205 + w206 * c30 - w170 * w198 - w76 * w173
     w211 = coupler_q1_dot * c18
     w212 = w19 + w211
@@ -2217,11 +2225,11 @@ def residual_jacobian() -> ca.Function:
     w232 = (w47 * w229 + w69 * w231) / w72
     w233 = w110 * w232 - w151 * w227 - w113 * w152
     w234 = (w36 * w229 + w61 * w231) / w72
-    w235 = w94 * (coupler_q2_dot * c52 - coupler_q1_dot * c25) - w215 * gravity_y - (w87 * (w96 + coupler_q2 * c52 - coupler_q1 * c25) - (w4 * w214 + w29 * w215))
+    w235 = w94 * (coupler_q2_dot * c55 - coupler_q1_dot * c25) - w215 * gravity_y - (w87 * (w96 + coupler_q2 * c55 - coupler_q1 * c25) - (w4 * w214 + w29 * w215))
     w236 = w171 + w235 - w172 + w98 * w234 - w160 * w226 - w79 * w161
     w237 = w29 * w216 - w4 * w219 - (w6 * c25 + w216 * gravity_y) - w112 * w233 + w234 * c29 - w165 * w226 - w79 * w168
-    w238 = w6 * c52 - c42 - w217 * gravity_y + (w29 * w217 - w4 * w220) - w130 * w222 - w119 * w224 - w113 * w233
-    w239 = w100 * (rocker_q1_dot * c53 - rocker_q2_dot * c14) - (w176 + w32 * ((w104 + w105 + rocker_q2 * c38) * 0.5)) * gravity_y
+    w238 = w6 * c55 - c42 - w217 * gravity_y + (w29 * w217 - w4 * w220) - w130 * w222 - w119 * w224 - w113 * w233
+    w239 = w100 * (rocker_q1_dot * c56 - rocker_q2_dot * c14) - (w176 + w32 * ((w104 + w105 + rocker_q2 * c38) * 0.5)) * gravity_y
     w240 = w32 * c7
     w241 = rocker_theta_dot * w82 - rocker_q1_dot * w240 + w83 * w133 + w115 * w134
     w242 = w50 * c7
@@ -2233,12 +2241,12 @@ def residual_jacobian() -> ca.Function:
     w248 = w83 * w146 - (w81 * w117 + rocker_q1_ddot * w242 + (w49 * (w32 * w54) - w58 * w82) + w145 * w244)
     w249 = w248 - w147 * w245 - w115 * w148
     w250 = (w47 * w247 + w69 * w249) / w72
-    w251 = w175 + (w239 - w117 * (w101 + rocker_q1 * c53 - rocker_q2 * c14) - w177) + w110 * w250 - w151 * w245
+    w251 = w175 + (w239 - w117 * (w101 + rocker_q1 * c56 - rocker_q2 * c14) - w177) + w110 * w250 - w151 * w245
     w252 = w251 + w115 * w152
     w253 = (w36 * w247 + w61 * w249) / w72
     w254 = w98 * w253 - w160 * w244 + w83 * w161
-    w255 = w58 * c53 - c43 - w50 * c54 + w130 * w240 + w119 * w242 + w250 * c31 - w174 * w245 + w115 * w178 + w115 * w252
-    w256 = w100 * (rocker_q2_dot * c56 - rocker_q1_dot * c12) - w32 * ((rocker_q1 * c37 + (w106 + w107)) * 0.5) * gravity_y
+    w255 = w58 * c56 - c43 - w50 * c57 + w130 * w240 + w119 * w242 + w250 * c31 - w174 * w245 + w115 * w178 + w115 * w252
+    w256 = w100 * (rocker_q2_dot * c59 - rocker_q1_dot * c12) - w32 * ((rocker_q1 * c37 + (w106 + w107)) * 0.5) * gravity_y
     w257 = w32 * c8
     w258 = rocker_theta_dot * w85 - rocker_q2_dot * w257 + w86 * w133 + w116 * w134
     w259 = w50 * c8
@@ -2250,11 +2258,11 @@ def residual_jacobian() -> ca.Function:
     w265 = w86 * w146 - (w84 * w117 + rocker_q2_ddot * w259 + (w49 * (w32 * w55) - w58 * w85) + w145 * w261)
     w266 = w265 - w147 * w262 - w116 * w148
     w267 = (w47 * w264 + w69 * w266) / w72
-    w268 = w180 + (w256 - w117 * (w102 + rocker_q2 * c56 - rocker_q1 * c12) - w181) + w110 * w267 - w151 * w262
+    w268 = w180 + (w256 - w117 * (w102 + rocker_q2 * c59 - rocker_q1 * c12) - w181) + w110 * w267 - w151 * w262
     w269 = w268 + w116 * w152
     w270 = (w36 * w264 + w61 * w266) / w72
     w271 = w98 * w270 - w160 * w261 + w86 * w161
-    w272 = w58 * c56 - c44 - w50 * c58 + w130 * w257 + w119 * w259 + w267 * c32 - w179 * w262 + w116 * w182 + w116 * w269
+    w272 = w58 * c59 - c44 - w50 * c61 + w130 * w257 + w119 * w259 + w267 * c32 - w179 * w262 + w116 * w182 + w116 * w269
     w273 = 2 * crank_theta_dot
     w274 = w1 * w273
     w275 = w0 * w273
@@ -2307,13 +2315,13 @@ def residual_jacobian() -> ca.Function:
             w150 * c31 - w142 * w174 + w111 * w178 + w115 * w153 + w83 * w162,
             w204 * c31 - w174 * w199 - w112 * w178 + w115 * w205 + w83 * w208,
             w232 * c31 - w174 * w227 - w113 * w178 + w115 * w233 + w83 * w236, w255 + w83 * w254,
-            w267 * c31 - (w58 * c12 + w50 * c57) - w174 * w262 + w116 * w178 + w115 * w269 + w83 * w271,
+            w267 * c31 - (w58 * c12 + w50 * c60) - w174 * w262 + w116 * w178 + w115 * w269 + w83 * w271,
         ),
         ca.horzcat(  # rocker.q2
             w150 * c32 - w142 * w179 + w111 * w182 + w116 * w153 + w86 * w162,
             w204 * c32 - w179 * w199 - w112 * w182 + w116 * w205 + w86 * w208,
             w232 * c32 - w179 * w227 - w113 * w182 + w116 * w233 + w86 * w236,
-            w250 * c32 - (w58 * c14 + w50 * c55) - w179 * w245 + w115 * w182 + w116 * w252 + w86 * w254,
+            w250 * c32 - (w58 * c14 + w50 * c58) - w179 * w245 + w115 * w182 + w116 * w252 + w86 * w254,
             w272 + w86 * w271,
         ),
     )
@@ -2357,13 +2365,13 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 5 x 4) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 4 x 4) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 4 x 4) [SI]: damping of the stiff deflections
     58 operations.
     """
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 65)
     c41 = c[41]
     c42 = c[42]
     c43 = c[43]
@@ -2395,7 +2403,7 @@ def blocks() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
     gives M_hat_LS (n_L x n_S = 1 x 4) [SI]: block of M_hat, rows of L, columns of S
     gives M_hat_SL (n_S x n_L = 4) [SI]: block of M_hat, rows of S, columns of L
@@ -2408,7 +2416,7 @@ def blocks() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 65)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -2594,7 +2602,7 @@ def substep_2() -> ca.Function:
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 4 x 4) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 4) [N, N m]: right-hand side of a sub-step, slow q'' given
     432 operations.
@@ -2604,7 +2612,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 65)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]

@@ -17,8 +17,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 17) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
-    82 operations.
+    gives c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
+    86 operations.
     """
     p = ca.SX.sym("p", 17)
     shoulder_torque = p[0]
@@ -37,13 +37,14 @@ def constants() -> ca.Function:
     link1_tip_x = p[13]
     gear1_stiffness = p[14]
     gear2_stiffness = p[15]
-    # intermediate terms (6)
+    # intermediate terms (7)
     w0 = link1_tip_x * rotor2_mass
     w1 = link1_tip_x * link2_mass
     w2 = link2_mass * link2_center_of_mass_x
     w3 = link1_mass * link1_center_of_mass_x
     w4 = w3 * gravity_y
     w5 = link1_tip_x**2
+    w6 = gravity_y * rotor1_mass
     # outputs
     c = ca.vertcat(
         rotor1_inertia,  # rotor1_inertia
@@ -58,24 +59,26 @@ def constants() -> ca.Function:
         w4 + w0 * gravity_y + w1 * gravity_y,  # c9
         w2 * gravity_y,  # c10
         link1_tip_x,  # link1_tip_x
+        -link1_tip_x,  # c12
         link1_mass,  # link1_mass
-        link1_inertia + link1_mass * link1_center_of_mass_x**2,  # c13
+        link1_inertia + link1_mass * link1_center_of_mass_x**2,  # c14
         rotor2_mass,  # rotor2_mass
         link2_mass,  # link2_mass
-        w2,  # c16
-        link2_inertia + link2_mass * link2_center_of_mass_x**2,  # c17
-        w3,  # c18
+        w2,  # c17
+        link2_inertia + link2_mass * link2_center_of_mass_x**2,  # c18
+        w3,  # c19
         gravity_y,  # gravity_y
-        rotor2_mass * gravity_y,  # c20
-        link2_mass * gravity_y,  # c21
+        rotor2_mass * gravity_y,  # c21
+        link2_mass * gravity_y,  # c22
         rotor1_mass,  # rotor1_mass
-        link1_mass * gravity_y,  # c23
-        gravity_y * rotor1_mass,  # c24
-        -gear1_stiffness,  # c25
-        -gear2_stiffness,  # c26
-        link2_center_of_mass_x * (link2_mass * (2 * link1_tip_x)),  # c27
-        w4,  # c28
-        link1_tip_x * w0,  # c29
+        link1_mass * gravity_y,  # c24
+        w6,  # c25
+        -w6,  # c26
+        -gear1_stiffness,  # c27
+        -gear2_stiffness,  # c28
+        link2_center_of_mass_x * (link2_mass * (2 * link1_tip_x)),  # c29
+        w4,  # c30
+        link1_tip_x * w0,  # c31
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -87,7 +90,7 @@ def condensed() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes t (1) [s]: time
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 4 x 4) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 4) [N, N m]: condensed force S^T (Q* - M s)
     75 operations.
@@ -95,7 +98,7 @@ def condensed() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 32)
     link1_theta = q_i[0]
     rotor1_theta = q_i[1]
     link2_theta = q_i[2]
@@ -146,12 +149,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     15 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 32)
     link1_theta = q_i[0]
     link1_tip_x = c[11]
     # intermediate terms (2)
@@ -172,25 +175,26 @@ def velocities() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     19 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 32)
     link1_theta = q_i[0]
     link1_theta_dot = q_i_dot[0]
     link1_tip_x = c[11]
+    c12 = c[12]
     # intermediate terms (2)
-    w0 = -(ca.sin(link1_theta) * link1_tip_x * link1_theta_dot)
-    w1 = link1_theta_dot * (ca.cos(link1_theta) * link1_tip_x)
+    w0 = link1_theta_dot * (ca.cos(link1_theta) * link1_tip_x)
+    w1 = ca.sin(link1_theta) * c12 * link1_theta_dot
     # outputs
     q_d_dot = ca.SX(8, 1)
-    q_d_dot[4] = w0  # link2.x
-    q_d_dot[5] = w1  # link2.y
-    q_d_dot[6] = w0  # rotor2.x
-    q_d_dot[7] = w1  # rotor2.y
+    q_d_dot[4] = w1  # link2.x
+    q_d_dot[5] = w0  # link2.y
+    q_d_dot[6] = w1  # rotor2.x
+    q_d_dot[7] = w0  # rotor2.y
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_d_dot"])
 
@@ -201,14 +205,14 @@ def accelerations() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
     25 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 32)
     link1_theta = q_i[0]
     link1_theta_dot = q_i_dot[0]
     link1_theta_ddot = q_i_ddot[0]
@@ -234,7 +238,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 12) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 12) [mixed]: rates of all coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 8 x 12) [SI]: constraint Jacobian
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -244,7 +248,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 32)
     link1_x = q[0]
     link1_y = q[1]
     link1_theta = q[2]
@@ -318,7 +322,7 @@ def augmented() -> ca.Function:
     takes q (n = 12) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 12) [mixed]: rates of all coordinates
     takes t (1) [s]: time
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 12 x 12) [SI]: mass matrix in all coordinates
     gives K (n x n = 12 x 12) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 12) [N, N m]: quadratic velocity force in all coordinates
@@ -331,7 +335,7 @@ def augmented() -> ca.Function:
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 32)
     link1_theta = q[2]
     rotor1_theta = q[5]
     link2_theta = q[8]
@@ -345,28 +349,28 @@ def augmented() -> ca.Function:
     shoulder_torque = c[4]
     gear2_stiffness = c[5]
     link1_tip_x = c[11]
-    link1_mass = c[12]
-    c13 = c[13]
-    rotor2_mass = c[14]
-    link2_mass = c[15]
-    c16 = c[16]
+    link1_mass = c[13]
+    c14 = c[14]
+    rotor2_mass = c[15]
+    link2_mass = c[16]
     c17 = c[17]
     c18 = c[18]
-    gravity_y = c[19]
-    c20 = c[20]
+    c19 = c[19]
+    gravity_y = c[20]
     c21 = c[21]
-    rotor1_mass = c[22]
-    c23 = c[23]
+    c22 = c[22]
+    rotor1_mass = c[23]
     c24 = c[24]
+    c25 = c[25]
     # intermediate terms (26)
     w0 = ca.sin(link1_theta)
-    w1 = w0 * c18
+    w1 = w0 * c19
     w2 = -w1
     w3 = ca.cos(link1_theta)
-    w4 = w3 * c18
-    w5 = ca.sin(link2_theta) * c16
+    w4 = w3 * c19
+    w5 = ca.sin(link2_theta) * c17
     w6 = -w5
-    w7 = ca.cos(link2_theta) * c16
+    w7 = ca.cos(link2_theta) * c17
     w8 = link1_theta_dot**2
     w9 = w4 * w8
     w10 = w1 * w8
@@ -396,7 +400,7 @@ def augmented() -> ca.Function:
     # link1.theta
     M[2, 0] = w2
     M[2, 1] = w4
-    M[2, 2] = c13
+    M[2, 2] = c14
     # rotor1.x
     M[3, 3] = rotor1_mass
     # rotor1.y
@@ -412,7 +416,7 @@ def augmented() -> ca.Function:
     # link2.theta
     M[8, 6] = w6
     M[8, 7] = w7
-    M[8, 8] = c17
+    M[8, 8] = c18
     # rotor2.x
     M[9, 9] = rotor2_mass
     # rotor2.y
@@ -427,30 +431,30 @@ def augmented() -> ca.Function:
     Q_v[7] = w13  # link2.y
     Q_F = ca.vertcat(
         0.0,  # link1.x
-        c23,  # link1.y
+        c24,  # link1.y
         w16,  # link1.theta
         0.0,  # rotor1.x
-        c24,  # rotor1.y
+        c25,  # rotor1.y
         w17,  # rotor1.theta
         0.0,  # link2.x
-        c21,  # link2.y
+        c22,  # link2.y
         w19,  # link2.theta
         0.0,  # rotor2.x
-        c20,  # rotor2.y
+        c21,  # rotor2.y
         w20,  # rotor2.theta
     )
     Q_star = ca.vertcat(
         w9,  # link1.x
-        w10 + c23,  # link1.y
+        w10 + c24,  # link1.y
         w16,  # link1.theta
         0.0,  # rotor1.x
-        c24,  # rotor1.y
+        c25,  # rotor1.y
         w17,  # rotor1.theta
         w12,  # link2.x
-        c21 + w13,  # link2.y
+        c22 + w13,  # link2.y
         w19,  # link2.theta
         0.0,  # rotor2.x
-        c20,  # rotor2.y
+        c21,  # rotor2.y
         w20,  # rotor2.theta
     )
     C_q = ca.SX(8, 12)
@@ -493,7 +497,7 @@ def reactions() -> ca.Function:
     takes q (n = 12) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 12) [mixed]: rates of all coordinates
     takes q_ddot (n = 12) [mixed]: accelerations of all coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
     95 operations.
@@ -501,7 +505,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
     q_ddot = ca.SX.sym("q_ddot", 12)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 32)
     link1_theta = q[2]
     link2_theta = q[8]
     link1_theta_dot = q_dot[2]
@@ -516,31 +520,31 @@ def reactions() -> ca.Function:
     link2_theta_ddot = q_ddot[8]
     rotor2_x_ddot = q_ddot[9]
     rotor2_y_ddot = q_ddot[10]
-    link1_mass = c[12]
-    rotor2_mass = c[14]
-    link2_mass = c[15]
-    c16 = c[16]
-    c18 = c[18]
-    c20 = c[20]
+    link1_mass = c[13]
+    rotor2_mass = c[15]
+    link2_mass = c[16]
+    c17 = c[17]
+    c19 = c[19]
     c21 = c[21]
-    rotor1_mass = c[22]
-    c23 = c[23]
+    c22 = c[22]
+    rotor1_mass = c[23]
     c24 = c[24]
+    c25 = c[25]
     # intermediate terms (14)
     w0 = link1_theta_dot**2
-    w1 = ca.cos(link1_theta) * c18
-    w2 = ca.sin(link1_theta) * c18
+    w1 = ca.cos(link1_theta) * c19
+    w2 = ca.sin(link1_theta) * c19
     w3 = rotor2_x_ddot * rotor2_mass
     w4 = link2_theta_dot**2
-    w5 = ca.cos(link2_theta) * c16
-    w6 = ca.sin(link2_theta) * c16
+    w5 = ca.cos(link2_theta) * c17
+    w6 = ca.sin(link2_theta) * c17
     w7 = w4 * w5 - (link2_x_ddot * link2_mass - w6 * link2_theta_ddot)
     w8 = w0 * w1 - (link1_x_ddot * link1_mass - w2 * link1_theta_ddot) - w3 + w7
-    w9 = c20 - rotor2_y_ddot * rotor2_mass
-    w10 = c21 + w4 * w6 - (link2_y_ddot * link2_mass + w5 * link2_theta_ddot)
-    w11 = c23 + w0 * w2 - (link1_y_ddot * link1_mass + w1 * link1_theta_ddot) + w9 + w10
+    w9 = c21 - rotor2_y_ddot * rotor2_mass
+    w10 = c22 + w4 * w6 - (link2_y_ddot * link2_mass + w5 * link2_theta_ddot)
+    w11 = c24 + w0 * w2 - (link1_y_ddot * link1_mass + w1 * link1_theta_ddot) + w9 + w10
     w12 = rotor1_x_ddot * rotor1_mass
-    w13 = c24 - rotor1_y_ddot * rotor1_mass
+    w13 = c25 - rotor1_y_ddot * rotor1_mass
     # outputs
     lam = ca.vertcat(
         w8,  # joint1.x
@@ -568,18 +572,18 @@ def energy() -> ca.Function:
     takes q (n = 12) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 12) [mixed]: rates of all coordinates
     takes t (1) [s]: time
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    137 operations.
+    136 operations.
     """
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 32)
     link1_y = q[1]
     link1_theta = q[2]
     rotor1_y = q[4]
@@ -606,37 +610,37 @@ def energy() -> ca.Function:
     elbow_torque = c[3]
     shoulder_torque = c[4]
     gear2_stiffness = c[5]
-    link1_mass = c[12]
-    c13 = c[13]
-    rotor2_mass = c[14]
-    link2_mass = c[15]
-    c16 = c[16]
+    link1_mass = c[13]
+    c14 = c[14]
+    rotor2_mass = c[15]
+    link2_mass = c[16]
     c17 = c[17]
     c18 = c[18]
-    gravity_y = c[19]
-    c20 = c[20]
-    rotor1_mass = c[22]
-    c24 = c[24]
+    c19 = c[19]
+    gravity_y = c[20]
+    c21 = c[21]
+    rotor1_mass = c[23]
+    c26 = c[26]
     # intermediate terms (13)
-    w0 = ca.sin(link1_theta) * c18
-    w1 = ca.cos(link1_theta) * c18
+    w0 = ca.sin(link1_theta) * c19
+    w1 = ca.cos(link1_theta) * c19
     w2 = link1_x_dot * (link1_x_dot * link1_mass - w0 * link1_theta_dot) + link1_y_dot * (link1_y_dot * link1_mass + link1_theta_dot * w1)
-    w3 = w2 + link1_theta_dot * (link1_y_dot * w1 - link1_x_dot * w0 + link1_theta_dot * c13) + rotor1_x_dot * (rotor1_x_dot * rotor1_mass)
+    w3 = w2 + link1_theta_dot * (link1_y_dot * w1 - link1_x_dot * w0 + link1_theta_dot * c14) + rotor1_x_dot * (rotor1_x_dot * rotor1_mass)
     w4 = w3 + rotor1_y_dot * (rotor1_y_dot * rotor1_mass) + rotor1_theta_dot * (rotor1_theta_dot * rotor1_inertia)
-    w5 = ca.sin(link2_theta) * c16
-    w6 = ca.cos(link2_theta) * c16
+    w5 = ca.sin(link2_theta) * c17
+    w6 = ca.cos(link2_theta) * c17
     w7 = w4 + link2_x_dot * (link2_x_dot * link2_mass - w5 * link2_theta_dot) + link2_y_dot * (link2_y_dot * link2_mass + link2_theta_dot * w6)
-    w8 = w7 + link2_theta_dot * (link2_y_dot * w6 - link2_x_dot * w5 + link2_theta_dot * c17) + rotor2_x_dot * (rotor2_x_dot * rotor2_mass)
+    w8 = w7 + link2_theta_dot * (link2_y_dot * w6 - link2_x_dot * w5 + link2_theta_dot * c18) + rotor2_x_dot * (rotor2_x_dot * rotor2_mass)
     w9 = w8 + rotor2_y_dot * (rotor2_y_dot * rotor2_mass) + rotor2_theta_dot * (rotor2_theta_dot * rotor2_inertia)
     w10 = (link1_theta - rotor1_theta)**2 * gear1_stiffness / 2.0 + (link2_theta - rotor2_theta)**2 * gear2_stiffness / 2.0
-    w11 = rotor1_y * c24 + (w0 + link1_y * link1_mass + (w5 + link2_y * link2_mass)) * gravity_y + rotor2_y * c20
-    w12 = rotor1_theta_dot * (ca.sin(t * 3.141592653589793) * shoulder_torque) + ca.sin(t * 6.283185307179586) * elbow_torque * (rotor2_theta_dot - link1_theta_dot)
+    w11 = rotor1_theta_dot * (ca.sin(t * 3.141592653589793) * shoulder_torque) + ca.sin(t * 6.283185307179586) * elbow_torque * (rotor2_theta_dot - link1_theta_dot)
+    w12 = rotor1_y * c26 - (w0 + link1_y * link1_mass + (w5 + link2_y * link2_mass)) * gravity_y - rotor2_y * c21
     # outputs
     kinetic = ca.vertcat(w9 / 2.0)
     elastic = ca.vertcat(w10)
-    potential = ca.vertcat(-w11)
+    potential = ca.vertcat(w12)
     power_dissipated = ca.SX(1, 1)
-    power_applied = ca.vertcat(w12)
+    power_applied = ca.vertcat(w11)
     inputs, outputs = [q, q_dot, t, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "t", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
@@ -646,25 +650,25 @@ def load_actions() -> ca.Function:
 
     takes q (n = 12) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes t (1) [s]: time
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 3 x 4) [N, N m]: world force and moment of a load on its marker, or b
     34 operations.
     """
     q = ca.SX.sym("q", 12)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 32)
     link1_theta = q[2]
     rotor1_theta = q[5]
     link2_theta = q[8]
     rotor2_theta = q[11]
     elbow_torque = c[3]
     shoulder_torque = c[4]
-    c25 = c[25]
-    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
     # outputs
     load_actions = ca.SX(3, 4)
-    load_actions[2, 0] = (link1_theta - rotor1_theta) * c25
-    load_actions[2, 1] = (link2_theta - rotor2_theta) * c26
+    load_actions[2, 0] = (link1_theta - rotor1_theta) * c27
+    load_actions[2, 1] = (link2_theta - rotor2_theta) * c28
     load_actions[2, 2] = ca.sin(t * 3.141592653589793) * shoulder_torque
     load_actions[2, 3] = ca.sin(t * 6.283185307179586) * elbow_torque
     inputs, outputs = [q, t, c], [ca.densify(load_actions)]
@@ -739,13 +743,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i, through q_d
     43 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 32)
     link1_theta = q_i[0]
     link2_theta = q_i[2]
     link1_theta_dot = q_i_dot[0]
@@ -755,8 +759,8 @@ def dQ_hat_dq_i() -> ca.Function:
     c7 = c[7]
     c9 = c[9]
     c10 = c[10]
-    c25 = c[25]
-    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
     # intermediate terms (3)
     w0 = ca.cos(link2_theta - link1_theta) * c7
     w1 = link2_theta_dot**2 * w0
@@ -764,19 +768,19 @@ def dQ_hat_dq_i() -> ca.Function:
     # outputs
     dQ_hat_dq_i = ca.SX(4, 4)
     # link1.theta
-    dQ_hat_dq_i[0, 0] = c25 - ca.sin(link1_theta) * c9 - w1
+    dQ_hat_dq_i[0, 0] = c27 - ca.sin(link1_theta) * c9 - w1
     dQ_hat_dq_i[0, 1] = gear1_stiffness
     dQ_hat_dq_i[0, 2] = w1
     # rotor1.theta
     dQ_hat_dq_i[1, 0] = gear1_stiffness
-    dQ_hat_dq_i[1, 1] = c25
+    dQ_hat_dq_i[1, 1] = c27
     # link2.theta
     dQ_hat_dq_i[2, 0] = w2
-    dQ_hat_dq_i[2, 2] = c26 - w2 - ca.sin(link2_theta) * c10
+    dQ_hat_dq_i[2, 2] = c28 - w2 - ca.sin(link2_theta) * c10
     dQ_hat_dq_i[2, 3] = gear2_stiffness
     # rotor2.theta
     dQ_hat_dq_i[3, 2] = gear2_stiffness
-    dQ_hat_dq_i[3, 3] = c26
+    dQ_hat_dq_i[3, 3] = c28
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
 
@@ -786,20 +790,20 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     28 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 32)
     link1_theta = q_i[0]
     link2_theta = q_i[2]
     link1_theta_dot = q_i_dot[0]
     link2_theta_dot = q_i_dot[2]
-    c27 = c[27]
+    c29 = c[29]
     # intermediate terms (1)
-    w0 = ca.sin(link2_theta - link1_theta) * c27
+    w0 = ca.sin(link2_theta - link1_theta) * c29
     # outputs
     dQ_hat_dq_i_dot = ca.SX(4, 4)
     # link1.theta
@@ -816,7 +820,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     133 operations.
@@ -824,7 +828,7 @@ def residual_jacobian() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 32)
     link1_theta = q_i[0]
     link2_theta = q_i[2]
     link1_theta_dot = q_i_dot[0]
@@ -834,15 +838,15 @@ def residual_jacobian() -> ca.Function:
     gear1_stiffness = c[2]
     gear2_stiffness = c[5]
     link1_tip_x = c[11]
-    rotor2_mass = c[14]
-    link2_mass = c[15]
-    c16 = c[16]
-    gravity_y = c[19]
-    c20 = c[20]
+    rotor2_mass = c[15]
+    link2_mass = c[16]
+    c17 = c[17]
+    gravity_y = c[20]
     c21 = c[21]
-    c25 = c[25]
-    c26 = c[26]
+    c22 = c[22]
+    c27 = c[27]
     c28 = c[28]
+    c30 = c[30]
     # intermediate terms (25)
     w0 = ca.cos(link1_theta) * link1_tip_x
     w1 = ca.sin(link1_theta)
@@ -851,17 +855,17 @@ def residual_jacobian() -> ca.Function:
     w4 = link1_theta_ddot * w2 + w0 * w3
     w5 = w0 * (w4 * rotor2_mass)
     w6 = link2_theta_dot**2
-    w7 = ca.cos(link2_theta) * c16
+    w7 = ca.cos(link2_theta) * c17
     w8 = w6 * w7
     w9 = w4 * link2_mass
-    w10 = ca.sin(link2_theta) * c16
+    w10 = ca.sin(link2_theta) * c17
     w11 = w10 * link2_theta_ddot
     w12 = w6 * w10
     w13 = w0 * link1_theta_ddot - w2 * w3
     w14 = w13 * link2_mass
     w15 = w7 * link2_theta_ddot
     w16 = w13 * rotor2_mass
-    w17 = w5 + (gear1_stiffness + w1 * c28 + w0 * (w8 + (w9 + w11)) + w2 * (c21 + w12 - (w14 + w15))) + w2 * (c20 - w16)
+    w17 = w5 + (gear1_stiffness + w1 * c30 + w0 * (w8 + (w9 + w11)) + w2 * (c22 + w12 - (w14 + w15))) + w2 * (c21 - w16)
     w18 = w4 * w7
     w19 = w10 * w13
     w20 = 2 * link1_theta_dot
@@ -877,14 +881,14 @@ def residual_jacobian() -> ca.Function:
     J_q[0, 2] = w0 * (w8 + w11) - w2 * (w15 - w12)
     # rotor1.theta
     J_q[1, 0] = gear1_stiffness
-    J_q[1, 1] = c25
+    J_q[1, 1] = c27
     # link2.theta
     J_q[2, 0] = w18 - w19
     J_q[2, 2] = w19 - w18 - (gear2_stiffness + w10 * gravity_y)
     J_q[2, 3] = gear2_stiffness
     # rotor2.theta
     J_q[3, 2] = gear2_stiffness
-    J_q[3, 3] = c26
+    J_q[3, 3] = c28
     J_v = ca.SX(4, 4)
     # link1.theta
     J_v[0, 0] = w23
@@ -898,13 +902,13 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 4 x 2) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 2 x 2) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 2 x 2) [SI]: damping of the stiff deflections
     21 operations.
     """
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 32)
     gear1_stiffness = c[2]
     gear2_stiffness = c[5]
     # outputs
@@ -931,14 +935,14 @@ def forward_dynamics() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes t (1) [s]: time
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
     115 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 32)
     link1_theta = q_i[0]
     rotor1_theta = q_i[1]
     link2_theta = q_i[2]
@@ -952,43 +956,43 @@ def forward_dynamics() -> ca.Function:
     shoulder_torque = c[4]
     gear2_stiffness = c[5]
     link1_tip_x = c[11]
-    c13 = c[13]
-    rotor2_mass = c[14]
-    link2_mass = c[15]
-    c16 = c[16]
+    c14 = c[14]
+    rotor2_mass = c[15]
+    link2_mass = c[16]
     c17 = c[17]
-    gravity_y = c[19]
-    c20 = c[20]
+    c18 = c[18]
+    gravity_y = c[20]
     c21 = c[21]
-    c28 = c[28]
-    c29 = c[29]
+    c22 = c[22]
+    c30 = c[30]
+    c31 = c[31]
     # intermediate terms (21)
     w0 = ca.cos(link1_theta)
     w1 = (link1_theta - rotor1_theta) * gear1_stiffness
     w2 = ca.sin(t * 6.283185307179586) * elbow_torque
     w3 = w0 * link1_tip_x
     w4 = link2_theta_dot**2
-    w5 = ca.sin(link2_theta) * c16
-    w6 = ca.cos(link2_theta) * c16
-    w7 = w6 / c17
+    w5 = ca.sin(link2_theta) * c17
+    w6 = ca.cos(link2_theta) * c17
+    w7 = w6 / c18
     w8 = (link2_theta - rotor2_theta) * gear2_stiffness
     w9 = w6 * gravity_y - w8
     w10 = link2_mass - w6 * w7
     w11 = link1_theta_dot**2
     w12 = ca.sin(link1_theta) * link1_tip_x
     w13 = w11 * w12
-    w14 = w5 / c17
+    w14 = w5 / c18
     w15 = w6 * w14
     w16 = w3 * w15
     w17 = w3 * w11
     w18 = link2_mass - w5 * w14
-    w19 = w0 * c28 - w1 - w2 + w3 * (c21 + w4 * w5 - w7 * w9 + w10 * w13) + w16 * w17 - w12 * (w4 * w6 + w9 * w14 + w13 * w15 + w17 * w18)
-    w20 = (w19 + w3 * (c20 + w13 * rotor2_mass) - w12 * (w17 * rotor2_mass)) / (c29 + (c13 + w3 * (w3 * w10) - (w12 * (w16 - w12 * w18) + w12 * w16)))
+    w19 = w0 * c30 - w1 - w2 + w3 * (c22 + w4 * w5 - w7 * w9 + w10 * w13) + w16 * w17 - w12 * (w4 * w6 + w9 * w14 + w13 * w15 + w17 * w18)
+    w20 = (w19 + w3 * (c21 + w13 * rotor2_mass) - w12 * (w17 * rotor2_mass)) / (c31 + (c14 + w3 * (w3 * w10) - (w12 * (w16 - w12 * w18) + w12 * w16)))
     # outputs
     q_i_ddot = ca.vertcat(
         w20,  # link1.theta
         (w1 + ca.sin(t * 3.141592653589793) * shoulder_torque) / rotor1_inertia,  # rotor1.theta
-        (w9 - (w5 * (w17 + w12 * w20) + w6 * (w3 * w20 - w13))) / c17,  # link2.theta
+        (w9 - (w5 * (w17 + w12 * w20) + w6 * (w3 * w20 - w13))) / c18,  # link2.theta
         (w2 + w8) / rotor2_inertia,  # rotor2.theta
     )
     inputs, outputs = [q_i, q_i_dot, t, c], [ca.densify(q_i_ddot)]
@@ -1001,7 +1005,7 @@ def blocks() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes t (1) [s]: time
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_LL (n_L x n_L = 2 x 2) [SI]: block of M_hat, rows of L, columns of L
     gives M_hat_LS (n_L x n_S = 2 x 2) [SI]: block of M_hat, rows of L, columns of S
     gives M_hat_SL (n_S x n_L = 2 x 2) [SI]: block of M_hat, rows of S, columns of L
@@ -1013,7 +1017,7 @@ def blocks() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 32)
     link1_theta = q_i[0]
     rotor1_theta = q_i[1]
     link2_theta = q_i[2]
@@ -1064,14 +1068,14 @@ def substep_2() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes t (1) [s]: time
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 2) [N, N m]: right-hand side of a sub-step, slow q'' given
     32 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 32)
     link1_theta = q_i[0]
     rotor1_theta = q_i[1]
     link2_theta = q_i[2]

@@ -17,8 +17,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 68) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
-    96 operations.
+    gives c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
+    100 operations.
     """
     p = ca.SX.sym("p", 68)
     omega = p[0]
@@ -98,12 +98,14 @@ def constants() -> ca.Function:
         -rod_phi_integral_1_0,  # c37
         -rod_phi_cross_phi_2_0,  # c38
         slider_inertia,  # slider_inertia
-        rod_rho_dot_phi_2_0 + rod_rho_dot_phi_2_0,  # c40
-        rod_rho_dot_phi_3_0 + rod_rho_dot_phi_3_0,  # c41
-        rod_K_ff_2_3 + rod_K_ff_2_3,  # c42
-        2 * rod_phi_cross_phi_1_3,  # c43
-        2 * rod_phi_cross_phi_2_0,  # c44
-        -rod_phi_cross_phi_0_2,  # c45
+        -rod_phi_cross_phi_3_0,  # c40
+        rod_rho_dot_phi_2_0 + rod_rho_dot_phi_2_0,  # c41
+        rod_rho_dot_phi_3_0 + rod_rho_dot_phi_3_0,  # c42
+        rod_K_ff_2_3 + rod_K_ff_2_3,  # c43
+        2 * rod_phi_cross_phi_1_3,  # c44
+        2 * rod_phi_cross_phi_2_0,  # c45
+        -rod_phi_cross_phi_0_2,  # c46
+        -rod_phi_cross_phi_3_1,  # c47
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -116,7 +118,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 9) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 4 x 4) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 4) [N, N m]: condensed force S^T (Q* - M s)
     236 operations.
@@ -125,7 +127,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 48)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -238,7 +240,7 @@ def closure() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 9) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes t (1) [s]: time
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 9) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 1) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -247,7 +249,7 @@ def closure() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 48)
     rod_q4 = q_i[3]
     rod_theta = q_d[5]
     rod_end_shape_0_3 = c[1]
@@ -281,14 +283,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 9) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     40 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 48)
     rod_q4 = q_i[3]
     crank_theta = q_d[2]
     rod_theta = q_d[5]
@@ -324,7 +326,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 9) [mixed]: accelerations of the dependent coordinates
     59 operations.
     """
@@ -333,7 +335,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 48)
     rod_q4 = q_i[3]
     crank_theta = q_d[2]
     rod_theta = q_d[5]
@@ -373,7 +375,7 @@ def constraints() -> ca.Function:
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
     takes t (1) [s]: time
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 9) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 9 x 13) [SI]: constraint Jacobian
     gives C_t (n_c = 9) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -384,7 +386,7 @@ def constraints() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 48)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -475,7 +477,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 13 x 13) [SI]: mass matrix in all coordinates
     gives K (n x n = 13 x 13) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 13) [N, N m]: quadratic velocity force in all coordinates
@@ -487,7 +489,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 48)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -537,6 +539,7 @@ def augmented() -> ca.Function:
     c37 = c[37]
     c38 = c[38]
     slider_inertia = c[39]
+    c40 = c[40]
     # intermediate terms (47)
     w0 = ca.sin(crank_theta)
     w1 = w0 * c34
@@ -564,27 +567,27 @@ def augmented() -> ca.Function:
     w23 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
     w24 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
     w25 = rod_q1 * c38
-    w26 = -(rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1)
-    w27 = crank_theta_dot**2
-    w28 = w4 * w27
-    w29 = w1 * w27
-    w30 = rod_theta_dot**2
-    w31 = 2 * rod_theta_dot
-    w32 = rod_q3_dot * rod_phi_integral_0_2 + rod_q4_dot * rod_phi_integral_0_3
-    w33 = rod_q1_dot * rod_phi_integral_1_0
-    w34 = w14 * w30 + w31 * (w5 * w32 + w7 * w33)
-    w35 = w9 * w30 - w31 * (w7 * w32 - w5 * w33)
-    w36 = rod_theta_dot * -2.0 * (w18 * rod_q1_dot + w19 * rod_q2_dot + w20 * rod_q3_dot + w21 * rod_q4_dot)
-    w37 = w18 * w30 + w31 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)
-    w38 = w19 * w30 + w31 * (rod_q4_dot * rod_phi_cross_phi_1_3)
-    w39 = w20 * w30 + w31 * (rod_q1_dot * rod_phi_cross_phi_2_0)
-    w40 = w21 * w30 + w31 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1)
-    w41 = w0 * crank_tip_x
-    w42 = w3 * crank_tip_x
-    w43 = rod_end_x + rod_q4 * rod_end_shape_0_3
-    w44 = w5 * w43
-    w45 = w7 * w43
-    w46 = rod_q4_dot * rod_end_shape_0_3
+    w26 = crank_theta_dot**2
+    w27 = w4 * w26
+    w28 = w1 * w26
+    w29 = rod_theta_dot**2
+    w30 = 2 * rod_theta_dot
+    w31 = rod_q3_dot * rod_phi_integral_0_2 + rod_q4_dot * rod_phi_integral_0_3
+    w32 = rod_q1_dot * rod_phi_integral_1_0
+    w33 = w14 * w29 + w30 * (w5 * w31 + w7 * w32)
+    w34 = w9 * w29 - w30 * (w7 * w31 - w5 * w32)
+    w35 = rod_theta_dot * -2.0 * (w18 * rod_q1_dot + w19 * rod_q2_dot + w20 * rod_q3_dot + w21 * rod_q4_dot)
+    w36 = w18 * w29 + w30 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)
+    w37 = w19 * w29 + w30 * (rod_q4_dot * rod_phi_cross_phi_1_3)
+    w38 = w20 * w29 + w30 * (rod_q1_dot * rod_phi_cross_phi_2_0)
+    w39 = w21 * w29 + w30 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1)
+    w40 = w0 * crank_tip_x
+    w41 = w3 * crank_tip_x
+    w42 = rod_end_x + rod_q4 * rod_end_shape_0_3
+    w43 = w5 * w42
+    w44 = w7 * w42
+    w45 = rod_q4_dot * rod_end_shape_0_3
+    w46 = rod_q1 * c40 - rod_q2 * rod_phi_cross_phi_3_1
     # outputs
     M = ca.SX(13, 13)
     # crank.x
@@ -616,7 +619,7 @@ def augmented() -> ca.Function:
     M[5, 6] = w23
     M[5, 7] = w24
     M[5, 8] = w25
-    M[5, 9] = w26
+    M[5, 9] = w46
     # rod.q1
     M[6, 3] = w11
     M[6, 4] = w15
@@ -634,7 +637,7 @@ def augmented() -> ca.Function:
     # rod.q4
     M[9, 3] = w13
     M[9, 4] = w17
-    M[9, 5] = w26
+    M[9, 5] = w46
     M[9, 8] = rod_M_ff_2_3
     M[9, 9] = rod_M_ff_3_3
     # slider.x
@@ -655,32 +658,32 @@ def augmented() -> ca.Function:
     K[9, 8] = rod_K_ff_2_3
     K[9, 9] = rod_K_ff_3_3
     Q_v = ca.vertcat(
-        w28,  # crank.x
-        w29,  # crank.y
+        w27,  # crank.x
+        w28,  # crank.y
         0.0,  # crank.theta
-        w34,  # rod.x
-        w35,  # rod.y
-        w36,  # rod.theta
-        w37,  # rod.q1
-        w38,  # rod.q2
-        w39,  # rod.q3
-        w40,  # rod.q4
+        w33,  # rod.x
+        w34,  # rod.y
+        w35,  # rod.theta
+        w36,  # rod.q1
+        w37,  # rod.q2
+        w38,  # rod.q3
+        w39,  # rod.q4
         0.0,  # slider.x
         0.0,  # slider.y
         0.0,  # slider.theta
     )
     Q_F = ca.SX(13, 1)
     Q_star = ca.vertcat(
-        w28,  # crank.x
-        w29,  # crank.y
+        w27,  # crank.x
+        w28,  # crank.y
         0.0,  # crank.theta
-        w34,  # rod.x
-        w35,  # rod.y
-        w36,  # rod.theta
-        w37 - rod_q1 * rod_K_ff_0_0,  # rod.q1
-        w38 - rod_q2 * rod_K_ff_1_1,  # rod.q2
-        w39 - (rod_q3 * rod_K_ff_2_2 + rod_q4 * rod_K_ff_2_3),  # rod.q3
-        w40 - (rod_q3 * rod_K_ff_2_3 + rod_q4 * rod_K_ff_3_3),  # rod.q4
+        w33,  # rod.x
+        w34,  # rod.y
+        w35,  # rod.theta
+        w36 - rod_q1 * rod_K_ff_0_0,  # rod.q1
+        w37 - rod_q2 * rod_K_ff_1_1,  # rod.q2
+        w38 - (rod_q3 * rod_K_ff_2_2 + rod_q4 * rod_K_ff_2_3),  # rod.q3
+        w39 - (rod_q3 * rod_K_ff_2_3 + rod_q4 * rod_K_ff_3_3),  # rod.q4
         0.0,  # slider.x
         0.0,  # slider.y
         0.0,  # slider.theta
@@ -692,11 +695,11 @@ def augmented() -> ca.Function:
     C_q[1, 1] = 1.0
     # B.x
     C_q[2, 0] = -1.0
-    C_q[2, 2] = w41
+    C_q[2, 2] = w40
     C_q[2, 3] = 1.0
     # B.y
     C_q[3, 1] = -1.0
-    C_q[3, 2] = -w42
+    C_q[3, 2] = -w41
     C_q[3, 4] = 1.0
     # slide.normal
     C_q[4, 11] = 1.0
@@ -704,21 +707,21 @@ def augmented() -> ca.Function:
     C_q[5, 12] = 1.0
     # C.x
     C_q[6, 3] = -1.0
-    C_q[6, 5] = w44
+    C_q[6, 5] = w43
     C_q[6, 9] = w7 * c31
     C_q[6, 10] = 1.0
     # C.y
     C_q[7, 4] = -1.0
-    C_q[7, 5] = -w45
+    C_q[7, 5] = -w44
     C_q[7, 9] = w5 * c31
     C_q[7, 11] = 1.0
     # drive.angle
     C_q[8, 2] = 1.0
     gamma_b = ca.SX(9, 1)
-    gamma_b[2] = -(w27 * w42)  # B.x
-    gamma_b[3] = -(w27 * w41)  # B.y
-    gamma_b[6] = -(w30 * w45 + w31 * (w5 * w46))  # C.x
-    gamma_b[7] = w31 * (w7 * w46) - w30 * w44  # C.y
+    gamma_b[2] = -(w26 * w41)  # B.x
+    gamma_b[3] = -(w26 * w40)  # B.y
+    gamma_b[6] = -(w29 * w44 + w30 * (w5 * w45))  # C.x
+    gamma_b[7] = w30 * (w7 * w45) - w29 * w43  # C.y
     inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
@@ -729,7 +732,7 @@ def reactions() -> ca.Function:
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
     takes q_ddot (n = 13) [mixed]: accelerations of all coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 9) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 5) [N, N m]: world force and moment of a joint on its body b, at b
     240 operations.
@@ -737,7 +740,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 48)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -860,7 +863,7 @@ def energy() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -870,7 +873,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 48)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -918,9 +921,9 @@ def energy() -> ca.Function:
     c35 = c[35]
     rod_mass = c[36]
     slider_inertia = c[39]
-    c40 = c[40]
     c41 = c[41]
     c42 = c[42]
+    c43 = c[43]
     # intermediate terms (31)
     w0 = ca.sin(crank_theta) * c34
     w1 = ca.cos(crank_theta) * c34
@@ -940,8 +943,8 @@ def energy() -> ca.Function:
     w15 = w3 * rod_phi_integral_0_3
     w16 = rod_y_dot * rod_mass + rod_theta_dot * w12 + rod_q1_dot * w13 + rod_q3_dot * w14 + rod_q4_dot * w15
     w17 = w2 + crank_theta_dot * (crank_y_dot * w1 - crank_x_dot * w0 + crank_theta_dot * c35) + w11 + rod_y_dot * w16
-    w18 = rod_q1 * (rod_q1 * rod_M_ff_0_0) + rod_q2 * (rod_q2 * rod_M_ff_1_1) + rod_q3 * (rod_q4 * rod_M_ff_2_3 + (rod_q3 * rod_M_ff_2_2 + c40))
-    w19 = rod_theta_dot * (rod_inertia + (w18 + rod_q4 * (rod_q4 * rod_M_ff_3_3 + (rod_q3 * rod_M_ff_2_3 + c41))))
+    w18 = rod_q1 * (rod_q1 * rod_M_ff_0_0) + rod_q2 * (rod_q2 * rod_M_ff_1_1) + rod_q3 * (rod_q4 * rod_M_ff_2_3 + (rod_q3 * rod_M_ff_2_2 + c41))
+    w19 = rod_theta_dot * (rod_inertia + (w18 + rod_q4 * (rod_q4 * rod_M_ff_3_3 + (rod_q3 * rod_M_ff_2_3 + c42))))
     w20 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
     w21 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
     w22 = rod_q1 * rod_phi_cross_phi_2_0
@@ -952,7 +955,7 @@ def energy() -> ca.Function:
     w27 = w17 + rod_theta_dot * w24 + w25 + rod_q2_dot * (rod_theta_dot * w21 + rod_q2_dot * rod_M_ff_1_1) + rod_q3_dot * w26
     w28 = rod_q3_dot * rod_M_ff_2_3 + rod_x_dot * w10 + rod_y_dot * w15 - rod_theta_dot * w23 + rod_q4_dot * rod_M_ff_3_3
     w29 = w27 + rod_q4_dot * w28 + slider_x_dot * (slider_x_dot * slider_mass) + slider_y_dot * (slider_y_dot * slider_mass)
-    w30 = rod_q3 * (rod_q3 * rod_K_ff_2_2) + (rod_q2 * (rod_q2 * rod_K_ff_1_1) + (rod_q1 * (rod_q1 * rod_K_ff_0_0) + rod_q3 * rod_q4 * c42))
+    w30 = rod_q3 * (rod_q3 * rod_K_ff_2_2) + (rod_q2 * (rod_q2 * rod_K_ff_1_1) + (rod_q1 * (rod_q1 * rod_K_ff_0_0) + rod_q3 * rod_q4 * c43))
     # outputs
     kinetic = ca.vertcat((w29 + slider_theta_dot * (slider_theta_dot * slider_inertia)) / 2.0)
     elastic = ca.vertcat((w30 + rod_q4 * (rod_q4 * rod_K_ff_3_3)) / 2.0)
@@ -1021,7 +1024,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 9) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i, through q_d
     332 operations.
     """
@@ -1029,7 +1032,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 48)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1072,10 +1075,12 @@ def dQ_hat_dq_i() -> ca.Function:
     rod_phi_integral_0_3 = c[27]
     rod_first_moment_x = c[28]
     c38 = c[38]
-    c43 = c[43]
+    c40 = c[40]
     c44 = c[44]
     c45 = c[45]
-    # intermediate terms (61)
+    c46 = c[46]
+    c47 = c[47]
+    # intermediate terms (60)
     w0 = rod_theta_dot**2
     w1 = 2 * rod_theta_dot
     w2 = ca.cos(rod_theta)
@@ -1096,58 +1101,58 @@ def dQ_hat_dq_i() -> ca.Function:
     w17 = w9 * (ca.cos(crank_theta) * crank_tip_x)
     w18 = w10 * (w5 * rod_phi_integral_1_0) + w17 * (w2 * rod_phi_integral_1_0)
     w19 = rod_q1 * rod_M_ff_0_0
-    w20 = w13 * rod_phi_cross_phi_3_0 + w15 * (w16 * (rod_q1_dot * rod_M_ff_0_0) - (w18 - w13 * (2 * w19)))
-    w21 = rod_q2 * rod_M_ff_1_1
-    w22 = w0 * rod_M_ff_2_3 - rod_K_ff_2_3
-    w23 = w17 * (w5 * rod_phi_integral_0_2) - w10 * (w2 * rod_phi_integral_0_2)
-    w24 = rod_q3 * rod_M_ff_2_2
-    w25 = rod_q4 * rod_M_ff_2_3
-    w26 = rod_rho_dot_phi_2_0 + (w24 + w25)
-    w27 = rod_rho_dot_phi_2_0 + w26
-    w28 = w16 * (rod_q3_dot * rod_M_ff_2_2 + rod_q4_dot * rod_M_ff_2_3) - (w23 - w13 * (w25 + (w24 + w27)))
-    w29 = w2 * rod_end_shape_0_3
-    w30 = (w15 * (rod_q4_dot * w29 - rod_theta_dot * w7) - rod_theta_dot * w29) / w12
-    w31 = w3 * w5
-    w32 = w1 * w31 + w0 * w12
-    w33 = w7 * w13
-    w34 = (w0 * w14 + w13 * w29 - w30 * (2 * w4 - w1 * w7) - w15 * (w32 - w33)) / w12
-    w35 = (rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)) * w34
-    w36 = (w1 * w19 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)) * w30 - (w13 * rod_phi_cross_phi_0_3 + w35)
-    w37 = w30 * (w1 * w21 + rod_q4_dot * c43) - (w13 * rod_phi_cross_phi_1_3 + w34 * (rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3))
-    w38 = (w0 * w29 - w13 * w14) * slider_mass
-    w39 = w34 * (rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1 + w7 * (w29 * slider_mass))
-    w40 = rod_q3 * rod_M_ff_2_3
-    w41 = rod_q4 * rod_M_ff_3_3
-    w42 = rod_rho_dot_phi_3_0 + (w40 + w41)
-    w43 = (w1 * w12 + 2 * w31) * slider_mass
-    w44 = w1 * w42 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) + w29 * w43
-    w45 = (w33 - (w17 + w32)) * slider_mass
-    w46 = w14 * w45
-    w47 = rod_q1_dot * w19 + rod_q2_dot * w21 + rod_q3_dot * w26 + rod_q4_dot * w42
-    w48 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
-    w49 = rod_q1 * rod_phi_integral_1_0
-    w50 = w5 * w48 + w2 * w49
-    w51 = w2 * w48 - w5 * w49
-    w52 = rod_rho_dot_phi_3_0 + w42
-    w53 = rod_inertia + (rod_q1 * w19 + rod_q2 * w21 + rod_q3 * w27 + rod_q4 * w52)
-    w54 = (w16 * w47 - (w17 * w50 - w10 * w51 - w13 * w53) + w7 * w45) / w12
-    w55 = w29 * w54
-    w56 = w17 * (w5 * rod_phi_integral_0_3) - w10 * (w2 * rod_phi_integral_0_3)
-    w57 = (w8 - w11) * slider_mass
-    w58 = w0 * rod_M_ff_3_3 - rod_K_ff_3_3 + w29 * w38 + w39 + w30 * w44 - w15 * (w46 - (w55 + w56) + w29 * w57)
-    w59 = w16 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - (w56 - w13 * (w40 + (w41 + w52)))
-    w60 = w46 + (w59 - w55) - w7 * w38 - w34 * (w53 + w7 * (w7 * slider_mass)) + w30 * (w47 * -2.0 - w7 * w43)
+    w20 = rod_q2 * rod_M_ff_1_1
+    w21 = w0 * rod_M_ff_2_3 - rod_K_ff_2_3
+    w22 = w17 * (w5 * rod_phi_integral_0_2) - w10 * (w2 * rod_phi_integral_0_2)
+    w23 = rod_q3 * rod_M_ff_2_2
+    w24 = rod_q4 * rod_M_ff_2_3
+    w25 = rod_rho_dot_phi_2_0 + (w23 + w24)
+    w26 = rod_rho_dot_phi_2_0 + w25
+    w27 = w16 * (rod_q3_dot * rod_M_ff_2_2 + rod_q4_dot * rod_M_ff_2_3) - (w22 - w13 * (w24 + (w23 + w26)))
+    w28 = w2 * rod_end_shape_0_3
+    w29 = (w15 * (rod_q4_dot * w28 - rod_theta_dot * w7) - rod_theta_dot * w28) / w12
+    w30 = w3 * w5
+    w31 = w1 * w30 + w0 * w12
+    w32 = w7 * w13
+    w33 = (w0 * w14 + w13 * w28 - w29 * (2 * w4 - w1 * w7) - w15 * (w31 - w32)) / w12
+    w34 = (rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)) * w33
+    w35 = (w1 * w19 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)) * w29 - (w13 * rod_phi_cross_phi_0_3 + w34)
+    w36 = w29 * (w1 * w20 + rod_q4_dot * c44) - (w13 * rod_phi_cross_phi_1_3 + w33 * (rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3))
+    w37 = (w0 * w28 - w13 * w14) * slider_mass
+    w38 = w33 * (rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1 + w7 * (w28 * slider_mass))
+    w39 = rod_q3 * rod_M_ff_2_3
+    w40 = rod_q4 * rod_M_ff_3_3
+    w41 = rod_rho_dot_phi_3_0 + (w39 + w40)
+    w42 = (w1 * w12 + 2 * w30) * slider_mass
+    w43 = w1 * w41 + 2 * (rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1) + w28 * w42
+    w44 = (w32 - (w17 + w31)) * slider_mass
+    w45 = w14 * w44
+    w46 = rod_q1_dot * w19 + rod_q2_dot * w20 + rod_q3_dot * w25 + rod_q4_dot * w41
+    w47 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
+    w48 = rod_q1 * rod_phi_integral_1_0
+    w49 = w5 * w47 + w2 * w48
+    w50 = w2 * w47 - w5 * w48
+    w51 = rod_rho_dot_phi_3_0 + w41
+    w52 = rod_inertia + (rod_q1 * w19 + rod_q2 * w20 + rod_q3 * w26 + rod_q4 * w51)
+    w53 = (w16 * w46 - (w17 * w49 - w10 * w50 - w13 * w52) + w7 * w44) / w12
+    w54 = w28 * w53
+    w55 = w17 * (w5 * rod_phi_integral_0_3) - w10 * (w2 * rod_phi_integral_0_3)
+    w56 = (w8 - w11) * slider_mass
+    w57 = w0 * rod_M_ff_3_3 - rod_K_ff_3_3 + w28 * w37 + w38 + w29 * w43 - w15 * (w45 - (w54 + w55) + w28 * w56)
+    w58 = w16 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - (w55 - w13 * (w39 + (w40 + w51)))
+    w59 = w45 + (w58 - w54) - w7 * w37 - w33 * (w52 + w7 * (w7 * slider_mass)) + w29 * (w46 * -2.0 - w7 * w42)
     # outputs
     dQ_hat_dq_i = ca.vertcat(
-        ca.horzcat(w0 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w13 * c45, w36 + w15 * w18),  # rod.q1
-        ca.horzcat(0.0, w0 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0, w37),  # rod.q2
+        ca.horzcat(w0 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w13 * c46, w35 + w15 * w18),  # rod.q1
+        ca.horzcat(0.0, w0 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0, w36),  # rod.q2
         ca.horzcat(  # rod.q3
             w13 * c38, 0.0, w0 * rod_M_ff_2_2 - rod_K_ff_2_2,
-            w22 + w34 * (rod_q1 * rod_phi_cross_phi_2_0) + w30 * (w1 * w26 + rod_q1_dot * c44) + w15 * w23,
+            w21 + w33 * (rod_q1 * rod_phi_cross_phi_2_0) + w29 * (w1 * w25 + rod_q1_dot * c45) + w15 * w22,
         ),
         ca.horzcat(  # rod.q4
-            -w20, -(w13 * rod_phi_cross_phi_3_1 + w15 * (w16 * (rod_q2_dot * rod_M_ff_1_1) + w13 * (2 * w21))),
-            w22 - w15 * w28, w58 - w15 * (w60 - w15 * (w7 * w54 - (w10 * w50 + w17 * w51) + w12 * w45 - w7 * w57)),
+            w13 * c40 - w15 * (w16 * (rod_q1_dot * rod_M_ff_0_0) - (w18 - w13 * (2 * w19))),
+            w13 * c47 - w15 * (w16 * (rod_q2_dot * rod_M_ff_1_1) + w13 * (2 * w20)), w21 - w15 * w27,
+            w57 - w15 * (w59 - w15 * (w7 * w53 - (w10 * w49 + w17 * w50) + w12 * w44 - w7 * w56)),
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -1161,7 +1166,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 9) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     172 operations.
     """
@@ -1169,7 +1174,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 48)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1252,7 +1257,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     423 operations.
@@ -1262,7 +1267,7 @@ def residual_jacobian() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 48)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1309,9 +1314,11 @@ def residual_jacobian() -> ca.Function:
     rod_phi_integral_0_3 = c[27]
     rod_first_moment_x = c[28]
     c38 = c[38]
-    c43 = c[43]
+    c40 = c[40]
     c44 = c[44]
     c45 = c[45]
+    c46 = c[46]
+    c47 = c[47]
     # intermediate terms (72)
     w0 = rod_theta_dot**2
     w1 = 2 * rod_theta_dot
@@ -1351,10 +1358,10 @@ def residual_jacobian() -> ca.Function:
     w35 = rod_q4_ddot * w30
     w36 = w7 * w14
     w37 = (w0 * w12 + w14 * w30 - w31 * (2 * w4 - w1 * w7) - w13 * (w34 - (w35 + w36))) / w11
-    w38 = w1 * w20 + rod_q4_dot * c43
+    w38 = w1 * w20 + rod_q4_dot * c44
     w39 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
     w40 = rod_q1 * rod_phi_cross_phi_2_0
-    w41 = w1 * w26 + rod_q1_dot * c44
+    w41 = w1 * w26 + rod_q1_dot * c45
     w42 = (w0 * w30 - w12 * w14) * slider_mass
     w43 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
     w44 = w43 + w7 * (w30 * slider_mass)
@@ -1388,7 +1395,7 @@ def residual_jacobian() -> ca.Function:
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # rod.q1
-            w0 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w14 * c45,
+            w0 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w14 * c46,
             w29 * w31 - (w14 * rod_phi_cross_phi_0_3 + w32 * w37) + w13 * w17,
         ),
         ca.horzcat(  # rod.q2
@@ -1396,8 +1403,7 @@ def residual_jacobian() -> ca.Function:
         ),
         ca.horzcat(w14 * c38, 0.0, w0 * rod_M_ff_2_2 - rod_K_ff_2_2, w22 + w37 * w40 + w31 * w41 + w13 * w23),  # rod.q3
         ca.horzcat(  # rod.q4
-            -(w14 * rod_phi_cross_phi_3_0 + w13 * (w15 * (rod_q1_dot * rod_M_ff_0_0) - w19)),
-            -(w14 * rod_phi_cross_phi_3_1 + w21), w22 - w13 * w28, w69,
+            w14 * c40 - w13 * (w15 * (rod_q1_dot * rod_M_ff_0_0) - w19), w14 * c47 - w21, w22 - w13 * w28, w69,
         ),
     )
     J_v = ca.SX(4, 4)
@@ -1421,13 +1427,13 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 4 x 4) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 4 x 4) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 4 x 4) [SI]: damping of the stiff deflections
     55 operations.
     """
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 48)
     rod_K_ff_0_0 = c[19]
     rod_K_ff_1_1 = c[22]
     rod_K_ff_2_2 = c[23]
@@ -1462,7 +1468,7 @@ def blocks() -> ca.Function:
     takes q_d (n_d = 9) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_LL (n_L x n_L = 2 x 2) [SI]: block of M_hat, rows of L, columns of L
     gives M_hat_LS (n_L x n_S = 2 x 2) [SI]: block of M_hat, rows of L, columns of S
     gives M_hat_SL (n_S x n_L = 2 x 2) [SI]: block of M_hat, rows of S, columns of L
@@ -1475,7 +1481,7 @@ def blocks() -> ca.Function:
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 48)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1597,7 +1603,7 @@ def substep_2() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     takes q_L_ddot (n_L = 2) [mixed]: accelerations of the slower groups, frozen over their step
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 2) [N, N m]: right-hand side of a sub-step, slow q'' given
     197 operations.
@@ -1607,7 +1613,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_L_ddot = ca.SX.sym("q_L_ddot", 2)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 48)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]

@@ -17,8 +17,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 168) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
-    126 operations.
+    gives c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
+    130 operations.
     """
     p = ca.SX.sym("p", 168)
     motor_torque = p[0]
@@ -54,7 +54,7 @@ def constants() -> ca.Function:
     crank_tip_x = p[30]
     beam_pinned_pinned2_1_0_H_0_0 = p[35]
     beam_pinned_pinned2_1_0_H_1_1 = p[36]
-    # intermediate terms (19)
+    # intermediate terms (20)
     w0 = rod_density * rod_area
     w1 = w0 * rod_length
     w2 = beam_pinned_pinned2_1_0_H_0_0 / rod_length
@@ -64,16 +64,17 @@ def constants() -> ca.Function:
     w6 = w0 * beam_pinned_pinned2_H_0_1
     w7 = w0 * beam_pinned_pinned2_H_1_0
     w8 = w0 * beam_pinned_pinned2_H_1_1
-    w9 = rod_length**2
-    w10 = w1 * beam_pinned_pinned2_mass_0_0
-    w11 = w1 * beam_pinned_pinned2_xH_0_0
-    w12 = w1 * beam_pinned_pinned2_mass_1_1
-    w13 = w1 * beam_pinned_pinned2_xH_1_1
-    w14 = crank_mass * crank_center_of_mass_x
-    w15 = rod_youngs_modulus * rod_second_moment / (rod_length * w9)
-    w16 = w15 * beam_pinned_pinned2_kappa_lateral_0_0
-    w17 = 2 * rod_damping_ratio
-    w18 = w15 * beam_pinned_pinned2_kappa_lateral_1_1
+    w9 = w1 * beam_pinned_pinned2_phi_y_0_0
+    w10 = rod_length**2
+    w11 = w1 * beam_pinned_pinned2_mass_0_0
+    w12 = w1 * beam_pinned_pinned2_xH_0_0
+    w13 = w1 * beam_pinned_pinned2_mass_1_1
+    w14 = w1 * beam_pinned_pinned2_xH_1_1
+    w15 = crank_mass * crank_center_of_mass_x
+    w16 = rod_youngs_modulus * rod_second_moment / (rod_length * w10)
+    w17 = w16 * beam_pinned_pinned2_kappa_lateral_0_0
+    w18 = 2 * rod_damping_ratio
+    w19 = w16 * beam_pinned_pinned2_kappa_lateral_1_1
     # outputs
     c = ca.vertcat(
         crank_inertia + crank_mass * crank_center_of_mass_x**2,  # c0
@@ -89,36 +90,38 @@ def constants() -> ca.Function:
         w6,  # c10
         w7,  # c11
         w8,  # c12
-        w1 * beam_pinned_pinned2_phi_y_0_0,  # c13
-        w1 * w9 * beam_pinned_pinned2_i0_0_0,  # c14
-        w10,  # c15
-        w11,  # c16
+        w9,  # c13
+        w1 * w10 * beam_pinned_pinned2_i0_0_0,  # c14
+        w11,  # c15
+        w12,  # c16
         w1 * beam_pinned_pinned2_xH_0_1,  # c17
-        w12,  # c18
+        w13,  # c18
         w1 * beam_pinned_pinned2_xH_1_0,  # c19
-        w13,  # c20
+        w14,  # c20
         w4 * beam_pinned_pinned2_xi_phi_y_0_0,  # c21
         w4 * beam_pinned_pinned2_xi_phi_y_1_0,  # c22
         gravity_y,  # gravity_y
-        w14 * gravity_y,  # c24
+        w15 * gravity_y,  # c24
         motor_torque,  # motor_torque
         w1 * gravity_y,  # c26
-        w16,  # c27
-        w17 * ca.sqrt(w10 * w16),  # c28
-        w18,  # c29
-        w17 * ca.sqrt(w12 * w18),  # c30
+        w17,  # c27
+        w18 * ca.sqrt(w11 * w17),  # c28
+        w19,  # c29
+        w18 * ca.sqrt(w13 * w19),  # c30
         crank_mass,  # crank_mass
-        w14,  # c32
+        w15,  # c32
         slider_inertia,  # slider_inertia
         crank_mass * gravity_y,  # c34
         slider_mass * gravity_y,  # c35
-        w10 - w11,  # c36
-        w12 - w13,  # c37
-        2 * w2,  # c38
-        2 * w3,  # c39
-        w5 + w5,  # c40
-        w6 + w7,  # c41
-        w8 + w8,  # c42
+        -w9,  # c36
+        -gravity_y,  # c37
+        w11 - w12,  # c38
+        w13 - w14,  # c39
+        2 * w2,  # c40
+        2 * w3,  # c41
+        w5 + w5,  # c42
+        w6 + w7,  # c43
+        w8 + w8,  # c44
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -132,7 +135,7 @@ def condensed() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes t (1) [s]: time
-    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 3 x 3) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 3) [N, N m]: condensed force S^T (Q* - M s)
     308 operations.
@@ -142,7 +145,7 @@ def condensed() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 43)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -257,7 +260,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 1) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -265,7 +268,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 43)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -299,14 +302,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
-    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     58 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 43)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -346,7 +349,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
     92 operations.
     """
@@ -355,7 +358,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
-    c = ca.SX.sym("c", 43)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -406,7 +409,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 11) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 11) [mixed]: rates of all coordinates
-    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 8 x 11) [SI]: constraint Jacobian
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -416,7 +419,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
-    c = ca.SX.sym("c", 43)
+    c = ca.SX.sym("c", 45)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -508,7 +511,7 @@ def augmented() -> ca.Function:
     takes q (n = 11) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 11) [mixed]: rates of all coordinates
     takes t (1) [s]: time
-    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 11 x 11) [SI]: mass matrix in all coordinates
     gives K (n x n = 11 x 11) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 11) [N, N m]: quadratic velocity force in all coordinates
@@ -521,7 +524,7 @@ def augmented() -> ca.Function:
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 43)
+    c = ca.SX.sym("c", 45)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -564,6 +567,7 @@ def augmented() -> ca.Function:
     slider_inertia = c[33]
     c34 = c[34]
     c35 = c[35]
+    c36 = c[36]
     # intermediate terms (47)
     w0 = ca.sin(crank_theta)
     w1 = w0 * c32
@@ -578,40 +582,40 @@ def augmented() -> ca.Function:
     w10 = rod_q1 * c13
     w11 = w5 * w8 + w9 * w10
     w12 = -w11
-    w13 = -(w6 * w9 + w5 * c13)
-    w14 = -(w7 * w9)
-    w15 = w8 * w9 - w5 * w10
-    w16 = w9 * c13 - w5 * w6
-    w17 = w5 * w7
-    w18 = -w17
-    w19 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
-    w20 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
-    w21 = crank_theta_dot**2
-    w22 = w4 * w21
-    w23 = w1 * w21
-    w24 = rod_theta_dot**2
-    w25 = 2 * rod_theta_dot
-    w26 = rod_q1_dot * c13
-    w27 = w6 * rod_q1_dot + w7 * rod_q2_dot
-    w28 = rod_q1_dot * (rod_q1_dot * c9 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + rod_q2_dot * c12)
-    w29 = w15 * w24 + w25 * (w9 * w26 - w5 * w27) + w9 * w28
-    w30 = w11 * w24 + w5 * w28 + w25 * (w9 * w27 + w5 * w26)
-    w31 = rod_theta_dot * -2.0 * (w19 * rod_q1_dot + w20 * rod_q2_dot)
-    w32 = w19 * w24
-    w33 = w20 * w24
-    w34 = w4 * gravity_y + ca.if_else(t < 0.15, motor_torque, 0)
-    w35 = w15 * gravity_y
-    w36 = w16 * gravity_y - rod_q1_dot * c28
-    w37 = rod_q2_dot * c30 + w17 * gravity_y
-    w38 = w0 * crank_tip_x
-    w39 = w3 * crank_tip_x
-    w40 = rod_q1 * c6
-    w41 = rod_q2 * c7
-    w42 = rod_length - (rod_q1 * w40 + rod_q2 * w41) * 0.5
-    w43 = w5 * w42
-    w44 = w9 * w42
-    w45 = rod_q1_dot * w40 + rod_q2_dot * w41
-    w46 = rod_q1_dot * (rod_q1_dot * c6) + rod_q2_dot * (rod_q2_dot * c7)
+    w13 = -(w7 * w9)
+    w14 = w8 * w9 - w5 * w10
+    w15 = w9 * c13 - w5 * w6
+    w16 = w5 * w7
+    w17 = -w16
+    w18 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w19 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w20 = crank_theta_dot**2
+    w21 = w4 * w20
+    w22 = w1 * w20
+    w23 = rod_theta_dot**2
+    w24 = 2 * rod_theta_dot
+    w25 = rod_q1_dot * c13
+    w26 = w6 * rod_q1_dot + w7 * rod_q2_dot
+    w27 = rod_q1_dot * (rod_q1_dot * c9 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + rod_q2_dot * c12)
+    w28 = w14 * w23 + w24 * (w9 * w25 - w5 * w26) + w9 * w27
+    w29 = w11 * w23 + w5 * w27 + w24 * (w9 * w26 + w5 * w25)
+    w30 = rod_theta_dot * -2.0 * (w18 * rod_q1_dot + w19 * rod_q2_dot)
+    w31 = w18 * w23
+    w32 = w19 * w23
+    w33 = w4 * gravity_y + ca.if_else(t < 0.15, motor_torque, 0)
+    w34 = w14 * gravity_y
+    w35 = w15 * gravity_y - rod_q1_dot * c28
+    w36 = rod_q2_dot * c30 + w16 * gravity_y
+    w37 = w0 * crank_tip_x
+    w38 = w3 * crank_tip_x
+    w39 = rod_q1 * c6
+    w40 = rod_q2 * c7
+    w41 = rod_length - (rod_q1 * w39 + rod_q2 * w40) * 0.5
+    w42 = w5 * w41
+    w43 = w9 * w41
+    w44 = rod_q1_dot * w39 + rod_q2_dot * w40
+    w45 = rod_q1_dot * (rod_q1_dot * c6) + rod_q2_dot * (rod_q2_dot * c7)
+    w46 = w5 * c36 - w6 * w9
     # outputs
     M = ca.SX(11, 11)
     # crank.x
@@ -627,27 +631,27 @@ def augmented() -> ca.Function:
     # rod.x
     M[3, 3] = c3
     M[3, 5] = w12
-    M[3, 6] = w13
-    M[3, 7] = w14
+    M[3, 6] = w46
+    M[3, 7] = w13
     # rod.y
     M[4, 4] = c3
-    M[4, 5] = w15
-    M[4, 6] = w16
-    M[4, 7] = w18
+    M[4, 5] = w14
+    M[4, 6] = w15
+    M[4, 7] = w17
     # rod.theta
     M[5, 3] = w12
-    M[5, 4] = w15
-    M[5, 5] = c14 + (rod_q1 * w19 + rod_q2 * w20)
+    M[5, 4] = w14
+    M[5, 5] = c14 + (rod_q1 * w18 + rod_q2 * w19)
     M[5, 6] = c21
     M[5, 7] = c22
     # rod.q1
-    M[6, 3] = w13
-    M[6, 4] = w16
+    M[6, 3] = w46
+    M[6, 4] = w15
     M[6, 5] = c21
     M[6, 6] = c15
     # rod.q2
-    M[7, 3] = w14
-    M[7, 4] = w18
+    M[7, 3] = w13
+    M[7, 4] = w17
     M[7, 5] = c22
     M[7, 7] = c18
     # slider.x
@@ -662,30 +666,30 @@ def augmented() -> ca.Function:
     # rod.q2
     K[7, 7] = c29
     Q_v = ca.SX(11, 1)
-    Q_v[0] = w22  # crank.x
-    Q_v[1] = w23  # crank.y
-    Q_v[3] = w29  # rod.x
-    Q_v[4] = w30  # rod.y
-    Q_v[5] = w31  # rod.theta
-    Q_v[6] = w32  # rod.q1
-    Q_v[7] = w33  # rod.q2
+    Q_v[0] = w21  # crank.x
+    Q_v[1] = w22  # crank.y
+    Q_v[3] = w28  # rod.x
+    Q_v[4] = w29  # rod.y
+    Q_v[5] = w30  # rod.theta
+    Q_v[6] = w31  # rod.q1
+    Q_v[7] = w32  # rod.q2
     Q_F = ca.SX(11, 1)
     Q_F[1] = c34  # crank.y
-    Q_F[2] = w34  # crank.theta
+    Q_F[2] = w33  # crank.theta
     Q_F[4] = c26  # rod.y
-    Q_F[5] = w35  # rod.theta
-    Q_F[6] = w36  # rod.q1
-    Q_F[7] = -w37  # rod.q2
+    Q_F[5] = w34  # rod.theta
+    Q_F[6] = w35  # rod.q1
+    Q_F[7] = -w36  # rod.q2
     Q_F[9] = c35  # slider.y
     Q_star = ca.vertcat(
-        w22,  # crank.x
-        w23 + c34,  # crank.y
-        w34,  # crank.theta
-        w29,  # rod.x
-        c26 + w30,  # rod.y
-        w31 + w35,  # rod.theta
-        w36 + (w32 - rod_q1 * c27),  # rod.q1
-        w33 - rod_q2 * c29 - w37,  # rod.q2
+        w21,  # crank.x
+        w22 + c34,  # crank.y
+        w33,  # crank.theta
+        w28,  # rod.x
+        c26 + w29,  # rod.y
+        w30 + w34,  # rod.theta
+        w35 + (w31 - rod_q1 * c27),  # rod.q1
+        w32 - rod_q2 * c29 - w36,  # rod.q2
         0.0,  # slider.x
         c35,  # slider.y
         0.0,  # slider.theta
@@ -697,11 +701,11 @@ def augmented() -> ca.Function:
     C_q[1, 1] = 1.0
     # B.x
     C_q[2, 0] = -1.0
-    C_q[2, 2] = w38
+    C_q[2, 2] = w37
     C_q[2, 3] = 1.0
     # B.y
     C_q[3, 1] = -1.0
-    C_q[3, 2] = -w39
+    C_q[3, 2] = -w38
     C_q[3, 4] = 1.0
     # slide.normal
     C_q[4, 9] = 1.0
@@ -709,21 +713,21 @@ def augmented() -> ca.Function:
     C_q[5, 10] = 1.0
     # C.x
     C_q[6, 3] = -1.0
-    C_q[6, 5] = w43
-    C_q[6, 6] = w9 * w40
-    C_q[6, 7] = w9 * w41
+    C_q[6, 5] = w42
+    C_q[6, 6] = w9 * w39
+    C_q[6, 7] = w9 * w40
     C_q[6, 8] = 1.0
     # C.y
     C_q[7, 4] = -1.0
-    C_q[7, 5] = -w44
-    C_q[7, 6] = w5 * w40
-    C_q[7, 7] = w5 * w41
+    C_q[7, 5] = -w43
+    C_q[7, 6] = w5 * w39
+    C_q[7, 7] = w5 * w40
     C_q[7, 9] = 1.0
     gamma_b = ca.SX(8, 1)
-    gamma_b[2] = -(w21 * w39)  # B.x
-    gamma_b[3] = -(w21 * w38)  # B.y
-    gamma_b[6] = w25 * (w5 * w45) - (w9 * w46 + w24 * w44)  # C.x
-    gamma_b[7] = -(w5 * w46 + w25 * (w9 * w45) + w24 * w43)  # C.y
+    gamma_b[2] = -(w20 * w38)  # B.x
+    gamma_b[3] = -(w20 * w37)  # B.y
+    gamma_b[6] = w24 * (w5 * w44) - (w9 * w45 + w23 * w43)  # C.x
+    gamma_b[7] = -(w5 * w45 + w24 * (w9 * w44) + w23 * w42)  # C.y
     inputs, outputs = [q, q_dot, t, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
@@ -734,7 +738,7 @@ def reactions() -> ca.Function:
     takes q (n = 11) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 11) [mixed]: rates of all coordinates
     takes q_ddot (n = 11) [mixed]: accelerations of all coordinates
-    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
     221 operations.
@@ -742,7 +746,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     q_ddot = ca.SX.sym("q_ddot", 11)
-    c = ca.SX.sym("c", 43)
+    c = ca.SX.sym("c", 45)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -848,18 +852,18 @@ def energy() -> ca.Function:
     takes q (n = 11) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 11) [mixed]: rates of all coordinates
     takes t (1) [s]: time
-    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    197 operations.
+    196 operations.
     """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 43)
+    c = ca.SX.sym("c", 45)
     crank_y = q[1]
     crank_theta = q[2]
     rod_y = q[4]
@@ -896,7 +900,6 @@ def energy() -> ca.Function:
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
-    gravity_y = c[23]
     motor_torque = c[25]
     c27 = c[27]
     c28 = c[28]
@@ -906,6 +909,7 @@ def energy() -> ca.Function:
     c32 = c[32]
     slider_inertia = c[33]
     c35 = c[35]
+    c37 = c[37]
     # intermediate terms (21)
     w0 = ca.sin(crank_theta) * c32
     w1 = ca.cos(crank_theta) * c32
@@ -931,7 +935,7 @@ def energy() -> ca.Function:
     # outputs
     kinetic = ca.vertcat(w20 / 2.0)
     elastic = ca.vertcat((rod_q1 * (rod_q1 * c27) + rod_q2 * (rod_q2 * c29)) / 2.0)
-    potential = ca.vertcat(-((w0 + crank_y * crank_mass + (w9 + rod_y * c3)) * gravity_y + slider_y * c35))
+    potential = ca.vertcat((w0 + crank_y * crank_mass + (w9 + rod_y * c3)) * c37 - slider_y * c35)
     power_dissipated = ca.vertcat(rod_q1_dot * (rod_q1_dot * c28) + rod_q2_dot * (rod_q2_dot * c30))
     power_applied = ca.vertcat(ca.if_else(t < 0.15, crank_theta_dot * motor_torque, 0))
     inputs, outputs = [q, q_dot, t, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -942,12 +946,12 @@ def load_actions() -> ca.Function:
     """What the loads do at their markers.
 
     takes t (1) [s]: time
-    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
     9 operations.
     """
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 43)
+    c = ca.SX.sym("c", 45)
     motor_torque = c[25]
     # outputs
     load_actions = ca.vertcat(0.0, 0.0, ca.if_else(t < 0.15, motor_torque, 0))
@@ -1027,7 +1031,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i, through q_d
     604 operations.
     """
@@ -1035,7 +1039,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 43)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1071,8 +1075,8 @@ def dQ_hat_dq_i() -> ca.Function:
     c26 = c[26]
     c27 = c[27]
     c29 = c[29]
-    c36 = c[36]
-    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
     # intermediate terms (134)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = crank_theta_dot**2
@@ -1187,10 +1191,10 @@ def dQ_hat_dq_i() -> ca.Function:
     w110 = w12 * c6
     w111 = (rod_q1_dot * w110 + rod_theta_dot * w66 + w68 * w93) / w41
     w112 = (w42 * w66 + (w16 * (w6 * w26) - w5 * w90) + w65 * w111 + w71 * w93) / w41
-    w113 = w55 * (rod_q1_dot * c36 - rod_q2_dot * c19) - w107 * gravity_y - (w42 * (w56 + rod_q1 * c36 - rod_q2 * c19) + (w39 * w107 + w2 * w105))
+    w113 = w55 * (rod_q1_dot * c38 - rod_q2_dot * c19) - w107 * gravity_y - (w42 * (w56 + rod_q1 * c38 - rod_q2 * c19) + (w39 * w107 + w2 * w105))
     w114 = w89 + w113 - w91 + w36 * w108 - w78 * w112 + w79 * w111 + w80 * w93
     w115 = w12 * c9
-    w116 = w5 * c36 - c27 - w115 * gravity_y - (w39 * w115 + w2 * (w6 * c9)) + w60 * w110 + w49 * (w6 * c6) + w66 * w108
+    w116 = w5 * c38 - c27 - w115 * gravity_y - (w39 * w115 + w2 * (w6 * c9)) + w60 * w110 + w49 * (w6 * c6) + w66 * w108
     w117 = w12 * c11
     w118 = w67 * w108 - (w2 * (w6 * c11) + w39 * w117 + (w5 * c19 + w117 * gravity_y)) - w97 * w112 + w98 * w111
     w119 = w22 + rod_q1_dot * c10
@@ -1202,12 +1206,12 @@ def dQ_hat_dq_i() -> ca.Function:
     w125 = w12 * c7
     w126 = (rod_theta_dot * w67 + rod_q2_dot * w125 + w68 * w103) / w41
     w127 = (w42 * w67 + (w16 * (w6 * w27) - w5 * w100) + w65 * w126 + w71 * w103) / w41
-    w128 = w55 * (rod_q2_dot * c37 - rod_q1_dot * c17) - w122 * gravity_y - (w39 * w122 - w2 * w121 + w42 * (w57 + rod_q2 * c37 - rod_q1 * c17))
+    w128 = w55 * (rod_q2_dot * c39 - rod_q1_dot * c17) - w122 * gravity_y - (w39 * w122 - w2 * w121 + w42 * (w57 + rod_q2 * c39 - rod_q1 * c17))
     w129 = w99 + w128 - w101 + w36 * w123 - w78 * w127 + w79 * w126 + w80 * w103
     w130 = w12 * c10
     w131 = w66 * w123 - (w39 * w130 + w2 * (w6 * c10) + (w5 * c17 + w130 * gravity_y)) - w87 * w127 + w88 * w126
     w132 = w12 * c12
-    w133 = w5 * c37 - c29 - w132 * gravity_y - (w2 * (w6 * c12) + w39 * w132) + w60 * w125 + w49 * (w6 * c7)
+    w133 = w5 * c39 - c29 - w132 * gravity_y - (w2 * (w6 * c12) + w39 * w132) + w60 * w125 + w49 * (w6 * c7)
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # crank.theta
@@ -1236,7 +1240,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     324 operations.
     """
@@ -1244,7 +1248,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 43)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1277,11 +1281,11 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c22 = c[22]
     c28 = c[28]
     c30 = c[30]
-    c38 = c[38]
-    c39 = c[39]
     c40 = c[40]
     c41 = c[41]
     c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
     # intermediate terms (61)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(crank_theta) * crank_tip_x
@@ -1333,14 +1337,14 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w47 = w21 * slider_mass
     w48 = c22 + w16 * w47
     w49 = w26 * w32 + w21 * w29
-    w50 = rod_q1_dot * c40 + rod_q2_dot * c41
-    w51 = (w26 * w41 - w5 * (rod_q1_dot * c38)) * slider_mass
+    w50 = rod_q1_dot * c42 + rod_q2_dot * c43
+    w51 = (w26 * w41 - w5 * (rod_q1_dot * c40)) * slider_mass
     w52 = 2 * ((rod_q1_dot * (w9 * c6) + w20 * rod_theta_dot + w22 * w42) / w23)
     w53 = rod_theta_dot * -2.0
     w54 = w31 * w53 + w16 * w51 - w33 * w52 + w34 * w42
     w55 = w0 * (w9 * w50 + w26 * w37) - w1 * (w26 * w36 + w5 * w50 - w51) - w19 * w52 + w30 * w42 - w24 * w54
-    w56 = rod_q2_dot * c42 + rod_q1_dot * c41
-    w57 = (w26 * w43 - w5 * (rod_q2_dot * c39)) * slider_mass
+    w56 = rod_q2_dot * c44 + rod_q1_dot * c43
+    w57 = (w26 * w43 - w5 * (rod_q2_dot * c41)) * slider_mass
     w58 = 2 * ((rod_theta_dot * w21 + rod_q2_dot * (w9 * c7) + w22 * w44) / w23)
     w59 = w32 * w53 + w16 * w57 - w33 * w58 + w34 * w44
     w60 = w0 * (w9 * w56 + w26 * w46) - w1 * (w5 * w56 - w26 * w45 - w57) - w19 * w58 + w30 * w44 - w24 * w59
@@ -1368,7 +1372,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 3 x 3) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     811 operations.
@@ -1378,7 +1382,7 @@ def residual_jacobian() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
-    c = ca.SX.sym("c", 43)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1419,8 +1423,8 @@ def residual_jacobian() -> ca.Function:
     c28 = c[28]
     c29 = c[29]
     c30 = c[30]
-    c36 = c[36]
-    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
     # intermediate terms (172)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(crank_theta)
@@ -1555,9 +1559,9 @@ def residual_jacobian() -> ca.Function:
     w130 = w13 * c6
     w131 = (rod_q1_dot * w130 + rod_theta_dot * w60 + w45 * w88) / w42
     w132 = (rod_q1_ddot * w130 + w48 * w60 + (w17 * (w7 * w29) - w6 * w44) + w87 * w131 + w45 * w90) / w42
-    w133 = w76 * (rod_q1_dot * c36 - rod_q2_dot * c19) - w121 * gravity_y - (w48 * (w77 + rod_q1 * c36 - rod_q2 * c19) - (w69 * w121 - w4 * w118))
+    w133 = w76 * (rod_q1_dot * c38 - rod_q2_dot * c19) - w121 * gravity_y - (w48 * (w77 + rod_q1 * c38 - rod_q2 * c19) - (w69 * w121 - w4 * w118))
     w134 = w106 + w133 - w107 - w39 * w127 - w97 * w132 + w98 * w131 + w45 * w99
-    w135 = w6 * c36 - c27 - w122 * gravity_y + (w69 * w122 - w4 * w124) + w82 * w130 + w64 * w126 - w60 * w127
+    w135 = w6 * c38 - c27 - w122 * gravity_y + (w69 * w122 - w4 * w124) + w82 * w130 + w64 * w126 - w60 * w127
     w136 = w69 * w123 - w4 * w125 - (w6 * c19 + w123 * gravity_y) - w62 * w127 - w113 * w132 + w109 * w131 + w45 * w116
     w137 = rod_q1_dot * c10
     w138 = w24 + w137
@@ -1575,10 +1579,10 @@ def residual_jacobian() -> ca.Function:
     w150 = w13 * c7
     w151 = (rod_theta_dot * w62 + rod_q2_dot * w150 + w47 * w88) / w42
     w152 = (w48 * w62 + rod_q2_ddot * w150 + (w17 * (w7 * w30) - w6 * w46) + w87 * w151 + w47 * w90) / w42
-    w153 = w76 * (rod_q2_dot * c37 - rod_q1_dot * c17) - w141 * gravity_y - (w48 * (w78 + rod_q2 * c37 - rod_q1 * c17) - (w4 * w140 + w69 * w141))
+    w153 = w76 * (rod_q2_dot * c39 - rod_q1_dot * c17) - w141 * gravity_y - (w48 * (w78 + rod_q2 * c39 - rod_q1 * c17) - (w4 * w140 + w69 * w141))
     w154 = w114 + w153 - w115 - w39 * w145 - w97 * w152 + w98 * w151 + w47 * w99
     w155 = w69 * w142 - w4 * w146 - (w6 * c17 + w142 * gravity_y) - w60 * w145 - w104 * w152 + w105 * w151 + w47 * w108
-    w156 = w6 * c37 - c29 - w143 * gravity_y + (w69 * w143 - w4 * w147) + w82 * w150 + w64 * w144 - w62 * w145
+    w156 = w6 * c39 - c29 - w143 * gravity_y + (w69 * w143 - w4 * w147) + w82 * w150 + w64 * w144 - w62 * w145
     w157 = 2 * crank_theta_dot
     w158 = w2 * w157
     w159 = w0 * w157
@@ -1632,13 +1636,13 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 3 x 2) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 2 x 2) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 2 x 2) [SI]: damping of the stiff deflections
     20 operations.
     """
-    c = ca.SX.sym("c", 43)
+    c = ca.SX.sym("c", 45)
     c27 = c[27]
     c28 = c[28]
     c29 = c[29]
@@ -1667,7 +1671,7 @@ def blocks() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes t (1) [s]: time
-    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
     gives M_hat_LS (n_L x n_S = 1 x 2) [SI]: block of M_hat, rows of L, columns of S
     gives M_hat_SL (n_S x n_L = 2) [SI]: block of M_hat, rows of S, columns of L
@@ -1681,7 +1685,7 @@ def blocks() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 43)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1804,7 +1808,7 @@ def substep_2() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
-    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 2) [N, N m]: right-hand side of a sub-step, slow q'' given
     220 operations.
@@ -1814,7 +1818,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 43)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]

@@ -21,8 +21,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 44) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
-    308 operations.
+    gives c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
+    314 operations.
     """
     p = ca.SX.sym("p", 44)
     gravity_z = p[0]
@@ -67,7 +67,7 @@ def constants() -> ca.Function:
     left_spring_stiffness = p[39]
     left_spring_damping = p[40]
     left_spring_free_length = p[41]
-    # intermediate terms (51)
+    # intermediate terms (52)
     w0 = (left_rod_inertia_xx + left_rod_inertia_yy + left_rod_inertia_zz) / 2.0
     w1 = w0 - left_rod_inertia_xx + left_rod_mass * left_rod_center_of_mass_x**2
     w2 = w0 - left_rod_inertia_zz
@@ -89,36 +89,37 @@ def constants() -> ca.Function:
     w18 = w13 - slider_inertia_yy
     w19 = w6 + w7
     w20 = w1 + w2
-    w21 = shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0
-    w22 = shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
-    w23 = w21 + w22
-    w24 = right_rod_hinge_quaternion_0_0_0 * shaft_right_quaternion_1_0_0
-    w25 = shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0
-    w26 = w24 + w25
-    w27 = shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w28 = shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0
-    w29 = left_rod_hinge_quaternion_1_0_0 * shaft_left_quaternion_3_0_0
-    w30 = shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w31 = w10 - shaft_inertia_zz + shaft_mass * shaft_center_of_mass_z**2
-    w32 = w15 + w31
-    w33 = w11 + w31
-    w34 = w11 + w15
-    w35 = -4.0 * w34
-    w36 = -4.0 * w33
-    w37 = w13 - slider_inertia_zz
-    w38 = w18 + w37
-    w39 = w14 + w37
-    w40 = w14 + w18
-    w41 = -4.0 * w40
-    w42 = -4.0 * w39
-    w43 = w7 + w17
-    w44 = w6 + w17
-    w45 = -4.0 * w44
-    w46 = -4.0 * w19
-    w47 = w2 + w16
-    w48 = w1 + w16
-    w49 = -4.0 * w48
-    w50 = -4.0 * w20
+    w21 = slider_mass * gravity_z
+    w22 = shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0
+    w23 = shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
+    w24 = w22 + w23
+    w25 = right_rod_hinge_quaternion_0_0_0 * shaft_right_quaternion_1_0_0
+    w26 = shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0
+    w27 = w25 + w26
+    w28 = shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
+    w29 = shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0
+    w30 = left_rod_hinge_quaternion_1_0_0 * shaft_left_quaternion_3_0_0
+    w31 = shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
+    w32 = w10 - shaft_inertia_zz + shaft_mass * shaft_center_of_mass_z**2
+    w33 = w15 + w32
+    w34 = w11 + w32
+    w35 = w11 + w15
+    w36 = -4.0 * w35
+    w37 = -4.0 * w34
+    w38 = w13 - slider_inertia_zz
+    w39 = w18 + w38
+    w40 = w14 + w38
+    w41 = w14 + w18
+    w42 = -4.0 * w41
+    w43 = -4.0 * w40
+    w44 = w7 + w17
+    w45 = w6 + w17
+    w46 = -4.0 * w45
+    w47 = -4.0 * w19
+    w48 = w2 + w16
+    w49 = w1 + w16
+    w50 = -4.0 * w49
+    w51 = -4.0 * w20
     # outputs
     c = ca.vertcat(
         w1,  # c0
@@ -140,7 +141,7 @@ def constants() -> ca.Function:
         w19,  # c16
         w20,  # c17
         gravity_z,  # gravity_z
-        slider_mass * gravity_z,  # c19
+        w21,  # c19
         right_spring_free_length,  # right_spring_free_length
         slider_right_x,  # slider_right_x
         right_rod_middle_x,  # right_rod_middle_x
@@ -153,17 +154,18 @@ def constants() -> ca.Function:
         shaft_left_z,  # shaft_left_z
         left_spring_stiffness,  # left_spring_stiffness
         left_spring_damping,  # left_spring_damping
-        w23,  # c32
-        w26,  # c33
-        w27 + w28,  # c34
-        w29 + w30,  # c35
-        2 * shaft_right_x,  # c36
-        w21 - w22,  # c37
-        w25 - w24,  # c38
-        -w26,  # c39
-        2 * shaft_left_x,  # c40
-        w28 - w27,  # c41
-        w30 - w29,  # c42
+        -right_spring_stiffness,  # c32
+        w24,  # c33
+        w27,  # c34
+        w28 + w29,  # c35
+        w30 + w31,  # c36
+        2 * shaft_right_x,  # c37
+        w22 - w23,  # c38
+        w26 - w25,  # c39
+        -w27,  # c40
+        2 * shaft_left_x,  # c41
+        w29 - w28,  # c42
+        w31 - w30,  # c43
         shaft_right_quaternion_0_0_0,  # shaft_right_quaternion_0_0_0
         right_rod_hinge_quaternion_0_0_0,  # right_rod_hinge_quaternion_0_0_0
         shaft_right_quaternion_1_0_0,  # shaft_right_quaternion_1_0_0
@@ -174,58 +176,60 @@ def constants() -> ca.Function:
         left_rod_hinge_quaternion_0_0_0,  # left_rod_hinge_quaternion_0_0_0
         left_rod_mass,  # left_rod_mass
         right_rod_mass,  # right_rod_mass
-        w11,  # c53
-        w14,  # c54
-        w15,  # c55
-        w16,  # c56
-        w17,  # c57
-        w18,  # c58
+        w11,  # c54
+        w14,  # c55
+        w15,  # c56
+        w16,  # c57
+        w17,  # c58
+        w18,  # c59
         shaft_mass,  # shaft_mass
-        shaft_mass * shaft_center_of_mass_z,  # c60
-        w31,  # c61
+        shaft_mass * shaft_center_of_mass_z,  # c61
         w32,  # c62
         w33,  # c63
         w34,  # c64
-        4.0 * w33 + w35,  # c65
-        4.0 * w34 + -4.0 * w32,  # c66
-        4.0 * w32 + w36,  # c67
-        w36 + 4.0 * w32,  # c68
-        4.0 * w34 + -4.0 * w32,  # c69
-        w35 + 4.0 * w33,  # c70
-        w37,  # c71
+        w35,  # c65
+        4.0 * w34 + w36,  # c66
+        4.0 * w35 + -4.0 * w33,  # c67
+        4.0 * w33 + w37,  # c68
+        w37 + 4.0 * w33,  # c69
+        4.0 * w35 + -4.0 * w33,  # c70
+        w36 + 4.0 * w34,  # c71
         w38,  # c72
         w39,  # c73
         w40,  # c74
-        4.0 * w39 + w41,  # c75
-        4.0 * w40 + -4.0 * w38,  # c76
-        4.0 * w38 + w42,  # c77
-        w42 + 4.0 * w38,  # c78
-        4.0 * w40 + -4.0 * w38,  # c79
-        w41 + 4.0 * w39,  # c80
-        w43,  # c81
+        w41,  # c75
+        4.0 * w40 + w42,  # c76
+        4.0 * w41 + -4.0 * w39,  # c77
+        4.0 * w39 + w43,  # c78
+        w43 + 4.0 * w39,  # c79
+        4.0 * w41 + -4.0 * w39,  # c80
+        w42 + 4.0 * w40,  # c81
         w44,  # c82
-        4.0 * w19 + w45,  # c83
-        4.0 * w44 + -4.0 * w43,  # c84
-        4.0 * w43 + w46,  # c85
-        w46 + 4.0 * w43,  # c86
-        4.0 * w44 + -4.0 * w43,  # c87
-        w45 + 4.0 * w19,  # c88
-        w47,  # c89
+        w45,  # c83
+        4.0 * w19 + w46,  # c84
+        4.0 * w45 + -4.0 * w44,  # c85
+        4.0 * w44 + w47,  # c86
+        w47 + 4.0 * w44,  # c87
+        4.0 * w45 + -4.0 * w44,  # c88
+        w46 + 4.0 * w19,  # c89
         w48,  # c90
-        4.0 * w20 + w49,  # c91
-        4.0 * w48 + -4.0 * w47,  # c92
-        4.0 * w47 + w50,  # c93
-        w50 + 4.0 * w47,  # c94
-        4.0 * w48 + -4.0 * w47,  # c95
-        w49 + 4.0 * w20,  # c96
-        gravity_z * shaft_mass,  # c97
-        right_rod_mass * gravity_z,  # c98
-        left_rod_mass * gravity_z,  # c99
-        -w23,  # c100
-        0.5 * right_spring_stiffness,  # c101
-        0.5 * left_spring_stiffness,  # c102
-        2 * right_spring_damping,  # c103
-        2 * left_spring_damping,  # c104
+        w49,  # c91
+        4.0 * w20 + w50,  # c92
+        4.0 * w49 + -4.0 * w48,  # c93
+        4.0 * w48 + w51,  # c94
+        w51 + 4.0 * w48,  # c95
+        4.0 * w49 + -4.0 * w48,  # c96
+        w50 + 4.0 * w20,  # c97
+        gravity_z * shaft_mass,  # c98
+        right_rod_mass * gravity_z,  # c99
+        left_rod_mass * gravity_z,  # c100
+        -w24,  # c101
+        0.5 * right_spring_stiffness,  # c102
+        0.5 * left_spring_stiffness,  # c103
+        2 * right_spring_damping,  # c104
+        2 * left_spring_damping,  # c105
+        -w21,  # c106
+        -left_spring_stiffness,  # c107
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -236,14 +240,14 @@ def condensed() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 4 x 4) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 4) [N, N m]: condensed force S^T (Q* - M s)
-    195 operations.
+    190 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 105)
+    c = ca.SX.sym("c", 108)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -283,7 +287,8 @@ def condensed() -> ca.Function:
     shaft_left_z = c[29]
     left_spring_stiffness = c[30]
     left_spring_damping = c[31]
-    # intermediate terms (32)
+    c32 = c[32]
+    # intermediate terms (30)
     w0 = ca.sin(left_swing_angle)
     w1 = ca.cos(left_swing_angle)
     w2 = ca.sin(right_swing_angle)
@@ -294,28 +299,26 @@ def condensed() -> ca.Function:
     w7 = w2 * spin_angle_dot
     w8 = 2 * (w7 * right_swing_angle_dot)
     w9 = w3 * spin_angle_dot
-    w10 = w0 * (2 * (w4 * left_swing_angle_dot) * c1) - w1 * (w6 * c0) + w6 * c5 - (w3 * (w8 * c7) - w2 * (2 * (right_swing_angle_dot * w9) * c8) + w8 * c12)
-    w11 = w3 * right_rod_middle_x
-    w12 = slider_right_x - (shaft_right_x + w11)
-    w13 = w2 * right_rod_middle_x
-    w14 = height_travel - (shaft_right_z - w13)
-    w15 = w12**2 + w14**2
-    w16 = 1.0 - right_spring_free_length / ca.sqrt(w15)
-    w17 = (w12 * (right_swing_angle_dot * w13) + w14 * (height_travel_dot + right_swing_angle_dot * w11)) * right_spring_damping
-    w18 = w14 * w16 * right_spring_stiffness + w14 * w17 / w15
-    w19 = w1 * left_rod_middle_x
-    w20 = slider_left_x - (shaft_left_x - w19)
-    w21 = w0 * left_rod_middle_x
-    w22 = height_travel - (shaft_left_z - w21)
-    w23 = w20**2 + w22**2
-    w24 = 1.0 - left_spring_free_length / ca.sqrt(w23)
-    w25 = (w22 * (height_travel_dot + left_swing_angle_dot * w19) - w20 * (left_swing_angle_dot * w21)) * left_spring_damping
-    w26 = w22 * w24 * left_spring_stiffness + w22 * w25 / w23
-    w27 = spin_angle_dot**2
-    w28 = w7 * w9
-    w29 = w13 * (w12 * w16 * right_spring_stiffness + w12 * w17 / w15) + w11 * w18 + ((w2 * (w27 * shaft_right_x) + w3 * gravity_z) * c11 + (w28 * c7 - w28 * c8))
-    w30 = w4 * w5
-    w31 = w21 * (w20 * w24 * left_spring_stiffness + w20 * w25 / w23) - w19 * w26 - ((w1 * gravity_z - w0 * (w27 * shaft_left_x)) * c4 + (w30 * c0 - w30 * c1))
+    w10 = w3 * right_rod_middle_x
+    w11 = slider_right_x - (shaft_right_x + w10)
+    w12 = w2 * right_rod_middle_x
+    w13 = height_travel - (shaft_right_z - w12)
+    w14 = w11**2 + w13**2
+    w15 = 1.0 - right_spring_free_length / ca.sqrt(w14)
+    w16 = (w11 * (right_swing_angle_dot * w12) + w13 * (height_travel_dot + right_swing_angle_dot * w10)) * right_spring_damping
+    w17 = w13 * w15 * right_spring_stiffness + w13 * w16 / w14
+    w18 = w1 * left_rod_middle_x
+    w19 = slider_left_x - (shaft_left_x - w18)
+    w20 = w0 * left_rod_middle_x
+    w21 = height_travel - (shaft_left_z - w20)
+    w22 = w19**2 + w21**2
+    w23 = 1.0 - left_spring_free_length / ca.sqrt(w22)
+    w24 = (w21 * (height_travel_dot + left_swing_angle_dot * w18) - w19 * (left_swing_angle_dot * w20)) * left_spring_damping
+    w25 = w21 * w23 * left_spring_stiffness + w21 * w24 / w22
+    w26 = spin_angle_dot**2
+    w27 = w20 * (w19 * w23 * left_spring_stiffness + w19 * w24 / w22) - w18 * w25 - ((w1 * gravity_z - w0 * (w26 * shaft_left_x)) * c4 + w4 * w5 * c2)
+    w28 = w3 * (w8 * c7) - w2 * (2 * (right_swing_angle_dot * w9) * c8) + w8 * c12 - (w0 * (2 * (w4 * left_swing_angle_dot) * c1) - w1 * (w6 * c0) + w6 * c5)
+    w29 = (w11 * w15 * c32 - w11 * w16 / w14) * w12 - w10 * w17 - ((w2 * (w26 * shaft_right_x) + w3 * gravity_z) * c11 + w7 * w9 * c9)
     # outputs
     M_hat = ca.SX(4, 4)
     # spin.angle
@@ -327,10 +330,10 @@ def condensed() -> ca.Function:
     # left_swing.angle
     M_hat[3, 3] = c17
     Q_hat = ca.vertcat(
-        -w10,  # spin.angle
-        c19 - (w18 + w26),  # height.travel
-        -w29,  # right_swing.angle
-        w31,  # left_swing.angle
+        w28,  # spin.angle
+        c19 - (w17 + w25),  # height.travel
+        w29,  # right_swing.angle
+        w27,  # left_swing.angle
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_i_dot", "c"], ["M_hat", "Q_hat"])
@@ -340,12 +343,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 28) [mixed]: dependent coordinates after one Newton step
     98 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
-    c = ca.SX.sym("c", 105)
+    c = ca.SX.sym("c", 108)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -354,7 +357,6 @@ def closure() -> ca.Function:
     shaft_right_x = c[10]
     shaft_right_z = c[23]
     shaft_left_z = c[29]
-    c32 = c[32]
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
@@ -365,6 +367,7 @@ def closure() -> ca.Function:
     c40 = c[40]
     c41 = c[41]
     c42 = c[42]
+    c43 = c[43]
     # intermediate terms (19)
     w0 = spin_angle / 2.0
     w1 = ca.cos(w0)
@@ -401,20 +404,20 @@ def closure() -> ca.Function:
         0.0,  # slider.e1
         0.0,  # slider.e2
         w2,  # slider.e3
-        shaft_right_x - w3 * c36,  # right_rod.x
-        w10 * c36,  # right_rod.y
+        shaft_right_x - w3 * c37,  # right_rod.x
+        w10 * c37,  # right_rod.y
         shaft_right_z,  # right_rod.z
-        w11 * c32 - w12 * c37,  # right_rod.e0
-        w12 * c33 - w11 * c38,  # right_rod.e1
-        w13 * c39 - w14 * c38,  # right_rod.e2
-        w13 * c37 + w14 * c32,  # right_rod.e3
-        shaft_left_x - w3 * c40,  # left_rod.x
-        w10 * c40,  # left_rod.y
+        w11 * c33 - w12 * c38,  # right_rod.e0
+        w12 * c34 - w11 * c39,  # right_rod.e1
+        w13 * c40 - w14 * c39,  # right_rod.e2
+        w13 * c38 + w14 * c33,  # right_rod.e3
+        shaft_left_x - w3 * c41,  # left_rod.x
+        w10 * c41,  # left_rod.y
         shaft_left_z,  # left_rod.z
-        w15 * c41 - w16 * c34,  # left_rod.e0
-        w15 * c35 - w16 * c42,  # left_rod.e1
-        w17 * c42 + w18 * c35,  # left_rod.e2
-        w17 * c34 + w18 * c41,  # left_rod.e3
+        w15 * c42 - w16 * c35,  # left_rod.e0
+        w15 * c36 - w16 * c43,  # left_rod.e1
+        w17 * c43 + w18 * c36,  # left_rod.e2
+        w17 * c35 + w18 * c42,  # left_rod.e3
     )
     inputs, outputs = [q_i, c], [ca.densify(q_d_next)]
     return ca.Function("closure", inputs, outputs, ["q_i", "c"], ["q_d_next"])
@@ -426,14 +429,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 28) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 28) [mixed]: rates of the dependent coordinates
-    354 operations.
+    353 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 28)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 105)
+    c = ca.SX.sym("c", 108)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -450,18 +453,18 @@ def velocities() -> ca.Function:
     shaft_right_x = c[10]
     shaft_right_z = c[23]
     shaft_left_z = c[29]
-    c32 = c[32]
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
-    shaft_right_quaternion_0_0_0 = c[43]
-    right_rod_hinge_quaternion_0_0_0 = c[44]
-    shaft_right_quaternion_1_0_0 = c[45]
-    right_rod_hinge_quaternion_1_0_0 = c[46]
-    shaft_left_quaternion_2_0_0 = c[47]
-    left_rod_hinge_quaternion_1_0_0 = c[48]
-    shaft_left_quaternion_3_0_0 = c[49]
-    left_rod_hinge_quaternion_0_0_0 = c[50]
+    c36 = c[36]
+    shaft_right_quaternion_0_0_0 = c[44]
+    right_rod_hinge_quaternion_0_0_0 = c[45]
+    shaft_right_quaternion_1_0_0 = c[46]
+    right_rod_hinge_quaternion_1_0_0 = c[47]
+    shaft_left_quaternion_2_0_0 = c[48]
+    left_rod_hinge_quaternion_1_0_0 = c[49]
+    shaft_left_quaternion_3_0_0 = c[50]
+    left_rod_hinge_quaternion_0_0_0 = c[51]
     # intermediate terms (65)
     w0 = spin_angle / 2.0
     w1 = ca.sin(w0) / 2.0 * spin_angle_dot
@@ -492,42 +495,42 @@ def velocities() -> ca.Function:
     w26 = w25 * shaft_right_x + w18 * shaft_right_z
     w27 = right_swing_angle / 2.0
     w28 = ca.cos(w27)
-    w29 = w28 * c32
+    w29 = w28 * c33
     w30 = ca.sin(w27)
     w31 = w30 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w30 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w32 = w30 / 2.0
-    w33 = w32 * c32
+    w33 = w32 * c33
     w34 = w32 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w32 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
     w35 = w28 / 2.0
-    w36 = w35 * c33
+    w36 = w35 * c34
     w37 = w35 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w35 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
-    w38 = w1 * w29 + w3 * w31 + (shaft_e0 * w33 + (shaft_e1 * w34 - shaft_e2 * w36 + shaft_e3 * w37)) * right_swing_angle_dot
-    w39 = w30 * c33
-    w40 = w28 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0 - w28 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0
-    w41 = w3 * w39 - w1 * w40 + right_swing_angle_dot * (shaft_e0 * w34 - shaft_e1 * w33 + (shaft_e2 * w37 + shaft_e3 * w36))
-    w42 = w1 * w39 + w3 * w40 + right_swing_angle_dot * (shaft_e3 * w34 - shaft_e1 * w37 - (shaft_e0 * w36 + shaft_e2 * w33))
-    w43 = w3 * w29 - w1 * w31 + right_swing_angle_dot * (shaft_e0 * w37 - shaft_e3 * w33 - (shaft_e1 * w36 + shaft_e2 * w34))
-    w44 = w20 * shaft_left_x + w10 * shaft_left_z
-    w45 = w13 * w44
-    w46 = w23 * shaft_left_x + w6 * shaft_left_z
-    w47 = w25 * shaft_left_x + w18 * shaft_left_z
-    w48 = left_swing_angle / 2.0
-    w49 = ca.cos(w48)
-    w50 = w49 / 2.0
-    w51 = w50 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w50 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w52 = w50 * c35
-    w53 = ca.sin(w48)
-    w54 = w53 / 2.0
-    w55 = w54 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w54 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w56 = w54 * c34
-    w57 = w53 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w53 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w58 = w49 * c34
-    w59 = (shaft_e0 * w51 - (shaft_e1 * w52 + shaft_e2 * w55 - shaft_e3 * w56)) * left_swing_angle_dot - (w1 * w57 + w3 * w58)
-    w60 = w53 * c35
-    w61 = w49 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0 - w49 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0
-    w62 = left_swing_angle_dot * (shaft_e0 * w52 + shaft_e1 * w51 - (shaft_e2 * w56 + shaft_e3 * w55)) - (w1 * w60 + w3 * w61)
-    w63 = w3 * w60 - w1 * w61 + left_swing_angle_dot * (shaft_e0 * w55 + shaft_e2 * w51 + (shaft_e3 * w52 + shaft_e1 * w56))
-    w64 = w3 * w57 - w1 * w58 + left_swing_angle_dot * (shaft_e3 * w51 - shaft_e0 * w56 + (shaft_e1 * w55 - shaft_e2 * w52))
+    w38 = w30 * c34
+    w39 = w28 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0 - w28 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0
+    w40 = w3 * w38 - w1 * w39 + right_swing_angle_dot * (shaft_e0 * w34 - shaft_e1 * w33 + (shaft_e2 * w37 + shaft_e3 * w36))
+    w41 = w1 * w38 + w3 * w39 + right_swing_angle_dot * (shaft_e3 * w34 - shaft_e1 * w37 - (shaft_e0 * w36 + shaft_e2 * w33))
+    w42 = w3 * w29 - w1 * w31 + right_swing_angle_dot * (shaft_e0 * w37 - shaft_e3 * w33 - (shaft_e1 * w36 + shaft_e2 * w34))
+    w43 = w20 * shaft_left_x + w10 * shaft_left_z
+    w44 = w13 * w43
+    w45 = w23 * shaft_left_x + w6 * shaft_left_z
+    w46 = w25 * shaft_left_x + w18 * shaft_left_z
+    w47 = left_swing_angle / 2.0
+    w48 = ca.cos(w47)
+    w49 = w48 / 2.0
+    w50 = w49 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w49 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
+    w51 = w49 * c36
+    w52 = ca.sin(w47)
+    w53 = w52 / 2.0
+    w54 = w53 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w53 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
+    w55 = w53 * c35
+    w56 = w52 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w52 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
+    w57 = w48 * c35
+    w58 = (shaft_e0 * w50 - (shaft_e1 * w51 + shaft_e2 * w54 - shaft_e3 * w55)) * left_swing_angle_dot - (w1 * w56 + w3 * w57)
+    w59 = w52 * c36
+    w60 = w48 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0 - w48 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0
+    w61 = left_swing_angle_dot * (shaft_e0 * w51 + shaft_e1 * w50 - (shaft_e2 * w55 + shaft_e3 * w54)) - (w1 * w59 + w3 * w60)
+    w62 = w3 * w59 - w1 * w60 + left_swing_angle_dot * (shaft_e0 * w54 + shaft_e2 * w50 + (shaft_e3 * w51 + shaft_e1 * w55))
+    w63 = w3 * w56 - w1 * w57 + left_swing_angle_dot * (shaft_e3 * w50 - shaft_e0 * w55 + (shaft_e1 * w54 - shaft_e2 * w51))
+    w64 = (shaft_e2 * w36 - shaft_e1 * w34 - shaft_e3 * w37 - shaft_e0 * w33) * right_swing_angle_dot - (w1 * w29 + w3 * w31)
     # outputs
     q_d_dot = ca.vertcat(
         0.0,  # shaft.x
@@ -547,17 +550,17 @@ def velocities() -> ca.Function:
         w3 * (w22 - w5 * w24) - w1 * (w12 * w21 - w8 * w24),  # right_rod.x
         w3 * (w5 * w26 - w4 * w21) - w1 * (w8 * w26 - w22),  # right_rod.y
         w3 * (w4 * w24 - w13 * w26) - w1 * (w13 * w24 - w12 * w26),  # right_rod.z
-        -w38,  # right_rod.e0
-        w41,  # right_rod.e1
-        w42,  # right_rod.e2
-        w43,  # right_rod.e3
-        w3 * (w45 - w5 * w46) - w1 * (w12 * w44 - w8 * w46),  # left_rod.x
-        w3 * (w5 * w47 - w4 * w44) - w1 * (w8 * w47 - w45),  # left_rod.y
-        w3 * (w4 * w46 - w13 * w47) - w1 * (w13 * w46 - w12 * w47),  # left_rod.z
-        w59,  # left_rod.e0
-        w62,  # left_rod.e1
-        w63,  # left_rod.e2
-        w64,  # left_rod.e3
+        w64,  # right_rod.e0
+        w40,  # right_rod.e1
+        w41,  # right_rod.e2
+        w42,  # right_rod.e3
+        w3 * (w44 - w5 * w45) - w1 * (w12 * w43 - w8 * w45),  # left_rod.x
+        w3 * (w5 * w46 - w4 * w43) - w1 * (w8 * w46 - w44),  # left_rod.y
+        w3 * (w4 * w45 - w13 * w46) - w1 * (w13 * w45 - w12 * w46),  # left_rod.z
+        w58,  # left_rod.e0
+        w61,  # left_rod.e1
+        w62,  # left_rod.e2
+        w63,  # left_rod.e3
     )
     inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["q_d_dot"])
@@ -571,16 +574,16 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 28) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 28) [mixed]: accelerations of the dependent coordinates
-    659 operations.
+    658 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 28)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 28)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 105)
+    c = ca.SX.sym("c", 108)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -605,18 +608,18 @@ def accelerations() -> ca.Function:
     shaft_right_x = c[10]
     shaft_right_z = c[23]
     shaft_left_z = c[29]
-    c32 = c[32]
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
-    shaft_right_quaternion_0_0_0 = c[43]
-    right_rod_hinge_quaternion_0_0_0 = c[44]
-    shaft_right_quaternion_1_0_0 = c[45]
-    right_rod_hinge_quaternion_1_0_0 = c[46]
-    shaft_left_quaternion_2_0_0 = c[47]
-    left_rod_hinge_quaternion_1_0_0 = c[48]
-    shaft_left_quaternion_3_0_0 = c[49]
-    left_rod_hinge_quaternion_0_0_0 = c[50]
+    c36 = c[36]
+    shaft_right_quaternion_0_0_0 = c[44]
+    right_rod_hinge_quaternion_0_0_0 = c[45]
+    shaft_right_quaternion_1_0_0 = c[46]
+    right_rod_hinge_quaternion_1_0_0 = c[47]
+    shaft_left_quaternion_2_0_0 = c[48]
+    left_rod_hinge_quaternion_1_0_0 = c[49]
+    shaft_left_quaternion_3_0_0 = c[50]
+    left_rod_hinge_quaternion_0_0_0 = c[51]
     # intermediate terms (126)
     w0 = (spin_angle_dot / 2.0)**2
     w1 = spin_angle / 2.0
@@ -665,85 +668,85 @@ def accelerations() -> ca.Function:
     w44 = right_swing_angle / 2.0
     w45 = ca.cos(w44)
     w46 = w43 * w45
-    w47 = w46 * c32
+    w47 = w46 * c33
     w48 = w46 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w46 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
     w49 = ca.sin(w44)
     w50 = w43 * w49
-    w51 = w50 * c33
+    w51 = w50 * c34
     w52 = w50 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0 - w50 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0
     w53 = w49 / 2.0
     w54 = right_swing_angle_dot * w53
-    w55 = w54 * c32
+    w55 = w54 * c33
     w56 = w54 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w54 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
     w57 = w45 / 2.0
     w58 = right_swing_angle_dot * w57
-    w59 = w58 * c33
+    w59 = w58 * c34
     w60 = w58 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w58 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w61 = shaft_e0_dot * w55 + (shaft_e1_dot * w56 - shaft_e2_dot * w59 + shaft_e3_dot * w60)
-    w62 = w45 * c32
+    w62 = w45 * c33
     w63 = w49 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w49 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w64 = w61 + (shaft_e0 * w47 + (shaft_e1 * w48 + shaft_e2 * w51 + shaft_e3 * w52) + w61) + w4 * w62 + w6 * w63
-    w65 = w53 * c32
+    w65 = w53 * c33
     w66 = w53 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w53 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
-    w67 = w57 * c33
+    w67 = w57 * c34
     w68 = w57 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w57 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
-    w69 = w64 + (shaft_e0 * w65 + (shaft_e1 * w66 - shaft_e2 * w67 + shaft_e3 * w68)) * right_swing_angle_ddot
-    w70 = shaft_e0_dot * w56 - shaft_e1_dot * w55 + (shaft_e2_dot * w60 + shaft_e3_dot * w59)
-    w71 = w45 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0 - w45 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0
-    w72 = w49 * c33
-    w73 = w70 + (shaft_e0 * w48 - shaft_e1 * w47 + (shaft_e2 * w52 - shaft_e3 * w51) + w70) - w4 * w71 + w6 * w72
-    w74 = w73 + right_swing_angle_ddot * (shaft_e0 * w66 - shaft_e1 * w65 + (shaft_e2 * w68 + shaft_e3 * w67))
-    w75 = shaft_e3_dot * w56 - shaft_e1_dot * w60 - (shaft_e0_dot * w59 + shaft_e2_dot * w55)
-    w76 = w75 + (shaft_e0 * w51 - shaft_e2 * w47 + (shaft_e3 * w48 - shaft_e1 * w52) + w75) + w4 * w72 + w6 * w71
-    w77 = w76 + right_swing_angle_ddot * (shaft_e3 * w66 - shaft_e1 * w68 - (shaft_e0 * w67 + shaft_e2 * w65))
-    w78 = shaft_e0_dot * w60 - shaft_e3_dot * w55 - (shaft_e1_dot * w59 + shaft_e2_dot * w56)
-    w79 = w78 + (shaft_e0 * w52 - shaft_e3 * w47 + (shaft_e1 * w51 - shaft_e2 * w48) + w78) - w4 * w63 + w6 * w62
-    w80 = w79 + right_swing_angle_ddot * (shaft_e0 * w68 - shaft_e3 * w65 - (shaft_e1 * w67 + shaft_e2 * w66))
-    w81 = w33 * shaft_left_x + w14 * shaft_left_z
-    w82 = w35 * shaft_left_x + w18 * shaft_left_z
-    w83 = w13 * w81 - w10 * w82
-    w84 = w38 * shaft_left_x + w22 * shaft_left_z
-    w85 = w20 * w82 - w13 * w84
-    w86 = w9 * w84
-    w87 = w10 * w84 - w20 * w81
-    w88 = (left_swing_angle_dot / 2.0)**2
-    w89 = left_swing_angle / 2.0
-    w90 = ca.sin(w89)
-    w91 = w88 * w90
-    w92 = w91 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0 - w91 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0
-    w93 = ca.cos(w89)
-    w94 = w88 * w93
-    w95 = w94 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w94 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w96 = w91 * c35
-    w97 = w94 * c34
-    w98 = w93 / 2.0
-    w99 = left_swing_angle_dot * w98
-    w100 = w99 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w99 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w101 = w99 * c35
-    w102 = w90 / 2.0
-    w103 = left_swing_angle_dot * w102
-    w104 = w103 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w103 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w105 = w103 * c34
-    w106 = shaft_e0_dot * w100 - (shaft_e1_dot * w101 + shaft_e2_dot * w104 - shaft_e3_dot * w105)
-    w107 = w90 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w90 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w108 = w93 * c34
-    w109 = w106 + (shaft_e0 * w92 - (shaft_e2 * w95 - shaft_e1 * w96 - shaft_e3 * w97) + w106) - w4 * w107 - w6 * w108
-    w110 = w98 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w98 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w111 = w98 * c35
-    w112 = w102 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w102 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w113 = w102 * c34
-    w114 = (shaft_e0 * w110 - (shaft_e1 * w111 + shaft_e2 * w112 - shaft_e3 * w113)) * left_swing_angle_ddot
-    w115 = shaft_e0_dot * w101 + shaft_e1_dot * w100 - (shaft_e2_dot * w105 + shaft_e3_dot * w104)
-    w116 = w90 * c35
-    w117 = w93 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0 - w93 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0
-    w118 = w115 + (shaft_e1 * w92 - shaft_e0 * w96 - (shaft_e2 * w97 + shaft_e3 * w95) + w115) - w4 * w116 - w6 * w117
-    w119 = left_swing_angle_ddot * (shaft_e0 * w111 + shaft_e1 * w110 - (shaft_e2 * w113 + shaft_e3 * w112))
-    w120 = shaft_e0_dot * w104 + shaft_e2_dot * w100 + (shaft_e3_dot * w101 + shaft_e1_dot * w105)
-    w121 = w120 + (shaft_e0 * w95 + shaft_e2 * w92 + (shaft_e1 * w97 - shaft_e3 * w96) + w120) - w4 * w117 + w6 * w116
-    w122 = left_swing_angle_ddot * (shaft_e0 * w112 + shaft_e2 * w110 + (shaft_e3 * w111 + shaft_e1 * w113))
-    w123 = shaft_e3_dot * w100 - shaft_e0_dot * w105 + (shaft_e1_dot * w104 - shaft_e2_dot * w101)
-    w124 = w123 + (shaft_e3 * w92 - shaft_e0 * w97 + (shaft_e1 * w95 + shaft_e2 * w96) + w123) - w4 * w108 + w6 * w107
-    w125 = left_swing_angle_ddot * (shaft_e3 * w110 - shaft_e0 * w113 + (shaft_e1 * w112 - shaft_e2 * w111))
+    w69 = shaft_e0_dot * w56 - shaft_e1_dot * w55 + (shaft_e2_dot * w60 + shaft_e3_dot * w59)
+    w70 = w45 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0 - w45 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0
+    w71 = w49 * c34
+    w72 = w69 + (shaft_e0 * w48 - shaft_e1 * w47 + (shaft_e2 * w52 - shaft_e3 * w51) + w69) - w4 * w70 + w6 * w71
+    w73 = w72 + right_swing_angle_ddot * (shaft_e0 * w66 - shaft_e1 * w65 + (shaft_e2 * w68 + shaft_e3 * w67))
+    w74 = shaft_e3_dot * w56 - shaft_e1_dot * w60 - (shaft_e0_dot * w59 + shaft_e2_dot * w55)
+    w75 = w74 + (shaft_e0 * w51 - shaft_e2 * w47 + (shaft_e3 * w48 - shaft_e1 * w52) + w74) + w4 * w71 + w6 * w70
+    w76 = w75 + right_swing_angle_ddot * (shaft_e3 * w66 - shaft_e1 * w68 - (shaft_e0 * w67 + shaft_e2 * w65))
+    w77 = shaft_e0_dot * w60 - shaft_e3_dot * w55 - (shaft_e1_dot * w59 + shaft_e2_dot * w56)
+    w78 = w77 + (shaft_e0 * w52 - shaft_e3 * w47 + (shaft_e1 * w51 - shaft_e2 * w48) + w77) - w4 * w63 + w6 * w62
+    w79 = w78 + right_swing_angle_ddot * (shaft_e0 * w68 - shaft_e3 * w65 - (shaft_e1 * w67 + shaft_e2 * w66))
+    w80 = w33 * shaft_left_x + w14 * shaft_left_z
+    w81 = w35 * shaft_left_x + w18 * shaft_left_z
+    w82 = w13 * w80 - w10 * w81
+    w83 = w38 * shaft_left_x + w22 * shaft_left_z
+    w84 = w20 * w81 - w13 * w83
+    w85 = w9 * w83
+    w86 = w10 * w83 - w20 * w80
+    w87 = (left_swing_angle_dot / 2.0)**2
+    w88 = left_swing_angle / 2.0
+    w89 = ca.sin(w88)
+    w90 = w87 * w89
+    w91 = w90 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0 - w90 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0
+    w92 = ca.cos(w88)
+    w93 = w87 * w92
+    w94 = w93 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w93 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
+    w95 = w90 * c36
+    w96 = w93 * c35
+    w97 = w92 / 2.0
+    w98 = left_swing_angle_dot * w97
+    w99 = w98 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w98 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
+    w100 = w98 * c36
+    w101 = w89 / 2.0
+    w102 = left_swing_angle_dot * w101
+    w103 = w102 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w102 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
+    w104 = w102 * c35
+    w105 = shaft_e0_dot * w99 - (shaft_e1_dot * w100 + shaft_e2_dot * w103 - shaft_e3_dot * w104)
+    w106 = w89 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w89 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
+    w107 = w92 * c35
+    w108 = w105 + (shaft_e0 * w91 - (shaft_e2 * w94 - shaft_e1 * w95 - shaft_e3 * w96) + w105) - w4 * w106 - w6 * w107
+    w109 = w97 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w97 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
+    w110 = w97 * c36
+    w111 = w101 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w101 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
+    w112 = w101 * c35
+    w113 = (shaft_e0 * w109 - (shaft_e1 * w110 + shaft_e2 * w111 - shaft_e3 * w112)) * left_swing_angle_ddot
+    w114 = shaft_e0_dot * w100 + shaft_e1_dot * w99 - (shaft_e2_dot * w104 + shaft_e3_dot * w103)
+    w115 = w89 * c36
+    w116 = w92 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0 - w92 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0
+    w117 = w114 + (shaft_e1 * w91 - shaft_e0 * w95 - (shaft_e2 * w96 + shaft_e3 * w94) + w114) - w4 * w115 - w6 * w116
+    w118 = left_swing_angle_ddot * (shaft_e0 * w110 + shaft_e1 * w109 - (shaft_e2 * w112 + shaft_e3 * w111))
+    w119 = shaft_e0_dot * w103 + shaft_e2_dot * w99 + (shaft_e3_dot * w100 + shaft_e1_dot * w104)
+    w120 = w119 + (shaft_e0 * w94 + shaft_e2 * w91 + (shaft_e1 * w96 - shaft_e3 * w95) + w119) - w4 * w116 + w6 * w115
+    w121 = left_swing_angle_ddot * (shaft_e0 * w111 + shaft_e2 * w109 + (shaft_e3 * w110 + shaft_e1 * w112))
+    w122 = shaft_e3_dot * w99 - shaft_e0_dot * w104 + (shaft_e1_dot * w103 - shaft_e2_dot * w100)
+    w123 = w122 + (shaft_e3 * w91 - shaft_e0 * w96 + (shaft_e1 * w94 + shaft_e2 * w95) + w122) - w4 * w107 + w6 * w106
+    w124 = left_swing_angle_ddot * (shaft_e3 * w109 - shaft_e0 * w112 + (shaft_e1 * w111 - shaft_e2 * w110))
+    w125 = (shaft_e2 * w67 - shaft_e1 * w66 - shaft_e3 * w68 - shaft_e0 * w65) * right_swing_angle_ddot - w64
     # outputs
     q_d_ddot = ca.vertcat(
         0.0,  # shaft.x
@@ -763,17 +766,17 @@ def accelerations() -> ca.Function:
         w10 * w37 - w20 * w40 - w4 * (w7 * w39 - w11 * w34) + w6 * (w41 - w8 * w34),  # right_rod.x
         w20 * w42 - w13 * w37 - w4 * (w11 * w36 - w41) + w6 * (w8 * w36 - w12 * w39),  # right_rod.y
         w13 * w40 - w10 * w42 - w4 * (w9 * w34 - w7 * w36) + w6 * (w12 * w34 - w9 * w36),  # right_rod.z
-        -w69,  # right_rod.e0
-        w74,  # right_rod.e1
-        w77,  # right_rod.e2
-        w80,  # right_rod.e3
-        w10 * w83 - w20 * w85 - w4 * (w7 * w84 - w11 * w81) + w6 * (w86 - w8 * w81),  # left_rod.x
-        w20 * w87 - w13 * w83 - w4 * (w11 * w82 - w86) + w6 * (w8 * w82 - w12 * w84),  # left_rod.y
-        w13 * w85 - w10 * w87 - w4 * (w9 * w81 - w7 * w82) + w6 * (w12 * w81 - w9 * w82),  # left_rod.z
-        w109 + w114,  # left_rod.e0
-        w118 + w119,  # left_rod.e1
-        w121 + w122,  # left_rod.e2
-        w124 + w125,  # left_rod.e3
+        w125,  # right_rod.e0
+        w73,  # right_rod.e1
+        w76,  # right_rod.e2
+        w79,  # right_rod.e3
+        w10 * w82 - w20 * w84 - w4 * (w7 * w83 - w11 * w80) + w6 * (w85 - w8 * w80),  # left_rod.x
+        w20 * w86 - w13 * w82 - w4 * (w11 * w81 - w85) + w6 * (w8 * w81 - w12 * w83),  # left_rod.y
+        w13 * w84 - w10 * w86 - w4 * (w9 * w80 - w7 * w81) + w6 * (w12 * w80 - w9 * w81),  # left_rod.z
+        w108 + w113,  # left_rod.e0
+        w117 + w118,  # left_rod.e1
+        w120 + w121,  # left_rod.e2
+        w123 + w124,  # left_rod.e3
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(q_d_ddot)]
     return ca.Function("accelerations", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["q_d_ddot"])
@@ -784,17 +787,17 @@ def constraints() -> ca.Function:
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
-    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 28) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 28 x 32) [SI]: constraint Jacobian
     gives C_t (n_c = 28) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 28) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 28) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    1745 operations.
+    1715 operations.
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 105)
+    c = ca.SX.sym("c", 108)
     shaft_x = q[0]
     shaft_y = q[1]
     shaft_z = q[2]
@@ -839,18 +842,18 @@ def constraints() -> ca.Function:
     shaft_right_x = c[10]
     shaft_right_z = c[23]
     shaft_left_z = c[29]
-    c32 = c[32]
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
-    shaft_right_quaternion_0_0_0 = c[43]
-    right_rod_hinge_quaternion_0_0_0 = c[44]
-    shaft_right_quaternion_1_0_0 = c[45]
-    right_rod_hinge_quaternion_1_0_0 = c[46]
-    shaft_left_quaternion_2_0_0 = c[47]
-    left_rod_hinge_quaternion_1_0_0 = c[48]
-    shaft_left_quaternion_3_0_0 = c[49]
-    left_rod_hinge_quaternion_0_0_0 = c[50]
+    c36 = c[36]
+    shaft_right_quaternion_0_0_0 = c[44]
+    right_rod_hinge_quaternion_0_0_0 = c[45]
+    shaft_right_quaternion_1_0_0 = c[46]
+    right_rod_hinge_quaternion_1_0_0 = c[47]
+    shaft_left_quaternion_2_0_0 = c[48]
+    left_rod_hinge_quaternion_1_0_0 = c[49]
+    shaft_left_quaternion_3_0_0 = c[50]
+    left_rod_hinge_quaternion_0_0_0 = c[51]
     # intermediate terms (130)
     w0 = spin_angle / 2.0
     w1 = ca.cos(w0)
@@ -869,10 +872,10 @@ def constraints() -> ca.Function:
     w14 = height_travel * w13
     w15 = right_swing_angle / 2.0
     w16 = ca.cos(w15)
-    w17 = w16 * c32
+    w17 = w16 * c33
     w18 = w16 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0 - w16 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0
     w19 = ca.sin(w15)
-    w20 = w19 * c33
+    w20 = w19 * c34
     w21 = w19 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w19 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w22 = 1.0 - w12 - 2 * shaft_e3**2
     w23 = w22 * shaft_right_x + w7 * shaft_right_z
@@ -883,10 +886,10 @@ def constraints() -> ca.Function:
     w28 = left_swing_angle / 2.0
     w29 = ca.sin(w28)
     w30 = w29 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w29 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w31 = w29 * c35
+    w31 = w29 * c36
     w32 = ca.cos(w28)
     w33 = w32 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0 - w32 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0
-    w34 = w32 * c34
+    w34 = w32 * c35
     w35 = w22 * shaft_left_x + w7 * shaft_left_z
     w36 = w24 * shaft_left_x + w10 * shaft_left_z
     w37 = w26 * shaft_left_x + w13 * shaft_left_z
@@ -921,17 +924,17 @@ def constraints() -> ca.Function:
     w66 = w3 * w23
     w67 = w3 * w35
     w68 = w19 / 2.0
-    w69 = w68 * c32
+    w69 = w68 * c33
     w70 = w68 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w68 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
     w71 = w16 / 2.0
-    w72 = w71 * c33
+    w72 = w71 * c34
     w73 = w71 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w71 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w74 = w32 / 2.0
     w75 = w74 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w74 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w76 = w74 * c35
+    w76 = w74 * c36
     w77 = w29 / 2.0
     w78 = w77 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w77 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w79 = w77 * c34
+    w79 = w77 * c35
     w80 = (spin_angle_dot / 2.0)**2
     w81 = w40 * shaft_e0_dot + w57 * shaft_e1_dot + w3 * shaft_e2_dot + w41 * shaft_e3_dot
     w82 = w41 * shaft_e0_dot + w3 * shaft_e1_dot + w38 * shaft_e2_dot + w9 * shaft_e3_dot
@@ -943,16 +946,16 @@ def constraints() -> ca.Function:
     w88 = right_swing_angle_dot / 2.0
     w89 = w88**2
     w90 = w16 * w89
-    w91 = w88 * (w16 * w88) * c32
+    w91 = w88 * (w16 * w88) * c33
     w92 = w90 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w90 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
     w93 = w19 * w89
-    w94 = w88 * (w19 * w88) * c33
+    w94 = w88 * (w19 * w88) * c34
     w95 = w93 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0 - w93 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0
     w96 = w68 * right_swing_angle_dot
-    w97 = w96 * c32
+    w97 = w96 * c33
     w98 = w96 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w96 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
     w99 = w71 * right_swing_angle_dot
-    w100 = w99 * c33
+    w100 = w99 * c34
     w101 = w99 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w99 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w102 = shaft_e0_dot * w97 + (shaft_e1_dot * w98 - shaft_e2_dot * w100 + shaft_e3_dot * w101)
     w103 = shaft_e0_dot * w98 - shaft_e1_dot * w97 + (shaft_e2_dot * w101 + shaft_e3_dot * w100)
@@ -967,14 +970,14 @@ def constraints() -> ca.Function:
     w112 = w111 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0 - w111 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0
     w113 = w32 * w110
     w114 = w113 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w113 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w115 = w109 * (w29 * w109) * c35
-    w116 = w109 * (w32 * w109) * c34
+    w115 = w109 * (w29 * w109) * c36
+    w116 = w109 * (w32 * w109) * c35
     w117 = w74 * left_swing_angle_dot
     w118 = w117 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w117 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w119 = w117 * c35
+    w119 = w117 * c36
     w120 = w77 * left_swing_angle_dot
     w121 = w120 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w120 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w122 = w120 * c34
+    w122 = w120 * c35
     w123 = shaft_e0_dot * w118 - (shaft_e1_dot * w119 + shaft_e2_dot * w121 - shaft_e3_dot * w122)
     w124 = shaft_e0_dot * w119 + shaft_e1_dot * w118 - (shaft_e2_dot * w122 + shaft_e3_dot * w121)
     w125 = shaft_e0_dot * w121 + shaft_e2_dot * w118 + (shaft_e3_dot * w119 + shaft_e1_dot * w122)
@@ -1079,41 +1082,41 @@ def constraints() -> ca.Function:
     C_q[15, 5] = w46
     C_q[15, 6] = w65
     C_q[15, 18] = 1.0
-    C_q[15, 30] = -(shaft_e0 * w70 - shaft_e1 * w69 + (shaft_e2 * w73 + shaft_e3 * w72))
+    C_q[15, 30] = shaft_e1 * w69 - shaft_e0 * w70 - (shaft_e2 * w73 + shaft_e3 * w72)
     # right_swing.e2
     C_q[16, 3] = w20
     C_q[16, 4] = w21
     C_q[16, 5] = w44
     C_q[16, 6] = w45
     C_q[16, 19] = 1.0
-    C_q[16, 30] = -(shaft_e3 * w70 - shaft_e1 * w73 - (shaft_e0 * w72 + shaft_e2 * w69))
+    C_q[16, 30] = shaft_e0 * w72 + shaft_e2 * w69 - (shaft_e3 * w70 - shaft_e1 * w73)
     # right_swing.e3
     C_q[17, 3] = w46
     C_q[17, 4] = w20
     C_q[17, 5] = w18
     C_q[17, 6] = w44
     C_q[17, 20] = 1.0
-    C_q[17, 30] = -(shaft_e0 * w73 - shaft_e3 * w69 - (shaft_e1 * w72 + shaft_e2 * w70))
+    C_q[17, 30] = shaft_e1 * w72 + shaft_e2 * w70 - (shaft_e0 * w73 - shaft_e3 * w69)
     # right_swing.x
     C_q[18, 0] = -1.0
-    C_q[18, 3] = -(w27 * w40 - w47)
-    C_q[18, 4] = -(w27 * w57 - w25 * w40)
-    C_q[18, 5] = -(w60 - w5 * w25)
-    C_q[18, 6] = -(w48 - w61)
+    C_q[18, 3] = w47 - w27 * w40
+    C_q[18, 4] = w25 * w40 - w27 * w57
+    C_q[18, 5] = w5 * w25 - w60
+    C_q[18, 6] = w61 - w48
     C_q[18, 14] = 1.0
     # right_swing.y
     C_q[19, 1] = -1.0
-    C_q[19, 3] = -(w23 * w38 - w48)
-    C_q[19, 4] = -(w49 - w60)
-    C_q[19, 5] = -(w5 * w23 - w27 * w38)
-    C_q[19, 6] = -(w66 - w9 * w27)
+    C_q[19, 3] = w48 - w23 * w38
+    C_q[19, 4] = w60 - w49
+    C_q[19, 5] = w27 * w38 - w5 * w23
+    C_q[19, 6] = w9 * w27 - w66
     C_q[19, 15] = 1.0
     # right_swing.z
     C_q[20, 2] = -1.0
-    C_q[20, 3] = -(w25 * w41 - w49)
-    C_q[20, 4] = -(w61 - w23 * w57)
-    C_q[20, 5] = -(w47 - w66)
-    C_q[20, 6] = -(w9 * w25 - w23 * w41)
+    C_q[20, 3] = w49 - w25 * w41
+    C_q[20, 4] = w23 * w57 - w61
+    C_q[20, 5] = w66 - w47
+    C_q[20, 6] = w23 * w41 - w9 * w25
     C_q[20, 16] = 1.0
     # left_swing.e0
     C_q[21, 3] = w50
@@ -1121,14 +1124,14 @@ def constraints() -> ca.Function:
     C_q[21, 5] = w33
     C_q[21, 6] = w34
     C_q[21, 24] = 1.0
-    C_q[21, 31] = -(shaft_e0 * w75 - (shaft_e1 * w76 + shaft_e2 * w78 - shaft_e3 * w79))
+    C_q[21, 31] = shaft_e1 * w76 + shaft_e2 * w78 - shaft_e3 * w79 - shaft_e0 * w75
     # left_swing.e1
     C_q[22, 3] = w51
     C_q[22, 4] = w50
     C_q[22, 5] = w53
     C_q[22, 6] = w33
     C_q[22, 25] = 1.0
-    C_q[22, 31] = -(shaft_e0 * w76 + shaft_e1 * w75 - (shaft_e2 * w79 + shaft_e3 * w78))
+    C_q[22, 31] = shaft_e2 * w79 + shaft_e3 * w78 - (shaft_e0 * w76 + shaft_e1 * w75)
     # left_swing.e2
     C_q[23, 3] = w52
     C_q[23, 4] = w34
@@ -1142,27 +1145,27 @@ def constraints() -> ca.Function:
     C_q[24, 5] = w31
     C_q[24, 6] = w50
     C_q[24, 27] = 1.0
-    C_q[24, 31] = -(shaft_e3 * w75 - shaft_e0 * w79 + (shaft_e1 * w78 - shaft_e2 * w76))
+    C_q[24, 31] = shaft_e0 * w79 - shaft_e3 * w75 - (shaft_e1 * w78 - shaft_e2 * w76)
     # left_swing.x
     C_q[25, 0] = -1.0
-    C_q[25, 3] = -(w37 * w40 - w54)
-    C_q[25, 4] = -(w37 * w57 - w36 * w40)
-    C_q[25, 5] = -(w62 - w5 * w36)
-    C_q[25, 6] = -(w55 - w63)
+    C_q[25, 3] = w54 - w37 * w40
+    C_q[25, 4] = w36 * w40 - w37 * w57
+    C_q[25, 5] = w5 * w36 - w62
+    C_q[25, 6] = w63 - w55
     C_q[25, 21] = 1.0
     # left_swing.y
     C_q[26, 1] = -1.0
-    C_q[26, 3] = -(w35 * w38 - w55)
-    C_q[26, 4] = -(w56 - w62)
-    C_q[26, 5] = -(w5 * w35 - w37 * w38)
-    C_q[26, 6] = -(w67 - w9 * w37)
+    C_q[26, 3] = w55 - w35 * w38
+    C_q[26, 4] = w62 - w56
+    C_q[26, 5] = w37 * w38 - w5 * w35
+    C_q[26, 6] = w9 * w37 - w67
     C_q[26, 22] = 1.0
     # left_swing.z
     C_q[27, 2] = -1.0
-    C_q[27, 3] = -(w36 * w41 - w56)
-    C_q[27, 4] = -(w63 - w35 * w57)
-    C_q[27, 5] = -(w54 - w67)
-    C_q[27, 6] = -(w9 * w36 - w35 * w41)
+    C_q[27, 3] = w56 - w36 * w41
+    C_q[27, 4] = w35 * w57 - w63
+    C_q[27, 5] = w67 - w54
+    C_q[27, 6] = w35 * w41 - w9 * w36
     C_q[27, 23] = 1.0
     C_t = ca.SX(28, 1)
     nu = ca.SX(28, 1)
@@ -1205,7 +1208,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
-    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 32 x 32) [SI]: mass matrix in all coordinates
     gives K (n x n = 32 x 32) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 32) [N, N m]: quadratic velocity force in all coordinates
@@ -1213,11 +1216,11 @@ def augmented() -> ca.Function:
     gives Q_star (n = 32) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 28 x 32) [SI]: constraint Jacobian
     gives gamma_b (n_c = 28) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    4924 operations.
+    4893 operations.
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 105)
+    c = ca.SX.sym("c", 108)
     shaft_e0 = q[3]
     shaft_e1 = q[4]
     shaft_e2 = q[5]
@@ -1301,28 +1304,27 @@ def augmented() -> ca.Function:
     shaft_left_z = c[29]
     left_spring_stiffness = c[30]
     left_spring_damping = c[31]
-    c32 = c[32]
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
-    shaft_right_quaternion_0_0_0 = c[43]
-    right_rod_hinge_quaternion_0_0_0 = c[44]
-    shaft_right_quaternion_1_0_0 = c[45]
-    right_rod_hinge_quaternion_1_0_0 = c[46]
-    shaft_left_quaternion_2_0_0 = c[47]
-    left_rod_hinge_quaternion_1_0_0 = c[48]
-    shaft_left_quaternion_3_0_0 = c[49]
-    left_rod_hinge_quaternion_0_0_0 = c[50]
-    left_rod_mass = c[51]
-    right_rod_mass = c[52]
-    c53 = c[53]
+    c36 = c[36]
+    shaft_right_quaternion_0_0_0 = c[44]
+    right_rod_hinge_quaternion_0_0_0 = c[45]
+    shaft_right_quaternion_1_0_0 = c[46]
+    right_rod_hinge_quaternion_1_0_0 = c[47]
+    shaft_left_quaternion_2_0_0 = c[48]
+    left_rod_hinge_quaternion_1_0_0 = c[49]
+    shaft_left_quaternion_3_0_0 = c[50]
+    left_rod_hinge_quaternion_0_0_0 = c[51]
+    left_rod_mass = c[52]
+    right_rod_mass = c[53]
     c54 = c[54]
     c55 = c[55]
     c56 = c[56]
     c57 = c[57]
     c58 = c[58]
-    shaft_mass = c[59]
-    c60 = c[60]
+    c59 = c[59]
+    shaft_mass = c[60]
     c61 = c[61]
     c62 = c[62]
     c63 = c[63]
@@ -1363,19 +1365,20 @@ def augmented() -> ca.Function:
     c98 = c[98]
     c99 = c[99]
     c100 = c[100]
-    # intermediate terms (480)
+    c101 = c[101]
+    # intermediate terms (479)
     w0 = shaft_e2 * -2.0
     w1 = 1.0 - 2 * shaft_e1**2
     w2 = 2 * shaft_e2**2
     w3 = w1 - w2
-    w4 = w3 * c60
+    w4 = w3 * c61
     w5 = shaft_e3 * -2.0
     w6 = 2 * shaft_e2
     w7 = shaft_e3 * w6
     w8 = 2 * shaft_e0
     w9 = shaft_e1 * w8
     w10 = w7 - w9
-    w11 = w10 * c60
+    w11 = w10 * c61
     w12 = w5 * w11
     w13 = w0 * w4 - w12
     w14 = 2 * shaft_e3
@@ -1390,7 +1393,7 @@ def augmented() -> ca.Function:
     w23 = shaft_e2 * w8
     w24 = shaft_e3 * w17
     w25 = w23 + w24
-    w26 = w25 * c60
+    w26 = w25 * c61
     w27 = w5 * w26 - w20
     w28 = w0 * w26
     w29 = w28 - w16
@@ -1401,37 +1404,37 @@ def augmented() -> ca.Function:
     w34 = w21 - w14 * w26
     w35 = w12 - w31
     w36 = w6 * w11 - w19 * w26
-    w37 = w8 * c62
-    w38 = w19 * w37 + shaft_e2 * shaft_e3 * c65
-    w39 = w8 * c63
-    w40 = w19 * c64
-    w41 = w0 * w39 + shaft_e1 * shaft_e3 * c66
-    w42 = w0 * c62
-    w43 = w17 * c63
-    w44 = w8 * c64
-    w45 = shaft_e2 * shaft_e1 * c67 + w5 * w44
-    w46 = shaft_e3 * shaft_e0 * c68 + w6 * w40
-    w47 = w5 * w43 + shaft_e2 * shaft_e0 * c69
-    w48 = w14 * w42 + shaft_e1 * shaft_e0 * c70
+    w37 = w8 * c63
+    w38 = w19 * w37 + shaft_e2 * shaft_e3 * c66
+    w39 = w8 * c64
+    w40 = w19 * c65
+    w41 = w0 * w39 + shaft_e1 * shaft_e3 * c67
+    w42 = w0 * c63
+    w43 = w17 * c64
+    w44 = w8 * c65
+    w45 = shaft_e2 * shaft_e1 * c68 + w5 * w44
+    w46 = shaft_e3 * shaft_e0 * c69 + w6 * w40
+    w47 = w5 * w43 + shaft_e2 * shaft_e0 * c70
+    w48 = w14 * w42 + shaft_e1 * shaft_e0 * c71
     w49 = slider_e1 * -2.0
     w50 = slider_e2 * -2.0
     w51 = slider_e3 * -2.0
     w52 = 2 * slider_e0
-    w53 = w52 * c72
+    w53 = w52 * c73
     w54 = 2 * slider_e2
-    w55 = w49 * w53 + slider_e2 * slider_e3 * c75
+    w55 = w49 * w53 + slider_e2 * slider_e3 * c76
     w56 = 2 * slider_e3
-    w57 = w52 * c73
-    w58 = w49 * c74
-    w59 = w50 * w57 + slider_e1 * slider_e3 * c76
-    w60 = w50 * c72
+    w57 = w52 * c74
+    w58 = w49 * c75
+    w59 = w50 * w57 + slider_e1 * slider_e3 * c77
+    w60 = w50 * c73
     w61 = 2 * slider_e1
-    w62 = w61 * c73
-    w63 = w52 * c74
-    w64 = slider_e1 * slider_e2 * c77 + w51 * w63
-    w65 = slider_e3 * slider_e0 * c78 + w54 * w58
-    w66 = w51 * w62 + slider_e2 * slider_e0 * c79
-    w67 = w56 * w60 + slider_e1 * slider_e0 * c80
+    w62 = w61 * c74
+    w63 = w52 * c75
+    w64 = slider_e1 * slider_e2 * c78 + w51 * w63
+    w65 = slider_e3 * slider_e0 * c79 + w54 * w58
+    w66 = w51 * w62 + slider_e2 * slider_e0 * c80
+    w67 = w56 * w60 + slider_e1 * slider_e0 * c81
     w68 = right_rod_e2 * -2.0
     w69 = 2 * right_rod_e1
     w70 = w69 * right_rod_e3
@@ -1469,18 +1472,18 @@ def augmented() -> ca.Function:
     w102 = w88 - w82 * w93
     w103 = w80 - w98
     w104 = w79 * w99 - w86 * w93
-    w105 = w71 * c81
-    w106 = w86 * w105 + right_rod_e2 * right_rod_e3 * c83
+    w105 = w71 * c82
+    w106 = w86 * w105 + right_rod_e2 * right_rod_e3 * c84
     w107 = w71 * c16
-    w108 = w86 * c82
-    w109 = w68 * w107 + right_rod_e1 * right_rod_e3 * c84
-    w110 = w68 * c81
+    w108 = w86 * c83
+    w109 = w68 * w107 + right_rod_e1 * right_rod_e3 * c85
+    w110 = w68 * c82
     w111 = w69 * c16
-    w112 = w71 * c82
-    w113 = right_rod_e2 * right_rod_e1 * c85 + w75 * w112
-    w114 = right_rod_e3 * right_rod_e0 * c86 + w99 * w108
-    w115 = w75 * w111 + right_rod_e2 * right_rod_e0 * c87
-    w116 = w82 * w110 + right_rod_e1 * right_rod_e0 * c88
+    w112 = w71 * c83
+    w113 = right_rod_e2 * right_rod_e1 * c86 + w75 * w112
+    w114 = right_rod_e3 * right_rod_e0 * c87 + w99 * w108
+    w115 = w75 * w111 + right_rod_e2 * right_rod_e0 * c88
+    w116 = w82 * w110 + right_rod_e1 * right_rod_e0 * c89
     w117 = left_rod_e2 * -2.0
     w118 = 2 * left_rod_e1
     w119 = w118 * left_rod_e3
@@ -1518,25 +1521,25 @@ def augmented() -> ca.Function:
     w151 = w137 - w131 * w142
     w152 = w129 - w147
     w153 = w128 * w148 - w135 * w142
-    w154 = w120 * c89
-    w155 = w135 * w154 + left_rod_e2 * left_rod_e3 * c91
+    w154 = w120 * c90
+    w155 = w135 * w154 + left_rod_e2 * left_rod_e3 * c92
     w156 = w120 * c17
-    w157 = w135 * c90
-    w158 = w117 * w156 + left_rod_e1 * left_rod_e3 * c92
-    w159 = w117 * c89
+    w157 = w135 * c91
+    w158 = w117 * w156 + left_rod_e1 * left_rod_e3 * c93
+    w159 = w117 * c90
     w160 = w118 * c17
-    w161 = w120 * c90
-    w162 = left_rod_e2 * left_rod_e1 * c93 + w124 * w161
-    w163 = left_rod_e3 * left_rod_e0 * c94 + w148 * w157
-    w164 = w124 * w160 + left_rod_e2 * left_rod_e0 * c95
-    w165 = w131 * w159 + left_rod_e1 * left_rod_e0 * c96
+    w161 = w120 * c91
+    w162 = left_rod_e2 * left_rod_e1 * c94 + w124 * w161
+    w163 = left_rod_e3 * left_rod_e0 * c95 + w148 * w157
+    w164 = w124 * w160 + left_rod_e2 * left_rod_e0 * c96
+    w165 = w131 * w159 + left_rod_e1 * left_rod_e0 * c97
     w166 = w0 * shaft_e0_dot
     w167 = w8 * shaft_e2_dot
     w168 = w166 + w5 * shaft_e1_dot + w167 + w17 * shaft_e3_dot
-    w169 = w168 * c60
+    w169 = w168 * c61
     w170 = w19 * shaft_e0_dot + w8 * shaft_e1_dot
     w171 = w170 + w14 * shaft_e2_dot + w0 * shaft_e3_dot
-    w172 = w171 * c60
+    w172 = w171 * c61
     w173 = w168 * w169 + w171 * w172
     w174 = 2 * shaft_e3**2
     w175 = 1.0 - w2 - w174
@@ -1552,10 +1555,10 @@ def augmented() -> ca.Function:
     w185 = w10 * w173 - (w179 * w184 + w182 * (w1 - w174))
     w186 = w24 - w23
     w187 = w3 * w173 - (w179 * w186 + w182 * (w7 + w9))
-    w188 = w178 * c61
-    w189 = w168 * c55
+    w188 = w178 * c62
+    w189 = w168 * c56
     w190 = w168 * w188 - w178 * w189
-    w191 = w171 * c53
+    w191 = w171 * c54
     w192 = w178 * w191 - w171 * w188
     w193 = w171 * w189 - w168 * w191
     w194 = w19 * w190 + w0 * w192 + w5 * w193
@@ -1565,15 +1568,15 @@ def augmented() -> ca.Function:
     w198 = w51 * slider_e0_dot
     w199 = w52 * slider_e3_dot
     w200 = w198 + w54 * slider_e1_dot + w49 * slider_e2_dot + w199
-    w201 = w200 * c71
+    w201 = w200 * c72
     w202 = w50 * slider_e0_dot
     w203 = w52 * slider_e2_dot
     w204 = w202 + w51 * slider_e1_dot + w203 + w61 * slider_e3_dot
-    w205 = w204 * c58
+    w205 = w204 * c59
     w206 = w201 * w204 - w200 * w205
     w207 = w49 * slider_e0_dot + w52 * slider_e1_dot
     w208 = w207 + w56 * slider_e2_dot + w50 * slider_e3_dot
-    w209 = w208 * c54
+    w209 = w208 * c55
     w210 = w200 * w209 - w201 * w208
     w211 = w205 * w208 - w204 * w209
     w212 = w49 * w206 + w50 * w210 + w51 * w211
@@ -1600,7 +1603,7 @@ def augmented() -> ca.Function:
     w233 = w78 * w224 - w227 * (w230 - w91) - w228 * (w231 - w232)
     w234 = w73 * w224 - w227 * (w231 + w232) - w228 * (w230 - w90)
     w235 = w218 * c8
-    w236 = w222 * c57
+    w236 = w222 * c58
     w237 = w222 * w235 - w218 * w236
     w238 = w226 * c7
     w239 = w218 * w238 - w226 * w235
@@ -1629,7 +1632,7 @@ def augmented() -> ca.Function:
     w262 = w127 * w253 - w256 * (w259 - w140) - w257 * (w260 - w261)
     w263 = w122 * w253 - w256 * (w260 + w261) - w257 * (w259 - w139)
     w264 = w247 * c1
-    w265 = w251 * c56
+    w265 = w251 * c57
     w266 = w251 * w264 - w247 * w265
     w267 = w255 * c0
     w268 = w247 * w267 - w255 * w264
@@ -1709,7 +1712,7 @@ def augmented() -> ca.Function:
     w342 = w52 * w303
     w343 = w302 * (w336 - w61 * w283) + w323 * (w61 * w279 - w51 * w287) + w326 * (w329 - w341) + (w321 * (w338 - w61 * w306) + w324 * (w61 * w303 - w51 * w309) + w327 * (w332 - w342))
     w344 = w302 * (w330 - w337) + w323 * (w341 - w54 * w287) + w326 * (w54 * w283 - w49 * w279) + (w321 * (w333 - w339) + w324 * (w342 - w54 * w309) + w327 * (w54 * w306 - w49 * w303))
-    w345 = w326 + c98
+    w345 = w326 + c99
     w346 = w75 * w284
     w347 = w86 * w288
     w348 = w68 * w280
@@ -1720,7 +1723,7 @@ def augmented() -> ca.Function:
     w353 = w71 * w280
     w354 = w103 * gravity_z + (w302 * (w350 - w69 * w284) + w323 * (w69 * w280 - w75 * w288) + w326 * (w346 - w353))
     w355 = w104 * gravity_z + (w302 * (w347 - w351) + w323 * (w353 - w99 * w288) + w326 * (w99 * w284 - w86 * w280))
-    w356 = w327 + c99
+    w356 = w327 + c100
     w357 = w124 * w307
     w358 = w135 * w310
     w359 = w117 * w304
@@ -1739,11 +1742,11 @@ def augmented() -> ca.Function:
     w372 = w0 * w371
     w373 = right_swing_angle / 2.0
     w374 = ca.cos(w373)
-    w375 = w374 * c100
+    w375 = w374 * c101
     w376 = w374 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0 - w374 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0
     w377 = -w376
     w378 = ca.sin(w373)
-    w379 = w378 * c33
+    w379 = w378 * c34
     w380 = w378 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w378 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w381 = -w380
     w382 = w186 * shaft_right_x + w3 * shaft_right_z
@@ -1754,96 +1757,95 @@ def augmented() -> ca.Function:
     w387 = w0 * w385
     w388 = left_swing_angle / 2.0
     w389 = ca.sin(w388)
-    w390 = w389 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w389 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
+    w390 = w389 * c36
     w391 = -w390
-    w392 = w389 * c35
-    w393 = -w392
-    w394 = ca.cos(w388)
-    w395 = w394 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0 - w394 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0
+    w392 = ca.cos(w388)
+    w393 = w392 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0 - w392 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0
+    w394 = -w393
+    w395 = w392 * c35
     w396 = -w395
-    w397 = w394 * c34
-    w398 = -w397
-    w399 = w186 * shaft_left_x + w3 * shaft_left_z
-    w400 = w184 * shaft_left_x + w10 * shaft_left_z
-    w401 = w5 * w400
-    w402 = w175 * shaft_left_x + w25 * shaft_left_z
-    w403 = w19 * w399
-    w404 = w0 * w402
-    w405 = w8 * w369
-    w406 = w8 * w367
-    w407 = w8 * w382
-    w408 = w8 * w383
-    w409 = w8 * w399
-    w410 = w8 * w400
-    w411 = w8 * w371
-    w412 = -w379
-    w413 = w8 * w385
-    w414 = w8 * w402
-    w415 = spin_angle / 2.0
-    w416 = ca.sin(w415)
-    w417 = ca.cos(w415)
-    w418 = w378 / 2.0
-    w419 = w418 * c32
-    w420 = w418 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w418 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
-    w421 = w374 / 2.0
-    w422 = w421 * c33
-    w423 = w421 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w421 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
-    w424 = w394 / 2.0
-    w425 = w424 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w424 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w426 = w424 * c35
-    w427 = w389 / 2.0
-    w428 = w427 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w427 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w429 = w427 * c34
-    w430 = (spin_angle_dot / 2.0)**2
-    w431 = w167 + (w166 + w14 * shaft_e1_dot) + w19 * shaft_e3_dot
-    w432 = w170 + w5 * shaft_e2_dot + w6 * shaft_e3_dot
-    w433 = w10 * w432 - w25 * w431
-    w434 = w177 + (w176 + w0 * shaft_e1_dot + w17 * shaft_e2_dot)
-    w435 = w25 * w434 - w3 * w432
-    w436 = 2 * height_travel_dot
-    w437 = w3 * w431 - w10 * w434
-    w438 = right_swing_angle_dot / 2.0
-    w439 = w438**2
-    w440 = w374 * w439
-    w441 = w438 * (w374 * w438) * c32
-    w442 = w440 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w440 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
-    w443 = w378 * w439
-    w444 = w438 * (w378 * w438) * c33
-    w445 = w443 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0 - w443 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0
-    w446 = w418 * right_swing_angle_dot
-    w447 = w446 * c32
-    w448 = w446 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w446 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
-    w449 = w421 * right_swing_angle_dot
-    w450 = w449 * c33
-    w451 = w449 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w449 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
-    w452 = shaft_e0_dot * w447 + (shaft_e1_dot * w448 - shaft_e2_dot * w450 + shaft_e3_dot * w451)
-    w453 = shaft_e0_dot * w448 - shaft_e1_dot * w447 + (shaft_e2_dot * w451 + shaft_e3_dot * w450)
-    w454 = shaft_e3_dot * w448 - shaft_e1_dot * w451 - (shaft_e0_dot * w450 + shaft_e2_dot * w447)
-    w455 = shaft_e0_dot * w451 - shaft_e3_dot * w447 - (shaft_e1_dot * w450 + shaft_e2_dot * w448)
-    w456 = w383 * w432 - w385 * w431
-    w457 = w385 * w434 - w382 * w432
-    w458 = w382 * w431 - w383 * w434
-    w459 = left_swing_angle_dot / 2.0
-    w460 = w459**2
-    w461 = w389 * w460
-    w462 = w461 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0 - w461 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0
-    w463 = w394 * w460
-    w464 = w463 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w463 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w465 = w459 * (w389 * w459) * c35
-    w466 = w459 * (w394 * w459) * c34
-    w467 = w424 * left_swing_angle_dot
-    w468 = w467 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w467 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w469 = w467 * c35
-    w470 = w427 * left_swing_angle_dot
-    w471 = w470 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w470 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w472 = w470 * c34
-    w473 = shaft_e0_dot * w468 - (shaft_e1_dot * w469 + shaft_e2_dot * w471 - shaft_e3_dot * w472)
-    w474 = shaft_e0_dot * w469 + shaft_e1_dot * w468 - (shaft_e2_dot * w472 + shaft_e3_dot * w471)
-    w475 = shaft_e0_dot * w471 + shaft_e2_dot * w468 + (shaft_e3_dot * w469 + shaft_e1_dot * w472)
-    w476 = shaft_e3_dot * w468 - shaft_e0_dot * w472 + (shaft_e1_dot * w471 - shaft_e2_dot * w469)
-    w477 = w400 * w432 - w402 * w431
-    w478 = w402 * w434 - w399 * w432
-    w479 = w399 * w431 - w400 * w434
+    w397 = w186 * shaft_left_x + w3 * shaft_left_z
+    w398 = w184 * shaft_left_x + w10 * shaft_left_z
+    w399 = w5 * w398
+    w400 = w175 * shaft_left_x + w25 * shaft_left_z
+    w401 = w19 * w397
+    w402 = w0 * w400
+    w403 = w8 * w369
+    w404 = w8 * w367
+    w405 = w8 * w382
+    w406 = w8 * w383
+    w407 = w8 * w397
+    w408 = w8 * w398
+    w409 = w8 * w371
+    w410 = -w379
+    w411 = w8 * w385
+    w412 = w8 * w400
+    w413 = spin_angle / 2.0
+    w414 = ca.sin(w413)
+    w415 = ca.cos(w413)
+    w416 = w378 / 2.0
+    w417 = w416 * c33
+    w418 = w416 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w416 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
+    w419 = w374 / 2.0
+    w420 = w419 * c34
+    w421 = w419 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w419 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
+    w422 = w392 / 2.0
+    w423 = w422 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w422 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
+    w424 = w422 * c36
+    w425 = w389 / 2.0
+    w426 = w425 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w425 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
+    w427 = w425 * c35
+    w428 = (spin_angle_dot / 2.0)**2
+    w429 = w167 + (w166 + w14 * shaft_e1_dot) + w19 * shaft_e3_dot
+    w430 = w170 + w5 * shaft_e2_dot + w6 * shaft_e3_dot
+    w431 = w10 * w430 - w25 * w429
+    w432 = w177 + (w176 + w0 * shaft_e1_dot + w17 * shaft_e2_dot)
+    w433 = w25 * w432 - w3 * w430
+    w434 = 2 * height_travel_dot
+    w435 = w3 * w429 - w10 * w432
+    w436 = right_swing_angle_dot / 2.0
+    w437 = w436**2
+    w438 = w374 * w437
+    w439 = w436 * (w374 * w436) * c33
+    w440 = w438 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w438 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
+    w441 = w378 * w437
+    w442 = w436 * (w378 * w436) * c34
+    w443 = w441 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0 - w441 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0
+    w444 = w416 * right_swing_angle_dot
+    w445 = w444 * c33
+    w446 = w444 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0 - w444 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0
+    w447 = w419 * right_swing_angle_dot
+    w448 = w447 * c34
+    w449 = w447 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w447 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
+    w450 = shaft_e0_dot * w445 + (shaft_e1_dot * w446 - shaft_e2_dot * w448 + shaft_e3_dot * w449)
+    w451 = shaft_e0_dot * w446 - shaft_e1_dot * w445 + (shaft_e2_dot * w449 + shaft_e3_dot * w448)
+    w452 = shaft_e3_dot * w446 - shaft_e1_dot * w449 - (shaft_e0_dot * w448 + shaft_e2_dot * w445)
+    w453 = shaft_e0_dot * w449 - shaft_e3_dot * w445 - (shaft_e1_dot * w448 + shaft_e2_dot * w446)
+    w454 = w383 * w430 - w385 * w429
+    w455 = w385 * w432 - w382 * w430
+    w456 = w382 * w429 - w383 * w432
+    w457 = left_swing_angle_dot / 2.0
+    w458 = w457**2
+    w459 = w389 * w458
+    w460 = w459 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0 - w459 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0
+    w461 = w392 * w458
+    w462 = w461 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w461 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
+    w463 = w457 * (w389 * w457) * c36
+    w464 = w457 * (w392 * w457) * c35
+    w465 = w422 * left_swing_angle_dot
+    w466 = w465 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w465 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
+    w467 = w465 * c36
+    w468 = w425 * left_swing_angle_dot
+    w469 = w468 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_1_0_0 - w468 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
+    w470 = w468 * c35
+    w471 = shaft_e0_dot * w466 - (shaft_e1_dot * w467 + shaft_e2_dot * w469 - shaft_e3_dot * w470)
+    w472 = shaft_e0_dot * w467 + shaft_e1_dot * w466 - (shaft_e2_dot * w470 + shaft_e3_dot * w469)
+    w473 = shaft_e0_dot * w469 + shaft_e2_dot * w466 + (shaft_e3_dot * w467 + shaft_e1_dot * w470)
+    w474 = shaft_e3_dot * w466 - shaft_e0_dot * w470 + (shaft_e1_dot * w469 - shaft_e2_dot * w467)
+    w475 = w398 * w430 - w400 * w429
+    w476 = w400 * w432 - w397 * w430
+    w477 = w397 * w429 - w398 * w432
+    w478 = w389 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0 - w389 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0
     # outputs
     M = ca.SX(32, 32)
     # shaft.x
@@ -1868,7 +1870,7 @@ def augmented() -> ca.Function:
     M[3, 0] = w13
     M[3, 1] = w27
     M[3, 2] = w33
-    M[3, 3] = w19 * (w19 * c62) + w0 * (w0 * c63) + w5 * (w5 * c64)
+    M[3, 3] = w19 * (w19 * c63) + w0 * (w0 * c64) + w5 * (w5 * c65)
     M[3, 4] = w38
     M[3, 5] = w41
     M[3, 6] = w45
@@ -1877,7 +1879,7 @@ def augmented() -> ca.Function:
     M[4, 1] = w29
     M[4, 2] = w34
     M[4, 3] = w38
-    M[4, 4] = w8 * w37 + w5 * (w5 * c63) + w6 * (w6 * c64)
+    M[4, 4] = w8 * w37 + w5 * (w5 * c64) + w6 * (w6 * c65)
     M[4, 5] = w46
     M[4, 6] = w47
     # shaft.e2
@@ -1886,7 +1888,7 @@ def augmented() -> ca.Function:
     M[5, 2] = w35
     M[5, 3] = w41
     M[5, 4] = w46
-    M[5, 5] = w14 * (w14 * c62) + w8 * w39 + w19 * w40
+    M[5, 5] = w14 * (w14 * c63) + w8 * w39 + w19 * w40
     M[5, 6] = w48
     # shaft.e3
     M[6, 0] = w22
@@ -1903,19 +1905,19 @@ def augmented() -> ca.Function:
     # slider.z
     M[9, 9] = slider_mass
     # slider.e0
-    M[10, 10] = w49 * (w49 * c72) + w50 * (w50 * c73) + w51 * (w51 * c74)
+    M[10, 10] = w49 * (w49 * c73) + w50 * (w50 * c74) + w51 * (w51 * c75)
     M[10, 11] = w55
     M[10, 12] = w59
     M[10, 13] = w64
     # slider.e1
     M[11, 10] = w55
-    M[11, 11] = w52 * w53 + w51 * (w51 * c73) + w54 * (w54 * c74)
+    M[11, 11] = w52 * w53 + w51 * (w51 * c74) + w54 * (w54 * c75)
     M[11, 12] = w65
     M[11, 13] = w66
     # slider.e2
     M[12, 10] = w59
     M[12, 11] = w65
-    M[12, 12] = w56 * (w56 * c72) + w52 * w57 + w49 * w58
+    M[12, 12] = w56 * (w56 * c73) + w52 * w57 + w49 * w58
     M[12, 13] = w67
     # slider.e3
     M[13, 10] = w64
@@ -1944,7 +1946,7 @@ def augmented() -> ca.Function:
     M[17, 14] = w81
     M[17, 15] = w94
     M[17, 16] = w101
-    M[17, 17] = w86 * (w86 * c81) + w68 * (w68 * c16) + w75 * (w75 * c82)
+    M[17, 17] = w86 * (w86 * c82) + w68 * (w68 * c16) + w75 * (w75 * c83)
     M[17, 18] = w106
     M[17, 19] = w109
     M[17, 20] = w113
@@ -1953,7 +1955,7 @@ def augmented() -> ca.Function:
     M[18, 15] = w96
     M[18, 16] = w102
     M[18, 17] = w106
-    M[18, 18] = w71 * w105 + w75 * (w75 * c16) + w99 * (w99 * c82)
+    M[18, 18] = w71 * w105 + w75 * (w75 * c16) + w99 * (w99 * c83)
     M[18, 19] = w114
     M[18, 20] = w115
     # right_rod.e2
@@ -1962,7 +1964,7 @@ def augmented() -> ca.Function:
     M[19, 16] = w103
     M[19, 17] = w109
     M[19, 18] = w114
-    M[19, 19] = w82 * (w82 * c81) + w71 * w107 + w86 * w108
+    M[19, 19] = w82 * (w82 * c82) + w71 * w107 + w86 * w108
     M[19, 20] = w116
     # right_rod.e3
     M[20, 14] = w89
@@ -1994,7 +1996,7 @@ def augmented() -> ca.Function:
     M[24, 21] = w130
     M[24, 22] = w143
     M[24, 23] = w150
-    M[24, 24] = w135 * (w135 * c89) + w117 * (w117 * c17) + w124 * (w124 * c90)
+    M[24, 24] = w135 * (w135 * c90) + w117 * (w117 * c17) + w124 * (w124 * c91)
     M[24, 25] = w155
     M[24, 26] = w158
     M[24, 27] = w162
@@ -2003,7 +2005,7 @@ def augmented() -> ca.Function:
     M[25, 22] = w145
     M[25, 23] = w151
     M[25, 24] = w155
-    M[25, 25] = w120 * w154 + w124 * (w124 * c17) + w148 * (w148 * c90)
+    M[25, 25] = w120 * w154 + w124 * (w124 * c17) + w148 * (w148 * c91)
     M[25, 26] = w163
     M[25, 27] = w164
     # left_rod.e2
@@ -2012,7 +2014,7 @@ def augmented() -> ca.Function:
     M[26, 23] = w152
     M[26, 24] = w158
     M[26, 25] = w163
-    M[26, 26] = w131 * (w131 * c89) + w120 * w156 + w135 * w157
+    M[26, 26] = w131 * (w131 * c90) + w120 * w156 + w135 * w157
     M[26, 27] = w165
     # left_rod.e3
     M[27, 21] = w138
@@ -2060,7 +2062,7 @@ def augmented() -> ca.Function:
     Q_F = ca.vertcat(
         0.0,  # shaft.x
         0.0,  # shaft.y
-        c97,  # shaft.z
+        c98,  # shaft.z
         w274,  # shaft.e0
         w275,  # shaft.e1
         w276,  # shaft.e2
@@ -2094,7 +2096,7 @@ def augmented() -> ca.Function:
     Q_star = ca.vertcat(
         w183,  # shaft.x
         w185,  # shaft.y
-        w187 + c97,  # shaft.z
+        w187 + c98,  # shaft.z
         w194 + w274,  # shaft.e0
         w195 + w275,  # shaft.e1
         w196 + w276,  # shaft.e2
@@ -2128,14 +2130,14 @@ def augmented() -> ca.Function:
     C_q = ca.SX(28, 32)
     # spin.e0
     C_q[0, 3] = 1.0
-    C_q[0, 28] = w416 / 2.0
+    C_q[0, 28] = w414 / 2.0
     # spin.e1
     C_q[1, 4] = 1.0
     # spin.e2
     C_q[2, 5] = 1.0
     # spin.e3
     C_q[3, 6] = 1.0
-    C_q[3, 28] = -(w417 / 2.0)
+    C_q[3, 28] = -(w415 / 2.0)
     # spin.x
     C_q[4, 0] = 1.0
     # spin.y
@@ -2158,129 +2160,129 @@ def augmented() -> ca.Function:
     C_q[11, 0] = -1.0
     C_q[11, 3] = w368 - w0 * w369
     C_q[11, 4] = w0 * w367 - w14 * w369
-    C_q[11, 5] = w17 * w367 - w405
-    C_q[11, 6] = w406 - w370
+    C_q[11, 5] = w17 * w367 - w403
+    C_q[11, 6] = w404 - w370
     C_q[11, 7] = 1.0
     C_q[11, 29] = -w25
     # height.y
     C_q[12, 1] = -1.0
     C_q[12, 3] = w370 - w5 * w371
-    C_q[12, 4] = w405 - w372
+    C_q[12, 4] = w403 - w372
     C_q[12, 5] = w5 * w369 - w17 * w371
-    C_q[12, 6] = w6 * w369 - w411
+    C_q[12, 6] = w6 * w369 - w409
     C_q[12, 8] = 1.0
     C_q[12, 29] = -w10
     # height.z
     C_q[13, 2] = -1.0
     C_q[13, 3] = w372 - w19 * w367
-    C_q[13, 4] = w14 * w371 - w406
-    C_q[13, 5] = w411 - w368
+    C_q[13, 4] = w14 * w371 - w404
+    C_q[13, 5] = w409 - w368
     C_q[13, 6] = w19 * w371 - w6 * w367
     C_q[13, 9] = 1.0
     C_q[13, 29] = -w3
     # right_swing.e0
     C_q[14, 3] = w375
     C_q[14, 4] = w376
-    C_q[14, 5] = w412
+    C_q[14, 5] = w410
     C_q[14, 6] = w380
     C_q[14, 17] = 1.0
-    C_q[14, 30] = shaft_e0 * w419 + (shaft_e1 * w420 - shaft_e2 * w422 + shaft_e3 * w423)
+    C_q[14, 30] = shaft_e0 * w417 + (shaft_e1 * w418 - shaft_e2 * w420 + shaft_e3 * w421)
     # right_swing.e1
     C_q[15, 3] = w377
     C_q[15, 4] = w375
     C_q[15, 5] = w381
-    C_q[15, 6] = w412
+    C_q[15, 6] = w410
     C_q[15, 18] = 1.0
-    C_q[15, 30] = -(shaft_e0 * w420 - shaft_e1 * w419 + (shaft_e2 * w423 + shaft_e3 * w422))
+    C_q[15, 30] = shaft_e1 * w417 - shaft_e0 * w418 - (shaft_e2 * w421 + shaft_e3 * w420)
     # right_swing.e2
     C_q[16, 3] = w379
     C_q[16, 4] = w380
     C_q[16, 5] = w375
     C_q[16, 6] = w377
     C_q[16, 19] = 1.0
-    C_q[16, 30] = -(shaft_e3 * w420 - shaft_e1 * w423 - (shaft_e0 * w422 + shaft_e2 * w419))
+    C_q[16, 30] = shaft_e0 * w420 + shaft_e2 * w417 - (shaft_e3 * w418 - shaft_e1 * w421)
     # right_swing.e3
     C_q[17, 3] = w381
     C_q[17, 4] = w379
     C_q[17, 5] = w376
     C_q[17, 6] = w375
     C_q[17, 20] = 1.0
-    C_q[17, 30] = -(shaft_e0 * w423 - shaft_e3 * w419 - (shaft_e1 * w422 + shaft_e2 * w420))
+    C_q[17, 30] = shaft_e1 * w420 + shaft_e2 * w418 - (shaft_e0 * w421 - shaft_e3 * w417)
     # right_swing.x
     C_q[18, 0] = -1.0
-    C_q[18, 3] = -(w0 * w382 - w384)
-    C_q[18, 4] = -(w14 * w382 - w0 * w383)
-    C_q[18, 5] = -(w407 - w17 * w383)
-    C_q[18, 6] = -(w386 - w408)
+    C_q[18, 3] = w384 - w0 * w382
+    C_q[18, 4] = w0 * w383 - w14 * w382
+    C_q[18, 5] = w17 * w383 - w405
+    C_q[18, 6] = w406 - w386
     C_q[18, 14] = 1.0
     # right_swing.y
     C_q[19, 1] = -1.0
-    C_q[19, 3] = -(w5 * w385 - w386)
-    C_q[19, 4] = -(w387 - w407)
-    C_q[19, 5] = -(w17 * w385 - w5 * w382)
-    C_q[19, 6] = -(w413 - w6 * w382)
+    C_q[19, 3] = w386 - w5 * w385
+    C_q[19, 4] = w405 - w387
+    C_q[19, 5] = w5 * w382 - w17 * w385
+    C_q[19, 6] = w6 * w382 - w411
     C_q[19, 15] = 1.0
     # right_swing.z
     C_q[20, 2] = -1.0
-    C_q[20, 3] = -(w19 * w383 - w387)
-    C_q[20, 4] = -(w408 - w14 * w385)
-    C_q[20, 5] = -(w384 - w413)
-    C_q[20, 6] = -(w6 * w383 - w19 * w385)
+    C_q[20, 3] = w387 - w19 * w383
+    C_q[20, 4] = w14 * w385 - w406
+    C_q[20, 5] = w411 - w384
+    C_q[20, 6] = w19 * w385 - w6 * w383
     C_q[20, 16] = 1.0
     # left_swing.e0
-    C_q[21, 3] = w391
-    C_q[21, 4] = w392
-    C_q[21, 5] = w395
-    C_q[21, 6] = w397
+    C_q[21, 3] = w478
+    C_q[21, 4] = w390
+    C_q[21, 5] = w393
+    C_q[21, 6] = w395
     C_q[21, 24] = 1.0
-    C_q[21, 31] = -(shaft_e0 * w425 - (shaft_e1 * w426 + shaft_e2 * w428 - shaft_e3 * w429))
+    C_q[21, 31] = shaft_e1 * w424 + shaft_e2 * w426 - shaft_e3 * w427 - shaft_e0 * w423
     # left_swing.e1
-    C_q[22, 3] = w393
-    C_q[22, 4] = w391
-    C_q[22, 5] = w398
-    C_q[22, 6] = w395
+    C_q[22, 3] = w391
+    C_q[22, 4] = w478
+    C_q[22, 5] = w396
+    C_q[22, 6] = w393
     C_q[22, 25] = 1.0
-    C_q[22, 31] = -(shaft_e0 * w426 + shaft_e1 * w425 - (shaft_e2 * w429 + shaft_e3 * w428))
+    C_q[22, 31] = shaft_e2 * w427 + shaft_e3 * w426 - (shaft_e0 * w424 + shaft_e1 * w423)
     # left_swing.e2
-    C_q[23, 3] = w396
-    C_q[23, 4] = w397
-    C_q[23, 5] = w391
-    C_q[23, 6] = w393
+    C_q[23, 3] = w394
+    C_q[23, 4] = w395
+    C_q[23, 5] = w478
+    C_q[23, 6] = w391
     C_q[23, 26] = 1.0
-    C_q[23, 31] = -(shaft_e0 * w428 + shaft_e2 * w425 + (shaft_e3 * w426 + shaft_e1 * w429))
+    C_q[23, 31] = -(shaft_e0 * w426 + shaft_e2 * w423 + (shaft_e3 * w424 + shaft_e1 * w427))
     # left_swing.e3
-    C_q[24, 3] = w398
-    C_q[24, 4] = w396
-    C_q[24, 5] = w392
-    C_q[24, 6] = w391
+    C_q[24, 3] = w396
+    C_q[24, 4] = w394
+    C_q[24, 5] = w390
+    C_q[24, 6] = w478
     C_q[24, 27] = 1.0
-    C_q[24, 31] = -(shaft_e3 * w425 - shaft_e0 * w429 + (shaft_e1 * w428 - shaft_e2 * w426))
+    C_q[24, 31] = shaft_e0 * w427 - shaft_e3 * w423 - (shaft_e1 * w426 - shaft_e2 * w424)
     # left_swing.x
     C_q[25, 0] = -1.0
-    C_q[25, 3] = -(w0 * w399 - w401)
-    C_q[25, 4] = -(w14 * w399 - w0 * w400)
-    C_q[25, 5] = -(w409 - w17 * w400)
-    C_q[25, 6] = -(w403 - w410)
+    C_q[25, 3] = w399 - w0 * w397
+    C_q[25, 4] = w0 * w398 - w14 * w397
+    C_q[25, 5] = w17 * w398 - w407
+    C_q[25, 6] = w408 - w401
     C_q[25, 21] = 1.0
     # left_swing.y
     C_q[26, 1] = -1.0
-    C_q[26, 3] = -(w5 * w402 - w403)
-    C_q[26, 4] = -(w404 - w409)
-    C_q[26, 5] = -(w17 * w402 - w5 * w399)
-    C_q[26, 6] = -(w414 - w6 * w399)
+    C_q[26, 3] = w401 - w5 * w400
+    C_q[26, 4] = w407 - w402
+    C_q[26, 5] = w5 * w397 - w17 * w400
+    C_q[26, 6] = w6 * w397 - w412
     C_q[26, 22] = 1.0
     # left_swing.z
     C_q[27, 2] = -1.0
-    C_q[27, 3] = -(w19 * w400 - w404)
-    C_q[27, 4] = -(w410 - w14 * w402)
-    C_q[27, 5] = -(w401 - w414)
-    C_q[27, 6] = -(w6 * w400 - w19 * w402)
+    C_q[27, 3] = w402 - w19 * w398
+    C_q[27, 4] = w14 * w400 - w408
+    C_q[27, 5] = w412 - w399
+    C_q[27, 6] = w19 * w400 - w6 * w398
     C_q[27, 23] = 1.0
     gamma_b = ca.vertcat(
-        -(w417 * w430),  # spin.e0
+        -(w415 * w428),  # spin.e0
         0.0,  # spin.e1
         0.0,  # spin.e2
-        -(w416 * w430),  # spin.e3
+        -(w414 * w428),  # spin.e3
         0.0,  # spin.x
         0.0,  # spin.y
         0.0,  # spin.z
@@ -2288,23 +2290,23 @@ def augmented() -> ca.Function:
         0.0,  # height.e1
         0.0,  # height.e2
         0.0,  # height.e3
-        height_travel * (w431 * w433 - w434 * w435) + w436 * w437,  # height.x
-        height_travel * (w434 * w437 - w432 * w433) + w435 * w436,  # height.y
-        height_travel * (w432 * w435 - w431 * w437) + w433 * w436,  # height.z
-        -(w452 + (shaft_e0 * w441 + (shaft_e1 * w442 + shaft_e2 * w444 + shaft_e3 * w445) + w452)),  # right_swing.e0
-        w453 + (shaft_e0 * w442 - shaft_e1 * w441 + (shaft_e2 * w445 - shaft_e3 * w444) + w453),  # right_swing.e1
-        w454 + (shaft_e0 * w444 - shaft_e2 * w441 + (shaft_e3 * w442 - shaft_e1 * w445) + w454),  # right_swing.e2
-        w455 + (shaft_e0 * w445 - shaft_e3 * w441 + (shaft_e1 * w444 - shaft_e2 * w442) + w455),  # right_swing.e3
-        w431 * w456 - w434 * w457,  # right_swing.x
-        w434 * w458 - w432 * w456,  # right_swing.y
-        w432 * w457 - w431 * w458,  # right_swing.z
-        w473 + (shaft_e0 * w462 - (shaft_e2 * w464 - shaft_e1 * w465 - shaft_e3 * w466) + w473),  # left_swing.e0
-        w474 + (shaft_e1 * w462 - shaft_e0 * w465 - (shaft_e2 * w466 + shaft_e3 * w464) + w474),  # left_swing.e1
-        w475 + (shaft_e0 * w464 + shaft_e2 * w462 + (shaft_e1 * w466 - shaft_e3 * w465) + w475),  # left_swing.e2
-        w476 + (shaft_e3 * w462 - shaft_e0 * w466 + (shaft_e1 * w464 + shaft_e2 * w465) + w476),  # left_swing.e3
-        w431 * w477 - w434 * w478,  # left_swing.x
-        w434 * w479 - w432 * w477,  # left_swing.y
-        w432 * w478 - w431 * w479,  # left_swing.z
+        height_travel * (w429 * w431 - w432 * w433) + w434 * w435,  # height.x
+        height_travel * (w432 * w435 - w430 * w431) + w433 * w434,  # height.y
+        height_travel * (w430 * w433 - w429 * w435) + w431 * w434,  # height.z
+        -(w450 + (shaft_e0 * w439 + (shaft_e1 * w440 + shaft_e2 * w442 + shaft_e3 * w443) + w450)),  # right_swing.e0
+        w451 + (shaft_e0 * w440 - shaft_e1 * w439 + (shaft_e2 * w443 - shaft_e3 * w442) + w451),  # right_swing.e1
+        w452 + (shaft_e0 * w442 - shaft_e2 * w439 + (shaft_e3 * w440 - shaft_e1 * w443) + w452),  # right_swing.e2
+        w453 + (shaft_e0 * w443 - shaft_e3 * w439 + (shaft_e1 * w442 - shaft_e2 * w440) + w453),  # right_swing.e3
+        w429 * w454 - w432 * w455,  # right_swing.x
+        w432 * w456 - w430 * w454,  # right_swing.y
+        w430 * w455 - w429 * w456,  # right_swing.z
+        w471 + (shaft_e0 * w460 - (shaft_e2 * w462 - shaft_e1 * w463 - shaft_e3 * w464) + w471),  # left_swing.e0
+        w472 + (shaft_e1 * w460 - shaft_e0 * w463 - (shaft_e2 * w464 + shaft_e3 * w462) + w472),  # left_swing.e1
+        w473 + (shaft_e0 * w462 + shaft_e2 * w460 + (shaft_e1 * w464 - shaft_e3 * w463) + w473),  # left_swing.e2
+        w474 + (shaft_e3 * w460 - shaft_e0 * w464 + (shaft_e1 * w462 + shaft_e2 * w463) + w474),  # left_swing.e3
+        w429 * w475 - w432 * w476,  # left_swing.x
+        w432 * w477 - w430 * w475,  # left_swing.y
+        w430 * w476 - w429 * w477,  # left_swing.z
     )
     inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
@@ -2316,15 +2318,15 @@ def reactions() -> ca.Function:
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
     takes q_ddot (n = 32) [mixed]: accelerations of all coordinates
-    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 28) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 4) [N, N m]: world force and moment of a joint on its body b, at b
-    2177 operations.
+    2173 operations.
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
     q_ddot = ca.SX.sym("q_ddot", 32)
-    c = ca.SX.sym("c", 105)
+    c = ca.SX.sym("c", 108)
     shaft_e0 = q[3]
     shaft_e1 = q[4]
     shaft_e2 = q[5]
@@ -2431,28 +2433,27 @@ def reactions() -> ca.Function:
     shaft_left_z = c[29]
     left_spring_stiffness = c[30]
     left_spring_damping = c[31]
-    c32 = c[32]
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
-    shaft_right_quaternion_0_0_0 = c[43]
-    right_rod_hinge_quaternion_0_0_0 = c[44]
-    shaft_right_quaternion_1_0_0 = c[45]
-    right_rod_hinge_quaternion_1_0_0 = c[46]
-    shaft_left_quaternion_2_0_0 = c[47]
-    left_rod_hinge_quaternion_1_0_0 = c[48]
-    shaft_left_quaternion_3_0_0 = c[49]
-    left_rod_hinge_quaternion_0_0_0 = c[50]
-    left_rod_mass = c[51]
-    right_rod_mass = c[52]
-    c53 = c[53]
+    c36 = c[36]
+    shaft_right_quaternion_0_0_0 = c[44]
+    right_rod_hinge_quaternion_0_0_0 = c[45]
+    shaft_right_quaternion_1_0_0 = c[46]
+    right_rod_hinge_quaternion_1_0_0 = c[47]
+    shaft_left_quaternion_2_0_0 = c[48]
+    left_rod_hinge_quaternion_1_0_0 = c[49]
+    shaft_left_quaternion_3_0_0 = c[50]
+    left_rod_hinge_quaternion_0_0_0 = c[51]
+    left_rod_mass = c[52]
+    right_rod_mass = c[53]
     c54 = c[54]
     c55 = c[55]
     c56 = c[56]
     c57 = c[57]
     c58 = c[58]
-    shaft_mass = c[59]
-    c60 = c[60]
+    c59 = c[59]
+    shaft_mass = c[60]
     c61 = c[61]
     c62 = c[62]
     c63 = c[63]
@@ -2492,51 +2493,52 @@ def reactions() -> ca.Function:
     c97 = c[97]
     c98 = c[98]
     c99 = c[99]
+    c100 = c[100]
     # intermediate terms (479)
     w0 = shaft_e1 * -2.0
     w1 = shaft_e3 * -2.0
     w2 = 2 * shaft_e2
     w3 = 2 * shaft_e0
     w4 = shaft_e0_dot * w1 + shaft_e1_dot * w2 + w0 * shaft_e2_dot + shaft_e3_dot * w3
-    w5 = w4 * c61
+    w5 = w4 * c62
     w6 = shaft_e2 * -2.0
     w7 = 2 * shaft_e1
     w8 = shaft_e0_dot * w6 + w1 * shaft_e1_dot + shaft_e2_dot * w3 + shaft_e3_dot * w7
-    w9 = w8 * c55
+    w9 = w8 * c56
     w10 = w5 * w8 - w4 * w9
     w11 = 2 * shaft_e3
     w12 = w0 * shaft_e0_dot + shaft_e1_dot * w3 + shaft_e2_dot * w11 + shaft_e3_dot * w6
-    w13 = w12 * c53
+    w13 = w12 * c54
     w14 = w4 * w13 - w5 * w12
     w15 = w9 * w12 - w8 * w13
     w16 = shaft_e3 * w2
     w17 = shaft_e1 * w3
     w18 = w16 - w17
-    w19 = w18 * c60
+    w19 = w18 * c61
     w20 = shaft_e2 * w3
     w21 = shaft_e3 * w7
     w22 = w20 + w21
-    w23 = w22 * c60
+    w23 = w22 * c61
     w24 = w6 * w23
     w25 = w0 * w19 - w24
     w26 = 1.0 - 2 * shaft_e1**2
     w27 = 2 * shaft_e2**2
     w28 = w26 - w27
-    w29 = w28 * c60
+    w29 = w28 * c61
     w30 = w1 * w19
     w31 = w6 * w29 - w30
     w32 = w0 * w29
     w33 = w1 * w23 - w32
-    w34 = w31 * shaft_x_ddot + w33 * shaft_y_ddot + w25 * shaft_z_ddot + (w0 * (w0 * c62) + w6 * (w6 * c63) + w1 * (w1 * c64)) * shaft_e0_ddot
-    w35 = w3 * c62
-    w36 = w0 * w35 + shaft_e3 * shaft_e2 * c65
-    w37 = w3 * c63
-    w38 = w0 * c64
-    w39 = w6 * w37 + shaft_e1 * shaft_e3 * c66
-    w40 = w6 * c62
-    w41 = w7 * c63
-    w42 = w3 * c64
-    w43 = shaft_e1 * shaft_e2 * c67 + w1 * w42
+    w34 = w31 * shaft_x_ddot + w33 * shaft_y_ddot + w25 * shaft_z_ddot + (w0 * (w0 * c63) + w6 * (w6 * c64) + w1 * (w1 * c65)) * shaft_e0_ddot
+    w35 = w3 * c63
+    w36 = w0 * w35 + shaft_e3 * shaft_e2 * c66
+    w37 = w3 * c64
+    w38 = w0 * c65
+    w39 = w6 * w37 + shaft_e1 * shaft_e3 * c67
+    w40 = w6 * c63
+    w41 = w7 * c64
+    w42 = w3 * c65
+    w43 = shaft_e1 * shaft_e2 * c68 + w1 * w42
     w44 = w0 * w10 + w6 * w14 + w1 * w15 + w25 * gravity_z - (w34 + w36 * shaft_e1_ddot + w39 * shaft_e2_ddot + w43 * shaft_e3_ddot)
     w45 = shaft_e3 * w3
     w46 = shaft_e2 * w7
@@ -2625,7 +2627,7 @@ def reactions() -> ca.Function:
     w129 = w127 - w128
     w130 = left_rod_z_ddot * left_rod_mass + w124 * left_rod_e0_ddot + w126 * left_rod_e1_ddot + w129 * left_rod_e2_ddot
     w131 = w60 * w121 - w61 * w122
-    w132 = w57 * w70 - (w71 + w72) * w76 - (w77 - w78) * w79 + (c99 + w120) - (w130 + w131 * left_rod_e3_ddot)
+    w132 = w57 * w70 - (w71 + w72) * w76 - (w77 - w78) * w79 + (c100 + w120) - (w130 + w131 * left_rod_e3_ddot)
     w133 = w21 - w20
     w134 = w133 * shaft_left_x + w28 * shaft_left_z
     w135 = w0 * w134
@@ -2649,9 +2651,9 @@ def reactions() -> ca.Function:
     w153 = w70 * w83 - w76 * (w91 - w90) - w79 * (w54 + w56) + w147 - (w151 + left_rod_e3_ddot * w152)
     w154 = left_swing_angle / 2.0
     w155 = ca.cos(w154)
-    w156 = w155 * c34
+    w156 = w155 * c35
     w157 = w63 * c1
-    w158 = w68 * c56
+    w158 = w68 * c57
     w159 = w68 * w157 - w63 * w158
     w160 = w75 * c0
     w161 = w63 * w160 - w75 * w157
@@ -2660,13 +2662,13 @@ def reactions() -> ca.Function:
     w164 = w55 * w93
     w165 = w55 * w84
     w166 = w131 * gravity_z + (w147 * (w163 - w164) + w136 * (w165 - w60 * w97) + w120 * (w60 * w93 - w61 * w84))
-    w167 = w65 * c89
+    w167 = w65 * c90
     w168 = w53 * c17
-    w169 = w55 * c90
-    w170 = left_rod_e1 * left_rod_e2 * c93 + w58 * w169
+    w169 = w55 * c91
+    w170 = left_rod_e1 * left_rod_e2 * c94 + w58 * w169
     w171 = left_rod_x_ddot * w152 + left_rod_y_ddot * w144 + left_rod_z_ddot * w131 + left_rod_e0_ddot * w170
-    w172 = w58 * w168 + left_rod_e0 * left_rod_e2 * c95
-    w173 = w74 * w167 + left_rod_e1 * left_rod_e0 * c96
+    w172 = w58 * w168 + left_rod_e0 * left_rod_e2 * c96
+    w173 = w74 * w167 + left_rod_e1 * left_rod_e0 * c97
     w174 = w171 + left_rod_e1_ddot * w172 + left_rod_e2_ddot * w173 + left_rod_e3_ddot * (w65 * w167 + w53 * w168 + w55 * w169)
     w175 = w65 * w159 + w53 * w161 + w55 * w162 + w166 - w174
     w176 = w44 + (w0 * w48 - w52) * w132 + (w1 * w51 - w135) * w145 + (w6 * w134 - w146) * w153 + w156 * w175
@@ -2675,24 +2677,24 @@ def reactions() -> ca.Function:
     w179 = w58 * w93
     w180 = w129 * gravity_z + (w147 * (w178 - w53 * w93) + w136 * (w53 * w84 - w58 * w97) + w120 * (w179 - w165))
     w181 = w55 * c17
-    w182 = w61 * c90
-    w183 = w65 * w181 + left_rod_e1 * left_rod_e3 * c92
+    w182 = w61 * c91
+    w183 = w65 * w181 + left_rod_e1 * left_rod_e3 * c93
     w184 = left_rod_x_ddot * w150 + left_rod_y_ddot * w142 + left_rod_z_ddot * w129 + left_rod_e0_ddot * w183
-    w185 = left_rod_e3 * left_rod_e0 * c94 + w60 * w182
-    w186 = w184 + left_rod_e1_ddot * w185 + left_rod_e2_ddot * (w74 * (w74 * c89) + w55 * w181 + w61 * w182)
+    w185 = left_rod_e3 * left_rod_e0 * c95 + w60 * w182
+    w186 = w184 + left_rod_e1_ddot * w185 + left_rod_e2_ddot * (w74 * (w74 * c90) + w55 * w181 + w61 * w182)
     w187 = w74 * w159 + w55 * w161 + w61 * w162 + w180 - (w186 + left_rod_e3_ddot * w173)
     w188 = ca.sin(w154)
-    w189 = w188 * c35
+    w189 = w188 * c36
     w190 = w65 * w84
     w191 = w126 * gravity_z + (w147 * (w74 * w97 - w65 * w93) + w136 * (w190 - w178) + w120 * (w164 - w74 * w84))
-    w192 = w55 * c89
-    w193 = w61 * w192 + left_rod_e3 * left_rod_e2 * c91
+    w192 = w55 * c90
+    w193 = w61 * w192 + left_rod_e3 * left_rod_e2 * c92
     w194 = left_rod_x_ddot * w149 + left_rod_y_ddot * w141 + left_rod_z_ddot * w126 + left_rod_e0_ddot * w193
-    w195 = w194 + left_rod_e1_ddot * (w55 * w192 + w58 * (w58 * c17) + w60 * (w60 * c90)) + left_rod_e2_ddot * w185
+    w195 = w194 + left_rod_e1_ddot * (w55 * w192 + w58 * (w58 * c17) + w60 * (w60 * c91)) + left_rod_e2_ddot * w185
     w196 = w55 * w159 + w58 * w161 + w60 * w162 + w191 - (w195 + left_rod_e3_ddot * w172)
     w197 = w188 * shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0 - w188 * shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
     w198 = w124 * gravity_z + (w147 * (w65 * w97 - w179) + w136 * (w58 * w84 - w163) + w120 * (w61 * w93 - w190))
-    w199 = left_rod_x_ddot * w148 + left_rod_y_ddot * w139 + left_rod_z_ddot * w124 + left_rod_e0_ddot * (w61 * (w61 * c89) + w65 * (w65 * c17) + w58 * (w58 * c90))
+    w199 = left_rod_x_ddot * w148 + left_rod_y_ddot * w139 + left_rod_z_ddot * w124 + left_rod_e0_ddot * (w61 * (w61 * c90) + w65 * (w65 * c17) + w58 * (w58 * c91))
     w200 = w61 * w159 + w65 * w161 + w58 * w162 + w198 - (w199 + left_rod_e1_ddot * w193 + left_rod_e2_ddot * w183 + left_rod_e3_ddot * w170)
     w201 = w47 * shaft_right_x + w18 * shaft_right_z
     w202 = w50 * shaft_right_x + w22 * shaft_right_z
@@ -2759,7 +2761,7 @@ def reactions() -> ca.Function:
     w263 = w261 - w262
     w264 = right_rod_z_ddot * right_rod_mass + w258 * right_rod_e0_ddot + w260 * right_rod_e1_ddot + w263 * right_rod_e2_ddot
     w265 = w211 * w255 - w212 * w256
-    w266 = w208 * w221 - (w222 + w223) * w227 - (w228 - w229) * w230 + (c98 + w254) - (w264 + w265 * right_rod_e3_ddot)
+    w266 = w208 * w221 - (w222 + w223) * w227 - (w228 - w229) * w230 + (c99 + w254) - (w264 + w265 * right_rod_e3_ddot)
     w267 = w133 * shaft_right_x + w28 * shaft_right_z
     w268 = w0 * w267
     w269 = w241 * w246 * right_spring_stiffness + w241 * w253 / w245
@@ -2785,7 +2787,7 @@ def reactions() -> ca.Function:
     w289 = ca.sin(w288)
     w290 = w289 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0 - w289 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
     w291 = w214 * c8
-    w292 = w219 * c57
+    w292 = w219 * c58
     w293 = w219 * w291 - w214 * w292
     w294 = w226 * c7
     w295 = w214 * w294 - w226 * w291
@@ -2794,38 +2796,38 @@ def reactions() -> ca.Function:
     w298 = w206 * w240
     w299 = w206 * w234
     w300 = w265 * gravity_z + (w281 * (w297 - w298) + w269 * (w299 - w211 * w243) + w254 * (w211 * w240 - w212 * w234))
-    w301 = w216 * c81
+    w301 = w216 * c82
     w302 = w204 * c16
-    w303 = w206 * c82
-    w304 = right_rod_e1 * right_rod_e2 * c85 + w209 * w303
+    w303 = w206 * c83
+    w304 = right_rod_e1 * right_rod_e2 * c86 + w209 * w303
     w305 = right_rod_x_ddot * w286 + right_rod_y_ddot * w277 + right_rod_z_ddot * w265 + right_rod_e0_ddot * w304
-    w306 = w209 * w302 + right_rod_e0 * right_rod_e2 * c87
-    w307 = w225 * w301 + right_rod_e1 * right_rod_e0 * c88
+    w306 = w209 * w302 + right_rod_e0 * right_rod_e2 * c88
+    w307 = w225 * w301 + right_rod_e1 * right_rod_e0 * c89
     w308 = w305 + right_rod_e1_ddot * w306 + right_rod_e2_ddot * w307 + right_rod_e3_ddot * (w216 * w301 + w204 * w302 + w206 * w303)
     w309 = w216 * w293 + w204 * w295 + w206 * w296 + w300 - w308
-    w310 = w289 * c33
+    w310 = w289 * c34
     w311 = w206 * w243
     w312 = w209 * w240
     w313 = w263 * gravity_z + (w281 * (w311 - w204 * w240) + w269 * (w204 * w234 - w209 * w243) + w254 * (w312 - w299))
     w314 = w206 * c16
-    w315 = w212 * c82
-    w316 = w216 * w314 + right_rod_e1 * right_rod_e3 * c84
+    w315 = w212 * c83
+    w316 = w216 * w314 + right_rod_e1 * right_rod_e3 * c85
     w317 = right_rod_x_ddot * w284 + right_rod_y_ddot * w275 + right_rod_z_ddot * w263 + right_rod_e0_ddot * w316
-    w318 = right_rod_e3 * right_rod_e0 * c86 + w211 * w315
-    w319 = w317 + right_rod_e1_ddot * w318 + right_rod_e2_ddot * (w225 * (w225 * c81) + w206 * w314 + w212 * w315)
+    w318 = right_rod_e3 * right_rod_e0 * c87 + w211 * w315
+    w319 = w317 + right_rod_e1_ddot * w318 + right_rod_e2_ddot * (w225 * (w225 * c82) + w206 * w314 + w212 * w315)
     w320 = w225 * w293 + w206 * w295 + w212 * w296 + w313 - (w319 + right_rod_e3_ddot * w307)
     w321 = ca.cos(w288)
     w322 = w321 * shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_0_0_0 - w321 * shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0
     w323 = w216 * w234
     w324 = w260 * gravity_z + (w281 * (w225 * w243 - w216 * w240) + w269 * (w323 - w311) + w254 * (w298 - w225 * w234))
-    w325 = w206 * c81
-    w326 = w212 * w325 + right_rod_e3 * right_rod_e2 * c83
+    w325 = w206 * c82
+    w326 = w212 * w325 + right_rod_e3 * right_rod_e2 * c84
     w327 = right_rod_x_ddot * w283 + right_rod_y_ddot * w274 + right_rod_z_ddot * w260 + right_rod_e0_ddot * w326
-    w328 = w327 + right_rod_e1_ddot * (w206 * w325 + w209 * (w209 * c16) + w211 * (w211 * c82)) + right_rod_e2_ddot * w318
+    w328 = w327 + right_rod_e1_ddot * (w206 * w325 + w209 * (w209 * c16) + w211 * (w211 * c83)) + right_rod_e2_ddot * w318
     w329 = w206 * w293 + w209 * w295 + w211 * w296 + w324 - (w328 + right_rod_e3_ddot * w306)
-    w330 = w321 * c32
+    w330 = w321 * c33
     w331 = w258 * gravity_z + (w281 * (w216 * w243 - w312) + w269 * (w209 * w234 - w297) + w254 * (w212 * w240 - w323))
-    w332 = right_rod_x_ddot * w282 + right_rod_y_ddot * w272 + right_rod_z_ddot * w258 + right_rod_e0_ddot * (w212 * (w212 * c81) + w216 * (w216 * c16) + w209 * (w209 * c82))
+    w332 = right_rod_x_ddot * w282 + right_rod_y_ddot * w272 + right_rod_z_ddot * w258 + right_rod_e0_ddot * (w212 * (w212 * c82) + w216 * (w216 * c16) + w209 * (w209 * c83))
     w333 = w212 * w293 + w216 * w295 + w209 * w296 + w331 - (w332 + right_rod_e1_ddot * w326 + right_rod_e2_ddot * w316 + right_rod_e3_ddot * w304)
     w334 = w22 * height_travel
     w335 = w6 * w334
@@ -2838,12 +2840,12 @@ def reactions() -> ca.Function:
     w342 = w1 * w336
     w343 = w147 + w281 + slider_x_ddot * slider_mass
     w344 = w109 + (w108 + slider_e1_dot * w114 + slider_e2_dot * w105)
-    w345 = w344 * c71
+    w345 = w344 * c72
     w346 = w104 + (w102 + slider_e1_dot * w107) + w87 * slider_e3_dot
-    w347 = w346 * c58
+    w347 = w346 * c59
     w348 = w345 * w346 - w344 * w347
     w349 = w113 + w103 * slider_e2_dot + w101 * slider_e3_dot
-    w350 = w349 * c54
+    w350 = w349 * c55
     w351 = w344 * w350 - w345 * w349
     w352 = w347 * w349 - w346 * w350
     w353 = w107 * w236
@@ -2853,16 +2855,16 @@ def reactions() -> ca.Function:
     w357 = w96 * w105
     w358 = w81 * w101
     w359 = w281 * (w101 * w242 - w353) + w269 * (w107 * w231 - w354) + w254 * (w105 * w236 - w355) + (w147 * (w96 * w101 - w356) + w136 * (w81 * w107 - w357) + w120 * (w89 * w105 - w358))
-    w360 = w86 * c72
-    w361 = w105 * w360 + slider_e2 * slider_e3 * c75
-    w362 = (w105 * (w105 * c72) + w101 * (w101 * c73) + w107 * (w107 * c74)) * slider_e0_ddot + w361 * slider_e1_ddot
-    w363 = w86 * c73
-    w364 = w105 * c74
-    w365 = w101 * w363 + slider_e3 * slider_e1 * c76
-    w366 = w101 * c72
-    w367 = w87 * c73
-    w368 = w86 * c74
-    w369 = slider_e2 * slider_e1 * c77 + w107 * w368
+    w360 = w86 * c73
+    w361 = w105 * w360 + slider_e2 * slider_e3 * c76
+    w362 = (w105 * (w105 * c73) + w101 * (w101 * c74) + w107 * (w107 * c75)) * slider_e0_ddot + w361 * slider_e1_ddot
+    w363 = w86 * c74
+    w364 = w105 * c75
+    w365 = w101 * w363 + slider_e3 * slider_e1 * c77
+    w366 = w101 * c73
+    w367 = w87 * c74
+    w368 = w86 * c75
+    w369 = slider_e2 * slider_e1 * c78 + w107 * w368
     w370 = w105 * w348 + w101 * w351 + w107 * w352 - w359 - (w362 + w365 * slider_e2_ddot + w369 * slider_e3_ddot)
     w371 = w338 + (w340 - w1 * w334) * w341 + (w342 - w6 * w339) * w343 + w370
     w372 = w3 * w19
@@ -2870,9 +2872,9 @@ def reactions() -> ca.Function:
     w374 = w11 * w29 - w6 * w19
     w375 = w3 * w29
     w376 = w24 - w375
-    w377 = shaft_x_ddot * w374 + shaft_y_ddot * w376 + shaft_z_ddot * w373 + shaft_e0_ddot * w36 + shaft_e1_ddot * (w3 * w35 + w1 * (w1 * c63) + w2 * (w2 * c64))
-    w378 = shaft_e3 * shaft_e0 * c68 + w2 * w38
-    w379 = w1 * w41 + shaft_e2 * shaft_e0 * c69
+    w377 = shaft_x_ddot * w374 + shaft_y_ddot * w376 + shaft_z_ddot * w373 + shaft_e0_ddot * w36 + shaft_e1_ddot * (w3 * w35 + w1 * (w1 * c64) + w2 * (w2 * c65))
+    w378 = shaft_e3 * shaft_e0 * c69 + w2 * w38
+    w379 = w1 * w41 + shaft_e2 * shaft_e0 * c70
     w380 = w3 * w10 + w1 * w14 + w2 * w15 + w373 * gravity_z - (w377 + shaft_e2_ddot * w378 + shaft_e3_ddot * w379)
     w381 = w3 * w48
     w382 = w3 * w134
@@ -2888,9 +2890,9 @@ def reactions() -> ca.Function:
     w392 = w86 * w96
     w393 = w86 * w89
     w394 = w281 * (w103 * w242 - w101 * w236) + w269 * (w355 - w390) + w254 * (w391 - w103 * w231) + (w147 * (w96 * w103 - w89 * w101) + w136 * (w358 - w392) + w120 * (w393 - w81 * w103))
-    w395 = slider_e0_ddot * w361 + slider_e1_ddot * (w86 * w360 + w107 * (w107 * c73) + w114 * (w114 * c74))
-    w396 = slider_e3 * slider_e0 * c78 + w114 * w364
-    w397 = w107 * w367 + slider_e2 * slider_e0 * c79
+    w395 = slider_e0_ddot * w361 + slider_e1_ddot * (w86 * w360 + w107 * (w107 * c74) + w114 * (w114 * c75))
+    w396 = slider_e3 * slider_e0 * c79 + w114 * w364
+    w397 = w107 * w367 + slider_e2 * slider_e0 * c80
     w398 = w86 * w348 + w107 * w351 + w114 * w352 - w394 - (w395 + slider_e2_ddot * w396 + slider_e3_ddot * w397)
     w399 = w388 + w341 * (w389 - w335) + w343 * (w6 * w336 - w11 * w339) + w398
     w400 = w3 * w23
@@ -2898,8 +2900,8 @@ def reactions() -> ca.Function:
     w402 = w375 - w7 * w19
     w403 = w7 * w23 - w1 * w29
     w404 = shaft_x_ddot * w402 + shaft_y_ddot * w403 + shaft_z_ddot * w401 + shaft_e0_ddot * w39 + shaft_e1_ddot * w378
-    w405 = w11 * w40 + shaft_e1 * shaft_e0 * c70
-    w406 = w10 * w11 + w3 * w14 + w0 * w15 + w401 * gravity_z - (w404 + shaft_e2_ddot * (w11 * (w11 * c62) + w3 * w37 + w0 * w38) + shaft_e3_ddot * w405)
+    w405 = w11 * w40 + shaft_e1 * shaft_e0 * c71
+    w406 = w10 * w11 + w3 * w14 + w0 * w15 + w401 * gravity_z - (w404 + shaft_e2_ddot * (w11 * (w11 * c63) + w3 * w37 + w0 * w38) + shaft_e3_ddot * w405)
     w407 = w3 * w51
     w408 = w406 + w132 * (w146 - w407) + w145 * (w7 * w51 - w1 * w134) + w153 * (w382 - w7 * w48) - w175 * w189
     w409 = w3 * w202
@@ -2909,8 +2911,8 @@ def reactions() -> ca.Function:
     w413 = w86 * w231
     w414 = w81 * w86
     w415 = w281 * (w390 - w87 * w236) + w269 * (w87 * w231 - w107 * w242) + w254 * (w353 - w413) + (w147 * (w392 - w87 * w89) + w136 * (w81 * w87 - w96 * w107) + w120 * (w356 - w414))
-    w416 = slider_e0_ddot * w365 + slider_e1_ddot * w396 + slider_e2_ddot * (w103 * (w103 * c72) + w86 * w363 + w105 * w364)
-    w417 = w103 * w366 + slider_e0 * slider_e1 * c80
+    w416 = slider_e0_ddot * w365 + slider_e1_ddot * w396 + slider_e2_ddot * (w103 * (w103 * c73) + w86 * w363 + w105 * w364)
+    w417 = w103 * w366 + slider_e0 * slider_e1 * c81
     w418 = w103 * w348 + w86 * w351 + w105 * w352 - w415 - (w416 + slider_e3_ddot * w417)
     w419 = w412 + w341 * (w1 * w339 - w7 * w334) + w343 * (w7 * w336 - w389) + w418
     w420 = w2 * w19 - w0 * w23
@@ -2925,8 +2927,8 @@ def reactions() -> ca.Function:
     w429 = slider_e0_ddot * w369 + slider_e1_ddot * w397 + slider_e2_ddot * w417 + slider_e3_ddot * (w101 * w366 + w87 * w367 + w86 * w368)
     w430 = w101 * w348 + w87 * w351 + w86 * w352 - w428 - w429
     w431 = w427 + w341 * (w2 * w339 - w411) + w343 * (w387 - w340) + w430
-    w432 = w8 * c60
-    w433 = w12 * c60
+    w432 = w8 * c61
+    w433 = w12 * c61
     w434 = w8 * w432 + w12 * w433
     w435 = w4 * w433
     w436 = w46 - w45
@@ -2938,7 +2940,7 @@ def reactions() -> ca.Function:
     w442 = w278 + (w145 + (w18 * w434 - (w47 * w435 + w437 * w440) - w441)) - w341
     w443 = w16 + w17
     w444 = shaft_z_ddot * shaft_mass + w25 * shaft_e0_ddot + shaft_e1_ddot * w373 + shaft_e2_ddot * w401 + shaft_e3_ddot * w420
-    w445 = w337 + (w266 + (w132 + (c97 + (w28 * w434 - (w133 * w435 + w437 * w443)) - w444)))
+    w445 = w337 + (w266 + (w132 + (c98 + (w28 * w434 - (w133 * w435 + w437 * w443)) - w444)))
     w446 = shaft_e1 * 0.5
     w447 = shaft_e0 * 0.5
     w448 = shaft_e3 * 0.5
@@ -2969,9 +2971,9 @@ def reactions() -> ca.Function:
     w473 = w443 * w469 - (w436 * w472 + w440 * w470)
     w474 = w436 * w470 - w440 * w472 - w443 * w468
     w475 = w440 * w468 - w436 * w469 - w443 * w472
-    w476 = w200 * (w436 * w471 - w468) + w196 * (w472 + w436 * w473) + w187 * (w436 * w474 - w470) + w175 * (w469 + w436 * w475)
-    w477 = w200 * (w440 * w471 - w469) + w196 * (w470 + w440 * w473) + w187 * (w472 + w440 * w474) + w175 * (w440 * w475 - w468)
-    w478 = w200 * (w443 * w471 - w470) + w196 * (w443 * w473 - w469) + w187 * (w468 + w443 * w474) + w175 * (w472 + w443 * w475)
+    w476 = (w468 - w436 * w471) * w200 - w196 * (w472 + w436 * w473) - w187 * (w436 * w474 - w470) - w175 * (w469 + w436 * w475)
+    w477 = (w469 - w440 * w471) * w200 - w196 * (w470 + w440 * w473) - w187 * (w472 + w440 * w474) - w175 * (w440 * w475 - w468)
+    w478 = (w470 - w443 * w471) * w200 - w196 * (w443 * w473 - w469) - w187 * (w468 + w443 * w474) - w175 * (w472 + w443 * w475)
     # outputs
     lam = ca.vertcat(
         w371,  # spin.e0
@@ -3010,13 +3012,13 @@ def reactions() -> ca.Function:
         ),
         ca.vertcat(  # height
             w343 * (1.0 - w22**2) - w341 * w450 + w337 * w451, w341 * (1.0 - w18**2) - w343 * w450 + w337 * w452,
-            -(w343 * w451 + w341 * w452 + w337 * (1.0 - w28**2)),
+            (w28**2 - 1.0) * w337 - (w343 * w451 + w341 * w452),
             w370 * w453 - w398 * w454 + w418 * w455 - w430 * w456,
             w370 * w456 - w398 * w455 - w418 * w454 + w430 * w453,
             w370 * w455 + w398 * w456 - w418 * w453 - w430 * w454,
         ),
         ca.vertcat(-w287, -w278, -w266, w465, w466, w467),  # right_swing
-        ca.vertcat(-w153, -w145, -w132, -w476, -w477, -w478),  # left_swing
+        ca.vertcat(-w153, -w145, -w132, w476, w477, w478),  # left_swing
     )
     inputs, outputs = [q, q_dot, q_ddot, c], [ca.densify(lam), ca.densify(joint_forces)]
     return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
@@ -3027,17 +3029,17 @@ def energy() -> ca.Function:
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
-    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    1084 operations.
+    1083 operations.
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 105)
+    c = ca.SX.sym("c", 108)
     shaft_z = q[2]
     shaft_e0 = q[3]
     shaft_e1 = q[4]
@@ -3098,7 +3100,6 @@ def energy() -> ca.Function:
     c16 = c[16]
     c17 = c[17]
     gravity_z = c[18]
-    c19 = c[19]
     right_spring_free_length = c[20]
     slider_right_x = c[21]
     right_rod_middle_x = c[22]
@@ -3107,11 +3108,10 @@ def energy() -> ca.Function:
     slider_left_x = c[27]
     left_rod_middle_x = c[28]
     left_spring_damping = c[31]
-    left_rod_mass = c[51]
-    right_rod_mass = c[52]
-    shaft_mass = c[59]
-    c60 = c[60]
-    c62 = c[62]
+    left_rod_mass = c[52]
+    right_rod_mass = c[53]
+    shaft_mass = c[60]
+    c61 = c[61]
     c63 = c[63]
     c64 = c[64]
     c65 = c[65]
@@ -3120,7 +3120,7 @@ def energy() -> ca.Function:
     c68 = c[68]
     c69 = c[69]
     c70 = c[70]
-    c72 = c[72]
+    c71 = c[71]
     c73 = c[73]
     c74 = c[74]
     c75 = c[75]
@@ -3145,17 +3145,19 @@ def energy() -> ca.Function:
     c94 = c[94]
     c95 = c[95]
     c96 = c[96]
-    c101 = c[101]
+    c97 = c[97]
     c102 = c[102]
     c103 = c[103]
     c104 = c[104]
+    c105 = c[105]
+    c106 = c[106]
     # intermediate terms (238)
     w0 = shaft_e2 * -2.0
-    w1 = (1.0 - 2 * shaft_e1**2 - 2 * shaft_e2**2) * c60
+    w1 = (1.0 - 2 * shaft_e1**2 - 2 * shaft_e2**2) * c61
     w2 = shaft_e3 * -2.0
     w3 = 2 * shaft_e2
     w4 = 2 * shaft_e0
-    w5 = (shaft_e3 * w3 - shaft_e1 * w4) * c60
+    w5 = (shaft_e3 * w3 - shaft_e1 * w4) * c61
     w6 = w2 * w5
     w7 = w0 * w1 - w6
     w8 = 2 * shaft_e3
@@ -3168,7 +3170,7 @@ def energy() -> ca.Function:
     w15 = w4 * w5
     w16 = w14 - w15
     w17 = shaft_x_dot * shaft_mass + w7 * shaft_e0_dot + w9 * shaft_e1_dot + w12 * shaft_e2_dot + w16 * shaft_e3_dot
-    w18 = (shaft_e2 * w4 + shaft_e3 * w11) * c60
+    w18 = (shaft_e2 * w4 + shaft_e3 * w11) * c61
     w19 = w2 * w18 - w14
     w20 = w0 * w18
     w21 = w20 - w10
@@ -3181,23 +3183,23 @@ def energy() -> ca.Function:
     w28 = w6 - w23
     w29 = w3 * w5 - w13 * w18
     w30 = shaft_z_dot * shaft_mass + shaft_e0_dot * w26 + shaft_e1_dot * w27 + shaft_e2_dot * w28 + shaft_e3_dot * w29
-    w31 = shaft_x_dot * w7 + shaft_y_dot * w19 + shaft_z_dot * w26 + shaft_e0_dot * (w13 * (w13 * c62) + w0 * (w0 * c63) + w2 * (w2 * c64))
-    w32 = w4 * c62
-    w33 = w13 * w32 + shaft_e2 * shaft_e3 * c65
-    w34 = w4 * c63
-    w35 = w13 * c64
-    w36 = w0 * w34 + shaft_e1 * shaft_e3 * c66
-    w37 = w0 * c62
-    w38 = w11 * c63
-    w39 = w4 * c64
-    w40 = shaft_e2 * shaft_e1 * c67 + w2 * w39
+    w31 = shaft_x_dot * w7 + shaft_y_dot * w19 + shaft_z_dot * w26 + shaft_e0_dot * (w13 * (w13 * c63) + w0 * (w0 * c64) + w2 * (w2 * c65))
+    w32 = w4 * c63
+    w33 = w13 * w32 + shaft_e2 * shaft_e3 * c66
+    w34 = w4 * c64
+    w35 = w13 * c65
+    w36 = w0 * w34 + shaft_e1 * shaft_e3 * c67
+    w37 = w0 * c63
+    w38 = w11 * c64
+    w39 = w4 * c65
+    w40 = shaft_e2 * shaft_e1 * c68 + w2 * w39
     w41 = shaft_x_dot * w17 + shaft_y_dot * w25 + shaft_z_dot * w30 + shaft_e0_dot * (w31 + shaft_e1_dot * w33 + shaft_e2_dot * w36 + shaft_e3_dot * w40)
-    w42 = shaft_x_dot * w9 + shaft_y_dot * w21 + shaft_z_dot * w27 + shaft_e0_dot * w33 + shaft_e1_dot * (w4 * w32 + w2 * (w2 * c63) + w3 * (w3 * c64))
-    w43 = shaft_e3 * shaft_e0 * c68 + w3 * w35
-    w44 = w2 * w38 + shaft_e2 * shaft_e0 * c69
+    w42 = shaft_x_dot * w9 + shaft_y_dot * w21 + shaft_z_dot * w27 + shaft_e0_dot * w33 + shaft_e1_dot * (w4 * w32 + w2 * (w2 * c64) + w3 * (w3 * c65))
+    w43 = shaft_e3 * shaft_e0 * c69 + w3 * w35
+    w44 = w2 * w38 + shaft_e2 * shaft_e0 * c70
     w45 = shaft_x_dot * w12 + shaft_y_dot * w22 + shaft_z_dot * w28 + shaft_e0_dot * w36 + shaft_e1_dot * w43
-    w46 = w8 * w37 + shaft_e1 * shaft_e0 * c70
-    w47 = shaft_e2_dot * (w45 + shaft_e2_dot * (w8 * (w8 * c62) + w4 * w34 + w13 * w35) + shaft_e3_dot * w46)
+    w46 = w8 * w37 + shaft_e1 * shaft_e0 * c71
+    w47 = shaft_e2_dot * (w45 + shaft_e2_dot * (w8 * (w8 * c63) + w4 * w34 + w13 * w35) + shaft_e3_dot * w46)
     w48 = shaft_x_dot * w16 + shaft_y_dot * w24 + shaft_z_dot * w29 + shaft_e0_dot * w40 + shaft_e1_dot * w44
     w49 = w41 + shaft_e1_dot * (w42 + shaft_e2_dot * w43 + shaft_e3_dot * w44) + w47 + shaft_e3_dot * (w48 + shaft_e2_dot * w46 + shaft_e3_dot * (w0 * w37 + w11 * w38 + w4 * w39))
     w50 = w49 + slider_x_dot * (slider_x_dot * slider_mass) + slider_y_dot * (slider_y_dot * slider_mass) + slider_z_dot * (slider_z_dot * slider_mass)
@@ -3205,25 +3207,25 @@ def energy() -> ca.Function:
     w52 = slider_e2 * -2.0
     w53 = slider_e3 * -2.0
     w54 = 2 * slider_e0
-    w55 = w54 * c72
+    w55 = w54 * c73
     w56 = 2 * slider_e2
-    w57 = w51 * w55 + slider_e2 * slider_e3 * c75
-    w58 = slider_e0_dot * (w51 * (w51 * c72) + w52 * (w52 * c73) + w53 * (w53 * c74)) + w57 * slider_e1_dot
+    w57 = w51 * w55 + slider_e2 * slider_e3 * c76
+    w58 = slider_e0_dot * (w51 * (w51 * c73) + w52 * (w52 * c74) + w53 * (w53 * c75)) + w57 * slider_e1_dot
     w59 = 2 * slider_e3
-    w60 = w54 * c73
-    w61 = w51 * c74
-    w62 = w52 * w60 + slider_e1 * slider_e3 * c76
-    w63 = w52 * c72
+    w60 = w54 * c74
+    w61 = w51 * c75
+    w62 = w52 * w60 + slider_e1 * slider_e3 * c77
+    w63 = w52 * c73
     w64 = 2 * slider_e1
-    w65 = w64 * c73
-    w66 = w54 * c74
-    w67 = slider_e1 * slider_e2 * c77 + w53 * w66
-    w68 = slider_e3 * slider_e0 * c78 + w56 * w61
-    w69 = slider_e0_dot * w57 + slider_e1_dot * (w54 * w55 + w53 * (w53 * c73) + w56 * (w56 * c74)) + slider_e2_dot * w68
-    w70 = w53 * w65 + slider_e2 * slider_e0 * c79
+    w65 = w64 * c74
+    w66 = w54 * c75
+    w67 = slider_e1 * slider_e2 * c78 + w53 * w66
+    w68 = slider_e3 * slider_e0 * c79 + w56 * w61
+    w69 = slider_e0_dot * w57 + slider_e1_dot * (w54 * w55 + w53 * (w53 * c74) + w56 * (w56 * c75)) + slider_e2_dot * w68
+    w70 = w53 * w65 + slider_e2 * slider_e0 * c80
     w71 = w50 + slider_e0_dot * (w58 + w62 * slider_e2_dot + w67 * slider_e3_dot) + slider_e1_dot * (w69 + slider_e3_dot * w70)
-    w72 = slider_e0_dot * w62 + slider_e1_dot * w68 + slider_e2_dot * (w59 * (w59 * c72) + w54 * w60 + w51 * w61)
-    w73 = w59 * w63 + slider_e1 * slider_e0 * c80
+    w72 = slider_e0_dot * w62 + slider_e1_dot * w68 + slider_e2_dot * (w59 * (w59 * c73) + w54 * w60 + w51 * w61)
+    w73 = w59 * w63 + slider_e1 * slider_e0 * c81
     w74 = slider_e0_dot * w67 + slider_e1_dot * w70 + slider_e2_dot * w73 + slider_e3_dot * (w52 * w63 + w64 * w65 + w54 * w66)
     w75 = right_rod_e2 * -2.0
     w76 = 2 * right_rod_e1
@@ -3261,23 +3263,23 @@ def energy() -> ca.Function:
     w108 = right_rod_z_dot * right_rod_mass + right_rod_e0_dot * w105 + right_rod_e1_dot * w106 + right_rod_e2_dot * w107
     w109 = w82 * w103 - w90 * w96
     w110 = w94 + right_rod_y_dot * (w101 + right_rod_e3_dot * w104) + right_rod_z_dot * (w108 + right_rod_e3_dot * w109)
-    w111 = right_rod_x_dot * w84 + right_rod_y_dot * w97 + right_rod_z_dot * w105 + right_rod_e0_dot * (w90 * (w90 * c81) + w75 * (w75 * c16) + w80 * (w80 * c82))
-    w112 = w77 * c81
-    w113 = w90 * w112 + right_rod_e2 * right_rod_e3 * c83
+    w111 = right_rod_x_dot * w84 + right_rod_y_dot * w97 + right_rod_z_dot * w105 + right_rod_e0_dot * (w90 * (w90 * c82) + w75 * (w75 * c16) + w80 * (w80 * c83))
+    w112 = w77 * c82
+    w113 = w90 * w112 + right_rod_e2 * right_rod_e3 * c84
     w114 = w77 * c16
-    w115 = w90 * c82
-    w116 = w75 * w114 + right_rod_e1 * right_rod_e3 * c84
-    w117 = w75 * c81
+    w115 = w90 * c83
+    w116 = w75 * w114 + right_rod_e1 * right_rod_e3 * c85
+    w117 = w75 * c82
     w118 = w76 * c16
-    w119 = w77 * c82
-    w120 = right_rod_e2 * right_rod_e1 * c85 + w80 * w119
+    w119 = w77 * c83
+    w120 = right_rod_e2 * right_rod_e1 * c86 + w80 * w119
     w121 = right_rod_e0_dot * (w111 + right_rod_e1_dot * w113 + right_rod_e2_dot * w116 + right_rod_e3_dot * w120)
-    w122 = right_rod_x_dot * w86 + right_rod_y_dot * w99 + right_rod_z_dot * w106 + right_rod_e0_dot * w113 + right_rod_e1_dot * (w77 * w112 + w80 * (w80 * c16) + w103 * (w103 * c82))
-    w123 = right_rod_e3 * right_rod_e0 * c86 + w103 * w115
-    w124 = w80 * w118 + right_rod_e2 * right_rod_e0 * c87
+    w122 = right_rod_x_dot * w86 + right_rod_y_dot * w99 + right_rod_z_dot * w106 + right_rod_e0_dot * w113 + right_rod_e1_dot * (w77 * w112 + w80 * (w80 * c16) + w103 * (w103 * c83))
+    w123 = right_rod_e3 * right_rod_e0 * c87 + w103 * w115
+    w124 = w80 * w118 + right_rod_e2 * right_rod_e0 * c88
     w125 = right_rod_x_dot * w88 + right_rod_y_dot * w100 + right_rod_z_dot * w107 + right_rod_e0_dot * w116
-    w126 = w125 + right_rod_e1_dot * w123 + right_rod_e2_dot * (w85 * (w85 * c81) + w77 * w114 + w90 * w115)
-    w127 = w85 * w117 + right_rod_e1 * right_rod_e0 * c88
+    w126 = w125 + right_rod_e1_dot * w123 + right_rod_e2_dot * (w85 * (w85 * c82) + w77 * w114 + w90 * w115)
+    w127 = w85 * w117 + right_rod_e1 * right_rod_e0 * c89
     w128 = w110 + w121 + right_rod_e1_dot * (w122 + right_rod_e2_dot * w123 + right_rod_e3_dot * w124) + right_rod_e2_dot * (w126 + right_rod_e3_dot * w127)
     w129 = right_rod_x_dot * w93 + right_rod_y_dot * w104 + right_rod_z_dot * w109 + right_rod_e0_dot * w120
     w130 = w129 + right_rod_e1_dot * w124 + right_rod_e2_dot * w127 + right_rod_e3_dot * (w75 * w117 + w76 * w118 + w77 * w119)
@@ -3316,24 +3318,24 @@ def energy() -> ca.Function:
     w163 = w139 - w157
     w164 = left_rod_z_dot * left_rod_mass + left_rod_e0_dot * w161 + left_rod_e1_dot * w162 + left_rod_e2_dot * w163
     w165 = w138 * w158 - w146 * w151
-    w166 = left_rod_x_dot * w140 + left_rod_y_dot * w152 + left_rod_z_dot * w161 + left_rod_e0_dot * (w146 * (w146 * c89) + w131 * (w131 * c17) + w136 * (w136 * c90))
-    w167 = w133 * c89
-    w168 = w146 * w167 + left_rod_e2 * left_rod_e3 * c91
+    w166 = left_rod_x_dot * w140 + left_rod_y_dot * w152 + left_rod_z_dot * w161 + left_rod_e0_dot * (w146 * (w146 * c90) + w131 * (w131 * c17) + w136 * (w136 * c91))
+    w167 = w133 * c90
+    w168 = w146 * w167 + left_rod_e2 * left_rod_e3 * c92
     w169 = w133 * c17
-    w170 = w146 * c90
-    w171 = w131 * w169 + left_rod_e1 * left_rod_e3 * c92
-    w172 = w131 * c89
+    w170 = w146 * c91
+    w171 = w131 * w169 + left_rod_e1 * left_rod_e3 * c93
+    w172 = w131 * c90
     w173 = w132 * c17
-    w174 = w133 * c90
-    w175 = left_rod_e2 * left_rod_e1 * c93 + w136 * w174
+    w174 = w133 * c91
+    w175 = left_rod_e2 * left_rod_e1 * c94 + w136 * w174
     w176 = left_rod_e0_dot * (w166 + left_rod_e1_dot * w168 + left_rod_e2_dot * w171 + left_rod_e3_dot * w175)
-    w177 = left_rod_x_dot * w142 + left_rod_y_dot * w154 + left_rod_z_dot * w162 + left_rod_e0_dot * w168 + left_rod_e1_dot * (w133 * w167 + w136 * (w136 * c17) + w158 * (w158 * c90))
-    w178 = left_rod_e3 * left_rod_e0 * c94 + w158 * w170
-    w179 = w136 * w173 + left_rod_e2 * left_rod_e0 * c95
+    w177 = left_rod_x_dot * w142 + left_rod_y_dot * w154 + left_rod_z_dot * w162 + left_rod_e0_dot * w168 + left_rod_e1_dot * (w133 * w167 + w136 * (w136 * c17) + w158 * (w158 * c91))
+    w178 = left_rod_e3 * left_rod_e0 * c95 + w158 * w170
+    w179 = w136 * w173 + left_rod_e2 * left_rod_e0 * c96
     w180 = w160 + left_rod_z_dot * (w164 + left_rod_e3_dot * w165) + w176 + left_rod_e1_dot * (w177 + left_rod_e2_dot * w178 + left_rod_e3_dot * w179)
     w181 = left_rod_x_dot * w144 + left_rod_y_dot * w155 + left_rod_z_dot * w163 + left_rod_e0_dot * w171 + left_rod_e1_dot * w178
-    w182 = w141 * w172 + left_rod_e1 * left_rod_e0 * c96
-    w183 = w181 + left_rod_e2_dot * (w141 * (w141 * c89) + w133 * w169 + w146 * w170) + left_rod_e3_dot * w182
+    w182 = w141 * w172 + left_rod_e1 * left_rod_e0 * c97
+    w183 = w181 + left_rod_e2_dot * (w141 * (w141 * c90) + w133 * w169 + w146 * w170) + left_rod_e3_dot * w182
     w184 = left_rod_x_dot * w149 + left_rod_y_dot * w159 + left_rod_z_dot * w165 + left_rod_e0_dot * w175 + left_rod_e1_dot * w179
     w185 = left_rod_e3_dot * (w184 + left_rod_e2_dot * w182 + left_rod_e3_dot * (w131 * w172 + w132 * w173 + w133 * w174))
     w186 = 1.0 - 2 * slider_e2**2 - 2 * slider_e3**2
@@ -3365,7 +3367,7 @@ def energy() -> ca.Function:
     w212 = slider_z + w210 - (left_rod_z + w211)
     w213 = w212**2
     w214 = w205 + w209 + w213
-    w215 = (ca.sqrt(w201) - right_spring_free_length)**2 * c101 + (ca.sqrt(w214) - left_spring_free_length)**2 * c102
+    w215 = (ca.sqrt(w201) - right_spring_free_length)**2 * c102 + (ca.sqrt(w214) - left_spring_free_length)**2 * c103
     w216 = w1 + shaft_z * shaft_mass + (w79 + right_rod_z * right_rod_mass) + (w135 + left_rod_z * left_rod_mass)
     w217 = slider_e0_dot * w52 + slider_e1_dot * w59 + w54 * slider_e2_dot + w51 * slider_e3_dot
     w218 = slider_e0_dot * w53 + w52 * slider_e1_dot + slider_e2_dot * w64 + w54 * slider_e3_dot
@@ -3377,8 +3379,8 @@ def energy() -> ca.Function:
     w224 = slider_y_dot + (w187 * w218 - w197 * w222) - (right_rod_y_dot + (w188 * w220 - w198 * w223))
     w225 = slider_z_dot + (w192 * w222 - w187 * w217) - (right_rod_z_dot + (w193 * w223 - w188 * w219))
     w226 = w190 * (w221**2 * right_spring_damping) / w201 + w195 * (w224**2 * right_spring_damping) / w201 + w200 * (w225**2 * right_spring_damping) / w201
-    w227 = w221 * c103
-    w228 = w226 + w194 * (w189 * (w224 * w227)) / w201 + w199 * (w189 * (w225 * w227)) / w201 + w199 * (w194 * (w225 * (w224 * c103))) / w201
+    w227 = w221 * c104
+    w228 = w226 + w194 * (w189 * (w224 * w227)) / w201 + w199 * (w189 * (w225 * w227)) / w201 + w199 * (w194 * (w225 * (w224 * c104))) / w201
     w229 = w131 * left_rod_e0_dot + w141 * left_rod_e1_dot + w133 * left_rod_e2_dot + w146 * left_rod_e3_dot
     w230 = w136 * left_rod_e0_dot + w131 * left_rod_e1_dot + w132 * left_rod_e2_dot + w133 * left_rod_e3_dot
     w231 = slider_x_dot + (w210 * w217 - w206 * w218) - (left_rod_x_dot + (w211 * w229 - w207 * w230))
@@ -3386,12 +3388,12 @@ def energy() -> ca.Function:
     w233 = slider_y_dot + (w202 * w218 - w210 * w222) - (left_rod_y_dot + (w203 * w230 - w211 * w232))
     w234 = slider_z_dot + (w206 * w222 - w202 * w217) - (left_rod_z_dot + (w207 * w232 - w203 * w229))
     w235 = w205 * (w231**2 * left_spring_damping) / w214 + w209 * (w233**2 * left_spring_damping) / w214 + w213 * (w234**2 * left_spring_damping) / w214
-    w236 = w231 * c104
-    w237 = w235 + w208 * (w204 * (w233 * w236)) / w214 + w212 * (w204 * (w234 * w236)) / w214 + w212 * (w208 * (w234 * (w233 * c104))) / w214
+    w236 = w231 * c105
+    w237 = w235 + w208 * (w204 * (w233 * w236)) / w214 + w212 * (w204 * (w234 * w236)) / w214 + w212 * (w208 * (w234 * (w233 * c105))) / w214
     # outputs
     kinetic = ca.vertcat((w180 + left_rod_e2_dot * w183 + w185) / 2.0)
     elastic = ca.vertcat(w215)
-    potential = ca.vertcat(-(slider_z * c19 + w216 * gravity_z))
+    potential = ca.vertcat(slider_z * c106 - w216 * gravity_z)
     power_dissipated = ca.vertcat(w228 + w237)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -3403,13 +3405,13 @@ def load_actions() -> ca.Function:
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
-    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 6 x 2) [N, N m]: world force and moment of a load on its marker, or b
-    100 operations.
+    96 operations.
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 105)
+    c = ca.SX.sym("c", 108)
     height_travel = q[29]
     right_swing_angle = q[30]
     left_swing_angle = q[31]
@@ -3422,14 +3424,14 @@ def load_actions() -> ca.Function:
     slider_right_x = c[21]
     right_rod_middle_x = c[22]
     shaft_right_z = c[23]
-    right_spring_stiffness = c[24]
     right_spring_damping = c[25]
     left_spring_free_length = c[26]
     slider_left_x = c[27]
     left_rod_middle_x = c[28]
     shaft_left_z = c[29]
-    left_spring_stiffness = c[30]
     left_spring_damping = c[31]
+    c32 = c[32]
+    c107 = c[107]
     # intermediate terms (14)
     w0 = ca.cos(right_swing_angle) * right_rod_middle_x
     w1 = slider_right_x - (shaft_right_x + w0)
@@ -3447,10 +3449,10 @@ def load_actions() -> ca.Function:
     w13 = (w10 * (height_travel_dot + w7 * left_swing_angle_dot) - w8 * (w9 * left_swing_angle_dot)) * left_spring_damping
     # outputs
     load_actions = ca.SX(6, 2)
-    load_actions[0, 0] = -(w1 * w5 * right_spring_stiffness + w1 * w6 / w4)
-    load_actions[0, 1] = -(w8 * w12 * left_spring_stiffness + w8 * w13 / w11)
-    load_actions[2, 0] = -(w3 * w5 * right_spring_stiffness + w3 * w6 / w4)
-    load_actions[2, 1] = -(w10 * w12 * left_spring_stiffness + w10 * w13 / w11)
+    load_actions[0, 0] = w1 * w5 * c32 - w1 * w6 / w4
+    load_actions[0, 1] = w8 * w12 * c107 - w8 * w13 / w11
+    load_actions[2, 0] = w3 * w5 * c32 - w3 * w6 / w4
+    load_actions[2, 1] = w10 * w12 * c107 - w10 * w13 / w11
     inputs, outputs = [q, q_dot, c], [ca.densify(load_actions)]
     return ca.Function("load_actions", inputs, outputs, ["q", "q_dot", "c"], ["load_actions"])
 
@@ -3560,13 +3562,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i, through q_d
-    337 operations.
+    336 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 105)
+    c = ca.SX.sym("c", 108)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -3597,6 +3599,7 @@ def dQ_hat_dq_i() -> ca.Function:
     shaft_left_z = c[29]
     left_spring_stiffness = c[30]
     left_spring_damping = c[31]
+    c32 = c[32]
     # intermediate terms (68)
     w0 = ca.sin(right_swing_angle)
     w1 = w0 * right_rod_middle_x
@@ -3670,13 +3673,13 @@ def dQ_hat_dq_i() -> ca.Function:
     dQ_hat_dq_i = ca.SX(4, 4)
     # spin.angle
     dQ_hat_dq_i[0, 2] = w49 + w48 * (w46 * c11) * shaft_right_x
-    dQ_hat_dq_i[0, 3] = -(w57 * (w58 * c4) * shaft_left_x - w60)
+    dQ_hat_dq_i[0, 3] = w60 - w57 * (w58 * c4) * shaft_left_x
     # height.travel
     dQ_hat_dq_i[1, 1] = -(w20 + w41)
     dQ_hat_dq_i[1, 2] = -w53
     dQ_hat_dq_i[1, 3] = -w64
     # right_swing.angle
-    dQ_hat_dq_i[2, 1] = -(w1 * (w5 * w10 * right_spring_stiffness + (w5 * w14 / w6 - w19 * w43)) + w4 * w20)
+    dQ_hat_dq_i[2, 1] = (w5 * w10 * c32 - (w5 * w14 / w6 - w19 * w43)) * w1 - w4 * w20
     dQ_hat_dq_i[2, 2] = w55 - (w56 + (w4 * w53 - w1 * (w17 + w2 * w11 * right_spring_stiffness)))
     # left_swing.angle
     dQ_hat_dq_i[3, 1] = w22 * (w26 * w31 * left_spring_stiffness + (w26 * w35 / w27 - w40 * w45)) - w25 * w41
@@ -3690,13 +3693,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    178 operations.
+    171 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 105)
+    c = ca.SX.sym("c", 108)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -3705,11 +3708,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     left_swing_angle_dot = q_i_dot[3]
     c0 = c[0]
     c1 = c[1]
+    c2 = c[2]
     shaft_left_x = c[3]
     c4 = c[4]
     c5 = c[5]
     c7 = c[7]
     c8 = c[8]
+    c9 = c[9]
     shaft_right_x = c[10]
     c11 = c[11]
     c12 = c[12]
@@ -3728,44 +3733,43 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w3 = ca.sin(right_swing_angle)
     w4 = ca.cos(right_swing_angle)
     w5 = 2 * right_swing_angle_dot
-    w6 = w0 * (w1 * c4) * shaft_left_x - w0 * (w2 * (w1 * c0 - w1 * c1)) - (w3 * (w4 * (w5 * c7 - w5 * c8)) + w3 * (w5 * c11) * shaft_right_x)
-    w7 = 2 * spin_angle_dot
-    w8 = 2 * -(w4 * spin_angle_dot)
-    w9 = 2 * -(w3 * spin_angle_dot)
-    w10 = 2 * -(w0 * spin_angle_dot)
-    w11 = 2 * -(w2 * spin_angle_dot)
-    w12 = w3 * right_rod_middle_x
-    w13 = height_travel - (shaft_right_z - w12)
-    w14 = w13 * right_spring_damping
-    w15 = w4 * right_rod_middle_x
-    w16 = slider_right_x - (shaft_right_x + w15)
-    w17 = w16**2 + w13**2
-    w18 = w13 * w14 / w17
-    w19 = w0 * left_rod_middle_x
-    w20 = height_travel - (shaft_left_z - w19)
-    w21 = w20 * left_spring_damping
-    w22 = w2 * left_rod_middle_x
-    w23 = slider_left_x - (shaft_left_x - w22)
-    w24 = w23**2 + w20**2
-    w25 = w20 * w21 / w24
-    w26 = (w12 * w16 + w13 * w15) * right_spring_damping
-    w27 = w13 * w26 / w17
-    w28 = (w20 * w22 - w19 * w23) * left_spring_damping
-    w29 = w20 * w28 / w24
+    w6 = 2 * spin_angle_dot
+    w7 = 2 * -(w4 * spin_angle_dot)
+    w8 = 2 * -(w3 * spin_angle_dot)
+    w9 = 2 * -(w0 * spin_angle_dot)
+    w10 = 2 * -(w2 * spin_angle_dot)
+    w11 = w3 * right_rod_middle_x
+    w12 = height_travel - (shaft_right_z - w11)
+    w13 = w12 * right_spring_damping
+    w14 = w4 * right_rod_middle_x
+    w15 = slider_right_x - (shaft_right_x + w14)
+    w16 = w15**2 + w12**2
+    w17 = w12 * w13 / w16
+    w18 = w0 * left_rod_middle_x
+    w19 = height_travel - (shaft_left_z - w18)
+    w20 = w19 * left_spring_damping
+    w21 = w2 * left_rod_middle_x
+    w22 = slider_left_x - (shaft_left_x - w21)
+    w23 = w22**2 + w19**2
+    w24 = w19 * w20 / w23
+    w25 = (w11 * w15 + w12 * w14) * right_spring_damping
+    w26 = w12 * w25 / w16
+    w27 = (w19 * w21 - w18 * w22) * left_spring_damping
+    w28 = w19 * w27 / w23
+    w29 = w3 * (w4 * (w5 * c9)) + w3 * (w5 * c11) * shaft_right_x - (w0 * (w1 * c4) * shaft_left_x - w0 * (w2 * (w1 * c2)))
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
         ca.horzcat(  # spin.angle
-            -w6, 0.0, -(w9 * c12 - (w3 * (w8 * c8) - w4 * (w9 * c7))),
-            -(w2 * (w10 * c0) - w0 * (w11 * c1) - w10 * c5),
+            w29, 0.0, w3 * (w7 * c8) - w4 * (w8 * c7) - w8 * c12, w9 * c5 - (w2 * (w9 * c0) - w0 * (w10 * c1)),
         ),
-        ca.horzcat(0.0, -(w18 + w25), -w27, -w29),  # height.travel
+        ca.horzcat(0.0, -(w17 + w24), -w26, -w28),  # height.travel
         ca.horzcat(  # right_swing.angle
-            -(w7 * shaft_right_x * (w3 * c11) - (w3 * (w8 * c7) - w4 * (w9 * c8))),
-            -(w12 * (w14 * w16 / w17) + w15 * w18), -(w12 * (w16 * w26 / w17) + w15 * w27), 0.0,
+            w3 * (w7 * c7) - w4 * (w8 * c8) - w6 * shaft_right_x * (w3 * c11),
+            -(w11 * (w13 * w15 / w16) + w14 * w17), -(w11 * (w15 * w25 / w16) + w14 * w26), 0.0,
         ),
         ca.horzcat(  # left_swing.angle
-            -(w2 * (w10 * c1) - w0 * (w11 * c0) - w7 * shaft_left_x * (w0 * c4)),
-            w19 * (w21 * w23 / w24) - w22 * w25, 0.0, w19 * (w23 * w28 / w24) - w22 * w29,
+            w6 * shaft_left_x * (w0 * c4) - (w2 * (w9 * c1) - w0 * (w10 * c0)), w18 * (w20 * w22 / w23) - w21 * w24,
+            0.0, w18 * (w22 * w27 / w23) - w21 * w28,
         ),
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
@@ -3778,15 +3782,15 @@ def residual_jacobian() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    473 operations.
+    467 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 105)
+    c = ca.SX.sym("c", 108)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -3820,6 +3824,7 @@ def residual_jacobian() -> ca.Function:
     shaft_left_z = c[29]
     left_spring_stiffness = c[30]
     left_spring_damping = c[31]
+    c32 = c[32]
     # intermediate terms (100)
     w0 = ca.sin(right_swing_angle)
     w1 = w0 * right_rod_middle_x
@@ -3911,44 +3916,44 @@ def residual_jacobian() -> ca.Function:
     w87 = 2 * -w72
     w88 = w87 * c1
     w89 = w84 + ((w24 * (w61 * shaft_left_x) + w21 * gravity_z) * c4 + w61 * c17 + (w69 * w86 + w72 * w88))
-    w90 = w21 * w71 * shaft_left_x - w21 * (w24 * (w76 - w75)) - (w0 * (w3 * (w52 - w50)) + w0 * w56 * shaft_right_x)
-    w91 = 2 * spin_angle_dot
-    w92 = w2 * right_spring_damping
-    w93 = w2 * w92 / w6
-    w94 = w23 * left_spring_damping
-    w95 = w23 * w94 / w27
-    w96 = (w1 * w5 + w2 * w4) * right_spring_damping
-    w97 = w2 * w96 / w6
-    w98 = (w23 * w25 - w22 * w26) * left_spring_damping
-    w99 = w23 * w98 / w27
+    w90 = 2 * spin_angle_dot
+    w91 = w2 * right_spring_damping
+    w92 = w2 * w91 / w6
+    w93 = w23 * left_spring_damping
+    w94 = w23 * w93 / w27
+    w95 = (w1 * w5 + w2 * w4) * right_spring_damping
+    w96 = w2 * w95 / w6
+    w97 = (w23 * w25 - w22 * w26) * left_spring_damping
+    w98 = w23 * w97 / w27
+    w99 = w0 * (w3 * (w52 - w50)) + w0 * w56 * shaft_right_x - (w21 * w71 * shaft_left_x - w21 * (w24 * (w76 - w75)))
     # outputs
     J_q = ca.SX(4, 4)
     # spin.angle
     J_q[0, 2] = w55 + (w51 * c11 + w53 * w56) * shaft_right_x
-    J_q[0, 3] = -((w68 * c4 + w69 * w71) * shaft_left_x - w78)
+    J_q[0, 3] = w78 - (w68 * c4 + w69 * w71) * shaft_left_x
     # height.travel
     J_q[1, 1] = -(w20 + w41)
     J_q[1, 2] = -w60
     J_q[1, 3] = -w82
     # right_swing.angle
-    J_q[2, 1] = -(w1 * (w5 * w10 * right_spring_stiffness + (w5 * w14 / w6 - w19 * w43)) + w4 * w20)
+    J_q[2, 1] = (w5 * w10 * c32 - (w5 * w14 / w6 - w19 * w43)) * w1 - w4 * w20
     J_q[2, 2] = w67
     # left_swing.angle
     J_q[3, 1] = w22 * (w26 * w31 * left_spring_stiffness + (w26 * w35 / w27 - w40 * w45)) - w25 * w41
     J_q[3, 3] = w89
     J_v = ca.vertcat(
         ca.horzcat(  # spin.angle
-            -w90, 0.0, -(w64 * c12 - (w0 * (w62 * c8) - w3 * (w64 * c7))),
-            -(w24 * (w87 * c0) - w21 * (w85 * c1) - w87 * c5),
+            w99, 0.0, w0 * (w62 * c8) - w3 * (w64 * c7) - w64 * c12,
+            w87 * c5 - (w24 * (w87 * c0) - w21 * (w85 * c1)),
         ),
-        ca.horzcat(0.0, -(w93 + w95), -w97, -w99),  # height.travel
+        ca.horzcat(0.0, -(w92 + w94), -w96, -w98),  # height.travel
         ca.horzcat(  # right_swing.angle
-            -(w91 * shaft_right_x * (w0 * c11) - (w0 * w63 - w3 * w65)), -(w1 * (w5 * w92 / w6) + w4 * w93),
-            -(w1 * (w5 * w96 / w6) + w4 * w97), 0.0,
+            w0 * w63 - w3 * w65 - w90 * shaft_right_x * (w0 * c11), -(w1 * (w5 * w91 / w6) + w4 * w92),
+            -(w1 * (w5 * w95 / w6) + w4 * w96), 0.0,
         ),
         ca.horzcat(  # left_swing.angle
-            -(w24 * w88 - w21 * w86 - w91 * shaft_left_x * (w21 * c4)), w22 * (w26 * w94 / w27) - w25 * w95, 0.0,
-            w22 * (w26 * w98 / w27) - w25 * w99,
+            w90 * shaft_left_x * (w21 * c4) - (w24 * w88 - w21 * w86), w22 * (w26 * w93 / w27) - w25 * w94, 0.0,
+            w22 * (w26 * w97 / w27) - w25 * w98,
         ),
     )
     inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
@@ -3960,13 +3965,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 105) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    182 operations.
+    178 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 105)
+    c = ca.SX.sym("c", 108)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -4006,7 +4011,7 @@ def forward_dynamics() -> ca.Function:
     shaft_left_z = c[29]
     left_spring_stiffness = c[30]
     left_spring_damping = c[31]
-    # intermediate terms (32)
+    # intermediate terms (30)
     w0 = ca.sin(left_swing_angle)
     w1 = ca.cos(left_swing_angle)
     w2 = w1 * spin_angle_dot
@@ -4035,16 +4040,14 @@ def forward_dynamics() -> ca.Function:
     w25 = (w22 * (height_travel_dot + left_swing_angle_dot * w19) - w20 * (left_swing_angle_dot * w21)) * left_spring_damping
     w26 = w22 * w24 * left_spring_stiffness + w22 * w25 / w23
     w27 = spin_angle_dot**2
-    w28 = w7 * w9
-    w29 = (w6 * (w27 * shaft_right_x) + w5 * gravity_z) * c11 + (w28 * c7 - w28 * c8) + (w13 * (w12 * w16 * right_spring_stiffness + w12 * w17 / w15) + w11 * w18)
-    w30 = w2 * w3
-    w31 = w21 * (w20 * w24 * left_spring_stiffness + w20 * w25 / w23) - w19 * w26 - ((w1 * gravity_z - w0 * (w27 * shaft_left_x)) * c4 + (w30 * c0 - w30 * c1))
+    w28 = (w6 * (w27 * shaft_right_x) + w5 * gravity_z) * c11 + w7 * w9 * c9 + (w13 * (w12 * w16 * right_spring_stiffness + w12 * w17 / w15) + w11 * w18)
+    w29 = w21 * (w20 * w24 * left_spring_stiffness + w20 * w25 / w23) - w19 * w26 - ((w1 * gravity_z - w0 * (w27 * shaft_left_x)) * c4 + w2 * w3 * c2)
     # outputs
     q_i_ddot = ca.vertcat(
         -(w10 / (w5 * c13 + (c7 - w6 * (w6 * c9) + (c14 + (c0 - w0 * (w0 * c2) - w1 * c6))))),  # spin.angle
         (c19 - (w18 + w26)) / slider_mass,  # height.travel
-        -(w29 / c16),  # right_swing.angle
-        w31 / c17,  # left_swing.angle
+        -(w28 / c16),  # right_swing.angle
+        w29 / c17,  # left_swing.angle
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_i_ddot"])

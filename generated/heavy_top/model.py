@@ -16,8 +16,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
-    92 operations.
+    gives c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    97 operations.
     """
     p = ca.SX.sym("p", 6)
     gravity_z = p[0]
@@ -69,9 +69,11 @@ def constants() -> ca.Function:
         w11 + 4.0 * w8,  # c22
         w13,  # c23
         -w13,  # c24
-        w14,  # c25
-        w14 + w6,  # c26
-        w14 + w7,  # c27
+        w14 + w6,  # c25
+        w14 + w7,  # c26
+        w14 - w6,  # c27
+        w6 - w7,  # c28
+        w7 - w14,  # c29
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -82,14 +84,14 @@ def condensed() -> ca.Function:
 
     takes q_d (n_d = 7) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 3 x 3) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 3) [N, N m]: condensed force S^T (Q* - M s)
     45 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 30)
     top_e0 = q_d[3]
     top_e1 = q_d[4]
     top_e2 = q_d[5]
@@ -127,13 +129,13 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
     takes chart (4 x orientations = 4) [1]: unit quaternions from which the turns in q_i are rotation vectors
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 7) [mixed]: dependent coordinates after one Newton step
     80 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     chart = ca.SX.sym("chart", 4)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 30)
     top_turn_x = q_i[0]
     top_turn_y = q_i[1]
     top_turn_z = q_i[2]
@@ -173,13 +175,13 @@ def velocities() -> ca.Function:
 
     takes q_d (n_d = 7) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 7) [mixed]: rates of the dependent coordinates
     116 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 30)
     top_e0 = q_d[3]
     top_e1 = q_d[4]
     top_e2 = q_d[5]
@@ -235,7 +237,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 7) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 7) [mixed]: accelerations of the dependent coordinates
     180 operations.
     """
@@ -243,7 +245,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 7)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 30)
     top_e0 = q_d[3]
     top_e1 = q_d[4]
     top_e2 = q_d[5]
@@ -313,17 +315,17 @@ def constraints() -> ca.Function:
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 4) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 4 x 7) [SI]: constraint Jacobian
     gives C_t (n_c = 4) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 4) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 4) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    172 operations.
+    169 operations.
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 30)
     top_x = q[0]
     top_y = q[1]
     top_z = q[2]
@@ -377,9 +379,9 @@ def constraints() -> ca.Function:
     C_t = ca.SX(4, 1)
     nu = ca.SX(4, 1)
     gamma = ca.vertcat(
-        -(w18 * w20 - w21 * w22),  # foot.x
-        -(w21 * w23 - w19 * w20),  # foot.y
-        -(w19 * w22 - w18 * w23),  # foot.z
+        w21 * w22 - w18 * w20,  # foot.x
+        w19 * w20 - w21 * w23,  # foot.y
+        w18 * w23 - w19 * w22,  # foot.z
         -(top_e0_dot**2 + top_e1_dot**2 + top_e2_dot**2 + top_e3_dot**2),  # top.norm
     )
     inputs, outputs = [q, q_dot, c], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
@@ -391,7 +393,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 7 x 7) [SI]: mass matrix in all coordinates
     gives K (n x n = 7 x 7) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 7) [N, N m]: quadratic velocity force in all coordinates
@@ -399,11 +401,11 @@ def augmented() -> ca.Function:
     gives Q_star (n = 7) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 4 x 7) [SI]: constraint Jacobian
     gives gamma_b (n_c = 4) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    381 operations.
+    378 operations.
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 30)
     top_e0 = q[3]
     top_e1 = q[4]
     top_e2 = q[5]
@@ -532,9 +534,9 @@ def augmented() -> ca.Function:
         ca.horzcat(0.0, 0.0, 0.0, top_e0, top_e1, top_e2, top_e3),  # top.norm
     )
     gamma_b = ca.vertcat(
-        -(w46 * w48 - w49 * w50),  # foot.x
-        -(w49 * w51 - w47 * w48),  # foot.y
-        -(w47 * w50 - w46 * w51),  # foot.z
+        w49 * w50 - w46 * w48,  # foot.x
+        w47 * w48 - w49 * w51,  # foot.y
+        w46 * w51 - w47 * w50,  # foot.z
         -(top_e0_dot**2 + top_e1_dot**2 + top_e2_dot**2 + top_e3_dot**2),  # top.norm
     )
     inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
@@ -547,7 +549,7 @@ def reactions() -> ca.Function:
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
     takes q_ddot (n = 7) [mixed]: accelerations of all coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 4) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6) [N, N m]: world force and moment of a joint on its body b, at b
     274 operations.
@@ -555,7 +557,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
     q_ddot = ca.SX.sym("q_ddot", 7)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 30)
     top_e0 = q[3]
     top_e1 = q[4]
     top_e2 = q[5]
@@ -655,7 +657,7 @@ def energy() -> ca.Function:
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -665,7 +667,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 30)
     top_z = q[2]
     top_e0 = q[3]
     top_e1 = q[4]
@@ -765,12 +767,12 @@ def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
 
     takes q_d (n_d = 7) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i, through q_d
     32 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 30)
     top_e0 = q_d[3]
     top_e1 = q_d[4]
     top_e2 = q_d[5]
@@ -795,12 +797,12 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     """Total derivative of Q_hat by q_i_dot, through q_d_dot.
 
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     22 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 30)
     top_omega_x = q_i_dot[0]
     top_omega_y = q_i_dot[1]
     top_omega_z = q_i_dot[2]
@@ -822,14 +824,14 @@ def residual_jacobian() -> ca.Function:
 
     takes q_d (n_d = 7) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 3 x 3) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     53 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 30)
     top_e0 = q_d[3]
     top_e1 = q_d[4]
     top_e2 = q_d[5]
@@ -866,13 +868,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_d (n_d = 7) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
-    49 operations.
+    43 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 30)
     top_e0 = q_d[3]
     top_e1 = q_d[4]
     top_e2 = q_d[5]
@@ -881,23 +883,20 @@ def forward_dynamics() -> ca.Function:
     top_omega_y = q_i_dot[1]
     top_omega_z = q_i_dot[2]
     c0 = c[0]
-    c12 = c[12]
-    c13 = c[13]
     c14 = c[14]
     c25 = c[25]
     c26 = c[26]
     c27 = c[27]
-    # intermediate terms (5)
+    c28 = c[28]
+    c29 = c[29]
+    # intermediate terms (2)
     w0 = 2 * top_e1
     w1 = 2 * top_e2
-    w2 = top_omega_y * top_omega_z
-    w3 = top_omega_z * top_omega_x
-    w4 = top_omega_y * top_omega_x
     # outputs
     q_i_ddot = ca.vertcat(
-        -(((1.0 - (top_e1 * w0 + top_e2 * w1)) * c0 + (w2 * c25 - w2 * c12)) / c26),  # top.turn_x
-        -((w3 * c12 - w3 * c13) / c14),  # top.turn_y
-        -((w4 * c13 - w4 * c25 - (w0 * top_e3 - w1 * top_e0) * c0) / c27),  # top.turn_z
+        -(((1.0 - (top_e1 * w0 + top_e2 * w1)) * c0 + top_omega_y * top_omega_z * c27) / c25),  # top.turn_x
+        -(top_omega_z * top_omega_x * c28 / c14),  # top.turn_y
+        -((top_omega_y * top_omega_x * c29 - (w0 * top_e3 - w1 * top_e0) * c0) / c26),  # top.turn_z
     )
     inputs, outputs = [q_d, q_i_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_d", "q_i_dot", "c"], ["q_i_ddot"])

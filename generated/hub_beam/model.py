@@ -16,8 +16,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 295) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
-    182 operations.
+    gives c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    188 operations.
     """
     p = ca.SX.sym("p", 295)
     torque = p[0]
@@ -72,7 +72,7 @@ def constants() -> ca.Function:
     beam_clamped_free3_1_0_H_2_0 = p[52]
     beam_clamped_free3_1_0_H_2_1 = p[53]
     beam_clamped_free3_1_0_H_2_2 = p[54]
-    # intermediate terms (24)
+    # intermediate terms (27)
     w0 = beam_density * beam_area
     w1 = w0 * beam_length
     w2 = beam_length**2
@@ -94,9 +94,12 @@ def constants() -> ca.Function:
     w18 = w16 * beam_clamped_free3_xi_phi_y_1_0
     w19 = w16 * beam_clamped_free3_xi_phi_y_2_0
     w20 = beam_youngs_modulus * beam_second_moment / (beam_length * w2)
-    w21 = w19 / w12
-    w22 = w18 / w8
-    w23 = w17 / w4
+    w21 = w1 * beam_clamped_free3_phi_y_0_0
+    w22 = w1 * beam_clamped_free3_phi_y_1_0
+    w23 = w1 * beam_clamped_free3_phi_y_2_0
+    w24 = w19 / w12
+    w25 = w18 / w8
+    w26 = w17 / w4
     # outputs
     c = ca.vertcat(
         w4,  # c0
@@ -133,37 +136,40 @@ def constants() -> ca.Function:
         w0 * beam_clamped_free3_H_2_0,  # c31
         w0 * beam_clamped_free3_H_2_1,  # c32
         w0 * beam_clamped_free3_H_2_2,  # c33
-        w1 * beam_clamped_free3_phi_y_0_0,  # c34
-        w1 * beam_clamped_free3_phi_y_1_0,  # c35
-        w1 * beam_clamped_free3_phi_y_2_0,  # c36
+        w21,  # c34
+        w22,  # c35
+        w23,  # c36
+        -w21,  # c37
+        -w22,  # c38
+        -w23,  # c39
         beam_length,  # beam_length
-        beam_clamped_free3_1_0_H_0_0 / beam_length,  # c38
-        beam_clamped_free3_1_0_H_0_1 / beam_length,  # c39
-        beam_clamped_free3_1_0_H_0_2 / beam_length,  # c40
-        beam_clamped_free3_1_0_H_1_0 / beam_length,  # c41
-        beam_clamped_free3_1_0_H_1_1 / beam_length,  # c42
-        beam_clamped_free3_1_0_H_1_2 / beam_length,  # c43
-        beam_clamped_free3_1_0_H_2_0 / beam_length,  # c44
-        beam_clamped_free3_1_0_H_2_1 / beam_length,  # c45
-        beam_clamped_free3_1_0_H_2_2 / beam_length,  # c46
+        beam_clamped_free3_1_0_H_0_0 / beam_length,  # c41
+        beam_clamped_free3_1_0_H_0_1 / beam_length,  # c42
+        beam_clamped_free3_1_0_H_0_2 / beam_length,  # c43
+        beam_clamped_free3_1_0_H_1_0 / beam_length,  # c44
+        beam_clamped_free3_1_0_H_1_1 / beam_length,  # c45
+        beam_clamped_free3_1_0_H_1_2 / beam_length,  # c46
+        beam_clamped_free3_1_0_H_2_0 / beam_length,  # c47
+        beam_clamped_free3_1_0_H_2_1 / beam_length,  # c48
+        beam_clamped_free3_1_0_H_2_2 / beam_length,  # c49
         beam_clamped_free3_1_0_shape_1_0,  # beam_clamped_free3_1_0_shape_1_0
         beam_clamped_free3_1_0_shape_1_1,  # beam_clamped_free3_1_0_shape_1_1
         beam_clamped_free3_1_0_shape_1_2,  # beam_clamped_free3_1_0_shape_1_2
-        w4 - w5,  # c50
-        w8 - w10,  # c51
-        w12 - w15,  # c52
-        -w9,  # c53
-        -w13,  # c54
-        -w6,  # c55
-        -w14,  # c56
-        -w7,  # c57
-        -w11,  # c58
-        w21,  # c59
-        w22,  # c60
-        w23,  # c61
-        w19 * w21,  # c62
-        w18 * w22,  # c63
-        w17 * w23,  # c64
+        w4 - w5,  # c53
+        w8 - w10,  # c54
+        w12 - w15,  # c55
+        -w9,  # c56
+        -w13,  # c57
+        -w6,  # c58
+        -w14,  # c59
+        -w7,  # c60
+        -w11,  # c61
+        w24,  # c62
+        w25,  # c63
+        w26,  # c64
+        w19 * w24,  # c65
+        w18 * w25,  # c66
+        w17 * w26,  # c67
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -176,7 +182,7 @@ def condensed() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
     takes t (1) [s]: time
-    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 4 x 4) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 4) [N, N m]: condensed force S^T (Q* - M s)
     102 operations.
@@ -185,7 +191,7 @@ def condensed() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 65)
+    c = ca.SX.sym("c", 68)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -346,7 +352,7 @@ def augmented() -> ca.Function:
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
     takes t (1) [s]: time
-    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 9 x 9) [SI]: mass matrix in all coordinates
     gives K (n x n = 9 x 9) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 9) [N, N m]: quadratic velocity force in all coordinates
@@ -359,7 +365,7 @@ def augmented() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 65)
+    c = ca.SX.sym("c", 68)
     beam_theta = q[5]
     beam_q1 = q[6]
     beam_q2 = q[7]
@@ -404,6 +410,9 @@ def augmented() -> ca.Function:
     c34 = c[34]
     c35 = c[35]
     c36 = c[36]
+    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
     # intermediate terms (32)
     w0 = ca.sin(beam_theta)
     w1 = beam_q1 * c25 + beam_q2 * c26 + beam_q3 * c27
@@ -414,29 +423,29 @@ def augmented() -> ca.Function:
     w6 = beam_q1 * c34 + beam_q2 * c35 + beam_q3 * c36
     w7 = w0 * w4 + w5 * w6
     w8 = -w7
-    w9 = -(w1 * w5 + w0 * c34)
-    w10 = -(w2 * w5 + w0 * c35)
-    w11 = -(w3 * w5 + w0 * c36)
-    w12 = w4 * w5 - w0 * w6
-    w13 = w5 * c34 - w0 * w1
-    w14 = w5 * c35 - w0 * w2
-    w15 = w5 * c36 - w0 * w3
-    w16 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
-    w17 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
-    w18 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
-    w19 = beam_theta_dot**2
-    w20 = 2 * beam_theta_dot
-    w21 = beam_q1_dot * c34 + beam_q2_dot * c35 + beam_q3_dot * c36
-    w22 = w1 * beam_q1_dot + w2 * beam_q2_dot + w3 * beam_q3_dot
-    w23 = beam_q1_dot * (beam_q1_dot * c25 + beam_q2_dot * c26 + beam_q3_dot * c27) + beam_q2_dot * (beam_q1_dot * c28 + beam_q2_dot * c29 + beam_q3_dot * c30)
-    w24 = w23 + beam_q3_dot * (beam_q1_dot * c31 + beam_q2_dot * c32 + beam_q3_dot * c33)
-    w25 = w12 * w19 + w20 * (w5 * w21 - w0 * w22) + w5 * w24
-    w26 = w7 * w19 + w0 * w24 + w20 * (w5 * w22 + w0 * w21)
-    w27 = beam_theta_dot * -2.0 * (w16 * beam_q1_dot + w17 * beam_q2_dot + w18 * beam_q3_dot)
-    w28 = w16 * w19
-    w29 = w17 * w19
-    w30 = w18 * w19
-    w31 = ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * torque, 0)
+    w9 = w4 * w5 - w0 * w6
+    w10 = w5 * c34 - w0 * w1
+    w11 = w5 * c35 - w0 * w2
+    w12 = w5 * c36 - w0 * w3
+    w13 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
+    w14 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
+    w15 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
+    w16 = beam_theta_dot**2
+    w17 = 2 * beam_theta_dot
+    w18 = beam_q1_dot * c34 + beam_q2_dot * c35 + beam_q3_dot * c36
+    w19 = w1 * beam_q1_dot + w2 * beam_q2_dot + w3 * beam_q3_dot
+    w20 = beam_q1_dot * (beam_q1_dot * c25 + beam_q2_dot * c26 + beam_q3_dot * c27) + beam_q2_dot * (beam_q1_dot * c28 + beam_q2_dot * c29 + beam_q3_dot * c30)
+    w21 = w20 + beam_q3_dot * (beam_q1_dot * c31 + beam_q2_dot * c32 + beam_q3_dot * c33)
+    w22 = w9 * w16 + w17 * (w5 * w18 - w0 * w19) + w5 * w21
+    w23 = w7 * w16 + w0 * w21 + w17 * (w5 * w19 + w0 * w18)
+    w24 = beam_theta_dot * -2.0 * (w13 * beam_q1_dot + w14 * beam_q2_dot + w15 * beam_q3_dot)
+    w25 = w13 * w16
+    w26 = w14 * w16
+    w27 = w15 * w16
+    w28 = ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * torque, 0)
+    w29 = w0 * c37 - w1 * w5
+    w30 = w0 * c38 - w2 * w5
+    w31 = w0 * c39 - w3 * w5
     # outputs
     M = ca.SX(9, 9)
     # hub.x
@@ -448,35 +457,35 @@ def augmented() -> ca.Function:
     # beam.x
     M[3, 3] = c21
     M[3, 5] = w8
-    M[3, 6] = w9
-    M[3, 7] = w10
-    M[3, 8] = w11
+    M[3, 6] = w29
+    M[3, 7] = w30
+    M[3, 8] = w31
     # beam.y
     M[4, 4] = c21
-    M[4, 5] = w12
-    M[4, 6] = w13
-    M[4, 7] = w14
-    M[4, 8] = w15
+    M[4, 5] = w9
+    M[4, 6] = w10
+    M[4, 7] = w11
+    M[4, 8] = w12
     # beam.theta
     M[5, 3] = w8
-    M[5, 4] = w12
-    M[5, 5] = c22 + (beam_q1 * w16 + beam_q2 * w17 + beam_q3 * w18)
+    M[5, 4] = w9
+    M[5, 5] = c22 + (beam_q1 * w13 + beam_q2 * w14 + beam_q3 * w15)
     M[5, 6] = c13
     M[5, 7] = c14
     M[5, 8] = c15
     # beam.q1
-    M[6, 3] = w9
-    M[6, 4] = w13
+    M[6, 3] = w29
+    M[6, 4] = w10
     M[6, 5] = c13
     M[6, 6] = c0
     # beam.q2
-    M[7, 3] = w10
-    M[7, 4] = w14
+    M[7, 3] = w30
+    M[7, 4] = w11
     M[7, 5] = c14
     M[7, 7] = c4
     # beam.q3
-    M[8, 3] = w11
-    M[8, 4] = w15
+    M[8, 3] = w31
+    M[8, 4] = w12
     M[8, 5] = c15
     M[8, 8] = c8
     K = ca.SX(9, 9)
@@ -490,25 +499,25 @@ def augmented() -> ca.Function:
         0.0,  # hub.x
         0.0,  # hub.y
         0.0,  # hub.theta
-        w25,  # beam.x
-        w26,  # beam.y
-        w27,  # beam.theta
-        w28,  # beam.q1
-        w29,  # beam.q2
-        w30,  # beam.q3
+        w22,  # beam.x
+        w23,  # beam.y
+        w24,  # beam.theta
+        w25,  # beam.q1
+        w26,  # beam.q2
+        w27,  # beam.q3
     )
     Q_F = ca.SX(9, 1)
-    Q_F[2] = w31  # hub.theta
+    Q_F[2] = w28  # hub.theta
     Q_star = ca.vertcat(
         0.0,  # hub.x
         0.0,  # hub.y
-        w31,  # hub.theta
-        w25,  # beam.x
-        w26,  # beam.y
-        w27,  # beam.theta
-        w28 - beam_q1 * c17,  # beam.q1
-        w29 - beam_q2 * c18,  # beam.q2
-        w30 - beam_q3 * c19,  # beam.q3
+        w28,  # hub.theta
+        w22,  # beam.x
+        w23,  # beam.y
+        w24,  # beam.theta
+        w25 - beam_q1 * c17,  # beam.q1
+        w26 - beam_q2 * c18,  # beam.q2
+        w27 - beam_q3 * c19,  # beam.q3
     )
     C_q = ca.SX(5, 9)
     # pivot.x
@@ -535,7 +544,7 @@ def reactions() -> ca.Function:
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
     takes q_ddot (n = 9) [mixed]: accelerations of all coordinates
-    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 5) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 2) [N, N m]: world force and moment of a joint on its body b, at b
     237 operations.
@@ -543,7 +552,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
-    c = ca.SX.sym("c", 65)
+    c = ca.SX.sym("c", 68)
     beam_theta = q[5]
     beam_q1 = q[6]
     beam_q2 = q[7]
@@ -640,7 +649,7 @@ def energy() -> ca.Function:
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
     takes t (1) [s]: time
-    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -651,7 +660,7 @@ def energy() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 65)
+    c = ca.SX.sym("c", 68)
     beam_theta = q[5]
     beam_q1 = q[6]
     beam_q2 = q[7]
@@ -741,13 +750,13 @@ def measures() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives measures (measures = 4) [mixed]: measures of the scene and their rates
     117 operations.
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 65)
+    c = ca.SX.sym("c", 68)
     beam_x = q[3]
     beam_y = q[4]
     beam_theta = q[5]
@@ -760,30 +769,30 @@ def measures() -> ca.Function:
     beam_q1_dot = q_dot[6]
     beam_q2_dot = q_dot[7]
     beam_q3_dot = q_dot[8]
-    beam_length = c[37]
-    c38 = c[38]
-    c39 = c[39]
-    c40 = c[40]
+    beam_length = c[40]
     c41 = c[41]
     c42 = c[42]
     c43 = c[43]
     c44 = c[44]
     c45 = c[45]
     c46 = c[46]
-    beam_clamped_free3_1_0_shape_1_0 = c[47]
-    beam_clamped_free3_1_0_shape_1_1 = c[48]
-    beam_clamped_free3_1_0_shape_1_2 = c[49]
+    c47 = c[47]
+    c48 = c[48]
+    c49 = c[49]
+    beam_clamped_free3_1_0_shape_1_0 = c[50]
+    beam_clamped_free3_1_0_shape_1_1 = c[51]
+    beam_clamped_free3_1_0_shape_1_2 = c[52]
     # intermediate terms (12)
     w0 = ca.cos(beam_theta)
-    w1 = beam_q1 * c38 + beam_q2 * c39 + beam_q3 * c40
-    w2 = beam_q1 * c41 + beam_q2 * c42 + beam_q3 * c43
-    w3 = beam_q1 * c44 + beam_q2 * c45 + beam_q3 * c46
+    w1 = beam_q1 * c41 + beam_q2 * c42 + beam_q3 * c43
+    w2 = beam_q1 * c44 + beam_q2 * c45 + beam_q3 * c46
+    w3 = beam_q1 * c47 + beam_q2 * c48 + beam_q3 * c49
     w4 = beam_length - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3) * 0.5
     w5 = ca.sin(beam_theta)
     w6 = beam_q1 * beam_clamped_free3_1_0_shape_1_0 + beam_q2 * beam_clamped_free3_1_0_shape_1_1 + beam_q3 * beam_clamped_free3_1_0_shape_1_2
     w7 = w5 * beam_theta_dot
-    w8 = w1 * beam_q1_dot + beam_q1 * (beam_q1_dot * c38 + beam_q2_dot * c39 + beam_q3_dot * c40) + (w2 * beam_q2_dot + beam_q2 * (beam_q1_dot * c41 + beam_q2_dot * c42 + beam_q3_dot * c43))
-    w9 = (w8 + (w3 * beam_q3_dot + beam_q3 * (beam_q1_dot * c44 + beam_q2_dot * c45 + beam_q3_dot * c46))) * 0.5
+    w8 = w1 * beam_q1_dot + beam_q1 * (beam_q1_dot * c41 + beam_q2_dot * c42 + beam_q3_dot * c43) + (w2 * beam_q2_dot + beam_q2 * (beam_q1_dot * c44 + beam_q2_dot * c45 + beam_q3_dot * c46))
+    w9 = (w8 + (w3 * beam_q3_dot + beam_q3 * (beam_q1_dot * c47 + beam_q2_dot * c48 + beam_q3_dot * c49))) * 0.5
     w10 = w0 * beam_theta_dot
     w11 = beam_q1_dot * beam_clamped_free3_1_0_shape_1_0 + beam_q2_dot * beam_clamped_free3_1_0_shape_1_1 + beam_q3_dot * beam_clamped_free3_1_0_shape_1_2
     # outputs
@@ -801,12 +810,12 @@ def load_actions() -> ca.Function:
     """What the loads do at their markers.
 
     takes t (1) [s]: time
-    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
     13 operations.
     """
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 65)
+    c = ca.SX.sym("c", 68)
     torque = c[16]
     # outputs
     load_actions = ca.vertcat(0.0, 0.0, ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * torque, 0))
@@ -872,13 +881,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i, through q_d
     72 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
-    c = ca.SX.sym("c", 65)
+    c = ca.SX.sym("c", 68)
     beam_q1_dot = q_i_dot[1]
     beam_q2_dot = q_i_dot[2]
     beam_q3_dot = q_i_dot[3]
@@ -892,28 +901,28 @@ def dQ_hat_dq_i() -> ca.Function:
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
-    c50 = c[50]
-    c51 = c[51]
-    c52 = c[52]
     c53 = c[53]
     c54 = c[54]
     c55 = c[55]
     c56 = c[56]
     c57 = c[57]
     c58 = c[58]
+    c59 = c[59]
+    c60 = c[60]
+    c61 = c[61]
     # intermediate terms (2)
     w0 = beam_theta_dot * -2.0
     w1 = beam_theta_dot**2
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # hub.theta
-            0.0, w0 * (beam_q1_dot * c50 - beam_q2_dot * c5 - beam_q3_dot * c9),
-            w0 * (beam_q2_dot * c51 - beam_q1_dot * c2 - beam_q3_dot * c10),
-            w0 * (beam_q3_dot * c52 - (beam_q1_dot * c3 + beam_q2_dot * c7)),
+            0.0, w0 * (beam_q1_dot * c53 - beam_q2_dot * c5 - beam_q3_dot * c9),
+            w0 * (beam_q2_dot * c54 - beam_q1_dot * c2 - beam_q3_dot * c10),
+            w0 * (beam_q3_dot * c55 - (beam_q1_dot * c3 + beam_q2_dot * c7)),
         ),
-        ca.horzcat(0.0, w1 * c50 - c17, w1 * c55, w1 * c57),  # beam.q1
-        ca.horzcat(0.0, w1 * c53, w1 * c51 - c18, w1 * c58),  # beam.q2
-        ca.horzcat(0.0, w1 * c54, w1 * c56, w1 * c52 - c19),  # beam.q3
+        ca.horzcat(0.0, w1 * c53 - c17, w1 * c58, w1 * c60),  # beam.q1
+        ca.horzcat(0.0, w1 * c56, w1 * c54 - c18, w1 * c61),  # beam.q2
+        ca.horzcat(0.0, w1 * c57, w1 * c59, w1 * c55 - c19),  # beam.q3
     )
     inputs, outputs = [q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
@@ -925,14 +934,14 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     72 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
-    c = ca.SX.sym("c", 65)
+    c = ca.SX.sym("c", 68)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -982,7 +991,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     156 operations.
@@ -991,7 +1000,7 @@ def residual_jacobian() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 65)
+    c = ca.SX.sym("c", 68)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -1015,31 +1024,31 @@ def residual_jacobian() -> ca.Function:
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
-    c50 = c[50]
-    c51 = c[51]
-    c52 = c[52]
     c53 = c[53]
     c54 = c[54]
     c55 = c[55]
     c56 = c[56]
     c57 = c[57]
     c58 = c[58]
+    c59 = c[59]
+    c60 = c[60]
+    c61 = c[61]
     # intermediate terms (9)
     w0 = beam_theta_dot * -2.0
     w1 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
-    w2 = w0 * (beam_q1_dot * c50 - beam_q2_dot * c5 - beam_q3_dot * c9) - hub_theta_ddot * (w1 + beam_q1 * c50 - beam_q2 * c5 - beam_q3 * c9)
+    w2 = w0 * (beam_q1_dot * c53 - beam_q2_dot * c5 - beam_q3_dot * c9) - hub_theta_ddot * (w1 + beam_q1 * c53 - beam_q2 * c5 - beam_q3 * c9)
     w3 = beam_theta_dot**2
     w4 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
-    w5 = w0 * (beam_q2_dot * c51 - beam_q1_dot * c2 - beam_q3_dot * c10) - hub_theta_ddot * (w4 + beam_q2 * c51 - beam_q1 * c2 - beam_q3 * c10)
+    w5 = w0 * (beam_q2_dot * c54 - beam_q1_dot * c2 - beam_q3_dot * c10) - hub_theta_ddot * (w4 + beam_q2 * c54 - beam_q1 * c2 - beam_q3 * c10)
     w6 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
-    w7 = w0 * (beam_q3_dot * c52 - (beam_q1_dot * c3 + beam_q2_dot * c7)) - hub_theta_ddot * (w6 + beam_q3 * c52 - (beam_q1 * c3 + beam_q2 * c7))
+    w7 = w0 * (beam_q3_dot * c55 - (beam_q1_dot * c3 + beam_q2_dot * c7)) - hub_theta_ddot * (w6 + beam_q3 * c55 - (beam_q1 * c3 + beam_q2 * c7))
     w8 = 2 * beam_theta_dot
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(0.0, w2, w5, w7),  # hub.theta
-        ca.horzcat(0.0, w3 * c50 - c17, w3 * c55, w3 * c57),  # beam.q1
-        ca.horzcat(0.0, w3 * c53, w3 * c51 - c18, w3 * c58),  # beam.q2
-        ca.horzcat(0.0, w3 * c54, w3 * c56, w3 * c52 - c19),  # beam.q3
+        ca.horzcat(0.0, w3 * c53 - c17, w3 * c58, w3 * c60),  # beam.q1
+        ca.horzcat(0.0, w3 * c56, w3 * c54 - c18, w3 * c61),  # beam.q2
+        ca.horzcat(0.0, w3 * c57, w3 * c59, w3 * c55 - c19),  # beam.q3
     )
     J_v = ca.SX(4, 4)
     # hub.theta
@@ -1060,13 +1069,13 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 4 x 3) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 3 x 3) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 3 x 3) [SI]: damping of the stiff deflections
     35 operations.
     """
-    c = ca.SX.sym("c", 65)
+    c = ca.SX.sym("c", 68)
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
@@ -1094,7 +1103,7 @@ def forward_dynamics() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
     takes t (1) [s]: time
-    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
     112 operations.
     """
@@ -1102,7 +1111,7 @@ def forward_dynamics() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 65)
+    c = ca.SX.sym("c", 68)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -1131,12 +1140,12 @@ def forward_dynamics() -> ca.Function:
     c19 = c[19]
     hub_inertia = c[20]
     c22 = c[22]
-    c59 = c[59]
-    c60 = c[60]
-    c61 = c[61]
     c62 = c[62]
     c63 = c[63]
     c64 = c[64]
+    c65 = c[65]
+    c66 = c[66]
+    c67 = c[67]
     # intermediate terms (9)
     w0 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
     w1 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
@@ -1144,9 +1153,9 @@ def forward_dynamics() -> ca.Function:
     w3 = beam_theta_dot**2
     w4 = w2 * w3 - beam_q3 * c19
     w5 = w1 * w3 - beam_q2 * c18
-    w6 = beam_theta_dot * -2.0 * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot) - w4 * c59 - w5 * c60
+    w6 = beam_theta_dot * -2.0 * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot) - w4 * c62 - w5 * c63
     w7 = w0 * w3 - beam_q1 * c17
-    w8 = (ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * torque, 0) + (w6 - w7 * c61)) / (hub_inertia + (c22 + (beam_q1 * w0 + beam_q2 * w1 + beam_q3 * w2) - c62 - c63 - c64))
+    w8 = (ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * torque, 0) + (w6 - w7 * c64)) / (hub_inertia + (c22 + (beam_q1 * w0 + beam_q2 * w1 + beam_q3 * w2) - c65 - c66 - c67))
     # outputs
     q_i_ddot = ca.vertcat(
         w8,  # hub.theta
@@ -1165,7 +1174,7 @@ def blocks() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
     takes t (1) [s]: time
-    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
     gives M_hat_LS (n_L x n_S = 1 x 3) [SI]: block of M_hat, rows of L, columns of S
     gives M_hat_SL (n_S x n_L = 3) [SI]: block of M_hat, rows of S, columns of L
@@ -1178,7 +1187,7 @@ def blocks() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 65)
+    c = ca.SX.sym("c", 68)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -1237,7 +1246,7 @@ def substep_2() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
     takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
-    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 3 x 3) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 3) [N, N m]: right-hand side of a sub-step, slow q'' given
     67 operations.
@@ -1245,7 +1254,7 @@ def substep_2() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 65)
+    c = ca.SX.sym("c", 68)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -1266,9 +1275,9 @@ def substep_2() -> ca.Function:
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
-    c50 = c[50]
-    c51 = c[51]
-    c52 = c[52]
+    c53 = c[53]
+    c54 = c[54]
+    c55 = c[55]
     # intermediate terms (4)
     w0 = beam_theta_dot**2
     w1 = w0 * beam_q1
@@ -1283,9 +1292,9 @@ def substep_2() -> ca.Function:
     # beam.q3
     M_hat_SS[2, 2] = c8
     rhs_S = ca.vertcat(
-        w1 * c50 - w2 * c2 - w3 * c3 - beam_q1 * c17 - hub_theta_ddot * c13,  # beam.q1
-        w2 * c51 - w1 * c5 - w3 * c7 - beam_q2 * c18 - hub_theta_ddot * c14,  # beam.q2
-        w3 * c52 - w1 * c9 - w2 * c10 - beam_q3 * c19 - hub_theta_ddot * c15,  # beam.q3
+        w1 * c53 - w2 * c2 - w3 * c3 - beam_q1 * c17 - hub_theta_ddot * c13,  # beam.q1
+        w2 * c54 - w1 * c5 - w3 * c7 - beam_q2 * c18 - hub_theta_ddot * c14,  # beam.q2
+        w3 * c55 - w1 * c9 - w2 * c10 - beam_q3 * c19 - hub_theta_ddot * c15,  # beam.q3
     )
     inputs, outputs = [q_i, q_d_dot, q_L_ddot, c], [ca.densify(M_hat_SS), ca.densify(rhs_S)]
     return ca.Function("substep_2", inputs, outputs, ["q_i", "q_d_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])

@@ -17,8 +17,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 164) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
-    98 operations.
+    gives c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
+    100 operations.
     """
     p = ca.SX.sym("p", 164)
     crank_mass = p[0]
@@ -50,7 +50,7 @@ def constants() -> ca.Function:
     crank_tip_x = p[26]
     beam_pinned_pinned2_1_0_H_0_0 = p[31]
     beam_pinned_pinned2_1_0_H_1_1 = p[32]
-    # intermediate terms (15)
+    # intermediate terms (16)
     w0 = rod_density * rod_area
     w1 = w0 * rod_length
     w2 = beam_pinned_pinned2_1_0_H_0_0 / rod_length
@@ -60,12 +60,13 @@ def constants() -> ca.Function:
     w6 = w0 * beam_pinned_pinned2_H_0_1
     w7 = w0 * beam_pinned_pinned2_H_1_0
     w8 = w0 * beam_pinned_pinned2_H_1_1
-    w9 = rod_length**2
-    w10 = w1 * beam_pinned_pinned2_mass_0_0
-    w11 = w1 * beam_pinned_pinned2_xH_0_0
-    w12 = w1 * beam_pinned_pinned2_mass_1_1
-    w13 = w1 * beam_pinned_pinned2_xH_1_1
-    w14 = rod_youngs_modulus * rod_second_moment / (rod_length * w9)
+    w9 = w1 * beam_pinned_pinned2_phi_y_0_0
+    w10 = rod_length**2
+    w11 = w1 * beam_pinned_pinned2_mass_0_0
+    w12 = w1 * beam_pinned_pinned2_xH_0_0
+    w13 = w1 * beam_pinned_pinned2_mass_1_1
+    w14 = w1 * beam_pinned_pinned2_xH_1_1
+    w15 = rod_youngs_modulus * rod_second_moment / (rod_length * w10)
     # outputs
     c = ca.vertcat(
         crank_inertia,  # crank_inertia
@@ -81,27 +82,28 @@ def constants() -> ca.Function:
         w6,  # c10
         w7,  # c11
         w8,  # c12
-        w1 * beam_pinned_pinned2_phi_y_0_0,  # c13
-        w1 * w9 * beam_pinned_pinned2_i0_0_0,  # c14
-        w10,  # c15
-        w11,  # c16
+        w9,  # c13
+        w1 * w10 * beam_pinned_pinned2_i0_0_0,  # c14
+        w11,  # c15
+        w12,  # c16
         w1 * beam_pinned_pinned2_xH_0_1,  # c17
-        w12,  # c18
+        w13,  # c18
         w1 * beam_pinned_pinned2_xH_1_0,  # c19
-        w13,  # c20
+        w14,  # c20
         w4 * beam_pinned_pinned2_xi_phi_y_0_0,  # c21
         w4 * beam_pinned_pinned2_xi_phi_y_1_0,  # c22
-        w14 * beam_pinned_pinned2_kappa_lateral_0_0,  # c23
-        w14 * beam_pinned_pinned2_kappa_lateral_1_1,  # c24
+        w15 * beam_pinned_pinned2_kappa_lateral_0_0,  # c23
+        w15 * beam_pinned_pinned2_kappa_lateral_1_1,  # c24
         crank_mass,  # crank_mass
         slider_inertia,  # slider_inertia
-        w10 - w11,  # c27
-        w12 - w13,  # c28
-        2 * w2,  # c29
-        2 * w3,  # c30
-        w5 + w5,  # c31
-        w6 + w7,  # c32
-        w8 + w8,  # c33
+        -w9,  # c27
+        w11 - w12,  # c28
+        w13 - w14,  # c29
+        2 * w2,  # c30
+        2 * w3,  # c31
+        w5 + w5,  # c32
+        w6 + w7,  # c33
+        w8 + w8,  # c34
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -114,7 +116,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 3 x 3) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 3) [N, N m]: condensed force S^T (Q* - M s)
     284 operations.
@@ -123,7 +125,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 34)
+    c = ca.SX.sym("c", 35)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -234,7 +236,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 1) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -242,7 +244,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 34)
+    c = ca.SX.sym("c", 35)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -276,14 +278,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
-    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     58 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 34)
+    c = ca.SX.sym("c", 35)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -323,7 +325,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
     92 operations.
     """
@@ -332,7 +334,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
-    c = ca.SX.sym("c", 34)
+    c = ca.SX.sym("c", 35)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -383,7 +385,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 11) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 11) [mixed]: rates of all coordinates
-    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 8 x 11) [SI]: constraint Jacobian
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -393,7 +395,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
-    c = ca.SX.sym("c", 34)
+    c = ca.SX.sym("c", 35)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -484,7 +486,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 11) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 11) [mixed]: rates of all coordinates
-    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 11 x 11) [SI]: mass matrix in all coordinates
     gives K (n x n = 11 x 11) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 11) [N, N m]: quadratic velocity force in all coordinates
@@ -496,7 +498,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
-    c = ca.SX.sym("c", 34)
+    c = ca.SX.sym("c", 35)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -531,6 +533,7 @@ def augmented() -> ca.Function:
     c24 = c[24]
     crank_mass = c[25]
     slider_inertia = c[26]
+    c27 = c[27]
     # intermediate terms (35)
     w0 = ca.sin(rod_theta)
     w1 = rod_q1 * c9 + rod_q2 * c10
@@ -540,33 +543,33 @@ def augmented() -> ca.Function:
     w5 = rod_q1 * c13
     w6 = w0 * w3 + w4 * w5
     w7 = -w6
-    w8 = -(w1 * w4 + w0 * c13)
-    w9 = -(w2 * w4)
-    w10 = w3 * w4 - w0 * w5
-    w11 = w4 * c13 - w0 * w1
-    w12 = -(w0 * w2)
-    w13 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
-    w14 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
-    w15 = rod_theta_dot**2
-    w16 = 2 * rod_theta_dot
-    w17 = rod_q1_dot * c13
-    w18 = w1 * rod_q1_dot + w2 * rod_q2_dot
-    w19 = rod_q1_dot * (rod_q1_dot * c9 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + rod_q2_dot * c12)
-    w20 = w10 * w15 + w16 * (w4 * w17 - w0 * w18) + w4 * w19
-    w21 = w6 * w15 + w0 * w19 + w16 * (w4 * w18 + w0 * w17)
-    w22 = rod_theta_dot * -2.0 * (w13 * rod_q1_dot + w14 * rod_q2_dot)
-    w23 = w13 * w15
-    w24 = w14 * w15
-    w25 = ca.sin(crank_theta) * crank_tip_x
-    w26 = ca.cos(crank_theta) * crank_tip_x
-    w27 = rod_q1 * c6
-    w28 = rod_q2 * c7
-    w29 = rod_length - (rod_q1 * w27 + rod_q2 * w28) * 0.5
-    w30 = w0 * w29
-    w31 = w4 * w29
-    w32 = crank_theta_dot**2
-    w33 = rod_q1_dot * w27 + rod_q2_dot * w28
-    w34 = rod_q1_dot * (rod_q1_dot * c6) + rod_q2_dot * (rod_q2_dot * c7)
+    w8 = -(w2 * w4)
+    w9 = w3 * w4 - w0 * w5
+    w10 = w4 * c13 - w0 * w1
+    w11 = -(w0 * w2)
+    w12 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w13 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w14 = rod_theta_dot**2
+    w15 = 2 * rod_theta_dot
+    w16 = rod_q1_dot * c13
+    w17 = w1 * rod_q1_dot + w2 * rod_q2_dot
+    w18 = rod_q1_dot * (rod_q1_dot * c9 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + rod_q2_dot * c12)
+    w19 = w9 * w14 + w15 * (w4 * w16 - w0 * w17) + w4 * w18
+    w20 = w6 * w14 + w0 * w18 + w15 * (w4 * w17 + w0 * w16)
+    w21 = rod_theta_dot * -2.0 * (w12 * rod_q1_dot + w13 * rod_q2_dot)
+    w22 = w12 * w14
+    w23 = w13 * w14
+    w24 = ca.sin(crank_theta) * crank_tip_x
+    w25 = ca.cos(crank_theta) * crank_tip_x
+    w26 = rod_q1 * c6
+    w27 = rod_q2 * c7
+    w28 = rod_length - (rod_q1 * w26 + rod_q2 * w27) * 0.5
+    w29 = w0 * w28
+    w30 = w4 * w28
+    w31 = crank_theta_dot**2
+    w32 = rod_q1_dot * w26 + rod_q2_dot * w27
+    w33 = rod_q1_dot * (rod_q1_dot * c6) + rod_q2_dot * (rod_q2_dot * c7)
+    w34 = w0 * c27 - w1 * w4
     # outputs
     M = ca.SX(11, 11)
     # crank.x
@@ -578,27 +581,27 @@ def augmented() -> ca.Function:
     # rod.x
     M[3, 3] = c3
     M[3, 5] = w7
-    M[3, 6] = w8
-    M[3, 7] = w9
+    M[3, 6] = w34
+    M[3, 7] = w8
     # rod.y
     M[4, 4] = c3
-    M[4, 5] = w10
-    M[4, 6] = w11
-    M[4, 7] = w12
+    M[4, 5] = w9
+    M[4, 6] = w10
+    M[4, 7] = w11
     # rod.theta
     M[5, 3] = w7
-    M[5, 4] = w10
-    M[5, 5] = c14 + (rod_q1 * w13 + rod_q2 * w14)
+    M[5, 4] = w9
+    M[5, 5] = c14 + (rod_q1 * w12 + rod_q2 * w13)
     M[5, 6] = c21
     M[5, 7] = c22
     # rod.q1
-    M[6, 3] = w8
-    M[6, 4] = w11
+    M[6, 3] = w34
+    M[6, 4] = w10
     M[6, 5] = c21
     M[6, 6] = c15
     # rod.q2
-    M[7, 3] = w9
-    M[7, 4] = w12
+    M[7, 3] = w8
+    M[7, 4] = w11
     M[7, 5] = c22
     M[7, 7] = c18
     # slider.x
@@ -613,18 +616,18 @@ def augmented() -> ca.Function:
     # rod.q2
     K[7, 7] = c24
     Q_v = ca.SX(11, 1)
-    Q_v[3] = w20  # rod.x
-    Q_v[4] = w21  # rod.y
-    Q_v[5] = w22  # rod.theta
-    Q_v[6] = w23  # rod.q1
-    Q_v[7] = w24  # rod.q2
+    Q_v[3] = w19  # rod.x
+    Q_v[4] = w20  # rod.y
+    Q_v[5] = w21  # rod.theta
+    Q_v[6] = w22  # rod.q1
+    Q_v[7] = w23  # rod.q2
     Q_F = ca.SX(11, 1)
     Q_star = ca.SX(11, 1)
-    Q_star[3] = w20  # rod.x
-    Q_star[4] = w21  # rod.y
-    Q_star[5] = w22  # rod.theta
-    Q_star[6] = w23 - rod_q1 * c23  # rod.q1
-    Q_star[7] = w24 - rod_q2 * c24  # rod.q2
+    Q_star[3] = w19  # rod.x
+    Q_star[4] = w20  # rod.y
+    Q_star[5] = w21  # rod.theta
+    Q_star[6] = w22 - rod_q1 * c23  # rod.q1
+    Q_star[7] = w23 - rod_q2 * c24  # rod.q2
     C_q = ca.SX(8, 11)
     # A.x
     C_q[0, 0] = 1.0
@@ -632,11 +635,11 @@ def augmented() -> ca.Function:
     C_q[1, 1] = 1.0
     # B.x
     C_q[2, 0] = -1.0
-    C_q[2, 2] = w25
+    C_q[2, 2] = w24
     C_q[2, 3] = 1.0
     # B.y
     C_q[3, 1] = -1.0
-    C_q[3, 2] = -w26
+    C_q[3, 2] = -w25
     C_q[3, 4] = 1.0
     # slide.normal
     C_q[4, 9] = 1.0
@@ -644,21 +647,21 @@ def augmented() -> ca.Function:
     C_q[5, 10] = 1.0
     # C.x
     C_q[6, 3] = -1.0
-    C_q[6, 5] = w30
-    C_q[6, 6] = w4 * w27
-    C_q[6, 7] = w4 * w28
+    C_q[6, 5] = w29
+    C_q[6, 6] = w4 * w26
+    C_q[6, 7] = w4 * w27
     C_q[6, 8] = 1.0
     # C.y
     C_q[7, 4] = -1.0
-    C_q[7, 5] = -w31
-    C_q[7, 6] = w0 * w27
-    C_q[7, 7] = w0 * w28
+    C_q[7, 5] = -w30
+    C_q[7, 6] = w0 * w26
+    C_q[7, 7] = w0 * w27
     C_q[7, 9] = 1.0
     gamma_b = ca.SX(8, 1)
-    gamma_b[2] = -(w26 * w32)  # B.x
-    gamma_b[3] = -(w25 * w32)  # B.y
-    gamma_b[6] = w16 * (w0 * w33) - (w4 * w34 + w15 * w31)  # C.x
-    gamma_b[7] = -(w0 * w34 + w16 * (w4 * w33) + w15 * w30)  # C.y
+    gamma_b[2] = -(w25 * w31)  # B.x
+    gamma_b[3] = -(w24 * w31)  # B.y
+    gamma_b[6] = w15 * (w0 * w32) - (w4 * w33 + w14 * w30)  # C.x
+    gamma_b[7] = -(w0 * w33 + w15 * (w4 * w32) + w14 * w29)  # C.y
     inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
@@ -669,7 +672,7 @@ def reactions() -> ca.Function:
     takes q (n = 11) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 11) [mixed]: rates of all coordinates
     takes q_ddot (n = 11) [mixed]: accelerations of all coordinates
-    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
     195 operations.
@@ -677,7 +680,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     q_ddot = ca.SX.sym("q_ddot", 11)
-    c = ca.SX.sym("c", 34)
+    c = ca.SX.sym("c", 35)
     rod_theta = q[5]
     rod_q1 = q[6]
     rod_q2 = q[7]
@@ -771,7 +774,7 @@ def energy() -> ca.Function:
 
     takes q (n = 11) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 11) [mixed]: rates of all coordinates
-    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -781,7 +784,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
-    c = ca.SX.sym("c", 34)
+    c = ca.SX.sym("c", 35)
     rod_theta = q[5]
     rod_q1 = q[6]
     rod_q2 = q[7]
@@ -906,7 +909,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i, through q_d
     578 operations.
     """
@@ -914,7 +917,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 34)
+    c = ca.SX.sym("c", 35)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -947,8 +950,8 @@ def dQ_hat_dq_i() -> ca.Function:
     c22 = c[22]
     c23 = c[23]
     c24 = c[24]
-    c27 = c[27]
     c28 = c[28]
+    c29 = c[29]
     # intermediate terms (129)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = crank_theta_dot**2
@@ -1062,9 +1065,9 @@ def dQ_hat_dq_i() -> ca.Function:
     w109 = w5 * c6
     w110 = (rod_q1_dot * w109 + rod_theta_dot * w65 + w67 * w92) / w40
     w111 = (w41 * w65 + (w19 * (w11 * w25) - w4 * w89) + w64 * w110 + w70 * w92) / w40
-    w112 = w43 * (rod_q1_dot * c27 - rod_q2_dot * c19) - (w41 * (w44 + rod_q1 * c27 - rod_q2 * c19) + (w38 * w106 + w2 * w104))
+    w112 = w43 * (rod_q1_dot * c28 - rod_q2_dot * c19) - (w41 * (w44 + rod_q1 * c28 - rod_q2 * c19) + (w38 * w106 + w2 * w104))
     w113 = w88 + w112 - w90 + w35 * w107 - w77 * w111 + w78 * w110 + w79 * w92
-    w114 = w4 * c27 - c23 - (w38 * (w5 * c9) + w2 * (w11 * c9)) + w54 * w109 + w53 * (w11 * c6) + w65 * w107
+    w114 = w4 * c28 - c23 - (w38 * (w5 * c9) + w2 * (w11 * c9)) + w54 * w109 + w53 * (w11 * c6) + w65 * w107
     w115 = w66 * w107 - (w2 * (w11 * c11) + w38 * (w5 * c11) + w4 * c19) - w96 * w111 + w97 * w110 + w92 * w101
     w116 = w16 + rod_q1_dot * c10
     w117 = (rod_q1 * c10 + (w8 + w9)) * 0.5
@@ -1075,10 +1078,10 @@ def dQ_hat_dq_i() -> ca.Function:
     w122 = w5 * c7
     w123 = (rod_theta_dot * w66 + rod_q2_dot * w122 + w67 * w102) / w40
     w124 = (w41 * w66 + (w19 * (w11 * w26) - w4 * w99) + w64 * w123 + w70 * w102) / w40
-    w125 = w43 * (rod_q2_dot * c28 - rod_q1_dot * c17) - (w38 * w119 - w2 * w118 + w41 * (w45 + rod_q2 * c28 - rod_q1 * c17))
+    w125 = w43 * (rod_q2_dot * c29 - rod_q1_dot * c17) - (w38 * w119 - w2 * w118 + w41 * (w45 + rod_q2 * c29 - rod_q1 * c17))
     w126 = w98 + w125 - w100 + w35 * w120 - w77 * w124 + w78 * w123 + w79 * w102
     w127 = w65 * w120 - (w38 * (w5 * c10) + w2 * (w11 * c10) + w4 * c17) - w86 * w124 + w87 * w123 + w91 * w102
-    w128 = w4 * c28 - c24 - (w2 * (w11 * c12) + w38 * (w5 * c12)) + w54 * w122 + w53 * (w11 * c7) + w66 * w120
+    w128 = w4 * c29 - c24 - (w2 * (w11 * c12) + w38 * (w5 * c12)) + w54 * w122 + w53 * (w11 * c7) + w66 * w120
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # crank.theta
@@ -1106,7 +1109,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     320 operations.
     """
@@ -1114,7 +1117,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 34)
+    c = ca.SX.sym("c", 35)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1145,11 +1148,11 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
-    c29 = c[29]
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
     c33 = c[33]
+    c34 = c[34]
     # intermediate terms (61)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(crank_theta) * crank_tip_x
@@ -1201,14 +1204,14 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w47 = w21 * slider_mass
     w48 = c22 + w16 * w47
     w49 = w26 * w32 + w21 * w29
-    w50 = rod_q1_dot * c31 + rod_q2_dot * c32
-    w51 = (w26 * w41 - w5 * (rod_q1_dot * c29)) * slider_mass
+    w50 = rod_q1_dot * c32 + rod_q2_dot * c33
+    w51 = (w26 * w41 - w5 * (rod_q1_dot * c30)) * slider_mass
     w52 = 2 * ((rod_q1_dot * (w9 * c6) + w20 * rod_theta_dot + w22 * w42) / w23)
     w53 = rod_theta_dot * -2.0
     w54 = w31 * w53 + w16 * w51 - w33 * w52 + w34 * w42
     w55 = w0 * (w9 * w50 + w26 * w37) - w1 * (w26 * w36 + w5 * w50 - w51) - w19 * w52 + w30 * w42 - w24 * w54
-    w56 = rod_q2_dot * c33 + rod_q1_dot * c32
-    w57 = (w26 * w43 - w5 * (rod_q2_dot * c30)) * slider_mass
+    w56 = rod_q2_dot * c34 + rod_q1_dot * c33
+    w57 = (w26 * w43 - w5 * (rod_q2_dot * c31)) * slider_mass
     w58 = 2 * ((rod_theta_dot * w21 + rod_q2_dot * (w9 * c7) + w22 * w44) / w23)
     w59 = w32 * w53 + w16 * w57 - w33 * w58 + w34 * w44
     w60 = w0 * (w9 * w56 + w26 * w46) - w1 * (w5 * w56 - w26 * w45 - w57) - w19 * w58 + w30 * w44 - w24 * w59
@@ -1236,7 +1239,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 3 x 3) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     781 operations.
@@ -1246,7 +1249,7 @@ def residual_jacobian() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
-    c = ca.SX.sym("c", 34)
+    c = ca.SX.sym("c", 35)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1282,8 +1285,8 @@ def residual_jacobian() -> ca.Function:
     c22 = c[22]
     c23 = c[23]
     c24 = c[24]
-    c27 = c[27]
     c28 = c[28]
+    c29 = c[29]
     # intermediate terms (171)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(crank_theta) * crank_tip_x
@@ -1417,9 +1420,9 @@ def residual_jacobian() -> ca.Function:
     w129 = w6 * c6
     w130 = (rod_q1_dot * w129 + rod_theta_dot * w65 + w45 * w87) / w42
     w131 = (rod_q1_ddot * w129 + w48 * w65 + (w22 * (w12 * w30) - w5 * w44) + w86 * w130 + w45 * w89) / w42
-    w132 = w55 * (rod_q1_dot * c27 - rod_q2_dot * c19) - (w48 * (w56 + rod_q1 * c27 - rod_q2 * c19) - (w28 * w120 - w3 * w117))
+    w132 = w55 * (rod_q1_dot * c28 - rod_q2_dot * c19) - (w48 * (w56 + rod_q1 * c28 - rod_q2 * c19) - (w28 * w120 - w3 * w117))
     w133 = w105 + w132 - w106 - w40 * w126 - w96 * w131 + w97 * w130 + w45 * w98
-    w134 = w5 * c27 - c23 + (w28 * w121 - w3 * w123) + w71 * w129 + w69 * w125 - w65 * w126 - w103 * w131 + w104 * w130
+    w134 = w5 * c28 - c23 + (w28 * w121 - w3 * w123) + w71 * w129 + w69 * w125 - w65 * w126 - w103 * w131 + w104 * w130
     w135 = w28 * w122 - w3 * w124 - w5 * c19 - w67 * w126 - w112 * w131 + w108 * w130 + w45 * w115 + w47 * w133
     w136 = rod_q1_dot * c10
     w137 = w18 + w136
@@ -1437,10 +1440,10 @@ def residual_jacobian() -> ca.Function:
     w149 = w6 * c7
     w150 = (rod_theta_dot * w67 + rod_q2_dot * w149 + w47 * w87) / w42
     w151 = (w48 * w67 + rod_q2_ddot * w149 + (w22 * (w12 * w31) - w5 * w46) + w86 * w150 + w47 * w89) / w42
-    w152 = w55 * (rod_q2_dot * c28 - rod_q1_dot * c17) - (w48 * (w57 + rod_q2 * c28 - rod_q1 * c17) - (w3 * w139 + w28 * w140))
+    w152 = w55 * (rod_q2_dot * c29 - rod_q1_dot * c17) - (w48 * (w57 + rod_q2 * c29 - rod_q1 * c17) - (w3 * w139 + w28 * w140))
     w153 = w113 + w152 - w114 - w40 * w144 - w96 * w151 + w97 * w150 + w47 * w98
     w154 = w28 * w141 - w3 * w145 - w5 * c17 - w65 * w144 - w103 * w151 + w104 * w150 + w47 * w107 + w45 * w153
-    w155 = w5 * c28 - c24 + (w28 * w142 - w3 * w146) + w71 * w149 + w69 * w143 - w67 * w144 - w112 * w151 + w108 * w150
+    w155 = w5 * c29 - c24 + (w28 * w142 - w3 * w146) + w71 * w149 + w69 * w143 - w67 * w144 - w112 * w151 + w108 * w150
     w156 = 2 * crank_theta_dot
     w157 = w1 * w156
     w158 = w0 * w156
@@ -1492,13 +1495,13 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 3 x 2) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 2 x 2) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 2 x 2) [SI]: damping of the stiff deflections
     18 operations.
     """
-    c = ca.SX.sym("c", 34)
+    c = ca.SX.sym("c", 35)
     c23 = c[23]
     c24 = c[24]
     # outputs
@@ -1522,7 +1525,7 @@ def blocks() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
     gives M_hat_LS (n_L x n_S = 1 x 2) [SI]: block of M_hat, rows of L, columns of S
     gives M_hat_SL (n_S x n_L = 2) [SI]: block of M_hat, rows of S, columns of L
@@ -1535,7 +1538,7 @@ def blocks() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 34)
+    c = ca.SX.sym("c", 35)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1651,7 +1654,7 @@ def substep_2() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
-    takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 2) [N, N m]: right-hand side of a sub-step, slow q'' given
     207 operations.
@@ -1661,7 +1664,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 34)
+    c = ca.SX.sym("c", 35)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]

@@ -16,8 +16,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 10) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
-    61 operations.
+    gives c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
+    63 operations.
     """
     p = ca.SX.sym("p", 10)
     gravity_y = p[0]
@@ -45,20 +45,21 @@ def constants() -> ca.Function:
         w3 + w0 * gravity_y,  # c5
         w1 * gravity_y,  # c6
         rod_tip_x,  # rod_tip_x
+        -rod_tip_x,  # c8
         rod_mass,  # rod_mass
-        rod_inertia + rod_mass * rod_center_of_mass_x**2,  # c9
+        rod_inertia + rod_mass * rod_center_of_mass_x**2,  # c10
         finger_mass,  # finger_mass
-        w1,  # c11
-        finger_inertia + finger_mass * finger_center_of_mass_x**2,  # c12
-        w2,  # c13
+        w1,  # c12
+        finger_inertia + finger_mass * finger_center_of_mass_x**2,  # c13
+        w2,  # c14
         gravity_y,  # gravity_y
-        finger_mass * gravity_y,  # c15
-        rod_mass * gravity_y,  # c16
-        -gravity_y,  # c17
-        -spring_stiffness,  # c18
-        -spring_damping,  # c19
-        finger_center_of_mass_x * (finger_mass * (2 * rod_tip_x)),  # c20
-        w3,  # c21
+        finger_mass * gravity_y,  # c16
+        rod_mass * gravity_y,  # c17
+        -gravity_y,  # c18
+        -spring_stiffness,  # c19
+        -spring_damping,  # c20
+        finger_center_of_mass_x * (finger_mass * (2 * rod_tip_x)),  # c21
+        w3,  # c22
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -69,14 +70,14 @@ def condensed() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 2 x 2) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 2) [N, N m]: condensed force S^T (Q* - M s)
     43 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 23)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
@@ -108,12 +109,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 4) [mixed]: dependent coordinates after one Newton step
     11 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 23)
     rod_theta = q_i[0]
     rod_tip_x = c[7]
     # outputs
@@ -129,19 +130,20 @@ def velocities() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 4) [mixed]: rates of the dependent coordinates
     15 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 23)
     rod_theta = q_i[0]
     rod_theta_dot = q_i_dot[0]
     rod_tip_x = c[7]
+    c8 = c[8]
     # outputs
     q_d_dot = ca.SX(4, 1)
-    q_d_dot[2] = -(ca.sin(rod_theta) * rod_tip_x * rod_theta_dot)  # finger.x
+    q_d_dot[2] = ca.sin(rod_theta) * c8 * rod_theta_dot  # finger.x
     q_d_dot[3] = rod_theta_dot * (ca.cos(rod_theta) * rod_tip_x)  # finger.y
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_d_dot"])
@@ -153,14 +155,14 @@ def accelerations() -> ca.Function:
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 4) [mixed]: accelerations of the dependent coordinates
     21 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 23)
     rod_theta = q_i[0]
     rod_theta_dot = q_i_dot[0]
     rod_theta_ddot = q_i_ddot[0]
@@ -182,7 +184,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 4) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 4 x 6) [SI]: constraint Jacobian
     gives C_t (n_c = 4) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -192,7 +194,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 23)
     rod_x = q[0]
     rod_y = q[1]
     rod_theta = q[2]
@@ -238,7 +240,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 6 x 6) [SI]: mass matrix in all coordinates
     gives K (n x n = 6 x 6) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 6) [N, N m]: quadratic velocity force in all coordinates
@@ -250,7 +252,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 23)
     rod_theta = q[2]
     finger_theta = q[5]
     rod_theta_dot = q_dot[2]
@@ -258,24 +260,24 @@ def augmented() -> ca.Function:
     spring_stiffness = c[0]
     spring_damping = c[1]
     rod_tip_x = c[7]
-    rod_mass = c[8]
-    c9 = c[9]
-    finger_mass = c[10]
-    c11 = c[11]
+    rod_mass = c[9]
+    c10 = c[10]
+    finger_mass = c[11]
     c12 = c[12]
     c13 = c[13]
-    gravity_y = c[14]
-    c15 = c[15]
+    c14 = c[14]
+    gravity_y = c[15]
     c16 = c[16]
+    c17 = c[17]
     # intermediate terms (19)
     w0 = ca.sin(rod_theta)
-    w1 = w0 * c13
+    w1 = w0 * c14
     w2 = -w1
     w3 = ca.cos(rod_theta)
-    w4 = w3 * c13
-    w5 = ca.sin(finger_theta) * c11
+    w4 = w3 * c14
+    w5 = ca.sin(finger_theta) * c12
     w6 = -w5
-    w7 = ca.cos(finger_theta) * c11
+    w7 = ca.cos(finger_theta) * c12
     w8 = rod_theta_dot**2
     w9 = w4 * w8
     w10 = w1 * w8
@@ -298,7 +300,7 @@ def augmented() -> ca.Function:
     # rod.theta
     M[2, 0] = w2
     M[2, 1] = w4
-    M[2, 2] = c9
+    M[2, 2] = c10
     # finger.x
     M[3, 3] = finger_mass
     M[3, 5] = w6
@@ -308,7 +310,7 @@ def augmented() -> ca.Function:
     # finger.theta
     M[5, 3] = w6
     M[5, 4] = w7
-    M[5, 5] = c12
+    M[5, 5] = c13
     K = ca.SX(6, 6)
     Q_v = ca.vertcat(
         w9,  # rod.x
@@ -320,18 +322,18 @@ def augmented() -> ca.Function:
     )
     Q_F = ca.vertcat(
         0.0,  # rod.x
-        c16,  # rod.y
+        c17,  # rod.y
         w15,  # rod.theta
         0.0,  # finger.x
-        c15,  # finger.y
+        c16,  # finger.y
         w16,  # finger.theta
     )
     Q_star = ca.vertcat(
         w9,  # rod.x
-        w10 + c16,  # rod.y
+        w10 + c17,  # rod.y
         w15,  # rod.theta
         w12,  # finger.x
-        c15 + w13,  # finger.y
+        c16 + w13,  # finger.y
         w16,  # finger.theta
     )
     C_q = ca.SX(4, 6)
@@ -360,7 +362,7 @@ def reactions() -> ca.Function:
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
     takes q_ddot (n = 6) [mixed]: accelerations of all coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 4) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 2) [N, N m]: world force and moment of a joint on its body b, at b
     65 operations.
@@ -368,7 +370,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     q_ddot = ca.SX.sym("q_ddot", 6)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 23)
     rod_theta = q[2]
     finger_theta = q[5]
     rod_theta_dot = q_dot[2]
@@ -379,23 +381,23 @@ def reactions() -> ca.Function:
     finger_x_ddot = q_ddot[3]
     finger_y_ddot = q_ddot[4]
     finger_theta_ddot = q_ddot[5]
-    rod_mass = c[8]
-    finger_mass = c[10]
-    c11 = c[11]
-    c13 = c[13]
-    c15 = c[15]
+    rod_mass = c[9]
+    finger_mass = c[11]
+    c12 = c[12]
+    c14 = c[14]
     c16 = c[16]
+    c17 = c[17]
     # intermediate terms (10)
     w0 = rod_theta_dot**2
-    w1 = ca.cos(rod_theta) * c13
-    w2 = ca.sin(rod_theta) * c13
+    w1 = ca.cos(rod_theta) * c14
+    w2 = ca.sin(rod_theta) * c14
     w3 = finger_theta_dot**2
-    w4 = ca.cos(finger_theta) * c11
-    w5 = ca.sin(finger_theta) * c11
+    w4 = ca.cos(finger_theta) * c12
+    w5 = ca.sin(finger_theta) * c12
     w6 = w3 * w4 - (finger_x_ddot * finger_mass - w5 * finger_theta_ddot)
     w7 = w0 * w1 - (rod_x_ddot * rod_mass - w2 * rod_theta_ddot) + w6
-    w8 = c15 + w3 * w5 - (finger_y_ddot * finger_mass + w4 * finger_theta_ddot)
-    w9 = c16 + w0 * w2 - (rod_y_ddot * rod_mass + w1 * rod_theta_ddot) + w8
+    w8 = c16 + w3 * w5 - (finger_y_ddot * finger_mass + w4 * finger_theta_ddot)
+    w9 = c17 + w0 * w2 - (rod_y_ddot * rod_mass + w1 * rod_theta_ddot) + w8
     # outputs
     lam = ca.vertcat(
         w7,  # hinge.x
@@ -416,7 +418,7 @@ def energy() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -426,7 +428,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 23)
     rod_y = q[1]
     rod_theta = q[2]
     finger_y = q[4]
@@ -439,25 +441,25 @@ def energy() -> ca.Function:
     finger_theta_dot = q_dot[5]
     spring_stiffness = c[0]
     spring_damping = c[1]
-    rod_mass = c[8]
-    c9 = c[9]
-    finger_mass = c[10]
-    c11 = c[11]
+    rod_mass = c[9]
+    c10 = c[10]
+    finger_mass = c[11]
     c12 = c[12]
     c13 = c[13]
-    c17 = c[17]
+    c14 = c[14]
+    c18 = c[18]
     # intermediate terms (7)
-    w0 = ca.sin(rod_theta) * c13
-    w1 = ca.cos(rod_theta) * c13
+    w0 = ca.sin(rod_theta) * c14
+    w1 = ca.cos(rod_theta) * c14
     w2 = rod_x_dot * (rod_x_dot * rod_mass - w0 * rod_theta_dot) + rod_y_dot * (rod_y_dot * rod_mass + rod_theta_dot * w1)
-    w3 = ca.sin(finger_theta) * c11
-    w4 = w2 + rod_theta_dot * (rod_y_dot * w1 - rod_x_dot * w0 + rod_theta_dot * c9) + finger_x_dot * (finger_x_dot * finger_mass - w3 * finger_theta_dot)
-    w5 = ca.cos(finger_theta) * c11
-    w6 = w4 + finger_y_dot * (finger_y_dot * finger_mass + finger_theta_dot * w5) + finger_theta_dot * (finger_y_dot * w5 - finger_x_dot * w3 + finger_theta_dot * c12)
+    w3 = ca.sin(finger_theta) * c12
+    w4 = w2 + rod_theta_dot * (rod_y_dot * w1 - rod_x_dot * w0 + rod_theta_dot * c10) + finger_x_dot * (finger_x_dot * finger_mass - w3 * finger_theta_dot)
+    w5 = ca.cos(finger_theta) * c12
+    w6 = w4 + finger_y_dot * (finger_y_dot * finger_mass + finger_theta_dot * w5) + finger_theta_dot * (finger_y_dot * w5 - finger_x_dot * w3 + finger_theta_dot * c13)
     # outputs
     kinetic = ca.vertcat(w6 / 2.0)
     elastic = ca.vertcat((finger_theta - rod_theta)**2 * spring_stiffness / 2.0)
-    potential = ca.vertcat((w0 + rod_y * rod_mass + (w3 + finger_y * finger_mass)) * c17)
+    potential = ca.vertcat((w0 + rod_y * rod_mass + (w3 + finger_y * finger_mass)) * c18)
     power_dissipated = ca.vertcat((finger_theta_dot - rod_theta_dot)**2 * spring_damping)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -469,13 +471,13 @@ def load_actions() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
     15 operations.
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 23)
     rod_theta = q[2]
     finger_theta = q[5]
     rod_theta_dot = q_dot[2]
@@ -534,13 +536,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i, through q_d
     30 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 23)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
@@ -549,15 +551,15 @@ def dQ_hat_dq_i() -> ca.Function:
     c3 = c[3]
     c5 = c[5]
     c6 = c[6]
-    c18 = c[18]
+    c19 = c[19]
     # intermediate terms (3)
     w0 = ca.cos(finger_theta - rod_theta) * c3
     w1 = finger_theta_dot**2 * w0
     w2 = rod_theta_dot**2 * w0
     # outputs
     dQ_hat_dq_i = ca.vertcat(
-        ca.horzcat(c18 - ca.sin(rod_theta) * c5 - w1, spring_stiffness + w1),  # rod.theta
-        ca.horzcat(spring_stiffness + w2, c18 - w2 - ca.sin(finger_theta) * c6),  # finger.theta
+        ca.horzcat(c19 - ca.sin(rod_theta) * c5 - w1, spring_stiffness + w1),  # rod.theta
+        ca.horzcat(spring_stiffness + w2, c19 - w2 - ca.sin(finger_theta) * c6),  # finger.theta
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
@@ -568,26 +570,26 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     18 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 23)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
     finger_theta_dot = q_i_dot[1]
     spring_damping = c[1]
-    c19 = c[19]
     c20 = c[20]
+    c21 = c[21]
     # intermediate terms (1)
-    w0 = ca.sin(finger_theta - rod_theta) * c20
+    w0 = ca.sin(finger_theta - rod_theta) * c21
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
-        ca.horzcat(c19, spring_damping + finger_theta_dot * w0),  # rod.theta
-        ca.horzcat(spring_damping - rod_theta_dot * w0, c19),  # finger.theta
+        ca.horzcat(c20, spring_damping + finger_theta_dot * w0),  # rod.theta
+        ca.horzcat(spring_damping - rod_theta_dot * w0, c20),  # finger.theta
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
@@ -599,7 +601,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 2 x 2) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     52 operations.
@@ -607,7 +609,7 @@ def residual_jacobian() -> ca.Function:
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 23)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
@@ -619,9 +621,9 @@ def residual_jacobian() -> ca.Function:
     c3 = c[3]
     c5 = c[5]
     c6 = c[6]
-    c18 = c[18]
     c19 = c[19]
     c20 = c[20]
+    c21 = c[21]
     # intermediate terms (9)
     w0 = finger_theta - rod_theta
     w1 = ca.sin(w0)
@@ -631,15 +633,15 @@ def residual_jacobian() -> ca.Function:
     w5 = finger_theta_ddot * w4
     w6 = rod_theta_ddot * w4
     w7 = rod_theta_dot**2 * w2
-    w8 = w1 * c20
+    w8 = w1 * c21
     # outputs
     J_q = ca.vertcat(
-        ca.horzcat(c18 - ca.sin(rod_theta) * c5 - w3 - w5, w5 + (spring_stiffness + w3)),  # rod.theta
+        ca.horzcat(c19 - ca.sin(rod_theta) * c5 - w3 - w5, w5 + (spring_stiffness + w3)),  # rod.theta
         ca.horzcat(spring_stiffness + w7 - w6, w6 - spring_stiffness - w7 - ca.sin(finger_theta) * c6),  # finger.theta
     )
     J_v = ca.vertcat(
-        ca.horzcat(c19, spring_damping + finger_theta_dot * w8),  # rod.theta
-        ca.horzcat(spring_damping - rod_theta_dot * w8, c19),  # finger.theta
+        ca.horzcat(c20, spring_damping + finger_theta_dot * w8),  # rod.theta
+        ca.horzcat(spring_damping - rod_theta_dot * w8, c20),  # finger.theta
     )
     inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
@@ -648,13 +650,13 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 2) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 1) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 1) [SI]: damping of the stiff deflections
     8 operations.
     """
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 23)
     spring_stiffness = c[0]
     spring_damping = c[1]
     # outputs
@@ -670,13 +672,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
     83 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 23)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
@@ -684,35 +686,35 @@ def forward_dynamics() -> ca.Function:
     spring_stiffness = c[0]
     spring_damping = c[1]
     rod_tip_x = c[7]
-    c9 = c[9]
-    finger_mass = c[10]
-    c11 = c[11]
+    c10 = c[10]
+    finger_mass = c[11]
     c12 = c[12]
-    gravity_y = c[14]
-    c15 = c[15]
-    c21 = c[21]
+    c13 = c[13]
+    gravity_y = c[15]
+    c16 = c[16]
+    c22 = c[22]
     # intermediate terms (19)
     w0 = ca.cos(rod_theta)
     w1 = (finger_theta - rod_theta) * spring_stiffness + (finger_theta_dot - rod_theta_dot) * spring_damping
     w2 = w0 * rod_tip_x
     w3 = finger_theta_dot**2
-    w4 = ca.sin(finger_theta) * c11
-    w5 = ca.cos(finger_theta) * c11
-    w6 = w5 / c12
+    w4 = ca.sin(finger_theta) * c12
+    w5 = ca.cos(finger_theta) * c12
+    w6 = w5 / c13
     w7 = w5 * gravity_y - w1
     w8 = finger_mass - w5 * w6
     w9 = rod_theta_dot**2
     w10 = ca.sin(rod_theta) * rod_tip_x
     w11 = w9 * w10
-    w12 = w4 / c12
+    w12 = w4 / c13
     w13 = w5 * w12
     w14 = w2 * w13
     w15 = w2 * w9
     w16 = finger_mass - w4 * w12
-    w17 = w0 * c21 + w1 + w2 * (c15 + w3 * w4 - w6 * w7 + w8 * w11) + w14 * w15 - w10 * (w3 * w5 + w7 * w12 + w11 * w13 + w15 * w16)
-    w18 = w17 / (c9 + w2 * (w2 * w8) - (w10 * (w14 - w10 * w16) + w10 * w14))
+    w17 = w0 * c22 + w1 + w2 * (c16 + w3 * w4 - w6 * w7 + w8 * w11) + w14 * w15 - w10 * (w3 * w5 + w7 * w12 + w11 * w13 + w15 * w16)
+    w18 = w17 / (c10 + w2 * (w2 * w8) - (w10 * (w14 - w10 * w16) + w10 * w14))
     # outputs
-    q_i_ddot = ca.vertcat(w18, (w7 - (w4 * (w15 + w10 * w18) + w5 * (w2 * w18 - w11))) / c12)
+    q_i_ddot = ca.vertcat(w18, (w7 - (w4 * (w15 + w10 * w18) + w5 * (w2 * w18 - w11))) / c13)
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_i_ddot"])
 
@@ -722,7 +724,7 @@ def blocks() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
     gives M_hat_LS (n_L x n_S = 1) [SI]: block of M_hat, rows of L, columns of S
     gives M_hat_SL (n_S x n_L = 1) [SI]: block of M_hat, rows of S, columns of L
@@ -733,7 +735,7 @@ def blocks() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 23)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
@@ -768,7 +770,7 @@ def substep_2() -> ca.Function:
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
-    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 1) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 1) [N, N m]: right-hand side of a sub-step, slow q'' given
     29 operations.
@@ -776,7 +778,7 @@ def substep_2() -> ca.Function:
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 23)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]

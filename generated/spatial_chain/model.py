@@ -19,8 +19,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 19) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
-    122 operations.
+    gives c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
+    138 operations.
     """
     p = ca.SX.sym("p", 19)
     gravity_z = p[0]
@@ -41,7 +41,7 @@ def constants() -> ca.Function:
     link3_inertia_zz = p[15]
     link1_end_x = p[16]
     link2_end_x = p[17]
-    # intermediate terms (19)
+    # intermediate terms (21)
     w0 = (link1_inertia_xx + link1_inertia_yy + link1_inertia_zz) / 2.0
     w1 = w0 - link1_inertia_yy
     w2 = w0 - link1_inertia_zz
@@ -49,18 +49,20 @@ def constants() -> ca.Function:
     w4 = w0 - link1_inertia_xx + link1_mass * link1_center_of_mass_x**2
     w5 = link2_mass + link3_mass
     w6 = link2_mass * link2_center_of_mass_x
-    w7 = (link2_inertia_xx + link2_inertia_yy + link2_inertia_zz) / 2.0
-    w8 = w7 - link2_inertia_yy
-    w9 = w7 - link2_inertia_zz
-    w10 = w8 + w9
-    w11 = w7 - link2_inertia_xx + link2_mass * link2_center_of_mass_x**2
-    w12 = link3_mass * link2_end_x
-    w13 = (link3_inertia_xx + link3_inertia_yy + link3_inertia_zz) / 2.0
-    w14 = w13 - link3_inertia_yy
-    w15 = w13 - link3_inertia_zz
-    w16 = w14 + w15
-    w17 = w13 - link3_inertia_xx + link3_mass * link3_center_of_mass_x**2
-    w18 = link1_mass * link1_center_of_mass_x
+    w7 = link3_mass * link3_center_of_mass_x
+    w8 = (link2_inertia_xx + link2_inertia_yy + link2_inertia_zz) / 2.0
+    w9 = w8 - link2_inertia_yy
+    w10 = w8 - link2_inertia_zz
+    w11 = w9 + w10
+    w12 = w8 - link2_inertia_xx + link2_mass * link2_center_of_mass_x**2
+    w13 = link3_mass * link2_end_x
+    w14 = (link3_inertia_xx + link3_inertia_yy + link3_inertia_zz) / 2.0
+    w15 = w14 - link3_inertia_yy
+    w16 = w14 - link3_inertia_zz
+    w17 = w15 + w16
+    w18 = w14 - link3_inertia_xx + link3_mass * link3_center_of_mass_x**2
+    w19 = link1_mass * link1_center_of_mass_x
+    w20 = w6 + w13
     # outputs
     c = ca.vertcat(
         w1,  # c0
@@ -76,38 +78,46 @@ def constants() -> ca.Function:
         link1_end_x * (link1_end_x * w5),  # c10
         w6,  # c11
         link2_end_x,  # link2_end_x
-        link3_mass * link3_center_of_mass_x,  # c13
-        w8,  # c14
-        w9,  # c15
-        w10,  # c16
-        w11,  # c17
-        w9 + w11,  # c18
-        w8 + w11,  # c19
-        link2_end_x * w12,  # c20
-        w14,  # c21
-        w15,  # c22
-        w16,  # c23
-        w17,  # c24
-        w15 + w17,  # c25
-        w14 + w17,  # c26
+        w7,  # c13
+        w9,  # c14
+        w10,  # c15
+        w11,  # c16
+        w12,  # c17
+        w10 + w12,  # c18
+        w9 + w12,  # c19
+        link2_end_x * w13,  # c20
+        w15,  # c21
+        w16,  # c22
+        w17,  # c23
+        w18,  # c24
+        w16 + w18,  # c25
+        w15 + w18,  # c26
         gravity_z,  # gravity_z
-        gravity_z * w18,  # c28
+        gravity_z * w19,  # c28
+        -link2_end_x,  # c29
         link1_mass,  # link1_mass
-        w18,  # c30
-        -w3,  # c31
-        -w10,  # c32
-        -w16,  # c33
-        link1_mass * gravity_z,  # c34
-        link2_mass * gravity_z,  # c35
-        link3_mass * gravity_z,  # c36
-        -gravity_z,  # c37
-        2.0,  # c38
-        2 * link1_end_x,  # c39
-        w6 + w12,  # c40
-        2 * link2_end_x,  # c41
-        -w1,  # c42
-        -w8,  # c43
-        -w14,  # c44
+        w19,  # c31
+        -w3,  # c32
+        -w11,  # c33
+        -w17,  # c34
+        link1_mass * gravity_z,  # c35
+        link2_mass * gravity_z,  # c36
+        link3_mass * gravity_z,  # c37
+        -w19,  # c38
+        -w6,  # c39
+        -w7,  # c40
+        -gravity_z,  # c41
+        2.0,  # c42
+        2 * link1_end_x,  # c43
+        w20,  # c44
+        w1 - w2,  # c45
+        2 * link2_end_x,  # c46
+        w9 - w10,  # c47
+        w15 - w16,  # c48
+        -w1,  # c49
+        -w9,  # c50
+        -w15,  # c51
+        -w20,  # c52
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -118,14 +128,14 @@ def condensed() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 9 x 9) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 9) [N, N m]: condensed force S^T (Q* - M s)
-    723 operations.
+    721 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 45)
+    c = ca.SX.sym("c", 53)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -421,8 +431,8 @@ def condensed() -> ca.Function:
         w29 * w150 - (w67 * w174 - w32 * w176 + w70 * w177 + (w23 * w163 - w28 * w121) + w24 * w167),  # link2.theta1
         w178,  # link2.theta2
         -w176,  # link2.theta3
-        -(w80 * w179 - w52 * w182 + w83 * w183 + (w47 * w166 - w50 * w149)),  # link3.theta1
-        -(w82 * w179 - w79 * w183 - (w54 * w149 + w55 * w166 + w63 * w171)),  # link3.theta2
+        w52 * w182 - w80 * w179 - w83 * w183 - (w47 * w166 - w50 * w149),  # link3.theta1
+        w54 * w149 + w55 * w166 + w63 * w171 - (w82 * w179 - w79 * w183),  # link3.theta2
         -w182,  # link3.theta3
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
@@ -433,18 +443,19 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 9) [mixed]: dependent coordinates after one Newton step
     39 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
-    c = ca.SX.sym("c", 45)
+    c = ca.SX.sym("c", 53)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link2_theta1 = q_i[3]
     link2_theta2 = q_i[4]
     link1_end_x = c[6]
     link2_end_x = c[12]
+    c29 = c[29]
     # intermediate terms (5)
     w0 = ca.cos(link1_theta2)
     w1 = ca.cos(link1_theta1) * w0 * link1_end_x
@@ -461,7 +472,7 @@ def closure() -> ca.Function:
         -w3,  # link2.z
         w1 + ca.cos(link2_theta1) * w4 * link2_end_x,  # link3.x
         w2 + w4 * ca.sin(link2_theta1) * link2_end_x,  # link3.y
-        -(w3 + ca.sin(link2_theta2) * link2_end_x),  # link3.z
+        ca.sin(link2_theta2) * c29 - w3,  # link3.z
     )
     inputs, outputs = [q_i, c], [ca.densify(q_d_next)]
     return ca.Function("closure", inputs, outputs, ["q_i", "c"], ["q_d_next"])
@@ -472,13 +483,13 @@ def velocities() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
-    65 operations.
+    64 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 45)
+    c = ca.SX.sym("c", 53)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link2_theta1 = q_i[3]
@@ -489,6 +500,7 @@ def velocities() -> ca.Function:
     link2_theta2_dot = q_i_dot[4]
     link1_end_x = c[6]
     link2_end_x = c[12]
+    c29 = c[29]
     # intermediate terms (11)
     w0 = ca.cos(link1_theta2)
     w1 = ca.sin(link1_theta1)
@@ -509,9 +521,9 @@ def velocities() -> ca.Function:
         -w4,  # link2.x
         w5,  # link2.y
         -w6,  # link2.z
-        -(w4 + w7 * w8 * link2_end_x * link2_theta1_dot + w9 * w10 * link2_theta2_dot),  # link3.x
+        w7 * w8 * c29 * link2_theta1_dot - w4 - w9 * w10 * link2_theta2_dot,  # link3.x
         w5 + link2_theta1_dot * (w7 * w9 * link2_end_x) - link2_theta2_dot * (w8 * w10),  # link3.y
-        -(w6 + link2_theta2_dot * (w7 * link2_end_x)),  # link3.z
+        w7 * c29 * link2_theta2_dot - w6,  # link3.z
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_d_dot"])
@@ -523,14 +535,14 @@ def accelerations() -> ca.Function:
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 9) [mixed]: accelerations of the dependent coordinates
     253 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 9)
-    c = ca.SX.sym("c", 45)
+    c = ca.SX.sym("c", 53)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -631,7 +643,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 18) [mixed]: rates of all coordinates
-    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 9) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 9 x 18) [SI]: constraint Jacobian
     gives C_t (n_c = 9) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -641,7 +653,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 45)
+    c = ca.SX.sym("c", 53)
     link1_x = q[0]
     link1_y = q[1]
     link1_z = q[2]
@@ -789,7 +801,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 18) [mixed]: rates of all coordinates
-    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 18 x 18) [SI]: mass matrix in all coordinates
     gives K (n x n = 18 x 18) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 18) [N, N m]: quadratic velocity force in all coordinates
@@ -801,7 +813,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 45)
+    c = ca.SX.sym("c", 53)
     link1_theta1 = q[3]
     link1_theta2 = q[4]
     link1_theta3 = q[5]
@@ -845,320 +857,323 @@ def augmented() -> ca.Function:
     c25 = c[25]
     c26 = c[26]
     gravity_z = c[27]
-    link1_mass = c[29]
-    c30 = c[30]
+    link1_mass = c[30]
     c31 = c[31]
     c32 = c[32]
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
     c36 = c[36]
+    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
     # intermediate terms (178)
     w0 = ca.cos(link1_theta2)
     w1 = ca.sin(link1_theta1)
     w2 = w0 * w1
-    w3 = -(w2 * c30)
-    w4 = ca.cos(link1_theta1)
-    w5 = ca.sin(link1_theta2)
-    w6 = w5 * c30
-    w7 = -(w4 * w6)
-    w8 = w0 * w4
-    w9 = w8 * c30
-    w10 = -(w1 * w6)
-    w11 = w0 * c30
-    w12 = -w11
-    w13 = ca.sin(link1_theta3)
-    w14 = w0 * w13
-    w15 = ca.cos(link1_theta3)
-    w16 = w0 * w15
-    w17 = w15 * c4
-    w18 = w13 * c5
-    w19 = w14 * w17 - w16 * w18
-    w20 = w5 * c31
-    w21 = ca.cos(link2_theta2)
-    w22 = ca.sin(link2_theta1)
-    w23 = w21 * w22
-    w24 = -(w23 * c11)
-    w25 = ca.cos(link2_theta1)
-    w26 = ca.sin(link2_theta2)
-    w27 = w26 * c11
-    w28 = -(w25 * w27)
-    w29 = w21 * w25
-    w30 = w29 * c11
-    w31 = -(w22 * w27)
-    w32 = w21 * c11
-    w33 = -w32
-    w34 = ca.sin(link2_theta3)
-    w35 = w21 * w34
-    w36 = ca.cos(link2_theta3)
-    w37 = w21 * w36
-    w38 = w36 * c18
-    w39 = w34 * c19
-    w40 = w35 * w38 - w37 * w39
-    w41 = w26 * c32
-    w42 = ca.cos(link3_theta2)
-    w43 = ca.sin(link3_theta1)
-    w44 = w42 * w43
-    w45 = -(w44 * c13)
-    w46 = ca.cos(link3_theta1)
-    w47 = ca.sin(link3_theta2)
+    w3 = ca.cos(link1_theta1)
+    w4 = ca.sin(link1_theta2)
+    w5 = w4 * c31
+    w6 = -(w3 * w5)
+    w7 = w0 * w3
+    w8 = w7 * c31
+    w9 = -(w1 * w5)
+    w10 = w0 * c31
+    w11 = -w10
+    w12 = ca.sin(link1_theta3)
+    w13 = w0 * w12
+    w14 = ca.cos(link1_theta3)
+    w15 = w0 * w14
+    w16 = w14 * c4
+    w17 = w12 * c5
+    w18 = w13 * w16 - w15 * w17
+    w19 = w4 * c32
+    w20 = ca.cos(link2_theta2)
+    w21 = ca.sin(link2_theta1)
+    w22 = w20 * w21
+    w23 = ca.cos(link2_theta1)
+    w24 = ca.sin(link2_theta2)
+    w25 = w24 * c11
+    w26 = -(w23 * w25)
+    w27 = w20 * w23
+    w28 = w27 * c11
+    w29 = -(w21 * w25)
+    w30 = w20 * c11
+    w31 = -w30
+    w32 = ca.sin(link2_theta3)
+    w33 = w20 * w32
+    w34 = ca.cos(link2_theta3)
+    w35 = w20 * w34
+    w36 = w34 * c18
+    w37 = w32 * c19
+    w38 = w33 * w36 - w35 * w37
+    w39 = w24 * c33
+    w40 = ca.cos(link3_theta2)
+    w41 = ca.sin(link3_theta1)
+    w42 = w40 * w41
+    w43 = ca.cos(link3_theta1)
+    w44 = ca.sin(link3_theta2)
+    w45 = w44 * c13
+    w46 = -(w43 * w45)
+    w47 = w40 * w43
     w48 = w47 * c13
-    w49 = -(w46 * w48)
-    w50 = w42 * w46
-    w51 = w50 * c13
-    w52 = -(w43 * w48)
-    w53 = w42 * c13
-    w54 = -w53
-    w55 = ca.sin(link3_theta3)
-    w56 = w42 * w55
-    w57 = ca.cos(link3_theta3)
-    w58 = w42 * w57
-    w59 = w57 * c25
-    w60 = w55 * c26
-    w61 = w56 * w59 - w58 * w60
-    w62 = w47 * c33
-    w63 = w16 * link1_theta1_dot - w13 * link1_theta2_dot
-    w64 = w63 * c30
-    w65 = w15 * link1_theta2_dot
-    w66 = w14 * link1_theta1_dot + w65
-    w67 = w66 * c30
-    w68 = w63 * w64 + w66 * w67
-    w69 = w1 * w15
-    w70 = w13 * (w4 * w5) - w69
-    w71 = w0 * link1_theta3_dot
-    w72 = link1_theta2_dot * link1_theta3_dot
-    w73 = link1_theta1_dot * (w13 * w71 + w5 * w65) + w15 * w72
-    w74 = link1_theta3_dot - w5 * link1_theta1_dot
-    w75 = w73 * c30 - w67 * w74
-    w76 = w4 * w15
-    w77 = w1 * w13 + w5 * w76
-    w78 = link1_theta1_dot * (w15 * w71 - w13 * (w5 * link1_theta2_dot)) - w13 * w72
-    w79 = w78 * c30 - w64 * w74
-    w80 = w8 * w68 + w70 * w75 + w77 * w79
-    w81 = w76 + w13 * (w1 * w5)
-    w82 = w5 * w69 - w4 * w13
-    w83 = w2 * w68 + w75 * w81 + w79 * w82
-    w84 = w14 * w75 - w5 * w68 + w16 * w79
-    w85 = w74 * c3
-    w86 = w63 * c1
-    w87 = w63 * w85 - w74 * w86 - w78 * c4
-    w88 = w66 * c0
-    w89 = w0 * (link1_theta1_dot * link1_theta2_dot)
-    w90 = w66 * w86 - w63 * w88 + w89 * c2
-    w91 = w74 * w88 - w66 * w85 + w73 * c5
-    w92 = w14 * w87 - w5 * w90 + w16 * w91
-    w93 = w15 * w87 - w13 * w91
-    w94 = w37 * link2_theta1_dot - w34 * link2_theta2_dot
+    w49 = -(w41 * w45)
+    w50 = w40 * c13
+    w51 = -w50
+    w52 = ca.sin(link3_theta3)
+    w53 = w40 * w52
+    w54 = ca.cos(link3_theta3)
+    w55 = w40 * w54
+    w56 = w54 * c25
+    w57 = w52 * c26
+    w58 = w53 * w56 - w55 * w57
+    w59 = w44 * c34
+    w60 = w15 * link1_theta1_dot - w12 * link1_theta2_dot
+    w61 = w60 * c31
+    w62 = w14 * link1_theta2_dot
+    w63 = w13 * link1_theta1_dot + w62
+    w64 = w63 * c31
+    w65 = w60 * w61 + w63 * w64
+    w66 = w1 * w14
+    w67 = w12 * (w3 * w4) - w66
+    w68 = w0 * link1_theta3_dot
+    w69 = link1_theta2_dot * link1_theta3_dot
+    w70 = link1_theta1_dot * (w12 * w68 + w4 * w62) + w14 * w69
+    w71 = link1_theta3_dot - w4 * link1_theta1_dot
+    w72 = w70 * c31 - w64 * w71
+    w73 = w3 * w14
+    w74 = w1 * w12 + w4 * w73
+    w75 = link1_theta1_dot * (w14 * w68 - w12 * (w4 * link1_theta2_dot)) - w12 * w69
+    w76 = w75 * c31 - w61 * w71
+    w77 = w7 * w65 + w67 * w72 + w74 * w76
+    w78 = w73 + w12 * (w1 * w4)
+    w79 = w4 * w66 - w3 * w12
+    w80 = w2 * w65 + w72 * w78 + w76 * w79
+    w81 = w13 * w72 - w4 * w65 + w15 * w76
+    w82 = w71 * c3
+    w83 = w60 * c1
+    w84 = w60 * w82 - w71 * w83 - w75 * c4
+    w85 = w63 * c0
+    w86 = w0 * (link1_theta1_dot * link1_theta2_dot)
+    w87 = w63 * w83 - w60 * w85 + w86 * c2
+    w88 = w71 * w85 - w63 * w82 + w70 * c5
+    w89 = w13 * w84 - w4 * w87 + w15 * w88
+    w90 = w14 * w84 - w12 * w88
+    w91 = w35 * link2_theta1_dot - w32 * link2_theta2_dot
+    w92 = w91 * c11
+    w93 = w34 * link2_theta2_dot
+    w94 = w33 * link2_theta1_dot + w93
     w95 = w94 * c11
-    w96 = w36 * link2_theta2_dot
-    w97 = w35 * link2_theta1_dot + w96
-    w98 = w97 * c11
-    w99 = w94 * w95 + w97 * w98
-    w100 = w22 * w36
-    w101 = w34 * (w25 * w26) - w100
-    w102 = w21 * link2_theta3_dot
-    w103 = link2_theta2_dot * link2_theta3_dot
-    w104 = link2_theta1_dot * (w34 * w102 + w26 * w96) + w36 * w103
-    w105 = link2_theta3_dot - w26 * link2_theta1_dot
-    w106 = w104 * c11 - w98 * w105
-    w107 = w25 * w36
-    w108 = w22 * w34 + w26 * w107
-    w109 = link2_theta1_dot * (w36 * w102 - w34 * (w26 * link2_theta2_dot)) - w34 * w103
-    w110 = w109 * c11 - w95 * w105
-    w111 = w29 * w99 + w101 * w106 + w108 * w110
-    w112 = w107 + w34 * (w22 * w26)
-    w113 = w26 * w100 - w25 * w34
-    w114 = w23 * w99 + w106 * w112 + w110 * w113
-    w115 = w35 * w106 - w26 * w99 + w37 * w110
-    w116 = w105 * c17
-    w117 = w94 * c15
-    w118 = w94 * w116 - w105 * w117 - w109 * c18
-    w119 = w97 * c14
-    w120 = w21 * (link2_theta1_dot * link2_theta2_dot)
-    w121 = w97 * w117 - w94 * w119 + w120 * c16
-    w122 = w105 * w119 - w97 * w116 + w104 * c19
-    w123 = w35 * w118 - w26 * w121 + w37 * w122
-    w124 = w36 * w118 - w34 * w122
-    w125 = w58 * link3_theta1_dot - w55 * link3_theta2_dot
+    w96 = w91 * w92 + w94 * w95
+    w97 = w21 * w34
+    w98 = w32 * (w23 * w24) - w97
+    w99 = w20 * link2_theta3_dot
+    w100 = link2_theta2_dot * link2_theta3_dot
+    w101 = link2_theta1_dot * (w32 * w99 + w24 * w93) + w34 * w100
+    w102 = link2_theta3_dot - w24 * link2_theta1_dot
+    w103 = w101 * c11 - w95 * w102
+    w104 = w23 * w34
+    w105 = w21 * w32 + w24 * w104
+    w106 = link2_theta1_dot * (w34 * w99 - w32 * (w24 * link2_theta2_dot)) - w32 * w100
+    w107 = w106 * c11 - w92 * w102
+    w108 = w27 * w96 + w98 * w103 + w105 * w107
+    w109 = w104 + w32 * (w21 * w24)
+    w110 = w24 * w97 - w23 * w32
+    w111 = w22 * w96 + w103 * w109 + w107 * w110
+    w112 = w33 * w103 - w24 * w96 + w35 * w107
+    w113 = w102 * c17
+    w114 = w91 * c15
+    w115 = w91 * w113 - w102 * w114 - w106 * c18
+    w116 = w94 * c14
+    w117 = w20 * (link2_theta1_dot * link2_theta2_dot)
+    w118 = w94 * w114 - w91 * w116 + w117 * c16
+    w119 = w102 * w116 - w94 * w113 + w101 * c19
+    w120 = w33 * w115 - w24 * w118 + w35 * w119
+    w121 = w34 * w115 - w32 * w119
+    w122 = w55 * link3_theta1_dot - w52 * link3_theta2_dot
+    w123 = w122 * c13
+    w124 = w54 * link3_theta2_dot
+    w125 = w53 * link3_theta1_dot + w124
     w126 = w125 * c13
-    w127 = w57 * link3_theta2_dot
-    w128 = w56 * link3_theta1_dot + w127
-    w129 = w128 * c13
-    w130 = w125 * w126 + w128 * w129
-    w131 = w43 * w57
-    w132 = w42 * link3_theta3_dot
-    w133 = link3_theta2_dot * link3_theta3_dot
-    w134 = link3_theta1_dot * (w55 * w132 + w47 * w127) + w57 * w133
-    w135 = link3_theta3_dot - w47 * link3_theta1_dot
-    w136 = w134 * c13 - w129 * w135
-    w137 = w46 * w57
-    w138 = link3_theta1_dot * (w57 * w132 - w55 * (w47 * link3_theta2_dot)) - w55 * w133
-    w139 = w138 * c13 - w126 * w135
-    w140 = w50 * w130 + (w55 * (w46 * w47) - w131) * w136 + (w43 * w55 + w47 * w137) * w139
-    w141 = w44 * w130 + w136 * (w137 + w55 * (w43 * w47)) + w139 * (w47 * w131 - w46 * w55)
-    w142 = w56 * w136 - w47 * w130 + w58 * w139
-    w143 = w135 * c24
-    w144 = w125 * c22
-    w145 = w125 * w143 - w135 * w144 - w138 * c25
-    w146 = w128 * c21
-    w147 = w128 * w144 - w125 * w146 + w42 * (link3_theta1_dot * link3_theta2_dot) * c23
-    w148 = w135 * w146 - w128 * w143 + w134 * c26
-    w149 = w56 * w145 - w47 * w147 + w58 * w148
-    w150 = w57 * w145 - w55 * w148
-    w151 = w11 * gravity_z
-    w152 = w32 * gravity_z
-    w153 = w53 * gravity_z
-    w154 = w2 * link1_end_x
-    w155 = w8 * link1_end_x
-    w156 = w5 * link1_end_x
-    w157 = w23 * link2_end_x
-    w158 = w29 * link2_end_x
-    w159 = w26 * link2_end_x
-    w160 = w4 * link1_theta2_dot + w2 * link1_theta3_dot
-    w161 = w8 * link1_theta3_dot - w1 * link1_theta2_dot
-    w162 = w154 * w161 - w155 * w160
-    w163 = link1_theta1_dot - w5 * link1_theta3_dot
-    w164 = w155 * w163 + w156 * w161
-    w165 = w78 * w81 - w2 * w89 - w73 * w82
-    w166 = w5 * w89 + w14 * w78 - w16 * w73
-    w167 = w70 * w78 - w8 * w89 - w73 * w77
-    w168 = w156 * w160 + w154 * w163
-    w169 = w25 * link2_theta2_dot + w23 * link2_theta3_dot
-    w170 = w29 * link2_theta3_dot - w22 * link2_theta2_dot
-    w171 = w157 * w170 - w158 * w169
-    w172 = link2_theta1_dot - w26 * link2_theta3_dot
-    w173 = w158 * w172 + w159 * w170
-    w174 = w109 * w112 - w23 * w120 - w104 * w113
-    w175 = w26 * w120 + w35 * w109 - w37 * w104
-    w176 = w101 * w109 - w29 * w120 - w104 * w108
-    w177 = w159 * w169 + w157 * w172
+    w127 = w122 * w123 + w125 * w126
+    w128 = w41 * w54
+    w129 = w40 * link3_theta3_dot
+    w130 = link3_theta2_dot * link3_theta3_dot
+    w131 = link3_theta1_dot * (w52 * w129 + w44 * w124) + w54 * w130
+    w132 = link3_theta3_dot - w44 * link3_theta1_dot
+    w133 = w131 * c13 - w126 * w132
+    w134 = w43 * w54
+    w135 = link3_theta1_dot * (w54 * w129 - w52 * (w44 * link3_theta2_dot)) - w52 * w130
+    w136 = w135 * c13 - w123 * w132
+    w137 = w47 * w127 + (w52 * (w43 * w44) - w128) * w133 + (w41 * w52 + w44 * w134) * w136
+    w138 = w42 * w127 + w133 * (w134 + w52 * (w41 * w44)) + w136 * (w44 * w128 - w43 * w52)
+    w139 = w53 * w133 - w44 * w127 + w55 * w136
+    w140 = w132 * c24
+    w141 = w122 * c22
+    w142 = w122 * w140 - w132 * w141 - w135 * c25
+    w143 = w125 * c21
+    w144 = w125 * w141 - w122 * w143 + w40 * (link3_theta1_dot * link3_theta2_dot) * c23
+    w145 = w132 * w143 - w125 * w140 + w131 * c26
+    w146 = w53 * w142 - w44 * w144 + w55 * w145
+    w147 = w54 * w142 - w52 * w145
+    w148 = w10 * gravity_z
+    w149 = w30 * gravity_z
+    w150 = w50 * gravity_z
+    w151 = w2 * link1_end_x
+    w152 = w7 * link1_end_x
+    w153 = w4 * link1_end_x
+    w154 = w22 * link2_end_x
+    w155 = w27 * link2_end_x
+    w156 = w24 * link2_end_x
+    w157 = w3 * link1_theta2_dot + w2 * link1_theta3_dot
+    w158 = w7 * link1_theta3_dot - w1 * link1_theta2_dot
+    w159 = w151 * w158 - w152 * w157
+    w160 = link1_theta1_dot - w4 * link1_theta3_dot
+    w161 = w152 * w160 + w153 * w158
+    w162 = w75 * w78 - w2 * w86 - w70 * w79
+    w163 = w4 * w86 + w13 * w75 - w15 * w70
+    w164 = w67 * w75 - w7 * w86 - w70 * w74
+    w165 = w153 * w157 + w151 * w160
+    w166 = w23 * link2_theta2_dot + w22 * link2_theta3_dot
+    w167 = w27 * link2_theta3_dot - w21 * link2_theta2_dot
+    w168 = w154 * w167 - w155 * w166
+    w169 = link2_theta1_dot - w24 * link2_theta3_dot
+    w170 = w155 * w169 + w156 * w167
+    w171 = w106 * w109 - w22 * w117 - w101 * w110
+    w172 = w24 * w117 + w33 * w106 - w35 * w101
+    w173 = w98 * w106 - w27 * w117 - w101 * w105
+    w174 = w156 * w166 + w154 * w169
+    w175 = w2 * c38
+    w176 = w22 * c39
+    w177 = w42 * c40
     # outputs
     M = ca.SX(18, 18)
     # link1.x
     M[0, 0] = link1_mass
-    M[0, 3] = w3
-    M[0, 4] = w7
+    M[0, 3] = w175
+    M[0, 4] = w6
     # link1.y
     M[1, 1] = link1_mass
-    M[1, 3] = w9
-    M[1, 4] = w10
+    M[1, 3] = w8
+    M[1, 4] = w9
     # link1.z
     M[2, 2] = link1_mass
-    M[2, 4] = w12
+    M[2, 4] = w11
     # link1.theta1
-    M[3, 0] = w3
-    M[3, 1] = w9
-    M[3, 3] = w5 * (w5 * c2) + w14 * (w14 * c4) + w16 * (w16 * c5)
-    M[3, 4] = w19
-    M[3, 5] = w20
+    M[3, 0] = w175
+    M[3, 1] = w8
+    M[3, 3] = w4 * (w4 * c2) + w13 * (w13 * c4) + w15 * (w15 * c5)
+    M[3, 4] = w18
+    M[3, 5] = w19
     # link1.theta2
-    M[4, 0] = w7
-    M[4, 1] = w10
-    M[4, 2] = w12
-    M[4, 3] = w19
-    M[4, 4] = w15 * w17 + w13 * w18
+    M[4, 0] = w6
+    M[4, 1] = w9
+    M[4, 2] = w11
+    M[4, 3] = w18
+    M[4, 4] = w14 * w16 + w12 * w17
     # link1.theta3
-    M[5, 3] = w20
+    M[5, 3] = w19
     M[5, 5] = c2
     # link2.x
     M[6, 6] = link2_mass
-    M[6, 9] = w24
-    M[6, 10] = w28
+    M[6, 9] = w176
+    M[6, 10] = w26
     # link2.y
     M[7, 7] = link2_mass
-    M[7, 9] = w30
-    M[7, 10] = w31
+    M[7, 9] = w28
+    M[7, 10] = w29
     # link2.z
     M[8, 8] = link2_mass
-    M[8, 10] = w33
+    M[8, 10] = w31
     # link2.theta1
-    M[9, 6] = w24
-    M[9, 7] = w30
-    M[9, 9] = w26 * (w26 * c16) + w35 * (w35 * c18) + w37 * (w37 * c19)
-    M[9, 10] = w40
-    M[9, 11] = w41
+    M[9, 6] = w176
+    M[9, 7] = w28
+    M[9, 9] = w24 * (w24 * c16) + w33 * (w33 * c18) + w35 * (w35 * c19)
+    M[9, 10] = w38
+    M[9, 11] = w39
     # link2.theta2
-    M[10, 6] = w28
-    M[10, 7] = w31
-    M[10, 8] = w33
-    M[10, 9] = w40
-    M[10, 10] = w36 * w38 + w34 * w39
+    M[10, 6] = w26
+    M[10, 7] = w29
+    M[10, 8] = w31
+    M[10, 9] = w38
+    M[10, 10] = w34 * w36 + w32 * w37
     # link2.theta3
-    M[11, 9] = w41
+    M[11, 9] = w39
     M[11, 11] = c16
     # link3.x
     M[12, 12] = link3_mass
-    M[12, 15] = w45
-    M[12, 16] = w49
+    M[12, 15] = w177
+    M[12, 16] = w46
     # link3.y
     M[13, 13] = link3_mass
-    M[13, 15] = w51
-    M[13, 16] = w52
+    M[13, 15] = w48
+    M[13, 16] = w49
     # link3.z
     M[14, 14] = link3_mass
-    M[14, 16] = w54
+    M[14, 16] = w51
     # link3.theta1
-    M[15, 12] = w45
-    M[15, 13] = w51
-    M[15, 15] = w47 * (w47 * c23) + w56 * (w56 * c25) + w58 * (w58 * c26)
-    M[15, 16] = w61
-    M[15, 17] = w62
+    M[15, 12] = w177
+    M[15, 13] = w48
+    M[15, 15] = w44 * (w44 * c23) + w53 * (w53 * c25) + w55 * (w55 * c26)
+    M[15, 16] = w58
+    M[15, 17] = w59
     # link3.theta2
-    M[16, 12] = w49
-    M[16, 13] = w52
-    M[16, 14] = w54
-    M[16, 15] = w61
-    M[16, 16] = w57 * w59 + w55 * w60
+    M[16, 12] = w46
+    M[16, 13] = w49
+    M[16, 14] = w51
+    M[16, 15] = w58
+    M[16, 16] = w54 * w56 + w52 * w57
     # link3.theta3
-    M[17, 15] = w62
+    M[17, 15] = w59
     M[17, 17] = c23
     K = ca.SX(18, 18)
     Q_v = ca.vertcat(
-        w80,  # link1.x
-        w83,  # link1.y
-        w84,  # link1.z
-        w92,  # link1.theta1
-        w93,  # link1.theta2
-        w90,  # link1.theta3
-        w111,  # link2.x
-        w114,  # link2.y
-        w115,  # link2.z
-        w123,  # link2.theta1
-        w124,  # link2.theta2
-        w121,  # link2.theta3
-        w140,  # link3.x
-        w141,  # link3.y
-        w142,  # link3.z
-        w149,  # link3.theta1
-        w150,  # link3.theta2
-        w147,  # link3.theta3
+        w77,  # link1.x
+        w80,  # link1.y
+        w81,  # link1.z
+        w89,  # link1.theta1
+        w90,  # link1.theta2
+        w87,  # link1.theta3
+        w108,  # link2.x
+        w111,  # link2.y
+        w112,  # link2.z
+        w120,  # link2.theta1
+        w121,  # link2.theta2
+        w118,  # link2.theta3
+        w137,  # link3.x
+        w138,  # link3.y
+        w139,  # link3.z
+        w146,  # link3.theta1
+        w147,  # link3.theta2
+        w144,  # link3.theta3
     )
     Q_F = ca.SX(18, 1)
-    Q_F[2] = c34  # link1.z
-    Q_F[4] = -w151  # link1.theta2
-    Q_F[8] = c35  # link2.z
-    Q_F[10] = -w152  # link2.theta2
-    Q_F[14] = c36  # link3.z
-    Q_F[16] = -w153  # link3.theta2
+    Q_F[2] = c35  # link1.z
+    Q_F[4] = -w148  # link1.theta2
+    Q_F[8] = c36  # link2.z
+    Q_F[10] = -w149  # link2.theta2
+    Q_F[14] = c37  # link3.z
+    Q_F[16] = -w150  # link3.theta2
     Q_star = ca.vertcat(
-        w80,  # link1.x
-        w83,  # link1.y
-        w84 + c34,  # link1.z
-        w92,  # link1.theta1
-        w93 - w151,  # link1.theta2
-        w90,  # link1.theta3
-        w111,  # link2.x
-        w114,  # link2.y
-        w115 + c35,  # link2.z
-        w123,  # link2.theta1
-        w124 - w152,  # link2.theta2
-        w121,  # link2.theta3
-        w140,  # link3.x
-        w141,  # link3.y
-        w142 + c36,  # link3.z
-        w149,  # link3.theta1
-        w150 - w153,  # link3.theta2
-        w147,  # link3.theta3
+        w77,  # link1.x
+        w80,  # link1.y
+        w81 + c35,  # link1.z
+        w89,  # link1.theta1
+        w90 - w148,  # link1.theta2
+        w87,  # link1.theta3
+        w108,  # link2.x
+        w111,  # link2.y
+        w112 + c36,  # link2.z
+        w120,  # link2.theta1
+        w121 - w149,  # link2.theta2
+        w118,  # link2.theta3
+        w137,  # link3.x
+        w138,  # link3.y
+        w139 + c37,  # link3.z
+        w146,  # link3.theta1
+        w147 - w150,  # link3.theta2
+        w144,  # link3.theta3
     )
     C_q = ca.SX(9, 18)
     # joint1.x
@@ -1169,13 +1184,13 @@ def augmented() -> ca.Function:
     C_q[2, 2] = 1.0
     # joint2.x
     C_q[3, 0] = -1.0
-    C_q[3, 3] = w154
-    C_q[3, 4] = w4 * w156
+    C_q[3, 3] = w151
+    C_q[3, 4] = w3 * w153
     C_q[3, 6] = 1.0
     # joint2.y
     C_q[4, 1] = -1.0
-    C_q[4, 3] = -w155
-    C_q[4, 4] = w1 * w156
+    C_q[4, 3] = -w152
+    C_q[4, 4] = w1 * w153
     C_q[4, 7] = 1.0
     # joint2.z
     C_q[5, 2] = -1.0
@@ -1183,28 +1198,28 @@ def augmented() -> ca.Function:
     C_q[5, 8] = 1.0
     # joint3.x
     C_q[6, 6] = -1.0
-    C_q[6, 9] = w157
-    C_q[6, 10] = w25 * w159
+    C_q[6, 9] = w154
+    C_q[6, 10] = w23 * w156
     C_q[6, 12] = 1.0
     # joint3.y
     C_q[7, 7] = -1.0
-    C_q[7, 9] = -w158
-    C_q[7, 10] = w22 * w159
+    C_q[7, 9] = -w155
+    C_q[7, 10] = w21 * w156
     C_q[7, 13] = 1.0
     # joint3.z
     C_q[8, 8] = -1.0
-    C_q[8, 10] = w21 * link2_end_x
+    C_q[8, 10] = w20 * link2_end_x
     C_q[8, 14] = 1.0
     gamma_b = ca.vertcat(
         0.0,  # joint1.x
         0.0,  # joint1.y
         0.0,  # joint1.z
-        w160 * w162 - w163 * w164 - (w156 * w165 + w154 * w166),  # joint2.x
-        w155 * w166 + w156 * w167 - (w163 * w168 + w161 * w162),  # joint2.y
-        w161 * w164 + w160 * w168 + (w154 * w167 - w155 * w165),  # joint2.z
-        w169 * w171 - w172 * w173 - (w159 * w174 + w157 * w175),  # joint3.x
-        w158 * w175 + w159 * w176 - (w172 * w177 + w170 * w171),  # joint3.y
-        w170 * w173 + w169 * w177 + (w157 * w176 - w158 * w174),  # joint3.z
+        w157 * w159 - w160 * w161 - (w153 * w162 + w151 * w163),  # joint2.x
+        w152 * w163 + w153 * w164 - (w160 * w165 + w158 * w159),  # joint2.y
+        w158 * w161 + w157 * w165 + (w151 * w164 - w152 * w162),  # joint2.z
+        w166 * w168 - w169 * w170 - (w156 * w171 + w154 * w172),  # joint3.x
+        w155 * w172 + w156 * w173 - (w169 * w174 + w167 * w168),  # joint3.y
+        w167 * w170 + w166 * w174 + (w154 * w173 - w155 * w171),  # joint3.z
     )
     inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
@@ -1216,7 +1231,7 @@ def reactions() -> ca.Function:
     takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 18) [mixed]: rates of all coordinates
     takes q_ddot (n = 18) [mixed]: accelerations of all coordinates
-    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 9) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 3) [N, N m]: world force and moment of a joint on its body b, at b
     373 operations.
@@ -1224,7 +1239,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
     q_ddot = ca.SX.sym("q_ddot", 18)
-    c = ca.SX.sym("c", 45)
+    c = ca.SX.sym("c", 53)
     link1_theta1 = q[3]
     link1_theta2 = q[4]
     link1_theta3 = q[5]
@@ -1262,11 +1277,11 @@ def reactions() -> ca.Function:
     link3_mass = c[8]
     c11 = c[11]
     c13 = c[13]
-    link1_mass = c[29]
-    c30 = c[30]
-    c34 = c[34]
+    link1_mass = c[30]
+    c31 = c[31]
     c35 = c[35]
     c36 = c[36]
+    c37 = c[37]
     # intermediate terms (87)
     w0 = ca.cos(link1_theta1)
     w1 = ca.cos(link1_theta2)
@@ -1275,11 +1290,11 @@ def reactions() -> ca.Function:
     w4 = w1 * w3
     w5 = ca.sin(link1_theta3)
     w6 = link1_theta1_dot * w4 - link1_theta2_dot * w5
-    w7 = w6 * c30
+    w7 = w6 * c31
     w8 = w1 * w5
     w9 = w3 * link1_theta2_dot
     w10 = link1_theta1_dot * w8 + w9
-    w11 = w10 * c30
+    w11 = w10 * c31
     w12 = w6 * w7 + w10 * w11
     w13 = ca.sin(link1_theta2)
     w14 = ca.sin(link1_theta1)
@@ -1287,12 +1302,12 @@ def reactions() -> ca.Function:
     w16 = w1 * link1_theta3_dot
     w17 = link1_theta2_dot * link1_theta3_dot
     w18 = link1_theta3_dot - link1_theta1_dot * w13
-    w19 = (link1_theta1_dot * (w5 * w16 + w9 * w13) + w3 * w17) * c30 - w11 * w18
+    w19 = (link1_theta1_dot * (w5 * w16 + w9 * w13) + w3 * w17) * c31 - w11 * w18
     w20 = w0 * w3
-    w21 = (link1_theta1_dot * (w3 * w16 - w5 * (link1_theta2_dot * w13)) - w5 * w17) * c30 - w7 * w18
+    w21 = (link1_theta1_dot * (w3 * w16 - w5 * (link1_theta2_dot * w13)) - w5 * w17) * c31 - w7 * w18
     w22 = w1 * w14
-    w23 = w13 * c30
-    w24 = w2 * w12 + (w5 * (w0 * w13) - w15) * w19 + (w5 * w14 + w13 * w20) * w21 - (link1_x_ddot * link1_mass - w22 * c30 * link1_theta1_ddot - w0 * w23 * link1_theta2_ddot)
+    w23 = w13 * c31
+    w24 = w2 * w12 + (w5 * (w0 * w13) - w15) * w19 + (w5 * w14 + w13 * w20) * w21 - (link1_x_ddot * link1_mass - w22 * c31 * link1_theta1_ddot - w0 * w23 * link1_theta2_ddot)
     w25 = ca.cos(link2_theta1)
     w26 = ca.cos(link2_theta2)
     w27 = w25 * w26
@@ -1345,14 +1360,14 @@ def reactions() -> ca.Function:
     w74 = w52 * w62 + (w55 * (w50 * w63) - w65) * w69 + (w55 * w64 + w63 * w70) * w71 - (link3_x_ddot * link3_mass - w72 * c13 * link3_theta1_ddot - w50 * w73 * link3_theta2_ddot)
     w75 = w49 + w74
     w76 = w24 + w75
-    w77 = w12 * w22 + w19 * (w20 + w5 * (w13 * w14)) + w21 * (w13 * w15 - w0 * w5) - (link1_y_ddot * link1_mass + link1_theta1_ddot * (w2 * c30) - link1_theta2_ddot * (w14 * w23))
+    w77 = w12 * w22 + w19 * (w20 + w5 * (w13 * w14)) + w21 * (w13 * w15 - w0 * w5) - (link1_y_ddot * link1_mass + link1_theta1_ddot * (w2 * c31) - link1_theta2_ddot * (w14 * w23))
     w78 = w37 * w47 + w44 * (w45 + w30 * (w38 * w39)) + w46 * (w38 * w40 - w25 * w30) - (link2_y_ddot * link2_mass + link2_theta1_ddot * (w27 * c11) - link2_theta2_ddot * (w39 * w48))
     w79 = w62 * w72 + w69 * (w70 + w55 * (w63 * w64)) + w71 * (w63 * w65 - w50 * w55) - (link3_y_ddot * link3_mass + link3_theta1_ddot * (w52 * c13) - link3_theta2_ddot * (w64 * w73))
     w80 = w78 + w79
     w81 = w77 + w80
-    w82 = c34 + (w8 * w19 - w12 * w13 + w4 * w21) - (link1_z_ddot * link1_mass - link1_theta2_ddot * (w1 * c30))
-    w83 = c35 + (w33 * w44 - w37 * w38 + w29 * w46) - (link2_z_ddot * link2_mass - link2_theta2_ddot * (w26 * c11))
-    w84 = c36 + (w58 * w69 - w62 * w63 + w54 * w71) - (link3_z_ddot * link3_mass - link3_theta2_ddot * (w51 * c13))
+    w82 = c35 + (w8 * w19 - w12 * w13 + w4 * w21) - (link1_z_ddot * link1_mass - link1_theta2_ddot * (w1 * c31))
+    w83 = c36 + (w33 * w44 - w37 * w38 + w29 * w46) - (link2_z_ddot * link2_mass - link2_theta2_ddot * (w26 * c11))
+    w84 = c37 + (w58 * w69 - w62 * w63 + w54 * w71) - (link3_z_ddot * link3_mass - link3_theta2_ddot * (w51 * c13))
     w85 = w83 + w84
     w86 = w82 + w85
     # outputs
@@ -1386,7 +1401,7 @@ def energy() -> ca.Function:
 
     takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 18) [mixed]: rates of all coordinates
-    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -1396,7 +1411,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 45)
+    c = ca.SX.sym("c", 53)
     link1_z = q[2]
     link1_theta1 = q[3]
     link1_theta2 = q[4]
@@ -1440,21 +1455,21 @@ def energy() -> ca.Function:
     c23 = c[23]
     c25 = c[25]
     c26 = c[26]
-    link1_mass = c[29]
-    c30 = c[30]
-    c37 = c[37]
+    link1_mass = c[30]
+    c31 = c[31]
+    c41 = c[41]
     # intermediate terms (69)
     w0 = ca.cos(link1_theta2)
     w1 = ca.sin(link1_theta1)
-    w2 = w0 * w1 * c30
+    w2 = w0 * w1 * c31
     w3 = ca.cos(link1_theta1)
     w4 = ca.sin(link1_theta2)
-    w5 = w4 * c30
+    w5 = w4 * c31
     w6 = w3 * w5
-    w7 = w0 * w3 * c30
+    w7 = w0 * w3 * c31
     w8 = w1 * w5
     w9 = link1_x_dot * (link1_x_dot * link1_mass - w2 * link1_theta1_dot - w6 * link1_theta2_dot) + link1_y_dot * (link1_y_dot * link1_mass + link1_theta1_dot * w7 - link1_theta2_dot * w8)
-    w10 = w0 * c30
+    w10 = w0 * c31
     w11 = w4 * c2
     w12 = ca.sin(link1_theta3)
     w13 = w0 * w12
@@ -1517,7 +1532,7 @@ def energy() -> ca.Function:
     kinetic = ca.vertcat(w68 / 2.0)
     elastic = ca.SX(1, 1)
     potential = ca.vertcat(
-        (link1_z * link1_mass - w5 + (link2_z * link2_mass - w28) + (link3_z * link3_mass - w51)) * c37,
+        (link1_z * link1_mass - w5 + (link2_z * link2_mass - w28) + (link3_z * link3_mass - w51)) * c41,
     )
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.SX(1, 1)
@@ -1600,13 +1615,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat by q_i, through q_d
-    1345 operations.
+    1337 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 45)
+    c = ca.SX.sym("c", 53)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -1643,11 +1658,14 @@ def dQ_hat_dq_i() -> ca.Function:
     c24 = c[24]
     gravity_z = c[27]
     c28 = c[28]
-    c38 = c[38]
-    c39 = c[39]
-    c40 = c[40]
-    c41 = c[41]
-    # intermediate terms (347)
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
+    c45 = c[45]
+    c46 = c[46]
+    c47 = c[47]
+    c48 = c[48]
+    # intermediate terms (344)
     w0 = ca.cos(link1_theta1)
     w1 = ca.cos(link1_theta2)
     w2 = w0 * w1
@@ -1813,7 +1831,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w162 = w158 + w161 * link3_mass
     w163 = w148 + w152 * link2_mass + w162
     w164 = link1_theta1_dot * w7
-    w165 = (w6 * w12 + (w1 * w164 + link1_theta2_dot * (w4 * w8) * c38)) * link1_end_x
+    w165 = (w6 * w12 + (w1 * w164 + link1_theta2_dot * (w4 * w8) * c42)) * link1_end_x
     w166 = w165 * c9
     w167 = w0 * w76
     w168 = w6 * w76
@@ -1827,9 +1845,9 @@ def dQ_hat_dq_i() -> ca.Function:
     w176 = w175 + w141 * link3_mass
     w177 = w19 * c11
     w178 = w15 * w137
-    w179 = w132 * c40
+    w179 = w132 * c44
     w180 = w18 * w137
-    w181 = w20 * c40
+    w181 = w20 * c44
     w182 = w155 * c13
     w183 = w108 * c13
     w184 = w90 * c13
@@ -1863,7 +1881,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w212 = link1_theta1_dot * (w1 * w68 - w58 * w77)
     w213 = (w211 + w212) * c3 + (w212 - w211) * c0
     w214 = w195 * w196 + w59 * w202 + (w1 * ((w204 - w57) * c0 - (w57 + w204) * c1) + w8 * w208) + (w198 * w210 + w66 * w213)
-    w215 = w5 * w76 + (w0 * w188 + link1_theta2_dot * (w6 * w197) * c39)
+    w215 = w5 * w76 + (w0 * w188 + link1_theta2_dot * (w6 * w197) * c43)
     w216 = w215 * c9
     w217 = w1 * link1_end_x
     w218 = w58 * w213 - w61 * w202 - w8 * c28 - w163 * (w0 * w217) - w147 * (w6 * w217) + w76 * (w19 * w43 + w25 * w35 + w39 * w55 + w170 * link2_mass + w172)
@@ -1875,169 +1893,166 @@ def dQ_hat_dq_i() -> ca.Function:
     w224 = w95 * c13
     w225 = w69 + link1_theta1_dot * (w67 + w9 * w61)
     w226 = (w209 + w225) * c1 + (w225 - w209) * c3
-    w227 = w193**2 - w203**2
-    w228 = w227 * c0 - w227 * c1
-    w229 = link1_theta1_dot * (w62 - w8 * w192) - w64
-    w230 = (w194 - w229) * c3 - (w194 + w229) * c0
-    w231 = w15 * link2_theta1_dot
-    w232 = link2_theta1_dot * w231
-    w233 = w18 * link2_theta1_dot
-    w234 = w51 * w233
-    w235 = w24 * link2_theta2_dot
-    w236 = link2_theta2_dot * w235
-    w237 = (w24 * w232 - w234 + (w15 * w236 - w234)) * link2_end_x
-    w238 = w237 * link3_mass
-    w239 = w238 - w148
-    w240 = link2_theta1_dot * w233
-    w241 = (w18 * w236 + (w24 * w240 + link2_theta2_dot * (link2_theta1_dot * w132) * c38)) * link2_end_x
-    w242 = w241 * link3_mass
-    w243 = w44 - w36 + w55 * (w47 - w46) + w242
-    w244 = w178 * w242 - (w180 * w238 - (w146 * w178 + (w85 * (w15 * w177) - w152 * (w18 * w177) - w162 * w180)))
-    w245 = w231 * (w235 * link2_end_x)
-    w246 = link2_theta2_dot * w51 * link2_end_x
-    w247 = w245 - w137 * w240 + (w245 - w18 * w246)
-    w248 = w247 * link3_mass
-    w249 = link2_theta1_dot * w24
-    w250 = w19 * w21
-    w251 = link2_theta1_dot * w250
-    w252 = w27 * w249 + w23 * w251
-    w253 = link2_theta1_dot * (w24 * w26 - w21 * w138)
-    w254 = w252 + w253
-    w255 = w254 * c11
-    w256 = 2 * w27
-    w257 = 2 * w41
-    w258 = w16 * w19
-    w259 = link2_theta1_dot * w258
-    w260 = (w251 * w256 + w257 * w259) * c11
-    w261 = link2_theta1_dot * (w16 * w138 + w21 * w235)
-    w262 = w41 * w249 + w23 * w259
-    w263 = w261 - w262
-    w264 = w263 * c11
-    w265 = w248 - (w35 * (w21 * w37) - w22 * w255 + (w20 * w43 + w37 * w260) + (w55 * (w24 * w45) + w48 * w264))
-    w266 = w35 * (w21 * w130) - w133 * w255 + (w43 * w132 + w130 * w260) + (w55 * (w17 * w24) + w135 * w264)
-    w267 = w24 * w233
-    w268 = w137 * w232 + (w15 * w246 + link2_theta2_dot * w267 * c41)
-    w269 = w268 * link3_mass
-    w270 = w266 + w269
-    w271 = w231 * ((w24 * w231 - w18 * w51) * link2_end_x)
-    w272 = w233 * ((w267 + w15 * w51) * link2_end_x)
-    w273 = w271 - w141 * w240 + (w271 - w18 * w241) - (w131 * w232 - w272 + (w15 * w237 - w272))
-    w274 = w273 * link3_mass
-    w275 = w217 * (w274 - (w24 * w43 - w19 * w260 - (w35 * w250 + w25 * w255) + (w39 * w264 - w55 * w258))) + w168 * w265
-    w276 = (w49 + w53) * c15 - w54 * c17
-    w277 = (w261 + w262) * c15 + w263 * c17
-    w278 = w27 * w41
-    w279 = w19 * w127
-    w280 = w41 * w251 + w27 * w259
-    w281 = (w279 - w280) * c14 + (w279 + w280) * c15
-    w282 = w34 * c17 - (w28 + w33) * c14
-    w283 = w254 * c17 + (w253 - w252) * c14
-    w284 = w250 * w276 + w25 * w277 + (w24 * ((w278 - w128) * c14 - (w128 + w278) * c15) + w19 * w281) + (w258 * w282 + w39 * w283)
-    w285 = w152 * (w20 * c11) - w85 * (w132 * c11) - w284 + w162 * (w20 * link2_end_x) - w146 * (w132 * link2_end_x)
-    w286 = w21 * w283 - w16 * w277 - (w152 * (w15 * w222) + w85 * (w18 * w222) - w170 * w177) - w162 * (w15 * w223)
-    w287 = link2_theta1_dot * (w50 - w19 * w40) - w52
-    w288 = w49 - w287
-    w289 = w288 * c11
-    w290 = (w41 * w256 - w27 * w257) * c11
-    w291 = w32 + link2_theta1_dot * (w30 + w16 * w51)
-    w292 = w291 - w28
-    w293 = w292 * c11
-    w294 = w35 * (w134 + w16 * w132) + w133 * w289 - w130 * w290 + (w55 * (w45 - w19 * w47) + w135 * w293)
-    w295 = w35 * (w16 * w20 - w47) + w22 * w289 - w37 * w290 + (w48 * w293 - w55 * (w17 + w19 * w134))
-    w296 = w217 * (w19 * w290 + (w35 * w39 + w25 * w289) + (w39 * w293 - w25 * w55)) + w168 * w295 + w167 * w294
-    w297 = (w28 + w291) * c15 + w292 * c17
-    w298 = w42 - w38
-    w299 = w298 * c14 - w298 * c15
-    w300 = w288 * c17 - (w49 + w287) * c14
-    w301 = w115 - w107 + w126 * (w118 - w117)
-    w302 = link3_theta1_dot * w95
-    w303 = w90 * w92
-    w304 = link3_theta1_dot * w303
-    w305 = w98 * w302 + w94 * w304
-    w306 = w90 * link3_theta3_dot
-    w307 = link3_theta1_dot * (w95 * w97 - w92 * w306)
-    w308 = w305 + w307
-    w309 = w308 * c13
-    w310 = 2 * w98
-    w311 = 2 * w112
-    w312 = w87 * w90
-    w313 = link3_theta1_dot * w312
-    w314 = (w304 * w310 + w311 * w313) * c13
-    w315 = link3_theta1_dot * (w87 * w306 + w92 * (w95 * link3_theta2_dot))
-    w316 = w112 * w302 + w94 * w313
-    w317 = w315 - w316
-    w318 = w317 * c13
-    w319 = w106 * (w92 * w155) - w154 * w309 + (w114 * w153 + w155 * w314) + (w126 * (w88 * w95) + w157 * w318)
-    w320 = w106 * (w92 * w108) - w93 * w309 + (w91 * w114 + w108 * w314) + (w126 * (w95 * w116) + w119 * w318)
-    w321 = w95 * w114 - w90 * w314 - (w106 * w303 + w96 * w309) + (w110 * w318 - w126 * w312)
-    w322 = (w120 + w124) * c22 - w125 * c24
-    w323 = (w315 + w316) * c22 + w317 * c24
-    w324 = w98 * w112
-    w325 = link3_theta1_dot * link3_theta2_dot
-    w326 = w95 * w325
-    w327 = w90 * w325
-    w328 = w112 * w304 + w98 * w313
-    w329 = (w327 - w328) * c21 + (w327 + w328) * c22
-    w330 = w105 * c24 - (w99 + w104) * c21
-    w331 = w308 * c24 + (w307 - w305) * c21
-    w332 = w303 * w322 + w96 * w323 + (w95 * ((w324 - w326) * c21 - (w324 + w326) * c22) + w90 * w329) + (w312 * w330 + w110 * w331)
-    w333 = link3_theta1_dot * (w121 - w90 * w111) - w123
-    w334 = w120 - w333
-    w335 = w334 * c13
-    w336 = (w112 * w310 - w98 * w311) * c13
-    w337 = w103 + link3_theta1_dot * (w101 + w87 * w122)
-    w338 = w337 - w99
-    w339 = w338 * c13
-    w340 = w106 * (w156 + w87 * w153) + w154 * w335 - w155 * w336 + (w126 * (w116 - w90 * w118) + w157 * w339)
-    w341 = w106 * (w87 * w91 - w118) + w93 * w335 - w108 * w336 + (w119 * w339 - w126 * (w88 + w90 * w156))
-    w342 = w90 * w336 + (w106 * w110 + w96 * w335) + (w110 * w339 - w96 * w126)
-    w343 = (w99 + w337) * c22 + w338 * c24
-    w344 = w113 - w109
-    w345 = w344 * c21 - w344 * c22
-    w346 = w334 * c24 - (w120 + w333) * c21
+    w227 = (w193**2 - w203**2) * c45
+    w228 = link1_theta1_dot * (w62 - w8 * w192) - w64
+    w229 = (w194 - w228) * c3 - (w194 + w228) * c0
+    w230 = w15 * link2_theta1_dot
+    w231 = link2_theta1_dot * w230
+    w232 = w18 * link2_theta1_dot
+    w233 = w51 * w232
+    w234 = w24 * link2_theta2_dot
+    w235 = link2_theta2_dot * w234
+    w236 = (w24 * w231 - w233 + (w15 * w235 - w233)) * link2_end_x
+    w237 = w236 * link3_mass
+    w238 = w237 - w148
+    w239 = link2_theta1_dot * w232
+    w240 = (w18 * w235 + (w24 * w239 + link2_theta2_dot * (link2_theta1_dot * w132) * c42)) * link2_end_x
+    w241 = w240 * link3_mass
+    w242 = w44 - w36 + w55 * (w47 - w46) + w241
+    w243 = w178 * w241 - (w180 * w237 - (w146 * w178 + (w85 * (w15 * w177) - w152 * (w18 * w177) - w162 * w180)))
+    w244 = w230 * (w234 * link2_end_x)
+    w245 = link2_theta2_dot * w51 * link2_end_x
+    w246 = w244 - w137 * w239 + (w244 - w18 * w245)
+    w247 = w246 * link3_mass
+    w248 = link2_theta1_dot * w24
+    w249 = w19 * w21
+    w250 = link2_theta1_dot * w249
+    w251 = w27 * w248 + w23 * w250
+    w252 = link2_theta1_dot * (w24 * w26 - w21 * w138)
+    w253 = w251 + w252
+    w254 = w253 * c11
+    w255 = 2 * w27
+    w256 = 2 * w41
+    w257 = w16 * w19
+    w258 = link2_theta1_dot * w257
+    w259 = (w250 * w255 + w256 * w258) * c11
+    w260 = link2_theta1_dot * (w16 * w138 + w21 * w234)
+    w261 = w41 * w248 + w23 * w258
+    w262 = w260 - w261
+    w263 = w262 * c11
+    w264 = w247 - (w35 * (w21 * w37) - w22 * w254 + (w20 * w43 + w37 * w259) + (w55 * (w24 * w45) + w48 * w263))
+    w265 = w35 * (w21 * w130) - w133 * w254 + (w43 * w132 + w130 * w259) + (w55 * (w17 * w24) + w135 * w263)
+    w266 = w24 * w232
+    w267 = w137 * w231 + (w15 * w245 + link2_theta2_dot * w266 * c46)
+    w268 = w267 * link3_mass
+    w269 = w265 + w268
+    w270 = w230 * ((w24 * w230 - w18 * w51) * link2_end_x)
+    w271 = w232 * ((w266 + w15 * w51) * link2_end_x)
+    w272 = w270 - w141 * w239 + (w270 - w18 * w240) - (w131 * w231 - w271 + (w15 * w236 - w271))
+    w273 = w272 * link3_mass
+    w274 = w217 * (w273 - (w24 * w43 - w19 * w259 - (w35 * w249 + w25 * w254) + (w39 * w263 - w55 * w257))) + w168 * w264
+    w275 = (w49 + w53) * c15 - w54 * c17
+    w276 = (w260 + w261) * c15 + w262 * c17
+    w277 = w27 * w41
+    w278 = w19 * w127
+    w279 = w41 * w250 + w27 * w258
+    w280 = (w278 - w279) * c14 + (w278 + w279) * c15
+    w281 = w34 * c17 - (w28 + w33) * c14
+    w282 = w253 * c17 + (w252 - w251) * c14
+    w283 = w249 * w275 + w25 * w276 + (w24 * ((w277 - w128) * c14 - (w128 + w277) * c15) + w19 * w280) + (w257 * w281 + w39 * w282)
+    w284 = w152 * (w20 * c11) - w85 * (w132 * c11) - w283 + w162 * (w20 * link2_end_x) - w146 * (w132 * link2_end_x)
+    w285 = w21 * w282 - w16 * w276 - (w152 * (w15 * w222) + w85 * (w18 * w222) - w170 * w177) - w162 * (w15 * w223)
+    w286 = link2_theta1_dot * (w50 - w19 * w40) - w52
+    w287 = w49 - w286
+    w288 = w287 * c11
+    w289 = (w41 * w255 - w27 * w256) * c11
+    w290 = w32 + link2_theta1_dot * (w30 + w16 * w51)
+    w291 = w290 - w28
+    w292 = w291 * c11
+    w293 = w35 * (w134 + w16 * w132) + w133 * w288 - w130 * w289 + (w55 * (w45 - w19 * w47) + w135 * w292)
+    w294 = w35 * (w16 * w20 - w47) + w22 * w288 - w37 * w289 + (w48 * w292 - w55 * (w17 + w19 * w134))
+    w295 = w217 * (w19 * w289 + (w35 * w39 + w25 * w288) + (w39 * w292 - w25 * w55)) + w168 * w294 + w167 * w293
+    w296 = (w28 + w290) * c15 + w291 * c17
+    w297 = (w42 - w38) * c47
+    w298 = w287 * c17 - (w49 + w286) * c14
+    w299 = w115 - w107 + w126 * (w118 - w117)
+    w300 = link3_theta1_dot * w95
+    w301 = w90 * w92
+    w302 = link3_theta1_dot * w301
+    w303 = w98 * w300 + w94 * w302
+    w304 = w90 * link3_theta3_dot
+    w305 = link3_theta1_dot * (w95 * w97 - w92 * w304)
+    w306 = w303 + w305
+    w307 = w306 * c13
+    w308 = 2 * w98
+    w309 = 2 * w112
+    w310 = w87 * w90
+    w311 = link3_theta1_dot * w310
+    w312 = (w302 * w308 + w309 * w311) * c13
+    w313 = link3_theta1_dot * (w87 * w304 + w92 * (w95 * link3_theta2_dot))
+    w314 = w112 * w300 + w94 * w311
+    w315 = w313 - w314
+    w316 = w315 * c13
+    w317 = w106 * (w92 * w155) - w154 * w307 + (w114 * w153 + w155 * w312) + (w126 * (w88 * w95) + w157 * w316)
+    w318 = w106 * (w92 * w108) - w93 * w307 + (w91 * w114 + w108 * w312) + (w126 * (w95 * w116) + w119 * w316)
+    w319 = w95 * w114 - w90 * w312 - (w106 * w301 + w96 * w307) + (w110 * w316 - w126 * w310)
+    w320 = (w120 + w124) * c22 - w125 * c24
+    w321 = (w313 + w314) * c22 + w315 * c24
+    w322 = w98 * w112
+    w323 = link3_theta1_dot * link3_theta2_dot
+    w324 = w95 * w323
+    w325 = w90 * w323
+    w326 = w112 * w302 + w98 * w311
+    w327 = (w325 - w326) * c21 + (w325 + w326) * c22
+    w328 = w105 * c24 - (w99 + w104) * c21
+    w329 = w306 * c24 + (w305 - w303) * c21
+    w330 = w301 * w320 + w96 * w321 + (w95 * ((w322 - w324) * c21 - (w322 + w324) * c22) + w90 * w327) + (w310 * w328 + w110 * w329)
+    w331 = link3_theta1_dot * (w121 - w90 * w111) - w123
+    w332 = w120 - w331
+    w333 = w332 * c13
+    w334 = (w112 * w308 - w98 * w309) * c13
+    w335 = w103 + link3_theta1_dot * (w101 + w87 * w122)
+    w336 = w335 - w99
+    w337 = w336 * c13
+    w338 = w106 * (w156 + w87 * w153) + w154 * w333 - w155 * w334 + (w126 * (w116 - w90 * w118) + w157 * w337)
+    w339 = w106 * (w87 * w91 - w118) + w93 * w333 - w108 * w334 + (w119 * w337 - w126 * (w88 + w90 * w156))
+    w340 = w90 * w334 + (w106 * w110 + w96 * w333) + (w110 * w337 - w96 * w126)
+    w341 = (w99 + w335) * c22 + w336 * c24
+    w342 = (w113 - w109) * c48
+    w343 = w332 * c24 - (w120 + w331) * c21
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # link1.theta1
             w3 * w14 + (w81 * w147 + w3 * w163) + w81 * w166,
             w3 * w190 - (w163 * (w150 * link1_end_x) - w214 - w147 * (w72 * link1_end_x)) + w81 * w216,
-            -(w66 * w195 - w59 * w226 - w8 * w228 + (w66 * w230 - w59 * w210)), w3 * w239 + w81 * w243,
-            w3 * w265 + w81 * w270, w81 * w294 - w3 * w295, w81 * w301 - w3 * w158, w81 * w319 - w3 * w320,
-            w81 * w340 - w3 * w341,
+            w8 * w227 - (w66 * w195 - w59 * w226) - (w66 * w229 - w59 * w210), w3 * w238 + w81 * w242,
+            w3 * w264 + w81 * w269, w81 * w293 - w3 * w294, w81 * w299 - w3 * w158, w81 * w317 - w3 * w318,
+            w81 * w338 - w3 * w339,
         ),
         ca.horzcat(  # link1.theta2
             w166 * w167 - (w163 * w168 - w147 * w167 + w14 * w168),
             w167 * w216 - (w218 + w217 * (w221 * c9) + w168 * w190),
-            w58 * w195 + w61 * w226 + (w61 * w210 + w58 * w230), w167 * w243 - w168 * w239, w167 * w270 - w275,
-            w296, w158 * w168 + w167 * w301, w217 * w321 + w168 * w320 + w167 * w319,
-            w217 * w342 + w168 * w341 + w167 * w340,
+            w58 * w195 + w61 * w226 + (w61 * w210 + w58 * w229), w167 * w242 - w168 * w238, w167 * w269 - w274,
+            w295, w158 * w168 + w167 * w299, w217 * w319 + w168 * w318 + w167 * w317,
+            w217 * w340 + w168 * w339 + w167 * w338,
         ),
-        ca.horzcat(0.0, -w208, -w228, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
+        ca.horzcat(0.0, -w208, -w227, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
         ca.horzcat(  # link2.theta1
             w13 * w174 + w165 * w176, w174 * w189 + w176 * w215, 0.0,
-            w131 * w238 + (w141 * w146 + (w131 * w162 + (w85 * w175 + w152 * w173))) + w141 * w242,
-            w131 * w248 - w285 + w141 * w269, -(w39 * w276 - w25 * w297 - w19 * w299 + (w39 * w300 - w25 * w282)),
-            w141 * w301 - w131 * w158, w141 * w319 - w131 * w320, w141 * w340 - w131 * w341,
+            w131 * w237 + (w141 * w146 + (w131 * w162 + (w85 * w175 + w152 * w173))) + w141 * w241,
+            w131 * w247 - w284 + w141 * w268, w19 * w297 - (w39 * w275 - w25 * w296) - (w39 * w298 - w25 * w281),
+            w141 * w299 - w131 * w158, w141 * w317 - w131 * w318, w141 * w338 - w131 * w339,
         ),
         ca.horzcat(  # link2.theta2
-            w165 * w179 - w13 * w181, w179 * w215 - (w221 * (w24 * c40) + w181 * w189), 0.0, w244,
-            w178 * w269 - (w286 - w146 * (w18 * w223) + w137 * w172 + w223 * w274 + w180 * w248),
-            w21 * w276 + w16 * w297 + (w16 * w282 + w21 * w300), w158 * w180 + w178 * w301,
-            w223 * w321 + w180 * w320 + w178 * w319, w223 * w342 + w180 * w341 + w178 * w340,
+            w165 * w179 - w13 * w181, w179 * w215 - (w221 * (w24 * c44) + w181 * w189), 0.0, w243,
+            w178 * w268 - (w285 - w146 * (w18 * w223) + w137 * w172 + w223 * w273 + w180 * w247),
+            w21 * w275 + w16 * w296 + (w16 * w281 + w21 * w298), w158 * w180 + w178 * w299,
+            w223 * w319 + w180 * w318 + w178 * w317, w223 * w340 + w180 * w339 + w178 * w338,
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, -w281, -w299, 0.0, 0.0, 0.0),  # link2.theta3
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, -w280, -w297, 0.0, 0.0, 0.0),  # link2.theta3
         ca.horzcat(  # link3.theta1
-            w13 * w182 + w165 * w183, w182 * w189 + w183 * w215, 0.0, w182 * w237 + w183 * w241,
-            w182 * w247 + w183 * w268, 0.0, w145 * w183 + w161 * w182,
-            -(w161 * (w91 * c13) - w145 * (w153 * c13) - w332),
-            -(w110 * w322 - w96 * w343 - w90 * w345 + (w110 * w346 - w96 * w330)),
+            w13 * w182 + w165 * w183, w182 * w189 + w183 * w215, 0.0, w182 * w236 + w183 * w240,
+            w182 * w246 + w183 * w267, 0.0, w145 * w183 + w161 * w182,
+            w330 - (w161 * (w91 * c13) - w145 * (w153 * c13)),
+            w90 * w342 - (w110 * w320 - w96 * w341) - (w110 * w343 - w96 * w328),
         ),
         ca.horzcat(  # link3.theta2
-            w165 * w185 - w13 * w186, w185 * w215 - (w221 * w224 + w186 * w189), 0.0, w185 * w241 - w186 * w237,
-            w185 * w268 - (w224 * w273 + w186 * w247), 0.0, w145 * w185 - w161 * w186,
-            -(w92 * w331 - w87 * w323 - (w161 * (w86 * w224) + w145 * (w89 * w224) - w171 * w184)),
-            w92 * w322 + w87 * w343 + (w87 * w330 + w92 * w346),
+            w165 * w185 - w13 * w186, w185 * w215 - (w221 * w224 + w186 * w189), 0.0, w185 * w240 - w186 * w236,
+            w185 * w267 - (w224 * w272 + w186 * w246), 0.0, w145 * w185 - w161 * w186,
+            w161 * (w86 * w224) + w145 * (w89 * w224) - w171 * w184 - (w92 * w329 - w87 * w321),
+            w92 * w320 + w87 * w341 + (w87 * w328 + w92 * w343),
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w329, -w345),  # link3.theta3
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w327, -w342),  # link3.theta3
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
@@ -2048,13 +2063,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    803 operations.
+    794 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 45)
+    c = ca.SX.sym("c", 53)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -2088,10 +2103,11 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c21 = c[21]
     c22 = c[22]
     c24 = c[24]
-    c40 = c[40]
-    c42 = c[42]
-    c43 = c[43]
     c44 = c[44]
+    c49 = c[49]
+    c50 = c[50]
+    c51 = c[51]
+    c52 = c[52]
     # intermediate terms (204)
     w0 = ca.cos(link1_theta1)
     w1 = ca.cos(link1_theta2)
@@ -2142,10 +2158,10 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w46 = w45 * link2_end_x
     w47 = w41 * w46
     w48 = w41 * w45
-    w49 = w48 * c40
+    w49 = w48 * c44
     w50 = w36 * w46
     w51 = w36 * w45
-    w52 = w51 * c40
+    w52 = w51 * c44
     w53 = ca.cos(link3_theta1)
     w54 = ca.cos(link3_theta2)
     w55 = w53 * w54
@@ -2176,7 +2192,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w80 = w37 * link2_end_x
     w81 = w54 * c13
     w82 = (w15 + w15) * c1
-    w83 = (w21 + w21) * c42
+    w83 = (w21 + w21) * c49
     w84 = w41 * link2_theta1_dot
     w85 = w45 * link2_theta2_dot
     w86 = (w37 * w84 + w36 * w85) * link2_end_x
@@ -2243,7 +2259,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w147 = w37 * link2_theta1_dot
     w148 = (w146 - w147) * c14 - (w146 + w147) * c15
     w149 = (w104 + w104) * c15
-    w150 = (w96 + w96) * c43
+    w150 = (w96 + w96) * c50
     w151 = ca.sin(link3_theta3)
     w152 = ca.cos(link3_theta3)
     w153 = w57 * w152
@@ -2296,7 +2312,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w200 = w54 * link3_theta1_dot
     w201 = (w199 - w200) * c21 - (w199 + w200) * c22
     w202 = (w166 + w166) * c22
-    w203 = (w158 + w158) * c44
+    w203 = (w158 + w158) * c51
     # outputs
     dQ_hat_dq_i_dot = ca.SX(9, 9)
     # link1.theta1
@@ -2308,11 +2324,11 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     dQ_hat_dq_i_dot[0, 6] = w28 * w175 - w2 * w178
     dQ_hat_dq_i_dot[0, 7] = w28 * w194 - w2 * w195
     # link1.theta2
-    dQ_hat_dq_i_dot[1, 0] = -(w13 * w19 - w10 * w27 + w9 * w34 + w32 * w35)
+    dQ_hat_dq_i_dot[1, 0] = w10 * w27 - w13 * w19 - w9 * w34 - w32 * w35
     dQ_hat_dq_i_dot[1, 1] = w13 * w72 + w10 * w69 - w78 * (w79 * c9) - w34 * w66 - w35 * w77
-    dQ_hat_dq_i_dot[1, 2] = -(w13 * w82 - w10 * w83)
+    dQ_hat_dq_i_dot[1, 2] = w10 * w83 - w13 * w82
     dQ_hat_dq_i_dot[1, 3] = w78 * (w45 * w106 + w94 * w101 + w103 * w112) - w34 * w113 - w35 * w120
-    dQ_hat_dq_i_dot[1, 4] = -(w78 * (w143 - (w45 * w133 + w94 * w132 + w103 * w137)) + w34 * w138 + w35 * w141)
+    dQ_hat_dq_i_dot[1, 4] = (w45 * w133 + w94 * w132 + w103 * w137 - w143) * w78 - w34 * w138 - w35 * w141
     dQ_hat_dq_i_dot[1, 6] = w78 * w179 + w34 * w178 + w35 * w175
     dQ_hat_dq_i_dot[1, 7] = w78 * w196 + w34 * w195 + w35 * w194
     # link1.theta3
@@ -2328,10 +2344,10 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     dQ_hat_dq_i_dot[3, 7] = w43 * w194 - w39 * w195
     # link2.theta2
     dQ_hat_dq_i_dot[4, 0] = -(w8 * w49 + w31 * w52)
-    dQ_hat_dq_i_dot[4, 1] = -(w79 * (w37 * c40) + w49 * w65 + w52 * w76)
-    dQ_hat_dq_i_dot[4, 3] = -(w89 * w121 - w91 * w125 + w47 * w88 + w50 * w117)
+    dQ_hat_dq_i_dot[4, 1] = w37 * c52 * w79 - w49 * w65 - w52 * w76
+    dQ_hat_dq_i_dot[4, 3] = w91 * w125 - w89 * w121 - w47 * w88 - w50 * w117
     dQ_hat_dq_i_dot[4, 4] = w89 * w145 + w91 * w144 - w80 * w143 - w47 * w128 - w50 * w140
-    dQ_hat_dq_i_dot[4, 5] = -(w89 * w149 - w91 * w150)
+    dQ_hat_dq_i_dot[4, 5] = w91 * w150 - w89 * w149
     dQ_hat_dq_i_dot[4, 6] = w80 * w179 + w47 * w178 + w50 * w175
     dQ_hat_dq_i_dot[4, 7] = w80 * w196 + w47 * w195 + w50 * w194
     # link2.theta3
@@ -2342,17 +2358,17 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     dQ_hat_dq_i_dot[6, 1] = w56 * w65 - w59 * w76
     dQ_hat_dq_i_dot[6, 3] = w56 * w87 - w59 * w116
     dQ_hat_dq_i_dot[6, 4] = w56 * w127 - w59 * w139
-    dQ_hat_dq_i_dot[6, 6] = -(w156 * w180 - w60 * w183 + w165 * w184)
-    dQ_hat_dq_i_dot[6, 7] = -(w165 * w197 - (w156 * w198 + w60 * w201))
+    dQ_hat_dq_i_dot[6, 6] = w60 * w183 - w156 * w180 - w165 * w184
+    dQ_hat_dq_i_dot[6, 7] = w156 * w198 + w60 * w201 - w165 * w197
     dQ_hat_dq_i_dot[6, 8] = -(w156 * w202 + w165 * w203)
     # link3.theta2
     dQ_hat_dq_i_dot[7, 0] = -(w8 * w62 + w31 * w63)
     dQ_hat_dq_i_dot[7, 1] = -(w79 * w81 + w62 * w65 + w63 * w76)
     dQ_hat_dq_i_dot[7, 3] = -(w62 * w87 + w63 * w116)
     dQ_hat_dq_i_dot[7, 4] = -(w81 * w142 + w62 * w127 + w63 * w139)
-    dQ_hat_dq_i_dot[7, 6] = -(w152 * w180 - w151 * w184)
+    dQ_hat_dq_i_dot[7, 6] = w151 * w184 - w152 * w180
     dQ_hat_dq_i_dot[7, 7] = w152 * w198 + w151 * w197
-    dQ_hat_dq_i_dot[7, 8] = -(w152 * w202 - w151 * w203)
+    dQ_hat_dq_i_dot[7, 8] = w151 * w203 - w152 * w202
     # link3.theta3
     dQ_hat_dq_i_dot[8, 6] = -w183
     dQ_hat_dq_i_dot[8, 7] = -w201
@@ -2366,15 +2382,15 @@ def residual_jacobian() -> ca.Function:
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 9 x 9) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    2050 operations.
+    2025 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 9)
-    c = ca.SX.sym("c", 45)
+    c = ca.SX.sym("c", 53)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -2420,13 +2436,16 @@ def residual_jacobian() -> ca.Function:
     c24 = c[24]
     gravity_z = c[27]
     c28 = c[28]
-    c39 = c[39]
-    c40 = c[40]
-    c41 = c[41]
-    c42 = c[42]
     c43 = c[43]
     c44 = c[44]
-    # intermediate terms (472)
+    c45 = c[45]
+    c46 = c[46]
+    c47 = c[47]
+    c48 = c[48]
+    c49 = c[49]
+    c50 = c[50]
+    c51 = c[51]
+    # intermediate terms (469)
     w0 = ca.cos(link1_theta1)
     w1 = ca.cos(link1_theta2)
     w2 = w0 * w1
@@ -2622,8 +2641,8 @@ def residual_jacobian() -> ca.Function:
     w192 = w41 * c11
     w193 = w192 + w154 * link3_mass
     w194 = w19 * c11
-    w195 = w20 * c40
-    w196 = w145 * c40
+    w195 = w20 * c44
+    w196 = w145 * c44
     w197 = w170 * c13
     w198 = w120 * c13
     w199 = w99 * c13
@@ -2631,7 +2650,7 @@ def residual_jacobian() -> ca.Function:
     w201 = w95 * w199
     w202 = w11 * link1_end_x
     w203 = (w1 * link1_theta2_ddot - link1_theta2_dot * w9) * link1_end_x
-    w204 = w5 * w203 + (w84 * w180 + link1_theta2_dot * (w2 * link1_theta1_dot) * c39)
+    w204 = w5 * w203 + (w84 * w180 + link1_theta2_dot * (w2 * link1_theta1_dot) * c43)
     w205 = w204 * c9
     w206 = link1_theta3_dot - link1_theta1_dot * w8
     w207 = link1_theta2_dot * w64
@@ -2665,343 +2684,340 @@ def residual_jacobian() -> ca.Function:
     w235 = w7 * w202
     w236 = w0 * w203 - w235 - (w235 + w6 * w84)
     w237 = w236 * c9
-    w238 = w64 * w233 - w67 * w219 - w8 * c28 - w179 * (w0 * w184) - w161 * (w5 * w184) + w84 * (w19 * w46 + w25 * w39 + w29 * w61 + w186 * link2_mass + w189)
-    w239 = w1 * w4 - w5 * w9
-    w240 = w239 * link1_end_x
-    w241 = (w1 * w7 + w0 * w9) * link1_end_x
-    w242 = w7 * w241
-    w243 = w5 * w182 + (w89 * w180 + w4 * w239 * c39) - (w3 * w6 - w242 + (w0 * w13 - w242))
-    w244 = w24 * c11
-    w245 = w24 * c40
-    w246 = w104 * c13
-    w247 = w228 - (w77 + link1_theta1_dot * (w74 + w9 * w67))
-    w248 = (w247 - w227) * c1 + (w227 + w247) * c3
-    w249 = w208**2 - w220**2
-    w250 = w249 * c0 - w249 * c1
-    w251 = w210 + (link1_theta1_dot * (w68 - w8 * w207) - w71)
-    w252 = (w209 - w251) * c3 - (w209 + w251) * c0
-    w253 = w15 * link2_theta1_dot
-    w254 = link2_theta1_dot * w253 + w18 * link2_theta1_ddot
-    w255 = w18 * link2_theta1_dot
-    w256 = w54 * w255
-    w257 = w24 * link2_theta2_dot
-    w258 = link2_theta2_dot * w257 + w19 * link2_theta2_ddot
-    w259 = (w24 * w254 - w256 + (w15 * w258 - w256)) * link2_end_x
-    w260 = w259 * link3_mass
-    w261 = w260 - w162
-    w262 = w15 * link2_theta1_ddot - link2_theta1_dot * w255
-    w263 = w54 * w253
-    w264 = (w24 * w262 - w263 - (w263 + w18 * w258)) * link2_end_x
-    w265 = w264 * link3_mass
-    w266 = w265 - (w47 - w40 + w61 * (w50 - w49))
-    w267 = w158 * w260 - (w160 * w176 + (w94 * (w15 * w194) - w167 * (w18 * w194) - w158 * w178)) + w176 * w265
-    w268 = w257 * link2_end_x
-    w269 = (w24 * link2_theta2_ddot - link2_theta2_dot * w54) * link2_end_x
-    w270 = w24 * w253
-    w271 = w18 * w269 + (w150 * w262 + link2_theta2_dot * w270 * c41)
-    w272 = w271 * link3_mass
-    w273 = link2_theta1_dot * w24
-    w274 = w19 * w21
-    w275 = link2_theta1_dot * w274
-    w276 = w27 * w273 + w23 * w275
-    w277 = w16 * w19
-    w278 = link2_theta1_ddot * w277 + link2_theta1_dot * (w24 * w26 - w21 * w151)
-    w279 = w276 + w278
-    w280 = w279 * c11
-    w281 = 2 * w27
-    w282 = 2 * w44
-    w283 = link2_theta1_dot * w277
-    w284 = (w275 * w281 + w282 * w283) * c11
-    w285 = link2_theta1_dot * (w16 * w151 + w21 * w257) + link2_theta1_ddot * w274
-    w286 = w44 * w273 + w23 * w283
-    w287 = w285 - w286
-    w288 = w287 * c11
-    w289 = w272 - (w39 * (w21 * w41) - w22 * w280 + (w20 * w46 + w41 * w284) + (w61 * (w24 * w48) + w51 * w288))
-    w290 = w255 * w268
-    w291 = w15 * w269 - w290 - (w290 + w150 * w254)
-    w292 = w291 * link3_mass
-    w293 = w39 * (w21 * w143) - w146 * w280 + (w46 * w145 + w143 * w284) + (w61 * (w17 * w24) + w148 * w288)
-    w294 = w292 - w293
-    w295 = w270 - w18 * w54
-    w296 = w295 * link2_end_x
-    w297 = (w24 * w255 + w15 * w54) * link2_end_x
-    w298 = w255 * w297
-    w299 = w18 * w264 + (w154 * w262 + w253 * w295 * c41) - (w144 * w254 - w298 + (w15 * w259 - w298))
-    w300 = w299 * link3_mass
-    w301 = w184 * (w300 - (w24 * w46 - w19 * w284 - (w39 * w274 + w25 * w280) + (w29 * w288 - w61 * w277))) + w93 * w289
-    w302 = (w52 + w59) * c15 - w60 * c17
-    w303 = (w285 + w286) * c15 + w287 * c17
-    w304 = w27 * w44
-    w305 = link2_theta3_ddot - w19 * link2_theta1_ddot - w141
-    w306 = w19 * w140 - w24 * link2_theta1_ddot
-    w307 = w44 * w275 + w27 * w283
-    w308 = (w306 - w307) * c14 + (w306 + w307) * c15
-    w309 = w38 * c17 - (w28 - w37) * c14
-    w310 = w279 * c17 + (w278 - w276) * c14
-    w311 = w274 * w302 + w25 * w303 + (w24 * ((w304 + w305) * c14 - (w304 - w305) * c15) + w19 * w308) + (w277 * w309 + w29 * w310)
-    w312 = w167 * (w20 * c11) - w94 * (w145 * c11) - w311 + w178 * (w20 * link2_end_x) - w160 * (w145 * link2_end_x)
-    w313 = w21 * w310 - w16 * w303 - (w167 * (w15 * w244) + w94 * (w18 * w244) - w186 * w194) - w178 * (w15 * w187)
-    w314 = w58 + (link2_theta1_dot * (w53 - w19 * w43) - w56)
-    w315 = w52 - w314
+    w238 = w1 * w4 - w5 * w9
+    w239 = w238 * link1_end_x
+    w240 = (w1 * w7 + w0 * w9) * link1_end_x
+    w241 = w7 * w240
+    w242 = w5 * w182 + (w89 * w180 + w4 * w238 * c43) - (w3 * w6 - w241 + (w0 * w13 - w241))
+    w243 = w24 * c11
+    w244 = w24 * c44
+    w245 = w104 * c13
+    w246 = w228 - (w77 + link1_theta1_dot * (w74 + w9 * w67))
+    w247 = (w246 - w227) * c1 + (w227 + w246) * c3
+    w248 = (w208**2 - w220**2) * c45
+    w249 = w210 + (link1_theta1_dot * (w68 - w8 * w207) - w71)
+    w250 = (w209 - w249) * c3 - (w209 + w249) * c0
+    w251 = w15 * link2_theta1_dot
+    w252 = link2_theta1_dot * w251 + w18 * link2_theta1_ddot
+    w253 = w18 * link2_theta1_dot
+    w254 = w54 * w253
+    w255 = w24 * link2_theta2_dot
+    w256 = link2_theta2_dot * w255 + w19 * link2_theta2_ddot
+    w257 = (w24 * w252 - w254 + (w15 * w256 - w254)) * link2_end_x
+    w258 = w257 * link3_mass
+    w259 = w258 - w162
+    w260 = w15 * link2_theta1_ddot - link2_theta1_dot * w253
+    w261 = w54 * w251
+    w262 = (w24 * w260 - w261 - (w261 + w18 * w256)) * link2_end_x
+    w263 = w262 * link3_mass
+    w264 = w263 - (w47 - w40 + w61 * (w50 - w49))
+    w265 = w255 * link2_end_x
+    w266 = (w24 * link2_theta2_ddot - link2_theta2_dot * w54) * link2_end_x
+    w267 = w24 * w251
+    w268 = w18 * w266 + (w150 * w260 + link2_theta2_dot * w267 * c46)
+    w269 = w268 * link3_mass
+    w270 = link2_theta1_dot * w24
+    w271 = w19 * w21
+    w272 = link2_theta1_dot * w271
+    w273 = w27 * w270 + w23 * w272
+    w274 = w16 * w19
+    w275 = link2_theta1_ddot * w274 + link2_theta1_dot * (w24 * w26 - w21 * w151)
+    w276 = w273 + w275
+    w277 = w276 * c11
+    w278 = 2 * w27
+    w279 = 2 * w44
+    w280 = link2_theta1_dot * w274
+    w281 = (w272 * w278 + w279 * w280) * c11
+    w282 = link2_theta1_dot * (w16 * w151 + w21 * w255) + link2_theta1_ddot * w271
+    w283 = w44 * w270 + w23 * w280
+    w284 = w282 - w283
+    w285 = w284 * c11
+    w286 = w269 - (w39 * (w21 * w41) - w22 * w277 + (w20 * w46 + w41 * w281) + (w61 * (w24 * w48) + w51 * w285))
+    w287 = w253 * w265
+    w288 = w15 * w266 - w287 - (w287 + w150 * w252)
+    w289 = w288 * link3_mass
+    w290 = w39 * (w21 * w143) - w146 * w277 + (w46 * w145 + w143 * w281) + (w61 * (w17 * w24) + w148 * w285)
+    w291 = w289 - w290
+    w292 = w267 - w18 * w54
+    w293 = w292 * link2_end_x
+    w294 = (w24 * w253 + w15 * w54) * link2_end_x
+    w295 = w253 * w294
+    w296 = w18 * w262 + (w154 * w260 + w251 * w292 * c46) - (w144 * w252 - w295 + (w15 * w257 - w295))
+    w297 = w296 * link3_mass
+    w298 = (w52 + w59) * c15 - w60 * c17
+    w299 = (w282 + w283) * c15 + w284 * c17
+    w300 = w27 * w44
+    w301 = link2_theta3_ddot - w19 * link2_theta1_ddot - w141
+    w302 = w19 * w140 - w24 * link2_theta1_ddot
+    w303 = w44 * w272 + w27 * w280
+    w304 = (w302 - w303) * c14 + (w302 + w303) * c15
+    w305 = w38 * c17 - (w28 - w37) * c14
+    w306 = w276 * c17 + (w275 - w273) * c14
+    w307 = w271 * w298 + w25 * w299 + (w24 * ((w300 + w301) * c14 - (w300 - w301) * c15) + w19 * w304) + (w274 * w305 + w29 * w306)
+    w308 = w167 * (w20 * c11) - w94 * (w145 * c11) - w307 + w178 * (w20 * link2_end_x) - w160 * (w145 * link2_end_x)
+    w309 = w21 * w306 - w16 * w299 - (w167 * (w15 * w243) + w94 * (w18 * w243) - w186 * w194) - w178 * (w15 * w187)
+    w310 = w58 + (link2_theta1_dot * (w53 - w19 * w43) - w56)
+    w311 = w52 - w310
+    w312 = w311 * c11
+    w313 = (w44 * w278 - w27 * w279) * c11
+    w314 = w30 - (w35 + link2_theta1_dot * (w32 + w16 * w54))
+    w315 = w28 + w314
     w316 = w315 * c11
-    w317 = (w44 * w281 - w27 * w282) * c11
-    w318 = w30 - (w35 + link2_theta1_dot * (w32 + w16 * w54))
-    w319 = w28 + w318
-    w320 = w319 * c11
-    w321 = w39 * (w147 + w16 * w145) + w146 * w316 - w143 * w317 + (w61 * (w48 - w19 * w50) - w148 * w320)
-    w322 = w39 * (w16 * w20 - w50) + w22 * w316 - w41 * w317 - (w61 * (w17 + w19 * w147) + w51 * w320)
-    w323 = w184 * (w19 * w317 + (w29 * w39 + w25 * w316) - (w25 * w61 + w29 * w320)) + w93 * w322 + w166 * w321
-    w324 = (w318 - w28) * c15 + w319 * c17
-    w325 = w45 - w42
-    w326 = w325 * c14 - w325 * c15
-    w327 = w315 * c17 - (w52 + w314) * c14
-    w328 = w126 - w119 + w139 * (w129 - w128)
-    w329 = link3_theta1_dot * w104
-    w330 = w99 * w101
-    w331 = link3_theta1_dot * w330
-    w332 = w107 * w329 + w103 * w331
-    w333 = w96 * w99
-    w334 = w99 * link3_theta3_dot
-    w335 = link3_theta1_ddot * w333 + link3_theta1_dot * (w104 * w106 - w101 * w334)
-    w336 = w332 + w335
-    w337 = w336 * c13
-    w338 = 2 * w107
-    w339 = 2 * w123
-    w340 = link3_theta1_dot * w333
-    w341 = (w331 * w338 + w339 * w340) * c13
-    w342 = w104 * link3_theta2_dot
-    w343 = link3_theta1_dot * (w96 * w334 + w101 * w342) + link3_theta1_ddot * w330
-    w344 = w123 * w329 + w103 * w340
-    w345 = w343 - w344
-    w346 = w345 * c13
-    w347 = w118 * (w101 * w170) - w169 * w337 + (w125 * w168 + w170 * w341) + (w139 * (w97 * w104) + w172 * w346)
-    w348 = w118 * (w101 * w120) - w102 * w337 + (w100 * w125 + w120 * w341) + (w139 * (w104 * w127) + w130 * w346)
-    w349 = w104 * w125 - w99 * w341 - (w118 * w330 + w105 * w337) + (w109 * w346 - w139 * w333)
-    w350 = (w131 + w137) * c22 - w138 * c24
-    w351 = (w343 + w344) * c22 + w345 * c24
-    w352 = w107 * w123
-    w353 = link3_theta1_dot * link3_theta2_dot
-    w354 = link3_theta3_ddot - w99 * link3_theta1_ddot - w104 * w353
-    w355 = w99 * w353 - w104 * link3_theta1_ddot
-    w356 = w123 * w331 + w107 * w340
-    w357 = (w355 - w356) * c21 + (w355 + w356) * c22
-    w358 = w117 * c24 - (w108 - w116) * c21
-    w359 = w336 * c24 + (w335 - w332) * c21
-    w360 = w330 * w350 + w105 * w351 + (w104 * ((w352 + w354) * c21 - (w352 - w354) * c22) + w99 * w357) + (w333 * w358 + w109 * w359)
-    w361 = w136 + (link3_theta1_dot * (w132 - w99 * w122) - w135)
-    w362 = w131 - w361
-    w363 = w362 * c13
-    w364 = (w123 * w338 - w107 * w339) * c13
-    w365 = w110 - (w115 + link3_theta1_dot * (w112 + w96 * w133))
-    w366 = w108 + w365
-    w367 = w366 * c13
-    w368 = w118 * (w171 + w96 * w168) + w169 * w363 - w170 * w364 + (w139 * (w127 - w99 * w129) - w172 * w367)
-    w369 = w118 * (w96 * w100 - w129) + w102 * w363 - w120 * w364 - (w139 * (w97 + w99 * w171) + w130 * w367)
-    w370 = w99 * w364 + (w109 * w118 + w105 * w363) - (w105 * w139 + w109 * w367)
-    w371 = (w365 - w108) * c22 + w366 * c24
-    w372 = w124 - w121
-    w373 = w372 * c21 - w372 * c22
-    w374 = w362 * c24 - (w131 + w361) * c21
-    w375 = 2 * w241
-    w376 = w375 * c9
-    w377 = w73 * w206 - w8 * w208
-    w378 = (w69 + w377) * c1 - (w377 - w69) * c3
-    w379 = w65 * w208 + w73 * w220
-    w380 = (w379 - w11) * c0 - (w11 + w379) * c1
-    w381 = w65 * w206 - w8 * w220
-    w382 = (w381 - w76) * c3 - (w76 + w381) * c0
-    w383 = 2 * w240
-    w384 = w383 * c9
-    w385 = 2 * (w4 * w84 + w5 * w202)
-    w386 = w385 * c9
-    w387 = w67 * w206
-    w388 = w216 + link1_theta3_dot * w67
-    w389 = (w387 - w388) * c3 - (w387 + w388) * c0
-    w390 = w64 * w206
-    w391 = w224 + w64 * link1_theta3_dot
-    w392 = (w390 + w391) * c1 + (w391 - w390) * c3
-    w393 = w67 * w208 - w64 * w220
-    w394 = (w393 - w214) * c0 - (w214 + w393) * c1
-    w395 = 2 * (w0 * w202 - w7 * w84)
-    w396 = w395 * c9
-    w397 = 2 * (w4 * w89 + w5 * w240 - (w3 * w7 + w0 * w241))
-    w398 = (w208 + w208) * c1
-    w399 = (w220 + w220) * c42
-    w400 = 2 * w297
-    w401 = w400 * link3_mass
-    w402 = w23 * w25 - w19 * w27
-    w403 = w402 - w33
-    w404 = w403 * c11
-    w405 = (w25 * w281 + w29 * w282) * c11
-    w406 = w23 * w29 - w19 * w44
-    w407 = w406 - w55
-    w408 = w407 * c11
-    w409 = w401 - (w22 * w404 - w41 * w405 + w51 * w408)
-    w410 = 2 * w296
-    w411 = w410 * link3_mass
-    w412 = w411 - (w146 * w404 - w143 * w405 + w148 * w408)
-    w413 = (w55 + w406) * c15 - w407 * c17
-    w414 = w25 * w44 + w27 * w29
-    w415 = (w414 - w257) * c14 - (w257 + w414) * c15
-    w416 = w403 * c17 - (w33 + w402) * c14
-    w417 = 2 * (w150 * w253 + w18 * w268)
-    w418 = w417 * link3_mass
-    w419 = w16 * w23
-    w420 = w283 + w16 * link2_theta3_dot
-    w421 = w419 - w420
-    w422 = w421 * c11
-    w423 = (w16 * w281 - w21 * w282) * c11
-    w424 = w275 + w21 * link2_theta3_dot
-    w425 = w21 * w23
-    w426 = w424 - w425
-    w427 = w426 * c11
-    w428 = w418 - (w22 * w422 - w41 * w423 + w51 * w427)
-    w429 = 2 * (w15 * w268 - w150 * w255)
-    w430 = w429 * link3_mass
-    w431 = w430 - (w146 * w422 - w143 * w423 + w148 * w427)
-    w432 = 2 * (w154 * w253 + w18 * w296 - (w144 * w255 + w15 * w297))
-    w433 = w432 * link3_mass
-    w434 = w421 * c17 - (w419 + w420) * c14
-    w435 = (w424 + w425) * c15 + w426 * c17
-    w436 = w16 * w44 - w21 * w27
-    w437 = (w436 - w273) * c14 - (w273 + w436) * c15
-    w438 = (w44 + w44) * c15
-    w439 = (w27 + w27) * c43
-    w440 = w103 * w105 - w99 * w107
-    w441 = w440 - w113
-    w442 = w441 * c13
-    w443 = (w105 * w338 + w109 * w339) * c13
-    w444 = w103 * w109 - w99 * w123
-    w445 = w444 - w134
-    w446 = w445 * c13
-    w447 = w169 * w442 - w170 * w443 + w172 * w446
-    w448 = w102 * w442 - w120 * w443 + w130 * w446
-    w449 = w99 * w443 + w105 * w442 + w109 * w446
-    w450 = (w134 + w444) * c22 - w445 * c24
-    w451 = w105 * w123 + w107 * w109
-    w452 = (w451 - w342) * c21 - (w342 + w451) * c22
-    w453 = w441 * c24 - (w113 + w440) * c21
-    w454 = w96 * w103
-    w455 = w340 + w96 * link3_theta3_dot
-    w456 = w454 - w455
-    w457 = w456 * c13
-    w458 = (w96 * w338 - w101 * w339) * c13
-    w459 = w331 + w101 * link3_theta3_dot
-    w460 = w101 * w103
-    w461 = w459 - w460
-    w462 = w461 * c13
-    w463 = w169 * w457 - w170 * w458 + w172 * w462
-    w464 = w102 * w457 - w120 * w458 + w130 * w462
-    w465 = w99 * w458 + w105 * w457 + w109 * w462
-    w466 = w456 * c24 - (w454 + w455) * c21
-    w467 = (w459 + w460) * c22 + w461 * c24
-    w468 = w96 * w123 - w101 * w107
-    w469 = (w468 - w329) * c21 - (w329 + w468) * c22
-    w470 = (w123 + w123) * c22
-    w471 = (w107 + w107) * c44
+    w317 = w39 * (w147 + w16 * w145) + w146 * w312 - w143 * w313 + (w61 * (w48 - w19 * w50) - w148 * w316)
+    w318 = w39 * (w16 * w20 - w50) + w22 * w312 - w41 * w313 - (w61 * (w17 + w19 * w147) + w51 * w316)
+    w319 = w184 * (w19 * w313 + (w29 * w39 + w25 * w312) - (w25 * w61 + w29 * w316)) + w93 * w318 + w166 * w317
+    w320 = (w314 - w28) * c15 + w315 * c17
+    w321 = (w45 - w42) * c47
+    w322 = w311 * c17 - (w52 + w310) * c14
+    w323 = w126 - w119 + w139 * (w129 - w128)
+    w324 = link3_theta1_dot * w104
+    w325 = w99 * w101
+    w326 = link3_theta1_dot * w325
+    w327 = w107 * w324 + w103 * w326
+    w328 = w96 * w99
+    w329 = w99 * link3_theta3_dot
+    w330 = link3_theta1_ddot * w328 + link3_theta1_dot * (w104 * w106 - w101 * w329)
+    w331 = w327 + w330
+    w332 = w331 * c13
+    w333 = 2 * w107
+    w334 = 2 * w123
+    w335 = link3_theta1_dot * w328
+    w336 = (w326 * w333 + w334 * w335) * c13
+    w337 = w104 * link3_theta2_dot
+    w338 = link3_theta1_dot * (w96 * w329 + w101 * w337) + link3_theta1_ddot * w325
+    w339 = w123 * w324 + w103 * w335
+    w340 = w338 - w339
+    w341 = w340 * c13
+    w342 = w118 * (w101 * w170) - w169 * w332 + (w125 * w168 + w170 * w336) + (w139 * (w97 * w104) + w172 * w341)
+    w343 = w118 * (w101 * w120) - w102 * w332 + (w100 * w125 + w120 * w336) + (w139 * (w104 * w127) + w130 * w341)
+    w344 = w104 * w125 - w99 * w336 - (w118 * w325 + w105 * w332) + (w109 * w341 - w139 * w328)
+    w345 = (w131 + w137) * c22 - w138 * c24
+    w346 = (w338 + w339) * c22 + w340 * c24
+    w347 = w107 * w123
+    w348 = link3_theta1_dot * link3_theta2_dot
+    w349 = link3_theta3_ddot - w99 * link3_theta1_ddot - w104 * w348
+    w350 = w99 * w348 - w104 * link3_theta1_ddot
+    w351 = w123 * w326 + w107 * w335
+    w352 = (w350 - w351) * c21 + (w350 + w351) * c22
+    w353 = w117 * c24 - (w108 - w116) * c21
+    w354 = w331 * c24 + (w330 - w327) * c21
+    w355 = w325 * w345 + w105 * w346 + (w104 * ((w347 + w349) * c21 - (w347 - w349) * c22) + w99 * w352) + (w328 * w353 + w109 * w354)
+    w356 = w136 + (link3_theta1_dot * (w132 - w99 * w122) - w135)
+    w357 = w131 - w356
+    w358 = w357 * c13
+    w359 = (w123 * w333 - w107 * w334) * c13
+    w360 = w110 - (w115 + link3_theta1_dot * (w112 + w96 * w133))
+    w361 = w108 + w360
+    w362 = w361 * c13
+    w363 = w118 * (w171 + w96 * w168) + w169 * w358 - w170 * w359 + (w139 * (w127 - w99 * w129) - w172 * w362)
+    w364 = w118 * (w96 * w100 - w129) + w102 * w358 - w120 * w359 - (w139 * (w97 + w99 * w171) + w130 * w362)
+    w365 = w99 * w359 + (w109 * w118 + w105 * w358) - (w105 * w139 + w109 * w362)
+    w366 = (w360 - w108) * c22 + w361 * c24
+    w367 = (w124 - w121) * c48
+    w368 = w357 * c24 - (w131 + w356) * c21
+    w369 = 2 * w240
+    w370 = w369 * c9
+    w371 = w73 * w206 - w8 * w208
+    w372 = (w69 + w371) * c1 - (w371 - w69) * c3
+    w373 = w65 * w208 + w73 * w220
+    w374 = (w373 - w11) * c0 - (w11 + w373) * c1
+    w375 = w65 * w206 - w8 * w220
+    w376 = (w375 - w76) * c3 - (w76 + w375) * c0
+    w377 = 2 * w239
+    w378 = w377 * c9
+    w379 = 2 * (w4 * w84 + w5 * w202)
+    w380 = w379 * c9
+    w381 = w67 * w206
+    w382 = w216 + link1_theta3_dot * w67
+    w383 = (w381 - w382) * c3 - (w381 + w382) * c0
+    w384 = w64 * w206
+    w385 = w224 + w64 * link1_theta3_dot
+    w386 = (w384 + w385) * c1 + (w385 - w384) * c3
+    w387 = w67 * w208 - w64 * w220
+    w388 = (w387 - w214) * c0 - (w214 + w387) * c1
+    w389 = 2 * (w0 * w202 - w7 * w84)
+    w390 = w389 * c9
+    w391 = 2 * (w4 * w89 + w5 * w239 - (w3 * w7 + w0 * w240))
+    w392 = (w208 + w208) * c1
+    w393 = (w220 + w220) * c49
+    w394 = 2 * w294
+    w395 = w394 * link3_mass
+    w396 = w23 * w25 - w19 * w27
+    w397 = w396 - w33
+    w398 = w397 * c11
+    w399 = (w25 * w278 + w29 * w279) * c11
+    w400 = w23 * w29 - w19 * w44
+    w401 = w400 - w55
+    w402 = w401 * c11
+    w403 = w395 - (w22 * w398 - w41 * w399 + w51 * w402)
+    w404 = 2 * w293
+    w405 = w404 * link3_mass
+    w406 = w405 - (w146 * w398 - w143 * w399 + w148 * w402)
+    w407 = (w55 + w400) * c15 - w401 * c17
+    w408 = w25 * w44 + w27 * w29
+    w409 = (w408 - w255) * c14 - (w255 + w408) * c15
+    w410 = w397 * c17 - (w33 + w396) * c14
+    w411 = 2 * (w150 * w251 + w18 * w265)
+    w412 = w411 * link3_mass
+    w413 = w16 * w23
+    w414 = w280 + w16 * link2_theta3_dot
+    w415 = w413 - w414
+    w416 = w415 * c11
+    w417 = (w16 * w278 - w21 * w279) * c11
+    w418 = w272 + w21 * link2_theta3_dot
+    w419 = w21 * w23
+    w420 = w418 - w419
+    w421 = w420 * c11
+    w422 = w412 - (w22 * w416 - w41 * w417 + w51 * w421)
+    w423 = 2 * (w15 * w265 - w150 * w253)
+    w424 = w423 * link3_mass
+    w425 = w424 - (w146 * w416 - w143 * w417 + w148 * w421)
+    w426 = 2 * (w154 * w251 + w18 * w293 - (w144 * w253 + w15 * w294))
+    w427 = w426 * link3_mass
+    w428 = w415 * c17 - (w413 + w414) * c14
+    w429 = (w418 + w419) * c15 + w420 * c17
+    w430 = w16 * w44 - w21 * w27
+    w431 = (w430 - w270) * c14 - (w270 + w430) * c15
+    w432 = (w44 + w44) * c15
+    w433 = (w27 + w27) * c50
+    w434 = w103 * w105 - w99 * w107
+    w435 = w434 - w113
+    w436 = w435 * c13
+    w437 = (w105 * w333 + w109 * w334) * c13
+    w438 = w103 * w109 - w99 * w123
+    w439 = w438 - w134
+    w440 = w439 * c13
+    w441 = w169 * w436 - w170 * w437 + w172 * w440
+    w442 = w102 * w436 - w120 * w437 + w130 * w440
+    w443 = w99 * w437 + w105 * w436 + w109 * w440
+    w444 = (w134 + w438) * c22 - w439 * c24
+    w445 = w105 * w123 + w107 * w109
+    w446 = (w445 - w337) * c21 - (w337 + w445) * c22
+    w447 = w435 * c24 - (w113 + w434) * c21
+    w448 = w96 * w103
+    w449 = w335 + w96 * link3_theta3_dot
+    w450 = w448 - w449
+    w451 = w450 * c13
+    w452 = (w96 * w333 - w101 * w334) * c13
+    w453 = w326 + w101 * link3_theta3_dot
+    w454 = w101 * w103
+    w455 = w453 - w454
+    w456 = w455 * c13
+    w457 = w169 * w451 - w170 * w452 + w172 * w456
+    w458 = w102 * w451 - w120 * w452 + w130 * w456
+    w459 = w99 * w452 + w105 * w451 + w109 * w456
+    w460 = w450 * c24 - (w448 + w449) * c21
+    w461 = (w453 + w454) * c22 + w455 * c24
+    w462 = w96 * w123 - w101 * w107
+    w463 = (w462 - w324) * c21 - (w324 + w462) * c22
+    w464 = (w123 + w123) * c22
+    w465 = (w107 + w107) * c51
+    w466 = w161 * (w5 * w184) - (w64 * w233 - w67 * w219 - w8 * c28 - w179 * (w0 * w184)) - w84 * (w19 * w46 + w25 * w39 + w29 * w61 + w186 * link2_mass + w189)
+    w467 = w160 * w176 + (w94 * (w15 * w194) - w167 * (w18 * w194) - w158 * w178) - w158 * w258 - w176 * w263
+    w468 = (w24 * w46 - w19 * w281 - (w39 * w271 + w25 * w277) + (w29 * w285 - w61 * w274) - w297) * w184 - w93 * w286
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # link1.theta1
             w3 * w14 + (w89 * w161 + w3 * w179) - w89 * w183,
             w3 * w205 - (w179 * (w164 * link1_end_x) - w234 - w161 * (w80 * link1_end_x)) - w89 * w237,
-            -(w73 * w212 + w65 * w248 - w8 * w250 + (w73 * w252 - w65 * w230)), w3 * w261 - w89 * w266,
-            w3 * w289 - w89 * w294, w89 * w321 - w3 * w322, w89 * w328 - w3 * w173, w89 * w347 - w3 * w348,
-            w89 * w368 - w3 * w369,
+            w8 * w248 - (w73 * w212 + w65 * w247) - (w73 * w250 - w65 * w230), w3 * w259 - w89 * w264,
+            w3 * w286 - w89 * w291, w89 * w317 - w3 * w318, w89 * w323 - w3 * w173, w89 * w342 - w3 * w343,
+            w89 * w363 - w3 * w364,
         ),
         ca.horzcat(  # link1.theta2
-            -(w93 * w179 - w161 * w166 + w14 * w93 + w166 * w183),
-            -(w238 + w184 * (w243 * c9) + w93 * w205 + w166 * w237),
-            -(w67 * w248 - w64 * w212 - (w67 * w230 + w64 * w252)), -(w93 * w261 + w166 * w266),
-            -(w301 + w166 * w294), w323, w93 * w173 + w166 * w328, w184 * w349 + w93 * w348 + w166 * w347,
-            w184 * w370 + w93 * w369 + w166 * w368,
+            w161 * w166 - w93 * w179 - w14 * w93 - w166 * w183,
+            w466 - w184 * (w242 * c9) - w93 * w205 - w166 * w237,
+            w67 * w230 + w64 * w250 - (w67 * w247 - w64 * w212), -(w93 * w259 + w166 * w264), w468 - w166 * w291,
+            w319, w93 * w173 + w166 * w323, w184 * w344 + w93 * w343 + w166 * w342,
+            w184 * w365 + w93 * w364 + w166 * w363,
         ),
-        ca.horzcat(0.0, -w226, -w250, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
+        ca.horzcat(0.0, -w226, -w248, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
         ca.horzcat(  # link2.theta1
             w13 * w191 - w182 * w193, w191 * w204 - w193 * w236, 0.0,
-            w144 * w260 + (w154 * w160 + (w144 * w178 + (w94 * w192 + w167 * w190))) - w154 * w265,
-            w144 * w272 - w312 - w154 * w292, -(w29 * w302 + w25 * w324 - w19 * w326 + (w29 * w327 - w25 * w309)),
-            w154 * w328 - w144 * w173, w154 * w347 - w144 * w348, w154 * w368 - w144 * w369,
+            w144 * w258 + (w154 * w160 + (w144 * w178 + (w94 * w192 + w167 * w190))) - w154 * w263,
+            w144 * w269 - w308 - w154 * w289, w19 * w321 - (w29 * w298 + w25 * w320) - (w29 * w322 - w25 * w305),
+            w154 * w323 - w144 * w173, w154 * w342 - w144 * w343, w154 * w363 - w144 * w364,
         ),
         ca.horzcat(  # link2.theta2
-            -(w13 * w195 + w182 * w196), -(w243 * w245 + w195 * w204 + w196 * w236), 0.0, -w267,
-            -(w313 - w160 * (w18 * w187) + w150 * w189 + w187 * w300 + w158 * w272 + w176 * w292),
-            -(w16 * w324 - w21 * w302 - (w16 * w309 + w21 * w327)), w158 * w173 + w176 * w328,
-            w187 * w349 + w158 * w348 + w176 * w347, w187 * w370 + w158 * w369 + w176 * w368,
+            -(w13 * w195 + w182 * w196), -(w242 * w244 + w195 * w204 + w196 * w236), 0.0, w467,
+            w160 * (w18 * w187) - w309 - w150 * w189 - w187 * w297 - w158 * w269 - w176 * w289,
+            w16 * w305 + w21 * w322 - (w16 * w320 - w21 * w298), w158 * w173 + w176 * w323,
+            w187 * w344 + w158 * w343 + w176 * w342, w187 * w365 + w158 * w364 + w176 * w363,
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, -w308, -w326, 0.0, 0.0, 0.0),  # link2.theta3
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, -w304, -w321, 0.0, 0.0, 0.0),  # link2.theta3
         ca.horzcat(  # link3.theta1
-            w13 * w197 - w182 * w198, w197 * w204 - w198 * w236, 0.0, w197 * w259 - w198 * w264,
-            w197 * w271 - w198 * w291, 0.0, w159 * w198 + w177 * w197,
-            -(w177 * (w100 * c13) - w159 * (w168 * c13) - w360),
-            -(w109 * w350 + w105 * w371 - w99 * w373 + (w109 * w374 - w105 * w358)),
+            w13 * w197 - w182 * w198, w197 * w204 - w198 * w236, 0.0, w197 * w257 - w198 * w262,
+            w197 * w268 - w198 * w288, 0.0, w159 * w198 + w177 * w197,
+            w355 - (w177 * (w100 * c13) - w159 * (w168 * c13)),
+            w99 * w367 - (w109 * w345 + w105 * w366) - (w109 * w368 - w105 * w353),
         ),
         ca.horzcat(  # link3.theta2
-            -(w13 * w200 + w182 * w201), -(w243 * w246 + w200 * w204 + w201 * w236), 0.0,
-            -(w200 * w259 + w201 * w264), -(w246 * w299 + w200 * w271 + w201 * w291), 0.0,
+            -(w13 * w200 + w182 * w201), -(w242 * w245 + w200 * w204 + w201 * w236), 0.0,
+            -(w200 * w257 + w201 * w262), -(w245 * w296 + w200 * w268 + w201 * w288), 0.0,
             w159 * w201 - w177 * w200,
-            -(w101 * w359 - w96 * w351 - (w177 * (w95 * w246) + w159 * (w98 * w246) - w188 * w199)),
-            -(w96 * w371 - w101 * w350 - (w96 * w358 + w101 * w374)),
+            w177 * (w95 * w245) + w159 * (w98 * w245) - w188 * w199 - (w101 * w354 - w96 * w346),
+            w96 * w353 + w101 * w368 - (w96 * w366 - w101 * w345),
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w357, -w373),  # link3.theta3
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w352, -w367),  # link3.theta3
     )
     J_v = ca.SX(9, 9)
     # link1.theta1
-    J_v[0, 0] = w3 * w376 - (w65 * w378 - w8 * w380 + w73 * w382) - w89 * w384
-    J_v[0, 1] = w3 * w386 - (w73 * w389 - (w65 * w392 + w8 * w394)) - w89 * w396
-    J_v[0, 2] = -(w65 * w398 + w73 * w399)
-    J_v[0, 3] = w3 * w409 - w89 * w412
-    J_v[0, 4] = w3 * w428 - w89 * w431
-    J_v[0, 6] = w89 * w447 - w3 * w448
-    J_v[0, 7] = w89 * w463 - w3 * w464
+    J_v[0, 0] = w3 * w370 - (w65 * w372 - w8 * w374 + w73 * w376) - w89 * w378
+    J_v[0, 1] = w3 * w380 - (w73 * w383 - (w65 * w386 + w8 * w388)) - w89 * w390
+    J_v[0, 2] = -(w65 * w392 + w73 * w393)
+    J_v[0, 3] = w3 * w403 - w89 * w406
+    J_v[0, 4] = w3 * w422 - w89 * w425
+    J_v[0, 6] = w89 * w441 - w3 * w442
+    J_v[0, 7] = w89 * w457 - w3 * w458
     # link1.theta2
-    J_v[1, 0] = -(w67 * w378 - w64 * w382 + w93 * w376 + w166 * w384)
-    J_v[1, 1] = w67 * w392 + w64 * w389 - w184 * (w397 * c9) - w93 * w386 - w166 * w396
-    J_v[1, 2] = -(w67 * w398 - w64 * w399)
-    J_v[1, 3] = w184 * (w19 * w405 + w25 * w404 + w29 * w408) - w93 * w409 - w166 * w412
-    J_v[1, 4] = -(w184 * (w433 - (w19 * w423 + w25 * w422 + w29 * w427)) + w93 * w428 + w166 * w431)
-    J_v[1, 6] = w184 * w449 + w93 * w448 + w166 * w447
-    J_v[1, 7] = w184 * w465 + w93 * w464 + w166 * w463
+    J_v[1, 0] = w64 * w376 - w67 * w372 - w93 * w370 - w166 * w378
+    J_v[1, 1] = w67 * w386 + w64 * w383 - w184 * (w391 * c9) - w93 * w380 - w166 * w390
+    J_v[1, 2] = w64 * w393 - w67 * w392
+    J_v[1, 3] = w184 * (w19 * w399 + w25 * w398 + w29 * w402) - w93 * w403 - w166 * w406
+    J_v[1, 4] = (w19 * w417 + w25 * w416 + w29 * w421 - w427) * w184 - w93 * w422 - w166 * w425
+    J_v[1, 6] = w184 * w443 + w93 * w442 + w166 * w441
+    J_v[1, 7] = w184 * w459 + w93 * w458 + w166 * w457
     # link1.theta3
-    J_v[2, 0] = -w380
-    J_v[2, 1] = -w394
+    J_v[2, 0] = -w374
+    J_v[2, 1] = -w388
     # link2.theta1
-    J_v[3, 0] = w191 * w375 - w193 * w383
-    J_v[3, 1] = w191 * w385 - w193 * w395
-    J_v[3, 3] = w144 * w401 - (w25 * w413 - w19 * w415 + w29 * w416) - w154 * w411
-    J_v[3, 4] = w144 * w418 - (w29 * w434 - (w25 * w435 + w19 * w437)) - w154 * w430
-    J_v[3, 5] = -(w25 * w438 + w29 * w439)
-    J_v[3, 6] = w154 * w447 - w144 * w448
-    J_v[3, 7] = w154 * w463 - w144 * w464
+    J_v[3, 0] = w191 * w369 - w193 * w377
+    J_v[3, 1] = w191 * w379 - w193 * w389
+    J_v[3, 3] = w144 * w395 - (w25 * w407 - w19 * w409 + w29 * w410) - w154 * w405
+    J_v[3, 4] = w144 * w412 - (w29 * w428 - (w25 * w429 + w19 * w431)) - w154 * w424
+    J_v[3, 5] = -(w25 * w432 + w29 * w433)
+    J_v[3, 6] = w154 * w441 - w144 * w442
+    J_v[3, 7] = w154 * w457 - w144 * w458
     # link2.theta2
-    J_v[4, 0] = -(w195 * w375 + w196 * w383)
-    J_v[4, 1] = -(w245 * w397 + w195 * w385 + w196 * w395)
-    J_v[4, 3] = -(w16 * w413 - w21 * w416 + w158 * w401 + w176 * w411)
-    J_v[4, 4] = w16 * w435 + w21 * w434 - w187 * w433 - w158 * w418 - w176 * w430
-    J_v[4, 5] = -(w16 * w438 - w21 * w439)
-    J_v[4, 6] = w187 * w449 + w158 * w448 + w176 * w447
-    J_v[4, 7] = w187 * w465 + w158 * w464 + w176 * w463
+    J_v[4, 0] = -(w195 * w369 + w196 * w377)
+    J_v[4, 1] = -(w244 * w391 + w195 * w379 + w196 * w389)
+    J_v[4, 3] = w21 * w410 - w16 * w407 - w158 * w395 - w176 * w405
+    J_v[4, 4] = w16 * w429 + w21 * w428 - w187 * w427 - w158 * w412 - w176 * w424
+    J_v[4, 5] = w21 * w433 - w16 * w432
+    J_v[4, 6] = w187 * w443 + w158 * w442 + w176 * w441
+    J_v[4, 7] = w187 * w459 + w158 * w458 + w176 * w457
     # link2.theta3
-    J_v[5, 3] = -w415
-    J_v[5, 4] = -w437
+    J_v[5, 3] = -w409
+    J_v[5, 4] = -w431
     # link3.theta1
-    J_v[6, 0] = w197 * w375 - w198 * w383
-    J_v[6, 1] = w197 * w385 - w198 * w395
-    J_v[6, 3] = w197 * w400 - w198 * w410
-    J_v[6, 4] = w197 * w417 - w198 * w429
-    J_v[6, 6] = -(w105 * w450 - w99 * w452 + w109 * w453)
-    J_v[6, 7] = -(w109 * w466 - (w105 * w467 + w99 * w469))
-    J_v[6, 8] = -(w105 * w470 + w109 * w471)
+    J_v[6, 0] = w197 * w369 - w198 * w377
+    J_v[6, 1] = w197 * w379 - w198 * w389
+    J_v[6, 3] = w197 * w394 - w198 * w404
+    J_v[6, 4] = w197 * w411 - w198 * w423
+    J_v[6, 6] = w99 * w446 - w105 * w444 - w109 * w447
+    J_v[6, 7] = w105 * w461 + w99 * w463 - w109 * w460
+    J_v[6, 8] = -(w105 * w464 + w109 * w465)
     # link3.theta2
-    J_v[7, 0] = -(w200 * w375 + w201 * w383)
-    J_v[7, 1] = -(w246 * w397 + w200 * w385 + w201 * w395)
-    J_v[7, 3] = -(w200 * w400 + w201 * w410)
-    J_v[7, 4] = -(w246 * w432 + w200 * w417 + w201 * w429)
-    J_v[7, 6] = -(w96 * w450 - w101 * w453)
-    J_v[7, 7] = w96 * w467 + w101 * w466
-    J_v[7, 8] = -(w96 * w470 - w101 * w471)
+    J_v[7, 0] = -(w200 * w369 + w201 * w377)
+    J_v[7, 1] = -(w245 * w391 + w200 * w379 + w201 * w389)
+    J_v[7, 3] = -(w200 * w394 + w201 * w404)
+    J_v[7, 4] = -(w245 * w426 + w200 * w411 + w201 * w423)
+    J_v[7, 6] = w101 * w447 - w96 * w444
+    J_v[7, 7] = w96 * w461 + w101 * w460
+    J_v[7, 8] = w101 * w465 - w96 * w464
     # link3.theta3
-    J_v[8, 6] = -w452
-    J_v[8, 7] = -w469
+    J_v[8, 6] = -w446
+    J_v[8, 7] = -w463
     inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
@@ -3011,13 +3027,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
     844 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 45)
+    c = ca.SX.sym("c", 53)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -3062,8 +3078,8 @@ def forward_dynamics() -> ca.Function:
     c26 = c[26]
     gravity_z = c[27]
     c28 = c[28]
-    c35 = c[35]
     c36 = c[36]
+    c37 = c[37]
     # intermediate terms (238)
     w0 = ca.cos(link1_theta1)
     w1 = ca.cos(link1_theta2)
@@ -3192,7 +3208,7 @@ def forward_dynamics() -> ca.Function:
     w124 = w122 - w116 * w123
     w125 = w34 * (w34 * c18) + w33 * (w33 * c19) + w111 * w120 - (w113 * w114 + w112 * w113) - (w116 * w124 + w116 * w122)
     w126 = w117 / w125
-    w127 = w5 * w73 + w17 * w71 + w19 * w78 - c36 + w28 * w81 + w86 * w118 + w61 * w119
+    w127 = w5 * w73 + w17 * w71 + w19 * w78 - c37 + w28 * w81 + w86 * w118 + w61 * w119
     w128 = (w41 + w102) * c15 - w103 * c17
     w129 = w98 * c17 - (w47 + w97) * c14
     w130 = w38 * c11
@@ -3286,7 +3302,7 @@ def forward_dynamics() -> ca.Function:
     w218 = link2_mass + w119 - w151 * w152 - w153 * w217
     w219 = w157 * (w157 * c4) + w156 * (w156 * c5) + w209 * (w209 * w218) - (w211 * w212 + w210 * w211) + (w214 * w215 + w213 * w214)
     w220 = w216 / w219
-    w221 = w30 * w93 - (w127 + (w32 * w101 + w89 * w99 + w90 * w104 - c35)) + w110 * w121 - w134 * w152 - w150 * w217
+    w221 = w30 * w93 - (w127 + (w32 * w101 + w89 * w99 + w90 * w104 - c36)) + w110 * w121 - w134 * w152 - w150 * w217
     w222 = w202 * w213 - (w157 * w189 - w156 * w195 + w1 * c28 + w209 * (w221 - w177 * w218) + w184 * w210 + w185 * w211)
     w223 = w222 - w206 * w214
     w224 = w155 * c2

@@ -20,8 +20,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 176) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 282) [SI]: what depends on p only, computed once a run: c = constants(p)
-    688 operations.
+    gives c (n_const = 291) [SI]: what depends on p only, computed once a run: c = constants(p)
+    706 operations.
     """
     p = ca.SX.sym("p", 176)
     gravity_z = p[0]
@@ -194,7 +194,7 @@ def constants() -> ca.Function:
     rod_big_end_shape_2_0 = p[167]
     rod_big_end_shape_2_2 = p[168]
     rod_big_end_shape_2_4 = p[169]
-    # intermediate terms (48)
+    # intermediate terms (54)
     w0 = (crank_inertia_xx + crank_inertia_yy + crank_inertia_zz) / 2.0
     w1 = w0 - crank_inertia_yy + crank_mass * crank_center_of_mass_y**2
     w2 = w0 - crank_inertia_zz
@@ -211,38 +211,44 @@ def constants() -> ca.Function:
     w13 = rod_small_end_shape_2_4 * rod_mass
     w14 = rod_rho_phi_4_2_0 - rod_rho_phi_4_0_2
     w15 = crank_mass * crank_center_of_mass_y
-    w16 = ground_guide_quaternion_1_0_0 * slider_guide_quaternion_1_0_0 + ground_guide_quaternion_2_0_0 * slider_guide_quaternion_2_0_0
-    w17 = ground_guide_quaternion_0_0_0 * slider_guide_quaternion_0_0_0 + (w16 + ground_guide_quaternion_3_0_0 * slider_guide_quaternion_3_0_0)
-    w18 = slider_guide_quaternion_0_0_0 * ground_guide_quaternion_1_0_0 - ground_guide_quaternion_0_0_0 * slider_guide_quaternion_1_0_0
-    w19 = slider_guide_quaternion_2_0_0 * ground_guide_quaternion_3_0_0 - ground_guide_quaternion_2_0_0 * slider_guide_quaternion_3_0_0
-    w20 = slider_guide_quaternion_0_0_0 * ground_guide_quaternion_2_0_0 - ground_guide_quaternion_0_0_0 * slider_guide_quaternion_2_0_0
-    w21 = ground_guide_quaternion_1_0_0 * slider_guide_quaternion_3_0_0 - slider_guide_quaternion_1_0_0 * ground_guide_quaternion_3_0_0
-    w22 = slider_guide_quaternion_0_0_0 * ground_guide_quaternion_3_0_0 - ground_guide_quaternion_0_0_0 * slider_guide_quaternion_3_0_0
-    w23 = slider_guide_quaternion_1_0_0 * ground_guide_quaternion_2_0_0 - ground_guide_quaternion_1_0_0 * slider_guide_quaternion_2_0_0
-    w24 = w0 - crank_inertia_xx
-    w25 = w2 + w24
-    w26 = w1 + w24
-    w27 = -4.0 * w26
-    w28 = -4.0 * w25
-    w29 = (slider_inertia_xx + slider_inertia_yy + slider_inertia_zz) / 2.0
-    w30 = w29 - slider_inertia_yy
-    w31 = w29 - slider_inertia_zz
-    w32 = w30 + w31
-    w33 = w29 - slider_inertia_xx
-    w34 = w31 + w33
-    w35 = w30 + w33
-    w36 = -4.0 * w35
-    w37 = -4.0 * w34
-    w38 = rod_mass * (rod_small_end_shape_2_0 * rod_small_end_shape_1_1)
-    w39 = rod_mass * (rod_small_end_shape_2_0 * rod_small_end_shape_2_2)
-    w40 = rod_mass * (rod_small_end_shape_2_0 * rod_small_end_shape_1_3)
-    w41 = rod_mass * (rod_small_end_shape_2_0 * rod_small_end_shape_2_4)
-    w42 = rod_mass * (rod_small_end_shape_2_2 * rod_small_end_shape_1_1)
-    w43 = rod_mass * (rod_small_end_shape_1_1 * rod_small_end_shape_1_3)
-    w44 = rod_mass * (rod_small_end_shape_2_4 * rod_small_end_shape_1_1)
-    w45 = rod_mass * (rod_small_end_shape_2_2 * rod_small_end_shape_1_3)
-    w46 = rod_mass * (rod_small_end_shape_2_2 * rod_small_end_shape_2_4)
-    w47 = rod_mass * (rod_small_end_shape_2_4 * rod_small_end_shape_1_3)
+    w16 = rod_phi_phi_5_0_0_1 - rod_phi_phi_5_0_1_0
+    w17 = rod_phi_phi_5_1_2_0 - rod_phi_phi_5_1_0_2
+    w18 = rod_phi_phi_5_2_0_1 - rod_phi_phi_5_2_1_0
+    w19 = rod_phi_phi_5_3_2_0 - rod_phi_phi_5_3_0_2
+    w20 = rod_phi_phi_5_4_0_1 - rod_phi_phi_5_4_1_0
+    w21 = ground_guide_quaternion_1_0_0 * slider_guide_quaternion_1_0_0 + ground_guide_quaternion_2_0_0 * slider_guide_quaternion_2_0_0
+    w22 = ground_guide_quaternion_0_0_0 * slider_guide_quaternion_0_0_0 + (w21 + ground_guide_quaternion_3_0_0 * slider_guide_quaternion_3_0_0)
+    w23 = slider_guide_quaternion_0_0_0 * ground_guide_quaternion_1_0_0 - ground_guide_quaternion_0_0_0 * slider_guide_quaternion_1_0_0
+    w24 = slider_guide_quaternion_2_0_0 * ground_guide_quaternion_3_0_0 - ground_guide_quaternion_2_0_0 * slider_guide_quaternion_3_0_0
+    w25 = slider_guide_quaternion_0_0_0 * ground_guide_quaternion_2_0_0 - ground_guide_quaternion_0_0_0 * slider_guide_quaternion_2_0_0
+    w26 = ground_guide_quaternion_1_0_0 * slider_guide_quaternion_3_0_0 - slider_guide_quaternion_1_0_0 * ground_guide_quaternion_3_0_0
+    w27 = slider_guide_quaternion_0_0_0 * ground_guide_quaternion_3_0_0 - ground_guide_quaternion_0_0_0 * slider_guide_quaternion_3_0_0
+    w28 = slider_guide_quaternion_1_0_0 * ground_guide_quaternion_2_0_0 - ground_guide_quaternion_1_0_0 * slider_guide_quaternion_2_0_0
+    w29 = w0 - crank_inertia_xx
+    w30 = w2 + w29
+    w31 = w1 + w29
+    w32 = -4.0 * w31
+    w33 = -4.0 * w30
+    w34 = (slider_inertia_xx + slider_inertia_yy + slider_inertia_zz) / 2.0
+    w35 = w34 - slider_inertia_yy
+    w36 = w34 - slider_inertia_zz
+    w37 = w35 + w36
+    w38 = w34 - slider_inertia_xx
+    w39 = w36 + w38
+    w40 = w35 + w38
+    w41 = -4.0 * w40
+    w42 = -4.0 * w39
+    w43 = slider_mass * gravity_z
+    w44 = rod_mass * (rod_small_end_shape_2_0 * rod_small_end_shape_1_1)
+    w45 = rod_mass * (rod_small_end_shape_2_0 * rod_small_end_shape_2_2)
+    w46 = rod_mass * (rod_small_end_shape_2_0 * rod_small_end_shape_1_3)
+    w47 = rod_mass * (rod_small_end_shape_2_0 * rod_small_end_shape_2_4)
+    w48 = rod_mass * (rod_small_end_shape_2_2 * rod_small_end_shape_1_1)
+    w49 = rod_mass * (rod_small_end_shape_1_1 * rod_small_end_shape_1_3)
+    w50 = rod_mass * (rod_small_end_shape_2_4 * rod_small_end_shape_1_1)
+    w51 = rod_mass * (rod_small_end_shape_2_2 * rod_small_end_shape_1_3)
+    w52 = rod_mass * (rod_small_end_shape_2_2 * rod_small_end_shape_2_4)
+    w53 = rod_mass * (rod_small_end_shape_2_4 * rod_small_end_shape_1_3)
     # outputs
     c = ca.vertcat(
         w3,  # c0
@@ -400,14 +406,19 @@ def constants() -> ca.Function:
         guide_damping,  # guide_damping
         rod_D_ff_0_0,  # rod_D_ff_0_0
         rod_K_ff_0_0,  # rod_K_ff_0_0
+        w16,  # c155
         rod_D_ff_1_1,  # rod_D_ff_1_1
         rod_K_ff_1_1,  # rod_K_ff_1_1
+        w17,  # c158
         rod_D_ff_2_2,  # rod_D_ff_2_2
         rod_K_ff_2_2,  # rod_K_ff_2_2
+        w18,  # c161
         rod_D_ff_3_3,  # rod_D_ff_3_3
         rod_K_ff_3_3,  # rod_K_ff_3_3
+        w19,  # c164
         rod_D_ff_4_4,  # rod_D_ff_4_4
         rod_K_ff_4_4,  # rod_K_ff_4_4
+        w20,  # c167
         rod_D_ff_5_5,  # rod_D_ff_5_5
         rod_K_ff_5_5,  # rod_K_ff_5_5
         ground_axle_z,  # ground_axle_z
@@ -420,17 +431,20 @@ def constants() -> ca.Function:
         crank_axle_quaternion_2_0_0,  # crank_axle_quaternion_2_0_0
         crank_axle_quaternion_3_0_0,  # crank_axle_quaternion_3_0_0
         ground_guide_y,  # ground_guide_y
-        w17,  # c175
-        w18 + w19,  # c176
-        w20 + w21,  # c177
-        w22 + w23,  # c178
+        w22,  # c180
+        w23 + w24,  # c181
+        w25 + w26,  # c182
+        w27 + w28,  # c183
         rod_small_end_quaternion_0_0_0,  # rod_small_end_quaternion_0_0_0
         rod_small_end_quaternion_3_0_0,  # rod_small_end_quaternion_3_0_0
         slider_fork_quaternion_0_0_0,  # slider_fork_quaternion_0_0_0
         slider_fork_quaternion_3_0_0,  # slider_fork_quaternion_3_0_0
+        -rod_small_end_x,  # c188
+        -crank_axle_quaternion_0_0_0,  # c189
+        -crank_axle_quaternion_1_0_0,  # c190
         crank_mass,  # crank_mass
-        w1,  # c184
-        w2,  # c185
+        w1,  # c192
+        w2,  # c193
         rod_rho_phi_1_0_1,  # rod_rho_phi_1_0_1
         rod_rho_phi_1_1_0,  # rod_rho_phi_1_1_0
         rod_rho_phi_3_0_1,  # rod_rho_phi_3_0_1
@@ -448,85 +462,86 @@ def constants() -> ca.Function:
         rod_M_ff_2_2,  # rod_M_ff_2_2
         rod_M_ff_3_3,  # rod_M_ff_3_3
         rod_M_ff_4_4,  # rod_M_ff_4_4
-        w15,  # c203
-        w24,  # c204
-        w25,  # c205
-        w26,  # c206
-        4.0 * w25 + w27,  # c207
-        4.0 * w26 + -4.0 * w3,  # c208
-        4.0 * w3 + w28,  # c209
-        w28 + 4.0 * w3,  # c210
-        4.0 * w26 + -4.0 * w3,  # c211
-        w27 + 4.0 * w25,  # c212
-        w30,  # c213
-        w31,  # c214
-        w32,  # c215
-        w33,  # c216
-        w34,  # c217
-        w35,  # c218
-        4.0 * w34 + w36,  # c219
-        4.0 * w35 + -4.0 * w32,  # c220
-        4.0 * w32 + w37,  # c221
-        w37 + 4.0 * w32,  # c222
-        4.0 * w35 + -4.0 * w32,  # c223
-        w36 + 4.0 * w34,  # c224
-        crank_mass * gravity_z,  # c225
-        slider_mass * gravity_z,  # c226
-        rod_mass * gravity_z,  # c227
-        -guide_damping,  # c228
-        2 * rod_phi_phi_5_5_0_0,  # c229
-        2 * rod_phi_phi_5_5_1_1,  # c230
-        2 * rod_phi_phi_1_1_2_2,  # c231
-        2 * rod_phi_phi_3_3_2_2,  # c232
-        2 * rod_phi_phi_5_5_2_2,  # c233
-        2.0,  # c234
-        rod_phi_phi_0_0_2_2 + rod_mass * rod_small_end_shape_2_0**2,  # c235
-        rod_phi_phi_0_1_2_1 + w38,  # c236
-        rod_phi_phi_0_2_2_2 + w39,  # c237
-        rod_phi_phi_0_3_2_1 + w40,  # c238
-        rod_phi_phi_0_4_2_2 + w41,  # c239
-        rod_phi_phi_1_0_1_2 + w38,  # c240
-        rod_phi_phi_1_1_1_1 + rod_mass * rod_small_end_shape_1_1**2,  # c241
-        rod_phi_phi_1_2_1_2 + w42,  # c242
-        rod_phi_phi_1_3_1_1 + w43,  # c243
-        rod_phi_phi_1_4_1_2 + w44,  # c244
-        rod_phi_phi_2_0_2_2 + w39,  # c245
-        rod_phi_phi_2_1_2_1 + w42,  # c246
-        rod_phi_phi_2_2_2_2 + rod_mass * rod_small_end_shape_2_2**2,  # c247
-        rod_phi_phi_2_3_2_1 + w45,  # c248
-        rod_phi_phi_2_4_2_2 + w46,  # c249
-        rod_phi_phi_3_0_1_2 + w40,  # c250
-        rod_phi_phi_3_1_1_1 + w43,  # c251
-        rod_phi_phi_3_2_1_2 + w45,  # c252
-        rod_phi_phi_3_3_1_1 + rod_mass * rod_small_end_shape_1_3**2,  # c253
-        rod_phi_phi_3_4_1_2 + w47,  # c254
-        rod_phi_phi_4_0_2_2 + w41,  # c255
-        rod_phi_phi_4_1_2_1 + w44,  # c256
-        rod_phi_phi_4_2_2_2 + w46,  # c257
-        rod_phi_phi_4_3_2_1 + w47,  # c258
-        rod_phi_phi_4_4_2_2 + rod_mass * rod_small_end_shape_2_4**2,  # c259
-        rod_phi_phi_0_1_1_2 - rod_phi_phi_0_1_2_1,  # c260
-        rod_phi_phi_0_3_1_2 - rod_phi_phi_0_3_2_1,  # c261
-        rod_phi_phi_0_5_0_1 - rod_phi_phi_0_5_1_0,  # c262
-        rod_phi_phi_1_0_1_2 - rod_phi_phi_1_0_2_1,  # c263
-        rod_phi_phi_1_2_1_2 - rod_phi_phi_1_2_2_1,  # c264
-        rod_phi_phi_1_4_1_2 - rod_phi_phi_1_4_2_1,  # c265
-        rod_phi_phi_1_5_2_0 - rod_phi_phi_1_5_0_2,  # c266
-        rod_phi_phi_2_1_1_2 - rod_phi_phi_2_1_2_1,  # c267
-        rod_phi_phi_2_3_1_2 - rod_phi_phi_2_3_2_1,  # c268
-        rod_phi_phi_2_5_0_1 - rod_phi_phi_2_5_1_0,  # c269
-        rod_phi_phi_3_0_1_2 - rod_phi_phi_3_0_2_1,  # c270
-        rod_phi_phi_3_2_1_2 - rod_phi_phi_3_2_2_1,  # c271
-        rod_phi_phi_3_4_1_2 - rod_phi_phi_3_4_2_1,  # c272
-        rod_phi_phi_3_5_2_0 - rod_phi_phi_3_5_0_2,  # c273
-        rod_phi_phi_4_1_1_2 - rod_phi_phi_4_1_2_1,  # c274
-        rod_phi_phi_4_3_1_2 - rod_phi_phi_4_3_2_1,  # c275
-        rod_phi_phi_4_5_0_1 - rod_phi_phi_4_5_1_0,  # c276
-        rod_phi_phi_5_0_0_1 - rod_phi_phi_5_0_1_0,  # c277
-        rod_phi_phi_5_1_2_0 - rod_phi_phi_5_1_0_2,  # c278
-        rod_phi_phi_5_2_0_1 - rod_phi_phi_5_2_1_0,  # c279
-        rod_phi_phi_5_3_2_0 - rod_phi_phi_5_3_0_2,  # c280
-        rod_phi_phi_5_4_0_1 - rod_phi_phi_5_4_1_0,  # c281
+        w15,  # c211
+        2 * w16,  # c212
+        2 * w17,  # c213
+        2 * w18,  # c214
+        2 * w19,  # c215
+        2 * w20,  # c216
+        w29,  # c217
+        w30,  # c218
+        w31,  # c219
+        4.0 * w30 + w32,  # c220
+        4.0 * w31 + -4.0 * w3,  # c221
+        4.0 * w3 + w33,  # c222
+        w33 + 4.0 * w3,  # c223
+        4.0 * w31 + -4.0 * w3,  # c224
+        w32 + 4.0 * w30,  # c225
+        w35,  # c226
+        w36,  # c227
+        w37,  # c228
+        w38,  # c229
+        w39,  # c230
+        w40,  # c231
+        4.0 * w39 + w41,  # c232
+        4.0 * w40 + -4.0 * w37,  # c233
+        4.0 * w37 + w42,  # c234
+        w42 + 4.0 * w37,  # c235
+        4.0 * w40 + -4.0 * w37,  # c236
+        w41 + 4.0 * w39,  # c237
+        crank_mass * gravity_z,  # c238
+        w43,  # c239
+        rod_mass * gravity_z,  # c240
+        -guide_damping,  # c241
+        -w43,  # c242
+        2 * rod_phi_phi_5_5_0_0,  # c243
+        2 * rod_phi_phi_5_5_1_1,  # c244
+        2 * rod_phi_phi_1_1_2_2,  # c245
+        2 * rod_phi_phi_3_3_2_2,  # c246
+        2 * rod_phi_phi_5_5_2_2,  # c247
+        2.0,  # c248
+        rod_phi_phi_0_0_2_2 + rod_mass * rod_small_end_shape_2_0**2,  # c249
+        rod_phi_phi_0_1_2_1 + w44,  # c250
+        rod_phi_phi_0_2_2_2 + w45,  # c251
+        rod_phi_phi_0_3_2_1 + w46,  # c252
+        rod_phi_phi_0_4_2_2 + w47,  # c253
+        rod_phi_phi_1_0_1_2 + w44,  # c254
+        rod_phi_phi_1_1_1_1 + rod_mass * rod_small_end_shape_1_1**2,  # c255
+        rod_phi_phi_1_2_1_2 + w48,  # c256
+        rod_phi_phi_1_3_1_1 + w49,  # c257
+        rod_phi_phi_1_4_1_2 + w50,  # c258
+        rod_phi_phi_2_0_2_2 + w45,  # c259
+        rod_phi_phi_2_1_2_1 + w48,  # c260
+        rod_phi_phi_2_2_2_2 + rod_mass * rod_small_end_shape_2_2**2,  # c261
+        rod_phi_phi_2_3_2_1 + w51,  # c262
+        rod_phi_phi_2_4_2_2 + w52,  # c263
+        rod_phi_phi_3_0_1_2 + w46,  # c264
+        rod_phi_phi_3_1_1_1 + w49,  # c265
+        rod_phi_phi_3_2_1_2 + w51,  # c266
+        rod_phi_phi_3_3_1_1 + rod_mass * rod_small_end_shape_1_3**2,  # c267
+        rod_phi_phi_3_4_1_2 + w53,  # c268
+        rod_phi_phi_4_0_2_2 + w47,  # c269
+        rod_phi_phi_4_1_2_1 + w50,  # c270
+        rod_phi_phi_4_2_2_2 + w52,  # c271
+        rod_phi_phi_4_3_2_1 + w53,  # c272
+        rod_phi_phi_4_4_2_2 + rod_mass * rod_small_end_shape_2_4**2,  # c273
+        rod_phi_phi_0_1_1_2 - rod_phi_phi_0_1_2_1,  # c274
+        rod_phi_phi_0_3_1_2 - rod_phi_phi_0_3_2_1,  # c275
+        rod_phi_phi_0_5_0_1 - rod_phi_phi_0_5_1_0,  # c276
+        rod_phi_phi_1_0_1_2 - rod_phi_phi_1_0_2_1,  # c277
+        rod_phi_phi_1_2_1_2 - rod_phi_phi_1_2_2_1,  # c278
+        rod_phi_phi_1_4_1_2 - rod_phi_phi_1_4_2_1,  # c279
+        rod_phi_phi_1_5_2_0 - rod_phi_phi_1_5_0_2,  # c280
+        rod_phi_phi_2_1_1_2 - rod_phi_phi_2_1_2_1,  # c281
+        rod_phi_phi_2_3_1_2 - rod_phi_phi_2_3_2_1,  # c282
+        rod_phi_phi_2_5_0_1 - rod_phi_phi_2_5_1_0,  # c283
+        rod_phi_phi_3_0_1_2 - rod_phi_phi_3_0_2_1,  # c284
+        rod_phi_phi_3_2_1_2 - rod_phi_phi_3_2_2_1,  # c285
+        rod_phi_phi_3_4_1_2 - rod_phi_phi_3_4_2_1,  # c286
+        rod_phi_phi_3_5_2_0 - rod_phi_phi_3_5_0_2,  # c287
+        rod_phi_phi_4_1_1_2 - rod_phi_phi_4_1_2_1,  # c288
+        rod_phi_phi_4_3_1_2 - rod_phi_phi_4_3_2_1,  # c289
+        rod_phi_phi_4_5_0_1 - rod_phi_phi_4_5_1_0,  # c290
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -539,16 +554,16 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 282) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 291) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 7 x 7) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 7) [N, N m]: condensed force S^T (Q* - M s)
-    2974 operations.
+    2969 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
-    c = ca.SX.sym("c", 282)
+    c = ca.SX.sym("c", 291)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -723,16 +738,21 @@ def condensed() -> ca.Function:
     guide_damping = c[152]
     rod_D_ff_0_0 = c[153]
     rod_K_ff_0_0 = c[154]
-    rod_D_ff_1_1 = c[155]
-    rod_K_ff_1_1 = c[156]
-    rod_D_ff_2_2 = c[157]
-    rod_K_ff_2_2 = c[158]
-    rod_D_ff_3_3 = c[159]
-    rod_K_ff_3_3 = c[160]
-    rod_D_ff_4_4 = c[161]
-    rod_K_ff_4_4 = c[162]
-    rod_D_ff_5_5 = c[163]
-    rod_K_ff_5_5 = c[164]
+    c155 = c[155]
+    rod_D_ff_1_1 = c[156]
+    rod_K_ff_1_1 = c[157]
+    c158 = c[158]
+    rod_D_ff_2_2 = c[159]
+    rod_K_ff_2_2 = c[160]
+    c161 = c[161]
+    rod_D_ff_3_3 = c[162]
+    rod_K_ff_3_3 = c[163]
+    c164 = c[164]
+    rod_D_ff_4_4 = c[165]
+    rod_K_ff_4_4 = c[166]
+    c167 = c[167]
+    rod_D_ff_5_5 = c[168]
+    rod_K_ff_5_5 = c[169]
     # intermediate terms (503)
     w0 = ca.sin(axle_angle) * crank_pin_y
     w1 = rod_q2 * rod_big_end_shape_1_1 + rod_q4 * rod_big_end_shape_1_3
@@ -1209,28 +1229,28 @@ def condensed() -> ca.Function:
     w472 = w34 * w463 + w10 * w468 + w24 * w470 - w154 * w448 - w157 * w471
     w473 = w169 * w437 + w427 * c121 + w175 * w420 + (w52 * w417 - w41 * w425 + w88 * w436 - w76 * w435 + w426 * c53 - w105 * w444)
     w474 = rod_q2_dot * rod_phi_phi_1_0_1_2 + rod_q4_dot * rod_phi_phi_3_0_1_2 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
-    w475 = w473 + (w439 * w474 + w430 * (rod_q6_dot * rod_phi_phi_5_0_0_1 - rod_q6_dot * rod_phi_phi_5_0_1_0))
-    w476 = (w468 + (w4 * w470 - w2 * w463) * 0.5) / w9
-    w477 = rod_q1_dot * rod_D_ff_0_0 + rod_q1 * rod_K_ff_0_0 + (w475 - w446 * rod_small_end_shape_2_0 - w476 * rod_small_end_rotation_1_0)
+    w475 = (w468 + (w4 * w470 - w2 * w463) * 0.5) / w9
+    w476 = w473 + (w439 * w474 + w430 * (rod_q6_dot * c155)) - w446 * rod_small_end_shape_2_0 - w475 * rod_small_end_rotation_1_0
+    w477 = w185 * w472 - (rod_q1_dot * rod_D_ff_0_0 + rod_q1 * rod_K_ff_0_0 + w476 + w178 * w448 + w167 * w471)
     w478 = w194 * w437 + w197 * w427 + w420 * c125 + (w417 * c41 - w42 * w425 + w91 * w436 - w77 * w435 + w66 * w426 - w106 * w444)
     w479 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
     w480 = rod_q1_dot * rod_phi_phi_0_1_2_1 + rod_q3_dot * rod_phi_phi_2_1_2_1 + rod_q5_dot * rod_phi_phi_4_1_2_1
-    w481 = w439 * (w479 - w480) + w429 * (rod_q6_dot * rod_phi_phi_5_1_2_0 - rod_q6_dot * rod_phi_phi_5_1_0_2)
-    w482 = (w470 + (w6 * w463 - w4 * w468) * 0.5) / w9
-    w483 = rod_q2_dot * rod_D_ff_1_1 + rod_q2 * rod_K_ff_1_1 + (w478 + w481 - w441 * rod_small_end_shape_1_1 - w482 * rod_small_end_rotation_2_1)
+    w481 = (w470 + (w6 * w463 - w4 * w468) * 0.5) / w9
+    w482 = w478 + (w439 * (w479 - w480) + w429 * (rod_q6_dot * c158)) - w441 * rod_small_end_shape_1_1 - w481 * rod_small_end_rotation_2_1
+    w483 = w208 * w472 - (rod_q2_dot * rod_D_ff_1_1 + rod_q2 * rod_K_ff_1_1 + w482 + w201 * w448 + w193 * w471)
     w484 = w217 * w437 + w427 * c129 + w221 * w420 + (w55 * w417 - w43 * w425 + w94 * w436 - w78 * w435 + w426 * c56 - w107 * w444)
     w485 = rod_q2_dot * rod_phi_phi_1_2_1_2 + rod_q4_dot * rod_phi_phi_3_2_1_2 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
-    w486 = w484 + (w439 * w485 + w430 * (rod_q6_dot * rod_phi_phi_5_2_0_1 - rod_q6_dot * rod_phi_phi_5_2_1_0))
-    w487 = rod_q3_dot * rod_D_ff_2_2 + rod_q3 * rod_K_ff_2_2 + (w486 - w446 * rod_small_end_shape_2_2 - w476 * rod_small_end_rotation_1_2)
+    w486 = w484 + (w439 * w485 + w430 * (rod_q6_dot * c161)) - w446 * rod_small_end_shape_2_2 - w475 * rod_small_end_rotation_1_2
+    w487 = w231 * w472 - (rod_q3_dot * rod_D_ff_2_2 + rod_q3 * rod_K_ff_2_2 + w486 + w224 * w448 + w216 * w471)
     w488 = w240 * w437 + w243 * w427 + w420 * c133 + (w417 * c44 - w44 * w425 + w97 * w436 - w79 * w435 + w69 * w426 - w108 * w444)
     w489 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
     w490 = rod_q1_dot * rod_phi_phi_0_3_2_1 + rod_q3_dot * rod_phi_phi_2_3_2_1 + rod_q5_dot * rod_phi_phi_4_3_2_1
-    w491 = w439 * (w489 - w490) + w429 * (rod_q6_dot * rod_phi_phi_5_3_2_0 - rod_q6_dot * rod_phi_phi_5_3_0_2)
-    w492 = rod_q4_dot * rod_D_ff_3_3 + rod_q4 * rod_K_ff_3_3 + (w488 + w491 - w441 * rod_small_end_shape_1_3 - w482 * rod_small_end_rotation_2_3)
+    w491 = w488 + (w439 * (w489 - w490) + w429 * (rod_q6_dot * c164)) - w441 * rod_small_end_shape_1_3 - w481 * rod_small_end_rotation_2_3
+    w492 = w254 * w472 - (rod_q4_dot * rod_D_ff_3_3 + rod_q4 * rod_K_ff_3_3 + w491 + w247 * w448 + w239 * w471)
     w493 = w263 * w437 + w427 * c137 + w267 * w420 + (w58 * w417 - w45 * w425 + w100 * w436 - w80 * w435 + w426 * c59 - w109 * w444)
     w494 = rod_q2_dot * rod_phi_phi_1_4_1_2 + rod_q4_dot * rod_phi_phi_3_4_1_2 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
-    w495 = w493 + (w439 * w494 + w430 * (rod_q6_dot * rod_phi_phi_5_4_0_1 - rod_q6_dot * rod_phi_phi_5_4_1_0))
-    w496 = rod_q5_dot * rod_D_ff_4_4 + rod_q5 * rod_K_ff_4_4 + (w495 - w446 * rod_small_end_shape_2_4 - w476 * rod_small_end_rotation_1_4)
+    w495 = w493 + (w439 * w494 + w430 * (rod_q6_dot * c167)) - w446 * rod_small_end_shape_2_4 - w475 * rod_small_end_rotation_1_4
+    w496 = w277 * w472 - (rod_q5_dot * rod_D_ff_4_4 + rod_q5 * rod_K_ff_4_4 + w495 + w270 * w448 + w262 * w471)
     w497 = w437 * c139 + w287 * w427 + w289 * w420 + (w61 * w417 - w47 * w425 + w436 * c103 - w82 * w435 + w72 * w426 - w111 * w444)
     w498 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
     w499 = rod_q1_dot * rod_phi_phi_0_5_0_1 + rod_q3_dot * rod_phi_phi_2_5_0_1 + rod_q5_dot * rod_phi_phi_4_5_0_1
@@ -1258,11 +1278,11 @@ def condensed() -> ca.Function:
     )
     Q_hat = ca.vertcat(
         w140 * c151 - w40 * w471 - w143 * w472,  # axle.angle
-        w185 * w472 - (w477 + w178 * w448 + w167 * w471),  # rod.q1
-        w208 * w472 - (w483 + w201 * w448 + w193 * w471),  # rod.q2
-        w231 * w472 - (w487 + w224 * w448 + w216 * w471),  # rod.q3
-        w254 * w472 - (w492 + w247 * w448 + w239 * w471),  # rod.q4
-        w277 * w472 - (w496 + w270 * w448 + w262 * w471),  # rod.q5
+        w477,  # rod.q1
+        w483,  # rod.q2
+        w487,  # rod.q3
+        w492,  # rod.q4
+        w496,  # rod.q5
         w502,  # rod.q6
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
@@ -1274,15 +1294,15 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 7) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 282) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 291) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 24) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 3) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 3) [SI]: determinants of the loop blocks, zero if singular
-    434 operations.
+    432 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
-    c = ca.SX.sym("c", 282)
+    c = ca.SX.sym("c", 291)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1311,24 +1331,25 @@ def closure() -> ca.Function:
     rod_small_end_shape_1_1 = c[17]
     rod_small_end_shape_1_3 = c[18]
     rod_small_end_x = c[19]
-    ground_axle_z = c[165]
-    ground_axle_quaternion_0_0_0 = c[166]
-    ground_axle_quaternion_3_0_0 = c[167]
-    crank_axle_quaternion_0_0_0 = c[168]
-    ground_axle_quaternion_1_0_0 = c[169]
-    ground_axle_quaternion_2_0_0 = c[170]
-    crank_axle_quaternion_1_0_0 = c[171]
-    crank_axle_quaternion_2_0_0 = c[172]
-    crank_axle_quaternion_3_0_0 = c[173]
-    ground_guide_y = c[174]
-    c175 = c[175]
-    c176 = c[176]
-    c177 = c[177]
-    c178 = c[178]
-    rod_small_end_quaternion_0_0_0 = c[179]
-    rod_small_end_quaternion_3_0_0 = c[180]
-    slider_fork_quaternion_0_0_0 = c[181]
-    slider_fork_quaternion_3_0_0 = c[182]
+    ground_axle_z = c[170]
+    ground_axle_quaternion_0_0_0 = c[171]
+    ground_axle_quaternion_3_0_0 = c[172]
+    crank_axle_quaternion_0_0_0 = c[173]
+    ground_axle_quaternion_1_0_0 = c[174]
+    ground_axle_quaternion_2_0_0 = c[175]
+    crank_axle_quaternion_1_0_0 = c[176]
+    crank_axle_quaternion_2_0_0 = c[177]
+    crank_axle_quaternion_3_0_0 = c[178]
+    ground_guide_y = c[179]
+    c180 = c[180]
+    c181 = c[181]
+    c182 = c[182]
+    c183 = c[183]
+    rod_small_end_quaternion_0_0_0 = c[184]
+    rod_small_end_quaternion_3_0_0 = c[185]
+    slider_fork_quaternion_0_0_0 = c[186]
+    slider_fork_quaternion_3_0_0 = c[187]
+    c188 = c[188]
     # intermediate terms (105)
     w0 = axle_angle / 2.0
     w1 = ca.cos(w0)
@@ -1420,14 +1441,14 @@ def closure() -> ca.Function:
     w87 = w64 * w78 + (w82 * w85 + w74 * w81 + w83 * w84)
     w88 = w64 * w82 - w78 * w85 + (w81 * w84 - w74 * w83)
     w89 = w64 * w84 - w78 * w83 + (w74 * w85 - w81 * w82)
-    w90 = w86 * c175 + w87 * c177 + (w88 * c178 - w89 * c176)
+    w90 = w86 * c180 + w87 * c182 + (w88 * c183 - w89 * c181)
     w91 = 2 * w90**2
-    w92 = w89 * c175 + w87 * c178 + (w86 * c176 - w88 * c177)
+    w92 = w89 * c180 + w87 * c183 + (w86 * c181 - w88 * c182)
     w93 = 2 * w92**2
-    w94 = w88 * c175 + w87 * c176 + (w89 * c177 - w86 * c178)
+    w94 = w88 * c180 + w87 * c181 + (w89 * c182 - w86 * c183)
     w95 = 2 * w94
     w96 = w90 * w95
-    w97 = w87 * c175 - (w88 * c176 + w86 * c177 + w89 * c178)
+    w97 = w87 * c180 - (w88 * c181 + w86 * c182 + w89 * c183)
     w98 = 2 * w97
     w99 = w92 * w98
     w100 = w90 * w98
@@ -1447,13 +1468,13 @@ def closure() -> ca.Function:
         w58,  # slider.x
         ground_guide_y,  # slider.y
         0.0,  # slider.z
-        c175,  # slider.e0
-        c176,  # slider.e1
-        c177,  # slider.e2
-        c178,  # slider.e3
-        -((1.0 - w91 - w93) * rod_small_end_x + w39 * (w96 - w99) + w38 * (w100 + w101) - w58),  # rod.x
-        -((w96 + w99) * rod_small_end_x + w39 * (w102 - w93) + w38 * (w103 - w104) - ground_guide_y),  # rod.y
-        -((w101 - w100) * rod_small_end_x + w39 * (w103 + w104) + w38 * (w102 - w91)),  # rod.z
+        c180,  # slider.e0
+        c181,  # slider.e1
+        c182,  # slider.e2
+        c183,  # slider.e3
+        w58 - ((1.0 - w91 - w93) * rod_small_end_x + w39 * (w96 - w99) + w38 * (w100 + w101)),  # rod.x
+        ground_guide_y - ((w96 + w99) * rod_small_end_x + w39 * (w102 - w93) + w38 * (w103 - w104)),  # rod.y
+        (w101 - w100) * c188 - w39 * (w103 + w104) - w38 * (w102 - w91),  # rod.z
         w97,  # rod.e0
         w94,  # rod.e1
         w90,  # rod.e2
@@ -1474,14 +1495,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 7) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
-    takes c (n_const = 282) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 291) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
-    1441 operations.
+    1438 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
-    c = ca.SX.sym("c", 282)
+    c = ca.SX.sym("c", 291)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1530,18 +1551,19 @@ def velocities() -> ca.Function:
     c127 = c[127]
     c131 = c[131]
     c135 = c[135]
-    ground_axle_quaternion_0_0_0 = c[166]
-    ground_axle_quaternion_3_0_0 = c[167]
-    crank_axle_quaternion_0_0_0 = c[168]
-    ground_axle_quaternion_1_0_0 = c[169]
-    ground_axle_quaternion_2_0_0 = c[170]
-    crank_axle_quaternion_1_0_0 = c[171]
-    crank_axle_quaternion_2_0_0 = c[172]
-    crank_axle_quaternion_3_0_0 = c[173]
-    rod_small_end_quaternion_0_0_0 = c[179]
-    rod_small_end_quaternion_3_0_0 = c[180]
-    slider_fork_quaternion_0_0_0 = c[181]
-    slider_fork_quaternion_3_0_0 = c[182]
+    ground_axle_quaternion_0_0_0 = c[171]
+    ground_axle_quaternion_3_0_0 = c[172]
+    crank_axle_quaternion_0_0_0 = c[173]
+    ground_axle_quaternion_1_0_0 = c[174]
+    ground_axle_quaternion_2_0_0 = c[175]
+    crank_axle_quaternion_1_0_0 = c[176]
+    crank_axle_quaternion_2_0_0 = c[177]
+    crank_axle_quaternion_3_0_0 = c[178]
+    rod_small_end_quaternion_0_0_0 = c[184]
+    rod_small_end_quaternion_3_0_0 = c[185]
+    slider_fork_quaternion_0_0_0 = c[186]
+    slider_fork_quaternion_3_0_0 = c[187]
+    c189 = c[189]
     # intermediate terms (318)
     w0 = axle_angle / 2.0
     w1 = ca.sin(w0) / 2.0
@@ -1837,44 +1859,44 @@ def velocities() -> ca.Function:
     w291 = w290 + rod_q5_dot * (slider_e0 * w245 + slider_e2 * w243 + (slider_e3 * w244 - slider_e1 * w246))
     w292 = w291 + rod_q2_dot * (slider_e0 * w262 - slider_e2 * w260 + (slider_e3 * w261 + slider_e1 * w263))
     w293 = w292 + rod_q4_dot * (slider_e0 * w275 - slider_e2 * w273 + (slider_e3 * w274 + slider_e1 * w276))
-    w294 = w110 + (w112 * w124 - w132) * w277 + (w124 * w278 - w112 * w131) * w285 + (w286 - w113 * w131) * w293
-    w295 = rod_e1 * -2.0
-    w296 = w124 * w295
-    w297 = w115 * w131
-    w298 = w108 * (slider_e0 * w177 + slider_e3 * w174 + (slider_e1 * w176 - slider_e2 * w175)) - w109 * (slider_e0 * w163 - w160 * slider_e3 + (slider_e1 * w162 - w161 * slider_e2))
-    w299 = w298 + rod_q6_dot * (slider_e0 * w203 + slider_e3 * w200 + (slider_e1 * w202 - slider_e2 * w201))
-    w300 = w299 + rod_q1_dot * (slider_e0 * w220 + slider_e3 * w217 + (slider_e1 * w219 - slider_e2 * w218))
-    w301 = w300 + rod_q3_dot * (slider_e0 * w233 + slider_e3 * w230 + (slider_e1 * w232 - slider_e2 * w231))
-    w302 = w301 + rod_q5_dot * (slider_e0 * w246 + slider_e3 * w243 + (slider_e1 * w245 - slider_e2 * w244))
-    w303 = w302 + rod_q2_dot * (slider_e1 * w262 - slider_e2 * w261 - (slider_e0 * w263 + slider_e3 * w260))
-    w304 = w303 + rod_q4_dot * (slider_e1 * w275 - slider_e2 * w274 - (slider_e0 * w276 + slider_e3 * w273))
-    w305 = w114 + w116
-    w306 = w127 - w126
-    w307 = w294 + (w296 - w297) * w304 + rod_q1_dot * (w305 * rod_small_end_shape_2_0) + rod_q2_dot * (w306 * rod_small_end_shape_1_1)
-    w308 = w307 + rod_q3_dot * (w305 * rod_small_end_shape_2_2) + rod_q4_dot * (w306 * rod_small_end_shape_1_3)
-    w309 = (1.0 - w122 - w128) * rod_small_end_x + w48 * w306 + w47 * w305
-    w310 = w112 * w309
-    w311 = w115 * w309
-    w312 = w277 * (w125 * w309 - w296) + w285 * (w310 - w286) + w293 * (w113 * w309 - w124 * w125) + w304 * (w311 - w118 * w124)
-    w313 = w312 + rod_q1_dot * (w130 * rod_small_end_shape_2_0) + rod_q2_dot * (w129 * rod_small_end_shape_1_1)
-    w314 = w313 + rod_q3_dot * (w130 * rod_small_end_shape_2_2) + rod_q4_dot * (w129 * rod_small_end_shape_1_3)
-    w315 = w277 * (w131 * w295 - w310) + w285 * (w297 - w278 * w309) + w293 * (w132 - w311) + w304 * (w118 * w131 - w295 * w309)
-    w316 = w315 + rod_q1_dot * (w123 * rod_small_end_shape_2_0) + rod_q2_dot * (w120 * rod_small_end_shape_1_1)
-    w317 = w316 + rod_q3_dot * (w123 * rod_small_end_shape_2_2) + rod_q4_dot * (w120 * rod_small_end_shape_1_3)
+    w294 = rod_e1 * -2.0
+    w295 = w124 * w294
+    w296 = w115 * w131
+    w297 = w108 * (slider_e0 * w177 + slider_e3 * w174 + (slider_e1 * w176 - slider_e2 * w175)) - w109 * (slider_e0 * w163 - w160 * slider_e3 + (slider_e1 * w162 - w161 * slider_e2))
+    w298 = w297 + rod_q6_dot * (slider_e0 * w203 + slider_e3 * w200 + (slider_e1 * w202 - slider_e2 * w201))
+    w299 = w298 + rod_q1_dot * (slider_e0 * w220 + slider_e3 * w217 + (slider_e1 * w219 - slider_e2 * w218))
+    w300 = w299 + rod_q3_dot * (slider_e0 * w233 + slider_e3 * w230 + (slider_e1 * w232 - slider_e2 * w231))
+    w301 = w300 + rod_q5_dot * (slider_e0 * w246 + slider_e3 * w243 + (slider_e1 * w245 - slider_e2 * w244))
+    w302 = w301 + rod_q2_dot * (slider_e1 * w262 - slider_e2 * w261 - (slider_e0 * w263 + slider_e3 * w260))
+    w303 = w302 + rod_q4_dot * (slider_e1 * w275 - slider_e2 * w274 - (slider_e0 * w276 + slider_e3 * w273))
+    w304 = w114 + w116
+    w305 = w127 - w126
+    w306 = (1.0 - w122 - w128) * rod_small_end_x + w48 * w305 + w47 * w304
+    w307 = w112 * w306
+    w308 = w115 * w306
+    w309 = (w132 - w112 * w124) * w277 - w110 - (w124 * w278 - w112 * w131) * w285 - (w286 - w113 * w131) * w293
+    w310 = w309 - (w295 - w296) * w303 - rod_q1_dot * (w304 * rod_small_end_shape_2_0) - rod_q2_dot * (w305 * rod_small_end_shape_1_1)
+    w311 = w310 - rod_q3_dot * (w304 * rod_small_end_shape_2_2) - rod_q4_dot * (w305 * rod_small_end_shape_1_3)
+    w312 = (w295 - w125 * w306) * w277 - w285 * (w307 - w286) - w293 * (w113 * w306 - w124 * w125) - w303 * (w308 - w118 * w124)
+    w313 = w312 - rod_q1_dot * (w130 * rod_small_end_shape_2_0) - rod_q2_dot * (w129 * rod_small_end_shape_1_1)
+    w314 = w313 - rod_q3_dot * (w130 * rod_small_end_shape_2_2) - rod_q4_dot * (w129 * rod_small_end_shape_1_3)
+    w315 = (w307 - w131 * w294) * w277 - w285 * (w296 - w278 * w306) - w293 * (w132 - w308) - w303 * (w118 * w131 - w294 * w306)
+    w316 = w315 - rod_q1_dot * (w123 * rod_small_end_shape_2_0) - rod_q2_dot * (w120 * rod_small_end_shape_1_1)
+    w317 = w316 - rod_q3_dot * (w123 * rod_small_end_shape_2_2) - rod_q4_dot * (w120 * rod_small_end_shape_1_3)
     # outputs
     q_d_dot = ca.SX(24, 1)
-    q_d_dot[3] = -((w3 * crank_axle_quaternion_0_0_0 + w7) * axle_angle_dot)  # crank.e0
+    q_d_dot[3] = (w3 * c189 - w7) * axle_angle_dot  # crank.e0
     q_d_dot[4] = axle_angle_dot * w8  # crank.e1
     q_d_dot[5] = axle_angle_dot * w9  # crank.e2
     q_d_dot[6] = axle_angle_dot * w10  # crank.e3
     q_d_dot[7] = w111  # slider.x
-    q_d_dot[14] = -(w308 + rod_q5_dot * (w305 * rod_small_end_shape_2_4))  # rod.x
-    q_d_dot[15] = -(w314 + rod_q5_dot * (w130 * rod_small_end_shape_2_4))  # rod.y
-    q_d_dot[16] = -(w317 + rod_q5_dot * (w123 * rod_small_end_shape_2_4))  # rod.z
+    q_d_dot[14] = w311 - rod_q5_dot * (w304 * rod_small_end_shape_2_4)  # rod.x
+    q_d_dot[15] = w314 - rod_q5_dot * (w130 * rod_small_end_shape_2_4)  # rod.y
+    q_d_dot[16] = w317 - rod_q5_dot * (w123 * rod_small_end_shape_2_4)  # rod.z
     q_d_dot[17] = w277  # rod.e0
     q_d_dot[18] = w285  # rod.e1
     q_d_dot[19] = w293  # rod.e2
-    q_d_dot[20] = w304  # rod.e3
+    q_d_dot[20] = w303  # rod.e3
     q_d_dot[21] = w111  # guide.travel
     q_d_dot[22] = -w109  # fork.angle1
     q_d_dot[23] = w108  # fork.angle2
@@ -1890,16 +1912,16 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 7) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 282) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 291) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 24) [mixed]: accelerations of the dependent coordinates
-    2129 operations.
+    2126 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
     q_i_ddot = ca.SX.sym("q_i_ddot", 7)
-    c = ca.SX.sym("c", 282)
+    c = ca.SX.sym("c", 291)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1965,18 +1987,18 @@ def accelerations() -> ca.Function:
     c127 = c[127]
     c131 = c[131]
     c135 = c[135]
-    ground_axle_quaternion_0_0_0 = c[166]
-    ground_axle_quaternion_3_0_0 = c[167]
-    crank_axle_quaternion_0_0_0 = c[168]
-    ground_axle_quaternion_1_0_0 = c[169]
-    ground_axle_quaternion_2_0_0 = c[170]
-    crank_axle_quaternion_1_0_0 = c[171]
-    crank_axle_quaternion_2_0_0 = c[172]
-    crank_axle_quaternion_3_0_0 = c[173]
-    rod_small_end_quaternion_0_0_0 = c[179]
-    rod_small_end_quaternion_3_0_0 = c[180]
-    slider_fork_quaternion_0_0_0 = c[181]
-    slider_fork_quaternion_3_0_0 = c[182]
+    ground_axle_quaternion_0_0_0 = c[171]
+    ground_axle_quaternion_3_0_0 = c[172]
+    crank_axle_quaternion_0_0_0 = c[173]
+    ground_axle_quaternion_1_0_0 = c[174]
+    ground_axle_quaternion_2_0_0 = c[175]
+    crank_axle_quaternion_1_0_0 = c[176]
+    crank_axle_quaternion_2_0_0 = c[177]
+    crank_axle_quaternion_3_0_0 = c[178]
+    rod_small_end_quaternion_0_0_0 = c[184]
+    rod_small_end_quaternion_3_0_0 = c[185]
+    slider_fork_quaternion_0_0_0 = c[186]
+    slider_fork_quaternion_3_0_0 = c[187]
     # intermediate terms (473)
     w0 = (axle_angle_dot / 2.0)**2
     w1 = axle_angle / 2.0
@@ -2418,39 +2440,39 @@ def accelerations() -> ca.Function:
     w437 = w436 + rod_q5_ddot * (slider_e0 * w398 + slider_e1 * w397 + (slider_e2 * w400 - slider_e3 * w399))
     w438 = w437 + rod_q2_ddot * (slider_e0 * w415 - slider_e1 * w414 - (slider_e2 * w417 + slider_e3 * w416))
     w439 = w438 + rod_q4_ddot * (slider_e0 * w428 - slider_e1 * w427 - (slider_e2 * w430 + slider_e3 * w429))
-    w440 = w183 + (w189 * w212 - w213 * w216) + (w185 * w214 - w217) * w431 + (w186 * w214 - w185 * w202) * w439
-    w441 = w187 * w214
-    w442 = slider_e0_dot * w314 + w312 * slider_e2_dot + (w313 * slider_e3_dot - slider_e1_dot * w315)
-    w443 = w442 + (slider_e0 * w308 + w302 * slider_e2 + (w305 * slider_e3 - slider_e1 * w311) + w442) - w181 * (slider_e0 * w327 - slider_e2 * w325 + (slider_e3 * w326 - slider_e1 * w328))
-    w444 = w443 + w180 * (slider_e0 * w340 + slider_e2 * w338 + (slider_e3 * w339 - slider_e1 * w341)) + rod_q6_ddot * (slider_e0 * w356 + slider_e2 * w354 + (slider_e3 * w355 - slider_e1 * w357))
-    w445 = w444 + rod_q1_ddot * (slider_e0 * w373 + slider_e2 * w371 + (slider_e3 * w372 - slider_e1 * w374))
-    w446 = w445 + rod_q3_ddot * (slider_e0 * w386 + slider_e2 * w384 + (slider_e3 * w385 - slider_e1 * w387))
-    w447 = w446 + rod_q5_ddot * (slider_e0 * w399 + slider_e2 * w397 + (slider_e3 * w398 - slider_e1 * w400))
-    w448 = w447 + rod_q2_ddot * (slider_e0 * w416 - slider_e2 * w414 + (slider_e3 * w415 + slider_e1 * w417))
-    w449 = w448 + rod_q4_ddot * (slider_e0 * w429 - slider_e2 * w427 + (slider_e3 * w428 + slider_e1 * w430))
-    w450 = w188 * w214
-    w451 = w187 * w202
-    w452 = slider_e0_dot * w315 + w312 * slider_e3_dot + (slider_e1_dot * w314 - w313 * slider_e2_dot)
-    w453 = w452 + (slider_e0 * w311 + w302 * slider_e3 + (slider_e1 * w308 - w305 * slider_e2) + w452) - w181 * (slider_e0 * w328 - slider_e3 * w325 + (slider_e1 * w327 - slider_e2 * w326))
-    w454 = w453 + w180 * (slider_e0 * w341 + slider_e3 * w338 + (slider_e1 * w340 - slider_e2 * w339)) + rod_q6_ddot * (slider_e0 * w357 + slider_e3 * w354 + (slider_e1 * w356 - slider_e2 * w355))
-    w455 = w454 + rod_q1_ddot * (slider_e0 * w374 + slider_e3 * w371 + (slider_e1 * w373 - slider_e2 * w372))
-    w456 = w455 + rod_q3_ddot * (slider_e0 * w387 + slider_e3 * w384 + (slider_e1 * w386 - slider_e2 * w385))
-    w457 = w456 + rod_q5_ddot * (slider_e0 * w400 + slider_e3 * w397 + (slider_e1 * w399 - slider_e2 * w398))
-    w458 = w457 + rod_q2_ddot * (slider_e1 * w416 - slider_e2 * w415 - (slider_e0 * w417 + slider_e3 * w414))
-    w459 = w458 + rod_q4_ddot * (slider_e1 * w429 - slider_e2 * w428 - (slider_e0 * w430 + slider_e3 * w427))
-    w460 = w440 + (w441 - w194 * w202) * w449 + (w450 - w451) * w459 + rod_q1_ddot * (w207 * rod_small_end_shape_2_0)
-    w461 = w460 + rod_q2_ddot * (w204 * rod_small_end_shape_1_1) + rod_q3_ddot * (w207 * rod_small_end_shape_2_2)
-    w462 = w461 + rod_q4_ddot * (w204 * rod_small_end_shape_1_3) + rod_q5_ddot * (w207 * rod_small_end_shape_2_4)
-    w463 = w72 * w204 + w73 * w207
-    w464 = w463 + (w189 * w214 - w202 * w213 + w463)
-    w465 = w185 * w208
-    w466 = w213 * w464 - w192 * w212 + w431 * (w190 * w208 - w450) + w439 * (w465 - w441) + w449 * (w194 * w208 - w190 * w214)
-    w467 = w187 * w208
-    w468 = w466 + w459 * (w467 - w191 * w214) + rod_q1_ddot * (w201 * rod_small_end_shape_2_0) + rod_q2_ddot * (w198 * rod_small_end_shape_1_1)
-    w469 = w468 + rod_q3_ddot * (w201 * rod_small_end_shape_2_2) + rod_q4_ddot * (w198 * rod_small_end_shape_1_3)
-    w470 = w192 * w216 - w189 * w464 + w431 * (w188 * w202 - w465) + w439 * (w451 - w186 * w208) + w449 * (w217 - w467)
-    w471 = w470 + w459 * (w191 * w202 - w188 * w208) + rod_q1_ddot * (w210 * rod_small_end_shape_2_0) + rod_q2_ddot * (w209 * rod_small_end_shape_1_1)
-    w472 = w471 + rod_q3_ddot * (w210 * rod_small_end_shape_2_2) + rod_q4_ddot * (w209 * rod_small_end_shape_1_3)
+    w440 = w187 * w214
+    w441 = slider_e0_dot * w314 + w312 * slider_e2_dot + (w313 * slider_e3_dot - slider_e1_dot * w315)
+    w442 = w441 + (slider_e0 * w308 + w302 * slider_e2 + (w305 * slider_e3 - slider_e1 * w311) + w441) - w181 * (slider_e0 * w327 - slider_e2 * w325 + (slider_e3 * w326 - slider_e1 * w328))
+    w443 = w442 + w180 * (slider_e0 * w340 + slider_e2 * w338 + (slider_e3 * w339 - slider_e1 * w341)) + rod_q6_ddot * (slider_e0 * w356 + slider_e2 * w354 + (slider_e3 * w355 - slider_e1 * w357))
+    w444 = w443 + rod_q1_ddot * (slider_e0 * w373 + slider_e2 * w371 + (slider_e3 * w372 - slider_e1 * w374))
+    w445 = w444 + rod_q3_ddot * (slider_e0 * w386 + slider_e2 * w384 + (slider_e3 * w385 - slider_e1 * w387))
+    w446 = w445 + rod_q5_ddot * (slider_e0 * w399 + slider_e2 * w397 + (slider_e3 * w398 - slider_e1 * w400))
+    w447 = w446 + rod_q2_ddot * (slider_e0 * w416 - slider_e2 * w414 + (slider_e3 * w415 + slider_e1 * w417))
+    w448 = w447 + rod_q4_ddot * (slider_e0 * w429 - slider_e2 * w427 + (slider_e3 * w428 + slider_e1 * w430))
+    w449 = w188 * w214
+    w450 = w187 * w202
+    w451 = slider_e0_dot * w315 + w312 * slider_e3_dot + (slider_e1_dot * w314 - w313 * slider_e2_dot)
+    w452 = w451 + (slider_e0 * w311 + w302 * slider_e3 + (slider_e1 * w308 - w305 * slider_e2) + w451) - w181 * (slider_e0 * w328 - slider_e3 * w325 + (slider_e1 * w327 - slider_e2 * w326))
+    w453 = w452 + w180 * (slider_e0 * w341 + slider_e3 * w338 + (slider_e1 * w340 - slider_e2 * w339)) + rod_q6_ddot * (slider_e0 * w357 + slider_e3 * w354 + (slider_e1 * w356 - slider_e2 * w355))
+    w454 = w453 + rod_q1_ddot * (slider_e0 * w374 + slider_e3 * w371 + (slider_e1 * w373 - slider_e2 * w372))
+    w455 = w454 + rod_q3_ddot * (slider_e0 * w387 + slider_e3 * w384 + (slider_e1 * w386 - slider_e2 * w385))
+    w456 = w455 + rod_q5_ddot * (slider_e0 * w400 + slider_e3 * w397 + (slider_e1 * w399 - slider_e2 * w398))
+    w457 = w456 + rod_q2_ddot * (slider_e1 * w416 - slider_e2 * w415 - (slider_e0 * w417 + slider_e3 * w414))
+    w458 = w457 + rod_q4_ddot * (slider_e1 * w429 - slider_e2 * w428 - (slider_e0 * w430 + slider_e3 * w427))
+    w459 = w72 * w204 + w73 * w207
+    w460 = w459 + (w189 * w214 - w202 * w213 + w459)
+    w461 = w185 * w208
+    w462 = w187 * w208
+    w463 = w213 * w216 - w189 * w212 - w183 - (w185 * w214 - w217) * w431 - (w186 * w214 - w185 * w202) * w439
+    w464 = w463 - (w440 - w194 * w202) * w448 - (w449 - w450) * w458 - rod_q1_ddot * (w207 * rod_small_end_shape_2_0)
+    w465 = w464 - rod_q2_ddot * (w204 * rod_small_end_shape_1_1) - rod_q3_ddot * (w207 * rod_small_end_shape_2_2)
+    w466 = w465 - rod_q4_ddot * (w204 * rod_small_end_shape_1_3) - rod_q5_ddot * (w207 * rod_small_end_shape_2_4)
+    w467 = w192 * w212 - w213 * w460 - w431 * (w190 * w208 - w449) - w439 * (w461 - w440) - w448 * (w194 * w208 - w190 * w214)
+    w468 = w467 - w458 * (w462 - w191 * w214) - rod_q1_ddot * (w201 * rod_small_end_shape_2_0) - rod_q2_ddot * (w198 * rod_small_end_shape_1_1)
+    w469 = w468 - rod_q3_ddot * (w201 * rod_small_end_shape_2_2) - rod_q4_ddot * (w198 * rod_small_end_shape_1_3)
+    w470 = w189 * w460 - w192 * w216 - w431 * (w188 * w202 - w461) - w439 * (w450 - w186 * w208) - w448 * (w217 - w462)
+    w471 = w470 - w458 * (w191 * w202 - w188 * w208) - rod_q1_ddot * (w210 * rod_small_end_shape_2_0) - rod_q2_ddot * (w209 * rod_small_end_shape_1_1)
+    w472 = w471 - rod_q3_ddot * (w210 * rod_small_end_shape_2_2) - rod_q4_ddot * (w209 * rod_small_end_shape_1_3)
     # outputs
     q_d_ddot = ca.SX(24, 1)
     q_d_ddot[3] = w18  # crank.e0
@@ -2458,13 +2480,13 @@ def accelerations() -> ca.Function:
     q_d_ddot[5] = w21 + axle_angle_ddot * w22  # crank.e2
     q_d_ddot[6] = w23 + axle_angle_ddot * w24  # crank.e3
     q_d_ddot[7] = w184  # slider.x
-    q_d_ddot[14] = -w462  # rod.x
-    q_d_ddot[15] = -(w469 + rod_q5_ddot * (w201 * rod_small_end_shape_2_4))  # rod.y
-    q_d_ddot[16] = -(w472 + rod_q5_ddot * (w210 * rod_small_end_shape_2_4))  # rod.z
+    q_d_ddot[14] = w466  # rod.x
+    q_d_ddot[15] = w469 - rod_q5_ddot * (w201 * rod_small_end_shape_2_4)  # rod.y
+    q_d_ddot[16] = w472 - rod_q5_ddot * (w210 * rod_small_end_shape_2_4)  # rod.z
     q_d_ddot[17] = w431  # rod.e0
     q_d_ddot[18] = w439  # rod.e1
-    q_d_ddot[19] = w449  # rod.e2
-    q_d_ddot[20] = w459  # rod.e3
+    q_d_ddot[19] = w448  # rod.e2
+    q_d_ddot[20] = w458  # rod.e3
     q_d_ddot[21] = w184  # guide.travel
     q_d_ddot[22] = -w181  # fork.angle1
     q_d_ddot[23] = w180  # fork.angle2
@@ -2477,17 +2499,17 @@ def constraints() -> ca.Function:
 
     takes q (n = 31) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 31) [mixed]: rates of all coordinates
-    takes c (n_const = 282) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 291) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 24) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 24 x 31) [SI]: constraint Jacobian
     gives C_t (n_c = 24) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 24) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 24) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    2589 operations.
+    2542 operations.
     """
     q = ca.SX.sym("q", 31)
     q_dot = ca.SX.sym("q_dot", 31)
-    c = ca.SX.sym("c", 282)
+    c = ca.SX.sym("c", 291)
     crank_x = q[0]
     crank_y = q[1]
     crank_z = q[2]
@@ -2559,24 +2581,25 @@ def constraints() -> ca.Function:
     rod_small_end_shape_1_1 = c[17]
     rod_small_end_shape_1_3 = c[18]
     rod_small_end_x = c[19]
-    ground_axle_z = c[165]
-    ground_axle_quaternion_0_0_0 = c[166]
-    ground_axle_quaternion_3_0_0 = c[167]
-    crank_axle_quaternion_0_0_0 = c[168]
-    ground_axle_quaternion_1_0_0 = c[169]
-    ground_axle_quaternion_2_0_0 = c[170]
-    crank_axle_quaternion_1_0_0 = c[171]
-    crank_axle_quaternion_2_0_0 = c[172]
-    crank_axle_quaternion_3_0_0 = c[173]
-    ground_guide_y = c[174]
-    c175 = c[175]
-    c176 = c[176]
-    c177 = c[177]
-    c178 = c[178]
-    rod_small_end_quaternion_0_0_0 = c[179]
-    rod_small_end_quaternion_3_0_0 = c[180]
-    slider_fork_quaternion_0_0_0 = c[181]
-    slider_fork_quaternion_3_0_0 = c[182]
+    ground_axle_z = c[170]
+    ground_axle_quaternion_0_0_0 = c[171]
+    ground_axle_quaternion_3_0_0 = c[172]
+    crank_axle_quaternion_0_0_0 = c[173]
+    ground_axle_quaternion_1_0_0 = c[174]
+    ground_axle_quaternion_2_0_0 = c[175]
+    crank_axle_quaternion_1_0_0 = c[176]
+    crank_axle_quaternion_2_0_0 = c[177]
+    crank_axle_quaternion_3_0_0 = c[178]
+    ground_guide_y = c[179]
+    c180 = c[180]
+    c181 = c[181]
+    c182 = c[182]
+    c183 = c[183]
+    rod_small_end_quaternion_0_0_0 = c[184]
+    rod_small_end_quaternion_3_0_0 = c[185]
+    slider_fork_quaternion_0_0_0 = c[186]
+    slider_fork_quaternion_3_0_0 = c[187]
+    c190 = c[190]
     # intermediate terms (337)
     w0 = axle_angle / 2.0
     w1 = ca.cos(w0)
@@ -2776,145 +2799,145 @@ def constraints() -> ca.Function:
     w195 = w192 * ground_axle_quaternion_2_0_0 - w191 * ground_axle_quaternion_1_0_0
     w196 = w192 * ground_axle_quaternion_0_0_0 - w191 * ground_axle_quaternion_3_0_0
     w197 = w194 * crank_axle_quaternion_2_0_0 - w195 * crank_axle_quaternion_1_0_0 - w196 * crank_axle_quaternion_3_0_0
-    w198 = w193 * crank_axle_quaternion_1_0_0 + w195 * crank_axle_quaternion_0_0_0 + (w194 * crank_axle_quaternion_3_0_0 + w196 * crank_axle_quaternion_2_0_0)
-    w199 = w193 * crank_axle_quaternion_2_0_0 - w194 * crank_axle_quaternion_0_0_0 + (w195 * crank_axle_quaternion_3_0_0 - w196 * crank_axle_quaternion_1_0_0)
-    w200 = w193 * crank_axle_quaternion_3_0_0 + w196 * crank_axle_quaternion_0_0_0 - (w195 * crank_axle_quaternion_2_0_0 + w194 * crank_axle_quaternion_1_0_0)
-    w201 = w16 / 2.0
-    w202 = w14 * w201
-    w203 = w12 / 2.0
-    w204 = w14 * w203
-    w205 = w202 * slider_fork_quaternion_0_0_0 + w204 * slider_fork_quaternion_3_0_0
-    w206 = w26 * w201
-    w207 = w26 * w203
-    w208 = w206 * slider_fork_quaternion_0_0_0 + w207 * slider_fork_quaternion_3_0_0
-    w209 = w207 * slider_fork_quaternion_0_0_0 - w206 * slider_fork_quaternion_3_0_0
-    w210 = w204 * slider_fork_quaternion_0_0_0 - w202 * slider_fork_quaternion_3_0_0
-    w211 = w25 * w205 + (w32 * w208 - w34 * w209 - w36 * w210)
-    w212 = w32 * w205 - w25 * w208 + (w34 * w210 - w36 * w209)
-    w213 = w34 * w205 + w25 * w209 - (w32 * w210 + w36 * w208)
-    w214 = w36 * w205 + w25 * w210 + (w34 * w208 + w32 * w209)
-    w215 = w26 / 2.0
-    w216 = w16 * w215
-    w217 = w12 * w215
-    w218 = w216 * slider_fork_quaternion_3_0_0 - w217 * slider_fork_quaternion_0_0_0
-    w219 = w216 * slider_fork_quaternion_0_0_0 + w217 * slider_fork_quaternion_3_0_0
-    w220 = w14 / 2.0
-    w221 = w12 * w220
-    w222 = w16 * w220
-    w223 = w221 * slider_fork_quaternion_0_0_0 - w222 * slider_fork_quaternion_3_0_0
-    w224 = w222 * slider_fork_quaternion_0_0_0 + w221 * slider_fork_quaternion_3_0_0
-    w225 = w25 * w218 - (w36 * w219 - (w32 * w223 + w34 * w224))
-    w226 = w25 * w223 - w32 * w218 - (w36 * w224 + w34 * w219)
-    w227 = w25 * w224 - w34 * w218 + (w32 * w219 + w36 * w223)
-    w228 = w32 * w224 - w34 * w223 - (w36 * w218 + w25 * w219)
-    w229 = (axle_angle_dot / 2.0)**2
-    w230 = w2 * w229
-    w231 = w1 * w229
-    w232 = w230 * ground_axle_quaternion_3_0_0 - w231 * ground_axle_quaternion_0_0_0
-    w233 = w231 * ground_axle_quaternion_1_0_0 + w230 * ground_axle_quaternion_2_0_0
-    w234 = w230 * ground_axle_quaternion_1_0_0 - w231 * ground_axle_quaternion_2_0_0
-    w235 = w230 * ground_axle_quaternion_0_0_0 + w231 * ground_axle_quaternion_3_0_0
-    w236 = w233 * crank_axle_quaternion_1_0_0 - w234 * crank_axle_quaternion_2_0_0 + w235 * crank_axle_quaternion_3_0_0
-    w237 = w232 * crank_axle_quaternion_1_0_0 + w233 * crank_axle_quaternion_0_0_0 + (w234 * crank_axle_quaternion_3_0_0 + w235 * crank_axle_quaternion_2_0_0)
-    w238 = w234 * crank_axle_quaternion_0_0_0 - w232 * crank_axle_quaternion_2_0_0 + (w235 * crank_axle_quaternion_1_0_0 - w233 * crank_axle_quaternion_3_0_0)
-    w239 = w233 * crank_axle_quaternion_2_0_0 + w234 * crank_axle_quaternion_1_0_0 - (w232 * crank_axle_quaternion_3_0_0 + w235 * crank_axle_quaternion_0_0_0)
-    w240 = w201 * fork_angle1_dot
-    w241 = w215 * fork_angle2_dot
-    w242 = w240 * w241
-    w243 = (fork_angle1_dot / 2.0)**2
-    w244 = w12 * w243
-    w245 = (fork_angle2_dot / 2.0)**2
-    w246 = w14 * w245
-    w247 = w242 + (w242 - (w14 * w244 + w12 * w246))
-    w248 = w16 * w243
-    w249 = w203 * fork_angle1_dot
-    w250 = w241 * w249
-    w251 = w250 + (w14 * w248 + w16 * w246 + w250)
-    w252 = w247 * slider_fork_quaternion_0_0_0 + w251 * slider_fork_quaternion_3_0_0
-    w253 = w26 * w245
-    w254 = w220 * fork_angle2_dot
-    w255 = w240 * w254
-    w256 = w255 + (w26 * w244 + w12 * w253 + w255)
-    w257 = w249 * w254
-    w258 = w257 + (w257 - (w26 * w248 + w16 * w253))
-    w259 = w256 * slider_fork_quaternion_0_0_0 + w258 * slider_fork_quaternion_3_0_0
-    w260 = w258 * slider_fork_quaternion_0_0_0 - w256 * slider_fork_quaternion_3_0_0
-    w261 = w247 * slider_fork_quaternion_3_0_0 - w251 * slider_fork_quaternion_0_0_0
-    w262 = rod_q6_dot * c10
-    w263 = rod_q1_dot * rod_small_end_rotation_1_0 + rod_q3_dot * rod_small_end_rotation_1_2 + rod_q5_dot * rod_small_end_rotation_1_4
-    w264 = w263 * 0.5
-    w265 = (rod_q2_dot * rod_small_end_rotation_2_1 + rod_q4_dot * rod_small_end_rotation_2_3) * 0.5
-    w266 = w19 * w262 + w21 * w264 + w22 * w265
-    w267 = w106 * (w105 * (w266**2 * 3.0) - (w262**2 + w264**2 + w265**2))
-    w268 = w106 * w266
-    w269 = 2 * -w268
-    w270 = w22 * w267 + w265 * w269
-    w271 = w267 * rod_small_end_quaternion_0_0_0 - w270 * rod_small_end_quaternion_3_0_0
-    w272 = w19 * w267 + w262 * w269
-    w273 = w21 * w267 + w264 * w269
-    w274 = w272 * rod_small_end_quaternion_0_0_0 + w273 * rod_small_end_quaternion_3_0_0
-    w275 = w273 * rod_small_end_quaternion_0_0_0 - w272 * rod_small_end_quaternion_3_0_0
-    w276 = w267 * rod_small_end_quaternion_3_0_0 + w270 * rod_small_end_quaternion_0_0_0
-    w277 = w25 * w252 - (w32 * w259 - w34 * w260 - w36 * w261) + (w18 * w271 + (w29 * w274 + w33 * w275 + w35 * w276))
-    w278 = w14 * w240 + w12 * w241
-    w279 = w14 * w249 - w16 * w241
-    w280 = w278 * slider_fork_quaternion_0_0_0 + w279 * slider_fork_quaternion_3_0_0
-    w281 = w265 / w23 - w22 * w268
-    w282 = w268 * rod_small_end_quaternion_0_0_0 + w281 * rod_small_end_quaternion_3_0_0
-    w283 = w12 * w254 - w26 * w240
-    w284 = w26 * w249 + w16 * w254
-    w285 = w283 * slider_fork_quaternion_0_0_0 - w284 * slider_fork_quaternion_3_0_0
-    w286 = w262 / w23 - w19 * w268
-    w287 = w264 / w23 - w21 * w268
-    w288 = w286 * rod_small_end_quaternion_0_0_0 + w287 * rod_small_end_quaternion_3_0_0
-    w289 = w284 * slider_fork_quaternion_0_0_0 + w283 * slider_fork_quaternion_3_0_0
-    w290 = w287 * rod_small_end_quaternion_0_0_0 - w286 * rod_small_end_quaternion_3_0_0
-    w291 = w279 * slider_fork_quaternion_0_0_0 - w278 * slider_fork_quaternion_3_0_0
-    w292 = w281 * rod_small_end_quaternion_0_0_0 - w268 * rod_small_end_quaternion_3_0_0
-    w293 = w280 * w282 + (w285 * w288 + w289 * w290 + w291 * w292)
-    w294 = w293 + (w277 + w293)
-    w295 = w34 * w261 - w36 * w260 - (w32 * w252 + w25 * w259) + (w29 * w271 - w18 * w274 + (w35 * w275 - w33 * w276))
-    w296 = w280 * w288 - w282 * w285 + (w290 * w291 - w289 * w292)
-    w297 = w296 + (w295 + w296)
-    w298 = w25 * w260 - w34 * w252 - (w32 * w261 + w36 * w259) + (w33 * w271 - w18 * w275 + (w29 * w276 - w35 * w274))
-    w299 = w280 * w290 - w282 * w289 + (w285 * w292 - w288 * w291)
-    w300 = w299 + (w298 + w299)
-    w301 = w25 * w261 - w36 * w252 + (w34 * w259 + w32 * w260) + (w35 * w271 - w18 * w276 + (w33 * w274 - w29 * w275))
-    w302 = w280 * w292 - w282 * w291 + (w288 * w289 - w285 * w290)
-    w303 = w302 + (w301 + w302)
-    w304 = w32 * w285 + w34 * w289 + w36 * w291 - w25 * w280 + (w29 * w288 + w33 * w290 + w35 * w292 - w18 * w282)
-    w305 = w32 * w280 + w25 * w285 + (w34 * w291 - w36 * w289) + (w35 * w290 - w33 * w292 - (w18 * w288 + w29 * w282))
-    w306 = w34 * w280 + w25 * w289 + (w36 * w285 - w32 * w291) + (w29 * w292 - w35 * w288 - (w18 * w290 + w33 * w282))
-    w307 = w36 * w280 + w25 * w291 + (w32 * w289 - w34 * w285) + (w33 * w288 - w29 * w290 - (w18 * w292 + w35 * w282))
-    w308 = slider_e0_dot * w304 - (slider_e1_dot * w305 + slider_e2_dot * w306 + slider_e3_dot * w307)
-    w309 = slider_e0_dot * w305 + w304 * slider_e1_dot + (slider_e2_dot * w307 - w306 * slider_e3_dot)
-    w310 = slider_e0_dot * w306 + w304 * slider_e2_dot + (w305 * slider_e3_dot - slider_e1_dot * w307)
-    w311 = slider_e0_dot * w307 + w304 * slider_e3_dot + (slider_e1_dot * w306 - w305 * slider_e2_dot)
-    w312 = w89 * rod_e0_dot + w98 * rod_e1_dot + w45 * rod_e2_dot + w92 * rod_e3_dot
-    w313 = w92 * rod_e0_dot + w45 * rod_e1_dot + w90 * rod_e2_dot + w56 * rod_e3_dot
-    w314 = rod_q2_dot * rod_small_end_shape_1_1 + rod_q4_dot * rod_small_end_shape_1_3
-    w315 = rod_q1_dot * rod_small_end_shape_2_0 + rod_q3_dot * rod_small_end_shape_2_2 + rod_q5_dot * rod_small_end_shape_2_4
-    w316 = w61 * w314 + w62 * w315
-    w317 = w316 + (w60 * w313 - w53 * w312 + w316)
-    w318 = w90 * rod_e0_dot + w89 * rod_e1_dot + w43 * rod_e2_dot + w45 * rod_e3_dot
-    w319 = w55 * w314 + w59 * w315
-    w320 = w319 + (w53 * w318 - w63 * w313 + w319)
-    w321 = w47 * w314 + w51 * w315
-    w322 = w321 + (w63 * w312 - w60 * w318 + w321)
-    w323 = w75 * crank_e0_dot + w81 * crank_e1_dot + w68 * crank_e2_dot + w78 * crank_e3_dot
-    w324 = w78 * crank_e0_dot + w68 * crank_e1_dot + w76 * crank_e2_dot + w73 * crank_e3_dot
-    w325 = w71 * w324 - w69 * w323
-    w326 = w76 * crank_e0_dot + w75 * crank_e1_dot + w67 * crank_e2_dot + w68 * crank_e3_dot
-    w327 = w69 * w326 - w74 * w324
-    w328 = rod_q2_dot * rod_big_end_shape_1_1 + rod_q4_dot * rod_big_end_shape_1_3
-    w329 = rod_q1_dot * rod_big_end_shape_2_0 + rod_q3_dot * rod_big_end_shape_2_2 + rod_q5_dot * rod_big_end_shape_2_4
-    w330 = w61 * w328 + w62 * w329
-    w331 = w330 + (w70 * w313 - w66 * w312 + w330)
-    w332 = w55 * w328 + w59 * w329
-    w333 = w332 + (w66 * w318 - w72 * w313 + w332)
-    w334 = w74 * w323 - w71 * w326
-    w335 = w47 * w328 + w51 * w329
-    w336 = w335 + (w72 * w312 - w70 * w318 + w335)
+    w198 = w16 / 2.0
+    w199 = w14 * w198
+    w200 = w12 / 2.0
+    w201 = w14 * w200
+    w202 = w199 * slider_fork_quaternion_0_0_0 + w201 * slider_fork_quaternion_3_0_0
+    w203 = w26 * w198
+    w204 = w26 * w200
+    w205 = w203 * slider_fork_quaternion_0_0_0 + w204 * slider_fork_quaternion_3_0_0
+    w206 = w204 * slider_fork_quaternion_0_0_0 - w203 * slider_fork_quaternion_3_0_0
+    w207 = w201 * slider_fork_quaternion_0_0_0 - w199 * slider_fork_quaternion_3_0_0
+    w208 = w25 * w202 + (w32 * w205 - w34 * w206 - w36 * w207)
+    w209 = w32 * w202 - w25 * w205 + (w34 * w207 - w36 * w206)
+    w210 = w34 * w202 + w25 * w206 - (w32 * w207 + w36 * w205)
+    w211 = w36 * w202 + w25 * w207 + (w34 * w205 + w32 * w206)
+    w212 = w26 / 2.0
+    w213 = w16 * w212
+    w214 = w12 * w212
+    w215 = w213 * slider_fork_quaternion_3_0_0 - w214 * slider_fork_quaternion_0_0_0
+    w216 = w213 * slider_fork_quaternion_0_0_0 + w214 * slider_fork_quaternion_3_0_0
+    w217 = w14 / 2.0
+    w218 = w12 * w217
+    w219 = w16 * w217
+    w220 = w218 * slider_fork_quaternion_0_0_0 - w219 * slider_fork_quaternion_3_0_0
+    w221 = w219 * slider_fork_quaternion_0_0_0 + w218 * slider_fork_quaternion_3_0_0
+    w222 = w25 * w215 - (w36 * w216 - (w32 * w220 + w34 * w221))
+    w223 = w25 * w220 - w32 * w215 - (w36 * w221 + w34 * w216)
+    w224 = w25 * w221 - w34 * w215 + (w32 * w216 + w36 * w220)
+    w225 = w32 * w221 - w34 * w220 - (w36 * w215 + w25 * w216)
+    w226 = (axle_angle_dot / 2.0)**2
+    w227 = w2 * w226
+    w228 = w1 * w226
+    w229 = w227 * ground_axle_quaternion_3_0_0 - w228 * ground_axle_quaternion_0_0_0
+    w230 = w228 * ground_axle_quaternion_1_0_0 + w227 * ground_axle_quaternion_2_0_0
+    w231 = w227 * ground_axle_quaternion_1_0_0 - w228 * ground_axle_quaternion_2_0_0
+    w232 = w227 * ground_axle_quaternion_0_0_0 + w228 * ground_axle_quaternion_3_0_0
+    w233 = w230 * crank_axle_quaternion_1_0_0 - w231 * crank_axle_quaternion_2_0_0 + w232 * crank_axle_quaternion_3_0_0
+    w234 = w231 * crank_axle_quaternion_0_0_0 - w229 * crank_axle_quaternion_2_0_0 + (w232 * crank_axle_quaternion_1_0_0 - w230 * crank_axle_quaternion_3_0_0)
+    w235 = w230 * crank_axle_quaternion_2_0_0 + w231 * crank_axle_quaternion_1_0_0 - (w229 * crank_axle_quaternion_3_0_0 + w232 * crank_axle_quaternion_0_0_0)
+    w236 = w198 * fork_angle1_dot
+    w237 = w212 * fork_angle2_dot
+    w238 = w236 * w237
+    w239 = (fork_angle1_dot / 2.0)**2
+    w240 = w12 * w239
+    w241 = (fork_angle2_dot / 2.0)**2
+    w242 = w14 * w241
+    w243 = w238 + (w238 - (w14 * w240 + w12 * w242))
+    w244 = w16 * w239
+    w245 = w200 * fork_angle1_dot
+    w246 = w237 * w245
+    w247 = w246 + (w14 * w244 + w16 * w242 + w246)
+    w248 = w243 * slider_fork_quaternion_0_0_0 + w247 * slider_fork_quaternion_3_0_0
+    w249 = w26 * w241
+    w250 = w217 * fork_angle2_dot
+    w251 = w236 * w250
+    w252 = w251 + (w26 * w240 + w12 * w249 + w251)
+    w253 = w245 * w250
+    w254 = w253 + (w253 - (w26 * w244 + w16 * w249))
+    w255 = w252 * slider_fork_quaternion_0_0_0 + w254 * slider_fork_quaternion_3_0_0
+    w256 = w254 * slider_fork_quaternion_0_0_0 - w252 * slider_fork_quaternion_3_0_0
+    w257 = w243 * slider_fork_quaternion_3_0_0 - w247 * slider_fork_quaternion_0_0_0
+    w258 = rod_q6_dot * c10
+    w259 = rod_q1_dot * rod_small_end_rotation_1_0 + rod_q3_dot * rod_small_end_rotation_1_2 + rod_q5_dot * rod_small_end_rotation_1_4
+    w260 = w259 * 0.5
+    w261 = (rod_q2_dot * rod_small_end_rotation_2_1 + rod_q4_dot * rod_small_end_rotation_2_3) * 0.5
+    w262 = w19 * w258 + w21 * w260 + w22 * w261
+    w263 = w106 * (w105 * (w262**2 * 3.0) - (w258**2 + w260**2 + w261**2))
+    w264 = w106 * w262
+    w265 = 2 * -w264
+    w266 = w22 * w263 + w261 * w265
+    w267 = w263 * rod_small_end_quaternion_0_0_0 - w266 * rod_small_end_quaternion_3_0_0
+    w268 = w19 * w263 + w258 * w265
+    w269 = w21 * w263 + w260 * w265
+    w270 = w268 * rod_small_end_quaternion_0_0_0 + w269 * rod_small_end_quaternion_3_0_0
+    w271 = w269 * rod_small_end_quaternion_0_0_0 - w268 * rod_small_end_quaternion_3_0_0
+    w272 = w263 * rod_small_end_quaternion_3_0_0 + w266 * rod_small_end_quaternion_0_0_0
+    w273 = w25 * w248 - (w32 * w255 - w34 * w256 - w36 * w257) + (w18 * w267 + (w29 * w270 + w33 * w271 + w35 * w272))
+    w274 = w14 * w236 + w12 * w237
+    w275 = w14 * w245 - w16 * w237
+    w276 = w274 * slider_fork_quaternion_0_0_0 + w275 * slider_fork_quaternion_3_0_0
+    w277 = w261 / w23 - w22 * w264
+    w278 = w264 * rod_small_end_quaternion_0_0_0 + w277 * rod_small_end_quaternion_3_0_0
+    w279 = w12 * w250 - w26 * w236
+    w280 = w26 * w245 + w16 * w250
+    w281 = w279 * slider_fork_quaternion_0_0_0 - w280 * slider_fork_quaternion_3_0_0
+    w282 = w258 / w23 - w19 * w264
+    w283 = w260 / w23 - w21 * w264
+    w284 = w282 * rod_small_end_quaternion_0_0_0 + w283 * rod_small_end_quaternion_3_0_0
+    w285 = w280 * slider_fork_quaternion_0_0_0 + w279 * slider_fork_quaternion_3_0_0
+    w286 = w283 * rod_small_end_quaternion_0_0_0 - w282 * rod_small_end_quaternion_3_0_0
+    w287 = w275 * slider_fork_quaternion_0_0_0 - w274 * slider_fork_quaternion_3_0_0
+    w288 = w277 * rod_small_end_quaternion_0_0_0 - w264 * rod_small_end_quaternion_3_0_0
+    w289 = w276 * w278 + (w281 * w284 + w285 * w286 + w287 * w288)
+    w290 = w289 + (w273 + w289)
+    w291 = w34 * w257 - w36 * w256 - (w32 * w248 + w25 * w255) + (w29 * w267 - w18 * w270 + (w35 * w271 - w33 * w272))
+    w292 = w276 * w284 - w278 * w281 + (w286 * w287 - w285 * w288)
+    w293 = w292 + (w291 + w292)
+    w294 = w25 * w256 - w34 * w248 - (w32 * w257 + w36 * w255) + (w33 * w267 - w18 * w271 + (w29 * w272 - w35 * w270))
+    w295 = w276 * w286 - w278 * w285 + (w281 * w288 - w284 * w287)
+    w296 = w295 + (w294 + w295)
+    w297 = w25 * w257 - w36 * w248 + (w34 * w255 + w32 * w256) + (w35 * w267 - w18 * w272 + (w33 * w270 - w29 * w271))
+    w298 = w276 * w288 - w278 * w287 + (w284 * w285 - w281 * w286)
+    w299 = w298 + (w297 + w298)
+    w300 = w32 * w281 + w34 * w285 + w36 * w287 - w25 * w276 + (w29 * w284 + w33 * w286 + w35 * w288 - w18 * w278)
+    w301 = w32 * w276 + w25 * w281 + (w34 * w287 - w36 * w285) + (w35 * w286 - w33 * w288 - (w18 * w284 + w29 * w278))
+    w302 = w34 * w276 + w25 * w285 + (w36 * w281 - w32 * w287) + (w29 * w288 - w35 * w284 - (w18 * w286 + w33 * w278))
+    w303 = w36 * w276 + w25 * w287 + (w32 * w285 - w34 * w281) + (w33 * w284 - w29 * w286 - (w18 * w288 + w35 * w278))
+    w304 = slider_e0_dot * w300 - (slider_e1_dot * w301 + slider_e2_dot * w302 + slider_e3_dot * w303)
+    w305 = slider_e0_dot * w301 + w300 * slider_e1_dot + (slider_e2_dot * w303 - w302 * slider_e3_dot)
+    w306 = slider_e0_dot * w302 + w300 * slider_e2_dot + (w301 * slider_e3_dot - slider_e1_dot * w303)
+    w307 = slider_e0_dot * w303 + w300 * slider_e3_dot + (slider_e1_dot * w302 - w301 * slider_e2_dot)
+    w308 = w89 * rod_e0_dot + w98 * rod_e1_dot + w45 * rod_e2_dot + w92 * rod_e3_dot
+    w309 = w92 * rod_e0_dot + w45 * rod_e1_dot + w90 * rod_e2_dot + w56 * rod_e3_dot
+    w310 = rod_q2_dot * rod_small_end_shape_1_1 + rod_q4_dot * rod_small_end_shape_1_3
+    w311 = rod_q1_dot * rod_small_end_shape_2_0 + rod_q3_dot * rod_small_end_shape_2_2 + rod_q5_dot * rod_small_end_shape_2_4
+    w312 = w61 * w310 + w62 * w311
+    w313 = w312 + (w60 * w309 - w53 * w308 + w312)
+    w314 = w90 * rod_e0_dot + w89 * rod_e1_dot + w43 * rod_e2_dot + w45 * rod_e3_dot
+    w315 = w55 * w310 + w59 * w311
+    w316 = w315 + (w53 * w314 - w63 * w309 + w315)
+    w317 = w47 * w310 + w51 * w311
+    w318 = w317 + (w63 * w308 - w60 * w314 + w317)
+    w319 = w75 * crank_e0_dot + w81 * crank_e1_dot + w68 * crank_e2_dot + w78 * crank_e3_dot
+    w320 = w78 * crank_e0_dot + w68 * crank_e1_dot + w76 * crank_e2_dot + w73 * crank_e3_dot
+    w321 = w71 * w320 - w69 * w319
+    w322 = w76 * crank_e0_dot + w75 * crank_e1_dot + w67 * crank_e2_dot + w68 * crank_e3_dot
+    w323 = w69 * w322 - w74 * w320
+    w324 = rod_q2_dot * rod_big_end_shape_1_1 + rod_q4_dot * rod_big_end_shape_1_3
+    w325 = rod_q1_dot * rod_big_end_shape_2_0 + rod_q3_dot * rod_big_end_shape_2_2 + rod_q5_dot * rod_big_end_shape_2_4
+    w326 = w61 * w324 + w62 * w325
+    w327 = w326 + (w70 * w309 - w66 * w308 + w326)
+    w328 = w55 * w324 + w59 * w325
+    w329 = w328 + (w66 * w314 - w72 * w309 + w328)
+    w330 = w74 * w319 - w71 * w322
+    w331 = w47 * w324 + w51 * w325
+    w332 = w331 + (w72 * w308 - w70 * w314 + w331)
+    w333 = w193 * c190 - w195 * crank_axle_quaternion_0_0_0 - (w194 * crank_axle_quaternion_3_0_0 + w196 * crank_axle_quaternion_2_0_0)
+    w334 = w194 * crank_axle_quaternion_0_0_0 - w193 * crank_axle_quaternion_2_0_0 - (w195 * crank_axle_quaternion_3_0_0 - w196 * crank_axle_quaternion_1_0_0)
+    w335 = w195 * crank_axle_quaternion_2_0_0 + w194 * crank_axle_quaternion_1_0_0 - (w193 * crank_axle_quaternion_3_0_0 + w196 * crank_axle_quaternion_0_0_0)
+    w336 = w229 * c190 - w230 * crank_axle_quaternion_0_0_0 - (w231 * crank_axle_quaternion_3_0_0 + w232 * crank_axle_quaternion_2_0_0)
     # outputs
     C = ca.vertcat(
         crank_e0 - (w3 * crank_axle_quaternion_0_0_0 + w7),  # axle.e0
@@ -2924,10 +2947,10 @@ def constraints() -> ca.Function:
         crank_x,  # axle.x
         crank_y,  # axle.y
         crank_z - ground_axle_z,  # axle.z
-        slider_e0 - c175,  # guide.e0
-        slider_e1 - c176,  # guide.e1
-        slider_e2 - c177,  # guide.e2
-        slider_e3 - c178,  # guide.e3
+        slider_e0 - c180,  # guide.e0
+        slider_e1 - c181,  # guide.e1
+        slider_e2 - c182,  # guide.e2
+        slider_e3 - c183,  # guide.e3
         slider_x - guide_travel,  # guide.x
         slider_y - ground_guide_y,  # guide.y
         slider_z,  # guide.z
@@ -2948,13 +2971,13 @@ def constraints() -> ca.Function:
     C_q[0, 27] = w193 * crank_axle_quaternion_0_0_0 + w197
     # axle.e1
     C_q[1, 4] = 1.0
-    C_q[1, 27] = -w198
+    C_q[1, 27] = w333
     # axle.e2
     C_q[2, 5] = 1.0
-    C_q[2, 27] = -w199
+    C_q[2, 27] = w334
     # axle.e3
     C_q[3, 6] = 1.0
-    C_q[3, 27] = -w200
+    C_q[3, 27] = w335
     # axle.x
     C_q[4, 0] = 1.0
     # axle.y
@@ -2982,56 +3005,56 @@ def constraints() -> ca.Function:
     C_q[14, 12] = w39
     C_q[14, 13] = w40
     C_q[14, 17] = 1.0
-    C_q[14, 21] = -(slider_e0 * w123 - (slider_e1 * w124 + slider_e2 * w125 + slider_e3 * w126))
+    C_q[14, 21] = slider_e1 * w124 + slider_e2 * w125 + slider_e3 * w126 - slider_e0 * w123
     C_q[14, 22] = slider_e0 * w139 + (slider_e1 * w140 + slider_e2 * w141 - slider_e3 * w142)
-    C_q[14, 23] = -(slider_e0 * w151 - (slider_e1 * w152 + slider_e2 * w153 + slider_e3 * w154))
+    C_q[14, 23] = slider_e1 * w152 + slider_e2 * w153 + slider_e3 * w154 - slider_e0 * w151
     C_q[14, 24] = slider_e0 * w163 + (slider_e1 * w164 + slider_e2 * w165 - slider_e3 * w166)
-    C_q[14, 25] = -(slider_e0 * w175 - (slider_e1 * w176 + slider_e2 * w177 + slider_e3 * w178))
-    C_q[14, 26] = -(slider_e0 * w187 - (slider_e1 * w188 + slider_e2 * w189 + slider_e3 * w190))
-    C_q[14, 29] = slider_e0 * w211 + (slider_e1 * w212 + slider_e2 * w213 + slider_e3 * w214)
-    C_q[14, 30] = -(slider_e0 * w225 - (slider_e1 * w226 + slider_e2 * w227 + slider_e3 * w228))
+    C_q[14, 25] = slider_e1 * w176 + slider_e2 * w177 + slider_e3 * w178 - slider_e0 * w175
+    C_q[14, 26] = slider_e1 * w188 + slider_e2 * w189 + slider_e3 * w190 - slider_e0 * w187
+    C_q[14, 29] = slider_e0 * w208 + (slider_e1 * w209 + slider_e2 * w210 + slider_e3 * w211)
+    C_q[14, 30] = slider_e1 * w223 + slider_e2 * w224 + slider_e3 * w225 - slider_e0 * w222
     # fork.e1
     C_q[15, 10] = w86
     C_q[15, 11] = w85
     C_q[15, 12] = w88
     C_q[15, 13] = w39
     C_q[15, 18] = 1.0
-    C_q[15, 21] = -(slider_e0 * w124 + slider_e1 * w123 + (slider_e2 * w126 - slider_e3 * w125))
-    C_q[15, 22] = -(slider_e0 * w140 - slider_e1 * w139 - (slider_e2 * w142 + slider_e3 * w141))
-    C_q[15, 23] = -(slider_e0 * w152 + slider_e1 * w151 + (slider_e2 * w154 - slider_e3 * w153))
-    C_q[15, 24] = -(slider_e0 * w164 - slider_e1 * w163 - (slider_e2 * w166 + slider_e3 * w165))
-    C_q[15, 25] = -(slider_e0 * w176 + slider_e1 * w175 + (slider_e2 * w178 - slider_e3 * w177))
-    C_q[15, 26] = -(slider_e0 * w188 + slider_e1 * w187 + (slider_e2 * w190 - slider_e3 * w189))
-    C_q[15, 29] = -(slider_e0 * w212 - slider_e1 * w211 + (slider_e2 * w214 - slider_e3 * w213))
-    C_q[15, 30] = -(slider_e0 * w226 + slider_e1 * w225 + (slider_e2 * w228 - slider_e3 * w227))
+    C_q[15, 21] = slider_e3 * w125 - slider_e2 * w126 - (slider_e0 * w124 + slider_e1 * w123)
+    C_q[15, 22] = slider_e2 * w142 + slider_e3 * w141 - (slider_e0 * w140 - slider_e1 * w139)
+    C_q[15, 23] = slider_e3 * w153 - slider_e2 * w154 - (slider_e0 * w152 + slider_e1 * w151)
+    C_q[15, 24] = slider_e2 * w166 + slider_e3 * w165 - (slider_e0 * w164 - slider_e1 * w163)
+    C_q[15, 25] = slider_e3 * w177 - slider_e2 * w178 - (slider_e0 * w176 + slider_e1 * w175)
+    C_q[15, 26] = slider_e3 * w189 - slider_e2 * w190 - (slider_e0 * w188 + slider_e1 * w187)
+    C_q[15, 29] = slider_e1 * w208 - slider_e0 * w209 - (slider_e2 * w211 - slider_e3 * w210)
+    C_q[15, 30] = slider_e3 * w224 - slider_e2 * w225 - (slider_e0 * w223 + slider_e1 * w222)
     # fork.e2
     C_q[16, 10] = w87
     C_q[16, 11] = w40
     C_q[16, 12] = w85
     C_q[16, 13] = w86
     C_q[16, 19] = 1.0
-    C_q[16, 21] = -(slider_e0 * w125 + slider_e2 * w123 + (slider_e3 * w124 - slider_e1 * w126))
-    C_q[16, 22] = -(slider_e0 * w141 - slider_e2 * w139 + (slider_e3 * w140 + slider_e1 * w142))
-    C_q[16, 23] = -(slider_e0 * w153 + slider_e2 * w151 + (slider_e3 * w152 - slider_e1 * w154))
-    C_q[16, 24] = -(slider_e0 * w165 - slider_e2 * w163 + (slider_e3 * w164 + slider_e1 * w166))
-    C_q[16, 25] = -(slider_e0 * w177 + slider_e2 * w175 + (slider_e3 * w176 - slider_e1 * w178))
-    C_q[16, 26] = -(slider_e0 * w189 + slider_e2 * w187 + (slider_e3 * w188 - slider_e1 * w190))
-    C_q[16, 29] = -(slider_e0 * w213 - slider_e2 * w211 + (slider_e3 * w212 - slider_e1 * w214))
-    C_q[16, 30] = -(slider_e0 * w227 + slider_e2 * w225 + (slider_e3 * w226 - slider_e1 * w228))
+    C_q[16, 21] = slider_e1 * w126 - slider_e3 * w124 - (slider_e0 * w125 + slider_e2 * w123)
+    C_q[16, 22] = slider_e2 * w139 - slider_e0 * w141 - (slider_e3 * w140 + slider_e1 * w142)
+    C_q[16, 23] = slider_e1 * w154 - slider_e3 * w152 - (slider_e0 * w153 + slider_e2 * w151)
+    C_q[16, 24] = slider_e2 * w163 - slider_e0 * w165 - (slider_e3 * w164 + slider_e1 * w166)
+    C_q[16, 25] = slider_e1 * w178 - slider_e3 * w176 - (slider_e0 * w177 + slider_e2 * w175)
+    C_q[16, 26] = slider_e1 * w190 - slider_e3 * w188 - (slider_e0 * w189 + slider_e2 * w187)
+    C_q[16, 29] = slider_e2 * w208 - slider_e0 * w210 - (slider_e3 * w209 - slider_e1 * w211)
+    C_q[16, 30] = slider_e1 * w225 - slider_e3 * w223 - (slider_e0 * w224 + slider_e2 * w222)
     # fork.e3
     C_q[17, 10] = w88
     C_q[17, 11] = w87
     C_q[17, 12] = w38
     C_q[17, 13] = w85
     C_q[17, 20] = 1.0
-    C_q[17, 21] = -(slider_e0 * w126 + slider_e3 * w123 + (slider_e1 * w125 - slider_e2 * w124))
-    C_q[17, 22] = -(slider_e1 * w141 - slider_e2 * w140 - (slider_e0 * w142 + slider_e3 * w139))
-    C_q[17, 23] = -(slider_e0 * w154 + slider_e3 * w151 + (slider_e1 * w153 - slider_e2 * w152))
-    C_q[17, 24] = -(slider_e1 * w165 - slider_e2 * w164 - (slider_e0 * w166 + slider_e3 * w163))
-    C_q[17, 25] = -(slider_e0 * w178 + slider_e3 * w175 + (slider_e1 * w177 - slider_e2 * w176))
-    C_q[17, 26] = -(slider_e0 * w190 + slider_e3 * w187 + (slider_e1 * w189 - slider_e2 * w188))
-    C_q[17, 29] = -(slider_e0 * w214 - slider_e3 * w211 + (slider_e1 * w213 - slider_e2 * w212))
-    C_q[17, 30] = -(slider_e0 * w228 + slider_e3 * w225 + (slider_e1 * w227 - slider_e2 * w226))
+    C_q[17, 21] = slider_e2 * w124 - slider_e1 * w125 - (slider_e0 * w126 + slider_e3 * w123)
+    C_q[17, 22] = slider_e0 * w142 + slider_e3 * w139 - (slider_e1 * w141 - slider_e2 * w140)
+    C_q[17, 23] = slider_e2 * w152 - slider_e1 * w153 - (slider_e0 * w154 + slider_e3 * w151)
+    C_q[17, 24] = slider_e0 * w166 + slider_e3 * w163 - (slider_e1 * w165 - slider_e2 * w164)
+    C_q[17, 25] = slider_e2 * w176 - slider_e1 * w177 - (slider_e0 * w178 + slider_e3 * w175)
+    C_q[17, 26] = slider_e2 * w188 - slider_e1 * w189 - (slider_e0 * w190 + slider_e3 * w187)
+    C_q[17, 29] = slider_e3 * w208 - slider_e0 * w211 - (slider_e1 * w210 - slider_e2 * w209)
+    C_q[17, 30] = slider_e2 * w223 - slider_e1 * w224 - (slider_e0 * w225 + slider_e3 * w222)
     # fork.x
     C_q[18, 7] = -1.0
     C_q[18, 14] = 1.0
@@ -3070,10 +3093,10 @@ def constraints() -> ca.Function:
     C_q[20, 25] = w62 * rod_small_end_shape_2_4
     # pin.x
     C_q[21, 0] = -1.0
-    C_q[21, 3] = -(w74 * w75 - w77)
-    C_q[21, 4] = -(w74 * w81 - w71 * w75)
-    C_q[21, 5] = -(w82 - w67 * w71)
-    C_q[21, 6] = -(w79 - w83)
+    C_q[21, 3] = w77 - w74 * w75
+    C_q[21, 4] = w71 * w75 - w74 * w81
+    C_q[21, 5] = w67 * w71 - w82
+    C_q[21, 6] = w83 - w79
     C_q[21, 14] = 1.0
     C_q[21, 17] = w72 * w89 - w95
     C_q[21, 18] = w72 * w98 - w70 * w89
@@ -3086,10 +3109,10 @@ def constraints() -> ca.Function:
     C_q[21, 25] = w51 * rod_big_end_shape_2_4
     # pin.y
     C_q[22, 1] = -1.0
-    C_q[22, 3] = -(w69 * w76 - w79)
-    C_q[22, 4] = -(w80 - w82)
-    C_q[22, 5] = -(w67 * w69 - w74 * w76)
-    C_q[22, 6] = -(w84 - w73 * w74)
+    C_q[22, 3] = w79 - w69 * w76
+    C_q[22, 4] = w82 - w80
+    C_q[22, 5] = w74 * w76 - w67 * w69
+    C_q[22, 6] = w73 * w74 - w84
     C_q[22, 15] = 1.0
     C_q[22, 17] = w66 * w90 - w96
     C_q[22, 18] = w97 - w101
@@ -3102,10 +3125,10 @@ def constraints() -> ca.Function:
     C_q[22, 25] = w59 * rod_big_end_shape_2_4
     # pin.z
     C_q[23, 2] = -1.0
-    C_q[23, 3] = -(w71 * w78 - w80)
-    C_q[23, 4] = -(w83 - w69 * w81)
-    C_q[23, 5] = -(w77 - w84)
-    C_q[23, 6] = -(w71 * w73 - w69 * w78)
+    C_q[23, 3] = w80 - w71 * w78
+    C_q[23, 4] = w69 * w81 - w83
+    C_q[23, 5] = w84 - w77
+    C_q[23, 6] = w69 * w78 - w71 * w73
     C_q[23, 16] = 1.0
     C_q[23, 17] = w70 * w92 - w97
     C_q[23, 18] = w102 - w66 * w98
@@ -3119,20 +3142,20 @@ def constraints() -> ca.Function:
     C_t = ca.SX(24, 1)
     nu = ca.SX(24, 1)
     gamma = ca.SX(24, 1)
-    gamma[0] = w232 * crank_axle_quaternion_0_0_0 - w236  # axle.e0
-    gamma[1] = -w237  # axle.e1
-    gamma[2] = w238  # axle.e2
-    gamma[3] = w239  # axle.e3
-    gamma[14] = w308 + (slider_e0 * w294 - (slider_e1 * w297 + slider_e2 * w300 + slider_e3 * w303) + w308)  # fork.e0
-    gamma[15] = w309 + (slider_e0 * w297 + slider_e1 * w294 + (slider_e2 * w303 - slider_e3 * w300) + w309)  # fork.e1
-    gamma[16] = w310 + (slider_e0 * w300 + slider_e2 * w294 + (slider_e3 * w297 - slider_e1 * w303) + w310)  # fork.e2
-    gamma[17] = w311 + (slider_e0 * w303 + slider_e3 * w294 + (slider_e1 * w300 - slider_e2 * w297) + w311)  # fork.e3
-    gamma[18] = -(w312 * w317 - w318 * w320)  # fork.x
-    gamma[19] = -(w318 * w322 - w313 * w317)  # fork.y
-    gamma[20] = -(w313 * w320 - w312 * w322)  # fork.z
-    gamma[21] = w323 * w325 - w326 * w327 - (w312 * w331 - w318 * w333)  # pin.x
-    gamma[22] = w326 * w334 - w324 * w325 - (w318 * w336 - w313 * w331)  # pin.y
-    gamma[23] = w324 * w327 - w323 * w334 - (w313 * w333 - w312 * w336)  # pin.z
+    gamma[0] = w229 * crank_axle_quaternion_0_0_0 - w233  # axle.e0
+    gamma[1] = w336  # axle.e1
+    gamma[2] = w234  # axle.e2
+    gamma[3] = w235  # axle.e3
+    gamma[14] = w304 + (slider_e0 * w290 - (slider_e1 * w293 + slider_e2 * w296 + slider_e3 * w299) + w304)  # fork.e0
+    gamma[15] = w305 + (slider_e0 * w293 + slider_e1 * w290 + (slider_e2 * w299 - slider_e3 * w296) + w305)  # fork.e1
+    gamma[16] = w306 + (slider_e0 * w296 + slider_e2 * w290 + (slider_e3 * w293 - slider_e1 * w299) + w306)  # fork.e2
+    gamma[17] = w307 + (slider_e0 * w299 + slider_e3 * w290 + (slider_e1 * w296 - slider_e2 * w293) + w307)  # fork.e3
+    gamma[18] = w314 * w316 - w308 * w313  # fork.x
+    gamma[19] = w309 * w313 - w314 * w318  # fork.y
+    gamma[20] = w308 * w318 - w309 * w316  # fork.z
+    gamma[21] = w319 * w321 - w322 * w323 - (w308 * w327 - w314 * w329)  # pin.x
+    gamma[22] = w322 * w330 - w320 * w321 - (w314 * w332 - w309 * w327)  # pin.y
+    gamma[23] = w320 * w323 - w319 * w330 - (w309 * w329 - w308 * w332)  # pin.z
     inputs, outputs = [q, q_dot, c], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
     return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
@@ -3142,7 +3165,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 31) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 31) [mixed]: rates of all coordinates
-    takes c (n_const = 282) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 291) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 31 x 31) [SI]: mass matrix in all coordinates
     gives K (n x n = 31 x 31) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 31) [N, N m]: quadratic velocity force in all coordinates
@@ -3150,11 +3173,11 @@ def augmented() -> ca.Function:
     gives Q_star (n = 31) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 24 x 31) [SI]: constraint Jacobian
     gives gamma_b (n_c = 24) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    5876 operations.
+    5819 operations.
     """
     q = ca.SX.sym("q", 31)
     q_dot = ca.SX.sym("q_dot", 31)
-    c = ca.SX.sym("c", 282)
+    c = ca.SX.sym("c", 291)
     crank_e0 = q[3]
     crank_e1 = q[4]
     crank_e2 = q[5]
@@ -3324,56 +3347,49 @@ def augmented() -> ca.Function:
     gravity_z = c[150]
     rod_D_ff_0_0 = c[153]
     rod_K_ff_0_0 = c[154]
-    rod_D_ff_1_1 = c[155]
-    rod_K_ff_1_1 = c[156]
-    rod_D_ff_2_2 = c[157]
-    rod_K_ff_2_2 = c[158]
-    rod_D_ff_3_3 = c[159]
-    rod_K_ff_3_3 = c[160]
-    rod_D_ff_4_4 = c[161]
-    rod_K_ff_4_4 = c[162]
-    rod_D_ff_5_5 = c[163]
-    rod_K_ff_5_5 = c[164]
-    ground_axle_quaternion_0_0_0 = c[166]
-    ground_axle_quaternion_3_0_0 = c[167]
-    crank_axle_quaternion_0_0_0 = c[168]
-    ground_axle_quaternion_1_0_0 = c[169]
-    ground_axle_quaternion_2_0_0 = c[170]
-    crank_axle_quaternion_1_0_0 = c[171]
-    crank_axle_quaternion_2_0_0 = c[172]
-    crank_axle_quaternion_3_0_0 = c[173]
-    rod_small_end_quaternion_0_0_0 = c[179]
-    rod_small_end_quaternion_3_0_0 = c[180]
-    slider_fork_quaternion_0_0_0 = c[181]
-    slider_fork_quaternion_3_0_0 = c[182]
-    crank_mass = c[183]
-    c184 = c[184]
-    c185 = c[185]
-    rod_rho_phi_1_0_1 = c[186]
-    rod_rho_phi_1_1_0 = c[187]
-    rod_rho_phi_3_0_1 = c[188]
-    rod_rho_phi_3_1_0 = c[189]
-    rod_rho_phi_0_0_2 = c[190]
-    rod_rho_phi_0_2_0 = c[191]
-    rod_rho_phi_2_0_2 = c[192]
-    rod_rho_phi_2_2_0 = c[193]
-    rod_rho_phi_4_0_2 = c[194]
-    rod_rho_phi_4_2_0 = c[195]
-    rod_rho_phi_5_1_2 = c[196]
-    rod_rho_phi_5_2_1 = c[197]
-    rod_M_ff_0_0 = c[198]
-    rod_M_ff_1_1 = c[199]
-    rod_M_ff_2_2 = c[200]
-    rod_M_ff_3_3 = c[201]
-    rod_M_ff_4_4 = c[202]
-    c203 = c[203]
-    c204 = c[204]
-    c205 = c[205]
-    c206 = c[206]
-    c207 = c[207]
-    c208 = c[208]
-    c209 = c[209]
-    c210 = c[210]
+    rod_D_ff_1_1 = c[156]
+    rod_K_ff_1_1 = c[157]
+    rod_D_ff_2_2 = c[159]
+    rod_K_ff_2_2 = c[160]
+    rod_D_ff_3_3 = c[162]
+    rod_K_ff_3_3 = c[163]
+    rod_D_ff_4_4 = c[165]
+    rod_K_ff_4_4 = c[166]
+    rod_D_ff_5_5 = c[168]
+    rod_K_ff_5_5 = c[169]
+    ground_axle_quaternion_0_0_0 = c[171]
+    ground_axle_quaternion_3_0_0 = c[172]
+    crank_axle_quaternion_0_0_0 = c[173]
+    ground_axle_quaternion_1_0_0 = c[174]
+    ground_axle_quaternion_2_0_0 = c[175]
+    crank_axle_quaternion_1_0_0 = c[176]
+    crank_axle_quaternion_2_0_0 = c[177]
+    crank_axle_quaternion_3_0_0 = c[178]
+    rod_small_end_quaternion_0_0_0 = c[184]
+    rod_small_end_quaternion_3_0_0 = c[185]
+    slider_fork_quaternion_0_0_0 = c[186]
+    slider_fork_quaternion_3_0_0 = c[187]
+    c190 = c[190]
+    crank_mass = c[191]
+    c192 = c[192]
+    c193 = c[193]
+    rod_rho_phi_1_0_1 = c[194]
+    rod_rho_phi_1_1_0 = c[195]
+    rod_rho_phi_3_0_1 = c[196]
+    rod_rho_phi_3_1_0 = c[197]
+    rod_rho_phi_0_0_2 = c[198]
+    rod_rho_phi_0_2_0 = c[199]
+    rod_rho_phi_2_0_2 = c[200]
+    rod_rho_phi_2_2_0 = c[201]
+    rod_rho_phi_4_0_2 = c[202]
+    rod_rho_phi_4_2_0 = c[203]
+    rod_rho_phi_5_1_2 = c[204]
+    rod_rho_phi_5_2_1 = c[205]
+    rod_M_ff_0_0 = c[206]
+    rod_M_ff_1_1 = c[207]
+    rod_M_ff_2_2 = c[208]
+    rod_M_ff_3_3 = c[209]
+    rod_M_ff_4_4 = c[210]
     c211 = c[211]
     c212 = c[212]
     c213 = c[213]
@@ -3392,6 +3408,19 @@ def augmented() -> ca.Function:
     c226 = c[226]
     c227 = c[227]
     c228 = c[228]
+    c229 = c[229]
+    c230 = c[230]
+    c231 = c[231]
+    c232 = c[232]
+    c233 = c[233]
+    c234 = c[234]
+    c235 = c[235]
+    c236 = c[236]
+    c237 = c[237]
+    c238 = c[238]
+    c239 = c[239]
+    c240 = c[240]
+    c241 = c[241]
     # intermediate terms (656)
     w0 = crank_e2 * -2.0
     w1 = 2 * crank_e0
@@ -3399,12 +3428,12 @@ def augmented() -> ca.Function:
     w3 = 2 * crank_e2
     w4 = w3 * crank_e3
     w5 = w2 + w4
-    w6 = w5 * c203
+    w6 = w5 * c211
     w7 = crank_e3 * -2.0
     w8 = 1.0 - 2 * crank_e1**2
     w9 = 2 * crank_e3**2
     w10 = w8 - w9
-    w11 = w10 * c203
+    w11 = w10 * c211
     w12 = w7 * w11
     w13 = w0 * w6 - w12
     w14 = 2 * crank_e3
@@ -3419,7 +3448,7 @@ def augmented() -> ca.Function:
     w23 = crank_e2 * w17
     w24 = w1 * crank_e3
     w25 = w23 - w24
-    w26 = w25 * c203
+    w26 = w25 * c211
     w27 = w7 * w26 - w20
     w28 = w0 * w26
     w29 = w28 - w16
@@ -3431,36 +3460,36 @@ def augmented() -> ca.Function:
     w35 = w12 - w31
     w36 = w3 * w11 - w19 * w26
     w37 = w1 * c0
-    w38 = w19 * w37 + crank_e2 * crank_e3 * c207
-    w39 = w1 * c205
-    w40 = w19 * c206
-    w41 = w0 * w39 + crank_e1 * crank_e3 * c208
+    w38 = w19 * w37 + crank_e2 * crank_e3 * c220
+    w39 = w1 * c218
+    w40 = w19 * c219
+    w41 = w0 * w39 + crank_e1 * crank_e3 * c221
     w42 = w0 * c0
-    w43 = w17 * c205
-    w44 = w1 * c206
-    w45 = crank_e2 * crank_e1 * c209 + w7 * w44
-    w46 = crank_e0 * crank_e3 * c210 + w3 * w40
-    w47 = w7 * w43 + crank_e2 * crank_e0 * c211
-    w48 = w14 * w42 + crank_e0 * crank_e1 * c212
+    w43 = w17 * c218
+    w44 = w1 * c219
+    w45 = crank_e2 * crank_e1 * c222 + w7 * w44
+    w46 = crank_e0 * crank_e3 * c223 + w3 * w40
+    w47 = w7 * w43 + crank_e2 * crank_e0 * c224
+    w48 = w14 * w42 + crank_e0 * crank_e1 * c225
     w49 = slider_e1 * -2.0
     w50 = slider_e2 * -2.0
     w51 = slider_e3 * -2.0
     w52 = 2 * slider_e0
-    w53 = w52 * c215
+    w53 = w52 * c228
     w54 = 2 * slider_e2
-    w55 = w49 * w53 + slider_e2 * slider_e3 * c219
+    w55 = w49 * w53 + slider_e2 * slider_e3 * c232
     w56 = 2 * slider_e3
-    w57 = w52 * c217
-    w58 = w49 * c218
-    w59 = w50 * w57 + slider_e1 * slider_e3 * c220
-    w60 = w50 * c215
+    w57 = w52 * c230
+    w58 = w49 * c231
+    w59 = w50 * w57 + slider_e1 * slider_e3 * c233
+    w60 = w50 * c228
     w61 = 2 * slider_e1
-    w62 = w61 * c217
-    w63 = w52 * c218
-    w64 = slider_e1 * slider_e2 * c221 + w51 * w63
-    w65 = slider_e3 * slider_e0 * c222 + w54 * w58
-    w66 = w51 * w62 + slider_e2 * slider_e0 * c223
-    w67 = w56 * w60 + slider_e1 * slider_e0 * c224
+    w62 = w61 * c230
+    w63 = w52 * c231
+    w64 = slider_e1 * slider_e2 * c234 + w51 * w63
+    w65 = slider_e3 * slider_e0 * c235 + w54 * w58
+    w66 = w51 * w62 + slider_e2 * slider_e0 * c236
+    w67 = w56 * w60 + slider_e1 * slider_e0 * c237
     w68 = rod_e2 * -2.0
     w69 = 2 * rod_e1
     w70 = w69 * rod_e3
@@ -3615,11 +3644,11 @@ def augmented() -> ca.Function:
     w219 = w68 * c139 + w69 * w196 + w71 * w197
     w220 = w19 * crank_e0_dot + w1 * crank_e1_dot
     w221 = w220 + w14 * crank_e2_dot + w0 * crank_e3_dot
-    w222 = w221 * c203
+    w222 = w221 * c211
     w223 = w7 * crank_e0_dot
     w224 = w1 * crank_e3_dot
     w225 = w223 + w3 * crank_e1_dot + w19 * crank_e2_dot + w224
-    w226 = w225 * c203
+    w226 = w225 * c211
     w227 = w221 * w222 + w225 * w226
     w228 = 2 * crank_e2**2
     w229 = w0 * crank_e0_dot
@@ -3632,10 +3661,10 @@ def augmented() -> ca.Function:
     w236 = w25 * w227 - (1.0 - w228 - w9) * w232 - (w233 + w234) * w235
     w237 = w10 * w227 - w232 * (w23 + w24) - w235 * (w4 - w2)
     w238 = w5 * w227 - w232 * (w234 - w233) - w235 * (w8 - w228)
-    w239 = w225 * c185
-    w240 = w231 * c184
+    w239 = w225 * c193
+    w240 = w231 * c192
     w241 = w231 * w239 - w225 * w240
-    w242 = w221 * c204
+    w242 = w221 * c217
     w243 = w225 * w242 - w221 * w239
     w244 = w221 * w240 - w231 * w242
     w245 = w19 * w241 + w0 * w243 + w7 * w244
@@ -3643,12 +3672,12 @@ def augmented() -> ca.Function:
     w247 = w14 * w241 + w1 * w243 + w19 * w244
     w248 = w0 * w241 + w17 * w243 + w1 * w244
     w249 = w51 * slider_e0_dot + w54 * slider_e1_dot + w49 * slider_e2_dot + w52 * slider_e3_dot
-    w250 = w249 * c214
+    w250 = w249 * c227
     w251 = w50 * slider_e0_dot + w51 * slider_e1_dot + w52 * slider_e2_dot + w61 * slider_e3_dot
-    w252 = w251 * c213
+    w252 = w251 * c226
     w253 = w250 * w251 - w249 * w252
     w254 = w49 * slider_e0_dot + w52 * slider_e1_dot + w56 * slider_e2_dot + w50 * slider_e3_dot
-    w255 = w254 * c216
+    w255 = w254 * c229
     w256 = w249 * w255 - w250 * w254
     w257 = w252 * w254 - w251 * w255
     w258 = w49 * w253 + w50 * w256 + w51 * w257
@@ -3710,25 +3739,25 @@ def augmented() -> ca.Function:
     w314 = w273 * (w141 * w273 + w122 * w268 + w264 * rod_rho_phi_0_0_2) + w268 * (w123 * w273 + w105 * w268 + w150 * w264)
     w315 = (w113 + (w105 + w141)) * w313 - (w314 + w264 * (w273 * rod_rho_phi_0_2_0 + w151 * w268 + w113 * w264))
     w316 = rod_q2_dot * rod_phi_phi_1_0_1_2 + rod_q4_dot * rod_phi_phi_3_0_1_2 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
-    w317 = w315 - w273 * (2 * w316) - w264 * (2 * (rod_q6_dot * rod_phi_phi_5_0_0_1 - rod_q6_dot * rod_phi_phi_5_0_1_0))
+    w317 = w315 - w273 * (2 * w316) - w264 * (rod_q6_dot * c212)
     w318 = w273 * (w142 * w273 + w268 * rod_rho_phi_1_0_1 + w133 * w264) + w268 * (w273 * rod_rho_phi_1_1_0 + w106 * w268 + w152 * w264)
     w319 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
     w320 = rod_q1_dot * rod_phi_phi_0_1_2_1 + rod_q3_dot * rod_phi_phi_2_1_2_1 + rod_q5_dot * rod_phi_phi_4_1_2_1
     w321 = w313 * (w114 + (w106 + w142)) - (w318 + w264 * (w134 * w273 + w153 * w268 + w114 * w264)) - w273 * (2 * (w319 - w320))
-    w322 = w321 - w268 * (2 * (rod_q6_dot * rod_phi_phi_5_1_2_0 - rod_q6_dot * rod_phi_phi_5_1_0_2))
+    w322 = w321 - w268 * (rod_q6_dot * c213)
     w323 = w273 * (w143 * w273 + w124 * w268 + w264 * rod_rho_phi_2_0_2) + w268 * (w125 * w273 + w107 * w268 + w154 * w264)
     w324 = w313 * (w115 + (w107 + w143)) - (w323 + w264 * (w273 * rod_rho_phi_2_2_0 + w155 * w268 + w115 * w264))
     w325 = rod_q2_dot * rod_phi_phi_1_2_1_2 + rod_q4_dot * rod_phi_phi_3_2_1_2 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
-    w326 = w324 - w273 * (2 * w325) - w264 * (2 * (rod_q6_dot * rod_phi_phi_5_2_0_1 - rod_q6_dot * rod_phi_phi_5_2_1_0))
+    w326 = w324 - w273 * (2 * w325) - w264 * (rod_q6_dot * c214)
     w327 = w273 * (w144 * w273 + w268 * rod_rho_phi_3_0_1 + w135 * w264) + w268 * (w273 * rod_rho_phi_3_1_0 + w108 * w268 + w156 * w264)
     w328 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
     w329 = rod_q1_dot * rod_phi_phi_0_3_2_1 + rod_q3_dot * rod_phi_phi_2_3_2_1 + rod_q5_dot * rod_phi_phi_4_3_2_1
     w330 = w313 * (w116 + (w108 + w144)) - (w327 + w264 * (w136 * w273 + w157 * w268 + w116 * w264)) - w273 * (2 * (w328 - w329))
-    w331 = w330 - w268 * (2 * (rod_q6_dot * rod_phi_phi_5_3_2_0 - rod_q6_dot * rod_phi_phi_5_3_0_2))
+    w331 = w330 - w268 * (rod_q6_dot * c215)
     w332 = w273 * (w145 * w273 + w126 * w268 + w264 * rod_rho_phi_4_0_2) + w268 * (w127 * w273 + w109 * w268 + w159 * w264)
     w333 = w313 * (w117 + (w109 + w145)) - (w332 + w264 * (w273 * rod_rho_phi_4_2_0 + w160 * w268 + w117 * w264))
     w334 = rod_q2_dot * rod_phi_phi_1_4_1_2 + rod_q4_dot * rod_phi_phi_3_4_1_2 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
-    w335 = w333 - w273 * (2 * w334) - w264 * (2 * (rod_q6_dot * rod_phi_phi_5_4_0_1 - rod_q6_dot * rod_phi_phi_5_4_1_0))
+    w335 = w333 - w273 * (2 * w334) - w264 * (rod_q6_dot * c216)
     w336 = w273 * (w147 * w273 + w129 * w268 + w138 * w264) + w268 * (w130 * w273 + w111 * w268 + w264 * rod_rho_phi_5_1_2)
     w337 = w313 * (w119 + (w111 + w147)) - (w336 + w264 * (w139 * w273 + w268 * rod_rho_phi_5_2_1 + w119 * w264))
     w338 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
@@ -3749,7 +3778,7 @@ def augmented() -> ca.Function:
     w353 = rod_q4_dot * rod_D_ff_3_3
     w354 = rod_q5_dot * rod_D_ff_4_4
     w355 = rod_q6_dot * rod_D_ff_5_5
-    w356 = guide_travel_dot * c228
+    w356 = guide_travel_dot * c241
     w357 = w5 * crank_pin_y
     w358 = w10 * crank_pin_y
     w359 = w7 * w358
@@ -3910,145 +3939,145 @@ def augmented() -> ca.Function:
     w514 = w511 * ground_axle_quaternion_2_0_0 - w509 * ground_axle_quaternion_1_0_0
     w515 = w511 * ground_axle_quaternion_0_0_0 - w509 * ground_axle_quaternion_3_0_0
     w516 = w513 * crank_axle_quaternion_2_0_0 - w514 * crank_axle_quaternion_1_0_0 - w515 * crank_axle_quaternion_3_0_0
-    w517 = w512 * crank_axle_quaternion_1_0_0 + w514 * crank_axle_quaternion_0_0_0 + (w513 * crank_axle_quaternion_3_0_0 + w515 * crank_axle_quaternion_2_0_0)
-    w518 = w512 * crank_axle_quaternion_2_0_0 - w513 * crank_axle_quaternion_0_0_0 + (w514 * crank_axle_quaternion_3_0_0 - w515 * crank_axle_quaternion_1_0_0)
-    w519 = w512 * crank_axle_quaternion_3_0_0 + w515 * crank_axle_quaternion_0_0_0 - (w514 * crank_axle_quaternion_2_0_0 + w513 * crank_axle_quaternion_1_0_0)
-    w520 = w371 / 2.0
-    w521 = w369 * w520
-    w522 = w367 / 2.0
-    w523 = w369 * w522
-    w524 = w521 * slider_fork_quaternion_0_0_0 + w523 * slider_fork_quaternion_3_0_0
-    w525 = w381 * w520
-    w526 = w381 * w522
-    w527 = w525 * slider_fork_quaternion_0_0_0 + w526 * slider_fork_quaternion_3_0_0
-    w528 = w526 * slider_fork_quaternion_0_0_0 - w525 * slider_fork_quaternion_3_0_0
-    w529 = w523 * slider_fork_quaternion_0_0_0 - w521 * slider_fork_quaternion_3_0_0
-    w530 = w380 * w524 + (w387 * w527 - w389 * w528 - w391 * w529)
-    w531 = w387 * w524 - w380 * w527 + (w389 * w529 - w391 * w528)
-    w532 = w389 * w524 + w380 * w528 - (w387 * w529 + w391 * w527)
-    w533 = w391 * w524 + w380 * w529 + (w389 * w527 + w387 * w528)
-    w534 = w381 / 2.0
-    w535 = w371 * w534
-    w536 = w367 * w534
-    w537 = w535 * slider_fork_quaternion_3_0_0 - w536 * slider_fork_quaternion_0_0_0
-    w538 = w535 * slider_fork_quaternion_0_0_0 + w536 * slider_fork_quaternion_3_0_0
-    w539 = w369 / 2.0
-    w540 = w367 * w539
-    w541 = w371 * w539
-    w542 = w540 * slider_fork_quaternion_0_0_0 - w541 * slider_fork_quaternion_3_0_0
-    w543 = w541 * slider_fork_quaternion_0_0_0 + w540 * slider_fork_quaternion_3_0_0
-    w544 = w380 * w537 - (w391 * w538 - (w387 * w542 + w389 * w543))
-    w545 = w380 * w542 - w387 * w537 - (w391 * w543 + w389 * w538)
-    w546 = w380 * w543 - w389 * w537 + (w387 * w538 + w391 * w542)
-    w547 = w387 * w543 - w389 * w542 - (w391 * w537 + w380 * w538)
-    w548 = (axle_angle_dot / 2.0)**2
-    w549 = w508 * w548
-    w550 = w510 * w548
-    w551 = w549 * ground_axle_quaternion_3_0_0 - w550 * ground_axle_quaternion_0_0_0
-    w552 = w550 * ground_axle_quaternion_1_0_0 + w549 * ground_axle_quaternion_2_0_0
-    w553 = w549 * ground_axle_quaternion_1_0_0 - w550 * ground_axle_quaternion_2_0_0
-    w554 = w549 * ground_axle_quaternion_0_0_0 + w550 * ground_axle_quaternion_3_0_0
-    w555 = w552 * crank_axle_quaternion_1_0_0 - w553 * crank_axle_quaternion_2_0_0 + w554 * crank_axle_quaternion_3_0_0
-    w556 = w551 * crank_axle_quaternion_1_0_0 + w552 * crank_axle_quaternion_0_0_0 + (w553 * crank_axle_quaternion_3_0_0 + w554 * crank_axle_quaternion_2_0_0)
-    w557 = w553 * crank_axle_quaternion_0_0_0 - w551 * crank_axle_quaternion_2_0_0 + (w554 * crank_axle_quaternion_1_0_0 - w552 * crank_axle_quaternion_3_0_0)
-    w558 = w552 * crank_axle_quaternion_2_0_0 + w553 * crank_axle_quaternion_1_0_0 - (w551 * crank_axle_quaternion_3_0_0 + w554 * crank_axle_quaternion_0_0_0)
-    w559 = w520 * fork_angle1_dot
-    w560 = w534 * fork_angle2_dot
-    w561 = w559 * w560
-    w562 = (fork_angle1_dot / 2.0)**2
-    w563 = w367 * w562
-    w564 = (fork_angle2_dot / 2.0)**2
-    w565 = w369 * w564
-    w566 = w561 + (w561 - (w369 * w563 + w367 * w565))
-    w567 = w371 * w562
-    w568 = w522 * fork_angle1_dot
-    w569 = w560 * w568
-    w570 = w569 + (w369 * w567 + w371 * w565 + w569)
-    w571 = w566 * slider_fork_quaternion_0_0_0 + w570 * slider_fork_quaternion_3_0_0
-    w572 = w381 * w564
-    w573 = w539 * fork_angle2_dot
-    w574 = w559 * w573
-    w575 = w574 + (w381 * w563 + w367 * w572 + w574)
-    w576 = w568 * w573
-    w577 = w576 + (w576 - (w381 * w567 + w371 * w572))
-    w578 = w575 * slider_fork_quaternion_0_0_0 + w577 * slider_fork_quaternion_3_0_0
-    w579 = w577 * slider_fork_quaternion_0_0_0 - w575 * slider_fork_quaternion_3_0_0
-    w580 = w566 * slider_fork_quaternion_3_0_0 - w570 * slider_fork_quaternion_0_0_0
-    w581 = rod_q6_dot * c10
-    w582 = rod_q1_dot * rod_small_end_rotation_1_0 + rod_q3_dot * rod_small_end_rotation_1_2 + rod_q5_dot * rod_small_end_rotation_1_4
-    w583 = w582 * 0.5
-    w584 = (rod_q2_dot * rod_small_end_rotation_2_1 + rod_q4_dot * rod_small_end_rotation_2_3) * 0.5
-    w585 = w374 * w581 + w376 * w583 + w377 * w584
-    w586 = w422 * (w421 * (w585**2 * 3.0) - (w581**2 + w583**2 + w584**2))
-    w587 = w422 * w585
-    w588 = 2 * -w587
-    w589 = w377 * w586 + w584 * w588
-    w590 = w586 * rod_small_end_quaternion_0_0_0 - w589 * rod_small_end_quaternion_3_0_0
-    w591 = w374 * w586 + w581 * w588
-    w592 = w376 * w586 + w583 * w588
-    w593 = w591 * rod_small_end_quaternion_0_0_0 + w592 * rod_small_end_quaternion_3_0_0
-    w594 = w592 * rod_small_end_quaternion_0_0_0 - w591 * rod_small_end_quaternion_3_0_0
-    w595 = w586 * rod_small_end_quaternion_3_0_0 + w589 * rod_small_end_quaternion_0_0_0
-    w596 = w380 * w571 - (w387 * w578 - w389 * w579 - w391 * w580) + (w373 * w590 + (w384 * w593 + w388 * w594 + w390 * w595))
-    w597 = w369 * w559 + w367 * w560
-    w598 = w369 * w568 - w371 * w560
-    w599 = w597 * slider_fork_quaternion_0_0_0 + w598 * slider_fork_quaternion_3_0_0
-    w600 = w584 / w378 - w377 * w587
-    w601 = w587 * rod_small_end_quaternion_0_0_0 + w600 * rod_small_end_quaternion_3_0_0
-    w602 = w367 * w573 - w381 * w559
-    w603 = w381 * w568 + w371 * w573
-    w604 = w602 * slider_fork_quaternion_0_0_0 - w603 * slider_fork_quaternion_3_0_0
-    w605 = w581 / w378 - w374 * w587
-    w606 = w583 / w378 - w376 * w587
-    w607 = w605 * rod_small_end_quaternion_0_0_0 + w606 * rod_small_end_quaternion_3_0_0
-    w608 = w603 * slider_fork_quaternion_0_0_0 + w602 * slider_fork_quaternion_3_0_0
-    w609 = w606 * rod_small_end_quaternion_0_0_0 - w605 * rod_small_end_quaternion_3_0_0
-    w610 = w598 * slider_fork_quaternion_0_0_0 - w597 * slider_fork_quaternion_3_0_0
-    w611 = w600 * rod_small_end_quaternion_0_0_0 - w587 * rod_small_end_quaternion_3_0_0
-    w612 = w599 * w601 + (w604 * w607 + w608 * w609 + w610 * w611)
-    w613 = w612 + (w596 + w612)
-    w614 = w389 * w580 - w391 * w579 - (w387 * w571 + w380 * w578) + (w384 * w590 - w373 * w593 + (w390 * w594 - w388 * w595))
-    w615 = w599 * w607 - w601 * w604 + (w609 * w610 - w608 * w611)
-    w616 = w615 + (w614 + w615)
-    w617 = w380 * w579 - w389 * w571 - (w387 * w580 + w391 * w578) + (w388 * w590 - w373 * w594 + (w384 * w595 - w390 * w593))
-    w618 = w599 * w609 - w601 * w608 + (w604 * w611 - w607 * w610)
-    w619 = w618 + (w617 + w618)
-    w620 = w380 * w580 - w391 * w571 + (w389 * w578 + w387 * w579) + (w390 * w590 - w373 * w595 + (w388 * w593 - w384 * w594))
-    w621 = w599 * w611 - w601 * w610 + (w607 * w608 - w604 * w609)
-    w622 = w621 + (w620 + w621)
-    w623 = w387 * w604 + w389 * w608 + w391 * w610 - w380 * w599 + (w384 * w607 + w388 * w609 + w390 * w611 - w373 * w601)
-    w624 = w387 * w599 + w380 * w604 + (w389 * w610 - w391 * w608) + (w390 * w609 - w388 * w611 - (w373 * w607 + w384 * w601))
-    w625 = w389 * w599 + w380 * w608 + (w391 * w604 - w387 * w610) + (w384 * w611 - w390 * w607 - (w373 * w609 + w388 * w601))
-    w626 = w391 * w599 + w380 * w610 + (w387 * w608 - w389 * w604) + (w388 * w607 - w384 * w609 - (w373 * w611 + w390 * w601))
-    w627 = slider_e0_dot * w623 - (slider_e1_dot * w624 + slider_e2_dot * w625 + slider_e3_dot * w626)
-    w628 = slider_e0_dot * w624 + slider_e1_dot * w623 + (slider_e2_dot * w626 - slider_e3_dot * w625)
-    w629 = slider_e0_dot * w625 + slider_e2_dot * w623 + (slider_e3_dot * w624 - slider_e1_dot * w626)
-    w630 = slider_e0_dot * w626 + slider_e3_dot * w623 + (slider_e1_dot * w625 - slider_e2_dot * w624)
-    w631 = w267 + (w266 + w82 * rod_e1_dot) + w86 * rod_e3_dot
-    w632 = w272 + w75 * rod_e2_dot + w99 * rod_e3_dot
-    w633 = rod_q2_dot * rod_small_end_shape_1_1 + rod_q4_dot * rod_small_end_shape_1_3
-    w634 = rod_q1_dot * rod_small_end_shape_2_0 + rod_q3_dot * rod_small_end_shape_2_2 + rod_q5_dot * rod_small_end_shape_2_4
-    w635 = w284 * w633 + w285 * w634
-    w636 = w635 + (w402 * w632 - w404 * w631 + w635)
-    w637 = w263 + (w262 + w68 * rod_e1_dot + w69 * rod_e2_dot)
-    w638 = w279 * w633 + w282 * w634
-    w639 = w638 + (w404 * w637 - w401 * w632 + w638)
-    w640 = w271 * w633 + w275 * w634
-    w641 = w640 + (w401 * w631 - w402 * w637 + w640)
-    w642 = w230 + (w229 + w14 * crank_e1_dot) + w19 * crank_e3_dot
-    w643 = w220 + w7 * crank_e2_dot + w3 * crank_e3_dot
-    w644 = w358 * w643 - w360 * w642
-    w645 = w224 + (w223 + w0 * crank_e1_dot + w17 * crank_e2_dot)
-    w646 = w360 * w645 - w357 * w643
-    w647 = rod_q2_dot * rod_big_end_shape_1_1 + rod_q4_dot * rod_big_end_shape_1_3
-    w648 = rod_q1_dot * rod_big_end_shape_2_0 + rod_q3_dot * rod_big_end_shape_2_2 + rod_q5_dot * rod_big_end_shape_2_4
-    w649 = w284 * w647 + w285 * w648
-    w650 = w649 + (w410 * w632 - w412 * w631 + w649)
-    w651 = w279 * w647 + w282 * w648
-    w652 = w651 + (w412 * w637 - w409 * w632 + w651)
-    w653 = w357 * w642 - w358 * w645
-    w654 = w271 * w647 + w275 * w648
-    w655 = w654 + (w409 * w631 - w410 * w637 + w654)
+    w517 = w371 / 2.0
+    w518 = w369 * w517
+    w519 = w367 / 2.0
+    w520 = w369 * w519
+    w521 = w518 * slider_fork_quaternion_0_0_0 + w520 * slider_fork_quaternion_3_0_0
+    w522 = w381 * w517
+    w523 = w381 * w519
+    w524 = w522 * slider_fork_quaternion_0_0_0 + w523 * slider_fork_quaternion_3_0_0
+    w525 = w523 * slider_fork_quaternion_0_0_0 - w522 * slider_fork_quaternion_3_0_0
+    w526 = w520 * slider_fork_quaternion_0_0_0 - w518 * slider_fork_quaternion_3_0_0
+    w527 = w380 * w521 + (w387 * w524 - w389 * w525 - w391 * w526)
+    w528 = w387 * w521 - w380 * w524 + (w389 * w526 - w391 * w525)
+    w529 = w389 * w521 + w380 * w525 - (w387 * w526 + w391 * w524)
+    w530 = w391 * w521 + w380 * w526 + (w389 * w524 + w387 * w525)
+    w531 = w381 / 2.0
+    w532 = w371 * w531
+    w533 = w367 * w531
+    w534 = w532 * slider_fork_quaternion_3_0_0 - w533 * slider_fork_quaternion_0_0_0
+    w535 = w532 * slider_fork_quaternion_0_0_0 + w533 * slider_fork_quaternion_3_0_0
+    w536 = w369 / 2.0
+    w537 = w367 * w536
+    w538 = w371 * w536
+    w539 = w537 * slider_fork_quaternion_0_0_0 - w538 * slider_fork_quaternion_3_0_0
+    w540 = w538 * slider_fork_quaternion_0_0_0 + w537 * slider_fork_quaternion_3_0_0
+    w541 = w380 * w534 - (w391 * w535 - (w387 * w539 + w389 * w540))
+    w542 = w380 * w539 - w387 * w534 - (w391 * w540 + w389 * w535)
+    w543 = w380 * w540 - w389 * w534 + (w387 * w535 + w391 * w539)
+    w544 = w387 * w540 - w389 * w539 - (w391 * w534 + w380 * w535)
+    w545 = (axle_angle_dot / 2.0)**2
+    w546 = w508 * w545
+    w547 = w510 * w545
+    w548 = w546 * ground_axle_quaternion_3_0_0 - w547 * ground_axle_quaternion_0_0_0
+    w549 = w547 * ground_axle_quaternion_1_0_0 + w546 * ground_axle_quaternion_2_0_0
+    w550 = w546 * ground_axle_quaternion_1_0_0 - w547 * ground_axle_quaternion_2_0_0
+    w551 = w546 * ground_axle_quaternion_0_0_0 + w547 * ground_axle_quaternion_3_0_0
+    w552 = w549 * crank_axle_quaternion_1_0_0 - w550 * crank_axle_quaternion_2_0_0 + w551 * crank_axle_quaternion_3_0_0
+    w553 = w550 * crank_axle_quaternion_0_0_0 - w548 * crank_axle_quaternion_2_0_0 + (w551 * crank_axle_quaternion_1_0_0 - w549 * crank_axle_quaternion_3_0_0)
+    w554 = w549 * crank_axle_quaternion_2_0_0 + w550 * crank_axle_quaternion_1_0_0 - (w548 * crank_axle_quaternion_3_0_0 + w551 * crank_axle_quaternion_0_0_0)
+    w555 = w517 * fork_angle1_dot
+    w556 = w531 * fork_angle2_dot
+    w557 = w555 * w556
+    w558 = (fork_angle1_dot / 2.0)**2
+    w559 = w367 * w558
+    w560 = (fork_angle2_dot / 2.0)**2
+    w561 = w369 * w560
+    w562 = w557 + (w557 - (w369 * w559 + w367 * w561))
+    w563 = w371 * w558
+    w564 = w519 * fork_angle1_dot
+    w565 = w556 * w564
+    w566 = w565 + (w369 * w563 + w371 * w561 + w565)
+    w567 = w562 * slider_fork_quaternion_0_0_0 + w566 * slider_fork_quaternion_3_0_0
+    w568 = w381 * w560
+    w569 = w536 * fork_angle2_dot
+    w570 = w555 * w569
+    w571 = w570 + (w381 * w559 + w367 * w568 + w570)
+    w572 = w564 * w569
+    w573 = w572 + (w572 - (w381 * w563 + w371 * w568))
+    w574 = w571 * slider_fork_quaternion_0_0_0 + w573 * slider_fork_quaternion_3_0_0
+    w575 = w573 * slider_fork_quaternion_0_0_0 - w571 * slider_fork_quaternion_3_0_0
+    w576 = w562 * slider_fork_quaternion_3_0_0 - w566 * slider_fork_quaternion_0_0_0
+    w577 = rod_q6_dot * c10
+    w578 = rod_q1_dot * rod_small_end_rotation_1_0 + rod_q3_dot * rod_small_end_rotation_1_2 + rod_q5_dot * rod_small_end_rotation_1_4
+    w579 = w578 * 0.5
+    w580 = (rod_q2_dot * rod_small_end_rotation_2_1 + rod_q4_dot * rod_small_end_rotation_2_3) * 0.5
+    w581 = w374 * w577 + w376 * w579 + w377 * w580
+    w582 = w422 * (w421 * (w581**2 * 3.0) - (w577**2 + w579**2 + w580**2))
+    w583 = w422 * w581
+    w584 = 2 * -w583
+    w585 = w377 * w582 + w580 * w584
+    w586 = w582 * rod_small_end_quaternion_0_0_0 - w585 * rod_small_end_quaternion_3_0_0
+    w587 = w374 * w582 + w577 * w584
+    w588 = w376 * w582 + w579 * w584
+    w589 = w587 * rod_small_end_quaternion_0_0_0 + w588 * rod_small_end_quaternion_3_0_0
+    w590 = w588 * rod_small_end_quaternion_0_0_0 - w587 * rod_small_end_quaternion_3_0_0
+    w591 = w582 * rod_small_end_quaternion_3_0_0 + w585 * rod_small_end_quaternion_0_0_0
+    w592 = w380 * w567 - (w387 * w574 - w389 * w575 - w391 * w576) + (w373 * w586 + (w384 * w589 + w388 * w590 + w390 * w591))
+    w593 = w369 * w555 + w367 * w556
+    w594 = w369 * w564 - w371 * w556
+    w595 = w593 * slider_fork_quaternion_0_0_0 + w594 * slider_fork_quaternion_3_0_0
+    w596 = w580 / w378 - w377 * w583
+    w597 = w583 * rod_small_end_quaternion_0_0_0 + w596 * rod_small_end_quaternion_3_0_0
+    w598 = w367 * w569 - w381 * w555
+    w599 = w381 * w564 + w371 * w569
+    w600 = w598 * slider_fork_quaternion_0_0_0 - w599 * slider_fork_quaternion_3_0_0
+    w601 = w577 / w378 - w374 * w583
+    w602 = w579 / w378 - w376 * w583
+    w603 = w601 * rod_small_end_quaternion_0_0_0 + w602 * rod_small_end_quaternion_3_0_0
+    w604 = w599 * slider_fork_quaternion_0_0_0 + w598 * slider_fork_quaternion_3_0_0
+    w605 = w602 * rod_small_end_quaternion_0_0_0 - w601 * rod_small_end_quaternion_3_0_0
+    w606 = w594 * slider_fork_quaternion_0_0_0 - w593 * slider_fork_quaternion_3_0_0
+    w607 = w596 * rod_small_end_quaternion_0_0_0 - w583 * rod_small_end_quaternion_3_0_0
+    w608 = w595 * w597 + (w600 * w603 + w604 * w605 + w606 * w607)
+    w609 = w608 + (w592 + w608)
+    w610 = w389 * w576 - w391 * w575 - (w387 * w567 + w380 * w574) + (w384 * w586 - w373 * w589 + (w390 * w590 - w388 * w591))
+    w611 = w595 * w603 - w597 * w600 + (w605 * w606 - w604 * w607)
+    w612 = w611 + (w610 + w611)
+    w613 = w380 * w575 - w389 * w567 - (w387 * w576 + w391 * w574) + (w388 * w586 - w373 * w590 + (w384 * w591 - w390 * w589))
+    w614 = w595 * w605 - w597 * w604 + (w600 * w607 - w603 * w606)
+    w615 = w614 + (w613 + w614)
+    w616 = w380 * w576 - w391 * w567 + (w389 * w574 + w387 * w575) + (w390 * w586 - w373 * w591 + (w388 * w589 - w384 * w590))
+    w617 = w595 * w607 - w597 * w606 + (w603 * w604 - w600 * w605)
+    w618 = w617 + (w616 + w617)
+    w619 = w387 * w600 + w389 * w604 + w391 * w606 - w380 * w595 + (w384 * w603 + w388 * w605 + w390 * w607 - w373 * w597)
+    w620 = w387 * w595 + w380 * w600 + (w389 * w606 - w391 * w604) + (w390 * w605 - w388 * w607 - (w373 * w603 + w384 * w597))
+    w621 = w389 * w595 + w380 * w604 + (w391 * w600 - w387 * w606) + (w384 * w607 - w390 * w603 - (w373 * w605 + w388 * w597))
+    w622 = w391 * w595 + w380 * w606 + (w387 * w604 - w389 * w600) + (w388 * w603 - w384 * w605 - (w373 * w607 + w390 * w597))
+    w623 = slider_e0_dot * w619 - (slider_e1_dot * w620 + slider_e2_dot * w621 + slider_e3_dot * w622)
+    w624 = slider_e0_dot * w620 + slider_e1_dot * w619 + (slider_e2_dot * w622 - slider_e3_dot * w621)
+    w625 = slider_e0_dot * w621 + slider_e2_dot * w619 + (slider_e3_dot * w620 - slider_e1_dot * w622)
+    w626 = slider_e0_dot * w622 + slider_e3_dot * w619 + (slider_e1_dot * w621 - slider_e2_dot * w620)
+    w627 = w267 + (w266 + w82 * rod_e1_dot) + w86 * rod_e3_dot
+    w628 = w272 + w75 * rod_e2_dot + w99 * rod_e3_dot
+    w629 = rod_q2_dot * rod_small_end_shape_1_1 + rod_q4_dot * rod_small_end_shape_1_3
+    w630 = rod_q1_dot * rod_small_end_shape_2_0 + rod_q3_dot * rod_small_end_shape_2_2 + rod_q5_dot * rod_small_end_shape_2_4
+    w631 = w284 * w629 + w285 * w630
+    w632 = w631 + (w402 * w628 - w404 * w627 + w631)
+    w633 = w263 + (w262 + w68 * rod_e1_dot + w69 * rod_e2_dot)
+    w634 = w279 * w629 + w282 * w630
+    w635 = w634 + (w404 * w633 - w401 * w628 + w634)
+    w636 = w271 * w629 + w275 * w630
+    w637 = w636 + (w401 * w627 - w402 * w633 + w636)
+    w638 = w230 + (w229 + w14 * crank_e1_dot) + w19 * crank_e3_dot
+    w639 = w220 + w7 * crank_e2_dot + w3 * crank_e3_dot
+    w640 = w358 * w639 - w360 * w638
+    w641 = w224 + (w223 + w0 * crank_e1_dot + w17 * crank_e2_dot)
+    w642 = w360 * w641 - w357 * w639
+    w643 = rod_q2_dot * rod_big_end_shape_1_1 + rod_q4_dot * rod_big_end_shape_1_3
+    w644 = rod_q1_dot * rod_big_end_shape_2_0 + rod_q3_dot * rod_big_end_shape_2_2 + rod_q5_dot * rod_big_end_shape_2_4
+    w645 = w284 * w643 + w285 * w644
+    w646 = w645 + (w410 * w628 - w412 * w627 + w645)
+    w647 = w279 * w643 + w282 * w644
+    w648 = w647 + (w412 * w633 - w409 * w628 + w647)
+    w649 = w357 * w638 - w358 * w641
+    w650 = w271 * w643 + w275 * w644
+    w651 = w650 + (w409 * w627 - w410 * w633 + w650)
+    w652 = w512 * c190 - w514 * crank_axle_quaternion_0_0_0 - (w513 * crank_axle_quaternion_3_0_0 + w515 * crank_axle_quaternion_2_0_0)
+    w653 = w513 * crank_axle_quaternion_0_0_0 - w512 * crank_axle_quaternion_2_0_0 - (w514 * crank_axle_quaternion_3_0_0 - w515 * crank_axle_quaternion_1_0_0)
+    w654 = w514 * crank_axle_quaternion_2_0_0 + w513 * crank_axle_quaternion_1_0_0 - (w512 * crank_axle_quaternion_3_0_0 + w515 * crank_axle_quaternion_0_0_0)
+    w655 = w548 * c190 - w549 * crank_axle_quaternion_0_0_0 - (w550 * crank_axle_quaternion_3_0_0 + w551 * crank_axle_quaternion_2_0_0)
     # outputs
     M = ca.SX(31, 31)
     # crank.x
@@ -4073,7 +4102,7 @@ def augmented() -> ca.Function:
     M[3, 0] = w13
     M[3, 1] = w27
     M[3, 2] = w33
-    M[3, 3] = w19 * (w19 * c0) + w0 * (w0 * c205) + w7 * (w7 * c206)
+    M[3, 3] = w19 * (w19 * c0) + w0 * (w0 * c218) + w7 * (w7 * c219)
     M[3, 4] = w38
     M[3, 5] = w41
     M[3, 6] = w45
@@ -4082,7 +4111,7 @@ def augmented() -> ca.Function:
     M[4, 1] = w29
     M[4, 2] = w34
     M[4, 3] = w38
-    M[4, 4] = w1 * w37 + w7 * (w7 * c205) + w3 * (w3 * c206)
+    M[4, 4] = w1 * w37 + w7 * (w7 * c218) + w3 * (w3 * c219)
     M[4, 5] = w46
     M[4, 6] = w47
     # crank.e2
@@ -4108,19 +4137,19 @@ def augmented() -> ca.Function:
     # slider.z
     M[9, 9] = slider_mass
     # slider.e0
-    M[10, 10] = w49 * (w49 * c215) + w50 * (w50 * c217) + w51 * (w51 * c218)
+    M[10, 10] = w49 * (w49 * c228) + w50 * (w50 * c230) + w51 * (w51 * c231)
     M[10, 11] = w55
     M[10, 12] = w59
     M[10, 13] = w64
     # slider.e1
     M[11, 10] = w55
-    M[11, 11] = w52 * w53 + w51 * (w51 * c217) + w54 * (w54 * c218)
+    M[11, 11] = w52 * w53 + w51 * (w51 * c230) + w54 * (w54 * c231)
     M[11, 12] = w65
     M[11, 13] = w66
     # slider.e2
     M[12, 10] = w59
     M[12, 11] = w65
-    M[12, 12] = w56 * (w56 * c215) + w52 * w57 + w49 * w58
+    M[12, 12] = w56 * (w56 * c228) + w52 * w57 + w49 * w58
     M[12, 13] = w67
     # slider.e3
     M[13, 10] = w64
@@ -4284,13 +4313,13 @@ def augmented() -> ca.Function:
         0.0,  # fork.angle2
     )
     Q_F = ca.SX(31, 1)
-    Q_F[2] = c225  # crank.z
+    Q_F[2] = c238  # crank.z
     Q_F[3] = w342  # crank.e0
     Q_F[4] = w343  # crank.e1
     Q_F[5] = w344  # crank.e2
     Q_F[6] = w345  # crank.e3
-    Q_F[9] = c226  # slider.z
-    Q_F[16] = c227  # rod.z
+    Q_F[9] = c239  # slider.z
+    Q_F[16] = c240  # rod.z
     Q_F[17] = w346  # rod.e0
     Q_F[18] = w347  # rod.e1
     Q_F[19] = w348  # rod.e2
@@ -4305,21 +4334,21 @@ def augmented() -> ca.Function:
     Q_star = ca.vertcat(
         w236,  # crank.x
         w237,  # crank.y
-        w238 + c225,  # crank.z
+        w238 + c238,  # crank.z
         w245 + w342,  # crank.e0
         w246 + w343,  # crank.e1
         w247 + w344,  # crank.e2
         w248 + w345,  # crank.e3
         0.0,  # slider.x
         0.0,  # slider.y
-        c226,  # slider.z
+        c239,  # slider.z
         w258,  # slider.e0
         w259,  # slider.e1
         w260,  # slider.e2
         w261,  # slider.e3
         w277,  # rod.x
         w283,  # rod.y
-        w286 + c227,  # rod.z
+        w286 + c240,  # rod.z
         w309 + w346,  # rod.e0
         w310 + w347,  # rod.e1
         w311 + w348,  # rod.e2
@@ -4341,13 +4370,13 @@ def augmented() -> ca.Function:
     C_q[0, 27] = w512 * crank_axle_quaternion_0_0_0 + w516
     # axle.e1
     C_q[1, 4] = 1.0
-    C_q[1, 27] = -w517
+    C_q[1, 27] = w652
     # axle.e2
     C_q[2, 5] = 1.0
-    C_q[2, 27] = -w518
+    C_q[2, 27] = w653
     # axle.e3
     C_q[3, 6] = 1.0
-    C_q[3, 27] = -w519
+    C_q[3, 27] = w654
     # axle.x
     C_q[4, 0] = 1.0
     # axle.y
@@ -4375,56 +4404,56 @@ def augmented() -> ca.Function:
     C_q[14, 12] = w395
     C_q[14, 13] = w397
     C_q[14, 17] = 1.0
-    C_q[14, 21] = -(slider_e0 * w439 - (slider_e1 * w440 + slider_e2 * w441 + slider_e3 * w442))
+    C_q[14, 21] = slider_e1 * w440 + slider_e2 * w441 + slider_e3 * w442 - slider_e0 * w439
     C_q[14, 22] = slider_e0 * w455 + (slider_e1 * w456 + slider_e2 * w457 - slider_e3 * w458)
-    C_q[14, 23] = -(slider_e0 * w467 - (slider_e1 * w468 + slider_e2 * w469 + slider_e3 * w470))
+    C_q[14, 23] = slider_e1 * w468 + slider_e2 * w469 + slider_e3 * w470 - slider_e0 * w467
     C_q[14, 24] = slider_e0 * w479 + (slider_e1 * w480 + slider_e2 * w481 - slider_e3 * w482)
-    C_q[14, 25] = -(slider_e0 * w491 - (slider_e1 * w492 + slider_e2 * w493 + slider_e3 * w494))
-    C_q[14, 26] = -(slider_e0 * w503 - (slider_e1 * w504 + slider_e2 * w505 + slider_e3 * w506))
-    C_q[14, 29] = slider_e0 * w530 + (slider_e1 * w531 + slider_e2 * w532 + slider_e3 * w533)
-    C_q[14, 30] = -(slider_e0 * w544 - (slider_e1 * w545 + slider_e2 * w546 + slider_e3 * w547))
+    C_q[14, 25] = slider_e1 * w492 + slider_e2 * w493 + slider_e3 * w494 - slider_e0 * w491
+    C_q[14, 26] = slider_e1 * w504 + slider_e2 * w505 + slider_e3 * w506 - slider_e0 * w503
+    C_q[14, 29] = slider_e0 * w527 + (slider_e1 * w528 + slider_e2 * w529 + slider_e3 * w530)
+    C_q[14, 30] = slider_e1 * w542 + slider_e2 * w543 + slider_e3 * w544 - slider_e0 * w541
     # fork.e1
     C_q[15, 10] = w394
     C_q[15, 11] = w392
     C_q[15, 12] = w398
     C_q[15, 13] = w395
     C_q[15, 18] = 1.0
-    C_q[15, 21] = -(slider_e0 * w440 + slider_e1 * w439 + (slider_e2 * w442 - slider_e3 * w441))
-    C_q[15, 22] = -(slider_e0 * w456 - slider_e1 * w455 - (slider_e2 * w458 + slider_e3 * w457))
-    C_q[15, 23] = -(slider_e0 * w468 + slider_e1 * w467 + (slider_e2 * w470 - slider_e3 * w469))
-    C_q[15, 24] = -(slider_e0 * w480 - slider_e1 * w479 - (slider_e2 * w482 + slider_e3 * w481))
-    C_q[15, 25] = -(slider_e0 * w492 + slider_e1 * w491 + (slider_e2 * w494 - slider_e3 * w493))
-    C_q[15, 26] = -(slider_e0 * w504 + slider_e1 * w503 + (slider_e2 * w506 - slider_e3 * w505))
-    C_q[15, 29] = -(slider_e0 * w531 - slider_e1 * w530 + (slider_e2 * w533 - slider_e3 * w532))
-    C_q[15, 30] = -(slider_e0 * w545 + slider_e1 * w544 + (slider_e2 * w547 - slider_e3 * w546))
+    C_q[15, 21] = slider_e3 * w441 - slider_e2 * w442 - (slider_e0 * w440 + slider_e1 * w439)
+    C_q[15, 22] = slider_e2 * w458 + slider_e3 * w457 - (slider_e0 * w456 - slider_e1 * w455)
+    C_q[15, 23] = slider_e3 * w469 - slider_e2 * w470 - (slider_e0 * w468 + slider_e1 * w467)
+    C_q[15, 24] = slider_e2 * w482 + slider_e3 * w481 - (slider_e0 * w480 - slider_e1 * w479)
+    C_q[15, 25] = slider_e3 * w493 - slider_e2 * w494 - (slider_e0 * w492 + slider_e1 * w491)
+    C_q[15, 26] = slider_e3 * w505 - slider_e2 * w506 - (slider_e0 * w504 + slider_e1 * w503)
+    C_q[15, 29] = slider_e1 * w527 - slider_e0 * w528 - (slider_e2 * w530 - slider_e3 * w529)
+    C_q[15, 30] = slider_e3 * w543 - slider_e2 * w544 - (slider_e0 * w542 + slider_e1 * w541)
     # fork.e2
     C_q[16, 10] = w396
     C_q[16, 11] = w397
     C_q[16, 12] = w392
     C_q[16, 13] = w394
     C_q[16, 19] = 1.0
-    C_q[16, 21] = -(slider_e0 * w441 + slider_e2 * w439 + (slider_e3 * w440 - slider_e1 * w442))
-    C_q[16, 22] = -(slider_e0 * w457 - slider_e2 * w455 + (slider_e3 * w456 + slider_e1 * w458))
-    C_q[16, 23] = -(slider_e0 * w469 + slider_e2 * w467 + (slider_e3 * w468 - slider_e1 * w470))
-    C_q[16, 24] = -(slider_e0 * w481 - slider_e2 * w479 + (slider_e3 * w480 + slider_e1 * w482))
-    C_q[16, 25] = -(slider_e0 * w493 + slider_e2 * w491 + (slider_e3 * w492 - slider_e1 * w494))
-    C_q[16, 26] = -(slider_e0 * w505 + slider_e2 * w503 + (slider_e3 * w504 - slider_e1 * w506))
-    C_q[16, 29] = -(slider_e0 * w532 - slider_e2 * w530 + (slider_e3 * w531 - slider_e1 * w533))
-    C_q[16, 30] = -(slider_e0 * w546 + slider_e2 * w544 + (slider_e3 * w545 - slider_e1 * w547))
+    C_q[16, 21] = slider_e1 * w442 - slider_e3 * w440 - (slider_e0 * w441 + slider_e2 * w439)
+    C_q[16, 22] = slider_e2 * w455 - slider_e0 * w457 - (slider_e3 * w456 + slider_e1 * w458)
+    C_q[16, 23] = slider_e1 * w470 - slider_e3 * w468 - (slider_e0 * w469 + slider_e2 * w467)
+    C_q[16, 24] = slider_e2 * w479 - slider_e0 * w481 - (slider_e3 * w480 + slider_e1 * w482)
+    C_q[16, 25] = slider_e1 * w494 - slider_e3 * w492 - (slider_e0 * w493 + slider_e2 * w491)
+    C_q[16, 26] = slider_e1 * w506 - slider_e3 * w504 - (slider_e0 * w505 + slider_e2 * w503)
+    C_q[16, 29] = slider_e2 * w527 - slider_e0 * w529 - (slider_e3 * w528 - slider_e1 * w530)
+    C_q[16, 30] = slider_e1 * w544 - slider_e3 * w542 - (slider_e0 * w543 + slider_e2 * w541)
     # fork.e3
     C_q[17, 10] = w398
     C_q[17, 11] = w396
     C_q[17, 12] = w393
     C_q[17, 13] = w392
     C_q[17, 20] = 1.0
-    C_q[17, 21] = -(slider_e0 * w442 + slider_e3 * w439 + (slider_e1 * w441 - slider_e2 * w440))
-    C_q[17, 22] = -(slider_e1 * w457 - slider_e2 * w456 - (slider_e0 * w458 + slider_e3 * w455))
-    C_q[17, 23] = -(slider_e0 * w470 + slider_e3 * w467 + (slider_e1 * w469 - slider_e2 * w468))
-    C_q[17, 24] = -(slider_e1 * w481 - slider_e2 * w480 - (slider_e0 * w482 + slider_e3 * w479))
-    C_q[17, 25] = -(slider_e0 * w494 + slider_e3 * w491 + (slider_e1 * w493 - slider_e2 * w492))
-    C_q[17, 26] = -(slider_e0 * w506 + slider_e3 * w503 + (slider_e1 * w505 - slider_e2 * w504))
-    C_q[17, 29] = -(slider_e0 * w533 - slider_e3 * w530 + (slider_e1 * w532 - slider_e2 * w531))
-    C_q[17, 30] = -(slider_e0 * w547 + slider_e3 * w544 + (slider_e1 * w546 - slider_e2 * w545))
+    C_q[17, 21] = slider_e2 * w440 - slider_e1 * w441 - (slider_e0 * w442 + slider_e3 * w439)
+    C_q[17, 22] = slider_e0 * w458 + slider_e3 * w455 - (slider_e1 * w457 - slider_e2 * w456)
+    C_q[17, 23] = slider_e2 * w468 - slider_e1 * w469 - (slider_e0 * w470 + slider_e3 * w467)
+    C_q[17, 24] = slider_e0 * w482 + slider_e3 * w479 - (slider_e1 * w481 - slider_e2 * w480)
+    C_q[17, 25] = slider_e2 * w492 - slider_e1 * w493 - (slider_e0 * w494 + slider_e3 * w491)
+    C_q[17, 26] = slider_e2 * w504 - slider_e1 * w505 - (slider_e0 * w506 + slider_e3 * w503)
+    C_q[17, 29] = slider_e3 * w527 - slider_e0 * w530 - (slider_e1 * w529 - slider_e2 * w528)
+    C_q[17, 30] = slider_e2 * w542 - slider_e1 * w543 - (slider_e0 * w544 + slider_e3 * w541)
     # fork.x
     C_q[18, 7] = -1.0
     C_q[18, 14] = 1.0
@@ -4463,10 +4492,10 @@ def augmented() -> ca.Function:
     C_q[20, 25] = w285 * rod_small_end_shape_2_4
     # pin.x
     C_q[21, 0] = -1.0
-    C_q[21, 3] = -(w0 * w357 - w359)
-    C_q[21, 4] = -(w14 * w357 - w0 * w358)
-    C_q[21, 5] = -(w363 - w17 * w358)
-    C_q[21, 6] = -(w361 - w364)
+    C_q[21, 3] = w359 - w0 * w357
+    C_q[21, 4] = w0 * w358 - w14 * w357
+    C_q[21, 5] = w17 * w358 - w363
+    C_q[21, 6] = w364 - w361
     C_q[21, 14] = 1.0
     C_q[21, 17] = w68 * w409 - w411
     C_q[21, 18] = w82 * w409 - w68 * w410
@@ -4479,10 +4508,10 @@ def augmented() -> ca.Function:
     C_q[21, 25] = w275 * rod_big_end_shape_2_4
     # pin.y
     C_q[22, 1] = -1.0
-    C_q[22, 3] = -(w7 * w360 - w361)
-    C_q[22, 4] = -(w362 - w363)
-    C_q[22, 5] = -(w17 * w360 - w7 * w357)
-    C_q[22, 6] = -(w365 - w3 * w357)
+    C_q[22, 3] = w361 - w7 * w360
+    C_q[22, 4] = w363 - w362
+    C_q[22, 5] = w7 * w357 - w17 * w360
+    C_q[22, 6] = w3 * w357 - w365
     C_q[22, 15] = 1.0
     C_q[22, 17] = w75 * w412 - w413
     C_q[22, 18] = w414 - w417
@@ -4495,10 +4524,10 @@ def augmented() -> ca.Function:
     C_q[22, 25] = w282 * rod_big_end_shape_2_4
     # pin.z
     C_q[23, 2] = -1.0
-    C_q[23, 3] = -(w19 * w358 - w362)
-    C_q[23, 4] = -(w364 - w14 * w360)
-    C_q[23, 5] = -(w359 - w365)
-    C_q[23, 6] = -(w3 * w358 - w19 * w360)
+    C_q[23, 3] = w362 - w19 * w358
+    C_q[23, 4] = w14 * w360 - w364
+    C_q[23, 5] = w365 - w359
+    C_q[23, 6] = w19 * w360 - w3 * w358
     C_q[23, 16] = 1.0
     C_q[23, 17] = w86 * w410 - w414
     C_q[23, 18] = w418 - w82 * w412
@@ -4510,20 +4539,20 @@ def augmented() -> ca.Function:
     C_q[23, 24] = w284 * rod_big_end_shape_1_3
     C_q[23, 25] = w285 * rod_big_end_shape_2_4
     gamma_b = ca.SX(24, 1)
-    gamma_b[0] = w551 * crank_axle_quaternion_0_0_0 - w555  # axle.e0
-    gamma_b[1] = -w556  # axle.e1
-    gamma_b[2] = w557  # axle.e2
-    gamma_b[3] = w558  # axle.e3
-    gamma_b[14] = w627 + (slider_e0 * w613 - (slider_e1 * w616 + slider_e2 * w619 + slider_e3 * w622) + w627)  # fork.e0
-    gamma_b[15] = w628 + (slider_e0 * w616 + slider_e1 * w613 + (slider_e2 * w622 - slider_e3 * w619) + w628)  # fork.e1
-    gamma_b[16] = w629 + (slider_e0 * w619 + slider_e2 * w613 + (slider_e3 * w616 - slider_e1 * w622) + w629)  # fork.e2
-    gamma_b[17] = w630 + (slider_e0 * w622 + slider_e3 * w613 + (slider_e1 * w619 - slider_e2 * w616) + w630)  # fork.e3
-    gamma_b[18] = -(w631 * w636 - w637 * w639)  # fork.x
-    gamma_b[19] = -(w637 * w641 - w632 * w636)  # fork.y
-    gamma_b[20] = -(w632 * w639 - w631 * w641)  # fork.z
-    gamma_b[21] = w642 * w644 - w645 * w646 - (w631 * w650 - w637 * w652)  # pin.x
-    gamma_b[22] = w645 * w653 - w643 * w644 - (w637 * w655 - w632 * w650)  # pin.y
-    gamma_b[23] = w643 * w646 - w642 * w653 - (w632 * w652 - w631 * w655)  # pin.z
+    gamma_b[0] = w548 * crank_axle_quaternion_0_0_0 - w552  # axle.e0
+    gamma_b[1] = w655  # axle.e1
+    gamma_b[2] = w553  # axle.e2
+    gamma_b[3] = w554  # axle.e3
+    gamma_b[14] = w623 + (slider_e0 * w609 - (slider_e1 * w612 + slider_e2 * w615 + slider_e3 * w618) + w623)  # fork.e0
+    gamma_b[15] = w624 + (slider_e0 * w612 + slider_e1 * w609 + (slider_e2 * w618 - slider_e3 * w615) + w624)  # fork.e1
+    gamma_b[16] = w625 + (slider_e0 * w615 + slider_e2 * w609 + (slider_e3 * w612 - slider_e1 * w618) + w625)  # fork.e2
+    gamma_b[17] = w626 + (slider_e0 * w618 + slider_e3 * w609 + (slider_e1 * w615 - slider_e2 * w612) + w626)  # fork.e3
+    gamma_b[18] = w633 * w635 - w627 * w632  # fork.x
+    gamma_b[19] = w628 * w632 - w633 * w637  # fork.y
+    gamma_b[20] = w627 * w637 - w628 * w635  # fork.z
+    gamma_b[21] = w638 * w640 - w641 * w642 - (w627 * w646 - w633 * w648)  # pin.x
+    gamma_b[22] = w641 * w649 - w639 * w640 - (w633 * w651 - w628 * w646)  # pin.y
+    gamma_b[23] = w639 * w642 - w638 * w649 - (w628 * w648 - w627 * w651)  # pin.z
     inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
@@ -4534,15 +4563,15 @@ def reactions() -> ca.Function:
     takes q (n = 31) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 31) [mixed]: rates of all coordinates
     takes q_ddot (n = 31) [mixed]: accelerations of all coordinates
-    takes c (n_const = 282) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 291) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 24) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 4) [N, N m]: world force and moment of a joint on its body b, at b
-    2447 operations.
+    2444 operations.
     """
     q = ca.SX.sym("q", 31)
     q_dot = ca.SX.sym("q_dot", 31)
     q_ddot = ca.SX.sym("q_ddot", 31)
-    c = ca.SX.sym("c", 282)
+    c = ca.SX.sym("c", 291)
     crank_e0 = q[3]
     crank_e1 = q[4]
     crank_e2 = q[5]
@@ -4732,39 +4761,26 @@ def reactions() -> ca.Function:
     c139 = c[139]
     gravity_z = c[150]
     guide_damping = c[152]
-    rod_small_end_quaternion_0_0_0 = c[179]
-    rod_small_end_quaternion_3_0_0 = c[180]
-    slider_fork_quaternion_0_0_0 = c[181]
-    slider_fork_quaternion_3_0_0 = c[182]
-    crank_mass = c[183]
-    c184 = c[184]
-    c185 = c[185]
-    rod_rho_phi_1_0_1 = c[186]
-    rod_rho_phi_1_1_0 = c[187]
-    rod_rho_phi_3_0_1 = c[188]
-    rod_rho_phi_3_1_0 = c[189]
-    rod_rho_phi_0_0_2 = c[190]
-    rod_rho_phi_0_2_0 = c[191]
-    rod_rho_phi_2_0_2 = c[192]
-    rod_rho_phi_2_2_0 = c[193]
-    rod_rho_phi_4_0_2 = c[194]
-    rod_rho_phi_4_2_0 = c[195]
-    rod_rho_phi_5_1_2 = c[196]
-    rod_rho_phi_5_2_1 = c[197]
-    c203 = c[203]
-    c204 = c[204]
-    c205 = c[205]
-    c206 = c[206]
-    c207 = c[207]
-    c208 = c[208]
-    c209 = c[209]
-    c210 = c[210]
+    rod_small_end_quaternion_0_0_0 = c[184]
+    rod_small_end_quaternion_3_0_0 = c[185]
+    slider_fork_quaternion_0_0_0 = c[186]
+    slider_fork_quaternion_3_0_0 = c[187]
+    crank_mass = c[191]
+    c192 = c[192]
+    c193 = c[193]
+    rod_rho_phi_1_0_1 = c[194]
+    rod_rho_phi_1_1_0 = c[195]
+    rod_rho_phi_3_0_1 = c[196]
+    rod_rho_phi_3_1_0 = c[197]
+    rod_rho_phi_0_0_2 = c[198]
+    rod_rho_phi_0_2_0 = c[199]
+    rod_rho_phi_2_0_2 = c[200]
+    rod_rho_phi_2_2_0 = c[201]
+    rod_rho_phi_4_0_2 = c[202]
+    rod_rho_phi_4_2_0 = c[203]
+    rod_rho_phi_5_1_2 = c[204]
+    rod_rho_phi_5_2_1 = c[205]
     c211 = c[211]
-    c212 = c[212]
-    c213 = c[213]
-    c214 = c[214]
-    c215 = c[215]
-    c216 = c[216]
     c217 = c[217]
     c218 = c[218]
     c219 = c[219]
@@ -4776,51 +4792,64 @@ def reactions() -> ca.Function:
     c225 = c[225]
     c226 = c[226]
     c227 = c[227]
+    c228 = c[228]
+    c229 = c[229]
+    c230 = c[230]
+    c231 = c[231]
+    c232 = c[232]
+    c233 = c[233]
+    c234 = c[234]
+    c235 = c[235]
+    c236 = c[236]
+    c237 = c[237]
+    c238 = c[238]
+    c239 = c[239]
+    c240 = c[240]
     # intermediate terms (519)
     w0 = crank_e1 * -2.0
     w1 = crank_e3 * -2.0
     w2 = 2 * crank_e2
     w3 = 2 * crank_e0
     w4 = crank_e0_dot * w1 + crank_e1_dot * w2 + w0 * crank_e2_dot + crank_e3_dot * w3
-    w5 = w4 * c185
+    w5 = w4 * c193
     w6 = crank_e2 * -2.0
     w7 = 2 * crank_e1
     w8 = crank_e0_dot * w6 + w1 * crank_e1_dot + crank_e2_dot * w3 + crank_e3_dot * w7
-    w9 = w8 * c184
+    w9 = w8 * c192
     w10 = w5 * w8 - w4 * w9
     w11 = 2 * crank_e3
     w12 = w0 * crank_e0_dot + crank_e1_dot * w3 + crank_e2_dot * w11 + crank_e3_dot * w6
-    w13 = w12 * c204
+    w13 = w12 * c217
     w14 = w4 * w13 - w5 * w12
     w15 = w9 * w12 - w8 * w13
     w16 = 1.0 - 2 * crank_e1**2
     w17 = 2 * crank_e3**2
     w18 = w16 - w17
-    w19 = w18 * c203
+    w19 = w18 * c211
     w20 = crank_e2 * w7
     w21 = crank_e3 * w3
     w22 = w20 - w21
-    w23 = w22 * c203
+    w23 = w22 * c211
     w24 = w6 * w23
     w25 = w0 * w19 - w24
     w26 = crank_e1 * w3
     w27 = crank_e3 * w2
     w28 = w26 + w27
-    w29 = w28 * c203
+    w29 = w28 * c211
     w30 = w1 * w19
     w31 = w6 * w29 - w30
     w32 = w0 * w29
     w33 = w1 * w23 - w32
-    w34 = w31 * crank_x_ddot + w33 * crank_y_ddot + w25 * crank_z_ddot + (w0 * (w0 * c0) + w6 * (w6 * c205) + w1 * (w1 * c206)) * crank_e0_ddot
+    w34 = w31 * crank_x_ddot + w33 * crank_y_ddot + w25 * crank_z_ddot + (w0 * (w0 * c0) + w6 * (w6 * c218) + w1 * (w1 * c219)) * crank_e0_ddot
     w35 = w3 * c0
-    w36 = w0 * w35 + crank_e3 * crank_e2 * c207
-    w37 = w3 * c205
-    w38 = w0 * c206
-    w39 = w6 * w37 + crank_e1 * crank_e3 * c208
+    w36 = w0 * w35 + crank_e3 * crank_e2 * c220
+    w37 = w3 * c218
+    w38 = w0 * c219
+    w39 = w6 * w37 + crank_e1 * crank_e3 * c221
     w40 = w6 * c0
-    w41 = w7 * c205
-    w42 = w3 * c206
-    w43 = crank_e1 * crank_e2 * c209 + w1 * w42
+    w41 = w7 * c218
+    w42 = w3 * c219
+    w43 = crank_e1 * crank_e2 * c222 + w1 * w42
     w44 = w0 * w10 + w6 * w14 + w1 * w15 + w25 * gravity_z - (w34 + w36 * crank_e1_ddot + w39 * crank_e2_ddot + w43 * crank_e3_ddot)
     w45 = w28 * crank_pin_y
     w46 = w18 * crank_pin_y
@@ -5027,7 +5056,7 @@ def reactions() -> ca.Function:
     w247 = w82 - w65 * w200
     w248 = w76 - w202
     w249 = rod_z_ddot * rod_mass + rod_e0_ddot * w246 + rod_e1_ddot * w247 + rod_e2_ddot * w248 + rod_e3_ddot * w201
-    w250 = c227 + (w61 * w72 - w67 * w243 - w71 * w244) - w249
+    w250 = c240 + (w61 * w72 - w67 * w243 - w71 * w244) - w249
     w251 = w54 * w241
     w252 = w72 * rod_small_end_x + w235 * w243 + w239 * w244
     w253 = w251 - w52 * w252
@@ -5146,9 +5175,9 @@ def reactions() -> ca.Function:
     w366 = w11 * w29 - w6 * w19
     w367 = w3 * w29
     w368 = w24 - w367
-    w369 = crank_x_ddot * w366 + crank_y_ddot * w368 + crank_z_ddot * w365 + crank_e0_ddot * w36 + crank_e1_ddot * (w3 * w35 + w1 * (w1 * c205) + w2 * (w2 * c206))
-    w370 = crank_e3 * crank_e0 * c210 + w2 * w38
-    w371 = w1 * w41 + crank_e2 * crank_e0 * c211
+    w369 = crank_x_ddot * w366 + crank_y_ddot * w368 + crank_z_ddot * w365 + crank_e0_ddot * w36 + crank_e1_ddot * (w3 * w35 + w1 * (w1 * c218) + w2 * (w2 * c219))
+    w370 = crank_e3 * crank_e0 * c223 + w2 * w38
+    w371 = w1 * w41 + crank_e2 * crank_e0 * c224
     w372 = w3 * w10 + w1 * w14 + w2 * w15 + w365 * gravity_z - (w369 + crank_e2_ddot * w370 + crank_e3_ddot * w371)
     w373 = w3 * w45
     w374 = w3 * w46
@@ -5158,7 +5187,7 @@ def reactions() -> ca.Function:
     w378 = w367 - w7 * w19
     w379 = w7 * w23 - w1 * w29
     w380 = crank_x_ddot * w378 + crank_y_ddot * w379 + crank_z_ddot * w377 + crank_e0_ddot * w39 + crank_e1_ddot * w370
-    w381 = w11 * w40 + crank_e1 * crank_e0 * c212
+    w381 = w11 * w40 + crank_e1 * crank_e0 * c225
     w382 = w10 * w11 + w3 * w14 + w0 * w15 + w377 * gravity_z - (w380 + crank_e2_ddot * (w11 * (w11 * c0) + w3 * w37 + w0 * w38) + crank_e3_ddot * w381)
     w383 = w3 * w88
     w384 = w382 + w87 * (w373 - w7 * w46) + w341 * (w7 * w88 - w1 * w45) - w362 * (w47 - w383)
@@ -5168,8 +5197,8 @@ def reactions() -> ca.Function:
     w388 = crank_x_ddot * w386 + crank_y_ddot * w387 + crank_z_ddot * w385 + crank_e0_ddot * w43 + crank_e1_ddot * w371
     w389 = w6 * w10 + w7 * w14 + w3 * w15 + w385 * gravity_z - (w388 + crank_e2_ddot * w381 + crank_e3_ddot * (w6 * w40 + w7 * w41 + w3 * w42))
     w390 = w389 + w87 * (w89 - w374) + w341 * (w383 - w2 * w45) - w362 * (w2 * w46 - w0 * w88)
-    w391 = w12 * c203
-    w392 = w4 * c203
+    w391 = w12 * c211
+    w392 = w4 * c211
     w393 = w12 * w391 + w4 * w392
     w394 = 2 * crank_e2**2
     w395 = w8 * w391
@@ -5181,33 +5210,33 @@ def reactions() -> ca.Function:
     w401 = crank_y_ddot * crank_mass + w33 * crank_e0_ddot + crank_e1_ddot * w368 + crank_e2_ddot * w379 + crank_e3_ddot * w387
     w402 = w341 + (w18 * w393 - w395 * (w20 + w21) - w398 * (w27 - w26) - w401)
     w403 = crank_z_ddot * crank_mass + w25 * crank_e0_ddot + crank_e1_ddot * w365 + crank_e2_ddot * w377 + crank_e3_ddot * w385
-    w404 = c225 + (w28 * w393 - w395 * (w397 - w396) - w398 * (w16 - w394)) - w403 - w362
+    w404 = c238 + (w28 * w393 - w395 * (w397 - w396) - w398 * (w16 - w394)) - w403 - w362
     w405 = slider_e1 * -2.0
     w406 = slider_e3 * -2.0
     w407 = 2 * slider_e2
     w408 = 2 * slider_e0
     w409 = slider_e0_dot * w406 + slider_e1_dot * w407 + w405 * slider_e2_dot + slider_e3_dot * w408
-    w410 = w409 * c214
+    w410 = w409 * c227
     w411 = slider_e2 * -2.0
     w412 = 2 * slider_e1
     w413 = slider_e0_dot * w411 + w406 * slider_e1_dot + slider_e2_dot * w408 + slider_e3_dot * w412
-    w414 = w413 * c213
+    w414 = w413 * c226
     w415 = w410 * w413 - w409 * w414
     w416 = 2 * slider_e3
     w417 = w405 * slider_e0_dot + slider_e1_dot * w408 + slider_e2_dot * w416 + slider_e3_dot * w411
-    w418 = w417 * c216
+    w418 = w417 * c229
     w419 = w409 * w418 - w410 * w417
     w420 = w414 * w417 - w413 * w418
-    w421 = w408 * c215
-    w422 = w405 * w421 + slider_e3 * slider_e2 * c219
-    w423 = (w405 * (w405 * c215) + w411 * (w411 * c217) + w406 * (w406 * c218)) * slider_e0_ddot + w422 * slider_e1_ddot
-    w424 = w408 * c217
-    w425 = w405 * c218
-    w426 = w411 * w424 + slider_e3 * slider_e1 * c220
-    w427 = w411 * c215
-    w428 = w412 * c217
-    w429 = w408 * c218
-    w430 = slider_e1 * slider_e2 * c221 + w406 * w429
+    w421 = w408 * c228
+    w422 = w405 * w421 + slider_e3 * slider_e2 * c232
+    w423 = (w405 * (w405 * c228) + w411 * (w411 * c230) + w406 * (w406 * c231)) * slider_e0_ddot + w422 * slider_e1_ddot
+    w424 = w408 * c230
+    w425 = w405 * c231
+    w426 = w411 * w424 + slider_e3 * slider_e1 * c233
+    w427 = w411 * c228
+    w428 = w412 * c230
+    w429 = w408 * c231
+    w430 = slider_e1 * slider_e2 * c234 + w406 * w429
     w431 = w91 * w94
     w432 = w94 * w96
     w433 = w431 * slider_fork_quaternion_0_0_0 + w432 * slider_fork_quaternion_3_0_0
@@ -5242,19 +5271,19 @@ def reactions() -> ca.Function:
     w462 = w302 - w87 * (w57 * w440 - w454) - w341 * (w51 * w444 - w441) + w362 * (w53 * w442 - w458) - w303 * w446
     w463 = w462 - w304 * w448 - w305 * w449
     w464 = w451 + w452 * w456 + w457 * w460 + w461 * w463
-    w465 = slider_e0_ddot * w422 + slider_e1_ddot * (w408 * w421 + w406 * (w406 * c217) + w407 * (w407 * c218))
-    w466 = slider_e0 * slider_e3 * c222 + w407 * w425
-    w467 = w406 * w428 + slider_e0 * slider_e2 * c223
+    w465 = slider_e0_ddot * w422 + slider_e1_ddot * (w408 * w421 + w406 * (w406 * c230) + w407 * (w407 * c231))
+    w466 = slider_e0 * slider_e3 * c235 + w407 * w425
+    w467 = w406 * w428 + slider_e0 * slider_e2 * c236
     w468 = w408 * w415 + w406 * w419 + w407 * w420 - (w465 + slider_e2_ddot * w466 + slider_e3_ddot * w467) + w450 * w452
     w469 = w468 - w439 * w456 + w460 * w461 - w457 * w463
-    w470 = slider_e0_ddot * w426 + slider_e1_ddot * w466 + slider_e2_ddot * (w416 * (w416 * c215) + w408 * w424 + w405 * w425)
-    w471 = w416 * w427 + slider_e0 * slider_e1 * c224
+    w470 = slider_e0_ddot * w426 + slider_e1_ddot * w466 + slider_e2_ddot * (w416 * (w416 * c228) + w408 * w424 + w405 * w425)
+    w471 = w416 * w427 + slider_e0 * slider_e1 * c237
     w472 = w415 * w416 + w408 * w419 + w405 * w420 - (w470 + slider_e3_ddot * w471) - w450 * w457 + w456 * w461
     w473 = w472 + w439 * w460 - w452 * w463
     w474 = slider_e0_ddot * w430 + slider_e1_ddot * w467 + slider_e2_ddot * w471 + slider_e3_ddot * (w411 * w427 + w412 * w428 + w408 * w429)
     w475 = w411 * w415 + w412 * w419 + w408 * w420 - w474 + w450 * w461 + w456 * w457 - w452 * w460 - w439 * w463
     w476 = w448 - slider_y_ddot * slider_mass
-    w477 = w446 + (c226 - slider_z_ddot * slider_mass)
+    w477 = w446 + (c239 - slider_z_ddot * slider_mass)
     w478 = crank_e2 * 0.5
     w479 = crank_e3 * 0.5
     w480 = crank_e0 * 0.5
@@ -5293,9 +5322,9 @@ def reactions() -> ca.Function:
     w513 = w486 + w489 * w511
     w514 = w500 - w491 * w511
     w515 = w496 * w513 - w494 * w512 - w498 * w514
-    w516 = w463 * (w493 - w494 * w499) + w460 * (w502 + w494 * w505) + w456 * (w494 * w510 - w507) + w450 * (w512 + w494 * w515)
-    w517 = w463 * (w495 - w496 * w499) + w460 * (w504 + w496 * w505) + w456 * (w508 + w496 * w510) + w450 * (w496 * w515 - w513)
-    w518 = w463 * (w497 - w498 * w499) + w460 * (w498 * w505 - w503) + w456 * (w509 + w498 * w510) + w450 * (w514 + w498 * w515)
+    w516 = (w494 * w499 - w493) * w463 - w460 * (w502 + w494 * w505) - w456 * (w494 * w510 - w507) - w450 * (w512 + w494 * w515)
+    w517 = (w496 * w499 - w495) * w463 - w460 * (w504 + w496 * w505) - w456 * (w508 + w496 * w510) - w450 * (w496 * w515 - w513)
+    w518 = (w498 * w499 - w497) * w463 - w460 * (w498 * w505 - w503) - w456 * (w509 + w498 * w510) - w450 * (w514 + w498 * w515)
     # outputs
     lam = ca.vertcat(
         w363,  # axle.e0
@@ -5333,7 +5362,7 @@ def reactions() -> ca.Function:
             w464 * w485 - w469 * w484 - w473 * w483 + w475 * w482,
             w464 * w484 + w469 * w485 - w473 * w482 - w475 * w483,
         ),
-        ca.vertcat(-w449, -w448, -w446, -w516, -w517, -w518),  # fork
+        ca.vertcat(-w449, -w448, -w446, w516, w517, w518),  # fork
         ca.vertcat(-w87, -w341, w362, 0.0, 0.0, 0.0),  # pin
     )
     inputs, outputs = [q, q_dot, q_ddot, c], [ca.densify(lam), ca.densify(joint_forces)]
@@ -5345,17 +5374,17 @@ def energy() -> ca.Function:
 
     takes q (n = 31) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 31) [mixed]: rates of all coordinates
-    takes c (n_const = 282) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 291) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    1275 operations.
+    1274 operations.
     """
     q = ca.SX.sym("q", 31)
     q_dot = ca.SX.sym("q_dot", 31)
-    c = ca.SX.sym("c", 282)
+    c = ca.SX.sym("c", 291)
     crank_z = q[2]
     crank_e0 = q[3]
     crank_e1 = q[4]
@@ -5513,33 +5542,23 @@ def energy() -> ca.Function:
     guide_damping = c[152]
     rod_D_ff_0_0 = c[153]
     rod_K_ff_0_0 = c[154]
-    rod_D_ff_1_1 = c[155]
-    rod_K_ff_1_1 = c[156]
-    rod_D_ff_2_2 = c[157]
-    rod_K_ff_2_2 = c[158]
-    rod_D_ff_3_3 = c[159]
-    rod_K_ff_3_3 = c[160]
-    rod_D_ff_4_4 = c[161]
-    rod_K_ff_4_4 = c[162]
-    rod_D_ff_5_5 = c[163]
-    rod_K_ff_5_5 = c[164]
-    crank_mass = c[183]
-    rod_M_ff_0_0 = c[198]
-    rod_M_ff_1_1 = c[199]
-    rod_M_ff_2_2 = c[200]
-    rod_M_ff_3_3 = c[201]
-    rod_M_ff_4_4 = c[202]
-    c203 = c[203]
-    c205 = c[205]
-    c206 = c[206]
-    c207 = c[207]
-    c208 = c[208]
-    c209 = c[209]
-    c210 = c[210]
+    rod_D_ff_1_1 = c[156]
+    rod_K_ff_1_1 = c[157]
+    rod_D_ff_2_2 = c[159]
+    rod_K_ff_2_2 = c[160]
+    rod_D_ff_3_3 = c[162]
+    rod_K_ff_3_3 = c[163]
+    rod_D_ff_4_4 = c[165]
+    rod_K_ff_4_4 = c[166]
+    rod_D_ff_5_5 = c[168]
+    rod_K_ff_5_5 = c[169]
+    crank_mass = c[191]
+    rod_M_ff_0_0 = c[206]
+    rod_M_ff_1_1 = c[207]
+    rod_M_ff_2_2 = c[208]
+    rod_M_ff_3_3 = c[209]
+    rod_M_ff_4_4 = c[210]
     c211 = c[211]
-    c212 = c[212]
-    c215 = c[215]
-    c217 = c[217]
     c218 = c[218]
     c219 = c[219]
     c220 = c[220]
@@ -5547,14 +5566,24 @@ def energy() -> ca.Function:
     c222 = c[222]
     c223 = c[223]
     c224 = c[224]
-    c226 = c[226]
+    c225 = c[225]
+    c228 = c[228]
+    c230 = c[230]
+    c231 = c[231]
+    c232 = c[232]
+    c233 = c[233]
+    c234 = c[234]
+    c235 = c[235]
+    c236 = c[236]
+    c237 = c[237]
+    c242 = c[242]
     # intermediate terms (234)
     w0 = crank_e2 * -2.0
     w1 = 2 * crank_e0
     w2 = 2 * crank_e2
-    w3 = (w1 * crank_e1 + w2 * crank_e3) * c203
+    w3 = (w1 * crank_e1 + w2 * crank_e3) * c211
     w4 = crank_e3 * -2.0
-    w5 = (1.0 - 2 * crank_e1**2 - 2 * crank_e3**2) * c203
+    w5 = (1.0 - 2 * crank_e1**2 - 2 * crank_e3**2) * c211
     w6 = w4 * w5
     w7 = w0 * w3 - w6
     w8 = 2 * crank_e3
@@ -5567,7 +5596,7 @@ def energy() -> ca.Function:
     w15 = w1 * w5
     w16 = w14 - w15
     w17 = crank_x_dot * crank_mass + w7 * crank_e0_dot + w9 * crank_e1_dot + w12 * crank_e2_dot + w16 * crank_e3_dot
-    w18 = (crank_e2 * w11 - w1 * crank_e3) * c203
+    w18 = (crank_e2 * w11 - w1 * crank_e3) * c211
     w19 = w4 * w18 - w14
     w20 = w0 * w18
     w21 = w20 - w10
@@ -5580,22 +5609,22 @@ def energy() -> ca.Function:
     w28 = w6 - w23
     w29 = w2 * w5 - w13 * w18
     w30 = crank_z_dot * crank_mass + crank_e0_dot * w26 + crank_e1_dot * w27 + crank_e2_dot * w28 + crank_e3_dot * w29
-    w31 = crank_x_dot * w7 + crank_y_dot * w19 + crank_z_dot * w26 + crank_e0_dot * (w13 * (w13 * c0) + w0 * (w0 * c205) + w4 * (w4 * c206))
+    w31 = crank_x_dot * w7 + crank_y_dot * w19 + crank_z_dot * w26 + crank_e0_dot * (w13 * (w13 * c0) + w0 * (w0 * c218) + w4 * (w4 * c219))
     w32 = w1 * c0
-    w33 = w13 * w32 + crank_e2 * crank_e3 * c207
-    w34 = w1 * c205
-    w35 = w13 * c206
-    w36 = w0 * w34 + crank_e1 * crank_e3 * c208
+    w33 = w13 * w32 + crank_e2 * crank_e3 * c220
+    w34 = w1 * c218
+    w35 = w13 * c219
+    w36 = w0 * w34 + crank_e1 * crank_e3 * c221
     w37 = w0 * c0
-    w38 = w11 * c205
-    w39 = w1 * c206
-    w40 = crank_e2 * crank_e1 * c209 + w4 * w39
+    w38 = w11 * c218
+    w39 = w1 * c219
+    w40 = crank_e2 * crank_e1 * c222 + w4 * w39
     w41 = crank_x_dot * w17 + crank_y_dot * w25 + crank_z_dot * w30 + crank_e0_dot * (w31 + crank_e1_dot * w33 + crank_e2_dot * w36 + crank_e3_dot * w40)
-    w42 = crank_x_dot * w9 + crank_y_dot * w21 + crank_z_dot * w27 + crank_e0_dot * w33 + crank_e1_dot * (w1 * w32 + w4 * (w4 * c205) + w2 * (w2 * c206))
-    w43 = crank_e0 * crank_e3 * c210 + w2 * w35
-    w44 = w4 * w38 + crank_e2 * crank_e0 * c211
+    w42 = crank_x_dot * w9 + crank_y_dot * w21 + crank_z_dot * w27 + crank_e0_dot * w33 + crank_e1_dot * (w1 * w32 + w4 * (w4 * c218) + w2 * (w2 * c219))
+    w43 = crank_e0 * crank_e3 * c223 + w2 * w35
+    w44 = w4 * w38 + crank_e2 * crank_e0 * c224
     w45 = crank_x_dot * w12 + crank_y_dot * w22 + crank_z_dot * w28 + crank_e0_dot * w36 + crank_e1_dot * w43
-    w46 = w8 * w37 + crank_e0 * crank_e1 * c212
+    w46 = w8 * w37 + crank_e0 * crank_e1 * c225
     w47 = crank_e2_dot * (w45 + crank_e2_dot * (w8 * (w8 * c0) + w1 * w34 + w13 * w35) + crank_e3_dot * w46)
     w48 = crank_x_dot * w16 + crank_y_dot * w24 + crank_z_dot * w29 + crank_e0_dot * w40 + crank_e1_dot * w44
     w49 = w41 + crank_e1_dot * (w42 + crank_e2_dot * w43 + crank_e3_dot * w44) + w47 + crank_e3_dot * (w48 + crank_e2_dot * w46 + crank_e3_dot * (w0 * w37 + w11 * w38 + w1 * w39))
@@ -5604,25 +5633,25 @@ def energy() -> ca.Function:
     w52 = slider_e2 * -2.0
     w53 = slider_e3 * -2.0
     w54 = 2 * slider_e0
-    w55 = w54 * c215
+    w55 = w54 * c228
     w56 = 2 * slider_e2
-    w57 = w51 * w55 + slider_e2 * slider_e3 * c219
-    w58 = slider_e0_dot * (w51 * (w51 * c215) + w52 * (w52 * c217) + w53 * (w53 * c218)) + w57 * slider_e1_dot
+    w57 = w51 * w55 + slider_e2 * slider_e3 * c232
+    w58 = slider_e0_dot * (w51 * (w51 * c228) + w52 * (w52 * c230) + w53 * (w53 * c231)) + w57 * slider_e1_dot
     w59 = 2 * slider_e3
-    w60 = w54 * c217
-    w61 = w51 * c218
-    w62 = w52 * w60 + slider_e1 * slider_e3 * c220
-    w63 = w52 * c215
+    w60 = w54 * c230
+    w61 = w51 * c231
+    w62 = w52 * w60 + slider_e1 * slider_e3 * c233
+    w63 = w52 * c228
     w64 = 2 * slider_e1
-    w65 = w64 * c217
-    w66 = w54 * c218
-    w67 = slider_e1 * slider_e2 * c221 + w53 * w66
-    w68 = slider_e3 * slider_e0 * c222 + w56 * w61
-    w69 = slider_e0_dot * w57 + slider_e1_dot * (w54 * w55 + w53 * (w53 * c217) + w56 * (w56 * c218)) + slider_e2_dot * w68
-    w70 = w53 * w65 + slider_e2 * slider_e0 * c223
+    w65 = w64 * c230
+    w66 = w54 * c231
+    w67 = slider_e1 * slider_e2 * c234 + w53 * w66
+    w68 = slider_e3 * slider_e0 * c235 + w56 * w61
+    w69 = slider_e0_dot * w57 + slider_e1_dot * (w54 * w55 + w53 * (w53 * c230) + w56 * (w56 * c231)) + slider_e2_dot * w68
+    w70 = w53 * w65 + slider_e2 * slider_e0 * c236
     w71 = w50 + slider_e0_dot * (w58 + w62 * slider_e2_dot + w67 * slider_e3_dot) + slider_e1_dot * (w69 + slider_e3_dot * w70)
-    w72 = slider_e0_dot * w62 + slider_e1_dot * w68 + slider_e2_dot * (w59 * (w59 * c215) + w54 * w60 + w51 * w61)
-    w73 = w59 * w63 + slider_e1 * slider_e0 * c224
+    w72 = slider_e0_dot * w62 + slider_e1_dot * w68 + slider_e2_dot * (w59 * (w59 * c228) + w54 * w60 + w51 * w61)
+    w73 = w59 * w63 + slider_e1 * slider_e0 * c237
     w74 = slider_e0_dot * w67 + slider_e1_dot * w70 + slider_e2_dot * w73 + slider_e3_dot * (w52 * w63 + w64 * w65 + w54 * w66)
     w75 = rod_e2 * -2.0
     w76 = 2 * rod_e1
@@ -5786,7 +5815,7 @@ def energy() -> ca.Function:
     # outputs
     kinetic = ca.vertcat((w225 + rod_q3_dot * w226 + rod_q4_dot * w227 + rod_q5_dot * w228 + rod_q6_dot * w229) / 2.0)
     elastic = ca.vertcat(w231 * 0.5)
-    potential = ca.vertcat(-(slider_z * c226 + (w3 + crank_z * crank_mass + (w78 + rod_z * rod_mass)) * gravity_z))
+    potential = ca.vertcat(slider_z * c242 - (w3 + crank_z * crank_mass + (w78 + rod_z * rod_mass)) * gravity_z)
     power_dissipated = ca.vertcat(w233 + guide_travel_dot**2 * guide_damping)
     power_applied = ca.SX(1, 1)
     inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
@@ -5882,15 +5911,15 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 282) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 291) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 7 x 7) [SI]: total derivative of Q_hat by q_i, through q_d
-    9743 operations.
+    9733 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
-    c = ca.SX.sym("c", 282)
+    c = ca.SX.sym("c", 291)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -6053,37 +6082,28 @@ def dQ_hat_dq_i() -> ca.Function:
     c151 = c[151]
     guide_damping = c[152]
     rod_K_ff_0_0 = c[154]
-    rod_K_ff_1_1 = c[156]
-    rod_K_ff_2_2 = c[158]
-    rod_K_ff_3_3 = c[160]
-    rod_K_ff_4_4 = c[162]
-    rod_K_ff_5_5 = c[164]
-    rod_rho_phi_1_0_1 = c[186]
-    rod_rho_phi_1_1_0 = c[187]
-    rod_rho_phi_3_0_1 = c[188]
-    rod_rho_phi_3_1_0 = c[189]
-    rod_rho_phi_0_0_2 = c[190]
-    rod_rho_phi_0_2_0 = c[191]
-    rod_rho_phi_2_0_2 = c[192]
-    rod_rho_phi_2_2_0 = c[193]
-    rod_rho_phi_4_0_2 = c[194]
-    rod_rho_phi_4_2_0 = c[195]
-    rod_rho_phi_5_1_2 = c[196]
-    rod_rho_phi_5_2_1 = c[197]
-    c229 = c[229]
-    c230 = c[230]
-    c231 = c[231]
-    c232 = c[232]
-    c233 = c[233]
-    c234 = c[234]
-    c235 = c[235]
-    c236 = c[236]
-    c237 = c[237]
-    c238 = c[238]
-    c239 = c[239]
-    c240 = c[240]
-    c241 = c[241]
-    c242 = c[242]
+    rod_K_ff_1_1 = c[157]
+    rod_K_ff_2_2 = c[160]
+    rod_K_ff_3_3 = c[163]
+    rod_K_ff_4_4 = c[166]
+    rod_K_ff_5_5 = c[169]
+    rod_rho_phi_1_0_1 = c[194]
+    rod_rho_phi_1_1_0 = c[195]
+    rod_rho_phi_3_0_1 = c[196]
+    rod_rho_phi_3_1_0 = c[197]
+    rod_rho_phi_0_0_2 = c[198]
+    rod_rho_phi_0_2_0 = c[199]
+    rod_rho_phi_2_0_2 = c[200]
+    rod_rho_phi_2_2_0 = c[201]
+    rod_rho_phi_4_0_2 = c[202]
+    rod_rho_phi_4_2_0 = c[203]
+    rod_rho_phi_5_1_2 = c[204]
+    rod_rho_phi_5_2_1 = c[205]
+    c212 = c[212]
+    c213 = c[213]
+    c214 = c[214]
+    c215 = c[215]
+    c216 = c[216]
     c243 = c[243]
     c244 = c[244]
     c245 = c[245]
@@ -6101,6 +6121,20 @@ def dQ_hat_dq_i() -> ca.Function:
     c257 = c[257]
     c258 = c[258]
     c259 = c[259]
+    c260 = c[260]
+    c261 = c[261]
+    c262 = c[262]
+    c263 = c[263]
+    c264 = c[264]
+    c265 = c[265]
+    c266 = c[266]
+    c267 = c[267]
+    c268 = c[268]
+    c269 = c[269]
+    c270 = c[270]
+    c271 = c[271]
+    c272 = c[272]
+    c273 = c[273]
     # intermediate terms (1778)
     w0 = ca.sin(axle_angle)
     w1 = w0 * crank_pin_y
@@ -6391,7 +6425,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w286 = fork_angle2_dot * w177 + w21 * w262
     w287 = w168 * w169
     w288 = w17 * w286 - w287 + (w16 * w279 - w287)
-    w289 = w20 * w280 + (w22 * w220 + w176 * w178 * c234) - (w13 * w282 + (w12 * w281 + w150 * w161 * c234) + (w18 * w284 - w285 - (w285 + w15 * w288)))
+    w289 = w20 * w280 + (w22 * w220 + w176 * w178 * c248) - (w13 * w282 + (w12 * w281 + w150 * w161 * c248) + (w18 * w284 - w285 - (w285 + w15 * w288)))
     w290 = w150 * w184
     w291 = w214 - w160 * (w182 / w10) - (w160 * (w184 / w10 - w160 * (w183 / w10)) + w183 * w219)
     w292 = w151 * w153 / w10
@@ -6400,14 +6434,14 @@ def dQ_hat_dq_i() -> ca.Function:
     w295 = w178 * w193
     w296 = w217 * 0.5 / w10 - w160 * (w191 / w10) - (w160 * (w193 / w10 - w160 * (w192 / w10)) + w192 * w219)
     w297 = w290 + w13 * w291 + (w290 - w26 * w281) - (w18 * w293 - w294 - (w294 + w28 * w288)) + (w30 * w280 - w295 - (w295 + w22 * w296))
-    w298 = w25 * w297 + (w2 * w289 + (w148 * w179 + w180 * w194) * c234) - (w33 * w297 + w194 * w195 * c234)
+    w298 = w25 * w297 + (w2 * w289 + (w148 * w179 + w180 * w194) * c248) - (w33 * w297 + w194 * w195 * c248)
     w299 = w150 * w201
     w300 = w283 - w160 * (w199 / w10) - (w160 * (w201 / w10 - w160 * (w200 / w10)) + w200 * w219)
     w301 = (w216 + w218) * 0.5 / w10 - w160 * (w202 / w10) - (w160 * (w204 / w10 - w160 * (w203 / w10)) + w203 * w219)
     w302 = w170 * w204
     w303 = w292 - w160 * (w205 / w10) - (w160 * (w207 / w10 - w160 * (w206 / w10)) + w206 * w219)
-    w304 = w299 + w13 * w300 + (w299 - w37 * w281) + (w18 * w301 - w302 + (w39 * w288 - w302)) + (w40 * w280 + (w22 * w303 + w178 * w207 * c234))
-    w305 = w298 - (w35 * w289 + w179 * w197 * c234) - w304 * rod_small_end_x
+    w304 = w299 + w13 * w300 + (w299 - w37 * w281) + (w18 * w301 - w302 + (w39 * w288 - w302)) + (w40 * w280 + (w22 * w303 + w178 * w207 * c248))
+    w305 = w298 - (w35 * w289 + w179 * w197 * c248) - w304 * rod_small_end_x
     w306 = (axle_angle_dot * w147 * crank_pin_y + w210 * w213 + w44 * w305) / w43
     w307 = w13 * w177 + w21 * w150
     w308 = w16 * w150 - w13 * w168
@@ -6582,17 +6616,17 @@ def dQ_hat_dq_i() -> ca.Function:
     w477 = w150 * w177
     w478 = w477 + w13 * w263 + (w477 - w21 * w281)
     w479 = w167 * w308
-    w480 = w13 * w286 + (w16 * w281 + fork_angle2_dot * (w22 * fork_angle1_dot) * c234)
+    w480 = w13 * w286 + (w16 * w281 + fork_angle2_dot * (w22 * fork_angle1_dot) * c248)
     w481 = w161 * w169
-    w482 = w20 * w478 + (w129 * w220 + w176 * w307 * c234) - (w479 + w130 * w284 + (w479 - w15 * w480) - (w17 * w282 - w481 + (w12 * w279 - w481)))
+    w482 = w20 * w478 + (w129 * w220 + w176 * w307 * c248) - (w479 + w130 * w284 + (w479 - w15 * w480) - (w17 * w282 - w481 + (w12 * w279 - w481)))
     w483 = w193 * w307
     w484 = w169 * w184
     w485 = w190 * w308
     w486 = w30 * w478 - w483 - (w483 + w129 * w296) - (w17 * w291 - w484 - (w484 + w26 * w279) + (w485 + w130 * w293 + (w485 - w28 * w480)))
-    w487 = w25 * w486 + (w2 * w482 + (w148 * w309 + w180 * w310) * c234) - (w33 * w486 + w195 * w310 * c234)
+    w487 = w25 * w486 + (w2 * w482 + (w148 * w309 + w180 * w310) * c248) - (w33 * w486 + w195 * w310 * c248)
     w488 = w169 * w201
-    w489 = w40 * w478 + (w129 * w303 + w207 * w307 * c234) - (w17 * w300 - w488 - (w488 + w37 * w279) - (w130 * w301 + (w39 * w480 + w204 * w308 * c234)))
-    w490 = w487 - (w35 * w482 + w197 * w309 * c234) - w489 * rod_small_end_x
+    w489 = w40 * w478 + (w129 * w303 + w207 * w307 * c248) - (w17 * w300 - w488 - (w488 + w37 * w279) - (w130 * w301 + (w39 * w480 + w204 * w308 * c248)))
+    w490 = w487 - (w35 * w482 + w197 * w309 * c248) - w489 * rod_small_end_x
     w491 = w17 * (w474 + w383 * rod_mass) + w13 * (w473 - w382 * rod_mass) + w490 * c118 + w312 * guide_damping
     w492 = w143 * w382 + w140 * w383 - (w139 * w476 + w43 * w475) + w144 * w490 - w139 * w491
     w493 = w146 * w306 + w213 * w378 + w44 * w492
@@ -6633,14 +6667,14 @@ def dQ_hat_dq_i() -> ca.Function:
     w528 = fork_angle1_dot**2
     w529 = w16 * (w142 * w528 + w140 * w385 - w443 * rod_mass + w314 * w374 - w472) - w21 * (w471 + (w442 * rod_mass - (w141 * w528 - w140 * w387) + w315 * w374))
     w530 = w168 * w176
-    w531 = w15 * w263 + (w21 * w284 + fork_angle2_dot * (w16 * w167) * c234) + (w16 * w220 - w530 - (w530 + w20 * w286))
+    w531 = w15 * w263 + (w21 * w284 + fork_angle2_dot * (w16 * w167) * c248) + (w16 * w220 - w530 - (w530 + w20 * w286))
     w532 = w168 * w193
-    w533 = w28 * w263 + (w21 * w293 + w177 * w190 * c234) - (w16 * w296 - w532 + (w30 * w286 - w532))
-    w534 = w25 * w533 + (w2 * w531 + (w148 * w511 + w180 * w512) * c234) - (w33 * w533 + w195 * w512 * c234)
+    w533 = w28 * w263 + (w21 * w293 + w177 * w190 * c248) - (w16 * w296 - w532 + (w30 * w286 - w532))
+    w534 = w25 * w533 + (w2 * w531 + (w148 * w511 + w180 * w512) * c248) - (w33 * w533 + w195 * w512 * c248)
     w535 = w177 * w204
     w536 = w168 * w207
     w537 = w39 * w263 - w535 - (w535 + w21 * w301) + (w16 * w303 - w536 - (w536 + w40 * w286))
-    w538 = w534 - (w35 * w531 + w197 * w511 * c234) - w537 * rod_small_end_x
+    w538 = w534 - (w35 * w531 + w197 * w511 * c248) - w537 * rod_small_end_x
     w539 = w169 * w514
     w540 = w17 * w538 - w539 - (w539 + w275 * w279)
     w541 = w17 * w529 + w13 * (w315 * w376 + w314 * w375 - (w142 * w387 + w141 * w385)) + w540 * c118 + w515 * guide_damping
@@ -6707,7 +6741,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w602 = w332 + w359
     w603 = w357 * w598 - w602 / w10 - w334 * w597
     w604 = w601 + w603 * rod_small_end_rotation_1_0
-    w605 = w339 * rod_rho_phi_0_2_0 + w91 * w317 + w109 * w320 - w320 * w592 + 2 * (rod_q6_dot * rod_phi_phi_5_0_0_1 - rod_q6_dot * rod_phi_phi_5_0_1_0)
+    w605 = w339 * rod_rho_phi_0_2_0 + w91 * w317 + w109 * w320 - w320 * w592 + rod_q6_dot * c212
     w606 = w332 + w347
     w607 = w349 / w10 - (w598 * w606 + w336 * w597)
     w608 = w605 + w607 * rod_small_end_rotation_1_0
@@ -6790,7 +6824,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w685 = w7 * 0.5 / w10
     w686 = w355 / w10 - (w596 * w685 + w345 * w598)
     w687 = w684 + w686 * rod_small_end_rotation_2_1
-    w688 = w339 * rod_rho_phi_1_1_0 + w81 * w317 + w93 * w320 - w317 * w680 + 2 * (rod_q6_dot * rod_phi_phi_5_1_2_0 - rod_q6_dot * rod_phi_phi_5_1_0_2)
+    w688 = w339 * rod_rho_phi_1_1_0 + w81 * w317 + w93 * w320 - w317 * w680 + rod_q6_dot * c213
     w689 = w598 * w602 + w357 / w10 + w334 * w685
     w690 = w688 + w689 * rod_small_end_rotation_2_1
     w691 = w69 * w339 + w94 * w317 + w110 * w320 - w320 * w680 - w330 * c124
@@ -6870,7 +6904,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w765 = w764 + w599 * rod_small_end_rotation_1_2
     w766 = w58 * w339 + w82 * w317 + w96 * w320 - w317 * w761 + w330 * c128
     w767 = w766 + w603 * rod_small_end_rotation_1_2
-    w768 = w339 * rod_rho_phi_2_2_0 + w97 * w317 + w111 * w320 - w320 * w761 + 2 * (rod_q6_dot * rod_phi_phi_5_2_0_1 - rod_q6_dot * rod_phi_phi_5_2_1_0)
+    w768 = w339 * rod_rho_phi_2_2_0 + w97 * w317 + w111 * w320 - w320 * w761 + rod_q6_dot * c214
     w769 = w768 + w607 * rod_small_end_rotation_1_2
     w770 = w39 * w765 + w15 * w767 + w28 * w769
     w771 = w40 * w765 + w20 * w767 + w30 * w769
@@ -6935,7 +6969,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w830 = w48 * w339 + w317 * rod_rho_phi_3_0_1 + w71 * w320 - w339 * w827 + 2 * (w828 - w829) - w353 * rod_small_end_shape_1_3
     w831 = w830 + w352 * c132
     w832 = w831 + w686 * rod_small_end_rotation_2_3
-    w833 = w339 * rod_rho_phi_3_1_0 + w83 * w317 + w99 * w320 - w317 * w827 + 2 * (rod_q6_dot * rod_phi_phi_5_3_2_0 - rod_q6_dot * rod_phi_phi_5_3_0_2)
+    w833 = w339 * rod_rho_phi_3_1_0 + w83 * w317 + w99 * w320 - w317 * w827 + rod_q6_dot * c215
     w834 = w833 + w689 * rod_small_end_rotation_2_3
     w835 = w72 * w339 + w100 * w317 + w112 * w320 - w320 * w827 - w330 * c132
     w836 = w835 + w692 * rod_small_end_rotation_2_3
@@ -7003,7 +7037,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w898 = w897 + w599 * rod_small_end_rotation_1_4
     w899 = w61 * w339 + w84 * w317 + w102 * w320 - w317 * w894 + w330 * c136
     w900 = w899 + w603 * rod_small_end_rotation_1_4
-    w901 = w339 * rod_rho_phi_4_2_0 + w103 * w317 + w113 * w320 - w320 * w894 + 2 * (rod_q6_dot * rod_phi_phi_5_4_0_1 - rod_q6_dot * rod_phi_phi_5_4_1_0)
+    w901 = w339 * rod_rho_phi_4_2_0 + w103 * w317 + w113 * w320 - w320 * w894 + rod_q6_dot * c216
     w902 = w901 + w607 * rod_small_end_rotation_1_4
     w903 = w39 * w898 + w15 * w900 + w28 * w902
     w904 = w40 * w898 + w20 * w900 + w30 * w902
@@ -7113,7 +7147,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1008 = w208 * w994
     w1009 = w194 * w997
     w1010 = w289 * w565 - w1007 - (w1007 + w23 * w1000) - (w1008 - w41 * w1002 + (w1008 + w304 * w566)) + (w1009 - w31 * w1004 + (w1009 + w297 * w567))
-    w1011 = w305 * w581 + (w43 * w1005 + w209 * w998 * c234) - (w490 * w568 + (w139 * w1010 + w312 * w1006 * c234))
+    w1011 = w305 * w581 + (w43 * w1005 + w209 * w998 * c248) - (w490 * w568 + (w139 * w1010 + w312 * w1006 * c248))
     w1012 = w43 * w998 + w209 * w581 - (w139 * w1006 + w312 * w568) - w512 * rod_small_end_shape_2_0 + w512 * rod_big_end_shape_2_0
     w1013 = (w1012 - w503 * w654) / w261
     w1014 = w1011 - w533 * rod_small_end_shape_2_0 + w533 * rod_big_end_shape_2_0 + w504 * w1013 - w509 * w654
@@ -7175,7 +7209,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1070 = w513 * w994
     w1071 = w512 * w997
     w1072 = w531 * w565 - w1069 - (w1069 + w225 * w1000) - (w1070 - w223 * w1002 + (w1070 + w537 * w566)) + (w1071 - w227 * w1004 + (w1071 + w533 * w567))
-    w1073 = w490 * w569 + (w139 * w1072 + w312 * w1068 * c234) - (w538 * w581 + (w275 * w1005 + w514 * w998 * c234))
+    w1073 = w490 * w569 + (w139 * w1072 + w312 * w1068 * c248) - (w538 * w581 + (w275 * w1005 + w514 * w998 * c248))
     w1074 = w1073 - w297 * rod_small_end_shape_2_0 + w297 * rod_big_end_shape_2_0
     w1075 = w139 * w1068 + w312 * w569 - (w275 * w998 + w514 * w581) - w194 * rod_small_end_shape_2_0 + w194 * rod_big_end_shape_2_0
     w1076 = w17 * w1067 - w13 * (w37 * w1044 + w12 * w1059 + w26 * w1066) + w1074 * c118 + w1075 * guide_damping
@@ -7217,7 +7251,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1112 = w466 * w597 + w1111
     w1113 = w1110 + w1112 * rod_small_end_rotation_1_0
     w1114 = w21 * (w39 * w1093 + w15 * w1106 + w28 * w1113) + w16 * (w40 * w1093 + w20 * w1106 + w30 * w1113)
-    w1115 = w538 * w568 + (w275 * w1010 + w514 * w1006 * c234) - (w305 * w569 + (w43 * w1072 + w209 * w1068 * c234))
+    w1115 = w538 * w568 + (w275 * w1010 + w514 * w1006 * c248) - (w305 * w569 + (w43 * w1072 + w209 * w1068 * c248))
     w1116 = w275 * w1006 + w514 * w568 - (w43 * w1068 + w209 * w569) - w310 * rod_small_end_shape_2_0 + w310 * rod_big_end_shape_2_0
     w1117 = (w1116 - w209 * w573) / w43
     w1118 = w1115 - w486 * rod_small_end_shape_2_0 + w486 * rod_big_end_shape_2_0 - w210 * w1117 - w305 * w573
@@ -7226,7 +7260,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1121 = w37 * w1093 + w12 * w1106 + w26 * w1113 - w651 + w498 * w1074 - w380 * w1076 + w500 * w1119 - w551 * w1117
     w1122 = w1121 - w552 * w573 - w277 * w1120 - w554 * w1015 - w556 * w1013 + w562 * w654
     w1123 = w601 * w1036 - w595 * w1046 - w605 * w1038 - (w1063 * c120 + (w575 * w1052 + w1030 * c122 + w431 * w1033))
-    w1124 = w1123 * rod_small_end_rotation_1_0 - (w401 * rod_phi_phi_0_0_1_1 + (w452 * rod_phi_phi_0_0_0_0 + w396 * c235))
+    w1124 = w1123 * rod_small_end_rotation_1_0 - (w401 * rod_phi_phi_0_0_1_1 + (w452 * rod_phi_phi_0_0_0_0 + w396 * c249))
     w1125 = w7 * w1018
     w1126 = (w466 + (w5 * w468 - w3 * w450) * 0.5) / w10
     w1127 = w1125 * w1126
@@ -7256,7 +7290,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1151 = (w468 + (w7 * w450 - w5 * w466) * 0.5) / w10
     w1152 = w1150 - w1125 * w1151
     w1153 = (w1110 + (w7 * w1090 - w5 * w1102) * 0.5) / w10 + w1152 * rod_small_end_rotation_1_0
-    w1154 = w393 * rod_phi_phi_0_1_1_2 + w402 * c236 + w1149 * rod_small_end_rotation_1_0 - w1153 * rod_small_end_rotation_2_1
+    w1154 = w393 * rod_phi_phi_0_1_1_2 + w402 * c250 + w1149 * rod_small_end_rotation_1_0 - w1153 * rod_small_end_rotation_2_1
     w1155 = w476 * w660 - w494 * w669
     w1156 = w494 * w659 - w475 * w660
     w1157 = w475 * w669 - w476 * w659
@@ -7268,7 +7302,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1163 = w709 * w1129 + w707 * w1130 + w730 * w1131 + (w614 * w1155 + w612 * w1156 + w649 * w1157) + w1162
     w1164 = w679 * w1119 - (w1154 + w1163 + w678 * w1074 + w673 * w1076) - w696 * w1117 - w573 * w713 - w664 * w1120
     w1165 = w766 * w1036 - w764 * w1046 - w768 * w1038 - (w1063 * c128 + (w746 * w1052 + w1030 * c130 + w432 * w1033))
-    w1166 = w1165 * rod_small_end_rotation_1_0 - (w401 * rod_phi_phi_0_2_1_1 + (w452 * rod_phi_phi_0_2_0_0 + w396 * c237))
+    w1166 = w1165 * rod_small_end_rotation_1_0 - (w401 * rod_phi_phi_0_2_1_1 + (w452 * rod_phi_phi_0_2_0_0 + w396 * c251))
     w1167 = w476 * w741 - w494 * w750
     w1168 = w494 * w740 - w475 * w741
     w1169 = w475 * w750 - w476 * w740
@@ -7280,7 +7314,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1175 = w760 * w1119 - (w1166 - w1128 * rod_small_end_rotation_1_2 + w1174 + w759 * w1074 + w754 * w1076)
     w1176 = w1175 - w772 * w1117 - w573 * w784 - w745 * w1120 - w785 * w1015 + w792 * w1013 + w654 * w800 + w801 * w1122
     w1177 = w833 * w1036 - w831 * w1046 - w835 * w1038 - (w812 * w1052 + w438 * w1030 + w1033 * c134 - w1049 * c132)
-    w1178 = w393 * rod_phi_phi_0_3_1_2 + w402 * c238 + w1177 * rod_small_end_rotation_1_0 - w1153 * rod_small_end_rotation_2_3
+    w1178 = w393 * rod_phi_phi_0_3_1_2 + w402 * c252 + w1177 * rod_small_end_rotation_1_0 - w1153 * rod_small_end_rotation_2_3
     w1179 = w476 * w807 - w494 * w816
     w1180 = w494 * w806 - w475 * w807
     w1181 = w475 * w816 - w476 * w806
@@ -7293,7 +7327,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1188 = w847 * w1129 + w845 * w1130 + w863 * w1131 + (w614 * w1179 + w612 * w1180 + w649 * w1181) + w1187
     w1189 = w826 * w1119 - (w1178 + w1188 + w825 * w1074 + w820 * w1076) - w839 * w1117 - w573 * w851 - w811 * w1120
     w1190 = w899 * w1036 - w897 * w1046 - w901 * w1038 - (w1063 * c136 + (w879 * w1052 + w1030 * c138 + w433 * w1033))
-    w1191 = w1190 * rod_small_end_rotation_1_0 - (w401 * rod_phi_phi_0_4_1_1 + (w452 * rod_phi_phi_0_4_0_0 + w396 * c239))
+    w1191 = w1190 * rod_small_end_rotation_1_0 - (w401 * rod_phi_phi_0_4_1_1 + (w452 * rod_phi_phi_0_4_0_0 + w396 * c253))
     w1192 = w476 * w874 - w494 * w883
     w1193 = w494 * w873 - w475 * w874
     w1194 = w475 * w883 - w476 * w873
@@ -7342,7 +7376,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1237 = w179 * w1224
     w1238 = w194 * w1226
     w1239 = w1236 - w41 * w1229 + (w1236 + w304 * w656) - (w1237 - w23 * w1231 + (w1237 + w289 * w657)) + (w297 * w658 - w1238 - (w1238 + w31 * w1233))
-    w1240 = w305 * w669 + (w43 * w1234 + w209 * w1227 * c234) - (w490 * w659 + (w139 * w1239 + w312 * w1235 * c234))
+    w1240 = w305 * w669 + (w43 * w1234 + w209 * w1227 * c248) - (w490 * w659 + (w139 * w1239 + w312 * w1235 * c248))
     w1241 = w43 * w1227 + w209 * w669 - (w139 * w1235 + w312 * w659) - w511 * rod_small_end_shape_1_1 + w511 * rod_big_end_shape_1_1
     w1242 = (w1241 - w503 * w735) / w261
     w1243 = w1240 - w531 * rod_small_end_shape_1_1 + w531 * rod_big_end_shape_1_1 + w504 * w1242 - w509 * w735
@@ -7388,13 +7422,13 @@ def dQ_hat_dq_i() -> ca.Function:
     w1283 = w511 * w1224
     w1284 = w512 * w1226
     w1285 = w1282 - w223 * w1229 + (w1282 + w537 * w656) - (w1283 - w225 * w1231 + (w1283 + w531 * w657)) + (w533 * w658 - w1284 - (w1284 + w227 * w1233))
-    w1286 = w490 * w660 + (w139 * w1285 + w312 * w1281 * c234) - (w538 * w669 + (w275 * w1234 + w514 * w1227 * c234))
+    w1286 = w490 * w660 + (w139 * w1285 + w312 * w1281 * c248) - (w538 * w669 + (w275 * w1234 + w514 * w1227 * c248))
     w1287 = w1286 - w289 * rod_small_end_shape_1_1 + w289 * rod_big_end_shape_1_1
     w1288 = w139 * w1281 + w312 * w660 - (w275 * w1227 + w514 * w669) - w179 * rod_small_end_shape_1_1 + w179 * rod_big_end_shape_1_1
     w1289 = w17 * w1280 - w13 * (w37 * w1261 + w12 * w1271 + w26 * w1279) + w1287 * c118 + w1288 * guide_damping
     w1290 = 2 * (rod_q2_dot * rod_phi_phi_1_1_0_0 + rod_q4_dot * rod_phi_phi_1_3_0_0)
     w1291 = 2 * (rod_q2_dot * rod_phi_phi_1_1_1_1 + rod_q4_dot * rod_phi_phi_1_3_1_1)
-    w1292 = rod_q2_dot * c231
+    w1292 = rod_q2_dot * c245
     w1293 = w1290 + w1291 + w1292
     w1294 = rod_q6_dot * rod_phi_phi_1_5_0_2
     w1295 = rod_q6_dot * rod_phi_phi_1_5_2_0
@@ -7425,7 +7459,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1320 = w1103 + w1319
     w1321 = w1318 - w1320 * rod_small_end_rotation_2_1
     w1322 = w21 * (w39 * w1303 + w15 * w1313 + w28 * w1321) + w16 * (w40 * w1303 + w20 * w1313 + w30 * w1321)
-    w1323 = w538 * w659 + (w275 * w1239 + w514 * w1235 * c234) - (w305 * w660 + (w43 * w1285 + w209 * w1281 * c234))
+    w1323 = w538 * w659 + (w275 * w1239 + w514 * w1235 * c248) - (w305 * w660 + (w43 * w1285 + w209 * w1281 * c248))
     w1324 = w275 * w1235 + w514 * w659 - (w43 * w1281 + w209 * w660) - w309 * rod_small_end_shape_1_1 + w309 * rod_big_end_shape_1_1
     w1325 = (w1324 - w209 * w664) / w43
     w1326 = w1323 - w482 * rod_small_end_shape_1_1 + w482 * rod_big_end_shape_1_1 - w210 * w1325 - w305 * w664
@@ -7437,10 +7471,10 @@ def dQ_hat_dq_i() -> ca.Function:
     w1332 = w3 * w1018
     w1333 = w1150 + w1126 * w1332
     w1334 = (w1311 + (w5 * w1318 - w3 * w1300) * 0.5) / w10 - w1333 * rod_small_end_rotation_2_1
-    w1335 = w402 * rod_phi_phi_1_0_2_1 + w393 * c240 + w1331 * rod_small_end_rotation_2_1 - w1334 * rod_small_end_rotation_1_0
+    w1335 = w402 * rod_phi_phi_1_0_2_1 + w393 * c254 + w1331 * rod_small_end_rotation_2_1 - w1334 * rod_small_end_rotation_1_0
     w1336 = w591 * w1327 - (w1163 + w1335 + w590 * w1287 + w585 * w1289) - w611 * w1325 - w630 * w664 - w573 * w1328
     w1337 = w691 * w1255 - (w684 * w1269 + w688 * w1253) - (w665 * w1267 + w437 * w1249 + w1250 * c126 + w1264 * c124)
-    w1338 = w1337 * rod_small_end_rotation_2_1 - (w396 * rod_phi_phi_1_1_2_2 + (w452 * rod_phi_phi_1_1_0_0 + w401 * c241))
+    w1338 = w1337 * rod_small_end_rotation_2_1 - (w396 * rod_phi_phi_1_1_2_2 + (w452 * rod_phi_phi_1_1_0_0 + w401 * c255))
     w1339 = w1151 * w1332
     w1340 = (w1318 + (w7 * w1300 - w5 * w1311) * 0.5) / w10 - w1339 * rod_small_end_rotation_2_1
     w1341 = w658 * w1138 - w656 * w1134
@@ -7451,16 +7485,16 @@ def dQ_hat_dq_i() -> ca.Function:
     w1346 = rod_K_ff_1_1 + (w1338 - w1340 * rod_small_end_rotation_2_1) + w1345 + w678 * w1287 + w673 * w1289
     w1347 = w679 * w1327 - w1346 - w696 * w1325 - w664 * w713 - w664 * w1328 - w714 * w1244 + w726 * w1242 + w734 * w735
     w1348 = w768 * w1255 - (w764 * w1269 + w766 * w1253) - (w746 * w1267 + w1249 * c130 + w432 * w1250 - w1273 * c128)
-    w1349 = w402 * rod_phi_phi_1_2_2_1 + w393 * c242 + w1348 * rod_small_end_rotation_2_1 - w1334 * rod_small_end_rotation_1_2
+    w1349 = w402 * rod_phi_phi_1_2_2_1 + w393 * c256 + w1348 * rod_small_end_rotation_2_1 - w1334 * rod_small_end_rotation_1_2
     w1350 = w1172 * w1343 + (w1170 * w1342 - w1171 * w1341) + (w1018 * (w1143 * rod_small_end_rotation_1_2) * rod_small_end_rotation_2_1 - w1173 * w1344)
     w1351 = w775 * w1155 + w773 * w1156 + w796 * w1157 + (w709 * w1167 + w707 * w1168 + w730 * w1169) - w1350
     w1352 = w760 * w1327 - (w1349 + w1351 + w759 * w1287 + w754 * w1289) - w772 * w1325 - w664 * w784 - w745 * w1328
     w1353 = w835 * w1255 - (w831 * w1269 + w833 * w1253) - (w812 * w1267 + w438 * w1249 + w1250 * c134 + w1264 * c132)
-    w1354 = w1353 * rod_small_end_rotation_2_1 - (w452 * rod_phi_phi_1_3_0_0 + w401 * c243) - w1340 * rod_small_end_rotation_2_3
+    w1354 = w1353 * rod_small_end_rotation_2_1 - (w452 * rod_phi_phi_1_3_0_0 + w401 * c257) - w1340 * rod_small_end_rotation_2_3
     w1355 = w847 * w1155 + w845 * w1156 + w863 * w1157 + (w709 * w1179 + w707 * w1180 + w730 * w1181) + (w1182 * w1341 + w1183 * w1342 + w1184 * w1343 + w1186 * w1344)
     w1356 = w826 * w1327 - (w1354 + w1355 + w825 * w1287 + w820 * w1289) - w839 * w1325 - w664 * w851 - w811 * w1328
     w1357 = w901 * w1255 - (w897 * w1269 + w899 * w1253) - (w879 * w1267 + w1249 * c138 + w433 * w1250 - w1273 * c136)
-    w1358 = w402 * rod_phi_phi_1_4_2_1 + w393 * c244 + w1357 * rod_small_end_rotation_2_1 - w1334 * rod_small_end_rotation_1_4
+    w1358 = w402 * rod_phi_phi_1_4_2_1 + w393 * c258 + w1357 * rod_small_end_rotation_2_1 - w1334 * rod_small_end_rotation_1_4
     w1359 = w1018 * (w1143 * rod_small_end_rotation_1_4)
     w1360 = w1197 * w1343 + (w1195 * w1342 - w1196 * w1341) + (w1359 * rod_small_end_rotation_2_1 - w1198 * w1344)
     w1361 = w908 * w1155 + w906 * w1156 + w929 * w1157 + (w709 * w1192 + w707 * w1193 + w730 * w1194) - w1360
@@ -7495,7 +7529,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1390 = w208 * w1376
     w1391 = w194 * w1379
     w1392 = w289 * w737 - w1389 - (w1389 + w23 * w1382) - (w1390 - w41 * w1384 + (w1390 + w304 * w738)) + (w1391 - w31 * w1386 + (w1391 + w297 * w739))
-    w1393 = w305 * w750 + (w43 * w1387 + w209 * w1380 * c234) - (w490 * w740 + (w139 * w1392 + w312 * w1388 * c234))
+    w1393 = w305 * w750 + (w43 * w1387 + w209 * w1380 * c248) - (w490 * w740 + (w139 * w1392 + w312 * w1388 * c248))
     w1394 = w43 * w1380 + w209 * w750 - (w139 * w1388 + w312 * w740) - w512 * rod_small_end_shape_2_2 + w512 * rod_big_end_shape_2_2
     w1395 = (w1394 - w503 * w801) / w261
     w1396 = w1393 - w533 * rod_small_end_shape_2_2 + w533 * rod_big_end_shape_2_2 + w504 * w1395 - w509 * w801
@@ -7512,7 +7546,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1407 = w513 * w1376
     w1408 = w512 * w1379
     w1409 = w531 * w737 - w1406 - (w1406 + w225 * w1382) - (w1407 - w223 * w1384 + (w1407 + w537 * w738)) + (w1408 - w227 * w1386 + (w1408 + w533 * w739))
-    w1410 = w490 * w741 + (w139 * w1409 + w312 * w1405 * c234) - (w538 * w750 + (w275 * w1387 + w514 * w1380 * c234))
+    w1410 = w490 * w741 + (w139 * w1409 + w312 * w1405 * c248) - (w538 * w750 + (w275 * w1387 + w514 * w1380 * c248))
     w1411 = w1410 - w297 * rod_small_end_shape_2_2 + w297 * rod_big_end_shape_2_2
     w1412 = w139 * w1405 + w312 * w741 - (w275 * w1380 + w514 * w750) - w194 * rod_small_end_shape_2_2 + w194 * rod_big_end_shape_2_2
     w1413 = w17 * w1404 - w13 * (w37 * w1399 + w12 * w1401 + w26 * w1403) + w1411 * c118 + w1412 * guide_damping
@@ -7542,7 +7576,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1437 = w1436 - w316 * w1432 - w1108 * rod_small_end_shape_2_2 - (w35 * w1398 - w1400 * rod_small_end_x) + w1109 * rod_small_end_rotation_1_2
     w1438 = w1437 + w1112 * rod_small_end_rotation_1_2
     w1439 = w21 * (w39 * w1427 + w15 * w1435 + w28 * w1438) + w16 * (w40 * w1427 + w20 * w1435 + w30 * w1438)
-    w1440 = w538 * w740 + (w275 * w1392 + w514 * w1388 * c234) - (w305 * w741 + (w43 * w1409 + w209 * w1405 * c234))
+    w1440 = w538 * w740 + (w275 * w1392 + w514 * w1388 * c248) - (w305 * w741 + (w43 * w1409 + w209 * w1405 * c248))
     w1441 = w275 * w1388 + w514 * w740 - (w43 * w1405 + w209 * w741) - w310 * rod_small_end_shape_2_2 + w310 * rod_big_end_shape_2_2
     w1442 = (w1441 - w209 * w745) / w43
     w1443 = w1440 - w486 * rod_small_end_shape_2_2 + w486 * rod_big_end_shape_2_2 - w210 * w1442 - w305 * w745
@@ -7550,14 +7584,14 @@ def dQ_hat_dq_i() -> ca.Function:
     w1445 = w139 * w1413 - (w777 + w1439 + w144 * w1411) + w146 * w1444 - w378 * w1442 - w492 * w745
     w1446 = w37 * w1427 + w12 * w1435 + w26 * w1438 - w798 + w498 * w1411 - w380 * w1413 + w500 * w1444 - w551 * w1442
     w1447 = w1446 - w552 * w745 - w277 * w1445 - w554 * w1397 - w556 * w1395 + w562 * w801
-    w1448 = w1123 * rod_small_end_rotation_1_2 - (w401 * rod_phi_phi_2_0_1_1 + (w452 * rod_phi_phi_2_0_0_0 + w396 * c245))
+    w1448 = w1123 * rod_small_end_rotation_1_2 - (w401 * rod_phi_phi_2_0_1_1 + (w452 * rod_phi_phi_2_0_0_0 + w396 * c259))
     w1449 = (w1434 + (w5 * w1437 - w3 * w1426) * 0.5) / w10 - w1127 * rod_small_end_rotation_1_2
     w1450 = w591 * w1444 - (w1174 + (w1448 - w1449 * rod_small_end_rotation_1_0) + w590 * w1411 + w585 * w1413)
     w1451 = w1450 - w611 * w1442 - w630 * w745 - w573 * w1445 - w631 * w1397 + w645 * w1395 + w653 * w801 + w654 * w1447
     w1452 = (w1437 + (w7 * w1426 - w5 * w1434) * 0.5) / w10 + w1152 * rod_small_end_rotation_1_2
-    w1453 = w393 * rod_phi_phi_2_1_1_2 + w402 * c246 + w1149 * rod_small_end_rotation_1_2 - w1452 * rod_small_end_rotation_2_1
+    w1453 = w393 * rod_phi_phi_2_1_1_2 + w402 * c260 + w1149 * rod_small_end_rotation_1_2 - w1452 * rod_small_end_rotation_2_1
     w1454 = w679 * w1444 - (w1351 + w1453 + w678 * w1411 + w673 * w1413) - w696 * w1442 - w713 * w745 - w664 * w1445
-    w1455 = w1165 * rod_small_end_rotation_1_2 - (w401 * rod_phi_phi_2_2_1_1 + (w452 * rod_phi_phi_2_2_0_0 + w396 * c247))
+    w1455 = w1165 * rod_small_end_rotation_1_2 - (w401 * rod_phi_phi_2_2_1_1 + (w452 * rod_phi_phi_2_2_0_0 + w396 * c261))
     w1456 = w737 * w1134 - w739 * w1135
     w1457 = w739 * w1138 + w738 * w1134
     w1458 = w738 * w1135 + w737 * w1138
@@ -7565,11 +7599,11 @@ def dQ_hat_dq_i() -> ca.Function:
     w1460 = 2 * (w775 * w1167 + w773 * w1168 + w796 * w1169) + (w1170 * w1456 + w1171 * w1457 + w1172 * w1458 + w1173 * w1459)
     w1461 = rod_K_ff_2_2 + (w1455 - w1449 * rod_small_end_rotation_1_2) + w1460 + w759 * w1411 + w754 * w1413
     w1462 = w760 * w1444 - w1461 - w772 * w1442 - w745 * w784 - w745 * w1445 - w785 * w1397 + w792 * w1395 + w800 * w801
-    w1463 = w393 * rod_phi_phi_2_3_1_2 + w402 * c248 + w1177 * rod_small_end_rotation_1_2 - w1452 * rod_small_end_rotation_2_3
+    w1463 = w393 * rod_phi_phi_2_3_1_2 + w402 * c262 + w1177 * rod_small_end_rotation_1_2 - w1452 * rod_small_end_rotation_2_3
     w1464 = w1182 * w1457 - w1183 * w1456 - w1184 * w1458 + (w1185 * rod_small_end_rotation_1_2 + w1186 * w1459)
     w1465 = w847 * w1167 + w845 * w1168 + w863 * w1169 + (w775 * w1179 + w773 * w1180 + w796 * w1181) + w1464
     w1466 = w826 * w1444 - (w1463 + w1465 + w825 * w1411 + w820 * w1413) - w839 * w1442 - w745 * w851 - w811 * w1445
-    w1467 = w1190 * rod_small_end_rotation_1_2 - (w401 * rod_phi_phi_2_4_1_1 + (w452 * rod_phi_phi_2_4_0_0 + w396 * c249))
+    w1467 = w1190 * rod_small_end_rotation_1_2 - (w401 * rod_phi_phi_2_4_1_1 + (w452 * rod_phi_phi_2_4_0_0 + w396 * c263))
     w1468 = w908 * w1167 + w906 * w1168 + w929 * w1169 + (w775 * w1192 + w773 * w1193 + w796 * w1194) + (w1195 * w1456 + w1196 * w1457 + w1197 * w1458 + w1198 * w1459)
     w1469 = w893 * w1444 - (w1467 - w1449 * rod_small_end_rotation_1_4 + w1468 + w892 * w1411 + w887 * w1413)
     w1470 = w1469 - w905 * w1442 - w745 * w917 - w878 * w1445 - w918 * w1397 + w925 * w1395 + w801 * w933 + w934 * w1447
@@ -7599,7 +7633,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1494 = w179 * w1481
     w1495 = w194 * w1483
     w1496 = w1493 - w41 * w1486 + (w1493 + w304 * w803) - (w1494 - w23 * w1488 + (w1494 + w289 * w804)) + (w297 * w805 - w1495 - (w1495 + w31 * w1490))
-    w1497 = w305 * w816 + (w43 * w1491 + w209 * w1484 * c234) - (w490 * w806 + (w139 * w1496 + w312 * w1492 * c234))
+    w1497 = w305 * w816 + (w43 * w1491 + w209 * w1484 * c248) - (w490 * w806 + (w139 * w1496 + w312 * w1492 * c248))
     w1498 = w43 * w1484 + w209 * w816 - (w139 * w1492 + w312 * w806) - w511 * rod_small_end_shape_1_3 + w511 * rod_big_end_shape_1_3
     w1499 = (w1498 - w503 * w868) / w261
     w1500 = w1497 - w531 * rod_small_end_shape_1_3 + w531 * rod_big_end_shape_1_3 + w504 * w1499 - w509 * w868
@@ -7616,13 +7650,13 @@ def dQ_hat_dq_i() -> ca.Function:
     w1511 = w511 * w1481
     w1512 = w512 * w1483
     w1513 = w1510 - w223 * w1486 + (w1510 + w537 * w803) - (w1511 - w225 * w1488 + (w1511 + w531 * w804)) + (w533 * w805 - w1512 - (w1512 + w227 * w1490))
-    w1514 = w490 * w807 + (w139 * w1513 + w312 * w1509 * c234) - (w538 * w816 + (w275 * w1491 + w514 * w1484 * c234))
+    w1514 = w490 * w807 + (w139 * w1513 + w312 * w1509 * c248) - (w538 * w816 + (w275 * w1491 + w514 * w1484 * c248))
     w1515 = w1514 - w289 * rod_small_end_shape_1_3 + w289 * rod_big_end_shape_1_3
     w1516 = w139 * w1509 + w312 * w807 - (w275 * w1484 + w514 * w816) - w179 * rod_small_end_shape_1_3 + w179 * rod_big_end_shape_1_3
     w1517 = w17 * w1508 - w13 * (w37 * w1503 + w12 * w1505 + w26 * w1507) + w1515 * c118 + w1516 * guide_damping
     w1518 = 2 * (rod_q2_dot * rod_phi_phi_3_1_0_0 + rod_q4_dot * rod_phi_phi_3_3_0_0)
     w1519 = 2 * (rod_q2_dot * rod_phi_phi_3_1_1_1 + rod_q4_dot * rod_phi_phi_3_3_1_1)
-    w1520 = rod_q4_dot * c232
+    w1520 = rod_q4_dot * c246
     w1521 = w1518 + w1519 + w1520
     w1522 = rod_q6_dot * rod_phi_phi_3_5_0_2
     w1523 = rod_q6_dot * rod_phi_phi_3_5_2_0
@@ -7643,7 +7677,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1538 = w1537 - (w1504 * rod_small_end_x + w35 * w1502) + w1317 * rod_small_end_rotation_2_3
     w1539 = w1538 - w1320 * rod_small_end_rotation_2_3
     w1540 = w21 * (w39 * w1528 + w15 * w1535 + w28 * w1539) + w16 * (w40 * w1528 + w20 * w1535 + w30 * w1539)
-    w1541 = w538 * w806 + (w275 * w1496 + w514 * w1492 * c234) - (w305 * w807 + (w43 * w1513 + w209 * w1509 * c234))
+    w1541 = w538 * w806 + (w275 * w1496 + w514 * w1492 * c248) - (w305 * w807 + (w43 * w1513 + w209 * w1509 * c248))
     w1542 = w275 * w1492 + w514 * w806 - (w43 * w1509 + w209 * w807) - w309 * rod_small_end_shape_1_3 + w309 * rod_big_end_shape_1_3
     w1543 = (w1542 - w209 * w811) / w43
     w1544 = w1541 - w482 * rod_small_end_shape_1_3 + w482 * rod_big_end_shape_1_3 - w210 * w1543 - w305 * w811
@@ -7652,14 +7686,14 @@ def dQ_hat_dq_i() -> ca.Function:
     w1547 = w37 * w1528 + w12 * w1535 + w26 * w1539 - w865 + w498 * w1515 - w380 * w1517 + w500 * w1545 - w551 * w1543
     w1548 = w1547 - w552 * w811 - w277 * w1546 - w554 * w1501 - w556 * w1499 + w562 * w868
     w1549 = (w1534 + (w5 * w1538 - w3 * w1527) * 0.5) / w10 - w1333 * rod_small_end_rotation_2_3
-    w1550 = w402 * rod_phi_phi_3_0_2_1 + w393 * c250 + w1331 * rod_small_end_rotation_2_3 - w1549 * rod_small_end_rotation_1_0
+    w1550 = w402 * rod_phi_phi_3_0_2_1 + w393 * c264 + w1331 * rod_small_end_rotation_2_3 - w1549 * rod_small_end_rotation_1_0
     w1551 = w591 * w1545 - (w1188 + w1550 + w590 * w1515 + w585 * w1517) - w611 * w1543 - w630 * w811 - w573 * w1546
     w1552 = (w1538 + (w7 * w1527 - w5 * w1534) * 0.5) / w10 - w1339 * rod_small_end_rotation_2_3
-    w1553 = w1337 * rod_small_end_rotation_2_3 - (w452 * rod_phi_phi_3_1_0_0 + w401 * c251) - w1552 * rod_small_end_rotation_2_1
+    w1553 = w1337 * rod_small_end_rotation_2_3 - (w452 * rod_phi_phi_3_1_0_0 + w401 * c265) - w1552 * rod_small_end_rotation_2_1
     w1554 = w679 * w1545 - (w1355 + w1553 + w678 * w1515 + w673 * w1517) - w696 * w1543 - w713 * w811 - w664 * w1546
-    w1555 = w402 * rod_phi_phi_3_2_2_1 + w393 * c252 + w1348 * rod_small_end_rotation_2_3 - w1549 * rod_small_end_rotation_1_2
+    w1555 = w402 * rod_phi_phi_3_2_2_1 + w393 * c266 + w1348 * rod_small_end_rotation_2_3 - w1549 * rod_small_end_rotation_1_2
     w1556 = w760 * w1545 - (w1465 + w1555 + w759 * w1515 + w754 * w1517) - w772 * w1543 - w784 * w811 - w745 * w1546
-    w1557 = w1353 * rod_small_end_rotation_2_3 - (w396 * rod_phi_phi_3_3_2_2 + (w452 * rod_phi_phi_3_3_0_0 + w401 * c253))
+    w1557 = w1353 * rod_small_end_rotation_2_3 - (w396 * rod_phi_phi_3_3_2_2 + (w452 * rod_phi_phi_3_3_0_0 + w401 * c267))
     w1558 = w805 * w1138 - w803 * w1134
     w1559 = w804 * w1134 + w805 * w1135
     w1560 = w803 * w1135 + w804 * w1138
@@ -7667,7 +7701,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1562 = 2 * (w847 * w1179 + w845 * w1180 + w863 * w1181) + (w1182 * w1558 + w1183 * w1559 + w1184 * w1560 + w1186 * w1561)
     w1563 = rod_K_ff_3_3 + (w1557 - w1552 * rod_small_end_rotation_2_3) + w1562 + w825 * w1515 + w820 * w1517
     w1564 = w826 * w1545 - w1563 - w839 * w1543 - w811 * w851 - w811 * w1546 - w852 * w1501 + w859 * w1499 + w867 * w868
-    w1565 = w402 * rod_phi_phi_3_4_2_1 + w393 * c254 + w1357 * rod_small_end_rotation_2_3 - w1549 * rod_small_end_rotation_1_4
+    w1565 = w402 * rod_phi_phi_3_4_2_1 + w393 * c268 + w1357 * rod_small_end_rotation_2_3 - w1549 * rod_small_end_rotation_1_4
     w1566 = w1197 * w1560 + (w1195 * w1559 - w1196 * w1558) + (w1359 * rod_small_end_rotation_2_3 - w1198 * w1561)
     w1567 = w908 * w1179 + w906 * w1180 + w929 * w1181 + (w847 * w1192 + w845 * w1193 + w863 * w1194) - w1566
     w1568 = w893 * w1545 - (w1565 + w1567 + w892 * w1515 + w887 * w1517) - w905 * w1543 - w811 * w917 - w878 * w1546
@@ -7697,7 +7731,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1592 = w208 * w1578
     w1593 = w194 * w1581
     w1594 = w289 * w870 - w1591 - (w1591 + w23 * w1584) - (w1592 - w41 * w1586 + (w1592 + w304 * w871)) + (w1593 - w31 * w1588 + (w1593 + w297 * w872))
-    w1595 = w305 * w883 + (w43 * w1589 + w209 * w1582 * c234) - (w490 * w873 + (w139 * w1594 + w312 * w1590 * c234))
+    w1595 = w305 * w883 + (w43 * w1589 + w209 * w1582 * c248) - (w490 * w873 + (w139 * w1594 + w312 * w1590 * c248))
     w1596 = w43 * w1582 + w209 * w883 - (w139 * w1590 + w312 * w873) - w512 * rod_small_end_shape_2_4 + w512 * rod_big_end_shape_2_4
     w1597 = (w1596 - w503 * w934) / w261
     w1598 = w1595 - w533 * rod_small_end_shape_2_4 + w533 * rod_big_end_shape_2_4 + w504 * w1597 - w509 * w934
@@ -7714,7 +7748,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1609 = w513 * w1578
     w1610 = w512 * w1581
     w1611 = w531 * w870 - w1608 - (w1608 + w225 * w1584) - (w1609 - w223 * w1586 + (w1609 + w537 * w871)) + (w1610 - w227 * w1588 + (w1610 + w533 * w872))
-    w1612 = w490 * w874 + (w139 * w1611 + w312 * w1607 * c234) - (w538 * w883 + (w275 * w1589 + w514 * w1582 * c234))
+    w1612 = w490 * w874 + (w139 * w1611 + w312 * w1607 * c248) - (w538 * w883 + (w275 * w1589 + w514 * w1582 * c248))
     w1613 = w1612 - w297 * rod_small_end_shape_2_4 + w297 * rod_big_end_shape_2_4
     w1614 = w139 * w1607 + w312 * w874 - (w275 * w1582 + w514 * w883) - w194 * rod_small_end_shape_2_4 + w194 * rod_big_end_shape_2_4
     w1615 = w17 * w1606 - w13 * (w37 * w1601 + w12 * w1603 + w26 * w1605) + w1613 * c118 + w1614 * guide_damping
@@ -7744,7 +7778,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1639 = w1638 - w316 * w1634 - w1108 * rod_small_end_shape_2_4 - (w35 * w1600 - w1602 * rod_small_end_x) + w1109 * rod_small_end_rotation_1_4
     w1640 = w1639 + w1112 * rod_small_end_rotation_1_4
     w1641 = w21 * (w39 * w1629 + w15 * w1637 + w28 * w1640) + w16 * (w40 * w1629 + w20 * w1637 + w30 * w1640)
-    w1642 = w538 * w873 + (w275 * w1594 + w514 * w1590 * c234) - (w305 * w874 + (w43 * w1611 + w209 * w1607 * c234))
+    w1642 = w538 * w873 + (w275 * w1594 + w514 * w1590 * c248) - (w305 * w874 + (w43 * w1611 + w209 * w1607 * c248))
     w1643 = w275 * w1590 + w514 * w873 - (w43 * w1607 + w209 * w874) - w310 * rod_small_end_shape_2_4 + w310 * rod_big_end_shape_2_4
     w1644 = (w1643 - w209 * w878) / w43
     w1645 = w1642 - w486 * rod_small_end_shape_2_4 + w486 * rod_big_end_shape_2_4 - w210 * w1644 - w305 * w878
@@ -7752,19 +7786,19 @@ def dQ_hat_dq_i() -> ca.Function:
     w1647 = w139 * w1615 - (w910 + w1641 + w144 * w1613) + w146 * w1646 - w378 * w1644 - w492 * w878
     w1648 = w37 * w1629 + w12 * w1637 + w26 * w1640 - w931 + w498 * w1613 - w380 * w1615 + w500 * w1646 - w551 * w1644
     w1649 = w1648 - w552 * w878 - w277 * w1647 - w554 * w1599 - w556 * w1597 + w562 * w934
-    w1650 = w1123 * rod_small_end_rotation_1_4 - (w401 * rod_phi_phi_4_0_1_1 + (w452 * rod_phi_phi_4_0_0_0 + w396 * c255))
+    w1650 = w1123 * rod_small_end_rotation_1_4 - (w401 * rod_phi_phi_4_0_1_1 + (w452 * rod_phi_phi_4_0_0_0 + w396 * c269))
     w1651 = (w1636 + (w5 * w1639 - w3 * w1628) * 0.5) / w10 - w1127 * rod_small_end_rotation_1_4
     w1652 = w591 * w1646 - (w1199 + (w1650 - w1651 * rod_small_end_rotation_1_0) + w590 * w1613 + w585 * w1615)
     w1653 = w1652 - w611 * w1644 - w630 * w878 - w573 * w1647 - w631 * w1599 + w645 * w1597 + w653 * w934 + w654 * w1649
     w1654 = (w1639 + (w7 * w1628 - w5 * w1636) * 0.5) / w10 + w1152 * rod_small_end_rotation_1_4
-    w1655 = w393 * rod_phi_phi_4_1_1_2 + w402 * c256 + w1149 * rod_small_end_rotation_1_4 - w1654 * rod_small_end_rotation_2_1
+    w1655 = w393 * rod_phi_phi_4_1_1_2 + w402 * c270 + w1149 * rod_small_end_rotation_1_4 - w1654 * rod_small_end_rotation_2_1
     w1656 = w679 * w1646 - (w1361 + w1655 + w678 * w1613 + w673 * w1615) - w696 * w1644 - w713 * w878 - w664 * w1647
-    w1657 = w1165 * rod_small_end_rotation_1_4 - (w401 * rod_phi_phi_4_2_1_1 + (w452 * rod_phi_phi_4_2_0_0 + w396 * c257))
+    w1657 = w1165 * rod_small_end_rotation_1_4 - (w401 * rod_phi_phi_4_2_1_1 + (w452 * rod_phi_phi_4_2_0_0 + w396 * c271))
     w1658 = w760 * w1646 - (w1468 + (w1657 - w1651 * rod_small_end_rotation_1_2) + w759 * w1613 + w754 * w1615)
     w1659 = w1658 - w772 * w1644 - w784 * w878 - w745 * w1647 - w785 * w1599 + w792 * w1597 + w800 * w934 + w801 * w1649
-    w1660 = w393 * rod_phi_phi_4_3_1_2 + w402 * c258 + w1177 * rod_small_end_rotation_1_4 - w1654 * rod_small_end_rotation_2_3
+    w1660 = w393 * rod_phi_phi_4_3_1_2 + w402 * c272 + w1177 * rod_small_end_rotation_1_4 - w1654 * rod_small_end_rotation_2_3
     w1661 = w826 * w1646 - (w1567 + w1660 + w825 * w1613 + w820 * w1615) - w839 * w1644 - w851 * w878 - w811 * w1647
-    w1662 = w1190 * rod_small_end_rotation_1_4 - (w401 * rod_phi_phi_4_4_1_1 + (w452 * rod_phi_phi_4_4_0_0 + w396 * c259))
+    w1662 = w1190 * rod_small_end_rotation_1_4 - (w401 * rod_phi_phi_4_4_1_1 + (w452 * rod_phi_phi_4_4_0_0 + w396 * c273))
     w1663 = w870 * w1134 - w872 * w1135
     w1664 = w872 * w1138 + w871 * w1134
     w1665 = w871 * w1135 + w870 * w1138
@@ -7798,7 +7832,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1693 = w179 * w1679
     w1694 = w194 * w1682
     w1695 = w304 * w936 - w1692 - (w1692 + w41 * w1685) + (w1693 - w23 * w1687 + (w1693 + w289 * w937)) - (w1694 - w31 * w1689 + (w1694 + w297 * w938))
-    w1696 = w305 * w946 + (w43 * w1690 + w209 * w1683 * c234) - (w490 * w939 + (w139 * w1695 + w312 * w1691 * c234))
+    w1696 = w305 * w946 + (w43 * w1690 + w209 * w1683 * c248) - (w490 * w939 + (w139 * w1695 + w312 * w1691 * c248))
     w1697 = (w43 * w1683 + w209 * w946 - (w139 * w1691 + w312 * w939) - w503 * w988) / w261
     w1698 = (w1696 + w504 * w1697 - w509 * w988) / w261
     w1699 = w1021 - w1020
@@ -7823,11 +7857,11 @@ def dQ_hat_dq_i() -> ca.Function:
     w1718 = w511 * w1679
     w1719 = w512 * w1682
     w1720 = w537 * w936 - w1717 - (w1717 + w223 * w1685) + (w1718 - w225 * w1687 + (w1718 + w531 * w937)) - (w1719 - w227 * w1689 + (w1719 + w533 * w938))
-    w1721 = w490 * w940 + (w139 * w1720 + w312 * w1716 * c234) - (w538 * w946 + (w275 * w1690 + w514 * w1683 * c234))
+    w1721 = w490 * w940 + (w139 * w1720 + w312 * w1716 * c248) - (w538 * w946 + (w275 * w1690 + w514 * w1683 * c248))
     w1722 = w17 * w1715 - w13 * (w37 * w1706 + w12 * w1711 + w26 * w1714) + w1721 * c118 + (w139 * w1716 + w312 * w940 - (w275 * w1683 + w514 * w946)) * guide_damping
-    w1723 = rod_q6_dot * c229
-    w1724 = rod_q6_dot * c230
-    w1725 = rod_q6_dot * c233
+    w1723 = rod_q6_dot * c243
+    w1724 = rod_q6_dot * c244
+    w1725 = rod_q6_dot * c247
     w1726 = w1723 + w1724 + w1725
     w1727 = rod_q1_dot * rod_phi_phi_5_0_0_1 + rod_q3_dot * rod_phi_phi_5_2_0_1 + rod_q5_dot * rod_phi_phi_5_4_0_1
     w1728 = rod_q1_dot * rod_phi_phi_5_0_1_0 + rod_q3_dot * rod_phi_phi_5_2_1_0 + rod_q5_dot * rod_phi_phi_5_4_1_0
@@ -7850,7 +7884,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1745 = w1743 + w338 * w1735 + w1744 * rod_small_end_rotation_0_5
     w1746 = w1745 + (w450 * w597 - w1301) * rod_small_end_rotation_0_5
     w1747 = w21 * (w39 * w1738 + w15 * w1742 + w28 * w1746) + w16 * (w40 * w1738 + w20 * w1742 + w30 * w1746)
-    w1748 = w538 * w939 + (w275 * w1695 + w514 * w1691 * c234) - (w305 * w940 + (w43 * w1720 + w209 * w1716 * c234))
+    w1748 = w538 * w939 + (w275 * w1695 + w514 * w1691 * c248) - (w305 * w940 + (w43 * w1720 + w209 * w1716 * c248))
     w1749 = (w275 * w1691 + w514 * w939 - (w43 * w1716 + w209 * w940) - w209 * w942) / w43
     w1750 = (w1748 - w210 * w1749 - w305 * w942) / w43
     w1751 = w139 * w1722 - (w967 + w1747 + w144 * w1721) + w146 * w1750 - w378 * w1749 - w492 * w942
@@ -7938,15 +7972,15 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 282) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 291) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 7 x 7) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    5573 operations.
+    5550 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
-    c = ca.SX.sym("c", 282)
+    c = ca.SX.sym("c", 291)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -8105,37 +8139,33 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c139 = c[139]
     guide_damping = c[152]
     rod_D_ff_0_0 = c[153]
-    rod_D_ff_1_1 = c[155]
-    rod_D_ff_2_2 = c[157]
-    rod_D_ff_3_3 = c[159]
-    rod_D_ff_4_4 = c[161]
-    rod_D_ff_5_5 = c[163]
-    rod_rho_phi_1_0_1 = c[186]
-    rod_rho_phi_1_1_0 = c[187]
-    rod_rho_phi_3_0_1 = c[188]
-    rod_rho_phi_3_1_0 = c[189]
-    rod_rho_phi_0_0_2 = c[190]
-    rod_rho_phi_0_2_0 = c[191]
-    rod_rho_phi_2_0_2 = c[192]
-    rod_rho_phi_2_2_0 = c[193]
-    rod_rho_phi_4_0_2 = c[194]
-    rod_rho_phi_4_2_0 = c[195]
-    rod_rho_phi_5_1_2 = c[196]
-    rod_rho_phi_5_2_1 = c[197]
-    c260 = c[260]
-    c261 = c[261]
-    c262 = c[262]
-    c263 = c[263]
-    c264 = c[264]
-    c265 = c[265]
-    c266 = c[266]
-    c267 = c[267]
-    c268 = c[268]
-    c269 = c[269]
-    c270 = c[270]
-    c271 = c[271]
-    c272 = c[272]
-    c273 = c[273]
+    c155 = c[155]
+    rod_D_ff_1_1 = c[156]
+    c158 = c[158]
+    rod_D_ff_2_2 = c[159]
+    c161 = c[161]
+    rod_D_ff_3_3 = c[162]
+    c164 = c[164]
+    rod_D_ff_4_4 = c[165]
+    c167 = c[167]
+    rod_D_ff_5_5 = c[168]
+    rod_rho_phi_1_0_1 = c[194]
+    rod_rho_phi_1_1_0 = c[195]
+    rod_rho_phi_3_0_1 = c[196]
+    rod_rho_phi_3_1_0 = c[197]
+    rod_rho_phi_0_0_2 = c[198]
+    rod_rho_phi_0_2_0 = c[199]
+    rod_rho_phi_2_0_2 = c[200]
+    rod_rho_phi_2_2_0 = c[201]
+    rod_rho_phi_4_0_2 = c[202]
+    rod_rho_phi_4_2_0 = c[203]
+    rod_rho_phi_5_1_2 = c[204]
+    rod_rho_phi_5_2_1 = c[205]
+    c212 = c[212]
+    c213 = c[213]
+    c214 = c[214]
+    c215 = c[215]
+    c216 = c[216]
     c274 = c[274]
     c275 = c[275]
     c276 = c[276]
@@ -8144,6 +8174,15 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c279 = c[279]
     c280 = c[280]
     c281 = c[281]
+    c282 = c[282]
+    c283 = c[283]
+    c284 = c[284]
+    c285 = c[285]
+    c286 = c[286]
+    c287 = c[287]
+    c288 = c[288]
+    c289 = c[289]
+    c290 = c[290]
     # intermediate terms (878)
     w0 = ca.sin(axle_angle)
     w1 = rod_q2 * rod_big_end_shape_1_1 + rod_q4 * rod_big_end_shape_1_3
@@ -8416,664 +8455,664 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w268 = w136 * w252 + w1 * w266 + (w161 * w253 + w23 * w267) - (w169 * w253 + w30 * w267) - (w170 * w252 + w31 * w266)
     w269 = w34 * w158 - w20 * w173 + (w15 * w174 - w35 * w151)
     w270 = w268 - w269 * rod_small_end_x
-    w271 = 2 * -(w16 * w270 - w152 * w255)
-    w272 = 2 * w187
-    w273 = 2 * w186
-    w274 = w20 * ((w115 + w122) * w272 + w116 * w273 + (w34 * w241 + w14 * w242 + w26 * w243)) + w15 * (w35 * w241 + w19 * w242 + w28 * w243 - (w273 * (w114 + w122) + w116 * w272))
-    w275 = w12 * (w131 * w272 + w130 * w273) - w16 * (w15 * (w245 + w129 * w273) + w20 * (w244 - w129 * w272))
-    w276 = w275 - w271 * c118 + w256 * guide_damping
-    w277 = 2 * -((w137 * w255 + w12 * w270 - w176 * w259) / w37)
-    w278 = w132 * w271 - w274 + w128 * w276 - w134 * w277 - w247 * w259
-    w279 = w38 * w278
-    w280 = w20 * (w32 * w209 + w11 * w222 + w24 * w232) + w15 * (w32 * w234 + w11 * w235 + w24 * w236) + w185 * w251
-    w281 = w246 * w256 - w280
-    w282 = w114 + w115 - (w256 * w257 + w251 * w256) - (w259 * w260 + w258 * w259)
-    w283 = w249 * w272 - w250 * w273 + (w233 + w237) + w251 * w271 + w256 * w276 + w258 * w277 + w259 * w281
-    w284 = w283 + w259 * w278
-    w285 = w248 * w259 - (w177 * w258 + w38 * w281) - w265 * w282 + w264 * w284
-    w286 = rod_small_end_rotation_1_0 / w9
-    w287 = w2 * c119 / w9
-    w288 = w4 * c119 / w9
-    w289 = w22 * w286 - w36 * w287 + w29 * w288
-    w290 = w252 * w286 - w254 * w287 + w253 * w288
-    w291 = (w255 * w289 - w37 * w290 - w126 * rod_small_end_shape_2_0 + w126 * rod_big_end_shape_2_0) / w37
-    w292 = w83 + w112
-    w293 = w84 - w85
-    w294 = w293 + w31 * c120
-    w295 = w287 * w292 + w61 * w286 + w72 * w288 + w294
-    w296 = w47 + w112
-    w297 = c122 + (w101 * w288 - w286 * w296 - w61 * w287)
-    w298 = w47 + w83
-    w299 = w48 - w49
-    w300 = w101 * w286 - (w288 * w298 + w72 * w287) + w299
-    w301 = w125 * w286 - w127 * w287 + w126 * w288
-    w302 = w128 * w290 - w255 * w301 - w29 * rod_small_end_shape_2_0 + w29 * rod_big_end_shape_2_0
-    w303 = w111 * w286 - w82 * w288
-    w304 = w111 * w287 - w288 * c37
-    w305 = w286 * c37 - w82 * w287 - c120
-    w306 = w16 * (w15 * (w34 * w303 + w14 * w304 + w26 * w305) - w20 * (w35 * w303 + w19 * w304 + w28 * w305))
-    w307 = w306 - w12 * (w32 * w303 + w11 * w304 + w24 * w305)
-    w308 = w20 * (w34 * w295 + w14 * w297 + w26 * w300) + w15 * (w35 * w295 + w19 * w297 + w28 * w300) - (w133 * w302 + w128 * w307)
-    w309 = w103 + (w39 + w74)
-    w310 = rod_q2_dot * rod_phi_phi_1_0_1_2 + rod_q4_dot * rod_phi_phi_3_0_1_2 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
-    w311 = w39 * w211 + w48 * w189 + w192 * rod_rho_phi_0_0_2 - w211 * w309 + 2 * w310 - w215 * rod_small_end_shape_2_0
-    w312 = w311 - w214 * c120
-    w313 = w219 + w231
-    w314 = w2 * 0.5 / w9
-    w315 = w313 * w314
-    w316 = w217 / w9
-    w317 = w4 * 0.5 / w9
-    w318 = w315 + w316 + w227 * w317
-    w319 = w312 + w318 * rod_small_end_rotation_1_0
-    w320 = w49 * w211 + w74 * w189 + w84 * w192 - w189 * w309 + w202 * c120
-    w321 = w229 * w317
-    w322 = w204 + w231
-    w323 = w322 / w9
-    w324 = w206 * w314
-    w325 = w321 - w323 - w324
-    w326 = w320 + w325 * rod_small_end_rotation_1_0
-    w327 = w211 * rod_rho_phi_0_2_0 + w85 * w189 + w103 * w192 - w192 * w309 + 2 * (rod_q6_dot * rod_phi_phi_5_0_0_1 - rod_q6_dot * rod_phi_phi_5_0_1_0)
-    w328 = w221 / w9
-    w329 = w204 + w219
-    w330 = w317 * w329
-    w331 = w328 - (w330 + w208 * w314)
-    w332 = w327 + w331 * rod_small_end_rotation_1_0
-    w333 = w185 * w307 - (w20 * (w34 * w319 + w14 * w326 + w26 * w332) + w15 * (w35 * w319 + w19 * w326 + w28 * w332))
-    w334 = w333 + w246 * w302
-    w335 = w256 * w307 - w257 * w302 - (w32 * w295 + w11 * w297 + w24 * w300) - (w260 * w291 + w259 * w308)
-    w336 = w61 / w9
-    w337 = w292 * w314 + w336 + w72 * w317
-    w338 = w294 + w337 * rod_small_end_rotation_1_0
-    w339 = w101 * w317
-    w340 = w61 * w314
-    w341 = w339 - w296 / w9 - w340
-    w342 = c122 + w341 * rod_small_end_rotation_1_0
-    w343 = w101 / w9
-    w344 = w343 - (w298 * w317 + w72 * w314)
-    w345 = w299 + w344 * rod_small_end_rotation_1_0
-    w346 = w272 * (w34 * w338 + w14 * w342 + w26 * w345) - w273 * (w35 * w338 + w19 * w342 + w28 * w345) - (w32 * w319 + w11 * w326 + w24 * w332)
-    w347 = w271 * w307 - w346 - w276 * w302 - w277 * w308 - w259 * w334 - w278 * w291
-    w348 = (w37 * w301 - w128 * w289 - w253 * rod_small_end_shape_2_0 + w253 * rod_big_end_shape_2_0) / w263
-    w349 = w6 * c123 / w9
-    w350 = w4 * c123 / w9
-    w351 = rod_small_end_rotation_2_1 / w9
-    w352 = w36 * w349 - w22 * w350 + w29 * w351
-    w353 = w254 * w349 - w252 * w350 + w253 * w351
-    w354 = (w255 * w352 - w37 * w353 - w125 * rod_small_end_shape_1_1 + w125 * rod_big_end_shape_1_1) / w37
-    w355 = w87 - w88
-    w356 = w355 - w30 * c124
-    w357 = w72 * w351 - (w292 * w349 + w61 * w350) + w356
-    w358 = w63 - w62
-    w359 = w296 * w350 + w101 * w351 + w61 * w349 + w358
-    w360 = c126 + (w72 * w349 - w298 * w351 - w101 * w350)
-    w361 = w127 * w349 - w125 * w350 + w126 * w351
-    w362 = w128 * w353 - w255 * w361 - w22 * rod_small_end_shape_1_1 + w22 * rod_big_end_shape_1_1
-    w363 = w82 * w349 - w350 * c37
-    w364 = w111 * w350 + w82 * w351
-    w365 = c124 + (w351 * c37 + w111 * w349)
-    w366 = w16 * (w15 * (w26 * w363 - (w34 * w364 + w14 * w365)) - w20 * (w28 * w363 - (w35 * w364 + w19 * w365)))
-    w367 = w366 + w12 * (w32 * w364 + w11 * w365 - w24 * w363)
-    w368 = w20 * (w34 * w357 + w14 * w359 + w26 * w360) + w15 * (w35 * w357 + w19 * w359 + w28 * w360) - (w133 * w362 + w128 * w367)
-    w369 = w104 + (w40 + w75)
-    w370 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
-    w371 = rod_q1_dot * rod_phi_phi_0_1_2_1 + rod_q3_dot * rod_phi_phi_2_1_2_1 + rod_q5_dot * rod_phi_phi_4_1_2_1
-    w372 = w40 * w211 + w189 * rod_rho_phi_1_0_1 + w62 * w192 - w211 * w369 + 2 * (w370 - w371) - w225 * rod_small_end_shape_1_1
-    w373 = w372 + w224 * c124
-    w374 = w227 / w9
-    w375 = w6 * 0.5 / w9
-    w376 = w313 * w375
-    w377 = w374 - (w376 + w217 * w317)
-    w378 = w373 + w377 * rod_small_end_rotation_2_1
-    w379 = w211 * rod_rho_phi_1_1_0 + w75 * w189 + w87 * w192 - w189 * w369 + 2 * (rod_q6_dot * rod_phi_phi_5_1_2_0 - rod_q6_dot * rod_phi_phi_5_1_0_2)
-    w380 = w317 * w322
-    w381 = w229 / w9
-    w382 = w380 + w381 + w206 * w375
-    w383 = w379 + w382 * rod_small_end_rotation_2_1
-    w384 = w63 * w211 + w88 * w189 + w104 * w192 - w192 * w369 - w202 * c124
-    w385 = w208 * w375
-    w386 = w329 / w9
-    w387 = w221 * w317
-    w388 = w385 - w386 - w387
-    w389 = w384 + w388 * rod_small_end_rotation_2_1
-    w390 = w185 * w367 - (w20 * (w34 * w378 + w14 * w383 + w26 * w389) + w15 * (w35 * w378 + w19 * w383 + w28 * w389))
-    w391 = w390 + w246 * w362
-    w392 = w256 * w367 - w257 * w362 - (w32 * w357 + w11 * w359 + w24 * w360) - (w260 * w354 + w259 * w368)
-    w393 = w72 / w9
-    w394 = w393 - (w292 * w375 + w61 * w317)
-    w395 = w356 + w394 * rod_small_end_rotation_2_1
-    w396 = w343 + w296 * w317 + w61 * w375
-    w397 = w358 + w396 * rod_small_end_rotation_2_1
-    w398 = w72 * w375
-    w399 = w398 - w298 / w9 - w339
-    w400 = c126 + w399 * rod_small_end_rotation_2_1
-    w401 = w272 * (w34 * w395 + w14 * w397 + w26 * w400) - w273 * (w35 * w395 + w19 * w397 + w28 * w400) - (w32 * w378 + w11 * w383 + w24 * w389)
-    w402 = w271 * w367 - w401 - w276 * w362 - w277 * w368 - w259 * w391 - w278 * w354
-    w403 = (w37 * w361 - w128 * w352 - w252 * rod_small_end_shape_1_1 + w252 * rod_big_end_shape_1_1) / w263
-    w404 = rod_small_end_rotation_1_2 / w9
-    w405 = w2 * c127 / w9
-    w406 = w4 * c127 / w9
-    w407 = w22 * w404 - w36 * w405 + w29 * w406
-    w408 = w252 * w404 - w254 * w405 + w253 * w406
-    w409 = (w255 * w407 - w37 * w408 - w126 * rod_small_end_shape_2_2 + w126 * rod_big_end_shape_2_2) / w37
-    w410 = w90 - w91
-    w411 = w410 + w31 * c128
-    w412 = w292 * w405 + w61 * w404 + w72 * w406 + w411
-    w413 = c130 + (w101 * w406 - w296 * w404 - w61 * w405)
-    w414 = w51 - w52
-    w415 = w101 * w404 - (w298 * w406 + w72 * w405) + w414
-    w416 = w125 * w404 - w127 * w405 + w126 * w406
-    w417 = w128 * w408 - w255 * w416 - w29 * rod_small_end_shape_2_2 + w29 * rod_big_end_shape_2_2
-    w418 = w111 * w404 - w82 * w406
-    w419 = w111 * w405 - w406 * c37
-    w420 = w404 * c37 - w82 * w405 - c128
-    w421 = w16 * (w15 * (w34 * w418 + w14 * w419 + w26 * w420) - w20 * (w35 * w418 + w19 * w419 + w28 * w420))
-    w422 = w421 - w12 * (w32 * w418 + w11 * w419 + w24 * w420)
-    w423 = w20 * (w34 * w412 + w14 * w413 + w26 * w415) + w15 * (w35 * w412 + w19 * w413 + w28 * w415) - (w133 * w417 + w128 * w422)
-    w424 = w105 + (w41 + w76)
-    w425 = rod_q2_dot * rod_phi_phi_1_2_1_2 + rod_q4_dot * rod_phi_phi_3_2_1_2 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
-    w426 = w41 * w211 + w51 * w189 + w192 * rod_rho_phi_2_0_2 - w211 * w424 + 2 * w425 - w215 * rod_small_end_shape_2_2
-    w427 = w426 - w214 * c128
-    w428 = w427 + w318 * rod_small_end_rotation_1_2
-    w429 = w52 * w211 + w76 * w189 + w90 * w192 - w189 * w424 + w202 * c128
-    w430 = w429 + w325 * rod_small_end_rotation_1_2
-    w431 = w211 * rod_rho_phi_2_2_0 + w91 * w189 + w105 * w192 - w192 * w424 + 2 * (rod_q6_dot * rod_phi_phi_5_2_0_1 - rod_q6_dot * rod_phi_phi_5_2_1_0)
-    w432 = w431 + w331 * rod_small_end_rotation_1_2
-    w433 = w185 * w422 - (w20 * (w34 * w428 + w14 * w430 + w26 * w432) + w15 * (w35 * w428 + w19 * w430 + w28 * w432))
-    w434 = w433 + w246 * w417
-    w435 = w256 * w422 - w257 * w417 - (w32 * w412 + w11 * w413 + w24 * w415) - (w260 * w409 + w259 * w423)
-    w436 = w411 + w337 * rod_small_end_rotation_1_2
-    w437 = c130 + w341 * rod_small_end_rotation_1_2
-    w438 = w414 + w344 * rod_small_end_rotation_1_2
-    w439 = w272 * (w34 * w436 + w14 * w437 + w26 * w438) - w273 * (w35 * w436 + w19 * w437 + w28 * w438) - (w32 * w428 + w11 * w430 + w24 * w432)
-    w440 = w271 * w422 - w439 - w276 * w417 - w277 * w423 - w259 * w434 - w278 * w409
-    w441 = (w37 * w416 - w128 * w407 - w253 * rod_small_end_shape_2_2 + w253 * rod_big_end_shape_2_2) / w263
-    w442 = w6 * c131 / w9
-    w443 = w4 * c131 / w9
-    w444 = rod_small_end_rotation_2_3 / w9
-    w445 = w36 * w442 - w22 * w443 + w29 * w444
-    w446 = w254 * w442 - w252 * w443 + w253 * w444
-    w447 = (w255 * w445 - w37 * w446 - w125 * rod_small_end_shape_1_3 + w125 * rod_big_end_shape_1_3) / w37
-    w448 = w93 - w94
-    w449 = w448 - w30 * c132
-    w450 = w72 * w444 - (w292 * w442 + w61 * w443) + w449
-    w451 = w66 - w65
-    w452 = w296 * w443 + w101 * w444 + w61 * w442 + w451
-    w453 = c134 + (w72 * w442 - w298 * w444 - w101 * w443)
-    w454 = w127 * w442 - w125 * w443 + w126 * w444
-    w455 = w128 * w446 - w255 * w454 - w22 * rod_small_end_shape_1_3 + w22 * rod_big_end_shape_1_3
-    w456 = w82 * w442 - w443 * c37
-    w457 = w111 * w443 + w82 * w444
-    w458 = c132 + (w444 * c37 + w111 * w442)
-    w459 = w16 * (w15 * (w26 * w456 - (w34 * w457 + w14 * w458)) - w20 * (w28 * w456 - (w35 * w457 + w19 * w458)))
-    w460 = w459 + w12 * (w32 * w457 + w11 * w458 - w24 * w456)
-    w461 = w20 * (w34 * w450 + w14 * w452 + w26 * w453) + w15 * (w35 * w450 + w19 * w452 + w28 * w453) - (w133 * w455 + w128 * w460)
-    w462 = w106 + (w42 + w77)
-    w463 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
-    w464 = rod_q1_dot * rod_phi_phi_0_3_2_1 + rod_q3_dot * rod_phi_phi_2_3_2_1 + rod_q5_dot * rod_phi_phi_4_3_2_1
-    w465 = w42 * w211 + w189 * rod_rho_phi_3_0_1 + w65 * w192 - w211 * w462 + 2 * (w463 - w464) - w225 * rod_small_end_shape_1_3
-    w466 = w465 + w224 * c132
-    w467 = w466 + w377 * rod_small_end_rotation_2_3
-    w468 = w211 * rod_rho_phi_3_1_0 + w77 * w189 + w93 * w192 - w189 * w462 + 2 * (rod_q6_dot * rod_phi_phi_5_3_2_0 - rod_q6_dot * rod_phi_phi_5_3_0_2)
-    w469 = w468 + w382 * rod_small_end_rotation_2_3
-    w470 = w66 * w211 + w94 * w189 + w106 * w192 - w192 * w462 - w202 * c132
-    w471 = w470 + w388 * rod_small_end_rotation_2_3
-    w472 = w185 * w460 - (w20 * (w34 * w467 + w14 * w469 + w26 * w471) + w15 * (w35 * w467 + w19 * w469 + w28 * w471))
-    w473 = w472 + w246 * w455
-    w474 = w256 * w460 - w257 * w455 - (w32 * w450 + w11 * w452 + w24 * w453) - (w260 * w447 + w259 * w461)
-    w475 = w449 + w394 * rod_small_end_rotation_2_3
-    w476 = w451 + w396 * rod_small_end_rotation_2_3
-    w477 = c134 + w399 * rod_small_end_rotation_2_3
-    w478 = w272 * (w34 * w475 + w14 * w476 + w26 * w477) - w273 * (w35 * w475 + w19 * w476 + w28 * w477) - (w32 * w467 + w11 * w469 + w24 * w471)
-    w479 = w271 * w460 - w478 - w276 * w455 - w277 * w461 - w259 * w473 - w278 * w447
-    w480 = (w37 * w454 - w128 * w445 - w252 * rod_small_end_shape_1_3 + w252 * rod_big_end_shape_1_3) / w263
-    w481 = rod_small_end_rotation_1_4 / w9
-    w482 = w2 * c135 / w9
-    w483 = w4 * c135 / w9
-    w484 = w22 * w481 - w36 * w482 + w29 * w483
-    w485 = w252 * w481 - w254 * w482 + w253 * w483
-    w486 = (w255 * w484 - w37 * w485 - w126 * rod_small_end_shape_2_4 + w126 * rod_big_end_shape_2_4) / w37
-    w487 = w96 - w97
-    w488 = w487 + w31 * c136
-    w489 = w292 * w482 + w61 * w481 + w72 * w483 + w488
-    w490 = c138 + (w101 * w483 - w296 * w481 - w61 * w482)
-    w491 = w54 - w55
-    w492 = w101 * w481 - (w298 * w483 + w72 * w482) + w491
-    w493 = w125 * w481 - w127 * w482 + w126 * w483
-    w494 = w128 * w485 - w255 * w493 - w29 * rod_small_end_shape_2_4 + w29 * rod_big_end_shape_2_4
-    w495 = w111 * w481 - w82 * w483
-    w496 = w111 * w482 - w483 * c37
-    w497 = w481 * c37 - w82 * w482 - c136
-    w498 = w16 * (w15 * (w34 * w495 + w14 * w496 + w26 * w497) - w20 * (w35 * w495 + w19 * w496 + w28 * w497))
-    w499 = w498 - w12 * (w32 * w495 + w11 * w496 + w24 * w497)
-    w500 = w20 * (w34 * w489 + w14 * w490 + w26 * w492) + w15 * (w35 * w489 + w19 * w490 + w28 * w492) - (w133 * w494 + w128 * w499)
-    w501 = w107 + (w43 + w78)
-    w502 = rod_q2_dot * rod_phi_phi_1_4_1_2 + rod_q4_dot * rod_phi_phi_3_4_1_2 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
-    w503 = w43 * w211 + w54 * w189 + w192 * rod_rho_phi_4_0_2 - w211 * w501 + 2 * w502 - w215 * rod_small_end_shape_2_4
-    w504 = w503 - w214 * c136
-    w505 = w504 + w318 * rod_small_end_rotation_1_4
-    w506 = w55 * w211 + w78 * w189 + w96 * w192 - w189 * w501 + w202 * c136
-    w507 = w506 + w325 * rod_small_end_rotation_1_4
-    w508 = w211 * rod_rho_phi_4_2_0 + w97 * w189 + w107 * w192 - w192 * w501 + 2 * (rod_q6_dot * rod_phi_phi_5_4_0_1 - rod_q6_dot * rod_phi_phi_5_4_1_0)
-    w509 = w508 + w331 * rod_small_end_rotation_1_4
-    w510 = w185 * w499 - (w20 * (w34 * w505 + w14 * w507 + w26 * w509) + w15 * (w35 * w505 + w19 * w507 + w28 * w509))
-    w511 = w510 + w246 * w494
-    w512 = w256 * w499 - w257 * w494 - (w32 * w489 + w11 * w490 + w24 * w492) - (w260 * w486 + w259 * w500)
-    w513 = w488 + w337 * rod_small_end_rotation_1_4
-    w514 = c138 + w341 * rod_small_end_rotation_1_4
-    w515 = w491 + w344 * rod_small_end_rotation_1_4
-    w516 = w272 * (w34 * w513 + w14 * w514 + w26 * w515) - w273 * (w35 * w513 + w19 * w514 + w28 * w515) - (w32 * w505 + w11 * w507 + w24 * w509)
-    w517 = w271 * w499 - w516 - w276 * w494 - w277 * w500 - w259 * w511 - w278 * w486
-    w518 = (w37 * w493 - w128 * w484 - w253 * rod_small_end_shape_2_4 + w253 * rod_big_end_shape_2_4) / w263
-    w519 = rod_small_end_rotation_0_5 / w9
-    w520 = w2 * c10 / w9
-    w521 = w6 * c10 / w9
-    w522 = w36 * w519 + w22 * w520 - w29 * w521
-    w523 = w254 * w519 + w252 * w520 - w253 * w521
-    w524 = (w255 * w522 - w37 * w523) / w37
-    w525 = c139 + (w61 * w520 - w292 * w519 - w72 * w521)
-    w526 = w69 - w68
-    w527 = w61 * w519 - (w296 * w520 + w101 * w521) + w526
-    w528 = w57 - w58
-    w529 = w298 * w521 + w72 * w519 + w101 * w520 + w528
-    w530 = w127 * w519 + w125 * w520 - w126 * w521
-    w531 = w128 * w523 - w255 * w530
-    w532 = w111 * w520 + w82 * w521
-    w533 = w521 * c37 - w111 * w519
-    w534 = w82 * w519 + w520 * c37
-    w535 = w16 * (w15 * (w34 * w532 + w14 * w533 + w26 * w534) - w20 * (w35 * w532 + w19 * w533 + w28 * w534))
-    w536 = w535 - w12 * (w32 * w532 + w11 * w533 + w24 * w534)
-    w537 = w20 * (w34 * w525 + w14 * w527 + w26 * w529) + w15 * (w35 * w525 + w19 * w527 + w28 * w529) - (w133 * w531 + w128 * w536)
-    w538 = w109 + (w45 + w80)
-    w539 = w45 * w211 + w57 * w189 + w68 * w192 - w211 * w538
-    w540 = w217 * w314
-    w541 = w313 / w9
-    w542 = w227 * w375
-    w543 = w539 + (w540 - w541 - w542) * rod_small_end_rotation_0_5
-    w544 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
-    w545 = w58 * w211 + w80 * w189 + w192 * rod_rho_phi_5_1_2 - w189 * w538 + 2 * w544
-    w546 = w206 / w9
-    w547 = w314 * w322
-    w548 = w545 + (w546 - (w547 + w229 * w375)) * rod_small_end_rotation_0_5
-    w549 = rod_q1_dot * rod_phi_phi_0_5_0_1 + rod_q3_dot * rod_phi_phi_2_5_0_1 + rod_q5_dot * rod_phi_phi_4_5_0_1
-    w550 = rod_q1_dot * rod_phi_phi_0_5_1_0 + rod_q3_dot * rod_phi_phi_2_5_1_0 + rod_q5_dot * rod_phi_phi_4_5_1_0
-    w551 = w69 * w211 + w189 * rod_rho_phi_5_2_1 + w109 * w192 - w192 * w538 + 2 * (w549 - w550)
-    w552 = w329 * w375
-    w553 = w208 / w9
-    w554 = w551 + (w552 + w553 + w221 * w314) * rod_small_end_rotation_0_5
-    w555 = w185 * w536 - (w20 * (w34 * w543 + w14 * w548 + w26 * w554) + w15 * (w35 * w543 + w19 * w548 + w28 * w554))
-    w556 = w555 + w246 * w531
-    w557 = w256 * w536 - w257 * w531 - (w32 * w525 + w11 * w527 + w24 * w529) - (w260 * w524 + w259 * w537)
-    w558 = c139 + (w340 - w292 / w9 - w398) * rod_small_end_rotation_0_5
-    w559 = w526 + (w336 - (w296 * w314 + w101 * w375)) * rod_small_end_rotation_0_5
-    w560 = w528 + (w393 + w298 * w375 + w101 * w314) * rod_small_end_rotation_0_5
-    w561 = w272 * (w34 * w558 + w14 * w559 + w26 * w560) - w273 * (w35 * w558 + w19 * w559 + w28 * w560) - (w32 * w543 + w11 * w548 + w24 * w554)
-    w562 = w271 * w536 - w561 - w276 * w531 - w277 * w537 - w259 * w556 - w278 * w524
-    w563 = (w37 * w530 - w128 * w522) / w263
-    w564 = w145 * (w286 / w9)
-    w565 = w138 * c119 / w9 - w145 * (w287 / w9)
-    w566 = w140 * c119 / w9 - w145 * (w288 / w9)
-    w567 = w180 * w286 - w125 * w564 - (w127 * w565 + w183 * w287) + (w126 * w566 + w181 * w288)
-    w568 = w160 * w286 - w22 * w564 - (w36 * w565 + w175 * w287) + (w29 * w566 + w168 * w288)
-    w569 = w37 * w567 + w176 * w301 - (w128 * w568 + w184 * w289) - w267 * rod_small_end_shape_2_0 + w267 * rod_big_end_shape_2_0
-    w570 = 2 * ((w569 - w262 * w348) / w263)
-    w571 = w266 * w286 - w252 * w564 - (w254 * w565 + w269 * w287) + (w253 * w566 + w267 * w288)
-    w572 = w128 * w571 + w184 * w290 - (w255 * w567 + w270 * w301) - w168 * rod_small_end_shape_2_0 + w168 * rod_big_end_shape_2_0
-    w573 = 2 * -w572
-    w574 = 2 * w39
-    w575 = 2 * w74
-    w576 = 2 * w103
-    w577 = w574 + w575 + w576
-    w578 = w211 * rod_mass
-    w579 = w578 * rod_small_end_shape_2_0
-    w580 = 0.5 / w9
-    w581 = w580 * (w4 * w140 + w6 * w142 + w2 * w138)
-    w582 = w314 * w581
-    w583 = w138 * w580
-    w584 = w191 / w9
-    w585 = 2 * -(w582 - w583 + (w188 * w317 - w584))
-    w586 = w581 / w9
-    w587 = w191 * w314
-    w588 = w210 * w317
-    w589 = 2 * (w586 + (w587 + w588))
-    w590 = w140 * w580
-    w591 = w317 * w581
-    w592 = w210 / w9
-    w593 = 2 * -(w590 - w591 + (w592 + w188 * w314))
-    w594 = w292 * w585 - w61 * w589 - w72 * w593 + (w315 + w546 + w208 * w317)
-    w595 = w210 * w577 - (w210 * w574 + w50 * w188 + w191 * c53) + (w188 * w299 - w191 * c121) + w30 * w579 + w594 * rod_small_end_rotation_1_0
-    w596 = 2 * -w188 * rod_mass
-    w597 = w596 * rod_small_end_shape_2_0
-    w598 = w296 * w589 - w101 * w593 - w61 * w585 + (w387 - w323 - w540)
-    w599 = w188 * w577 - (w50 * w210 + w188 * w575 + w86 * w191) + (w191 * w293 - w210 * w299) - w30 * w597 + w598 * rod_small_end_rotation_1_0
-    w600 = w211 * rod_first_moment_x
-    w601 = w191 * w577 - (w210 * c53 + w86 * w188 + w191 * w576) + (w210 * c121 - w188 * w293) + w600 * rod_small_end_shape_2_0
-    w602 = w298 * w593 - w72 * w585 - w101 * w589 + (w381 - (w330 + w227 * w314))
-    w603 = w601 - (w579 * rod_small_end_x - w31 * w597) + w602 * rod_small_end_rotation_1_0
-    w604 = w132 * w573 - (w20 * (w34 * w595 + w14 * w599 + w26 * w603) + w15 * (w35 * w595 + w19 * w599 + w28 * w603))
-    w605 = w226 / w9
-    w606 = w82 * w593 - w111 * w589 + (w216 * w317 - w605)
-    w607 = w597 + w606 * rod_small_end_rotation_1_0
-    w608 = w203 * w317
-    w609 = w226 * w314
-    w610 = w593 * c37 + w111 * w585 - (w608 + w609)
-    w611 = w579 + w610 * rod_small_end_rotation_1_0
-    w612 = w203 / w9
-    w613 = w216 * w314 + w612 - (w82 * w585 + w589 * c37)
-    w614 = w613 * rod_small_end_rotation_1_0
-    w615 = w16 * (w15 * (w34 * w607 + w14 * w611 + w26 * w614) - w20 * (w35 * w607 + w19 * w611 + w28 * w614))
-    w616 = w615 - w12 * (w32 * w607 + w11 * w611 + w24 * w614) - w573 * c118 + w302 * guide_damping
-    w617 = w255 * w568 + w270 * w289 - (w37 * w571 + w176 * w290) - w181 * rod_small_end_shape_2_0 + w181 * rod_big_end_shape_2_0
-    w618 = 2 * -((w617 - w176 * w291) / w37)
-    w619 = w604 + w128 * w616 - w134 * w618 - w247 * w291
-    w620 = w32 * w595 + w11 * w599 + w24 * w603 - w251 * w573 - w256 * w616 - w258 * w618 - w281 * w291 - w259 * w619
-    w621 = w620 - w282 * w570 - w284 * w348
-    w622 = w294 * w585 + w589 * c122 + w299 * w593 + (w312 * w314 - w320 / w9 - w317 * w327)
-    w623 = (w599 + (w4 * w603 - w2 * w595) * 0.5) / w9
-    w624 = w307 * w573 - (rod_D_ff_0_0 + (w622 - w623) * rod_small_end_rotation_1_0) - w302 * w616 - w308 * w618
-    w625 = w356 * w585 + w358 * w589 + w593 * c126 + (w314 * w373 - w379 / w9 - w317 * w384)
-    w626 = (w603 + (w6 * w595 - w4 * w599) * 0.5) / w9
-    w627 = w211 * c260 - w579 * rod_small_end_shape_1_1 + w625 * rod_small_end_rotation_1_0 - w626 * rod_small_end_rotation_2_1
-    w628 = w367 * w573 - w627 - w362 * w616 - w368 * w618 - w291 * w391 - w354 * w619 - w392 * w570 + w348 * w402
-    w629 = w411 * w585 + w589 * c130 + w414 * w593 + (w314 * w427 - w429 / w9 - w317 * w431)
-    w630 = w422 * w573 - (w629 * rod_small_end_rotation_1_0 - w623 * rod_small_end_rotation_1_2) - w417 * w616
-    w631 = w449 * w585 + w451 * w589 + w593 * c134 + (w314 * w466 - w468 / w9 - w317 * w470)
-    w632 = w211 * c261 - w579 * rod_small_end_shape_1_3 + w631 * rod_small_end_rotation_1_0 - w626 * rod_small_end_rotation_2_3
-    w633 = w460 * w573 - w632 - w455 * w616 - w461 * w618 - w291 * w473 - w447 * w619 - w474 * w570 + w348 * w479
-    w634 = w488 * w585 + w589 * c138 + w491 * w593 + (w314 * w504 - w506 / w9 - w317 * w508)
-    w635 = w499 * w573 - (w634 * rod_small_end_rotation_1_0 - w623 * rod_small_end_rotation_1_4) - w494 * w616
-    w636 = w585 * c139 + w526 * w589 + w528 * w593 + (w314 * w539 - w545 / w9 - w317 * w551)
-    w637 = w192 * c262 + w636 * rod_small_end_rotation_1_0 - (w595 + (w2 * w599 - w6 * w603) * 0.5) / w9 * rod_small_end_rotation_0_5
-    w638 = w536 * w573 - w637 - w531 * w616 - w537 * w618 - w291 * w556 - w524 * w619 - w557 * w570 + w348 * w562
-    w639 = w142 * c123 / w9 - w145 * (w349 / w9)
-    w640 = w140 * c123 / w9 - w145 * (w350 / w9)
-    w641 = w145 * (w351 / w9)
-    w642 = w127 * w639 + w183 * w349 - (w125 * w640 + w180 * w350) + (w181 * w351 - w126 * w641)
-    w643 = w36 * w639 + w175 * w349 - (w22 * w640 + w160 * w350) + (w168 * w351 - w29 * w641)
-    w644 = w37 * w642 + w176 * w361 - (w128 * w643 + w184 * w352) - w266 * rod_small_end_shape_1_1 + w266 * rod_big_end_shape_1_1
-    w645 = 2 * ((w644 - w262 * w403) / w263)
-    w646 = w254 * w639 + w269 * w349 - (w252 * w640 + w266 * w350) + (w267 * w351 - w253 * w641)
-    w647 = w128 * w646 + w184 * w353 - (w255 * w642 + w270 * w361) - w160 * rod_small_end_shape_1_1 + w160 * rod_big_end_shape_1_1
-    w648 = 2 * -w647
-    w649 = 2 * w40
-    w650 = 2 * w75
-    w651 = 2 * w104
-    w652 = w649 + w650 + w651
-    w653 = 2 * -w210
-    w654 = w653 * rod_mass
-    w655 = w654 * rod_small_end_shape_1_1
-    w656 = w142 * w580
-    w657 = w375 * w581
-    w658 = w188 / w9
-    w659 = 2 * -(w656 - w657 + (w658 + w191 * w317))
-    w660 = 2 * -(w591 - w590 + (w191 * w375 - w592))
-    w661 = w188 * w375
-    w662 = 2 * (w586 + (w588 + w661))
-    w663 = w292 * w659 - w61 * w660 - w72 * w662 + (w553 - (w376 + w206 * w317))
-    w664 = w210 * w652 - (w210 * w649 + w188 * c41 + w64 * w191) + (w188 * c125 - w191 * w358) - w31 * w655 + w663 * rod_small_end_rotation_2_1
-    w665 = w653 * rod_first_moment_x
-    w666 = w188 * w652 - (w210 * c41 + w188 * w650 + w89 * w191) + (w191 * w355 - w210 * c125) - w665 * rod_small_end_shape_1_1
-    w667 = w192 * rod_mass
-    w668 = w667 * rod_small_end_shape_1_1
-    w669 = w296 * w660 - w101 * w662 - w61 * w659 + (w328 + w380 + w217 * w375)
-    w670 = w666 - (w30 * w668 - w655 * rod_small_end_x) + w669 * rod_small_end_rotation_2_1
-    w671 = w298 * w662 - w72 * w659 - w101 * w660 + (w542 - w386 - w321)
-    w672 = w191 * w652 - (w64 * w210 + w89 * w188 + w191 * w651) + (w210 * w358 - w188 * w355) + w31 * w668 + w671 * rod_small_end_rotation_2_1
-    w673 = w132 * w648 - (w20 * (w34 * w664 + w14 * w670 + w26 * w672) + w15 * (w35 * w664 + w19 * w670 + w28 * w672))
-    w674 = w216 / w9
-    w675 = w82 * w662 - w111 * w660 + (w226 * w317 + w674)
-    w676 = w668 + w675 * rod_small_end_rotation_2_1
-    w677 = w662 * c37 + w111 * w659 + (w226 * w375 - w612)
-    w678 = w677 * rod_small_end_rotation_2_1
-    w679 = w216 * w375
-    w680 = w82 * w659 + w660 * c37 + (w608 + w679)
-    w681 = w655 - w680 * rod_small_end_rotation_2_1
-    w682 = w16 * (w15 * (w34 * w676 + w14 * w678 + w26 * w681) - w20 * (w35 * w676 + w19 * w678 + w28 * w681))
-    w683 = w682 - w12 * (w32 * w676 + w11 * w678 + w24 * w681) - w648 * c118 + w362 * guide_damping
-    w684 = w255 * w643 + w270 * w352 - (w37 * w646 + w176 * w353) - w180 * rod_small_end_shape_1_1 + w180 * rod_big_end_shape_1_1
-    w685 = 2 * -((w684 - w176 * w354) / w37)
-    w686 = w673 + w128 * w683 - w134 * w685 - w247 * w354
-    w687 = w32 * w664 + w11 * w670 + w24 * w672 - w251 * w648 - w256 * w683 - w258 * w685 - w281 * w354 - w259 * w686
-    w688 = w687 - w282 * w645 - w284 * w403
-    w689 = w294 * w659 + w660 * c122 + w299 * w662 + (w317 * w320 - w312 * w375 - w327 / w9)
-    w690 = (w670 + (w4 * w672 - w2 * w664) * 0.5) / w9
-    w691 = w211 * c263 - w655 * rod_small_end_shape_2_0 + w689 * rod_small_end_rotation_2_1 - w690 * rod_small_end_rotation_1_0
-    w692 = w307 * w648 - w691 - w302 * w683 - w308 * w685 - w334 * w354 - w291 * w686 - w335 * w645 + w347 * w403
-    w693 = w356 * w659 + w358 * w660 + w662 * c126 + (w317 * w379 - w373 * w375 - w384 / w9)
-    w694 = (w672 + (w6 * w664 - w4 * w670) * 0.5) / w9
-    w695 = w367 * w648 - (rod_D_ff_1_1 + (w693 - w694) * rod_small_end_rotation_2_1) - w362 * w683 - w368 * w685
-    w696 = w411 * w659 + w660 * c130 + w414 * w662 + (w317 * w429 - w375 * w427 - w431 / w9)
-    w697 = w211 * c264 - w655 * rod_small_end_shape_2_2 + w696 * rod_small_end_rotation_2_1 - w690 * rod_small_end_rotation_1_2
-    w698 = w422 * w648 - w697 - w417 * w683 - w423 * w685 - w354 * w434 - w409 * w686 - w435 * w645 + w403 * w440
-    w699 = w449 * w659 + w451 * w660 + w662 * c134 + (w317 * w468 - w375 * w466 - w470 / w9)
-    w700 = w460 * w648 - (w699 * rod_small_end_rotation_2_1 - w694 * rod_small_end_rotation_2_3) - w455 * w683
-    w701 = w488 * w659 + w660 * c138 + w491 * w662 + (w317 * w506 - w375 * w504 - w508 / w9)
-    w702 = w211 * c265 - w655 * rod_small_end_shape_2_4 + w701 * rod_small_end_rotation_2_1 - w690 * rod_small_end_rotation_1_4
-    w703 = w499 * w648 - w702 - w494 * w683 - w500 * w685 - w354 * w511 - w486 * w686 - w512 * w645 + w403 * w517
-    w704 = w659 * c139 + w526 * w660 + w528 * w662 + (w317 * w545 - w375 * w539 - w551 / w9)
-    w705 = w189 * c266 + w704 * rod_small_end_rotation_2_1 - (w664 + (w2 * w670 - w6 * w672) * 0.5) / w9 * rod_small_end_rotation_0_5
-    w706 = w536 * w648 - w705 - w531 * w683 - w537 * w685 - w354 * w556 - w524 * w686 - w557 * w645 + w403 * w562
-    w707 = w145 * (w404 / w9)
-    w708 = w138 * c127 / w9 - w145 * (w405 / w9)
-    w709 = w140 * c127 / w9 - w145 * (w406 / w9)
-    w710 = w180 * w404 - w125 * w707 - (w127 * w708 + w183 * w405) + (w126 * w709 + w181 * w406)
-    w711 = w160 * w404 - w22 * w707 - (w36 * w708 + w175 * w405) + (w29 * w709 + w168 * w406)
-    w712 = w37 * w710 + w176 * w416 - (w128 * w711 + w184 * w407) - w267 * rod_small_end_shape_2_2 + w267 * rod_big_end_shape_2_2
-    w713 = 2 * ((w712 - w262 * w441) / w263)
-    w714 = w266 * w404 - w252 * w707 - (w254 * w708 + w269 * w405) + (w253 * w709 + w267 * w406)
-    w715 = w128 * w714 + w184 * w408 - (w255 * w710 + w270 * w416) - w168 * rod_small_end_shape_2_2 + w168 * rod_big_end_shape_2_2
-    w716 = 2 * -w715
-    w717 = 2 * w41
-    w718 = 2 * w76
-    w719 = 2 * w105
-    w720 = w717 + w718 + w719
-    w721 = w578 * rod_small_end_shape_2_2
-    w722 = w210 * w720 - (w210 * w717 + w53 * w188 + w191 * c56) + (w188 * w414 - w191 * c129) + w30 * w721 + w594 * rod_small_end_rotation_1_2
-    w723 = w596 * rod_small_end_shape_2_2
-    w724 = w188 * w720 - (w53 * w210 + w188 * w718 + w92 * w191) + (w191 * w410 - w210 * w414) - w30 * w723 + w598 * rod_small_end_rotation_1_2
-    w725 = w191 * w720 - (w210 * c56 + w92 * w188 + w191 * w719) + (w210 * c129 - w188 * w410) + w600 * rod_small_end_shape_2_2
-    w726 = w725 - (w721 * rod_small_end_x - w31 * w723) + w602 * rod_small_end_rotation_1_2
-    w727 = w132 * w716 - (w20 * (w34 * w722 + w14 * w724 + w26 * w726) + w15 * (w35 * w722 + w19 * w724 + w28 * w726))
-    w728 = w723 + w606 * rod_small_end_rotation_1_2
-    w729 = w721 + w610 * rod_small_end_rotation_1_2
-    w730 = w613 * rod_small_end_rotation_1_2
-    w731 = w16 * (w15 * (w34 * w728 + w14 * w729 + w26 * w730) - w20 * (w35 * w728 + w19 * w729 + w28 * w730))
-    w732 = w731 - w12 * (w32 * w728 + w11 * w729 + w24 * w730) - w716 * c118 + w417 * guide_damping
-    w733 = w255 * w711 + w270 * w407 - (w37 * w714 + w176 * w408) - w181 * rod_small_end_shape_2_2 + w181 * rod_big_end_shape_2_2
-    w734 = 2 * -((w733 - w176 * w409) / w37)
-    w735 = w727 + w128 * w732 - w134 * w734 - w247 * w409
-    w736 = w32 * w722 + w11 * w724 + w24 * w726 - w251 * w716 - w256 * w732 - w258 * w734 - w281 * w409 - w259 * w735
-    w737 = w736 - w282 * w713 - w284 * w441
-    w738 = (w724 + (w4 * w726 - w2 * w722) * 0.5) / w9
-    w739 = w307 * w716 - (w622 * rod_small_end_rotation_1_2 - w738 * rod_small_end_rotation_1_0) - w302 * w732
-    w740 = (w726 + (w6 * w722 - w4 * w724) * 0.5) / w9
-    w741 = w211 * c267 - w721 * rod_small_end_shape_1_1 + w625 * rod_small_end_rotation_1_2 - w740 * rod_small_end_rotation_2_1
-    w742 = w367 * w716 - w741 - w362 * w732 - w368 * w734 - w391 * w409 - w354 * w735 - w392 * w713 + w402 * w441
-    w743 = w422 * w716 - (rod_D_ff_2_2 + (w629 - w738) * rod_small_end_rotation_1_2) - w417 * w732 - w423 * w734
-    w744 = w211 * c268 - w721 * rod_small_end_shape_1_3 + w631 * rod_small_end_rotation_1_2 - w740 * rod_small_end_rotation_2_3
-    w745 = w460 * w716 - w744 - w455 * w732 - w461 * w734 - w409 * w473 - w447 * w735 - w474 * w713 + w441 * w479
-    w746 = w499 * w716 - (w634 * rod_small_end_rotation_1_2 - w738 * rod_small_end_rotation_1_4) - w494 * w732
-    w747 = w192 * c269 + w636 * rod_small_end_rotation_1_2 - (w722 + (w2 * w724 - w6 * w726) * 0.5) / w9 * rod_small_end_rotation_0_5
-    w748 = w536 * w716 - w747 - w531 * w732 - w537 * w734 - w409 * w556 - w524 * w735 - w557 * w713 + w441 * w562
-    w749 = w142 * c131 / w9 - w145 * (w442 / w9)
-    w750 = w140 * c131 / w9 - w145 * (w443 / w9)
-    w751 = w145 * (w444 / w9)
-    w752 = w127 * w749 + w183 * w442 - (w125 * w750 + w180 * w443) + (w181 * w444 - w126 * w751)
-    w753 = w36 * w749 + w175 * w442 - (w22 * w750 + w160 * w443) + (w168 * w444 - w29 * w751)
-    w754 = w37 * w752 + w176 * w454 - (w128 * w753 + w184 * w445) - w266 * rod_small_end_shape_1_3 + w266 * rod_big_end_shape_1_3
-    w755 = 2 * ((w754 - w262 * w480) / w263)
-    w756 = w254 * w749 + w269 * w442 - (w252 * w750 + w266 * w443) + (w267 * w444 - w253 * w751)
-    w757 = w128 * w756 + w184 * w446 - (w255 * w752 + w270 * w454) - w160 * rod_small_end_shape_1_3 + w160 * rod_big_end_shape_1_3
-    w758 = 2 * -w757
-    w759 = 2 * w42
-    w760 = 2 * w77
-    w761 = 2 * w106
-    w762 = w759 + w760 + w761
-    w763 = w654 * rod_small_end_shape_1_3
-    w764 = w210 * w762 - (w210 * w759 + w188 * c44 + w67 * w191) + (w188 * c133 - w191 * w451) - w31 * w763 + w663 * rod_small_end_rotation_2_3
-    w765 = w188 * w762 - (w210 * c44 + w188 * w760 + w95 * w191) + (w191 * w448 - w210 * c133) - w665 * rod_small_end_shape_1_3
-    w766 = w667 * rod_small_end_shape_1_3
-    w767 = w765 - (w30 * w766 - w763 * rod_small_end_x) + w669 * rod_small_end_rotation_2_3
-    w768 = w191 * w762 - (w67 * w210 + w95 * w188 + w191 * w761) + (w210 * w451 - w188 * w448) + w31 * w766 + w671 * rod_small_end_rotation_2_3
-    w769 = w132 * w758 - (w20 * (w34 * w764 + w14 * w767 + w26 * w768) + w15 * (w35 * w764 + w19 * w767 + w28 * w768))
-    w770 = w766 + w675 * rod_small_end_rotation_2_3
-    w771 = w677 * rod_small_end_rotation_2_3
-    w772 = w763 - w680 * rod_small_end_rotation_2_3
-    w773 = w16 * (w15 * (w34 * w770 + w14 * w771 + w26 * w772) - w20 * (w35 * w770 + w19 * w771 + w28 * w772))
-    w774 = w773 - w12 * (w32 * w770 + w11 * w771 + w24 * w772) - w758 * c118 + w455 * guide_damping
-    w775 = w255 * w753 + w270 * w445 - (w37 * w756 + w176 * w446) - w180 * rod_small_end_shape_1_3 + w180 * rod_big_end_shape_1_3
-    w776 = 2 * -((w775 - w176 * w447) / w37)
-    w777 = w769 + w128 * w774 - w134 * w776 - w247 * w447
-    w778 = w32 * w764 + w11 * w767 + w24 * w768 - w251 * w758 - w256 * w774 - w258 * w776 - w281 * w447 - w259 * w777
-    w779 = w778 - w282 * w755 - w284 * w480
-    w780 = (w767 + (w4 * w768 - w2 * w764) * 0.5) / w9
-    w781 = w211 * c270 - w763 * rod_small_end_shape_2_0 + w689 * rod_small_end_rotation_2_3 - w780 * rod_small_end_rotation_1_0
-    w782 = w307 * w758 - w781 - w302 * w774 - w308 * w776 - w334 * w447 - w291 * w777 - w335 * w755 + w347 * w480
-    w783 = (w768 + (w6 * w764 - w4 * w767) * 0.5) / w9
-    w784 = w367 * w758 - (w693 * rod_small_end_rotation_2_3 - w783 * rod_small_end_rotation_2_1) - w362 * w774
-    w785 = w211 * c271 - w763 * rod_small_end_shape_2_2 + w696 * rod_small_end_rotation_2_3 - w780 * rod_small_end_rotation_1_2
-    w786 = w422 * w758 - w785 - w417 * w774 - w423 * w776 - w434 * w447 - w409 * w777 - w435 * w755 + w440 * w480
-    w787 = w460 * w758 - (rod_D_ff_3_3 + (w699 - w783) * rod_small_end_rotation_2_3) - w455 * w774 - w461 * w776
-    w788 = w211 * c272 - w763 * rod_small_end_shape_2_4 + w701 * rod_small_end_rotation_2_3 - w780 * rod_small_end_rotation_1_4
-    w789 = w499 * w758 - w788 - w494 * w774 - w500 * w776 - w447 * w511 - w486 * w777 - w512 * w755 + w480 * w517
-    w790 = w189 * c273 + w704 * rod_small_end_rotation_2_3 - (w764 + (w2 * w767 - w6 * w768) * 0.5) / w9 * rod_small_end_rotation_0_5
-    w791 = w536 * w758 - w790 - w531 * w774 - w537 * w776 - w447 * w556 - w524 * w777 - w557 * w755 + w480 * w562
-    w792 = w145 * (w481 / w9)
-    w793 = w138 * c135 / w9 - w145 * (w482 / w9)
-    w794 = w140 * c135 / w9 - w145 * (w483 / w9)
-    w795 = w180 * w481 - w125 * w792 - (w127 * w793 + w183 * w482) + (w126 * w794 + w181 * w483)
-    w796 = w160 * w481 - w22 * w792 - (w36 * w793 + w175 * w482) + (w29 * w794 + w168 * w483)
-    w797 = w37 * w795 + w176 * w493 - (w128 * w796 + w184 * w484) - w267 * rod_small_end_shape_2_4 + w267 * rod_big_end_shape_2_4
-    w798 = 2 * ((w797 - w262 * w518) / w263)
-    w799 = w266 * w481 - w252 * w792 - (w254 * w793 + w269 * w482) + (w253 * w794 + w267 * w483)
-    w800 = w128 * w799 + w184 * w485 - (w255 * w795 + w270 * w493) - w168 * rod_small_end_shape_2_4 + w168 * rod_big_end_shape_2_4
-    w801 = 2 * -w800
-    w802 = 2 * w43
-    w803 = 2 * w78
-    w804 = 2 * w107
-    w805 = w802 + w803 + w804
-    w806 = w578 * rod_small_end_shape_2_4
-    w807 = w210 * w805 - (w210 * w802 + w56 * w188 + w191 * c59) + (w188 * w491 - w191 * c137) + w30 * w806 + w594 * rod_small_end_rotation_1_4
-    w808 = w596 * rod_small_end_shape_2_4
-    w809 = w188 * w805 - (w56 * w210 + w188 * w803 + w98 * w191) + (w191 * w487 - w210 * w491) - w30 * w808 + w598 * rod_small_end_rotation_1_4
-    w810 = w191 * w805 - (w210 * c59 + w98 * w188 + w191 * w804) + (w210 * c137 - w188 * w487) + w600 * rod_small_end_shape_2_4
-    w811 = w810 - (w806 * rod_small_end_x - w31 * w808) + w602 * rod_small_end_rotation_1_4
-    w812 = w132 * w801 - (w20 * (w34 * w807 + w14 * w809 + w26 * w811) + w15 * (w35 * w807 + w19 * w809 + w28 * w811))
-    w813 = w808 + w606 * rod_small_end_rotation_1_4
-    w814 = w806 + w610 * rod_small_end_rotation_1_4
-    w815 = w613 * rod_small_end_rotation_1_4
-    w816 = w16 * (w15 * (w34 * w813 + w14 * w814 + w26 * w815) - w20 * (w35 * w813 + w19 * w814 + w28 * w815))
-    w817 = w816 - w12 * (w32 * w813 + w11 * w814 + w24 * w815) - w801 * c118 + w494 * guide_damping
-    w818 = w255 * w796 + w270 * w484 - (w37 * w799 + w176 * w485) - w181 * rod_small_end_shape_2_4 + w181 * rod_big_end_shape_2_4
-    w819 = 2 * -((w818 - w176 * w486) / w37)
-    w820 = w812 + w128 * w817 - w134 * w819 - w247 * w486
-    w821 = w32 * w807 + w11 * w809 + w24 * w811 - w251 * w801 - w256 * w817 - w258 * w819 - w281 * w486 - w259 * w820
-    w822 = w821 - w282 * w798 - w284 * w518
-    w823 = (w809 + (w4 * w811 - w2 * w807) * 0.5) / w9
-    w824 = w307 * w801 - (w622 * rod_small_end_rotation_1_4 - w823 * rod_small_end_rotation_1_0) - w302 * w817
-    w825 = (w811 + (w6 * w807 - w4 * w809) * 0.5) / w9
-    w826 = w211 * c274 - w806 * rod_small_end_shape_1_1 + w625 * rod_small_end_rotation_1_4 - w825 * rod_small_end_rotation_2_1
-    w827 = w367 * w801 - w826 - w362 * w817 - w368 * w819 - w391 * w486 - w354 * w820 - w392 * w798 + w402 * w518
-    w828 = w422 * w801 - (w629 * rod_small_end_rotation_1_4 - w823 * rod_small_end_rotation_1_2) - w417 * w817
-    w829 = w211 * c275 - w806 * rod_small_end_shape_1_3 + w631 * rod_small_end_rotation_1_4 - w825 * rod_small_end_rotation_2_3
-    w830 = w460 * w801 - w829 - w455 * w817 - w461 * w819 - w473 * w486 - w447 * w820 - w474 * w798 + w479 * w518
-    w831 = w499 * w801 - (rod_D_ff_4_4 + (w634 - w823) * rod_small_end_rotation_1_4) - w494 * w817 - w500 * w819
-    w832 = w192 * c276 + w636 * rod_small_end_rotation_1_4 - (w807 + (w2 * w809 - w6 * w811) * 0.5) / w9 * rod_small_end_rotation_0_5
-    w833 = w536 * w801 - w832 - w531 * w817 - w537 * w819 - w486 * w556 - w524 * w820 - w557 * w798 + w518 * w562
-    w834 = w145 * (w519 / w9)
-    w835 = w138 * c10 / w9 - w145 * (w520 / w9)
-    w836 = w142 * c10 / w9 - w145 * (w521 / w9)
-    w837 = w183 * w519 - w127 * w834 + (w125 * w835 + w180 * w520) - (w126 * w836 + w181 * w521)
-    w838 = w175 * w519 - w36 * w834 + (w22 * w835 + w160 * w520) - (w29 * w836 + w168 * w521)
-    w839 = 2 * ((w37 * w837 + w176 * w530 - (w128 * w838 + w184 * w522) - w262 * w563) / w263)
-    w840 = w269 * w519 - w254 * w834 + (w252 * w835 + w266 * w520) - (w253 * w836 + w267 * w521)
-    w841 = 2 * -(w128 * w840 + w184 * w523 - (w255 * w837 + w270 * w530))
-    w842 = 2 * w45
-    w843 = 2 * w80
-    w844 = 2 * w109
-    w845 = w842 + w843 + w844
-    w846 = 2 * (w586 + (w587 + w661))
-    w847 = 2 * -(w583 - w582 + (w584 + w210 * w375))
-    w848 = 2 * -(w657 - w656 + (w210 * w314 - w658))
-    w849 = w210 * w845 - (w210 * w842 + w59 * w188 + w70 * w191) + (w188 * w528 - w191 * w526) + (w292 * w846 - w61 * w847 - w72 * w848 + (w324 - w541 - w385)) * rod_small_end_rotation_0_5
-    w850 = (w296 * w847 - w101 * w848 - w61 * w846 + (w316 - (w547 + w221 * w375))) * rod_small_end_rotation_0_5
-    w851 = w188 * w845 - (w59 * w210 + w188 * w843 + w191 * c103) + (w191 * c139 - w210 * w528) + w850
-    w852 = (w298 * w848 - w72 * w846 - w101 * w847 + (w374 + w552 + w229 * w314)) * rod_small_end_rotation_0_5
-    w853 = w191 * w845 - (w70 * w210 + w188 * c103 + w191 * w844) + (w210 * w526 - w188 * c139) + w852
-    w854 = w132 * w841 - (w20 * (w34 * w849 + w14 * w851 + w26 * w853) + w15 * (w35 * w849 + w19 * w851 + w28 * w853))
-    w855 = (w82 * w848 - w111 * w847 - (w609 + w679)) * rod_small_end_rotation_0_5
-    w856 = (w848 * c37 + w111 * w846 + (w605 + w203 * w375)) * rod_small_end_rotation_0_5
-    w857 = (w203 * w314 - w674 - (w82 * w846 + w847 * c37)) * rod_small_end_rotation_0_5
-    w858 = w16 * (w15 * (w34 * w855 + w14 * w856 + w26 * w857) - w20 * (w35 * w855 + w19 * w856 + w28 * w857))
-    w859 = w858 - w12 * (w32 * w855 + w11 * w856 + w24 * w857) - w841 * c118 + w531 * guide_damping
-    w860 = 2 * -((w255 * w838 + w270 * w522 - (w37 * w840 + w176 * w523) - w176 * w524) / w37)
-    w861 = w854 + w128 * w859 - w134 * w860 - w247 * w524
-    w862 = w32 * w849 + w11 * w851 + w24 * w853 - w251 * w841 - w256 * w859 - w258 * w860 - w281 * w524 - w259 * w861
-    w863 = w862 - w282 * w839 - w284 * w563
-    w864 = (w294 * w846 + w847 * c122 + w299 * w848 + (w327 * w375 - (w312 / w9 + w314 * w320))) * rod_small_end_rotation_0_5
-    w865 = (w851 + (w4 * w853 - w2 * w849) * 0.5) / w9
-    w866 = w307 * w841 - (w192 * c277 + w864 - w865 * rod_small_end_rotation_1_0) - w302 * w859 - w308 * w860
-    w867 = (w356 * w846 + w358 * w847 + w848 * c126 + (w375 * w384 - (w373 / w9 + w314 * w379))) * rod_small_end_rotation_0_5
-    w868 = (w853 + (w6 * w849 - w4 * w851) * 0.5) / w9
-    w869 = w367 * w841 - (w189 * c278 + w867 - w868 * rod_small_end_rotation_2_1) - w362 * w859 - w368 * w860
-    w870 = (w411 * w846 + w847 * c130 + w414 * w848 + (w375 * w431 - (w427 / w9 + w314 * w429))) * rod_small_end_rotation_0_5
-    w871 = w422 * w841 - (w192 * c279 + w870 - w865 * rod_small_end_rotation_1_2) - w417 * w859 - w423 * w860
-    w872 = (w449 * w846 + w451 * w847 + w848 * c134 + (w375 * w470 - (w466 / w9 + w314 * w468))) * rod_small_end_rotation_0_5
-    w873 = w460 * w841 - (w189 * c280 + w872 - w868 * rod_small_end_rotation_2_3) - w455 * w859 - w461 * w860
-    w874 = (w488 * w846 + w847 * c138 + w491 * w848 + (w375 * w508 - (w504 / w9 + w314 * w506))) * rod_small_end_rotation_0_5
-    w875 = w499 * w841 - (w192 * c281 + w874 - w865 * rod_small_end_rotation_1_4) - w494 * w859 - w500 * w860
-    w876 = w846 * c139 + w526 * w847 + w528 * w848 + (w375 * w551 - (w539 / w9 + w314 * w545)) - (w849 + (w2 * w851 - w6 * w853) * 0.5) / w9
-    w877 = w536 * w841 - (rod_D_ff_5_5 + w876 * rod_small_end_rotation_0_5) - w531 * w859 - w537 * w860 - w524 * w556
+    w271 = 2 * w187
+    w272 = 2 * w186
+    w273 = w20 * ((w115 + w122) * w271 + w116 * w272 + (w34 * w241 + w14 * w242 + w26 * w243)) + w15 * (w35 * w241 + w19 * w242 + w28 * w243 - (w272 * (w114 + w122) + w116 * w271))
+    w274 = w12 * (w131 * w271 + w130 * w272) - w16 * (w15 * (w245 + w129 * w272) + w20 * (w244 - w129 * w271))
+    w275 = 2 * -((w137 * w255 + w12 * w270 - w176 * w259) / w37)
+    w276 = w20 * (w32 * w209 + w11 * w222 + w24 * w232) + w15 * (w32 * w234 + w11 * w235 + w24 * w236) + w185 * w251
+    w277 = w246 * w256 - w276
+    w278 = w114 + w115 - (w256 * w257 + w251 * w256) - (w259 * w260 + w258 * w259)
+    w279 = rod_small_end_rotation_1_0 / w9
+    w280 = w2 * c119 / w9
+    w281 = w4 * c119 / w9
+    w282 = w22 * w279 - w36 * w280 + w29 * w281
+    w283 = w252 * w279 - w254 * w280 + w253 * w281
+    w284 = (w255 * w282 - w37 * w283 - w126 * rod_small_end_shape_2_0 + w126 * rod_big_end_shape_2_0) / w37
+    w285 = w83 + w112
+    w286 = w84 - w85
+    w287 = w286 + w31 * c120
+    w288 = w280 * w285 + w61 * w279 + w72 * w281 + w287
+    w289 = w47 + w112
+    w290 = c122 + (w101 * w281 - w279 * w289 - w61 * w280)
+    w291 = w47 + w83
+    w292 = w48 - w49
+    w293 = w101 * w279 - (w281 * w291 + w72 * w280) + w292
+    w294 = w125 * w279 - w127 * w280 + w126 * w281
+    w295 = w128 * w283 - w255 * w294 - w29 * rod_small_end_shape_2_0 + w29 * rod_big_end_shape_2_0
+    w296 = w111 * w279 - w82 * w281
+    w297 = w111 * w280 - w281 * c37
+    w298 = w279 * c37 - w82 * w280 - c120
+    w299 = w16 * (w15 * (w34 * w296 + w14 * w297 + w26 * w298) - w20 * (w35 * w296 + w19 * w297 + w28 * w298))
+    w300 = w299 - w12 * (w32 * w296 + w11 * w297 + w24 * w298)
+    w301 = w20 * (w34 * w288 + w14 * w290 + w26 * w293) + w15 * (w35 * w288 + w19 * w290 + w28 * w293) - (w133 * w295 + w128 * w300)
+    w302 = w103 + (w39 + w74)
+    w303 = rod_q2_dot * rod_phi_phi_1_0_1_2 + rod_q4_dot * rod_phi_phi_3_0_1_2 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
+    w304 = w39 * w211 + w48 * w189 + w192 * rod_rho_phi_0_0_2 - w211 * w302 + 2 * w303 - w215 * rod_small_end_shape_2_0
+    w305 = w304 - w214 * c120
+    w306 = w219 + w231
+    w307 = w2 * 0.5 / w9
+    w308 = w306 * w307
+    w309 = w217 / w9
+    w310 = w4 * 0.5 / w9
+    w311 = w308 + w309 + w227 * w310
+    w312 = w305 + w311 * rod_small_end_rotation_1_0
+    w313 = w49 * w211 + w74 * w189 + w84 * w192 - w189 * w302 + w202 * c120
+    w314 = w229 * w310
+    w315 = w204 + w231
+    w316 = w315 / w9
+    w317 = w206 * w307
+    w318 = w314 - w316 - w317
+    w319 = w313 + w318 * rod_small_end_rotation_1_0
+    w320 = w211 * rod_rho_phi_0_2_0 + w85 * w189 + w103 * w192 - w192 * w302 + rod_q6_dot * c212
+    w321 = w221 / w9
+    w322 = w204 + w219
+    w323 = w310 * w322
+    w324 = w321 - (w323 + w208 * w307)
+    w325 = w320 + w324 * rod_small_end_rotation_1_0
+    w326 = w185 * w300 - (w20 * (w34 * w312 + w14 * w319 + w26 * w325) + w15 * (w35 * w312 + w19 * w319 + w28 * w325))
+    w327 = w326 + w246 * w295
+    w328 = w256 * w300 - w257 * w295 - (w32 * w288 + w11 * w290 + w24 * w293) - (w260 * w284 + w259 * w301)
+    w329 = w61 / w9
+    w330 = w285 * w307 + w329 + w72 * w310
+    w331 = w287 + w330 * rod_small_end_rotation_1_0
+    w332 = w101 * w310
+    w333 = w61 * w307
+    w334 = w332 - w289 / w9 - w333
+    w335 = c122 + w334 * rod_small_end_rotation_1_0
+    w336 = w101 / w9
+    w337 = w336 - (w291 * w310 + w72 * w307)
+    w338 = w292 + w337 * rod_small_end_rotation_1_0
+    w339 = w271 * (w34 * w331 + w14 * w335 + w26 * w338) - w272 * (w35 * w331 + w19 * w335 + w28 * w338) - (w32 * w312 + w11 * w319 + w24 * w325)
+    w340 = (w37 * w294 - w128 * w282 - w253 * rod_small_end_shape_2_0 + w253 * rod_big_end_shape_2_0) / w263
+    w341 = w6 * c123 / w9
+    w342 = w4 * c123 / w9
+    w343 = rod_small_end_rotation_2_1 / w9
+    w344 = w36 * w341 - w22 * w342 + w29 * w343
+    w345 = w254 * w341 - w252 * w342 + w253 * w343
+    w346 = (w255 * w344 - w37 * w345 - w125 * rod_small_end_shape_1_1 + w125 * rod_big_end_shape_1_1) / w37
+    w347 = w87 - w88
+    w348 = w347 - w30 * c124
+    w349 = w72 * w343 - (w285 * w341 + w61 * w342) + w348
+    w350 = w63 - w62
+    w351 = w289 * w342 + w101 * w343 + w61 * w341 + w350
+    w352 = c126 + (w72 * w341 - w291 * w343 - w101 * w342)
+    w353 = w127 * w341 - w125 * w342 + w126 * w343
+    w354 = w128 * w345 - w255 * w353 - w22 * rod_small_end_shape_1_1 + w22 * rod_big_end_shape_1_1
+    w355 = w82 * w341 - w342 * c37
+    w356 = w111 * w342 + w82 * w343
+    w357 = c124 + (w343 * c37 + w111 * w341)
+    w358 = w16 * (w15 * (w26 * w355 - (w34 * w356 + w14 * w357)) - w20 * (w28 * w355 - (w35 * w356 + w19 * w357)))
+    w359 = w358 + w12 * (w32 * w356 + w11 * w357 - w24 * w355)
+    w360 = w20 * (w34 * w349 + w14 * w351 + w26 * w352) + w15 * (w35 * w349 + w19 * w351 + w28 * w352) - (w133 * w354 + w128 * w359)
+    w361 = w104 + (w40 + w75)
+    w362 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
+    w363 = rod_q1_dot * rod_phi_phi_0_1_2_1 + rod_q3_dot * rod_phi_phi_2_1_2_1 + rod_q5_dot * rod_phi_phi_4_1_2_1
+    w364 = w40 * w211 + w189 * rod_rho_phi_1_0_1 + w62 * w192 - w211 * w361 + 2 * (w362 - w363) - w225 * rod_small_end_shape_1_1
+    w365 = w364 + w224 * c124
+    w366 = w227 / w9
+    w367 = w6 * 0.5 / w9
+    w368 = w306 * w367
+    w369 = w366 - (w368 + w217 * w310)
+    w370 = w365 + w369 * rod_small_end_rotation_2_1
+    w371 = w211 * rod_rho_phi_1_1_0 + w75 * w189 + w87 * w192 - w189 * w361 + rod_q6_dot * c213
+    w372 = w310 * w315
+    w373 = w229 / w9
+    w374 = w372 + w373 + w206 * w367
+    w375 = w371 + w374 * rod_small_end_rotation_2_1
+    w376 = w63 * w211 + w88 * w189 + w104 * w192 - w192 * w361 - w202 * c124
+    w377 = w208 * w367
+    w378 = w322 / w9
+    w379 = w221 * w310
+    w380 = w377 - w378 - w379
+    w381 = w376 + w380 * rod_small_end_rotation_2_1
+    w382 = w185 * w359 - (w20 * (w34 * w370 + w14 * w375 + w26 * w381) + w15 * (w35 * w370 + w19 * w375 + w28 * w381))
+    w383 = w382 + w246 * w354
+    w384 = w256 * w359 - w257 * w354 - (w32 * w349 + w11 * w351 + w24 * w352) - (w260 * w346 + w259 * w360)
+    w385 = w72 / w9
+    w386 = w385 - (w285 * w367 + w61 * w310)
+    w387 = w348 + w386 * rod_small_end_rotation_2_1
+    w388 = w336 + w289 * w310 + w61 * w367
+    w389 = w350 + w388 * rod_small_end_rotation_2_1
+    w390 = w72 * w367
+    w391 = w390 - w291 / w9 - w332
+    w392 = c126 + w391 * rod_small_end_rotation_2_1
+    w393 = w271 * (w34 * w387 + w14 * w389 + w26 * w392) - w272 * (w35 * w387 + w19 * w389 + w28 * w392) - (w32 * w370 + w11 * w375 + w24 * w381)
+    w394 = (w37 * w353 - w128 * w344 - w252 * rod_small_end_shape_1_1 + w252 * rod_big_end_shape_1_1) / w263
+    w395 = rod_small_end_rotation_1_2 / w9
+    w396 = w2 * c127 / w9
+    w397 = w4 * c127 / w9
+    w398 = w22 * w395 - w36 * w396 + w29 * w397
+    w399 = w252 * w395 - w254 * w396 + w253 * w397
+    w400 = (w255 * w398 - w37 * w399 - w126 * rod_small_end_shape_2_2 + w126 * rod_big_end_shape_2_2) / w37
+    w401 = w90 - w91
+    w402 = w401 + w31 * c128
+    w403 = w285 * w396 + w61 * w395 + w72 * w397 + w402
+    w404 = c130 + (w101 * w397 - w289 * w395 - w61 * w396)
+    w405 = w51 - w52
+    w406 = w101 * w395 - (w291 * w397 + w72 * w396) + w405
+    w407 = w125 * w395 - w127 * w396 + w126 * w397
+    w408 = w128 * w399 - w255 * w407 - w29 * rod_small_end_shape_2_2 + w29 * rod_big_end_shape_2_2
+    w409 = w111 * w395 - w82 * w397
+    w410 = w111 * w396 - w397 * c37
+    w411 = w395 * c37 - w82 * w396 - c128
+    w412 = w16 * (w15 * (w34 * w409 + w14 * w410 + w26 * w411) - w20 * (w35 * w409 + w19 * w410 + w28 * w411))
+    w413 = w412 - w12 * (w32 * w409 + w11 * w410 + w24 * w411)
+    w414 = w20 * (w34 * w403 + w14 * w404 + w26 * w406) + w15 * (w35 * w403 + w19 * w404 + w28 * w406) - (w133 * w408 + w128 * w413)
+    w415 = w105 + (w41 + w76)
+    w416 = rod_q2_dot * rod_phi_phi_1_2_1_2 + rod_q4_dot * rod_phi_phi_3_2_1_2 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
+    w417 = w41 * w211 + w51 * w189 + w192 * rod_rho_phi_2_0_2 - w211 * w415 + 2 * w416 - w215 * rod_small_end_shape_2_2
+    w418 = w417 - w214 * c128
+    w419 = w418 + w311 * rod_small_end_rotation_1_2
+    w420 = w52 * w211 + w76 * w189 + w90 * w192 - w189 * w415 + w202 * c128
+    w421 = w420 + w318 * rod_small_end_rotation_1_2
+    w422 = w211 * rod_rho_phi_2_2_0 + w91 * w189 + w105 * w192 - w192 * w415 + rod_q6_dot * c214
+    w423 = w422 + w324 * rod_small_end_rotation_1_2
+    w424 = w185 * w413 - (w20 * (w34 * w419 + w14 * w421 + w26 * w423) + w15 * (w35 * w419 + w19 * w421 + w28 * w423))
+    w425 = w424 + w246 * w408
+    w426 = w256 * w413 - w257 * w408 - (w32 * w403 + w11 * w404 + w24 * w406) - (w260 * w400 + w259 * w414)
+    w427 = w402 + w330 * rod_small_end_rotation_1_2
+    w428 = c130 + w334 * rod_small_end_rotation_1_2
+    w429 = w405 + w337 * rod_small_end_rotation_1_2
+    w430 = w271 * (w34 * w427 + w14 * w428 + w26 * w429) - w272 * (w35 * w427 + w19 * w428 + w28 * w429) - (w32 * w419 + w11 * w421 + w24 * w423)
+    w431 = (w37 * w407 - w128 * w398 - w253 * rod_small_end_shape_2_2 + w253 * rod_big_end_shape_2_2) / w263
+    w432 = w6 * c131 / w9
+    w433 = w4 * c131 / w9
+    w434 = rod_small_end_rotation_2_3 / w9
+    w435 = w36 * w432 - w22 * w433 + w29 * w434
+    w436 = w254 * w432 - w252 * w433 + w253 * w434
+    w437 = (w255 * w435 - w37 * w436 - w125 * rod_small_end_shape_1_3 + w125 * rod_big_end_shape_1_3) / w37
+    w438 = w93 - w94
+    w439 = w438 - w30 * c132
+    w440 = w72 * w434 - (w285 * w432 + w61 * w433) + w439
+    w441 = w66 - w65
+    w442 = w289 * w433 + w101 * w434 + w61 * w432 + w441
+    w443 = c134 + (w72 * w432 - w291 * w434 - w101 * w433)
+    w444 = w127 * w432 - w125 * w433 + w126 * w434
+    w445 = w128 * w436 - w255 * w444 - w22 * rod_small_end_shape_1_3 + w22 * rod_big_end_shape_1_3
+    w446 = w82 * w432 - w433 * c37
+    w447 = w111 * w433 + w82 * w434
+    w448 = c132 + (w434 * c37 + w111 * w432)
+    w449 = w16 * (w15 * (w26 * w446 - (w34 * w447 + w14 * w448)) - w20 * (w28 * w446 - (w35 * w447 + w19 * w448)))
+    w450 = w449 + w12 * (w32 * w447 + w11 * w448 - w24 * w446)
+    w451 = w20 * (w34 * w440 + w14 * w442 + w26 * w443) + w15 * (w35 * w440 + w19 * w442 + w28 * w443) - (w133 * w445 + w128 * w450)
+    w452 = w106 + (w42 + w77)
+    w453 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
+    w454 = rod_q1_dot * rod_phi_phi_0_3_2_1 + rod_q3_dot * rod_phi_phi_2_3_2_1 + rod_q5_dot * rod_phi_phi_4_3_2_1
+    w455 = w42 * w211 + w189 * rod_rho_phi_3_0_1 + w65 * w192 - w211 * w452 + 2 * (w453 - w454) - w225 * rod_small_end_shape_1_3
+    w456 = w455 + w224 * c132
+    w457 = w456 + w369 * rod_small_end_rotation_2_3
+    w458 = w211 * rod_rho_phi_3_1_0 + w77 * w189 + w93 * w192 - w189 * w452 + rod_q6_dot * c215
+    w459 = w458 + w374 * rod_small_end_rotation_2_3
+    w460 = w66 * w211 + w94 * w189 + w106 * w192 - w192 * w452 - w202 * c132
+    w461 = w460 + w380 * rod_small_end_rotation_2_3
+    w462 = w185 * w450 - (w20 * (w34 * w457 + w14 * w459 + w26 * w461) + w15 * (w35 * w457 + w19 * w459 + w28 * w461))
+    w463 = w462 + w246 * w445
+    w464 = w256 * w450 - w257 * w445 - (w32 * w440 + w11 * w442 + w24 * w443) - (w260 * w437 + w259 * w451)
+    w465 = w439 + w386 * rod_small_end_rotation_2_3
+    w466 = w441 + w388 * rod_small_end_rotation_2_3
+    w467 = c134 + w391 * rod_small_end_rotation_2_3
+    w468 = w271 * (w34 * w465 + w14 * w466 + w26 * w467) - w272 * (w35 * w465 + w19 * w466 + w28 * w467) - (w32 * w457 + w11 * w459 + w24 * w461)
+    w469 = (w37 * w444 - w128 * w435 - w252 * rod_small_end_shape_1_3 + w252 * rod_big_end_shape_1_3) / w263
+    w470 = rod_small_end_rotation_1_4 / w9
+    w471 = w2 * c135 / w9
+    w472 = w4 * c135 / w9
+    w473 = w22 * w470 - w36 * w471 + w29 * w472
+    w474 = w252 * w470 - w254 * w471 + w253 * w472
+    w475 = (w255 * w473 - w37 * w474 - w126 * rod_small_end_shape_2_4 + w126 * rod_big_end_shape_2_4) / w37
+    w476 = w96 - w97
+    w477 = w476 + w31 * c136
+    w478 = w285 * w471 + w61 * w470 + w72 * w472 + w477
+    w479 = c138 + (w101 * w472 - w289 * w470 - w61 * w471)
+    w480 = w54 - w55
+    w481 = w101 * w470 - (w291 * w472 + w72 * w471) + w480
+    w482 = w125 * w470 - w127 * w471 + w126 * w472
+    w483 = w128 * w474 - w255 * w482 - w29 * rod_small_end_shape_2_4 + w29 * rod_big_end_shape_2_4
+    w484 = w111 * w470 - w82 * w472
+    w485 = w111 * w471 - w472 * c37
+    w486 = w470 * c37 - w82 * w471 - c136
+    w487 = w16 * (w15 * (w34 * w484 + w14 * w485 + w26 * w486) - w20 * (w35 * w484 + w19 * w485 + w28 * w486))
+    w488 = w487 - w12 * (w32 * w484 + w11 * w485 + w24 * w486)
+    w489 = w20 * (w34 * w478 + w14 * w479 + w26 * w481) + w15 * (w35 * w478 + w19 * w479 + w28 * w481) - (w133 * w483 + w128 * w488)
+    w490 = w107 + (w43 + w78)
+    w491 = rod_q2_dot * rod_phi_phi_1_4_1_2 + rod_q4_dot * rod_phi_phi_3_4_1_2 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
+    w492 = w43 * w211 + w54 * w189 + w192 * rod_rho_phi_4_0_2 - w211 * w490 + 2 * w491 - w215 * rod_small_end_shape_2_4
+    w493 = w492 - w214 * c136
+    w494 = w493 + w311 * rod_small_end_rotation_1_4
+    w495 = w55 * w211 + w78 * w189 + w96 * w192 - w189 * w490 + w202 * c136
+    w496 = w495 + w318 * rod_small_end_rotation_1_4
+    w497 = w211 * rod_rho_phi_4_2_0 + w97 * w189 + w107 * w192 - w192 * w490 + rod_q6_dot * c216
+    w498 = w497 + w324 * rod_small_end_rotation_1_4
+    w499 = w185 * w488 - (w20 * (w34 * w494 + w14 * w496 + w26 * w498) + w15 * (w35 * w494 + w19 * w496 + w28 * w498))
+    w500 = w499 + w246 * w483
+    w501 = w256 * w488 - w257 * w483 - (w32 * w478 + w11 * w479 + w24 * w481) - (w260 * w475 + w259 * w489)
+    w502 = w477 + w330 * rod_small_end_rotation_1_4
+    w503 = c138 + w334 * rod_small_end_rotation_1_4
+    w504 = w480 + w337 * rod_small_end_rotation_1_4
+    w505 = w271 * (w34 * w502 + w14 * w503 + w26 * w504) - w272 * (w35 * w502 + w19 * w503 + w28 * w504) - (w32 * w494 + w11 * w496 + w24 * w498)
+    w506 = (w37 * w482 - w128 * w473 - w253 * rod_small_end_shape_2_4 + w253 * rod_big_end_shape_2_4) / w263
+    w507 = rod_small_end_rotation_0_5 / w9
+    w508 = w2 * c10 / w9
+    w509 = w6 * c10 / w9
+    w510 = w36 * w507 + w22 * w508 - w29 * w509
+    w511 = w254 * w507 + w252 * w508 - w253 * w509
+    w512 = (w255 * w510 - w37 * w511) / w37
+    w513 = c139 + (w61 * w508 - w285 * w507 - w72 * w509)
+    w514 = w69 - w68
+    w515 = w61 * w507 - (w289 * w508 + w101 * w509) + w514
+    w516 = w57 - w58
+    w517 = w291 * w509 + w72 * w507 + w101 * w508 + w516
+    w518 = w127 * w507 + w125 * w508 - w126 * w509
+    w519 = w128 * w511 - w255 * w518
+    w520 = w111 * w508 + w82 * w509
+    w521 = w509 * c37 - w111 * w507
+    w522 = w82 * w507 + w508 * c37
+    w523 = w16 * (w15 * (w34 * w520 + w14 * w521 + w26 * w522) - w20 * (w35 * w520 + w19 * w521 + w28 * w522))
+    w524 = w523 - w12 * (w32 * w520 + w11 * w521 + w24 * w522)
+    w525 = w20 * (w34 * w513 + w14 * w515 + w26 * w517) + w15 * (w35 * w513 + w19 * w515 + w28 * w517) - (w133 * w519 + w128 * w524)
+    w526 = w109 + (w45 + w80)
+    w527 = w45 * w211 + w57 * w189 + w68 * w192 - w211 * w526
+    w528 = w217 * w307
+    w529 = w306 / w9
+    w530 = w227 * w367
+    w531 = w527 + (w528 - w529 - w530) * rod_small_end_rotation_0_5
+    w532 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
+    w533 = w58 * w211 + w80 * w189 + w192 * rod_rho_phi_5_1_2 - w189 * w526 + 2 * w532
+    w534 = w206 / w9
+    w535 = w307 * w315
+    w536 = w533 + (w534 - (w535 + w229 * w367)) * rod_small_end_rotation_0_5
+    w537 = rod_q1_dot * rod_phi_phi_0_5_0_1 + rod_q3_dot * rod_phi_phi_2_5_0_1 + rod_q5_dot * rod_phi_phi_4_5_0_1
+    w538 = rod_q1_dot * rod_phi_phi_0_5_1_0 + rod_q3_dot * rod_phi_phi_2_5_1_0 + rod_q5_dot * rod_phi_phi_4_5_1_0
+    w539 = w69 * w211 + w189 * rod_rho_phi_5_2_1 + w109 * w192 - w192 * w526 + 2 * (w537 - w538)
+    w540 = w322 * w367
+    w541 = w208 / w9
+    w542 = w539 + (w540 + w541 + w221 * w307) * rod_small_end_rotation_0_5
+    w543 = w185 * w524 - (w20 * (w34 * w531 + w14 * w536 + w26 * w542) + w15 * (w35 * w531 + w19 * w536 + w28 * w542))
+    w544 = w543 + w246 * w519
+    w545 = w256 * w524 - w257 * w519 - (w32 * w513 + w11 * w515 + w24 * w517) - (w260 * w512 + w259 * w525)
+    w546 = c139 + (w333 - w285 / w9 - w390) * rod_small_end_rotation_0_5
+    w547 = w514 + (w329 - (w289 * w307 + w101 * w367)) * rod_small_end_rotation_0_5
+    w548 = w516 + (w385 + w291 * w367 + w101 * w307) * rod_small_end_rotation_0_5
+    w549 = w271 * (w34 * w546 + w14 * w547 + w26 * w548) - w272 * (w35 * w546 + w19 * w547 + w28 * w548) - (w32 * w531 + w11 * w536 + w24 * w542)
+    w550 = (w37 * w518 - w128 * w510) / w263
+    w551 = w145 * (w279 / w9)
+    w552 = w138 * c119 / w9 - w145 * (w280 / w9)
+    w553 = w140 * c119 / w9 - w145 * (w281 / w9)
+    w554 = w180 * w279 - w125 * w551 - (w127 * w552 + w183 * w280) + (w126 * w553 + w181 * w281)
+    w555 = w160 * w279 - w22 * w551 - (w36 * w552 + w175 * w280) + (w29 * w553 + w168 * w281)
+    w556 = w37 * w554 + w176 * w294 - (w128 * w555 + w184 * w282) - w267 * rod_small_end_shape_2_0 + w267 * rod_big_end_shape_2_0
+    w557 = 2 * ((w556 - w262 * w340) / w263)
+    w558 = w266 * w279 - w252 * w551 - (w254 * w552 + w269 * w280) + (w253 * w553 + w267 * w281)
+    w559 = 2 * w39
+    w560 = 2 * w74
+    w561 = 2 * w103
+    w562 = w559 + w560 + w561
+    w563 = w211 * rod_mass
+    w564 = w563 * rod_small_end_shape_2_0
+    w565 = 0.5 / w9
+    w566 = w565 * (w4 * w140 + w6 * w142 + w2 * w138)
+    w567 = w307 * w566
+    w568 = w138 * w565
+    w569 = w191 / w9
+    w570 = w566 / w9
+    w571 = w191 * w307
+    w572 = w210 * w310
+    w573 = 2 * (w570 + (w571 + w572))
+    w574 = w140 * w565
+    w575 = w310 * w566
+    w576 = w210 / w9
+    w577 = 2 * -w188 * rod_mass
+    w578 = w577 * rod_small_end_shape_2_0
+    w579 = w211 * rod_first_moment_x
+    w580 = w191 * w562 - (w210 * c53 + w86 * w188 + w191 * w561) + (w210 * c121 - w188 * w286) + w579 * rod_small_end_shape_2_0
+    w581 = w226 / w9
+    w582 = w203 * w310
+    w583 = w226 * w307
+    w584 = w203 / w9
+    w585 = w255 * w555 + w270 * w282 - (w37 * w558 + w176 * w283) - w181 * rod_small_end_shape_2_0 + w181 * rod_big_end_shape_2_0
+    w586 = 2 * -((w585 - w176 * w284) / w37)
+    w587 = w142 * c123 / w9 - w145 * (w341 / w9)
+    w588 = w140 * c123 / w9 - w145 * (w342 / w9)
+    w589 = w145 * (w343 / w9)
+    w590 = w127 * w587 + w183 * w341 - (w125 * w588 + w180 * w342) + (w181 * w343 - w126 * w589)
+    w591 = w36 * w587 + w175 * w341 - (w22 * w588 + w160 * w342) + (w168 * w343 - w29 * w589)
+    w592 = w37 * w590 + w176 * w353 - (w128 * w591 + w184 * w344) - w266 * rod_small_end_shape_1_1 + w266 * rod_big_end_shape_1_1
+    w593 = 2 * ((w592 - w262 * w394) / w263)
+    w594 = w254 * w587 + w269 * w341 - (w252 * w588 + w266 * w342) + (w267 * w343 - w253 * w589)
+    w595 = 2 * w40
+    w596 = 2 * w75
+    w597 = 2 * w104
+    w598 = w595 + w596 + w597
+    w599 = 2 * -w210
+    w600 = w599 * rod_mass
+    w601 = w600 * rod_small_end_shape_1_1
+    w602 = w142 * w565
+    w603 = w367 * w566
+    w604 = w188 / w9
+    w605 = w188 * w367
+    w606 = 2 * (w570 + (w572 + w605))
+    w607 = w599 * rod_first_moment_x
+    w608 = w188 * w598 - (w210 * c41 + w188 * w596 + w89 * w191) + (w191 * w347 - w210 * c125) - w607 * rod_small_end_shape_1_1
+    w609 = w192 * rod_mass
+    w610 = w609 * rod_small_end_shape_1_1
+    w611 = w216 / w9
+    w612 = w216 * w367
+    w613 = w255 * w591 + w270 * w344 - (w37 * w594 + w176 * w345) - w180 * rod_small_end_shape_1_1 + w180 * rod_big_end_shape_1_1
+    w614 = 2 * -((w613 - w176 * w346) / w37)
+    w615 = w145 * (w395 / w9)
+    w616 = w138 * c127 / w9 - w145 * (w396 / w9)
+    w617 = w140 * c127 / w9 - w145 * (w397 / w9)
+    w618 = w180 * w395 - w125 * w615 - (w127 * w616 + w183 * w396) + (w126 * w617 + w181 * w397)
+    w619 = w160 * w395 - w22 * w615 - (w36 * w616 + w175 * w396) + (w29 * w617 + w168 * w397)
+    w620 = w37 * w618 + w176 * w407 - (w128 * w619 + w184 * w398) - w267 * rod_small_end_shape_2_2 + w267 * rod_big_end_shape_2_2
+    w621 = 2 * ((w620 - w262 * w431) / w263)
+    w622 = w266 * w395 - w252 * w615 - (w254 * w616 + w269 * w396) + (w253 * w617 + w267 * w397)
+    w623 = 2 * w41
+    w624 = 2 * w76
+    w625 = 2 * w105
+    w626 = w623 + w624 + w625
+    w627 = w563 * rod_small_end_shape_2_2
+    w628 = w577 * rod_small_end_shape_2_2
+    w629 = w191 * w626 - (w210 * c56 + w92 * w188 + w191 * w625) + (w210 * c129 - w188 * w401) + w579 * rod_small_end_shape_2_2
+    w630 = w255 * w619 + w270 * w398 - (w37 * w622 + w176 * w399) - w181 * rod_small_end_shape_2_2 + w181 * rod_big_end_shape_2_2
+    w631 = 2 * -((w630 - w176 * w400) / w37)
+    w632 = w142 * c131 / w9 - w145 * (w432 / w9)
+    w633 = w140 * c131 / w9 - w145 * (w433 / w9)
+    w634 = w145 * (w434 / w9)
+    w635 = w127 * w632 + w183 * w432 - (w125 * w633 + w180 * w433) + (w181 * w434 - w126 * w634)
+    w636 = w36 * w632 + w175 * w432 - (w22 * w633 + w160 * w433) + (w168 * w434 - w29 * w634)
+    w637 = w37 * w635 + w176 * w444 - (w128 * w636 + w184 * w435) - w266 * rod_small_end_shape_1_3 + w266 * rod_big_end_shape_1_3
+    w638 = 2 * ((w637 - w262 * w469) / w263)
+    w639 = w254 * w632 + w269 * w432 - (w252 * w633 + w266 * w433) + (w267 * w434 - w253 * w634)
+    w640 = 2 * w42
+    w641 = 2 * w77
+    w642 = 2 * w106
+    w643 = w640 + w641 + w642
+    w644 = w600 * rod_small_end_shape_1_3
+    w645 = w188 * w643 - (w210 * c44 + w188 * w641 + w95 * w191) + (w191 * w438 - w210 * c133) - w607 * rod_small_end_shape_1_3
+    w646 = w609 * rod_small_end_shape_1_3
+    w647 = w255 * w636 + w270 * w435 - (w37 * w639 + w176 * w436) - w180 * rod_small_end_shape_1_3 + w180 * rod_big_end_shape_1_3
+    w648 = 2 * -((w647 - w176 * w437) / w37)
+    w649 = w145 * (w470 / w9)
+    w650 = w138 * c135 / w9 - w145 * (w471 / w9)
+    w651 = w140 * c135 / w9 - w145 * (w472 / w9)
+    w652 = w180 * w470 - w125 * w649 - (w127 * w650 + w183 * w471) + (w126 * w651 + w181 * w472)
+    w653 = w160 * w470 - w22 * w649 - (w36 * w650 + w175 * w471) + (w29 * w651 + w168 * w472)
+    w654 = w37 * w652 + w176 * w482 - (w128 * w653 + w184 * w473) - w267 * rod_small_end_shape_2_4 + w267 * rod_big_end_shape_2_4
+    w655 = 2 * ((w654 - w262 * w506) / w263)
+    w656 = w266 * w470 - w252 * w649 - (w254 * w650 + w269 * w471) + (w253 * w651 + w267 * w472)
+    w657 = 2 * w43
+    w658 = 2 * w78
+    w659 = 2 * w107
+    w660 = w657 + w658 + w659
+    w661 = w563 * rod_small_end_shape_2_4
+    w662 = w577 * rod_small_end_shape_2_4
+    w663 = w191 * w660 - (w210 * c59 + w98 * w188 + w191 * w659) + (w210 * c137 - w188 * w476) + w579 * rod_small_end_shape_2_4
+    w664 = w255 * w653 + w270 * w473 - (w37 * w656 + w176 * w474) - w181 * rod_small_end_shape_2_4 + w181 * rod_big_end_shape_2_4
+    w665 = 2 * -((w664 - w176 * w475) / w37)
+    w666 = w145 * (w507 / w9)
+    w667 = w138 * c10 / w9 - w145 * (w508 / w9)
+    w668 = w142 * c10 / w9 - w145 * (w509 / w9)
+    w669 = w183 * w507 - w127 * w666 + (w125 * w667 + w180 * w508) - (w126 * w668 + w181 * w509)
+    w670 = w175 * w507 - w36 * w666 + (w22 * w667 + w160 * w508) - (w29 * w668 + w168 * w509)
+    w671 = 2 * ((w37 * w669 + w176 * w518 - (w128 * w670 + w184 * w510) - w262 * w550) / w263)
+    w672 = w269 * w507 - w254 * w666 + (w252 * w667 + w266 * w508) - (w253 * w668 + w267 * w509)
+    w673 = 2 * w45
+    w674 = 2 * w80
+    w675 = 2 * w109
+    w676 = w673 + w674 + w675
+    w677 = 2 * (w570 + (w571 + w605))
+    w678 = 2 * -((w255 * w670 + w270 * w510 - (w37 * w672 + w176 * w511) - w176 * w512) / w37)
+    w679 = 2 * (w152 * w255 - w16 * w270)
+    w680 = w274 - w679 * c118 + w256 * guide_damping
+    w681 = w132 * w679 - w273 + w128 * w680 - w134 * w275 - w247 * w259
+    w682 = w38 * w681
+    w683 = w249 * w271 - w250 * w272 + (w233 + w237) + w251 * w679 + w256 * w680 + w258 * w275 + w259 * w277
+    w684 = w683 + w259 * w681
+    w685 = w248 * w259 - (w177 * w258 + w38 * w277) - w265 * w278 + w264 * w684
+    w686 = w679 * w300 - w339 - w680 * w295 - w275 * w301 - w259 * w327 - w681 * w284
+    w687 = w679 * w359 - w393 - w680 * w354 - w275 * w360 - w259 * w383 - w681 * w346
+    w688 = w679 * w413 - w430 - w680 * w408 - w275 * w414 - w259 * w425 - w681 * w400
+    w689 = w679 * w450 - w468 - w680 * w445 - w275 * w451 - w259 * w463 - w681 * w437
+    w690 = w679 * w488 - w505 - w680 * w483 - w275 * w489 - w259 * w500 - w681 * w475
+    w691 = w679 * w524 - w549 - w680 * w519 - w275 * w525 - w259 * w544 - w681 * w512
+    w692 = w168 * rod_small_end_shape_2_0 - (w128 * w558 + w184 * w283 - (w255 * w554 + w270 * w294)) - w168 * rod_big_end_shape_2_0
+    w693 = 2 * w692
+    w694 = 2 * (w568 - w567 - (w188 * w310 - w569))
+    w695 = 2 * (w575 - w574 - (w576 + w188 * w307))
+    w696 = w285 * w694 - w61 * w573 - w72 * w695 + (w308 + w534 + w208 * w310)
+    w697 = w210 * w562 - (w210 * w559 + w50 * w188 + w191 * c53) + (w188 * w292 - w191 * c121) + w30 * w564 + w696 * rod_small_end_rotation_1_0
+    w698 = w289 * w573 - w101 * w695 - w61 * w694 + (w379 - w316 - w528)
+    w699 = w188 * w562 - (w50 * w210 + w188 * w560 + w86 * w191) + (w191 * w286 - w210 * w292) - w30 * w578 + w698 * rod_small_end_rotation_1_0
+    w700 = w291 * w695 - w72 * w694 - w101 * w573 + (w373 - (w323 + w227 * w307))
+    w701 = w580 - (w564 * rod_small_end_x - w31 * w578) + w700 * rod_small_end_rotation_1_0
+    w702 = w132 * w693 - (w20 * (w34 * w697 + w14 * w699 + w26 * w701) + w15 * (w35 * w697 + w19 * w699 + w28 * w701))
+    w703 = w82 * w695 - w111 * w573 + (w216 * w310 - w581)
+    w704 = w578 + w703 * rod_small_end_rotation_1_0
+    w705 = w695 * c37 + w111 * w694 - (w582 + w583)
+    w706 = w564 + w705 * rod_small_end_rotation_1_0
+    w707 = w216 * w307 + w584 - (w82 * w694 + w573 * c37)
+    w708 = w707 * rod_small_end_rotation_1_0
+    w709 = w16 * (w15 * (w34 * w704 + w14 * w706 + w26 * w708) - w20 * (w35 * w704 + w19 * w706 + w28 * w708))
+    w710 = w709 - w12 * (w32 * w704 + w11 * w706 + w24 * w708) - w693 * c118 + w295 * guide_damping
+    w711 = w702 + w128 * w710 - w134 * w586 - w247 * w284
+    w712 = w32 * w697 + w11 * w699 + w24 * w701 - w251 * w693 - w256 * w710 - w258 * w586 - w277 * w284 - w259 * w711
+    w713 = w712 - w278 * w557 - w684 * w340
+    w714 = w287 * w694 + w573 * c122 + w292 * w695 + (w305 * w307 - w313 / w9 - w310 * w320)
+    w715 = (w699 + (w4 * w701 - w2 * w697) * 0.5) / w9
+    w716 = w300 * w693 - (rod_D_ff_0_0 + (w714 - w715) * rod_small_end_rotation_1_0) - w295 * w710 - w301 * w586
+    w717 = w348 * w694 + w350 * w573 + w695 * c126 + (w307 * w365 - w371 / w9 - w310 * w376)
+    w718 = (w701 + (w6 * w697 - w4 * w699) * 0.5) / w9
+    w719 = w211 * c274 - w564 * rod_small_end_shape_1_1 + w717 * rod_small_end_rotation_1_0 - w718 * rod_small_end_rotation_2_1
+    w720 = w359 * w693 - w719 - w354 * w710 - w360 * w586 - w284 * w383 - w346 * w711 - w384 * w557 + w340 * w687
+    w721 = w402 * w694 + w573 * c130 + w405 * w695 + (w307 * w418 - w420 / w9 - w310 * w422)
+    w722 = w413 * w693 - (w721 * rod_small_end_rotation_1_0 - w715 * rod_small_end_rotation_1_2) - w408 * w710
+    w723 = w439 * w694 + w441 * w573 + w695 * c134 + (w307 * w456 - w458 / w9 - w310 * w460)
+    w724 = w211 * c275 - w564 * rod_small_end_shape_1_3 + w723 * rod_small_end_rotation_1_0 - w718 * rod_small_end_rotation_2_3
+    w725 = w450 * w693 - w724 - w445 * w710 - w451 * w586 - w284 * w463 - w437 * w711 - w464 * w557 + w340 * w689
+    w726 = w477 * w694 + w573 * c138 + w480 * w695 + (w307 * w493 - w495 / w9 - w310 * w497)
+    w727 = w488 * w693 - (w726 * rod_small_end_rotation_1_0 - w715 * rod_small_end_rotation_1_4) - w483 * w710
+    w728 = w694 * c139 + w514 * w573 + w516 * w695 + (w307 * w527 - w533 / w9 - w310 * w539)
+    w729 = w192 * c276 + w728 * rod_small_end_rotation_1_0 - (w697 + (w2 * w699 - w6 * w701) * 0.5) / w9 * rod_small_end_rotation_0_5
+    w730 = w524 * w693 - w729 - w519 * w710 - w525 * w586 - w284 * w544 - w512 * w711 - w545 * w557 + w340 * w691
+    w731 = w160 * rod_small_end_shape_1_1 - (w128 * w594 + w184 * w345 - (w255 * w590 + w270 * w353)) - w160 * rod_big_end_shape_1_1
+    w732 = 2 * w731
+    w733 = 2 * (w603 - w602 - (w604 + w191 * w310))
+    w734 = 2 * (w574 - w575 - (w191 * w367 - w576))
+    w735 = w285 * w733 - w61 * w734 - w72 * w606 + (w541 - (w368 + w206 * w310))
+    w736 = w210 * w598 - (w210 * w595 + w188 * c41 + w64 * w191) + (w188 * c125 - w191 * w350) - w31 * w601 + w735 * rod_small_end_rotation_2_1
+    w737 = w289 * w734 - w101 * w606 - w61 * w733 + (w321 + w372 + w217 * w367)
+    w738 = w608 - (w30 * w610 - w601 * rod_small_end_x) + w737 * rod_small_end_rotation_2_1
+    w739 = w291 * w606 - w72 * w733 - w101 * w734 + (w530 - w378 - w314)
+    w740 = w191 * w598 - (w64 * w210 + w89 * w188 + w191 * w597) + (w210 * w350 - w188 * w347) + w31 * w610 + w739 * rod_small_end_rotation_2_1
+    w741 = w132 * w732 - (w20 * (w34 * w736 + w14 * w738 + w26 * w740) + w15 * (w35 * w736 + w19 * w738 + w28 * w740))
+    w742 = w82 * w606 - w111 * w734 + (w226 * w310 + w611)
+    w743 = w610 + w742 * rod_small_end_rotation_2_1
+    w744 = w606 * c37 + w111 * w733 + (w226 * w367 - w584)
+    w745 = w744 * rod_small_end_rotation_2_1
+    w746 = w82 * w733 + w734 * c37 + (w582 + w612)
+    w747 = w601 - w746 * rod_small_end_rotation_2_1
+    w748 = w16 * (w15 * (w34 * w743 + w14 * w745 + w26 * w747) - w20 * (w35 * w743 + w19 * w745 + w28 * w747))
+    w749 = w748 - w12 * (w32 * w743 + w11 * w745 + w24 * w747) - w732 * c118 + w354 * guide_damping
+    w750 = w741 + w128 * w749 - w134 * w614 - w247 * w346
+    w751 = w32 * w736 + w11 * w738 + w24 * w740 - w251 * w732 - w256 * w749 - w258 * w614 - w277 * w346 - w259 * w750
+    w752 = w751 - w278 * w593 - w684 * w394
+    w753 = w287 * w733 + w734 * c122 + w292 * w606 + (w310 * w313 - w305 * w367 - w320 / w9)
+    w754 = (w738 + (w4 * w740 - w2 * w736) * 0.5) / w9
+    w755 = w211 * c277 - w601 * rod_small_end_shape_2_0 + w753 * rod_small_end_rotation_2_1 - w754 * rod_small_end_rotation_1_0
+    w756 = w300 * w732 - w755 - w295 * w749 - w301 * w614 - w327 * w346 - w284 * w750 - w328 * w593 + w686 * w394
+    w757 = w348 * w733 + w350 * w734 + w606 * c126 + (w310 * w371 - w365 * w367 - w376 / w9)
+    w758 = (w740 + (w6 * w736 - w4 * w738) * 0.5) / w9
+    w759 = w359 * w732 - (rod_D_ff_1_1 + (w757 - w758) * rod_small_end_rotation_2_1) - w354 * w749 - w360 * w614
+    w760 = w402 * w733 + w734 * c130 + w405 * w606 + (w310 * w420 - w367 * w418 - w422 / w9)
+    w761 = w211 * c278 - w601 * rod_small_end_shape_2_2 + w760 * rod_small_end_rotation_2_1 - w754 * rod_small_end_rotation_1_2
+    w762 = w413 * w732 - w761 - w408 * w749 - w414 * w614 - w346 * w425 - w400 * w750 - w426 * w593 + w394 * w688
+    w763 = w439 * w733 + w441 * w734 + w606 * c134 + (w310 * w458 - w367 * w456 - w460 / w9)
+    w764 = w450 * w732 - (w763 * rod_small_end_rotation_2_1 - w758 * rod_small_end_rotation_2_3) - w445 * w749
+    w765 = w477 * w733 + w734 * c138 + w480 * w606 + (w310 * w495 - w367 * w493 - w497 / w9)
+    w766 = w211 * c279 - w601 * rod_small_end_shape_2_4 + w765 * rod_small_end_rotation_2_1 - w754 * rod_small_end_rotation_1_4
+    w767 = w488 * w732 - w766 - w483 * w749 - w489 * w614 - w346 * w500 - w475 * w750 - w501 * w593 + w394 * w690
+    w768 = w733 * c139 + w514 * w734 + w516 * w606 + (w310 * w533 - w367 * w527 - w539 / w9)
+    w769 = w189 * c280 + w768 * rod_small_end_rotation_2_1 - (w736 + (w2 * w738 - w6 * w740) * 0.5) / w9 * rod_small_end_rotation_0_5
+    w770 = w524 * w732 - w769 - w519 * w749 - w525 * w614 - w346 * w544 - w512 * w750 - w545 * w593 + w394 * w691
+    w771 = w168 * rod_small_end_shape_2_2 - (w128 * w622 + w184 * w399 - (w255 * w618 + w270 * w407)) - w168 * rod_big_end_shape_2_2
+    w772 = 2 * w771
+    w773 = w210 * w626 - (w210 * w623 + w53 * w188 + w191 * c56) + (w188 * w405 - w191 * c129) + w30 * w627 + w696 * rod_small_end_rotation_1_2
+    w774 = w188 * w626 - (w53 * w210 + w188 * w624 + w92 * w191) + (w191 * w401 - w210 * w405) - w30 * w628 + w698 * rod_small_end_rotation_1_2
+    w775 = w629 - (w627 * rod_small_end_x - w31 * w628) + w700 * rod_small_end_rotation_1_2
+    w776 = w132 * w772 - (w20 * (w34 * w773 + w14 * w774 + w26 * w775) + w15 * (w35 * w773 + w19 * w774 + w28 * w775))
+    w777 = w628 + w703 * rod_small_end_rotation_1_2
+    w778 = w627 + w705 * rod_small_end_rotation_1_2
+    w779 = w707 * rod_small_end_rotation_1_2
+    w780 = w16 * (w15 * (w34 * w777 + w14 * w778 + w26 * w779) - w20 * (w35 * w777 + w19 * w778 + w28 * w779))
+    w781 = w780 - w12 * (w32 * w777 + w11 * w778 + w24 * w779) - w772 * c118 + w408 * guide_damping
+    w782 = w776 + w128 * w781 - w134 * w631 - w247 * w400
+    w783 = w32 * w773 + w11 * w774 + w24 * w775 - w251 * w772 - w256 * w781 - w258 * w631 - w277 * w400 - w259 * w782
+    w784 = w783 - w278 * w621 - w684 * w431
+    w785 = (w774 + (w4 * w775 - w2 * w773) * 0.5) / w9
+    w786 = w300 * w772 - (w714 * rod_small_end_rotation_1_2 - w785 * rod_small_end_rotation_1_0) - w295 * w781
+    w787 = (w775 + (w6 * w773 - w4 * w774) * 0.5) / w9
+    w788 = w211 * c281 - w627 * rod_small_end_shape_1_1 + w717 * rod_small_end_rotation_1_2 - w787 * rod_small_end_rotation_2_1
+    w789 = w359 * w772 - w788 - w354 * w781 - w360 * w631 - w383 * w400 - w346 * w782 - w384 * w621 + w687 * w431
+    w790 = w413 * w772 - (rod_D_ff_2_2 + (w721 - w785) * rod_small_end_rotation_1_2) - w408 * w781 - w414 * w631
+    w791 = w211 * c282 - w627 * rod_small_end_shape_1_3 + w723 * rod_small_end_rotation_1_2 - w787 * rod_small_end_rotation_2_3
+    w792 = w450 * w772 - w791 - w445 * w781 - w451 * w631 - w400 * w463 - w437 * w782 - w464 * w621 + w431 * w689
+    w793 = w488 * w772 - (w726 * rod_small_end_rotation_1_2 - w785 * rod_small_end_rotation_1_4) - w483 * w781
+    w794 = w192 * c283 + w728 * rod_small_end_rotation_1_2 - (w773 + (w2 * w774 - w6 * w775) * 0.5) / w9 * rod_small_end_rotation_0_5
+    w795 = w524 * w772 - w794 - w519 * w781 - w525 * w631 - w400 * w544 - w512 * w782 - w545 * w621 + w431 * w691
+    w796 = w160 * rod_small_end_shape_1_3 - (w128 * w639 + w184 * w436 - (w255 * w635 + w270 * w444)) - w160 * rod_big_end_shape_1_3
+    w797 = 2 * w796
+    w798 = w210 * w643 - (w210 * w640 + w188 * c44 + w67 * w191) + (w188 * c133 - w191 * w441) - w31 * w644 + w735 * rod_small_end_rotation_2_3
+    w799 = w645 - (w30 * w646 - w644 * rod_small_end_x) + w737 * rod_small_end_rotation_2_3
+    w800 = w191 * w643 - (w67 * w210 + w95 * w188 + w191 * w642) + (w210 * w441 - w188 * w438) + w31 * w646 + w739 * rod_small_end_rotation_2_3
+    w801 = w132 * w797 - (w20 * (w34 * w798 + w14 * w799 + w26 * w800) + w15 * (w35 * w798 + w19 * w799 + w28 * w800))
+    w802 = w646 + w742 * rod_small_end_rotation_2_3
+    w803 = w744 * rod_small_end_rotation_2_3
+    w804 = w644 - w746 * rod_small_end_rotation_2_3
+    w805 = w16 * (w15 * (w34 * w802 + w14 * w803 + w26 * w804) - w20 * (w35 * w802 + w19 * w803 + w28 * w804))
+    w806 = w805 - w12 * (w32 * w802 + w11 * w803 + w24 * w804) - w797 * c118 + w445 * guide_damping
+    w807 = w801 + w128 * w806 - w134 * w648 - w247 * w437
+    w808 = w32 * w798 + w11 * w799 + w24 * w800 - w251 * w797 - w256 * w806 - w258 * w648 - w277 * w437 - w259 * w807
+    w809 = w808 - w278 * w638 - w684 * w469
+    w810 = (w799 + (w4 * w800 - w2 * w798) * 0.5) / w9
+    w811 = w211 * c284 - w644 * rod_small_end_shape_2_0 + w753 * rod_small_end_rotation_2_3 - w810 * rod_small_end_rotation_1_0
+    w812 = w300 * w797 - w811 - w295 * w806 - w301 * w648 - w327 * w437 - w284 * w807 - w328 * w638 + w686 * w469
+    w813 = (w800 + (w6 * w798 - w4 * w799) * 0.5) / w9
+    w814 = w359 * w797 - (w757 * rod_small_end_rotation_2_3 - w813 * rod_small_end_rotation_2_1) - w354 * w806
+    w815 = w211 * c285 - w644 * rod_small_end_shape_2_2 + w760 * rod_small_end_rotation_2_3 - w810 * rod_small_end_rotation_1_2
+    w816 = w413 * w797 - w815 - w408 * w806 - w414 * w648 - w425 * w437 - w400 * w807 - w426 * w638 + w688 * w469
+    w817 = w450 * w797 - (rod_D_ff_3_3 + (w763 - w813) * rod_small_end_rotation_2_3) - w445 * w806 - w451 * w648
+    w818 = w211 * c286 - w644 * rod_small_end_shape_2_4 + w765 * rod_small_end_rotation_2_3 - w810 * rod_small_end_rotation_1_4
+    w819 = w488 * w797 - w818 - w483 * w806 - w489 * w648 - w437 * w500 - w475 * w807 - w501 * w638 + w469 * w690
+    w820 = w189 * c287 + w768 * rod_small_end_rotation_2_3 - (w798 + (w2 * w799 - w6 * w800) * 0.5) / w9 * rod_small_end_rotation_0_5
+    w821 = w524 * w797 - w820 - w519 * w806 - w525 * w648 - w437 * w544 - w512 * w807 - w545 * w638 + w469 * w691
+    w822 = w168 * rod_small_end_shape_2_4 - (w128 * w656 + w184 * w474 - (w255 * w652 + w270 * w482)) - w168 * rod_big_end_shape_2_4
+    w823 = 2 * w822
+    w824 = w210 * w660 - (w210 * w657 + w56 * w188 + w191 * c59) + (w188 * w480 - w191 * c137) + w30 * w661 + w696 * rod_small_end_rotation_1_4
+    w825 = w188 * w660 - (w56 * w210 + w188 * w658 + w98 * w191) + (w191 * w476 - w210 * w480) - w30 * w662 + w698 * rod_small_end_rotation_1_4
+    w826 = w663 - (w661 * rod_small_end_x - w31 * w662) + w700 * rod_small_end_rotation_1_4
+    w827 = w132 * w823 - (w20 * (w34 * w824 + w14 * w825 + w26 * w826) + w15 * (w35 * w824 + w19 * w825 + w28 * w826))
+    w828 = w662 + w703 * rod_small_end_rotation_1_4
+    w829 = w661 + w705 * rod_small_end_rotation_1_4
+    w830 = w707 * rod_small_end_rotation_1_4
+    w831 = w16 * (w15 * (w34 * w828 + w14 * w829 + w26 * w830) - w20 * (w35 * w828 + w19 * w829 + w28 * w830))
+    w832 = w831 - w12 * (w32 * w828 + w11 * w829 + w24 * w830) - w823 * c118 + w483 * guide_damping
+    w833 = w827 + w128 * w832 - w134 * w665 - w247 * w475
+    w834 = w32 * w824 + w11 * w825 + w24 * w826 - w251 * w823 - w256 * w832 - w258 * w665 - w277 * w475 - w259 * w833
+    w835 = w834 - w278 * w655 - w684 * w506
+    w836 = (w825 + (w4 * w826 - w2 * w824) * 0.5) / w9
+    w837 = w300 * w823 - (w714 * rod_small_end_rotation_1_4 - w836 * rod_small_end_rotation_1_0) - w295 * w832
+    w838 = (w826 + (w6 * w824 - w4 * w825) * 0.5) / w9
+    w839 = w211 * c288 - w661 * rod_small_end_shape_1_1 + w717 * rod_small_end_rotation_1_4 - w838 * rod_small_end_rotation_2_1
+    w840 = w359 * w823 - w839 - w354 * w832 - w360 * w665 - w383 * w475 - w346 * w833 - w384 * w655 + w687 * w506
+    w841 = w413 * w823 - (w721 * rod_small_end_rotation_1_4 - w836 * rod_small_end_rotation_1_2) - w408 * w832
+    w842 = w211 * c289 - w661 * rod_small_end_shape_1_3 + w723 * rod_small_end_rotation_1_4 - w838 * rod_small_end_rotation_2_3
+    w843 = w450 * w823 - w842 - w445 * w832 - w451 * w665 - w463 * w475 - w437 * w833 - w464 * w655 + w689 * w506
+    w844 = w488 * w823 - (rod_D_ff_4_4 + (w726 - w836) * rod_small_end_rotation_1_4) - w483 * w832 - w489 * w665
+    w845 = w192 * c290 + w728 * rod_small_end_rotation_1_4 - (w824 + (w2 * w825 - w6 * w826) * 0.5) / w9 * rod_small_end_rotation_0_5
+    w846 = w524 * w823 - w845 - w519 * w832 - w525 * w665 - w475 * w544 - w512 * w833 - w545 * w655 + w506 * w691
+    w847 = 2 * (w255 * w669 + w270 * w518 - (w128 * w672 + w184 * w511))
+    w848 = 2 * (w567 - w568 - (w569 + w210 * w367))
+    w849 = 2 * (w602 - w603 - (w210 * w307 - w604))
+    w850 = w210 * w676 - (w210 * w673 + w59 * w188 + w70 * w191) + (w188 * w516 - w191 * w514) + (w285 * w677 - w61 * w848 - w72 * w849 + (w317 - w529 - w377)) * rod_small_end_rotation_0_5
+    w851 = (w289 * w848 - w101 * w849 - w61 * w677 + (w309 - (w535 + w221 * w367))) * rod_small_end_rotation_0_5
+    w852 = w188 * w676 - (w59 * w210 + w188 * w674 + w191 * c103) + (w191 * c139 - w210 * w516) + w851
+    w853 = (w291 * w849 - w72 * w677 - w101 * w848 + (w366 + w540 + w229 * w307)) * rod_small_end_rotation_0_5
+    w854 = w191 * w676 - (w70 * w210 + w188 * c103 + w191 * w675) + (w210 * w514 - w188 * c139) + w853
+    w855 = w132 * w847 - (w20 * (w34 * w850 + w14 * w852 + w26 * w854) + w15 * (w35 * w850 + w19 * w852 + w28 * w854))
+    w856 = (w82 * w849 - w111 * w848 - (w583 + w612)) * rod_small_end_rotation_0_5
+    w857 = (w849 * c37 + w111 * w677 + (w581 + w203 * w367)) * rod_small_end_rotation_0_5
+    w858 = (w203 * w307 - w611 - (w82 * w677 + w848 * c37)) * rod_small_end_rotation_0_5
+    w859 = w16 * (w15 * (w34 * w856 + w14 * w857 + w26 * w858) - w20 * (w35 * w856 + w19 * w857 + w28 * w858))
+    w860 = w859 - w12 * (w32 * w856 + w11 * w857 + w24 * w858) - w847 * c118 + w519 * guide_damping
+    w861 = w855 + w128 * w860 - w134 * w678 - w247 * w512
+    w862 = w32 * w850 + w11 * w852 + w24 * w854 - w251 * w847 - w256 * w860 - w258 * w678 - w277 * w512 - w259 * w861
+    w863 = w862 - w278 * w671 - w684 * w550
+    w864 = (w287 * w677 + w848 * c122 + w292 * w849 + (w320 * w367 - (w305 / w9 + w307 * w313))) * rod_small_end_rotation_0_5
+    w865 = (w852 + (w4 * w854 - w2 * w850) * 0.5) / w9
+    w866 = w300 * w847 - (w192 * c155 + w864 - w865 * rod_small_end_rotation_1_0) - w295 * w860 - w301 * w678
+    w867 = (w348 * w677 + w350 * w848 + w849 * c126 + (w367 * w376 - (w365 / w9 + w307 * w371))) * rod_small_end_rotation_0_5
+    w868 = (w854 + (w6 * w850 - w4 * w852) * 0.5) / w9
+    w869 = w359 * w847 - (w189 * c158 + w867 - w868 * rod_small_end_rotation_2_1) - w354 * w860 - w360 * w678
+    w870 = (w402 * w677 + w848 * c130 + w405 * w849 + (w367 * w422 - (w418 / w9 + w307 * w420))) * rod_small_end_rotation_0_5
+    w871 = w413 * w847 - (w192 * c161 + w870 - w865 * rod_small_end_rotation_1_2) - w408 * w860 - w414 * w678
+    w872 = (w439 * w677 + w441 * w848 + w849 * c134 + (w367 * w460 - (w456 / w9 + w307 * w458))) * rod_small_end_rotation_0_5
+    w873 = w450 * w847 - (w189 * c164 + w872 - w868 * rod_small_end_rotation_2_3) - w445 * w860 - w451 * w678
+    w874 = (w477 * w677 + w848 * c138 + w480 * w849 + (w367 * w497 - (w493 / w9 + w307 * w495))) * rod_small_end_rotation_0_5
+    w875 = w488 * w847 - (w192 * c167 + w874 - w865 * rod_small_end_rotation_1_4) - w483 * w860 - w489 * w678
+    w876 = w677 * c139 + w514 * w848 + w516 * w849 + (w367 * w539 - (w527 / w9 + w307 * w533)) - (w850 + (w2 * w852 - w6 * w854) * 0.5) / w9
+    w877 = w524 * w847 - (rod_D_ff_5_5 + w876 * rod_small_end_rotation_0_5) - w519 * w860 - w525 * w678 - w512 * w544
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
         ca.horzcat(  # axle.angle
-            w38 * w248 + w261 * w265 + w264 * w279 - w264 * w285,
-            w261 * w570 - w38 * w619 - w279 * w348 - w264 * w621,
-            w261 * w645 - w38 * w686 - w279 * w403 - w264 * w688,
-            w261 * w713 - w38 * w735 - w279 * w441 - w264 * w737,
-            w261 * w755 - w38 * w777 - w279 * w480 - w264 * w779,
-            w261 * w798 - w38 * w820 - w279 * w518 - w264 * w822,
-            w261 * w839 - w38 * w861 - w279 * w563 - w264 * w863,
+            w38 * w248 + w261 * w265 + w264 * w682 - w264 * w685,
+            w261 * w557 - w38 * w711 - w682 * w340 - w264 * w713,
+            w261 * w593 - w38 * w750 - w682 * w394 - w264 * w752,
+            w261 * w621 - w38 * w782 - w682 * w431 - w264 * w784,
+            w261 * w638 - w38 * w807 - w682 * w469 - w264 * w809,
+            w261 * w655 - w38 * w833 - w682 * w506 - w264 * w835,
+            w261 * w671 - w38 * w861 - w682 * w550 - w264 * w863,
         ),
         ca.horzcat(  # rod.q1
-            w248 * w291 - (w177 * w308 + w38 * w334) - w265 * w335 - w264 * w347 + w285 * w348,
-            w624 - w291 * w334 - w291 * w619 - w335 * w570 + w347 * w348 + w348 * w621, w692 + w348 * w688,
-            w739 - w308 * w734 - w334 * w409 - w291 * w735 - w335 * w713 + w347 * w441 + w348 * w737,
-            w782 + w348 * w779,
-            w824 - w308 * w819 - w334 * w486 - w291 * w820 - w335 * w798 + w347 * w518 + w348 * w822,
-            w866 - w334 * w524 - w291 * w861 - w335 * w839 + w347 * w563 + w348 * w863,
+            w248 * w284 - (w177 * w301 + w38 * w327) - w265 * w328 - w264 * w686 + w685 * w340,
+            w716 - w284 * w327 - w284 * w711 - w328 * w557 + w686 * w340 + w340 * w713, w756 + w340 * w752,
+            w786 - w301 * w631 - w327 * w400 - w284 * w782 - w328 * w621 + w686 * w431 + w340 * w784,
+            w812 + w340 * w809,
+            w837 - w301 * w665 - w327 * w475 - w284 * w833 - w328 * w655 + w686 * w506 + w340 * w835,
+            w866 - w327 * w512 - w284 * w861 - w328 * w671 + w686 * w550 + w340 * w863,
         ),
         ca.horzcat(  # rod.q2
-            w248 * w354 - (w177 * w368 + w38 * w391) - w265 * w392 - w264 * w402 + w285 * w403, w628 + w403 * w621,
-            w695 - w354 * w391 - w354 * w686 - w392 * w645 + w402 * w403 + w403 * w688, w742 + w403 * w737,
-            w784 - w368 * w776 - w391 * w447 - w354 * w777 - w392 * w755 + w402 * w480 + w403 * w779,
-            w827 + w403 * w822, w869 - w391 * w524 - w354 * w861 - w392 * w839 + w402 * w563 + w403 * w863,
+            w248 * w346 - (w177 * w360 + w38 * w383) - w265 * w384 - w264 * w687 + w685 * w394, w720 + w394 * w713,
+            w759 - w346 * w383 - w346 * w750 - w384 * w593 + w687 * w394 + w394 * w752, w789 + w394 * w784,
+            w814 - w360 * w648 - w383 * w437 - w346 * w807 - w384 * w638 + w687 * w469 + w394 * w809,
+            w840 + w394 * w835, w869 - w383 * w512 - w346 * w861 - w384 * w671 + w687 * w550 + w394 * w863,
         ),
         ca.horzcat(  # rod.q3
-            w248 * w409 - (w177 * w423 + w38 * w434) - w265 * w435 - w264 * w440 + w285 * w441,
-            w630 - w423 * w618 - w291 * w434 - w409 * w619 - w435 * w570 + w348 * w440 + w441 * w621,
-            w698 + w441 * w688, w743 - w409 * w434 - w409 * w735 - w435 * w713 + w440 * w441 + w441 * w737,
-            w786 + w441 * w779,
-            w828 - w423 * w819 - w434 * w486 - w409 * w820 - w435 * w798 + w440 * w518 + w441 * w822,
-            w871 - w434 * w524 - w409 * w861 - w435 * w839 + w440 * w563 + w441 * w863,
+            w248 * w400 - (w177 * w414 + w38 * w425) - w265 * w426 - w264 * w688 + w685 * w431,
+            w722 - w414 * w586 - w284 * w425 - w400 * w711 - w426 * w557 + w340 * w688 + w431 * w713,
+            w762 + w431 * w752, w790 - w400 * w425 - w400 * w782 - w426 * w621 + w688 * w431 + w431 * w784,
+            w816 + w431 * w809,
+            w841 - w414 * w665 - w425 * w475 - w400 * w833 - w426 * w655 + w688 * w506 + w431 * w835,
+            w871 - w425 * w512 - w400 * w861 - w426 * w671 + w688 * w550 + w431 * w863,
         ),
         ca.horzcat(  # rod.q4
-            w248 * w447 - (w177 * w461 + w38 * w473) - w265 * w474 - w264 * w479 + w285 * w480, w633 + w480 * w621,
-            w700 - w461 * w685 - w354 * w473 - w447 * w686 - w474 * w645 + w403 * w479 + w480 * w688,
-            w745 + w480 * w737, w787 - w447 * w473 - w447 * w777 - w474 * w755 + w479 * w480 + w480 * w779,
-            w830 + w480 * w822, w873 - w473 * w524 - w447 * w861 - w474 * w839 + w479 * w563 + w480 * w863,
+            w248 * w437 - (w177 * w451 + w38 * w463) - w265 * w464 - w264 * w689 + w685 * w469, w725 + w469 * w713,
+            w764 - w451 * w614 - w346 * w463 - w437 * w750 - w464 * w593 + w394 * w689 + w469 * w752,
+            w792 + w469 * w784, w817 - w437 * w463 - w437 * w807 - w464 * w638 + w689 * w469 + w469 * w809,
+            w843 + w469 * w835, w873 - w463 * w512 - w437 * w861 - w464 * w671 + w689 * w550 + w469 * w863,
         ),
         ca.horzcat(  # rod.q5
-            w248 * w486 - (w177 * w500 + w38 * w511) - w265 * w512 - w264 * w517 + w285 * w518,
-            w635 - w500 * w618 - w291 * w511 - w486 * w619 - w512 * w570 + w348 * w517 + w518 * w621,
-            w703 + w518 * w688,
-            w746 - w500 * w734 - w409 * w511 - w486 * w735 - w512 * w713 + w441 * w517 + w518 * w737,
-            w789 + w518 * w779, w831 - w486 * w511 - w486 * w820 - w512 * w798 + w517 * w518 + w518 * w822,
-            w875 - w511 * w524 - w486 * w861 - w512 * w839 + w517 * w563 + w518 * w863,
+            w248 * w475 - (w177 * w489 + w38 * w500) - w265 * w501 - w264 * w690 + w685 * w506,
+            w727 - w489 * w586 - w284 * w500 - w475 * w711 - w501 * w557 + w340 * w690 + w506 * w713,
+            w767 + w506 * w752,
+            w793 - w489 * w631 - w400 * w500 - w475 * w782 - w501 * w621 + w431 * w690 + w506 * w784,
+            w819 + w506 * w809, w844 - w475 * w500 - w475 * w833 - w501 * w655 + w690 * w506 + w506 * w835,
+            w875 - w500 * w512 - w475 * w861 - w501 * w671 + w690 * w550 + w506 * w863,
         ),
         ca.horzcat(  # rod.q6
-            w248 * w524 - (w177 * w537 + w38 * w556) - w265 * w557 - w264 * w562 + w285 * w563, w638 + w563 * w621,
-            w706 + w563 * w688, w748 + w563 * w737, w791 + w563 * w779, w833 + w563 * w822,
-            w877 - w524 * w861 - w557 * w839 + w562 * w563 + w563 * w863,
+            w248 * w512 - (w177 * w525 + w38 * w544) - w265 * w545 - w264 * w691 + w685 * w550, w730 + w550 * w713,
+            w770 + w550 * w752, w795 + w550 * w784, w821 + w550 * w809, w846 + w550 * w835,
+            w877 - w512 * w861 - w545 * w671 + w691 * w550 + w550 * w863,
         ),
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
@@ -9088,17 +9127,17 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 7) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 282) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 291) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 7 x 7) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 7 x 7) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    12267 operations.
+    12247 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
     q_i_ddot = ca.SX.sym("q_i_ddot", 7)
-    c = ca.SX.sym("c", 282)
+    c = ca.SX.sym("c", 291)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -9269,42 +9308,38 @@ def residual_jacobian() -> ca.Function:
     guide_damping = c[152]
     rod_D_ff_0_0 = c[153]
     rod_K_ff_0_0 = c[154]
-    rod_D_ff_1_1 = c[155]
-    rod_K_ff_1_1 = c[156]
-    rod_D_ff_2_2 = c[157]
-    rod_K_ff_2_2 = c[158]
-    rod_D_ff_3_3 = c[159]
-    rod_K_ff_3_3 = c[160]
-    rod_D_ff_4_4 = c[161]
-    rod_K_ff_4_4 = c[162]
-    rod_D_ff_5_5 = c[163]
-    rod_K_ff_5_5 = c[164]
-    rod_rho_phi_1_0_1 = c[186]
-    rod_rho_phi_1_1_0 = c[187]
-    rod_rho_phi_3_0_1 = c[188]
-    rod_rho_phi_3_1_0 = c[189]
-    rod_rho_phi_0_0_2 = c[190]
-    rod_rho_phi_0_2_0 = c[191]
-    rod_rho_phi_2_0_2 = c[192]
-    rod_rho_phi_2_2_0 = c[193]
-    rod_rho_phi_4_0_2 = c[194]
-    rod_rho_phi_4_2_0 = c[195]
-    rod_rho_phi_5_1_2 = c[196]
-    rod_rho_phi_5_2_1 = c[197]
-    c229 = c[229]
-    c230 = c[230]
-    c231 = c[231]
-    c232 = c[232]
-    c233 = c[233]
-    c234 = c[234]
-    c235 = c[235]
-    c236 = c[236]
-    c237 = c[237]
-    c238 = c[238]
-    c239 = c[239]
-    c240 = c[240]
-    c241 = c[241]
-    c242 = c[242]
+    c155 = c[155]
+    rod_D_ff_1_1 = c[156]
+    rod_K_ff_1_1 = c[157]
+    c158 = c[158]
+    rod_D_ff_2_2 = c[159]
+    rod_K_ff_2_2 = c[160]
+    c161 = c[161]
+    rod_D_ff_3_3 = c[162]
+    rod_K_ff_3_3 = c[163]
+    c164 = c[164]
+    rod_D_ff_4_4 = c[165]
+    rod_K_ff_4_4 = c[166]
+    c167 = c[167]
+    rod_D_ff_5_5 = c[168]
+    rod_K_ff_5_5 = c[169]
+    rod_rho_phi_1_0_1 = c[194]
+    rod_rho_phi_1_1_0 = c[195]
+    rod_rho_phi_3_0_1 = c[196]
+    rod_rho_phi_3_1_0 = c[197]
+    rod_rho_phi_0_0_2 = c[198]
+    rod_rho_phi_0_2_0 = c[199]
+    rod_rho_phi_2_0_2 = c[200]
+    rod_rho_phi_2_2_0 = c[201]
+    rod_rho_phi_4_0_2 = c[202]
+    rod_rho_phi_4_2_0 = c[203]
+    rod_rho_phi_5_1_2 = c[204]
+    rod_rho_phi_5_2_1 = c[205]
+    c212 = c[212]
+    c213 = c[213]
+    c214 = c[214]
+    c215 = c[215]
+    c216 = c[216]
     c243 = c[243]
     c244 = c[244]
     c245 = c[245]
@@ -9344,6 +9379,15 @@ def residual_jacobian() -> ca.Function:
     c279 = c[279]
     c280 = c[280]
     c281 = c[281]
+    c282 = c[282]
+    c283 = c[283]
+    c284 = c[284]
+    c285 = c[285]
+    c286 = c[286]
+    c287 = c[287]
+    c288 = c[288]
+    c289 = c[289]
+    c290 = c[290]
     # intermediate terms (2071)
     w0 = ca.sin(axle_angle)
     w1 = w0 * crank_pin_y
@@ -9740,11 +9784,11 @@ def residual_jacobian() -> ca.Function:
     w392 = (w391 + w7 * w380 + (w391 + w5 * w378)) * 0.5
     w393 = (w377 + w392) / w10 - w187 * (w194 / w10) - (w187 * (w196 / w10 - w187 * (w195 / w10)) + w195 * w385)
     w394 = fork_angle2_dot * w189 + w21 * w372
-    w395 = w13 * w394 + (w16 * w374 + fork_angle2_dot * (w22 * fork_angle1_dot) * c234)
+    w395 = w13 * w394 + (w16 * w374 + fork_angle2_dot * (w22 * fork_angle1_dot) * c248)
     w396 = (w381 + w384) * 0.5 / w10 - w187 * (w199 / w10) - (w187 * (w201 / w10 - w187 * (w200 / w10)) + w200 * w385)
     w397 = w201 * w202
     w398 = fork_angle1_dot * w169 - w13 * w373
-    w399 = w20 * w389 + (w122 * w386 + w188 * w190 * c234) - (w390 + w123 * w393 + (w390 - w15 * w395) - (w17 * w396 - w397 + (w12 * w398 - w397)))
+    w399 = w20 * w389 + (w122 * w386 + w188 * w190 * c248) - (w390 + w123 * w393 + (w390 - w15 * w395) - (w17 * w396 - w397 + (w12 * w398 - w397)))
     w400 = rod_q1_ddot * rod_big_end_shape_2_0 + rod_q3_ddot * rod_big_end_shape_2_2 + rod_q5_ddot * rod_big_end_shape_2_4
     w401 = w190 * w208
     w402 = w383 * 0.5 / w10 - w187 * (w206 / w10) - (w187 * (w208 / w10 - w187 * (w207 / w10)) + w207 * w385)
@@ -9756,29 +9800,29 @@ def residual_jacobian() -> ca.Function:
     w408 = (w407 - w378) / w10 - w187 * (w215 / w10) - (w187 * (w217 / w10 - w187 * (w216 / w10)) + w216 * w385)
     w409 = w30 * w389 - w401 - (w401 + w122 * w402) - (w17 * w403 - w404 - (w404 + w26 * w398) + (w405 + w123 * w408 + (w405 - w28 * w395)))
     w410 = rod_q1_ddot * rod_small_end_shape_2_0 + rod_q3_ddot * rod_small_end_shape_2_2 + rod_q5_ddot * rod_small_end_shape_2_4
-    w411 = w126 * w400 + (w25 * w409 + (w124 * w375 + (w2 * w399 + (w170 * w203 + w204 * w218) * c234))) - (w33 * w409 + (w126 * w410 + w218 * w219 * c234))
+    w411 = w126 * w400 + (w25 * w409 + (w124 * w375 + (w2 * w399 + (w170 * w203 + w204 * w218) * c248))) - (w33 * w409 + (w126 * w410 + w218 * w219 * c248))
     w412 = rod_q2_ddot * rod_small_end_shape_1_1 + rod_q4_ddot * rod_small_end_shape_1_3
     w413 = (w378 + w407) / w10 - w187 * (w223 / w10) - (w187 * (w225 / w10 - w187 * (w224 / w10)) + w224 * w385)
     w414 = (w392 - w377) / w10 - w187 * (w226 / w10) - (w187 * (w228 / w10 - w187 * (w227 / w10)) + w227 * w385)
     w415 = w202 * w228
     w416 = (w382 + w384) * 0.5 / w10 - w187 * (w229 / w10) - (w187 * (w231 / w10 - w187 * (w230 / w10)) + w230 * w385)
-    w417 = w40 * w389 + (w122 * w413 + w190 * w225 * c234) - (w17 * w414 - w415 - (w415 + w37 * w398) - (w123 * w416 + (w39 * w395 + w198 * w231 * c234)))
-    w418 = w411 - (w35 * w399 + (w124 * w412 + w203 * w221 * c234)) - w417 * rod_small_end_x
+    w417 = w40 * w389 + (w122 * w413 + w190 * w225 * c248) - (w17 * w414 - w415 - (w415 + w37 * w398) - (w123 * w416 + (w39 * w395 + w198 * w231 * c248)))
+    w418 = w411 - (w35 * w399 + (w124 * w412 + w203 * w221 * c248)) - w417 * rod_small_end_x
     w419 = w189 * w202
     w420 = w17 * w388 - w419 - (w419 + w21 * w398)
     w421 = w196 * w235
     w422 = w197 * w202
     w423 = w17 * w394 - w422 + (w16 * w398 - w422)
-    w424 = w20 * w420 + (w22 * w386 + w188 * w236 * c234) - (w13 * w396 + (w12 * w374 + w169 * w201 * c234) + (w18 * w393 - w421 - (w421 + w15 * w423)))
+    w424 = w20 * w420 + (w22 * w386 + w188 * w236 * c248) - (w13 * w396 + (w12 * w374 + w169 * w201 * c248) + (w18 * w393 - w421 - (w421 + w15 * w423)))
     w425 = w169 * w211
     w426 = w217 * w235
     w427 = w208 * w236
     w428 = w425 + w13 * w403 + (w425 - w26 * w374) - (w18 * w408 - w426 - (w426 + w28 * w423)) + (w30 * w420 - w427 - (w427 + w22 * w402))
-    w429 = w31 * w400 + (w25 * w428 + (w23 * w375 + (w2 * w424 + (w170 * w237 + w204 * w239) * c234))) - (w33 * w428 + (w31 * w410 + w219 * w239 * c234))
+    w429 = w31 * w400 + (w25 * w428 + (w23 * w375 + (w2 * w424 + (w170 * w237 + w204 * w239) * c248))) - (w33 * w428 + (w31 * w410 + w219 * w239 * c248))
     w430 = w169 * w228
     w431 = w231 * w235
-    w432 = w430 + w13 * w414 + (w430 - w37 * w374) + (w18 * w416 - w431 + (w39 * w423 - w431)) + (w40 * w420 + (w22 * w413 + w225 * w236 * c234))
-    w433 = w429 - (w35 * w424 + (w23 * w412 + w221 * w237 * c234)) - w432 * rod_small_end_x
+    w432 = w430 + w13 * w414 + (w430 - w37 * w374) + (w18 * w416 - w431 + (w39 * w423 - w431)) + (w40 * w420 + (w22 * w413 + w225 * w236 * c248))
+    w433 = w429 - (w35 * w424 + (w23 * w412 + w221 * w237 * c248)) - w432 * rod_small_end_x
     w434 = w202 * w243
     w435 = w251 - w132 * w374 + (w251 + w13 * w418) + (w17 * w433 - w434 - (w434 + w43 * w398))
     w436 = ((axle_angle_dot * w168 + w0 * axle_angle_ddot) * crank_pin_y + w245 * w250 + w249 * w435) / w248
@@ -10002,14 +10046,14 @@ def residual_jacobian() -> ca.Function:
     w654 = fork_angle1_dot**2
     w655 = w16 * (w133 * w654 + w148 * w442 - w536 * rod_mass + w437 * w629 - w565) - w21 * (w564 + (w535 * rod_mass - (w134 * w654 - w148 * w444) + w438 * w629))
     w656 = w188 * w197
-    w657 = w15 * w388 + (w21 * w393 + w189 * w196 * c234) + (w16 * w386 - w656 - (w656 + w20 * w394))
+    w657 = w15 * w388 + (w21 * w393 + w189 * w196 * c248) + (w16 * w386 - w656 - (w656 + w20 * w394))
     w658 = w197 * w208
-    w659 = w28 * w388 + (w21 * w408 + w189 * w217 * c234) - (w16 * w402 - w658 + (w30 * w394 - w658))
-    w660 = w139 * w400 + (w25 * w659 + (w137 * w375 + (w2 * w657 + (w170 * w637 + w204 * w638) * c234))) - (w33 * w659 + (w139 * w410 + w219 * w638 * c234))
+    w659 = w28 * w388 + (w21 * w408 + w189 * w217 * c248) - (w16 * w402 - w658 + (w30 * w394 - w658))
+    w660 = w139 * w400 + (w25 * w659 + (w137 * w375 + (w2 * w657 + (w170 * w637 + w204 * w638) * c248))) - (w33 * w659 + (w139 * w410 + w219 * w638 * c248))
     w661 = w189 * w231
     w662 = w197 * w225
     w663 = w39 * w388 - w661 - (w661 + w21 * w416) + (w16 * w413 - w662 - (w662 + w40 * w394))
-    w664 = w660 - (w35 * w657 + (w137 * w412 + w221 * w637 * c234)) - w663 * rod_small_end_x
+    w664 = w660 - (w35 * w657 + (w137 * w412 + w221 * w637 * c248)) - w663 * rod_small_end_x
     w665 = w202 * w640
     w666 = w17 * w664 - w665 - (w665 + w145 * w398)
     w667 = w17 * w655 + w13 * (w438 * w631 + w437 * w630 - (w133 * w444 + w134 * w442)) + w666 * c118 + w641 * guide_damping
@@ -10067,7 +10111,7 @@ def residual_jacobian() -> ca.Function:
     w719 = w591 * w709
     w720 = w716 - w718 - w719
     w721 = w715 + w720 * rod_small_end_rotation_1_0
-    w722 = w538 * rod_rho_phi_0_2_0 + w91 * w555 + w109 * w556 - w556 * w704 + 2 * (rod_q6_dot * rod_phi_phi_5_0_0_1 - rod_q6_dot * rod_phi_phi_5_0_1_0)
+    w722 = w538 * rod_rho_phi_0_2_0 + w91 * w555 + w109 * w556 - w556 * w704 + rod_q6_dot * c212
     w723 = w604 / w10
     w724 = w589 + w602
     w725 = w712 * w724
@@ -10136,7 +10180,7 @@ def residual_jacobian() -> ca.Function:
     w788 = w708 * w787
     w789 = w786 - (w788 + w600 * w712)
     w790 = w785 + w789 * rod_small_end_rotation_2_1
-    w791 = w538 * rod_rho_phi_1_1_0 + w81 * w555 + w93 * w556 - w555 * w781 + 2 * (rod_q6_dot * rod_phi_phi_5_1_2_0 - rod_q6_dot * rod_phi_phi_5_1_0_2)
+    w791 = w538 * rod_rho_phi_1_1_0 + w81 * w555 + w93 * w556 - w555 * w781 + rod_q6_dot * c213
     w792 = w712 * w717
     w793 = w612 / w10
     w794 = w792 + w793 + w591 * w787
@@ -10203,7 +10247,7 @@ def residual_jacobian() -> ca.Function:
     w855 = w854 + w713 * rod_small_end_rotation_1_2
     w856 = w58 * w538 + w82 * w555 + w96 * w556 - w555 * w851 + w587 * c128
     w857 = w856 + w720 * rod_small_end_rotation_1_2
-    w858 = w538 * rod_rho_phi_2_2_0 + w97 * w555 + w111 * w556 - w556 * w851 + 2 * (rod_q6_dot * rod_phi_phi_5_2_0_1 - rod_q6_dot * rod_phi_phi_5_2_1_0)
+    w858 = w538 * rod_rho_phi_2_2_0 + w97 * w555 + w111 * w556 - w556 * w851 + rod_q6_dot * c214
     w859 = w858 + w726 * rod_small_end_rotation_1_2
     w860 = w39 * w855 + w15 * w857 + w28 * w859
     w861 = w40 * w855 + w20 * w857 + w30 * w859
@@ -10250,7 +10294,7 @@ def residual_jacobian() -> ca.Function:
     w902 = w48 * w538 + w555 * rod_rho_phi_3_0_1 + w71 * w556 - w538 * w899 + 2 * (w900 - w901) - w608 * rod_small_end_shape_1_3
     w903 = w902 + w607 * c132
     w904 = w903 + w789 * rod_small_end_rotation_2_3
-    w905 = w538 * rod_rho_phi_3_1_0 + w83 * w555 + w99 * w556 - w555 * w899 + 2 * (rod_q6_dot * rod_phi_phi_5_3_2_0 - rod_q6_dot * rod_phi_phi_5_3_0_2)
+    w905 = w538 * rod_rho_phi_3_1_0 + w83 * w555 + w99 * w556 - w555 * w899 + rod_q6_dot * c215
     w906 = w905 + w794 * rod_small_end_rotation_2_3
     w907 = w72 * w538 + w100 * w555 + w112 * w556 - w556 * w899 - w587 * c132
     w908 = w907 + w800 * rod_small_end_rotation_2_3
@@ -10300,7 +10344,7 @@ def residual_jacobian() -> ca.Function:
     w952 = w951 + w713 * rod_small_end_rotation_1_4
     w953 = w61 * w538 + w84 * w555 + w102 * w556 - w555 * w948 + w587 * c136
     w954 = w953 + w720 * rod_small_end_rotation_1_4
-    w955 = w538 * rod_rho_phi_4_2_0 + w103 * w555 + w113 * w556 - w556 * w948 + 2 * (rod_q6_dot * rod_phi_phi_5_4_0_1 - rod_q6_dot * rod_phi_phi_5_4_1_0)
+    w955 = w538 * rod_rho_phi_4_2_0 + w103 * w555 + w113 * w556 - w556 * w948 + rod_q6_dot * c216
     w956 = w955 + w726 * rod_small_end_rotation_1_4
     w957 = w39 * w952 + w15 * w954 + w28 * w956
     w958 = w40 * w952 + w20 * w954 + w30 * w956
@@ -10393,14 +10437,14 @@ def residual_jacobian() -> ca.Function:
     w1045 = w203 * w1037
     w1046 = w385 * w1036 - w187 * (w1037 / w10 + w187 * (w1036 / w10))
     w1047 = w377 * c119 / w10 - w187 * (w1038 / w10) - (w187 * (w1040 / w10 - w187 * (w1039 / w10)) + w385 * w1039)
-    w1048 = w284 * w399 - w1045 - (w1045 + w124 * w1046) - (w285 * w417 + (w130 * w1047 + w232 * w1040 * c234))
+    w1048 = w284 * w399 - w1045 - (w1045 + w124 * w1046) - (w285 * w417 + (w130 * w1047 + w232 * w1040 * c248))
     w1049 = w380 * c119 / w10 - w187 * (w1041 / w10) - (w187 * (w1043 / w10 - w187 * (w1042 / w10)) + w385 * w1042)
-    w1050 = w1048 + (w286 * w409 + (w126 * w1049 + w218 * w1043 * c234))
+    w1050 = w1048 + (w286 * w409 + (w126 * w1049 + w218 * w1043 * c248))
     w1051 = w237 * w284 - w23 * w1037 - (w41 * w1040 + w242 * w285) + (w31 * w1043 + w239 * w286)
     w1052 = w237 * w1037
-    w1053 = w284 * w424 - w1052 - (w1052 + w23 * w1046) - (w285 * w432 + (w41 * w1047 + w242 * w1040 * c234))
-    w1054 = w1053 + (w286 * w428 + (w31 * w1049 + w239 * w1043 * c234))
-    w1055 = w343 * w433 + (w43 * w1050 + w243 * w1044 * c234) - (w287 * w418 + (w132 * w1054 + w233 * w1051 * c234))
+    w1053 = w284 * w424 - w1052 - (w1052 + w23 * w1046) - (w285 * w432 + (w41 * w1047 + w242 * w1040 * c248))
+    w1054 = w1053 + (w286 * w428 + (w31 * w1049 + w239 * w1043 * c248))
+    w1055 = w343 * w433 + (w43 * w1050 + w243 * w1044 * c248) - (w287 * w418 + (w132 * w1054 + w233 * w1051 * c248))
     w1056 = w43 * w1044 + w243 * w343 - (w132 * w1051 + w233 * w287) - w638 * rod_small_end_shape_2_0 + w638 * rod_big_end_shape_2_0
     w1057 = (w1056 - w244 * w347) / w248
     w1058 = w1055 - w659 * rod_small_end_shape_2_0 + w659 * rod_big_end_shape_2_0 + w245 * w1057 - w347 * w435
@@ -10461,9 +10505,9 @@ def residual_jacobian() -> ca.Function:
     w1113 = w16 * (w39 * w1089 + w15 * w1105 + w28 * w1112) - w21 * (w40 * w1089 + w20 * w1105 + w30 * w1112)
     w1114 = w284 * w637 - w137 * w1037 - (w143 * w1040 + w285 * w639) + (w139 * w1043 + w286 * w638)
     w1115 = w637 * w1037
-    w1116 = w284 * w657 - w1115 - (w1115 + w137 * w1046) - (w285 * w663 + (w143 * w1047 + w639 * w1040 * c234))
-    w1117 = w1116 + (w286 * w659 + (w139 * w1049 + w638 * w1043 * c234))
-    w1118 = w288 * w418 + (w132 * w1117 + w233 * w1114 * c234) - (w343 * w664 + (w145 * w1050 + w640 * w1044 * c234))
+    w1116 = w284 * w657 - w1115 - (w1115 + w137 * w1046) - (w285 * w663 + (w143 * w1047 + w639 * w1040 * c248))
+    w1117 = w1116 + (w286 * w659 + (w139 * w1049 + w638 * w1043 * c248))
+    w1118 = w288 * w418 + (w132 * w1117 + w233 * w1114 * c248) - (w343 * w664 + (w145 * w1050 + w640 * w1044 * c248))
     w1119 = w1118 - w428 * rod_small_end_shape_2_0 + w428 * rod_big_end_shape_2_0
     w1120 = w132 * w1114 + w233 * w288 - (w145 * w1044 + w343 * w640) - w239 * rod_small_end_shape_2_0 + w239 * rod_big_end_shape_2_0
     w1121 = w17 * w1113 - w13 * (w37 * w1089 + w12 * w1105 + w26 * w1112) + w1119 * c118 + w1120 * guide_damping
@@ -10500,14 +10544,14 @@ def residual_jacobian() -> ca.Function:
     w1152 = w1148 - w1151 * rod_small_end_rotation_1_0
     w1153 = w460 * w464 - w56 * w462 + w463 * c53 - (w472 * w545 - w56 * w546 + w92 * w547) + (w440 * w1128 - (w449 * w1142 + w440 * w1127))
     w1154 = w463 * rod_first_moment_x
-    w1155 = w1153 - w449 * w1144 + (rod_q6_ddot * rod_phi_phi_0_5_0_1 - rod_q6_ddot * rod_phi_phi_0_5_1_0) - w1154 * rod_small_end_shape_2_0
+    w1155 = w1153 - w449 * w1144 + rod_q6_ddot * c276 - w1154 * rod_small_end_shape_2_0 - (w35 * w1086 - w1101 * rod_small_end_x)
     w1156 = w88 * w1061 - w1094 * c37 + (w78 * w1098 - w696 * w1078 + w107 * w1074) + (w610 * w1091 - w724 * w1083 - w612 * w1081)
-    w1157 = w1155 - (w35 * w1086 - w1101 * rod_small_end_x) + w1156 * rod_small_end_rotation_1_0
+    w1157 = w1155 + w1156 * rod_small_end_rotation_1_0
     w1158 = w544 / w10
     w1159 = w559 * w709 + w1158
     w1160 = w1157 + w1159 * rod_small_end_rotation_1_0
     w1161 = w21 * (w39 * w1139 + w15 * w1152 + w28 * w1160) + w16 * (w40 * w1139 + w20 * w1152 + w30 * w1160)
-    w1162 = w287 * w664 + (w145 * w1054 + w640 * w1051 * c234) - (w288 * w433 + (w43 * w1117 + w243 * w1114 * c234))
+    w1162 = w287 * w664 + (w145 * w1054 + w640 * w1051 * c248) - (w288 * w433 + (w43 * w1117 + w243 * w1114 * c248))
     w1163 = w145 * w1051 + w287 * w640 - (w43 * w1114 + w243 * w288) - w218 * rod_small_end_shape_2_0 + w218 * rod_big_end_shape_2_0
     w1164 = (w1163 - w243 * w292) / w43
     w1165 = w1162 - w409 * rod_small_end_shape_2_0 + w409 * rod_big_end_shape_2_0 - w573 * w1164 - w292 * w433
@@ -10516,7 +10560,7 @@ def residual_jacobian() -> ca.Function:
     w1168 = w37 * w1139 + w12 * w1152 + w26 * w1160 - w767 + w136 * w1119 - w146 * w1121 + w151 * w1166 - w677 * w1164
     w1169 = w1168 - w292 * w678 - w153 * w1167 - w680 * w1059 - w682 * w1057 + w347 * w688
     w1170 = w715 * w1081 - w707 * w1091 - w722 * w1083 - (w1109 * c120 + (w692 * w1098 + w1074 * c122 + w492 * w1078))
-    w1171 = w1170 * rod_small_end_rotation_1_0 - (w462 * rod_phi_phi_0_0_1_1 + (w546 * rod_phi_phi_0_0_0_0 + w456 * c235))
+    w1171 = w1170 * rod_small_end_rotation_1_0 - (w462 * rod_phi_phi_0_0_1_1 + (w546 * rod_phi_phi_0_0_0_0 + w456 * c249))
     w1172 = w7 * w1062
     w1173 = (w559 + (w5 * w563 - w3 * w544) * 0.5) / w10
     w1174 = w1172 * w1173
@@ -10546,7 +10590,7 @@ def residual_jacobian() -> ca.Function:
     w1198 = (w563 + (w7 * w544 - w5 * w559) * 0.5) / w10
     w1199 = w1197 - w1172 * w1198
     w1200 = (w1157 + (w7 * w1136 - w5 * w1148) * 0.5) / w10 + w1199 * rod_small_end_rotation_1_0
-    w1201 = w453 * rod_phi_phi_0_1_1_2 + w463 * c236 + w1196 * rod_small_end_rotation_1_0 - w1200 * rod_small_end_rotation_2_1
+    w1201 = w453 * rod_phi_phi_0_1_1_2 + w463 * c250 + w1196 * rod_small_end_rotation_1_0 - w1200 * rod_small_end_rotation_2_1
     w1202 = w297 * w571 - w348 * w572
     w1203 = w296 * w572 - w297 * w568
     w1204 = w348 * w568 - w296 * w571
@@ -10558,7 +10602,7 @@ def residual_jacobian() -> ca.Function:
     w1210 = w817 * w1176 + w815 * w1177 + w836 * w1178 + (w733 * w1202 + w731 * w1203 + w766 * w1204) + w1209
     w1211 = w780 * w1166 - (w1201 + w1210 + w779 * w1119 + w517 * w1121) - w804 * w1164 - w292 * w821 - w301 * w1167
     w1212 = w856 * w1081 - w854 * w1091 - w858 * w1083 - (w1109 * c128 + (w841 * w1098 + w1074 * c130 + w493 * w1078))
-    w1213 = w1212 * rod_small_end_rotation_1_0 - (w462 * rod_phi_phi_0_2_1_1 + (w546 * rod_phi_phi_0_2_0_0 + w456 * c237))
+    w1213 = w1212 * rod_small_end_rotation_1_0 - (w462 * rod_phi_phi_0_2_1_1 + (w546 * rod_phi_phi_0_2_0_0 + w456 * c251))
     w1214 = w307 * w571 - w353 * w572
     w1215 = w306 * w572 - w307 * w568
     w1216 = w353 * w568 - w306 * w571
@@ -10570,7 +10614,7 @@ def residual_jacobian() -> ca.Function:
     w1222 = w850 * w1166 - (w1213 - w1175 * rod_small_end_rotation_1_2 + w1221 + w849 * w1119 + w521 * w1121)
     w1223 = w1222 - w862 * w1164 - w292 * w874 - w311 * w1167 - w875 * w1059 + w882 * w1057 + w347 * w887 + w357 * w1169
     w1224 = w905 * w1081 - w903 * w1091 - w907 * w1083 - (w889 * w1098 + w499 * w1074 + w1078 * c134 - w1094 * c132)
-    w1225 = w453 * rod_phi_phi_0_3_1_2 + w463 * c238 + w1224 * rod_small_end_rotation_1_0 - w1200 * rod_small_end_rotation_2_3
+    w1225 = w453 * rod_phi_phi_0_3_1_2 + w463 * c252 + w1224 * rod_small_end_rotation_1_0 - w1200 * rod_small_end_rotation_2_3
     w1226 = w316 * w571 - w359 * w572
     w1227 = w315 * w572 - w316 * w568
     w1228 = w359 * w568 - w315 * w571
@@ -10583,7 +10627,7 @@ def residual_jacobian() -> ca.Function:
     w1235 = w919 * w1176 + w917 * w1177 + w933 * w1178 + (w733 * w1226 + w731 * w1227 + w766 * w1228) + w1234
     w1236 = w898 * w1166 - (w1225 + w1235 + w897 * w1119 + w525 * w1121) - w911 * w1164 - w292 * w923 - w320 * w1167
     w1237 = w953 * w1081 - w951 * w1091 - w955 * w1083 - (w1109 * c136 + (w938 * w1098 + w1074 * c138 + w494 * w1078))
-    w1238 = w1237 * rod_small_end_rotation_1_0 - (w462 * rod_phi_phi_0_4_1_1 + (w546 * rod_phi_phi_0_4_0_0 + w456 * c239))
+    w1238 = w1237 * rod_small_end_rotation_1_0 - (w462 * rod_phi_phi_0_4_1_1 + (w546 * rod_phi_phi_0_4_0_0 + w456 * c253))
     w1239 = w325 * w571 - w364 * w572
     w1240 = w324 * w572 - w325 * w568
     w1241 = w364 * w568 - w324 * w571
@@ -10622,15 +10666,15 @@ def residual_jacobian() -> ca.Function:
     w1274 = w130 * w1268 + w232 * w293 - (w124 * w1271 + w203 * w294) + (w218 * w295 - w126 * w1273)
     w1275 = w378 * c123 / w10 - w187 * (w1266 / w10) - (w187 * (w1268 / w10 - w187 * (w1267 / w10)) + w385 * w1267)
     w1276 = w380 * c123 / w10 - w187 * (w1269 / w10) - (w187 * (w1271 / w10 - w187 * (w1270 / w10)) + w385 * w1270)
-    w1277 = w293 * w417 + (w130 * w1275 + w232 * w1268 * c234) - (w294 * w399 + (w124 * w1276 + w203 * w1271 * c234))
+    w1277 = w293 * w417 + (w130 * w1275 + w232 * w1268 * c248) - (w294 * w399 + (w124 * w1276 + w203 * w1271 * c248))
     w1278 = w218 * w1273
     w1279 = w385 * w1272 - w187 * (w1273 / w10 + w187 * (w1272 / w10))
     w1280 = w1277 + (w295 * w409 - w1278 - (w1278 + w126 * w1279))
     w1281 = w41 * w1268 + w242 * w293 - (w23 * w1271 + w237 * w294) + (w239 * w295 - w31 * w1273)
-    w1282 = w293 * w432 + (w41 * w1275 + w242 * w1268 * c234) - (w294 * w424 + (w23 * w1276 + w237 * w1271 * c234))
+    w1282 = w293 * w432 + (w41 * w1275 + w242 * w1268 * c248) - (w294 * w424 + (w23 * w1276 + w237 * w1271 * c248))
     w1283 = w239 * w1273
     w1284 = w1282 + (w295 * w428 - w1283 - (w1283 + w31 * w1279))
-    w1285 = w348 * w433 + (w43 * w1280 + w243 * w1274 * c234) - (w296 * w418 + (w132 * w1284 + w233 * w1281 * c234))
+    w1285 = w348 * w433 + (w43 * w1280 + w243 * w1274 * c248) - (w296 * w418 + (w132 * w1284 + w233 * w1281 * c248))
     w1286 = w43 * w1274 + w243 * w348 - (w132 * w1281 + w233 * w296) - w637 * rod_small_end_shape_1_1 + w637 * rod_big_end_shape_1_1
     w1287 = (w1286 - w244 * w352) / w248
     w1288 = w1285 - w657 * rod_small_end_shape_1_1 + w657 * rod_big_end_shape_1_1 + w245 * w1287 - w352 * w435
@@ -10673,16 +10717,16 @@ def residual_jacobian() -> ca.Function:
     w1325 = w1320 * rod_small_end_rotation_2_1 - w1322 - w1324 * rod_small_end_rotation_2_1
     w1326 = w16 * (w39 * w1306 + w15 * w1317 + w28 * w1325) - w21 * (w40 * w1306 + w20 * w1317 + w30 * w1325)
     w1327 = w143 * w1268 + w293 * w639 - (w137 * w1271 + w294 * w637) + (w295 * w638 - w139 * w1273)
-    w1328 = w293 * w663 + (w143 * w1275 + w639 * w1268 * c234) - (w294 * w657 + (w137 * w1276 + w637 * w1271 * c234))
+    w1328 = w293 * w663 + (w143 * w1275 + w639 * w1268 * c248) - (w294 * w657 + (w137 * w1276 + w637 * w1271 * c248))
     w1329 = w638 * w1273
     w1330 = w1328 + (w295 * w659 - w1329 - (w1329 + w139 * w1279))
-    w1331 = w297 * w418 + (w132 * w1330 + w233 * w1327 * c234) - (w348 * w664 + (w145 * w1280 + w640 * w1274 * c234))
+    w1331 = w297 * w418 + (w132 * w1330 + w233 * w1327 * c248) - (w348 * w664 + (w145 * w1280 + w640 * w1274 * c248))
     w1332 = w1331 - w424 * rod_small_end_shape_1_1 + w424 * rod_big_end_shape_1_1
     w1333 = w132 * w1327 + w233 * w297 - (w145 * w1274 + w348 * w640) - w237 * rod_small_end_shape_1_1 + w237 * rod_big_end_shape_1_1
     w1334 = w17 * w1326 - w13 * (w37 * w1306 + w12 * w1317 + w26 * w1325) + w1332 * c118 + w1333 * guide_damping
     w1335 = 2 * (rod_q2_dot * rod_phi_phi_1_1_0_0 + rod_q4_dot * rod_phi_phi_1_3_0_0)
     w1336 = 2 * (rod_q2_dot * rod_phi_phi_1_1_1_1 + rod_q4_dot * rod_phi_phi_1_3_1_1)
-    w1337 = rod_q2_dot * c231
+    w1337 = rod_q2_dot * c245
     w1338 = w1335 + w1336 + w1337
     w1339 = rod_q6_dot * rod_phi_phi_1_5_0_2
     w1340 = rod_q6_dot * rod_phi_phi_1_5_2_0
@@ -10703,9 +10747,9 @@ def residual_jacobian() -> ca.Function:
     w1355 = w95 * w545 - w70 * w546 + w481 * w547 - (w448 * w465 + w453 * c41 - w70 * w456) + (w449 * w1338 - (w449 * w1336 + w440 * w1354))
     w1356 = w1352 - w1353
     w1357 = w453 * rod_first_moment_x
-    w1358 = w1355 + w440 * w1356 + (rod_q6_ddot * rod_phi_phi_1_5_2_0 - rod_q6_ddot * rod_phi_phi_1_5_0_2) + w1357 * rod_small_end_shape_1_1
+    w1358 = w1355 + w440 * w1356 + rod_q6_ddot * c280 + w1357 * rod_small_end_shape_1_1 - (w1322 * rod_small_end_x - w33 * w1303)
     w1359 = w1319 * c37 - w117 * w1297 + (w107 * w1295 - w694 * w1294 + w67 * w1313) + (w600 * w1315 - (w717 * w1298 + w604 * w1300))
-    w1360 = w1358 - (w1322 * rod_small_end_x - w33 * w1303) + w1359 * rod_small_end_rotation_2_1
+    w1360 = w1358 + w1359 * rod_small_end_rotation_2_1
     w1361 = w563 * w787 - w1158
     w1362 = w1360 + w1361 * rod_small_end_rotation_2_1
     w1363 = w462 * rod_first_moment_x - w558
@@ -10717,7 +10761,7 @@ def residual_jacobian() -> ca.Function:
     w1369 = w1149 + w1368
     w1370 = w1367 - w1369 * rod_small_end_rotation_2_1
     w1371 = w21 * (w39 * w1351 + w15 * w1362 + w28 * w1370) + w16 * (w40 * w1351 + w20 * w1362 + w30 * w1370)
-    w1372 = w296 * w664 + (w145 * w1284 + w640 * w1281 * c234) - (w297 * w433 + (w43 * w1330 + w243 * w1327 * c234))
+    w1372 = w296 * w664 + (w145 * w1284 + w640 * w1281 * c248) - (w297 * w433 + (w43 * w1330 + w243 * w1327 * c248))
     w1373 = w145 * w1281 + w296 * w640 - (w43 * w1327 + w243 * w297) - w203 * rod_small_end_shape_1_1 + w203 * rod_big_end_shape_1_1
     w1374 = (w1373 - w243 * w301) / w43
     w1375 = w1372 - w399 * rod_small_end_shape_1_1 + w399 * rod_big_end_shape_1_1 - w573 * w1374 - w301 * w433
@@ -10729,10 +10773,10 @@ def residual_jacobian() -> ca.Function:
     w1381 = w3 * w1062
     w1382 = w1197 + w1173 * w1381
     w1383 = (w1360 + (w5 * w1367 - w3 * w1348) * 0.5) / w10 - w1382 * rod_small_end_rotation_2_1
-    w1384 = w463 * rod_phi_phi_1_0_2_1 + w453 * c240 + w1380 * rod_small_end_rotation_2_1 - w1383 * rod_small_end_rotation_1_0
+    w1384 = w463 * rod_phi_phi_1_0_2_1 + w453 * c254 + w1380 * rod_small_end_rotation_2_1 - w1383 * rod_small_end_rotation_1_0
     w1385 = w703 * w1376 - (w1210 + w1384 + w702 * w1332 + w513 * w1334) - w730 * w1374 - w301 * w749 - w292 * w1377
     w1386 = w796 * w1300 - (w785 * w1315 + w791 * w1298) - (w771 * w1313 + w498 * w1294 + w1295 * c126 + w1309 * c124)
-    w1387 = w1386 * rod_small_end_rotation_2_1 - (w456 * rod_phi_phi_1_1_2_2 + (w546 * rod_phi_phi_1_1_0_0 + w462 * c241))
+    w1387 = w1386 * rod_small_end_rotation_2_1 - (w456 * rod_phi_phi_1_1_2_2 + (w546 * rod_phi_phi_1_1_0_0 + w462 * c255))
     w1388 = w1198 * w1381
     w1389 = (w1367 + (w7 * w1348 - w5 * w1360) * 0.5) / w10 - w1388 * rod_small_end_rotation_2_1
     w1390 = w295 * w1185 - w293 * w1181
@@ -10743,16 +10787,16 @@ def residual_jacobian() -> ca.Function:
     w1395 = rod_K_ff_1_1 + (w1387 - w1389 * rod_small_end_rotation_2_1) + w1394 + w779 * w1332 + w517 * w1334
     w1396 = w780 * w1376 - w1395 - w804 * w1374 - w301 * w821 - w301 * w1377 - w822 * w1289 + w834 * w1287 + w352 * w839
     w1397 = w858 * w1300 - (w854 * w1315 + w856 * w1298) - (w841 * w1313 + w1294 * c130 + w493 * w1295 - w1319 * c128)
-    w1398 = w463 * rod_phi_phi_1_2_2_1 + w453 * c242 + w1397 * rod_small_end_rotation_2_1 - w1383 * rod_small_end_rotation_1_2
+    w1398 = w463 * rod_phi_phi_1_2_2_1 + w453 * c256 + w1397 * rod_small_end_rotation_2_1 - w1383 * rod_small_end_rotation_1_2
     w1399 = w1219 * w1392 + (w1217 * w1391 - w1218 * w1390) + (w1062 * (w1190 * rod_small_end_rotation_1_2) * rod_small_end_rotation_2_1 - w1220 * w1393)
     w1400 = w865 * w1202 + w863 * w1203 + w884 * w1204 + (w817 * w1214 + w815 * w1215 + w836 * w1216) - w1399
     w1401 = w850 * w1376 - (w1398 + w1400 + w849 * w1332 + w521 * w1334) - w862 * w1374 - w301 * w874 - w311 * w1377
     w1402 = w907 * w1300 - (w903 * w1315 + w905 * w1298) - (w889 * w1313 + w499 * w1294 + w1295 * c134 + w1309 * c132)
-    w1403 = w1402 * rod_small_end_rotation_2_1 - (w546 * rod_phi_phi_1_3_0_0 + w462 * c243) - w1389 * rod_small_end_rotation_2_3
+    w1403 = w1402 * rod_small_end_rotation_2_1 - (w546 * rod_phi_phi_1_3_0_0 + w462 * c257) - w1389 * rod_small_end_rotation_2_3
     w1404 = w919 * w1202 + w917 * w1203 + w933 * w1204 + (w817 * w1226 + w815 * w1227 + w836 * w1228) + (w1229 * w1390 + w1230 * w1391 + w1231 * w1392 + w1233 * w1393)
     w1405 = w898 * w1376 - (w1403 + w1404 + w897 * w1332 + w525 * w1334) - w911 * w1374 - w301 * w923 - w320 * w1377
     w1406 = w955 * w1300 - (w951 * w1315 + w953 * w1298) - (w938 * w1313 + w1294 * c138 + w494 * w1295 - w1319 * c136)
-    w1407 = w463 * rod_phi_phi_1_4_2_1 + w453 * c244 + w1406 * rod_small_end_rotation_2_1 - w1383 * rod_small_end_rotation_1_4
+    w1407 = w463 * rod_phi_phi_1_4_2_1 + w453 * c258 + w1406 * rod_small_end_rotation_2_1 - w1383 * rod_small_end_rotation_1_4
     w1408 = w1062 * (w1190 * rod_small_end_rotation_1_4)
     w1409 = w1244 * w1392 + (w1242 * w1391 - w1243 * w1390) + (w1408 * rod_small_end_rotation_2_1 - w1245 * w1393)
     w1410 = w962 * w1202 + w960 * w1203 + w981 * w1204 + (w817 * w1239 + w815 * w1240 + w836 * w1241) - w1409
@@ -10778,14 +10822,14 @@ def residual_jacobian() -> ca.Function:
     w1430 = w203 * w1422
     w1431 = w385 * w1421 - w187 * (w1422 / w10 + w187 * (w1421 / w10))
     w1432 = w377 * c127 / w10 - w187 * (w1423 / w10) - (w187 * (w1425 / w10 - w187 * (w1424 / w10)) + w385 * w1424)
-    w1433 = w303 * w399 - w1430 - (w1430 + w124 * w1431) - (w304 * w417 + (w130 * w1432 + w232 * w1425 * c234))
+    w1433 = w303 * w399 - w1430 - (w1430 + w124 * w1431) - (w304 * w417 + (w130 * w1432 + w232 * w1425 * c248))
     w1434 = w380 * c127 / w10 - w187 * (w1426 / w10) - (w187 * (w1428 / w10 - w187 * (w1427 / w10)) + w385 * w1427)
-    w1435 = w1433 + (w305 * w409 + (w126 * w1434 + w218 * w1428 * c234))
+    w1435 = w1433 + (w305 * w409 + (w126 * w1434 + w218 * w1428 * c248))
     w1436 = w237 * w303 - w23 * w1422 - (w41 * w1425 + w242 * w304) + (w31 * w1428 + w239 * w305)
     w1437 = w237 * w1422
-    w1438 = w303 * w424 - w1437 - (w1437 + w23 * w1431) - (w304 * w432 + (w41 * w1432 + w242 * w1425 * c234))
-    w1439 = w1438 + (w305 * w428 + (w31 * w1434 + w239 * w1428 * c234))
-    w1440 = w353 * w433 + (w43 * w1435 + w243 * w1429 * c234) - (w306 * w418 + (w132 * w1439 + w233 * w1436 * c234))
+    w1438 = w303 * w424 - w1437 - (w1437 + w23 * w1431) - (w304 * w432 + (w41 * w1432 + w242 * w1425 * c248))
+    w1439 = w1438 + (w305 * w428 + (w31 * w1434 + w239 * w1428 * c248))
+    w1440 = w353 * w433 + (w43 * w1435 + w243 * w1429 * c248) - (w306 * w418 + (w132 * w1439 + w233 * w1436 * c248))
     w1441 = w43 * w1429 + w243 * w353 - (w132 * w1436 + w233 * w306) - w638 * rod_small_end_shape_2_2 + w638 * rod_big_end_shape_2_2
     w1442 = (w1441 - w244 * w357) / w248
     w1443 = w1440 - w659 * rod_small_end_shape_2_2 + w659 * rod_big_end_shape_2_2 + w245 * w1442 - w357 * w435
@@ -10799,9 +10843,9 @@ def residual_jacobian() -> ca.Function:
     w1451 = w16 * (w39 * w1446 + w15 * w1448 + w28 * w1450) - w21 * (w40 * w1446 + w20 * w1448 + w30 * w1450)
     w1452 = w303 * w637 - w137 * w1422 - (w143 * w1425 + w304 * w639) + (w139 * w1428 + w305 * w638)
     w1453 = w637 * w1422
-    w1454 = w303 * w657 - w1453 - (w1453 + w137 * w1431) - (w304 * w663 + (w143 * w1432 + w639 * w1425 * c234))
-    w1455 = w1454 + (w305 * w659 + (w139 * w1434 + w638 * w1428 * c234))
-    w1456 = w307 * w418 + (w132 * w1455 + w233 * w1452 * c234) - (w353 * w664 + (w145 * w1435 + w640 * w1429 * c234))
+    w1454 = w303 * w657 - w1453 - (w1453 + w137 * w1431) - (w304 * w663 + (w143 * w1432 + w639 * w1425 * c248))
+    w1455 = w1454 + (w305 * w659 + (w139 * w1434 + w638 * w1428 * c248))
+    w1456 = w307 * w418 + (w132 * w1455 + w233 * w1452 * c248) - (w353 * w664 + (w145 * w1435 + w640 * w1429 * c248))
     w1457 = w1456 - w428 * rod_small_end_shape_2_2 + w428 * rod_big_end_shape_2_2
     w1458 = w132 * w1452 + w233 * w307 - (w145 * w1429 + w353 * w640) - w239 * rod_small_end_shape_2_2 + w239 * rod_big_end_shape_2_2
     w1459 = w17 * w1451 - w13 * (w37 * w1446 + w12 * w1448 + w26 * w1450) + w1457 * c118 + w1458 * guide_damping
@@ -10829,11 +10873,11 @@ def residual_jacobian() -> ca.Function:
     w1481 = w1480 + (w33 * w1445 + w1449 * rod_small_end_x) + w1147 * rod_small_end_rotation_1_2
     w1482 = w1481 - w1151 * rod_small_end_rotation_1_2
     w1483 = w460 * w466 - w59 * w462 + w463 * c56 - (w474 * w545 - w59 * w546 + w98 * w547) + (w440 * w1466 - (w449 * w1477 + w440 * w1465))
-    w1484 = w1483 - w449 * w1479 + (rod_q6_ddot * rod_phi_phi_2_5_0_1 - rod_q6_ddot * rod_phi_phi_2_5_1_0) - w1154 * rod_small_end_shape_2_2
-    w1485 = w1484 - (w35 * w1445 - w1447 * rod_small_end_x) + w1156 * rod_small_end_rotation_1_2
+    w1484 = w1483 - w449 * w1479 + rod_q6_ddot * c283 - w1154 * rod_small_end_shape_2_2 - (w35 * w1445 - w1447 * rod_small_end_x)
+    w1485 = w1484 + w1156 * rod_small_end_rotation_1_2
     w1486 = w1485 + w1159 * rod_small_end_rotation_1_2
     w1487 = w21 * (w39 * w1474 + w15 * w1482 + w28 * w1486) + w16 * (w40 * w1474 + w20 * w1482 + w30 * w1486)
-    w1488 = w306 * w664 + (w145 * w1439 + w640 * w1436 * c234) - (w307 * w433 + (w43 * w1455 + w243 * w1452 * c234))
+    w1488 = w306 * w664 + (w145 * w1439 + w640 * w1436 * c248) - (w307 * w433 + (w43 * w1455 + w243 * w1452 * c248))
     w1489 = w145 * w1436 + w306 * w640 - (w43 * w1452 + w243 * w307) - w218 * rod_small_end_shape_2_2 + w218 * rod_big_end_shape_2_2
     w1490 = (w1489 - w243 * w311) / w43
     w1491 = w1488 - w409 * rod_small_end_shape_2_2 + w409 * rod_big_end_shape_2_2 - w573 * w1490 - w311 * w433
@@ -10841,14 +10885,14 @@ def residual_jacobian() -> ca.Function:
     w1493 = w132 * w1459 - (w867 + w1487 + w150 * w1457) + w164 * w1492 - w633 * w1490 - w311 * w635
     w1494 = w37 * w1474 + w12 * w1482 + w26 * w1486 - w885 + w136 * w1457 - w146 * w1459 + w151 * w1492 - w677 * w1490
     w1495 = w1494 - w311 * w678 - w153 * w1493 - w680 * w1444 - w682 * w1442 + w357 * w688
-    w1496 = w1170 * rod_small_end_rotation_1_2 - (w462 * rod_phi_phi_2_0_1_1 + (w546 * rod_phi_phi_2_0_0_0 + w456 * c245))
+    w1496 = w1170 * rod_small_end_rotation_1_2 - (w462 * rod_phi_phi_2_0_1_1 + (w546 * rod_phi_phi_2_0_0_0 + w456 * c259))
     w1497 = (w1481 + (w5 * w1485 - w3 * w1473) * 0.5) / w10 - w1174 * rod_small_end_rotation_1_2
     w1498 = w703 * w1492 - (w1221 + (w1496 - w1497 * rod_small_end_rotation_1_0) + w702 * w1457 + w513 * w1459)
     w1499 = w1498 - w730 * w1490 - w311 * w749 - w292 * w1493 - w750 * w1444 + w764 * w1442 + w357 * w769 + w347 * w1495
     w1500 = (w1485 + (w7 * w1473 - w5 * w1481) * 0.5) / w10 + w1199 * rod_small_end_rotation_1_2
-    w1501 = w453 * rod_phi_phi_2_1_1_2 + w463 * c246 + w1196 * rod_small_end_rotation_1_2 - w1500 * rod_small_end_rotation_2_1
+    w1501 = w453 * rod_phi_phi_2_1_1_2 + w463 * c260 + w1196 * rod_small_end_rotation_1_2 - w1500 * rod_small_end_rotation_2_1
     w1502 = w780 * w1492 - (w1400 + w1501 + w779 * w1457 + w517 * w1459) - w804 * w1490 - w311 * w821 - w301 * w1493
-    w1503 = w1212 * rod_small_end_rotation_1_2 - (w462 * rod_phi_phi_2_2_1_1 + (w546 * rod_phi_phi_2_2_0_0 + w456 * c247))
+    w1503 = w1212 * rod_small_end_rotation_1_2 - (w462 * rod_phi_phi_2_2_1_1 + (w546 * rod_phi_phi_2_2_0_0 + w456 * c261))
     w1504 = w303 * w1181 - w305 * w1182
     w1505 = w305 * w1185 + w304 * w1181
     w1506 = w304 * w1182 + w303 * w1185
@@ -10856,11 +10900,11 @@ def residual_jacobian() -> ca.Function:
     w1508 = 2 * (w865 * w1214 + w863 * w1215 + w884 * w1216) + (w1217 * w1504 + w1218 * w1505 + w1219 * w1506 + w1220 * w1507)
     w1509 = rod_K_ff_2_2 + (w1503 - w1497 * rod_small_end_rotation_1_2) + w1508 + w849 * w1457 + w521 * w1459
     w1510 = w850 * w1492 - w1509 - w862 * w1490 - w311 * w874 - w311 * w1493 - w875 * w1444 + w882 * w1442 + w357 * w887
-    w1511 = w453 * rod_phi_phi_2_3_1_2 + w463 * c248 + w1224 * rod_small_end_rotation_1_2 - w1500 * rod_small_end_rotation_2_3
+    w1511 = w453 * rod_phi_phi_2_3_1_2 + w463 * c262 + w1224 * rod_small_end_rotation_1_2 - w1500 * rod_small_end_rotation_2_3
     w1512 = w1229 * w1505 - w1230 * w1504 - w1231 * w1506 + (w1232 * rod_small_end_rotation_1_2 + w1233 * w1507)
     w1513 = w919 * w1214 + w917 * w1215 + w933 * w1216 + (w865 * w1226 + w863 * w1227 + w884 * w1228) + w1512
     w1514 = w898 * w1492 - (w1511 + w1513 + w897 * w1457 + w525 * w1459) - w911 * w1490 - w311 * w923 - w320 * w1493
-    w1515 = w1237 * rod_small_end_rotation_1_2 - (w462 * rod_phi_phi_2_4_1_1 + (w546 * rod_phi_phi_2_4_0_0 + w456 * c249))
+    w1515 = w1237 * rod_small_end_rotation_1_2 - (w462 * rod_phi_phi_2_4_1_1 + (w546 * rod_phi_phi_2_4_0_0 + w456 * c263))
     w1516 = w962 * w1214 + w960 * w1215 + w981 * w1216 + (w865 * w1239 + w863 * w1240 + w884 * w1241) + (w1242 * w1504 + w1243 * w1505 + w1244 * w1506 + w1245 * w1507)
     w1517 = w947 * w1492 - (w1515 - w1497 * rod_small_end_rotation_1_4 + w1516 + w946 * w1457 + w529 * w1459)
     w1518 = w1517 - w959 * w1490 - w311 * w971 - w329 * w1493 - w972 * w1444 + w979 * w1442 + w357 * w984 + w368 * w1495
@@ -10880,15 +10924,15 @@ def residual_jacobian() -> ca.Function:
     w1532 = w130 * w1526 + w232 * w312 - (w124 * w1529 + w203 * w313) + (w218 * w314 - w126 * w1531)
     w1533 = w378 * c131 / w10 - w187 * (w1524 / w10) - (w187 * (w1526 / w10 - w187 * (w1525 / w10)) + w385 * w1525)
     w1534 = w380 * c131 / w10 - w187 * (w1527 / w10) - (w187 * (w1529 / w10 - w187 * (w1528 / w10)) + w385 * w1528)
-    w1535 = w312 * w417 + (w130 * w1533 + w232 * w1526 * c234) - (w313 * w399 + (w124 * w1534 + w203 * w1529 * c234))
+    w1535 = w312 * w417 + (w130 * w1533 + w232 * w1526 * c248) - (w313 * w399 + (w124 * w1534 + w203 * w1529 * c248))
     w1536 = w218 * w1531
     w1537 = w385 * w1530 - w187 * (w1531 / w10 + w187 * (w1530 / w10))
     w1538 = w1535 + (w314 * w409 - w1536 - (w1536 + w126 * w1537))
     w1539 = w41 * w1526 + w242 * w312 - (w23 * w1529 + w237 * w313) + (w239 * w314 - w31 * w1531)
-    w1540 = w312 * w432 + (w41 * w1533 + w242 * w1526 * c234) - (w313 * w424 + (w23 * w1534 + w237 * w1529 * c234))
+    w1540 = w312 * w432 + (w41 * w1533 + w242 * w1526 * c248) - (w313 * w424 + (w23 * w1534 + w237 * w1529 * c248))
     w1541 = w239 * w1531
     w1542 = w1540 + (w314 * w428 - w1541 - (w1541 + w31 * w1537))
-    w1543 = w359 * w433 + (w43 * w1538 + w243 * w1532 * c234) - (w315 * w418 + (w132 * w1542 + w233 * w1539 * c234))
+    w1543 = w359 * w433 + (w43 * w1538 + w243 * w1532 * c248) - (w315 * w418 + (w132 * w1542 + w233 * w1539 * c248))
     w1544 = w43 * w1532 + w243 * w359 - (w132 * w1539 + w233 * w315) - w637 * rod_small_end_shape_1_3 + w637 * rod_big_end_shape_1_3
     w1545 = (w1544 - w244 * w363) / w248
     w1546 = w1543 - w657 * rod_small_end_shape_1_3 + w657 * rod_big_end_shape_1_3 + w245 * w1545 - w363 * w435
@@ -10901,16 +10945,16 @@ def residual_jacobian() -> ca.Function:
     w1553 = w1320 * rod_small_end_rotation_2_3 - w1552 - w1324 * rod_small_end_rotation_2_3
     w1554 = w16 * (w39 * w1549 + w15 * w1551 + w28 * w1553) - w21 * (w40 * w1549 + w20 * w1551 + w30 * w1553)
     w1555 = w143 * w1526 + w312 * w639 - (w137 * w1529 + w313 * w637) + (w314 * w638 - w139 * w1531)
-    w1556 = w312 * w663 + (w143 * w1533 + w639 * w1526 * c234) - (w313 * w657 + (w137 * w1534 + w637 * w1529 * c234))
+    w1556 = w312 * w663 + (w143 * w1533 + w639 * w1526 * c248) - (w313 * w657 + (w137 * w1534 + w637 * w1529 * c248))
     w1557 = w638 * w1531
     w1558 = w1556 + (w314 * w659 - w1557 - (w1557 + w139 * w1537))
-    w1559 = w316 * w418 + (w132 * w1558 + w233 * w1555 * c234) - (w359 * w664 + (w145 * w1538 + w640 * w1532 * c234))
+    w1559 = w316 * w418 + (w132 * w1558 + w233 * w1555 * c248) - (w359 * w664 + (w145 * w1538 + w640 * w1532 * c248))
     w1560 = w1559 - w424 * rod_small_end_shape_1_3 + w424 * rod_big_end_shape_1_3
     w1561 = w132 * w1555 + w233 * w316 - (w145 * w1532 + w359 * w640) - w237 * rod_small_end_shape_1_3 + w237 * rod_big_end_shape_1_3
     w1562 = w17 * w1554 - w13 * (w37 * w1549 + w12 * w1551 + w26 * w1553) + w1560 * c118 + w1561 * guide_damping
     w1563 = 2 * (rod_q2_dot * rod_phi_phi_3_1_0_0 + rod_q4_dot * rod_phi_phi_3_3_0_0)
     w1564 = 2 * (rod_q2_dot * rod_phi_phi_3_1_1_1 + rod_q4_dot * rod_phi_phi_3_3_1_1)
-    w1565 = rod_q4_dot * c232
+    w1565 = rod_q4_dot * c246
     w1566 = w1563 + w1564 + w1565
     w1567 = rod_q6_dot * rod_phi_phi_3_5_0_2
     w1568 = rod_q6_dot * rod_phi_phi_3_5_2_0
@@ -10927,15 +10971,15 @@ def residual_jacobian() -> ca.Function:
     w1579 = w1577 + w1578
     w1580 = w101 * w545 - w73 * w546 + w483 * w547 - (w448 * w467 + w453 * c44 - w73 * w456) + (w449 * w1566 - (w449 * w1564 + w440 * w1579))
     w1581 = w1577 - w1578
-    w1582 = w1580 + w440 * w1581 + (rod_q6_ddot * rod_phi_phi_3_5_2_0 - rod_q6_ddot * rod_phi_phi_3_5_0_2) + w1357 * rod_small_end_shape_1_3
-    w1583 = w1582 - (w1552 * rod_small_end_x - w33 * w1548) + w1359 * rod_small_end_rotation_2_3
+    w1582 = w1580 + w440 * w1581 + rod_q6_ddot * c287 + w1357 * rod_small_end_shape_1_3 - (w1552 * rod_small_end_x - w33 * w1548)
+    w1583 = w1582 + w1359 * rod_small_end_rotation_2_3
     w1584 = w1583 + w1361 * rod_small_end_rotation_2_3
     w1585 = w460 * w467 - w462 * c44 + w73 * w463 - (w475 * w545 - w546 * c44 + w101 * w547) + w1363 * rod_small_end_shape_1_3
     w1586 = w439 * w1571 - w449 * w1581 + (w440 * w1566 - (w439 * w1569 + w449 * w1579 + w440 * w1565) + w1585)
     w1587 = w1586 - (w1550 * rod_small_end_x + w35 * w1548) + w1366 * rod_small_end_rotation_2_3
     w1588 = w1587 - w1369 * rod_small_end_rotation_2_3
     w1589 = w21 * (w39 * w1576 + w15 * w1584 + w28 * w1588) + w16 * (w40 * w1576 + w20 * w1584 + w30 * w1588)
-    w1590 = w315 * w664 + (w145 * w1542 + w640 * w1539 * c234) - (w316 * w433 + (w43 * w1558 + w243 * w1555 * c234))
+    w1590 = w315 * w664 + (w145 * w1542 + w640 * w1539 * c248) - (w316 * w433 + (w43 * w1558 + w243 * w1555 * c248))
     w1591 = w145 * w1539 + w315 * w640 - (w43 * w1555 + w243 * w316) - w203 * rod_small_end_shape_1_3 + w203 * rod_big_end_shape_1_3
     w1592 = (w1591 - w243 * w320) / w43
     w1593 = w1590 - w399 * rod_small_end_shape_1_3 + w399 * rod_big_end_shape_1_3 - w573 * w1592 - w320 * w433
@@ -10944,14 +10988,14 @@ def residual_jacobian() -> ca.Function:
     w1596 = w37 * w1576 + w12 * w1584 + w26 * w1588 - w934 + w136 * w1560 - w146 * w1562 + w151 * w1594 - w677 * w1592
     w1597 = w1596 - w320 * w678 - w153 * w1595 - w680 * w1547 - w682 * w1545 + w363 * w688
     w1598 = (w1583 + (w5 * w1587 - w3 * w1575) * 0.5) / w10 - w1382 * rod_small_end_rotation_2_3
-    w1599 = w463 * rod_phi_phi_3_0_2_1 + w453 * c250 + w1380 * rod_small_end_rotation_2_3 - w1598 * rod_small_end_rotation_1_0
+    w1599 = w463 * rod_phi_phi_3_0_2_1 + w453 * c264 + w1380 * rod_small_end_rotation_2_3 - w1598 * rod_small_end_rotation_1_0
     w1600 = w703 * w1594 - (w1235 + w1599 + w702 * w1560 + w513 * w1562) - w730 * w1592 - w320 * w749 - w292 * w1595
     w1601 = (w1587 + (w7 * w1575 - w5 * w1583) * 0.5) / w10 - w1388 * rod_small_end_rotation_2_3
-    w1602 = w1386 * rod_small_end_rotation_2_3 - (w546 * rod_phi_phi_3_1_0_0 + w462 * c251) - w1601 * rod_small_end_rotation_2_1
+    w1602 = w1386 * rod_small_end_rotation_2_3 - (w546 * rod_phi_phi_3_1_0_0 + w462 * c265) - w1601 * rod_small_end_rotation_2_1
     w1603 = w780 * w1594 - (w1404 + w1602 + w779 * w1560 + w517 * w1562) - w804 * w1592 - w320 * w821 - w301 * w1595
-    w1604 = w463 * rod_phi_phi_3_2_2_1 + w453 * c252 + w1397 * rod_small_end_rotation_2_3 - w1598 * rod_small_end_rotation_1_2
+    w1604 = w463 * rod_phi_phi_3_2_2_1 + w453 * c266 + w1397 * rod_small_end_rotation_2_3 - w1598 * rod_small_end_rotation_1_2
     w1605 = w850 * w1594 - (w1513 + w1604 + w849 * w1560 + w521 * w1562) - w862 * w1592 - w320 * w874 - w311 * w1595
-    w1606 = w1402 * rod_small_end_rotation_2_3 - (w456 * rod_phi_phi_3_3_2_2 + (w546 * rod_phi_phi_3_3_0_0 + w462 * c253))
+    w1606 = w1402 * rod_small_end_rotation_2_3 - (w456 * rod_phi_phi_3_3_2_2 + (w546 * rod_phi_phi_3_3_0_0 + w462 * c267))
     w1607 = w314 * w1185 - w312 * w1181
     w1608 = w313 * w1181 + w314 * w1182
     w1609 = w312 * w1182 + w313 * w1185
@@ -10959,7 +11003,7 @@ def residual_jacobian() -> ca.Function:
     w1611 = 2 * (w919 * w1226 + w917 * w1227 + w933 * w1228) + (w1229 * w1607 + w1230 * w1608 + w1231 * w1609 + w1233 * w1610)
     w1612 = rod_K_ff_3_3 + (w1606 - w1601 * rod_small_end_rotation_2_3) + w1611 + w897 * w1560 + w525 * w1562
     w1613 = w898 * w1594 - w1612 - w911 * w1592 - w320 * w923 - w320 * w1595 - w924 * w1547 + w931 * w1545 + w363 * w936
-    w1614 = w463 * rod_phi_phi_3_4_2_1 + w453 * c254 + w1406 * rod_small_end_rotation_2_3 - w1598 * rod_small_end_rotation_1_4
+    w1614 = w463 * rod_phi_phi_3_4_2_1 + w453 * c268 + w1406 * rod_small_end_rotation_2_3 - w1598 * rod_small_end_rotation_1_4
     w1615 = w1244 * w1609 + (w1242 * w1608 - w1243 * w1607) + (w1408 * rod_small_end_rotation_2_3 - w1245 * w1610)
     w1616 = w962 * w1226 + w960 * w1227 + w981 * w1228 + (w919 * w1239 + w917 * w1240 + w933 * w1241) - w1615
     w1617 = w947 * w1594 - (w1614 + w1616 + w946 * w1560 + w529 * w1562) - w959 * w1592 - w320 * w971 - w329 * w1595
@@ -10980,14 +11024,14 @@ def residual_jacobian() -> ca.Function:
     w1632 = w203 * w1624
     w1633 = w385 * w1623 - w187 * (w1624 / w10 + w187 * (w1623 / w10))
     w1634 = w377 * c135 / w10 - w187 * (w1625 / w10) - (w187 * (w1627 / w10 - w187 * (w1626 / w10)) + w385 * w1626)
-    w1635 = w321 * w399 - w1632 - (w1632 + w124 * w1633) - (w322 * w417 + (w130 * w1634 + w232 * w1627 * c234))
+    w1635 = w321 * w399 - w1632 - (w1632 + w124 * w1633) - (w322 * w417 + (w130 * w1634 + w232 * w1627 * c248))
     w1636 = w380 * c135 / w10 - w187 * (w1628 / w10) - (w187 * (w1630 / w10 - w187 * (w1629 / w10)) + w385 * w1629)
-    w1637 = w1635 + (w323 * w409 + (w126 * w1636 + w218 * w1630 * c234))
+    w1637 = w1635 + (w323 * w409 + (w126 * w1636 + w218 * w1630 * c248))
     w1638 = w237 * w321 - w23 * w1624 - (w41 * w1627 + w242 * w322) + (w31 * w1630 + w239 * w323)
     w1639 = w237 * w1624
-    w1640 = w321 * w424 - w1639 - (w1639 + w23 * w1633) - (w322 * w432 + (w41 * w1634 + w242 * w1627 * c234))
-    w1641 = w1640 + (w323 * w428 + (w31 * w1636 + w239 * w1630 * c234))
-    w1642 = w364 * w433 + (w43 * w1637 + w243 * w1631 * c234) - (w324 * w418 + (w132 * w1641 + w233 * w1638 * c234))
+    w1640 = w321 * w424 - w1639 - (w1639 + w23 * w1633) - (w322 * w432 + (w41 * w1634 + w242 * w1627 * c248))
+    w1641 = w1640 + (w323 * w428 + (w31 * w1636 + w239 * w1630 * c248))
+    w1642 = w364 * w433 + (w43 * w1637 + w243 * w1631 * c248) - (w324 * w418 + (w132 * w1641 + w233 * w1638 * c248))
     w1643 = w43 * w1631 + w243 * w364 - (w132 * w1638 + w233 * w324) - w638 * rod_small_end_shape_2_4 + w638 * rod_big_end_shape_2_4
     w1644 = (w1643 - w244 * w368) / w248
     w1645 = w1642 - w659 * rod_small_end_shape_2_4 + w659 * rod_big_end_shape_2_4 + w245 * w1644 - w368 * w435
@@ -11001,9 +11045,9 @@ def residual_jacobian() -> ca.Function:
     w1653 = w16 * (w39 * w1648 + w15 * w1650 + w28 * w1652) - w21 * (w40 * w1648 + w20 * w1650 + w30 * w1652)
     w1654 = w321 * w637 - w137 * w1624 - (w143 * w1627 + w322 * w639) + (w139 * w1630 + w323 * w638)
     w1655 = w637 * w1624
-    w1656 = w321 * w657 - w1655 - (w1655 + w137 * w1633) - (w322 * w663 + (w143 * w1634 + w639 * w1627 * c234))
-    w1657 = w1656 + (w323 * w659 + (w139 * w1636 + w638 * w1630 * c234))
-    w1658 = w325 * w418 + (w132 * w1657 + w233 * w1654 * c234) - (w364 * w664 + (w145 * w1637 + w640 * w1631 * c234))
+    w1656 = w321 * w657 - w1655 - (w1655 + w137 * w1633) - (w322 * w663 + (w143 * w1634 + w639 * w1627 * c248))
+    w1657 = w1656 + (w323 * w659 + (w139 * w1636 + w638 * w1630 * c248))
+    w1658 = w325 * w418 + (w132 * w1657 + w233 * w1654 * c248) - (w364 * w664 + (w145 * w1637 + w640 * w1631 * c248))
     w1659 = w1658 - w428 * rod_small_end_shape_2_4 + w428 * rod_big_end_shape_2_4
     w1660 = w132 * w1654 + w233 * w325 - (w145 * w1631 + w364 * w640) - w239 * rod_small_end_shape_2_4 + w239 * rod_big_end_shape_2_4
     w1661 = w17 * w1653 - w13 * (w37 * w1648 + w12 * w1650 + w26 * w1652) + w1659 * c118 + w1660 * guide_damping
@@ -11031,11 +11075,11 @@ def residual_jacobian() -> ca.Function:
     w1683 = w1682 + (w33 * w1647 + w1651 * rod_small_end_x) + w1147 * rod_small_end_rotation_1_4
     w1684 = w1683 - w1151 * rod_small_end_rotation_1_4
     w1685 = w460 * w468 - w62 * w462 + w463 * c59 - (w476 * w545 - w62 * w546 + w104 * w547) + (w440 * w1668 - (w449 * w1679 + w440 * w1667))
-    w1686 = w1685 - w449 * w1681 + (rod_q6_ddot * rod_phi_phi_4_5_0_1 - rod_q6_ddot * rod_phi_phi_4_5_1_0) - w1154 * rod_small_end_shape_2_4
-    w1687 = w1686 - (w35 * w1647 - w1649 * rod_small_end_x) + w1156 * rod_small_end_rotation_1_4
+    w1686 = w1685 - w449 * w1681 + rod_q6_ddot * c290 - w1154 * rod_small_end_shape_2_4 - (w35 * w1647 - w1649 * rod_small_end_x)
+    w1687 = w1686 + w1156 * rod_small_end_rotation_1_4
     w1688 = w1687 + w1159 * rod_small_end_rotation_1_4
     w1689 = w21 * (w39 * w1676 + w15 * w1684 + w28 * w1688) + w16 * (w40 * w1676 + w20 * w1684 + w30 * w1688)
-    w1690 = w324 * w664 + (w145 * w1641 + w640 * w1638 * c234) - (w325 * w433 + (w43 * w1657 + w243 * w1654 * c234))
+    w1690 = w324 * w664 + (w145 * w1641 + w640 * w1638 * c248) - (w325 * w433 + (w43 * w1657 + w243 * w1654 * c248))
     w1691 = w145 * w1638 + w324 * w640 - (w43 * w1654 + w243 * w325) - w218 * rod_small_end_shape_2_4 + w218 * rod_big_end_shape_2_4
     w1692 = (w1691 - w243 * w329) / w43
     w1693 = w1690 - w409 * rod_small_end_shape_2_4 + w409 * rod_big_end_shape_2_4 - w573 * w1692 - w329 * w433
@@ -11043,19 +11087,19 @@ def residual_jacobian() -> ca.Function:
     w1695 = w132 * w1661 - (w964 + w1689 + w150 * w1659) + w164 * w1694 - w633 * w1692 - w329 * w635
     w1696 = w37 * w1676 + w12 * w1684 + w26 * w1688 - w982 + w136 * w1659 - w146 * w1661 + w151 * w1694 - w677 * w1692
     w1697 = w1696 - w329 * w678 - w153 * w1695 - w680 * w1646 - w682 * w1644 + w368 * w688
-    w1698 = w1170 * rod_small_end_rotation_1_4 - (w462 * rod_phi_phi_4_0_1_1 + (w546 * rod_phi_phi_4_0_0_0 + w456 * c255))
+    w1698 = w1170 * rod_small_end_rotation_1_4 - (w462 * rod_phi_phi_4_0_1_1 + (w546 * rod_phi_phi_4_0_0_0 + w456 * c269))
     w1699 = (w1683 + (w5 * w1687 - w3 * w1675) * 0.5) / w10 - w1174 * rod_small_end_rotation_1_4
     w1700 = w703 * w1694 - (w1246 + (w1698 - w1699 * rod_small_end_rotation_1_0) + w702 * w1659 + w513 * w1661)
     w1701 = w1700 - w730 * w1692 - w329 * w749 - w292 * w1695 - w750 * w1646 + w764 * w1644 + w368 * w769 + w347 * w1697
     w1702 = (w1687 + (w7 * w1675 - w5 * w1683) * 0.5) / w10 + w1199 * rod_small_end_rotation_1_4
-    w1703 = w453 * rod_phi_phi_4_1_1_2 + w463 * c256 + w1196 * rod_small_end_rotation_1_4 - w1702 * rod_small_end_rotation_2_1
+    w1703 = w453 * rod_phi_phi_4_1_1_2 + w463 * c270 + w1196 * rod_small_end_rotation_1_4 - w1702 * rod_small_end_rotation_2_1
     w1704 = w780 * w1694 - (w1410 + w1703 + w779 * w1659 + w517 * w1661) - w804 * w1692 - w329 * w821 - w301 * w1695
-    w1705 = w1212 * rod_small_end_rotation_1_4 - (w462 * rod_phi_phi_4_2_1_1 + (w546 * rod_phi_phi_4_2_0_0 + w456 * c257))
+    w1705 = w1212 * rod_small_end_rotation_1_4 - (w462 * rod_phi_phi_4_2_1_1 + (w546 * rod_phi_phi_4_2_0_0 + w456 * c271))
     w1706 = w850 * w1694 - (w1516 + (w1705 - w1699 * rod_small_end_rotation_1_2) + w849 * w1659 + w521 * w1661)
     w1707 = w1706 - w862 * w1692 - w329 * w874 - w311 * w1695 - w875 * w1646 + w882 * w1644 + w368 * w887 + w357 * w1697
-    w1708 = w453 * rod_phi_phi_4_3_1_2 + w463 * c258 + w1224 * rod_small_end_rotation_1_4 - w1702 * rod_small_end_rotation_2_3
+    w1708 = w453 * rod_phi_phi_4_3_1_2 + w463 * c272 + w1224 * rod_small_end_rotation_1_4 - w1702 * rod_small_end_rotation_2_3
     w1709 = w898 * w1694 - (w1616 + w1708 + w897 * w1659 + w525 * w1661) - w911 * w1692 - w329 * w923 - w320 * w1695
-    w1710 = w1237 * rod_small_end_rotation_1_4 - (w462 * rod_phi_phi_4_4_1_1 + (w546 * rod_phi_phi_4_4_0_0 + w456 * c259))
+    w1710 = w1237 * rod_small_end_rotation_1_4 - (w462 * rod_phi_phi_4_4_1_1 + (w546 * rod_phi_phi_4_4_0_0 + w456 * c273))
     w1711 = w321 * w1181 - w323 * w1182
     w1712 = w323 * w1185 + w322 * w1181
     w1713 = w322 * w1182 + w321 * w1185
@@ -11080,14 +11124,14 @@ def residual_jacobian() -> ca.Function:
     w1732 = w232 * w1724
     w1733 = w385 * w1723 - w187 * (w1724 / w10 + w187 * (w1723 / w10))
     w1734 = w377 * c10 / w10 - w187 * (w1725 / w10) - (w187 * (w1727 / w10 - w187 * (w1726 / w10)) + w385 * w1726)
-    w1735 = w330 * w417 - w1732 - (w1732 + w130 * w1733) + (w331 * w399 + (w124 * w1734 + w203 * w1727 * c234))
+    w1735 = w330 * w417 - w1732 - (w1732 + w130 * w1733) + (w331 * w399 + (w124 * w1734 + w203 * w1727 * c248))
     w1736 = w378 * c10 / w10 - w187 * (w1728 / w10) - (w187 * (w1730 / w10 - w187 * (w1729 / w10)) + w385 * w1729)
-    w1737 = w1735 - (w332 * w409 + (w126 * w1736 + w218 * w1730 * c234))
+    w1737 = w1735 - (w332 * w409 + (w126 * w1736 + w218 * w1730 * c248))
     w1738 = w242 * w330 - w41 * w1724 + (w23 * w1727 + w237 * w331) - (w31 * w1730 + w239 * w332)
     w1739 = w242 * w1724
-    w1740 = w330 * w432 - w1739 - (w1739 + w41 * w1733) + (w331 * w424 + (w23 * w1734 + w237 * w1727 * c234))
-    w1741 = w1740 - (w332 * w428 + (w31 * w1736 + w239 * w1730 * c234))
-    w1742 = w369 * w433 + (w43 * w1737 + w243 * w1731 * c234) - (w333 * w418 + (w132 * w1741 + w233 * w1738 * c234))
+    w1740 = w330 * w432 - w1739 - (w1739 + w41 * w1733) + (w331 * w424 + (w23 * w1734 + w237 * w1727 * c248))
+    w1741 = w1740 - (w332 * w428 + (w31 * w1736 + w239 * w1730 * c248))
+    w1742 = w369 * w433 + (w43 * w1737 + w243 * w1731 * c248) - (w333 * w418 + (w132 * w1741 + w233 * w1738 * c248))
     w1743 = (w43 * w1731 + w243 * w369 - (w132 * w1738 + w233 * w333) - w244 * w371) / w248
     w1744 = (w1742 + w245 * w1743 - w371 * w435) / w248
     w1745 = w1065 - w1064
@@ -11109,14 +11153,14 @@ def residual_jacobian() -> ca.Function:
     w1761 = w16 * (w39 * w1752 + w15 * w1757 + w28 * w1760) - w21 * (w40 * w1752 + w20 * w1757 + w30 * w1760)
     w1762 = w330 * w639 - w143 * w1724 + (w137 * w1727 + w331 * w637) - (w139 * w1730 + w332 * w638)
     w1763 = w639 * w1724
-    w1764 = w330 * w663 - w1763 - (w1763 + w143 * w1733) + (w331 * w657 + (w137 * w1734 + w637 * w1727 * c234))
-    w1765 = w1764 - (w332 * w659 + (w139 * w1736 + w638 * w1730 * c234))
-    w1766 = w334 * w418 + (w132 * w1765 + w233 * w1762 * c234) - (w369 * w664 + (w145 * w1737 + w640 * w1731 * c234))
+    w1764 = w330 * w663 - w1763 - (w1763 + w143 * w1733) + (w331 * w657 + (w137 * w1734 + w637 * w1727 * c248))
+    w1765 = w1764 - (w332 * w659 + (w139 * w1736 + w638 * w1730 * c248))
+    w1766 = w334 * w418 + (w132 * w1765 + w233 * w1762 * c248) - (w369 * w664 + (w145 * w1737 + w640 * w1731 * c248))
     w1767 = w132 * w1762 + w233 * w334 - (w145 * w1731 + w369 * w640)
     w1768 = w17 * w1761 - w13 * (w37 * w1752 + w12 * w1757 + w26 * w1760) + w1766 * c118 + w1767 * guide_damping
-    w1769 = rod_q6_dot * c229
-    w1770 = rod_q6_dot * c230
-    w1771 = rod_q6_dot * c233
+    w1769 = rod_q6_dot * c243
+    w1770 = rod_q6_dot * c244
+    w1771 = rod_q6_dot * c247
     w1772 = w1769 + w1770 + w1771
     w1773 = rod_q1_dot * rod_phi_phi_5_0_0_1 + rod_q3_dot * rod_phi_phi_5_2_0_1 + rod_q5_dot * rod_phi_phi_5_4_0_1
     w1774 = rod_q1_dot * rod_phi_phi_5_0_1_0 + rod_q3_dot * rod_phi_phi_5_2_1_0 + rod_q5_dot * rod_phi_phi_5_4_1_0
@@ -11142,7 +11186,7 @@ def residual_jacobian() -> ca.Function:
     w1794 = w1790 + w439 * w1781 + (w1791 - w1792) + w1793 * rod_small_end_rotation_0_5
     w1795 = w1794 + (w544 * w709 - w1349) * rod_small_end_rotation_0_5
     w1796 = w21 * (w39 * w1784 + w15 * w1789 + w28 * w1795) + w16 * (w40 * w1784 + w20 * w1789 + w30 * w1795)
-    w1797 = w333 * w664 + (w145 * w1741 + w640 * w1738 * c234) - (w334 * w433 + (w43 * w1765 + w243 * w1762 * c234))
+    w1797 = w333 * w664 + (w145 * w1741 + w640 * w1738 * c248) - (w334 * w433 + (w43 * w1765 + w243 * w1762 * c248))
     w1798 = (w145 * w1738 + w333 * w640 - (w43 * w1762 + w243 * w334) - w243 * w336) / w43
     w1799 = (w1797 - w573 * w1798 - w336 * w433) / w43
     w1800 = w132 * w1768 - (w1015 + w1796 + w150 * w1766) + w164 * w1799 - w633 * w1798 - w336 * w635
@@ -11218,17 +11262,17 @@ def residual_jacobian() -> ca.Function:
     w1870 = w702 * w1832 - (rod_D_ff_0_0 + (w1868 - w1869) * rod_small_end_rotation_1_0) - w513 * w1863 - w703 * w1864
     w1871 = w771 * w1837 + w498 * w1838 + w1839 * c126 + (w709 * w785 - w791 / w10 - w712 * w796)
     w1872 = (w1850 + (w7 * w1841 - w5 * w1846) * 0.5) / w10
-    w1873 = w538 * c260 - w1835 * rod_small_end_shape_1_1 + w1871 * rod_small_end_rotation_1_0 - w1872 * rod_small_end_rotation_2_1
+    w1873 = w538 * c274 - w1835 * rod_small_end_shape_1_1 + w1871 * rod_small_end_rotation_1_0 - w1872 * rod_small_end_rotation_2_1
     w1874 = w779 * w1832 - w1873 - w517 * w1863 - w780 * w1864 - w292 * w804 - w301 * w1865 - w822 * w1831 + w347 * w834
     w1875 = w841 * w1837 + w1838 * c130 + w493 * w1839 + (w709 * w854 - w856 / w10 - w712 * w858)
     w1876 = w849 * w1832 - (w1875 * rod_small_end_rotation_1_0 - w1869 * rod_small_end_rotation_1_2) - w521 * w1863
     w1877 = w889 * w1837 + w499 * w1838 + w1839 * c134 + (w709 * w903 - w905 / w10 - w712 * w907)
-    w1878 = w538 * c261 - w1835 * rod_small_end_shape_1_3 + w1877 * rod_small_end_rotation_1_0 - w1872 * rod_small_end_rotation_2_3
+    w1878 = w538 * c275 - w1835 * rod_small_end_shape_1_3 + w1877 * rod_small_end_rotation_1_0 - w1872 * rod_small_end_rotation_2_3
     w1879 = w897 * w1832 - w1878 - w525 * w1863 - w898 * w1864 - w292 * w911 - w320 * w1865 - w924 * w1831 + w347 * w931
     w1880 = w938 * w1837 + w1838 * c138 + w494 * w1839 + (w709 * w951 - w953 / w10 - w712 * w955)
     w1881 = w946 * w1832 - (w1880 * rod_small_end_rotation_1_0 - w1869 * rod_small_end_rotation_1_4) - w529 * w1863
     w1882 = w1837 * c139 + w501 * w1838 + w496 * w1839 + (w709 * w996 - w1002 / w10 - w712 * w1008)
-    w1883 = w556 * c262 + w1882 * rod_small_end_rotation_1_0 - (w1841 + (w3 * w1846 - w7 * w1850) * 0.5) / w10 * rod_small_end_rotation_0_5
+    w1883 = w556 * c276 + w1882 * rod_small_end_rotation_1_0 - (w1841 + (w3 * w1846 - w7 * w1850) * 0.5) / w10 * rod_small_end_rotation_0_5
     w1884 = w993 * w1832 - w1883 - w531 * w1863 - w994 * w1864 - w292 * w1014 - w336 * w1865 - w1023 * w1831 + w347 * w1030
     w1885 = 2 * w1287
     w1886 = 2 * -w1333
@@ -11268,21 +11312,21 @@ def residual_jacobian() -> ca.Function:
     w1920 = w1919 - w153 * w1918 - w680 * w1885 - w352 * w682
     w1921 = w692 * w1892 + w1893 * c122 + w492 * w1894 + (w712 * w715 - w707 * w787 - w722 / w10)
     w1922 = (w1902 + (w5 * w1905 - w3 * w1896) * 0.5) / w10
-    w1923 = w538 * c263 - w1890 * rod_small_end_shape_2_0 + w1921 * rod_small_end_rotation_2_1 - w1922 * rod_small_end_rotation_1_0
+    w1923 = w538 * c277 - w1890 * rod_small_end_shape_2_0 + w1921 * rod_small_end_rotation_2_1 - w1922 * rod_small_end_rotation_1_0
     w1924 = w702 * w1886 - w1923 - w513 * w1916 - w703 * w1917 - w301 * w730 - w292 * w1918 - w750 * w1885 + w352 * w764
     w1925 = w771 * w1892 + w498 * w1893 + w1894 * c126 + (w712 * w791 - w785 * w787 - w796 / w10)
     w1926 = (w1905 + (w7 * w1896 - w5 * w1902) * 0.5) / w10
     w1927 = w779 * w1886 - (rod_D_ff_1_1 + (w1925 - w1926) * rod_small_end_rotation_2_1) - w517 * w1916 - w780 * w1917
     w1928 = w841 * w1892 + w1893 * c130 + w493 * w1894 + (w712 * w856 - w787 * w854 - w858 / w10)
-    w1929 = w538 * c264 - w1890 * rod_small_end_shape_2_2 + w1928 * rod_small_end_rotation_2_1 - w1922 * rod_small_end_rotation_1_2
+    w1929 = w538 * c278 - w1890 * rod_small_end_shape_2_2 + w1928 * rod_small_end_rotation_2_1 - w1922 * rod_small_end_rotation_1_2
     w1930 = w849 * w1886 - w1929 - w521 * w1916 - w850 * w1917 - w301 * w862 - w311 * w1918 - w875 * w1885 + w352 * w882
     w1931 = w889 * w1892 + w499 * w1893 + w1894 * c134 + (w712 * w905 - w787 * w903 - w907 / w10)
     w1932 = w897 * w1886 - (w1931 * rod_small_end_rotation_2_1 - w1926 * rod_small_end_rotation_2_3) - w525 * w1916
     w1933 = w938 * w1892 + w1893 * c138 + w494 * w1894 + (w712 * w953 - w787 * w951 - w955 / w10)
-    w1934 = w538 * c265 - w1890 * rod_small_end_shape_2_4 + w1933 * rod_small_end_rotation_2_1 - w1922 * rod_small_end_rotation_1_4
+    w1934 = w538 * c279 - w1890 * rod_small_end_shape_2_4 + w1933 * rod_small_end_rotation_2_1 - w1922 * rod_small_end_rotation_1_4
     w1935 = w946 * w1886 - w1934 - w529 * w1916 - w947 * w1917 - w301 * w959 - w329 * w1918 - w972 * w1885 + w352 * w979
     w1936 = w1892 * c139 + w501 * w1893 + w496 * w1894 + (w712 * w1002 - w787 * w996 - w1008 / w10)
-    w1937 = w555 * c266 + w1936 * rod_small_end_rotation_2_1 - (w1896 + (w3 * w1902 - w7 * w1905) * 0.5) / w10 * rod_small_end_rotation_0_5
+    w1937 = w555 * c280 + w1936 * rod_small_end_rotation_2_1 - (w1896 + (w3 * w1902 - w7 * w1905) * 0.5) / w10 * rod_small_end_rotation_0_5
     w1938 = w993 * w1886 - w1937 - w531 * w1916 - w994 * w1917 - w301 * w1014 - w336 * w1918 - w1023 * w1885 + w352 * w1030
     w1939 = 2 * w1442
     w1940 = 2 * -w1458
@@ -11308,13 +11352,13 @@ def residual_jacobian() -> ca.Function:
     w1960 = (w1947 + (w5 * w1949 - w3 * w1944) * 0.5) / w10
     w1961 = w702 * w1940 - (w1868 * rod_small_end_rotation_1_2 - w1960 * rod_small_end_rotation_1_0) - w513 * w1955
     w1962 = (w1949 + (w7 * w1944 - w5 * w1947) * 0.5) / w10
-    w1963 = w538 * c267 - w1942 * rod_small_end_shape_1_1 + w1871 * rod_small_end_rotation_1_2 - w1962 * rod_small_end_rotation_2_1
+    w1963 = w538 * c281 - w1942 * rod_small_end_shape_1_1 + w1871 * rod_small_end_rotation_1_2 - w1962 * rod_small_end_rotation_2_1
     w1964 = w779 * w1940 - w1963 - w517 * w1955 - w780 * w1956 - w311 * w804 - w301 * w1957 - w822 * w1939 + w357 * w834
     w1965 = w849 * w1940 - (rod_D_ff_2_2 + (w1875 - w1960) * rod_small_end_rotation_1_2) - w521 * w1955 - w850 * w1956
-    w1966 = w538 * c268 - w1942 * rod_small_end_shape_1_3 + w1877 * rod_small_end_rotation_1_2 - w1962 * rod_small_end_rotation_2_3
+    w1966 = w538 * c282 - w1942 * rod_small_end_shape_1_3 + w1877 * rod_small_end_rotation_1_2 - w1962 * rod_small_end_rotation_2_3
     w1967 = w897 * w1940 - w1966 - w525 * w1955 - w898 * w1956 - w311 * w911 - w320 * w1957 - w924 * w1939 + w357 * w931
     w1968 = w946 * w1940 - (w1880 * rod_small_end_rotation_1_2 - w1960 * rod_small_end_rotation_1_4) - w529 * w1955
-    w1969 = w556 * c269 + w1882 * rod_small_end_rotation_1_2 - (w1944 + (w3 * w1947 - w7 * w1949) * 0.5) / w10 * rod_small_end_rotation_0_5
+    w1969 = w556 * c283 + w1882 * rod_small_end_rotation_1_2 - (w1944 + (w3 * w1947 - w7 * w1949) * 0.5) / w10 * rod_small_end_rotation_0_5
     w1970 = w993 * w1940 - w1969 - w531 * w1955 - w994 * w1956 - w311 * w1014 - w336 * w1957 - w1023 * w1939 + w357 * w1030
     w1971 = 2 * w1545
     w1972 = 2 * -w1561
@@ -11338,16 +11382,16 @@ def residual_jacobian() -> ca.Function:
     w1990 = w37 * w1976 + w12 * w1979 + w26 * w1981 - w136 * w1972 - w146 * w1987 - w151 * w1988 - w320 * w677
     w1991 = w1990 - w153 * w1989 - w680 * w1971 - w363 * w682
     w1992 = (w1979 + (w5 * w1981 - w3 * w1976) * 0.5) / w10
-    w1993 = w538 * c270 - w1974 * rod_small_end_shape_2_0 + w1921 * rod_small_end_rotation_2_3 - w1992 * rod_small_end_rotation_1_0
+    w1993 = w538 * c284 - w1974 * rod_small_end_shape_2_0 + w1921 * rod_small_end_rotation_2_3 - w1992 * rod_small_end_rotation_1_0
     w1994 = w702 * w1972 - w1993 - w513 * w1987 - w703 * w1988 - w320 * w730 - w292 * w1989 - w750 * w1971 + w363 * w764
     w1995 = (w1981 + (w7 * w1976 - w5 * w1979) * 0.5) / w10
     w1996 = w779 * w1972 - (w1925 * rod_small_end_rotation_2_3 - w1995 * rod_small_end_rotation_2_1) - w517 * w1987
-    w1997 = w538 * c271 - w1974 * rod_small_end_shape_2_2 + w1928 * rod_small_end_rotation_2_3 - w1992 * rod_small_end_rotation_1_2
+    w1997 = w538 * c285 - w1974 * rod_small_end_shape_2_2 + w1928 * rod_small_end_rotation_2_3 - w1992 * rod_small_end_rotation_1_2
     w1998 = w849 * w1972 - w1997 - w521 * w1987 - w850 * w1988 - w320 * w862 - w311 * w1989 - w875 * w1971 + w363 * w882
     w1999 = w897 * w1972 - (rod_D_ff_3_3 + (w1931 - w1995) * rod_small_end_rotation_2_3) - w525 * w1987 - w898 * w1988
-    w2000 = w538 * c272 - w1974 * rod_small_end_shape_2_4 + w1933 * rod_small_end_rotation_2_3 - w1992 * rod_small_end_rotation_1_4
+    w2000 = w538 * c286 - w1974 * rod_small_end_shape_2_4 + w1933 * rod_small_end_rotation_2_3 - w1992 * rod_small_end_rotation_1_4
     w2001 = w946 * w1972 - w2000 - w529 * w1987 - w947 * w1988 - w320 * w959 - w329 * w1989 - w972 * w1971 + w363 * w979
-    w2002 = w555 * c273 + w1936 * rod_small_end_rotation_2_3 - (w1976 + (w3 * w1979 - w7 * w1981) * 0.5) / w10 * rod_small_end_rotation_0_5
+    w2002 = w555 * c287 + w1936 * rod_small_end_rotation_2_3 - (w1976 + (w3 * w1979 - w7 * w1981) * 0.5) / w10 * rod_small_end_rotation_0_5
     w2003 = w993 * w1972 - w2002 - w531 * w1987 - w994 * w1988 - w320 * w1014 - w336 * w1989 - w1023 * w1971 + w363 * w1030
     w2004 = 2 * w1644
     w2005 = 2 * -w1660
@@ -11373,13 +11417,13 @@ def residual_jacobian() -> ca.Function:
     w2025 = (w2012 + (w5 * w2014 - w3 * w2009) * 0.5) / w10
     w2026 = w702 * w2005 - (w1868 * rod_small_end_rotation_1_4 - w2025 * rod_small_end_rotation_1_0) - w513 * w2020
     w2027 = (w2014 + (w7 * w2009 - w5 * w2012) * 0.5) / w10
-    w2028 = w538 * c274 - w2007 * rod_small_end_shape_1_1 + w1871 * rod_small_end_rotation_1_4 - w2027 * rod_small_end_rotation_2_1
+    w2028 = w538 * c288 - w2007 * rod_small_end_shape_1_1 + w1871 * rod_small_end_rotation_1_4 - w2027 * rod_small_end_rotation_2_1
     w2029 = w779 * w2005 - w2028 - w517 * w2020 - w780 * w2021 - w329 * w804 - w301 * w2022 - w822 * w2004 + w368 * w834
     w2030 = w849 * w2005 - (w1875 * rod_small_end_rotation_1_4 - w2025 * rod_small_end_rotation_1_2) - w521 * w2020
-    w2031 = w538 * c275 - w2007 * rod_small_end_shape_1_3 + w1877 * rod_small_end_rotation_1_4 - w2027 * rod_small_end_rotation_2_3
+    w2031 = w538 * c289 - w2007 * rod_small_end_shape_1_3 + w1877 * rod_small_end_rotation_1_4 - w2027 * rod_small_end_rotation_2_3
     w2032 = w897 * w2005 - w2031 - w525 * w2020 - w898 * w2021 - w329 * w911 - w320 * w2022 - w924 * w2004 + w368 * w931
     w2033 = w946 * w2005 - (rod_D_ff_4_4 + (w1880 - w2025) * rod_small_end_rotation_1_4) - w529 * w2020 - w947 * w2021
-    w2034 = w556 * c276 + w1882 * rod_small_end_rotation_1_4 - (w2009 + (w3 * w2012 - w7 * w2014) * 0.5) / w10 * rod_small_end_rotation_0_5
+    w2034 = w556 * c290 + w1882 * rod_small_end_rotation_1_4 - (w2009 + (w3 * w2012 - w7 * w2014) * 0.5) / w10 * rod_small_end_rotation_0_5
     w2035 = w993 * w2005 - w2034 - w531 * w2020 - w994 * w2021 - w329 * w1014 - w336 * w2022 - w1023 * w2004 + w368 * w1030
     w2036 = 2 * w1743
     w2037 = 2 * -w1767
@@ -11404,16 +11448,16 @@ def residual_jacobian() -> ca.Function:
     w2056 = w2055 - w153 * w2054 - w680 * w2036 - w371 * w682
     w2057 = (w692 * w2039 + w2040 * c122 + w492 * w2041 + (w722 * w787 - (w707 / w10 + w709 * w715))) * rod_small_end_rotation_0_5
     w2058 = (w2044 + (w5 * w2046 - w3 * w2042) * 0.5) / w10
-    w2059 = w702 * w2037 - (w556 * c277 + w2057 - w2058 * rod_small_end_rotation_1_0) - w513 * w2052 - w703 * w2053
+    w2059 = w702 * w2037 - (w556 * c155 + w2057 - w2058 * rod_small_end_rotation_1_0) - w513 * w2052 - w703 * w2053
     w2060 = (w771 * w2039 + w498 * w2040 + w2041 * c126 + (w787 * w796 - (w785 / w10 + w709 * w791))) * rod_small_end_rotation_0_5
     w2061 = (w2046 + (w7 * w2042 - w5 * w2044) * 0.5) / w10
-    w2062 = w779 * w2037 - (w555 * c278 + w2060 - w2061 * rod_small_end_rotation_2_1) - w517 * w2052 - w780 * w2053
+    w2062 = w779 * w2037 - (w555 * c158 + w2060 - w2061 * rod_small_end_rotation_2_1) - w517 * w2052 - w780 * w2053
     w2063 = (w841 * w2039 + w2040 * c130 + w493 * w2041 + (w787 * w858 - (w854 / w10 + w709 * w856))) * rod_small_end_rotation_0_5
-    w2064 = w849 * w2037 - (w556 * c279 + w2063 - w2058 * rod_small_end_rotation_1_2) - w521 * w2052 - w850 * w2053
+    w2064 = w849 * w2037 - (w556 * c161 + w2063 - w2058 * rod_small_end_rotation_1_2) - w521 * w2052 - w850 * w2053
     w2065 = (w889 * w2039 + w499 * w2040 + w2041 * c134 + (w787 * w907 - (w903 / w10 + w709 * w905))) * rod_small_end_rotation_0_5
-    w2066 = w897 * w2037 - (w555 * c280 + w2065 - w2061 * rod_small_end_rotation_2_3) - w525 * w2052 - w898 * w2053
+    w2066 = w897 * w2037 - (w555 * c164 + w2065 - w2061 * rod_small_end_rotation_2_3) - w525 * w2052 - w898 * w2053
     w2067 = (w938 * w2039 + w2040 * c138 + w494 * w2041 + (w787 * w955 - (w951 / w10 + w709 * w953))) * rod_small_end_rotation_0_5
-    w2068 = w946 * w2037 - (w556 * c281 + w2067 - w2058 * rod_small_end_rotation_1_4) - w529 * w2052 - w947 * w2053
+    w2068 = w946 * w2037 - (w556 * c167 + w2067 - w2058 * rod_small_end_rotation_1_4) - w529 * w2052 - w947 * w2053
     w2069 = w2039 * c139 + w501 * w2040 + w496 * w2041 + (w787 * w1008 - (w996 / w10 + w709 * w1002)) - (w2042 + (w3 * w2044 - w7 * w2046) * 0.5) / w10
     w2070 = w993 * w2037 - (rod_D_ff_5_5 + w2069 * rod_small_end_rotation_0_5) - w531 * w2052 - w994 * w2053 - w336 * w1014
     # outputs
@@ -11525,25 +11569,25 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 282) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 291) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 7 x 6) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 6 x 6) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 6 x 6) [SI]: damping of the stiff deflections
     128 operations.
     """
-    c = ca.SX.sym("c", 282)
+    c = ca.SX.sym("c", 291)
     rod_D_ff_0_0 = c[153]
     rod_K_ff_0_0 = c[154]
-    rod_D_ff_1_1 = c[155]
-    rod_K_ff_1_1 = c[156]
-    rod_D_ff_2_2 = c[157]
-    rod_K_ff_2_2 = c[158]
-    rod_D_ff_3_3 = c[159]
-    rod_K_ff_3_3 = c[160]
-    rod_D_ff_4_4 = c[161]
-    rod_K_ff_4_4 = c[162]
-    rod_D_ff_5_5 = c[163]
-    rod_K_ff_5_5 = c[164]
+    rod_D_ff_1_1 = c[156]
+    rod_K_ff_1_1 = c[157]
+    rod_D_ff_2_2 = c[159]
+    rod_K_ff_2_2 = c[160]
+    rod_D_ff_3_3 = c[162]
+    rod_K_ff_3_3 = c[163]
+    rod_D_ff_4_4 = c[165]
+    rod_K_ff_4_4 = c[166]
+    rod_D_ff_5_5 = c[168]
+    rod_K_ff_5_5 = c[169]
     # outputs
     B = ca.SX(7, 6)
     # rod.q1
@@ -11583,20 +11627,20 @@ def blocks() -> ca.Function:
     takes q_d (n_d = 24) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 282) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 291) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
     gives M_hat_LS (n_L x n_S = 1 x 6) [SI]: block of M_hat, rows of L, columns of S
     gives M_hat_SL (n_S x n_L = 6) [SI]: block of M_hat, rows of S, columns of L
     gives M_hat_SS (n_S x n_S = 6 x 6) [SI]: block of M_hat, rows of S, columns of S
     gives Q_hat_L (n_L = 1) [N, N m]: part of Q_hat of L
     gives Q_hat_S (n_S = 6) [N, N m]: part of Q_hat of S
-    2974 operations.
+    2969 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
-    c = ca.SX.sym("c", 282)
+    c = ca.SX.sym("c", 291)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -11771,16 +11815,21 @@ def blocks() -> ca.Function:
     guide_damping = c[152]
     rod_D_ff_0_0 = c[153]
     rod_K_ff_0_0 = c[154]
-    rod_D_ff_1_1 = c[155]
-    rod_K_ff_1_1 = c[156]
-    rod_D_ff_2_2 = c[157]
-    rod_K_ff_2_2 = c[158]
-    rod_D_ff_3_3 = c[159]
-    rod_K_ff_3_3 = c[160]
-    rod_D_ff_4_4 = c[161]
-    rod_K_ff_4_4 = c[162]
-    rod_D_ff_5_5 = c[163]
-    rod_K_ff_5_5 = c[164]
+    c155 = c[155]
+    rod_D_ff_1_1 = c[156]
+    rod_K_ff_1_1 = c[157]
+    c158 = c[158]
+    rod_D_ff_2_2 = c[159]
+    rod_K_ff_2_2 = c[160]
+    c161 = c[161]
+    rod_D_ff_3_3 = c[162]
+    rod_K_ff_3_3 = c[163]
+    c164 = c[164]
+    rod_D_ff_4_4 = c[165]
+    rod_K_ff_4_4 = c[166]
+    c167 = c[167]
+    rod_D_ff_5_5 = c[168]
+    rod_K_ff_5_5 = c[169]
     # intermediate terms (503)
     w0 = ca.sin(axle_angle) * crank_pin_y
     w1 = rod_q2 * rod_big_end_shape_1_1 + rod_q4 * rod_big_end_shape_1_3
@@ -12257,28 +12306,28 @@ def blocks() -> ca.Function:
     w472 = w34 * w463 + w10 * w468 + w24 * w470 - w154 * w448 - w157 * w471
     w473 = w169 * w437 + w427 * c121 + w175 * w420 + (w52 * w417 - w41 * w425 + w88 * w436 - w76 * w435 + w426 * c53 - w105 * w444)
     w474 = rod_q2_dot * rod_phi_phi_1_0_1_2 + rod_q4_dot * rod_phi_phi_3_0_1_2 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
-    w475 = w473 + (w439 * w474 + w430 * (rod_q6_dot * rod_phi_phi_5_0_0_1 - rod_q6_dot * rod_phi_phi_5_0_1_0))
-    w476 = (w468 + (w4 * w470 - w2 * w463) * 0.5) / w9
-    w477 = rod_q1_dot * rod_D_ff_0_0 + rod_q1 * rod_K_ff_0_0 + (w475 - w446 * rod_small_end_shape_2_0 - w476 * rod_small_end_rotation_1_0)
+    w475 = (w468 + (w4 * w470 - w2 * w463) * 0.5) / w9
+    w476 = w473 + (w439 * w474 + w430 * (rod_q6_dot * c155)) - w446 * rod_small_end_shape_2_0 - w475 * rod_small_end_rotation_1_0
+    w477 = w185 * w472 - (rod_q1_dot * rod_D_ff_0_0 + rod_q1 * rod_K_ff_0_0 + w476 + w178 * w448 + w167 * w471)
     w478 = w194 * w437 + w197 * w427 + w420 * c125 + (w417 * c41 - w42 * w425 + w91 * w436 - w77 * w435 + w66 * w426 - w106 * w444)
     w479 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
     w480 = rod_q1_dot * rod_phi_phi_0_1_2_1 + rod_q3_dot * rod_phi_phi_2_1_2_1 + rod_q5_dot * rod_phi_phi_4_1_2_1
-    w481 = w439 * (w479 - w480) + w429 * (rod_q6_dot * rod_phi_phi_5_1_2_0 - rod_q6_dot * rod_phi_phi_5_1_0_2)
-    w482 = (w470 + (w6 * w463 - w4 * w468) * 0.5) / w9
-    w483 = rod_q2_dot * rod_D_ff_1_1 + rod_q2 * rod_K_ff_1_1 + (w478 + w481 - w441 * rod_small_end_shape_1_1 - w482 * rod_small_end_rotation_2_1)
+    w481 = (w470 + (w6 * w463 - w4 * w468) * 0.5) / w9
+    w482 = w478 + (w439 * (w479 - w480) + w429 * (rod_q6_dot * c158)) - w441 * rod_small_end_shape_1_1 - w481 * rod_small_end_rotation_2_1
+    w483 = w208 * w472 - (rod_q2_dot * rod_D_ff_1_1 + rod_q2 * rod_K_ff_1_1 + w482 + w201 * w448 + w193 * w471)
     w484 = w217 * w437 + w427 * c129 + w221 * w420 + (w55 * w417 - w43 * w425 + w94 * w436 - w78 * w435 + w426 * c56 - w107 * w444)
     w485 = rod_q2_dot * rod_phi_phi_1_2_1_2 + rod_q4_dot * rod_phi_phi_3_2_1_2 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
-    w486 = w484 + (w439 * w485 + w430 * (rod_q6_dot * rod_phi_phi_5_2_0_1 - rod_q6_dot * rod_phi_phi_5_2_1_0))
-    w487 = rod_q3_dot * rod_D_ff_2_2 + rod_q3 * rod_K_ff_2_2 + (w486 - w446 * rod_small_end_shape_2_2 - w476 * rod_small_end_rotation_1_2)
+    w486 = w484 + (w439 * w485 + w430 * (rod_q6_dot * c161)) - w446 * rod_small_end_shape_2_2 - w475 * rod_small_end_rotation_1_2
+    w487 = w231 * w472 - (rod_q3_dot * rod_D_ff_2_2 + rod_q3 * rod_K_ff_2_2 + w486 + w224 * w448 + w216 * w471)
     w488 = w240 * w437 + w243 * w427 + w420 * c133 + (w417 * c44 - w44 * w425 + w97 * w436 - w79 * w435 + w69 * w426 - w108 * w444)
     w489 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
     w490 = rod_q1_dot * rod_phi_phi_0_3_2_1 + rod_q3_dot * rod_phi_phi_2_3_2_1 + rod_q5_dot * rod_phi_phi_4_3_2_1
-    w491 = w439 * (w489 - w490) + w429 * (rod_q6_dot * rod_phi_phi_5_3_2_0 - rod_q6_dot * rod_phi_phi_5_3_0_2)
-    w492 = rod_q4_dot * rod_D_ff_3_3 + rod_q4 * rod_K_ff_3_3 + (w488 + w491 - w441 * rod_small_end_shape_1_3 - w482 * rod_small_end_rotation_2_3)
+    w491 = w488 + (w439 * (w489 - w490) + w429 * (rod_q6_dot * c164)) - w441 * rod_small_end_shape_1_3 - w481 * rod_small_end_rotation_2_3
+    w492 = w254 * w472 - (rod_q4_dot * rod_D_ff_3_3 + rod_q4 * rod_K_ff_3_3 + w491 + w247 * w448 + w239 * w471)
     w493 = w263 * w437 + w427 * c137 + w267 * w420 + (w58 * w417 - w45 * w425 + w100 * w436 - w80 * w435 + w426 * c59 - w109 * w444)
     w494 = rod_q2_dot * rod_phi_phi_1_4_1_2 + rod_q4_dot * rod_phi_phi_3_4_1_2 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
-    w495 = w493 + (w439 * w494 + w430 * (rod_q6_dot * rod_phi_phi_5_4_0_1 - rod_q6_dot * rod_phi_phi_5_4_1_0))
-    w496 = rod_q5_dot * rod_D_ff_4_4 + rod_q5 * rod_K_ff_4_4 + (w495 - w446 * rod_small_end_shape_2_4 - w476 * rod_small_end_rotation_1_4)
+    w495 = w493 + (w439 * w494 + w430 * (rod_q6_dot * c167)) - w446 * rod_small_end_shape_2_4 - w475 * rod_small_end_rotation_1_4
+    w496 = w277 * w472 - (rod_q5_dot * rod_D_ff_4_4 + rod_q5 * rod_K_ff_4_4 + w495 + w270 * w448 + w262 * w471)
     w497 = w437 * c139 + w287 * w427 + w289 * w420 + (w61 * w417 - w47 * w425 + w436 * c103 - w82 * w435 + w72 * w426 - w111 * w444)
     w498 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
     w499 = rod_q1_dot * rod_phi_phi_0_5_0_1 + rod_q3_dot * rod_phi_phi_2_5_0_1 + rod_q5_dot * rod_phi_phi_4_5_0_1
@@ -12317,11 +12366,11 @@ def blocks() -> ca.Function:
     )
     Q_hat_L = ca.vertcat(w140 * c151 - w40 * w471 - w143 * w472)
     Q_hat_S = ca.vertcat(
-        w185 * w472 - (w477 + w178 * w448 + w167 * w471),  # rod.q1
-        w208 * w472 - (w483 + w201 * w448 + w193 * w471),  # rod.q2
-        w231 * w472 - (w487 + w224 * w448 + w216 * w471),  # rod.q3
-        w254 * w472 - (w492 + w247 * w448 + w239 * w471),  # rod.q4
-        w277 * w472 - (w496 + w270 * w448 + w262 * w471),  # rod.q5
+        w477,  # rod.q1
+        w483,  # rod.q2
+        w487,  # rod.q3
+        w492,  # rod.q4
+        w496,  # rod.q5
         w502,  # rod.q6
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(M_hat_LL), ca.densify(M_hat_LS), ca.densify(M_hat_SL), ca.densify(M_hat_SS), ca.densify(Q_hat_L), ca.densify(Q_hat_S)]
@@ -12336,17 +12385,17 @@ def substep_2() -> ca.Function:
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
     takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
-    takes c (n_const = 282) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 291) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 6 x 6) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 6) [N, N m]: right-hand side of a sub-step, slow q'' given
-    2906 operations.
+    2901 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
     q_i_dot = ca.SX.sym("q_i_dot", 7)
     q_d_dot = ca.SX.sym("q_d_dot", 24)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 282)
+    c = ca.SX.sym("c", 291)
     axle_angle = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -12520,16 +12569,21 @@ def substep_2() -> ca.Function:
     guide_damping = c[152]
     rod_D_ff_0_0 = c[153]
     rod_K_ff_0_0 = c[154]
-    rod_D_ff_1_1 = c[155]
-    rod_K_ff_1_1 = c[156]
-    rod_D_ff_2_2 = c[157]
-    rod_K_ff_2_2 = c[158]
-    rod_D_ff_3_3 = c[159]
-    rod_K_ff_3_3 = c[160]
-    rod_D_ff_4_4 = c[161]
-    rod_K_ff_4_4 = c[162]
-    rod_D_ff_5_5 = c[163]
-    rod_K_ff_5_5 = c[164]
+    c155 = c[155]
+    rod_D_ff_1_1 = c[156]
+    rod_K_ff_1_1 = c[157]
+    c158 = c[158]
+    rod_D_ff_2_2 = c[159]
+    rod_K_ff_2_2 = c[160]
+    c161 = c[161]
+    rod_D_ff_3_3 = c[162]
+    rod_K_ff_3_3 = c[163]
+    c164 = c[164]
+    rod_D_ff_4_4 = c[165]
+    rod_K_ff_4_4 = c[166]
+    c167 = c[167]
+    rod_D_ff_5_5 = c[168]
+    rod_K_ff_5_5 = c[169]
     # intermediate terms (489)
     w0 = rod_q2 * rod_phi_phi_1_0_1_2 + rod_q4 * rod_phi_phi_3_0_1_2
     w1 = rod_q2 * rod_phi_phi_1_0_2_1 + rod_q4 * rod_phi_phi_3_0_2_1
@@ -12992,28 +13046,28 @@ def substep_2() -> ca.Function:
     w458 = w124 * w441 + w113 * w452 + w119 * w454 - w173 * w456 - w177 * w457
     w459 = w91 * w406 + w402 * c121 + w88 * w412 + (w53 * w411 - w40 * w443 + w2 * w405 - w67 * w415 + w361 * c53 - w30 * w410)
     w460 = rod_q2_dot * rod_phi_phi_1_0_1_2 + rod_q4_dot * rod_phi_phi_3_0_1_2 - (rod_q2_dot * rod_phi_phi_1_0_2_1 + rod_q4_dot * rod_phi_phi_3_0_2_1)
-    w461 = w459 + (w436 * w460 + w449 * (rod_q6_dot * rod_phi_phi_5_0_0_1 - rod_q6_dot * rod_phi_phi_5_0_1_0))
-    w462 = (w452 + (w21 * w454 - w26 * w441) * 0.5) / w28
-    w463 = rod_q1_dot * rod_D_ff_0_0 + rod_q1 * rod_K_ff_0_0 + (w461 - w438 * rod_small_end_shape_2_0 - w462 * rod_small_end_rotation_1_0)
+    w461 = (w452 + (w21 * w454 - w26 * w441) * 0.5) / w28
+    w462 = w459 + (w436 * w460 + w449 * (rod_q6_dot * c155)) - w438 * rod_small_end_shape_2_0 - w461 * rod_small_end_rotation_1_0
+    w463 = w172 * w458 - (rod_q1_dot * rod_D_ff_0_0 + rod_q1 * rod_K_ff_0_0 + w462 + w138 * w456 + w154 * w457)
     w464 = w195 * w406 + w194 * w402 + w412 * c125 + (w411 * c41 - w41 * w443 + w5 * w405 - w68 * w415 + w79 * w361 - w31 * w410)
     w465 = rod_q1_dot * rod_phi_phi_0_1_1_2 + rod_q3_dot * rod_phi_phi_2_1_1_2 + rod_q5_dot * rod_phi_phi_4_1_1_2
     w466 = rod_q1_dot * rod_phi_phi_0_1_2_1 + rod_q3_dot * rod_phi_phi_2_1_2_1 + rod_q5_dot * rod_phi_phi_4_1_2_1
-    w467 = w436 * (w465 - w466) + w448 * (rod_q6_dot * rod_phi_phi_5_1_2_0 - rod_q6_dot * rod_phi_phi_5_1_0_2)
-    w468 = (w454 + (w23 * w441 - w21 * w452) * 0.5) / w28
-    w469 = rod_q2_dot * rod_D_ff_1_1 + rod_q2 * rod_K_ff_1_1 + (w464 + w467 - w440 * rod_small_end_shape_1_1 - w468 * rod_small_end_rotation_2_1)
+    w467 = (w454 + (w23 * w441 - w21 * w452) * 0.5) / w28
+    w468 = w464 + (w436 * (w465 - w466) + w448 * (rod_q6_dot * c158)) - w440 * rod_small_end_shape_1_1 - w467 * rod_small_end_rotation_2_1
+    w469 = w206 * w458 - (rod_q2_dot * rod_D_ff_1_1 + rod_q2 * rod_K_ff_1_1 + w468 + w191 * w456 + w203 * w457)
     w470 = w210 * w406 + w402 * c129 + w209 * w412 + (w56 * w411 - w42 * w443 + w8 * w405 - w69 * w415 + w361 * c56 - w32 * w410)
     w471 = rod_q2_dot * rod_phi_phi_1_2_1_2 + rod_q4_dot * rod_phi_phi_3_2_1_2 - (rod_q2_dot * rod_phi_phi_1_2_2_1 + rod_q4_dot * rod_phi_phi_3_2_2_1)
-    w472 = w470 + (w436 * w471 + w449 * (rod_q6_dot * rod_phi_phi_5_2_0_1 - rod_q6_dot * rod_phi_phi_5_2_1_0))
-    w473 = rod_q3_dot * rod_D_ff_2_2 + rod_q3 * rod_K_ff_2_2 + (w472 - w438 * rod_small_end_shape_2_2 - w462 * rod_small_end_rotation_1_2)
+    w472 = w470 + (w436 * w471 + w449 * (rod_q6_dot * c161)) - w438 * rod_small_end_shape_2_2 - w461 * rod_small_end_rotation_1_2
+    w473 = w234 * w458 - (rod_q3_dot * rod_D_ff_2_2 + rod_q3 * rod_K_ff_2_2 + w472 + w223 * w456 + w231 * w457)
     w474 = w250 * w406 + w249 * w402 + w412 * c133 + (w411 * c44 - w43 * w443 + w11 * w405 - w70 * w415 + w82 * w361 - w33 * w410)
     w475 = rod_q1_dot * rod_phi_phi_0_3_1_2 + rod_q3_dot * rod_phi_phi_2_3_1_2 + rod_q5_dot * rod_phi_phi_4_3_1_2
     w476 = rod_q1_dot * rod_phi_phi_0_3_2_1 + rod_q3_dot * rod_phi_phi_2_3_2_1 + rod_q5_dot * rod_phi_phi_4_3_2_1
-    w477 = w436 * (w475 - w476) + w448 * (rod_q6_dot * rod_phi_phi_5_3_2_0 - rod_q6_dot * rod_phi_phi_5_3_0_2)
-    w478 = rod_q4_dot * rod_D_ff_3_3 + rod_q4 * rod_K_ff_3_3 + (w474 + w477 - w440 * rod_small_end_shape_1_3 - w468 * rod_small_end_rotation_2_3)
+    w477 = w474 + (w436 * (w475 - w476) + w448 * (rod_q6_dot * c164)) - w440 * rod_small_end_shape_1_3 - w467 * rod_small_end_rotation_2_3
+    w478 = w262 * w458 - (rod_q4_dot * rod_D_ff_3_3 + rod_q4 * rod_K_ff_3_3 + w477 + w247 * w456 + w259 * w457)
     w479 = w266 * w406 + w402 * c137 + w265 * w412 + (w59 * w411 - w44 * w443 + w14 * w405 - w71 * w415 + w361 * c59 - w34 * w410)
     w480 = rod_q2_dot * rod_phi_phi_1_4_1_2 + rod_q4_dot * rod_phi_phi_3_4_1_2 - (rod_q2_dot * rod_phi_phi_1_4_2_1 + rod_q4_dot * rod_phi_phi_3_4_2_1)
-    w481 = w479 + (w436 * w480 + w449 * (rod_q6_dot * rod_phi_phi_5_4_0_1 - rod_q6_dot * rod_phi_phi_5_4_1_0))
-    w482 = rod_q5_dot * rod_D_ff_4_4 + rod_q5 * rod_K_ff_4_4 + (w481 - w438 * rod_small_end_shape_2_4 - w462 * rod_small_end_rotation_1_4)
+    w481 = w479 + (w436 * w480 + w449 * (rod_q6_dot * c167)) - w438 * rod_small_end_shape_2_4 - w461 * rod_small_end_rotation_1_4
+    w482 = w290 * w458 - (rod_q5_dot * rod_D_ff_4_4 + rod_q5 * rod_K_ff_4_4 + w481 + w279 * w456 + w287 * w457)
     w483 = w406 * c139 + w305 * w402 + w306 * w412 + (w62 * w411 - w46 * w443 + w405 * c103 - w73 * w415 + w85 * w361 - w36 * w410)
     w484 = rod_q2_dot * rod_phi_phi_1_5_2_0 + rod_q4_dot * rod_phi_phi_3_5_2_0 - (rod_q2_dot * rod_phi_phi_1_5_0_2 + rod_q4_dot * rod_phi_phi_3_5_0_2)
     w485 = rod_q1_dot * rod_phi_phi_0_5_0_1 + rod_q3_dot * rod_phi_phi_2_5_0_1 + rod_q5_dot * rod_phi_phi_4_5_0_1
@@ -13039,11 +13093,11 @@ def substep_2() -> ca.Function:
         ca.horzcat(w319, w333, w341, w346, w349, w351),  # rod.q6
     )
     rhs_S = ca.vertcat(
-        w172 * w458 - (w463 + w138 * w456 + w154 * w457),  # rod.q1
-        w206 * w458 - (w469 + w191 * w456 + w203 * w457),  # rod.q2
-        w234 * w458 - (w473 + w223 * w456 + w231 * w457),  # rod.q3
-        w262 * w458 - (w478 + w247 * w456 + w259 * w457),  # rod.q4
-        w290 * w458 - (w482 + w279 * w456 + w287 * w457),  # rod.q5
+        w463,  # rod.q1
+        w469,  # rod.q2
+        w473,  # rod.q3
+        w478,  # rod.q4
+        w482,  # rod.q5
         w488,  # rod.q6
     )
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_L_ddot, c], [ca.densify(M_hat_SS), ca.densify(rhs_S)]

@@ -16,8 +16,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 654) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
-    385 operations.
+    gives c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
+    395 operations.
     """
     p = ca.SX.sym("p", 654)
     omega = p[0]
@@ -129,7 +129,7 @@ def constants() -> ca.Function:
     beam_clamped_free5_1_0_H_4_2 = p[111]
     beam_clamped_free5_1_0_H_4_3 = p[112]
     beam_clamped_free5_1_0_H_4_4 = p[113]
-    # intermediate terms (37)
+    # intermediate terms (42)
     w0 = beam_density * beam_area
     w1 = w0 * beam_length
     w2 = w1 * beam_clamped_free5_mass_0_0
@@ -167,6 +167,11 @@ def constants() -> ca.Function:
     w34 = w1 * beam_clamped_free5_xH_4_2
     w35 = w1 * beam_clamped_free5_xH_4_3
     w36 = w1 * beam_clamped_free5_xH_4_4
+    w37 = w1 * beam_clamped_free5_phi_y_0_0
+    w38 = w1 * beam_clamped_free5_phi_y_1_0
+    w39 = w1 * beam_clamped_free5_phi_y_2_0
+    w40 = w1 * beam_clamped_free5_phi_y_3_0
+    w41 = w1 * beam_clamped_free5_phi_y_4_0
     # outputs
     c = ca.vertcat(
         w2,  # c0
@@ -243,68 +248,73 @@ def constants() -> ca.Function:
         w0 * beam_clamped_free5_H_4_2,  # c71
         w0 * beam_clamped_free5_H_4_3,  # c72
         w0 * beam_clamped_free5_H_4_4,  # c73
-        w1 * beam_clamped_free5_phi_y_0_0,  # c74
-        w1 * beam_clamped_free5_phi_y_1_0,  # c75
-        w1 * beam_clamped_free5_phi_y_2_0,  # c76
-        w1 * beam_clamped_free5_phi_y_3_0,  # c77
-        w1 * beam_clamped_free5_phi_y_4_0,  # c78
+        w37,  # c74
+        w38,  # c75
+        w39,  # c76
+        w40,  # c77
+        w41,  # c78
         w1 * w12 * beam_clamped_free5_i0_0_0,  # c79
+        -w37,  # c80
+        -w38,  # c81
+        -w39,  # c82
+        -w40,  # c83
+        -w41,  # c84
         beam_length,  # beam_length
-        beam_clamped_free5_1_0_H_0_0 / beam_length,  # c81
-        beam_clamped_free5_1_0_H_0_1 / beam_length,  # c82
-        beam_clamped_free5_1_0_H_0_2 / beam_length,  # c83
-        beam_clamped_free5_1_0_H_0_3 / beam_length,  # c84
-        beam_clamped_free5_1_0_H_0_4 / beam_length,  # c85
-        beam_clamped_free5_1_0_H_1_0 / beam_length,  # c86
-        beam_clamped_free5_1_0_H_1_1 / beam_length,  # c87
-        beam_clamped_free5_1_0_H_1_2 / beam_length,  # c88
-        beam_clamped_free5_1_0_H_1_3 / beam_length,  # c89
-        beam_clamped_free5_1_0_H_1_4 / beam_length,  # c90
-        beam_clamped_free5_1_0_H_2_0 / beam_length,  # c91
-        beam_clamped_free5_1_0_H_2_1 / beam_length,  # c92
-        beam_clamped_free5_1_0_H_2_2 / beam_length,  # c93
-        beam_clamped_free5_1_0_H_2_3 / beam_length,  # c94
-        beam_clamped_free5_1_0_H_2_4 / beam_length,  # c95
-        beam_clamped_free5_1_0_H_3_0 / beam_length,  # c96
-        beam_clamped_free5_1_0_H_3_1 / beam_length,  # c97
-        beam_clamped_free5_1_0_H_3_2 / beam_length,  # c98
-        beam_clamped_free5_1_0_H_3_3 / beam_length,  # c99
-        beam_clamped_free5_1_0_H_3_4 / beam_length,  # c100
-        beam_clamped_free5_1_0_H_4_0 / beam_length,  # c101
-        beam_clamped_free5_1_0_H_4_1 / beam_length,  # c102
-        beam_clamped_free5_1_0_H_4_2 / beam_length,  # c103
-        beam_clamped_free5_1_0_H_4_3 / beam_length,  # c104
-        beam_clamped_free5_1_0_H_4_4 / beam_length,  # c105
+        beam_clamped_free5_1_0_H_0_0 / beam_length,  # c86
+        beam_clamped_free5_1_0_H_0_1 / beam_length,  # c87
+        beam_clamped_free5_1_0_H_0_2 / beam_length,  # c88
+        beam_clamped_free5_1_0_H_0_3 / beam_length,  # c89
+        beam_clamped_free5_1_0_H_0_4 / beam_length,  # c90
+        beam_clamped_free5_1_0_H_1_0 / beam_length,  # c91
+        beam_clamped_free5_1_0_H_1_1 / beam_length,  # c92
+        beam_clamped_free5_1_0_H_1_2 / beam_length,  # c93
+        beam_clamped_free5_1_0_H_1_3 / beam_length,  # c94
+        beam_clamped_free5_1_0_H_1_4 / beam_length,  # c95
+        beam_clamped_free5_1_0_H_2_0 / beam_length,  # c96
+        beam_clamped_free5_1_0_H_2_1 / beam_length,  # c97
+        beam_clamped_free5_1_0_H_2_2 / beam_length,  # c98
+        beam_clamped_free5_1_0_H_2_3 / beam_length,  # c99
+        beam_clamped_free5_1_0_H_2_4 / beam_length,  # c100
+        beam_clamped_free5_1_0_H_3_0 / beam_length,  # c101
+        beam_clamped_free5_1_0_H_3_1 / beam_length,  # c102
+        beam_clamped_free5_1_0_H_3_2 / beam_length,  # c103
+        beam_clamped_free5_1_0_H_3_3 / beam_length,  # c104
+        beam_clamped_free5_1_0_H_3_4 / beam_length,  # c105
+        beam_clamped_free5_1_0_H_4_0 / beam_length,  # c106
+        beam_clamped_free5_1_0_H_4_1 / beam_length,  # c107
+        beam_clamped_free5_1_0_H_4_2 / beam_length,  # c108
+        beam_clamped_free5_1_0_H_4_3 / beam_length,  # c109
+        beam_clamped_free5_1_0_H_4_4 / beam_length,  # c110
         beam_clamped_free5_1_0_shape_1_0,  # beam_clamped_free5_1_0_shape_1_0
         beam_clamped_free5_1_0_shape_1_1,  # beam_clamped_free5_1_0_shape_1_1
         beam_clamped_free5_1_0_shape_1_2,  # beam_clamped_free5_1_0_shape_1_2
         beam_clamped_free5_1_0_shape_1_3,  # beam_clamped_free5_1_0_shape_1_3
         beam_clamped_free5_1_0_shape_1_4,  # beam_clamped_free5_1_0_shape_1_4
-        w2 - w7,  # c111
-        -w17,  # c112
-        -w22,  # c113
-        -w27,  # c114
-        -w32,  # c115
-        -w8,  # c116
-        w3 - w18,  # c117
-        -w23,  # c118
-        -w28,  # c119
-        -w33,  # c120
-        -w9,  # c121
-        -w19,  # c122
-        w4 - w24,  # c123
-        -w29,  # c124
-        -w34,  # c125
-        -w10,  # c126
-        -w20,  # c127
-        -w25,  # c128
-        w5 - w30,  # c129
-        -w35,  # c130
-        -w11,  # c131
-        -w21,  # c132
-        -w26,  # c133
-        -w31,  # c134
-        w6 - w36,  # c135
+        w2 - w7,  # c116
+        -w17,  # c117
+        -w22,  # c118
+        -w27,  # c119
+        -w32,  # c120
+        -w8,  # c121
+        w3 - w18,  # c122
+        -w23,  # c123
+        -w28,  # c124
+        -w33,  # c125
+        -w9,  # c126
+        -w19,  # c127
+        w4 - w24,  # c128
+        -w29,  # c129
+        -w34,  # c130
+        -w10,  # c131
+        -w20,  # c132
+        -w25,  # c133
+        w5 - w30,  # c134
+        -w35,  # c135
+        -w11,  # c136
+        -w21,  # c137
+        -w26,  # c138
+        -w31,  # c139
+        w6 - w36,  # c140
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -316,7 +326,7 @@ def condensed() -> ca.Function:
     takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
     takes q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
     takes t (1) [s]: time
-    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 5 x 5) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 5) [N, N m]: condensed force S^T (Q* - M s)
     176 operations.
@@ -324,7 +334,7 @@ def condensed() -> ca.Function:
     q_i = ca.SX.sym("q_i", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 3)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 136)
+    c = ca.SX.sym("c", 141)
     beam_q1 = q_i[0]
     beam_q2 = q_i[1]
     beam_q3 = q_i[2]
@@ -410,12 +420,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes t (1) [s]: time
-    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 3) [mixed]: dependent coordinates after one Newton step
     29 operations.
     """
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 136)
+    c = ca.SX.sym("c", 141)
     ramp = c[11]
     c13 = c[13]
     omega = c[43]
@@ -434,12 +444,12 @@ def velocities() -> ca.Function:
     """Rates of the dependent coordinates (Eq. 36).
 
     takes t (1) [s]: time
-    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
     21 operations.
     """
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 136)
+    c = ca.SX.sym("c", 141)
     ramp = c[11]
     c13 = c[13]
     omega = c[43]
@@ -457,12 +467,12 @@ def accelerations() -> ca.Function:
     """Accelerations of the dependent coordinates (Eq. 35).
 
     takes t (1) [s]: time
-    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 3) [mixed]: accelerations of the dependent coordinates
     18 operations.
     """
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 136)
+    c = ca.SX.sym("c", 141)
     ramp = c[11]
     c13 = c[13]
     c14 = c[14]
@@ -477,7 +487,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes t (1) [s]: time
-    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 3) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 3 x 8) [SI]: constraint Jacobian
     gives C_t (n_c = 3) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -487,7 +497,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 8)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 136)
+    c = ca.SX.sym("c", 141)
     beam_x = q[0]
     beam_y = q[1]
     beam_theta = q[2]
@@ -527,7 +537,7 @@ def augmented() -> ca.Function:
     takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 8) [mixed]: rates of all coordinates
     takes t (1) [s]: time
-    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 8 x 8) [SI]: mass matrix in all coordinates
     gives K (n x n = 8 x 8) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 8) [N, N m]: quadratic velocity force in all coordinates
@@ -540,7 +550,7 @@ def augmented() -> ca.Function:
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 136)
+    c = ca.SX.sym("c", 141)
     beam_theta = q[2]
     beam_q1 = q[3]
     beam_q2 = q[4]
@@ -629,6 +639,11 @@ def augmented() -> ca.Function:
     c77 = c[77]
     c78 = c[78]
     c79 = c[79]
+    c80 = c[80]
+    c81 = c[81]
+    c82 = c[82]
+    c83 = c[83]
+    c84 = c[84]
     # intermediate terms (46)
     w0 = ca.sin(beam_theta)
     w1 = beam_q1 * c49 + beam_q2 * c50 + beam_q3 * c51 + beam_q4 * c52 + beam_q5 * c53
@@ -641,91 +656,91 @@ def augmented() -> ca.Function:
     w8 = beam_q1 * c74 + beam_q2 * c75 + beam_q3 * c76 + beam_q4 * c77 + beam_q5 * c78
     w9 = w0 * w6 + w7 * w8
     w10 = -w9
-    w11 = -(w1 * w7 + w0 * c74)
-    w12 = -(w2 * w7 + w0 * c75)
-    w13 = -(w3 * w7 + w0 * c76)
-    w14 = -(w4 * w7 + w0 * c77)
-    w15 = -(w5 * w7 + w0 * c78)
-    w16 = w6 * w7 - w0 * w8
-    w17 = w7 * c74 - w0 * w1
-    w18 = w7 * c75 - w0 * w2
-    w19 = w7 * c76 - w0 * w3
-    w20 = w7 * c77 - w0 * w4
-    w21 = w7 * c78 - w0 * w5
-    w22 = beam_q1 * c0 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7 + beam_q4 * c8 + beam_q5 * c9)
-    w23 = beam_q2 * c1 - (beam_q1 * c15 + beam_q2 * c16 + beam_q3 * c17 + beam_q4 * c18 + beam_q5 * c19)
-    w24 = beam_q3 * c2 - (beam_q1 * c22 + beam_q2 * c23 + beam_q3 * c24 + beam_q4 * c25 + beam_q5 * c26)
-    w25 = beam_q4 * c3 - (beam_q1 * c29 + beam_q2 * c30 + beam_q3 * c31 + beam_q4 * c32 + beam_q5 * c33)
-    w26 = beam_q5 * c4 - (beam_q1 * c36 + beam_q2 * c37 + beam_q3 * c38 + beam_q4 * c39 + beam_q5 * c40)
-    w27 = beam_theta_dot**2
-    w28 = 2 * beam_theta_dot
-    w29 = beam_q1_dot * c74 + beam_q2_dot * c75 + beam_q3_dot * c76 + beam_q4_dot * c77 + beam_q5_dot * c78
-    w30 = w1 * beam_q1_dot + w2 * beam_q2_dot + w3 * beam_q3_dot + w4 * beam_q4_dot + w5 * beam_q5_dot
-    w31 = beam_q1_dot * c49 + beam_q2_dot * c50 + beam_q3_dot * c51 + beam_q4_dot * c52 + beam_q5_dot * c53
-    w32 = beam_q1_dot * c54 + beam_q2_dot * c55 + beam_q3_dot * c56 + beam_q4_dot * c57 + beam_q5_dot * c58
-    w33 = beam_q1_dot * c59 + beam_q2_dot * c60 + beam_q3_dot * c61 + beam_q4_dot * c62 + beam_q5_dot * c63
-    w34 = beam_q1_dot * c64 + beam_q2_dot * c65 + beam_q3_dot * c66 + beam_q4_dot * c67 + beam_q5_dot * c68
-    w35 = beam_q1_dot * c69 + beam_q2_dot * c70 + beam_q3_dot * c71 + beam_q4_dot * c72 + beam_q5_dot * c73
-    w36 = beam_q1_dot * w31 + beam_q2_dot * w32 + beam_q3_dot * w33 + beam_q4_dot * w34 + beam_q5_dot * w35
-    w37 = w16 * w27 + w28 * (w7 * w29 - w0 * w30) + w7 * w36
-    w38 = w9 * w27 + w0 * w36 + w28 * (w7 * w30 + w0 * w29)
-    w39 = w22 * beam_q1_dot + w23 * beam_q2_dot + w24 * beam_q3_dot + w25 * beam_q4_dot + w26 * beam_q5_dot
-    w40 = beam_theta_dot * -2.0 * w39
-    w41 = w22 * w27
-    w42 = w23 * w27
-    w43 = w24 * w27
-    w44 = w25 * w27
-    w45 = w26 * w27
+    w11 = w6 * w7 - w0 * w8
+    w12 = w7 * c74 - w0 * w1
+    w13 = w7 * c75 - w0 * w2
+    w14 = w7 * c76 - w0 * w3
+    w15 = w7 * c77 - w0 * w4
+    w16 = w7 * c78 - w0 * w5
+    w17 = beam_q1 * c0 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7 + beam_q4 * c8 + beam_q5 * c9)
+    w18 = beam_q2 * c1 - (beam_q1 * c15 + beam_q2 * c16 + beam_q3 * c17 + beam_q4 * c18 + beam_q5 * c19)
+    w19 = beam_q3 * c2 - (beam_q1 * c22 + beam_q2 * c23 + beam_q3 * c24 + beam_q4 * c25 + beam_q5 * c26)
+    w20 = beam_q4 * c3 - (beam_q1 * c29 + beam_q2 * c30 + beam_q3 * c31 + beam_q4 * c32 + beam_q5 * c33)
+    w21 = beam_q5 * c4 - (beam_q1 * c36 + beam_q2 * c37 + beam_q3 * c38 + beam_q4 * c39 + beam_q5 * c40)
+    w22 = beam_theta_dot**2
+    w23 = 2 * beam_theta_dot
+    w24 = beam_q1_dot * c74 + beam_q2_dot * c75 + beam_q3_dot * c76 + beam_q4_dot * c77 + beam_q5_dot * c78
+    w25 = w1 * beam_q1_dot + w2 * beam_q2_dot + w3 * beam_q3_dot + w4 * beam_q4_dot + w5 * beam_q5_dot
+    w26 = beam_q1_dot * c49 + beam_q2_dot * c50 + beam_q3_dot * c51 + beam_q4_dot * c52 + beam_q5_dot * c53
+    w27 = beam_q1_dot * c54 + beam_q2_dot * c55 + beam_q3_dot * c56 + beam_q4_dot * c57 + beam_q5_dot * c58
+    w28 = beam_q1_dot * c59 + beam_q2_dot * c60 + beam_q3_dot * c61 + beam_q4_dot * c62 + beam_q5_dot * c63
+    w29 = beam_q1_dot * c64 + beam_q2_dot * c65 + beam_q3_dot * c66 + beam_q4_dot * c67 + beam_q5_dot * c68
+    w30 = beam_q1_dot * c69 + beam_q2_dot * c70 + beam_q3_dot * c71 + beam_q4_dot * c72 + beam_q5_dot * c73
+    w31 = beam_q1_dot * w26 + beam_q2_dot * w27 + beam_q3_dot * w28 + beam_q4_dot * w29 + beam_q5_dot * w30
+    w32 = w11 * w22 + w23 * (w7 * w24 - w0 * w25) + w7 * w31
+    w33 = w9 * w22 + w0 * w31 + w23 * (w7 * w25 + w0 * w24)
+    w34 = w17 * beam_q1_dot + w18 * beam_q2_dot + w19 * beam_q3_dot + w20 * beam_q4_dot + w21 * beam_q5_dot
+    w35 = beam_theta_dot * -2.0 * w34
+    w36 = w17 * w22
+    w37 = w18 * w22
+    w38 = w19 * w22
+    w39 = w20 * w22
+    w40 = w21 * w22
+    w41 = w0 * c80 - w1 * w7
+    w42 = w0 * c81 - w2 * w7
+    w43 = w0 * c82 - w3 * w7
+    w44 = w0 * c83 - w4 * w7
+    w45 = w0 * c84 - w5 * w7
     # outputs
     M = ca.SX(8, 8)
     # beam.x
     M[0, 0] = c47
     M[0, 2] = w10
-    M[0, 3] = w11
-    M[0, 4] = w12
-    M[0, 5] = w13
-    M[0, 6] = w14
-    M[0, 7] = w15
+    M[0, 3] = w41
+    M[0, 4] = w42
+    M[0, 5] = w43
+    M[0, 6] = w44
+    M[0, 7] = w45
     # beam.y
     M[1, 1] = c47
-    M[1, 2] = w16
-    M[1, 3] = w17
-    M[1, 4] = w18
-    M[1, 5] = w19
-    M[1, 6] = w20
-    M[1, 7] = w21
+    M[1, 2] = w11
+    M[1, 3] = w12
+    M[1, 4] = w13
+    M[1, 5] = w14
+    M[1, 6] = w15
+    M[1, 7] = w16
     # beam.theta
     M[2, 0] = w10
-    M[2, 1] = w16
-    M[2, 2] = c79 + (beam_q1 * w22 + beam_q2 * w23 + beam_q3 * w24 + beam_q4 * w25 + beam_q5 * w26)
+    M[2, 1] = w11
+    M[2, 2] = c79 + (beam_q1 * w17 + beam_q2 * w18 + beam_q3 * w19 + beam_q4 * w20 + beam_q5 * w21)
     M[2, 3] = c12
     M[2, 4] = c21
     M[2, 5] = c28
     M[2, 6] = c35
     M[2, 7] = c42
     # beam.q1
-    M[3, 0] = w11
-    M[3, 1] = w17
+    M[3, 0] = w41
+    M[3, 1] = w12
     M[3, 2] = c12
     M[3, 3] = c0
     # beam.q2
-    M[4, 0] = w12
-    M[4, 1] = w18
+    M[4, 0] = w42
+    M[4, 1] = w13
     M[4, 2] = c21
     M[4, 4] = c1
     # beam.q3
-    M[5, 0] = w13
-    M[5, 1] = w19
+    M[5, 0] = w43
+    M[5, 1] = w14
     M[5, 2] = c28
     M[5, 5] = c2
     # beam.q4
-    M[6, 0] = w14
-    M[6, 1] = w20
+    M[6, 0] = w44
+    M[6, 1] = w15
     M[6, 2] = c35
     M[6, 6] = c3
     # beam.q5
-    M[7, 0] = w15
-    M[7, 1] = w21
+    M[7, 0] = w45
+    M[7, 1] = w16
     M[7, 2] = c42
     M[7, 7] = c4
     K = ca.SX(8, 8)
@@ -740,25 +755,25 @@ def augmented() -> ca.Function:
     # beam.q5
     K[7, 7] = c41
     Q_v = ca.vertcat(
-        w37,  # beam.x
-        w38,  # beam.y
-        w40,  # beam.theta
-        w41,  # beam.q1
-        w42,  # beam.q2
-        w43,  # beam.q3
-        w44,  # beam.q4
-        w45,  # beam.q5
+        w32,  # beam.x
+        w33,  # beam.y
+        w35,  # beam.theta
+        w36,  # beam.q1
+        w37,  # beam.q2
+        w38,  # beam.q3
+        w39,  # beam.q4
+        w40,  # beam.q5
     )
     Q_F = ca.SX(8, 1)
     Q_star = ca.vertcat(
-        w37,  # beam.x
-        w38,  # beam.y
-        w40,  # beam.theta
-        w41 - beam_q1 * c10,  # beam.q1
-        w42 - beam_q2 * c20,  # beam.q2
-        w43 - beam_q3 * c27,  # beam.q3
-        w44 - beam_q4 * c34,  # beam.q4
-        w45 - beam_q5 * c41,  # beam.q5
+        w32,  # beam.x
+        w33,  # beam.y
+        w35,  # beam.theta
+        w36 - beam_q1 * c10,  # beam.q1
+        w37 - beam_q2 * c20,  # beam.q2
+        w38 - beam_q3 * c27,  # beam.q3
+        w39 - beam_q4 * c34,  # beam.q4
+        w40 - beam_q5 * c41,  # beam.q5
     )
     C_q = ca.SX(3, 8)
     # pivot.x
@@ -778,7 +793,7 @@ def reactions() -> ca.Function:
     takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 8) [mixed]: rates of all coordinates
     takes q_ddot (n = 8) [mixed]: accelerations of all coordinates
-    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 3) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 2) [N, N m]: world force and moment of a joint on its body b, at b
     416 operations.
@@ -786,7 +801,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
     q_ddot = ca.SX.sym("q_ddot", 8)
-    c = ca.SX.sym("c", 136)
+    c = ca.SX.sym("c", 141)
     beam_theta = q[2]
     beam_q1 = q[3]
     beam_q2 = q[4]
@@ -927,7 +942,7 @@ def energy() -> ca.Function:
 
     takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 8) [mixed]: rates of all coordinates
-    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -937,7 +952,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
-    c = ca.SX.sym("c", 136)
+    c = ca.SX.sym("c", 141)
     beam_theta = q[2]
     beam_q1 = q[3]
     beam_q2 = q[4]
@@ -1078,13 +1093,13 @@ def measures() -> ca.Function:
 
     takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 8) [mixed]: rates of all coordinates
-    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives measures (measures = 4) [mixed]: measures of the scene and their rates
     219 operations.
     """
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
-    c = ca.SX.sym("c", 136)
+    c = ca.SX.sym("c", 141)
     beam_x = q[0]
     beam_y = q[1]
     beam_theta = q[2]
@@ -1101,12 +1116,7 @@ def measures() -> ca.Function:
     beam_q3_dot = q_dot[5]
     beam_q4_dot = q_dot[6]
     beam_q5_dot = q_dot[7]
-    beam_length = c[80]
-    c81 = c[81]
-    c82 = c[82]
-    c83 = c[83]
-    c84 = c[84]
-    c85 = c[85]
+    beam_length = c[85]
     c86 = c[86]
     c87 = c[87]
     c88 = c[88]
@@ -1127,29 +1137,34 @@ def measures() -> ca.Function:
     c103 = c[103]
     c104 = c[104]
     c105 = c[105]
-    beam_clamped_free5_1_0_shape_1_0 = c[106]
-    beam_clamped_free5_1_0_shape_1_1 = c[107]
-    beam_clamped_free5_1_0_shape_1_2 = c[108]
-    beam_clamped_free5_1_0_shape_1_3 = c[109]
-    beam_clamped_free5_1_0_shape_1_4 = c[110]
+    c106 = c[106]
+    c107 = c[107]
+    c108 = c[108]
+    c109 = c[109]
+    c110 = c[110]
+    beam_clamped_free5_1_0_shape_1_0 = c[111]
+    beam_clamped_free5_1_0_shape_1_1 = c[112]
+    beam_clamped_free5_1_0_shape_1_2 = c[113]
+    beam_clamped_free5_1_0_shape_1_3 = c[114]
+    beam_clamped_free5_1_0_shape_1_4 = c[115]
     # intermediate terms (21)
     w0 = ca.cos(beam_theta)
-    w1 = beam_q1 * c81 + beam_q2 * c82 + beam_q3 * c83 + beam_q4 * c84 + beam_q5 * c85
-    w2 = beam_q1 * c86 + beam_q2 * c87 + beam_q3 * c88 + beam_q4 * c89 + beam_q5 * c90
-    w3 = beam_q1 * c91 + beam_q2 * c92 + beam_q3 * c93 + beam_q4 * c94 + beam_q5 * c95
-    w4 = beam_q1 * c96 + beam_q2 * c97 + beam_q3 * c98 + beam_q4 * c99 + beam_q5 * c100
-    w5 = beam_q1 * c101 + beam_q2 * c102 + beam_q3 * c103 + beam_q4 * c104 + beam_q5 * c105
+    w1 = beam_q1 * c86 + beam_q2 * c87 + beam_q3 * c88 + beam_q4 * c89 + beam_q5 * c90
+    w2 = beam_q1 * c91 + beam_q2 * c92 + beam_q3 * c93 + beam_q4 * c94 + beam_q5 * c95
+    w3 = beam_q1 * c96 + beam_q2 * c97 + beam_q3 * c98 + beam_q4 * c99 + beam_q5 * c100
+    w4 = beam_q1 * c101 + beam_q2 * c102 + beam_q3 * c103 + beam_q4 * c104 + beam_q5 * c105
+    w5 = beam_q1 * c106 + beam_q2 * c107 + beam_q3 * c108 + beam_q4 * c109 + beam_q5 * c110
     w6 = beam_length - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5) * 0.5
     w7 = ca.sin(beam_theta)
     w8 = beam_q1 * beam_clamped_free5_1_0_shape_1_0 + beam_q2 * beam_clamped_free5_1_0_shape_1_1 + beam_q3 * beam_clamped_free5_1_0_shape_1_2
     w9 = w8 + beam_q4 * beam_clamped_free5_1_0_shape_1_3 + beam_q5 * beam_clamped_free5_1_0_shape_1_4
     w10 = w7 * beam_theta_dot
-    w11 = beam_q1_dot * c81 + beam_q2_dot * c82 + beam_q3_dot * c83 + beam_q4_dot * c84 + beam_q5_dot * c85
-    w12 = beam_q1_dot * c86 + beam_q2_dot * c87 + beam_q3_dot * c88 + beam_q4_dot * c89 + beam_q5_dot * c90
-    w13 = beam_q1_dot * c91 + beam_q2_dot * c92 + beam_q3_dot * c93 + beam_q4_dot * c94 + beam_q5_dot * c95
+    w11 = beam_q1_dot * c86 + beam_q2_dot * c87 + beam_q3_dot * c88 + beam_q4_dot * c89 + beam_q5_dot * c90
+    w12 = beam_q1_dot * c91 + beam_q2_dot * c92 + beam_q3_dot * c93 + beam_q4_dot * c94 + beam_q5_dot * c95
+    w13 = beam_q1_dot * c96 + beam_q2_dot * c97 + beam_q3_dot * c98 + beam_q4_dot * c99 + beam_q5_dot * c100
     w14 = w1 * beam_q1_dot + beam_q1 * w11 + (w2 * beam_q2_dot + beam_q2 * w12) + (w3 * beam_q3_dot + beam_q3 * w13)
-    w15 = beam_q1_dot * c96 + beam_q2_dot * c97 + beam_q3_dot * c98 + beam_q4_dot * c99 + beam_q5_dot * c100
-    w16 = beam_q1_dot * c101 + beam_q2_dot * c102 + beam_q3_dot * c103 + beam_q4_dot * c104 + beam_q5_dot * c105
+    w15 = beam_q1_dot * c101 + beam_q2_dot * c102 + beam_q3_dot * c103 + beam_q4_dot * c104 + beam_q5_dot * c105
+    w16 = beam_q1_dot * c106 + beam_q2_dot * c107 + beam_q3_dot * c108 + beam_q4_dot * c109 + beam_q5_dot * c110
     w17 = (w14 + (w4 * beam_q4_dot + beam_q4 * w15) + (w5 * beam_q5_dot + beam_q5 * w16)) * 0.5
     w18 = w0 * beam_theta_dot
     w19 = beam_q1_dot * beam_clamped_free5_1_0_shape_1_0 + beam_q2_dot * beam_clamped_free5_1_0_shape_1_1 + beam_q3_dot * beam_clamped_free5_1_0_shape_1_2
@@ -1196,12 +1211,12 @@ def switching() -> ca.Function:
     """Where in time loads and prescribed motions jump or kink: where one of these changes its sign.
 
     takes t (1) [s]: time
-    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives switching (conditions in t = 1) [SI]: zero where a load or a prescribed motion jumps or kinks
     4 operations.
     """
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 136)
+    c = ca.SX.sym("c", 141)
     ramp = c[11]
     # outputs
     switching = ca.vertcat(t - ramp)
@@ -1213,23 +1228,18 @@ def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
 
     takes q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i, through q_d
     87 operations.
     """
     q_d_dot = ca.SX.sym("q_d_dot", 3)
-    c = ca.SX.sym("c", 136)
+    c = ca.SX.sym("c", 141)
     beam_theta_dot = q_d_dot[2]
     c10 = c[10]
     c20 = c[20]
     c27 = c[27]
     c34 = c[34]
     c41 = c[41]
-    c111 = c[111]
-    c112 = c[112]
-    c113 = c[113]
-    c114 = c[114]
-    c115 = c[115]
     c116 = c[116]
     c117 = c[117]
     c118 = c[118]
@@ -1250,15 +1260,20 @@ def dQ_hat_dq_i() -> ca.Function:
     c133 = c[133]
     c134 = c[134]
     c135 = c[135]
+    c136 = c[136]
+    c137 = c[137]
+    c138 = c[138]
+    c139 = c[139]
+    c140 = c[140]
     # intermediate terms (1)
     w0 = beam_theta_dot**2
     # outputs
     dQ_hat_dq_i = ca.vertcat(
-        ca.horzcat(w0 * c111 - c10, w0 * c116, w0 * c121, w0 * c126, w0 * c131),  # beam.q1
-        ca.horzcat(w0 * c112, w0 * c117 - c20, w0 * c122, w0 * c127, w0 * c132),  # beam.q2
-        ca.horzcat(w0 * c113, w0 * c118, w0 * c123 - c27, w0 * c128, w0 * c133),  # beam.q3
-        ca.horzcat(w0 * c114, w0 * c119, w0 * c124, w0 * c129 - c34, w0 * c134),  # beam.q4
-        ca.horzcat(w0 * c115, w0 * c120, w0 * c125, w0 * c130, w0 * c135 - c41),  # beam.q5
+        ca.horzcat(w0 * c116 - c10, w0 * c121, w0 * c126, w0 * c131, w0 * c136),  # beam.q1
+        ca.horzcat(w0 * c117, w0 * c122 - c20, w0 * c127, w0 * c132, w0 * c137),  # beam.q2
+        ca.horzcat(w0 * c118, w0 * c123, w0 * c128 - c27, w0 * c133, w0 * c138),  # beam.q3
+        ca.horzcat(w0 * c119, w0 * c124, w0 * c129, w0 * c134 - c34, w0 * c139),  # beam.q4
+        ca.horzcat(w0 * c120, w0 * c125, w0 * c130, w0 * c135, w0 * c140 - c41),  # beam.q5
     )
     inputs, outputs = [q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_d_dot", "c"], ["dQ_hat_dq_i"])
@@ -1280,24 +1295,19 @@ def residual_jacobian() -> ca.Function:
     """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 5 x 5) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     113 operations.
     """
     q_d_dot = ca.SX.sym("q_d_dot", 3)
-    c = ca.SX.sym("c", 136)
+    c = ca.SX.sym("c", 141)
     beam_theta_dot = q_d_dot[2]
     c10 = c[10]
     c20 = c[20]
     c27 = c[27]
     c34 = c[34]
     c41 = c[41]
-    c111 = c[111]
-    c112 = c[112]
-    c113 = c[113]
-    c114 = c[114]
-    c115 = c[115]
     c116 = c[116]
     c117 = c[117]
     c118 = c[118]
@@ -1318,15 +1328,20 @@ def residual_jacobian() -> ca.Function:
     c133 = c[133]
     c134 = c[134]
     c135 = c[135]
+    c136 = c[136]
+    c137 = c[137]
+    c138 = c[138]
+    c139 = c[139]
+    c140 = c[140]
     # intermediate terms (1)
     w0 = beam_theta_dot**2
     # outputs
     J_q = ca.vertcat(
-        ca.horzcat(w0 * c111 - c10, w0 * c116, w0 * c121, w0 * c126, w0 * c131),  # beam.q1
-        ca.horzcat(w0 * c112, w0 * c117 - c20, w0 * c122, w0 * c127, w0 * c132),  # beam.q2
-        ca.horzcat(w0 * c113, w0 * c118, w0 * c123 - c27, w0 * c128, w0 * c133),  # beam.q3
-        ca.horzcat(w0 * c114, w0 * c119, w0 * c124, w0 * c129 - c34, w0 * c134),  # beam.q4
-        ca.horzcat(w0 * c115, w0 * c120, w0 * c125, w0 * c130, w0 * c135 - c41),  # beam.q5
+        ca.horzcat(w0 * c116 - c10, w0 * c121, w0 * c126, w0 * c131, w0 * c136),  # beam.q1
+        ca.horzcat(w0 * c117, w0 * c122 - c20, w0 * c127, w0 * c132, w0 * c137),  # beam.q2
+        ca.horzcat(w0 * c118, w0 * c123, w0 * c128 - c27, w0 * c133, w0 * c138),  # beam.q3
+        ca.horzcat(w0 * c119, w0 * c124, w0 * c129, w0 * c134 - c34, w0 * c139),  # beam.q4
+        ca.horzcat(w0 * c120, w0 * c125, w0 * c130, w0 * c135, w0 * c140 - c41),  # beam.q5
     )
     J_v = ca.SX(5, 5)
     inputs, outputs = [q_d_dot, c], [ca.densify(J_q), ca.densify(J_v)]
@@ -1336,13 +1351,13 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 5 x 5) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 5 x 5) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 5 x 5) [SI]: damping of the stiff deflections
     82 operations.
     """
-    c = ca.SX.sym("c", 136)
+    c = ca.SX.sym("c", 141)
     c10 = c[10]
     c20 = c[20]
     c27 = c[27]
@@ -1377,14 +1392,14 @@ def forward_dynamics() -> ca.Function:
     takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
     takes q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
     takes t (1) [s]: time
-    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
     155 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 3)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 136)
+    c = ca.SX.sym("c", 141)
     beam_q1 = q_i[0]
     beam_q2 = q_i[1]
     beam_q3 = q_i[2]

@@ -16,47 +16,51 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
-    65 operations.
+    gives c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
+    64 operations.
     """
     p = ca.SX.sym("p", 6)
     body_mass = p[0]
     body_inertia_xx = p[1]
     body_inertia_yy = p[2]
     body_inertia_zz = p[3]
-    # intermediate terms (11)
-    w0 = body_inertia_xx + body_inertia_yy
-    w1 = (w0 + body_inertia_zz) / 2.0
-    w2 = -2.0 * w1
-    w3 = w1 - body_inertia_yy
-    w4 = w1 - body_inertia_zz
-    w5 = w3 + w4
-    w6 = w1 - body_inertia_xx
-    w7 = w4 + w6
-    w8 = w3 + w6
-    w9 = -4.0 * w8
-    w10 = -4.0 * w7
+    # intermediate terms (12)
+    w0 = (body_inertia_xx + body_inertia_yy + body_inertia_zz) / 2.0
+    w1 = w0 - body_inertia_yy
+    w2 = w0 - body_inertia_zz
+    w3 = w1 + w2
+    w4 = w0 - body_inertia_xx
+    w5 = w2 + w4
+    w6 = w1 + w4
+    w7 = w1 - w2
+    w8 = w2 - w4
+    w9 = w4 - w1
+    w10 = -4.0 * w6
+    w11 = -4.0 * w5
     # outputs
     c = ca.vertcat(
         body_mass,  # body_mass
-        -(body_inertia_yy + body_inertia_zz + w2),  # c1
-        -(w2 + (body_inertia_xx + body_inertia_zz)),  # c2
-        -(w0 + w2),  # c3
-        body_inertia_yy - body_inertia_zz,  # c4
-        -(body_inertia_xx - body_inertia_zz),  # c5
-        body_inertia_xx - body_inertia_yy,  # c6
-        w3,  # c7
-        w4,  # c8
-        w5,  # c9
-        w6,  # c10
-        w7,  # c11
-        w8,  # c12
-        4.0 * w7 + w9,  # c13
-        4.0 * w8 + -4.0 * w5,  # c14
-        4.0 * w5 + w10,  # c15
-        w10 + 4.0 * w5,  # c16
-        4.0 * w8 + -4.0 * w5,  # c17
-        w9 + 4.0 * w7,  # c18
+        w3,  # c1
+        w5,  # c2
+        w6,  # c3
+        -w7,  # c4
+        -w8,  # c5
+        -w9,  # c6
+        w1,  # c7
+        w2,  # c8
+        w4,  # c9
+        4.0 * w5 + w10,  # c10
+        4.0 * w6 + -4.0 * w3,  # c11
+        4.0 * w3 + w11,  # c12
+        w11 + 4.0 * w3,  # c13
+        4.0 * w6 + -4.0 * w3,  # c14
+        w10 + 4.0 * w5,  # c15
+        body_inertia_yy - body_inertia_zz,  # c16
+        -(body_inertia_xx - body_inertia_zz),  # c17
+        body_inertia_xx - body_inertia_yy,  # c18
+        w7,  # c19
+        w8,  # c20
+        w9,  # c21
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -66,13 +70,13 @@ def condensed() -> ca.Function:
     """Condensed mass matrix and force (Eq. 38).
 
     takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 6 x 6) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 6) [N, N m]: condensed force S^T (Q* - M s)
     59 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 6)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 22)
     body_omega_x = q_i_dot[3]
     body_omega_y = q_i_dot[4]
     body_omega_z = q_i_dot[5]
@@ -254,7 +258,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 7 x 7) [SI]: mass matrix in all coordinates
     gives K (n x n = 7 x 7) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 7) [N, N m]: quadratic velocity force in all coordinates
@@ -266,7 +270,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 22)
     body_e0 = q[3]
     body_e1 = q[4]
     body_e2 = q[5]
@@ -276,6 +280,9 @@ def augmented() -> ca.Function:
     body_e2_dot = q_dot[5]
     body_e3_dot = q_dot[6]
     body_mass = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
@@ -285,36 +292,33 @@ def augmented() -> ca.Function:
     c13 = c[13]
     c14 = c[14]
     c15 = c[15]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
     # intermediate terms (32)
     w0 = body_e1 * -2.0
     w1 = body_e2 * -2.0
     w2 = body_e3 * -2.0
     w3 = 2 * body_e0
-    w4 = w3 * c9
+    w4 = w3 * c1
     w5 = 2 * body_e2
-    w6 = w0 * w4 + body_e2 * body_e3 * c13
+    w6 = w0 * w4 + body_e2 * body_e3 * c10
     w7 = 2 * body_e3
-    w8 = w3 * c11
-    w9 = w0 * c12
-    w10 = w1 * w8 + body_e1 * body_e3 * c14
-    w11 = w1 * c9
+    w8 = w3 * c2
+    w9 = w0 * c3
+    w10 = w1 * w8 + body_e1 * body_e3 * c11
+    w11 = w1 * c1
     w12 = 2 * body_e1
-    w13 = w12 * c11
-    w14 = w3 * c12
-    w15 = body_e1 * body_e2 * c15 + w2 * w14
-    w16 = body_e3 * body_e0 * c16 + w5 * w9
-    w17 = w2 * w13 + body_e2 * body_e0 * c17
-    w18 = w7 * w11 + body_e1 * body_e0 * c18
+    w13 = w12 * c2
+    w14 = w3 * c3
+    w15 = body_e1 * body_e2 * c12 + w2 * w14
+    w16 = body_e3 * body_e0 * c13 + w5 * w9
+    w17 = w2 * w13 + body_e2 * body_e0 * c14
+    w18 = w7 * w11 + body_e1 * body_e0 * c15
     w19 = w2 * body_e0_dot + w5 * body_e1_dot + w0 * body_e2_dot + w3 * body_e3_dot
     w20 = w19 * c8
     w21 = w1 * body_e0_dot + w2 * body_e1_dot + w3 * body_e2_dot + w12 * body_e3_dot
     w22 = w21 * c7
     w23 = w20 * w21 - w19 * w22
     w24 = w0 * body_e0_dot + w3 * body_e1_dot + w7 * body_e2_dot + w1 * body_e3_dot
-    w25 = w24 * c10
+    w25 = w24 * c9
     w26 = w19 * w25 - w20 * w24
     w27 = w22 * w24 - w21 * w25
     w28 = w0 * w23 + w1 * w26 + w2 * w27
@@ -330,19 +334,19 @@ def augmented() -> ca.Function:
     # body.z
     M[2, 2] = body_mass
     # body.e0
-    M[3, 3] = w0 * (w0 * c9) + w1 * (w1 * c11) + w2 * (w2 * c12)
+    M[3, 3] = w0 * (w0 * c1) + w1 * (w1 * c2) + w2 * (w2 * c3)
     M[3, 4] = w6
     M[3, 5] = w10
     M[3, 6] = w15
     # body.e1
     M[4, 3] = w6
-    M[4, 4] = w3 * w4 + w2 * (w2 * c11) + w5 * (w5 * c12)
+    M[4, 4] = w3 * w4 + w2 * (w2 * c2) + w5 * (w5 * c3)
     M[4, 5] = w16
     M[4, 6] = w17
     # body.e2
     M[5, 3] = w10
     M[5, 4] = w16
-    M[5, 5] = w7 * (w7 * c9) + w3 * w8 + w0 * w9
+    M[5, 5] = w7 * (w7 * c1) + w3 * w8 + w0 * w9
     M[5, 6] = w18
     # body.e3
     M[6, 3] = w15
@@ -378,7 +382,7 @@ def reactions() -> ca.Function:
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
     takes q_ddot (n = 7) [mixed]: accelerations of all coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 1) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 0) [N, N m]: world force and moment of a joint on its body b, at b
     181 operations.
@@ -386,7 +390,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
     q_ddot = ca.SX.sym("q_ddot", 7)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 22)
     body_e0 = q[3]
     body_e1 = q[4]
     body_e2 = q[5]
@@ -399,6 +403,9 @@ def reactions() -> ca.Function:
     body_e1_ddot = q_ddot[4]
     body_e2_ddot = q_ddot[5]
     body_e3_ddot = q_ddot[6]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
@@ -408,9 +415,6 @@ def reactions() -> ca.Function:
     c13 = c[13]
     c14 = c[14]
     c15 = c[15]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
     # intermediate terms (34)
     w0 = body_e1 * -2.0
     w1 = body_e3 * -2.0
@@ -425,25 +429,25 @@ def reactions() -> ca.Function:
     w10 = w5 * w8 - w4 * w9
     w11 = 2 * body_e3
     w12 = w0 * body_e0_dot + body_e1_dot * w3 + body_e2_dot * w11 + body_e3_dot * w6
-    w13 = w12 * c10
+    w13 = w12 * c9
     w14 = w4 * w13 - w5 * w12
     w15 = w9 * w12 - w8 * w13
-    w16 = w3 * c9
-    w17 = w0 * w16 + body_e3 * body_e2 * c13
-    w18 = w3 * c11
-    w19 = w0 * c12
-    w20 = w6 * w18 + body_e1 * body_e3 * c14
-    w21 = (w0 * (w0 * c9) + w6 * (w6 * c11) + w1 * (w1 * c12)) * body_e0_ddot + w17 * body_e1_ddot + w20 * body_e2_ddot
-    w22 = w6 * c9
-    w23 = w7 * c11
-    w24 = w3 * c12
-    w25 = body_e1 * body_e2 * c15 + w1 * w24
-    w26 = body_e3 * body_e0 * c16 + w2 * w19
-    w27 = body_e0_ddot * w17 + body_e1_ddot * (w3 * w16 + w1 * (w1 * c11) + w2 * (w2 * c12)) + body_e2_ddot * w26
-    w28 = w1 * w23 + body_e2 * body_e0 * c17
+    w16 = w3 * c1
+    w17 = w0 * w16 + body_e3 * body_e2 * c10
+    w18 = w3 * c2
+    w19 = w0 * c3
+    w20 = w6 * w18 + body_e1 * body_e3 * c11
+    w21 = (w0 * (w0 * c1) + w6 * (w6 * c2) + w1 * (w1 * c3)) * body_e0_ddot + w17 * body_e1_ddot + w20 * body_e2_ddot
+    w22 = w6 * c1
+    w23 = w7 * c2
+    w24 = w3 * c3
+    w25 = body_e1 * body_e2 * c12 + w1 * w24
+    w26 = body_e3 * body_e0 * c13 + w2 * w19
+    w27 = body_e0_ddot * w17 + body_e1_ddot * (w3 * w16 + w1 * (w1 * c2) + w2 * (w2 * c3)) + body_e2_ddot * w26
+    w28 = w1 * w23 + body_e2 * body_e0 * c14
     w29 = body_e0 * (w0 * w10 + w6 * w14 + w1 * w15 - (w21 + w25 * body_e3_ddot)) + body_e1 * (w3 * w10 + w1 * w14 + w2 * w15 - (w27 + body_e3_ddot * w28))
-    w30 = body_e0_ddot * w20 + body_e1_ddot * w26 + body_e2_ddot * (w11 * (w11 * c9) + w3 * w18 + w0 * w19)
-    w31 = w11 * w22 + body_e1 * body_e0 * c18
+    w30 = body_e0_ddot * w20 + body_e1_ddot * w26 + body_e2_ddot * (w11 * (w11 * c1) + w3 * w18 + w0 * w19)
+    w31 = w11 * w22 + body_e1 * body_e0 * c15
     w32 = body_e0_ddot * w25 + body_e1_ddot * w28 + body_e2_ddot * w31 + body_e3_ddot * (w6 * w22 + w7 * w23 + w3 * w24)
     w33 = w29 + body_e2 * (w10 * w11 + w3 * w14 + w0 * w15 - (w30 + body_e3_ddot * w31)) + body_e3 * (w6 * w10 + w7 * w14 + w3 * w15 - w32)
     # outputs
@@ -458,7 +462,7 @@ def energy() -> ca.Function:
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -468,7 +472,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 22)
     body_e0 = q[3]
     body_e1 = q[4]
     body_e2 = q[5]
@@ -481,43 +485,43 @@ def energy() -> ca.Function:
     body_e2_dot = q_dot[5]
     body_e3_dot = q_dot[6]
     body_mass = c[0]
-    c9 = c[9]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c10 = c[10]
     c11 = c[11]
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
     c15 = c[15]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
     # intermediate terms (25)
     w0 = body_x_dot * (body_x_dot * body_mass) + body_y_dot * (body_y_dot * body_mass) + body_z_dot * (body_z_dot * body_mass)
     w1 = body_e1 * -2.0
     w2 = body_e2 * -2.0
     w3 = body_e3 * -2.0
     w4 = 2 * body_e0
-    w5 = w4 * c9
+    w5 = w4 * c1
     w6 = 2 * body_e2
-    w7 = w1 * w5 + body_e2 * body_e3 * c13
+    w7 = w1 * w5 + body_e2 * body_e3 * c10
     w8 = 2 * body_e3
-    w9 = w4 * c11
-    w10 = w1 * c12
-    w11 = w2 * w9 + body_e1 * body_e3 * c14
-    w12 = body_e0_dot * (w1 * (w1 * c9) + w2 * (w2 * c11) + w3 * (w3 * c12)) + w7 * body_e1_dot + w11 * body_e2_dot
-    w13 = w2 * c9
+    w9 = w4 * c2
+    w10 = w1 * c3
+    w11 = w2 * w9 + body_e1 * body_e3 * c11
+    w12 = body_e0_dot * (w1 * (w1 * c1) + w2 * (w2 * c2) + w3 * (w3 * c3)) + w7 * body_e1_dot + w11 * body_e2_dot
+    w13 = w2 * c1
     w14 = 2 * body_e1
-    w15 = w14 * c11
-    w16 = w4 * c12
-    w17 = body_e1 * body_e2 * c15 + w3 * w16
-    w18 = body_e3 * body_e0 * c16 + w6 * w10
-    w19 = body_e0_dot * w7 + body_e1_dot * (w4 * w5 + w3 * (w3 * c11) + w6 * (w6 * c12)) + body_e2_dot * w18
-    w20 = w3 * w15 + body_e2 * body_e0 * c17
-    w21 = w8 * w13 + body_e1 * body_e0 * c18
-    w22 = body_e0_dot * w11 + body_e1_dot * w18 + body_e2_dot * (w8 * (w8 * c9) + w4 * w9 + w1 * w10) + body_e3_dot * w21
-    w23 = w0 + body_e0_dot * (w12 + w17 * body_e3_dot) + body_e1_dot * (w19 + body_e3_dot * w20) + body_e2_dot * w22
-    w24 = body_e0_dot * w17 + body_e1_dot * w20 + body_e2_dot * w21 + body_e3_dot * (w2 * w13 + w14 * w15 + w4 * w16)
+    w15 = w14 * c2
+    w16 = w4 * c3
+    w17 = body_e1 * body_e2 * c12 + w3 * w16
+    w18 = body_e3 * body_e0 * c13 + w6 * w10
+    w19 = w3 * w15 + body_e2 * body_e0 * c14
+    w20 = body_e0_dot * w7 + body_e1_dot * (w4 * w5 + w3 * (w3 * c2) + w6 * (w6 * c3)) + body_e2_dot * w18 + body_e3_dot * w19
+    w21 = w8 * w13 + body_e1 * body_e0 * c15
+    w22 = body_e0_dot * w11 + body_e1_dot * w18 + body_e2_dot * (w8 * (w8 * c1) + w4 * w9 + w1 * w10) + body_e3_dot * w21
+    w23 = body_e0_dot * w17 + body_e1_dot * w19 + body_e2_dot * w21 + body_e3_dot * (w2 * w13 + w14 * w15 + w4 * w16)
+    w24 = w0 + body_e0_dot * (w12 + w17 * body_e3_dot) + body_e1_dot * w20 + body_e2_dot * w22 + body_e3_dot * w23
     # outputs
-    kinetic = ca.vertcat((w23 + body_e3_dot * w24) / 2.0)
+    kinetic = ca.vertcat(w24 / 2.0)
     elastic = ca.SX(1, 1)
     potential = ca.SX(1, 1)
     power_dissipated = ca.SX(1, 1)
@@ -578,29 +582,29 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     """Total derivative of Q_hat by q_i_dot, through q_d_dot.
 
     takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 6 x 6) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     49 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 6)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 22)
     body_omega_x = q_i_dot[3]
     body_omega_y = q_i_dot[4]
     body_omega_z = q_i_dot[5]
-    c4 = c[4]
-    c5 = c[5]
-    c6 = c[6]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
     # outputs
     dQ_hat_dq_i_dot = ca.SX(6, 6)
     # body.turn_x
-    dQ_hat_dq_i_dot[3, 4] = body_omega_z * c4
-    dQ_hat_dq_i_dot[3, 5] = body_omega_y * c4
+    dQ_hat_dq_i_dot[3, 4] = body_omega_z * c16
+    dQ_hat_dq_i_dot[3, 5] = body_omega_y * c16
     # body.turn_y
-    dQ_hat_dq_i_dot[4, 3] = body_omega_z * c5
-    dQ_hat_dq_i_dot[4, 5] = body_omega_x * c5
+    dQ_hat_dq_i_dot[4, 3] = body_omega_z * c17
+    dQ_hat_dq_i_dot[4, 5] = body_omega_x * c17
     # body.turn_z
-    dQ_hat_dq_i_dot[5, 3] = body_omega_y * c6
-    dQ_hat_dq_i_dot[5, 4] = body_omega_x * c6
+    dQ_hat_dq_i_dot[5, 3] = body_omega_y * c18
+    dQ_hat_dq_i_dot[5, 4] = body_omega_x * c18
     inputs, outputs = [q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
@@ -609,31 +613,31 @@ def residual_jacobian() -> ca.Function:
     """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 6 x 6) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 6 x 6) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     85 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 6)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 22)
     body_omega_x = q_i_dot[3]
     body_omega_y = q_i_dot[4]
     body_omega_z = q_i_dot[5]
-    c4 = c[4]
-    c5 = c[5]
-    c6 = c[6]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
     # outputs
     J_q = ca.SX(6, 6)
     J_v = ca.SX(6, 6)
     # body.turn_x
-    J_v[3, 4] = body_omega_z * c4
-    J_v[3, 5] = body_omega_y * c4
+    J_v[3, 4] = body_omega_z * c16
+    J_v[3, 5] = body_omega_y * c16
     # body.turn_y
-    J_v[4, 3] = body_omega_z * c5
-    J_v[4, 5] = body_omega_x * c5
+    J_v[4, 3] = body_omega_z * c17
+    J_v[4, 5] = body_omega_x * c17
     # body.turn_z
-    J_v[5, 3] = body_omega_y * c6
-    J_v[5, 4] = body_omega_x * c6
+    J_v[5, 3] = body_omega_y * c18
+    J_v[5, 4] = body_omega_x * c18
     inputs, outputs = [q_i_dot, c], [ca.densify(J_q), ca.densify(J_v)]
     return ca.Function("residual_jacobian", inputs, outputs, ["q_i_dot", "c"], ["J_q", "J_v"])
 
@@ -642,30 +646,26 @@ def forward_dynamics() -> ca.Function:
     """Accelerations of a tree by topology-ordered elimination, without M_hat (Eq. 38).
 
     takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
-    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 6) [mixed]: accelerations of the independent coordinates
-    34 operations.
+    28 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 6)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 22)
     body_omega_x = q_i_dot[3]
     body_omega_y = q_i_dot[4]
     body_omega_z = q_i_dot[5]
-    c7 = c[7]
-    c8 = c[8]
-    c9 = c[9]
-    c10 = c[10]
-    c11 = c[11]
-    c12 = c[12]
-    # intermediate terms (3)
-    w0 = body_omega_y * body_omega_z
-    w1 = body_omega_z * body_omega_x
-    w2 = body_omega_y * body_omega_x
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
     # outputs
     q_i_ddot = ca.SX(6, 1)
-    q_i_ddot[3] = -((w0 * c7 - w0 * c8) / c9)  # body.turn_x
-    q_i_ddot[4] = -((w1 * c8 - w1 * c10) / c11)  # body.turn_y
-    q_i_ddot[5] = -((w2 * c10 - w2 * c7) / c12)  # body.turn_z
+    q_i_ddot[3] = -(body_omega_y * body_omega_z * c19 / c1)  # body.turn_x
+    q_i_ddot[4] = -(body_omega_z * body_omega_x * c20 / c2)  # body.turn_y
+    q_i_ddot[5] = -(body_omega_y * body_omega_x * c21 / c3)  # body.turn_z
     inputs, outputs = [q_i_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i_dot", "c"], ["q_i_ddot"])
 

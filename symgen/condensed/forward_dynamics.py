@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from symgen.algebra.rows import Row, add_to
-from symgen.algebra.scalar import ONE, ZERO, add, div, dot, length, mul, neg, sub
+from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
 from symgen.condensed.condensation import Condensed, Substitution, congruence
 from symgen.system.topology import Topology
 
@@ -82,23 +82,22 @@ def given_side(column: int) -> Side:
     return Side({}, {}, {column: ONE})
 
 
-def tree_accelerations(system: Condensed, topology: Topology) -> dict[int, ca.SX]:
-    """q_ddot of every independent coordinate of a tree, by column, by the shorter of two ways.
+def tree_accelerations(system: Condensed, topology: Topology) -> list[dict[int, ca.SX]]:
+    """q_ddot of every independent coordinate of a tree, by column, in one or two ways of which the shorter is wanted.
 
     Elimination of M, which has no fill, or the recursion of articulated bodies where joints place all bodies.
     """
     solve, columns = system.reduced.free_joints, system.choice.independent
     parameters = {column for turning in system.reduced.turnings for column in turning.parameters}
     if solve is None or any(s.e for s in system.inner if s.column not in parameters):
-        return tree_solutions(system, topology, [forces_side(system)])[0]
+        return tree_solutions(system, topology, [forces_side(system)])
     imposed = {s.column: s.c_acceleration for s in system.inner}
     force = system.projected(dict(enumerate(system.reduced.outer_forces)))
     other = solve(force, frozenset(columns), imposed)
     other |= {column: force[column] for column in system.reduced.states.values()}  # of controllers: unit inertia
     if len(columns) > LONGEST_ELIMINATION:
-        return other
-    found = tree_solutions(system, topology, [forces_side(system)])[0]
-    return min(found, other, key=lambda form: length([form[column] for column in columns]))
+        return [other]
+    return [*tree_solutions(system, topology, [forces_side(system)]), other]
 
 
 def tree_solutions(

@@ -32,7 +32,7 @@ from symgen.kernels.arguments import Arguments, arguments_of
 from symgen.kernels.branch_kernels import branch_kernels
 from symgen.kernels.drawing import poses
 from symgen.kernels.jacobians import jacobian_kernels
-from symgen.kernels.kernel import Kernel
+from symgen.kernels.kernel import Kernel, shortest
 from symgen.kernels.partition_kernels import deflection_kernels, partition_kernels
 from symgen.kernels.shifted_kernels import shifted_kernels
 from symgen.kernels.specification import block_signals, substep_name
@@ -145,9 +145,9 @@ def _condensed(system: Condensed, a: Arguments) -> Kernel:
 
 def _forward_dynamics(system: Condensed, topology: Topology, a: Arguments) -> Kernel:
     """q_i_ddot of a tree by topology-ordered elimination, O(N)."""
-    found = tree_accelerations(system, topology)
-    inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot")
-    return Kernel(inputs, {"q_i_ddot": ca.densify(ca.vertcat(*(found[c] for c in system.choice.independent)))})
+    columns = system.choice.independent
+    forms = [ca.vertcat(*(found[c] for c in columns)) for found in tree_accelerations(system, topology)]
+    return shortest(a.select("q_i", "q_d", "q_i_dot", "q_d_dot"), [{"q_i_ddot": ca.densify(form)} for form in forms])
 
 
 def _blocks(system: Condensed, a: Arguments, groups: list[Group]) -> Kernel:

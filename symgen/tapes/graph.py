@@ -157,6 +157,10 @@ class Graph:
             return self._mul(node.a, self._neg(node.b))
         return self._plain(ca.OP_NEG, a, UNUSED)
 
+    def rebuilt(self, op: int, a: int, b: int) -> int:
+        """Node of op(a[, b]) as it is."""
+        return self._plain(op, a, b)
+
     # ---- sums ------------------------------------------------------------------------------------------------
 
     def _add_terms(self, a: int, b: int) -> int:
@@ -212,10 +216,13 @@ class Graph:
         return self._with_common_factor(ca.OP_ADD, a, b)
 
     def _with_common_factor(self, op: int, a: int, b: int) -> int | None:
-        """k X + k Y, or their difference, as k (X + Y)."""
-        if not (self._ends_in_p(a) and self._ends_in_p(b)) or self.nodes[a].b != self.nodes[b].b:
+        """k X + k Y, or their difference, as k (X + Y), and k1 X - k2 X as (k1 - k2) X."""
+        if not (self._ends_in_p(a) and self._ends_in_p(b)):
             return None
-        return self._mul(self.apply(op, self.nodes[a].a, self.nodes[b].a), self.nodes[a].b)
+        first, second = self.nodes[a], self.nodes[b]
+        if first.b == second.b:
+            return self._mul(self.apply(op, first.a, second.a), first.b)
+        return self._mul(first.a, self._plain(op, first.b, second.b)) if first.a == second.a else None
 
     def _pythagoras(self, u: tuple[int, ...], v: tuple[int, ...]) -> tuple[int, ...] | None:
         """Common factors X if u = X cos^2 and v = X sin^2 of one angle (as a non-empty marker: X or (one,))."""

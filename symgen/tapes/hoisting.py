@@ -18,6 +18,7 @@ from symgen.kernels.kernel import Kernel
 from symgen.system.errors import DerivationError
 from symgen.tapes.expansion import shorter_form
 from symgen.tapes.graph import Graph
+from symgen.tapes.negations import without_negations
 
 
 def hoist(kernels: Mapping[str, Kernel], p: ca.SX) -> dict[str, Tape]:
@@ -80,6 +81,7 @@ def _simplified(kernel: Kernel, graph: Graph, p: ca.SX) -> Tape:
         if count > 1:
             graph.shared.add(numbers[-1])
     roots = shorter_form(graph, [[numbers[entry] for entry in entries] for entries in tape.outputs])
+    roots = without_negations(graph, roots)
     live = below(graph.nodes, [entry for entries in roots for entry in entries])
     number = {node: k for k, node in enumerate(live)}
     own = {0: last, **{first + k: k for k in range(last)}}

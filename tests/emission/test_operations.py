@@ -112,7 +112,7 @@ def test_spatial_equations_stay_within_their_budget(scene: Scene, budget: int) -
         (skew_tree().scene, "condensed", 1850),
         (skew_tree().scene, "forward_dynamics", 2000),
         (skew_chain(20).scene, "forward_dynamics", 7150),
-        (SCENES["flyball_governor"](), "condensed", 160),
+        (SCENES["flyball_governor"](), "condensed", 128),
         (SCENES["bricard"](), "condensed", 650),
         (SCENES["spatial_slider_crank"](), "condensed", 2760),
         (skew_tree().scene, "residual_jacobian", 4400),

@@ -96,8 +96,8 @@ def test_prices() -> None:
     """M_hat and Q_hat: a free body's six products of Euler's equations; chains without what a joint cannot pass."""
     assert operations(tumbling_body()) == 6
     assert operations(heavy_top()) == 17
-    assert operations(spatial_chain(3, orientation="euler_parameters")) <= 370
-    assert operations(spatial_chain(10, orientation="euler_parameters")) <= 2280
+    assert operations(spatial_chain(3, orientation="euler_parameters")) <= 302
+    assert operations(spatial_chain(10, orientation="euler_parameters")) <= 1877
 
 
 def test_heavy_top_by_hand(built_in: Build) -> None:

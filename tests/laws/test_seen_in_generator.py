@@ -14,6 +14,7 @@ import pytest
 import sympy as sp
 
 from runtime.contract.model import Model
+from runtime.contract.tape import UNUSED
 from symgen.emission.write import compare_model
 from symgen.fe.report import body_report
 from symgen.fe.rigid_check import RigidCheck
@@ -23,6 +24,7 @@ from symgen.modes.spatial_beam import spatial_beam
 from symgen.scene import Scene, SceneBuilder, SceneError
 from symgen.scene.expressions import parse_expression
 from symgen.tapes.graph import Graph
+from symgen.tapes.negations import without_negations
 from tests.support.model_values import evaluate, random_states
 
 Build = Callable[[Scene], Model]
@@ -34,6 +36,18 @@ def test_numbers_gather_behind_what_varies() -> None:
     x = graph.entry(1, 0, False)
     found = graph.nodes[graph.apply(ca.OP_MUL, graph.apply(ca.OP_MUL, x, graph.constant(3.0)), graph.constant(5.0))]
     assert found.op == ca.OP_MUL and found.a == x and graph.of_p[found.b]
+
+
+def test_signs_go_into_what_nothing_else_uses() -> None:
+    """-(x - y) is y - x and -(3 x + y) is -3 x - y, but where x - y is an output too it is negated as it is."""
+    graph = Graph()
+    x, y = graph.entry(1, 0, False), graph.entry(1, 1, False)
+    less, more = graph.apply(ca.OP_SUB, x, y), graph.apply(ca.OP_ADD, graph.apply(ca.OP_MUL, x, graph.constant(3.0)), y)
+    roots = [graph.rebuilt(ca.OP_NEG, k, UNUSED) for k in (less, more)]
+    first, second = (graph.nodes[k] for k in without_negations(graph, [roots])[0])
+    assert (first.op, first.a, first.b) == (ca.OP_SUB, y, x)
+    assert (second.op, graph.nodes[graph.nodes[second.a].b].value, second.b) == (ca.OP_SUB, -3.0, y)
+    assert without_negations(graph, [[roots[0], less]]) == [[roots[0], less]]
 
 
 def test_a_slide_measures_across_and_along() -> None:

@@ -112,7 +112,8 @@ class Bend(Plain):
         omega = plus(before.omega, bent.omega)
         alpha = plus(before.alpha, combination(bent.turned, own), bent.fading, cross(before.omega, bent.omega))
         a = plus(before.carried(bent.rho), bent.drift(before.omega), combination(bent.shapes, own))
-        return Motion(*(transposed_times(bent.R, vector) for vector in (omega, alpha, a)))
+        omega, alpha, a = (transposed_times(bent.R, vector) for vector in (omega, alpha, a))
+        return Motion(omega, alpha, a)
 
     def powers(self, after: Wrench) -> Row:
         """Power of a wrench on the twist of each column."""

@@ -6,7 +6,7 @@ linear velocity occurs. A point fixed at rho has the acceleration a + G rho with
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -27,12 +27,25 @@ class Twist:
 
 
 @dataclass(frozen=True)
+class Lever:
+    """What gives a moment arm x A^T F: an arm in the frame's axes, F in those of the world."""
+
+    arm: Vector
+    F: Vector
+
+
+@dataclass(frozen=True)
 class Wrench:
-    """Force f and moment n about the frame's origin; world: f in world axes where it is known."""
+    """Force f and moment n about the frame's origin; world: f in world axes where it is known.
+
+    Where there are levers, n is also what they and the `rest` give: the shorter of the two ways is taken later.
+    """
 
     f: Vector
     n: Vector
     world: Vector | None = None
+    levers: tuple[Lever, ...] = ()
+    rest: Vector | None = None
 
     def along(self, twist: Twist) -> ca.SX:
         """Power on a twist."""
@@ -42,19 +55,35 @@ class Wrench:
         """Sum about the same origin."""
         known = self.world is not None and other.world is not None
         world = plus(self.world, other.world) if known else None  # type: ignore[arg-type]
-        return Wrench(plus(self.f, other.f), plus(self.n, other.n), world)
+        rest, levers = None, (*self.levers, *other.levers)
+        if levers:
+            rest = plus(*(one.n if one.rest is None else one.rest for one in (self, other)))
+        return Wrench(plus(self.f, other.f), plus(self.n, other.n), world, levers, rest)
 
 
-NOTHING = Wrench(zeros(), zeros())
+NOTHING = Wrench(zeros(), zeros(), zeros())
+
+
+@dataclass(frozen=True)
+class Held:
+    """A frame's axes in the world, A by rows, and the acceleration of its origin there.
+
+    swings: does another body on a ball carry the origin? Then A (e_i x h) are needed anyway, as momenta of unit rates.
+    """
+
+    A: Matrix
+    a: Vector
+    swings: bool
 
 
 @dataclass(frozen=True)
 class Motion:
-    """omega, alpha, and the acceleration a of the frame's origin less gravity."""
+    """omega, alpha, and the acceleration a of the frame's origin less gravity; held: where a ball gives the axes."""
 
     omega: Vector
     alpha: Vector
     a: Vector
+    held: Held | None = None
 
     @cached_property
     def G(self) -> Matrix:
@@ -70,6 +99,13 @@ class Motion:
     def carried(self, arm: Vector) -> Vector:
         """Acceleration of the point at `arm`, fixed in the frame."""
         return plus(self.a, times(self.G, arm))
+
+    def swung(self, held: Held, arm: Vector) -> Vector:
+        """G arm in world axes; arms along the same axis share a rotation."""
+        along = only_axis([arm])
+        if along is None:
+            return times(held.A, times(self.G, arm))
+        return scaled(arm[along], times(held.A, [row[along] for row in self.G]))
 
 
 @dataclass(frozen=True)
@@ -126,12 +162,25 @@ class Composite:
         """What moves the masses: f = m a + G h, n = h x a + ax(Sigma G^T)."""
         f = plus(scaled(self.m, motion.a), times(motion.G, self.h))
         transposed = [list(column) for column in zip(*motion.G, strict=True)]
-        return Wrench(f, plus(cross(self.h, motion.a), axial(product(self.Sigma, transposed))))
+        turning, held = axial(product(self.Sigma, transposed)), motion.held
+        n = plus(cross(self.h, motion.a), turning)
+        if held is None:
+            return Wrench(f, n)
+        world = plus(scaled(self.m, held.a), motion.swung(held, self.h))
+        if not held.swings:
+            return Wrench(f, n, world)
+        return Wrench(f, n, world, (Lever(self.h, held.a),), turning)
 
 
 def no_masses() -> Composite:
     """Nothing."""
     return Composite(ZERO, zeros(), [zeros() for _ in range(3)])
+
+
+def only_axis(arms: Sequence[Vector]) -> int | None:
+    """The axis along which all arms are, by structure."""
+    found = {k for arm in arms for k in range(3) if not arm[k].is_zero()}
+    return found.pop() if len(found) == 1 else None
 
 
 def inertia_times(Sigma: Matrix, omega: Vector) -> Vector:

@@ -166,8 +166,9 @@ class Fixed(Plain):
 
     def motion(self, before: Motion, rates: Row, accelerations: Row) -> Motion:
         """Motion after the move."""
-        a = before.carried(self.r)
-        return Motion(*(transposed_times(self.R, vector) for vector in (before.omega, before.alpha, a)))
+        vectors = before.omega, before.alpha, before.carried(self.r)
+        omega, alpha, a = (transposed_times(self.R, vector) for vector in vectors)
+        return Motion(omega, alpha, a)
 
     def wrench(self, after: Wrench) -> Wrench:
         """Seen before the move."""

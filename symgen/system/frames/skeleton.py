@@ -17,7 +17,7 @@ from symgen.algebra.scalar import ZERO
 from symgen.algebra.vectors import zeros
 from symgen.bodies.deformation import Deformation
 from symgen.bodies.spatial_body import SpatialBody
-from symgen.system.frames.ball import Ball, ToWorld
+from symgen.system.frames.ball import Across, Ball, ToWorld
 from symgen.system.frames.body_moves import Bend, Float, Orient, Unbend
 from symgen.system.frames.flexible import FlexibleInertia, RigidInertia
 from symgen.system.frames.linkage import JointLink
@@ -120,8 +120,12 @@ class Skeleton:
         near, far: the joint's markers, of which only the place counts.
         """
         frame, before = self._at(parent, _place_of(near))
-        self._add(_Rough(frame, JointLink(before), inertia=RigidInertia(no_masses())))
-        moves: list[Move] = [ToWorld(axes), _ball(turning)]
+        holder = self._rough[frame].moves[-1:] if frame != GROUND else []
+        if holder and isinstance(holder[0], Ball):
+            moves: list[Move] = [Across(before.r, holder[0].A), _ball(turning)]
+        else:
+            self._add(_Rough(frame, JointLink(before), inertia=RigidInertia(no_masses())))
+            frame, moves = len(self._rough) - 1, [ToWorld(axes), _ball(turning)]
         data, at = body.integrals, _place_of(far)
         assert data is not None
         if data.nf:
@@ -130,7 +134,7 @@ class Skeleton:
         else:
             place = _marker(at).back()
             inertia = RigidInertia(moved(Composite(data.mass, data.S1, data.J0), place))
-        self._add(_Rough(len(self._rough) - 1, moves=moves, inertia=inertia))
+        self._add(_Rough(frame, moves=moves, inertia=inertia))
         self._seats[body.name] = Seat(len(self._rough) - 1, place)
 
     def _add(self, rough: _Rough) -> None:
