@@ -80,6 +80,8 @@ class CarriedError:
         marked = step in self.marks
         if self.ended or not (marked or self.following):
             return
+        if self.start is not None and segment.step_of(self.start) == step:
+            return  # the run went back to where a batch of steps began
         if not self.following:
             self.following = _grows(segment, z)
             if not self.following:

@@ -185,10 +185,13 @@ def _by_differentiation(eq: Equations, rows: Sequence[int], accelerations: Row) 
 
 
 def _places(eq: Equations, entries: Row) -> set[int]:
-    """Columns that a row depends on: those of its entries, and Euler parameters of bodies whose turns it has."""
+    """Columns that a row depends on: those of its entries, and all turns and Euler parameters of bodies that it turns.
+
+    A turn about the line to a marker does not move the marker, and yet omega x (omega x r) has its rate.
+    """
     turned = [one for one in eq.turnings if entries.keys().isdisjoint(one.parameters)]
     turned = [one for one in turned if not entries.keys().isdisjoint(one.columns)]
-    return {*entries, *(column for one in turned for column in one.parameters)}
+    return {*entries, *(column for one in turned for column in (*one.columns, *one.parameters))}
 
 
 def _of(entries: Collection[int], change: Row) -> Row:

@@ -15,6 +15,7 @@ from runtime.engine.compiled import find_compiler
 from runtime.schemes.baselines.generalized_alpha import GeneralizedAlpha
 from runtime.schemes.baselines.radau import NODES, SHIFTS, A
 from runtime.schemes.options import SchemeError
+from symgen.scene import SceneBuilder
 
 Load = Callable[[str], Model]
 
@@ -146,6 +147,22 @@ def test_generalized_alpha_is_that_of_its_spectral_radius(built_in: Load) -> Non
         before = np.array([[1, 1, 0.5 - k.beta], [0, 1, 1 - k.gamma], [-k.alpha_f * far, 0, -k.alpha_m]])
         radius = np.max(np.abs(np.linalg.eigvals(np.linalg.solve(after, before))))
         assert radius == pytest.approx(rho, abs=2e-3)
+
+
+@pytest.mark.parametrize("scheme, c", [("generalized_alpha", 0.0844), ("hht", 0.0949)])
+def test_order_two_is_seen_where_no_mode_is_out_of_phase(model_of: Callable[..., Model], scheme: str, c: float) -> None:
+    """A mode lags by c (h w)^2 w t, c from the roots of the step's matrix to their second order: slopes fall from 2 as
+    soon as that nears a radian, and the size of the error is that of the lag."""
+    w, t_end, steps = 20.0, 10.0, np.array([0.02, 0.01, 0.005])
+    scene = SceneBuilder("mode").structure(coordinates=["x"], mass=[[1.0]], stiffness=[[w * w]])
+    model, errors = model_of(scene.initial({"x": 1.0}).build()), []
+    for h in steps:
+        found = simulate(model, scheme=scheme, dt=float(h), t_end=t_end)  # `inaccurate` at the longest
+        x, v = found.q[-1, 0], found.q_dot[-1, 0]
+        errors.append(abs(x - 1j * v / w - np.exp(1j * w * t_end)))
+    lags = c * (steps * w) ** 2 * w * t_end
+    np.testing.assert_allclose(errors, 2 * np.sin(lags / 2), rtol=0.04)
+    assert np.diff(np.log2(errors[:2])) > -1.7 and np.diff(np.log2(errors[1:])) == pytest.approx(-2, abs=0.07)
 
 
 TIMES = np.linspace(0.0, 1.0, 6)

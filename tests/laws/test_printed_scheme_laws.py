@@ -10,12 +10,15 @@ import numpy as np
 import pytest
 
 from runtime import simulate
+from runtime.contract.coordinates import independent
 from runtime.contract.model import Model
 from runtime.engine.interpreted import program_function
 from runtime.running.simulate import make_plan
+from runtime.schemes.stepper import Stepper
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes import SCENES
 from tests.hand_derived.twin_oscillators import Params, growth_rate_law, printed_subcycling_matrix
+from tests.support.model_values import evaluate, make_state
 
 Load = Callable[[str], Model]
 Build = Callable[[Scene], Model]
@@ -75,6 +78,33 @@ def test_the_sweep_solves_the_coupled_equations(built_in: Load, name: str) -> No
         model, steps, dt, scheme="printed", m=[2], options={"common_update": "direct", "newton_iterations": 3}
     )
     np.testing.assert_allclose(sweep, direct, rtol=0, atol=1e-10 * np.max(np.abs(direct)))
+
+
+@pytest.mark.parametrize("name", ["flexible_slider_crank_free", "flexible_slider_crank_torque"])
+def test_what_a_sweep_leaves(built_in: Load, name: str) -> None:
+    """A sweep leaves the spectral radius of D^-1 (M_hat - D - h/2 J) of its error, D the blocks of the groups in M_hat,
+    J = dQ_hat/dq_i_dot: close to one where inertia couples the groups closely, and then whatever the step."""
+    model, dt = built_in(name), RUNS[name][1]
+    state = make_state(model, *independent(model, model.initial_q, model.initial_q_dot)[:2])
+    M_hat = evaluate(model, "condensed", **state.values())["M_hat"]
+    group = np.empty(len(M_hat), dtype=int)
+    for g, one in enumerate(model.groups):
+        group[list(one.positions)] = g
+    D = np.where(group[:, None] == group[None, :], M_hat, 0.0)
+    J = evaluate(model, "dQ_hat_dq_i_dot", **state.values())["dQ_hat_dq_i_dot"]
+    left = np.abs(np.linalg.eigvals(np.linalg.solve(D, M_hat - D - dt / 2 * J))).max()
+
+    def change(sweeps: int) -> float:
+        plan = make_plan(
+            model, dt, dt, [1], "printed", 1, {"max_iterations": sweeps, "eps": 1e-16, "guess": "previous"}, 0.0
+        )
+        start = Stepper(plan.scheme, "interpreted")
+        c = model.constants(model.parameter_vector())
+        z = start.start(0.0, model.initial_q, model.initial_q_dot, c, dt)
+        start.run(z, start.ready(c, dt), 1)
+        return float(z[plan.scheme.layout.slice("change")].max())
+
+    assert 0.3 < left < 1 and (change(30) / change(20)) ** 0.1 == pytest.approx(left, rel=0.01)
 
 
 def amplification(model: Model, params: Params, dt_S: float, m: int, **options: Any) -> Any:

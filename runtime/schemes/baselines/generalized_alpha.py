@@ -170,7 +170,7 @@ class AlphaMethod(Scheme):
         C_q = ca.sparsify(C_q)
         matrix = ca.blockcat([[ca.SX(rows, rows), C_q], [C_q.T, ca.sparsify(M)]])
         found = solve(factor(Number(matrix)), Number(ca.densify(ca.vertcat(gamma, force)))).re
-        return found[rows:], found[:rows]
+        return found[rows:], found[:rows, :]
 
     # ---- start-up and observation ---------------------------------------------------------------------------
 
