@@ -12,6 +12,7 @@ from runtime import Solution, reference_solution, simulate
 from runtime.baselines import scipy_solution, sundials_solution
 from runtime.contract.model import Model
 from runtime.engine.compiled import find_compiler
+from runtime.engine.llvm_code import find_llvm
 from runtime.schemes.baselines.generalized_alpha import GeneralizedAlpha
 from runtime.schemes.baselines.radau import NODES, SHIFTS, A
 from runtime.schemes.options import SchemeError
@@ -196,9 +197,19 @@ def test_sundials_is_compiled(built_in: Load, method: str) -> None:
     model, given = built_in("flexible_slider_crank"), {"t_end": 0.002, "rtol": 1e-9, "atol": 1e-12}
     compiled = sundials_solution(model, method, **given)
     interpreted = sundials_solution(model, method, compiled=False, **given)
-    assert compiled.stats["engine"] == ("compiled" if find_compiler() else "interpreted")
+    assert compiled.stats["engine"] == ("compiled" if find_compiler() and not find_llvm() else "interpreted")
     assert interpreted.stats["engine"] == "interpreted"
     np.testing.assert_allclose(compiled.q, interpreted.q, rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("method", ["cvodes", "idas"])
+def test_sundials_keeps_to_an_order(built_in: Load, method: str) -> None:
+    """Order 2 at most takes many more steps than order 5 where the tolerance is tight."""
+    given = {"t_end": 1.0, "rtol": 1e-8, "atol": 1e-10}
+    free = sundials_solution(built_in("double_pendulum"), method, **given, highest_order=5)
+    low = sundials_solution(built_in("double_pendulum"), method, **given, highest_order=2)
+    assert int(low.stats["steps"]) > 5 * int(free.stats["steps"])
+    np.testing.assert_allclose(low.q[-1], free.q[-1], rtol=0, atol=1e-4)
 
 
 def test_unknown_methods_are_named(built_in: Load) -> None:
