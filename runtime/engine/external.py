@@ -13,6 +13,7 @@ import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -66,8 +67,11 @@ class Program:
 
     def addresses(self) -> list[ctypes.c_void_p]:
         """Of the code and its arrays."""
-        run = ctypes.cast(self.code.run, ctypes.c_void_p)
-        return [run, *(ctypes.c_void_p(array.ctypes.data) for array in (self.z, self.c, self.w))]
+        run: Any = self.code.run
+        return [
+            ctypes.cast(run, ctypes.c_void_p),
+            *(ctypes.c_void_p(array.ctypes.data) for array in (self.z, self.c, self.w)),
+        ]
 
 
 class External:
@@ -91,7 +95,7 @@ class External:
             for out, into in pairs
         }
         results = {VALUES: [ca.densify(value) for value in outputs.values()]}
-        results[SLOPES] = [ca.vertcat(*block.nonzeros()) for block in blocks.values() if block.nnz()]
+        results[SLOPES] = [block.nz[:] for block in blocks.values() if block.nnz()]
         self._programs = [_program(list(inputs.values()), result, c, values) for _, result in sorted(results.items())]
         given, found = ({name: ca.Sparsity.dense(x.numel()) for name, x in some.items()} for some in (inputs, outputs))
         marks = {f"out_{name}": ca.Sparsity(value.numel(), 1) for name, value in outputs.items()}

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from runtime.contract.angular import chart_rates
 from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
 from runtime.operating.moving_axes import axes_turning, in_moving_axes
@@ -56,7 +55,7 @@ class ModeSolver:
     """Modes of a model with constants c. Raises ModelError if the model was generated without its Jacobians."""
 
     def __init__(self, model: Model, c: np.ndarray) -> None:
-        self.model, self.n, self.c, self._turns = model, len(model.q_i), c, model.places.turns
+        self.model, self.n, self.c = model, len(model.q_i), c
 
     @staticmethod
     def possible(model: Model) -> bool:
@@ -94,8 +93,6 @@ class ModeSolver:
             function = self.model.derived("slopes", lambda: self._along(self.model))
             found = function(state.t, state.q_i, state.q_i_dot, state.loop, self.c, np.eye(self.n))
             A_q, A_v, a = (np.asarray(value) for value in found)
-            for own in self._turns:  # along rotations
-                A_q[:, own] = A_q[:, own] @ chart_rates(state.q_i[own])
             unit = np.eye(self.n)
             return in_moving_axes(self._turning(state, a[:, 0]), unit, A_q, A_v) if moving else (A_q, A_v)
         M, J_q, J_v = self.matrices(state, moving)
@@ -104,14 +101,15 @@ class ModeSolver:
     @staticmethod
     def _along(model: Model) -> ca.Function:
         """(t, q_i, q_i_dot, loop unknowns, c, direction) -> derivatives of q_i_ddot by q_i and by q_i_dot along it,
-        and q_i_ddot.
+        and q_i_ddot; of turns along rotations.
         """
         n = len(model.q_i)
         t, q, v, along = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("along", n)
         loop, constants = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
         equations = StageEquations(model, constants)
-        a = equations.accelerations(equations.close(q, loop, t, CLOSURE_ITERATIONS), v)
-        slopes = [*(ca.densify(ca.jtimes(a, by, along)) for by in (q, v)), ca.densify(a)]
+        motion = equations.close(q, loop, t, CLOSURE_ITERATIONS)
+        a, rates = equations.accelerations(motion, v), equations.turning(motion, along)
+        slopes = [*(ca.densify(ca.jtimes(a, by, to)) for by, to in ((q, rates), (v, along))), ca.densify(a)]
         return ca.Function("slopes", [t, q, v, loop, constants, along], slopes)
 
     def __call__(self, state: State) -> Modes:

@@ -16,8 +16,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from runtime import ensemble, linearise, resume, simulate
-from runtime.contract.coordinates import independent
+from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
+from runtime.operating.mode_solver import ModeSolver, State
 from symgen.scene import Scene, SceneBuilder
 from tests.laws.test_orientations import product, rotation
 from tests.laws.test_random_spatial import turned_place
@@ -167,6 +168,21 @@ def test_residual_jacobian(model_of: Build, stay: bool) -> None:
     J_v = np.array([residual(none, unit) - residual(none, -unit) for unit in units]).T / (2 * h)
     assert relative_error(found["J_q"].reshape(n, n), J_q) < 1e-7
     assert relative_error(found["J_v"].reshape(n, n), J_v) < 1e-7
+
+
+def test_slopes_of_long_trees_know_turns_that_a_loop_splits(model_of: Build, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is derived along columns is what the emitted Jacobians give."""
+    model, rng = model_of(mechanism()), np.random.default_rng(7)
+    start = independent(model, model.initial_q, model.initial_q_dot)[0]
+    n, solver = len(start), ModeSolver(model, model.constants(model.parameter_vector()))
+    at = make_state(model, start + 0.1 * rng.uniform(-1, 1, n), 3 * rng.uniform(-1, 1, n))
+    state = State(0.0, at.q_i, at.q_i_dot, loop_part(model, at.q))
+    for moving in (False, True):
+        expected = solver.slopes(state, moving)
+        with monkeypatch.context() as patch:
+            patch.setattr("runtime.operating.mode_solver.is_long_tree", lambda model: True)
+            found = solver.slopes(state, moving)
+        assert max(map(relative_error, found, expected)) < 1e-9
 
 
 SCHEMES: list[tuple[str, dict[str, Any], float, float, float]] = [  # scheme, settings, step, order, error at most
