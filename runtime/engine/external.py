@@ -95,7 +95,7 @@ class External:
             for out, into in pairs
         }
         results = {VALUES: [ca.densify(value) for value in outputs.values()]}
-        results[SLOPES] = [block.nz[:] for block in blocks.values() if block.nnz()]
+        results[SLOPES] = [ca.vec(block.nz[:]) for block in blocks.values() if block.nnz()]
         self._programs = [_program(list(inputs.values()), result, c, values) for _, result in sorted(results.items())]
         given, found = ({name: ca.Sparsity.dense(x.numel()) for name, x in some.items()} for some in (inputs, outputs))
         marks = {f"out_{name}": ca.Sparsity(value.numel(), 1) for name, value in outputs.items()}
