@@ -12,69 +12,16 @@ Where velocities are rates of coordinates, k = 2 g, which saves loops a solution
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import casadi as ca
 
 from symgen.algebra.rows import Row, add_scaled, add_to
-from symgen.algebra.scalar import ZERO, add, div, mul, neg, sub, vector
+from symgen.algebra.scalar import ZERO, add, div, mul, neg, sub
 from symgen.algebra.small_systems import solve_small
 from symgen.condensed.condensation import Condensed, Substitution
 from symgen.condensed.loops import LoopBlock, solve_forward
-from symgen.system.equations import Equations
-
-
-@dataclass(frozen=True)
-class Variation:
-    """Of one dependent coordinate; see the module for e, g, h and k."""
-
-    column: int
-    e: Row
-    g: Row
-    h: Row
-    k: Row
-
-
-@dataclass(frozen=True)
-class _RowChange:
-    """entries dx' + g dx and entries dx'' + k dx' + h dx of one constraint row."""
-
-    entries: Row
-    g: Row
-    h: Row
-    k: Row
-
-    def substituted(self, one: Variation) -> None:
-        """Without a dependent coordinate, in place."""
-        factor = self.entries.pop(one.column, ZERO)
-        if not factor.is_zero():
-            for own, more in ((self.entries, one.e), (self.g, one.g), (self.k, one.k), (self.h, one.h)):
-                add_scaled(own, factor, more)
-        self.folded(one)
-
-    def folded(self, one: Variation) -> None:
-        """Without what is multiplied by changes of lower order of a dependent coordinate, in place."""
-        rate = self.k.pop(one.column, ZERO)
-        if not rate.is_zero():
-            add_scaled(self.k, rate, one.e)
-            add_scaled(self.h, rate, one.g)
-        for row in (self.g, self.h):
-            value = row.pop(one.column, ZERO)
-            if not value.is_zero():
-                add_scaled(row, value, one.e)
-
-
-def derivative_rows(values: Sequence[ca.SX], columns: Sequence[int], symbols: Sequence[ca.SX]) -> list[Row]:
-    """Derivatives of each value by the symbols of some columns, which `symbols` has by column."""
-    found: list[Row] = [{} for _ in values]
-    if values and columns:
-        matrix = ca.sparsify(ca.jacobian(ca.vertcat(*values), ca.vertcat(*(symbols[c] for c in columns))))
-        places = matrix.sparsity().get_triplet()
-        elements = ca.vertsplit(ca.vec(matrix.nz[:])) if matrix.nnz() else []
-        for row, place, value in zip(*places, elements, strict=True):
-            found[row][columns[place]] = value
-    return found
+from symgen.condensed.row_changes import RowChange, Variation, along, rates_of, row_changes
 
 
 def variations(system: Condensed, accelerations: Row) -> list[Variation]:
@@ -83,7 +30,7 @@ def variations(system: Condensed, accelerations: Row) -> list[Variation]:
     structural = [(row, one) for (row, _), one in zip(choice.structural, _structural(system), strict=True)]
     kept = {one.column for one in inner}
     structural = [(row, one) for row, one in structural if one.column in kept]
-    changes = _row_changes(system, [*choice.loop_rows, *(row for row, _ in structural)], accelerations)
+    changes = row_changes(eq, [*choice.loop_rows, *(row for row, _ in structural)], accelerations)
     following = {}
     for row, one in structural:
         change, pivot = changes[row], eq.constraints[row].C_q[one.column]
@@ -112,7 +59,7 @@ def constraint_rates(system: Condensed, accelerations: Row) -> tuple[list[int], 
     """(rows that count, C_q x' - nu, C_q x'' - gamma of those rows)."""
     eq, kept = system.reduced, {one.column for one in system.inner}
     rows = [*system.choice.loop_rows, *(row for row, column in system.choice.structural if column in kept)]
-    first, second = _rates(eq, rows, accelerations)
+    first, second = rates_of(eq, rows, accelerations)
     return rows, ca.vertcat(*first), ca.vertcat(*second)
 
 
@@ -138,85 +85,20 @@ def particular(system: Condensed, changes: Row) -> Row:
         (found,), _ = solve_forward(system.loops.blocks, system.loops.entries(), [sides])
     for _, column in system.choice.structural:
         if column in one_by_column:
-            found[column] = add(constants[column], _along(one_by_column[column].e, found))
+            found[column] = add(constants[column], along(one_by_column[column].e, found))
     return found
 
 
-def _rates(eq: Equations, rows: Sequence[int], accelerations: Row) -> tuple[list[ca.SX], list[ca.SX]]:
-    constraints, rates = [eq.constraints[row] for row in rows], dict(enumerate(eq.q_dot))
-    first = [add(_along(row.C_q, rates), row.C_t) for row in constraints]
-    return first, [sub(_along(row.C_q, accelerations), row.gamma) for row in constraints]
-
-
-def _row_changes(system: Condensed, rows: Sequence[int], accelerations: Row) -> dict[int, _RowChange]:
-    """Rates and derivatives commute: d(C')/dq_j = (C_qj)', d(C'')/dq_j = (C_qj)'' and d(C'')/dq_j' = 2 (C_qj)'.
-
-    With velocities that are no rates of coordinates they do not, and in the plane, where a row has few coordinates,
-    C' and C'' themselves take fewer operations to differentiate.
-    """
-    eq = system.reduced
-    if eq.turnings or eq.inertia_forces is None:
-        return _by_differentiation(eq, rows, accelerations)
-    columns = sorted(accelerations)
-    places = [(row, column) for row in rows for column in eq.constraints[row].C_q if column in accelerations]
-    q, rates = (ca.vertcat(*(source[c] for c in columns)) for source in (eq.q, eq.q_dot))
-    second = ca.vertcat(*(accelerations[c] for c in columns))
-    entries = ca.SX(ca.vertcat(*(eq.constraints[row].C_q[column] for row, column in places)))
-    first = ca.jtimes(entries, q, rates)
-    changes = [first, ca.jtimes(first, ca.vertcat(q, rates), ca.vertcat(rates, second)), 2 * first]
-    found = {row: _RowChange(dict(eq.constraints[row].C_q), {}, {}, {}) for row in rows}
-    for (row, column), *values in zip(places, *(vector(value) for value in changes), strict=True):
-        for target, value in zip((found[row].g, found[row].h, found[row].k), values, strict=True):
-            add_to(target, column, value)
-    return found
-
-
-def _by_differentiation(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[int, _RowChange]:
-    columns = sorted(accelerations)
-    entries = [eq.constraints[row].C_q for row in rows]
-    first, second = _rates(eq, rows, accelerations)
-    by_q = derivative_rows([*first, *second], columns, eq.q)
-    by_rate = derivative_rows(second, columns, eq.q_dot)
-    n = len(rows)
-    return {
-        row: _RowChange(dict(own), *(_of(_places(eq, own), change) for change in (g, h, k)))
-        for row, own, g, h, k in zip(rows, entries, by_q[:n], by_q[n:], by_rate, strict=True)
-    }
-
-
-def _places(eq: Equations, entries: Row) -> set[int]:
-    """Columns that a row depends on: those of its entries, and all turns and Euler parameters of bodies that it turns.
-
-    A turn about the line to a marker does not move the marker, and yet omega x (omega x r) has its rate.
-    """
-    turned = [one for one in eq.turnings if entries.keys().isdisjoint(one.parameters)]
-    turned = [one for one in turned if not entries.keys().isdisjoint(one.columns)]
-    return {*entries, *(column for one in turned for column in (*one.columns, *one.parameters))}
-
-
-def _of(entries: Collection[int], change: Row) -> Row:
-    """What a row does not depend on changes nothing, whatever stands in its terms."""
-    return {column: value for column, value in change.items() if column in entries}
-
-
-def _along(entries: Row, values: Row) -> ca.SX:
-    result = ZERO
-    for column, value in entries.items():
-        if column in values:
-            result = add(result, mul(value, values[column]))
-    return result
-
-
-def _solved_row(one: Substitution, change: _RowChange, pivot: ca.SX) -> Variation:
+def _solved_row(one: Substitution, change: RowChange, pivot: ca.SX) -> Variation:
     g, h, k = ({c: neg(div(value, pivot)) for c, value in row.items()} for row in (change.g, change.h, change.k))
     add_scaled(g, g.pop(one.column, ZERO), one.e)
-    row = _RowChange({}, g, h, k)
+    row = RowChange({}, g, h, k)
     row.folded(Variation(one.column, one.e, g, {}, {}))
     return Variation(one.column, one.e, row.g, row.h, row.k)
 
 
 def _solved_block(
-    block: LoopBlock, changes: dict[int, _RowChange], system: Condensed, by_column: dict[int, Substitution]
+    block: LoopBlock, changes: dict[int, RowChange], system: Condensed, by_column: dict[int, Substitution]
 ) -> list[Variation]:
     """-U^-1 of the changes of the block's rows."""
     entries = system.loops.entries()

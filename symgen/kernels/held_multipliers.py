@@ -20,7 +20,8 @@ from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ONE, ZERO, div, neg, sub
 from symgen.condensed.condensation import Condensed, congruence
 from symgen.condensed.loops import solve_transposed
-from symgen.condensed.variations import Variation, constraint_rates, derivative_rows, particular, variations
+from symgen.condensed.row_changes import Variation, derivative_rows
+from symgen.condensed.variations import constraint_rates, particular, variations
 
 FEW_DIRECTIONS = 8  # independent coordinates up to which derivatives along each are tried
 

@@ -46,6 +46,13 @@ class Curvature(Protocol):
         """Rows by column of their sum, weighted by the joint's multipliers."""
 
 
+class RowRates(Protocol):
+    """Derivatives in time of the rows of a joint that closes a loop."""
+
+    def rows(self, rates: Row, accelerations: Row) -> tuple[list[Row], list[Row]]:
+        """(dC_q/dt, d^2 C_q/dt^2), rows by column."""
+
+
 class FreeJointAccelerations(Protocol):
     """Accelerations of a tree of frames in O(N)."""
 
@@ -64,7 +71,7 @@ class Equations:
 
     Q_F holds loads, gravity and damping; Q_star = Q_v - K q + Q_F. inertia_forces, where the bodies are a tree of
     frames: accelerations -> M q_ddot - Q_v; Q_v holds the weight too there, not Q_F.
-    force_changes: derivatives of these, where they are known by composites; curvatures: with them, by joint.
+    force_changes: derivatives of these, where they are known by composites; curvatures, loop_rates: so, by joint.
     free_joints: accelerations for a force on such a tree, if joints place all its bodies.
     placed_columns: coordinates of the frames of placed bodies, which no mass and no other constraint knows of.
     Energies [J] and powers [W] are scalars.
@@ -112,6 +119,7 @@ class Equations:
     inertia_forces: InertiaForces | None = None
     force_changes: ForceChanges | None = None
     curvatures: Mapping[str, Curvature] = field(default_factory=dict)
+    loop_rates: Mapping[str, RowRates] = field(default_factory=dict)
     free_joints: FreeJointAccelerations | None = None
     placed_columns: frozenset[int] = frozenset()
     turnings: list[Turning] = field(default_factory=list)

@@ -17,11 +17,10 @@ import casadi as ca
 import numpy as np
 
 from symgen.algebra.parameters import ParameterTable
-from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE, ZERO, neg
 from symgen.bodies.deformation import Deformation
 from symgen.bodies.outlines import Picture
-from symgen.bodies.spatial_body import SpatialBody, SpatialMarker
+from symgen.bodies.spatial_body import SpatialMarker
 from symgen.bodies.spatial_integrals import spatial_point
 from symgen.joints.instance import ConstraintRow
 from symgen.scene import Scene
@@ -35,39 +34,17 @@ from symgen.system.frames.force_changes import has_force_changes
 from symgen.system.frames.free_joints import floats
 from symgen.system.frames.inverse_dynamics import mass_rows
 from symgen.system.frames.linkage import links_of
+from symgen.system.frames.loop_rates import LoopRates, Way
 from symgen.system.frames.motion import Matrix
 from symgen.system.frames.paths import Path
 from symgen.system.frames.skeleton import Skeleton
 from symgen.system.frames.tree import GROUND, FrameTree
 from symgen.system.mechanism import Mechanism
 from symgen.system.orientations import Orientations, Turning, turn_coordinates
+from symgen.system.reduced_body import ReducedBody
 from symgen.system.spatial import SpatialSpace
 from symgen.system.topology import Topology
 from symgen.system.tree_forces import TreeForces
-
-
-class ReducedBody:
-    """A body's modal stiffness and damping; its inertia and weight are in the recursions."""
-
-    def __init__(self, body: SpatialBody) -> None:
-        self.stiffness_entries, self.damping_force = body.stiffness_entries, body.damping_force
-        self.elastic_energy = body.elastic_energy
-
-    def mass_entries(self) -> list[tuple[int, int, ca.SX]]:
-        """None here."""
-        return []
-
-    def quadratic_velocity_force(self) -> Row:
-        """None here."""
-        return {}
-
-    def gravity_force(self, gravity: list[ca.SX]) -> Row:
-        """None here."""
-        return {}
-
-    def gravity_potential(self, gravity: list[ca.SX]) -> ca.SX:
-        """None here."""
-        return ZERO
 
 
 class TreeSpace(SpatialSpace):
@@ -87,6 +64,7 @@ class TreeSpace(SpatialSpace):
         self._turnings = {turning.body: turning for turning in equations.turnings}
         self._paths: dict[tuple[int, int], Path] = {}
         self.curvatures: dict[str, LoopCurvature] = {}
+        self.loop_rates: dict[str, LoopRates] = {}
 
     def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[Any, int]:
         """Its modal stiffness and damping."""
@@ -158,11 +136,19 @@ class TreeSpace(SpatialSpace):
 
     def pair(self, a: str, b: str) -> tuple[SpatialMarker, SpatialMarker]:
         """Two markers seen from the last frame that their ways have in common: what is between them needs no more."""
+        base = self._common(a, b)
+        return self._seen_from(base, a), self._seen_from(base, b)
+
+    def _common(self, a: str, b: str) -> int:
         base = self.tree.common(a.partition(".")[0], b.partition(".")[0])
         ways = (self.tree.way(self.tree.seats[one.partition(".")[0]].frame) for one in (a, b))
         if base != GROUND and any(self._has_ball(way[way.index(base) + 1 :]) for way in ways):
-            base = GROUND
-        return self._seen_from(base, a), self._seen_from(base, b)
+            return GROUND
+        return base
+
+    def _way(self, base: int, reference: str) -> Way:
+        seat = self.tree.seats[reference.partition(".")[0]]
+        return Way.to(self.tree, base, seat, self._deformation(reference), self._path(base, seat.frame))
 
     def _has_ball(self, frames: list[int]) -> bool:
         return any(isinstance(move, Ball) for frame in frames for move in self.tree.frames[frame].moves)
@@ -200,6 +186,9 @@ class TreeSpace(SpatialSpace):
         if joint.type in COVERED:
             ways = (self._way_to(GROUND, reference) for reference in (joint.marker_a, joint.marker_b))
             self.curvatures[joint.name] = LoopCurvature(*ways)
+        if joint.type == "spherical":
+            base = self._common(joint.marker_a, joint.marker_b)
+            self.loop_rates[joint.name] = LoopRates(*(self._way(base, one) for one in (joint.marker_a, joint.marker_b)))
         return super().joint_rows(joint, motion)
 
     def picture(self) -> Picture:
@@ -266,7 +255,7 @@ def reduced_equations(
     equations.inertia_forces = forces.inertia_forces
     if has_force_changes(space.tree):
         equations.force_changes = forces.force_changes
-        equations.curvatures = space.curvatures
+        equations.curvatures, equations.loop_rates = space.curvatures, space.loop_rates
     if not floats(space.tree):
         equations.free_joints = forces.free_joints
     for column, value in equations.inertia_forces({}).items():

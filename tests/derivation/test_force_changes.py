@@ -89,3 +89,25 @@ def test_second_derivatives_of_loop_rows(kind: str) -> None:
     values = function(0.3 * rng.normal(size=len(eq.q)), rng.normal(size=len(rows)), defaults)
     by_geometry, differentiated = (np.asarray(value) for value in values)
     assert np.max(np.abs(by_geometry - differentiated)) <= 1e-13 * np.max(np.abs(differentiated)) > 0
+
+
+def test_rates_of_loop_rows() -> None:
+    """First and second derivative in time of C_q by the fields at both bent ends, against automatic differentiation."""
+    system = build_system(bent_chain(ALL, "spherical"))
+    eq, p = system.reduced, system.parameters.vector()
+    columns = [column for column in range(len(eq.q)) if column not in eq.placed_columns]
+    ((joint, known),) = eq.loop_rates.items()
+    rows = [row.C_q for row in eq.constraints if row.joint == joint]
+    q, rates = (ca.vertcat(*(source[column] for column in columns)) for source in (eq.q, eq.q_dot))
+    a = ca.SX.sym("a", len(columns))
+    entries = ca.vertcat(*(row.get(column, ca.SX(0)) for row in rows for column in columns))
+    once = ca.jtimes(entries, q, rates)
+    twice = ca.jtimes(once, ca.vertcat(q, rates), ca.vertcat(rates, a))
+    found = known.rows(dict(enumerate(eq.q_dot)), dict(zip(columns, ca.vertsplit(a), strict=True)))
+    by_fields = [ca.vertcat(*(row.get(column, ca.SX(0)) for row in one for column in columns)) for one in found]
+    function = ca.Function("both", [ca.vertcat(*eq.q), ca.vertcat(*eq.q_dot), a, p], [*by_fields, once, twice])
+    rng, defaults = np.random.default_rng(0), np.array([entry.default for entry in system.parameters.entries])
+    sizes = 0.3 * rng.normal(size=len(eq.q)), rng.normal(size=len(eq.q)), rng.normal(size=len(columns)), defaults
+    values = [np.asarray(value) for value in function(*sizes)]
+    for geometric, differentiated in zip(values[:2], values[2:], strict=True):
+        assert np.max(np.abs(geometric - differentiated)) <= 1e-13 * np.max(np.abs(differentiated)) > 0

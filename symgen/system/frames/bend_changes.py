@@ -26,10 +26,10 @@ from symgen.algebra.vectors import (
     zeros,
 )
 from symgen.bodies.deformation import Bent, Deformation
-from symgen.system.frames.motion import Motion, Twist, Wrench
-from symgen.system.frames.move_changes import TWO, Part, Spot
-from symgen.system.frames.moves import unit
-from symgen.system.frames.tangents import Change
+from symgen.system.frames.body_moves import Bend, Unbend
+from symgen.system.frames.fields import TWO, Field, Part, Rates, Spot, arm_of, joint_parts
+from symgen.system.frames.motion import Motion, Wrench
+from symgen.system.frames.moves import Move, unit
 
 HALF = ca.SX(0.5)
 
@@ -87,7 +87,7 @@ class _Bending:
         bending = mul(half, add(dot(first, first), dot(bent.psi, second)))
         return scaled(half, first), scaled(half, second), rate, bending
 
-    def turned(self, one: _Shared) -> tuple[Vector, Vector, Vector]:
+    def turned(self, one: _Shared) -> Rates:
         """The axis about which the marker turns for a unit rate, its D and D^2."""
         if _nothing(one.theta):
             return zeros(), zeros(), zeros()
@@ -98,25 +98,27 @@ class _Bending:
         more = minus(cross(second, theta), plus(scaled(mul(TWO, rate), own), scaled(bending, value)))
         return self._seen(value, own, more)
 
-    def shape(self, one: _Shared) -> tuple[Vector, Vector, Vector]:
+    def shape(self, one: _Shared) -> Rates:
         """By what the marker moves for a unit rate, its D and D^2."""
         return self._seen(one.shape, *one.fading)
 
-    def _seen(self, value: Vector, rate: Vector, second: Vector) -> tuple[Vector, Vector, Vector]:
+    def _seen(self, value: Vector, rate: Vector, second: Vector) -> Rates:
         omega = self.body.omega
         first = plus(rate, cross(omega, value))
         return value, first, plus(second, cross(scaled(TWO, omega), rate), times(self.body.G, value))
-
-    @property
-    def speed(self) -> Vector:
-        """D rho."""
-        return plus(self.bent.rho_dot, cross(self.body.omega, self.bent.rho))
 
     def on_turns_changed(self, one: _Shared, moment: Vector) -> Vector:
         """d(on_turns(moment)) for a unit of what is shared, at a fixed moment."""
         half, bent = mul(HALF, self.bent.inverse), self.bent
         fewer = scaled(mul(half, dot(bent.psi, one.theta)), bent.on_turns(moment))
         return minus(scaled(half, cross(moment, one.theta)), fewer)
+
+
+def parts_of(move: Move, spot: Spot) -> list[Part]:
+    """What the coordinates of a move do."""
+    if isinstance(move, Bend | Unbend):
+        return BendChanges(move.deformation, spot, isinstance(move, Unbend)).parts
+    return joint_parts(move, spot)
 
 
 class BendChanges:
@@ -126,7 +128,7 @@ class BendChanges:
         self._back, self._deformation = back, deformation
         self._bending = _Bending(deformation, spot.after if back else spot.before, spot.rates, spot.accelerations)
         self._R = self._bending.bent.R
-        self._a = times(self._R, (spot.before if back else spot.after).a)  # of the marker, in body axes
+        self._spot = spot
 
     @cached_property
     def parts(self) -> list[Part]:
@@ -134,22 +136,14 @@ class BendChanges:
         return [self._unbent(one) if self._back else self._bent(one) for one in self._bending.shared]
 
     def _bent(self, one: _Shared) -> Part:
-        t, t1, t2 = self._bending.turned(one)
-        s, s1, s2 = self._bending.shape(one)
-        place = (t1, t2, minus(s2, cross(t, self._a)))
-        rate = (t, scaled(TWO, t1), scaled(TWO, s1))
-        first, second = (Change(*(transposed_times(self._R, vector) for vector in one)) for one in (place, rate))
-        return Part(one.shares, Twist(second.u, transposed_times(self._R, s)), first, second)
+        (t, t1, t2), (s, s1, s2) = self._bending.turned(one), self._bending.shape(one)
+        turning, moving = ([transposed_times(self._R, vector) for vector in own] for own in ((t, t1, t2), (s, s1, s2)))
+        return Part(one.shares, Field((turning[0], turning[1], turning[2]), (moving[0], moving[1], moving[2])))
 
     def _unbent(self, one: _Shared) -> Part:
-        t, t1, t2 = self._bending.turned(one)
-        s, s1, s2 = self._bending.shape(one)
-        rho, speed = self._bending.bent.rho, self._bending.speed
-        held = plus(cross(t2, rho), cross(scaled(TWO, t1), speed))
-        place = Change(negative(t1), negative(t2), minus(plus(held, cross(t, self._a)), s2))
-        d = minus(plus(cross(t1, rho), cross(t, speed)), s1)
-        rate = Change(negative(t), scaled(TWO, negative(t1)), scaled(TWO, d))
-        return Part(one.shares, Twist(rate.u, minus(cross(t, rho), s)), place, rate)
+        (t, t1, t2), (s, s1, s2) = self._bending.turned(one), self._bending.shape(one)
+        still = Field((negative(t), negative(t1), negative(t2)), (negative(s), negative(s1), negative(s2)))
+        return Part(one.shares, still.shifted(arm_of(Unbend(self._deformation), self._spot)))
 
     def powers(self, column: int, wrench: Wrench, change: Wrench) -> Row:
         """Changes of the powers by a mode, for the wrench after the move and its change, both in the axes there."""

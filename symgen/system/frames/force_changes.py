@@ -16,10 +16,10 @@ from symgen.algebra.scalar import ZERO, mul, neg
 from symgen.algebra.vectors import Vector, cross, negative, plus, scaled, zeros
 from symgen.system.frames.bend_changes import BendChanges
 from symgen.system.frames.body_moves import Bend, Unbend
+from symgen.system.frames.fields import Part, Spot, joint_parts, turned
 from symgen.system.frames.flexible import FlexibleInertia, RigidInertia
 from symgen.system.frames.inertia_changes import TWO, by_mode_rates, by_modes, mode_rows, tangent_of
-from symgen.system.frames.motion import NOTHING, Motion, Twist, Wrench, no_masses
-from symgen.system.frames.move_changes import Part, Spot, slide_part, turn_part
+from symgen.system.frames.motion import NOTHING, Motion, Wrench, no_masses
 from symgen.system.frames.moves import Fixed, Move, Slide, Turn
 from symgen.system.frames.tangents import RowChange, Tangent
 from symgen.system.frames.tree import GROUND, FrameTree
@@ -112,21 +112,22 @@ class _Sweep:
         bending = None
         if isinstance(move, Bend | Unbend):
             bending = BendChanges(move.deformation, spot, isinstance(move, Unbend))
-        parts = _parts(move, spot) if bending is None else bending.parts
-        turned: dict[int, Wrench] = {}
+        parts = joint_parts(move, spot) if bending is None else bending.parts
+        carried: dict[int, Wrench] = {}
         for part in parts:
+            by_position, by_rate = part.field.by_position(spot.after.a), part.field.by_rate
             for row, form in state.rows.items():
-                self._shared(self.K, row, part, form.of(part.by_position))
-                self._shared(self.D, row, part, form.of(part.by_rate))
-            gather(state.by_position, _shares(part, state.tangent.wrench(part.by_position)))
-            gather(state.by_rate, _shares(part, state.tangent.wrench(part.by_rate)))
-            gather(turned, _shares(part, _turned(part.twist, state.wrench)))
+                self._shared(self.K, row, part, form.of(by_position))
+                self._shared(self.D, row, part, form.of(by_rate))
+            gather(state.by_position, _shares(part, state.tangent.wrench(by_position)))
+            gather(state.by_rate, _shares(part, state.tangent.wrench(by_rate)))
+            gather(carried, _shares(part, turned(part.field.twist, state.wrench)))
         for column, wrench in state.by_position.items():
-            own = bending is not None and column in turned
+            own = bending is not None and column in carried
             powers = bending.powers(column, state.wrench, wrench) if bending and own else move.powers(wrench)
             for row, value in powers.items():
                 add_to(self.K[row], column, value)
-            state.by_position[column] = move.wrench(wrench.plus(turned.get(column, NOTHING)))
+            state.by_position[column] = move.wrench(wrench.plus(carried.get(column, NOTHING)))
         for column, wrench in state.by_rate.items():
             for row, value in move.powers(wrench).items():
                 add_to(self.D[row], column, value)
@@ -140,7 +141,7 @@ class _Sweep:
     def _before(self, move: Move, spot: Spot, state: _Beyond, parts: list[Part]) -> None:
         """Rows, inertia and wrench as seen before a move."""
         for part in parts:
-            row = state.tangent.row(part.twist)
+            row = state.tangent.row(part.field.twist)
             for column, share in part.shares.items():
                 own = row.scaled(share)
                 state.rows[column] = state.rows[column].plus(own) if column in state.rows else own
@@ -150,20 +151,9 @@ class _Sweep:
         state.wrench = move.wrench(state.wrench)
 
 
-def _parts(move: Move, spot: Spot) -> list[Part]:
-    if isinstance(move, Turn):
-        return turn_part(move, spot)
-    return slide_part(move, spot) if isinstance(move, Slide) else []
-
-
 def _shares(part: Part, wrench: Wrench) -> dict[int, Wrench]:
     """Of a wrench, by column."""
     return {column: Wrench(scaled(share, wrench.f), scaled(share, wrench.n)) for column, share in part.shares.items()}
-
-
-def _turned(twist: Twist, wrench: Wrench) -> Wrench:
-    """What a displacement of the frame after a move does to the wrench there, which goes with it."""
-    return Wrench(cross(twist.omega, wrench.f), plus(cross(twist.omega, wrench.n), cross(twist.v, wrench.f)))
 
 
 def _twice_velocity(move: Move, spot: Spot) -> Vector:

@@ -81,7 +81,7 @@ class Turn(Plain):
 
     def motion(self, before: Motion, rates: Row, accelerations: Row) -> Motion:
         """Motion after the move."""
-        omega, alpha, a = (self._seen(vector) for vector in (before.omega, before.alpha, before.a))
+        omega, alpha, a = (self.seen(vector) for vector in (before.omega, before.alpha, before.a))
         if self.column is None:
             return Motion(omega, alpha, a)
         spin = unit(self.axis, mul(self.sign, rates.get(self.column, ZERO)))
@@ -89,7 +89,8 @@ class Turn(Plain):
         alpha[self.axis] = add(alpha[self.axis], mul(self.sign, accelerations.get(self.column, ZERO)))
         return Motion(plus(omega, spin), alpha, a)
 
-    def _seen(self, vector: Vector) -> Vector:
+    def seen(self, vector: Vector) -> Vector:
+        """A vector in the axes after the move."""
         return self._rotated(vector, neg(self.sine))
 
     def _rotated(self, vector: Vector, sine: ca.SX) -> Vector:

@@ -119,14 +119,14 @@ class Skeleton:
 
         near, far: the joint's markers, of which only the place counts.
         """
-        frame, before = self._at(parent, _place_of(near))
+        frame, before = self._at(parent, place_of(near))
         holder = self._rough[frame].moves[-1:] if frame != GROUND else []
         if holder and isinstance(holder[0], Ball):
             moves: list[Move] = [Across(before.r, holder[0].A), _ball(turning)]
         else:
             self._add(_Rough(frame, JointLink(before), inertia=RigidInertia(no_masses())))
             frame, moves = len(self._rough) - 1, [ToWorld(axes), _ball(turning)]
-        data, at = body.integrals, _place_of(far)
+        data, at = body.integrals, place_of(far)
         assert data is not None
         if data.nf:
             moves = [*moves, *_from_marker(at)]
@@ -219,7 +219,7 @@ def _ball(turning: Turning) -> Ball:
     return Ball(turning.columns, turning.A, turning.omega)
 
 
-def _place_of(marker: Deformation) -> Deformation:
+def place_of(marker: Deformation) -> Deformation:
     """A marker whose axes are those of its body, however it is bent."""
     point = replace(marker.point, axes=identity(), turns=[zeros() for _ in marker.point.turns])
     return replace(marker, point=point)
