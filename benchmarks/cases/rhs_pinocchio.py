@@ -47,9 +47,9 @@ class Case:
     goal: float | None = None
 
 
-def planar_chain() -> Case:
+def planar_chain(links: int = LINKS) -> Case:
     """The built-in chain of rigid links."""
-    relative = np.eye(LINKS) - np.eye(LINKS, k=-1)
+    relative = np.eye(links) - np.eye(links, k=-1)
     hinges = [
         Hinge(
             k,
@@ -59,9 +59,9 @@ def planar_chain() -> Case:
             (LENGTH / 2, 0.0, 0.0),
             (1.0, 1.0, MASS * LENGTH**2 / 12),
         )
-        for k in range(LINKS)
+        for k in range(links)
     ]
-    return Case(f"planar chain, N = {LINKS}", chain(LINKS), hinges, (0.0, -GRAVITY, 0.0), relative, GOAL)
+    return Case(f"planar chain, N = {links}", chain(links), hinges, (0.0, -GRAVITY, 0.0), relative, GOAL)
 
 
 def skew_tree() -> Case:

@@ -1,7 +1,4 @@
-"""The hanging arm of symgen/scenes/arm.py in Exudyn: rigid links, the last one of ANCF cable elements.
-
-Exudyn's floating-frame bodies are spatial and take solid meshes; planar ones with beam modes it has none.
-"""
+"""The hanging arm of symgen/scenes/arm.py in Exudyn: rigid links, the last one of ANCF cable elements."""
 
 from __future__ import annotations
 
@@ -40,7 +37,11 @@ class ExudynArm:
         """What reports call it."""
         solver = "trapezoidal, index 2" if self.rho_inf is None else f"generalized-alpha {self.rho_inf:g}"
         sparse = ", sparse" if self.sparse else ""
-        return f"Exudyn, {self.elements} cable elements, {solver}{sparse}, Newton to {self.newton:g}"
+        return f"Exudyn, {self._body}, {solver}{sparse}, Newton to {self.newton:g}"
+
+    @property
+    def _body(self) -> str:
+        return f"{self.elements} cable elements"
 
     @cached_property
     def system(self) -> tuple[Any, Any, list[int]]:
@@ -71,14 +72,14 @@ class ExudynArm:
                 )
             )
             before, place = end, place + along
-        first = self._cable(mbs, items, place)
+        first = self._last_link(mbs, items, place)
         mbs.AddObject(
             items.RevoluteJoint2D(markerNumbers=[before, mbs.AddMarker(items.MarkerNodePosition(nodeNumber=first))])
         )
         mbs.Assemble()
         return container, mbs, sensors
 
-    def _cable(self, mbs: Any, items: Any, place: np.ndarray) -> int:
+    def _last_link(self, mbs: Any, items: Any, place: np.ndarray) -> int:
         """The last link from a place on; its first node."""
         slope = np.array([np.cos(self.angles[-1]), np.sin(self.angles[-1])])
         size = LENGTH / self.elements

@@ -121,6 +121,7 @@ class Sundials:
     ) -> SundialsRun:
         """From 0 to times t (N,) [s]: once for the first calls, and once for the time."""
         options: dict[str, Any] = {"reltol": rtol, "abstol": atol, "max_num_steps": most_steps}
+        options |= {"disable_internal_warnings": True}  # what they say is in the status
         if highest_order is not None:
             options |= {"max_order": highest_order}
         if self.method == "idas":  # accelerations stay out of the error test: as exact, with fewer steps

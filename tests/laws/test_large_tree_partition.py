@@ -97,7 +97,7 @@ def test_scenes_without_a_large_tree_in_two_groups_have_no_such_kernels() -> Non
 
 
 def test_sub_steps_cost_the_same_whatever_the_mechanism(model_of: Build) -> None:
-    """`decoupled`, `coupled` and `printed` on arms: holds grow by 135 operations a link, sub-steps not at all."""
+    """`decoupled`, `coupled` and `printed` on arms: holds grow by 145 operations a link, sub-steps not at all."""
     held = {"common_update": "direct", "slow_interpolation": "held_at_the_middle"}
     counts: dict[str, list[dict[str, int]]] = {"decoupled": [], "coupled": [], "printed": []}
     for links in (8, 12):
@@ -110,9 +110,9 @@ def test_sub_steps_cost_the_same_whatever_the_mechanism(model_of: Build) -> None
         small, large = counts[name]
         assert small[sub_step] == large[sub_step] <= most_operations
     small, large = counts["decoupled"]
-    assert large["hold_1"] - small["hold_1"] == 4 * 145 and small["hold_1"] <= 1210
+    assert large["hold_1"] - small["hold_1"] == 4 * 145 and small["hold_1"] + 32 * 145 <= 6000  # at 40 links
     small, large = ({"hold": sum(one.values()) - one["sub_step_1"]} for one in counts["coupled"])
-    assert large["hold"] - small["hold"] <= 4 * 135 and small["hold"] <= 1220
+    assert large["hold"] - small["hold"] <= 4 * 135 and small["hold"] + 32 * 135 <= 6000
     small, large = counts["printed"]
     assert large["common_update"] - small["common_update"] <= 4 * 80
 

@@ -1,0 +1,84 @@
+"""CVODES and IDAS on a case of the hard suite, in each of the ways that could suit it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import partial
+from math import inf
+
+import casadi as ca
+import numpy as np
+
+from benchmarks.harness.matched import Attempt, Matched, match
+from runtime.baselines.condensed_ode import TO_ROUNDING, CondensedOde, start_of
+from runtime.baselines.pieces import refuse_impulses
+from runtime.baselines.sundials import Sundials
+from runtime.contract.coordinates import followed, whole
+from runtime.engine.external import SLOPES, VALUES
+from runtime.results.sampling import evaluate
+from runtime.studies.work_precision.problem import Problem
+
+SAMPLES = 100
+MOST_STEPS = 10_000  # between two samples
+TOLERANCES = tuple(10.0**-k for k in range(1, 10))
+FIRST = 2  # where the search begins: 1e-3
+REPEATED, REPEATS = 0.1, 3  # a run shorter than this [s] is timed so often
+WAYS: Mapping[str, dict[str, tuple[str, int | None]]] = {
+    "cvodes": {"BDF": ("bdf", None), "BDF to order 2": ("bdf", 2), "Adams": ("adams", None)},
+    "idas": {"BDF": ("bdf", None), "BDF to order 2": ("bdf", 2)},
+}
+
+
+@dataclass
+class SundialsRuns:
+    """`cvodes` or `idas` on a problem: native right-hand side and exact Jacobian, made once for all runs."""
+
+    method: str
+    problem: Problem
+    sundials: Sundials = field(init=False)
+
+    def __post_init__(self) -> None:
+        problem, model = self.problem, self.problem.model
+        given = start_of(model, **problem.setting.arguments)
+        refuse_impulses(model, given.c, problem.t_end, given.y, self.method)
+        self.sundials = Sundials(model, self.method, given)
+        observe = CondensedOde(model, TO_ROUNDING).observe()
+        self._observe = ca.Function(
+            "seen", observe.sx_in(), observe.call(observe.sx_in())[:2], ["t", "y", "c"], ["q_i", "q_d"]
+        )
+        self._times = np.linspace(0.0, problem.t_end, SAMPLES + 1)
+
+    def best(self, tolerance: float, longest: float) -> tuple[str, Matched]:
+        """(the way that takes least time to the tolerance, what it takes); `longest` [s] as for `match`."""
+        amplitudes = self.problem.amplitudes
+        weights = {"": float(amplitudes.min()), ", coarse atol": float(amplitudes.max())}
+        found: dict[str, Matched] = {}
+        for way, (multistep, order) in WAYS[self.method].items():
+            for word, weight in weights.items():
+                run = partial(self.attempt, multistep, order, weight)
+                found[way + word] = match(run, TOLERANCES, FIRST, tolerance, longest)
+                longest = min(longest, 4 * found[way + word].seconds)
+        way = min(found, key=lambda name: found[name].seconds)
+        return way, found[way]
+
+    def attempt(self, multistep: str, order: int | None, weight: float, rtol: float) -> Attempt:
+        """One run; the absolute tolerance is rtol times the weight, in all coordinates and rates."""
+        run = partial(self.sundials.run, self._times, rtol, rtol * weight, multistep, order, MOST_STEPS)
+        done = run()
+        steps, seconds = int(done.stats["steps"]), float(done.stats["cpu_seconds"])
+        if done.refused:
+            return Attempt(rtol, inf, seconds, steps, done.refused)
+        if seconds < REPEATED:
+            seconds = min(seconds, *(float(run().stats["cpu_seconds"]) for _ in range(REPEATS - 1)))
+        seen = evaluate(self._observe, {"t": self._times[:, None], "y": done.y}, self.sundials.given.c)
+        model = self.problem.model
+        told = whole(model, seen["q_i"], seen["q_d"])[:, followed(model)[1]]
+        error = float(self.problem.errors(self._times, told)[0].max())
+        own = self._evaluations(int(done.stats["evaluations"]), int(done.stats["factorisations"]))
+        return Attempt(rtol, error if error == error else inf, seconds, steps, own=own)
+
+    def _evaluations(self, values: int, slopes: int) -> float:
+        """CPU seconds of so many evaluations of the equations and of their Jacobian."""
+        native = self.sundials.native
+        return inf if native is None else values * native.seconds(VALUES) + slopes * native.seconds(SLOPES)
