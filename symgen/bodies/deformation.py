@@ -8,12 +8,13 @@ omega_psi = (psi_dot + psi x psi_dot / 2) / k, whose own rate without q_f_ddot i
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import casadi as ca
 
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
-from symgen.algebra.vectors import Vector, cross, plus, product, scaled, zeros
+from symgen.algebra.vectors import Vector, combination, cross, plus, product, scaled, zeros
 from symgen.bodies.spatial_moments import LocalMotion, Matrix, SpatialPoint
 
 
@@ -21,7 +22,7 @@ from symgen.bodies.spatial_moments import LocalMotion, Matrix, SpatialPoint
 class Bent:
     """Place and axes R (by columns) of the point, both by q_f: rho, drho/dq_a = shapes, omega by q_a_dot = turned.
 
-    psi and inverse are zero where no mode turns the axes.
+    turning: by a rate of each component of psi. psi and inverse are zero where no mode turns the axes.
     rho_dot, omega and the bias terms nu (of rho_ddot) and fading (of omega_dot in body axes) go with q_f_dot.
     """
 
@@ -31,11 +32,18 @@ class Bent:
     R: Matrix
     rho: Vector
     shapes: list[Vector]
+    turning: list[Vector]
     turned: list[Vector]
     rho_dot: Vector
     nu: Vector
     omega: Vector
     fading: Vector
+
+    @cached_property
+    def common_axes(self) -> bool:
+        """Do more modes turn the marker than there are axes about which they do?"""
+        turning = [turn for turn in self.point.turns if any(not value.is_zero() for value in turn)]
+        return sum(any(not turn[k].is_zero() for turn in turning) for k in range(3)) < len(turning)
 
     def on_turns(self, moment: Vector) -> Vector:
         """(moment + moment x psi / 2) / k: its product with turn_a is the power on `turned` of mode a."""
@@ -57,6 +65,19 @@ class Bent:
 
 
 @dataclass(frozen=True)
+class SharedMotion:
+    """A turning theta of psi or a shape, along an axis of the body; shares of it: of the modes, by column."""
+
+    shares: Row
+    theta: Vector
+    shape: Vector
+
+    def turned(self, bent: Bent) -> Vector:
+        """The angular velocity for a unit rate."""
+        return combination(bent.turning, self.theta)
+
+
+@dataclass(frozen=True)
 class Deformation:
     """A point with the modal coordinates of its body: values, rates and columns of q_f."""
 
@@ -70,6 +91,26 @@ class Deformation:
         """Do the modes leave the point and its axes where they are?"""
         moved = [component for vectors in (self.point.shapes, self.point.turns) for row in vectors for component in row]
         return all(component.is_zero() for component in moved) and not self.point.H
+
+    @property
+    def shared(self) -> list[SharedMotion]:
+        """What modes do alike to the marker, by axis, where there are fewer axes than modes; empty otherwise."""
+        turns, shapes = self._along(self.point.turns), self._along(self.point.shapes)
+        if self.point.H or len(turns) + len(shapes) >= len(self.columns):
+            return []
+        axes, still = _units(), zeros()
+        return [SharedMotion(shares, axes[k], still) for k, shares in turns.items()] + [
+            SharedMotion(shares, still, axes[k]) for k, shares in shapes.items()
+        ]
+
+    def _along(self, vectors: list[Vector]) -> dict[int, Row]:
+        """Components by axis and column, of the axes along which there are any."""
+        found: dict[int, Row] = {}
+        for column, vector in zip(self.columns, vectors, strict=True):
+            for k, value in enumerate(vector):
+                if not value.is_zero():
+                    found.setdefault(k, {})[column] = value
+        return found
 
     @property
     def now(self) -> Bent:
@@ -88,17 +129,24 @@ class Deformation:
         local = LocalMotion(self.point, self.q_f, rates)
         kinds = local.rho, local.shapes, local.rho_dot, local.nu
         if all(component.is_zero() for turn in self.point.turns for component in turn):
-            still = [zeros() for _ in self.columns]
-            axes, none = self.point.axes, zeros()
-            return Bent(self.point, none, ZERO, axes, kinds[0], kinds[1], still, kinds[2], kinds[3], none, none)
+            still, none = [zeros() for _ in self.columns], zeros()
+            place = self.point, none, ZERO, self.point.axes, kinds[0], kinds[1]
+            return Bent(*place, [none] * 3, still, kinds[2], kinds[3], none, none)
         psi, rate, half = local.psi, local.psi_dot, ca.SX(0.5)
         k = add(ONE, mul(ca.SX(0.25), dot(psi, psi)))
         inverse = div(ONE, k)
-        turned = [scaled(inverse, plus(turn, scaled(half, cross(psi, turn)))) for turn in self.point.turns]
-        omega = scaled(inverse, plus(rate, scaled(half, cross(psi, rate))))
+        x, y, z = scaled(mul(half, inverse), psi)
+        turning = [[inverse, z, neg(y)], [neg(z), inverse, x], [y, neg(x), inverse]]
+        turned = [combination(turning, turn) for turn in self.point.turns]
+        omega = combination(turning, rate)
         fading = scaled(neg(mul(mul(half, dot(psi, rate)), inverse)), omega)
         R = product(_rotation(psi, inverse), self.point.axes)
-        return Bent(self.point, psi, inverse, R, kinds[0], kinds[1], turned, kinds[2], kinds[3], omega, fading)
+        place = self.point, psi, inverse, R, kinds[0], kinds[1]
+        return Bent(*place, turning, turned, kinds[2], kinds[3], omega, fading)
+
+
+def _units() -> Matrix:
+    return [[ONE if i == j else ZERO for i in range(3)] for j in range(3)]
 
 
 def _rotation(psi: Vector, inverse: ca.SX) -> Matrix:

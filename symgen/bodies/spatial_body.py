@@ -78,6 +78,10 @@ class SpatialBody:
         """The fixed frame."""
         return SpatialBody("ground", SpatialCoordinates.ground(), fixed_orientation(), None)
 
+    def about(self, point: SpatialPoint) -> SpatialBody:
+        """The body with its masses seen from a point that moves with its modes."""
+        return SpatialBody(self.name, self.coordinates, self.orientation, self._require_mass().about(point))
+
     @cached_property
     def _moments(self) -> SpatialMoments:
         q = self.coordinates

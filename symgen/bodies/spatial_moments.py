@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import casadi as ca
 import sympy as sp
 
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, add, dot, mul, neg, sub, total
-from symgen.algebra.vectors import Vector, axial, plus, scaled, times, transposed_times, zeros
+from symgen.algebra.vectors import Vector, axial, minus, plus, scaled, times, transposed_times, zeros
 from symgen.bodies import spatial_template as t
 
 Matrix = list[Vector]
@@ -41,6 +41,31 @@ class SpatialIntegrals:
         """Number of modes."""
         return len(self.M_ff)
 
+    def about(self, point: SpatialPoint) -> SpatialIntegrals:
+        """Of the body as seen from a point that moves with its modes, and with which its axes do not turn.
+
+        rho0 -> rho0 - r, phi_a -> phi_a - f_a; without second-order shapes. The mass matrix of a motion of the body is
+        the same, the velocity of the point being in place of that of the origin.
+        """
+        r, shapes, nf = point.position, point.shapes, self.nf
+        first = minus(self.S1, scaled(self.mass, r))
+        J0 = [[sub(sub(self.J0[i][j], mul(r[i], self.S1[j])), mul(first[i], r[j])) for j in range(3)] for i in range(3)]
+        own = [minus(self.Sb[a], scaled(self.mass, shapes[a])) for a in range(nf)]
+        N = [_less(_less(self.N[a], r, self.Sb[a]), first, shapes[a]) for a in range(nf)]
+        blank = [zeros() for _ in range(3)]
+        P = [
+            [
+                _less(_less(self.P[a][b] if self.P else blank, shapes[a], self.Sb[b]), own[a], shapes[b])
+                for b in range(nf)
+            ]
+            for a in range(nf)
+        ]
+        M_ff = [
+            [sub(sub(self.M_ff[a][b], dot(shapes[a], self.Sb[b])), dot(own[a], shapes[b])) for b in range(nf)]
+            for a in range(nf)
+        ]
+        return replace(self, S1=first, J0=J0, Sb=own, N=N, P=P, M_ff=M_ff)
+
 
 @dataclass(frozen=True)
 class SpatialPoint:
@@ -55,6 +80,11 @@ class SpatialPoint:
     H: list[Matrix]
     axes: Matrix
     quaternion: Vector
+
+    def less(self, other: SpatialPoint) -> SpatialPoint:
+        """Seen from another point, as the body in `SpatialIntegrals.about` is."""
+        shapes = [minus(own, more) for own, more in zip(self.shapes, other.shapes, strict=True)]
+        return replace(self, position=minus(self.position, other.position), shapes=shapes)
 
 
 class LocalMotion:
@@ -161,6 +191,10 @@ class SpatialMoments:
         for symbols, vector in ((t.s, self.s[a]), (t.B, self.B[a]), (t.Gd, self.Gd[a])):
             found |= dict(zip(symbols, vector, strict=True))
         return found
+
+
+def _less(block: Matrix, left: Vector, right: Vector) -> Matrix:
+    return [[sub(block[i][j], mul(left[i], right[j])) for j in range(3)] for i in range(3)]
 
 
 def _sum(columns: list[Vector], factors: Vector) -> Vector:

@@ -67,8 +67,7 @@ class Across(Plain):
 
     def motion(self, before: Motion, rates: Row, accelerations: Row) -> Motion:
         """Of the point alone: a ball follows."""
-        held = before.held
-        assert held is not None
+        held = before.held or Held(self.A, times(self.A, before.a), True)
         return Motion(zeros(), zeros(), plus(held.a, before.swung(held, self.arm)), held)
 
     def wrench(self, after: Wrench) -> Wrench:

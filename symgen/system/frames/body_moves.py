@@ -92,10 +92,33 @@ class Orient(Plain):
 
 
 @dataclass(frozen=True)
+class Shared:
+    """A twist of the frame after a move of which the rates of several modes have shares, by column."""
+
+    shares: Row
+    twist: Twist
+
+
+@dataclass(frozen=True)
 class Bend(Plain):
     """From the frame of a flexible body to a marker that its deformation shifts and turns (Eq. 19)."""
 
     deformation: Deformation
+
+    @property
+    def shared(self) -> list[Shared]:
+        """By the axes along and about which modes move the marker, where these are fewer; empty otherwise."""
+        bent = self.deformation.at({})
+        return [
+            Shared(one.shares, Twist(transposed_times(bent.R, one.turned(bent)), transposed_times(bent.R, one.shape)))
+            for one in self.deformation.shared
+        ]
+
+    def shared_powers(self, after: Wrench) -> Vector:
+        """Power of a wrench on these twists."""
+        bent = self.deformation.at({})
+        f, turning = times(bent.R, after.f), bent.on_turns(times(bent.R, after.n))
+        return [add(dot(one.shape, f), dot(one.theta, turning)) for one in self.deformation.shared]
 
     @property
     def twists(self) -> Mapping[int, Twist]:
@@ -146,6 +169,22 @@ class Unbend(Plain):
     """From such a marker to the frame of its body."""
 
     deformation: Deformation
+
+    @property
+    def shared(self) -> list[Shared]:
+        """By the axes along and about which modes move the marker, where these are fewer; empty otherwise."""
+        bent, found = self.deformation.at({}), []
+        for one in self.deformation.shared:
+            turned = one.turned(bent)
+            twist = Twist(scaled(neg(ONE), turned), minus(cross(turned, bent.rho), one.shape))
+            found.append(Shared(one.shares, twist))
+        return found
+
+    def shared_powers(self, after: Wrench) -> Vector:
+        """Power of a wrench on these twists."""
+        bent = self.deformation.at({})
+        turning = bent.on_turns(minus(after.n, cross(bent.rho, after.f)))
+        return [neg(add(dot(one.shape, after.f), dot(one.theta, turning))) for one in self.deformation.shared]
 
     @property
     def twists(self) -> Mapping[int, Twist]:

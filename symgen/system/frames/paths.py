@@ -12,7 +12,7 @@ import casadi as ca
 
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, ZERO, neg
-from symgen.algebra.vectors import Vector, cross, plus, scaled, zeros
+from symgen.algebra.vectors import Vector, combination, cross, plus, scaled, zeros
 from symgen.bodies.deformation import Bent
 from symgen.bodies.quaternion_motion import fixed_quaternion
 from symgen.bodies.spatial_body import SpatialMarker
@@ -41,12 +41,20 @@ class Cause:
 
 @dataclass(frozen=True)
 class ModesOnWay:
-    """ModesOnWay of a flexible body in a path: to a marker of it or `back` from one; axes: of the body (columns)."""
+    """Modes of a flexible body in a path: to a marker of it or `back` from one; axes: of the body (columns).
+
+    turning: what rates of the components of psi turn, where that is less than what rates of the modes do.
+    """
 
     columns: list[int]
     bent: Bent
     axes: list[Vector]
     back: bool
+    turning: list[Vector] | None = None
+
+    def share(self, column: int) -> Vector:
+        """The components of psi for a unit of a mode."""
+        return self.bent.point.turns[self.columns.index(column)]
 
 
 @dataclass(frozen=True)
@@ -156,7 +164,7 @@ class Path:
         self.r_dot = plus(self.r_dot, self.along(bent.rho_dot))
         self.alpha = plus(self.alpha, cross(self.omega, own), self.along(bent.fading))
         self.omega = plus(self.omega, own)
-        self._cause(ModesOnWay(columns, bent, self.axes, False))
+        self._cause(columns, bent, False)
         self.turn_by(bent.R)
 
     def unbend(self, columns: list[int], bent: Bent) -> None:
@@ -168,17 +176,25 @@ class Path:
         self.alpha = plus(self.alpha, scaled(neg(ONE), plus(cross(self.omega, own), self.along(bent.fading))))
         self.a = plus(self.a, scaled(neg(ONE), self._drift(bent)))
         self.r_dot = plus(self.r_dot, scaled(neg(ONE), self.along(bent.rho_dot)))
-        self._cause(ModesOnWay(columns, bent, self.axes, True))
+        self._cause(columns, bent, True)
         self.shift(scaled(neg(ONE), bent.rho))
 
     def _drift(self, bent: Bent) -> Vector:
         speed = self.along(bent.rho_dot)
         return plus(scaled(ca.SX(2), cross(self.omega, speed)), self.along(bent.nu))
 
-    def _cause(self, modes: ModesOnWay) -> None:
-        sign, bent = neg(ONE) if modes.back else ONE, modes.bent
-        for a, column in enumerate(modes.columns):
-            turns, slides = (scaled(sign, self.along(vector)) for vector in (bent.turned[a], bent.shapes[a]))
+    def _cause(self, columns: list[int], bent: Bent, back: bool) -> None:
+        sign, turning = neg(ONE) if back else ONE, None
+        if bent.common_axes:
+            turning = [scaled(sign, self.along(axis)) for axis in bent.turning]
+        modes = ModesOnWay(columns, bent, self.axes, back, turning)
+        for a, column in enumerate(columns):
+            slides = scaled(sign, self.along(bent.shapes[a]))
+            turns = (
+                scaled(sign, self.along(bent.turned[a]))
+                if turning is None
+                else combination(turning, modes.share(column))
+            )
             self.causes.append(Cause(column, turns, slides, len(self._arms), modes=modes))
 
     def _reach(self) -> None:
@@ -218,7 +234,13 @@ class Path:
 
     def moved(self, cause: Cause, to_end: list[Vector]) -> Vector:
         """The velocity of the end for a unit rate of a cause."""
-        parts = [] if cause.turns is None else [cross(cause.turns, self._across(cause, to_end))]
+        parts, modes = [], cause.modes
+        if cause.turns is not None:
+            across = self._across(cause, to_end)
+            if modes is None or modes.turning is None:
+                parts.append(cross(cause.turns, across))
+            else:
+                parts.append(combination([cross(axis, across) for axis in modes.turning], modes.share(cause.column)))
         return plus(*parts, *([] if cause.slides is None else [cause.slides]))
 
     def _across(self, cause: Cause, to_end: list[Vector]) -> Vector:

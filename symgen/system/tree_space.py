@@ -1,0 +1,206 @@
+"""Joints, loads and measures of a spatial mechanism by the coordinates of its tree: markers along ways of frames."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cached_property, partial
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from symgen.algebra.parameters import ParameterTable
+from symgen.bodies.deformation import Deformation
+from symgen.bodies.outlines import Picture
+from symgen.bodies.spatial_body import SpatialMarker
+from symgen.bodies.spatial_integrals import spatial_point
+from symgen.bodies.spatial_moments import SpatialPoint
+from symgen.joints.instance import ConstraintRow
+from symgen.scene import Scene
+from symgen.scene.joints import Joint
+from symgen.scene.placing import PLACING
+from symgen.system.equations import Equations
+from symgen.system.frames.ball import Ball
+from symgen.system.frames.body_moves import Bend
+from symgen.system.frames.curvature import COVERED, LoopCurvature
+from symgen.system.frames.linkage import links_of
+from symgen.system.frames.loop_rates import LoopRates, Way
+from symgen.system.frames.motion import Matrix
+from symgen.system.frames.paths import Path
+from symgen.system.frames.skeleton import Skeleton
+from symgen.system.frames.tree import GROUND, FrameTree
+from symgen.system.orientations import Orientations, Turning
+from symgen.system.reduced_body import ReducedBody
+from symgen.system.spatial import SpatialSpace
+from symgen.system.topology import Topology
+
+
+class TreeSpace(SpatialSpace):
+    """Markers by the coordinates of the tree. whole: the same mechanism in all coordinates."""
+
+    def __init__(
+        self,
+        scene: Scene,
+        table: ParameterTable,
+        equations: Equations,
+        topology: Topology,
+        whole: Equations,
+        orientations: Orientations,
+    ) -> None:
+        super().__init__(scene, table, equations, topology)
+        self.whole, self.orientations = whole, orientations
+        self._turnings = {turning.body: turning for turning in equations.turnings}
+        self._paths: dict[tuple[int, int], Path] = {}
+        self.curvatures: dict[str, LoopCurvature] = {}
+        self.loop_rates: dict[str, LoopRates] = {}
+
+    def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[Any, int]:
+        """Its modal stiffness and damping."""
+        body, size = super().add_body(name, columns, q, q_dot)
+        return ReducedBody(body), size
+
+    @cached_property
+    def tree(self) -> FrameTree:
+        """The frames, once all bodies are known."""
+        skeleton = Skeleton(self._number)
+        by_child = {placement.child: placement for placement in self.topology.placements.values()}
+        balls = {self.orientations.balls[name].child: name for name in self.orientations.balls}
+        parents = {name: self.orientations.balls[joint].parent for name, joint in balls.items()}
+        parents |= {name: placement.parent for name, placement in by_child.items()}
+        waiting = [name for name in self.bodies if name != "ground"]
+        placed = {"ground"}
+        joints = {joint.name: joint for joint in self.scene.joints}
+        while waiting:
+            name = next(name for name in waiting if parents.get(name, "ground") in placed)
+            waiting.remove(name)
+            placed.add(name)
+            body = self.bodies[name]
+            if name in self._origins:
+                body = body.about(self._origins[name])
+            if name in balls:
+                skeleton.hold(body, *self._hold(balls[name]))
+                continue
+            if name not in by_child:
+                kind = getattr(self.scene.body(name), "orientation", "euler_parameters")
+                skeleton.float(body, kind, self._turnings.get(name))
+                continue
+            placement = by_child[name]
+            joint = joints[placement.joint]
+            ends = [self._deformation(joint.marker_a), self._deformation(joint.marker_b)]
+            near, far = ends if placement.forward else ends[::-1]
+            own = {key: self._coordinates[f"{joint.name}.{key}"] for key in PLACING[joint.type]}
+            links = partial(links_of, joint.type, own, forward=placement.forward, lead=self._lead(joint))
+            skeleton.place(body, placement.parent, links, near, far)
+        return skeleton.tree()
+
+    @cached_property
+    def _origins(self) -> dict[str, SpatialPoint]:
+        """Of flexible bodies that a joint holds at a moving point: that point, which stands for their origin then.
+
+        Only with shapes of first order, for which this changes no equation.
+        """
+        joints = {joint.name: joint for joint in self.scene.joints}
+        held = {ball.child: (name, ball.forward) for name, ball in self.orientations.balls.items()}
+        held |= {one.child: (one.joint, one.forward) for one in self.topology.placements.values()}
+        found = {}
+        for body, (name, forward) in held.items():
+            data, joint = self.bodies[body].integrals, joints[name]
+            _, point = spatial_point(self.scene, joint.marker_b if forward else joint.marker_a, self.table)
+            moves = any(not value.is_zero() for shape in point.shapes for value in shape)
+            if data is not None and data.P and not data.S_H and not point.H and moves:
+                found[body] = point
+        return found
+
+    def _hold(self, name: str) -> tuple[str, Turning, Deformation, Deformation, Callable[[], Matrix]]:
+        """Parent, turning, near and far marker of a spherical joint of the tree, and the parent's axes in the world."""
+        ball = self.orientations.balls[name]
+        joint = next(joint for joint in self.scene.joints if joint.name == name)
+        ends = [self._deformation(joint.marker_a), self._deformation(joint.marker_b)]
+        near, far = ends if ball.forward else ends[::-1]
+        return ball.parent, self._turnings[ball.child], near, far, partial(self._axes, ball.parent)
+
+    def _axes(self, body: str) -> Matrix:
+        """Of a body in the world, by rows."""
+        seat = self.tree.seats[body]
+        path = self._path(GROUND, seat.frame).branch()
+        path.turn_by(seat.place.R)
+        return [[axis[i] for axis in path.axes] for i in range(3)]
+
+    def _number(self, value: ca.SX) -> float:
+        """At the default parameters."""
+        defaults = np.array([entry.default for entry in self.table.entries])
+        return float(ca.Function("number", [self.table.vector()], [value])(defaults))
+
+    def _deformation(self, reference: str) -> Deformation:
+        name, point = spatial_point(self.scene, reference, self.table)
+        q = self.bodies[name].coordinates
+        if name in self._origins:
+            point = point.less(self._origins[name])
+        return Deformation(point, q.q_f, q.q_f_dot, q.elastic)
+
+    # ---- markers ---------------------------------------------------------------------------------------------
+
+    def marker(self, reference: str) -> SpatialMarker:
+        """Motion of "body.marker" seen from the ground."""
+        return self._seen_from(GROUND, reference)
+
+    def pair(self, a: str, b: str) -> tuple[SpatialMarker, SpatialMarker]:
+        """Two markers seen from the last frame that their ways have in common: what is between them needs no more."""
+        base = self._common(a, b)
+        return self._seen_from(base, a), self._seen_from(base, b)
+
+    def _common(self, a: str, b: str) -> int:
+        base = self.tree.common(a.partition(".")[0], b.partition(".")[0])
+        ways = (self.tree.way(self.tree.seats[one.partition(".")[0]].frame) for one in (a, b))
+        if base != GROUND and any(self._has_ball(way[way.index(base) + 1 :]) for way in ways):
+            return GROUND
+        return base
+
+    def _way(self, base: int, reference: str) -> Way:
+        seat = self.tree.seats[reference.partition(".")[0]]
+        return Way.to(self.tree, base, seat, self._deformation(reference), self._path(base, seat.frame))
+
+    def _has_ball(self, frames: list[int]) -> bool:
+        return any(isinstance(move, Ball) for frame in frames for move in self.tree.frames[frame].moves)
+
+    def _seen_from(self, base: int, reference: str) -> SpatialMarker:
+        return self._way_to(base, reference).end()
+
+    def _way_to(self, base: int, reference: str) -> Path:
+        marker = self._deformation(reference)
+        seat = self.tree.seats[reference.partition(".")[0]]
+        path = self._path(base, seat.frame).branch()
+        if marker.rigid:
+            path.shift(seat.place.r)
+            path.turn_by(seat.place.R)
+            path.shift(marker.point.position)
+            path.turn_by(marker.point.axes)
+        else:
+            Bend(marker).lead(path)
+        return path
+
+    def _path(self, base: int, frame: int) -> Path:
+        if frame == base:
+            return Path()
+        if (base, frame) not in self._paths:
+            path = self._path(base, self.tree.frames[frame].parent).branch()
+            for move in self.tree.frames[frame].moves:
+                move.lead(path)
+            self._paths[base, frame] = path
+        return self._paths[base, frame]
+
+    def joint_rows(self, joint: Joint, motion: list[ca.SX]) -> list[ConstraintRow]:
+        """Rows of a placing joint as in all coordinates, all others by the tree's coordinates."""
+        if joint.name in self.topology.placements or joint.name in self.orientations.balls:
+            return [row for row in self.whole.constraints if row.joint == joint.name]
+        if joint.type in COVERED:
+            ways = (self._way_to(GROUND, reference) for reference in (joint.marker_a, joint.marker_b))
+            self.curvatures[joint.name] = LoopCurvature(*ways)
+        if joint.type == "spherical":
+            base = self._common(joint.marker_a, joint.marker_b)
+            self.loop_rates[joint.name] = LoopRates(*(self._way(base, one) for one in (joint.marker_a, joint.marker_b)))
+        return super().joint_rows(joint, motion)
+
+    def picture(self) -> Picture:
+        """That of all coordinates."""
+        return self.whole.picture
