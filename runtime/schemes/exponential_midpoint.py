@@ -172,7 +172,7 @@ class ExponentialMidpoint(OneStep):
     ) -> tuple[ca.SX, ca.SX]:
         """Where the motion from the start of the step leads with a response; at: where a tree has its inertia."""
         x, v, h, n = z["x"], z["v"], equations.h[0], len(self.model.q_i)
-        none, stiff = ca.SX.zeros(n), equations.deflections()
+        stiff = equations.deflections()
         motion: StiffMotion | StiffTreeMotion
         if at is not None and self.by_tree:
             a, solution = response - self._pushed(equations, at, x, v), partial(equations.shifted_solution, at)
@@ -180,8 +180,8 @@ class ExponentialMidpoint(OneStep):
         else:
             X = ca.reshape(response[n:], n, stiff.B.shape[1])
             a = response[:n] - ca.mtimes(X, stiff.force(x, v))
-            motion = StiffMotion(x, v, StiffResponse(stiff.B, stiff.K, stiff.D, a, X), h, None)
-        end = motion.to(2, none, none)
+            motion = StiffMotion(x, v, StiffResponse(stiff.B, stiff.K, stiff.D, a, X), h, halves=True)
+        end = motion.to(2)
         return end.q, end.v
 
     @staticmethod

@@ -72,13 +72,13 @@ def krogstad(
     Y4 is a result of order 2 and so an estimate of the error; the polynomial with b1, b2 leads through the whole step.
     rough: let Y4 follow the stiff part in one sub-step, so that the estimate sees modes that the steps do not resolve.
     """
-    h, none = motion.h, ca.SX.zeros(motion.x.numel())
-    d2 = d(motion.to(1, none, none))
-    middle = motion.to(1, 4 / h * d2, none)
+    h = motion.h
+    d2 = d(motion.to(1))
+    middle = motion.to(1, 4 / h * d2)
     d3 = d(middle)
-    before = motion.to(2, 2 / h * d3, none, at_once=rough)
+    before = motion.to(2, 2 / h * d3, at_once=rough)
     d4 = d(before)
-    b1, b2 = (2 * d2 + 2 * d3 - d4) / h, 4 / (h * h) * (d4 - d2 - d3)
+    b1, b2 = 2 / h * (d2 + d3) - 1 / h * d4, 4 / (h * h) * d4 - 4 / (h * h) * (d2 + d3)  # d4 is waited for
     return KrogstadStages(middle, before, motion.to(2, b1, b2), b1, b2)
 
 
@@ -140,7 +140,8 @@ class ExponentialRungeKutta(OneStep):
             motion = motion_along_tree(equations, start, x, v, equations.accelerations(start, v), h)
         else:
             found = equations.stiff_response(start, v)
-            motion = StiffMotion(x, v, found, h, tangent_of(self.options, equations, start, v, found))
+            tangent = tangent_of(self.options, equations, start, v, found)
+            motion = StiffMotion(x, v, found, h, tangent, halves=tangent is not None)
         loop = (
             equations.loop_part(start.q_d),
             equations.loop_part(equations.rates(start, v)),

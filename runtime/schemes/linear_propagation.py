@@ -20,51 +20,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from functools import cache
-from math import factorial
 
 import casadi as ca
-from numpy.polynomial import Polynomial
 
+from runtime.schemes.partial_fractions import Pole, poles
 from runtime.schemes.sparse_lu import Number, factor, solve
-
-DEGREE = 3
-PHI = 4  # phi_1 to phi_4
-
-
-@dataclass(frozen=True)
-class Pole:
-    """r with weights: part^k phi_k(part z) is about sum_j weights[k - 1] / (r - z), conjugates counted in `share`."""
-
-    r: complex
-    weights: tuple[complex, ...]
-    share: float
-
-
-@cache
-def poles(degree: int = DEGREE, part: float = 1.0, decaying: bool = False) -> tuple[Pole, ...]:
-    """Partial fractions of the approximations of phi_1, phi_2, phi_3; one of each conjugate pair.
-
-    decaying: from the Pade approximation whose numerator is of one degree less: R(-infinity) = 0.
-    """
-    coefficients, top = [1.0], degree - decaying
-    for k in range(1, degree + 1):
-        coefficients.append(-coefficients[-1] * (degree - k + 1) / ((degree + top - k + 1) * k))
-    denominator = Polynomial(coefficients)
-    exponential = Polynomial([part**k / factorial(k) for k in range(degree + 1)])
-    numerators, current = [], (denominator * exponential).truncate(top + 1)  # for part = 1 Pade's
-    for k in range(1, PHI + 1):
-        start = part ** (k - 1) / factorial(k - 1)
-        current = Polynomial((current - start * denominator).coef[1:])  # phi_k = (phi_{k-1} - start) / z
-        numerators.append(current)
-    slope = denominator.deriv()
-    found = []
-    for root in map(complex, denominator.roots()):
-        if root.imag >= -1e-9:
-            r = root if root.imag > 1e-9 else complex(root.real)
-            weights = tuple(complex(-p(r) / slope(r)) for p in numerators)
-            found.append(Pole(r, weights, 2.0 if r.imag else 1.0))
-    return tuple(found)
 
 
 @dataclass(frozen=True)

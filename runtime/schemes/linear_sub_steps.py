@@ -16,10 +16,11 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.engine.program import Call, Fields
 from runtime.schemes.grid import Grid
-from runtime.schemes.linear_propagation import LinearSystem, factors_of, poles, polynomial, propagate
+from runtime.schemes.linear_propagation import LinearSystem, factors_of, polynomial, propagate
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.one_step import OneStep
 from runtime.schemes.options import ClosureOptions, Options, one_of
+from runtime.schemes.partial_fractions import poles
 from runtime.schemes.stage_equations import LinearisedEquations, StageEquations
 from runtime.schemes.state_fields import StateField, work
 from runtime.schemes.step_limit import StepLimit, central_difference_limit

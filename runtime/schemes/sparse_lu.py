@@ -42,6 +42,9 @@ class Number:
             ca.mtimes(self.re, other.im) + ca.mtimes(self.im, other.re),
         )
 
+    def __neg__(self) -> Number:
+        return self.each(lambda part: -part)
+
     def reciprocal(self) -> Number:
         """1 / self, of a number."""
         if self.im is None:
@@ -97,6 +100,43 @@ def solve(factors: Number, b: Number) -> Number:
         found.append(left[0, 0] @ factors[k, k])
         left = left[1:, 0] - factors[k + 1 :, k] @ found[-1]
     return joined(found, ca.vertcat)
+
+
+def inverse(matrix: Number) -> Number:
+    """The inverse of a small matrix: up to three rows by cofactors, beyond by blocks of halves.
+
+    More operations than factors, but short of waiting: one reciprocal for three rows, and a solution is one product.
+    """
+    n = matrix.re.shape[0]
+    if n == 1:
+        return matrix.reciprocal()
+    if n <= 3:
+        return _by_cofactors(matrix, n)
+    k = n // 2
+    P, Q, R, S = matrix[:k, :k], matrix[:k, k:], matrix[k:, :k], matrix[k:, k:]
+    last = inverse(S)
+    left, right = Q @ last, last @ R
+    first = inverse(P - left @ R)
+    upper, lower = -(first @ left), -(right @ first)
+    rest = last - lower @ left
+    return joined([joined([first, upper], ca.horzcat), joined([lower, rest], ca.horzcat)], ca.vertcat)
+
+
+def _by_cofactors(matrix: Number, n: int) -> Number:
+    def minor(i: int, j: int) -> Number:
+        rows, columns = ([(one + k) % n for k in range(1, n)] for one in (i, j))
+        if n == 2:
+            return matrix[rows[0], columns[0]] if i == j else -matrix[rows[0], columns[0]]
+        first, second = (matrix[rows[0], columns[k]] @ matrix[rows[1], columns[1 - k]] for k in (0, 1))
+        return first - second
+
+    cofactors = [[minor(i, j) for j in range(n)] for i in range(n)]
+    terms = [matrix[0, j] @ cofactors[0][j] for j in range(n)]
+    total = terms[0]
+    for term in terms[1:]:
+        total = total - (-term)
+    scale = total.reciprocal()
+    return joined((joined((cofactors[i][j] @ scale for i in range(n)), ca.horzcat) for j in range(n)), ca.vertcat)
 
 
 def pattern(matrix: ca.SX) -> Cells:

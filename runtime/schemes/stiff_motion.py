@@ -1,30 +1,40 @@
 """The motion of a mechanism whose stiff deflections are followed exactly while the rest accelerates as a polynomial.
 
-With g = a_n + b1 tau + b2 tau^2/2, I1 and I2 its first and second integral, and w = s - s_n for s = B^T q, it is
+With w = s - s_n of s = B^T q and g = a_n + b1 tau + b2 tau^2/2 + ..., it is, A = -X K, A_v = -X D (the stiffness of the
+deflections) or any other (the tangent),
 
-    q'' = g + A w + A_v (w' - w'_n),   w'' = B^T g + J w + J_v (w' - w'_n),   J = B^T A, J_v = B^T A_v,
+    q'' = g + A w + A_v (w' - w'_n).
 
-n_s linear equations for w, by sub-steps of h/2 on one set of factors (linear_propagation.py). What q and v are follows
-from w and w' without integrating again. For A = -X K, A_v = -X D (the stiffness of the deflections) all is along X:
+Of q = q_n + I2 + E, I2 the motion of g - A_v w'_n alone, the rest has E'' = A w + A_v w', which is n_s equations. With
+J = B^T A, J_v = B^T A_v and y_k = B^T times the k-th derivative of I2 at the start, the approximation of
+linear_propagation.py gives over h, for each of its poles r with the weight u of phi_1 (u / r^k of the next ones),
 
-    q = q_n + tau v_n + I2 + X Lambda^-1 (w  - B^T (tau v_n + I2)),
-    v = v_n + I1           + X Lambda^-1 (w' - B^T (v_n + I1)),      Lambda = B^T X.
+    (r^2 - r h J_v - h^2 J) x = u sum_k (h / r)^k y_k,    k = 1, 2, ...,
+    E = h^2 A sum x + h A_v sum r x,    E' = h A sum r x + A_v sum r^2 x,
+    w = sum r^2 x,                      w' = R(infinity) y_1 + sum r^3 x / h.
 
-For any other A (the tangent), with U and V the first and second integral of w, from its equation and that integrated,
-
-    J U = w' - w'_n - B^T I1 - J_v (w - tau w'_n),   J V = w - B^T (tau v_n + I2) - J_v (U - tau^2/2 w'_n),
-    v = v_n + I1 + A U + A_v (w - tau w'_n),         q = q_n + tau v_n + I2 + A V + A_v (U - tau^2/2 w'_n).
+Nothing is divided by J or B^T X, so softness does no harm. A few deflections go through a whole step at once, by an
+approximation of higher degree and by inverses of their matrices: then a stage waits for one product. Of more the
+factors are what costs: one set serves both halves of a step, where w of the second begins anew, with A w
+added to g.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from math import factorial
 
 import casadi as ca
+import numpy as np
 
-from runtime.schemes.linear_propagation import Factors, LinearSystem, factors_of, poles, propagate
-from runtime.schemes.sparse_lu import Number, factor, solve
+from runtime.schemes.linear_propagation import polynomial
+from runtime.schemes.partial_fractions import DEGREE, Pole, poles
+from runtime.schemes.sparse_lu import Number, factor, inverse, solve
 from runtime.schemes.stiff_deflections import StiffResponse
+
+FEW = 3  # deflections up to which inverses are formed and whole steps have matrices of their own
+WHOLE_DEGREE = 5  # of the approximation of a whole step: as exact as two of DEGREE for halves, and more below h w = 5
 
 
 @dataclass(frozen=True)
@@ -37,67 +47,125 @@ class MotionStage:
     accounted: ca.SX
 
 
+class _Resolvents:
+    """Solutions of (r^2 - r h J_v - h^2 J) x = f for the poles r of a sub-step h."""
+
+    def __init__(self, J: ca.SX, J_v: ca.SX, h: ca.SX, chosen: Sequence[Pole]) -> None:
+        self.h, self.poles, self._few = h, chosen, J.shape[0] <= FEW
+        self._kept = [(inverse if self._few else factor)(_shifted(J, J_v, h, pole.r)) for pole in chosen]
+
+    def sums(self, y: Sequence[ca.SX]) -> list[ca.SX]:
+        """Sums over the poles of h^2 x, h r x, r^2 x and r^3 x / h."""
+        scales, sums = (self.h * self.h, self.h, ca.SX(1), 1 / self.h), [ca.SX(0)] * 4
+        for pole, kept in zip(self.poles, self._kept, strict=True):
+            x = self._solution(pole, kept, y)
+            for k, scale in enumerate(scales):
+                power = pole.share * pole.r**k
+                part = power.real * scale * x.re
+                sums[k] = sums[k] + (part if x.im is None else part - power.imag * scale * x.im)
+        return sums
+
+    @property
+    def turned(self) -> float:
+        """R at infinity: what a rate is multiplied by where nothing else is left of the motion."""
+        return 1 - sum((pole.share * pole.weights[0]).real for pole in self.poles)
+
+    def _solution(self, pole: Pole, kept: Number, y: Sequence[ca.SX]) -> Number:
+        def side(part: str) -> ca.SX:
+            terms = (getattr(pole.weights[0] / pole.r**k, part) * self.h**k * one for k, one in enumerate(y, start=1))
+            return ca.densify(sum(terms, ca.SX(0)))
+
+        f = Number(side("real"), side("imag") if pole.r.imag else None)
+        return kept @ f if self._few else solve(kept, f)
+
+
+def _shifted(J: ca.SX, J_v: ca.SX, h: ca.SX, r: complex) -> Number:
+    square, unit = r * r, ca.SX.eye(J.shape[0])
+    re = square.real * unit - r.real * h * J_v - h * h * J
+    return Number(re, square.imag * unit - r.imag * h * J_v if r.imag else None)
+
+
 class StiffMotion:
     """Motions from the start (x, v) of a step of h [s], with what they share.
 
-    tangent: (A, A_v), n_i x n_s each; None for those of the constant stiffness and damping.
+    tangent: (A, A_v), n_i x n_s each; None for those of the constant stiffness and damping. halves: never go through
+    both halves of a step at once: undamped motion that is not resolved keeps its energy better over very many steps.
     """
 
-    def __init__(self, x: ca.SX, v: ca.SX, found: StiffResponse, h: ca.SX, tangent: tuple[ca.SX, ca.SX] | None) -> None:
-        self.x, self.v, self.a, self.found, self.h, self.tangent = x, v, found.a, found, h, tangent
-        self.n_s = found.B.shape[1]
+    def __init__(
+        self,
+        x: ca.SX,
+        v: ca.SX,
+        found: StiffResponse,
+        h: ca.SX,
+        tangent: tuple[ca.SX, ca.SX] | None = None,
+        halves: bool = False,
+    ) -> None:
+        self.x, self.v, self.a, self.B, self.h = x, v, found.a, found.B, h
         if tangent is None:
-            J, J_v = -ca.mtimes(found.Lambda, found.K), -ca.mtimes(found.Lambda, found.D)
-        else:
-            J, J_v = (ca.mtimes(found.B.T, one) for one in tangent)
-        self.system = LinearSystem(ca.SX.eye(self.n_s), J, J_v)
-        self.factors: Factors = factors_of(self.system, h / 2) if self.n_s else ()
+            tangent = -ca.mtimes(found.X, found.K), -ca.mtimes(found.X, found.D)
+        self.A, self.A_v = (ca.sparsify(one) for one in tangent)
+        self.J, self.J_v = (ca.sparsify(ca.mtimes(found.B.T, one)) for one in (self.A, self.A_v))
         self.rate = ca.mtimes(found.B.T, v)
+        self.whole = not halves and found.B.shape[1] <= FEW
+        self._back = ca.sparsify(ca.SX(np.linalg.pinv(np.array(ca.DM(found.B))).T))
+        self._known: dict[tuple[int, bool], _Resolvents] = {}
 
-    def to(self, halves: int, b1: ca.SX, b2: ca.SX, at_once: bool = False) -> MotionStage:
-        """The motion over so many half steps with accelerations a_n + b1 tau + b2 tau^2 / 2 beside the stiff part.
+    def to(self, halves: int, *bends: ca.SX, at_once: bool = False) -> MotionStage:
+        """The motion over so many half steps with a_n + b1 tau + b2 tau^2 / 2 + ... beside the stiff part.
 
         at_once: both halves in one sub-step that lets what is fast die out, with factors of its own: less exact where
         modes are not resolved.
         """
-        a, tau = self.a, halves * self.h / 2
-        I1 = tau * (a + tau / 2 * (b1 + tau / 3 * b2))
-        I2 = tau * (self.v + tau / 2 * (a + tau / 3 * (b1 + tau / 4 * b2)))  # with tau v_n
-        if not self.n_s:
-            return MotionStage(tau, self.x + I2, self.v + I1, ca.SX.zeros(a.numel()))
-        B = self.found.B
-        G = (ca.mtimes(B.T, a) - ca.mtimes(self.system.J_v, self.rate), ca.mtimes(B.T, b1), ca.mtimes(B.T, b2))
-        w, u = ca.SX.zeros(self.n_s), self.rate
-        if at_once and halves == 2:
-            shifts = tuple(pole.r for pole in poles(decaying=True))
-            factors = factors_of(self.system, self.h, shifts)
-            w, u = propagate(self.system, factors, w, u, G, ca.SX(0), self.h, decaying=True)
-        else:
-            for k in range(halves):
-                w, u = propagate(self.system, self.factors, w, u, G, k * self.h / 2, self.h / 2)
-        if self.tangent is not None:
-            return self._by_tangent(tau, w, u, I1, I2)
-        q = self.x + I2 + self.found.along(w - ca.mtimes(B.T, I2))
-        v = self.v + I1 + self.found.along(u - self.rate - ca.mtimes(B.T, I1))
-        force = ca.mtimes(self.found.K, w) + ca.mtimes(self.found.D, u - self.rate)
-        return MotionStage(tau, q, v, -ca.mtimes(self.found.X, force))
+        tau = halves * self.h / 2
+        if not self.B.shape[1]:
+            return self._stage(tau, *_even(tau, self.v, (self.a, *bends)))
+        g = (self.a - ca.mtimes(self.A_v, self.rate), *bends)
+        moved, rise = _even(tau, self.v, g)
+        by_A, by_A_v, w, rate = self._along(halves, [ca.mtimes(self.B.T, one) for one in g], at_once)
+        moved = moved + ca.mtimes(self.A, by_A[0]) + ca.mtimes(self.A_v, by_A_v[0])
+        rise = rise + ca.mtimes(self.A, by_A[1]) + ca.mtimes(self.A_v, by_A_v[1])
+        return self._stage(tau, self._with(moved, w), self._with(rise, rate - self.rate))
 
-    def _by_tangent(self, tau: ca.SX, w: ca.SX, u: ca.SX, I1: ca.SX, I2: ca.SX) -> MotionStage:
-        assert self.tangent is not None
-        (A, A_v), B, J_v = self.tangent, self.found.B, self.system.J_v
-        factors = factor(Number(self.system.J_q))
+    def _along(
+        self, halves: int, g: Sequence[ca.SX], at_once: bool
+    ) -> tuple[tuple[ca.SX, ca.SX], tuple[ca.SX, ca.SX], ca.SX, ca.SX]:
+        """What multiplies A and A_v in E and in E', and w and w', at the end."""
+        none = ca.SX.zeros(self.B.shape[1])
+        S, S_dot, R, R_dot, w, rate = none, none, none, none, none, self.rate
+        whole = self.whole or at_once
+        for k in range(1 if whole else halves):
+            resolvents = self._resolvents(halves if whole else 1, at_once and halves == 2)
+            h, slopes = resolvents.h, [polynomial(g[j:], k * self.h / 2) for j in range(len(g))]
+            slopes[0] = slopes[0] + ca.mtimes(self.J, w)
+            by_sum, by_rate, change, faster = resolvents.sums([rate, *slopes])
+            S, S_dot = S + h * S_dot + h * h / 2 * w + by_sum, S_dot + h * w + by_rate
+            R, R_dot = R + h * R_dot + by_rate, R_dot + change
+            w, rate = w + change, resolvents.turned * rate + faster
+        return (S, S_dot), (R, R_dot), w, rate
 
-        def over_J(side: ca.SX) -> ca.SX:
-            return solve(factors, Number(ca.densify(side))).re
+    def _with(self, vector: ca.SX, along: ca.SX) -> ca.SX:
+        """A vector whose part along B is known without the cancellation of I2 and E, which grows with (h w)^2."""
+        return vector + ca.mtimes(self._back, along - ca.mtimes(self.B.T, vector))
 
-        turned = w - tau * self.rate
-        U = over_J(u - self.rate - ca.mtimes(B.T, I1) - ca.mtimes(J_v, turned))
-        turned_twice = U - tau * tau / 2 * self.rate
-        V = over_J(w - ca.mtimes(B.T, I2) - ca.mtimes(J_v, turned_twice))
-        q = self.x + I2 + ca.mtimes(A, V) + ca.mtimes(A_v, turned_twice)
-        v = self.v + I1 + ca.mtimes(A, U) + ca.mtimes(A_v, turned)
-        return MotionStage(tau, q, v, ca.mtimes(A, w) + ca.mtimes(A_v, u - self.rate))
+    def _resolvents(self, halves: int, decaying: bool) -> _Resolvents:
+        """Of a sub-step of so many halves, made once."""
+        if (halves, decaying) not in self._known:
+            chosen = poles(DEGREE if decaying or halves == 1 else WHOLE_DEGREE, decaying=decaying)
+            self._known[halves, decaying] = _Resolvents(self.J, self.J_v, halves * self.h / 2, chosen)
+        return self._known[halves, decaying]
+
+    def _stage(self, tau: ca.SX, moved: ca.SX, rise: ca.SX) -> MotionStage:
+        along, faster = ca.mtimes(self.B.T, moved), ca.mtimes(self.B.T, rise)
+        accounted = ca.mtimes(self.A, along) + ca.mtimes(self.A_v, faster)
+        return MotionStage(tau, self.x + moved, self.v + rise, ca.densify(accounted))
 
     def remainder(self, a: ca.SX, stage: MotionStage) -> ca.SX:
         """d: what accelerations at a stage are beside a_n and what the stiff part accounts for."""
-        return a - self.a - stage.accounted
+        return a - (self.a + stage.accounted)
+
+
+def _even(tau: ca.SX, v: ca.SX, g: Sequence[ca.SX]) -> tuple[ca.SX, ca.SX]:
+    """Changes of q and of v by the polynomial alone."""
+    rise = sum((tau**k / factorial(k) * one for k, one in enumerate(g, start=1)), ca.SX(0))
+    return tau * v + sum((tau**k / factorial(k) * one for k, one in enumerate(g, start=2)), ca.SX(0)), rise

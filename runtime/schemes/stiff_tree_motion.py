@@ -17,7 +17,7 @@ from collections.abc import Callable
 
 import casadi as ca
 
-from runtime.schemes.linear_propagation import poles
+from runtime.schemes.partial_fractions import poles
 from runtime.schemes.sparse_lu import Number
 from runtime.schemes.stiff_deflections import StiffDeflections
 from runtime.schemes.stiff_motion import MotionStage
@@ -34,21 +34,23 @@ class StiffTreeMotion:
     ) -> None:
         self.x, self.v, self.a, self.stiff, self.h, self.solution = x, v, a, stiff, h, solution
 
-    def to(self, halves: int, b1: ca.SX, b2: ca.SX, at_once: bool = False) -> MotionStage:
+    def to(self, halves: int, *bends: ca.SX, at_once: bool = False) -> MotionStage:
         """The motion over so many half steps with accelerations a + b1 tau + b2 tau^2 / 2 beside the stiff part.
 
         at_once: both halves in one sub-step that lets what is fast die out: less exact where modes are not resolved.
         """
-        E, rate = ca.SX.zeros(self.a.numel()), ca.SX.zeros(self.a.numel())
+        none = ca.SX.zeros(self.a.numel())
+        E, rate = none, none
+        b1, b2 = (*bends, none, none)[:2]
         h, count = (self.h, 1) if at_once and halves == 2 else (self.h / 2, halves)
         for k in range(count):
             E, rate = self._sub_step(k * h, h, b1, b2, E, rate, count < halves)
         tau = halves * self.h / 2
         I1, I2 = self._integrals(tau, b1, b2)
         q, v = self.x + tau * self.v + I2 + E, self.v + I1 + rate
-        none = Number(ca.SX(0))
+        unshifted = Number(ca.SX(0))
         force = self.stiff.force(q - self.x, v - self.v)
-        return MotionStage(tau, q, v, -self.solution(none, none, Number(force)).re)
+        return MotionStage(tau, q, v, -self.solution(unshifted, unshifted, Number(force)).re)
 
     def remainder(self, a: ca.SX, stage: MotionStage) -> ca.SX:
         """d: what accelerations at a stage are beside a_n and what the stiff part accounts for."""

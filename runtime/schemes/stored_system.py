@@ -8,8 +8,9 @@ import casadi as ca
 
 from runtime.contract.model import Model
 from runtime.engine.program import Fields
-from runtime.schemes.linear_propagation import Factors, LinearSystem, poles
+from runtime.schemes.linear_propagation import Factors, LinearSystem
 from runtime.schemes.options import SchemeError
+from runtime.schemes.partial_fractions import poles
 from runtime.schemes.sparse_lu import Cells, Number, filled, pattern
 from runtime.schemes.stage_equations import StageEquations
 

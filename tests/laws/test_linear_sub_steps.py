@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 import scipy.linalg
 
-from runtime.schemes.linear_propagation import LinearSystem, factors_of, poles, propagate
+from runtime.schemes.linear_propagation import LinearSystem, factors_of, propagate
+from runtime.schemes.partial_fractions import poles
 from tests.support.model_values import Array
 
 

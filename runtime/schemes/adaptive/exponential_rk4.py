@@ -101,4 +101,4 @@ class AdaptiveExponentialRungeKutta(AdaptiveSteps):
         n, n_s = stiff.B.shape
         found = StiffResponse(stiff.B, stiff.K, stiff.D, z["a_from"], ca.reshape(z["X"], n, n_s))
         tangent = (ca.reshape(z["A"], n, n_s), ca.reshape(z["A_v"], n, n_s)) if "A" in z else None
-        return StiffMotion(z["q_from"], z["v_from"], found, h, tangent)
+        return StiffMotion(z["q_from"], z["v_from"], found, h, tangent, halves=tangent is not None)

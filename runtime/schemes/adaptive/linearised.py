@@ -17,9 +17,10 @@ from runtime.engine.program import Fields
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps, Attempt
 from runtime.schemes.adaptive.exponential import HALVES, refuse_what_a_tolerance_cannot
 from runtime.schemes.grid import Grid
-from runtime.schemes.linear_propagation import LinearSystem, factors_of, poles, propagate
+from runtime.schemes.linear_propagation import LinearSystem, factors_of, propagate
 from runtime.schemes.linearised import LinearisedOptions
 from runtime.schemes.options import SchemeError
+from runtime.schemes.partial_fractions import poles
 from runtime.schemes.stage_equations import ClosedConfiguration, LinearisedEquations, StageEquations
 from runtime.schemes.state_fields import StateField, state
 from runtime.schemes.stored_system import StoredSystem
