@@ -13,7 +13,7 @@ import numpy as np
 from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.tolerance_runs import Case, Method, Run, best_of, steps_at, swept
-from runtime.running.trials import Calibration
+from runtime.running.calibration import Calibration
 from runtime.studies.advice.auto import choose
 from symgen.scenes.hard_suite import CASES
 

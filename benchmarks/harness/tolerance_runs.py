@@ -14,7 +14,7 @@ from runtime.contract.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.sampling import evaluate
 from runtime.running.arguments import RunArguments
-from runtime.running.trials import Calibration
+from runtime.running.calibration import Calibration
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.error_norm import FLOOR
 from runtime.schemes.catalogue import scheme_kind
@@ -125,10 +125,14 @@ class Method:
             known.begin(scheme, z)
         ready = self.stepper.ready_for(scheme.constants(s.c, dt, tolerance))
 
+        if not self.case.jumps:
+            scheme.look_ahead(z, [])
+
         def advance(state: np.ndarray, n: int) -> None:
             end, on = int(state[1]) + n, True
             while on:
-                scheme.look_ahead(state, self.case.jumps)
+                if self.case.jumps:
+                    scheme.look_ahead(state, self.case.jumps)
                 self.stepper.run(state, ready, end - int(state[1]))
                 on = state[1] < end and not scheme.is_stuck(state)
 

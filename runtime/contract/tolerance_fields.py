@@ -24,6 +24,8 @@ FIELDS_OF_TOLERANCE = (
     ("q_high", "n_i", "mixed", "largest q_i so far"),
     ("ranging", "1", "1", "positive where ranges widen with the motion, not where they are known"),
     ("per_step", "1", "1", "tolerance of a step over that of the motion"),
+    ("steady", "1", "s", "length of all steps where they are of one length, else 0"),
+    ("straight", "1", "1", "steps of one length that are made before one is looked at"),
     ("q_seen", "n_i", "mixed", "q_i that ranges are told of, at the end of the last step, where turns have charts"),
     ("weight", "n_i", "mixed", "what squares of estimated errors are multiplied by"),
     ("width", "1", "1", "weighted squares of the ranges from which on weights are formed anew"),

@@ -79,6 +79,7 @@ def _varying(
     scheme, other, steps = segment.plan.scheme, start.copy(), segment.step_of(end) - segment.step_of(start)
     assert isinstance(scheme, AdaptiveSteps)
     constants = scheme.constants(segment.c, None, TOLERANCE * scheme.tolerance)
+    scheme.with_errors(other, TOLERANCE)
     scheme.step_from_seen(other, segment.plan.grid.dt_L)  # the run's own step has gone further, and its error with it
     segment.run_varying(other, steps, segment.stepper.ready_for(constants), segment.plan.grid.dt_L)
     if segment.step_of(other) != segment.step_of(end):

@@ -16,6 +16,7 @@ from runtime.operating.given_state import given_state
 from runtime.results.solution import Solution
 from runtime.running.accuracy import Accuracy
 from runtime.running.arguments import Further, FurtherArguments
+from runtime.running.calibration import Calibration
 from runtime.running.checkpoint import CheckpointRule
 from runtime.running.driven import driven_solution
 from runtime.running.inputs import InputValue, bound, scheduled, started
@@ -27,7 +28,7 @@ from runtime.running.schedule import Schedule
 from runtime.running.segment import Segment
 from runtime.running.time_functions import check_time_functions
 from runtime.running.tolerance import with_tolerance
-from runtime.running.trials import Calibration, trials_of
+from runtime.running.trials import trials_of
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.options import SchemeError
 from runtime.start.start_state import start_state
@@ -90,6 +91,8 @@ def simulate(
     solution = finished(run, set_up)
     if known is not None:
         solution.stats |= known.told()
+        if "estimated_error" in solution.stats:  # errors that grow with time are seen by trials, and not by windows
+            solution.stats["estimated_error"] = max(known.error, float(solution.stats["estimated_error"]))
     return solution
 
 

@@ -62,9 +62,10 @@ def _of_tolerance(segment: Segment, scheme: AdaptiveSteps, z: np.ndarray) -> Win
     seconds = max(scheme.begin_anew(z) * STEPS, SHARE * (plan.t_end - plan.t0))
     t, (q, q_dot) = segment.time_of(z), seen_state(segment, z)
     states, constants = [], []
-    for tolerance in (scheme.tolerance, scheme.tolerance / FINER):
-        constants.append(scheme.constants(segment.c, seconds, tolerance))
+    for share in (1.0, 1.0 / FINER):
+        constants.append(scheme.constants(segment.c, seconds, share * scheme.tolerance))
         states.append(z.copy())
+        scheme.with_errors(states[-1], share)
         segment.forget_determinants(states[-1])
         segment.run_varying(states[-1], 1, stepper.ready_for(constants[-1]), seconds)
         if segment.step_of(states[-1]) != 1:

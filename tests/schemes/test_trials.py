@@ -9,7 +9,8 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
-from runtime.running.trials import SEEN, Trials
+from runtime.running.trials import Trials
+from runtime.running.tried_motion import SEEN, TrialRuns
 from tests.support.prepared_runs import PreparedRuns
 
 Load = Callable[[str], Model]
@@ -36,19 +37,21 @@ def test_the_tolerance_is_that_of_the_motion(
         delivered[error_of] = float((np.sqrt(np.mean((run.q_i - exact) ** 2, axis=0)) / exact.std(axis=0)).max())
         told = run.stats.get("trials", 0), run.stats.get("expected_error", 0.0)
         assert (told == (0, 0.0)) == (error_of == "step")
-        assert (run.stats["step_tolerance"] == tolerance) == (error_of == "step")
+        assert (run.stats["step_tolerance"] == tolerance, run.stats["steady_step"] == 0) == (error_of == "step",) * 2
     assert 0.1 * tolerance < delivered["motion"] < 3 * tolerance
     assert step_error[0] * tolerance < delivered["step"] < step_error[1] * tolerance
 
 
 def test_trials_tell_amplitudes_before_the_first_step(built_in: Load) -> None:
     """An arm begins with small vibrations: with the amplitudes of all of its motion it takes fewer steps."""
-    model, taken = built_in("flexible_joint_arm"), []
-    settings = {"scheme": "exponential_rk4", "t_end": 0.5, "dt": 0.01}
-    run = simulate(model, tolerance=1e-3, **settings)  # type: ignore[arg-type]
-    tolerance = float(run.stats["step_tolerance"])
-    other = simulate(model, tolerance=min(0.1, tolerance), options={"error_of": "step"}, **settings)  # type: ignore[arg-type]
-    taken = [int(one.stats["steps"]) for one in (run, other)]
+    runs = PreparedRuns(built_in("flexible_joint_arm"), "exponential_rk4", options={"tolerance": 1e-3})
+    z = runs.stepper.start(0.0, runs.state.q, runs.state.q_dot, runs.c, 0.5 / SEEN)
+    trials = TrialRuns(runs.stepper, z, runs.c, 0.5, [])
+    first = trials.of_tolerance(1e-2, None)
+    assert first is not None
+    taken = [
+        one.steps for one in (trials.of_tolerance(1e-3, first), trials.of_tolerance(1e-3, None)) if one is not None
+    ]
     assert taken[0] < 0.8 * taken[1]
 
 
@@ -63,7 +66,7 @@ def test_trials_have_a_budget(built_in: Load) -> None:
     runs = PreparedRuns(built_in("pendulum"), "dopri5", options={"tolerance": 1e-4})
     z = runs.stepper.start(0.0, runs.state.q, runs.state.q_dot, runs.c, 10.0 / SEEN)
     whole = Trials(runs.stepper, z, runs.c, 10.0, [])
-    assert whole.calibration(1e-4) is not None and whole.tries >= 3
+    assert whole.calibration(1e-4) is not None and whole.runs.tries >= 3
     short = Trials(runs.stepper, z, runs.c, 10.0, [], budget=0.3 * whole.expected)
-    assert short.calibration(1e-4) is None and short.tries == 1
+    assert short.calibration(1e-4) is None and short.runs.tries == 1
     assert 0.5 * whole.expected < short.expected < 2 * whole.expected

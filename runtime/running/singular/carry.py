@@ -19,7 +19,7 @@ from runtime.schemes.central_difference import CentralDifference
 
 COUNTERS = ("closure_error", "iterations", "failures")
 # of steps that follow from one
-OF_TOLERANCE = ("accepted", "counted", "rejected", "h_least", "h_largest", "h_next", "per_step", "lands")
+OF_TOLERANCE = ("accepted", "counted", "rejected", "h_least", "h_largest", "h_next", "per_step", "steady", "lands")
 CLOSURES = 6
 CONJUGATE = np.array([1.0, -1.0, -1.0, -1.0])
 

@@ -33,6 +33,7 @@ class AdaptiveState(OneStep):
     integrates_work = True
     counted_evaluations: tuple[int, int]  # at the start of a step, and in an attempt
     begins_after_rejection = False  # does a refused attempt leave nothing to go on from?
+    error_order: int  # the estimate is of h to this power
     first_same_as_last = False  # is the end of an attempt evaluated, so that the next step need not evaluate its start?
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
@@ -48,6 +49,11 @@ class AdaptiveState(OneStep):
     def tolerance(self) -> float:
         """Of a step's estimated error."""
         return float(self.options.tolerance)  # type: ignore[attr-defined]
+
+    @property
+    def may_be_steady(self) -> bool:
+        """May a run be told to take steps of one length?"""
+        return self.error_of == "motion" and "event_step" not in self.layout.sizes
 
     @property
     def error_of(self) -> str:
@@ -80,6 +86,8 @@ class AdaptiveState(OneStep):
             "weight": state(n),
             "ranging": given(1),
             "per_step": given(1),
+            "steady": given(1),
+            "straight": account(1),
             "width": state(1),
             "wider": state(1),
             "h_next": state(1),
@@ -153,15 +161,21 @@ class AdaptiveState(OneStep):
         """For the statistics of a run that has come to z (flat): accepted and rejected steps, least and largest [s]."""
         seen = {name: z[self.layout.slice(name)][0] for name in ("accepted", "rejected", "h_least", "h_largest")}
         accepted, rejected = int(seen["accepted"]), int(seen["rejected"])
+        steady = float(z[self.layout.slice("steady")][0])
         start, attempt = self.counted_evaluations
         return {
             "steps": accepted,
             "rejected_steps": rejected,
             "least_step": float(seen["h_least"]) if accepted else 0.0,
             "largest_step": float(seen["h_largest"]),
-            "step_tolerance": self.tolerance * float(z[self.layout.slice("per_step")][0]),
+            "step_tolerance": 0.0 if steady else self.tolerance * float(z[self.layout.slice("per_step")][0]),
+            "steady_step": steady,
             "evaluations": accepted * start + (accepted + rejected) * attempt,
         }
+
+    def with_errors(self, z: np.ndarray, share: float) -> None:
+        """Let the steps of z (flat) that are all of one length take the one that a share of the tolerance asks for."""
+        z[self.layout.slice("steady")] *= share ** (1 / self.error_order)
 
     def longest(self, z: np.ndarray) -> float:
         """The longest step of those that led to z (flat) [s]."""
@@ -169,12 +183,25 @@ class AdaptiveState(OneStep):
 
     def operations_taken(self, z: np.ndarray, program: Program) -> float:
         """Of the steps so far, by its program as prepared; what is done to show states is left out."""
+        size = self._sizes(program)
+        if z[self.layout.slice("steady")][0] > 0:
+            return float(z[self.layout.slice("accepted")][0]) * size["plain"]
+        accepted, rejected = (float(z[self.layout.slice(name)][0]) for name in ("accepted", "rejected"))
+        start = self._operations_of_start(size)
+        return accepted * start + (accepted + rejected) * size["attempt"]
+
+    def price_of_varied(self, program: Program) -> float:
+        """Operations of a step of varied length over those of one among steps of one length."""
+        size = self._sizes(program)
+        return (self._operations_of_start(size) + size["attempt"]) / size["plain"]
+
+    def _operations_of_start(self, size: Mapping[str, int]) -> int:
+        return size["move"] + (0 if self.first_same_as_last else size["begin"])
+
+    def _sizes(self, program: Program) -> Mapping[str, int]:
         if not self._operations:
             self._operations |= {stage.name(): int(stage.n_instructions()) for stage in program.stages()}
-        size = self._operations
-        accepted, rejected = (float(z[self.layout.slice(name)][0]) for name in ("accepted", "rejected"))
-        start = size["move"] + (0 if self.first_same_as_last else size["begin"])
-        return accepted * start + (accepted + rejected) * size["attempt"]
+        return self._operations
 
     def look_ahead(self, z: np.ndarray, jumps: Sequence[SwitchTime], halts: bool = False) -> None:
         """Write the next of all times, rising, that no step may cross to z (flat), and how near they are looked at.

@@ -4,7 +4,8 @@ What `dt` is elsewhere is here the time between two states that can be seen: t0 
 end there; a state in between is had from the method's own interpolant. An application of the program is
 
     aim             the time that is to be reached
-    until reached:  from an accepted step on: move to its end, evaluate there what does not depend on h
+    until reached:  where all steps are of one length: as many as need no look, each in one stage
+                    from an accepted step on: move to its end, evaluate there what does not depend on h
                     attempt a step as long as the last one
                     where its error or the time asks for it: judge the step, refuse it or not, choose the next length
     show            the interpolant at the time that was to be reached
@@ -29,6 +30,8 @@ from runtime.schemes.adaptive.step_control import StepControl
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.switching.watched import NEVER, event_outputs, flagged
 
+NOTHING = 1e-12  # of a step: an interpolant is not asked for less
+STARTS = ("q_from", "v_from", "loop_from", "t_from", "a_from", "before")  # what a step sets anew that is looked at
 ATTEMPTS = 1 << 13  # in one application of the program; the next one goes on
 
 
@@ -85,6 +88,11 @@ class AdaptiveSteps(StepControl):
         start = Sequence((Until(Sequence(moved), flag["fresh"], 1, usual=1), begin))
         judge = Until(self.stage("judge", self._judge), flag["odd"], 1, usual=0)
         step: tuple[Program, ...] = (start, self.stage("attempt", self._attempt), judge)
+        if self.may_be_steady:
+            step = (
+                Until(self.stage("plain", self._plain), self.layout.slice("straight").start, ATTEMPTS, usual=0),
+                *step,
+            )
         if "event_step" in self.layout.sizes:
             step = (*step, Until(self.stage("look", self._look), flag["fresh"], 1, usual=1))
         reach = Until(Sequence(step), flag["going"], ATTEMPTS, usual=1)
@@ -159,22 +167,40 @@ class AdaptiveSteps(StepControl):
         peak = ca.fmax(square, FORGET**2 * z["peak"])
         # so far from an end another step and a half would not reach it
         usual = ca.logic_and(ca.logic_and(in_band(square, peak), t + 2 * h < z["end"]), z["wider"] <= 0)
+        usual = ca.logic_and(usual, z["steady"] <= 0)
+        return {
+            **self._ended(z, tried),
+            **{"q_error": tried.dq, "v_error": tried.dv, "odd": ca.if_else(usual, 0.0, 1.0)},
+            "peak": peak,
+            "going": self._goal(z, equations) - t,
+        }
+
+    def _ended(self, z: Fields, tried: Attempt) -> dict[str, ca.SX]:
+        """Fields at the end of a step of h_try to t_try; the next one as long."""
+        h, t = z["h_try"], z["t_try"]
         seen = {"q_seen": self.ranged(tried.q, tried.seen[-1])} if z["q_seen"].numel() else {}
         return {
             **tried.kept,
             **tried.powers,
             **seen,
             **{"q_to": tried.q, "v_to": tried.v, "loop_to": tried.loop, "t_to": t, "t_try": t + h},
-            **{"q_error": tried.dq, "v_error": tried.dv, "odd": ca.if_else(usual, 0.0, 1.0)},
-            "peak": peak,
             **self.closed(z, *tried.seen),
             "det_now": tried.seen[-1].det_loop,
             "accepted": z["accepted"] + 1,
             "fresh": ca.SX(1),
             "cold": ca.SX(0),
-            "going": self._goal(z, equations) - t,
             **({"pending": h} if "work_from" in z else {}),
         }
+
+    def _plain(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        """A step of one length among others, at once and without an estimate: what it begins with is not kept."""
+        found = dict(self._move(z, equations))
+        if not self.first_same_as_last:
+            found |= self._begin({**z, **found}, equations)
+        at = {**z, **found}
+        found |= self._ended(at, self.attempted(at, equations, z["h_try"]))
+        gone = {*STARTS, *(() if self.first_same_as_last else self.method_fields())}
+        return {**{name: one for name, one in found.items() if name not in gone}, "straight": z["straight"] - 1}
 
     def _look(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """Where z watches for events: their values at the end of an accepted step; one that happens ends the loop."""
@@ -195,9 +221,10 @@ class AdaptiveSteps(StepControl):
         arrived = z["t_to"] >= goal
         if "event_step" in z:  # what lies beyond it is made again
             arrived = ca.logic_and(arrived, z["event_step"] >= NEVER)
-        tau = ca.fmin(goal, z["t_to"]) - z["t_from"]
+        h = z["t_to"] - z["t_from"]
+        tau = ca.fmax(ca.fmin(goal, z["t_to"]) - z["t_from"], NOTHING * h)
         q, v = self.between(z, equations, tau)
-        loop = z["loop_from"] + tau * (z["loop_to"] - z["loop_from"]) / (z["t_to"] - z["t_from"])
+        loop = z["loop_from"] + tau * (z["loop_to"] - z["loop_from"]) / h
         out = {"x": q, "v": v, "loop": loop, "n": z["n"] + 1}
         if "work_from" in z:
             middle, end = (

@@ -24,7 +24,6 @@ LEAST, LEAST_OF_TIME = 1e-12, 1e-14  # of dt and of t: shorter steps are not mad
 class StepControl(AdaptiveState):
     """The controller, as stages."""
 
-    error_order: int  # the estimate is of h to this power
     strictness: float = 1.0  # what the estimate is multiplied by, so that all methods deliver about the same
 
     def _goal(self, z: Fields, equations: StageEquations) -> ca.SX:
@@ -37,7 +36,8 @@ class StepControl(AdaptiveState):
         low_now, high_now = ca.fmin(z["q_low"], now), ca.fmax(z["q_high"], now)
         weight = self._weight(z, low_now, high_now, equations)
         width = WIDER * ca.dot(weight, (high_now - low_now) ** 2)
-        plan = self.planned(z, equations, z["t_to"], z["h_next"])
+        wanted = ca.if_else(z["steady"] > 0, z["steady"], z["h_next"])
+        plan = {**self.planned(z, equations, z["t_to"], wanted), "straight": ca.SX(0)}
         counted = self._lengths(z, z["accepted"])
         return {**counted, "going": way, "det_low": low, "det_high": high, "weight": weight, "width": width, **plan}
 
@@ -85,17 +85,21 @@ class StepControl(AdaptiveState):
         square = mean_square(weight, z["q_error"], h * z["v_error"])
         # the errors before were measured as this one was
         peak = z["peak"] * square / ca.fmax(mean_square(z["weight"], z["q_error"], h * z["v_error"]), SMALLEST**2)
-        accepted = square <= REFUSED**2
+        steady = z["steady"] > 0
+        accepted = ca.logic_or(square <= REFUSED**2, steady)
         factor = step_factor(square, peak, self.error_order)
         wanted = h * factor
         wanted = ca.if_else(accepted, ca.fmax(wanted, ca.if_else(h < z["h_next"], z["h_next"], 0.0)), wanted)
+        wanted = ca.if_else(steady, z["steady"], wanted)
         t = ca.if_else(accepted, z["t_to"], z["t_from"])
+        plan = self.planned(z, equations, t, wanted)
         stuck = ca.logic_or(z["stuck"] > 0, wanted < LEAST * equations.h[0] + LEAST_OF_TIME * ca.fabs(t))
         landed = ca.logic_and(accepted, z["t_to"] >= z["end"])
         restored = {name: ca.if_else(accepted, z[name], old) for name, old in self._before(z).items()}
         return {
             **restored,
-            **self.planned(z, equations, t, wanted),
+            **plan,
+            "straight": ca.if_else(ca.logic_and(steady, ca.logic_not(landed)), self._alike(z, equations, plan, t), 0.0),
             **{"weight": weight, "width": WIDER * ca.dot(weight, (high - low) ** 2), "wider": ca.SX(0)},
             "peak": peak_after(square, peak, factor, self.error_order),
             "t_to": t,
@@ -107,6 +111,12 @@ class StepControl(AdaptiveState):
             "going": self._left({**z, "stuck": stuck}, self._goal(z, equations) - t, t),
             **({"pending": ca.if_else(accepted, h, 0.0), "landed": landed} if "work_from" in z else {}),
         }
+
+    def _alike(self, z: Fields, equations: StageEquations, plan: Mapping[str, ca.SX], t: ca.SX) -> ca.SX:
+        """How many steps from t on need no look: all to the last before what is to be seen, or two before an end."""
+        h = plan["h_next"]
+        to_goal = ca.ceil((self._goal(z, equations) - t) / h) - 1
+        return ca.fmax(0, ca.fmin(to_goal, ca.floor((plan["end"] - t) / h) - 2))
 
     @staticmethod
     def _lengths(z: Fields, accepted: ca.SX) -> dict[str, ca.SX]:

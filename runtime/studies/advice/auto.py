@@ -1,12 +1,14 @@
 """scheme = "auto": a tolerance instead of a step, by the method that the stiffness of the motion asks for.
 
-Trials of the whole motion tell the tolerance of steps that a method needs (runtime/running/trials.py). The explicit
-pair comes first. Stiffness is seen where its steps come near its stability limit; then the exponential methods are
-tried too, and the one that needs the fewest operations makes the run.
+Trials of the whole motion tell the steps that a method needs (runtime/running/trials.py). The explicit pair is first.
+Stiffness is seen where its steps come near its stability limit, mostly in its first, coarse trial; then the exponential
+methods are tried before it goes on, and the one that needs the fewest operations makes the run. Of the methods that
+come later no more is tried than would be worth it: RIVAL times the operations of the best run so far.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Unpack
 
@@ -19,10 +21,12 @@ from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.meter import Meter
 from runtime.results.solution import Solution
 from runtime.running.arguments import RunArguments
+from runtime.running.calibration import Calibration
 from runtime.running.inputs import bound
 from runtime.running.simulate import simulate as run
 from runtime.running.tolerance import tolerance_of, whole_span
-from runtime.running.trials import SEEN, Calibration, Trials
+from runtime.running.trials import Trials
+from runtime.running.tried_motion import SEEN
 from runtime.schemes.adaptive.dormand_prince import DormandPrince5
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import LARGE_SYSTEM, SchemeError
@@ -36,6 +40,7 @@ AUTO = "auto"
 TOLERANCE = 1e-3
 EXPLICIT = "dopri5"
 NEAR = 0.3  # of the stability limit of the explicit pair
+RIVAL, LITTLE = 8.0, 1e7  # times the operations of the best run known, or so many: trials of another take no more
 NEAR_OF_ELASTIC = 0.1  # of it where the model has stiff deflections: methods that follow them may take longer steps
 
 
@@ -90,11 +95,17 @@ def choose(model: Model, tolerance: float, settings: RunArguments) -> AutomaticC
     state = start_state(model, p, c, t0, settings.get("initial"), settings.get("start"))
     span = whole_span(model, settings.get("t_end"), t0)
     motion = _Motion(model, tolerance, c, state, t0, span, switching_times(model, c, t0, t0 + span))
-    found = {EXPLICIT: motion.tried(EXPLICIT)}
-    if found[EXPLICIT].known and not motion.stiff(found[EXPLICIT].longest):
+    explicit = motion.trials(EXPLICIT)
+    found: dict[str, _Tried] = {}
+    if not motion.seems_stiff(explicit):
+        found = {EXPLICIT: motion.tried(explicit, {})}
         known = found[EXPLICIT].known
-        return AutomaticChoice(EXPLICIT, f"{EXPLICIT} to {tolerance:g}: the motion is not stiff", known)
-    found |= {name: motion.tried(name) for name in exponentials(model)}
+        if known and not motion.stiff(known.longest):
+            return AutomaticChoice(EXPLICIT, f"{EXPLICIT} to {tolerance:g}: the motion is not stiff", known)
+    for name in exponentials(model):
+        found[name] = motion.tried(motion.trials(name), found)
+    if EXPLICIT not in found:
+        found[EXPLICIT] = motion.tried(explicit, found)
     best, *others = sorted(found, key=lambda name: found[name].price)
     if found[best].known is None:
         best, *others = sorted(found, key=lambda name: (found[name].expected, name == EXPLICIT))
@@ -128,11 +139,6 @@ class _Tried:
         """Operations of the run, infinite where they are not known."""
         return np.inf if self.known is None else self.known.operations
 
-    @property
-    def longest(self) -> float:
-        """The longest step [s]."""
-        return np.inf if self.known is None else self.known.longest
-
 
 @dataclass(frozen=True)
 class _Motion:
@@ -146,14 +152,26 @@ class _Motion:
     span: float
     switches: list[SwitchTime]
 
-    def tried(self, name: str) -> _Tried:
-        """By a method."""
+    def trials(self, name: str) -> Trials:
+        """Of a method."""
         h = self.span / SEEN
         scheme = scheme_kind(name).build(name, self.model, h, None, {"tolerance": self.tolerance})
         stepper = Stepper(scheme)
         z = stepper.start(self.t0, self.state.q, self.state.q_dot, self.c, h)
-        trials = Trials(stepper, z, self.c, self.span, self.switches)
+        return Trials(stepper, z, self.c, self.span, self.switches)
+
+    def tried(self, trials: Trials, rivals: Mapping[str, _Tried]) -> _Tried:
+        """What trials tell, where it may be worth more than what others were found to need."""
+        best = min((one.price for one in rivals.values()), default=np.inf)
+        trials.runs.budget = min(trials.runs.budget, max(RIVAL * best, LITTLE))
         return _Tried(trials.calibration(self.tolerance), trials.expected)
+
+    def seems_stiff(self, trials: Trials) -> bool:
+        """Would steps of the explicit pair be near its stability limit, as far as its first trial tells?"""
+        first = trials.begin(self.tolerance)
+        if first is None:
+            return True
+        return self.stiff(first.longest * (self.tolerance / first.tolerance) ** (1 / trials.runs.scheme.error_order))
 
     def stiff(self, h: float) -> bool:
         """Is a step near what a vibration or a decay at the start allows? Yes where that is not known."""
