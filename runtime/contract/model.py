@@ -29,7 +29,8 @@ class Model:
     initial_changes: {coordinate or rate: (given, used)} where the scene's initial state had to be corrected.
     digest: SHA-256 of the manifest; scene_toml: an opaque text that only the generator reads; folder: where it was
     loaded from, by which it is pickled; "" if not known. input_values, sources: constants and functions of time given
-    for inputs (see `with_inputs`); driven_by: hash of what else drives a run.
+    for inputs (see `with_inputs`); driven_by: hash of what else drives a run. steppers: see
+    runtime.schemes.kept_steppers.
     Kernels take the run's constants c = constants(p); `function(name)` gives the same function of p.
     """
 
@@ -46,6 +47,7 @@ class Model:
     driven_by: str = ""
     _kernels: dict[str, ca.Function] = field(default_factory=dict, repr=False)
     _derived: dict[str, ca.Function] = field(default_factory=dict, repr=False)
+    steppers: dict[tuple[Any, ...], Any] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def name(self) -> str:
@@ -149,6 +151,7 @@ class Model:
             sources={**kept, **functions},
             _kernels={},
             _derived={},
+            steppers={},
         )
 
     @property

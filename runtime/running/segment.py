@@ -40,6 +40,7 @@ class Segment(SteppedModel):
         watch_turns(plan.scheme)
         watch_events(plan.scheme)
         one = SteppedModel.prepared(model, plan, p, engine)
+        plan = one.plan
         monitor = Monitor(model, plan.scheme, one.c, force=plan.force, p=one.p)
         found = cls(model, plan, one.stepper, one.p, one.c, one.ready, monitor)
         found.find_switches(plan.t0, plan.t_end)

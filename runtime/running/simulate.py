@@ -126,9 +126,9 @@ def _begun(
     segment = Segment.build(model, plan, p, more.engine)
     events = check_time_functions(model, segment.c, plan, state, segment.switches)
     z = segment.start(state.q, state.q_dot)
-    known, scheme = calibrated(segment), plan.scheme
-    if known is not None and isinstance(scheme, AdaptiveSteps):
-        known.begin(scheme, z)
+    known, plan = calibrated(segment), segment.plan
+    if known is not None and isinstance(plan.scheme, AdaptiveSteps):
+        known.begin(plan.scheme, z)
     set_up = time.perf_counter() - started
     changes = ", ".join(f"{key}: {a:.9g} -> {b:.9g}" for key, (a, b) in state.changed.items() if _differ(a, b))
     progress = None if isinstance(more.progress, bool) else more.progress

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Self
 
@@ -14,6 +14,7 @@ from runtime.contract.status import Status
 from runtime.results.observe import observe_samples
 from runtime.results.solution import Solution
 from runtime.running.plan import Plan
+from runtime.schemes.kept_steppers import kept_stepper
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.broken_steps import BrokenSteps
 from runtime.schemes.switching.held_change import HeldChange
@@ -46,7 +47,8 @@ class SteppedModel:
     def prepared(cls, model: Model, plan: Plan, p: np.ndarray, engine: str, wait: bool = False) -> Self:
         """Prepare and compile, for parameters p (n_p,); wait: for the best code. Raises ModelError or CompilerError."""
         c = model.constants(p).copy()
-        stepper = Stepper(plan.scheme, engine, wait)
+        stepper = kept_stepper(plan.scheme, engine, wait)
+        plan = replace(plan, scheme=stepper.scheme)
         return cls(model, plan, stepper, p.copy(), c, stepper.ready(c, plan.grid.dt_L).copy())
 
     def take(self, p: np.ndarray) -> None:

@@ -66,12 +66,13 @@ class ModelStepper:
         length = float(model.simulation["dt"]) if dt is None else dt
         end = HORIZON * length if isinstance(length, int | float) and length > 0 else None
         plan = make_plan(model, end, dt, m, scheme, None, options, 0.0, bounded=True)
-        self.model, self.scheme, self.name = model, plan.scheme, plan.name
+        self.model, self.name = model, plan.name
         self._settings = {"scheme": scheme, "dt": dt, "m": m, "options": options, "engine": engine}
         plan.scheme.of_one_length("a stepper")
         self.dt = plan.grid.dt_L
         watch_events(plan.scheme)
         self._own = SteppedModel.prepared(model, plan, model.parameter_vector(parameters), engine, wait=True)
+        self.scheme = self._own.plan.scheme
         self._constants = self.scheme.constants(self._own.c, self.dt).copy()
         self._sample: Solution | None = None
         state = start_state(model, self.parameters, self._own.c, 0.0, None)
@@ -81,7 +82,7 @@ class ModelStepper:
         self._advance = self._own.bound(self._z) if self._across is None else self._across.run
         self._set_out(0.0)
         w = model.signals
-        self._own_inputs = self._z[plan.scheme.layout.slice("inputs")] if model.inputs else self._z[:0]
+        self._own_inputs = self._z[self.scheme.layout.slice("inputs")] if model.inputs else self._z[:0]
         self._plain_inputs = {} if SINCE in w.names or w.sources else {name: k for k, name in enumerate(w.names)}
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -29,9 +29,9 @@ from runtime.running.trials import Trials
 from runtime.running.tried_motion import SEEN
 from runtime.schemes.adaptive.dormand_prince import DormandPrince5
 from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.kept_steppers import kept_stepper
 from runtime.schemes.options import LARGE_SYSTEM, SchemeError
 from runtime.schemes.step_limit import limit_between_the_axes
-from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.times import SwitchTime, switching_times
 from runtime.start.start_state import start_state
 from runtime.studies.work_precision.dense_methods import affordable
@@ -156,7 +156,7 @@ class _Motion:
         """Of a method."""
         h = self.span / SEEN
         scheme = scheme_kind(name).build(name, self.model, h, None, {"tolerance": self.tolerance})
-        stepper = Stepper(scheme)
+        stepper = kept_stepper(scheme)
         z = stepper.start(self.t0, self.state.q, self.state.q_dot, self.c, h)
         return Trials(stepper, z, self.c, self.span, self.switches)
 

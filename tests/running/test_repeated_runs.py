@@ -1,0 +1,77 @@
+"""Runs of one model again and again: prepared once, and each the run that a new model makes, bit for bit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from runtime import load_model, simulate
+from runtime.contract.model import Model
+from runtime.schemes import kept_steppers, stepper
+from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.kept_steppers import kept_stepper
+from symgen.scenes import generated_folder
+
+NAME = "flexible_slider_crank"
+SHORT: dict[str, Any] = {"t_end": 0.02, "dt": 1e-4}
+
+
+@pytest.fixture
+def model() -> Model:
+    return load_model(generated_folder(NAME))
+
+
+@pytest.fixture
+def prepared(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The schemes that were prepared, in order."""
+    seen: list[str] = []
+    prepare: Callable[..., Any] = stepper.prepare
+
+    def watched(program: Any, z_size: int, c_size: int) -> Any:
+        seen.append(program.stages()[0].name())
+        return prepare(program, z_size, c_size)
+
+    monkeypatch.setattr(stepper, "prepare", watched)
+    return seen
+
+
+@pytest.mark.parametrize("settings", [{"scheme": "coupled"}, {"scheme": "dopri5", "tolerance": 1e-4}])
+def test_a_second_run_prepares_nothing_and_is_the_run_of_a_new_model(
+    model: Model, prepared: list[str], settings: dict[str, Any]
+) -> None:
+    changed = {"parameters": {model.parameters[0].name: 1.1 * model.parameters[0].default}}
+    first = simulate(model, **SHORT, **settings)
+    count = len(prepared)
+    second, again = simulate(model, **SHORT, **settings, **changed), simulate(model, **SHORT, **settings)
+    assert count and len(prepared) == count
+    assert np.array_equal(again.q, first.q) and np.array_equal(again.t, first.t)
+    new = simulate(load_model(generated_folder(NAME)), **SHORT, **settings, **changed)
+    assert np.array_equal(second.q, new.q) and not np.array_equal(second.q, first.q)
+    assert second.stats["estimated_error"] == new.stats["estimated_error"]
+
+
+def test_other_steps_options_and_ratios_are_other_steppers(model: Model) -> None:
+    def of(name: str, dt: float = 1e-4, m: list[int] | None = None, **options: Any) -> stepper.Stepper:
+        return kept_stepper(scheme_kind(name).build(name, model, dt, m, options))
+
+    made = [of("single_rate"), of("single_rate", 2e-4), of("coupled", m=[2]), of("coupled", m=[3]), of("rk4")]
+    made += [of("rk4", closure_iterations=3), of("dop853")]
+    assert len({id(one) for one in made}) == len(made)
+    assert of("coupled", m=[3]) is made[3]
+
+
+def test_what_is_kept_is_bounded_and_the_oldest_goes(model: Model, monkeypatch: pytest.MonkeyPatch) -> None:
+    def of(dt: float) -> stepper.Stepper:
+        return kept_stepper(scheme_kind("rk4").build("rk4", model, dt, None, {}))
+
+    first = of(1e-4)
+    monkeypatch.setattr(kept_steppers, "MOST_OPERATIONS", 2.5 * first.operations)
+    second = of(2e-4)
+    assert of(1e-4) is first  # now the younger one
+    of(3e-4)
+    assert list(model.steppers.values())[0] is first and second not in model.steppers.values()
+    monkeypatch.setattr(kept_steppers, "MOST_OPERATIONS", first.operations - 1)
+    assert of(4e-4) not in model.steppers.values()
