@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import time
 import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -40,6 +41,12 @@ class CheckpointRule:
 
     path: Path | None = None
     every: int | None = None
+
+    def is_due(self, step: int, written: float) -> bool:
+        """After a major step; written [s]: when the last one was, by the clock of `time.monotonic`."""
+        if self.path is None:
+            return False
+        return time.monotonic() - written > CHECKPOINT_SECONDS if self.every is None else step % self.every == 0
 
 
 @dataclass(frozen=True)

@@ -36,16 +36,16 @@ class Happenings:
         """Advance z in place, to the end of the step or to a terminal event; (n_w,) the inputs if they changed."""
         self._recent.clear()
         before = z[self._inputs].copy()
-        broken.step_with_events(z, self.own.c, self._acts)
+        broken.step_with_events(z, self.own.ready, self.own.c, self._acts)
         return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
 
     def end_step(self, z: np.ndarray) -> list[int]:
         """Where steps follow from a tolerance: end that of z (n_z,) in which an event is flagged there; which ones are.
 
-        Nothing has happened yet: states before the event can still be seen.
+        None may be. Nothing has happened yet: states before the event can still be seen.
         """
         assert isinstance(self._scheme, AdaptiveSteps)
-        return ended_at_event(self._scheme, z, self._once)
+        return ended_at_event(self._scheme, z, self._scheme.constants(self.own.c), self._once)
 
     def happen(self, z: np.ndarray, happened: list[int]) -> np.ndarray | None:
         """These events at the end of the last step of z, in place; (n_w,) the inputs if they changed.

@@ -11,7 +11,7 @@ import numpy as np
 from runtime.contract.files import OutputError
 from runtime.contract.status import Event, Status
 from runtime.running.accuracy import Accuracy
-from runtime.running.checkpoint import CHECKPOINT_SECONDS, Checkpoint, CheckpointRule
+from runtime.running.checkpoint import Checkpoint, CheckpointRule
 from runtime.running.happenings import Happenings, note_impulses
 from runtime.running.header_of import header_of
 from runtime.running.interrupts import Interrupts, heard_interrupts
@@ -102,7 +102,8 @@ class Run:
             self._advance(n)
             self.pace.took(time.perf_counter() - began)
             self._keep()
-            if self._checkpoint_is_due():
+            going = self.status is None and self.step < self.segment.plan.steps
+            if going and self.rule.is_due(self.step, self._written):
                 self._write_checkpoint()
             if self.progress is not None:
                 self.progress(self.segment.plan.time(self.step), self.segment.plan.t_end)
@@ -133,19 +134,18 @@ class Run:
         at = self.segment.first_event(self.z)
         determinants = self.segment.determinants(self.z)
         alarm = self.guard.alarm(*determinants)
+        scheme = self.segment.plan.scheme
         if at is not None and not (saved and alarm):  # else the alarm comes first: what it is about is sought below
-            self.pace.steps = 1
-            if isinstance(self.segment.plan.scheme, AdaptiveSteps):
-                for sample in saved:
-                    self._keep(sample)
-                self._end_at_event(self.segment.plan.scheme)
-                return
-            self.z = before.copy()
-            if at == self.segment.step_of(before) + 1:
-                self._step_with_events()
-                return
-            n = at - 1 - self.segment.step_of(before)  # the step in which it happens comes next
-            saved = self.segment.run_and_save(self.z, n)
+            if isinstance(scheme, AdaptiveSteps):
+                if self._ends_at_event(scheme, saved):
+                    return
+            else:
+                self.pace.steps, self.z = 1, before.copy()
+                first = self.segment.step_of(before) + 1
+                if at == first and self._steps_with_events(before):
+                    return
+                n = max(1, at - first)  # the step in which it happens comes next
+                saved = self.segment.run_and_save(self.z, n) if at > first else []
             determinants = self.segment.determinants(self.z)
             alarm = self.guard.alarm(*determinants)
         status = None if alarm else self._checked(samples=len(saved) + 1)
@@ -167,17 +167,26 @@ class Run:
         note_impulses(self.segment, self.step, self.events)
         self.status = status
 
-    def _step_with_events(self) -> None:
-        """The next step, in which events happen."""
+    def _steps_with_events(self, before: np.ndarray) -> bool:
+        """Make the next step, in which events may happen: does one?"""
         assert self.segment.broken is not None
-        self.accuracy.carried.hold(self.segment, self.z)
         self.segment.forget_determinants(self.z)
-        self._take_event(self.happenings.step(self.z, self.segment.broken))
+        w = self.happenings.step(self.z, self.segment.broken)
+        if not self.happenings.told:
+            return False
+        self.accuracy.carried.hold(self.segment, before)
+        self._take_event(w)
+        return True
 
-    def _end_at_event(self, scheme: AdaptiveSteps) -> None:
-        """The last step ends at an event: what lies before it is seen first."""
-        self.accuracy.carried.drop()
+    def _ends_at_event(self, scheme: AdaptiveSteps, saved: list[np.ndarray]) -> bool:
+        """Does the last step end at an event? Then what lies before it is seen first."""
         happened, plan = self.happenings.end_step(self.z), self.segment.plan
+        if not happened:
+            return False
+        self.pace.steps = 1
+        self.accuracy.carried.drop()
+        for sample in saved:
+            self._keep(sample)
         while self.step < plan.steps and scheme.next_seen(self.z, plan.grid.dt_L) <= scheme.reached(self.z):
             if scheme.is_stuck(self.z):  # the check of the least step tells
                 break
@@ -185,6 +194,7 @@ class Run:
             self._keep()
         if self.step < plan.steps:  # else it lies behind the end of the run
             self._take_event(self.happenings.happen(self.z, happened))
+        return True
 
     @property
     def happenings(self) -> Happenings:
@@ -273,13 +283,6 @@ class Run:
             self.record.add(self._segment_number, kept)
 
     # ---- checkpoints ----------------------------------------------------------------------------------------
-
-    def _checkpoint_is_due(self) -> bool:
-        if self.rule.path is None or self.status is not None or self.step == self.segment.plan.steps:
-            return False
-        if self.rule.every is not None:
-            return self.step % self.rule.every == 0
-        return time.monotonic() - self._written > CHECKPOINT_SECONDS
 
     def _write_checkpoint(self) -> None:
         if self.rule.path is None:

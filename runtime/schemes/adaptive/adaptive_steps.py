@@ -28,7 +28,8 @@ from runtime.schemes.adaptive.controller import FORGET, in_band
 from runtime.schemes.adaptive.error_norm import mean_square
 from runtime.schemes.adaptive.step_control import StepControl
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
-from runtime.schemes.switching.watched import NEVER, event_outputs, flagged
+from runtime.schemes.switching.dips import NODES, ValuesInStep
+from runtime.schemes.switching.watched import NEVER, event_outputs, flagged, next_values
 
 NOTHING = 1e-12  # of a step: an interpolant is not asked for less
 STARTS = ("q_from", "v_from", "loop_from", "t_from", "a_from", "before")  # what a step sets anew that is looked at
@@ -94,7 +95,11 @@ class AdaptiveSteps(StepControl):
                 *step,
             )
         if "event_step" in self.layout.sizes:
-            step = (*step, Until(self.stage("look", self._look), flag["fresh"], 1, usual=1))
+            inside = Until(
+                self.stage("look_inside", self._look_inside), self.layout.slice("event_near").start, 1, usual=0
+            )
+            look = Sequence((self.stage("look", self._look), inside))
+            step = (*step, Until(look, flag["fresh"], 1, usual=1))
         reach = Until(Sequence(step), flag["going"], ATTEMPTS, usual=1)
         return Sequence((self.stage("aim", self._aim), reach, self.stage("show", self._show)))
 
@@ -203,18 +208,50 @@ class AdaptiveSteps(StepControl):
         return {**{name: one for name, one in found.items() if name not in gone}, "straight": z["straight"] - 1}
 
     def _look(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        """Where z watches for events: their values at the end of an accepted step; one that happens ends the loop."""
+        """Where z watches for events: their values after an accepted step; one that happens ends the loop."""
         motion = equations.close_well(z["q_to"], z["loop_to"], z["t_to"])
-        q = equations.joined(self.charts.zeroed(motion.q_i), motion.q_d)
-        q_dot = equations.joined(z["v_to"], equations.rates(motion, z["v_to"]))
-        found = event_outputs(equations, z["t_to"], q, q_dot)["events"]
+        found = self._events_at(z, equations, motion, z["v_to"])
         flag = flagged(self, z, z["event_values"], found, z["t_to"])
-        return {
-            "event_before": z["event_values"],
-            "event_values": found,
-            "event_step": ca.if_else(flag, z["n"], NEVER),
-            "going": ca.if_else(flag, 0.0, z["going"]),
-        }
+        return {"event_before": z["event_values"], **next_values(z, found), **self._ended(z, flag, NEVER)}
+
+    def _look_inside(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        """The same where one may have happened and ended within the step; the next one is not too long to tell."""
+        new, h = z["event_values"], z["t_to"] - z["t_from"]
+        between = [self._events_inside(z, equations, share) for share in NODES]
+        inside = ValuesInStep([z["event_before"], *between, new])
+        flag, longest = flagged(self, z, new, new, z["t_to"], inside.room_for_zero()), inside.longest(h, equations.h[0])
+        shorter = self.planned(z, equations, z["t_to"], longest)
+        next_one = {name: ca.if_else(longest < z["h_next"], one, z[name]) for name, one in shorter.items()}
+        return {**self._ended(z, flag, z["event_step"]), **next_one, "event_near": ca.SX(0)}
+
+    @staticmethod
+    def _ended(z: Fields, flag: ca.SX, otherwise: ca.SX | float) -> dict[str, ca.SX]:
+        step, going = ca.if_else(flag, z["n"], otherwise), ca.if_else(flag, 0.0, z["going"])
+        return {"event_step": step, "going": going}
+
+    def _events_at(self, z: Fields, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
+        q = equations.joined(self.charts.zeroed(motion.q_i), motion.q_d)
+        return event_outputs(equations, motion.t, q, equations.joined(v, equations.rates(motion, v)))["events"]
+
+    def _events_inside(self, z: Fields, equations: StageEquations, share: float | ca.SX) -> ca.SX:
+        """(n_e,) by the interpolant at a share of the last step."""
+        tau = share * (z["t_to"] - z["t_from"])
+        q, v = self.between(z, equations, tau)
+        guess = z["loop_from"] + share * (z["loop_to"] - z["loop_from"])
+        motion = equations.close_well(q, guess, z["t_from"] + tau)
+        return self._events_at(z, equations, motion, v)
+
+    @property
+    def events_between(self) -> ca.Function:
+        """(z, c, share of the last step) -> values of events (n_e,)."""
+
+        def build() -> ca.Function:
+            z, c, share = ca.SX.sym("z", self.layout.size), ca.SX.sym("c", self.c_size), ca.SX.sym("share")
+            fields = self.layout.unpack(z)
+            found = self._events_inside(fields, self.equations(c, fields), share)
+            return ca.Function("events_between", [z, c, share], [ca.densify(found)])
+
+        return self.derived("events_between", build)
 
     def _show(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         goal = self._goal(z, equations)

@@ -12,6 +12,7 @@ from collections.abc import Callable
 import numpy as np
 
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
+from runtime.schemes.switching.dips import first_bracket, looked_at
 from runtime.schemes.switching.event_search import first_passage
 from runtime.schemes.switching.watched import NEVER, passed, quiet_until
 from runtime.schemes.work import accounted, power_of
@@ -21,26 +22,57 @@ FAR = 1e15  # steps
 MOST_PARTS = 100  # steps that one step becomes when its end is rejected
 
 
-def ended_at_event(scheme: AdaptiveSteps, z: np.ndarray, run: Runs) -> list[int]:
-    """End the last step of z (whole, flat) in place where an event has just happened; which ones do."""
+def ended_at_event(scheme: AdaptiveSteps, z: np.ndarray, constants: np.ndarray, run: Runs) -> list[int]:
+    """End the last step of z (whole, flat) in place where an event has just happened; which ones do.
+
+    None may: then the step has only come near to one, and z goes on from its end. constants: as stages read them.
+    """
     own = scheme.layout.slice
     start, end = float(z[own("t_from")][0]), float(z[own("t_to")][0])
-    before, after = z[own("event_before")].copy(), z[own("event_values")].copy()
     asleep = quiet_until(scheme, z) > start
+    found: dict[float, np.ndarray] = {end - start: z.copy()}
+    values = {0.0: z[own("event_before")].copy(), end - start: z[own("event_values")].copy()}
 
     def ask(old: np.ndarray, new: np.ndarray) -> list[int]:
         return passed(scheme, old, new, asleep)
 
-    found: dict[float, np.ndarray] = {end - start: z.copy()}
-
     def at(s: float) -> np.ndarray:
-        found[s] = _made_again(scheme, z, start + s, run)
-        return found[s][own("event_values")]
+        if s not in values:
+            found[s] = _made_again(scheme, z, start + s, run)
+            values[s] = found[s][own("event_values")]
+        return values[s]
 
-    s = first_passage(ask, at, before, after, end - start)
-    z[:] = found[s]
-    z[own("event_step")], z[own("cold")] = NEVER, 1.0
-    return ask(before, z[own("event_values")])
+    reached = 0.0
+    for _ in range(MOST_PARTS):
+        bracket = _bracket(scheme, z, constants, asleep, reached)
+        if bracket is None:
+            break
+        low, high = ((s, at(s)) for s in bracket)
+        if ask(low[1], high[1]):  # on steps that end there, too
+            s, before = first_passage(ask, at, low, high, end - start)
+            z[:] = found[s]
+            z[own("event_step")], z[own("cold")] = NEVER, 1.0
+            return ask(before, z[own("event_values")])
+        reached = bracket[1]
+    z[own("event_step")] = NEVER
+    return []
+
+
+def _bracket(
+    scheme: AdaptiveSteps, z: np.ndarray, constants: np.ndarray, asleep: np.ndarray, reached: float
+) -> tuple[float, float] | None:
+    """Where on the last step of z, from `reached` [s] on, an event happens first."""
+    own = scheme.layout.slice
+    before, after = z[own("event_before")], z[own("event_values")]
+    length = float(z[own("t_to")][0] - z[own("t_from")][0])
+    between = looked_at(scheme.events_between, z[: scheme.layout.size], constants)
+
+    def values(s: np.ndarray) -> np.ndarray:
+        e = between(s / length)
+        e[s == 0], e[s == length] = before, after  # as they were seen while stepping
+        return e
+
+    return first_bracket(lambda a, b: bool(passed(scheme, a, b, asleep)), values, reached, length)
 
 
 def _made_again(scheme: AdaptiveSteps, z: np.ndarray, end: float, run: Runs) -> np.ndarray:

@@ -12,16 +12,26 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+import casadi as ca
 import numpy as np
 
 from runtime.contract.model import Model
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.breaks import ON_THE_GRID, Breaks
+from runtime.schemes.switching.dips import dips, first_bracket
 from runtime.schemes.switching.event_search import first_passage
 from runtime.schemes.switching.impulse import Impulse, impulse_at, moves_in_time
 from runtime.schemes.switching.legs import MOST_KEPT, Acts, Leg, Legs
 from runtime.schemes.switching.times import SwitchTime
-from runtime.schemes.switching.watched import NEVER, begin_events, event_values, passed, quiet_until, watches
+from runtime.schemes.switching.watched import (
+    NEVER,
+    begin_events,
+    event_slopes,
+    event_values,
+    passed,
+    quiet_until,
+    watches,
+)
 from runtime.schemes.work import account_at, accounted, begin_account
 
 AHEAD = 2  # steps that the account of work looks at in advance
@@ -122,10 +132,28 @@ class BrokenSteps:
             z[layout.slice("event_step")] = min(flagged, step + 1) if seen else flagged
         self.count_anew(z, c, leg.work)
 
-    def step_with_events(self, z: np.ndarray, c: np.ndarray, acts: Acts) -> None:
-        """One major step in which events happen, in place; where one ends the run, z is the state there."""
-        z[self.stepper.scheme.layout.slice("event_step")] = NEVER
-        self._break(z, c, acts)
+    def step_with_events(self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, acts: Acts) -> bool:
+        """One major step in which events may happen, in place; where one ends the run, z is the state there.
+
+        Does one? Else it is the step that it would have been.
+        """
+        scheme, happened = self.stepper.scheme, list[int]()
+        own = scheme.layout.slice
+        z[own("event_step")] = NEVER
+        start = z.copy()
+
+        def noted(leg: Leg, found: list[int]) -> Leg:
+            happened.extend(found)
+            return acts(leg, found)
+
+        self._break(z, c, noted)
+        if happened:
+            return True
+        self.run(start, ready, c, 1)
+        if not passed(scheme, z[own("event_values")], start[own("event_values")]):  # not by a rounding of the end
+            z[:] = start
+            z[own("event_step")] = NEVER
+        return False
 
     def _reach(self, leg: Leg, c: np.ndarray, start: float, end: float, acts: Acts | None) -> Leg:
         """From one clock to another, through the events on the way; a part ends where a cool-down is over."""
@@ -138,28 +166,61 @@ class BrokenSteps:
             asleep = quiet > start
             goal = min((one for one in quiet[asleep] if one < end - ON_THE_GRID * self.dt), default=end)
             found = legs.part(leg, c, start, goal)
-            start_z, constants = legs.set_out(leg, c, start, goal - start), legs.constants(c, goal - start)
-            before = event_values(scheme, start_z, constants)
-            after = event_values(scheme, found.z, legs.constants(c, found.dt))
-            if not passed(scheme, before, after, asleep):
+            at = self._looks(leg, c, start, found)
+            bracket = self._bracket(leg, c, start, found, asleep, at)
+            if bracket is None:
                 if goal == end:
                     return found
                 leg, start = found, goal
                 continue
 
-            def at(s: float, leg: Leg = leg, start: float = start, c: np.ndarray = c) -> np.ndarray:
-                z, length = legs.flown(leg, c, start, start + s)
-                return event_values(scheme, z, legs.constants(c, length))
-
             def ask(old: np.ndarray, new: np.ndarray, asleep: np.ndarray = asleep) -> list[int]:
                 return passed(scheme, old, new, asleep)
 
-            s = first_passage(ask, at, before, after, goal - start)
+            low, high = ((s, at(s)) for s in bracket)
+            s, before = first_passage(ask, at, low, high, found.dt)
             happened, there = ask(before, at(s)), legs.part(leg, c, start, start + s)
             seen = legs.seen(there.z, legs.constants(c, there.dt))  # rates as they are before inputs change
             leg, start = acts(replace(there, seen=seen), happened), start + s
             if leg.ends or end - start <= ON_THE_GRID * self.dt:
                 return leg
+
+    def _looks(self, leg: Leg, c: np.ndarray, start: float, found: Leg) -> Callable[[float], np.ndarray]:
+        """s [s] -> values of events (n_e,) on the way to `found`: by a step that ends there."""
+        scheme, legs = self.stepper.scheme, self.legs
+        length = found.reached - start
+        start_z = legs.set_out(leg, c, start, length)
+        known = {
+            0.0: event_values(scheme, start_z, legs.constants(c, length)),
+            length: event_values(scheme, found.z, legs.constants(c, found.dt)),
+        }
+
+        def at(s: float) -> np.ndarray:
+            if s not in known:
+                z, dt = legs.flown(leg, c, start, start + s)
+                known[s] = event_values(scheme, z, legs.constants(c, dt))
+            return known[s]
+
+        return at
+
+    def _bracket(
+        self, leg: Leg, c: np.ndarray, start: float, found: Leg, asleep: np.ndarray, at: Callable[[float], np.ndarray]
+    ) -> tuple[float, float] | None:
+        """Where on the way to `found` an event that is not asleep happens first [s]."""
+        scheme, legs, length = self.stepper.scheme, self.legs, found.reached - start
+        constants = legs.constants(c, length)
+        slopes = event_slopes(scheme, legs.set_out(leg, c, start, length), constants)
+        end = event_slopes(scheme, found.z, legs.constants(c, found.dt))
+        dip = dips(ca.DM(at(0.0)), ca.DM(slopes), ca.DM(at(length)), ca.DM(end), length)
+        if not (np.asarray(dip).ravel() * ~asleep).any():
+            return (0.0, length) if passed(scheme, at(0.0), at(length), asleep) else None
+        return first_bracket(
+            lambda a, b: bool(passed(scheme, a, b, asleep)),
+            lambda s: np.array([at(float(one)) for one in s]),
+            0.0,
+            length,
+            seen=1,
+        )
 
     def _jumped(self, c: np.ndarray, leg: Leg, before: float, after: float) -> Leg:
         """With the rates just after a jump."""

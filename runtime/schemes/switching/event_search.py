@@ -19,13 +19,13 @@ Passed = Callable[[np.ndarray, np.ndarray], list[int]]  # which events happen be
 
 
 def first_passage(
-    passed: Passed, at: Callable[[float], np.ndarray], before: np.ndarray, after: np.ndarray, length: float
-) -> float:
-    """How far [s] into a step of this length an event has just happened, to LOCATED.
+    passed: Passed, at: Callable[[float], np.ndarray], low: Looked, high: Looked, length: float
+) -> tuple[float, np.ndarray]:
+    """How far [s] into a step of this length an event has just happened, to LOCATED, and the values (n_e,) before it.
 
-    at(s): the events' values (n_e,) a part of the step on; before and after: at its start and end.
+    at(s): the events' values (n_e,) a part of the step on; low and high: places between which it happens.
     """
-    low, high = (0.0, before), (length, after)
+    before = low[1]
     looks: list[Looked] = [low, high]
     width = min(LOCATED, OF_STEP * length)
     for look in range(MOST_LOOKS):
@@ -39,7 +39,7 @@ def first_passage(
         looked = guess, at(guess)
         looks.append(looked)
         low, high = (low, looked) if passed(before, looked[1]) else (looked, high)
-    return high[0]
+    return high[0], before
 
 
 def _zero(k: int, low: Looked, high: Looked, looks: list[Looked]) -> float:

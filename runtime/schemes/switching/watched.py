@@ -11,25 +11,28 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from runtime.engine.program import Fields, Program, Sequence
+from runtime.engine.program import Fields, Program, Sequence, Until
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stage_equations import StageEquations
+from runtime.schemes.switching.dips import dips
 
 NEVER = 1e300
+SOON = 8.0  # steps in which a value comes to zero at its present rate, or at that of the step before
 
 
 def watch_events(scheme: Scheme) -> None:
     """Give z the fields, where the model has events. Before anything of the scheme is built.
 
-    Steps of a tolerance keep the values at their start, too: they end where an event is flagged.
+    event_change: by what values changed in the last step; steps of a tolerance end where an event is flagged.
     """
     events = scheme.model.description.events
     if not events or watches(scheme):
         return
-    sizes = {"event_values": len(events), "event_step": 1}
+    sizes = {"event_values": len(events), "event_step": 1, "event_change": len(events), "event_near": 1}
+    sizes |= {"event_before" if scheme.adaptive else "event_slopes": len(events)}
     if any(event.cool_down for event in events):
         sizes["event_quiet"] = len(events)
-    scheme.keep_account({**sizes, "event_before": len(events)} if scheme.adaptive else sizes)
+    scheme.keep_account(sizes)
 
 
 def watches(scheme: Scheme) -> bool:
@@ -39,25 +42,27 @@ def watches(scheme: Scheme) -> bool:
 
 def event_values(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> np.ndarray:
     """(n_e,) at a state z (at least the scheme's part, flat); c as the stages read it."""
+    return _seen(scheme, z, c, "events")
 
+
+def event_slopes(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> np.ndarray:
+    """(n_e,) rates of these values [1/s]."""
+    return _seen(scheme, z, c, "slopes")
+
+
+def _seen(scheme: Scheme, z: np.ndarray, c: np.ndarray, name: str) -> np.ndarray:
     def build() -> ca.Function:
         symbols = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
         equations = scheme.equations(symbols[1], scheme.layout.unpack(symbols[0]))
-        return ca.Function("events", list(symbols), [_values(scheme, symbols[0], equations)["events"]])
+        found = _values(scheme, symbols[0], equations).get(name, ca.SX(0, 1))
+        return ca.Function(name, list(symbols), [ca.densify(found)])
 
-    return np.asarray(scheme.derived("events", build)(z[: scheme.layout.size], c)).ravel()
+    return np.asarray(scheme.derived(name, build)(z[: scheme.layout.size], c)).ravel()
 
 
 def action_values(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> np.ndarray:
     """(n_a,) what inputs become by the events' actions, event by event."""
-
-    def build() -> ca.Function:
-        symbols = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
-        equations = scheme.equations(symbols[1], scheme.layout.unpack(symbols[0]))
-        found = _values(scheme, symbols[0], equations).get("actions", ca.SX(0, 1))
-        return ca.Function("actions", list(symbols), [found])
-
-    return np.asarray(scheme.derived("actions", build)(z[: scheme.layout.size], c)).ravel()
+    return _seen(scheme, z, c, "actions")
 
 
 def begin_events(scheme: Scheme, z: np.ndarray, c: np.ndarray, shown: np.ndarray | None = None) -> None:
@@ -67,7 +72,9 @@ def begin_events(scheme: Scheme, z: np.ndarray, c: np.ndarray, shown: np.ndarray
     """
     if watches(scheme):
         z[scheme.layout.slice("event_values")] = event_values(scheme, z if shown is None else shown, c)
-        z[scheme.layout.slice("event_step")] = NEVER
+        z[scheme.layout.slice("event_step")] = z[scheme.layout.slice("event_change")] = NEVER
+        if "event_slopes" in scheme.layout.sizes:
+            z[scheme.layout.slice("event_slopes")] = event_slopes(scheme, z, c)
 
 
 def all_awake(scheme: Scheme, z: np.ndarray) -> None:
@@ -99,16 +106,38 @@ def with_events(scheme: Scheme, program: Program) -> Program:
     def looked(z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         seen = _values(scheme, scheme.layout.pack(z), equations)
         flag = flagged(scheme, z, z["event_values"], seen["events"], seen["t"])
-        return {"event_values": seen["events"], "event_step": ca.fmin(z["event_step"], ca.if_else(flag, z["n"], NEVER))}
+        step, looks = ca.fmin(z["event_step"], ca.if_else(flag, z["n"], NEVER)), next_values(z, seen["events"])
+        return {**looks, "event_step": step, "event_slopes": z["event_slopes"] * looks["event_near"]}
 
-    return Sequence((program, scheme.stage("events", looked)))
+    def bent(z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        seen, new = _values(scheme, scheme.layout.pack(z), equations), z["event_values"]
+        dip = dips(new - z["event_change"], z["event_slopes"], new, seen["slopes"], equations.h[0])
+        flag = flagged(scheme, z, new, new, seen["t"], dip)
+        step = ca.fmin(z["event_step"], ca.if_else(flag, z["n"], NEVER))
+        return {"event_slopes": seen["slopes"], "event_step": step}
+
+    near = scheme.layout.slice("event_near").start
+    slopes = Until(scheme.stage("event_slopes", bent), near, 1, usual=0)
+    return Sequence((program, scheme.stage("events", looked), slopes))
 
 
-def flagged(scheme: Scheme, z: Fields, old: ca.SX, new: ca.SX, t: ca.SX) -> ca.SX:
-    """Does an event whose cool-down is over by t pass zero between two sets of values (n_e,)?"""
+def next_values(z: Fields, new: ca.SX) -> dict[str, ca.SX]:
+    """The fields of values (n_e,) after a step. Only of those that may come to zero soon more is looked at."""
+    change, near = new - z["event_values"], ca.SX(0)
+    for e, now, before in zip(*map(ca.vertsplit, (new, change, z["event_change"])), strict=True):
+        near = ca.fmax(near, ca.fabs(e) <= SOON * ca.fmax(ca.fabs(now), ca.fabs(before)))
+    return {"event_values": new, "event_change": change, "event_near": near}
+
+
+def flagged(scheme: Scheme, z: Fields, old: ca.SX, new: ca.SX, t: ca.SX, between: ca.SX | None = None) -> ca.SX:
+    """Does an event whose cool-down is over by t pass zero between two sets of values (n_e,)?
+
+    between (n_e,): may it there and back? See dips.py.
+    """
     found = ca.SX(0)
     for k, event in enumerate(scheme.model.description.events):
         one = passes(old[k], new[k], event.direction)
+        one = one if between is None else ca.fmax(one, between[k])
         found = ca.fmax(found, one * (t > z["event_quiet"][k]) if "event_quiet" in z else one)
     return found > 0
 
@@ -127,9 +156,15 @@ def passed(scheme: Scheme, old: np.ndarray, new: np.ndarray, asleep: np.ndarray 
 
 
 def _values(scheme: Scheme, z: ca.SX, equations: StageEquations) -> dict[str, ca.SX]:
+    """`events`, their `slopes` (n_e,) and what `actions` set, at the state that z shows, at `t`."""
     seen = scheme.observer(z=z, c=ca.vertcat(equations.c, equations.h))
-    q, q_dot = (equations.joined(seen[f"q_i{end}"], seen[f"q_d{end}"]) for end in ("", "_dot"))
-    return {**event_outputs(equations, seen["t"], q, q_dot), "t": seen["t"]}
+    q, q_dot, q_ddot = (equations.joined(seen[f"q_i{end}"], seen[f"q_d{end}"]) for end in ("", "_dot", "_ddot"))
+    here, along = ca.vertcat(q, q_dot, seen["t"]), ca.vertcat(q_dot, q_ddot, 1)
+    at = ca.SX.sym("at", here.numel())
+    found = event_outputs(equations, at[-1], at[: q.numel()], at[q.numel() : -1])
+    found["slopes"] = ca.densify(ca.jtimes(found["events"], at, along))
+    new = ca.substitute(list(found.values()), [at], [here])
+    return {**dict(zip(found, new, strict=True)), "t": seen["t"]}
 
 
 def event_outputs(equations: StageEquations, t: ca.SX, q: ca.SX, q_dot: ca.SX) -> dict[str, ca.SX]:
