@@ -212,7 +212,7 @@ class AdaptiveSteps(StepControl):
         motion = equations.close_well(z["q_to"], z["loop_to"], z["t_to"])
         found = self._events_at(z, equations, motion, z["v_to"])
         flag = flagged(self, z, z["event_values"], found, z["t_to"])
-        return {"event_before": z["event_values"], **next_values(z, found), **self._ended(z, flag, NEVER)}
+        return {"event_before": z["event_values"], **next_values(z, found), **self._stopped(z, flag, NEVER)}
 
     def _look_inside(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """The same where one may have happened and ended within the step; the next one is not too long to tell."""
@@ -222,10 +222,10 @@ class AdaptiveSteps(StepControl):
         flag, longest = flagged(self, z, new, new, z["t_to"], inside.room_for_zero()), inside.longest(h, equations.h[0])
         shorter = self.planned(z, equations, z["t_to"], longest)
         next_one = {name: ca.if_else(longest < z["h_next"], one, z[name]) for name, one in shorter.items()}
-        return {**self._ended(z, flag, z["event_step"]), **next_one, "event_near": ca.SX(0)}
+        return {**self._stopped(z, flag, z["event_step"]), **next_one, "event_near": ca.SX(0)}
 
     @staticmethod
-    def _ended(z: Fields, flag: ca.SX, otherwise: ca.SX | float) -> dict[str, ca.SX]:
+    def _stopped(z: Fields, flag: ca.SX, otherwise: ca.SX | float) -> dict[str, ca.SX]:
         step, going = ca.if_else(flag, z["n"], otherwise), ca.if_else(flag, 0.0, z["going"])
         return {"event_step": step, "going": going}
 
