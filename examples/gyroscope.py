@@ -37,7 +37,8 @@ def main(picture: Path | None = None) -> None:
     free = simulate(model)
     pushed = simulate(model, initial={"disk.theta1_dot": even, "disk.theta3_dot": SPIN - even * cos(TILT)})
     print(pushed.status)
-    print(f"goes round at {pushed['disk.theta1'][-1] / pushed.t[-1]:.6f} rad/s, closed form {even:.6f} rad/s")
+    round_ = np.unwrap(pushed["disk.theta1"])  # angles are read off between -pi and pi
+    print(f"goes round at {round_[-1] / pushed.t[-1]:.6f} rad/s, closed form {even:.6f} rad/s")
     print(f"nods by {np.degrees(np.ptp(pushed['disk.theta2'])):.1e} deg, let go by "
           f"{np.degrees(np.ptp(free['disk.theta2'])):.3f} deg")
     top = AXIAL * SPIN / MASS / GRAVITY / ARM * AXIAL * SPIN / ACROSS / 4  # lowest point of a top let go, closed form

@@ -3,13 +3,15 @@
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
 
 q_i, the independent coordinates by index:
-    0 link1.theta1 [rad], 1 link1.theta2 [rad], 2 link1.theta3 [rad], 3 link2.theta1 [rad],
-    4 link2.theta2 [rad], 5 link2.theta3 [rad], 6 link3.theta1 [rad], 7 link3.theta2 [rad],
-    8 link3.theta3 [rad]
+    0 link1.turn_x [rad], 1 link1.turn_y [rad], 2 link1.turn_z [rad], 3 link2.turn_x [rad],
+    4 link2.turn_y [rad], 5 link2.turn_z [rad], 6 link3.turn_x [rad], 7 link3.turn_y [rad],
+    8 link3.turn_z [rad]
 
 q_d, the dependent coordinates by index:
-    0 link1.x [m], 1 link1.y [m], 2 link1.z [m], 3 link2.x [m], 4 link2.y [m], 5 link2.z [m], 6 link3.x [m],
-    7 link3.y [m], 8 link3.z [m]
+    0 link1.x [m], 1 link1.y [m], 2 link1.z [m], 3 link1.e0 [1], 4 link1.e1 [1], 5 link1.e2 [1],
+    6 link1.e3 [1], 7 link2.x [m], 8 link2.y [m], 9 link2.z [m], 10 link2.e0 [1], 11 link2.e1 [1],
+    12 link2.e2 [1], 13 link2.e3 [1], 14 link3.x [m], 15 link3.y [m], 16 link3.z [m], 17 link3.e0 [1],
+    18 link3.e1 [1], 19 link3.e2 [1], 20 link3.e3 [1]
 """
 
 import casadi as ca
@@ -19,8 +21,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 19) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
-    138 operations.
+    gives c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    211 operations.
     """
     p = ca.SX.sym("p", 19)
     gravity_z = p[0]
@@ -41,83 +43,118 @@ def constants() -> ca.Function:
     link3_inertia_zz = p[15]
     link1_end_x = p[16]
     link2_end_x = p[17]
-    # intermediate terms (21)
+    # intermediate terms (38)
     w0 = (link1_inertia_xx + link1_inertia_yy + link1_inertia_zz) / 2.0
     w1 = w0 - link1_inertia_yy
     w2 = w0 - link1_inertia_zz
     w3 = w1 + w2
     w4 = w0 - link1_inertia_xx + link1_mass * link1_center_of_mass_x**2
-    w5 = link2_mass + link3_mass
-    w6 = link2_mass * link2_center_of_mass_x
-    w7 = link3_mass * link3_center_of_mass_x
-    w8 = (link2_inertia_xx + link2_inertia_yy + link2_inertia_zz) / 2.0
-    w9 = w8 - link2_inertia_yy
-    w10 = w8 - link2_inertia_zz
-    w11 = w9 + w10
-    w12 = w8 - link2_inertia_xx + link2_mass * link2_center_of_mass_x**2
-    w13 = link3_mass * link2_end_x
-    w14 = (link3_inertia_xx + link3_inertia_yy + link3_inertia_zz) / 2.0
-    w15 = w14 - link3_inertia_yy
-    w16 = w14 - link3_inertia_zz
-    w17 = w15 + w16
-    w18 = w14 - link3_inertia_xx + link3_mass * link3_center_of_mass_x**2
-    w19 = link1_mass * link1_center_of_mass_x
-    w20 = w6 + w13
+    w5 = (link2_mass + link3_mass) * link1_end_x
+    w6 = w4 + link1_end_x * w5
+    w7 = link2_mass * link2_center_of_mass_x
+    w8 = link3_mass * link2_end_x
+    w9 = (link2_inertia_xx + link2_inertia_yy + link2_inertia_zz) / 2.0
+    w10 = w9 - link2_inertia_yy
+    w11 = w9 - link2_inertia_zz
+    w12 = w10 + w11
+    w13 = w9 - link2_inertia_xx + link2_mass * link2_center_of_mass_x**2
+    w14 = w13 + link2_end_x * w8
+    w15 = (link3_inertia_xx + link3_inertia_yy + link3_inertia_zz) / 2.0
+    w16 = w15 - link3_inertia_yy
+    w17 = w15 - link3_inertia_zz
+    w18 = w16 + w17
+    w19 = w15 - link3_inertia_xx + link3_mass * link3_center_of_mass_x**2
+    w20 = w17 + w19
+    w21 = w16 + w19
+    w22 = w1 - w2
+    w23 = link1_mass * link1_center_of_mass_x
+    w24 = w10 - w11
+    w25 = w16 - w17
+    w26 = w14 - w10
+    w27 = w19 - w16
+    w28 = w2 + w4
+    w29 = w1 + w4
+    w30 = -4.0 * w29
+    w31 = -4.0 * w28
+    w32 = w11 + w13
+    w33 = w10 + w13
+    w34 = -4.0 * w33
+    w35 = -4.0 * w32
+    w36 = -4.0 * w21
+    w37 = -4.0 * w20
     # outputs
     c = ca.vertcat(
-        w1,  # c0
-        w2,  # c1
-        w3,  # c2
-        w4,  # c3
-        w2 + w4,  # c4
-        w1 + w4,  # c5
+        w3,  # c0
         link1_end_x,  # link1_end_x
+        w2 + w6,  # c2
+        link2_end_x,  # link2_end_x
+        w7 + w8,  # c4
+        link3_mass * link3_center_of_mass_x,  # c5
+        w1 + w6,  # c6
+        w12,  # c7
+        w11 + w14,  # c8
+        w10 + w14,  # c9
+        w18,  # c10
+        w20,  # c11
+        w21,  # c12
+        -w22,  # c13
+        gravity_z,  # gravity_z
+        (w5 + w23) * gravity_z,  # c15
+        w2 - w6,  # c16
+        w6 - w1,  # c17
+        -w24,  # c18
+        w11 - w14,  # c19
+        -w25,  # c20
+        w17 - w19,  # c21
+        -w26,  # c22
+        -w27,  # c23
+        w1,  # c24
+        w2,  # c25
+        link1_mass,  # link1_mass
+        w4,  # c27
         link2_mass,  # link2_mass
         link3_mass,  # link3_mass
-        w5,  # c9
-        link1_end_x * (link1_end_x * w5),  # c10
-        w6,  # c11
-        link2_end_x,  # link2_end_x
-        w7,  # c13
-        w9,  # c14
-        w10,  # c15
-        w11,  # c16
-        w12,  # c17
-        w10 + w12,  # c18
-        w9 + w12,  # c19
-        link2_end_x * w13,  # c20
-        w15,  # c21
-        w16,  # c22
-        w17,  # c23
-        w18,  # c24
-        w16 + w18,  # c25
-        w15 + w18,  # c26
-        gravity_z,  # gravity_z
-        gravity_z * w19,  # c28
-        -link2_end_x,  # c29
-        link1_mass,  # link1_mass
-        w19,  # c31
-        -w3,  # c32
-        -w11,  # c33
-        -w17,  # c34
-        link1_mass * gravity_z,  # c35
-        link2_mass * gravity_z,  # c36
-        link3_mass * gravity_z,  # c37
-        -w19,  # c38
-        -w6,  # c39
-        -w7,  # c40
-        -gravity_z,  # c41
-        2.0,  # c42
-        2 * link1_end_x,  # c43
-        w20,  # c44
-        w1 - w2,  # c45
-        2 * link2_end_x,  # c46
-        w9 - w10,  # c47
-        w15 - w16,  # c48
-        -w1,  # c49
-        -w9,  # c50
-        -w15,  # c51
-        -w20,  # c52
+        w7,  # c30
+        w10,  # c31
+        w11,  # c32
+        w13,  # c33
+        w16,  # c34
+        w17,  # c35
+        w19,  # c36
+        w23,  # c37
+        w28,  # c38
+        w29,  # c39
+        4.0 * w28 + w30,  # c40
+        4.0 * w29 + -4.0 * w3,  # c41
+        4.0 * w3 + w31,  # c42
+        w31 + 4.0 * w3,  # c43
+        4.0 * w29 + -4.0 * w3,  # c44
+        w30 + 4.0 * w28,  # c45
+        w32,  # c46
+        w33,  # c47
+        4.0 * w32 + w34,  # c48
+        4.0 * w33 + -4.0 * w12,  # c49
+        4.0 * w12 + w35,  # c50
+        w35 + 4.0 * w12,  # c51
+        4.0 * w33 + -4.0 * w12,  # c52
+        w34 + 4.0 * w32,  # c53
+        4.0 * w20 + w36,  # c54
+        4.0 * w21 + -4.0 * w18,  # c55
+        4.0 * w18 + w37,  # c56
+        w37 + 4.0 * w18,  # c57
+        4.0 * w21 + -4.0 * w18,  # c58
+        w36 + 4.0 * w20,  # c59
+        link1_mass * gravity_z,  # c60
+        link2_mass * gravity_z,  # c61
+        link3_mass * gravity_z,  # c62
+        -gravity_z,  # c63
+        w6,  # c64
+        w14,  # c65
+        w22,  # c66
+        w24,  # c67
+        w26,  # c68
+        w25,  # c69
+        w27,  # c70
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -126,49 +163,52 @@ def constants() -> ca.Function:
 def condensed() -> ca.Function:
     """Condensed mass matrix and force (Eq. 38).
 
-    takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 21) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 9 x 9) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 9) [N, N m]: condensed force S^T (Q* - M s)
-    721 operations.
+    439 operations.
     """
-    q_i = ca.SX.sym("q_i", 9)
+    q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 53)
-    link1_theta1 = q_i[0]
-    link1_theta2 = q_i[1]
-    link1_theta3 = q_i[2]
-    link2_theta1 = q_i[3]
-    link2_theta2 = q_i[4]
-    link2_theta3 = q_i[5]
-    link3_theta1 = q_i[6]
-    link3_theta2 = q_i[7]
-    link3_theta3 = q_i[8]
-    link1_theta1_dot = q_i_dot[0]
-    link1_theta2_dot = q_i_dot[1]
-    link1_theta3_dot = q_i_dot[2]
-    link2_theta1_dot = q_i_dot[3]
-    link2_theta2_dot = q_i_dot[4]
-    link2_theta3_dot = q_i_dot[5]
-    link3_theta1_dot = q_i_dot[6]
-    link3_theta2_dot = q_i_dot[7]
-    link3_theta3_dot = q_i_dot[8]
+    c = ca.SX.sym("c", 71)
+    link1_e0 = q_d[3]
+    link1_e1 = q_d[4]
+    link1_e2 = q_d[5]
+    link1_e3 = q_d[6]
+    link2_e0 = q_d[10]
+    link2_e1 = q_d[11]
+    link2_e2 = q_d[12]
+    link2_e3 = q_d[13]
+    link3_e0 = q_d[17]
+    link3_e1 = q_d[18]
+    link3_e2 = q_d[19]
+    link3_e3 = q_d[20]
+    link1_omega_x = q_i_dot[0]
+    link1_omega_y = q_i_dot[1]
+    link1_omega_z = q_i_dot[2]
+    link2_omega_x = q_i_dot[3]
+    link2_omega_y = q_i_dot[4]
+    link2_omega_z = q_i_dot[5]
+    link3_omega_x = q_i_dot[6]
+    link3_omega_y = q_i_dot[7]
+    link3_omega_z = q_i_dot[8]
     c0 = c[0]
-    c1 = c[1]
+    link1_end_x = c[1]
     c2 = c[2]
-    c3 = c[3]
+    link2_end_x = c[3]
     c4 = c[4]
     c5 = c[5]
-    link1_end_x = c[6]
-    link2_mass = c[7]
-    link3_mass = c[8]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
     c9 = c[9]
     c10 = c[10]
     c11 = c[11]
-    link2_end_x = c[12]
+    c12 = c[12]
     c13 = c[13]
-    c14 = c[14]
+    gravity_z = c[14]
     c15 = c[15]
     c16 = c[16]
     c17 = c[17]
@@ -178,573 +218,677 @@ def condensed() -> ca.Function:
     c21 = c[21]
     c22 = c[22]
     c23 = c[23]
-    c24 = c[24]
-    c25 = c[25]
-    c26 = c[26]
-    gravity_z = c[27]
-    c28 = c[28]
-    # intermediate terms (184)
-    w0 = ca.sin(link1_theta2)
-    w1 = w0 * c2
-    w2 = ca.cos(link1_theta2)
-    w3 = ca.sin(link1_theta3)
-    w4 = w2 * w3
-    w5 = w4 * c4
-    w6 = ca.cos(link1_theta3)
-    w7 = w2 * w6
-    w8 = w7 * c5
-    w9 = ca.cos(link1_theta1)
-    w10 = w2 * w9
-    w11 = w10 * link1_end_x
-    w12 = ca.sin(link1_theta1)
-    w13 = w2 * w12
-    w14 = w13 * link1_end_x
-    w15 = w0 * link1_end_x
-    w16 = w12 * w15
-    w17 = w9 * w15
-    w18 = w5 * w6 - w3 * w8 - w11 * (w16 * c9) + w14 * (w17 * c9)
-    w19 = -w1
-    w20 = ca.cos(link2_theta1)
-    w21 = ca.cos(link2_theta2)
-    w22 = w20 * w21
-    w23 = w22 * c11
-    w24 = w22 * link2_end_x
-    w25 = w23 + w24 * link3_mass
-    w26 = ca.sin(link2_theta1)
-    w27 = w21 * w26
-    w28 = w27 * c11
-    w29 = w27 * link2_end_x
-    w30 = w28 + w29 * link3_mass
-    w31 = w11 * w25 + w14 * w30
-    w32 = ca.sin(link2_theta2)
-    w33 = w32 * c11
-    w34 = w20 * w33
-    w35 = w32 * link2_end_x
-    w36 = w20 * w35
-    w37 = w36 * link3_mass
-    w38 = w34 + w37
-    w39 = w26 * w33
-    w40 = w26 * w35
-    w41 = w40 * link3_mass
-    w42 = w39 + w41
-    w43 = w14 * w38 - w11 * w42
-    w44 = ca.cos(link3_theta1)
-    w45 = ca.cos(link3_theta2)
-    w46 = w44 * w45
-    w47 = w46 * c13
-    w48 = ca.sin(link3_theta1)
-    w49 = w45 * w48
-    w50 = w49 * c13
-    w51 = w11 * w47 + w14 * w50
-    w52 = ca.sin(link3_theta2)
-    w53 = w52 * c13
-    w54 = w44 * w53
-    w55 = w48 * w53
-    w56 = w14 * w54 - w11 * w55
-    w57 = w2 * link1_end_x
-    w58 = w17 * w30 - w16 * w25
-    w59 = w21 * c11
-    w60 = w21 * link2_end_x
-    w61 = w57 * (w59 + w60 * link3_mass) + w16 * w42 + w17 * w38
-    w62 = w17 * w50 - w16 * w47
-    w63 = w45 * c13
-    w64 = w57 * w63 + w16 * w55 + w17 * w54
-    w65 = w32 * c16
-    w66 = ca.sin(link2_theta3)
-    w67 = w21 * w66
-    w68 = w67 * c18
-    w69 = ca.cos(link2_theta3)
-    w70 = w21 * w69
-    w71 = w70 * c19
-    w72 = w68 * w69 - w66 * w71 - w24 * w41 + w29 * w37
-    w73 = -w65
-    w74 = w24 * w47 + w29 * w50
-    w75 = w29 * w54 - w24 * w55
-    w76 = w36 * w50 - w40 * w47
-    w77 = w60 * w63 + w40 * w55 + w36 * w54
-    w78 = w52 * c23
-    w79 = ca.sin(link3_theta3)
-    w80 = w45 * w79
-    w81 = w80 * c25
-    w82 = ca.cos(link3_theta3)
-    w83 = w45 * w82
-    w84 = w83 * c26
-    w85 = w81 * w82 - w79 * w84
-    w86 = -w78
-    w87 = w26 * w69
-    w88 = w66 * (w20 * w32) - w87
-    w89 = link2_theta3_dot - w32 * link2_theta1_dot
-    w90 = w69 * link2_theta2_dot
-    w91 = w67 * link2_theta1_dot + w90
-    w92 = w89 * w91
-    w93 = w21 * link2_theta3_dot
-    w94 = link2_theta3_dot * link2_theta2_dot
-    w95 = link2_theta1_dot * (w66 * w93 + w32 * w90) + w69 * w94
-    w96 = w92 - w95
-    w97 = w96 * c11
-    w98 = w70 * link2_theta1_dot - w66 * link2_theta2_dot
-    w99 = (w91**2 + w98**2) * c11
-    w100 = w20 * w69
-    w101 = w26 * w66 + w32 * w100
-    w102 = w89 * w98
-    w103 = link2_theta1_dot * (w69 * w93 - w66 * (w32 * link2_theta2_dot)) - w66 * w94
-    w104 = w102 - w103
-    w105 = w104 * c11
-    w106 = w9 * link1_theta2_dot + w13 * link1_theta3_dot
-    w107 = w10 * link1_theta3_dot - w12 * link1_theta2_dot
-    w108 = w14 * w107 - w11 * w106
-    w109 = link1_theta1_dot - w0 * link1_theta3_dot
-    w110 = w11 * w109 + w15 * w107
-    w111 = w6 * w9
-    w112 = w2 * link1_theta3_dot
-    w113 = link1_theta2_dot * link1_theta3_dot
-    w114 = link1_theta1_dot * (w6 * w112 - w3 * (w0 * link1_theta2_dot)) - w3 * w113
-    w115 = w2 * (link1_theta2_dot * link1_theta1_dot)
-    w116 = w6 * w12
-    w117 = w6 * link1_theta2_dot
-    w118 = link1_theta1_dot * (w3 * w112 + w0 * w117) + w6 * w113
-    w119 = (w111 + w3 * (w0 * w12)) * w114 - w13 * w115 - (w0 * w116 - w3 * w9) * w118
-    w120 = w0 * w115 + w4 * w114 - w7 * w118
-    w121 = w106 * w108 - w109 * w110 - (w15 * w119 + w14 * w120)
-    w122 = w48 * w82
-    w123 = link3_theta3_dot - w52 * link3_theta1_dot
-    w124 = w82 * link3_theta2_dot
-    w125 = w80 * link3_theta1_dot + w124
-    w126 = w123 * w125
-    w127 = w45 * link3_theta3_dot
-    w128 = link3_theta3_dot * link3_theta2_dot
-    w129 = link3_theta1_dot * (w79 * w127 + w52 * w124) + w82 * w128
-    w130 = w126 - w129
-    w131 = w130 * c13
-    w132 = w83 * link3_theta1_dot - w79 * link3_theta2_dot
-    w133 = (w125**2 + w132**2) * c13
-    w134 = w44 * w82
-    w135 = w123 * w132
-    w136 = link3_theta1_dot * (w82 * w127 - w79 * (w52 * link3_theta2_dot)) - w79 * w128
-    w137 = w135 - w136
-    w138 = w137 * c13
-    w139 = w20 * link2_theta2_dot + w27 * link2_theta3_dot
-    w140 = w22 * link2_theta3_dot - w26 * link2_theta2_dot
-    w141 = w29 * w140 - w24 * w139
-    w142 = link2_theta1_dot - w32 * link2_theta3_dot
-    w143 = w24 * w142 + w35 * w140
-    w144 = w100 + w66 * (w26 * w32)
-    w145 = w21 * (link2_theta1_dot * link2_theta2_dot)
-    w146 = w32 * w87 - w20 * w66
-    w147 = w103 * w144 - w27 * w145 - w95 * w146
-    w148 = w32 * w145 + w67 * w103 - w70 * w95
-    w149 = w121 + (w139 * w141 - w142 * w143 - (w35 * w147 + w29 * w148))
-    w150 = (w79 * (w44 * w52) - w122) * w131 - w46 * w133 + (w48 * w79 + w52 * w134) * w138 + w149 * link3_mass
-    w151 = w88 * w97 - w22 * w99 + w101 * w105 + w121 * link2_mass + w150
-    w152 = link1_theta3_dot - w0 * link1_theta1_dot
-    w153 = w7 * link1_theta1_dot - w3 * link1_theta2_dot
-    w154 = w152 * w153
-    w155 = (w114 + w154) * c1 - (w154 - w114) * c3
-    w156 = w117 + w4 * link1_theta1_dot
-    w157 = w153 * w156
-    w158 = (w157 - w115) * c0 - (w115 + w157) * c1
-    w159 = w152 * w156
-    w160 = (w159 - w118) * c3 - (w118 + w159) * c0
-    w161 = w114 * (w3 * (w0 * w9) - w116) - w10 * w115 - w118 * (w3 * w12 + w0 * w111)
-    w162 = w15 * w106 + w14 * w109
-    w163 = w11 * w120 + w15 * w161 - (w109 * w162 + w107 * w108)
-    w164 = w88 * w103 - w22 * w145 - w95 * w101
-    w165 = w35 * w139 + w29 * w142
-    w166 = w163 + (w24 * w148 + w35 * w164 - (w142 * w165 + w140 * w141))
-    w167 = w131 * (w134 + w79 * (w48 * w52)) - w49 * w133 + w138 * (w52 * w122 - w44 * w79) + w166 * link3_mass
-    w168 = w97 * w144 - w27 * w99 + w105 * w146 + w163 * link2_mass + w167
-    w169 = w14 * w161 - w11 * w119 + (w107 * w110 + w106 * w162)
-    w170 = w169 - gravity_z
-    w171 = w169 + (w29 * w164 - w24 * w147 + (w140 * w143 + w139 * w165)) - gravity_z
-    w172 = w52 * w133 + w80 * w131 + w83 * w138 + w171 * link3_mass
-    w173 = w57 * (w32 * w99 + w67 * w97 + w70 * w105 + w170 * link2_mass + w172) - (w6 * w155 - w3 * w160 + w2 * c28)
-    w174 = (w102 + w103) * c15 - w104 * c17
-    w175 = w91 * w98
-    w176 = (w175 - w145) * c14 - (w145 + w175) * c15
-    w177 = w96 * c17 - (w92 + w95) * c14
-    w178 = w60 * w172 - (w69 * w174 - w66 * w177 - (w34 * w121 + w39 * w163 + w59 * w170)) + w40 * w167 + w36 * w150
-    w179 = (w135 + w136) * c22 - w137 * c24
-    w180 = w125 * w132
-    w181 = w45 * (link3_theta1_dot * link3_theta2_dot)
-    w182 = (w180 - w181) * c21 - (w180 + w181) * c22
-    w183 = w130 * c24 - (w126 + w129) * c21
+    # intermediate terms (117)
+    w0 = 2 * link1_e1
+    w1 = w0 * link1_e3
+    w2 = 2 * link1_e2
+    w3 = w2 * link1_e0
+    w4 = w1 + w3
+    w5 = w4 * link1_end_x
+    w6 = 2 * link2_e1
+    w7 = w6 * link2_e3
+    w8 = 2 * link2_e2
+    w9 = w8 * link2_e0
+    w10 = w7 + w9
+    w11 = w10 * c4
+    w12 = link1_e3 * w2
+    w13 = w0 * link1_e0
+    w14 = w12 - w13
+    w15 = w14 * link1_end_x
+    w16 = link2_e3 * w8
+    w17 = w6 * link2_e0
+    w18 = w16 - w17
+    w19 = w18 * c4
+    w20 = link1_e1 * w0
+    w21 = link1_e2 * w2
+    w22 = 1.0 - (w20 + w21)
+    w23 = w22 * link1_end_x
+    w24 = link2_e1 * w6
+    w25 = link2_e2 * w8
+    w26 = 1.0 - (w24 + w25)
+    w27 = w26 * c4
+    w28 = w5 * w11 + w15 * w19 + w23 * w27
+    w29 = w6 * link2_e2
+    w30 = 2 * link2_e3
+    w31 = link2_e0 * w30
+    w32 = w29 - w31
+    w33 = w32 * c4
+    w34 = link2_e3 * w30
+    w35 = 1.0 - (w24 + w34)
+    w36 = w35 * c4
+    w37 = w16 + w17
+    w38 = w37 * c4
+    w39 = -(w5 * w33 + w15 * w36 + w23 * w38)
+    w40 = 2 * link3_e1
+    w41 = w40 * link3_e3
+    w42 = 2 * link3_e2
+    w43 = w42 * link3_e0
+    w44 = w41 + w43
+    w45 = w44 * c5
+    w46 = link3_e3 * w42
+    w47 = w40 * link3_e0
+    w48 = w46 - w47
+    w49 = w48 * c5
+    w50 = link3_e1 * w40
+    w51 = link3_e2 * w42
+    w52 = 1.0 - (w50 + w51)
+    w53 = w52 * c5
+    w54 = w5 * w45 + w15 * w49 + w23 * w53
+    w55 = w40 * link3_e2
+    w56 = 2 * link3_e3
+    w57 = link3_e0 * w56
+    w58 = w55 - w57
+    w59 = w58 * c5
+    w60 = link3_e3 * w56
+    w61 = 1.0 - (w50 + w60)
+    w62 = w61 * c5
+    w63 = w46 + w47
+    w64 = w63 * c5
+    w65 = -(w5 * w59 + w15 * w62 + w23 * w64)
+    w66 = w0 * link1_e2
+    w67 = 2 * link1_e3
+    w68 = link1_e0 * w67
+    w69 = w66 - w68
+    w70 = w69 * link1_end_x
+    w71 = link1_e3 * w67
+    w72 = 1.0 - (w20 + w71)
+    w73 = w72 * link1_end_x
+    w74 = w12 + w13
+    w75 = w74 * link1_end_x
+    w76 = -(w11 * w70 + w19 * w73 + w27 * w75)
+    w77 = w33 * w70 + w36 * w73 + w38 * w75
+    w78 = -(w45 * w70 + w49 * w73 + w53 * w75)
+    w79 = w59 * w70 + w62 * w73 + w64 * w75
+    w80 = w10 * link2_end_x
+    w81 = w18 * link2_end_x
+    w82 = w26 * link2_end_x
+    w83 = w45 * w80 + w49 * w81 + w53 * w82
+    w84 = -(w59 * w80 + w62 * w81 + w64 * w82)
+    w85 = w32 * link2_end_x
+    w86 = w35 * link2_end_x
+    w87 = w37 * link2_end_x
+    w88 = -(w45 * w85 + w49 * w86 + w53 * w87)
+    w89 = w59 * w85 + w62 * w86 + w64 * w87
+    w90 = link1_omega_z * link1_omega_x
+    w91 = link3_omega_x * link3_omega_y
+    w92 = link3_omega_y**2 + link3_omega_z**2
+    w93 = link3_omega_x * link3_omega_z
+    w94 = (w58 * w91 - (1.0 - (w51 + w60)) * w92 + w44 * w93) * c5
+    w95 = link2_omega_x * link2_omega_y
+    w96 = link2_omega_y**2 + link2_omega_z**2
+    w97 = link2_omega_x * link2_omega_z
+    w98 = w32 * w95 - (1.0 - (w25 + w34)) * w96 + w10 * w97
+    w99 = w94 + w98 * c4
+    w100 = (w61 * w91 - w92 * (w55 + w57) + w48 * w93) * c5
+    w101 = w35 * w95 - w96 * (w29 + w31) + w18 * w97
+    w102 = w100 + w101 * c4
+    w103 = (w63 * w91 - w92 * (w41 - w43) + w52 * w93) * c5
+    w104 = w37 * w95 - w96 * (w7 - w9) + w26 * w97
+    w105 = w103 + w104 * c4
+    w106 = link1_omega_y * link1_omega_x
+    w107 = link1_omega_y**2 + link1_omega_z**2
+    w108 = (w69 * w106 - (1.0 - (w21 + w71)) * w107 + w4 * w90) * link1_end_x
+    w109 = w94 * link2_end_x + w108 * c4
+    w110 = (w72 * w106 - w107 * (w66 + w68) + w14 * w90) * link1_end_x
+    w111 = w100 * link2_end_x + w110 * c4
+    w112 = (w74 * w106 - w107 * (w1 - w3) + w22 * w90) * link1_end_x - gravity_z
+    w113 = w103 * link2_end_x + w112 * c4
+    w114 = w108 + w98 * link2_end_x
+    w115 = w110 + w101 * link2_end_x
+    w116 = w112 + w104 * link2_end_x
     # outputs
     M_hat = ca.SX(9, 9)
-    # link1.theta1
-    M_hat[0, 0] = w7 * w8 + (w4 * w5 + (w0 * w1 + w2**2 * c10))
-    M_hat[0, 1] = w18
-    M_hat[0, 2] = w19
-    M_hat[0, 3] = w31
-    M_hat[0, 4] = w43
-    M_hat[0, 6] = w51
-    M_hat[0, 7] = w56
-    # link1.theta2
-    M_hat[1, 0] = w18
-    M_hat[1, 1] = w3 * (w3 * c5) + (c10 + w6 * (w6 * c4))
-    M_hat[1, 3] = w58
-    M_hat[1, 4] = w61
-    M_hat[1, 6] = w62
-    M_hat[1, 7] = w64
-    # link1.theta3
-    M_hat[2, 0] = w19
-    M_hat[2, 2] = c2
-    # link2.theta1
-    M_hat[3, 0] = w31
-    M_hat[3, 1] = w58
-    M_hat[3, 3] = w70 * w71 + (w67 * w68 + (w32 * w65 + w21**2 * c20))
-    M_hat[3, 4] = w72
-    M_hat[3, 5] = w73
-    M_hat[3, 6] = w74
-    M_hat[3, 7] = w75
-    # link2.theta2
-    M_hat[4, 0] = w43
-    M_hat[4, 1] = w61
-    M_hat[4, 3] = w72
-    M_hat[4, 4] = w66 * (w66 * c19) + (c20 + w69 * (w69 * c18))
-    M_hat[4, 6] = w76
-    M_hat[4, 7] = w77
-    # link2.theta3
-    M_hat[5, 3] = w73
-    M_hat[5, 5] = c16
-    # link3.theta1
-    M_hat[6, 0] = w51
-    M_hat[6, 1] = w62
-    M_hat[6, 3] = w74
-    M_hat[6, 4] = w76
-    M_hat[6, 6] = w52 * w78 + w80 * w81 + w83 * w84
-    M_hat[6, 7] = w85
-    M_hat[6, 8] = w86
-    # link3.theta2
-    M_hat[7, 0] = w56
-    M_hat[7, 1] = w64
-    M_hat[7, 3] = w75
-    M_hat[7, 4] = w77
-    M_hat[7, 6] = w85
-    M_hat[7, 7] = w82 * (w82 * c25) + w79 * (w79 * c26)
-    # link3.theta3
-    M_hat[8, 6] = w86
-    M_hat[8, 8] = c23
+    # link1.turn_x
+    M_hat[0, 0] = c0
+    # link1.turn_y
+    M_hat[1, 1] = c2
+    M_hat[1, 4] = w28
+    M_hat[1, 5] = w39
+    M_hat[1, 7] = w54
+    M_hat[1, 8] = w65
+    # link1.turn_z
+    M_hat[2, 2] = c6
+    M_hat[2, 4] = w76
+    M_hat[2, 5] = w77
+    M_hat[2, 7] = w78
+    M_hat[2, 8] = w79
+    # link2.turn_x
+    M_hat[3, 3] = c7
+    # link2.turn_y
+    M_hat[4, 1] = w28
+    M_hat[4, 2] = w76
+    M_hat[4, 4] = c8
+    M_hat[4, 7] = w83
+    M_hat[4, 8] = w84
+    # link2.turn_z
+    M_hat[5, 1] = w39
+    M_hat[5, 2] = w77
+    M_hat[5, 5] = c9
+    M_hat[5, 7] = w88
+    M_hat[5, 8] = w89
+    # link3.turn_x
+    M_hat[6, 6] = c10
+    # link3.turn_y
+    M_hat[7, 1] = w54
+    M_hat[7, 2] = w78
+    M_hat[7, 4] = w83
+    M_hat[7, 5] = w88
+    M_hat[7, 7] = c11
+    # link3.turn_z
+    M_hat[8, 1] = w65
+    M_hat[8, 2] = w79
+    M_hat[8, 4] = w84
+    M_hat[8, 5] = w89
+    M_hat[8, 8] = c12
     Q_hat = ca.vertcat(
-        w14 * w151 - (w4 * w155 - w0 * w158 + w7 * w160 + w11 * w168),  # link1.theta1
-        w173 + w16 * w168 + w17 * w151,  # link1.theta2
-        -w158,  # link1.theta3
-        w29 * w150 - (w67 * w174 - w32 * w176 + w70 * w177 + (w23 * w163 - w28 * w121) + w24 * w167),  # link2.theta1
-        w178,  # link2.theta2
-        -w176,  # link2.theta3
-        w52 * w182 - w80 * w179 - w83 * w183 - (w47 * w166 - w50 * w149),  # link3.theta1
-        w54 * w149 + w55 * w166 + w63 * w171 - (w82 * w179 - w79 * w183),  # link3.theta2
-        -w182,  # link3.theta3
+        link1_omega_y * link1_omega_z * c13,  # link1.turn_x
+        w5 * w99 + w15 * w102 + w23 * w105 - (w22 * c15 + w90 * c16),  # link1.turn_y
+        w74 * c15 - w106 * c17 - (w70 * w99 + w73 * w102 + w75 * w105),  # link1.turn_z
+        link2_omega_y * link2_omega_z * c18,  # link2.turn_x
+        w10 * w109 + w18 * w111 + w26 * w113 - w97 * c19,  # link2.turn_y
+        w95 * c22 - (w32 * w109 + w35 * w111 + w37 * w113),  # link2.turn_z
+        link3_omega_y * link3_omega_z * c20,  # link3.turn_x
+        w45 * w114 + w49 * w115 + w53 * w116 - w93 * c21,  # link3.turn_y
+        w91 * c23 - (w59 * w114 + w62 * w115 + w64 * w116),  # link3.turn_z
     )
-    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
-    return ca.Function("condensed", inputs, outputs, ["q_i", "q_i_dot", "c"], ["M_hat", "Q_hat"])
+    inputs, outputs = [q_d, q_i_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
+    return ca.Function("condensed", inputs, outputs, ["q_d", "q_i_dot", "c"], ["M_hat", "Q_hat"])
 
 
 def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives q_d_next (n_d = 9) [mixed]: dependent coordinates after one Newton step
-    39 operations.
+    takes chart (4 x orientations = 12) [1]: unit quaternions from which the turns in q_i are rotation vectors
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_next (n_d = 21) [mixed]: dependent coordinates after one Newton step
+    215 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
-    c = ca.SX.sym("c", 53)
-    link1_theta1 = q_i[0]
-    link1_theta2 = q_i[1]
-    link2_theta1 = q_i[3]
-    link2_theta2 = q_i[4]
-    link1_end_x = c[6]
-    link2_end_x = c[12]
-    c29 = c[29]
-    # intermediate terms (5)
-    w0 = ca.cos(link1_theta2)
-    w1 = ca.cos(link1_theta1) * w0 * link1_end_x
-    w2 = w0 * ca.sin(link1_theta1) * link1_end_x
-    w3 = ca.sin(link1_theta2) * link1_end_x
-    w4 = ca.cos(link2_theta2)
+    chart = ca.SX.sym("chart", 12)
+    c = ca.SX.sym("c", 71)
+    link1_turn_x = q_i[0]
+    link1_turn_y = q_i[1]
+    link1_turn_z = q_i[2]
+    link2_turn_x = q_i[3]
+    link2_turn_y = q_i[4]
+    link2_turn_z = q_i[5]
+    link3_turn_x = q_i[6]
+    link3_turn_y = q_i[7]
+    link3_turn_z = q_i[8]
+    link1_chart_0 = chart[0]
+    link1_chart_1 = chart[1]
+    link1_chart_2 = chart[2]
+    link1_chart_3 = chart[3]
+    link2_chart_0 = chart[4]
+    link2_chart_1 = chart[5]
+    link2_chart_2 = chart[6]
+    link2_chart_3 = chart[7]
+    link3_chart_0 = chart[8]
+    link3_chart_1 = chart[9]
+    link3_chart_2 = chart[10]
+    link3_chart_3 = chart[11]
+    link1_end_x = c[1]
+    link2_end_x = c[3]
+    # intermediate terms (33)
+    w0 = ca.sqrt((link1_turn_x**2 + link1_turn_y**2 + link1_turn_z**2) / 4.0 + 1e-300)
+    w1 = ca.cos(w0)
+    w2 = ca.sin(w0) / w0 / 2.0
+    w3 = link1_turn_x * w2
+    w4 = link1_turn_y * w2
+    w5 = link1_turn_z * w2
+    w6 = link1_chart_0 * w1 - (link1_chart_1 * w3 + link1_chart_2 * w4 + link1_chart_3 * w5)
+    w7 = link1_chart_0 * w3 + w1 * link1_chart_1 + (link1_chart_2 * w5 - w4 * link1_chart_3)
+    w8 = link1_chart_0 * w4 + w1 * link1_chart_2 + (w3 * link1_chart_3 - link1_chart_1 * w5)
+    w9 = link1_chart_0 * w5 + w1 * link1_chart_3 + (link1_chart_1 * w4 - w3 * link1_chart_2)
+    w10 = (1.0 - 2 * w8**2 - 2 * w9**2) * link1_end_x
+    w11 = 2 * w6
+    w12 = 2 * w7
+    w13 = (w9 * w11 + w8 * w12) * link1_end_x
+    w14 = (w9 * w12 - w8 * w11) * link1_end_x
+    w15 = ca.sqrt(1e-300 + (link2_turn_x**2 + link2_turn_y**2 + link2_turn_z**2) / 4.0)
+    w16 = ca.cos(w15)
+    w17 = ca.sin(w15) / w15 / 2.0
+    w18 = link2_turn_x * w17
+    w19 = link2_turn_y * w17
+    w20 = link2_turn_z * w17
+    w21 = link2_chart_0 * w16 - (link2_chart_1 * w18 + link2_chart_2 * w19 + link2_chart_3 * w20)
+    w22 = link2_chart_0 * w18 + w16 * link2_chart_1 + (link2_chart_2 * w20 - w19 * link2_chart_3)
+    w23 = link2_chart_0 * w19 + w16 * link2_chart_2 + (w18 * link2_chart_3 - link2_chart_1 * w20)
+    w24 = link2_chart_0 * w20 + w16 * link2_chart_3 + (link2_chart_1 * w19 - w18 * link2_chart_2)
+    w25 = 2 * w21
+    w26 = 2 * w22
+    w27 = ca.sqrt(1e-300 + (link3_turn_x**2 + link3_turn_y**2 + link3_turn_z**2) / 4.0)
+    w28 = ca.cos(w27)
+    w29 = ca.sin(w27) / w27 / 2.0
+    w30 = link3_turn_x * w29
+    w31 = link3_turn_y * w29
+    w32 = link3_turn_z * w29
     # outputs
     q_d_next = ca.vertcat(
         0.0,  # link1.x
         0.0,  # link1.y
         0.0,  # link1.z
-        w1,  # link2.x
-        w2,  # link2.y
-        -w3,  # link2.z
-        w1 + ca.cos(link2_theta1) * w4 * link2_end_x,  # link3.x
-        w2 + w4 * ca.sin(link2_theta1) * link2_end_x,  # link3.y
-        ca.sin(link2_theta2) * c29 - w3,  # link3.z
+        w6,  # link1.e0
+        w7,  # link1.e1
+        w8,  # link1.e2
+        w9,  # link1.e3
+        w10,  # link2.x
+        w13,  # link2.y
+        w14,  # link2.z
+        w21,  # link2.e0
+        w22,  # link2.e1
+        w23,  # link2.e2
+        w24,  # link2.e3
+        w10 + (1.0 - 2 * w23**2 - 2 * w24**2) * link2_end_x,  # link3.x
+        w13 + (w24 * w25 + w23 * w26) * link2_end_x,  # link3.y
+        w14 + (w24 * w26 - w23 * w25) * link2_end_x,  # link3.z
+        link3_chart_0 * w28 - (link3_chart_1 * w30 + link3_chart_2 * w31 + link3_chart_3 * w32),  # link3.e0
+        link3_chart_0 * w30 + w28 * link3_chart_1 + (link3_chart_2 * w32 - w31 * link3_chart_3),  # link3.e1
+        link3_chart_0 * w31 + w28 * link3_chart_2 + (w30 * link3_chart_3 - link3_chart_1 * w32),  # link3.e2
+        link3_chart_0 * w32 + w28 * link3_chart_3 + (link3_chart_1 * w31 - w30 * link3_chart_2),  # link3.e3
     )
-    inputs, outputs = [q_i, c], [ca.densify(q_d_next)]
-    return ca.Function("closure", inputs, outputs, ["q_i", "c"], ["q_d_next"])
+    inputs, outputs = [q_i, chart, c], [ca.densify(q_d_next)]
+    return ca.Function("closure", inputs, outputs, ["q_i", "chart", "c"], ["q_d_next"])
 
 
 def velocities() -> ca.Function:
     """Rates of the dependent coordinates (Eq. 36).
 
-    takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 21) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
-    64 operations.
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_dot (n_d = 21) [mixed]: rates of the dependent coordinates
+    272 operations.
     """
-    q_i = ca.SX.sym("q_i", 9)
+    q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 53)
-    link1_theta1 = q_i[0]
-    link1_theta2 = q_i[1]
-    link2_theta1 = q_i[3]
-    link2_theta2 = q_i[4]
-    link1_theta1_dot = q_i_dot[0]
-    link1_theta2_dot = q_i_dot[1]
-    link2_theta1_dot = q_i_dot[3]
-    link2_theta2_dot = q_i_dot[4]
-    link1_end_x = c[6]
-    link2_end_x = c[12]
-    c29 = c[29]
-    # intermediate terms (11)
-    w0 = ca.cos(link1_theta2)
-    w1 = ca.sin(link1_theta1)
-    w2 = ca.cos(link1_theta1)
-    w3 = ca.sin(link1_theta2) * link1_end_x
-    w4 = w0 * w1 * link1_end_x * link1_theta1_dot + w2 * w3 * link1_theta2_dot
-    w5 = link1_theta1_dot * (w0 * w2 * link1_end_x) - link1_theta2_dot * (w1 * w3)
-    w6 = link1_theta2_dot * (w0 * link1_end_x)
-    w7 = ca.cos(link2_theta2)
-    w8 = ca.sin(link2_theta1)
-    w9 = ca.cos(link2_theta1)
-    w10 = ca.sin(link2_theta2) * link2_end_x
+    c = ca.SX.sym("c", 71)
+    link1_e0 = q_d[3]
+    link1_e1 = q_d[4]
+    link1_e2 = q_d[5]
+    link1_e3 = q_d[6]
+    link2_e0 = q_d[10]
+    link2_e1 = q_d[11]
+    link2_e2 = q_d[12]
+    link2_e3 = q_d[13]
+    link3_e0 = q_d[17]
+    link3_e1 = q_d[18]
+    link3_e2 = q_d[19]
+    link3_e3 = q_d[20]
+    link1_omega_x = q_i_dot[0]
+    link1_omega_y = q_i_dot[1]
+    link1_omega_z = q_i_dot[2]
+    link2_omega_x = q_i_dot[3]
+    link2_omega_y = q_i_dot[4]
+    link2_omega_z = q_i_dot[5]
+    link3_omega_x = q_i_dot[6]
+    link3_omega_y = q_i_dot[7]
+    link3_omega_z = q_i_dot[8]
+    link1_end_x = c[1]
+    link2_end_x = c[3]
+    # intermediate terms (58)
+    w0 = link1_e1 * 0.5
+    w1 = link1_e2 * 0.5
+    w2 = link1_e3 * 0.5
+    w3 = w0 * link1_omega_x + w1 * link1_omega_y + w2 * link1_omega_z
+    w4 = link1_e0 * 0.5
+    w5 = link1_omega_x * w4 - link1_omega_y * w2 + w1 * link1_omega_z
+    w6 = link1_omega_x * w2 + link1_omega_y * w4 - w0 * link1_omega_z
+    w7 = w0 * link1_omega_y - link1_omega_x * w1 + link1_omega_z * w4
+    w8 = 2 * link1_e3
+    w9 = 2 * link1_e1
+    w10 = 2 * link1_e0
+    w11 = (link1_e3 * w9 - link1_e2 * w10) * link1_end_x
+    w12 = link1_e2 * -2.0
+    w13 = (link1_e3 * w10 + link1_e2 * w9) * link1_end_x
+    w14 = link1_e3 * -2.0
+    w15 = w13 * w14
+    w16 = w10 * w11
+    w17 = link1_e1 * -2.0
+    w18 = w11 * w17
+    w19 = w10 * w13
+    w20 = w5 * (w8 * w11 - w12 * w13) - w3 * (w11 * w12 - w15) + w6 * (w16 - w9 * w13) + w7 * (w18 - w19)
+    w21 = (1.0 - 2 * link1_e2**2 - 2 * link1_e3**2) * link1_end_x
+    w22 = w12 * w21
+    w23 = w10 * w21
+    w24 = 2 * link1_e2
+    w25 = w5 * (w22 - w16) - w3 * (w14 * w21 - w18) + w6 * (w9 * w21 - w11 * w14) + w7 * (w23 - w11 * w24)
+    w26 = w5 * (w19 - w8 * w21) - w3 * (w13 * w17 - w22) + w6 * (w15 - w23) + w7 * (w13 * w24 - w17 * w21)
+    w27 = link2_e1 * 0.5
+    w28 = link2_e2 * 0.5
+    w29 = link2_e3 * 0.5
+    w30 = w27 * link2_omega_x + w28 * link2_omega_y + w29 * link2_omega_z
+    w31 = link2_e0 * 0.5
+    w32 = link2_omega_x * w31 - link2_omega_y * w29 + w28 * link2_omega_z
+    w33 = link2_omega_x * w29 + link2_omega_y * w31 - w27 * link2_omega_z
+    w34 = w27 * link2_omega_y - link2_omega_x * w28 + link2_omega_z * w31
+    w35 = link2_e2 * -2.0
+    w36 = 2 * link2_e1
+    w37 = 2 * link2_e0
+    w38 = (link2_e3 * w36 - link2_e2 * w37) * link2_end_x
+    w39 = link2_e3 * -2.0
+    w40 = (link2_e3 * w37 + link2_e2 * w36) * link2_end_x
+    w41 = w39 * w40
+    w42 = 2 * link2_e3
+    w43 = w37 * w38
+    w44 = link2_e1 * -2.0
+    w45 = w38 * w44
+    w46 = w37 * w40
+    w47 = w20 - w30 * (w35 * w38 - w41) + w32 * (w38 * w42 - w35 * w40) + w33 * (w43 - w36 * w40) + w34 * (w45 - w46)
+    w48 = (1.0 - 2 * link2_e2**2 - 2 * link2_e3**2) * link2_end_x
+    w49 = w35 * w48
+    w50 = w37 * w48
+    w51 = 2 * link2_e2
+    w52 = w25 - w30 * (w39 * w48 - w45) + w32 * (w49 - w43) + w33 * (w36 * w48 - w38 * w39) + w34 * (w50 - w38 * w51)
+    w53 = w26 - w30 * (w40 * w44 - w49) + w32 * (w46 - w42 * w48) + w33 * (w41 - w50) + w34 * (w40 * w51 - w44 * w48)
+    w54 = link3_e1 * 0.5
+    w55 = link3_e2 * 0.5
+    w56 = link3_e3 * 0.5
+    w57 = link3_e0 * 0.5
     # outputs
     q_d_dot = ca.vertcat(
         0.0,  # link1.x
         0.0,  # link1.y
         0.0,  # link1.z
-        -w4,  # link2.x
-        w5,  # link2.y
-        -w6,  # link2.z
-        w7 * w8 * c29 * link2_theta1_dot - w4 - w9 * w10 * link2_theta2_dot,  # link3.x
-        w5 + link2_theta1_dot * (w7 * w9 * link2_end_x) - link2_theta2_dot * (w8 * w10),  # link3.y
-        w7 * c29 * link2_theta2_dot - w6,  # link3.z
+        -w3,  # link1.e0
+        w5,  # link1.e1
+        w6,  # link1.e2
+        w7,  # link1.e3
+        w20,  # link2.x
+        w25,  # link2.y
+        w26,  # link2.z
+        -w30,  # link2.e0
+        w32,  # link2.e1
+        w33,  # link2.e2
+        w34,  # link2.e3
+        w47,  # link3.x
+        w52,  # link3.y
+        w53,  # link3.z
+        -(w54 * link3_omega_x + w55 * link3_omega_y + w56 * link3_omega_z),  # link3.e0
+        link3_omega_x * w57 - link3_omega_y * w56 + w55 * link3_omega_z,  # link3.e1
+        link3_omega_x * w56 + link3_omega_y * w57 - w54 * link3_omega_z,  # link3.e2
+        w54 * link3_omega_y - link3_omega_x * w55 + link3_omega_z * w57,  # link3.e3
     )
-    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_d_dot)]
-    return ca.Function("velocities", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_d_dot"])
+    inputs, outputs = [q_d, q_i_dot, c], [ca.densify(q_d_dot)]
+    return ca.Function("velocities", inputs, outputs, ["q_d", "q_i_dot", "c"], ["q_d_dot"])
 
 
 def accelerations() -> ca.Function:
     """Accelerations of the dependent coordinates (Eq. 35).
 
-    takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 21) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 21) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives q_d_ddot (n_d = 9) [mixed]: accelerations of the dependent coordinates
-    253 operations.
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_ddot (n_d = 21) [mixed]: accelerations of the dependent coordinates
+    416 operations.
     """
-    q_i = ca.SX.sym("q_i", 9)
+    q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
+    q_d_dot = ca.SX.sym("q_d_dot", 21)
     q_i_ddot = ca.SX.sym("q_i_ddot", 9)
-    c = ca.SX.sym("c", 53)
-    link1_theta1 = q_i[0]
-    link1_theta2 = q_i[1]
-    link1_theta3 = q_i[2]
-    link2_theta1 = q_i[3]
-    link2_theta2 = q_i[4]
-    link2_theta3 = q_i[5]
-    link1_theta1_dot = q_i_dot[0]
-    link1_theta2_dot = q_i_dot[1]
-    link1_theta3_dot = q_i_dot[2]
-    link2_theta1_dot = q_i_dot[3]
-    link2_theta2_dot = q_i_dot[4]
-    link2_theta3_dot = q_i_dot[5]
-    link1_theta1_ddot = q_i_ddot[0]
-    link1_theta2_ddot = q_i_ddot[1]
-    link2_theta1_ddot = q_i_ddot[3]
-    link2_theta2_ddot = q_i_ddot[4]
-    link1_end_x = c[6]
-    link2_end_x = c[12]
-    # intermediate terms (60)
-    w0 = ca.cos(link1_theta1)
-    w1 = ca.cos(link1_theta2)
-    w2 = ca.sin(link1_theta1)
-    w3 = w1 * w2
-    w4 = link1_theta2_dot * w0 + link1_theta3_dot * w3
-    w5 = w0 * w1
-    w6 = link1_theta3_dot * w5 - link1_theta2_dot * w2
-    w7 = w3 * link1_end_x
-    w8 = w5 * link1_end_x
-    w9 = w6 * w7 - w4 * w8
-    w10 = ca.sin(link1_theta2)
-    w11 = link1_theta1_dot - link1_theta3_dot * w10
-    w12 = w10 * link1_end_x
-    w13 = w8 * w11 + w6 * w12
-    w14 = ca.cos(link1_theta3)
-    w15 = w0 * w14
-    w16 = ca.sin(link1_theta3)
-    w17 = link1_theta3_dot * w1
-    w18 = link1_theta2_dot * link1_theta3_dot
-    w19 = link1_theta1_dot * (w14 * w17 - w16 * (link1_theta2_dot * w10)) - w16 * w18
-    w20 = w1 * (link1_theta2_dot * link1_theta1_dot)
-    w21 = w2 * w14
-    w22 = link1_theta1_dot * (w16 * w17 + w10 * (link1_theta2_dot * w14)) + w14 * w18
-    w23 = (w15 + w2 * w10 * w16) * w19 - w3 * w20 - (w10 * w21 - w0 * w16) * w22
-    w24 = w10 * w20 + w19 * (w1 * w16) - w22 * (w1 * w14)
-    w25 = w4 * w9 - w11 * w13 - (w12 * w23 + w7 * w24) - w7 * link1_theta1_ddot - w0 * w12 * link1_theta2_ddot
-    w26 = w19 * (w16 * (w0 * w10) - w21) - w5 * w20 - w22 * (w2 * w16 + w10 * w15)
-    w27 = w4 * w12 + w7 * w11
-    w28 = w8 * w24 + w12 * w26 - (w11 * w27 + w6 * w9) + w8 * link1_theta1_ddot - link1_theta2_ddot * (w2 * w12)
-    w29 = w7 * w26 - w8 * w23 + (w6 * w13 + w4 * w27) - link1_theta2_ddot * (w1 * link1_end_x)
-    w30 = ca.cos(link2_theta1)
-    w31 = ca.cos(link2_theta2)
-    w32 = ca.sin(link2_theta1)
-    w33 = w31 * w32
-    w34 = link2_theta2_dot * w30 + link2_theta3_dot * w33
-    w35 = w30 * w31
-    w36 = link2_theta3_dot * w35 - link2_theta2_dot * w32
-    w37 = w33 * link2_end_x
-    w38 = w35 * link2_end_x
-    w39 = w36 * w37 - w34 * w38
-    w40 = ca.sin(link2_theta2)
-    w41 = link2_theta1_dot - link2_theta3_dot * w40
-    w42 = w40 * link2_end_x
-    w43 = w38 * w41 + w36 * w42
-    w44 = ca.cos(link2_theta3)
-    w45 = w30 * w44
-    w46 = ca.sin(link2_theta3)
-    w47 = link2_theta3_dot * w31
-    w48 = link2_theta2_dot * link2_theta3_dot
-    w49 = link2_theta1_dot * (w44 * w47 - w46 * (link2_theta2_dot * w40)) - w46 * w48
-    w50 = w31 * (link2_theta2_dot * link2_theta1_dot)
-    w51 = w32 * w44
-    w52 = link2_theta1_dot * (w46 * w47 + w40 * (link2_theta2_dot * w44)) + w44 * w48
-    w53 = (w45 + w32 * w40 * w46) * w49 - w33 * w50 - (w40 * w51 - w30 * w46) * w52
-    w54 = w40 * w50 + w49 * (w31 * w46) - w52 * (w31 * w44)
-    w55 = w25 + (w34 * w39 - w41 * w43 - (w42 * w53 + w37 * w54)) - w37 * link2_theta1_ddot - w30 * w42 * link2_theta2_ddot
-    w56 = w49 * (w46 * (w30 * w40) - w51) - w35 * w50 - w52 * (w32 * w46 + w40 * w45)
-    w57 = w34 * w42 + w37 * w41
-    w58 = w28 + (w38 * w54 + w42 * w56 - (w41 * w57 + w36 * w39)) + w38 * link2_theta1_ddot - link2_theta2_ddot * (w32 * w42)
-    w59 = w29 + (w37 * w56 - w38 * w53 + (w36 * w43 + w34 * w57)) - link2_theta2_ddot * (w31 * link2_end_x)
+    c = ca.SX.sym("c", 71)
+    link1_e0 = q_d[3]
+    link1_e1 = q_d[4]
+    link1_e2 = q_d[5]
+    link1_e3 = q_d[6]
+    link2_e0 = q_d[10]
+    link2_e1 = q_d[11]
+    link2_e2 = q_d[12]
+    link2_e3 = q_d[13]
+    link3_e0 = q_d[17]
+    link3_e1 = q_d[18]
+    link3_e2 = q_d[19]
+    link3_e3 = q_d[20]
+    link1_omega_x = q_i_dot[0]
+    link1_omega_y = q_i_dot[1]
+    link1_omega_z = q_i_dot[2]
+    link2_omega_x = q_i_dot[3]
+    link2_omega_y = q_i_dot[4]
+    link2_omega_z = q_i_dot[5]
+    link3_omega_x = q_i_dot[6]
+    link3_omega_y = q_i_dot[7]
+    link3_omega_z = q_i_dot[8]
+    link1_e0_dot = q_d_dot[3]
+    link1_e1_dot = q_d_dot[4]
+    link1_e2_dot = q_d_dot[5]
+    link1_e3_dot = q_d_dot[6]
+    link2_e0_dot = q_d_dot[10]
+    link2_e1_dot = q_d_dot[11]
+    link2_e2_dot = q_d_dot[12]
+    link2_e3_dot = q_d_dot[13]
+    link1_turn_x_ddot = q_i_ddot[0]
+    link1_turn_y_ddot = q_i_ddot[1]
+    link1_turn_z_ddot = q_i_ddot[2]
+    link2_turn_x_ddot = q_i_ddot[3]
+    link2_turn_y_ddot = q_i_ddot[4]
+    link2_turn_z_ddot = q_i_ddot[5]
+    link3_turn_x_ddot = q_i_ddot[6]
+    link3_turn_y_ddot = q_i_ddot[7]
+    link3_turn_z_ddot = q_i_ddot[8]
+    link1_end_x = c[1]
+    link2_end_x = c[3]
+    # intermediate terms (74)
+    w0 = (link1_omega_x**2 + link1_omega_y**2 + link1_omega_z**2) / 4.0
+    w1 = link1_e1 * 0.5
+    w2 = link1_e2 * 0.5
+    w3 = link1_e3 * 0.5
+    w4 = w0 * link1_e0 + w1 * link1_turn_x_ddot + w2 * link1_turn_y_ddot + w3 * link1_turn_z_ddot
+    w5 = link1_e0 * 0.5
+    w6 = link1_turn_x_ddot * w5 - w0 * link1_e1 - link1_turn_y_ddot * w3 + w2 * link1_turn_z_ddot
+    w7 = link1_turn_x_ddot * w3 - w0 * link1_e2 + link1_turn_y_ddot * w5 - w1 * link1_turn_z_ddot
+    w8 = w1 * link1_turn_y_ddot - (w0 * link1_e3 + link1_turn_x_ddot * w2) + link1_turn_z_ddot * w5
+    w9 = link1_e2 * -2.0
+    w10 = 2 * link1_e3
+    w11 = 2 * link1_e0
+    w12 = link1_e1 * -2.0
+    w13 = link1_e0_dot * w9 + link1_e1_dot * w10 + link1_e2_dot * w11 + link1_e3_dot * w12
+    w14 = link1_e3 * -2.0
+    w15 = 2 * link1_e2
+    w16 = link1_e0_dot * w12 + link1_e1_dot * w11 + link1_e2_dot * w14 + link1_e3_dot * w15
+    w17 = 2 * link1_e1
+    w18 = (link1_e3 * w11 + link1_e2 * w17) * link1_end_x
+    w19 = (1.0 - 2 * link1_e2**2 - 2 * link1_e3**2) * link1_end_x
+    w20 = w16 * w18 - w13 * w19
+    w21 = link1_e0_dot * w14 + w9 * link1_e1_dot + link1_e2_dot * w17 + w11 * link1_e3_dot
+    w22 = (link1_e3 * w17 - link1_e2 * w11) * link1_end_x
+    w23 = w19 * w21 - w16 * w22
+    w24 = w14 * w18
+    w25 = w11 * w22
+    w26 = w13 * w20 - w21 * w23 - w4 * (w9 * w22 - w24) + w6 * (w10 * w22 - w9 * w18) + w7 * (w25 - w17 * w18)
+    w27 = w12 * w22
+    w28 = w11 * w18
+    w29 = w26 + w8 * (w27 - w28)
+    w30 = w13 * w22 - w18 * w21
+    w31 = w9 * w19
+    w32 = w11 * w19
+    w33 = w21 * w30 - w16 * w20 - w4 * (w14 * w19 - w27) + w6 * (w31 - w25) + w7 * (w17 * w19 - w14 * w22) + w8 * (w32 - w15 * w22)
+    w34 = w16 * w23 - w13 * w30 - w4 * (w12 * w18 - w31) + w6 * (w28 - w10 * w19) + w7 * (w24 - w32) + w8 * (w15 * w18 - w12 * w19)
+    w35 = (link2_omega_x**2 + link2_omega_y**2 + link2_omega_z**2) / 4.0
+    w36 = link2_e1 * 0.5
+    w37 = link2_e2 * 0.5
+    w38 = link2_e3 * 0.5
+    w39 = w35 * link2_e0 + w36 * link2_turn_x_ddot + w37 * link2_turn_y_ddot + w38 * link2_turn_z_ddot
+    w40 = link2_e0 * 0.5
+    w41 = link2_turn_x_ddot * w40 - w35 * link2_e1 - link2_turn_y_ddot * w38 + w37 * link2_turn_z_ddot
+    w42 = link2_turn_x_ddot * w38 - w35 * link2_e2 + link2_turn_y_ddot * w40 - w36 * link2_turn_z_ddot
+    w43 = w36 * link2_turn_y_ddot - (w35 * link2_e3 + link2_turn_x_ddot * w37) + link2_turn_z_ddot * w40
+    w44 = link2_e2 * -2.0
+    w45 = 2 * link2_e3
+    w46 = 2 * link2_e0
+    w47 = link2_e1 * -2.0
+    w48 = link2_e0_dot * w44 + link2_e1_dot * w45 + link2_e2_dot * w46 + link2_e3_dot * w47
+    w49 = link2_e3 * -2.0
+    w50 = 2 * link2_e2
+    w51 = link2_e0_dot * w47 + link2_e1_dot * w46 + link2_e2_dot * w49 + link2_e3_dot * w50
+    w52 = 2 * link2_e1
+    w53 = (link2_e3 * w46 + link2_e2 * w52) * link2_end_x
+    w54 = (1.0 - 2 * link2_e2**2 - 2 * link2_e3**2) * link2_end_x
+    w55 = w51 * w53 - w48 * w54
+    w56 = link2_e0_dot * w49 + w44 * link2_e1_dot + link2_e2_dot * w52 + w46 * link2_e3_dot
+    w57 = (link2_e3 * w52 - link2_e2 * w46) * link2_end_x
+    w58 = w54 * w56 - w51 * w57
+    w59 = w49 * w53
+    w60 = w46 * w57
+    w61 = w29 + (w48 * w55 - w56 * w58) - w39 * (w44 * w57 - w59) + w41 * (w45 * w57 - w44 * w53) + w42 * (w60 - w52 * w53)
+    w62 = w47 * w57
+    w63 = w46 * w53
+    w64 = w48 * w57 - w53 * w56
+    w65 = w44 * w54
+    w66 = w33 + (w56 * w64 - w51 * w55) - w39 * (w49 * w54 - w62) + w41 * (w65 - w60) + w42 * (w52 * w54 - w49 * w57)
+    w67 = w46 * w54
+    w68 = w34 + (w51 * w58 - w48 * w64) - w39 * (w47 * w53 - w65) + w41 * (w63 - w45 * w54) + w42 * (w59 - w67)
+    w69 = (link3_omega_x**2 + link3_omega_y**2 + link3_omega_z**2) / 4.0
+    w70 = link3_e1 * 0.5
+    w71 = link3_e2 * 0.5
+    w72 = link3_e3 * 0.5
+    w73 = link3_e0 * 0.5
     # outputs
     q_d_ddot = ca.vertcat(
         0.0,  # link1.x
         0.0,  # link1.y
         0.0,  # link1.z
-        w25,  # link2.x
-        w28,  # link2.y
-        w29,  # link2.z
-        w55,  # link3.x
-        w58,  # link3.y
-        w59,  # link3.z
+        -w4,  # link1.e0
+        w6,  # link1.e1
+        w7,  # link1.e2
+        w8,  # link1.e3
+        w29,  # link2.x
+        w33,  # link2.y
+        w34,  # link2.z
+        -w39,  # link2.e0
+        w41,  # link2.e1
+        w42,  # link2.e2
+        w43,  # link2.e3
+        w61 + w43 * (w62 - w63),  # link3.x
+        w66 + w43 * (w67 - w50 * w57),  # link3.y
+        w68 + w43 * (w50 * w53 - w47 * w54),  # link3.z
+        -(w69 * link3_e0 + w70 * link3_turn_x_ddot + w71 * link3_turn_y_ddot + w72 * link3_turn_z_ddot),  # link3.e0
+        link3_turn_x_ddot * w73 - w69 * link3_e1 - link3_turn_y_ddot * w72 + w71 * link3_turn_z_ddot,  # link3.e1
+        link3_turn_x_ddot * w72 - w69 * link3_e2 + link3_turn_y_ddot * w73 - w70 * link3_turn_z_ddot,  # link3.e2
+        w70 * link3_turn_y_ddot - (w69 * link3_e3 + link3_turn_x_ddot * w71) + link3_turn_z_ddot * w73,  # link3.e3
     )
-    inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(q_d_ddot)]
-    return ca.Function("accelerations", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["q_d_ddot"])
+    inputs, outputs = [q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(q_d_ddot)]
+    return ca.Function("accelerations", inputs, outputs, ["q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["q_d_ddot"])
 
 
 def constraints() -> ca.Function:
     """Constraints and their derivatives in all coordinates (Eqs. 21-27).
 
-    takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
-    takes q_dot (n = 18) [mixed]: rates of all coordinates
-    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives C (n_c = 9) [m, rad]: constraint rows C(q, t) = 0 in scene order
-    gives C_q (n_c x n = 9 x 18) [SI]: constraint Jacobian
-    gives C_t (n_c = 9) [m/s, rad/s]: partial time derivative of C (prescribed motions)
-    gives nu (n_c = 9) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
-    gives gamma (n_c = 9) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    440 operations.
+    takes q (n = 21) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 21) [mixed]: rates of all coordinates
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives C (n_c = 12) [m, rad]: constraint rows C(q, t) = 0 in scene order
+    gives C_q (n_c x n = 12 x 21) [SI]: constraint Jacobian
+    gives C_t (n_c = 12) [m/s, rad/s]: partial time derivative of C (prescribed motions)
+    gives nu (n_c = 12) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
+    gives gamma (n_c = 12) [m/s^2, rad/s^2]: right-hand side at acceleration level
+    581 operations.
     """
-    q = ca.SX.sym("q", 18)
-    q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 53)
+    q = ca.SX.sym("q", 21)
+    q_dot = ca.SX.sym("q_dot", 21)
+    c = ca.SX.sym("c", 71)
     link1_x = q[0]
     link1_y = q[1]
     link1_z = q[2]
-    link1_theta1 = q[3]
-    link1_theta2 = q[4]
-    link1_theta3 = q[5]
-    link2_x = q[6]
-    link2_y = q[7]
-    link2_z = q[8]
-    link2_theta1 = q[9]
-    link2_theta2 = q[10]
-    link2_theta3 = q[11]
-    link3_x = q[12]
-    link3_y = q[13]
-    link3_z = q[14]
-    link1_theta1_dot = q_dot[3]
-    link1_theta2_dot = q_dot[4]
-    link1_theta3_dot = q_dot[5]
-    link2_theta1_dot = q_dot[9]
-    link2_theta2_dot = q_dot[10]
-    link2_theta3_dot = q_dot[11]
-    link1_end_x = c[6]
-    link2_end_x = c[12]
-    # intermediate terms (54)
-    w0 = ca.cos(link1_theta1)
-    w1 = ca.cos(link1_theta2)
-    w2 = w0 * w1
-    w3 = w2 * link1_end_x
-    w4 = ca.sin(link1_theta1)
-    w5 = w1 * w4
-    w6 = w5 * link1_end_x
-    w7 = ca.sin(link1_theta2)
-    w8 = w7 * link1_end_x
-    w9 = ca.cos(link2_theta1)
-    w10 = ca.cos(link2_theta2)
-    w11 = w9 * w10
-    w12 = w11 * link2_end_x
-    w13 = ca.sin(link2_theta1)
-    w14 = w10 * w13
-    w15 = w14 * link2_end_x
-    w16 = ca.sin(link2_theta2)
-    w17 = w16 * link2_end_x
-    w18 = w0 * link1_theta2_dot + w5 * link1_theta3_dot
-    w19 = w2 * link1_theta3_dot - w4 * link1_theta2_dot
-    w20 = w6 * w19 - w3 * w18
-    w21 = link1_theta1_dot - w7 * link1_theta3_dot
-    w22 = w3 * w21 + w8 * w19
-    w23 = ca.cos(link1_theta3)
-    w24 = w0 * w23
-    w25 = ca.sin(link1_theta3)
-    w26 = w1 * link1_theta3_dot
-    w27 = link1_theta2_dot * link1_theta3_dot
-    w28 = link1_theta1_dot * (w23 * w26 - w25 * (w7 * link1_theta2_dot)) - w25 * w27
-    w29 = w1 * (link1_theta2_dot * link1_theta1_dot)
-    w30 = w4 * w23
-    w31 = link1_theta1_dot * (w25 * w26 + w7 * (link1_theta2_dot * w23)) + w23 * w27
-    w32 = (w24 + w4 * w7 * w25) * w28 - w5 * w29 - (w7 * w30 - w0 * w25) * w31
-    w33 = w7 * w29 + w28 * (w1 * w25) - w31 * (w1 * w23)
-    w34 = w28 * (w25 * (w0 * w7) - w30) - w2 * w29 - w31 * (w4 * w25 + w7 * w24)
-    w35 = w8 * w18 + w6 * w21
-    w36 = w9 * link2_theta2_dot + w14 * link2_theta3_dot
-    w37 = w11 * link2_theta3_dot - w13 * link2_theta2_dot
-    w38 = w15 * w37 - w12 * w36
-    w39 = link2_theta1_dot - w16 * link2_theta3_dot
-    w40 = w12 * w39 + w17 * w37
-    w41 = ca.cos(link2_theta3)
-    w42 = w9 * w41
-    w43 = ca.sin(link2_theta3)
-    w44 = w10 * link2_theta3_dot
-    w45 = link2_theta2_dot * link2_theta3_dot
-    w46 = link2_theta1_dot * (w41 * w44 - w43 * (w16 * link2_theta2_dot)) - w43 * w45
-    w47 = w10 * (link2_theta2_dot * link2_theta1_dot)
-    w48 = w13 * w41
-    w49 = link2_theta1_dot * (w43 * w44 + w16 * (link2_theta2_dot * w41)) + w41 * w45
-    w50 = (w42 + w13 * w16 * w43) * w46 - w14 * w47 - (w16 * w48 - w9 * w43) * w49
-    w51 = w16 * w47 + w46 * (w10 * w43) - w49 * (w10 * w41)
-    w52 = w46 * (w43 * (w9 * w16) - w48) - w11 * w47 - w49 * (w13 * w43 + w16 * w42)
-    w53 = w17 * w36 + w15 * w39
+    link1_e0 = q[3]
+    link1_e1 = q[4]
+    link1_e2 = q[5]
+    link1_e3 = q[6]
+    link2_x = q[7]
+    link2_y = q[8]
+    link2_z = q[9]
+    link2_e0 = q[10]
+    link2_e1 = q[11]
+    link2_e2 = q[12]
+    link2_e3 = q[13]
+    link3_x = q[14]
+    link3_y = q[15]
+    link3_z = q[16]
+    link3_e0 = q[17]
+    link3_e1 = q[18]
+    link3_e2 = q[19]
+    link3_e3 = q[20]
+    link1_e0_dot = q_dot[3]
+    link1_e1_dot = q_dot[4]
+    link1_e2_dot = q_dot[5]
+    link1_e3_dot = q_dot[6]
+    link2_e0_dot = q_dot[10]
+    link2_e1_dot = q_dot[11]
+    link2_e2_dot = q_dot[12]
+    link2_e3_dot = q_dot[13]
+    link3_e0_dot = q_dot[17]
+    link3_e1_dot = q_dot[18]
+    link3_e2_dot = q_dot[19]
+    link3_e3_dot = q_dot[20]
+    link1_end_x = c[1]
+    link2_end_x = c[3]
+    # intermediate terms (48)
+    w0 = link1_e2**2
+    w1 = link1_e3**2
+    w2 = (1.0 - 2 * w0 - 2 * w1) * link1_end_x
+    w3 = 2 * link1_e0
+    w4 = 2 * link1_e1
+    w5 = (link1_e3 * w3 + link1_e2 * w4) * link1_end_x
+    w6 = (link1_e3 * w4 - link1_e2 * w3) * link1_end_x
+    w7 = link2_e2**2
+    w8 = link2_e3**2
+    w9 = (1.0 - 2 * w7 - 2 * w8) * link2_end_x
+    w10 = 2 * link2_e0
+    w11 = 2 * link2_e1
+    w12 = (link2_e3 * w10 + link2_e2 * w11) * link2_end_x
+    w13 = (link2_e3 * w11 - link2_e2 * w10) * link2_end_x
+    w14 = link1_e2 * -2.0
+    w15 = link1_e3 * -2.0
+    w16 = w5 * w15
+    w17 = link1_e1 * -2.0
+    w18 = w6 * w17
+    w19 = w2 * w14
+    w20 = 2 * link1_e3
+    w21 = w3 * w6
+    w22 = w3 * w5
+    w23 = w2 * w3
+    w24 = 2 * link1_e2
+    w25 = link2_e2 * -2.0
+    w26 = link2_e3 * -2.0
+    w27 = w12 * w26
+    w28 = link2_e1 * -2.0
+    w29 = w13 * w28
+    w30 = w9 * w25
+    w31 = 2 * link2_e3
+    w32 = w10 * w13
+    w33 = w10 * w12
+    w34 = w9 * w10
+    w35 = 2 * link2_e2
+    w36 = w14 * link1_e0_dot + w20 * link1_e1_dot + w3 * link1_e2_dot + w17 * link1_e3_dot
+    w37 = w17 * link1_e0_dot + w3 * link1_e1_dot + w15 * link1_e2_dot + w24 * link1_e3_dot
+    w38 = w5 * w37 - w2 * w36
+    w39 = w15 * link1_e0_dot + w14 * link1_e1_dot + w4 * link1_e2_dot + w3 * link1_e3_dot
+    w40 = w2 * w39 - w6 * w37
+    w41 = w6 * w36 - w5 * w39
+    w42 = w25 * link2_e0_dot + w31 * link2_e1_dot + w10 * link2_e2_dot + w28 * link2_e3_dot
+    w43 = w28 * link2_e0_dot + w10 * link2_e1_dot + w26 * link2_e2_dot + w35 * link2_e3_dot
+    w44 = w12 * w43 - w9 * w42
+    w45 = w26 * link2_e0_dot + w25 * link2_e1_dot + w11 * link2_e2_dot + w10 * link2_e3_dot
+    w46 = w9 * w45 - w13 * w43
+    w47 = w13 * w42 - w12 * w45
     # outputs
     C = ca.vertcat(
         link1_x,  # joint1.x
         link1_y,  # joint1.y
         link1_z,  # joint1.z
-        link2_x - (link1_x + w3),  # joint2.x
-        link2_y - (link1_y + w6),  # joint2.y
-        link2_z - (link1_z - w8),  # joint2.z
-        link3_x - (link2_x + w12),  # joint3.x
-        link3_y - (link2_y + w15),  # joint3.y
-        link3_z - (link2_z - w17),  # joint3.z
+        link2_x - (link1_x + w2),  # joint2.x
+        link2_y - (link1_y + w5),  # joint2.y
+        link2_z - (link1_z + w6),  # joint2.z
+        link3_x - (link2_x + w9),  # joint3.x
+        link3_y - (link2_y + w12),  # joint3.y
+        link3_z - (link2_z + w13),  # joint3.z
+        (w1 + (w0 + (link1_e0**2 + link1_e1**2)) - 1.0) / 2.0,  # link1.norm
+        (w8 + (w7 + (link2_e0**2 + link2_e1**2)) - 1.0) / 2.0,  # link2.norm
+        (link3_e0**2 + link3_e1**2 + link3_e2**2 + link3_e3**2 - 1.0) / 2.0,  # link3.norm
     )
-    C_q = ca.SX(9, 18)
+    C_q = ca.SX(12, 21)
     # joint1.x
     C_q[0, 0] = 1.0
     # joint1.y
@@ -753,44 +897,76 @@ def constraints() -> ca.Function:
     C_q[2, 2] = 1.0
     # joint2.x
     C_q[3, 0] = -1.0
-    C_q[3, 3] = w6
-    C_q[3, 4] = w0 * w8
-    C_q[3, 6] = 1.0
+    C_q[3, 3] = w16 - w6 * w14
+    C_q[3, 4] = w5 * w14 - w6 * w20
+    C_q[3, 5] = w4 * w5 - w21
+    C_q[3, 6] = w22 - w18
+    C_q[3, 7] = 1.0
     # joint2.y
     C_q[4, 1] = -1.0
-    C_q[4, 3] = -w3
-    C_q[4, 4] = w4 * w8
-    C_q[4, 7] = 1.0
+    C_q[4, 3] = w18 - w2 * w15
+    C_q[4, 4] = w21 - w19
+    C_q[4, 5] = w6 * w15 - w2 * w4
+    C_q[4, 6] = w6 * w24 - w23
+    C_q[4, 8] = 1.0
     # joint2.z
     C_q[5, 2] = -1.0
-    C_q[5, 4] = w1 * link1_end_x
-    C_q[5, 8] = 1.0
+    C_q[5, 3] = w19 - w5 * w17
+    C_q[5, 4] = w2 * w20 - w22
+    C_q[5, 5] = w23 - w16
+    C_q[5, 6] = w2 * w17 - w5 * w24
+    C_q[5, 9] = 1.0
     # joint3.x
-    C_q[6, 6] = -1.0
-    C_q[6, 9] = w15
-    C_q[6, 10] = w9 * w17
-    C_q[6, 12] = 1.0
+    C_q[6, 7] = -1.0
+    C_q[6, 10] = w27 - w13 * w25
+    C_q[6, 11] = w12 * w25 - w13 * w31
+    C_q[6, 12] = w11 * w12 - w32
+    C_q[6, 13] = w33 - w29
+    C_q[6, 14] = 1.0
     # joint3.y
-    C_q[7, 7] = -1.0
-    C_q[7, 9] = -w12
-    C_q[7, 10] = w13 * w17
-    C_q[7, 13] = 1.0
+    C_q[7, 8] = -1.0
+    C_q[7, 10] = w29 - w9 * w26
+    C_q[7, 11] = w32 - w30
+    C_q[7, 12] = w13 * w26 - w9 * w11
+    C_q[7, 13] = w13 * w35 - w34
+    C_q[7, 15] = 1.0
     # joint3.z
-    C_q[8, 8] = -1.0
-    C_q[8, 10] = w10 * link2_end_x
-    C_q[8, 14] = 1.0
-    C_t = ca.SX(9, 1)
-    nu = ca.SX(9, 1)
+    C_q[8, 9] = -1.0
+    C_q[8, 10] = w30 - w12 * w28
+    C_q[8, 11] = w9 * w31 - w33
+    C_q[8, 12] = w34 - w27
+    C_q[8, 13] = w9 * w28 - w12 * w35
+    C_q[8, 16] = 1.0
+    # link1.norm
+    C_q[9, 3] = link1_e0
+    C_q[9, 4] = link1_e1
+    C_q[9, 5] = link1_e2
+    C_q[9, 6] = link1_e3
+    # link2.norm
+    C_q[10, 10] = link2_e0
+    C_q[10, 11] = link2_e1
+    C_q[10, 12] = link2_e2
+    C_q[10, 13] = link2_e3
+    # link3.norm
+    C_q[11, 17] = link3_e0
+    C_q[11, 18] = link3_e1
+    C_q[11, 19] = link3_e2
+    C_q[11, 20] = link3_e3
+    C_t = ca.SX(12, 1)
+    nu = ca.SX(12, 1)
     gamma = ca.vertcat(
         0.0,  # joint1.x
         0.0,  # joint1.y
         0.0,  # joint1.z
-        w18 * w20 - w21 * w22 - (w8 * w32 + w6 * w33),  # joint2.x
-        w3 * w33 + w8 * w34 - (w21 * w35 + w19 * w20),  # joint2.y
-        w19 * w22 + w18 * w35 + (w6 * w34 - w3 * w32),  # joint2.z
-        w36 * w38 - w39 * w40 - (w17 * w50 + w15 * w51),  # joint3.x
-        w12 * w51 + w17 * w52 - (w39 * w53 + w37 * w38),  # joint3.y
-        w37 * w40 + w36 * w53 + (w15 * w52 - w12 * w50),  # joint3.z
+        w36 * w38 - w39 * w40,  # joint2.x
+        w39 * w41 - w37 * w38,  # joint2.y
+        w37 * w40 - w36 * w41,  # joint2.z
+        w42 * w44 - w45 * w46,  # joint3.x
+        w45 * w47 - w43 * w44,  # joint3.y
+        w43 * w46 - w42 * w47,  # joint3.z
+        -(link1_e0_dot**2 + link1_e1_dot**2 + link1_e2_dot**2 + link1_e3_dot**2),  # link1.norm
+        -(link2_e0_dot**2 + link2_e1_dot**2 + link2_e2_dot**2 + link2_e3_dot**2),  # link2.norm
+        -(link3_e0_dot**2 + link3_e1_dot**2 + link3_e2_dot**2 + link3_e3_dot**2),  # link3.norm
     )
     inputs, outputs = [q, q_dot, c], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
     return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
@@ -799,65 +975,61 @@ def constraints() -> ca.Function:
 def augmented() -> ca.Function:
     """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
 
-    takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
-    takes q_dot (n = 18) [mixed]: rates of all coordinates
-    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives M (n x n = 18 x 18) [SI]: mass matrix in all coordinates
-    gives K (n x n = 18 x 18) [SI]: stiffness matrix in all coordinates
-    gives Q_v (n = 18) [N, N m]: quadratic velocity force in all coordinates
-    gives Q_F (n = 18) [N, N m]: force of loads, weight and damping in all coordinates
-    gives Q_star (n = 18) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
-    gives C_q (n_c x n = 9 x 18) [SI]: constraint Jacobian
-    gives gamma_b (n_c = 9) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    1443 operations.
+    takes q (n = 21) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 21) [mixed]: rates of all coordinates
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M (n x n = 21 x 21) [SI]: mass matrix in all coordinates
+    gives K (n x n = 21 x 21) [SI]: stiffness matrix in all coordinates
+    gives Q_v (n = 21) [N, N m]: quadratic velocity force in all coordinates
+    gives Q_F (n = 21) [N, N m]: force of loads, weight and damping in all coordinates
+    gives Q_star (n = 21) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
+    gives C_q (n_c x n = 12 x 21) [SI]: constraint Jacobian
+    gives gamma_b (n_c = 12) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    2048 operations.
     """
-    q = ca.SX.sym("q", 18)
-    q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 53)
-    link1_theta1 = q[3]
-    link1_theta2 = q[4]
-    link1_theta3 = q[5]
-    link2_theta1 = q[9]
-    link2_theta2 = q[10]
-    link2_theta3 = q[11]
-    link3_theta1 = q[15]
-    link3_theta2 = q[16]
-    link3_theta3 = q[17]
-    link1_theta1_dot = q_dot[3]
-    link1_theta2_dot = q_dot[4]
-    link1_theta3_dot = q_dot[5]
-    link2_theta1_dot = q_dot[9]
-    link2_theta2_dot = q_dot[10]
-    link2_theta3_dot = q_dot[11]
-    link3_theta1_dot = q_dot[15]
-    link3_theta2_dot = q_dot[16]
-    link3_theta3_dot = q_dot[17]
+    q = ca.SX.sym("q", 21)
+    q_dot = ca.SX.sym("q_dot", 21)
+    c = ca.SX.sym("c", 71)
+    link1_e0 = q[3]
+    link1_e1 = q[4]
+    link1_e2 = q[5]
+    link1_e3 = q[6]
+    link2_e0 = q[10]
+    link2_e1 = q[11]
+    link2_e2 = q[12]
+    link2_e3 = q[13]
+    link3_e0 = q[17]
+    link3_e1 = q[18]
+    link3_e2 = q[19]
+    link3_e3 = q[20]
+    link1_e0_dot = q_dot[3]
+    link1_e1_dot = q_dot[4]
+    link1_e2_dot = q_dot[5]
+    link1_e3_dot = q_dot[6]
+    link2_e0_dot = q_dot[10]
+    link2_e1_dot = q_dot[11]
+    link2_e2_dot = q_dot[12]
+    link2_e3_dot = q_dot[13]
+    link3_e0_dot = q_dot[17]
+    link3_e1_dot = q_dot[18]
+    link3_e2_dot = q_dot[19]
+    link3_e3_dot = q_dot[20]
     c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c4 = c[4]
+    link1_end_x = c[1]
+    link2_end_x = c[3]
     c5 = c[5]
-    link1_end_x = c[6]
-    link2_mass = c[7]
-    link3_mass = c[8]
+    c7 = c[7]
+    c10 = c[10]
     c11 = c[11]
-    link2_end_x = c[12]
-    c13 = c[13]
-    c14 = c[14]
-    c15 = c[15]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
-    c19 = c[19]
-    c21 = c[21]
-    c22 = c[22]
-    c23 = c[23]
+    c12 = c[12]
+    gravity_z = c[14]
     c24 = c[24]
     c25 = c[25]
-    c26 = c[26]
-    gravity_z = c[27]
-    link1_mass = c[30]
+    link1_mass = c[26]
+    c27 = c[27]
+    link2_mass = c[28]
+    link3_mass = c[29]
+    c30 = c[30]
     c31 = c[31]
     c32 = c[32]
     c33 = c[33]
@@ -868,314 +1040,523 @@ def augmented() -> ca.Function:
     c38 = c[38]
     c39 = c[39]
     c40 = c[40]
-    # intermediate terms (178)
-    w0 = ca.cos(link1_theta2)
-    w1 = ca.sin(link1_theta1)
-    w2 = w0 * w1
-    w3 = ca.cos(link1_theta1)
-    w4 = ca.sin(link1_theta2)
-    w5 = w4 * c31
-    w6 = -(w3 * w5)
-    w7 = w0 * w3
-    w8 = w7 * c31
-    w9 = -(w1 * w5)
-    w10 = w0 * c31
-    w11 = -w10
-    w12 = ca.sin(link1_theta3)
-    w13 = w0 * w12
-    w14 = ca.cos(link1_theta3)
-    w15 = w0 * w14
-    w16 = w14 * c4
-    w17 = w12 * c5
-    w18 = w13 * w16 - w15 * w17
-    w19 = w4 * c32
-    w20 = ca.cos(link2_theta2)
-    w21 = ca.sin(link2_theta1)
-    w22 = w20 * w21
-    w23 = ca.cos(link2_theta1)
-    w24 = ca.sin(link2_theta2)
-    w25 = w24 * c11
-    w26 = -(w23 * w25)
-    w27 = w20 * w23
-    w28 = w27 * c11
-    w29 = -(w21 * w25)
-    w30 = w20 * c11
-    w31 = -w30
-    w32 = ca.sin(link2_theta3)
-    w33 = w20 * w32
-    w34 = ca.cos(link2_theta3)
-    w35 = w20 * w34
-    w36 = w34 * c18
-    w37 = w32 * c19
-    w38 = w33 * w36 - w35 * w37
-    w39 = w24 * c33
-    w40 = ca.cos(link3_theta2)
-    w41 = ca.sin(link3_theta1)
-    w42 = w40 * w41
-    w43 = ca.cos(link3_theta1)
-    w44 = ca.sin(link3_theta2)
-    w45 = w44 * c13
-    w46 = -(w43 * w45)
-    w47 = w40 * w43
-    w48 = w47 * c13
-    w49 = -(w41 * w45)
-    w50 = w40 * c13
-    w51 = -w50
-    w52 = ca.sin(link3_theta3)
-    w53 = w40 * w52
-    w54 = ca.cos(link3_theta3)
-    w55 = w40 * w54
-    w56 = w54 * c25
-    w57 = w52 * c26
-    w58 = w53 * w56 - w55 * w57
-    w59 = w44 * c34
-    w60 = w15 * link1_theta1_dot - w12 * link1_theta2_dot
-    w61 = w60 * c31
-    w62 = w14 * link1_theta2_dot
-    w63 = w13 * link1_theta1_dot + w62
-    w64 = w63 * c31
-    w65 = w60 * w61 + w63 * w64
-    w66 = w1 * w14
-    w67 = w12 * (w3 * w4) - w66
-    w68 = w0 * link1_theta3_dot
-    w69 = link1_theta2_dot * link1_theta3_dot
-    w70 = link1_theta1_dot * (w12 * w68 + w4 * w62) + w14 * w69
-    w71 = link1_theta3_dot - w4 * link1_theta1_dot
-    w72 = w70 * c31 - w64 * w71
-    w73 = w3 * w14
-    w74 = w1 * w12 + w4 * w73
-    w75 = link1_theta1_dot * (w14 * w68 - w12 * (w4 * link1_theta2_dot)) - w12 * w69
-    w76 = w75 * c31 - w61 * w71
-    w77 = w7 * w65 + w67 * w72 + w74 * w76
-    w78 = w73 + w12 * (w1 * w4)
-    w79 = w4 * w66 - w3 * w12
-    w80 = w2 * w65 + w72 * w78 + w76 * w79
-    w81 = w13 * w72 - w4 * w65 + w15 * w76
-    w82 = w71 * c3
-    w83 = w60 * c1
-    w84 = w60 * w82 - w71 * w83 - w75 * c4
-    w85 = w63 * c0
-    w86 = w0 * (link1_theta1_dot * link1_theta2_dot)
-    w87 = w63 * w83 - w60 * w85 + w86 * c2
-    w88 = w71 * w85 - w63 * w82 + w70 * c5
-    w89 = w13 * w84 - w4 * w87 + w15 * w88
-    w90 = w14 * w84 - w12 * w88
-    w91 = w35 * link2_theta1_dot - w32 * link2_theta2_dot
-    w92 = w91 * c11
-    w93 = w34 * link2_theta2_dot
-    w94 = w33 * link2_theta1_dot + w93
-    w95 = w94 * c11
-    w96 = w91 * w92 + w94 * w95
-    w97 = w21 * w34
-    w98 = w32 * (w23 * w24) - w97
-    w99 = w20 * link2_theta3_dot
-    w100 = link2_theta2_dot * link2_theta3_dot
-    w101 = link2_theta1_dot * (w32 * w99 + w24 * w93) + w34 * w100
-    w102 = link2_theta3_dot - w24 * link2_theta1_dot
-    w103 = w101 * c11 - w95 * w102
-    w104 = w23 * w34
-    w105 = w21 * w32 + w24 * w104
-    w106 = link2_theta1_dot * (w34 * w99 - w32 * (w24 * link2_theta2_dot)) - w32 * w100
-    w107 = w106 * c11 - w92 * w102
-    w108 = w27 * w96 + w98 * w103 + w105 * w107
-    w109 = w104 + w32 * (w21 * w24)
-    w110 = w24 * w97 - w23 * w32
-    w111 = w22 * w96 + w103 * w109 + w107 * w110
-    w112 = w33 * w103 - w24 * w96 + w35 * w107
-    w113 = w102 * c17
-    w114 = w91 * c15
-    w115 = w91 * w113 - w102 * w114 - w106 * c18
-    w116 = w94 * c14
-    w117 = w20 * (link2_theta1_dot * link2_theta2_dot)
-    w118 = w94 * w114 - w91 * w116 + w117 * c16
-    w119 = w102 * w116 - w94 * w113 + w101 * c19
-    w120 = w33 * w115 - w24 * w118 + w35 * w119
-    w121 = w34 * w115 - w32 * w119
-    w122 = w55 * link3_theta1_dot - w52 * link3_theta2_dot
-    w123 = w122 * c13
-    w124 = w54 * link3_theta2_dot
-    w125 = w53 * link3_theta1_dot + w124
-    w126 = w125 * c13
-    w127 = w122 * w123 + w125 * w126
-    w128 = w41 * w54
-    w129 = w40 * link3_theta3_dot
-    w130 = link3_theta2_dot * link3_theta3_dot
-    w131 = link3_theta1_dot * (w52 * w129 + w44 * w124) + w54 * w130
-    w132 = link3_theta3_dot - w44 * link3_theta1_dot
-    w133 = w131 * c13 - w126 * w132
-    w134 = w43 * w54
-    w135 = link3_theta1_dot * (w54 * w129 - w52 * (w44 * link3_theta2_dot)) - w52 * w130
-    w136 = w135 * c13 - w123 * w132
-    w137 = w47 * w127 + (w52 * (w43 * w44) - w128) * w133 + (w41 * w52 + w44 * w134) * w136
-    w138 = w42 * w127 + w133 * (w134 + w52 * (w41 * w44)) + w136 * (w44 * w128 - w43 * w52)
-    w139 = w53 * w133 - w44 * w127 + w55 * w136
-    w140 = w132 * c24
-    w141 = w122 * c22
-    w142 = w122 * w140 - w132 * w141 - w135 * c25
-    w143 = w125 * c21
-    w144 = w125 * w141 - w122 * w143 + w40 * (link3_theta1_dot * link3_theta2_dot) * c23
-    w145 = w132 * w143 - w125 * w140 + w131 * c26
-    w146 = w53 * w142 - w44 * w144 + w55 * w145
-    w147 = w54 * w142 - w52 * w145
-    w148 = w10 * gravity_z
-    w149 = w30 * gravity_z
-    w150 = w50 * gravity_z
-    w151 = w2 * link1_end_x
-    w152 = w7 * link1_end_x
-    w153 = w4 * link1_end_x
-    w154 = w22 * link2_end_x
-    w155 = w27 * link2_end_x
-    w156 = w24 * link2_end_x
-    w157 = w3 * link1_theta2_dot + w2 * link1_theta3_dot
-    w158 = w7 * link1_theta3_dot - w1 * link1_theta2_dot
-    w159 = w151 * w158 - w152 * w157
-    w160 = link1_theta1_dot - w4 * link1_theta3_dot
-    w161 = w152 * w160 + w153 * w158
-    w162 = w75 * w78 - w2 * w86 - w70 * w79
-    w163 = w4 * w86 + w13 * w75 - w15 * w70
-    w164 = w67 * w75 - w7 * w86 - w70 * w74
-    w165 = w153 * w157 + w151 * w160
-    w166 = w23 * link2_theta2_dot + w22 * link2_theta3_dot
-    w167 = w27 * link2_theta3_dot - w21 * link2_theta2_dot
-    w168 = w154 * w167 - w155 * w166
-    w169 = link2_theta1_dot - w24 * link2_theta3_dot
-    w170 = w155 * w169 + w156 * w167
-    w171 = w106 * w109 - w22 * w117 - w101 * w110
-    w172 = w24 * w117 + w33 * w106 - w35 * w101
-    w173 = w98 * w106 - w27 * w117 - w101 * w105
-    w174 = w156 * w166 + w154 * w169
-    w175 = w2 * c38
-    w176 = w22 * c39
-    w177 = w42 * c40
+    c41 = c[41]
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
+    c45 = c[45]
+    c46 = c[46]
+    c47 = c[47]
+    c48 = c[48]
+    c49 = c[49]
+    c50 = c[50]
+    c51 = c[51]
+    c52 = c[52]
+    c53 = c[53]
+    c54 = c[54]
+    c55 = c[55]
+    c56 = c[56]
+    c57 = c[57]
+    c58 = c[58]
+    c59 = c[59]
+    c60 = c[60]
+    c61 = c[61]
+    c62 = c[62]
+    # intermediate terms (271)
+    w0 = link1_e2 * -2.0
+    w1 = 2 * link1_e1
+    w2 = w1 * link1_e3
+    w3 = 2 * link1_e0
+    w4 = link1_e2 * w3
+    w5 = w2 - w4
+    w6 = w5 * c37
+    w7 = link1_e3 * -2.0
+    w8 = link1_e3 * w3
+    w9 = link1_e2 * w1
+    w10 = w8 + w9
+    w11 = w10 * c37
+    w12 = w7 * w11
+    w13 = w0 * w6 - w12
+    w14 = 2 * link1_e3
+    w15 = w6 * w14 - w0 * w11
+    w16 = w3 * w6
+    w17 = w16 - w1 * w11
+    w18 = link1_e1 * -2.0
+    w19 = w6 * w18
+    w20 = w3 * w11
+    w21 = w19 - w20
+    w22 = 2 * link1_e2**2
+    w23 = 2 * link1_e3**2
+    w24 = 1.0 - w22 - w23
+    w25 = w24 * c37
+    w26 = w7 * w25 - w19
+    w27 = w0 * w25
+    w28 = w27 - w16
+    w29 = w1 * w25 - w6 * w7
+    w30 = w3 * w25
+    w31 = 2 * link1_e2
+    w32 = w30 - w6 * w31
+    w33 = w11 * w18 - w27
+    w34 = w20 - w14 * w25
+    w35 = w12 - w30
+    w36 = w11 * w31 - w18 * w25
+    w37 = w3 * c0
+    w38 = w18 * w37 + link1_e2 * link1_e3 * c40
+    w39 = w3 * c38
+    w40 = w18 * c39
+    w41 = w0 * w39 + link1_e1 * link1_e3 * c41
+    w42 = w0 * c0
+    w43 = w1 * c38
+    w44 = w3 * c39
+    w45 = link1_e2 * link1_e1 * c42 + w7 * w44
+    w46 = link1_e3 * link1_e0 * c43 + w31 * w40
+    w47 = w7 * w43 + link1_e2 * link1_e0 * c44
+    w48 = w14 * w42 + link1_e1 * link1_e0 * c45
+    w49 = link2_e2 * -2.0
+    w50 = 2 * link2_e1
+    w51 = w50 * link2_e3
+    w52 = 2 * link2_e0
+    w53 = link2_e2 * w52
+    w54 = w51 - w53
+    w55 = w54 * c30
+    w56 = link2_e3 * -2.0
+    w57 = link2_e3 * w52
+    w58 = link2_e2 * w50
+    w59 = w57 + w58
+    w60 = w59 * c30
+    w61 = w56 * w60
+    w62 = w49 * w55 - w61
+    w63 = 2 * link2_e3
+    w64 = w55 * w63 - w49 * w60
+    w65 = w52 * w55
+    w66 = w65 - w50 * w60
+    w67 = link2_e1 * -2.0
+    w68 = w55 * w67
+    w69 = w52 * w60
+    w70 = w68 - w69
+    w71 = 2 * link2_e2**2
+    w72 = 2 * link2_e3**2
+    w73 = 1.0 - w71 - w72
+    w74 = w73 * c30
+    w75 = w56 * w74 - w68
+    w76 = w49 * w74
+    w77 = w76 - w65
+    w78 = w50 * w74 - w55 * w56
+    w79 = w52 * w74
+    w80 = 2 * link2_e2
+    w81 = w79 - w55 * w80
+    w82 = w60 * w67 - w76
+    w83 = w69 - w63 * w74
+    w84 = w61 - w79
+    w85 = w60 * w80 - w67 * w74
+    w86 = w52 * c7
+    w87 = w67 * w86 + link2_e2 * link2_e3 * c48
+    w88 = w52 * c46
+    w89 = w67 * c47
+    w90 = w49 * w88 + link2_e1 * link2_e3 * c49
+    w91 = w49 * c7
+    w92 = w50 * c46
+    w93 = w52 * c47
+    w94 = link2_e2 * link2_e1 * c50 + w56 * w93
+    w95 = link2_e3 * link2_e0 * c51 + w80 * w89
+    w96 = w56 * w92 + link2_e2 * link2_e0 * c52
+    w97 = w63 * w91 + link2_e1 * link2_e0 * c53
+    w98 = link3_e2 * -2.0
+    w99 = 2 * link3_e1
+    w100 = w99 * link3_e3
+    w101 = 2 * link3_e0
+    w102 = link3_e2 * w101
+    w103 = w100 - w102
+    w104 = w103 * c5
+    w105 = link3_e3 * -2.0
+    w106 = link3_e3 * w101
+    w107 = link3_e2 * w99
+    w108 = w106 + w107
+    w109 = w108 * c5
+    w110 = w105 * w109
+    w111 = w98 * w104 - w110
+    w112 = 2 * link3_e3
+    w113 = w104 * w112 - w98 * w109
+    w114 = w101 * w104
+    w115 = w114 - w99 * w109
+    w116 = link3_e1 * -2.0
+    w117 = w104 * w116
+    w118 = w101 * w109
+    w119 = w117 - w118
+    w120 = 2 * link3_e2**2
+    w121 = 2 * link3_e3**2
+    w122 = 1.0 - w120 - w121
+    w123 = w122 * c5
+    w124 = w105 * w123 - w117
+    w125 = w98 * w123
+    w126 = w125 - w114
+    w127 = w99 * w123 - w104 * w105
+    w128 = w101 * w123
+    w129 = 2 * link3_e2
+    w130 = w128 - w104 * w129
+    w131 = w109 * w116 - w125
+    w132 = w118 - w112 * w123
+    w133 = w110 - w128
+    w134 = w109 * w129 - w116 * w123
+    w135 = w101 * c10
+    w136 = w116 * w135 + link3_e2 * link3_e3 * c54
+    w137 = w101 * c11
+    w138 = w116 * c12
+    w139 = w98 * w137 + link3_e1 * link3_e3 * c55
+    w140 = w98 * c10
+    w141 = w99 * c11
+    w142 = w101 * c12
+    w143 = link3_e2 * link3_e1 * c56 + w105 * w142
+    w144 = link3_e3 * link3_e0 * c57 + w129 * w138
+    w145 = w105 * w141 + link3_e2 * link3_e0 * c58
+    w146 = w112 * w140 + link3_e1 * link3_e0 * c59
+    w147 = w7 * link1_e0_dot
+    w148 = w3 * link1_e3_dot
+    w149 = w147 + w31 * link1_e1_dot + w18 * link1_e2_dot + w148
+    w150 = w149 * c37
+    w151 = w0 * link1_e0_dot
+    w152 = w3 * link1_e2_dot
+    w153 = w151 + w7 * link1_e1_dot + w152 + w1 * link1_e3_dot
+    w154 = w153 * c37
+    w155 = w149 * w150 + w153 * w154
+    w156 = w18 * link1_e0_dot + w3 * link1_e1_dot
+    w157 = w156 + w14 * link1_e2_dot + w0 * link1_e3_dot
+    w158 = w154 * w157
+    w159 = w150 * w157
+    w160 = w24 * w155 - (w9 - w8) * w158 - (w2 + w4) * w159
+    w161 = 1.0 - 2 * link1_e1**2
+    w162 = link1_e3 * w31
+    w163 = link1_e1 * w3
+    w164 = w10 * w155 - w158 * (w161 - w23) - w159 * (w162 - w163)
+    w165 = w5 * w155 - w158 * (w162 + w163) - w159 * (w161 - w22)
+    w166 = w149 * c25
+    w167 = w153 * c24
+    w168 = w153 * w166 - w149 * w167
+    w169 = w157 * c27
+    w170 = w149 * w169 - w157 * w166
+    w171 = w157 * w167 - w153 * w169
+    w172 = w18 * w168 + w0 * w170 + w7 * w171
+    w173 = w3 * w168 + w7 * w170 + w31 * w171
+    w174 = w14 * w168 + w3 * w170 + w18 * w171
+    w175 = w0 * w168 + w1 * w170 + w3 * w171
+    w176 = w56 * link2_e0_dot
+    w177 = w52 * link2_e3_dot
+    w178 = w176 + w80 * link2_e1_dot + w67 * link2_e2_dot + w177
+    w179 = w178 * c30
+    w180 = w49 * link2_e0_dot
+    w181 = w52 * link2_e2_dot
+    w182 = w180 + w56 * link2_e1_dot + w181 + w50 * link2_e3_dot
+    w183 = w182 * c30
+    w184 = w178 * w179 + w182 * w183
+    w185 = w67 * link2_e0_dot + w52 * link2_e1_dot
+    w186 = w185 + w63 * link2_e2_dot + w49 * link2_e3_dot
+    w187 = w183 * w186
+    w188 = w179 * w186
+    w189 = w73 * w184 - (w58 - w57) * w187 - (w51 + w53) * w188
+    w190 = 1.0 - 2 * link2_e1**2
+    w191 = link2_e3 * w80
+    w192 = link2_e1 * w52
+    w193 = w59 * w184 - w187 * (w190 - w72) - w188 * (w191 - w192)
+    w194 = w54 * w184 - w187 * (w191 + w192) - w188 * (w190 - w71)
+    w195 = w178 * c32
+    w196 = w182 * c31
+    w197 = w182 * w195 - w178 * w196
+    w198 = w186 * c33
+    w199 = w178 * w198 - w186 * w195
+    w200 = w186 * w196 - w182 * w198
+    w201 = w67 * w197 + w49 * w199 + w56 * w200
+    w202 = w52 * w197 + w56 * w199 + w80 * w200
+    w203 = w63 * w197 + w52 * w199 + w67 * w200
+    w204 = w49 * w197 + w50 * w199 + w52 * w200
+    w205 = w105 * link3_e0_dot + w129 * link3_e1_dot + w116 * link3_e2_dot + w101 * link3_e3_dot
+    w206 = w205 * c5
+    w207 = w98 * link3_e0_dot + w105 * link3_e1_dot + w101 * link3_e2_dot + w99 * link3_e3_dot
+    w208 = w207 * c5
+    w209 = w205 * w206 + w207 * w208
+    w210 = w116 * link3_e0_dot + w101 * link3_e1_dot + w112 * link3_e2_dot + w98 * link3_e3_dot
+    w211 = w208 * w210
+    w212 = w206 * w210
+    w213 = w122 * w209 - (w107 - w106) * w211 - (w100 + w102) * w212
+    w214 = 1.0 - 2 * link3_e1**2
+    w215 = link3_e3 * w129
+    w216 = link3_e1 * w101
+    w217 = w108 * w209 - w211 * (w214 - w121) - w212 * (w215 - w216)
+    w218 = w103 * w209 - w211 * (w215 + w216) - w212 * (w214 - w120)
+    w219 = w205 * c35
+    w220 = w207 * c34
+    w221 = w207 * w219 - w205 * w220
+    w222 = w210 * c36
+    w223 = w205 * w222 - w210 * w219
+    w224 = w210 * w220 - w207 * w222
+    w225 = w116 * w221 + w98 * w223 + w105 * w224
+    w226 = w101 * w221 + w105 * w223 + w129 * w224
+    w227 = w112 * w221 + w101 * w223 + w116 * w224
+    w228 = w98 * w221 + w99 * w223 + w101 * w224
+    w229 = w33 * gravity_z
+    w230 = w34 * gravity_z
+    w231 = w35 * gravity_z
+    w232 = w36 * gravity_z
+    w233 = w82 * gravity_z
+    w234 = w83 * gravity_z
+    w235 = w84 * gravity_z
+    w236 = w85 * gravity_z
+    w237 = w131 * gravity_z
+    w238 = w132 * gravity_z
+    w239 = w133 * gravity_z
+    w240 = w134 * gravity_z
+    w241 = w5 * link1_end_x
+    w242 = w10 * link1_end_x
+    w243 = w7 * w242
+    w244 = w24 * link1_end_x
+    w245 = w18 * w241
+    w246 = w0 * w244
+    w247 = w3 * w241
+    w248 = w3 * w242
+    w249 = w3 * w244
+    w250 = w54 * link2_end_x
+    w251 = w59 * link2_end_x
+    w252 = w56 * w251
+    w253 = w73 * link2_end_x
+    w254 = w67 * w250
+    w255 = w49 * w253
+    w256 = w52 * w250
+    w257 = w52 * w251
+    w258 = w52 * w253
+    w259 = w152 + (w151 + w14 * link1_e1_dot) + w18 * link1_e3_dot
+    w260 = w156 + w7 * link1_e2_dot + w31 * link1_e3_dot
+    w261 = w242 * w260 - w244 * w259
+    w262 = w148 + (w147 + w0 * link1_e1_dot + w1 * link1_e2_dot)
+    w263 = w244 * w262 - w241 * w260
+    w264 = w241 * w259 - w242 * w262
+    w265 = w181 + (w180 + w63 * link2_e1_dot) + w67 * link2_e3_dot
+    w266 = w185 + w56 * link2_e2_dot + w80 * link2_e3_dot
+    w267 = w251 * w266 - w253 * w265
+    w268 = w177 + (w176 + w49 * link2_e1_dot + w50 * link2_e2_dot)
+    w269 = w253 * w268 - w250 * w266
+    w270 = w250 * w265 - w251 * w268
     # outputs
-    M = ca.SX(18, 18)
+    M = ca.SX(21, 21)
     # link1.x
     M[0, 0] = link1_mass
-    M[0, 3] = w175
-    M[0, 4] = w6
+    M[0, 3] = w13
+    M[0, 4] = w15
+    M[0, 5] = w17
+    M[0, 6] = w21
     # link1.y
     M[1, 1] = link1_mass
-    M[1, 3] = w8
-    M[1, 4] = w9
+    M[1, 3] = w26
+    M[1, 4] = w28
+    M[1, 5] = w29
+    M[1, 6] = w32
     # link1.z
     M[2, 2] = link1_mass
-    M[2, 4] = w11
-    # link1.theta1
-    M[3, 0] = w175
-    M[3, 1] = w8
-    M[3, 3] = w4 * (w4 * c2) + w13 * (w13 * c4) + w15 * (w15 * c5)
-    M[3, 4] = w18
-    M[3, 5] = w19
-    # link1.theta2
-    M[4, 0] = w6
-    M[4, 1] = w9
-    M[4, 2] = w11
-    M[4, 3] = w18
-    M[4, 4] = w14 * w16 + w12 * w17
-    # link1.theta3
-    M[5, 3] = w19
-    M[5, 5] = c2
+    M[2, 3] = w33
+    M[2, 4] = w34
+    M[2, 5] = w35
+    M[2, 6] = w36
+    # link1.e0
+    M[3, 0] = w13
+    M[3, 1] = w26
+    M[3, 2] = w33
+    M[3, 3] = w18 * (w18 * c0) + w0 * (w0 * c38) + w7 * (w7 * c39)
+    M[3, 4] = w38
+    M[3, 5] = w41
+    M[3, 6] = w45
+    # link1.e1
+    M[4, 0] = w15
+    M[4, 1] = w28
+    M[4, 2] = w34
+    M[4, 3] = w38
+    M[4, 4] = w3 * w37 + w7 * (w7 * c38) + w31 * (w31 * c39)
+    M[4, 5] = w46
+    M[4, 6] = w47
+    # link1.e2
+    M[5, 0] = w17
+    M[5, 1] = w29
+    M[5, 2] = w35
+    M[5, 3] = w41
+    M[5, 4] = w46
+    M[5, 5] = w14 * (w14 * c0) + w3 * w39 + w18 * w40
+    M[5, 6] = w48
+    # link1.e3
+    M[6, 0] = w21
+    M[6, 1] = w32
+    M[6, 2] = w36
+    M[6, 3] = w45
+    M[6, 4] = w47
+    M[6, 5] = w48
+    M[6, 6] = w0 * w42 + w1 * w43 + w3 * w44
     # link2.x
-    M[6, 6] = link2_mass
-    M[6, 9] = w176
-    M[6, 10] = w26
-    # link2.y
     M[7, 7] = link2_mass
-    M[7, 9] = w28
-    M[7, 10] = w29
-    # link2.z
+    M[7, 10] = w62
+    M[7, 11] = w64
+    M[7, 12] = w66
+    M[7, 13] = w70
+    # link2.y
     M[8, 8] = link2_mass
-    M[8, 10] = w31
-    # link2.theta1
-    M[9, 6] = w176
-    M[9, 7] = w28
-    M[9, 9] = w24 * (w24 * c16) + w33 * (w33 * c18) + w35 * (w35 * c19)
-    M[9, 10] = w38
-    M[9, 11] = w39
-    # link2.theta2
-    M[10, 6] = w26
-    M[10, 7] = w29
-    M[10, 8] = w31
-    M[10, 9] = w38
-    M[10, 10] = w34 * w36 + w32 * w37
-    # link2.theta3
-    M[11, 9] = w39
-    M[11, 11] = c16
+    M[8, 10] = w75
+    M[8, 11] = w77
+    M[8, 12] = w78
+    M[8, 13] = w81
+    # link2.z
+    M[9, 9] = link2_mass
+    M[9, 10] = w82
+    M[9, 11] = w83
+    M[9, 12] = w84
+    M[9, 13] = w85
+    # link2.e0
+    M[10, 7] = w62
+    M[10, 8] = w75
+    M[10, 9] = w82
+    M[10, 10] = w67 * (w67 * c7) + w49 * (w49 * c46) + w56 * (w56 * c47)
+    M[10, 11] = w87
+    M[10, 12] = w90
+    M[10, 13] = w94
+    # link2.e1
+    M[11, 7] = w64
+    M[11, 8] = w77
+    M[11, 9] = w83
+    M[11, 10] = w87
+    M[11, 11] = w52 * w86 + w56 * (w56 * c46) + w80 * (w80 * c47)
+    M[11, 12] = w95
+    M[11, 13] = w96
+    # link2.e2
+    M[12, 7] = w66
+    M[12, 8] = w78
+    M[12, 9] = w84
+    M[12, 10] = w90
+    M[12, 11] = w95
+    M[12, 12] = w63 * (w63 * c7) + w52 * w88 + w67 * w89
+    M[12, 13] = w97
+    # link2.e3
+    M[13, 7] = w70
+    M[13, 8] = w81
+    M[13, 9] = w85
+    M[13, 10] = w94
+    M[13, 11] = w96
+    M[13, 12] = w97
+    M[13, 13] = w49 * w91 + w50 * w92 + w52 * w93
     # link3.x
-    M[12, 12] = link3_mass
-    M[12, 15] = w177
-    M[12, 16] = w46
-    # link3.y
-    M[13, 13] = link3_mass
-    M[13, 15] = w48
-    M[13, 16] = w49
-    # link3.z
     M[14, 14] = link3_mass
-    M[14, 16] = w51
-    # link3.theta1
-    M[15, 12] = w177
-    M[15, 13] = w48
-    M[15, 15] = w44 * (w44 * c23) + w53 * (w53 * c25) + w55 * (w55 * c26)
-    M[15, 16] = w58
-    M[15, 17] = w59
-    # link3.theta2
-    M[16, 12] = w46
-    M[16, 13] = w49
-    M[16, 14] = w51
-    M[16, 15] = w58
-    M[16, 16] = w54 * w56 + w52 * w57
-    # link3.theta3
-    M[17, 15] = w59
-    M[17, 17] = c23
-    K = ca.SX(18, 18)
+    M[14, 17] = w111
+    M[14, 18] = w113
+    M[14, 19] = w115
+    M[14, 20] = w119
+    # link3.y
+    M[15, 15] = link3_mass
+    M[15, 17] = w124
+    M[15, 18] = w126
+    M[15, 19] = w127
+    M[15, 20] = w130
+    # link3.z
+    M[16, 16] = link3_mass
+    M[16, 17] = w131
+    M[16, 18] = w132
+    M[16, 19] = w133
+    M[16, 20] = w134
+    # link3.e0
+    M[17, 14] = w111
+    M[17, 15] = w124
+    M[17, 16] = w131
+    M[17, 17] = w116 * (w116 * c10) + w98 * (w98 * c11) + w105 * (w105 * c12)
+    M[17, 18] = w136
+    M[17, 19] = w139
+    M[17, 20] = w143
+    # link3.e1
+    M[18, 14] = w113
+    M[18, 15] = w126
+    M[18, 16] = w132
+    M[18, 17] = w136
+    M[18, 18] = w101 * w135 + w105 * (w105 * c11) + w129 * (w129 * c12)
+    M[18, 19] = w144
+    M[18, 20] = w145
+    # link3.e2
+    M[19, 14] = w115
+    M[19, 15] = w127
+    M[19, 16] = w133
+    M[19, 17] = w139
+    M[19, 18] = w144
+    M[19, 19] = w112 * (w112 * c10) + w101 * w137 + w116 * w138
+    M[19, 20] = w146
+    # link3.e3
+    M[20, 14] = w119
+    M[20, 15] = w130
+    M[20, 16] = w134
+    M[20, 17] = w143
+    M[20, 18] = w145
+    M[20, 19] = w146
+    M[20, 20] = w98 * w140 + w99 * w141 + w101 * w142
+    K = ca.SX(21, 21)
     Q_v = ca.vertcat(
-        w77,  # link1.x
-        w80,  # link1.y
-        w81,  # link1.z
-        w89,  # link1.theta1
-        w90,  # link1.theta2
-        w87,  # link1.theta3
-        w108,  # link2.x
-        w111,  # link2.y
-        w112,  # link2.z
-        w120,  # link2.theta1
-        w121,  # link2.theta2
-        w118,  # link2.theta3
-        w137,  # link3.x
-        w138,  # link3.y
-        w139,  # link3.z
-        w146,  # link3.theta1
-        w147,  # link3.theta2
-        w144,  # link3.theta3
+        w160,  # link1.x
+        w164,  # link1.y
+        w165,  # link1.z
+        w172,  # link1.e0
+        w173,  # link1.e1
+        w174,  # link1.e2
+        w175,  # link1.e3
+        w189,  # link2.x
+        w193,  # link2.y
+        w194,  # link2.z
+        w201,  # link2.e0
+        w202,  # link2.e1
+        w203,  # link2.e2
+        w204,  # link2.e3
+        w213,  # link3.x
+        w217,  # link3.y
+        w218,  # link3.z
+        w225,  # link3.e0
+        w226,  # link3.e1
+        w227,  # link3.e2
+        w228,  # link3.e3
     )
-    Q_F = ca.SX(18, 1)
-    Q_F[2] = c35  # link1.z
-    Q_F[4] = -w148  # link1.theta2
-    Q_F[8] = c36  # link2.z
-    Q_F[10] = -w149  # link2.theta2
-    Q_F[14] = c37  # link3.z
-    Q_F[16] = -w150  # link3.theta2
+    Q_F = ca.vertcat(
+        0.0,  # link1.x
+        0.0,  # link1.y
+        c60,  # link1.z
+        w229,  # link1.e0
+        w230,  # link1.e1
+        w231,  # link1.e2
+        w232,  # link1.e3
+        0.0,  # link2.x
+        0.0,  # link2.y
+        c61,  # link2.z
+        w233,  # link2.e0
+        w234,  # link2.e1
+        w235,  # link2.e2
+        w236,  # link2.e3
+        0.0,  # link3.x
+        0.0,  # link3.y
+        c62,  # link3.z
+        w237,  # link3.e0
+        w238,  # link3.e1
+        w239,  # link3.e2
+        w240,  # link3.e3
+    )
     Q_star = ca.vertcat(
-        w77,  # link1.x
-        w80,  # link1.y
-        w81 + c35,  # link1.z
-        w89,  # link1.theta1
-        w90 - w148,  # link1.theta2
-        w87,  # link1.theta3
-        w108,  # link2.x
-        w111,  # link2.y
-        w112 + c36,  # link2.z
-        w120,  # link2.theta1
-        w121 - w149,  # link2.theta2
-        w118,  # link2.theta3
-        w137,  # link3.x
-        w138,  # link3.y
-        w139 + c37,  # link3.z
-        w146,  # link3.theta1
-        w147 - w150,  # link3.theta2
-        w144,  # link3.theta3
+        w160,  # link1.x
+        w164,  # link1.y
+        w165 + c60,  # link1.z
+        w172 + w229,  # link1.e0
+        w173 + w230,  # link1.e1
+        w174 + w231,  # link1.e2
+        w175 + w232,  # link1.e3
+        w189,  # link2.x
+        w193,  # link2.y
+        w194 + c61,  # link2.z
+        w201 + w233,  # link2.e0
+        w202 + w234,  # link2.e1
+        w203 + w235,  # link2.e2
+        w204 + w236,  # link2.e3
+        w213,  # link3.x
+        w217,  # link3.y
+        w218 + c62,  # link3.z
+        w225 + w237,  # link3.e0
+        w226 + w238,  # link3.e1
+        w227 + w239,  # link3.e2
+        w228 + w240,  # link3.e3
     )
-    C_q = ca.SX(9, 18)
+    C_q = ca.SX(12, 21)
     # joint1.x
     C_q[0, 0] = 1.0
     # joint1.y
@@ -1184,42 +1565,74 @@ def augmented() -> ca.Function:
     C_q[2, 2] = 1.0
     # joint2.x
     C_q[3, 0] = -1.0
-    C_q[3, 3] = w151
-    C_q[3, 4] = w3 * w153
-    C_q[3, 6] = 1.0
+    C_q[3, 3] = w243 - w0 * w241
+    C_q[3, 4] = w0 * w242 - w14 * w241
+    C_q[3, 5] = w1 * w242 - w247
+    C_q[3, 6] = w248 - w245
+    C_q[3, 7] = 1.0
     # joint2.y
     C_q[4, 1] = -1.0
-    C_q[4, 3] = -w152
-    C_q[4, 4] = w1 * w153
-    C_q[4, 7] = 1.0
+    C_q[4, 3] = w245 - w7 * w244
+    C_q[4, 4] = w247 - w246
+    C_q[4, 5] = w7 * w241 - w1 * w244
+    C_q[4, 6] = w31 * w241 - w249
+    C_q[4, 8] = 1.0
     # joint2.z
     C_q[5, 2] = -1.0
-    C_q[5, 4] = w0 * link1_end_x
-    C_q[5, 8] = 1.0
+    C_q[5, 3] = w246 - w18 * w242
+    C_q[5, 4] = w14 * w244 - w248
+    C_q[5, 5] = w249 - w243
+    C_q[5, 6] = w18 * w244 - w31 * w242
+    C_q[5, 9] = 1.0
     # joint3.x
-    C_q[6, 6] = -1.0
-    C_q[6, 9] = w154
-    C_q[6, 10] = w23 * w156
-    C_q[6, 12] = 1.0
+    C_q[6, 7] = -1.0
+    C_q[6, 10] = w252 - w49 * w250
+    C_q[6, 11] = w49 * w251 - w63 * w250
+    C_q[6, 12] = w50 * w251 - w256
+    C_q[6, 13] = w257 - w254
+    C_q[6, 14] = 1.0
     # joint3.y
-    C_q[7, 7] = -1.0
-    C_q[7, 9] = -w155
-    C_q[7, 10] = w21 * w156
-    C_q[7, 13] = 1.0
+    C_q[7, 8] = -1.0
+    C_q[7, 10] = w254 - w56 * w253
+    C_q[7, 11] = w256 - w255
+    C_q[7, 12] = w56 * w250 - w50 * w253
+    C_q[7, 13] = w80 * w250 - w258
+    C_q[7, 15] = 1.0
     # joint3.z
-    C_q[8, 8] = -1.0
-    C_q[8, 10] = w20 * link2_end_x
-    C_q[8, 14] = 1.0
+    C_q[8, 9] = -1.0
+    C_q[8, 10] = w255 - w67 * w251
+    C_q[8, 11] = w63 * w253 - w257
+    C_q[8, 12] = w258 - w252
+    C_q[8, 13] = w67 * w253 - w80 * w251
+    C_q[8, 16] = 1.0
+    # link1.norm
+    C_q[9, 3] = link1_e0
+    C_q[9, 4] = link1_e1
+    C_q[9, 5] = link1_e2
+    C_q[9, 6] = link1_e3
+    # link2.norm
+    C_q[10, 10] = link2_e0
+    C_q[10, 11] = link2_e1
+    C_q[10, 12] = link2_e2
+    C_q[10, 13] = link2_e3
+    # link3.norm
+    C_q[11, 17] = link3_e0
+    C_q[11, 18] = link3_e1
+    C_q[11, 19] = link3_e2
+    C_q[11, 20] = link3_e3
     gamma_b = ca.vertcat(
         0.0,  # joint1.x
         0.0,  # joint1.y
         0.0,  # joint1.z
-        w157 * w159 - w160 * w161 - (w153 * w162 + w151 * w163),  # joint2.x
-        w152 * w163 + w153 * w164 - (w160 * w165 + w158 * w159),  # joint2.y
-        w158 * w161 + w157 * w165 + (w151 * w164 - w152 * w162),  # joint2.z
-        w166 * w168 - w169 * w170 - (w156 * w171 + w154 * w172),  # joint3.x
-        w155 * w172 + w156 * w173 - (w169 * w174 + w167 * w168),  # joint3.y
-        w167 * w170 + w166 * w174 + (w154 * w173 - w155 * w171),  # joint3.z
+        w259 * w261 - w262 * w263,  # joint2.x
+        w262 * w264 - w260 * w261,  # joint2.y
+        w260 * w263 - w259 * w264,  # joint2.z
+        w265 * w267 - w268 * w269,  # joint3.x
+        w268 * w270 - w266 * w267,  # joint3.y
+        w266 * w269 - w265 * w270,  # joint3.z
+        -(link1_e0_dot**2 + link1_e1_dot**2 + link1_e2_dot**2 + link1_e3_dot**2),  # link1.norm
+        -(link2_e0_dot**2 + link2_e1_dot**2 + link2_e2_dot**2 + link2_e3_dot**2),  # link2.norm
+        -(link3_e0_dot**2 + link3_e1_dot**2 + link3_e2_dot**2 + link3_e3_dot**2),  # link3.norm
     )
     inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
@@ -1228,170 +1641,403 @@ def augmented() -> ca.Function:
 def reactions() -> ca.Function:
     """Multipliers, and what the joints do to their bodies b (Eq. 37).
 
-    takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
-    takes q_dot (n = 18) [mixed]: rates of all coordinates
-    takes q_ddot (n = 18) [mixed]: accelerations of all coordinates
-    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives lam (n_c = 9) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
+    takes q (n = 21) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 21) [mixed]: rates of all coordinates
+    takes q_ddot (n = 21) [mixed]: accelerations of all coordinates
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives lam (n_c = 12) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 3) [N, N m]: world force and moment of a joint on its body b, at b
-    373 operations.
+    1143 operations.
     """
-    q = ca.SX.sym("q", 18)
-    q_dot = ca.SX.sym("q_dot", 18)
-    q_ddot = ca.SX.sym("q_ddot", 18)
-    c = ca.SX.sym("c", 53)
-    link1_theta1 = q[3]
-    link1_theta2 = q[4]
-    link1_theta3 = q[5]
-    link2_theta1 = q[9]
-    link2_theta2 = q[10]
-    link2_theta3 = q[11]
-    link3_theta1 = q[15]
-    link3_theta2 = q[16]
-    link3_theta3 = q[17]
-    link1_theta1_dot = q_dot[3]
-    link1_theta2_dot = q_dot[4]
-    link1_theta3_dot = q_dot[5]
-    link2_theta1_dot = q_dot[9]
-    link2_theta2_dot = q_dot[10]
-    link2_theta3_dot = q_dot[11]
-    link3_theta1_dot = q_dot[15]
-    link3_theta2_dot = q_dot[16]
-    link3_theta3_dot = q_dot[17]
+    q = ca.SX.sym("q", 21)
+    q_dot = ca.SX.sym("q_dot", 21)
+    q_ddot = ca.SX.sym("q_ddot", 21)
+    c = ca.SX.sym("c", 71)
+    link1_e0 = q[3]
+    link1_e1 = q[4]
+    link1_e2 = q[5]
+    link1_e3 = q[6]
+    link2_e0 = q[10]
+    link2_e1 = q[11]
+    link2_e2 = q[12]
+    link2_e3 = q[13]
+    link3_e0 = q[17]
+    link3_e1 = q[18]
+    link3_e2 = q[19]
+    link3_e3 = q[20]
+    link1_e0_dot = q_dot[3]
+    link1_e1_dot = q_dot[4]
+    link1_e2_dot = q_dot[5]
+    link1_e3_dot = q_dot[6]
+    link2_e0_dot = q_dot[10]
+    link2_e1_dot = q_dot[11]
+    link2_e2_dot = q_dot[12]
+    link2_e3_dot = q_dot[13]
+    link3_e0_dot = q_dot[17]
+    link3_e1_dot = q_dot[18]
+    link3_e2_dot = q_dot[19]
+    link3_e3_dot = q_dot[20]
     link1_x_ddot = q_ddot[0]
     link1_y_ddot = q_ddot[1]
     link1_z_ddot = q_ddot[2]
-    link1_theta1_ddot = q_ddot[3]
-    link1_theta2_ddot = q_ddot[4]
-    link2_x_ddot = q_ddot[6]
-    link2_y_ddot = q_ddot[7]
-    link2_z_ddot = q_ddot[8]
-    link2_theta1_ddot = q_ddot[9]
-    link2_theta2_ddot = q_ddot[10]
-    link3_x_ddot = q_ddot[12]
-    link3_y_ddot = q_ddot[13]
-    link3_z_ddot = q_ddot[14]
-    link3_theta1_ddot = q_ddot[15]
-    link3_theta2_ddot = q_ddot[16]
-    link2_mass = c[7]
-    link3_mass = c[8]
+    link1_e0_ddot = q_ddot[3]
+    link1_e1_ddot = q_ddot[4]
+    link1_e2_ddot = q_ddot[5]
+    link1_e3_ddot = q_ddot[6]
+    link2_x_ddot = q_ddot[7]
+    link2_y_ddot = q_ddot[8]
+    link2_z_ddot = q_ddot[9]
+    link2_e0_ddot = q_ddot[10]
+    link2_e1_ddot = q_ddot[11]
+    link2_e2_ddot = q_ddot[12]
+    link2_e3_ddot = q_ddot[13]
+    link3_x_ddot = q_ddot[14]
+    link3_y_ddot = q_ddot[15]
+    link3_z_ddot = q_ddot[16]
+    link3_e0_ddot = q_ddot[17]
+    link3_e1_ddot = q_ddot[18]
+    link3_e2_ddot = q_ddot[19]
+    link3_e3_ddot = q_ddot[20]
+    c0 = c[0]
+    link1_end_x = c[1]
+    link2_end_x = c[3]
+    c5 = c[5]
+    c7 = c[7]
+    c10 = c[10]
     c11 = c[11]
-    c13 = c[13]
-    link1_mass = c[30]
+    c12 = c[12]
+    gravity_z = c[14]
+    c24 = c[24]
+    c25 = c[25]
+    link1_mass = c[26]
+    c27 = c[27]
+    link2_mass = c[28]
+    link3_mass = c[29]
+    c30 = c[30]
     c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
+    c34 = c[34]
     c35 = c[35]
     c36 = c[36]
     c37 = c[37]
-    # intermediate terms (87)
-    w0 = ca.cos(link1_theta1)
-    w1 = ca.cos(link1_theta2)
-    w2 = w0 * w1
-    w3 = ca.cos(link1_theta3)
-    w4 = w1 * w3
-    w5 = ca.sin(link1_theta3)
-    w6 = link1_theta1_dot * w4 - link1_theta2_dot * w5
-    w7 = w6 * c31
-    w8 = w1 * w5
-    w9 = w3 * link1_theta2_dot
-    w10 = link1_theta1_dot * w8 + w9
-    w11 = w10 * c31
-    w12 = w6 * w7 + w10 * w11
-    w13 = ca.sin(link1_theta2)
-    w14 = ca.sin(link1_theta1)
-    w15 = w3 * w14
-    w16 = w1 * link1_theta3_dot
-    w17 = link1_theta2_dot * link1_theta3_dot
-    w18 = link1_theta3_dot - link1_theta1_dot * w13
-    w19 = (link1_theta1_dot * (w5 * w16 + w9 * w13) + w3 * w17) * c31 - w11 * w18
-    w20 = w0 * w3
-    w21 = (link1_theta1_dot * (w3 * w16 - w5 * (link1_theta2_dot * w13)) - w5 * w17) * c31 - w7 * w18
-    w22 = w1 * w14
-    w23 = w13 * c31
-    w24 = w2 * w12 + (w5 * (w0 * w13) - w15) * w19 + (w5 * w14 + w13 * w20) * w21 - (link1_x_ddot * link1_mass - w22 * c31 * link1_theta1_ddot - w0 * w23 * link1_theta2_ddot)
-    w25 = ca.cos(link2_theta1)
-    w26 = ca.cos(link2_theta2)
-    w27 = w25 * w26
-    w28 = ca.cos(link2_theta3)
-    w29 = w26 * w28
-    w30 = ca.sin(link2_theta3)
-    w31 = link2_theta1_dot * w29 - link2_theta2_dot * w30
-    w32 = w31 * c11
-    w33 = w26 * w30
-    w34 = w28 * link2_theta2_dot
-    w35 = link2_theta1_dot * w33 + w34
-    w36 = w35 * c11
-    w37 = w31 * w32 + w35 * w36
-    w38 = ca.sin(link2_theta2)
-    w39 = ca.sin(link2_theta1)
-    w40 = w28 * w39
-    w41 = w26 * link2_theta3_dot
-    w42 = link2_theta2_dot * link2_theta3_dot
-    w43 = link2_theta3_dot - link2_theta1_dot * w38
-    w44 = (link2_theta1_dot * (w30 * w41 + w34 * w38) + w28 * w42) * c11 - w36 * w43
-    w45 = w25 * w28
-    w46 = (link2_theta1_dot * (w28 * w41 - w30 * (link2_theta2_dot * w38)) - w30 * w42) * c11 - w32 * w43
-    w47 = w26 * w39
-    w48 = w38 * c11
-    w49 = w27 * w37 + (w30 * (w25 * w38) - w40) * w44 + (w30 * w39 + w38 * w45) * w46 - (link2_x_ddot * link2_mass - w47 * c11 * link2_theta1_ddot - w25 * w48 * link2_theta2_ddot)
-    w50 = ca.cos(link3_theta1)
-    w51 = ca.cos(link3_theta2)
-    w52 = w50 * w51
-    w53 = ca.cos(link3_theta3)
-    w54 = w51 * w53
-    w55 = ca.sin(link3_theta3)
-    w56 = link3_theta1_dot * w54 - link3_theta2_dot * w55
-    w57 = w56 * c13
-    w58 = w51 * w55
-    w59 = w53 * link3_theta2_dot
-    w60 = link3_theta1_dot * w58 + w59
-    w61 = w60 * c13
-    w62 = w56 * w57 + w60 * w61
-    w63 = ca.sin(link3_theta2)
-    w64 = ca.sin(link3_theta1)
-    w65 = w53 * w64
-    w66 = w51 * link3_theta3_dot
-    w67 = link3_theta2_dot * link3_theta3_dot
-    w68 = link3_theta3_dot - link3_theta1_dot * w63
-    w69 = (link3_theta1_dot * (w55 * w66 + w59 * w63) + w53 * w67) * c13 - w61 * w68
-    w70 = w50 * w53
-    w71 = (link3_theta1_dot * (w53 * w66 - w55 * (link3_theta2_dot * w63)) - w55 * w67) * c13 - w57 * w68
-    w72 = w51 * w64
-    w73 = w63 * c13
-    w74 = w52 * w62 + (w55 * (w50 * w63) - w65) * w69 + (w55 * w64 + w63 * w70) * w71 - (link3_x_ddot * link3_mass - w72 * c13 * link3_theta1_ddot - w50 * w73 * link3_theta2_ddot)
-    w75 = w49 + w74
-    w76 = w24 + w75
-    w77 = w12 * w22 + w19 * (w20 + w5 * (w13 * w14)) + w21 * (w13 * w15 - w0 * w5) - (link1_y_ddot * link1_mass + link1_theta1_ddot * (w2 * c31) - link1_theta2_ddot * (w14 * w23))
-    w78 = w37 * w47 + w44 * (w45 + w30 * (w38 * w39)) + w46 * (w38 * w40 - w25 * w30) - (link2_y_ddot * link2_mass + link2_theta1_ddot * (w27 * c11) - link2_theta2_ddot * (w39 * w48))
-    w79 = w62 * w72 + w69 * (w70 + w55 * (w63 * w64)) + w71 * (w63 * w65 - w50 * w55) - (link3_y_ddot * link3_mass + link3_theta1_ddot * (w52 * c13) - link3_theta2_ddot * (w64 * w73))
-    w80 = w78 + w79
-    w81 = w77 + w80
-    w82 = c35 + (w8 * w19 - w12 * w13 + w4 * w21) - (link1_z_ddot * link1_mass - link1_theta2_ddot * (w1 * c31))
-    w83 = c36 + (w33 * w44 - w37 * w38 + w29 * w46) - (link2_z_ddot * link2_mass - link2_theta2_ddot * (w26 * c11))
-    w84 = c37 + (w58 * w69 - w62 * w63 + w54 * w71) - (link3_z_ddot * link3_mass - link3_theta2_ddot * (w51 * c13))
-    w85 = w83 + w84
-    w86 = w82 + w85
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
+    c45 = c[45]
+    c46 = c[46]
+    c47 = c[47]
+    c48 = c[48]
+    c49 = c[49]
+    c50 = c[50]
+    c51 = c[51]
+    c52 = c[52]
+    c53 = c[53]
+    c54 = c[54]
+    c55 = c[55]
+    c56 = c[56]
+    c57 = c[57]
+    c58 = c[58]
+    c59 = c[59]
+    c60 = c[60]
+    c61 = c[61]
+    c62 = c[62]
+    # intermediate terms (266)
+    w0 = 2 * link1_e2**2
+    w1 = 2 * link1_e3**2
+    w2 = 1.0 - w0 - w1
+    w3 = link1_e3 * -2.0
+    w4 = 2 * link1_e2
+    w5 = link1_e1 * -2.0
+    w6 = 2 * link1_e0
+    w7 = link1_e0_dot * w3 + link1_e1_dot * w4 + link1_e2_dot * w5 + link1_e3_dot * w6
+    w8 = w7 * c37
+    w9 = link1_e2 * -2.0
+    w10 = 2 * link1_e1
+    w11 = link1_e0_dot * w9 + w3 * link1_e1_dot + link1_e2_dot * w6 + link1_e3_dot * w10
+    w12 = w11 * c37
+    w13 = w7 * w8 + w11 * w12
+    w14 = link1_e2 * w10
+    w15 = link1_e3 * w6
+    w16 = 2 * link1_e3
+    w17 = link1_e0_dot * w5 + link1_e1_dot * w6 + link1_e2_dot * w16 + link1_e3_dot * w9
+    w18 = w12 * w17
+    w19 = link1_e2 * w6
+    w20 = link1_e3 * w10
+    w21 = w8 * w17
+    w22 = w20 - w19
+    w23 = w22 * c37
+    w24 = w14 + w15
+    w25 = w24 * c37
+    w26 = w3 * w25
+    w27 = w9 * w23 - w26
+    w28 = w16 * w23 - w9 * w25
+    w29 = w6 * w23
+    w30 = w29 - w10 * w25
+    w31 = w5 * w23
+    w32 = w6 * w25
+    w33 = w31 - w32
+    w34 = link1_x_ddot * link1_mass + w27 * link1_e0_ddot + w28 * link1_e1_ddot + w30 * link1_e2_ddot + w33 * link1_e3_ddot
+    w35 = 2 * link2_e2**2
+    w36 = 2 * link2_e3**2
+    w37 = 1.0 - w35 - w36
+    w38 = link2_e3 * -2.0
+    w39 = 2 * link2_e2
+    w40 = link2_e1 * -2.0
+    w41 = 2 * link2_e0
+    w42 = link2_e0_dot * w38 + link2_e1_dot * w39 + link2_e2_dot * w40 + link2_e3_dot * w41
+    w43 = w42 * c30
+    w44 = link2_e2 * -2.0
+    w45 = 2 * link2_e1
+    w46 = link2_e0_dot * w44 + w38 * link2_e1_dot + link2_e2_dot * w41 + link2_e3_dot * w45
+    w47 = w46 * c30
+    w48 = w42 * w43 + w46 * w47
+    w49 = link2_e2 * w45
+    w50 = link2_e3 * w41
+    w51 = 2 * link2_e3
+    w52 = link2_e0_dot * w40 + link2_e1_dot * w41 + link2_e2_dot * w51 + link2_e3_dot * w44
+    w53 = w47 * w52
+    w54 = link2_e2 * w41
+    w55 = link2_e3 * w45
+    w56 = w43 * w52
+    w57 = w55 - w54
+    w58 = w57 * c30
+    w59 = w49 + w50
+    w60 = w59 * c30
+    w61 = w38 * w60
+    w62 = w44 * w58 - w61
+    w63 = w51 * w58 - w44 * w60
+    w64 = w41 * w58
+    w65 = w64 - w45 * w60
+    w66 = w40 * w58
+    w67 = w41 * w60
+    w68 = w66 - w67
+    w69 = link2_x_ddot * link2_mass + w62 * link2_e0_ddot + w63 * link2_e1_ddot + w65 * link2_e2_ddot + w68 * link2_e3_ddot
+    w70 = 2 * link3_e2**2
+    w71 = 2 * link3_e3**2
+    w72 = 1.0 - w70 - w71
+    w73 = link3_e3 * -2.0
+    w74 = 2 * link3_e2
+    w75 = link3_e1 * -2.0
+    w76 = 2 * link3_e0
+    w77 = link3_e0_dot * w73 + link3_e1_dot * w74 + link3_e2_dot * w75 + link3_e3_dot * w76
+    w78 = w77 * c5
+    w79 = link3_e2 * -2.0
+    w80 = 2 * link3_e1
+    w81 = link3_e0_dot * w79 + w73 * link3_e1_dot + link3_e2_dot * w76 + link3_e3_dot * w80
+    w82 = w81 * c5
+    w83 = w77 * w78 + w81 * w82
+    w84 = link3_e2 * w80
+    w85 = link3_e3 * w76
+    w86 = 2 * link3_e3
+    w87 = link3_e0_dot * w75 + link3_e1_dot * w76 + link3_e2_dot * w86 + link3_e3_dot * w79
+    w88 = w82 * w87
+    w89 = link3_e2 * w76
+    w90 = link3_e3 * w80
+    w91 = w78 * w87
+    w92 = w90 - w89
+    w93 = w92 * c5
+    w94 = w84 + w85
+    w95 = w94 * c5
+    w96 = w73 * w95
+    w97 = w79 * w93 - w96
+    w98 = w86 * w93 - w79 * w95
+    w99 = w76 * w93
+    w100 = w99 - w80 * w95
+    w101 = w75 * w93
+    w102 = w76 * w95
+    w103 = w101 - w102
+    w104 = link3_x_ddot * link3_mass + w97 * link3_e0_ddot + w98 * link3_e1_ddot + w100 * link3_e2_ddot + w103 * link3_e3_ddot
+    w105 = w72 * w83 - (w84 - w85) * w88 - (w89 + w90) * w91 - w104
+    w106 = w37 * w48 - (w49 - w50) * w53 - (w54 + w55) * w56 - w69 + w105
+    w107 = w2 * w13 - (w14 - w15) * w18 - (w19 + w20) * w21 - w34 + w106
+    w108 = 1.0 - 2 * link1_e1**2
+    w109 = link1_e3 * w4
+    w110 = link1_e1 * w6
+    w111 = w2 * c37
+    w112 = w3 * w111 - w31
+    w113 = w9 * w111
+    w114 = w113 - w29
+    w115 = w10 * w111 - w3 * w23
+    w116 = w6 * w111
+    w117 = w116 - w4 * w23
+    w118 = link1_y_ddot * link1_mass + link1_e0_ddot * w112 + link1_e1_ddot * w114 + link1_e2_ddot * w115 + link1_e3_ddot * w117
+    w119 = 1.0 - 2 * link2_e1**2
+    w120 = link2_e3 * w39
+    w121 = link2_e1 * w41
+    w122 = w37 * c30
+    w123 = w38 * w122 - w66
+    w124 = w44 * w122
+    w125 = w124 - w64
+    w126 = w45 * w122 - w38 * w58
+    w127 = w41 * w122
+    w128 = w127 - w39 * w58
+    w129 = link2_y_ddot * link2_mass + link2_e0_ddot * w123 + link2_e1_ddot * w125 + link2_e2_ddot * w126 + link2_e3_ddot * w128
+    w130 = 1.0 - 2 * link3_e1**2
+    w131 = link3_e3 * w74
+    w132 = link3_e1 * w76
+    w133 = w72 * c5
+    w134 = w73 * w133 - w101
+    w135 = w79 * w133
+    w136 = w135 - w99
+    w137 = w80 * w133 - w73 * w93
+    w138 = w76 * w133
+    w139 = w138 - w74 * w93
+    w140 = link3_y_ddot * link3_mass + link3_e0_ddot * w134 + link3_e1_ddot * w136 + link3_e2_ddot * w137 + link3_e3_ddot * w139
+    w141 = w83 * w94 - w88 * (w130 - w71) - w91 * (w131 - w132) - w140
+    w142 = w48 * w59 - w53 * (w119 - w36) - w56 * (w120 - w121) - w129 + w141
+    w143 = w13 * w24 - w18 * (w108 - w1) - w21 * (w109 - w110) - w118 + w142
+    w144 = w5 * w25 - w113
+    w145 = w32 - w16 * w111
+    w146 = w26 - w116
+    w147 = w4 * w25 - w5 * w111
+    w148 = link1_z_ddot * link1_mass + link1_e0_ddot * w144 + link1_e1_ddot * w145 + link1_e2_ddot * w146 + link1_e3_ddot * w147
+    w149 = w40 * w60 - w124
+    w150 = w67 - w51 * w122
+    w151 = w61 - w127
+    w152 = w39 * w60 - w40 * w122
+    w153 = link2_z_ddot * link2_mass + link2_e0_ddot * w149 + link2_e1_ddot * w150 + link2_e2_ddot * w151 + link2_e3_ddot * w152
+    w154 = w75 * w95 - w135
+    w155 = w102 - w86 * w133
+    w156 = w96 - w138
+    w157 = w74 * w95 - w75 * w133
+    w158 = link3_z_ddot * link3_mass + link3_e0_ddot * w154 + link3_e1_ddot * w155 + link3_e2_ddot * w156 + link3_e3_ddot * w157
+    w159 = c62 + (w83 * w92 - w88 * (w131 + w132) - w91 * (w130 - w70)) - w158
+    w160 = c61 + (w48 * w57 - w53 * (w120 + w121) - w56 * (w119 - w35)) - w153 + w159
+    w161 = c60 + (w13 * w22 - w18 * (w109 + w110) - w21 * (w108 - w0)) - w148 + w160
+    w162 = w7 * c25
+    w163 = w11 * c24
+    w164 = w11 * w162 - w7 * w163
+    w165 = w17 * c27
+    w166 = w7 * w165 - w17 * w162
+    w167 = w17 * w163 - w11 * w165
+    w168 = link1_x_ddot * w27 + link1_y_ddot * w112 + link1_z_ddot * w144 + link1_e0_ddot * (w5 * (w5 * c0) + w9 * (w9 * c38) + w3 * (w3 * c39))
+    w169 = w6 * c0
+    w170 = w5 * w169 + link1_e2 * link1_e3 * c40
+    w171 = w6 * c38
+    w172 = w5 * c39
+    w173 = w9 * w171 + link1_e3 * link1_e1 * c41
+    w174 = w9 * c0
+    w175 = w10 * c38
+    w176 = w6 * c39
+    w177 = link1_e2 * link1_e1 * c42 + w3 * w176
+    w178 = w5 * w164 + w9 * w166 + w3 * w167 + w144 * gravity_z - (w168 + link1_e1_ddot * w170 + link1_e2_ddot * w173 + link1_e3_ddot * w177)
+    w179 = w22 * link1_end_x
+    w180 = w24 * link1_end_x
+    w181 = w3 * w180
+    w182 = w2 * link1_end_x
+    w183 = w5 * w179
+    w184 = w9 * w182
+    w185 = link1_e0 * (w178 + (w106 * (w9 * w179 - w181) + w142 * (w3 * w182 - w183) + w160 * (w5 * w180 - w184)))
+    w186 = link1_x_ddot * w28 + link1_y_ddot * w114 + link1_z_ddot * w145 + link1_e0_ddot * w170 + link1_e1_ddot * (w6 * w169 + w3 * (w3 * c38) + w4 * (w4 * c39))
+    w187 = link1_e3 * link1_e0 * c43 + w4 * w172
+    w188 = w3 * w175 + link1_e2 * link1_e0 * c44
+    w189 = w6 * w164 + w3 * w166 + w4 * w167 + w145 * gravity_z - (w186 + link1_e2_ddot * w187 + link1_e3_ddot * w188)
+    w190 = w6 * w179
+    w191 = w6 * w180
+    w192 = link1_e1 * (w189 + (w106 * (w16 * w179 - w9 * w180) + w142 * (w184 - w190) + w160 * (w191 - w16 * w182)))
+    w193 = link1_x_ddot * w30 + link1_y_ddot * w115 + link1_z_ddot * w146 + link1_e0_ddot * w173 + link1_e1_ddot * w187
+    w194 = w16 * w174 + link1_e1 * link1_e0 * c45
+    w195 = w16 * w164 + w6 * w166 + w5 * w167 + w146 * gravity_z - (w193 + link1_e2_ddot * (w16 * (w16 * c0) + w6 * w171 + w5 * w172) + link1_e3_ddot * w194)
+    w196 = w6 * w182
+    w197 = link1_e2 * (w195 + (w106 * (w190 - w10 * w180) + w142 * (w10 * w182 - w3 * w179) + w160 * (w181 - w196)))
+    w198 = link1_x_ddot * w33 + link1_y_ddot * w117 + link1_z_ddot * w147 + link1_e0_ddot * w177 + link1_e1_ddot * w188
+    w199 = w9 * w164 + w10 * w166 + w6 * w167 + w147 * gravity_z - (w198 + link1_e2_ddot * w194 + link1_e3_ddot * (w9 * w174 + w10 * w175 + w6 * w176))
+    w200 = link1_e3 * (w199 + (w106 * (w183 - w191) + w142 * (w196 - w4 * w179) + w160 * (w4 * w180 - w5 * w182)))
+    w201 = w42 * c32
+    w202 = w46 * c31
+    w203 = w46 * w201 - w42 * w202
+    w204 = w52 * c33
+    w205 = w42 * w204 - w52 * w201
+    w206 = w52 * w202 - w46 * w204
+    w207 = link2_x_ddot * w62 + link2_y_ddot * w123 + link2_z_ddot * w149 + link2_e0_ddot * (w40 * (w40 * c7) + w44 * (w44 * c46) + w38 * (w38 * c47))
+    w208 = w41 * c7
+    w209 = w40 * w208 + link2_e2 * link2_e3 * c48
+    w210 = w41 * c46
+    w211 = w40 * c47
+    w212 = w44 * w210 + link2_e3 * link2_e1 * c49
+    w213 = w44 * c7
+    w214 = w45 * c46
+    w215 = w41 * c47
+    w216 = link2_e2 * link2_e1 * c50 + w38 * w215
+    w217 = w40 * w203 + w44 * w205 + w38 * w206 + w149 * gravity_z - (w207 + link2_e1_ddot * w209 + link2_e2_ddot * w212 + link2_e3_ddot * w216)
+    w218 = w57 * link2_end_x
+    w219 = w59 * link2_end_x
+    w220 = w38 * w219
+    w221 = w37 * link2_end_x
+    w222 = w40 * w218
+    w223 = w44 * w221
+    w224 = link2_e0 * (w217 + (w105 * (w44 * w218 - w220) + w141 * (w38 * w221 - w222) + w159 * (w40 * w219 - w223)))
+    w225 = link2_x_ddot * w63 + link2_y_ddot * w125 + link2_z_ddot * w150 + link2_e0_ddot * w209 + link2_e1_ddot * (w41 * w208 + w38 * (w38 * c46) + w39 * (w39 * c47))
+    w226 = link2_e3 * link2_e0 * c51 + w39 * w211
+    w227 = w38 * w214 + link2_e2 * link2_e0 * c52
+    w228 = w41 * w203 + w38 * w205 + w39 * w206 + w150 * gravity_z - (w225 + link2_e2_ddot * w226 + link2_e3_ddot * w227)
+    w229 = w41 * w218
+    w230 = w41 * w219
+    w231 = link2_e1 * (w228 + (w105 * (w51 * w218 - w44 * w219) + w141 * (w223 - w229) + w159 * (w230 - w51 * w221)))
+    w232 = link2_x_ddot * w65 + link2_y_ddot * w126 + link2_z_ddot * w151 + link2_e0_ddot * w212 + link2_e1_ddot * w226
+    w233 = w51 * w213 + link2_e1 * link2_e0 * c53
+    w234 = w51 * w203 + w41 * w205 + w40 * w206 + w151 * gravity_z - (w232 + link2_e2_ddot * (w51 * (w51 * c7) + w41 * w210 + w40 * w211) + link2_e3_ddot * w233)
+    w235 = w41 * w221
+    w236 = link2_e2 * (w234 + (w105 * (w229 - w45 * w219) + w141 * (w45 * w221 - w38 * w218) + w159 * (w220 - w235)))
+    w237 = link2_x_ddot * w68 + link2_y_ddot * w128 + link2_z_ddot * w152 + link2_e0_ddot * w216 + link2_e1_ddot * w227
+    w238 = w44 * w203 + w45 * w205 + w41 * w206 + w152 * gravity_z - (w237 + link2_e2_ddot * w233 + link2_e3_ddot * (w44 * w213 + w45 * w214 + w41 * w215))
+    w239 = link2_e3 * (w238 + (w105 * (w222 - w230) + w141 * (w235 - w39 * w218) + w159 * (w39 * w219 - w40 * w221)))
+    w240 = w77 * c35
+    w241 = w81 * c34
+    w242 = w81 * w240 - w77 * w241
+    w243 = w87 * c36
+    w244 = w77 * w243 - w87 * w240
+    w245 = w87 * w241 - w81 * w243
+    w246 = link3_x_ddot * w97 + link3_y_ddot * w134 + link3_z_ddot * w154 + link3_e0_ddot * (w75 * (w75 * c10) + w79 * (w79 * c11) + w73 * (w73 * c12))
+    w247 = w76 * c10
+    w248 = w75 * w247 + link3_e2 * link3_e3 * c54
+    w249 = w76 * c11
+    w250 = w75 * c12
+    w251 = w79 * w249 + link3_e3 * link3_e1 * c55
+    w252 = w79 * c10
+    w253 = w80 * c11
+    w254 = w76 * c12
+    w255 = link3_e2 * link3_e1 * c56 + w73 * w254
+    w256 = w75 * w242 + w79 * w244 + w73 * w245 + w154 * gravity_z - (w246 + link3_e1_ddot * w248 + link3_e2_ddot * w251 + link3_e3_ddot * w255)
+    w257 = link3_x_ddot * w98 + link3_y_ddot * w136 + link3_z_ddot * w155 + link3_e0_ddot * w248 + link3_e1_ddot * (w76 * w247 + w73 * (w73 * c11) + w74 * (w74 * c12))
+    w258 = link3_e3 * link3_e0 * c57 + w74 * w250
+    w259 = w73 * w253 + link3_e2 * link3_e0 * c58
+    w260 = w76 * w242 + w73 * w244 + w74 * w245 + w155 * gravity_z - (w257 + link3_e2_ddot * w258 + link3_e3_ddot * w259)
+    w261 = link3_x_ddot * w100 + link3_y_ddot * w137 + link3_z_ddot * w156 + link3_e0_ddot * w251 + link3_e1_ddot * w258
+    w262 = w86 * w252 + link3_e1 * link3_e0 * c59
+    w263 = w86 * w242 + w76 * w244 + w75 * w245 + w156 * gravity_z - (w261 + link3_e2_ddot * (w86 * (w86 * c10) + w76 * w249 + w75 * w250) + link3_e3_ddot * w262)
+    w264 = link3_x_ddot * w103 + link3_y_ddot * w139 + link3_z_ddot * w157 + link3_e0_ddot * w255 + link3_e1_ddot * w259
+    w265 = w79 * w242 + w80 * w244 + w76 * w245 + w157 * gravity_z - (w264 + link3_e2_ddot * w262 + link3_e3_ddot * (w79 * w252 + w80 * w253 + w76 * w254))
     # outputs
     lam = ca.vertcat(
-        w76,  # joint1.x
-        w81,  # joint1.y
-        w86,  # joint1.z
-        w75,  # joint2.x
-        w80,  # joint2.y
-        w85,  # joint2.z
-        w74,  # joint3.x
-        w79,  # joint3.y
-        w84,  # joint3.z
+        w107,  # joint1.x
+        w143,  # joint1.y
+        w161,  # joint1.z
+        w106,  # joint2.x
+        w142,  # joint2.y
+        w160,  # joint2.z
+        w105,  # joint3.x
+        w141,  # joint3.y
+        w159,  # joint3.z
+        w185 + w192 + w197 + w200,  # link1.norm
+        w224 + w231 + w236 + w239,  # link2.norm
+        link3_e0 * w256 + link3_e1 * w260 + link3_e2 * w263 + link3_e3 * w265,  # link3.norm
     )
     joint_forces = ca.SX(6, 3)
-    joint_forces[0, 0] = -w76
-    joint_forces[0, 1] = -w75
-    joint_forces[0, 2] = -w74
-    joint_forces[1, 0] = -w81
-    joint_forces[1, 1] = -w80
-    joint_forces[1, 2] = -w79
-    joint_forces[2, 0] = -w86
-    joint_forces[2, 1] = -w85
-    joint_forces[2, 2] = -w84
+    joint_forces[0, 0] = -w107
+    joint_forces[0, 1] = -w106
+    joint_forces[0, 2] = -w105
+    joint_forces[1, 0] = -w143
+    joint_forces[1, 1] = -w142
+    joint_forces[1, 2] = -w141
+    joint_forces[2, 0] = -w161
+    joint_forces[2, 1] = -w160
+    joint_forces[2, 2] = -w159
     inputs, outputs = [q, q_dot, q_ddot, c], [ca.densify(lam), ca.densify(joint_forces)]
     return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
@@ -1399,140 +2045,245 @@ def reactions() -> ca.Function:
 def energy() -> ca.Function:
     """Energies and powers.
 
-    takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
-    takes q_dot (n = 18) [mixed]: rates of all coordinates
-    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes q (n = 21) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 21) [mixed]: rates of all coordinates
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    296 operations.
+    691 operations.
     """
-    q = ca.SX.sym("q", 18)
-    q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 53)
+    q = ca.SX.sym("q", 21)
+    q_dot = ca.SX.sym("q_dot", 21)
+    c = ca.SX.sym("c", 71)
     link1_z = q[2]
-    link1_theta1 = q[3]
-    link1_theta2 = q[4]
-    link1_theta3 = q[5]
-    link2_z = q[8]
-    link2_theta1 = q[9]
-    link2_theta2 = q[10]
-    link2_theta3 = q[11]
-    link3_z = q[14]
-    link3_theta1 = q[15]
-    link3_theta2 = q[16]
-    link3_theta3 = q[17]
+    link1_e0 = q[3]
+    link1_e1 = q[4]
+    link1_e2 = q[5]
+    link1_e3 = q[6]
+    link2_z = q[9]
+    link2_e0 = q[10]
+    link2_e1 = q[11]
+    link2_e2 = q[12]
+    link2_e3 = q[13]
+    link3_z = q[16]
+    link3_e0 = q[17]
+    link3_e1 = q[18]
+    link3_e2 = q[19]
+    link3_e3 = q[20]
     link1_x_dot = q_dot[0]
     link1_y_dot = q_dot[1]
     link1_z_dot = q_dot[2]
-    link1_theta1_dot = q_dot[3]
-    link1_theta2_dot = q_dot[4]
-    link1_theta3_dot = q_dot[5]
-    link2_x_dot = q_dot[6]
-    link2_y_dot = q_dot[7]
-    link2_z_dot = q_dot[8]
-    link2_theta1_dot = q_dot[9]
-    link2_theta2_dot = q_dot[10]
-    link2_theta3_dot = q_dot[11]
-    link3_x_dot = q_dot[12]
-    link3_y_dot = q_dot[13]
-    link3_z_dot = q_dot[14]
-    link3_theta1_dot = q_dot[15]
-    link3_theta2_dot = q_dot[16]
-    link3_theta3_dot = q_dot[17]
-    c2 = c[2]
-    c4 = c[4]
+    link1_e0_dot = q_dot[3]
+    link1_e1_dot = q_dot[4]
+    link1_e2_dot = q_dot[5]
+    link1_e3_dot = q_dot[6]
+    link2_x_dot = q_dot[7]
+    link2_y_dot = q_dot[8]
+    link2_z_dot = q_dot[9]
+    link2_e0_dot = q_dot[10]
+    link2_e1_dot = q_dot[11]
+    link2_e2_dot = q_dot[12]
+    link2_e3_dot = q_dot[13]
+    link3_x_dot = q_dot[14]
+    link3_y_dot = q_dot[15]
+    link3_z_dot = q_dot[16]
+    link3_e0_dot = q_dot[17]
+    link3_e1_dot = q_dot[18]
+    link3_e2_dot = q_dot[19]
+    link3_e3_dot = q_dot[20]
+    c0 = c[0]
     c5 = c[5]
-    link2_mass = c[7]
-    link3_mass = c[8]
+    c7 = c[7]
+    c10 = c[10]
     c11 = c[11]
-    c13 = c[13]
-    c16 = c[16]
-    c18 = c[18]
-    c19 = c[19]
-    c23 = c[23]
-    c25 = c[25]
-    c26 = c[26]
-    link1_mass = c[30]
-    c31 = c[31]
+    c12 = c[12]
+    link1_mass = c[26]
+    link2_mass = c[28]
+    link3_mass = c[29]
+    c30 = c[30]
+    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
     c41 = c[41]
-    # intermediate terms (69)
-    w0 = ca.cos(link1_theta2)
-    w1 = ca.sin(link1_theta1)
-    w2 = w0 * w1 * c31
-    w3 = ca.cos(link1_theta1)
-    w4 = ca.sin(link1_theta2)
-    w5 = w4 * c31
-    w6 = w3 * w5
-    w7 = w0 * w3 * c31
-    w8 = w1 * w5
-    w9 = link1_x_dot * (link1_x_dot * link1_mass - w2 * link1_theta1_dot - w6 * link1_theta2_dot) + link1_y_dot * (link1_y_dot * link1_mass + link1_theta1_dot * w7 - link1_theta2_dot * w8)
-    w10 = w0 * c31
-    w11 = w4 * c2
-    w12 = ca.sin(link1_theta3)
-    w13 = w0 * w12
-    w14 = ca.cos(link1_theta3)
-    w15 = w0 * w14
-    w16 = link1_y_dot * w7 - link1_x_dot * w2 + link1_theta1_dot * (w4 * w11 + w13 * (w13 * c4) + w15 * (w15 * c5))
-    w17 = w14 * c4
-    w18 = w12 * c5
-    w19 = w13 * w17 - w15 * w18
-    w20 = w9 + link1_z_dot * (link1_z_dot * link1_mass - link1_theta2_dot * w10) + link1_theta1_dot * (w16 + link1_theta2_dot * w19 - w11 * link1_theta3_dot)
-    w21 = link1_theta1_dot * w19 - (link1_x_dot * w6 + link1_y_dot * w8 + link1_z_dot * w10) + link1_theta2_dot * (w14 * w17 + w12 * w18)
-    w22 = w20 + link1_theta2_dot * w21 + link1_theta3_dot * (link1_theta3_dot * c2 - link1_theta1_dot * w11)
-    w23 = ca.cos(link2_theta2)
-    w24 = ca.sin(link2_theta1)
-    w25 = w23 * w24 * c11
-    w26 = ca.cos(link2_theta1)
-    w27 = ca.sin(link2_theta2)
-    w28 = w27 * c11
-    w29 = w26 * w28
-    w30 = w23 * w26 * c11
-    w31 = w24 * w28
-    w32 = w22 + link2_x_dot * (link2_x_dot * link2_mass - w25 * link2_theta1_dot - w29 * link2_theta2_dot) + link2_y_dot * (link2_y_dot * link2_mass + link2_theta1_dot * w30 - link2_theta2_dot * w31)
-    w33 = w23 * c11
-    w34 = w27 * c16
-    w35 = ca.sin(link2_theta3)
-    w36 = w23 * w35
-    w37 = ca.cos(link2_theta3)
-    w38 = w23 * w37
-    w39 = link2_y_dot * w30 - link2_x_dot * w25 + link2_theta1_dot * (w27 * w34 + w36 * (w36 * c18) + w38 * (w38 * c19))
-    w40 = w37 * c18
-    w41 = w35 * c19
-    w42 = w36 * w40 - w38 * w41
-    w43 = w32 + link2_z_dot * (link2_z_dot * link2_mass - link2_theta2_dot * w33) + link2_theta1_dot * (w39 + link2_theta2_dot * w42 - w34 * link2_theta3_dot)
-    w44 = link2_theta1_dot * w42 - (link2_x_dot * w29 + link2_y_dot * w31 + link2_z_dot * w33) + link2_theta2_dot * (w37 * w40 + w35 * w41)
-    w45 = w43 + link2_theta2_dot * w44 + link2_theta3_dot * (link2_theta3_dot * c16 - link2_theta1_dot * w34)
-    w46 = ca.cos(link3_theta2)
-    w47 = ca.sin(link3_theta1)
-    w48 = w46 * w47 * c13
-    w49 = ca.cos(link3_theta1)
-    w50 = ca.sin(link3_theta2)
-    w51 = w50 * c13
-    w52 = w49 * w51
-    w53 = w46 * w49 * c13
-    w54 = w47 * w51
-    w55 = w45 + link3_x_dot * (link3_x_dot * link3_mass - w48 * link3_theta1_dot - w52 * link3_theta2_dot) + link3_y_dot * (link3_y_dot * link3_mass + link3_theta1_dot * w53 - link3_theta2_dot * w54)
-    w56 = w46 * c13
-    w57 = w50 * c23
-    w58 = ca.sin(link3_theta3)
-    w59 = w46 * w58
-    w60 = ca.cos(link3_theta3)
-    w61 = w46 * w60
-    w62 = link3_y_dot * w53 - link3_x_dot * w48 + link3_theta1_dot * (w50 * w57 + w59 * (w59 * c25) + w61 * (w61 * c26))
-    w63 = w60 * c25
-    w64 = w58 * c26
-    w65 = w59 * w63 - w61 * w64
-    w66 = w55 + link3_z_dot * (link3_z_dot * link3_mass - link3_theta2_dot * w56) + link3_theta1_dot * (w62 + link3_theta2_dot * w65 - w57 * link3_theta3_dot)
-    w67 = link3_theta1_dot * w65 - (link3_x_dot * w52 + link3_y_dot * w54 + link3_z_dot * w56) + link3_theta2_dot * (w60 * w63 + w58 * w64)
-    w68 = w66 + link3_theta2_dot * w67 + link3_theta3_dot * (link3_theta3_dot * c23 - link3_theta1_dot * w57)
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
+    c45 = c[45]
+    c46 = c[46]
+    c47 = c[47]
+    c48 = c[48]
+    c49 = c[49]
+    c50 = c[50]
+    c51 = c[51]
+    c52 = c[52]
+    c53 = c[53]
+    c54 = c[54]
+    c55 = c[55]
+    c56 = c[56]
+    c57 = c[57]
+    c58 = c[58]
+    c59 = c[59]
+    c63 = c[63]
+    # intermediate terms (150)
+    w0 = link1_e2 * -2.0
+    w1 = 2 * link1_e1
+    w2 = 2 * link1_e0
+    w3 = (w1 * link1_e3 - link1_e2 * w2) * c37
+    w4 = link1_e3 * -2.0
+    w5 = (link1_e3 * w2 + link1_e2 * w1) * c37
+    w6 = w4 * w5
+    w7 = w0 * w3 - w6
+    w8 = 2 * link1_e3
+    w9 = w3 * w8 - w0 * w5
+    w10 = w2 * w3
+    w11 = w10 - w1 * w5
+    w12 = link1_e1 * -2.0
+    w13 = w3 * w12
+    w14 = w2 * w5
+    w15 = w13 - w14
+    w16 = link1_x_dot * link1_mass + w7 * link1_e0_dot + w9 * link1_e1_dot + w11 * link1_e2_dot + w15 * link1_e3_dot
+    w17 = (1.0 - 2 * link1_e2**2 - 2 * link1_e3**2) * c37
+    w18 = w4 * w17 - w13
+    w19 = w0 * w17
+    w20 = w19 - w10
+    w21 = w1 * w17 - w3 * w4
+    w22 = w2 * w17
+    w23 = 2 * link1_e2
+    w24 = w22 - w3 * w23
+    w25 = link1_y_dot * link1_mass + link1_e0_dot * w18 + link1_e1_dot * w20 + link1_e2_dot * w21 + link1_e3_dot * w24
+    w26 = w5 * w12 - w19
+    w27 = w14 - w8 * w17
+    w28 = w6 - w22
+    w29 = w5 * w23 - w12 * w17
+    w30 = link1_z_dot * link1_mass + link1_e0_dot * w26 + link1_e1_dot * w27 + link1_e2_dot * w28 + link1_e3_dot * w29
+    w31 = link1_x_dot * w7 + link1_y_dot * w18 + link1_z_dot * w26 + link1_e0_dot * (w12 * (w12 * c0) + w0 * (w0 * c38) + w4 * (w4 * c39))
+    w32 = w2 * c0
+    w33 = w12 * w32 + link1_e2 * link1_e3 * c40
+    w34 = w2 * c38
+    w35 = w12 * c39
+    w36 = w0 * w34 + link1_e1 * link1_e3 * c41
+    w37 = w0 * c0
+    w38 = w1 * c38
+    w39 = w2 * c39
+    w40 = link1_e2 * link1_e1 * c42 + w4 * w39
+    w41 = link1_x_dot * w16 + link1_y_dot * w25 + link1_z_dot * w30 + link1_e0_dot * (w31 + link1_e1_dot * w33 + link1_e2_dot * w36 + link1_e3_dot * w40)
+    w42 = link1_x_dot * w9 + link1_y_dot * w20 + link1_z_dot * w27 + link1_e0_dot * w33 + link1_e1_dot * (w2 * w32 + w4 * (w4 * c38) + w23 * (w23 * c39))
+    w43 = link1_e3 * link1_e0 * c43 + w23 * w35
+    w44 = w4 * w38 + link1_e2 * link1_e0 * c44
+    w45 = link1_x_dot * w11 + link1_y_dot * w21 + link1_z_dot * w28 + link1_e0_dot * w36 + link1_e1_dot * w43
+    w46 = w8 * w37 + link1_e1 * link1_e0 * c45
+    w47 = link1_e2_dot * (w45 + link1_e2_dot * (w8 * (w8 * c0) + w2 * w34 + w12 * w35) + link1_e3_dot * w46)
+    w48 = link1_x_dot * w15 + link1_y_dot * w24 + link1_z_dot * w29 + link1_e0_dot * w40 + link1_e1_dot * w44
+    w49 = w41 + link1_e1_dot * (w42 + link1_e2_dot * w43 + link1_e3_dot * w44) + w47 + link1_e3_dot * (w48 + link1_e2_dot * w46 + link1_e3_dot * (w0 * w37 + w1 * w38 + w2 * w39))
+    w50 = link2_e2 * -2.0
+    w51 = 2 * link2_e1
+    w52 = 2 * link2_e0
+    w53 = (w51 * link2_e3 - link2_e2 * w52) * c30
+    w54 = link2_e3 * -2.0
+    w55 = (link2_e3 * w52 + link2_e2 * w51) * c30
+    w56 = w54 * w55
+    w57 = w50 * w53 - w56
+    w58 = 2 * link2_e3
+    w59 = w53 * w58 - w50 * w55
+    w60 = w52 * w53
+    w61 = w60 - w51 * w55
+    w62 = link2_e1 * -2.0
+    w63 = w53 * w62
+    w64 = w52 * w55
+    w65 = w63 - w64
+    w66 = link2_x_dot * link2_mass + w57 * link2_e0_dot + w59 * link2_e1_dot + w61 * link2_e2_dot + w65 * link2_e3_dot
+    w67 = (1.0 - 2 * link2_e2**2 - 2 * link2_e3**2) * c30
+    w68 = w54 * w67 - w63
+    w69 = w50 * w67
+    w70 = w69 - w60
+    w71 = w51 * w67 - w53 * w54
+    w72 = w52 * w67
+    w73 = 2 * link2_e2
+    w74 = w72 - w53 * w73
+    w75 = link2_y_dot * link2_mass + link2_e0_dot * w68 + link2_e1_dot * w70 + link2_e2_dot * w71 + link2_e3_dot * w74
+    w76 = w55 * w62 - w69
+    w77 = w64 - w58 * w67
+    w78 = w56 - w72
+    w79 = w55 * w73 - w62 * w67
+    w80 = link2_z_dot * link2_mass + link2_e0_dot * w76 + link2_e1_dot * w77 + link2_e2_dot * w78 + link2_e3_dot * w79
+    w81 = link2_x_dot * w57 + link2_y_dot * w68 + link2_z_dot * w76 + link2_e0_dot * (w62 * (w62 * c7) + w50 * (w50 * c46) + w54 * (w54 * c47))
+    w82 = w52 * c7
+    w83 = w62 * w82 + link2_e2 * link2_e3 * c48
+    w84 = w52 * c46
+    w85 = w62 * c47
+    w86 = w50 * w84 + link2_e1 * link2_e3 * c49
+    w87 = w50 * c7
+    w88 = w51 * c46
+    w89 = w52 * c47
+    w90 = link2_e2 * link2_e1 * c50 + w54 * w89
+    w91 = w49 + link2_x_dot * w66 + link2_y_dot * w75 + link2_z_dot * w80 + link2_e0_dot * (w81 + link2_e1_dot * w83 + link2_e2_dot * w86 + link2_e3_dot * w90)
+    w92 = link2_x_dot * w59 + link2_y_dot * w70 + link2_z_dot * w77 + link2_e0_dot * w83 + link2_e1_dot * (w52 * w82 + w54 * (w54 * c46) + w73 * (w73 * c47))
+    w93 = link2_e3 * link2_e0 * c51 + w73 * w85
+    w94 = w54 * w88 + link2_e2 * link2_e0 * c52
+    w95 = link2_x_dot * w61 + link2_y_dot * w71 + link2_z_dot * w78 + link2_e0_dot * w86 + link2_e1_dot * w93
+    w96 = w58 * w87 + link2_e1 * link2_e0 * c53
+    w97 = link2_e2_dot * (w95 + link2_e2_dot * (w58 * (w58 * c7) + w52 * w84 + w62 * w85) + link2_e3_dot * w96)
+    w98 = link2_x_dot * w65 + link2_y_dot * w74 + link2_z_dot * w79 + link2_e0_dot * w90 + link2_e1_dot * w94
+    w99 = w91 + link2_e1_dot * (w92 + link2_e2_dot * w93 + link2_e3_dot * w94) + w97 + link2_e3_dot * (w98 + link2_e2_dot * w96 + link2_e3_dot * (w50 * w87 + w51 * w88 + w52 * w89))
+    w100 = link3_e2 * -2.0
+    w101 = 2 * link3_e1
+    w102 = 2 * link3_e0
+    w103 = (w101 * link3_e3 - link3_e2 * w102) * c5
+    w104 = link3_e3 * -2.0
+    w105 = (link3_e3 * w102 + link3_e2 * w101) * c5
+    w106 = w104 * w105
+    w107 = w100 * w103 - w106
+    w108 = 2 * link3_e3
+    w109 = w103 * w108 - w100 * w105
+    w110 = w102 * w103
+    w111 = w110 - w101 * w105
+    w112 = link3_e1 * -2.0
+    w113 = w103 * w112
+    w114 = w102 * w105
+    w115 = w113 - w114
+    w116 = link3_x_dot * link3_mass + w107 * link3_e0_dot + w109 * link3_e1_dot + w111 * link3_e2_dot + w115 * link3_e3_dot
+    w117 = (1.0 - 2 * link3_e2**2 - 2 * link3_e3**2) * c5
+    w118 = w104 * w117 - w113
+    w119 = w100 * w117
+    w120 = w119 - w110
+    w121 = w101 * w117 - w103 * w104
+    w122 = w102 * w117
+    w123 = 2 * link3_e2
+    w124 = w122 - w103 * w123
+    w125 = link3_y_dot * link3_mass + link3_e0_dot * w118 + link3_e1_dot * w120 + link3_e2_dot * w121 + link3_e3_dot * w124
+    w126 = w105 * w112 - w119
+    w127 = w114 - w108 * w117
+    w128 = w106 - w122
+    w129 = w105 * w123 - w112 * w117
+    w130 = link3_z_dot * link3_mass + link3_e0_dot * w126 + link3_e1_dot * w127 + link3_e2_dot * w128 + link3_e3_dot * w129
+    w131 = link3_x_dot * w107 + link3_y_dot * w118 + link3_z_dot * w126 + link3_e0_dot * (w112 * (w112 * c10) + w100 * (w100 * c11) + w104 * (w104 * c12))
+    w132 = w102 * c10
+    w133 = w112 * w132 + link3_e2 * link3_e3 * c54
+    w134 = w102 * c11
+    w135 = w112 * c12
+    w136 = w100 * w134 + link3_e1 * link3_e3 * c55
+    w137 = w100 * c10
+    w138 = w101 * c11
+    w139 = w102 * c12
+    w140 = link3_e2 * link3_e1 * c56 + w104 * w139
+    w141 = w99 + link3_x_dot * w116 + link3_y_dot * w125 + link3_z_dot * w130 + link3_e0_dot * (w131 + link3_e1_dot * w133 + link3_e2_dot * w136 + link3_e3_dot * w140)
+    w142 = link3_x_dot * w109 + link3_y_dot * w120 + link3_z_dot * w127 + link3_e0_dot * w133 + link3_e1_dot * (w102 * w132 + w104 * (w104 * c11) + w123 * (w123 * c12))
+    w143 = link3_e3 * link3_e0 * c57 + w123 * w135
+    w144 = w104 * w138 + link3_e2 * link3_e0 * c58
+    w145 = link3_x_dot * w111 + link3_y_dot * w121 + link3_z_dot * w128 + link3_e0_dot * w136 + link3_e1_dot * w143
+    w146 = w108 * w137 + link3_e1 * link3_e0 * c59
+    w147 = link3_e2_dot * (w145 + link3_e2_dot * (w108 * (w108 * c10) + w102 * w134 + w112 * w135) + link3_e3_dot * w146)
+    w148 = link3_x_dot * w115 + link3_y_dot * w124 + link3_z_dot * w129 + link3_e0_dot * w140 + link3_e1_dot * w144
+    w149 = link3_e3_dot * (w148 + link3_e2_dot * w146 + link3_e3_dot * (w100 * w137 + w101 * w138 + w102 * w139))
     # outputs
-    kinetic = ca.vertcat(w68 / 2.0)
+    kinetic = ca.vertcat((w141 + link3_e1_dot * (w142 + link3_e2_dot * w143 + link3_e3_dot * w144) + w147 + w149) / 2.0)
     elastic = ca.SX(1, 1)
     potential = ca.vertcat(
-        (link1_z * link1_mass - w5 + (link2_z * link2_mass - w28) + (link3_z * link3_mass - w51)) * c41,
+        (w3 + link1_z * link1_mass + (w53 + link2_z * link2_mass) + (w103 + link3_z * link3_mass)) * c63,
     )
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.SX(1, 1)
@@ -1543,68 +2294,80 @@ def energy() -> ca.Function:
 def poses() -> ca.Function:
     """Origin and rotation matrix of each body, for pictures.
 
-    takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q (n = 21) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 3) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    129 operations.
+    136 operations.
     """
-    q = ca.SX.sym("q", 18)
+    q = ca.SX.sym("q", 21)
     link1_x = q[0]
     link1_y = q[1]
     link1_z = q[2]
-    link1_theta1 = q[3]
-    link1_theta2 = q[4]
-    link1_theta3 = q[5]
-    link2_x = q[6]
-    link2_y = q[7]
-    link2_z = q[8]
-    link2_theta1 = q[9]
-    link2_theta2 = q[10]
-    link2_theta3 = q[11]
-    link3_x = q[12]
-    link3_y = q[13]
-    link3_z = q[14]
-    link3_theta1 = q[15]
-    link3_theta2 = q[16]
-    link3_theta3 = q[17]
-    # intermediate terms (24)
-    w0 = ca.cos(link1_theta1)
-    w1 = ca.cos(link1_theta2)
-    w2 = ca.sin(link1_theta1)
-    w3 = ca.sin(link1_theta2)
-    w4 = ca.sin(link1_theta3)
-    w5 = ca.cos(link1_theta3)
-    w6 = w2 * w5
-    w7 = w0 * w5
-    w8 = ca.cos(link2_theta1)
-    w9 = ca.cos(link2_theta2)
-    w10 = ca.sin(link2_theta1)
-    w11 = ca.sin(link2_theta2)
-    w12 = ca.sin(link2_theta3)
-    w13 = ca.cos(link2_theta3)
-    w14 = w10 * w13
-    w15 = w8 * w13
-    w16 = ca.cos(link3_theta1)
-    w17 = ca.cos(link3_theta2)
-    w18 = ca.sin(link3_theta1)
-    w19 = ca.sin(link3_theta2)
-    w20 = ca.sin(link3_theta3)
-    w21 = ca.cos(link3_theta3)
-    w22 = w18 * w21
-    w23 = w16 * w21
+    link1_e0 = q[3]
+    link1_e1 = q[4]
+    link1_e2 = q[5]
+    link1_e3 = q[6]
+    link2_x = q[7]
+    link2_y = q[8]
+    link2_z = q[9]
+    link2_e0 = q[10]
+    link2_e1 = q[11]
+    link2_e2 = q[12]
+    link2_e3 = q[13]
+    link3_x = q[14]
+    link3_y = q[15]
+    link3_z = q[16]
+    link3_e0 = q[17]
+    link3_e1 = q[18]
+    link3_e2 = q[19]
+    link3_e3 = q[20]
+    # intermediate terms (33)
+    w0 = 2 * link1_e2**2
+    w1 = 2 * link1_e3**2
+    w2 = 2 * link1_e0
+    w3 = link1_e3 * w2
+    w4 = 2 * link1_e1
+    w5 = link1_e2 * w4
+    w6 = link1_e3 * w4
+    w7 = link1_e2 * w2
+    w8 = 1.0 - 2 * link1_e1**2
+    w9 = w2 * link1_e1
+    w10 = link1_e3 * (2 * link1_e2)
+    w11 = 2 * link2_e2**2
+    w12 = 2 * link2_e3**2
+    w13 = 2 * link2_e0
+    w14 = link2_e3 * w13
+    w15 = 2 * link2_e1
+    w16 = link2_e2 * w15
+    w17 = link2_e3 * w15
+    w18 = link2_e2 * w13
+    w19 = 1.0 - 2 * link2_e1**2
+    w20 = w13 * link2_e1
+    w21 = link2_e3 * (2 * link2_e2)
+    w22 = 2 * link3_e2**2
+    w23 = 2 * link3_e3**2
+    w24 = 2 * link3_e0
+    w25 = link3_e3 * w24
+    w26 = 2 * link3_e1
+    w27 = link3_e2 * w26
+    w28 = link3_e3 * w26
+    w29 = link3_e2 * w24
+    w30 = 1.0 - 2 * link3_e1**2
+    w31 = w24 * link3_e1
+    w32 = link3_e3 * (2 * link3_e2)
     # outputs
     poses = ca.vertcat(
         ca.horzcat(link1_x, link2_x, link3_x),
         ca.horzcat(link1_y, link2_y, link3_y),
         ca.horzcat(link1_z, link2_z, link3_z),
-        ca.horzcat(w0 * w1, w8 * w9, w16 * w17),
-        ca.horzcat(w1 * w2, w9 * w10, w17 * w18),
-        ca.horzcat(-w3, -w11, -w19),
-        ca.horzcat(w0 * w3 * w4 - w6, w8 * w11 * w12 - w14, w16 * w19 * w20 - w22),
-        ca.horzcat(w7 + w4 * (w2 * w3), w15 + w12 * (w10 * w11), w23 + w20 * (w18 * w19)),
-        ca.horzcat(w1 * w4, w9 * w12, w17 * w20),
-        ca.horzcat(w2 * w4 + w3 * w7, w10 * w12 + w11 * w15, w18 * w20 + w19 * w23),
-        ca.horzcat(w3 * w6 - w0 * w4, w11 * w14 - w8 * w12, w19 * w22 - w16 * w20),
-        ca.horzcat(w1 * w5, w9 * w13, w17 * w21),
+        ca.horzcat(1.0 - w0 - w1, 1.0 - w11 - w12, 1.0 - w22 - w23),
+        ca.horzcat(w3 + w5, w14 + w16, w25 + w27),
+        ca.horzcat(w6 - w7, w17 - w18, w28 - w29),
+        ca.horzcat(w5 - w3, w16 - w14, w27 - w25),
+        ca.horzcat(w8 - w1, w19 - w12, w30 - w23),
+        ca.horzcat(w9 + w10, w20 + w21, w31 + w32),
+        ca.horzcat(w6 + w7, w17 + w18, w28 + w29),
+        ca.horzcat(w10 - w9, w21 - w20, w32 - w31),
+        ca.horzcat(w8 - w0, w19 - w11, w30 - w22),
     )
     inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
@@ -1613,1726 +2376,1501 @@ def poses() -> ca.Function:
 def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
 
-    takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 21) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat by q_i, through q_d
-    1337 operations.
+    1216 operations.
     """
-    q_i = ca.SX.sym("q_i", 9)
+    q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 53)
-    link1_theta1 = q_i[0]
-    link1_theta2 = q_i[1]
-    link1_theta3 = q_i[2]
-    link2_theta1 = q_i[3]
-    link2_theta2 = q_i[4]
-    link2_theta3 = q_i[5]
-    link3_theta1 = q_i[6]
-    link3_theta2 = q_i[7]
-    link3_theta3 = q_i[8]
-    link1_theta1_dot = q_i_dot[0]
-    link1_theta2_dot = q_i_dot[1]
-    link1_theta3_dot = q_i_dot[2]
-    link2_theta1_dot = q_i_dot[3]
-    link2_theta2_dot = q_i_dot[4]
-    link2_theta3_dot = q_i_dot[5]
-    link3_theta1_dot = q_i_dot[6]
-    link3_theta2_dot = q_i_dot[7]
-    link3_theta3_dot = q_i_dot[8]
-    c0 = c[0]
-    c1 = c[1]
-    c3 = c[3]
-    link1_end_x = c[6]
-    link2_mass = c[7]
-    link3_mass = c[8]
-    c9 = c[9]
-    c11 = c[11]
-    link2_end_x = c[12]
-    c13 = c[13]
-    c14 = c[14]
+    c = ca.SX.sym("c", 71)
+    link1_e0 = q_d[3]
+    link1_e1 = q_d[4]
+    link1_e2 = q_d[5]
+    link1_e3 = q_d[6]
+    link2_e0 = q_d[10]
+    link2_e1 = q_d[11]
+    link2_e2 = q_d[12]
+    link2_e3 = q_d[13]
+    link3_e0 = q_d[17]
+    link3_e1 = q_d[18]
+    link3_e2 = q_d[19]
+    link3_e3 = q_d[20]
+    link1_omega_x = q_i_dot[0]
+    link1_omega_y = q_i_dot[1]
+    link1_omega_z = q_i_dot[2]
+    link2_omega_x = q_i_dot[3]
+    link2_omega_y = q_i_dot[4]
+    link2_omega_z = q_i_dot[5]
+    link3_omega_x = q_i_dot[6]
+    link3_omega_y = q_i_dot[7]
+    link3_omega_z = q_i_dot[8]
+    link1_end_x = c[1]
+    link2_end_x = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    gravity_z = c[14]
     c15 = c[15]
-    c17 = c[17]
-    c21 = c[21]
-    c22 = c[22]
-    c24 = c[24]
-    gravity_z = c[27]
-    c28 = c[28]
-    c42 = c[42]
-    c43 = c[43]
-    c44 = c[44]
-    c45 = c[45]
-    c46 = c[46]
-    c47 = c[47]
-    c48 = c[48]
-    # intermediate terms (344)
-    w0 = ca.cos(link1_theta1)
-    w1 = ca.cos(link1_theta2)
-    w2 = w0 * w1
-    w3 = w2 * link1_end_x
-    w4 = w0 * link1_theta1_dot
-    w5 = link1_theta1_dot * w4
-    w6 = ca.sin(link1_theta1)
-    w7 = link1_theta1_dot * w6
-    w8 = ca.sin(link1_theta2)
-    w9 = w8 * link1_theta2_dot
-    w10 = w7 * w9
-    w11 = w1 * link1_theta2_dot
-    w12 = link1_theta2_dot * w11
-    w13 = (w1 * w5 - w10 + (w0 * w12 - w10)) * link1_end_x
-    w14 = w13 * c9
-    w15 = ca.cos(link2_theta1)
-    w16 = ca.cos(link2_theta3)
-    w17 = w15 * w16
-    w18 = ca.sin(link2_theta1)
-    w19 = ca.sin(link2_theta2)
-    w20 = w18 * w19
-    w21 = ca.sin(link2_theta3)
-    w22 = w17 + w20 * w21
-    w23 = link2_theta3_dot - w19 * link2_theta1_dot
-    w24 = ca.cos(link2_theta2)
-    w25 = w21 * w24
-    w26 = w16 * link2_theta2_dot
-    w27 = link2_theta1_dot * w25 + w26
-    w28 = w23 * w27
-    w29 = link2_theta3_dot * w24
-    w30 = w21 * w29
-    w31 = link2_theta3_dot * link2_theta2_dot
-    w32 = w16 * w31
-    w33 = link2_theta1_dot * (w30 + w19 * w26) + w32
-    w34 = w28 - w33
-    w35 = w34 * c11
-    w36 = w22 * w35
-    w37 = w18 * w24
-    w38 = w27**2
-    w39 = w16 * w24
-    w40 = w21 * link2_theta2_dot
-    w41 = link2_theta1_dot * w39 - w40
-    w42 = w41**2
-    w43 = (w38 + w42) * c11
-    w44 = w37 * w43
-    w45 = w16 * w18
-    w46 = w19 * w45
-    w47 = w15 * w21
-    w48 = w46 - w47
-    w49 = w23 * w41
-    w50 = w16 * w29
-    w51 = w19 * link2_theta2_dot
-    w52 = w21 * w31
-    w53 = link2_theta1_dot * (w50 - w21 * w51) - w52
-    w54 = w49 - w53
-    w55 = w54 * c11
-    w56 = link1_theta1_dot * link1_theta2_dot
-    w57 = w1 * w56
-    w58 = ca.sin(link1_theta3)
-    w59 = w1 * w58
-    w60 = w1 * link1_theta3_dot
-    w61 = ca.cos(link1_theta3)
-    w62 = w60 * w61
-    w63 = link1_theta2_dot * link1_theta3_dot
-    w64 = w58 * w63
-    w65 = link1_theta1_dot * (w62 - w9 * w58) - w64
-    w66 = w1 * w61
-    w67 = w58 * w60
-    w68 = link1_theta2_dot * w61
-    w69 = w61 * w63
-    w70 = link1_theta1_dot * (w67 + w8 * w68) + w69
-    w71 = w8 * w57 + w59 * w65 - w66 * w70
-    w72 = w0 * w8
-    w73 = w6 * w61
-    w74 = w0 * w61
-    w75 = w65 * (w58 * w72 - w73) - w2 * w57 - w70 * (w6 * w58 + w8 * w74)
-    w76 = w8 * link1_end_x
-    w77 = w8 * link1_theta3_dot
-    w78 = link1_theta1_dot - w77
-    w79 = w1 * w6
-    w80 = w0 * link1_theta2_dot + link1_theta3_dot * w79
-    w81 = w79 * link1_end_x
-    w82 = w76 * w80 + w78 * w81
-    w83 = w2 * link1_theta3_dot - w6 * link1_theta2_dot
-    w84 = w81 * w83 - w3 * w80
-    w85 = w3 * w71 + w75 * w76 - (w78 * w82 + w83 * w84)
-    w86 = ca.cos(link3_theta1)
-    w87 = ca.cos(link3_theta3)
-    w88 = w86 * w87
-    w89 = ca.sin(link3_theta1)
-    w90 = ca.sin(link3_theta2)
-    w91 = w89 * w90
-    w92 = ca.sin(link3_theta3)
-    w93 = w88 + w91 * w92
-    w94 = link3_theta3_dot - w90 * link3_theta1_dot
-    w95 = ca.cos(link3_theta2)
-    w96 = w92 * w95
-    w97 = w87 * link3_theta2_dot
-    w98 = link3_theta1_dot * w96 + w97
-    w99 = w94 * w98
-    w100 = link3_theta3_dot * w95
-    w101 = w92 * w100
-    w102 = link3_theta3_dot * link3_theta2_dot
-    w103 = w87 * w102
-    w104 = link3_theta1_dot * (w101 + w90 * w97) + w103
-    w105 = w99 - w104
-    w106 = w105 * c13
-    w107 = w93 * w106
-    w108 = w89 * w95
-    w109 = w98**2
-    w110 = w87 * w95
-    w111 = w92 * link3_theta2_dot
-    w112 = link3_theta1_dot * w110 - w111
-    w113 = w112**2
-    w114 = (w109 + w113) * c13
-    w115 = w108 * w114
-    w116 = w87 * w89
-    w117 = w90 * w116
-    w118 = w86 * w92
-    w119 = w117 - w118
-    w120 = w94 * w112
-    w121 = w87 * w100
-    w122 = w90 * link3_theta2_dot
-    w123 = w92 * w102
-    w124 = link3_theta1_dot * (w121 - w92 * w122) - w123
-    w125 = w120 - w124
-    w126 = w125 * c13
-    w127 = link2_theta1_dot * link2_theta2_dot
-    w128 = w24 * w127
-    w129 = w19 * w128 + w25 * w53 - w33 * w39
-    w130 = w15 * w24
-    w131 = w130 * link2_end_x
-    w132 = w15 * w19
-    w133 = w21 * w132 - w45
-    w134 = w18 * w21
-    w135 = w134 + w17 * w19
-    w136 = w53 * w133 - w128 * w130 - w33 * w135
-    w137 = w19 * link2_end_x
-    w138 = w19 * link2_theta3_dot
-    w139 = link2_theta1_dot - w138
-    w140 = w15 * link2_theta2_dot + link2_theta3_dot * w37
-    w141 = w37 * link2_end_x
-    w142 = w137 * w140 + w139 * w141
-    w143 = link2_theta3_dot * w130 - w18 * link2_theta2_dot
-    w144 = w141 * w143 - w131 * w140
-    w145 = w85 + (w129 * w131 + w136 * w137 - (w139 * w142 + w143 * w144))
-    w146 = w107 - w115 + w119 * w126 + w145 * link3_mass
-    w147 = w36 - w44 + w48 * w55 + w85 * link2_mass + w146
-    w148 = w35 * w133 - w43 * w130 + w55 * w135
-    w149 = w3 * w78 + w76 * w83
-    w150 = w6 * w8
-    w151 = w65 * (w74 + w58 * w150) - w57 * w79 - w70 * (w8 * w73 - w0 * w58)
-    w152 = w80 * w84 - w78 * w149 - (w76 * w151 + w71 * w81)
-    w153 = w86 * w90
-    w154 = w92 * w153 - w116
-    w155 = w86 * w95
-    w156 = w89 * w92
-    w157 = w156 + w88 * w90
-    w158 = w106 * w154 - w114 * w155 + w126 * w157
-    w159 = w131 * w139 + w137 * w143
-    w160 = w22 * w53 - w37 * w128 - w33 * w48
-    w161 = w152 + (w140 * w144 - w139 * w159 - (w137 * w160 + w129 * w141))
-    w162 = w158 + w161 * link3_mass
-    w163 = w148 + w152 * link2_mass + w162
-    w164 = link1_theta1_dot * w7
-    w165 = (w6 * w12 + (w1 * w164 + link1_theta2_dot * (w4 * w8) * c42)) * link1_end_x
-    w166 = w165 * c9
-    w167 = w0 * w76
-    w168 = w6 * w76
-    w169 = w75 * w81 - w3 * w151 + (w83 * w149 + w80 * w82)
-    w170 = w169 - gravity_z
-    w171 = w169 + (w136 * w141 - w131 * w160 + (w143 * w159 + w140 * w142)) - gravity_z
-    w172 = w90 * w114 + w96 * w106 + w110 * w126 + w171 * link3_mass
-    w173 = w130 * c11
-    w174 = w173 + w131 * link3_mass
-    w175 = w37 * c11
-    w176 = w175 + w141 * link3_mass
-    w177 = w19 * c11
-    w178 = w15 * w137
-    w179 = w132 * c44
-    w180 = w18 * w137
-    w181 = w20 * c44
-    w182 = w155 * c13
-    w183 = w108 * c13
-    w184 = w90 * c13
-    w185 = w86 * w184
-    w186 = w89 * w184
-    w187 = w4 * (w11 * link1_end_x)
-    w188 = link1_theta2_dot * w9 * link1_end_x
-    w189 = w187 - w76 * w164 + (w187 - w6 * w188)
-    w190 = w189 * c9
-    w191 = link1_theta3_dot - link1_theta1_dot * w8
-    w192 = link1_theta2_dot * w58
-    w193 = link1_theta1_dot * w66 - w192
-    w194 = w191 * w193
-    w195 = (w65 + w194) * c1 - (w194 - w65) * c3
-    w196 = w8 * w58
-    w197 = w1 * link1_theta1_dot
-    w198 = w8 * w61
-    w199 = link1_theta1_dot * w198
-    w200 = w193 * w197 + w191 * w199
-    w201 = link1_theta1_dot * (w61 * w77 + w11 * w58)
-    w202 = (w200 + w201) * c1 + (w201 - w200) * c3
-    w203 = w68 + link1_theta1_dot * w59
-    w204 = w193 * w203
-    w205 = w8 * w56
-    w206 = link1_theta1_dot * w196
-    w207 = w193 * w206 + w199 * w203
-    w208 = (w205 - w207) * c0 + (w205 + w207) * c1
-    w209 = w191 * w203
-    w210 = (w209 - w70) * c3 - (w70 + w209) * c0
-    w211 = w197 * w203 + w191 * w206
-    w212 = link1_theta1_dot * (w1 * w68 - w58 * w77)
-    w213 = (w211 + w212) * c3 + (w212 - w211) * c0
-    w214 = w195 * w196 + w59 * w202 + (w1 * ((w204 - w57) * c0 - (w57 + w204) * c1) + w8 * w208) + (w198 * w210 + w66 * w213)
-    w215 = w5 * w76 + (w0 * w188 + link1_theta2_dot * (w6 * w197) * c43)
-    w216 = w215 * c9
-    w217 = w1 * link1_end_x
-    w218 = w58 * w213 - w61 * w202 - w8 * c28 - w163 * (w0 * w217) - w147 * (w6 * w217) + w76 * (w19 * w43 + w25 * w35 + w39 * w55 + w170 * link2_mass + w172)
-    w219 = w4 * ((w1 * w4 - w6 * w9) * link1_end_x)
-    w220 = w7 * ((w1 * w7 + w0 * w9) * link1_end_x)
-    w221 = w219 - w81 * w164 + (w219 - w6 * w165) - (w3 * w5 - w220 + (w0 * w13 - w220))
-    w222 = w24 * c11
-    w223 = w24 * link2_end_x
-    w224 = w95 * c13
-    w225 = w69 + link1_theta1_dot * (w67 + w9 * w61)
-    w226 = (w209 + w225) * c1 + (w225 - w209) * c3
-    w227 = (w193**2 - w203**2) * c45
-    w228 = link1_theta1_dot * (w62 - w8 * w192) - w64
-    w229 = (w194 - w228) * c3 - (w194 + w228) * c0
-    w230 = w15 * link2_theta1_dot
-    w231 = link2_theta1_dot * w230
-    w232 = w18 * link2_theta1_dot
-    w233 = w51 * w232
-    w234 = w24 * link2_theta2_dot
-    w235 = link2_theta2_dot * w234
-    w236 = (w24 * w231 - w233 + (w15 * w235 - w233)) * link2_end_x
-    w237 = w236 * link3_mass
-    w238 = w237 - w148
-    w239 = link2_theta1_dot * w232
-    w240 = (w18 * w235 + (w24 * w239 + link2_theta2_dot * (link2_theta1_dot * w132) * c42)) * link2_end_x
-    w241 = w240 * link3_mass
-    w242 = w44 - w36 + w55 * (w47 - w46) + w241
-    w243 = w178 * w241 - (w180 * w237 - (w146 * w178 + (w85 * (w15 * w177) - w152 * (w18 * w177) - w162 * w180)))
-    w244 = w230 * (w234 * link2_end_x)
-    w245 = link2_theta2_dot * w51 * link2_end_x
-    w246 = w244 - w137 * w239 + (w244 - w18 * w245)
-    w247 = w246 * link3_mass
-    w248 = link2_theta1_dot * w24
-    w249 = w19 * w21
-    w250 = link2_theta1_dot * w249
-    w251 = w27 * w248 + w23 * w250
-    w252 = link2_theta1_dot * (w24 * w26 - w21 * w138)
-    w253 = w251 + w252
-    w254 = w253 * c11
-    w255 = 2 * w27
-    w256 = 2 * w41
-    w257 = w16 * w19
-    w258 = link2_theta1_dot * w257
-    w259 = (w250 * w255 + w256 * w258) * c11
-    w260 = link2_theta1_dot * (w16 * w138 + w21 * w234)
-    w261 = w41 * w248 + w23 * w258
-    w262 = w260 - w261
-    w263 = w262 * c11
-    w264 = w247 - (w35 * (w21 * w37) - w22 * w254 + (w20 * w43 + w37 * w259) + (w55 * (w24 * w45) + w48 * w263))
-    w265 = w35 * (w21 * w130) - w133 * w254 + (w43 * w132 + w130 * w259) + (w55 * (w17 * w24) + w135 * w263)
-    w266 = w24 * w232
-    w267 = w137 * w231 + (w15 * w245 + link2_theta2_dot * w266 * c46)
-    w268 = w267 * link3_mass
-    w269 = w265 + w268
-    w270 = w230 * ((w24 * w230 - w18 * w51) * link2_end_x)
-    w271 = w232 * ((w266 + w15 * w51) * link2_end_x)
-    w272 = w270 - w141 * w239 + (w270 - w18 * w240) - (w131 * w231 - w271 + (w15 * w236 - w271))
-    w273 = w272 * link3_mass
-    w274 = w217 * (w273 - (w24 * w43 - w19 * w259 - (w35 * w249 + w25 * w254) + (w39 * w263 - w55 * w257))) + w168 * w264
-    w275 = (w49 + w53) * c15 - w54 * c17
-    w276 = (w260 + w261) * c15 + w262 * c17
-    w277 = w27 * w41
-    w278 = w19 * w127
-    w279 = w41 * w250 + w27 * w258
-    w280 = (w278 - w279) * c14 + (w278 + w279) * c15
-    w281 = w34 * c17 - (w28 + w33) * c14
-    w282 = w253 * c17 + (w252 - w251) * c14
-    w283 = w249 * w275 + w25 * w276 + (w24 * ((w277 - w128) * c14 - (w128 + w277) * c15) + w19 * w280) + (w257 * w281 + w39 * w282)
-    w284 = w152 * (w20 * c11) - w85 * (w132 * c11) - w283 + w162 * (w20 * link2_end_x) - w146 * (w132 * link2_end_x)
-    w285 = w21 * w282 - w16 * w276 - (w152 * (w15 * w222) + w85 * (w18 * w222) - w170 * w177) - w162 * (w15 * w223)
-    w286 = link2_theta1_dot * (w50 - w19 * w40) - w52
-    w287 = w49 - w286
-    w288 = w287 * c11
-    w289 = (w41 * w255 - w27 * w256) * c11
-    w290 = w32 + link2_theta1_dot * (w30 + w16 * w51)
-    w291 = w290 - w28
-    w292 = w291 * c11
-    w293 = w35 * (w134 + w16 * w132) + w133 * w288 - w130 * w289 + (w55 * (w45 - w19 * w47) + w135 * w292)
-    w294 = w35 * (w16 * w20 - w47) + w22 * w288 - w37 * w289 + (w48 * w292 - w55 * (w17 + w19 * w134))
-    w295 = w217 * (w19 * w289 + (w35 * w39 + w25 * w288) + (w39 * w292 - w25 * w55)) + w168 * w294 + w167 * w293
-    w296 = (w28 + w290) * c15 + w291 * c17
-    w297 = (w42 - w38) * c47
-    w298 = w287 * c17 - (w49 + w286) * c14
-    w299 = w115 - w107 + w126 * (w118 - w117)
-    w300 = link3_theta1_dot * w95
-    w301 = w90 * w92
-    w302 = link3_theta1_dot * w301
-    w303 = w98 * w300 + w94 * w302
-    w304 = w90 * link3_theta3_dot
-    w305 = link3_theta1_dot * (w95 * w97 - w92 * w304)
-    w306 = w303 + w305
-    w307 = w306 * c13
-    w308 = 2 * w98
-    w309 = 2 * w112
-    w310 = w87 * w90
-    w311 = link3_theta1_dot * w310
-    w312 = (w302 * w308 + w309 * w311) * c13
-    w313 = link3_theta1_dot * (w87 * w304 + w92 * (w95 * link3_theta2_dot))
-    w314 = w112 * w300 + w94 * w311
-    w315 = w313 - w314
-    w316 = w315 * c13
-    w317 = w106 * (w92 * w155) - w154 * w307 + (w114 * w153 + w155 * w312) + (w126 * (w88 * w95) + w157 * w316)
-    w318 = w106 * (w92 * w108) - w93 * w307 + (w91 * w114 + w108 * w312) + (w126 * (w95 * w116) + w119 * w316)
-    w319 = w95 * w114 - w90 * w312 - (w106 * w301 + w96 * w307) + (w110 * w316 - w126 * w310)
-    w320 = (w120 + w124) * c22 - w125 * c24
-    w321 = (w313 + w314) * c22 + w315 * c24
-    w322 = w98 * w112
-    w323 = link3_theta1_dot * link3_theta2_dot
-    w324 = w95 * w323
-    w325 = w90 * w323
-    w326 = w112 * w302 + w98 * w311
-    w327 = (w325 - w326) * c21 + (w325 + w326) * c22
-    w328 = w105 * c24 - (w99 + w104) * c21
-    w329 = w306 * c24 + (w305 - w303) * c21
-    w330 = w301 * w320 + w96 * w321 + (w95 * ((w322 - w324) * c21 - (w322 + w324) * c22) + w90 * w327) + (w310 * w328 + w110 * w329)
-    w331 = link3_theta1_dot * (w121 - w90 * w111) - w123
-    w332 = w120 - w331
-    w333 = w332 * c13
-    w334 = (w112 * w308 - w98 * w309) * c13
-    w335 = w103 + link3_theta1_dot * (w101 + w87 * w122)
-    w336 = w335 - w99
-    w337 = w336 * c13
-    w338 = w106 * (w156 + w87 * w153) + w154 * w333 - w155 * w334 + (w126 * (w116 - w90 * w118) + w157 * w337)
-    w339 = w106 * (w87 * w91 - w118) + w93 * w333 - w108 * w334 + (w119 * w337 - w126 * (w88 + w90 * w156))
-    w340 = w90 * w334 + (w106 * w110 + w96 * w333) + (w110 * w337 - w96 * w126)
-    w341 = (w99 + w335) * c22 + w336 * c24
-    w342 = (w113 - w109) * c48
-    w343 = w332 * c24 - (w120 + w331) * c21
+    # intermediate terms (331)
+    w0 = link1_e2 * 4.0
+    w1 = 2 * link3_e1
+    w2 = w1 * link3_e2
+    w3 = 2 * link3_e3
+    w4 = w3 * link3_e0
+    w5 = w2 - w4
+    w6 = link3_omega_x * link3_omega_y
+    w7 = 2 * link3_e2
+    w8 = link3_e2 * w7
+    w9 = link3_e3 * w3
+    w10 = link3_omega_y**2 + link3_omega_z**2
+    w11 = w1 * link3_e3
+    w12 = link3_e0 * w7
+    w13 = w11 + w12
+    w14 = link3_omega_x * link3_omega_z
+    w15 = (w5 * w6 - (1.0 - (w8 + w9)) * w10 + w13 * w14) * c5
+    w16 = 2 * link2_e1
+    w17 = w16 * link2_e2
+    w18 = 2 * link2_e3
+    w19 = w18 * link2_e0
+    w20 = w17 - w19
+    w21 = link2_omega_x * link2_omega_y
+    w22 = 2 * link2_e2
+    w23 = link2_e2 * w22
+    w24 = link2_e3 * w18
+    w25 = link2_omega_y**2 + link2_omega_z**2
+    w26 = w16 * link2_e3
+    w27 = link2_e0 * w22
+    w28 = w26 + w27
+    w29 = link2_omega_x * link2_omega_z
+    w30 = w20 * w21 - (1.0 - (w23 + w24)) * w25 + w28 * w29
+    w31 = w15 + w30 * c4
+    w32 = 2 * link1_e0
+    w33 = w32 * link1_end_x
+    w34 = w31 * w33
+    w35 = link3_e1 * w1
+    w36 = 1.0 - (w9 + w35)
+    w37 = link3_e3 * w7
+    w38 = w1 * link3_e0
+    w39 = w37 - w38
+    w40 = (w6 * w36 - w10 * (w2 + w4) + w14 * w39) * c5
+    w41 = link2_e1 * w16
+    w42 = 1.0 - (w24 + w41)
+    w43 = link2_e3 * w22
+    w44 = w16 * link2_e0
+    w45 = w43 - w44
+    w46 = w21 * w42 - w25 * (w17 + w19) + w29 * w45
+    w47 = w40 + w46 * c4
+    w48 = 2 * link1_e3
+    w49 = w48 * link1_end_x
+    w50 = w37 + w38
+    w51 = 1.0 - (w8 + w35)
+    w52 = (w6 * w50 - w10 * (w11 - w12) + w14 * w51) * c5
+    w53 = w43 + w44
+    w54 = 1.0 - (w23 + w41)
+    w55 = w21 * w53 - w25 * (w26 - w27) + w29 * w54
+    w56 = w52 + w55 * c4
+    w57 = w0 * c15 + (w34 + w47 * w49 - w56 * (w0 * link1_end_x))
+    w58 = link1_e3 * 0.5
+    w59 = 2 * link1_e1
+    w60 = w59 * link1_end_x
+    w61 = w31 * w60
+    w62 = 2 * link1_e2
+    w63 = w62 * link1_end_x
+    w64 = w61 + w47 * w63
+    w65 = link1_e2 * 0.5
+    w66 = link1_e1 * 4.0
+    w67 = w31 * w49
+    w68 = w66 * link1_end_x
+    w69 = w66 * c15 + (w67 - w33 * w47 - w56 * w68)
+    w70 = link1_e0 * 0.5
+    w71 = w31 * w63
+    w72 = w71 - w47 * w60
+    w73 = link1_e1 * 0.5
+    w74 = link1_e3 * 4.0
+    w75 = w56 * w63 - (w34 + w47 * (w74 * link1_end_x)) - w62 * c15
+    w76 = w61 + w49 * w56 - w48 * c15
+    w77 = w71 - w47 * w68 + w33 * w56 - w32 * c15
+    w78 = w56 * w60 - w67 - w59 * c15
+    w79 = link1_omega_x * link1_omega_y
+    w80 = w59 * w79
+    w81 = link1_omega_y**2 + link1_omega_z**2
+    w82 = link1_omega_x * link1_omega_z
+    w83 = w32 * w82
+    w84 = (w80 + w0 * w81 + w83) * link1_end_x
+    w85 = w84 * c4
+    w86 = w48 * w82
+    w87 = w59 * w81
+    w88 = (w86 - w87) * link1_end_x
+    w89 = w88 * c4
+    w90 = w48 * w79
+    w91 = w32 * w81
+    w92 = (w90 + w91 - w0 * w82) * link1_end_x
+    w93 = w92 * c4
+    w94 = w28 * w85 + w45 * w89 + w54 * w93
+    w95 = w32 * w79
+    w96 = w59 * w82
+    w97 = (w74 * w81 - w95 + w96) * link1_end_x
+    w98 = w97 * c4
+    w99 = w62 * w82
+    w100 = (w99 - (w91 + w74 * w79)) * link1_end_x
+    w101 = w100 * c4
+    w102 = w62 * w79
+    w103 = (w102 - w87) * link1_end_x
+    w104 = w103 * c4
+    w105 = w28 * w98 + w45 * w101 + w54 * w104
+    w106 = (w86 + w102) * link1_end_x
+    w107 = w106 * c4
+    w108 = w62 * w81
+    w109 = (w83 + (w66 * w79 + w108)) * link1_end_x
+    w110 = w109 * c4
+    w111 = w48 * w81
+    w112 = (w95 - w111 - w66 * w82) * link1_end_x
+    w113 = w112 * c4
+    w114 = w28 * w107 - w45 * w110 + w54 * w113
+    w115 = (w99 - w90) * link1_end_x
+    w116 = w115 * c4
+    w117 = (w96 + w111) * link1_end_x
+    w118 = w117 * c4
+    w119 = (w80 + w108) * link1_end_x
+    w120 = w119 * c4
+    w121 = w28 * w116 - w45 * w118 + w54 * w120
+    w122 = w20 * w98 + w42 * w101 + w53 * w104
+    w123 = w20 * w85 + w42 * w89 + w53 * w93
+    w124 = w20 * w107 - w42 * w110 + w53 * w113
+    w125 = w20 * w116 - w42 * w118 + w53 * w120
+    w126 = w13 * c5
+    w127 = w39 * c5
+    w128 = w51 * c5
+    w129 = w84 * w126 + w88 * w127 + w92 * w128
+    w130 = w97 * w126 + w100 * w127 + w103 * w128
+    w131 = w106 * w126 - w109 * w127 + w112 * w128
+    w132 = w115 * w126 - w117 * w127 + w119 * w128
+    w133 = w5 * c5
+    w134 = w36 * c5
+    w135 = w50 * c5
+    w136 = w97 * w133 + w100 * w134 + w103 * w135
+    w137 = w84 * w133 + w88 * w134 + w92 * w135
+    w138 = w106 * w133 - w109 * w134 + w112 * w135
+    w139 = w115 * w133 - w117 * w134 + w119 * w135
+    w140 = link1_e3 * w59
+    w141 = link1_e0 * w62
+    w142 = w140 + w141
+    w143 = w142 * link1_end_x
+    w144 = w16 * w21
+    w145 = link2_e2 * 4.0
+    w146 = 2 * link2_e0
+    w147 = w29 * w146
+    w148 = w144 + w25 * w145 + w147
+    w149 = w148 * c4
+    w150 = link1_e3 * w62
+    w151 = link1_e0 * w59
+    w152 = w150 - w151
+    w153 = w152 * link1_end_x
+    w154 = w18 * w29
+    w155 = w16 * w25
+    w156 = w154 - w155
+    w157 = w156 * c4
+    w158 = link1_e1 * w59
+    w159 = link1_e2 * w62
+    w160 = 1.0 - (w158 + w159)
+    w161 = w160 * link1_end_x
+    w162 = w18 * w21
+    w163 = w25 * w146
+    w164 = w162 + w163 - w29 * w145
+    w165 = w164 * c4
+    w166 = w143 * w149 + w153 * w157 + w161 * w165
+    w167 = link2_e3 * 0.5
+    w168 = link2_e3 * 4.0
+    w169 = w21 * w146
+    w170 = w16 * w29
+    w171 = w25 * w168 - w169 + w170
+    w172 = w171 * c4
+    w173 = w22 * w29
+    w174 = w173 - (w163 + w21 * w168)
+    w175 = w174 * c4
+    w176 = w21 * w22
+    w177 = w176 - w155
+    w178 = w177 * c4
+    w179 = w143 * w172 + w153 * w175 + w161 * w178
+    w180 = link2_e2 * 0.5
+    w181 = w154 + w176
+    w182 = w181 * c4
+    w183 = link2_e1 * 4.0
+    w184 = w22 * w25
+    w185 = w147 + (w21 * w183 + w184)
+    w186 = w185 * c4
+    w187 = w18 * w25
+    w188 = w169 - w187 - w29 * w183
+    w189 = w188 * c4
+    w190 = w143 * w182 - w153 * w186 + w161 * w189
+    w191 = link2_e0 * 0.5
+    w192 = w173 - w162
+    w193 = w192 * c4
+    w194 = w170 + w187
+    w195 = w194 * c4
+    w196 = w144 + w184
+    w197 = w196 * c4
+    w198 = w143 * w193 - w153 * w195 + w161 * w197
+    w199 = link2_e1 * 0.5
+    w200 = link1_e2 * w59
+    w201 = link1_e0 * w48
+    w202 = w200 - w201
+    w203 = w202 * link1_end_x
+    w204 = link1_e3 * w48
+    w205 = 1.0 - (w158 + w204)
+    w206 = w205 * link1_end_x
+    w207 = w150 + w151
+    w208 = w207 * link1_end_x
+    w209 = w172 * w203 + w175 * w206 + w178 * w208
+    w210 = w149 * w203 + w157 * w206 + w165 * w208
+    w211 = w182 * w203 - w186 * w206 + w189 * w208
+    w212 = w193 * w203 - w195 * w206 + w197 * w208
+    w213 = (w79 * w202 - w81 * (1.0 - (w159 + w204)) + w82 * w142) * link1_end_x
+    w214 = w15 * link2_end_x + w213 * c4
+    w215 = w146 * w214
+    w216 = (w79 * w205 - w81 * (w200 + w201) + w82 * w152) * link1_end_x
+    w217 = w40 * link2_end_x + w216 * c4
+    w218 = (w79 * w207 - w81 * (w140 - w141) + w82 * w160) * link1_end_x - gravity_z
+    w219 = w52 * link2_end_x + w218 * c4
+    w220 = w215 + w18 * w217 - w145 * w219
+    w221 = w16 * w214
+    w222 = w221 + w22 * w217
+    w223 = w18 * w214
+    w224 = w223 - w146 * w217 - w183 * w219
+    w225 = w22 * w214
+    w226 = w225 - w16 * w217
+    w227 = w22 * w219 - (w215 + w168 * w217)
+    w228 = w221 + w18 * w219
+    w229 = w225 - w183 * w217 + w146 * w219
+    w230 = w16 * w219 - w223
+    w231 = w148 * link2_end_x
+    w232 = w156 * link2_end_x
+    w233 = w164 * link2_end_x
+    w234 = w126 * w231 + w127 * w232 + w128 * w233
+    w235 = w171 * link2_end_x
+    w236 = w174 * link2_end_x
+    w237 = w177 * link2_end_x
+    w238 = w126 * w235 + w127 * w236 + w128 * w237
+    w239 = w181 * link2_end_x
+    w240 = w185 * link2_end_x
+    w241 = w188 * link2_end_x
+    w242 = w126 * w239 - w127 * w240 + w128 * w241
+    w243 = w192 * link2_end_x
+    w244 = w194 * link2_end_x
+    w245 = w196 * link2_end_x
+    w246 = w126 * w243 - w127 * w244 + w128 * w245
+    w247 = w133 * w235 + w134 * w236 + w135 * w237
+    w248 = w133 * w231 + w134 * w232 + w135 * w233
+    w249 = w133 * w239 - w134 * w240 + w135 * w241
+    w250 = w133 * w243 - w134 * w244 + w135 * w245
+    w251 = w1 * w6
+    w252 = link3_e2 * 4.0
+    w253 = 2 * link3_e0
+    w254 = w14 * w253
+    w255 = (w251 + w10 * w252 + w254) * c5
+    w256 = w3 * w14
+    w257 = w1 * w10
+    w258 = (w256 - w257) * c5
+    w259 = w3 * w6
+    w260 = w10 * w253
+    w261 = (w259 + w260 - w14 * w252) * c5
+    w262 = w143 * w255 + w153 * w258 + w161 * w261
+    w263 = link3_e3 * 0.5
+    w264 = link3_e3 * 4.0
+    w265 = w6 * w253
+    w266 = w1 * w14
+    w267 = (w10 * w264 - w265 + w266) * c5
+    w268 = w7 * w14
+    w269 = (w268 - (w260 + w6 * w264)) * c5
+    w270 = w6 * w7
+    w271 = (w270 - w257) * c5
+    w272 = w143 * w267 + w153 * w269 + w161 * w271
+    w273 = link3_e2 * 0.5
+    w274 = (w256 + w270) * c5
+    w275 = link3_e1 * 4.0
+    w276 = w7 * w10
+    w277 = (w254 + (w6 * w275 + w276)) * c5
+    w278 = w3 * w10
+    w279 = (w265 - w278 - w14 * w275) * c5
+    w280 = w143 * w274 - w153 * w277 + w161 * w279
+    w281 = link3_e0 * 0.5
+    w282 = (w268 - w259) * c5
+    w283 = (w266 + w278) * c5
+    w284 = (w251 + w276) * c5
+    w285 = w143 * w282 - w153 * w283 + w161 * w284
+    w286 = link3_e1 * 0.5
+    w287 = w203 * w267 + w206 * w269 + w208 * w271
+    w288 = w203 * w255 + w206 * w258 + w208 * w261
+    w289 = w203 * w274 - w206 * w277 + w208 * w279
+    w290 = w203 * w282 - w206 * w283 + w208 * w284
+    w291 = w255 * link2_end_x
+    w292 = w258 * link2_end_x
+    w293 = w261 * link2_end_x
+    w294 = w28 * w291 + w45 * w292 + w54 * w293
+    w295 = w267 * link2_end_x
+    w296 = w269 * link2_end_x
+    w297 = w271 * link2_end_x
+    w298 = w28 * w295 + w45 * w296 + w54 * w297
+    w299 = w274 * link2_end_x
+    w300 = w277 * link2_end_x
+    w301 = w279 * link2_end_x
+    w302 = w28 * w299 - w45 * w300 + w54 * w301
+    w303 = w282 * link2_end_x
+    w304 = w283 * link2_end_x
+    w305 = w284 * link2_end_x
+    w306 = w28 * w303 - w45 * w304 + w54 * w305
+    w307 = w20 * w295 + w42 * w296 + w53 * w297
+    w308 = w20 * w291 + w42 * w292 + w53 * w293
+    w309 = w20 * w299 - w42 * w300 + w53 * w301
+    w310 = w20 * w303 - w42 * w304 + w53 * w305
+    w311 = w213 + w30 * link2_end_x
+    w312 = w253 * c5
+    w313 = w311 * w312
+    w314 = w216 + w46 * link2_end_x
+    w315 = w3 * c5
+    w316 = w218 + w55 * link2_end_x
+    w317 = w313 + w314 * w315 - w316 * (w252 * c5)
+    w318 = w1 * c5
+    w319 = w311 * w318
+    w320 = w7 * c5
+    w321 = w319 + w314 * w320
+    w322 = w311 * w315
+    w323 = w275 * c5
+    w324 = w322 - w312 * w314 - w316 * w323
+    w325 = w311 * w320
+    w326 = w325 - w314 * w318
+    w327 = w316 * w320 - (w313 + w314 * (w264 * c5))
+    w328 = w319 + w315 * w316
+    w329 = w325 - w314 * w323 + w312 * w316
+    w330 = w316 * w318 - w322
     # outputs
     dQ_hat_dq_i = ca.vertcat(
-        ca.horzcat(  # link1.theta1
-            w3 * w14 + (w81 * w147 + w3 * w163) + w81 * w166,
-            w3 * w190 - (w163 * (w150 * link1_end_x) - w214 - w147 * (w72 * link1_end_x)) + w81 * w216,
-            w8 * w227 - (w66 * w195 - w59 * w226) - (w66 * w229 - w59 * w210), w3 * w238 + w81 * w242,
-            w3 * w264 + w81 * w269, w81 * w293 - w3 * w294, w81 * w299 - w3 * w158, w81 * w317 - w3 * w318,
-            w81 * w338 - w3 * w339,
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.turn_x
+        ca.horzcat(  # link1.turn_y
+            w57 * w58 - w64 * w65 + w69 * w70 - w72 * w73, w64 * w73 + w57 * w70 - w58 * w69 - w65 * w72,
+            w64 * w70 - w57 * w73 + w65 * w69 - w58 * w72, w166 * w167 - w179 * w180 + w190 * w191 - w198 * w199,
+            w179 * w199 + w166 * w191 - w167 * w190 - w180 * w198,
+            w179 * w191 - w166 * w199 + w180 * w190 - w167 * w198,
+            w262 * w263 - w272 * w273 + w280 * w281 - w285 * w286,
+            w272 * w286 + w262 * w281 - w263 * w280 - w273 * w285,
+            w272 * w281 - w262 * w286 + w273 * w280 - w263 * w285,
         ),
-        ca.horzcat(  # link1.theta2
-            w166 * w167 - (w163 * w168 - w147 * w167 + w14 * w168),
-            w167 * w216 - (w218 + w217 * (w221 * c9) + w168 * w190),
-            w58 * w195 + w61 * w226 + (w61 * w210 + w58 * w229), w167 * w242 - w168 * w238, w167 * w269 - w274,
-            w295, w158 * w168 + w167 * w299, w217 * w319 + w168 * w318 + w167 * w317,
-            w217 * w340 + w168 * w339 + w167 * w338,
+        ca.horzcat(  # link1.turn_z
+            w65 * w75 - w58 * w76 - w70 * w77 + w73 * w78, w58 * w77 - (w70 * w76 + w73 * w75) + w65 * w78,
+            w58 * w78 - (w70 * w75 - w73 * w76 + w65 * w77), w180 * w209 - w167 * w210 - w191 * w211 + w199 * w212,
+            w167 * w211 - (w199 * w209 + w191 * w210) + w180 * w212,
+            w199 * w210 - w191 * w209 - w180 * w211 + w167 * w212,
+            w273 * w287 - w263 * w288 - w281 * w289 + w286 * w290,
+            w263 * w289 - (w286 * w287 + w281 * w288) + w273 * w290,
+            w286 * w288 - w281 * w287 - w273 * w289 + w263 * w290,
         ),
-        ca.horzcat(0.0, -w208, -w227, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
-        ca.horzcat(  # link2.theta1
-            w13 * w174 + w165 * w176, w174 * w189 + w176 * w215, 0.0,
-            w131 * w237 + (w141 * w146 + (w131 * w162 + (w85 * w175 + w152 * w173))) + w141 * w241,
-            w131 * w247 - w284 + w141 * w268, w19 * w297 - (w39 * w275 - w25 * w296) - (w39 * w298 - w25 * w281),
-            w141 * w299 - w131 * w158, w141 * w317 - w131 * w318, w141 * w338 - w131 * w339,
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link2.turn_x
+        ca.horzcat(  # link2.turn_y
+            w58 * w94 - w65 * w105 + w70 * w114 - w73 * w121, w73 * w105 + w70 * w94 - w58 * w114 - w65 * w121,
+            w70 * w105 - w73 * w94 + w65 * w114 - w58 * w121, w167 * w220 - w180 * w222 + w191 * w224 - w199 * w226,
+            w199 * w222 + w191 * w220 - w167 * w224 - w180 * w226,
+            w191 * w222 - w199 * w220 + w180 * w224 - w167 * w226,
+            w263 * w294 - w273 * w298 + w281 * w302 - w286 * w306,
+            w286 * w298 + w281 * w294 - w263 * w302 - w273 * w306,
+            w281 * w298 - w286 * w294 + w273 * w302 - w263 * w306,
         ),
-        ca.horzcat(  # link2.theta2
-            w165 * w179 - w13 * w181, w179 * w215 - (w221 * (w24 * c44) + w181 * w189), 0.0, w243,
-            w178 * w268 - (w285 - w146 * (w18 * w223) + w137 * w172 + w223 * w273 + w180 * w247),
-            w21 * w275 + w16 * w296 + (w16 * w281 + w21 * w298), w158 * w180 + w178 * w299,
-            w223 * w319 + w180 * w318 + w178 * w317, w223 * w340 + w180 * w339 + w178 * w338,
+        ca.horzcat(  # link2.turn_z
+            w65 * w122 - w58 * w123 - w70 * w124 + w73 * w125, w58 * w124 - (w73 * w122 + w70 * w123) + w65 * w125,
+            w73 * w123 - w70 * w122 - w65 * w124 + w58 * w125,
+            w180 * w227 - w167 * w228 - w191 * w229 + w199 * w230,
+            w167 * w229 - (w191 * w228 + w199 * w227) + w180 * w230,
+            w167 * w230 - (w191 * w227 - w199 * w228 + w180 * w229),
+            w273 * w307 - w263 * w308 - w281 * w309 + w286 * w310,
+            w263 * w309 - (w286 * w307 + w281 * w308) + w273 * w310,
+            w286 * w308 - w281 * w307 - w273 * w309 + w263 * w310,
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, -w280, -w297, 0.0, 0.0, 0.0),  # link2.theta3
-        ca.horzcat(  # link3.theta1
-            w13 * w182 + w165 * w183, w182 * w189 + w183 * w215, 0.0, w182 * w236 + w183 * w240,
-            w182 * w246 + w183 * w267, 0.0, w145 * w183 + w161 * w182,
-            w330 - (w161 * (w91 * c13) - w145 * (w153 * c13)),
-            w90 * w342 - (w110 * w320 - w96 * w341) - (w110 * w343 - w96 * w328),
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link3.turn_x
+        ca.horzcat(  # link3.turn_y
+            w58 * w129 - w65 * w130 + w70 * w131 - w73 * w132, w73 * w130 + w70 * w129 - w58 * w131 - w65 * w132,
+            w70 * w130 - w73 * w129 + w65 * w131 - w58 * w132,
+            w167 * w234 - w180 * w238 + w191 * w242 - w199 * w246,
+            w199 * w238 + w191 * w234 - w167 * w242 - w180 * w246,
+            w191 * w238 - w199 * w234 + w180 * w242 - w167 * w246,
+            w263 * w317 - w273 * w321 + w281 * w324 - w286 * w326,
+            w286 * w321 + w281 * w317 - w263 * w324 - w273 * w326,
+            w281 * w321 - w286 * w317 + w273 * w324 - w263 * w326,
         ),
-        ca.horzcat(  # link3.theta2
-            w165 * w185 - w13 * w186, w185 * w215 - (w221 * w224 + w186 * w189), 0.0, w185 * w240 - w186 * w236,
-            w185 * w267 - (w224 * w272 + w186 * w246), 0.0, w145 * w185 - w161 * w186,
-            w161 * (w86 * w224) + w145 * (w89 * w224) - w171 * w184 - (w92 * w329 - w87 * w321),
-            w92 * w320 + w87 * w341 + (w87 * w328 + w92 * w343),
+        ca.horzcat(  # link3.turn_z
+            w65 * w136 - w58 * w137 - w70 * w138 + w73 * w139, w58 * w138 - (w73 * w136 + w70 * w137) + w65 * w139,
+            w73 * w137 - w70 * w136 - w65 * w138 + w58 * w139,
+            w180 * w247 - w167 * w248 - w191 * w249 + w199 * w250,
+            w167 * w249 - (w199 * w247 + w191 * w248) + w180 * w250,
+            w199 * w248 - w191 * w247 - w180 * w249 + w167 * w250,
+            w273 * w327 - w263 * w328 - w281 * w329 + w286 * w330,
+            w263 * w329 - (w281 * w328 + w286 * w327) + w273 * w330,
+            w263 * w330 - (w281 * w327 - w286 * w328 + w273 * w329),
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w327, -w342),  # link3.theta3
     )
-    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
-    return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
+    inputs, outputs = [q_d, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
+    return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_d", "q_i_dot", "c"], ["dQ_hat_dq_i"])
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
     """Total derivative of Q_hat by q_i_dot, through q_d_dot.
 
-    takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 21) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    794 operations.
+    585 operations.
     """
-    q_i = ca.SX.sym("q_i", 9)
+    q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 53)
-    link1_theta1 = q_i[0]
-    link1_theta2 = q_i[1]
-    link1_theta3 = q_i[2]
-    link2_theta1 = q_i[3]
-    link2_theta2 = q_i[4]
-    link2_theta3 = q_i[5]
-    link3_theta1 = q_i[6]
-    link3_theta2 = q_i[7]
-    link3_theta3 = q_i[8]
-    link1_theta1_dot = q_i_dot[0]
-    link1_theta2_dot = q_i_dot[1]
-    link1_theta3_dot = q_i_dot[2]
-    link2_theta1_dot = q_i_dot[3]
-    link2_theta2_dot = q_i_dot[4]
-    link2_theta3_dot = q_i_dot[5]
-    link3_theta1_dot = q_i_dot[6]
-    link3_theta2_dot = q_i_dot[7]
-    link3_theta3_dot = q_i_dot[8]
-    c0 = c[0]
-    c1 = c[1]
-    c3 = c[3]
-    link1_end_x = c[6]
-    link3_mass = c[8]
-    c9 = c[9]
-    c11 = c[11]
-    link2_end_x = c[12]
-    c13 = c[13]
-    c14 = c[14]
-    c15 = c[15]
-    c17 = c[17]
-    c21 = c[21]
-    c22 = c[22]
+    c = ca.SX.sym("c", 71)
+    link1_e0 = q_d[3]
+    link1_e1 = q_d[4]
+    link1_e2 = q_d[5]
+    link1_e3 = q_d[6]
+    link2_e0 = q_d[10]
+    link2_e1 = q_d[11]
+    link2_e2 = q_d[12]
+    link2_e3 = q_d[13]
+    link3_e0 = q_d[17]
+    link3_e1 = q_d[18]
+    link3_e2 = q_d[19]
+    link3_e3 = q_d[20]
+    link1_omega_x = q_i_dot[0]
+    link1_omega_y = q_i_dot[1]
+    link1_omega_z = q_i_dot[2]
+    link2_omega_x = q_i_dot[3]
+    link2_omega_y = q_i_dot[4]
+    link2_omega_z = q_i_dot[5]
+    link3_omega_x = q_i_dot[6]
+    link3_omega_y = q_i_dot[7]
+    link3_omega_z = q_i_dot[8]
+    link1_end_x = c[1]
+    link2_end_x = c[3]
+    c4 = c[4]
+    c5 = c[5]
     c24 = c[24]
-    c44 = c[44]
-    c49 = c[49]
-    c50 = c[50]
-    c51 = c[51]
-    c52 = c[52]
-    # intermediate terms (204)
-    w0 = ca.cos(link1_theta1)
-    w1 = ca.cos(link1_theta2)
-    w2 = w0 * w1 * link1_end_x
-    w3 = ca.sin(link1_theta1)
-    w4 = w3 * link1_theta1_dot
-    w5 = ca.sin(link1_theta2)
-    w6 = w5 * link1_theta2_dot
-    w7 = (w1 * w4 + w0 * w6) * link1_end_x
-    w8 = 2 * w7
-    w9 = w8 * c9
-    w10 = ca.sin(link1_theta3)
-    w11 = w1 * w10
-    w12 = link1_theta3_dot - link1_theta1_dot * w5
-    w13 = ca.cos(link1_theta3)
-    w14 = w1 * w13
-    w15 = link1_theta1_dot * w14 - link1_theta2_dot * w10
-    w16 = w12 * w14 - w5 * w15
-    w17 = w1 * link1_theta3_dot
-    w18 = w13 * w17 - w6 * w10
-    w19 = (w16 + w18) * c1 - (w16 - w18) * c3
-    w20 = link1_theta2_dot * w13
-    w21 = link1_theta1_dot * w11 + w20
-    w22 = w11 * w15 + w14 * w21
-    w23 = w1 * link1_theta2_dot
-    w24 = (w22 - w23) * c0 - (w22 + w23) * c1
-    w25 = w11 * w12 - w5 * w21
-    w26 = w10 * w17 + w5 * w20
-    w27 = (w25 - w26) * c3 - (w25 + w26) * c0
-    w28 = w1 * w3 * link1_end_x
-    w29 = w0 * link1_theta1_dot
-    w30 = (w1 * w29 - w3 * w6) * link1_end_x
-    w31 = 2 * w30
-    w32 = w31 * c9
-    w33 = w5 * link1_end_x
-    w34 = w3 * w33
-    w35 = w0 * w33
-    w36 = ca.cos(link2_theta1)
-    w37 = ca.cos(link2_theta2)
-    w38 = w36 * w37
-    w39 = w38 * link2_end_x
-    w40 = w38 * c11 + w39 * link3_mass
-    w41 = ca.sin(link2_theta1)
-    w42 = w37 * w41
-    w43 = w42 * link2_end_x
-    w44 = w42 * c11 + w43 * link3_mass
-    w45 = ca.sin(link2_theta2)
-    w46 = w45 * link2_end_x
-    w47 = w41 * w46
-    w48 = w41 * w45
-    w49 = w48 * c44
-    w50 = w36 * w46
-    w51 = w36 * w45
-    w52 = w51 * c44
-    w53 = ca.cos(link3_theta1)
-    w54 = ca.cos(link3_theta2)
-    w55 = w53 * w54
-    w56 = w55 * c13
-    w57 = ca.sin(link3_theta1)
-    w58 = w54 * w57
-    w59 = w58 * c13
-    w60 = ca.sin(link3_theta2)
-    w61 = w60 * c13
-    w62 = w57 * w61
-    w63 = w53 * w61
-    w64 = w23 * link1_end_x
-    w65 = 2 * (w29 * w33 + w3 * w64)
-    w66 = w65 * c9
-    w67 = w12 * w13
-    w68 = link1_theta1_dot * (w5 * w13) + link1_theta3_dot * w13
-    w69 = (w67 - w68) * c3 - (w67 + w68) * c0
-    w70 = w10 * w12
-    w71 = link1_theta1_dot * (w5 * w10) + w10 * link1_theta3_dot
-    w72 = (w70 + w71) * c1 + (w71 - w70) * c3
-    w73 = w13 * w15 - w10 * w21
-    w74 = w1 * link1_theta1_dot
-    w75 = (w73 - w74) * c0 - (w73 + w74) * c1
-    w76 = 2 * (w0 * w64 - w4 * w33)
-    w77 = w76 * c9
-    w78 = w1 * link1_end_x
-    w79 = 2 * (w28 * w29 + w3 * w30 - (w2 * w4 + w0 * w7))
-    w80 = w37 * link2_end_x
-    w81 = w54 * c13
-    w82 = (w15 + w15) * c1
-    w83 = (w21 + w21) * c49
-    w84 = w41 * link2_theta1_dot
-    w85 = w45 * link2_theta2_dot
-    w86 = (w37 * w84 + w36 * w85) * link2_end_x
-    w87 = 2 * w86
-    w88 = w87 * link3_mass
-    w89 = ca.cos(link2_theta3)
-    w90 = w36 * w89
-    w91 = ca.sin(link2_theta3)
-    w92 = w90 + w48 * w91
-    w93 = link2_theta3_dot - w45 * link2_theta1_dot
-    w94 = w37 * w91
-    w95 = link2_theta2_dot * w89
-    w96 = link2_theta1_dot * w94 + w95
-    w97 = w93 * w94 - w45 * w96
-    w98 = w37 * link2_theta3_dot
-    w99 = w91 * w98 + w45 * w95
-    w100 = w97 - w99
-    w101 = w100 * c11
-    w102 = 2 * w96
-    w103 = w37 * w89
-    w104 = link2_theta1_dot * w103 - link2_theta2_dot * w91
-    w105 = 2 * w104
-    w106 = (w94 * w102 + w103 * w105) * c11
-    w107 = w41 * w89
-    w108 = w45 * w107 - w36 * w91
-    w109 = w93 * w103 - w45 * w104
-    w110 = w89 * w98 - w85 * w91
-    w111 = w109 - w110
-    w112 = w111 * c11
-    w113 = w88 - (w92 * w101 - w42 * w106 + w108 * w112)
-    w114 = w36 * link2_theta1_dot
-    w115 = (w37 * w114 - w41 * w85) * link2_end_x
-    w116 = 2 * w115
-    w117 = w116 * link3_mass
-    w118 = w51 * w91 - w107
-    w119 = w41 * w91 + w45 * w90
-    w120 = w117 - (w101 * w118 - w38 * w106 + w112 * w119)
-    w121 = (w109 + w110) * c15 - w111 * c17
-    w122 = w94 * w104 + w96 * w103
-    w123 = w37 * link2_theta2_dot
-    w124 = (w122 - w123) * c14 - (w122 + w123) * c15
-    w125 = w100 * c17 - (w97 + w99) * c14
-    w126 = w123 * link2_end_x
-    w127 = 2 * (w46 * w114 + w41 * w126)
-    w128 = w127 * link3_mass
-    w129 = w89 * w93
-    w130 = link2_theta1_dot * (w45 * w89) + w89 * link2_theta3_dot
-    w131 = w129 - w130
-    w132 = w131 * c11
-    w133 = (w89 * w102 - w91 * w105) * c11
-    w134 = link2_theta1_dot * (w45 * w91) + w91 * link2_theta3_dot
-    w135 = w91 * w93
-    w136 = w134 - w135
-    w137 = w136 * c11
-    w138 = w128 - (w92 * w132 - w42 * w133 + w108 * w137)
-    w139 = 2 * (w36 * w126 - w46 * w84)
-    w140 = w139 * link3_mass
-    w141 = w140 - (w118 * w132 - w38 * w133 + w119 * w137)
-    w142 = 2 * (w43 * w114 + w41 * w115 - (w39 * w84 + w36 * w86))
-    w143 = w142 * link3_mass
-    w144 = w131 * c17 - (w129 + w130) * c14
-    w145 = (w134 + w135) * c15 + w136 * c17
-    w146 = w89 * w104 - w91 * w96
-    w147 = w37 * link2_theta1_dot
-    w148 = (w146 - w147) * c14 - (w146 + w147) * c15
-    w149 = (w104 + w104) * c15
-    w150 = (w96 + w96) * c50
-    w151 = ca.sin(link3_theta3)
-    w152 = ca.cos(link3_theta3)
-    w153 = w57 * w152
-    w154 = w53 * w60 * w151 - w153
-    w155 = link3_theta3_dot - w60 * link3_theta1_dot
-    w156 = w54 * w151
-    w157 = w152 * link3_theta2_dot
-    w158 = link3_theta1_dot * w156 + w157
-    w159 = w155 * w156 - w60 * w158
-    w160 = w54 * link3_theta3_dot
-    w161 = w151 * w160 + w60 * w157
-    w162 = w159 - w161
-    w163 = w162 * c13
-    w164 = 2 * w158
-    w165 = w54 * w152
-    w166 = link3_theta1_dot * w165 - w151 * link3_theta2_dot
-    w167 = 2 * w166
-    w168 = (w156 * w164 + w165 * w167) * c13
-    w169 = w53 * w152
-    w170 = w57 * w151 + w60 * w169
-    w171 = w155 * w165 - w60 * w166
-    w172 = w152 * w160 - w151 * (w60 * link3_theta2_dot)
-    w173 = w171 - w172
-    w174 = w173 * c13
-    w175 = w154 * w163 - w55 * w168 + w170 * w174
-    w176 = w169 + w151 * (w57 * w60)
-    w177 = w60 * w153 - w53 * w151
-    w178 = w163 * w176 - w58 * w168 + w174 * w177
-    w179 = w60 * w168 + w156 * w163 + w165 * w174
-    w180 = (w171 + w172) * c22 - w173 * c24
-    w181 = w156 * w166 + w158 * w165
-    w182 = w54 * link3_theta2_dot
-    w183 = (w181 - w182) * c21 - (w181 + w182) * c22
-    w184 = w162 * c24 - (w159 + w161) * c21
-    w185 = w152 * w155
-    w186 = link3_theta1_dot * (w60 * w152) + w152 * link3_theta3_dot
-    w187 = w185 - w186
-    w188 = w187 * c13
-    w189 = (w152 * w164 - w151 * w167) * c13
-    w190 = link3_theta1_dot * (w60 * w151) + w151 * link3_theta3_dot
-    w191 = w151 * w155
-    w192 = w190 - w191
-    w193 = w192 * c13
-    w194 = w154 * w188 - w55 * w189 + w170 * w193
-    w195 = w176 * w188 - w58 * w189 + w177 * w193
-    w196 = w60 * w189 + w156 * w188 + w165 * w193
-    w197 = w187 * c24 - (w185 + w186) * c21
-    w198 = (w190 + w191) * c22 + w192 * c24
-    w199 = w152 * w166 - w151 * w158
-    w200 = w54 * link3_theta1_dot
-    w201 = (w199 - w200) * c21 - (w199 + w200) * c22
-    w202 = (w166 + w166) * c22
-    w203 = (w158 + w158) * c51
+    c25 = c[25]
+    c31 = c[31]
+    c32 = c[32]
+    c34 = c[34]
+    c35 = c[35]
+    c36 = c[36]
+    c64 = c[64]
+    c65 = c[65]
+    # intermediate terms (153)
+    w0 = link1_omega_z * c25
+    w1 = link1_omega_y * c24
+    w2 = 2 * link2_e1
+    w3 = w2 * link2_e3
+    w4 = 2 * link2_e2
+    w5 = w4 * link2_e0
+    w6 = w3 + w5
+    w7 = 2 * link1_e1
+    w8 = w7 * link1_e2
+    w9 = 2 * link1_e3
+    w10 = w9 * link1_e0
+    w11 = w8 - w10
+    w12 = w7 * link1_e3
+    w13 = 2 * link1_e2
+    w14 = link1_e0 * w13
+    w15 = w12 + w14
+    w16 = (link1_omega_y * w11 + link1_omega_z * w15) * link1_end_x
+    w17 = w16 * c4
+    w18 = link2_e3 * w4
+    w19 = w2 * link2_e0
+    w20 = w18 - w19
+    w21 = link1_e1 * w7
+    w22 = link1_e3 * w9
+    w23 = 1.0 - (w21 + w22)
+    w24 = link1_e3 * w13
+    w25 = w7 * link1_e0
+    w26 = w24 - w25
+    w27 = (link1_omega_y * w23 + link1_omega_z * w26) * link1_end_x
+    w28 = w27 * c4
+    w29 = link2_e1 * w2
+    w30 = link2_e2 * w4
+    w31 = 1.0 - (w29 + w30)
+    w32 = w24 + w25
+    w33 = link1_e2 * w13
+    w34 = 1.0 - (w21 + w33)
+    w35 = (link1_omega_y * w32 + link1_omega_z * w34) * link1_end_x
+    w36 = w35 * c4
+    w37 = w2 * link2_e2
+    w38 = 2 * link2_e3
+    w39 = link2_e0 * w38
+    w40 = w37 - w39
+    w41 = link2_e3 * w38
+    w42 = 1.0 - (w29 + w41)
+    w43 = w18 + w19
+    w44 = 2 * link3_e1
+    w45 = w44 * link3_e3
+    w46 = 2 * link3_e2
+    w47 = w46 * link3_e0
+    w48 = w45 + w47
+    w49 = w48 * c5
+    w50 = link3_e3 * w46
+    w51 = w44 * link3_e0
+    w52 = w50 - w51
+    w53 = w52 * c5
+    w54 = link3_e1 * w44
+    w55 = link3_e2 * w46
+    w56 = 1.0 - (w54 + w55)
+    w57 = w56 * c5
+    w58 = w44 * link3_e2
+    w59 = 2 * link3_e3
+    w60 = link3_e0 * w59
+    w61 = w58 - w60
+    w62 = w61 * c5
+    w63 = link3_e3 * w59
+    w64 = 1.0 - (w54 + w63)
+    w65 = w64 * c5
+    w66 = w50 + w51
+    w67 = w66 * c5
+    w68 = link1_omega_x * c64
+    w69 = 1.0 - (w22 + w33)
+    w70 = 2 * link1_omega_y
+    w71 = (w11 * link1_omega_x - w69 * w70) * link1_end_x
+    w72 = w71 * c4
+    w73 = w8 + w10
+    w74 = (w23 * link1_omega_x - w70 * w73) * link1_end_x
+    w75 = w74 * c4
+    w76 = w12 - w14
+    w77 = (w32 * link1_omega_x - w70 * w76) * link1_end_x
+    w78 = w77 * c4
+    w79 = 2 * link1_omega_z
+    w80 = (w15 * link1_omega_x - w69 * w79) * link1_end_x
+    w81 = w80 * c4
+    w82 = (w26 * link1_omega_x - w73 * w79) * link1_end_x
+    w83 = w82 * c4
+    w84 = (w34 * link1_omega_x - w76 * w79) * link1_end_x
+    w85 = w84 * c4
+    w86 = w15 * link1_end_x
+    w87 = w40 * link2_omega_y + w6 * link2_omega_z
+    w88 = w87 * c4
+    w89 = w26 * link1_end_x
+    w90 = w42 * link2_omega_y + w20 * link2_omega_z
+    w91 = w90 * c4
+    w92 = w34 * link1_end_x
+    w93 = w43 * link2_omega_y + w31 * link2_omega_z
+    w94 = w93 * c4
+    w95 = w11 * link1_end_x
+    w96 = w23 * link1_end_x
+    w97 = w32 * link1_end_x
+    w98 = link2_omega_z * c32
+    w99 = link2_omega_y * c31
+    w100 = w87 * link2_end_x
+    w101 = w90 * link2_end_x
+    w102 = w93 * link2_end_x
+    w103 = 1.0 - (w30 + w41)
+    w104 = 2 * link2_omega_y
+    w105 = w40 * link2_omega_x - w103 * w104
+    w106 = w105 * c4
+    w107 = w37 + w39
+    w108 = w42 * link2_omega_x - w104 * w107
+    w109 = w108 * c4
+    w110 = w3 - w5
+    w111 = w43 * link2_omega_x - w104 * w110
+    w112 = w111 * c4
+    w113 = link2_omega_x * c65
+    w114 = w105 * link2_end_x
+    w115 = w108 * link2_end_x
+    w116 = w111 * link2_end_x
+    w117 = 2 * link2_omega_z
+    w118 = w6 * link2_omega_x - w103 * w117
+    w119 = w118 * c4
+    w120 = w20 * link2_omega_x - w107 * w117
+    w121 = w120 * c4
+    w122 = w31 * link2_omega_x - w110 * w117
+    w123 = w122 * c4
+    w124 = w118 * link2_end_x
+    w125 = w120 * link2_end_x
+    w126 = w122 * link2_end_x
+    w127 = (w61 * link3_omega_y + w48 * link3_omega_z) * c5
+    w128 = (w64 * link3_omega_y + w52 * link3_omega_z) * c5
+    w129 = (w66 * link3_omega_y + w56 * link3_omega_z) * c5
+    w130 = w127 * link2_end_x
+    w131 = w128 * link2_end_x
+    w132 = w129 * link2_end_x
+    w133 = link3_omega_z * c35
+    w134 = link3_omega_y * c34
+    w135 = 1.0 - (w55 + w63)
+    w136 = 2 * link3_omega_y
+    w137 = (w61 * link3_omega_x - w135 * w136) * c5
+    w138 = w58 + w60
+    w139 = (w64 * link3_omega_x - w136 * w138) * c5
+    w140 = w45 - w47
+    w141 = (w66 * link3_omega_x - w136 * w140) * c5
+    w142 = w137 * link2_end_x
+    w143 = w139 * link2_end_x
+    w144 = w141 * link2_end_x
+    w145 = link3_omega_x * c36
+    w146 = 2 * link3_omega_z
+    w147 = (w48 * link3_omega_x - w135 * w146) * c5
+    w148 = (w52 * link3_omega_x - w138 * w146) * c5
+    w149 = (w56 * link3_omega_x - w140 * w146) * c5
+    w150 = w147 * link2_end_x
+    w151 = w148 * link2_end_x
+    w152 = w149 * link2_end_x
     # outputs
-    dQ_hat_dq_i_dot = ca.SX(9, 9)
-    # link1.theta1
-    dQ_hat_dq_i_dot[0, 0] = w2 * w9 - (w11 * w19 - w5 * w24 + w14 * w27) - w28 * w32
-    dQ_hat_dq_i_dot[0, 1] = w2 * w66 - (w14 * w69 - (w11 * w72 + w5 * w75)) - w28 * w77
-    dQ_hat_dq_i_dot[0, 2] = -(w11 * w82 + w14 * w83)
-    dQ_hat_dq_i_dot[0, 3] = w2 * w113 - w28 * w120
-    dQ_hat_dq_i_dot[0, 4] = w2 * w138 - w28 * w141
-    dQ_hat_dq_i_dot[0, 6] = w28 * w175 - w2 * w178
-    dQ_hat_dq_i_dot[0, 7] = w28 * w194 - w2 * w195
-    # link1.theta2
-    dQ_hat_dq_i_dot[1, 0] = w10 * w27 - w13 * w19 - w9 * w34 - w32 * w35
-    dQ_hat_dq_i_dot[1, 1] = w13 * w72 + w10 * w69 - w78 * (w79 * c9) - w34 * w66 - w35 * w77
-    dQ_hat_dq_i_dot[1, 2] = w10 * w83 - w13 * w82
-    dQ_hat_dq_i_dot[1, 3] = w78 * (w45 * w106 + w94 * w101 + w103 * w112) - w34 * w113 - w35 * w120
-    dQ_hat_dq_i_dot[1, 4] = (w45 * w133 + w94 * w132 + w103 * w137 - w143) * w78 - w34 * w138 - w35 * w141
-    dQ_hat_dq_i_dot[1, 6] = w78 * w179 + w34 * w178 + w35 * w175
-    dQ_hat_dq_i_dot[1, 7] = w78 * w196 + w34 * w195 + w35 * w194
-    # link1.theta3
-    dQ_hat_dq_i_dot[2, 0] = -w24
-    dQ_hat_dq_i_dot[2, 1] = -w75
-    # link2.theta1
-    dQ_hat_dq_i_dot[3, 0] = w8 * w40 - w31 * w44
-    dQ_hat_dq_i_dot[3, 1] = w40 * w65 - w44 * w76
-    dQ_hat_dq_i_dot[3, 3] = w39 * w88 - (w94 * w121 - w45 * w124 + w103 * w125) - w43 * w117
-    dQ_hat_dq_i_dot[3, 4] = w39 * w128 - (w103 * w144 - (w94 * w145 + w45 * w148)) - w43 * w140
-    dQ_hat_dq_i_dot[3, 5] = -(w94 * w149 + w103 * w150)
-    dQ_hat_dq_i_dot[3, 6] = w43 * w175 - w39 * w178
-    dQ_hat_dq_i_dot[3, 7] = w43 * w194 - w39 * w195
-    # link2.theta2
-    dQ_hat_dq_i_dot[4, 0] = -(w8 * w49 + w31 * w52)
-    dQ_hat_dq_i_dot[4, 1] = w37 * c52 * w79 - w49 * w65 - w52 * w76
-    dQ_hat_dq_i_dot[4, 3] = w91 * w125 - w89 * w121 - w47 * w88 - w50 * w117
-    dQ_hat_dq_i_dot[4, 4] = w89 * w145 + w91 * w144 - w80 * w143 - w47 * w128 - w50 * w140
-    dQ_hat_dq_i_dot[4, 5] = w91 * w150 - w89 * w149
-    dQ_hat_dq_i_dot[4, 6] = w80 * w179 + w47 * w178 + w50 * w175
-    dQ_hat_dq_i_dot[4, 7] = w80 * w196 + w47 * w195 + w50 * w194
-    # link2.theta3
-    dQ_hat_dq_i_dot[5, 3] = -w124
-    dQ_hat_dq_i_dot[5, 4] = -w148
-    # link3.theta1
-    dQ_hat_dq_i_dot[6, 0] = w8 * w56 - w31 * w59
-    dQ_hat_dq_i_dot[6, 1] = w56 * w65 - w59 * w76
-    dQ_hat_dq_i_dot[6, 3] = w56 * w87 - w59 * w116
-    dQ_hat_dq_i_dot[6, 4] = w56 * w127 - w59 * w139
-    dQ_hat_dq_i_dot[6, 6] = w60 * w183 - w156 * w180 - w165 * w184
-    dQ_hat_dq_i_dot[6, 7] = w156 * w198 + w60 * w201 - w165 * w197
-    dQ_hat_dq_i_dot[6, 8] = -(w156 * w202 + w165 * w203)
-    # link3.theta2
-    dQ_hat_dq_i_dot[7, 0] = -(w8 * w62 + w31 * w63)
-    dQ_hat_dq_i_dot[7, 1] = -(w79 * w81 + w62 * w65 + w63 * w76)
-    dQ_hat_dq_i_dot[7, 3] = -(w62 * w87 + w63 * w116)
-    dQ_hat_dq_i_dot[7, 4] = -(w81 * w142 + w62 * w127 + w63 * w139)
-    dQ_hat_dq_i_dot[7, 6] = w151 * w184 - w152 * w180
-    dQ_hat_dq_i_dot[7, 7] = w152 * w198 + w151 * w197
-    dQ_hat_dq_i_dot[7, 8] = w151 * w203 - w152 * w202
-    # link3.theta3
-    dQ_hat_dq_i_dot[8, 6] = -w183
-    dQ_hat_dq_i_dot[8, 7] = -w201
-    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
-    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
+    dQ_hat_dq_i_dot = ca.vertcat(
+        ca.horzcat(  # link1.turn_x
+            0.0, w0 - link1_omega_z * c24, link1_omega_y * c25 - w1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        ),
+        ca.horzcat(  # link1.turn_y
+            link1_omega_z * c64 - w0, 0.0, w68 - link1_omega_x * c25, w86 * w88 + w89 * w91 + w92 * w94,
+            w86 * w106 + w89 * w109 + w92 * w112, w86 * w119 + w89 * w121 + w92 * w123,
+            w86 * w127 + w89 * w128 + w92 * w129, w86 * w137 + w89 * w139 + w92 * w141,
+            w86 * w147 + w89 * w148 + w92 * w149,
+        ),
+        ca.horzcat(  # link1.turn_z
+            w1 - link1_omega_y * c64, link1_omega_x * c24 - w68, 0.0, -(w88 * w95 + w91 * w96 + w94 * w97),
+            -(w95 * w106 + w96 * w109 + w97 * w112), -(w95 * w119 + w96 * w121 + w97 * w123),
+            -(w95 * w127 + w96 * w128 + w97 * w129), -(w95 * w137 + w96 * w139 + w97 * w141),
+            -(w95 * w147 + w96 * w148 + w97 * w149),
+        ),
+        ca.horzcat(  # link2.turn_x
+            0.0, 0.0, 0.0, 0.0, w98 - link2_omega_z * c31, link2_omega_y * c32 - w99, 0.0, 0.0, 0.0,
+        ),
+        ca.horzcat(  # link2.turn_y
+            w6 * w17 + w20 * w28 + w31 * w36, w6 * w72 + w20 * w75 + w31 * w78, w6 * w81 + w20 * w83 + w31 * w85,
+            link2_omega_z * c65 - w98, 0.0, w113 - link2_omega_x * c32, w6 * w130 + w20 * w131 + w31 * w132,
+            w6 * w142 + w20 * w143 + w31 * w144, w6 * w150 + w20 * w151 + w31 * w152,
+        ),
+        ca.horzcat(  # link2.turn_z
+            -(w17 * w40 + w28 * w42 + w36 * w43), -(w40 * w72 + w42 * w75 + w43 * w78),
+            -(w40 * w81 + w42 * w83 + w43 * w85), w99 - link2_omega_y * c65, link2_omega_x * c31 - w113, 0.0,
+            -(w40 * w130 + w42 * w131 + w43 * w132), -(w40 * w142 + w42 * w143 + w43 * w144),
+            -(w40 * w150 + w42 * w151 + w43 * w152),
+        ),
+        ca.horzcat(  # link3.turn_x
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, w133 - link3_omega_z * c34, link3_omega_y * c35 - w134,
+        ),
+        ca.horzcat(  # link3.turn_y
+            w16 * w49 + w27 * w53 + w35 * w57, w49 * w71 + w53 * w74 + w57 * w77, w49 * w80 + w53 * w82 + w57 * w84,
+            w49 * w100 + w53 * w101 + w57 * w102, w49 * w114 + w53 * w115 + w57 * w116,
+            w49 * w124 + w53 * w125 + w57 * w126, link3_omega_z * c36 - w133, 0.0, w145 - link3_omega_x * c35,
+        ),
+        ca.horzcat(  # link3.turn_z
+            -(w16 * w62 + w27 * w65 + w35 * w67), -(w62 * w71 + w65 * w74 + w67 * w77),
+            -(w62 * w80 + w65 * w82 + w67 * w84), -(w62 * w100 + w65 * w101 + w67 * w102),
+            -(w62 * w114 + w65 * w115 + w67 * w116), -(w62 * w124 + w65 * w125 + w67 * w126),
+            w134 - link3_omega_y * c36, link3_omega_x * c34 - w145, 0.0,
+        ),
+    )
+    inputs, outputs = [q_d, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
+    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def residual_jacobian() -> ca.Function:
     """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
-    takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 21) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 9 x 9) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    2025 operations.
+    1702 operations.
     """
-    q_i = ca.SX.sym("q_i", 9)
+    q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 9)
-    c = ca.SX.sym("c", 53)
-    link1_theta1 = q_i[0]
-    link1_theta2 = q_i[1]
-    link1_theta3 = q_i[2]
-    link2_theta1 = q_i[3]
-    link2_theta2 = q_i[4]
-    link2_theta3 = q_i[5]
-    link3_theta1 = q_i[6]
-    link3_theta2 = q_i[7]
-    link3_theta3 = q_i[8]
-    link1_theta1_dot = q_i_dot[0]
-    link1_theta2_dot = q_i_dot[1]
-    link1_theta3_dot = q_i_dot[2]
-    link2_theta1_dot = q_i_dot[3]
-    link2_theta2_dot = q_i_dot[4]
-    link2_theta3_dot = q_i_dot[5]
-    link3_theta1_dot = q_i_dot[6]
-    link3_theta2_dot = q_i_dot[7]
-    link3_theta3_dot = q_i_dot[8]
-    link1_theta1_ddot = q_i_ddot[0]
-    link1_theta2_ddot = q_i_ddot[1]
-    link1_theta3_ddot = q_i_ddot[2]
-    link2_theta1_ddot = q_i_ddot[3]
-    link2_theta2_ddot = q_i_ddot[4]
-    link2_theta3_ddot = q_i_ddot[5]
-    link3_theta1_ddot = q_i_ddot[6]
-    link3_theta2_ddot = q_i_ddot[7]
-    link3_theta3_ddot = q_i_ddot[8]
-    c0 = c[0]
-    c1 = c[1]
-    c3 = c[3]
-    link1_end_x = c[6]
-    link2_mass = c[7]
-    link3_mass = c[8]
-    c9 = c[9]
-    c11 = c[11]
-    link2_end_x = c[12]
-    c13 = c[13]
-    c14 = c[14]
+    c = ca.SX.sym("c", 71)
+    link1_e0 = q_d[3]
+    link1_e1 = q_d[4]
+    link1_e2 = q_d[5]
+    link1_e3 = q_d[6]
+    link2_e0 = q_d[10]
+    link2_e1 = q_d[11]
+    link2_e2 = q_d[12]
+    link2_e3 = q_d[13]
+    link3_e0 = q_d[17]
+    link3_e1 = q_d[18]
+    link3_e2 = q_d[19]
+    link3_e3 = q_d[20]
+    link1_omega_x = q_i_dot[0]
+    link1_omega_y = q_i_dot[1]
+    link1_omega_z = q_i_dot[2]
+    link2_omega_x = q_i_dot[3]
+    link2_omega_y = q_i_dot[4]
+    link2_omega_z = q_i_dot[5]
+    link3_omega_x = q_i_dot[6]
+    link3_omega_y = q_i_dot[7]
+    link3_omega_z = q_i_dot[8]
+    link1_turn_y_ddot = q_i_ddot[1]
+    link1_turn_z_ddot = q_i_ddot[2]
+    link2_turn_y_ddot = q_i_ddot[4]
+    link2_turn_z_ddot = q_i_ddot[5]
+    link3_turn_y_ddot = q_i_ddot[7]
+    link3_turn_z_ddot = q_i_ddot[8]
+    link1_end_x = c[1]
+    link2_end_x = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    gravity_z = c[14]
     c15 = c[15]
-    c17 = c[17]
-    c21 = c[21]
-    c22 = c[22]
     c24 = c[24]
-    gravity_z = c[27]
-    c28 = c[28]
-    c43 = c[43]
-    c44 = c[44]
-    c45 = c[45]
-    c46 = c[46]
-    c47 = c[47]
-    c48 = c[48]
-    c49 = c[49]
-    c50 = c[50]
-    c51 = c[51]
-    # intermediate terms (469)
-    w0 = ca.cos(link1_theta1)
-    w1 = ca.cos(link1_theta2)
-    w2 = w0 * w1
-    w3 = w2 * link1_end_x
-    w4 = w0 * link1_theta1_dot
-    w5 = ca.sin(link1_theta1)
-    w6 = link1_theta1_dot * w4 + w5 * link1_theta1_ddot
-    w7 = link1_theta1_dot * w5
-    w8 = ca.sin(link1_theta2)
-    w9 = w8 * link1_theta2_dot
-    w10 = w7 * w9
-    w11 = w1 * link1_theta2_dot
-    w12 = link1_theta2_dot * w11 + w8 * link1_theta2_ddot
-    w13 = (w1 * w6 - w10 + (w0 * w12 - w10)) * link1_end_x
-    w14 = w13 * c9
-    w15 = ca.cos(link2_theta1)
-    w16 = ca.cos(link2_theta3)
-    w17 = w15 * w16
-    w18 = ca.sin(link2_theta1)
-    w19 = ca.sin(link2_theta2)
-    w20 = w18 * w19
-    w21 = ca.sin(link2_theta3)
-    w22 = w17 + w20 * w21
-    w23 = link2_theta3_dot - w19 * link2_theta1_dot
-    w24 = ca.cos(link2_theta2)
-    w25 = w21 * w24
-    w26 = w16 * link2_theta2_dot
-    w27 = link2_theta1_dot * w25 + w26
-    w28 = w23 * w27
-    w29 = w16 * w24
-    w30 = link2_theta1_ddot * w29 - w21 * link2_theta2_ddot
-    w31 = link2_theta3_dot * w24
-    w32 = w21 * w31
-    w33 = w32 + w19 * w26
-    w34 = link2_theta3_dot * link2_theta2_dot
-    w35 = w16 * w34
-    w36 = link2_theta1_dot * w33 + w35
-    w37 = w30 - w36
-    w38 = w28 + w37
-    w39 = w38 * c11
-    w40 = w22 * w39
-    w41 = w18 * w24
-    w42 = w27**2
-    w43 = w21 * link2_theta2_dot
-    w44 = link2_theta1_dot * w29 - w43
-    w45 = w44**2
-    w46 = (w42 + w45) * c11
-    w47 = w41 * w46
-    w48 = w16 * w18
-    w49 = w19 * w48
-    w50 = w15 * w21
-    w51 = w49 - w50
-    w52 = w23 * w44
-    w53 = w16 * w31
-    w54 = w19 * link2_theta2_dot
-    w55 = w53 - w21 * w54
-    w56 = w21 * w34
-    w57 = link2_theta1_dot * w55 - w56
-    w58 = w25 * link2_theta1_ddot + w16 * link2_theta2_ddot
-    w59 = w57 + w58
-    w60 = w52 - w59
-    w61 = w60 * c11
-    w62 = link1_theta1_dot * link1_theta2_dot
-    w63 = w1 * w62
-    w64 = ca.sin(link1_theta3)
-    w65 = w1 * w64
-    w66 = w1 * link1_theta3_dot
-    w67 = ca.cos(link1_theta3)
-    w68 = w66 * w67
-    w69 = w68 - w9 * w64
-    w70 = link1_theta2_dot * link1_theta3_dot
-    w71 = w64 * w70
-    w72 = link1_theta1_dot * w69 - w71
-    w73 = w1 * w67
-    w74 = w64 * w66
-    w75 = link1_theta2_dot * w67
-    w76 = w74 + w8 * w75
-    w77 = w67 * w70
-    w78 = link1_theta1_dot * w76 + w77
-    w79 = w8 * w63 + w65 * w72 - w73 * w78
-    w80 = w0 * w8
-    w81 = w5 * w67
-    w82 = w0 * w67
-    w83 = w72 * (w64 * w80 - w81) - w2 * w63 - w78 * (w5 * w64 + w8 * w82)
-    w84 = w8 * link1_end_x
-    w85 = w8 * link1_theta3_dot
-    w86 = link1_theta1_dot - w85
-    w87 = w1 * w5
-    w88 = w0 * link1_theta2_dot + link1_theta3_dot * w87
-    w89 = w87 * link1_end_x
-    w90 = w84 * w88 + w86 * w89
-    w91 = w2 * link1_theta3_dot - w5 * link1_theta2_dot
-    w92 = w89 * w91 - w3 * w88
-    w93 = w5 * w84
-    w94 = w3 * w79 + w83 * w84 - (w86 * w90 + w91 * w92) + w3 * link1_theta1_ddot - link1_theta2_ddot * w93
-    w95 = ca.cos(link3_theta1)
-    w96 = ca.cos(link3_theta3)
-    w97 = w95 * w96
-    w98 = ca.sin(link3_theta1)
-    w99 = ca.sin(link3_theta2)
-    w100 = w98 * w99
-    w101 = ca.sin(link3_theta3)
-    w102 = w97 + w100 * w101
-    w103 = link3_theta3_dot - w99 * link3_theta1_dot
-    w104 = ca.cos(link3_theta2)
-    w105 = w101 * w104
-    w106 = w96 * link3_theta2_dot
-    w107 = link3_theta1_dot * w105 + w106
-    w108 = w103 * w107
-    w109 = w96 * w104
-    w110 = link3_theta1_ddot * w109 - w101 * link3_theta2_ddot
-    w111 = link3_theta3_dot * w104
-    w112 = w101 * w111
-    w113 = w112 + w99 * w106
-    w114 = link3_theta3_dot * link3_theta2_dot
-    w115 = w96 * w114
-    w116 = w110 - (link3_theta1_dot * w113 + w115)
-    w117 = w108 + w116
-    w118 = w117 * c13
-    w119 = w102 * w118
-    w120 = w98 * w104
-    w121 = w107**2
-    w122 = w101 * link3_theta2_dot
-    w123 = link3_theta1_dot * w109 - w122
-    w124 = w123**2
-    w125 = (w121 + w124) * c13
-    w126 = w120 * w125
-    w127 = w96 * w98
-    w128 = w99 * w127
-    w129 = w95 * w101
-    w130 = w128 - w129
-    w131 = w103 * w123
-    w132 = w96 * w111
-    w133 = w99 * link3_theta2_dot
-    w134 = w132 - w101 * w133
-    w135 = w101 * w114
-    w136 = w105 * link3_theta1_ddot + w96 * link3_theta2_ddot
-    w137 = link3_theta1_dot * w134 - w135 + w136
-    w138 = w131 - w137
-    w139 = w138 * c13
-    w140 = link2_theta1_dot * link2_theta2_dot
-    w141 = w24 * w140
-    w142 = w19 * w141 + w25 * w57 - w29 * w36
-    w143 = w15 * w24
-    w144 = w143 * link2_end_x
-    w145 = w15 * w19
-    w146 = w21 * w145 - w48
-    w147 = w18 * w21
-    w148 = w147 + w17 * w19
-    w149 = w57 * w146 - w141 * w143 - w36 * w148
-    w150 = w19 * link2_end_x
-    w151 = w19 * link2_theta3_dot
-    w152 = link2_theta1_dot - w151
-    w153 = w15 * link2_theta2_dot + link2_theta3_dot * w41
-    w154 = w41 * link2_end_x
-    w155 = w150 * w153 + w152 * w154
-    w156 = link2_theta3_dot * w143 - w18 * link2_theta2_dot
-    w157 = w154 * w156 - w144 * w153
-    w158 = w18 * w150
-    w159 = w94 + (w142 * w144 + w149 * w150 - (w152 * w155 + w156 * w157)) + link2_theta1_ddot * w144 - link2_theta2_ddot * w158
-    w160 = w119 - w126 + w130 * w139 + w159 * link3_mass
-    w161 = w40 - w47 + w51 * w61 + w94 * link2_mass + w160
-    w162 = w39 * w146 - w46 * w143 + w61 * w148
-    w163 = w3 * w86 + w84 * w91
-    w164 = w5 * w8
-    w165 = w72 * (w82 + w64 * w164) - w63 * w87 - w78 * (w8 * w81 - w0 * w64)
-    w166 = w0 * w84
-    w167 = w88 * w92 - w86 * w163 - (w84 * w165 + w79 * w89) - link1_theta1_ddot * w89 - link1_theta2_ddot * w166
-    w168 = w95 * w99
-    w169 = w101 * w168 - w127
-    w170 = w95 * w104
-    w171 = w98 * w101
-    w172 = w171 + w97 * w99
-    w173 = w118 * w169 - w125 * w170 + w139 * w172
-    w174 = w144 * w152 + w150 * w156
-    w175 = w22 * w57 - w41 * w141 - w36 * w51
-    w176 = w15 * w150
-    w177 = w167 + (w153 * w157 - w152 * w174 - (w150 * w175 + w142 * w154)) - link2_theta1_ddot * w154 - link2_theta2_ddot * w176
-    w178 = w173 + w177 * link3_mass
-    w179 = w162 + w167 * link2_mass + w178
-    w180 = w0 * link1_theta1_ddot - link1_theta1_dot * w7
-    w181 = w4 * w9
-    w182 = (w1 * w180 - w181 - (w181 + w5 * w12)) * link1_end_x
-    w183 = w182 * c9
-    w184 = w1 * link1_end_x
-    w185 = w83 * w89 - w3 * w165 + (w91 * w163 + w88 * w90) - link1_theta2_ddot * w184
-    w186 = w185 - gravity_z
-    w187 = w24 * link2_end_x
-    w188 = w185 + (w149 * w154 - w144 * w175 + (w156 * w174 + w153 * w155)) - link2_theta2_ddot * w187 - gravity_z
-    w189 = w99 * w125 + w105 * w118 + w109 * w139 + w188 * link3_mass
-    w190 = w143 * c11
-    w191 = w190 + w144 * link3_mass
-    w192 = w41 * c11
-    w193 = w192 + w154 * link3_mass
-    w194 = w19 * c11
-    w195 = w20 * c44
-    w196 = w145 * c44
-    w197 = w170 * c13
-    w198 = w120 * c13
-    w199 = w99 * c13
-    w200 = w98 * w199
-    w201 = w95 * w199
-    w202 = w11 * link1_end_x
-    w203 = (w1 * link1_theta2_ddot - link1_theta2_dot * w9) * link1_end_x
-    w204 = w5 * w203 + (w84 * w180 + link1_theta2_dot * (w2 * link1_theta1_dot) * c43)
-    w205 = w204 * c9
-    w206 = link1_theta3_dot - link1_theta1_dot * w8
-    w207 = link1_theta2_dot * w64
-    w208 = link1_theta1_dot * w73 - w207
-    w209 = w206 * w208
-    w210 = link1_theta1_ddot * w65 + link1_theta2_ddot * w67
-    w211 = w72 + w210
-    w212 = (w209 + w211) * c1 - (w209 - w211) * c3
-    w213 = w8 * w64
-    w214 = w1 * link1_theta1_dot
-    w215 = w8 * w67
-    w216 = link1_theta1_dot * w215
-    w217 = w208 * w214 + w206 * w216
-    w218 = link1_theta1_dot * (w67 * w85 + w11 * w64) + link1_theta1_ddot * w213
-    w219 = (w217 + w218) * c1 + (w218 - w217) * c3
-    w220 = w75 + link1_theta1_dot * w65
-    w221 = w208 * w220
-    w222 = link1_theta3_ddot - link1_theta1_ddot * w8 - w63
-    w223 = w8 * w62 - w1 * link1_theta1_ddot
-    w224 = link1_theta1_dot * w213
-    w225 = w208 * w224 + w216 * w220
-    w226 = (w223 - w225) * c0 + (w223 + w225) * c1
-    w227 = w206 * w220
-    w228 = link1_theta1_ddot * w73 - link1_theta2_ddot * w64
-    w229 = w228 - w78
-    w230 = (w227 + w229) * c3 - (w227 - w229) * c0
-    w231 = w214 * w220 + w206 * w224
-    w232 = link1_theta1_ddot * w215 + link1_theta1_dot * (w1 * w75 - w64 * w85)
-    w233 = (w231 + w232) * c3 + (w232 - w231) * c0
-    w234 = w212 * w213 + w65 * w219 + (w1 * ((w221 + w222) * c0 - (w221 - w222) * c1) + w8 * w226) + (w215 * w230 + w73 * w233)
-    w235 = w7 * w202
-    w236 = w0 * w203 - w235 - (w235 + w6 * w84)
-    w237 = w236 * c9
-    w238 = w1 * w4 - w5 * w9
-    w239 = w238 * link1_end_x
-    w240 = (w1 * w7 + w0 * w9) * link1_end_x
-    w241 = w7 * w240
-    w242 = w5 * w182 + (w89 * w180 + w4 * w238 * c43) - (w3 * w6 - w241 + (w0 * w13 - w241))
-    w243 = w24 * c11
-    w244 = w24 * c44
-    w245 = w104 * c13
-    w246 = w228 - (w77 + link1_theta1_dot * (w74 + w9 * w67))
-    w247 = (w246 - w227) * c1 + (w227 + w246) * c3
-    w248 = (w208**2 - w220**2) * c45
-    w249 = w210 + (link1_theta1_dot * (w68 - w8 * w207) - w71)
-    w250 = (w209 - w249) * c3 - (w209 + w249) * c0
-    w251 = w15 * link2_theta1_dot
-    w252 = link2_theta1_dot * w251 + w18 * link2_theta1_ddot
-    w253 = w18 * link2_theta1_dot
-    w254 = w54 * w253
-    w255 = w24 * link2_theta2_dot
-    w256 = link2_theta2_dot * w255 + w19 * link2_theta2_ddot
-    w257 = (w24 * w252 - w254 + (w15 * w256 - w254)) * link2_end_x
-    w258 = w257 * link3_mass
-    w259 = w258 - w162
-    w260 = w15 * link2_theta1_ddot - link2_theta1_dot * w253
-    w261 = w54 * w251
-    w262 = (w24 * w260 - w261 - (w261 + w18 * w256)) * link2_end_x
-    w263 = w262 * link3_mass
-    w264 = w263 - (w47 - w40 + w61 * (w50 - w49))
-    w265 = w255 * link2_end_x
-    w266 = (w24 * link2_theta2_ddot - link2_theta2_dot * w54) * link2_end_x
-    w267 = w24 * w251
-    w268 = w18 * w266 + (w150 * w260 + link2_theta2_dot * w267 * c46)
-    w269 = w268 * link3_mass
-    w270 = link2_theta1_dot * w24
-    w271 = w19 * w21
-    w272 = link2_theta1_dot * w271
-    w273 = w27 * w270 + w23 * w272
-    w274 = w16 * w19
-    w275 = link2_theta1_ddot * w274 + link2_theta1_dot * (w24 * w26 - w21 * w151)
-    w276 = w273 + w275
-    w277 = w276 * c11
-    w278 = 2 * w27
-    w279 = 2 * w44
-    w280 = link2_theta1_dot * w274
-    w281 = (w272 * w278 + w279 * w280) * c11
-    w282 = link2_theta1_dot * (w16 * w151 + w21 * w255) + link2_theta1_ddot * w271
-    w283 = w44 * w270 + w23 * w280
-    w284 = w282 - w283
-    w285 = w284 * c11
-    w286 = w269 - (w39 * (w21 * w41) - w22 * w277 + (w20 * w46 + w41 * w281) + (w61 * (w24 * w48) + w51 * w285))
-    w287 = w253 * w265
-    w288 = w15 * w266 - w287 - (w287 + w150 * w252)
-    w289 = w288 * link3_mass
-    w290 = w39 * (w21 * w143) - w146 * w277 + (w46 * w145 + w143 * w281) + (w61 * (w17 * w24) + w148 * w285)
-    w291 = w289 - w290
-    w292 = w267 - w18 * w54
-    w293 = w292 * link2_end_x
-    w294 = (w24 * w253 + w15 * w54) * link2_end_x
-    w295 = w253 * w294
-    w296 = w18 * w262 + (w154 * w260 + w251 * w292 * c46) - (w144 * w252 - w295 + (w15 * w257 - w295))
-    w297 = w296 * link3_mass
-    w298 = (w52 + w59) * c15 - w60 * c17
-    w299 = (w282 + w283) * c15 + w284 * c17
-    w300 = w27 * w44
-    w301 = link2_theta3_ddot - w19 * link2_theta1_ddot - w141
-    w302 = w19 * w140 - w24 * link2_theta1_ddot
-    w303 = w44 * w272 + w27 * w280
-    w304 = (w302 - w303) * c14 + (w302 + w303) * c15
-    w305 = w38 * c17 - (w28 - w37) * c14
-    w306 = w276 * c17 + (w275 - w273) * c14
-    w307 = w271 * w298 + w25 * w299 + (w24 * ((w300 + w301) * c14 - (w300 - w301) * c15) + w19 * w304) + (w274 * w305 + w29 * w306)
-    w308 = w167 * (w20 * c11) - w94 * (w145 * c11) - w307 + w178 * (w20 * link2_end_x) - w160 * (w145 * link2_end_x)
-    w309 = w21 * w306 - w16 * w299 - (w167 * (w15 * w243) + w94 * (w18 * w243) - w186 * w194) - w178 * (w15 * w187)
-    w310 = w58 + (link2_theta1_dot * (w53 - w19 * w43) - w56)
-    w311 = w52 - w310
-    w312 = w311 * c11
-    w313 = (w44 * w278 - w27 * w279) * c11
-    w314 = w30 - (w35 + link2_theta1_dot * (w32 + w16 * w54))
-    w315 = w28 + w314
-    w316 = w315 * c11
-    w317 = w39 * (w147 + w16 * w145) + w146 * w312 - w143 * w313 + (w61 * (w48 - w19 * w50) - w148 * w316)
-    w318 = w39 * (w16 * w20 - w50) + w22 * w312 - w41 * w313 - (w61 * (w17 + w19 * w147) + w51 * w316)
-    w319 = w184 * (w19 * w313 + (w29 * w39 + w25 * w312) - (w25 * w61 + w29 * w316)) + w93 * w318 + w166 * w317
-    w320 = (w314 - w28) * c15 + w315 * c17
-    w321 = (w45 - w42) * c47
-    w322 = w311 * c17 - (w52 + w310) * c14
-    w323 = w126 - w119 + w139 * (w129 - w128)
-    w324 = link3_theta1_dot * w104
-    w325 = w99 * w101
-    w326 = link3_theta1_dot * w325
-    w327 = w107 * w324 + w103 * w326
-    w328 = w96 * w99
-    w329 = w99 * link3_theta3_dot
-    w330 = link3_theta1_ddot * w328 + link3_theta1_dot * (w104 * w106 - w101 * w329)
-    w331 = w327 + w330
-    w332 = w331 * c13
-    w333 = 2 * w107
-    w334 = 2 * w123
-    w335 = link3_theta1_dot * w328
-    w336 = (w326 * w333 + w334 * w335) * c13
-    w337 = w104 * link3_theta2_dot
-    w338 = link3_theta1_dot * (w96 * w329 + w101 * w337) + link3_theta1_ddot * w325
-    w339 = w123 * w324 + w103 * w335
-    w340 = w338 - w339
-    w341 = w340 * c13
-    w342 = w118 * (w101 * w170) - w169 * w332 + (w125 * w168 + w170 * w336) + (w139 * (w97 * w104) + w172 * w341)
-    w343 = w118 * (w101 * w120) - w102 * w332 + (w100 * w125 + w120 * w336) + (w139 * (w104 * w127) + w130 * w341)
-    w344 = w104 * w125 - w99 * w336 - (w118 * w325 + w105 * w332) + (w109 * w341 - w139 * w328)
-    w345 = (w131 + w137) * c22 - w138 * c24
-    w346 = (w338 + w339) * c22 + w340 * c24
-    w347 = w107 * w123
-    w348 = link3_theta1_dot * link3_theta2_dot
-    w349 = link3_theta3_ddot - w99 * link3_theta1_ddot - w104 * w348
-    w350 = w99 * w348 - w104 * link3_theta1_ddot
-    w351 = w123 * w326 + w107 * w335
-    w352 = (w350 - w351) * c21 + (w350 + w351) * c22
-    w353 = w117 * c24 - (w108 - w116) * c21
-    w354 = w331 * c24 + (w330 - w327) * c21
-    w355 = w325 * w345 + w105 * w346 + (w104 * ((w347 + w349) * c21 - (w347 - w349) * c22) + w99 * w352) + (w328 * w353 + w109 * w354)
-    w356 = w136 + (link3_theta1_dot * (w132 - w99 * w122) - w135)
-    w357 = w131 - w356
-    w358 = w357 * c13
-    w359 = (w123 * w333 - w107 * w334) * c13
-    w360 = w110 - (w115 + link3_theta1_dot * (w112 + w96 * w133))
-    w361 = w108 + w360
-    w362 = w361 * c13
-    w363 = w118 * (w171 + w96 * w168) + w169 * w358 - w170 * w359 + (w139 * (w127 - w99 * w129) - w172 * w362)
-    w364 = w118 * (w96 * w100 - w129) + w102 * w358 - w120 * w359 - (w139 * (w97 + w99 * w171) + w130 * w362)
-    w365 = w99 * w359 + (w109 * w118 + w105 * w358) - (w105 * w139 + w109 * w362)
-    w366 = (w360 - w108) * c22 + w361 * c24
-    w367 = (w124 - w121) * c48
-    w368 = w357 * c24 - (w131 + w356) * c21
-    w369 = 2 * w240
-    w370 = w369 * c9
-    w371 = w73 * w206 - w8 * w208
-    w372 = (w69 + w371) * c1 - (w371 - w69) * c3
-    w373 = w65 * w208 + w73 * w220
-    w374 = (w373 - w11) * c0 - (w11 + w373) * c1
-    w375 = w65 * w206 - w8 * w220
-    w376 = (w375 - w76) * c3 - (w76 + w375) * c0
-    w377 = 2 * w239
-    w378 = w377 * c9
-    w379 = 2 * (w4 * w84 + w5 * w202)
-    w380 = w379 * c9
-    w381 = w67 * w206
-    w382 = w216 + link1_theta3_dot * w67
-    w383 = (w381 - w382) * c3 - (w381 + w382) * c0
-    w384 = w64 * w206
-    w385 = w224 + w64 * link1_theta3_dot
-    w386 = (w384 + w385) * c1 + (w385 - w384) * c3
-    w387 = w67 * w208 - w64 * w220
-    w388 = (w387 - w214) * c0 - (w214 + w387) * c1
-    w389 = 2 * (w0 * w202 - w7 * w84)
-    w390 = w389 * c9
-    w391 = 2 * (w4 * w89 + w5 * w239 - (w3 * w7 + w0 * w240))
-    w392 = (w208 + w208) * c1
-    w393 = (w220 + w220) * c49
-    w394 = 2 * w294
-    w395 = w394 * link3_mass
-    w396 = w23 * w25 - w19 * w27
-    w397 = w396 - w33
-    w398 = w397 * c11
-    w399 = (w25 * w278 + w29 * w279) * c11
-    w400 = w23 * w29 - w19 * w44
-    w401 = w400 - w55
-    w402 = w401 * c11
-    w403 = w395 - (w22 * w398 - w41 * w399 + w51 * w402)
-    w404 = 2 * w293
-    w405 = w404 * link3_mass
-    w406 = w405 - (w146 * w398 - w143 * w399 + w148 * w402)
-    w407 = (w55 + w400) * c15 - w401 * c17
-    w408 = w25 * w44 + w27 * w29
-    w409 = (w408 - w255) * c14 - (w255 + w408) * c15
-    w410 = w397 * c17 - (w33 + w396) * c14
-    w411 = 2 * (w150 * w251 + w18 * w265)
-    w412 = w411 * link3_mass
-    w413 = w16 * w23
-    w414 = w280 + w16 * link2_theta3_dot
-    w415 = w413 - w414
-    w416 = w415 * c11
-    w417 = (w16 * w278 - w21 * w279) * c11
-    w418 = w272 + w21 * link2_theta3_dot
-    w419 = w21 * w23
-    w420 = w418 - w419
-    w421 = w420 * c11
-    w422 = w412 - (w22 * w416 - w41 * w417 + w51 * w421)
-    w423 = 2 * (w15 * w265 - w150 * w253)
-    w424 = w423 * link3_mass
-    w425 = w424 - (w146 * w416 - w143 * w417 + w148 * w421)
-    w426 = 2 * (w154 * w251 + w18 * w293 - (w144 * w253 + w15 * w294))
-    w427 = w426 * link3_mass
-    w428 = w415 * c17 - (w413 + w414) * c14
-    w429 = (w418 + w419) * c15 + w420 * c17
-    w430 = w16 * w44 - w21 * w27
-    w431 = (w430 - w270) * c14 - (w270 + w430) * c15
-    w432 = (w44 + w44) * c15
-    w433 = (w27 + w27) * c50
-    w434 = w103 * w105 - w99 * w107
-    w435 = w434 - w113
-    w436 = w435 * c13
-    w437 = (w105 * w333 + w109 * w334) * c13
-    w438 = w103 * w109 - w99 * w123
-    w439 = w438 - w134
-    w440 = w439 * c13
-    w441 = w169 * w436 - w170 * w437 + w172 * w440
-    w442 = w102 * w436 - w120 * w437 + w130 * w440
-    w443 = w99 * w437 + w105 * w436 + w109 * w440
-    w444 = (w134 + w438) * c22 - w439 * c24
-    w445 = w105 * w123 + w107 * w109
-    w446 = (w445 - w337) * c21 - (w337 + w445) * c22
-    w447 = w435 * c24 - (w113 + w434) * c21
-    w448 = w96 * w103
-    w449 = w335 + w96 * link3_theta3_dot
-    w450 = w448 - w449
-    w451 = w450 * c13
-    w452 = (w96 * w333 - w101 * w334) * c13
-    w453 = w326 + w101 * link3_theta3_dot
-    w454 = w101 * w103
-    w455 = w453 - w454
-    w456 = w455 * c13
-    w457 = w169 * w451 - w170 * w452 + w172 * w456
-    w458 = w102 * w451 - w120 * w452 + w130 * w456
-    w459 = w99 * w452 + w105 * w451 + w109 * w456
-    w460 = w450 * c24 - (w448 + w449) * c21
-    w461 = (w453 + w454) * c22 + w455 * c24
-    w462 = w96 * w123 - w101 * w107
-    w463 = (w462 - w324) * c21 - (w324 + w462) * c22
-    w464 = (w123 + w123) * c22
-    w465 = (w107 + w107) * c51
-    w466 = w161 * (w5 * w184) - (w64 * w233 - w67 * w219 - w8 * c28 - w179 * (w0 * w184)) - w84 * (w19 * w46 + w25 * w39 + w29 * w61 + w186 * link2_mass + w189)
-    w467 = w160 * w176 + (w94 * (w15 * w194) - w167 * (w18 * w194) - w158 * w178) - w158 * w258 - w176 * w263
-    w468 = (w24 * w46 - w19 * w281 - (w39 * w271 + w25 * w277) + (w29 * w285 - w61 * w274) - w297) * w184 - w93 * w286
+    c25 = c[25]
+    c31 = c[31]
+    c32 = c[32]
+    c34 = c[34]
+    c35 = c[35]
+    c36 = c[36]
+    c64 = c[64]
+    c65 = c[65]
+    # intermediate terms (418)
+    w0 = link1_e2 * 4.0
+    w1 = 2 * link3_e1
+    w2 = w1 * link3_e2
+    w3 = 2 * link3_e3
+    w4 = w3 * link3_e0
+    w5 = w2 - w4
+    w6 = link3_omega_x * link3_omega_y + link3_turn_z_ddot
+    w7 = 2 * link3_e2
+    w8 = link3_e2 * w7
+    w9 = link3_e3 * w3
+    w10 = 1.0 - (w8 + w9)
+    w11 = link3_omega_y**2 + link3_omega_z**2
+    w12 = w1 * link3_e3
+    w13 = link3_e0 * w7
+    w14 = w12 + w13
+    w15 = link3_omega_x * link3_omega_z - link3_turn_y_ddot
+    w16 = (w5 * w6 - w10 * w11 + w14 * w15) * c5
+    w17 = 2 * link2_e1
+    w18 = w17 * link2_e2
+    w19 = 2 * link2_e3
+    w20 = w19 * link2_e0
+    w21 = w18 - w20
+    w22 = link2_omega_x * link2_omega_y + link2_turn_z_ddot
+    w23 = 2 * link2_e2
+    w24 = link2_e2 * w23
+    w25 = link2_e3 * w19
+    w26 = 1.0 - (w24 + w25)
+    w27 = link2_omega_y**2 + link2_omega_z**2
+    w28 = w17 * link2_e3
+    w29 = link2_e0 * w23
+    w30 = w28 + w29
+    w31 = link2_omega_x * link2_omega_z - link2_turn_y_ddot
+    w32 = w21 * w22 - w26 * w27 + w30 * w31
+    w33 = w16 + w32 * c4
+    w34 = 2 * link1_e0
+    w35 = w34 * link1_end_x
+    w36 = w33 * w35
+    w37 = link3_e1 * w1
+    w38 = 1.0 - (w9 + w37)
+    w39 = w2 + w4
+    w40 = link3_e3 * w7
+    w41 = w1 * link3_e0
+    w42 = w40 - w41
+    w43 = (w6 * w38 - w11 * w39 + w15 * w42) * c5
+    w44 = link2_e1 * w17
+    w45 = 1.0 - (w25 + w44)
+    w46 = w18 + w20
+    w47 = link2_e3 * w23
+    w48 = w17 * link2_e0
+    w49 = w47 - w48
+    w50 = w22 * w45 - w27 * w46 + w31 * w49
+    w51 = w43 + w50 * c4
+    w52 = 2 * link1_e3
+    w53 = w52 * link1_end_x
+    w54 = w40 + w41
+    w55 = w12 - w13
+    w56 = 1.0 - (w8 + w37)
+    w57 = (w6 * w54 - w11 * w55 + w15 * w56) * c5
+    w58 = w47 + w48
+    w59 = w28 - w29
+    w60 = 1.0 - (w24 + w44)
+    w61 = w22 * w58 - w27 * w59 + w31 * w60
+    w62 = w57 + w61 * c4
+    w63 = w0 * c15 + (w36 + w51 * w53 - w62 * (w0 * link1_end_x))
+    w64 = link1_e3 * 0.5
+    w65 = 2 * link1_e1
+    w66 = w65 * link1_end_x
+    w67 = w33 * w66
+    w68 = 2 * link1_e2
+    w69 = w68 * link1_end_x
+    w70 = w67 + w51 * w69
+    w71 = link1_e2 * 0.5
+    w72 = link1_e1 * 4.0
+    w73 = w33 * w53
+    w74 = w72 * link1_end_x
+    w75 = w72 * c15 + (w73 - w35 * w51 - w62 * w74)
+    w76 = link1_e0 * 0.5
+    w77 = w33 * w69
+    w78 = w77 - w51 * w66
+    w79 = link1_e1 * 0.5
+    w80 = link1_e3 * 4.0
+    w81 = w62 * w69 - (w36 + w51 * (w80 * link1_end_x)) - w68 * c15
+    w82 = w67 + w53 * w62 - w52 * c15
+    w83 = w77 - w51 * w74 + w35 * w62 - w34 * c15
+    w84 = w62 * w66 - w73 - w65 * c15
+    w85 = link1_omega_x * link1_omega_y + link1_turn_z_ddot
+    w86 = w65 * w85
+    w87 = link1_omega_y**2 + link1_omega_z**2
+    w88 = link1_omega_x * link1_omega_z - link1_turn_y_ddot
+    w89 = w34 * w88
+    w90 = (w86 + w0 * w87 + w89) * link1_end_x
+    w91 = w90 * c4
+    w92 = w52 * w88
+    w93 = w65 * w87
+    w94 = (w92 - w93) * link1_end_x
+    w95 = w94 * c4
+    w96 = w52 * w85
+    w97 = w34 * w87
+    w98 = (w96 + w97 - w0 * w88) * link1_end_x
+    w99 = w98 * c4
+    w100 = w30 * w91 + w49 * w95 + w60 * w99
+    w101 = w34 * w85
+    w102 = w65 * w88
+    w103 = (w80 * w87 - w101 + w102) * link1_end_x
+    w104 = w103 * c4
+    w105 = w68 * w88
+    w106 = (w105 - (w97 + w80 * w85)) * link1_end_x
+    w107 = w106 * c4
+    w108 = w68 * w85
+    w109 = (w108 - w93) * link1_end_x
+    w110 = w109 * c4
+    w111 = w30 * w104 + w49 * w107 + w60 * w110
+    w112 = (w92 + w108) * link1_end_x
+    w113 = w112 * c4
+    w114 = w68 * w87
+    w115 = (w89 + (w72 * w85 + w114)) * link1_end_x
+    w116 = w115 * c4
+    w117 = w52 * w87
+    w118 = (w101 - w117 - w72 * w88) * link1_end_x
+    w119 = w118 * c4
+    w120 = w30 * w113 - w49 * w116 + w60 * w119
+    w121 = (w105 - w96) * link1_end_x
+    w122 = w121 * c4
+    w123 = (w102 + w117) * link1_end_x
+    w124 = w123 * c4
+    w125 = (w86 + w114) * link1_end_x
+    w126 = w125 * c4
+    w127 = w30 * w122 - w49 * w124 + w60 * w126
+    w128 = w21 * w104 + w45 * w107 + w58 * w110
+    w129 = w21 * w91 + w45 * w95 + w58 * w99
+    w130 = w21 * w113 - w45 * w116 + w58 * w119
+    w131 = w21 * w122 - w45 * w124 + w58 * w126
+    w132 = w14 * c5
+    w133 = w42 * c5
+    w134 = w56 * c5
+    w135 = w90 * w132 + w94 * w133 + w98 * w134
+    w136 = w103 * w132 + w106 * w133 + w109 * w134
+    w137 = w112 * w132 - w115 * w133 + w118 * w134
+    w138 = w121 * w132 - w123 * w133 + w125 * w134
+    w139 = w5 * c5
+    w140 = w38 * c5
+    w141 = w54 * c5
+    w142 = w103 * w139 + w106 * w140 + w109 * w141
+    w143 = w90 * w139 + w94 * w140 + w98 * w141
+    w144 = w112 * w139 - w115 * w140 + w118 * w141
+    w145 = w121 * w139 - w123 * w140 + w125 * w141
+    w146 = link1_e3 * w65
+    w147 = link1_e0 * w68
+    w148 = w146 + w147
+    w149 = w148 * link1_end_x
+    w150 = w17 * w22
+    w151 = link2_e2 * 4.0
+    w152 = 2 * link2_e0
+    w153 = w31 * w152
+    w154 = w150 + w27 * w151 + w153
+    w155 = w154 * c4
+    w156 = link1_e3 * w68
+    w157 = link1_e0 * w65
+    w158 = w156 - w157
+    w159 = w158 * link1_end_x
+    w160 = w19 * w31
+    w161 = w17 * w27
+    w162 = w160 - w161
+    w163 = w162 * c4
+    w164 = link1_e1 * w65
+    w165 = link1_e2 * w68
+    w166 = 1.0 - (w164 + w165)
+    w167 = w166 * link1_end_x
+    w168 = w19 * w22
+    w169 = w27 * w152
+    w170 = w168 + w169 - w31 * w151
+    w171 = w170 * c4
+    w172 = w149 * w155 + w159 * w163 + w167 * w171
+    w173 = link2_e3 * 0.5
+    w174 = link2_e3 * 4.0
+    w175 = w22 * w152
+    w176 = w17 * w31
+    w177 = w27 * w174 - w175 + w176
+    w178 = w177 * c4
+    w179 = w23 * w31
+    w180 = w179 - (w169 + w22 * w174)
+    w181 = w180 * c4
+    w182 = w22 * w23
+    w183 = w182 - w161
+    w184 = w183 * c4
+    w185 = w149 * w178 + w159 * w181 + w167 * w184
+    w186 = link2_e2 * 0.5
+    w187 = w160 + w182
+    w188 = w187 * c4
+    w189 = link2_e1 * 4.0
+    w190 = w23 * w27
+    w191 = w153 + (w22 * w189 + w190)
+    w192 = w191 * c4
+    w193 = w19 * w27
+    w194 = w175 - w193 - w31 * w189
+    w195 = w194 * c4
+    w196 = w149 * w188 - w159 * w192 + w167 * w195
+    w197 = link2_e0 * 0.5
+    w198 = w179 - w168
+    w199 = w198 * c4
+    w200 = w176 + w193
+    w201 = w200 * c4
+    w202 = w150 + w190
+    w203 = w202 * c4
+    w204 = w149 * w199 - w159 * w201 + w167 * w203
+    w205 = link2_e1 * 0.5
+    w206 = link1_e2 * w65
+    w207 = link1_e0 * w52
+    w208 = w206 - w207
+    w209 = w208 * link1_end_x
+    w210 = link1_e3 * w52
+    w211 = 1.0 - (w164 + w210)
+    w212 = w211 * link1_end_x
+    w213 = w156 + w157
+    w214 = w213 * link1_end_x
+    w215 = w178 * w209 + w181 * w212 + w184 * w214
+    w216 = w155 * w209 + w163 * w212 + w171 * w214
+    w217 = w188 * w209 - w192 * w212 + w195 * w214
+    w218 = w199 * w209 - w201 * w212 + w203 * w214
+    w219 = 1.0 - (w165 + w210)
+    w220 = (w85 * w208 - w87 * w219 + w88 * w148) * link1_end_x
+    w221 = w16 * link2_end_x + w220 * c4
+    w222 = w152 * w221
+    w223 = w206 + w207
+    w224 = (w85 * w211 - w87 * w223 + w88 * w158) * link1_end_x
+    w225 = w43 * link2_end_x + w224 * c4
+    w226 = w146 - w147
+    w227 = (w85 * w213 - w87 * w226 + w88 * w166) * link1_end_x - gravity_z
+    w228 = w57 * link2_end_x + w227 * c4
+    w229 = w222 + w19 * w225 - w151 * w228
+    w230 = w17 * w221
+    w231 = w230 + w23 * w225
+    w232 = w19 * w221
+    w233 = w232 - w152 * w225 - w189 * w228
+    w234 = w23 * w221
+    w235 = w234 - w17 * w225
+    w236 = w23 * w228 - (w222 + w174 * w225)
+    w237 = w230 + w19 * w228
+    w238 = w234 - w189 * w225 + w152 * w228
+    w239 = w17 * w228 - w232
+    w240 = w154 * link2_end_x
+    w241 = w162 * link2_end_x
+    w242 = w170 * link2_end_x
+    w243 = w132 * w240 + w133 * w241 + w134 * w242
+    w244 = w177 * link2_end_x
+    w245 = w180 * link2_end_x
+    w246 = w183 * link2_end_x
+    w247 = w132 * w244 + w133 * w245 + w134 * w246
+    w248 = w187 * link2_end_x
+    w249 = w191 * link2_end_x
+    w250 = w194 * link2_end_x
+    w251 = w132 * w248 - w133 * w249 + w134 * w250
+    w252 = w198 * link2_end_x
+    w253 = w200 * link2_end_x
+    w254 = w202 * link2_end_x
+    w255 = w132 * w252 - w133 * w253 + w134 * w254
+    w256 = w139 * w244 + w140 * w245 + w141 * w246
+    w257 = w139 * w240 + w140 * w241 + w141 * w242
+    w258 = w139 * w248 - w140 * w249 + w141 * w250
+    w259 = w139 * w252 - w140 * w253 + w141 * w254
+    w260 = w1 * w6
+    w261 = link3_e2 * 4.0
+    w262 = 2 * link3_e0
+    w263 = w15 * w262
+    w264 = (w260 + w11 * w261 + w263) * c5
+    w265 = w3 * w15
+    w266 = w1 * w11
+    w267 = (w265 - w266) * c5
+    w268 = w3 * w6
+    w269 = w11 * w262
+    w270 = (w268 + w269 - w15 * w261) * c5
+    w271 = w149 * w264 + w159 * w267 + w167 * w270
+    w272 = link3_e3 * 0.5
+    w273 = link3_e3 * 4.0
+    w274 = w6 * w262
+    w275 = w1 * w15
+    w276 = (w11 * w273 - w274 + w275) * c5
+    w277 = w7 * w15
+    w278 = (w277 - (w269 + w6 * w273)) * c5
+    w279 = w6 * w7
+    w280 = (w279 - w266) * c5
+    w281 = w149 * w276 + w159 * w278 + w167 * w280
+    w282 = link3_e2 * 0.5
+    w283 = (w265 + w279) * c5
+    w284 = link3_e1 * 4.0
+    w285 = w7 * w11
+    w286 = (w263 + (w6 * w284 + w285)) * c5
+    w287 = w3 * w11
+    w288 = (w274 - w287 - w15 * w284) * c5
+    w289 = w149 * w283 - w159 * w286 + w167 * w288
+    w290 = link3_e0 * 0.5
+    w291 = (w277 - w268) * c5
+    w292 = (w275 + w287) * c5
+    w293 = (w260 + w285) * c5
+    w294 = w149 * w291 - w159 * w292 + w167 * w293
+    w295 = link3_e1 * 0.5
+    w296 = w209 * w276 + w212 * w278 + w214 * w280
+    w297 = w209 * w264 + w212 * w267 + w214 * w270
+    w298 = w209 * w283 - w212 * w286 + w214 * w288
+    w299 = w209 * w291 - w212 * w292 + w214 * w293
+    w300 = w264 * link2_end_x
+    w301 = w267 * link2_end_x
+    w302 = w270 * link2_end_x
+    w303 = w30 * w300 + w49 * w301 + w60 * w302
+    w304 = w276 * link2_end_x
+    w305 = w278 * link2_end_x
+    w306 = w280 * link2_end_x
+    w307 = w30 * w304 + w49 * w305 + w60 * w306
+    w308 = w283 * link2_end_x
+    w309 = w286 * link2_end_x
+    w310 = w288 * link2_end_x
+    w311 = w30 * w308 - w49 * w309 + w60 * w310
+    w312 = w291 * link2_end_x
+    w313 = w292 * link2_end_x
+    w314 = w293 * link2_end_x
+    w315 = w30 * w312 - w49 * w313 + w60 * w314
+    w316 = w21 * w304 + w45 * w305 + w58 * w306
+    w317 = w21 * w300 + w45 * w301 + w58 * w302
+    w318 = w21 * w308 - w45 * w309 + w58 * w310
+    w319 = w21 * w312 - w45 * w313 + w58 * w314
+    w320 = w220 + w32 * link2_end_x
+    w321 = w262 * c5
+    w322 = w320 * w321
+    w323 = w224 + w50 * link2_end_x
+    w324 = w3 * c5
+    w325 = w227 + w61 * link2_end_x
+    w326 = w322 + w323 * w324 - w325 * (w261 * c5)
+    w327 = w1 * c5
+    w328 = w320 * w327
+    w329 = w7 * c5
+    w330 = w328 + w323 * w329
+    w331 = w320 * w324
+    w332 = w284 * c5
+    w333 = w331 - w321 * w323 - w325 * w332
+    w334 = w320 * w329
+    w335 = w334 - w323 * w327
+    w336 = w325 * w329 - (w322 + w323 * (w273 * c5))
+    w337 = w328 + w324 * w325
+    w338 = w334 - w323 * w332 + w321 * w325
+    w339 = w325 * w327 - w331
+    w340 = link1_omega_z * c25
+    w341 = link1_omega_y * c24
+    w342 = (link1_omega_y * w208 + link1_omega_z * w148) * link1_end_x
+    w343 = w342 * c4
+    w344 = (link1_omega_y * w211 + link1_omega_z * w158) * link1_end_x
+    w345 = w344 * c4
+    w346 = (link1_omega_y * w213 + link1_omega_z * w166) * link1_end_x
+    w347 = w346 * c4
+    w348 = link1_omega_x * c64
+    w349 = 2 * link1_omega_y
+    w350 = (link1_omega_x * w208 - w219 * w349) * link1_end_x
+    w351 = w350 * c4
+    w352 = (link1_omega_x * w211 - w223 * w349) * link1_end_x
+    w353 = w352 * c4
+    w354 = (link1_omega_x * w213 - w226 * w349) * link1_end_x
+    w355 = w354 * c4
+    w356 = 2 * link1_omega_z
+    w357 = (link1_omega_x * w148 - w219 * w356) * link1_end_x
+    w358 = w357 * c4
+    w359 = (link1_omega_x * w158 - w223 * w356) * link1_end_x
+    w360 = w359 * c4
+    w361 = (link1_omega_x * w166 - w226 * w356) * link1_end_x
+    w362 = w361 * c4
+    w363 = w21 * link2_omega_y + link2_omega_z * w30
+    w364 = w363 * c4
+    w365 = link2_omega_y * w45 + link2_omega_z * w49
+    w366 = w365 * c4
+    w367 = link2_omega_y * w58 + link2_omega_z * w60
+    w368 = w367 * c4
+    w369 = link2_omega_z * c32
+    w370 = link2_omega_y * c31
+    w371 = w363 * link2_end_x
+    w372 = w365 * link2_end_x
+    w373 = w367 * link2_end_x
+    w374 = 2 * link2_omega_y
+    w375 = w21 * link2_omega_x - w26 * w374
+    w376 = w375 * c4
+    w377 = link2_omega_x * w45 - w46 * w374
+    w378 = w377 * c4
+    w379 = link2_omega_x * w58 - w59 * w374
+    w380 = w379 * c4
+    w381 = link2_omega_x * c65
+    w382 = w375 * link2_end_x
+    w383 = w377 * link2_end_x
+    w384 = w379 * link2_end_x
+    w385 = 2 * link2_omega_z
+    w386 = link2_omega_x * w30 - w26 * w385
+    w387 = w386 * c4
+    w388 = link2_omega_x * w49 - w46 * w385
+    w389 = w388 * c4
+    w390 = link2_omega_x * w60 - w59 * w385
+    w391 = w390 * c4
+    w392 = w386 * link2_end_x
+    w393 = w388 * link2_end_x
+    w394 = w390 * link2_end_x
+    w395 = (w5 * link3_omega_y + link3_omega_z * w14) * c5
+    w396 = (link3_omega_y * w38 + link3_omega_z * w42) * c5
+    w397 = (link3_omega_y * w54 + link3_omega_z * w56) * c5
+    w398 = w395 * link2_end_x
+    w399 = w396 * link2_end_x
+    w400 = w397 * link2_end_x
+    w401 = link3_omega_z * c35
+    w402 = link3_omega_y * c34
+    w403 = 2 * link3_omega_y
+    w404 = (w5 * link3_omega_x - w10 * w403) * c5
+    w405 = (link3_omega_x * w38 - w39 * w403) * c5
+    w406 = (link3_omega_x * w54 - w55 * w403) * c5
+    w407 = w404 * link2_end_x
+    w408 = w405 * link2_end_x
+    w409 = w406 * link2_end_x
+    w410 = link3_omega_x * c36
+    w411 = 2 * link3_omega_z
+    w412 = (link3_omega_x * w14 - w10 * w411) * c5
+    w413 = (link3_omega_x * w42 - w39 * w411) * c5
+    w414 = (link3_omega_x * w56 - w55 * w411) * c5
+    w415 = w412 * link2_end_x
+    w416 = w413 * link2_end_x
+    w417 = w414 * link2_end_x
     # outputs
     J_q = ca.vertcat(
-        ca.horzcat(  # link1.theta1
-            w3 * w14 + (w89 * w161 + w3 * w179) - w89 * w183,
-            w3 * w205 - (w179 * (w164 * link1_end_x) - w234 - w161 * (w80 * link1_end_x)) - w89 * w237,
-            w8 * w248 - (w73 * w212 + w65 * w247) - (w73 * w250 - w65 * w230), w3 * w259 - w89 * w264,
-            w3 * w286 - w89 * w291, w89 * w317 - w3 * w318, w89 * w323 - w3 * w173, w89 * w342 - w3 * w343,
-            w89 * w363 - w3 * w364,
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.turn_x
+        ca.horzcat(  # link1.turn_y
+            w63 * w64 - w70 * w71 + w75 * w76 - w78 * w79, w70 * w79 + w63 * w76 - w64 * w75 - w71 * w78,
+            w70 * w76 - w63 * w79 + w71 * w75 - w64 * w78, w172 * w173 - w185 * w186 + w196 * w197 - w204 * w205,
+            w185 * w205 + w172 * w197 - w173 * w196 - w186 * w204,
+            w185 * w197 - w172 * w205 + w186 * w196 - w173 * w204,
+            w271 * w272 - w281 * w282 + w289 * w290 - w294 * w295,
+            w281 * w295 + w271 * w290 - w272 * w289 - w282 * w294,
+            w281 * w290 - w271 * w295 + w282 * w289 - w272 * w294,
         ),
-        ca.horzcat(  # link1.theta2
-            w161 * w166 - w93 * w179 - w14 * w93 - w166 * w183,
-            w466 - w184 * (w242 * c9) - w93 * w205 - w166 * w237,
-            w67 * w230 + w64 * w250 - (w67 * w247 - w64 * w212), -(w93 * w259 + w166 * w264), w468 - w166 * w291,
-            w319, w93 * w173 + w166 * w323, w184 * w344 + w93 * w343 + w166 * w342,
-            w184 * w365 + w93 * w364 + w166 * w363,
+        ca.horzcat(  # link1.turn_z
+            w71 * w81 - w64 * w82 - w76 * w83 + w79 * w84, w64 * w83 - (w76 * w82 + w79 * w81) + w71 * w84,
+            w64 * w84 - (w76 * w81 - w79 * w82 + w71 * w83), w186 * w215 - w173 * w216 - w197 * w217 + w205 * w218,
+            w173 * w217 - (w205 * w215 + w197 * w216) + w186 * w218,
+            w205 * w216 - w197 * w215 - w186 * w217 + w173 * w218,
+            w282 * w296 - w272 * w297 - w290 * w298 + w295 * w299,
+            w272 * w298 - (w295 * w296 + w290 * w297) + w282 * w299,
+            w295 * w297 - w290 * w296 - w282 * w298 + w272 * w299,
         ),
-        ca.horzcat(0.0, -w226, -w248, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
-        ca.horzcat(  # link2.theta1
-            w13 * w191 - w182 * w193, w191 * w204 - w193 * w236, 0.0,
-            w144 * w258 + (w154 * w160 + (w144 * w178 + (w94 * w192 + w167 * w190))) - w154 * w263,
-            w144 * w269 - w308 - w154 * w289, w19 * w321 - (w29 * w298 + w25 * w320) - (w29 * w322 - w25 * w305),
-            w154 * w323 - w144 * w173, w154 * w342 - w144 * w343, w154 * w363 - w144 * w364,
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link2.turn_x
+        ca.horzcat(  # link2.turn_y
+            w64 * w100 - w71 * w111 + w76 * w120 - w79 * w127, w79 * w111 + w76 * w100 - w64 * w120 - w71 * w127,
+            w76 * w111 - w79 * w100 + w71 * w120 - w64 * w127,
+            w173 * w229 - w186 * w231 + w197 * w233 - w205 * w235,
+            w205 * w231 + w197 * w229 - w173 * w233 - w186 * w235,
+            w197 * w231 - w205 * w229 + w186 * w233 - w173 * w235,
+            w272 * w303 - w282 * w307 + w290 * w311 - w295 * w315,
+            w295 * w307 + w290 * w303 - w272 * w311 - w282 * w315,
+            w290 * w307 - w295 * w303 + w282 * w311 - w272 * w315,
         ),
-        ca.horzcat(  # link2.theta2
-            -(w13 * w195 + w182 * w196), -(w242 * w244 + w195 * w204 + w196 * w236), 0.0, w467,
-            w160 * (w18 * w187) - w309 - w150 * w189 - w187 * w297 - w158 * w269 - w176 * w289,
-            w16 * w305 + w21 * w322 - (w16 * w320 - w21 * w298), w158 * w173 + w176 * w323,
-            w187 * w344 + w158 * w343 + w176 * w342, w187 * w365 + w158 * w364 + w176 * w363,
+        ca.horzcat(  # link2.turn_z
+            w71 * w128 - w64 * w129 - w76 * w130 + w79 * w131, w64 * w130 - (w79 * w128 + w76 * w129) + w71 * w131,
+            w79 * w129 - w76 * w128 - w71 * w130 + w64 * w131,
+            w186 * w236 - w173 * w237 - w197 * w238 + w205 * w239,
+            w173 * w238 - (w197 * w237 + w205 * w236) + w186 * w239,
+            w173 * w239 - (w197 * w236 - w205 * w237 + w186 * w238),
+            w282 * w316 - w272 * w317 - w290 * w318 + w295 * w319,
+            w272 * w318 - (w295 * w316 + w290 * w317) + w282 * w319,
+            w295 * w317 - w290 * w316 - w282 * w318 + w272 * w319,
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, -w304, -w321, 0.0, 0.0, 0.0),  # link2.theta3
-        ca.horzcat(  # link3.theta1
-            w13 * w197 - w182 * w198, w197 * w204 - w198 * w236, 0.0, w197 * w257 - w198 * w262,
-            w197 * w268 - w198 * w288, 0.0, w159 * w198 + w177 * w197,
-            w355 - (w177 * (w100 * c13) - w159 * (w168 * c13)),
-            w99 * w367 - (w109 * w345 + w105 * w366) - (w109 * w368 - w105 * w353),
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link3.turn_x
+        ca.horzcat(  # link3.turn_y
+            w64 * w135 - w71 * w136 + w76 * w137 - w79 * w138, w79 * w136 + w76 * w135 - w64 * w137 - w71 * w138,
+            w76 * w136 - w79 * w135 + w71 * w137 - w64 * w138,
+            w173 * w243 - w186 * w247 + w197 * w251 - w205 * w255,
+            w205 * w247 + w197 * w243 - w173 * w251 - w186 * w255,
+            w197 * w247 - w205 * w243 + w186 * w251 - w173 * w255,
+            w272 * w326 - w282 * w330 + w290 * w333 - w295 * w335,
+            w295 * w330 + w290 * w326 - w272 * w333 - w282 * w335,
+            w290 * w330 - w295 * w326 + w282 * w333 - w272 * w335,
         ),
-        ca.horzcat(  # link3.theta2
-            -(w13 * w200 + w182 * w201), -(w242 * w245 + w200 * w204 + w201 * w236), 0.0,
-            -(w200 * w257 + w201 * w262), -(w245 * w296 + w200 * w268 + w201 * w288), 0.0,
-            w159 * w201 - w177 * w200,
-            w177 * (w95 * w245) + w159 * (w98 * w245) - w188 * w199 - (w101 * w354 - w96 * w346),
-            w96 * w353 + w101 * w368 - (w96 * w366 - w101 * w345),
+        ca.horzcat(  # link3.turn_z
+            w71 * w142 - w64 * w143 - w76 * w144 + w79 * w145, w64 * w144 - (w79 * w142 + w76 * w143) + w71 * w145,
+            w79 * w143 - w76 * w142 - w71 * w144 + w64 * w145,
+            w186 * w256 - w173 * w257 - w197 * w258 + w205 * w259,
+            w173 * w258 - (w205 * w256 + w197 * w257) + w186 * w259,
+            w205 * w257 - w197 * w256 - w186 * w258 + w173 * w259,
+            w282 * w336 - w272 * w337 - w290 * w338 + w295 * w339,
+            w272 * w338 - (w290 * w337 + w295 * w336) + w282 * w339,
+            w272 * w339 - (w290 * w336 - w295 * w337 + w282 * w338),
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w352, -w367),  # link3.theta3
     )
-    J_v = ca.SX(9, 9)
-    # link1.theta1
-    J_v[0, 0] = w3 * w370 - (w65 * w372 - w8 * w374 + w73 * w376) - w89 * w378
-    J_v[0, 1] = w3 * w380 - (w73 * w383 - (w65 * w386 + w8 * w388)) - w89 * w390
-    J_v[0, 2] = -(w65 * w392 + w73 * w393)
-    J_v[0, 3] = w3 * w403 - w89 * w406
-    J_v[0, 4] = w3 * w422 - w89 * w425
-    J_v[0, 6] = w89 * w441 - w3 * w442
-    J_v[0, 7] = w89 * w457 - w3 * w458
-    # link1.theta2
-    J_v[1, 0] = w64 * w376 - w67 * w372 - w93 * w370 - w166 * w378
-    J_v[1, 1] = w67 * w386 + w64 * w383 - w184 * (w391 * c9) - w93 * w380 - w166 * w390
-    J_v[1, 2] = w64 * w393 - w67 * w392
-    J_v[1, 3] = w184 * (w19 * w399 + w25 * w398 + w29 * w402) - w93 * w403 - w166 * w406
-    J_v[1, 4] = (w19 * w417 + w25 * w416 + w29 * w421 - w427) * w184 - w93 * w422 - w166 * w425
-    J_v[1, 6] = w184 * w443 + w93 * w442 + w166 * w441
-    J_v[1, 7] = w184 * w459 + w93 * w458 + w166 * w457
-    # link1.theta3
-    J_v[2, 0] = -w374
-    J_v[2, 1] = -w388
-    # link2.theta1
-    J_v[3, 0] = w191 * w369 - w193 * w377
-    J_v[3, 1] = w191 * w379 - w193 * w389
-    J_v[3, 3] = w144 * w395 - (w25 * w407 - w19 * w409 + w29 * w410) - w154 * w405
-    J_v[3, 4] = w144 * w412 - (w29 * w428 - (w25 * w429 + w19 * w431)) - w154 * w424
-    J_v[3, 5] = -(w25 * w432 + w29 * w433)
-    J_v[3, 6] = w154 * w441 - w144 * w442
-    J_v[3, 7] = w154 * w457 - w144 * w458
-    # link2.theta2
-    J_v[4, 0] = -(w195 * w369 + w196 * w377)
-    J_v[4, 1] = -(w244 * w391 + w195 * w379 + w196 * w389)
-    J_v[4, 3] = w21 * w410 - w16 * w407 - w158 * w395 - w176 * w405
-    J_v[4, 4] = w16 * w429 + w21 * w428 - w187 * w427 - w158 * w412 - w176 * w424
-    J_v[4, 5] = w21 * w433 - w16 * w432
-    J_v[4, 6] = w187 * w443 + w158 * w442 + w176 * w441
-    J_v[4, 7] = w187 * w459 + w158 * w458 + w176 * w457
-    # link2.theta3
-    J_v[5, 3] = -w409
-    J_v[5, 4] = -w431
-    # link3.theta1
-    J_v[6, 0] = w197 * w369 - w198 * w377
-    J_v[6, 1] = w197 * w379 - w198 * w389
-    J_v[6, 3] = w197 * w394 - w198 * w404
-    J_v[6, 4] = w197 * w411 - w198 * w423
-    J_v[6, 6] = w99 * w446 - w105 * w444 - w109 * w447
-    J_v[6, 7] = w105 * w461 + w99 * w463 - w109 * w460
-    J_v[6, 8] = -(w105 * w464 + w109 * w465)
-    # link3.theta2
-    J_v[7, 0] = -(w200 * w369 + w201 * w377)
-    J_v[7, 1] = -(w245 * w391 + w200 * w379 + w201 * w389)
-    J_v[7, 3] = -(w200 * w394 + w201 * w404)
-    J_v[7, 4] = -(w245 * w426 + w200 * w411 + w201 * w423)
-    J_v[7, 6] = w101 * w447 - w96 * w444
-    J_v[7, 7] = w96 * w461 + w101 * w460
-    J_v[7, 8] = w101 * w465 - w96 * w464
-    # link3.theta3
-    J_v[8, 6] = -w446
-    J_v[8, 7] = -w463
-    inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
-    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
+    J_v = ca.vertcat(
+        ca.horzcat(  # link1.turn_x
+            0.0, w340 - link1_omega_z * c24, link1_omega_y * c25 - w341, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        ),
+        ca.horzcat(  # link1.turn_y
+            link1_omega_z * c64 - w340, 0.0, w348 - link1_omega_x * c25, w149 * w364 + w159 * w366 + w167 * w368,
+            w149 * w376 + w159 * w378 + w167 * w380, w149 * w387 + w159 * w389 + w167 * w391,
+            w149 * w395 + w159 * w396 + w167 * w397, w149 * w404 + w159 * w405 + w167 * w406,
+            w149 * w412 + w159 * w413 + w167 * w414,
+        ),
+        ca.horzcat(  # link1.turn_z
+            w341 - link1_omega_y * c64, link1_omega_x * c24 - w348, 0.0, -(w209 * w364 + w212 * w366 + w214 * w368),
+            -(w209 * w376 + w212 * w378 + w214 * w380), -(w209 * w387 + w212 * w389 + w214 * w391),
+            -(w209 * w395 + w212 * w396 + w214 * w397), -(w209 * w404 + w212 * w405 + w214 * w406),
+            -(w209 * w412 + w212 * w413 + w214 * w414),
+        ),
+        ca.horzcat(  # link2.turn_x
+            0.0, 0.0, 0.0, 0.0, w369 - link2_omega_z * c31, link2_omega_y * c32 - w370, 0.0, 0.0, 0.0,
+        ),
+        ca.horzcat(  # link2.turn_y
+            w30 * w343 + w49 * w345 + w60 * w347, w30 * w351 + w49 * w353 + w60 * w355,
+            w30 * w358 + w49 * w360 + w60 * w362, link2_omega_z * c65 - w369, 0.0, w381 - link2_omega_x * c32,
+            w30 * w398 + w49 * w399 + w60 * w400, w30 * w407 + w49 * w408 + w60 * w409,
+            w30 * w415 + w49 * w416 + w60 * w417,
+        ),
+        ca.horzcat(  # link2.turn_z
+            -(w21 * w343 + w45 * w345 + w58 * w347), -(w21 * w351 + w45 * w353 + w58 * w355),
+            -(w21 * w358 + w45 * w360 + w58 * w362), w370 - link2_omega_y * c65, link2_omega_x * c31 - w381, 0.0,
+            -(w21 * w398 + w45 * w399 + w58 * w400), -(w21 * w407 + w45 * w408 + w58 * w409),
+            -(w21 * w415 + w45 * w416 + w58 * w417),
+        ),
+        ca.horzcat(  # link3.turn_x
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, w401 - link3_omega_z * c34, link3_omega_y * c35 - w402,
+        ),
+        ca.horzcat(  # link3.turn_y
+            w132 * w342 + w133 * w344 + w134 * w346, w132 * w350 + w133 * w352 + w134 * w354,
+            w132 * w357 + w133 * w359 + w134 * w361, w132 * w371 + w133 * w372 + w134 * w373,
+            w132 * w382 + w133 * w383 + w134 * w384, w132 * w392 + w133 * w393 + w134 * w394,
+            link3_omega_z * c36 - w401, 0.0, w410 - link3_omega_x * c35,
+        ),
+        ca.horzcat(  # link3.turn_z
+            -(w139 * w342 + w140 * w344 + w141 * w346), -(w139 * w350 + w140 * w352 + w141 * w354),
+            -(w139 * w357 + w140 * w359 + w141 * w361), -(w139 * w371 + w140 * w372 + w141 * w373),
+            -(w139 * w382 + w140 * w383 + w141 * w384), -(w139 * w392 + w140 * w393 + w141 * w394),
+            w402 - link3_omega_y * c36, link3_omega_x * c34 - w410, 0.0,
+        ),
+    )
+    inputs, outputs = [q_d, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_d", "q_i_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
 
 def forward_dynamics() -> ca.Function:
     """Accelerations of a tree by topology-ordered elimination, without M_hat (Eq. 38).
 
-    takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 21) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 53) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
-    844 operations.
+    493 operations.
     """
-    q_i = ca.SX.sym("q_i", 9)
+    q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 53)
-    link1_theta1 = q_i[0]
-    link1_theta2 = q_i[1]
-    link1_theta3 = q_i[2]
-    link2_theta1 = q_i[3]
-    link2_theta2 = q_i[4]
-    link2_theta3 = q_i[5]
-    link3_theta1 = q_i[6]
-    link3_theta2 = q_i[7]
-    link3_theta3 = q_i[8]
-    link1_theta1_dot = q_i_dot[0]
-    link1_theta2_dot = q_i_dot[1]
-    link1_theta3_dot = q_i_dot[2]
-    link2_theta1_dot = q_i_dot[3]
-    link2_theta2_dot = q_i_dot[4]
-    link2_theta3_dot = q_i_dot[5]
-    link3_theta1_dot = q_i_dot[6]
-    link3_theta2_dot = q_i_dot[7]
-    link3_theta3_dot = q_i_dot[8]
+    c = ca.SX.sym("c", 71)
+    link1_e0 = q_d[3]
+    link1_e1 = q_d[4]
+    link1_e2 = q_d[5]
+    link1_e3 = q_d[6]
+    link2_e0 = q_d[10]
+    link2_e1 = q_d[11]
+    link2_e2 = q_d[12]
+    link2_e3 = q_d[13]
+    link3_e0 = q_d[17]
+    link3_e1 = q_d[18]
+    link3_e2 = q_d[19]
+    link3_e3 = q_d[20]
+    link1_omega_x = q_i_dot[0]
+    link1_omega_y = q_i_dot[1]
+    link1_omega_z = q_i_dot[2]
+    link2_omega_x = q_i_dot[3]
+    link2_omega_y = q_i_dot[4]
+    link2_omega_z = q_i_dot[5]
+    link3_omega_x = q_i_dot[6]
+    link3_omega_y = q_i_dot[7]
+    link3_omega_z = q_i_dot[8]
     c0 = c[0]
-    c1 = c[1]
+    link1_end_x = c[1]
     c2 = c[2]
-    c3 = c[3]
+    link2_end_x = c[3]
     c4 = c[4]
     c5 = c[5]
-    link1_end_x = c[6]
-    link2_mass = c[7]
-    link3_mass = c[8]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
     c11 = c[11]
-    link2_end_x = c[12]
-    c13 = c[13]
-    c14 = c[14]
+    c12 = c[12]
+    gravity_z = c[14]
     c15 = c[15]
     c16 = c[16]
     c17 = c[17]
-    c18 = c[18]
     c19 = c[19]
     c21 = c[21]
-    c22 = c[22]
-    c23 = c[23]
-    c24 = c[24]
-    c25 = c[25]
-    c26 = c[26]
-    gravity_z = c[27]
-    c28 = c[28]
-    c36 = c[36]
-    c37 = c[37]
-    # intermediate terms (238)
-    w0 = ca.cos(link1_theta1)
-    w1 = ca.cos(link1_theta2)
-    w2 = w0 * w1
-    w3 = w2 * link1_end_x
-    w4 = ca.sin(link3_theta1)
-    w5 = ca.sin(link3_theta2)
-    w6 = w5 * c13
-    w7 = w4 * w6
-    w8 = ca.cos(link3_theta3)
-    w9 = ca.sin(link3_theta3)
-    w10 = w8 * (w8 * c25) + w9 * (w9 * c26)
-    w11 = w7 / w10
-    w12 = ca.cos(link3_theta2)
-    w13 = w4 * w12
-    w14 = ca.cos(link3_theta1)
-    w15 = w12 * w14
-    w16 = w12 * c13
-    w17 = w9 * w12
-    w18 = w17 * c25
-    w19 = w8 * w12
-    w20 = w19 * c26
-    w21 = w8 * w18 - w9 * w20
-    w22 = w15 * c13 + w11 * w21
-    w23 = w5 * c23
-    w24 = w5 * w23
-    w25 = w21 / w10
-    w26 = w24 + w17 * w18 + w19 * w20 - w24 - w21 * w25
-    w27 = w22 / w26
-    w28 = w16 / w10
-    w29 = w21 * w28
-    w30 = w11 * w16 + w27 * w29
-    w31 = ca.cos(link2_theta1)
-    w32 = ca.sin(link2_theta2)
-    w33 = ca.sin(link2_theta3)
-    w34 = ca.cos(link2_theta3)
-    w35 = ca.sin(link2_theta1)
-    w36 = w34 * w35
-    w37 = w31 * w32 * w33 - w36
-    w38 = ca.cos(link2_theta2)
-    w39 = link2_theta3_dot * w38
-    w40 = link2_theta3_dot * link2_theta2_dot
-    w41 = link2_theta1_dot * (w34 * w39 - w33 * (w32 * link2_theta2_dot)) - w33 * w40
-    w42 = w31 * w38
-    w43 = w38 * (link2_theta1_dot * link2_theta2_dot)
-    w44 = w31 * w34
-    w45 = w33 * w35 + w32 * w44
-    w46 = w34 * link2_theta2_dot
-    w47 = link2_theta1_dot * (w33 * w39 + w32 * w46) + w34 * w40
-    w48 = w37 * w41 - w42 * w43 - w45 * w47
-    w49 = w35 * w38
-    w50 = w49 * link2_end_x
-    w51 = w44 + w33 * (w32 * w35)
-    w52 = w32 * w36 - w31 * w33
-    w53 = w41 * w51 - w43 * w49 - w47 * w52
-    w54 = w42 * link2_end_x
-    w55 = link2_theta3_dot * w42 - w35 * link2_theta2_dot
-    w56 = link2_theta1_dot - w32 * link2_theta3_dot
-    w57 = w32 * link2_end_x
-    w58 = w54 * w56 + w55 * w57
-    w59 = w31 * link2_theta2_dot + link2_theta3_dot * w49
-    w60 = w57 * w59 + w50 * w56
-    w61 = w48 * w50 - w53 * w54 + (w55 * w58 + w59 * w60)
-    w62 = w8 * w14
-    w63 = link3_theta3_dot - w5 * link3_theta1_dot
-    w64 = w8 * link3_theta2_dot
-    w65 = w17 * link3_theta1_dot + w64
-    w66 = w63 * w65
-    w67 = w12 * link3_theta3_dot
-    w68 = link3_theta3_dot * link3_theta2_dot
-    w69 = link3_theta1_dot * (w9 * w67 + w5 * w64) + w8 * w68
-    w70 = w66 - w69
-    w71 = w70 * c13
-    w72 = w19 * link3_theta1_dot - w9 * link3_theta2_dot
-    w73 = (w65**2 + w72**2) * c13
-    w74 = w4 * w8
-    w75 = w63 * w72
-    w76 = link3_theta1_dot * (w8 * w67 - w9 * (w5 * link3_theta2_dot)) - w9 * w68
-    w77 = w75 - w76
-    w78 = w77 * c13
-    w79 = (w75 + w76) * c22 - w77 * c24
-    w80 = w70 * c24 - (w66 + w69) * c21
-    w81 = w8 * w79 - w9 * w80 + w16 * gravity_z
-    w82 = w65 * w72
-    w83 = w12 * (link3_theta1_dot * link3_theta2_dot)
-    w84 = (w82 - w83) * c21 - (w82 + w83) * c22
-    w85 = w5 * w84
-    w86 = w25 * w81 - (w85 + (w17 * w79 - w85 + w19 * w80))
-    w87 = w30 * w61 - ((w62 + w9 * (w4 * w5)) * w71 - w13 * w73 + (w5 * w74 - w9 * w14) * w78 + w11 * w81 + w27 * w86)
-    w88 = link3_mass - w7 * w11 - w22 * w27
-    w89 = w33 * w38
-    w90 = w34 * w38
-    w91 = w32 * w43 + w41 * w89 - w47 * w90
-    w92 = w50 * w55 - w54 * w59
-    w93 = w54 * w91 + w48 * w57 - (w56 * w60 + w55 * w92)
-    w94 = w87 - w88 * w93
-    w95 = link2_theta3_dot - w32 * link2_theta1_dot
-    w96 = w46 + link2_theta1_dot * w89
-    w97 = w95 * w96
-    w98 = w97 - w47
-    w99 = w98 * c11
-    w100 = link2_theta1_dot * w90 - w33 * link2_theta2_dot
-    w101 = (w96**2 + w100**2) * c11
-    w102 = w95 * w100
-    w103 = w102 - w41
-    w104 = w103 * c11
-    w105 = w6 * w14
-    w106 = w105 / w10
-    w107 = w21 * w106 - w13 * c13
-    w108 = w107 / w26
-    w109 = w7 * w106 + w22 * w108
-    w110 = w59 * w92 - w56 * w58 - (w53 * w57 + w50 * w91)
-    w111 = w38 * link2_end_x
-    w112 = w30 * w111
-    w113 = w35 * w57
-    w114 = w112 - w88 * w113
-    w115 = w32 * c11
-    w116 = w31 * w57
-    w117 = w114 - w35 * w115 + w109 * w116
-    w118 = w29 / w26
-    w119 = link3_mass - w16 * w28 - w29 * w118
-    w120 = w111 * w119
-    w121 = w16 * w106 + w29 * w108
-    w122 = w111 * w121 + w109 * w113
-    w123 = link3_mass - w105 * w106 - w107 * w108
-    w124 = w122 - w116 * w123
-    w125 = w34 * (w34 * c18) + w33 * (w33 * c19) + w111 * w120 - (w113 * w114 + w112 * w113) - (w116 * w124 + w116 * w122)
-    w126 = w117 / w125
-    w127 = w5 * w73 + w17 * w71 + w19 * w78 - c37 + w28 * w81 + w86 * w118 + w61 * w119
-    w128 = (w41 + w102) * c15 - w103 * c17
-    w129 = w98 * c17 - (w47 + w97) * c14
-    w130 = w38 * c11
-    w131 = w111 * w127 - (w34 * w128 - w33 * w129 + w130 * gravity_z) - w93 * w112 - w94 * w113 - w110 * w122
-    w132 = w61 * w121 - (w71 * (w9 * (w5 * w14) - w74) - w15 * w73 + w78 * (w4 * w9 + w5 * w62) + w81 * w106 + w86 * w108)
-    w133 = w132 + w93 * w109 - w110 * w123
-    w134 = w131 - w116 * w133
-    w135 = w54 * w88
-    w136 = w89 * c18
-    w137 = w90 * c19
-    w138 = w54 * w109
-    w139 = w34 * w136 - w33 * w137 + w54 * w114 + (w116 * w138 - w50 * w124)
-    w140 = w42 * c11 + w135 + w50 * w109 - w126 * w139
-    w141 = w32 * c16
-    w142 = w32 * w141
-    w143 = w138 + w50 * w123
-    w144 = w139 / w125
-    w145 = w142 + w89 * w136 + w90 * w137 + w54 * w135 + (w50 * w143 + w50 * w138) - w142 - w139 * w144
-    w146 = w140 / w145
-    w147 = w96 * w100
-    w148 = (w147 - w43) * c14 - (w43 + w147) * c15
-    w149 = w32 * w148
-    w150 = w54 * w94 - (w89 * w128 - w149 + w90 * w129) + w110 * w138 - w50 * w133 - w149 - w134 * w144
-    w151 = w30 * w113 - (w120 + w130) + w116 * w121
-    w152 = w151 / w125
-    w153 = w50 * w121 - w30 * w54 - w139 * w152
-    w154 = w30 + w126 * w151 + w146 * w153
-    w155 = ca.sin(link1_theta2)
-    w156 = ca.sin(link1_theta3)
-    w157 = ca.cos(link1_theta3)
-    w158 = ca.sin(link1_theta1)
-    w159 = w157 * w158
-    w160 = w1 * link1_theta3_dot
-    w161 = link1_theta3_dot * link1_theta2_dot
-    w162 = link1_theta1_dot * (w157 * w160 - w156 * (w155 * link1_theta2_dot)) - w156 * w161
-    w163 = w1 * (link1_theta1_dot * link1_theta2_dot)
-    w164 = w0 * w157
-    w165 = w157 * link1_theta2_dot
-    w166 = link1_theta1_dot * (w156 * w160 + w155 * w165) + w157 * w161
-    w167 = (w0 * w155 * w156 - w159) * w162 - w2 * w163 - (w156 * w158 + w155 * w164) * w166
-    w168 = w1 * w158
-    w169 = w168 * link1_end_x
-    w170 = w162 * (w164 + w156 * (w155 * w158)) - w163 * w168 - w166 * (w155 * w159 - w0 * w156)
-    w171 = w2 * link1_theta3_dot - w158 * link1_theta2_dot
-    w172 = link1_theta1_dot - w155 * link1_theta3_dot
-    w173 = w155 * link1_end_x
-    w174 = w3 * w172 + w171 * w173
-    w175 = w0 * link1_theta2_dot + link1_theta3_dot * w168
-    w176 = w173 * w175 + w169 * w172
-    w177 = w167 * w169 - w3 * w170 + (w171 * w174 + w175 * w176)
-    w178 = w94 - (w51 * w99 - w49 * w101 + w52 * w104) + w109 * w110 - w126 * w134 - w146 * w150 + w154 * w177
-    w179 = link2_mass + w88 - w117 * w126 - w140 * w146
-    w180 = w1 * w156
-    w181 = w1 * w157
-    w182 = w155 * w163 + w162 * w180 - w166 * w181
-    w183 = w169 * w171 - w3 * w175
-    w184 = w3 * w182 + w167 * w173 - (w172 * w176 + w171 * w183)
-    w185 = w178 - w179 * w184
-    w186 = link1_theta3_dot - w155 * link1_theta1_dot
-    w187 = link1_theta1_dot * w181 - w156 * link1_theta2_dot
-    w188 = w186 * w187
-    w189 = (w162 + w188) * c1 - (w188 - w162) * c3
-    w190 = w165 + link1_theta1_dot * w180
-    w191 = w187 * w190
-    w192 = (w191 - w163) * c0 - (w163 + w191) * c1
-    w193 = w155 * w192
-    w194 = w186 * w190
-    w195 = (w194 - w166) * c3 - (w166 + w194) * c0
-    w196 = w124 - w31 * w115
-    w197 = w196 / w125
-    w198 = w49 * c11 + w143 + w139 * w197
-    w199 = w198 / w145
-    w200 = w140 * w199 - (w109 + w117 * w197)
-    w201 = w3 * w200
-    w202 = w175 * w183 - w172 * w174 - (w170 * w173 + w169 * w182)
-    w203 = w153 * w199 - (w121 + w151 * w197)
-    w204 = w133 - (w37 * w99 - w42 * w101 + w45 * w104) - w134 * w197 + w150 * w199 - w177 * w203 - w184 * w200
-    w205 = link2_mass + w123 - w196 * w197 - w198 * w199
-    w206 = w204 - w202 * w205
-    w207 = w180 * c4
-    w208 = w181 * c5
-    w209 = w1 * link1_end_x
-    w210 = w154 * w209
-    w211 = w158 * w173
-    w212 = w210 - w179 * w211
-    w213 = w203 * w209 + w200 * w211
-    w214 = w0 * w173
-    w215 = w213 + w205 * w214
-    w216 = w157 * w207 - w156 * w208 + w3 * w212 + (w169 * w215 - w201 * w214)
-    w217 = w153 / w145
-    w218 = link2_mass + w119 - w151 * w152 - w153 * w217
-    w219 = w157 * (w157 * c4) + w156 * (w156 * c5) + w209 * (w209 * w218) - (w211 * w212 + w210 * w211) + (w214 * w215 + w213 * w214)
-    w220 = w216 / w219
-    w221 = w30 * w93 - (w127 + (w32 * w101 + w89 * w99 + w90 * w104 - c36)) + w110 * w121 - w134 * w152 - w150 * w217
-    w222 = w202 * w213 - (w157 * w189 - w156 * w195 + w1 * c28 + w209 * (w221 - w177 * w218) + w184 * w210 + w185 * w211)
-    w223 = w222 - w206 * w214
-    w224 = w155 * c2
-    w225 = w155 * w224
-    w226 = w225 + w180 * w207 + w181 * w208 + w3 * (w3 * w179) - (w169 * (w201 - w169 * w205) + w169 * w201)
-    w227 = (w3 * w185 - (w180 * w189 - w193 + w181 * w195) - w201 * w202 - w169 * w206 - w193 - w220 * w223) / (w226 - w225 - w216 * w220)
-    w228 = (w223 - w216 * w227) / w219
-    w229 = w184 + (w3 * w227 - w211 * w228)
-    w230 = w202 - (w169 * w227 + w214 * w228)
-    w231 = w177 - w209 * w228
-    w232 = (w150 - (w140 * w229 - w198 * w230 + w153 * w231)) / w145
-    w233 = (w134 - (w139 * w232 + w196 * w230 + w117 * w229 + w151 * w231)) / w125
-    w234 = w110 + (w230 - w50 * w232 - w116 * w233)
-    w235 = w93 + (w229 + w54 * w232 - w113 * w233)
-    w236 = w61 + (w231 - w111 * w233)
-    w237 = (w86 - (w107 * w234 + w22 * w235 + w29 * w236)) / w26
+    c66 = c[66]
+    c67 = c[67]
+    c68 = c[68]
+    c69 = c[69]
+    c70 = c[70]
+    # intermediate terms (147)
+    w0 = 2 * link1_e1
+    w1 = w0 * link1_e3
+    w2 = 2 * link1_e2
+    w3 = w2 * link1_e0
+    w4 = w1 + w3
+    w5 = w4 * link1_end_x
+    w6 = 2 * link3_e1
+    w7 = w6 * link3_e3
+    w8 = 2 * link3_e2
+    w9 = w8 * link3_e0
+    w10 = w7 + w9
+    w11 = w10 * c5
+    w12 = link1_e3 * w2
+    w13 = w0 * link1_e0
+    w14 = w12 - w13
+    w15 = w14 * link1_end_x
+    w16 = link3_e3 * w8
+    w17 = w6 * link3_e0
+    w18 = w16 - w17
+    w19 = w18 * c5
+    w20 = link1_e1 * w0
+    w21 = link1_e2 * w2
+    w22 = 1.0 - (w20 + w21)
+    w23 = w22 * link1_end_x
+    w24 = link3_e1 * w6
+    w25 = link3_e2 * w8
+    w26 = 1.0 - (w24 + w25)
+    w27 = w26 * c5
+    w28 = w5 * w11 + w15 * w19 + w23 * w27
+    w29 = w28 / c11
+    w30 = link3_omega_x * link3_omega_z
+    w31 = w0 * link1_e2
+    w32 = 2 * link1_e3
+    w33 = link1_e0 * w32
+    w34 = w31 - w33
+    w35 = link1_omega_y * link1_omega_x
+    w36 = link1_e3 * w32
+    w37 = link1_omega_y**2 + link1_omega_z**2
+    w38 = link1_omega_z * link1_omega_x
+    w39 = (w34 * w35 - (1.0 - (w21 + w36)) * w37 + w4 * w38) * link1_end_x
+    w40 = 2 * link2_e1
+    w41 = w40 * link2_e2
+    w42 = 2 * link2_e3
+    w43 = w42 * link2_e0
+    w44 = w41 - w43
+    w45 = link2_omega_x * link2_omega_y
+    w46 = 2 * link2_e2
+    w47 = link2_e2 * w46
+    w48 = link2_e3 * w42
+    w49 = link2_omega_y**2 + link2_omega_z**2
+    w50 = w40 * link2_e3
+    w51 = link2_e0 * w46
+    w52 = w50 + w51
+    w53 = link2_omega_x * link2_omega_z
+    w54 = w44 * w45 - (1.0 - (w47 + w48)) * w49 + w52 * w53
+    w55 = w39 + w54 * link2_end_x
+    w56 = 1.0 - (w20 + w36)
+    w57 = (w35 * w56 - w37 * (w31 + w33) + w14 * w38) * link1_end_x
+    w58 = link2_e1 * w40
+    w59 = 1.0 - (w48 + w58)
+    w60 = link2_e3 * w46
+    w61 = w40 * link2_e0
+    w62 = w60 - w61
+    w63 = w45 * w59 - w49 * (w41 + w43) + w53 * w62
+    w64 = w57 + w63 * link2_end_x
+    w65 = w12 + w13
+    w66 = (w35 * w65 - w37 * (w1 - w3) + w22 * w38) * link1_end_x - gravity_z
+    w67 = w60 + w61
+    w68 = 1.0 - (w47 + w58)
+    w69 = w45 * w67 - w49 * (w50 - w51) + w53 * w68
+    w70 = w66 + w69 * link2_end_x
+    w71 = w30 * c21 - (w11 * w55 + w19 * w64 + w27 * w70)
+    w72 = w6 * link3_e2
+    w73 = 2 * link3_e3
+    w74 = link3_e0 * w73
+    w75 = w72 - w74
+    w76 = link3_omega_x * link3_omega_y
+    w77 = link3_e3 * w73
+    w78 = link3_omega_y**2 + link3_omega_z**2
+    w79 = (w75 * w76 - (1.0 - (w25 + w77)) * w78 + w10 * w30) * c5
+    w80 = w79 + w54 * c4
+    w81 = 1.0 - (w24 + w77)
+    w82 = (w76 * w81 - w78 * (w72 + w74) + w18 * w30) * c5
+    w83 = w82 + w63 * c4
+    w84 = w16 + w17
+    w85 = (w76 * w84 - w78 * (w7 - w9) + w26 * w30) * c5
+    w86 = w85 + w69 * c4
+    w87 = w75 * c5
+    w88 = w81 * c5
+    w89 = w84 * c5
+    w90 = w5 * w87 + w15 * w88 + w23 * w89
+    w91 = w90 / c12
+    w92 = w76 * c70 + (w55 * w87 + w64 * w88 + w70 * w89)
+    w93 = w44 * link2_end_x
+    w94 = w59 * link2_end_x
+    w95 = w67 * link2_end_x
+    w96 = w87 * w93 + w88 * w94 + w89 * w95
+    w97 = w44 * c4
+    w98 = w59 * c4
+    w99 = w67 * c4
+    w100 = w11 * w93 + w19 * w94 + w27 * w95
+    w101 = w91 * w96 - (w5 * w97 + w15 * w98 + w23 * w99) + w29 * w100
+    w102 = w96 / c12
+    w103 = w100 / c11
+    w104 = c9 - w96 * w102 - w100 * w103
+    w105 = w101 / w104
+    w106 = w79 * link2_end_x + w39 * c4
+    w107 = w82 * link2_end_x + w57 * c4
+    w108 = w85 * link2_end_x + w66 * c4
+    w109 = w92 * w102 - (w45 * c68 + (w44 * w106 + w59 * w107 + w67 * w108)) - w71 * w103
+    w110 = w29 * w71 - (w22 * c15 + w38 * c16 - (w5 * w80 + w15 * w83 + w23 * w86) + w91 * w92) - w105 * w109
+    w111 = w52 * c4
+    w112 = w62 * c4
+    w113 = w68 * c4
+    w114 = w52 * link2_end_x
+    w115 = w62 * link2_end_x
+    w116 = w68 * link2_end_x
+    w117 = w87 * w114 + w88 * w115 + w89 * w116
+    w118 = w11 * w114 + w19 * w115 + w27 * w116
+    w119 = w117 / c12
+    w120 = w118 / c11
+    w121 = w96 * w119 + w100 * w120
+    w122 = w5 * w111 + w15 * w112 + w23 * w113 - w91 * w117 - w29 * w118 - w105 * w121
+    w123 = w121 / w104
+    w124 = c8 - w117 * w119 - w118 * w120 - w121 * w123
+    w125 = w122 / w124
+    w126 = w71 * w120 - (w53 * c19 - (w52 * w106 + w62 * w107 + w68 * w108) + w92 * w119) - w109 * w123
+    w127 = w34 * link1_end_x
+    w128 = w56 * link1_end_x
+    w129 = w65 * link1_end_x
+    w130 = w87 * w127 + w88 * w128 + w89 * w129
+    w131 = w11 * w127 + w19 * w128 + w27 * w129
+    w132 = w130 / c12
+    w133 = w131 / c11
+    w134 = w97 * w127 + w98 * w128 + w99 * w129 - w96 * w132 - w100 * w133
+    w135 = w134 / w104
+    w136 = w117 * w132 - (w111 * w127 + w112 * w128 + w113 * w129) + w118 * w133 - w121 * w135
+    w137 = w91 * w130 + w29 * w131 - w105 * w134 - w125 * w136
+    w138 = w136 / w124
+    w139 = c6 - w130 * w132 - w131 * w133 - w134 * w135 - w136 * w138
+    w140 = w137 / w139
+    w141 = w92 * w132 - (w35 * c17 - w65 * c15 + (w80 * w127 + w83 * w128 + w86 * w129)) - w71 * w133 - w109 * w135
+    w142 = w141 - w126 * w138
+    w143 = (w110 - w125 * w126 - w140 * w142) / (c2 - w90 * w91 - w28 * w29 - w101 * w105 - w122 * w125 - w137 * w140)
+    w144 = (w142 - w137 * w143) / w139
+    w145 = (w126 - (w122 * w143 + w136 * w144)) / w124
+    w146 = (w109 - (w101 * w143 + w134 * w144 + w121 * w145)) / w104
     # outputs
     q_i_ddot = ca.vertcat(
-        w227,  # link1.theta1
-        w228,  # link1.theta2
-        (w224 * w227 - w192) / c2,  # link1.theta3
-        w232,  # link2.theta1
-        w233,  # link2.theta2
-        (w141 * w232 - w148) / c16,  # link2.theta3
-        w237,  # link3.theta1
-        -((w81 + (w21 * w237 - w105 * w234 - w7 * w235 - w16 * w236)) / w10),  # link3.theta2
-        (w23 * w237 - w84) / c23,  # link3.theta3
+        -(link1_omega_y * link1_omega_z * c66 / c0),  # link1.turn_x
+        w143,  # link1.turn_y
+        w144,  # link1.turn_z
+        -(link2_omega_y * link2_omega_z * c67 / c7),  # link2.turn_x
+        w145,  # link2.turn_y
+        w146,  # link2.turn_z
+        -(link3_omega_z * link3_omega_y * c69 / c10),  # link3.turn_x
+        -((w71 + (w118 * w145 - w100 * w146 + w28 * w143 - w131 * w144)) / c11),  # link3.turn_y
+        -((w92 + (w96 * w146 - w117 * w145 - w90 * w143 + w130 * w144)) / c12),  # link3.turn_z
     )
-    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_i_ddot)]
-    return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_i_ddot"])
+    inputs, outputs = [q_d, q_i_dot, c], [ca.densify(q_i_ddot)]
+    return ca.Function("forward_dynamics", inputs, outputs, ["q_d", "q_i_dot", "c"], ["q_i_ddot"])
 
 
 def geometry() -> ca.Function:

@@ -19,6 +19,7 @@ MAX_ITERATIONS = 100
 LARGEST_STEP = 0.5  # rad or m per iteration: keeps Newton on the branch the user started
 POSITION_TOLERANCE = 1e-13  # m or rad, times the largest coordinate if above 1
 VELOCITY_TOLERANCE = 1e-12
+ROUNDING = 1e-13  # of the largest entry of C_q
 OTHER_STARTS, TURN_OPEN = 6, 0.6  # rad or m
 REMEDY = {
     "position": "free one of the fixed values, correct lengths and axes, take a joint that leaves more free, or start "
@@ -177,7 +178,9 @@ def _least_dear_change(C_q: np.ndarray, side: np.ndarray, free: np.ndarray, chea
     rank_deficient = np.abs(np.diag(R)).min() <= 1e-10 * np.abs(R).max()
     if rank_deficient:  # a placed body whose own rows do not give all of it: treat all alike
         return _least_change(C_q, side, free)
-    step = _least_change(C_q - Q @ (Q.T @ C_q), side - Q @ (Q.T @ side), free & ~cheap)
+    beyond = C_q - Q @ (Q.T @ C_q)  # what they cannot satisfy; nothing at all where only rounding is left
+    beyond[np.abs(beyond) < ROUNDING * np.abs(C_q).max()] = 0.0
+    step = _least_change(beyond, side - Q @ (Q.T @ side), free & ~cheap)
     return np.asarray(step + _least_change(C_q, side - C_q @ step, free & cheap))
 
 

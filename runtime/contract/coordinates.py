@@ -101,6 +101,15 @@ def parameter_columns(model: Model) -> dict[str, list[int]]:
     return found
 
 
+def euler_angles(model: Model) -> dict[str, str]:
+    """Sequence of axes of each body whose Euler angles are input and output, by body.
+
+    In solutions of versions where angles were coordinates they still are.
+    """
+    own = set(model.coordinates)
+    return {one.name: one.orientation for one in model.description.bodies if one.angles and one.angles[0] not in own}
+
+
 def whole(model: Model, independent: np.ndarray, dependent: np.ndarray) -> np.ndarray:
     """A vector (..., n) in the order of the model's coordinates of its parts (..., n_i) and (..., n_d)."""
     at, independent, dependent = model.places, np.asarray(independent), np.asarray(dependent)

@@ -106,6 +106,12 @@ def _module(path: Path, text: str) -> ModuleType:
 def _model(path: Path, manifest: dict[str, Any], data: dict[str, Any], module: ModuleType, scene_toml: str) -> Model:
     found = described(manifest, data["p"])
     names = [coordinate.name for coordinate in found.coordinates]
+    old = [angle for body in found.bodies for angle in body.angles if angle in names]
+    if old:
+        raise ModelError(
+            f"{path} was generated when Euler angles were coordinates ({old[0]}), which they are no longer; "
+            f"regenerate it with: symgen generate {path}"
+        )
     return Model(
         description=found,
         initial_q=np.array([data["q"][name] for name in names]),

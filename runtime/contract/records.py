@@ -126,7 +126,7 @@ class Group:
 class BodyRecord:
     """A body: its type and markers; orientation: sequence of its Euler angles, "euler_parameters", "" in the plane.
 
-    angles: names of its Euler angles, in order.
+    angles: names of its Euler angles, which are input and output, in order.
     """
 
     name: str

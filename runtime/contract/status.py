@@ -22,7 +22,6 @@ StatusName = Literal[
     "partition_lost",
     "branch_lost",
     "deflection_too_large",
-    "angles_too_fast",
     "integrator_refused",
     "output_failed",
     "not_assembled",
@@ -40,6 +39,7 @@ EventKind = Literal[
     "sections_missing",
     "velocity_jump",
     "beyond_buckling",
+    "angles_singular",
     "event",
 ]
 

@@ -8,8 +8,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.contract.consistent_state import InitialStateError
-from runtime.contract.coordinates import followed, independent_part, independent_rates, loop_part
+from runtime.contract.coordinates import (
+    euler_angles,
+    followed,
+    independent_part,
+    independent_rates,
+    loop_part,
+    parameter_columns,
+)
 from runtime.contract.errors import NoResult
+from runtime.contract.euler_angles import angle_names, angles
 from runtime.contract.model import Model, ModelError
 from runtime.operating.all_coordinates import AllCoordinates
 from runtime.operating.balance import Clamped, clamped_directions, steady_rates
@@ -65,6 +73,10 @@ class Equilibrium:
         for k, known in enumerate(self.model.coordinates):
             if name in (known, f"{known}_dot"):
                 return float((self.q if name == known else self.q_dot)[k])
+        for body, kind in euler_angles(self.model).items():
+            theta = angles(kind, self.q[parameter_columns(self.model)[body]])
+            if name in angle_names(body):
+                return float(theta[angle_names(body).index(name)])
         raise ModelError(f"model {self.model.name} has no coordinate {name!r}; it has {_listed(self.model)}")
 
     @property
@@ -129,6 +141,11 @@ def named(model: Model, name: str) -> str:
     found = [entry.name for entry in angles if name == f"{entry.owner}.omega"]
     if len(found) == 1:
         return found[0]
+    if any(name in body.angles for body in model.description.bodies):
+        raise ModelError(
+            f"{name} is an Euler angle, which is input and output only: it can be `initial` and be read, and what is "
+            "held or turns by it needs hinges, a universal and a revolute joint with a light body between them"
+        )
     raise ModelError(f"model {model.name} has no coordinate {name!r}; it has {_listed(model)}")
 
 
@@ -260,7 +277,7 @@ def _failure(model: Model, clamped: Clamped, found: Found) -> NoEquilibrium:
     if worst not in model.coordinates:
         remedy = (
             f"That is a turn of a body: give the spin as rates ({worst.replace('.turn_', '.omega_')}); what spins and "
-            'precesses is steady in angles only, orientation = "zxz"'
+            "precesses is steady in hinge angles: take a universal and a revolute joint with a light body between them"
         )
     return NoEquilibrium(
         f"model {model.name} has no equilibrium in reach of its initial state: a force of {residual[worst]:.6g} "

@@ -6,18 +6,21 @@ from collections.abc import Iterable, Mapping
 
 import numpy as np
 
+from runtime.contract.angle_start import AngleForm, angle_bodies, consistent_state_by_angles
 from runtime.contract.angular import parameter_rates
-from runtime.contract.consistent_state import ConsistentState, GivenValues, InitialStateError, consistent_state
+from runtime.contract.consistent_state import ConsistentState, GivenValues, InitialStateError
 from runtime.contract.coordinates import (
     OMEGA,
     angular_velocities,
     dependent_part,
+    euler_angles,
     followed,
     independent,
     independent_part,
     loop_part,
     parameter_columns,
 )
+from runtime.contract.euler_angles import angle_names
 from runtime.contract.model import Model
 from runtime.operating.assembly import closable, closed_state
 
@@ -45,7 +48,8 @@ def given_state(
 ) -> ConsistentState:
     """Consistent q and q_dot for parameters p at t0 [s], keeping the model's q_i except for the changes.
 
-    changes: coordinate names, `<coordinate>_dot` rates and angular velocities `<body>.omega_x`; they are kept exactly.
+    changes: coordinate names, `<coordinate>_dot` rates, angular velocities `<body>.omega_x`, and Euler angles of bodies
+    described by them with their rates; they are kept exactly.
     Raises InitialStateError.
     """
     spins = {name: value for name, value in (changes or {}).items() if name in spin_names(model)}
@@ -82,10 +86,18 @@ def spin_names(model: Model) -> list[str]:
     return [f"{body}.{axis}" for body in parameter_columns(model) for axis in OMEGA]
 
 
+def angle_starts(model: Model) -> list[str]:
+    """Names of the Euler angles that can be given, and of their rates."""
+    return [f"{name}{end}" for body in model.description.bodies for name in body.angles for end in ("", "_dot")]
+
+
 def _with_spins(
     model: Model, state: ConsistentState, others: Mapping[str, float], spins: Mapping[str, float]
 ) -> tuple[dict[str, float], dict[str, float]]:
-    """Coordinates and rates given by name, with rates of Euler parameters for angular velocities at a state."""
+    """Coordinates and rates given by name, with rates of Euler parameters for angular velocities at a state.
+
+    The Euler parameters of the state stand for angles of the same body.
+    """
     coordinates, rates = _split(model, others)
     omega = {name: float(value) for name, value in angular_velocities(model, state.q, state.q_dot).items()}
     omega |= dict(spins)
@@ -93,6 +105,12 @@ def _with_spins(
         names = [f"{body}.{axis}" for axis in OMEGA]
         if not spins.keys().isdisjoint(names):
             e = state.q[columns]
+            twice = [name for name in angle_names(body) if name in rates]
+            if twice:
+                raise InitialStateError(
+                    f"{twice[0]}_dot and angular velocities of {body} are given; give one or the other"
+                )
+            coordinates = {name: value for name, value in coordinates.items() if name not in angle_names(body)}
             coordinates |= {model.coordinates[k]: float(state.q[k]) for k in columns}
             turning = parameter_rates(e, np.array([omega[name] for name in names]))
             rates |= {model.coordinates[k]: float(rate) for k, rate in zip(columns, turning, strict=True)}
@@ -104,19 +122,20 @@ def _split(
 ) -> tuple[dict[str, float], dict[str, float]]:
     coordinates: dict[str, float] = {}
     rates: dict[str, float] = {}
-    coordinate_of = {f"{name}_dot": name for name in model.coordinates}
+    angles = [name for body in model.description.bodies for name in body.angles]
+    coordinate_of = {f"{name}_dot": name for name in (*model.coordinates, *angles)}
     coordinate_of |= {entry.owner: entry.name for entry in model.description.coordinates if entry.kind == "state"}
     for name, value in changes.items():
         if isinstance(value, bool) or not isinstance(value, int | float | np.number) or not np.isfinite(value):
             raise InitialStateError(f"initial value of {name} must be a finite number, not {value!r}")
-        if name in model.coordinates or name in known:
+        if name in model.coordinates or name in known or name in angles:
             coordinates[name] = float(value)
         elif name in coordinate_of:
             rates[coordinate_of[name]] = float(value)
         else:
             raise InitialStateError(
                 f"model {model.name} has no coordinate {name!r}; it has "
-                f"{', '.join(model.coordinates)} (rates end in _dot)"
+                f"{', '.join([*model.coordinates, *angles])} (rates end in _dot)"
             )
     return coordinates, rates
 
@@ -135,9 +154,11 @@ def _assembled(
         _, C_q, C_t = evaluate(q)
         return C_q, -C_t
 
-    own, columns = followed(model)
-    independent = dict(zip(own, model.initial_q[columns], strict=True))
-    independent_rates = dict(zip(own, model.initial_q_dot[columns], strict=True))
+    form = AngleForm(model.coordinates, angle_bodies({**coordinates, **rates}, euler_angles(model)))
+    own = [name for name in followed(model)[0] if name in form.own] + form.own[len(form.plain) :]
+    at = [form.own.index(name) for name in own]
+    independent = dict(zip(own, form.seen(model.initial_q)[at], strict=True))
+    independent_rates = dict(zip(own, form.seen_rates(model.initial_q, model.initial_q_dot)[at], strict=True))
     elastic = frozenset(model.coordinates.index(name) for name in model.elastic)
     keep = {
         name: value
@@ -149,7 +170,8 @@ def _assembled(
         for name, value in independent_rates.items()
         if not rates or set(rates) <= set(own) or name in model.elastic
     }
-    return consistent_state(
+    return consistent_state_by_angles(
+        form.sequences,
         model.coordinates,
         elastic,
         [row.joint or row.label for row in model.description.constraints],
@@ -157,5 +179,5 @@ def _assembled(
         velocity,
         GivenValues({**keep, **coordinates}, frozenset(coordinates)),
         GivenValues({**keep_rates, **rates}, frozenset(rates)),
-        guess=model.initial_q,
+        model.initial_q,
     )

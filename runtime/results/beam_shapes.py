@@ -28,7 +28,7 @@ class BeamShapes:
 
 @dataclass(frozen=True, eq=False)
 class Beam:
-    """place, turning: columns in q of R_o and of the orientation; orientation: its kind, "" in the plane.
+    """place, turning: columns in q of R_o and of the orientation.
 
     length [m], mass [kg]; radii (2,): I / A [m^2] of the section along y and z; sets: shapes by axis (x, y, z, 3 for
     torsion). stiffened: are bent beams shorter? attached: its joints and loads, with the places xi of their markers.
@@ -37,7 +37,6 @@ class Beam:
     name: str
     place: list[int]
     turning: list[int]
-    orientation: str
     length: float
     mass: float
     radii: np.ndarray
@@ -48,7 +47,7 @@ class Beam:
     @property
     def planar(self) -> bool:
         """Does it bend in one plane only?"""
-        return not self.orientation
+        return len(self.turning) == 1
 
 
 def beam_of(model: Model, name: str, p: np.ndarray) -> Beam:
@@ -91,7 +90,6 @@ def beam_of(model: Model, name: str, p: np.ndarray) -> Beam:
         name,
         frame[:dimension],
         frame[dimension:],
-        next(body.orientation for body in described.bodies if body.name == name),
         length,
         float(M[frame[0], frame[0]]),
         sides**2 / 12,

@@ -25,9 +25,8 @@ def body_motion(solution: Samples, body: str) -> BodyMotion:
     frame, elastic = ([k for k, bent in own if bent is kind] for kind in (False, True))
     if not elastic or model.description.drawing.space == "planar" or not model.has("geometry"):
         raise ModelError(f"model {model.name} has no flexible body {body!r} in space whose forces are known")
-    orientation = next(one.orientation for one in model.description.bodies if one.name == body)
     moved = solution.q, solution.q_dot, solution.q_ddot
-    motion = frame_motion(orientation, *(values[:, frame[3:]] for values in moved))
+    motion = frame_motion(*(values[:, frame[3:]] for values in moved))
     q_f, q_f_dot, q_f_ddot = (values[:, elastic] for values in moved)
     places, names = _places(model, body, solution.parameters), attached_markers(model, body)
     forces = []

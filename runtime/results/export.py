@@ -12,11 +12,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from runtime.contract.coordinates import OMEGA, angular_velocities, parameter_columns
+from runtime.contract.coordinates import OMEGA, angular_velocities, euler_angles, parameter_columns
 from runtime.contract.files import replacing
 from runtime.contract.model import Model, ModelError
 from runtime.contract.records import as_plain, description
 from runtime.contract.status import Event, Status
+from runtime.results.read_angles import read_angles
 from runtime.results.samples import FORCE_PARTS
 from runtime.results.stream import read_blocks, read_header
 
@@ -146,6 +147,8 @@ def table(solution: Samples) -> dict[str, np.ndarray]:
     for suffix, values in (("", solution.q), ("_dot", solution.q_dot), ("_ddot", solution.q_ddot)):
         columns |= {f"{name}{suffix}": values[:, k] for k, name in enumerate(model.coordinates)}
     columns |= angular_velocities(model, solution.q, solution.q_dot)
+    for body in euler_angles(model):
+        columns |= read_angles(model, solution.q, solution.q_dot, solution.q_ddot, body)
     columns |= {f"lam.{row}": solution.lam[:, k] for k, row in enumerate(model.constraints)}
     columns |= {
         f"{joint}.{part}": solution.joint_forces[:, k, axis]
@@ -170,6 +173,8 @@ def column_units(model: Model) -> dict[str, str]:
     for order, suffix in enumerate(("", "_dot", "_ddot")):
         units |= {f"{entry.name}{suffix}": entry.unit_of(order) for entry in described.coordinates}
     units |= {f"{body}.{axis}": "rad/s" for body in parameter_columns(model) for axis in OMEGA}
+    for name in (name for body in described.bodies for name in body.angles):
+        units |= {name: "rad", f"{name}_dot": "rad/s", f"{name}_ddot": "rad/s^2"}
     units |= {f"lam.{row.label}": "N" if row.unit == "m" else "N m" for row in described.constraints}
     for name in (*model.joints, *(f"load.{load.name}" for load in model.description.loads)):
         units |= {f"{name}.{part}": "N" if part.startswith("force") else "N m" for part in FORCE_PARTS[6]}

@@ -1,7 +1,7 @@
 """Motion of a body's frame from its saved coordinates: rotation, angular velocity and acceleration (Eq. 17).
 
-The one place of the results that knows what the coordinates of an orientation are: the angle theta in the plane, Euler
-angles A = A_1 A_2 A_3 about moving axes, or Euler parameters. omega = W theta', in the body's axes.
+The one place of the results that knows what the coordinates of an orientation are: the angle theta in the plane, or
+Euler parameters. omega = W theta', in the body's axes.
 """
 
 from __future__ import annotations
@@ -11,8 +11,6 @@ from typing import NamedTuple
 import numpy as np
 
 from runtime.contract.body_motion import cross_matrix
-
-EULER_PARAMETERS = "euler_parameters"
 
 
 class FrameMotion(NamedTuple):
@@ -31,16 +29,9 @@ class FrameMotion(NamedTuple):
         return np.asarray(np.linalg.solve(square, self.W @ generalised[:, :, None])[:, :, 0])
 
 
-def frame_motion(kind: str, theta: np.ndarray, theta_dot: np.ndarray, theta_ddot: np.ndarray) -> FrameMotion:
-    """Of coordinates theta (N, n), their rates and accelerations.
-
-    kind: a sequence of axes, "euler_parameters", or "" for the angle of a planar body.
-    """
-    if kind == EULER_PARAMETERS:
-        return _of_parameters(theta, theta_dot, theta_ddot)
-    if not kind:
-        return _planar(theta, theta_dot, theta_ddot)
-    return _of_angles(kind, theta, theta_dot, theta_ddot)
+def frame_motion(theta: np.ndarray, theta_dot: np.ndarray, theta_ddot: np.ndarray) -> FrameMotion:
+    """Of the angle (N, 1) of a planar body or Euler parameters (N, 4), their rates and accelerations."""
+    return (_planar if theta.shape[1] == 1 else _of_parameters)(theta, theta_dot, theta_ddot)
 
 
 def _planar(theta: np.ndarray, theta_dot: np.ndarray, theta_ddot: np.ndarray) -> FrameMotion:
@@ -55,21 +46,6 @@ def _of_parameters(e: np.ndarray, e_dot: np.ndarray, e_ddot: np.ndarray) -> Fram
     W = 2 * np.concatenate([-e[:, 1:, None], e[:, :1, None] * np.eye(3) - tilde], axis=2)
     omega, alpha = (np.einsum("sij,sj->si", W, rate) for rate in (e_dot, e_ddot))
     return FrameMotion(A, omega, alpha, W)
-
-
-def _of_angles(kind: str, theta: np.ndarray, theta_dot: np.ndarray, theta_ddot: np.ndarray) -> FrameMotion:
-    """Axes of the three turns in the body: A_3^T A_2^T e_1, A_3^T e_2, e_3; each turns back by those after it."""
-    axes = ["xyz".index(axis) for axis in kind]
-    A = np.tile(np.eye(3), (len(theta), 1, 1))
-    W, W_dot = np.zeros((2, len(theta), 3, 3))
-    after = np.zeros((len(theta), 3))  # angular velocity of the turns after the one at hand
-    for k in (2, 1, 0):
-        own = A.transpose(0, 2, 1)[:, :, axes[k]]
-        W[:, :, k], W_dot[:, :, k] = own, -np.cross(after, own)
-        after = after + own * theta_dot[:, k : k + 1]
-        A = _turn(axes[k], theta[:, k]) @ A
-    alpha = np.einsum("sij,sj->si", W, theta_ddot) + np.einsum("sij,sj->si", W_dot, theta_dot)
-    return FrameMotion(A, after, alpha, W)
 
 
 def _turn(axis: int, angle: np.ndarray) -> np.ndarray:

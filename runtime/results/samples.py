@@ -8,10 +8,12 @@ from difflib import get_close_matches
 
 import numpy as np
 
-from runtime.contract.coordinates import OMEGA, angular_velocities, independent_rates
+from runtime.contract.coordinates import OMEGA, angular_velocities, euler_angles, independent_rates
 from runtime.contract.errors import ArgumentError
+from runtime.contract.euler_angles import NAMES
 from runtime.contract.model import Model, ModelError
 from runtime.contract.status import Event, Status
+from runtime.results.read_angles import read_angles
 
 FORCE_PARTS = {
     3: ("force_x", "force_y", "moment"),
@@ -100,6 +102,8 @@ class Samples:
         first, _, last = name.partition(".")
         if last in OMEGA and f"{first}.e0" in self.model.coordinates:
             return angular_velocities(self.model, self.q, self.q_dot)[name]
+        if first in euler_angles(self.model) and last.partition("_")[0] in NAMES:
+            return read_angles(self.model, self.q, self.q_dot, self.q_ddot, first).get(name)
         if first == "energy" and last in self.energy:
             return self.energy[last]
         if first == "lam" and last in self.model.constraints:

@@ -93,7 +93,7 @@ def _by_equilibrium(solution: Samples, beam: Beam, field: SectionField) -> np.nd
     for first in range(0, len(solution.t), LONGEST):
         rows = slice(first, first + LONGEST)
         moved = solution.q[rows], solution.q_dot[rows], solution.q_ddot[rows]
-        frame = frame_motion(beam.orientation, *(values[:, beam.turning] for values in moved))
+        frame = frame_motion(*(values[:, beam.turning] for values in moved))
         a_o = into_body(frame, vectors(moved[2][:, beam.place]) - gravity)
         loads = [(places[name], wrench(force[rows], len(beam.place), frame)) for name, force in parts]
         found[:, rows] = field.forces(moved, frame, a_o, loads)

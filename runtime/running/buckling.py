@@ -155,9 +155,8 @@ def mean_normal_force(solution: Solution, strut: Strut, acting: list[Acting]) ->
     """(N,) mean of the normal forces at the two ends [N], tension positive, by what joints and loads do there."""
     described, dimension = solution.model.description, 2 if solution.joint_forces.shape[2] == 3 else 3
     frame = [k for k, one in enumerate(described.coordinates) if one.owner == strut.body and not one.elastic]
-    orientation = next(one.orientation for one in described.bodies if one.name == strut.body)
     turning = (values[:, frame[dimension:]] for values in (solution.q, solution.q_dot, solution.q_ddot))
-    along = frame_motion(orientation, *turning).A[:, :dimension] @ strut.line
+    along = frame_motion(*turning).A[:, :dimension] @ strut.line
     total = np.zeros(len(solution.t))
     for signs, force in acting:
         for marker, sign in signs.items():

@@ -1,4 +1,4 @@
-"""How far the flexible bodies of a run were taken: deflection over length, slope, missing shapes, buckling."""
+"""How far a run was taken: deflection over length, slope, missing shapes, buckling, Euler angles that are singular."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 from runtime.results.missing_sections import missing_sections
 from runtime.results.missing_shapes import missing_shapes
 from runtime.results.missing_stresses import missing_stresses
+from runtime.results.singular_angles import singular_angles
 from runtime.results.solution import Solution
 from runtime.running.buckling import ADVICE, buckling
 from runtime.running.checks.deflection import flexible_bodies
@@ -22,7 +23,10 @@ def with_limits(solution: Solution) -> Solution:
     left_out, unstressed = missing_stresses(solution)
     not_held, unloaded = missing_sections(solution)
     pushed, beyond = buckling(solution)
-    events, status = [*solution.events, *missing, *unstressed, *unloaded, *beyond], solution.status
+    events, status = (
+        [*solution.events, *missing, *unstressed, *unloaded, *beyond, *singular_angles(solution)],
+        solution.status,
+    )
     counted = {"events": len(events)} if events else {}
     if beyond and status.ok:
         status = replace(status, cause=beyond[0].text, advice=ADVICE)

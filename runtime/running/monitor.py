@@ -8,7 +8,6 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.contract.status import Status
-from runtime.running.checks.angles import Angles
 from runtime.running.checks.check import Check, Subject
 from runtime.running.checks.closure import Closure
 from runtime.running.checks.constraints import Constraints
@@ -42,7 +41,6 @@ class Monitor:
             Growth(self.subject),
             Closure(self.subject),
             Iterations(self.subject),
-            Angles(self.subject),
             LeastStep(self.subject),
         )
         deflection = Deflection(self.subject, model.parameter_vector() if p is None else p)

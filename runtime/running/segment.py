@@ -19,7 +19,6 @@ from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.impulses import run_across
 from runtime.schemes.switching.impulse import Impulse, moves_in_time
 from runtime.schemes.switching.watched import watch_events
-from runtime.schemes.turns import begin_turns, watch_turns
 from runtime.schemes.work import account_at, account_for_work, begin_account
 
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
@@ -27,7 +26,7 @@ LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 
 @dataclass(eq=False)
 class Segment(SteppedModel):
-    """A stepped model whose work and turns are counted, and who watches it."""
+    """A stepped model whose work is counted, and who watches it."""
 
     monitor: Monitor
     given: dict[float, Impulse] = field(default_factory=dict)
@@ -37,7 +36,6 @@ class Segment(SteppedModel):
     def build(cls, model: Model, plan: Plan, p: np.ndarray, engine: str) -> Segment:
         """Prepare and compile, for parameters p (n_p,). Raises ModelError or CompilerError."""
         account_for_work(plan.scheme)
-        watch_turns(plan.scheme)
         watch_events(plan.scheme)
         one = SteppedModel.prepared(model, plan, p, engine)
         plan = one.plan
@@ -56,7 +54,6 @@ class Segment(SteppedModel):
         z = self.begin(start, q, q_dot)
         z[0], z[1] = self.plan.t0 + (start - grid), step  # the grid of times is the run's
         self.forget_determinants(z)
-        begin_turns(self.plan.scheme, z)
         self.begin_events(z)
         self.count_anew(z, work)
         return z

@@ -11,7 +11,6 @@ from runtime.engine.choose import choose_engine, operations_per_step
 from runtime.engine.prepare import prepare
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.watched import with_events
-from runtime.schemes.turns import with_turns
 from runtime.schemes.work import with_account
 
 
@@ -34,7 +33,7 @@ class Stepper:
     def __init__(self, scheme: Scheme, engine: str = "auto", wait: bool = False) -> None:
         self.scheme, self.requested = scheme, engine
         prepared = prepare(
-            with_events(scheme, with_turns(scheme, with_account(scheme, scheme.program()))),
+            with_events(scheme, with_account(scheme, scheme.program())),
             scheme.layout.size,
             scheme.c_size,
         )

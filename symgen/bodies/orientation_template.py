@@ -4,9 +4,7 @@ For orientation coordinates theta_k the body turns with omega = sum_k g_k theta_
 sum_k gb_k theta_k_dot. The columns gb_k are the axial vectors of A^T dA/dtheta_k, g_k = A gb_k, and the part of
 omega_dot in body axes that holds no second derivative is sb = sum_k gb_k_dot theta_k_dot.
 
-Two kinds: Euler angles of any sequence, A = A_1(theta_1) A_2(theta_2) A_3(theta_3) about moving axes, and Euler
-parameters (e0, e) of unit length. Products of sines, cosines and parameters are reduced by their norms, s^2 + c^2 = 1
-and e.e = 1.
+theta are Euler parameters (e0, e) of unit length. Products of them are reduced by e.e = 1.
 """
 
 from __future__ import annotations
@@ -17,20 +15,7 @@ import sympy as sp
 
 from symgen.algebra.template import Template, derivative
 
-ANGLES = 3
-cosines, sines = sp.symbols("c1:4"), sp.symbols("s1:4")
-angle_rates = sp.symbols("theta1_dot theta2_dot theta3_dot")
 e, e_dot = sp.symbols("e0:4"), sp.symbols("e0_dot e1_dot e2_dot e3_dot")
-
-
-def _elementary(axis: str, cosine: sp.Expr, sine: sp.Expr) -> sp.Matrix:
-    """Rotation about a coordinate axis."""
-    i = "xyz".index(axis)
-    j, k = (i + 1) % 3, (i + 2) % 3
-    rotation = sp.eye(3)
-    rotation[j, j] = rotation[k, k] = cosine
-    rotation[j, k], rotation[k, j] = -sine, sine
-    return rotation
 
 
 def axial(matrix: sp.Matrix) -> list[sp.Expr]:
@@ -45,32 +30,6 @@ def _outputs(A: sp.Matrix, body: list[list[sp.Expr]], world: list[list[sp.Expr]]
         outputs |= {f"g_{k}_{i}": value for i, value in enumerate(in_world)}
     outputs |= {f"sb_{i}": value for i, value in enumerate(bias)}
     return Template(outputs)
-
-
-@cache
-def euler_angles(sequence: str) -> Template:
-    """Outputs A_ij, gb_k_i, g_k_i, sb_i in the cosines and sines of three angles and their rates."""
-    parts = [_elementary(axis, c, s) for axis, c, s in zip(sequence, cosines, sines, strict=True)]
-    A = parts[0] * parts[1] * parts[2]
-    turns = {s: c for s, c in zip(sines, cosines, strict=True)} | {c: -s for s, c in zip(sines, cosines, strict=True)}
-    body, world = [], []
-    for k in range(ANGLES):
-        own = {x: d for x, d in turns.items() if x in (sines[k], cosines[k])}
-        slope = A.applyfunc(lambda entry, own=own: derivative(entry, own))
-        body.append([_reduced(entry) for entry in axial(A.T * slope)])
-        world.append([_reduced(entry) for entry in axial(slope * A.T)])
-    rates = {x: d * rate for k, rate in enumerate(angle_rates) for x, d in turns.items() if x in (sines[k], cosines[k])}
-    bias = [sp.Add(*(derivative(body[k][i], rates) * angle_rates[k] for k in range(ANGLES))) for i in range(3)]
-    return _outputs(A, body, world, bias)
-
-
-def _reduced(expression: sp.Expr) -> sp.Expr:
-    """Normal form with s^2 = 1 - c^2."""
-    result = sp.expand(expression)
-    for sine, cosine in zip(sines, cosines, strict=True):
-        while sp.degree(result, sine) >= 2:
-            result = sp.expand(sp.rem(sp.Poly(result, sine), sp.Poly(sine**2 + cosine**2 - 1, sine)).as_expr())
-    return result
 
 
 @cache

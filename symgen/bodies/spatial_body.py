@@ -47,10 +47,10 @@ class SpatialCoordinates:
 
 @dataclass(frozen=True)
 class SpatialMarker:
-    """A marker's motion: position r, its turning, axes (columns x, y, z in the world) and its quaternion.
+    """A marker's motion: position r, its turning, axes (columns x, y, z in the world).
 
     r_columns[i] and turn_rows[i] map a column of q to dr_i/dq and to the virtual rotation about world axis i; bias and
-    turn_bias are the parts of r_ddot and omega_dot without second derivatives. quaternion is None with Euler angles.
+    turn_bias are the parts of r_ddot and omega_dot without second derivatives.
     """
 
     r: Vector
@@ -61,7 +61,6 @@ class SpatialMarker:
     omega: Vector
     turn_rows: list[Row]
     turn_bias: Vector
-    quaternion: QuaternionMotion | None
     local_quaternion: QuaternionMotion
 
 
@@ -97,9 +96,8 @@ class SpatialBody:
     @cached_property
     def _arms(self) -> list[Vector]:
         """d(A h)/dtheta_k: the first moment's part in the translation."""
-        h = self._moments.h
-        world = self.orientation.rotate(h)
-        return [self.orientation.turned(k, h, world) for k in range(len(self.coordinates.theta))]
+        world = self.orientation.rotate(self._moments.h)
+        return [self.orientation.turned(k, world) for k in range(len(self.coordinates.theta))]
 
     def _mode(self, a: int) -> dict[str, ca.SX]:
         names = [*template.PER_MODE, template.FORCE_ON_MODE]
@@ -189,7 +187,7 @@ class SpatialBody:
         arm, b, nu = (turning.rotate(vector) for vector in (local.rho, local.rho_dot, local.nu))
         rows: list[Row] = [{column: ONE} for column in q.columns[:3]] or [{}, {}, {}]
         for k, column in enumerate(q.turning):
-            for i, entry in enumerate(turning.turned(k, local.rho, arm)):
+            for i, entry in enumerate(turning.turned(k, arm)):
                 add_to(rows[i], column, entry)
         for a, column in enumerate(q.elastic):
             for i, entry in enumerate(turning.rotate(local.shapes[a])):
@@ -206,16 +204,13 @@ class SpatialBody:
             spin.omega,
             spin.rows,
             spin.bias,
-            spin.quaternion,
             spin.local,
         )
 
-    def quaternion(self) -> QuaternionMotion | None:
-        """The frame's, None with Euler angles."""
+    def quaternion(self) -> QuaternionMotion:
+        """The frame's."""
         if not self.coordinates.columns:
             return fixed_quaternion([ONE, ZERO, ZERO, ZERO])
-        if len(self.coordinates.theta) != 4:
-            return None
         return free_quaternion(self.coordinates.theta, self.coordinates.theta_dot, self.coordinates.turning)
 
     def _require_mass(self) -> SpatialIntegrals:
@@ -238,8 +233,6 @@ class _MarkerSpin:
             axes = self._deformed(turning, Deformation(point, q.q_f, q.q_f_dot, q.elastic).now, q.elastic)
         self.axes = [turning.rotate([axes[i][j] for i in range(3)]) for j in range(3)]
         self.local = small_turn(local.psi, local.psi_dot, columns).times(fixed_quaternion(point.quaternion))
-        whole = body.quaternion()
-        self.quaternion = None if whole is None else whole.times(self.local)
 
     def _deformed(self, turning: Orientation, bent: Bent, elastic: list[int]) -> list[Vector]:
         """Add the deformation's share to omega, bias and rows; the marker's axes in the frame."""

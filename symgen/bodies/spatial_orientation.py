@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from runtime.contract.euler_angles import angles_of
 from symgen.algebra.scalar import ONE, ZERO
 from symgen.algebra.vectors import Vector, combination, cross, plus, times
 from symgen.bodies import orientation_template as template
@@ -15,7 +16,7 @@ from symgen.bodies import orientation_template as template
 class Orientation:
     """A (rows), turning axes of each coordinate in body and world axes, omega, and omega_dot without theta''.
 
-    coordinates: SX of theta (angles or Euler parameters). Ground has none and A = 1.
+    coordinates: SX of theta, the Euler parameters. Ground has none and A = 1.
     """
 
     coordinates: Vector
@@ -31,13 +32,8 @@ class Orientation:
         """World components of a vector in body axes."""
         return times(self.A, body_vector)
 
-    def turned(self, k: int, body_vector: Vector, world_vector: Vector) -> Vector:
-        """d(A v)/dtheta_k of a vector v fixed in the body, by the shorter of two ways.
-
-        An axis that is fixed in the body crosses v there, where both have zeros; any other crosses A v in the world.
-        """
-        if sum(component.is_zero() for component in self.body_axes[k]) == 2:
-            return self.rotate(cross(self.body_axes[k], body_vector))
+    def turned(self, k: int, world_vector: Vector) -> Vector:
+        """d(A v)/dtheta_k of a vector v fixed in the body, whose world components are given."""
         return cross(self.world_axes[k], world_vector)
 
 
@@ -48,17 +44,10 @@ def fixed_orientation() -> Orientation:
     return Orientation([], unit, [], [], zero, zero, zero, zero)
 
 
-def orientation(kind: str, theta: Vector, theta_dot: Vector) -> Orientation:
-    """Orientation by Euler angles of the sequence `kind`, or by euler_parameters."""
-    if kind == "euler_parameters":
-        form = template.euler_parameters()
-        values = dict(zip((*template.e, *template.e_dot), (*theta, *theta_dot), strict=True))
-    else:
-        form = template.euler_angles(kind)
-        values = dict(zip(template.cosines, [ca.cos(angle) for angle in theta], strict=True))
-        values |= dict(zip(template.sines, [ca.sin(angle) for angle in theta], strict=True))
-        values |= dict(zip(template.angle_rates, theta_dot, strict=True))
-    out = form.evaluate(values)
+def orientation(theta: Vector, theta_dot: Vector) -> Orientation:
+    """Orientation by Euler parameters."""
+    values = dict(zip((*template.e, *template.e_dot), (*theta, *theta_dot), strict=True))
+    out = template.euler_parameters().evaluate(values)
     n = len(theta)
     A = [[out[f"A_{i}{j}"] for j in range(3)] for i in range(3)]
     body = [[out[f"gb_{k}_{i}"] for i in range(3)] for k in range(n)]
@@ -74,3 +63,9 @@ def orientation(kind: str, theta: Vector, theta_dot: Vector) -> Orientation:
         bias_body,
         plus(times(A, bias_body)),
     )
+
+
+def euler_angle(kind: str, k: int, e: Vector) -> ca.SX:
+    """Angle k of the sequence `kind` at Euler parameters e."""
+    value: ca.SX = angles_of(kind, e, ca.atan2, ca.cos, ca.sin)[k]
+    return value

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
+from dataclasses import replace
 
 import casadi as ca
 import numpy as np
 
+from runtime.contract.angle_start import angle_bodies, consistent_state_by_angles
 from runtime.contract.angular import parameter_rates
-from runtime.contract.consistent_state import ConsistentState, GivenValues, InitialStateError, consistent_state
+from runtime.contract.consistent_state import ConsistentState, GivenValues, InitialStateError
+from runtime.contract.euler_angles import angle_names
 from symgen.algebra.parameters import ParameterTable
 from symgen.choice.elimination import constraint_jacobian
 from symgen.system.build import System
 from symgen.system.equations import Equations
 from symgen.system.errors import DerivationError
 
-SINGULAR = 1e-6  # sine of the angle between the first and the last axis of Euler angles
+OMEGA = ("omega_x", "omega_y", "omega_z")
 
 
 class ConstraintNumbers:
@@ -60,20 +63,22 @@ def assembled(system: System, numbers: ConstraintNumbers) -> ConsistentState:
         for k, coordinate in enumerate(equations.coordinates)
         if coordinate.owner in topology.placed and not coordinate.elastic
     )
-    spins = {name for name in requested.rates.values if name not in equations.names}
+    spins = {name for name in requested.rates.values if name.partition(".")[2] in OMEGA}
     rates = GivenValues(
         {name: value for name, value in requested.rates.values.items() if name not in spins},
         requested.rates.fixed - spins,
     )
+    by_angles = angle_bodies({**requested.coordinates.values, **rates.values}, requested.euler_angles)
 
-    def state_with(rates: GivenValues) -> ConsistentState:
-        return consistent_state(
+    def state_with(sequences: Mapping[str, str], coordinates: GivenValues, rates: GivenValues) -> ConsistentState:
+        return consistent_state_by_angles(
+            sequences,
             equations.names,
             equations.elastic_columns,
             [row.joint or row.label for row in equations.constraints],
             numbers.position,
             numbers.velocity,
-            requested.coordinates,
+            coordinates,
             rates,
             np.array([coordinate.at_rest for coordinate in equations.coordinates]),
             equations.joint_columns,
@@ -82,14 +87,28 @@ def assembled(system: System, numbers: ConstraintNumbers) -> ConsistentState:
         )
 
     try:
-        state = state_with(rates)
+        state = state_with(by_angles, requested.coordinates, rates)
         if spins:
-            state = state_with(_with_spins(equations, state.q, requested.rates, rates))
+            turning = angle_bodies(rates.values, by_angles)
+            places = _by_parameters(equations, state.q, requested.coordinates, by_angles.keys() - turning.keys())
+            moving = state_with(turning, places, _with_spins(equations, state.q, requested.rates, rates))
+            state = replace(moving, changed={**state.changed, **moving.changed})
     except InitialStateError as error:
         problem, _, remedy = str(error).rpartition("; ")
         raise DerivationError("initial", problem or remedy, remedy if problem else "check parameters") from error
-    _require_regular_angles(requested.euler_angles, equations, state.q)
     return state
+
+
+def _by_parameters(equations: Equations, q: np.ndarray, given: GivenValues, bodies: Collection[str]) -> GivenValues:
+    """The Euler parameters at q for the angles of these bodies; those of a body are fixed if one of its angles is."""
+    values, fixed = dict(given.values), set(given.fixed)
+    for body in bodies:
+        angles = set(angle_names(body))
+        own = [f"{body}.e{k}" for k in range(4)]
+        values = {name: value for name, value in values.items() if name not in angles}
+        values |= {name: float(q[equations.names.index(name)]) for name in own}
+        fixed = (fixed - angles) | (set(own) if fixed & angles else set())
+    return GivenValues(values, frozenset(fixed))
 
 
 def _with_spins(equations: Equations, q: np.ndarray, given: GivenValues, rates: GivenValues) -> GivenValues:
@@ -98,7 +117,7 @@ def _with_spins(equations: Equations, q: np.ndarray, given: GivenValues, rates: 
     Those of a body are fixed if one of its angular velocities is.
     """
     values, fixed = dict(rates.values), set(rates.fixed)
-    for body in {name.partition(".")[0] for name in given.values.keys() - rates.values.keys()}:
+    for body in sorted({name.partition(".")[0] for name in given.values.keys() - rates.values.keys()}):
         names = [f"{body}.omega_{axis}" for axis in "xyz"]
         columns = [equations.names.index(f"{body}.e{k}") for k in range(4)]
         turning = parameter_rates(q[columns], np.array([given.values.get(name, 0.0) for name in names]))
@@ -106,19 +125,3 @@ def _with_spins(equations: Equations, q: np.ndarray, given: GivenValues, rates: 
         values |= dict(zip(own, turning.tolist(), strict=True))
         fixed |= set(own) if given.fixed & set(names) else set()
     return GivenValues(values, frozenset(fixed))
-
-
-def _require_regular_angles(sequences: Mapping[str, str], equations: Equations, q: np.ndarray) -> None:
-    """Refuse Euler angles (sequences by body) that start where their first and last axis coincide."""
-    for body, sequence in sequences.items():
-        turning = [k for k, c in enumerate(equations.coordinates) if c.owner == body and c.kind == "angle"]
-        if len(turning) != 3:  # a planar scene takes no notice of the sequence
-            continue
-        name, middle = equations.names[turning[1]], q[turning[1]]
-        if abs(np.sin(middle) if sequence[0] == sequence[2] else np.cos(middle)) < SINGULAR:
-            raise DerivationError(
-                name,
-                f"Euler angles {sequence} are singular at their start value {middle:.6g}: the "
-                "first and the last turn about the same axis",
-                'start at another angle, choose another sequence, or use orientation = "euler_parameters"',
-            )

@@ -9,6 +9,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.beams.records import BeamRecord
+from runtime.contract.euler_angles import angle_names
 from runtime.contract.orientations import OrientationRecord
 from runtime.contract.records import (
     BodyRecord,
@@ -96,10 +97,8 @@ def _bodies(derived: Derived) -> list[BodyRecord]:
         return []
     for body in (scene.ground, *scene.moving_bodies):
         markers = sorted({**body.implicit_markers(), **body.markers})
-        own = [entry.name for entry in derived.system.equations.coordinates if entry.owner == body.name]
-        turning = [name for name, (_, kind) in zip(own, scene.frame_parts(body), strict=False) if kind == "angle"]
         orientation = "" if scene.space == "planar" else str(getattr(body, "orientation", ""))
-        angles = turning if body.type != "ground" and scene.has_angles(body) else []
+        angles = angle_names(body.name) if body.name in scene.euler_angles() else []
         found.append(BodyRecord(body.name, body.type, markers, orientation, angles))
     return found
 

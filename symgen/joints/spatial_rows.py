@@ -176,7 +176,6 @@ def _orientation(
         far.local_quaternion.conjugate()
     )
     base, own = parent.quaternion(), child.quaternion()
-    assert base is not None and own is not None
     given = base.times(between)
     C = minus(own.value, given.value)
     rows = []

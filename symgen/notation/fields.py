@@ -51,8 +51,6 @@ FIELDS: tuple[Notation, ...] = (
     Notation("event_near", "", "", "1", "-", "may a value come to zero soon?"),
     Notation("event_slopes", "", "", "events", "any/s", "their rates where one may, of steps of one length"),
     Notation("event_quiet", "", "", "events", "s", "until when an event is not looked for: its cool-down"),
-    Notation("turn", "", "", "1", "rad", "largest turn of Euler angles in a step near their singular orientation"),
-    Notation("angles_before", "", "", "2 a body", "rad", "first and third Euler angle after the last step"),
     Notation("det_low", "", "", "loop blocks", "SI", "smallest det_loop since whoever runs the scheme reset it"),
     Notation("det_high", "", "", "loop blocks", "SI", "largest det_loop since then"),
     *(Notation(code, "", "", *rest) for code, *rest in FIELDS_OF_TOLERANCE),

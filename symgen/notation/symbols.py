@@ -35,7 +35,7 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("q_dot", "q'", "16", "n", "mixed", "rates of all coordinates"),
     Notation("q_ddot", "q''", "23", "n", "mixed", "accelerations of all coordinates"),
     Notation("R_o", "R^o", "16", "2 or 3", "m", "origin of a body's floating frame in world axes"),
-    Notation("theta", "theta", "17", "1, 3 or 4", "rad", "angle of a body's frame; Euler angles or parameters e"),
+    Notation("theta", "theta", "17", "1 or 4", "rad", "angle of a body's frame, in space its Euler parameters e"),
     Notation("q_f", "q_f", "18", "nf", "m", "elastic (modal) coordinates of a body"),
     Notation("Phi", "phi_k", "19", "2 or 3 x nf", "1", "shape functions at a point of a body"),
     Notation("q_i", "q_i", "29", "n_i", "mixed", "independent coordinates, in the order of the partition"),

@@ -7,6 +7,7 @@ from warnings import warn
 
 from pydantic import Field
 
+from runtime.contract.euler_angles import is_sequence
 from runtime.contract.records import UNITS, Coordinate, CoordinateKind
 from symgen.scene.bodies import BeamBody, BeamMarker, GroundBody, RigidBody, RigidMarker
 from symgen.scene.errors import SceneError, did_you_mean
@@ -32,7 +33,6 @@ AnyMarker = RigidMarker | BeamMarker | ModalMarker | FlexibleMarker
 # the coordinates that orient a body: names within the body, and what they measure
 ORIENTATIONS: dict[str, tuple[tuple[str, CoordinateKind], ...]] = {
     "plane": (("theta", "angle"),),
-    "angles": (("theta1", "angle"), ("theta2", "angle"), ("theta3", "angle")),
     "parameters": tuple((f"e{k}", "euler_parameter") for k in range(4)),
 }
 Body = Annotated[AnyBody, Field(discriminator="type")]
@@ -125,14 +125,13 @@ class SceneParts(StrictModel):
 
     def frame_parts(self, body: AnyBody) -> list[tuple[str, CoordinateKind]]:
         """R_o and the orientation of a body's frame: (name within the body, what it measures)."""
-        turning = ORIENTATIONS[
-            "plane" if self.space == "planar" else "angles" if self.has_angles(body) else "parameters"
-        ]
+        turning = ORIENTATIONS["plane" if self.space == "planar" else "parameters"]
         return [*((axis, "position") for axis in "xyz"[: self.dimension]), *turning]
 
-    def has_angles(self, body: AnyBody) -> bool:
-        """Is a body of a spatial scene oriented by Euler angles?"""
-        return self.space == "spatial" and getattr(body, "orientation", "zyx") != "euler_parameters"
+    def euler_angles(self) -> dict[str, str]:
+        """Sequence of axes of each body of a spatial scene that is described by Euler angles."""
+        kinds = {body.name: str(getattr(body, "orientation", "")) for body in self.moving_bodies}
+        return {name: kind for name, kind in kinds.items() if self.space == "spatial" and is_sequence(kind)}
 
     def placements(self) -> list[Placement]:
         """The joints that place a body by coordinates of their own, in scene order (spatial scenes)."""

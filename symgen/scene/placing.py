@@ -2,7 +2,7 @@
 
 Along a spanning tree from the ground, a joint that fixes an orientation up to its own angles gives them as coordinates:
 body b then follows in closed form from body a and the joint, over any number of turns and without a singular angle.
-Joints that close loops, and those of bodies with Euler angles, stay equations between the bodies.
+Joints that close loops stay equations between the bodies.
 """
 
 from __future__ import annotations
@@ -72,7 +72,6 @@ def placements_of(bodies: Sequence[Named], joints: Sequence[Joint]) -> list[Plac
     found: dict[str, Placement] = {}
     reached, queue = {"ground"}, ["ground"]
     roots = [body.name for body in bodies]
-    angles = {body.name for body in bodies if getattr(body, "orientation", "euler_parameters") != "euler_parameters"}
     while queue or roots:
         if not queue:
             root = _next_root(joints, roots, reached)
@@ -82,7 +81,7 @@ def placements_of(bodies: Sequence[Named], joints: Sequence[Joint]) -> list[Plac
                 queue.append(root)
             continue
         parent = queue.pop(0)
-        for joint, child, forward in _placing_from(joints, angles, parent):
+        for joint, child, forward in _placing_from(joints, parent):
             if child not in reached:
                 reached.add(child)
                 queue.append(child)
@@ -100,9 +99,9 @@ def _next_root(joints: Sequence[Joint], roots: list[str], reached: set[str]) -> 
     return roots[0]
 
 
-def _placing_from(joints: Sequence[Joint], angles: set[str], body: str) -> Iterator[tuple[Joint, str, bool]]:
-    """Placing joints of a body with the body at their other end; none between bodies with Euler angles."""
+def _placing_from(joints: Sequence[Joint], body: str) -> Iterator[tuple[Joint, str, bool]]:
+    """Placing joints of a body with the body at their other end."""
     for joint in joints:
         ends = (joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0])
-        if joint.type in PLACING and body in ends and angles.isdisjoint(ends):
+        if joint.type in PLACING and body in ends:
             yield joint, ends[1] if ends[0] == body else ends[0], ends[0] == body

@@ -59,7 +59,7 @@ CRANK_AND_ROD = ("crank.theta", *ROD)
 HUB = ("hub.theta", "beam.q1", "beam.q2", "beam.q3")
 LINK_ANGLES = tuple(f"link{k}.theta" for k in range(1, LINKS + 1))
 GOVERNOR = ("spin.angle", "height.travel", "right_swing.angle", "left_swing.angle")
-IN_SPACE = tuple(f"link{k}.{name}" for k in (1, 2) for name in ("theta1", "theta2", "theta3", "q1", "q2"))
+IN_SPACE = tuple(f"link{k}.{name}" for k in (1, 2) for name in ("e1", "e2", "e3", "q1", "q2"))
 LINK_MODES = tuple(f"link{k}.q{mode}" for k in range(1, LINKS + 1) for mode in (1, 2))
 
 
@@ -238,7 +238,7 @@ CASES += (
     HardCase(
         "vehicle",
         vehicle,
-        tuple(f"{body}.{name}" for body in ("chassis", "cab") for name in ("z", "theta1", "theta2")),
+        tuple(f"{body}.{name}" for body in ("chassis", "cab") for name in ("z", "e1", "e2")),
         0.5,
         "32 coordinates: soft suspensions and tyres, and a cab on two bushings of 5e7 N/m",
         large=True,

@@ -10,11 +10,13 @@ from typing import Any, Generic, Protocol, TypeVar
 
 import casadi as ca
 
+from runtime.contract.euler_angles import NAMES
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, add
 from symgen.bodies.gauge_stress import gauge_stress
 from symgen.bodies.outlines import Picture
+from symgen.bodies.spatial_orientation import euler_angle
 from symgen.joints.instance import ConstraintRow
 from symgen.loads.effect import LoadEffect
 from symgen.scene import Scene, SpatialModalBody
@@ -191,8 +193,16 @@ class Mechanism(Generic[Marker]):
             eq.measure_units |= {measure.name: unit, f"{measure.name}_dot": f"{unit}/s"}
         self.environment = {**self.environment, **eq.measures}
 
+    def _euler_angle(self, name: str) -> ca.SX:
+        """`body.theta1`, ...: read off the body's Euler parameters."""
+        body, _, own = name.partition(".")
+        e = [self.equations.q[self.equations.names.index(f"{body}.e{k}")] for k in range(4)]
+        return euler_angle(self.scene.euler_angles()[body], NAMES.index(own), e)
+
     def _measured(self, measure: Measure) -> tuple[ca.SX, str]:
         """(value, SI unit) of a measure."""
+        if measure.type == "coordinate" and measure.coordinate not in self.equations.names:
+            return self._euler_angle(measure.coordinate), "rad"
         if measure.type == "coordinate":
             column = self.equations.names.index(measure.coordinate)
             return self.equations.q[column], self.equations.coordinates[column].unit

@@ -133,11 +133,7 @@ def orientations_of(scene: Scene, topology: Topology) -> Orientations:
     spherical = {joint.name for joint in scene.joints if joint.type == "spherical"}
     balls, _ = _tree(topology, list(described), spherical)
     held = set(_chosen(scene))
-    free = [
-        name
-        for name in described
-        if not scene.has_angles(described[name]) and name not in topology.placed and name not in held
-    ]
+    free = [name for name in described if name not in topology.placed and name not in held]
     return Orientations(tuple(free), {joint: ball for joint, ball in balls.items() if ball.child in free})
 
 

@@ -37,7 +37,6 @@ class Requested:
 
 def requested_by(scene: Scene) -> Requested:
     """The requests of a scene."""
-    orientations = {body.name: getattr(body, "orientation", "") for body in scene.moving_bodies}
     return Requested(
         independent=_independent(scene),
         groups=tuple(RequestedGroup(group.name, group.coordinates) for group in scene.partition.groups or ()),
@@ -45,7 +44,7 @@ def requested_by(scene: Scene) -> Requested:
         ratios=scene.simulation.m,
         coordinates=_given(scene.initial.coordinates),
         rates=_given(scene.initial.rates | _states(scene)),
-        euler_angles={name: kind for name, kind in orientations.items() if kind not in ("", "euler_parameters")},
+        euler_angles=scene.euler_angles(),
     )
 
 

@@ -49,15 +49,14 @@ class SpatialSpace:
             self._coordinates[name] = JointCoordinate(equations.q[column], equations.q_dot[column], column)
 
     def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[SpatialBody, int]:
-        """x, y, z, angles or Euler parameters, q_f."""
+        """x, y, z, Euler parameters, q_f."""
         description, integrals = self.scene.body(name), spatial_integrals(self.scene, name, self.table)
         turning = len(self.scene.frame_coordinates(description))
         size = turning + integrals.nf
         coordinates = SpatialCoordinates(
             columns[:size], q[:3], q[3:turning], q[turning:size], q_dot[:3], q_dot[3:turning], q_dot[turning:size]
         )
-        kind = getattr(description, "orientation", "euler_parameters")
-        body = SpatialBody(name, coordinates, orientation(kind, coordinates.theta, coordinates.theta_dot), integrals)
+        body = SpatialBody(name, coordinates, orientation(coordinates.theta, coordinates.theta_dot), integrals)
         self.bodies[name] = body
         return body, size
 
@@ -118,7 +117,7 @@ class SpatialSpace:
         return [
             unit_length(body)
             for name, body in self.bodies.items()
-            if name not in self.topology.placed and len(body.coordinates.theta) == 4
+            if name not in self.topology.placed and body.coordinates.theta
         ]
 
     def joint_friction(self, joint: Joint) -> list[LoadEffect]:

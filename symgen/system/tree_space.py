@@ -81,8 +81,7 @@ class TreeSpace(SpatialSpace):
                 skeleton.hold(body, *self._hold(balls[name]))
                 continue
             if name not in by_child:
-                kind = getattr(self.scene.body(name), "orientation", "euler_parameters")
-                skeleton.float(body, kind, self._turnings.get(name))
+                skeleton.float(body, self._turnings.get(name))
                 continue
             placement = by_child[name]
             joint = joints[placement.joint]

@@ -95,9 +95,9 @@ def dense_spatial_chain() -> Scene:
 @pytest.mark.parametrize(
     ("scene", "budget"),
     [
-        (spatial_chain(10), 4000),
-        (spatial_chain(10, 2), 13_500),
-        (dense_spatial_chain(), 17_700),
+        (spatial_chain(10), 3500),
+        (spatial_chain(10, 2), 15_000),
+        (dense_spatial_chain(), 20_800),
     ],
     ids=["rigid chain of 10", "flexible chain of 10", "general flexible chain of 10"],
 )

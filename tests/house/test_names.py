@@ -11,7 +11,6 @@ from runtime.contract.model import Model
 from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.stage_equations import LinearisedEquations
 from runtime.schemes.switching.watched import watch_events
-from runtime.schemes.turns import watch_turns
 from runtime.schemes.work import account_for_work
 from symgen.bodies import planar_template, spatial_template
 from symgen.notation.fields import FIELDS
@@ -25,7 +24,7 @@ LAST_EQUATION = 72
 
 Load = Callable[[str], Model]
 # with loops, groups, bodies in space, and none of them
-MODELS = ("flexible_slider_crank", "flyball_governor", "two_oscillators", "chain", "spatial_chain")
+MODELS = ("flexible_slider_crank", "flyball_governor", "two_oscillators", "chain")
 
 
 def codes(entries: tuple[Notation, ...]) -> set[str]:
@@ -63,7 +62,6 @@ def fields_of_z(model: Model) -> set[str]:
         for options in choices:
             scheme = kind.build(name, model, 1.0, None, options)
             account_for_work(scheme)
-            watch_turns(scheme)
             watch_events(scheme)
             found |= set(scheme.layout.sizes)
     return found

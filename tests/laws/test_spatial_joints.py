@@ -1,7 +1,7 @@
 """Laws of every joint type in space, on markers that turn with the deformation of a flexible body.
 
 C_q and gamma are the derivatives of C along any motion; joint forces satisfy Newton's and Euler's equations;
-Euler angles or parameters, and the order of a joint's markers, change neither motion nor forces.
+Joints that place bodies or are equations, and the order of a joint's markers, change neither motion nor forces.
 """
 
 from __future__ import annotations
@@ -16,7 +16,17 @@ from runtime import load_model
 from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
-from tests.support.joint_comb import GRAVITY, ONE_WAY, OTHERS, PLACING, Variant, comb, exchanged_coordinates, lumps
+from tests.support.joint_comb import (
+    GRAVITY,
+    ONE_WAY,
+    OTHERS,
+    PLACING,
+    Variant,
+    comb,
+    exchanged_coordinates,
+    lumps,
+    no_placements,
+)
 from tests.support.model_values import Array, State, evaluate, make_state, relative_error
 from tests.support.spatial_motion import Frame, assembled, frames, momentum_rate, place, solve
 
@@ -34,7 +44,8 @@ def build(tmp_path_factory: pytest.TempPathFactory) -> Build:
     def get(types: tuple[str, ...], variant: Variant) -> tuple[Scene, Model]:
         if (types, variant) not in made:
             scene = comb(types, variant)
-            made[types, variant] = scene, load_model(generate(scene, tmp_path_factory.mktemp("comb"), KERNELS))
+            with no_placements(not variant.placing):
+                made[types, variant] = scene, load_model(generate(scene, tmp_path_factory.mktemp("comb"), KERNELS))
         return made[types, variant]
 
     return get
@@ -53,12 +64,11 @@ def path(scene: Scene, model: Model) -> tuple[Array, Array, Array]:
     rng, n = np.random.default_rng(5), len(model.coordinates)
     q, v, a = rng.normal(size=n), rng.normal(size=n), rng.normal(size=n)
     for body in scene.moving_bodies:
-        if getattr(body, "orientation", "") == "euler_parameters":
-            first = model.coordinates.index(f"{body.name}.e0")
-            at = slice(first, first + 4)
-            q[at] /= np.linalg.norm(q[at])
-            v[at] -= (v[at] @ q[at]) * q[at]
-            a[at] -= (a[at] @ q[at] + v[at] @ v[at]) * q[at]
+        first = model.coordinates.index(f"{body.name}.e0")
+        at = slice(first, first + 4)
+        q[at] /= np.linalg.norm(q[at])
+        v[at] -= (v[at] @ q[at]) * q[at]
+        a[at] -= (a[at] @ q[at] + v[at] @ v[at]) * q[at]
     return q, v, a
 
 
@@ -68,14 +78,14 @@ def path(scene: Scene, model: Model) -> tuple[Array, Array, Array]:
         Variant(),
         Variant(exchanged=True),
         Variant(base_last=True),
-        Variant(parameters=False),
+        Variant(placing=False),
     ],
-    ids=["parameters", "exchanged", "base last", "angles"],
+    ids=["parameters", "exchanged", "base last", "equations"],
 )
 @pytest.mark.parametrize("types", [PLACING, OTHERS], ids=["placing", "others"])
 def test_rows_are_derivatives_of_C(build: Build, types: tuple[str, ...], variant: Variant) -> None:
     """C_q q_dot + C_t is the rate of C, and C_q q_ddot - gamma its second rate, far from any assembled position."""
-    kinds = types if variant.parameters else tuple(kind for kind in types if kind != "screw")
+    kinds = types if variant.placing else tuple(kind for kind in types if kind != "screw")
     scene, model = build(kinds, variant)
     q, v, a = path(scene, model)
     kernel, s, t = model.kernel("constraints"), ca.SX.sym("s"), 0.8
@@ -139,10 +149,10 @@ def same_motion(first: dict[str, Frame], second: dict[str, Frame], tolerance: fl
 
 
 @pytest.mark.parametrize("types", [WITHOUT_SCREW, OTHERS], ids=["placing", "others"])
-def test_euler_angles_give_the_same_motion_and_forces(build: Build, types: tuple[str, ...]) -> None:
+def test_joints_as_equations_give_the_same_motion_and_forces(build: Build, types: tuple[str, ...]) -> None:
     """Joints that place bodies by coordinates of their own, against the same joints as equations between bodies."""
     scene, model = build(types, Variant())
-    other_scene, other = build(types, Variant(parameters=False))
+    other_scene, other = build(types, Variant(placing=False))
     assert not any(name.startswith("j_") for name in other.coordinates)
     for state in states(model, 2):
         moving, _, forces = solve(scene, model, state)

@@ -14,13 +14,12 @@ from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
 from tests.hand_derived.spatial import (
     spatial_scenes,
-    twin_free_flexible,
     twin_governor,
     twin_spatial_double_pendulum,
     twin_spatial_slider_crank,
 )
 from tests.hand_derived.spatial.twin_flexible_nodes import Nodes, scattered
-from tests.support.joint_comb import SEQUENCES, rigid
+from tests.support.joint_comb import rigid
 from tests.support.model_values import (
     State,
     augmented_solution,
@@ -30,7 +29,7 @@ from tests.support.model_values import (
     reactions,
     relative_error,
 )
-from tests.support.spatial_motion import Frame, assembled, frames, momentum, momentum_rate, place
+from tests.support.spatial_motion import assembled, frames, momentum, momentum_rate
 
 Build = Callable[[Scene, frozenset[str] | None], Model]
 FULL = frozenset({"constraints", "augmented", "reactions", "energy"})
@@ -188,25 +187,3 @@ def test_a_turned_world_changes_nothing(build: Build, scene: Scene) -> None:
         found = evaluate(there, "condensed", **turned.values())
         for name in ("M_hat", "Q_hat"):
             assert relative_error(found[name], expected[name]) < 1e-12, name
-
-
-def test_all_sequences_of_angles_move_a_free_body_alike(build: Build) -> None:
-    """Accelerations of a free flexible body under a force and gravity, against those with Euler parameters."""
-    params = twin_free_flexible.Params()
-    rng = np.random.default_rng(6)
-    q_f, more = rng.normal(size=(3, 3)), rng.normal(size=(4, 3))
-    A = Rotation.from_rotvec([0.4, 0.5, -0.7]).as_matrix()
-    moving = {"body": Frame(more[0], A, more[1], more[2], more[3], more[3], *q_f)}
-    found = {}
-    for kind in ("euler_parameters", *SEQUENCES):
-        scene = spatial_scenes.free_flexible(params, kind)
-        if kind != "euler_parameters":  # some sequences are singular at zero
-            start = {"coordinates": {"body.theta2": 0.5}}
-            scene = Scene.from_dict({**scene.to_dict(), "initial": start})
-        model = build(scene, FULL)
-        state = place(scene, model, moving, 0.0)
-        assert relative_error(frames(scene, state.q, state.q_dot, 0 * state.q)["body"].omega, more[2]) < 1e-12
-        frame = frames(scene, state.q, state.q_dot, augmented_solution(model, state)[0])["body"]
-        found[kind] = np.concatenate([frame.a, frame.alpha, frame.q_f_ddot])
-    for kind in SEQUENCES:
-        assert relative_error(found[kind], found["euler_parameters"]) < 1e-11, kind

@@ -238,21 +238,28 @@ def test_a_chain_comes_to_rest_from_anywhere(model_of: Build, start: str) -> Non
 def test_a_top_that_precesses(model_of: Callable[..., Model], built_in: Callable[..., Model]) -> None:
     """By hand: m g l = C (spin + p cos theta) p - A p^2 cos theta, where the tilt theta is sought.
 
-    With Euler parameters a spin has no rates of its own, and the refusal says what has.
+    Its angles are those of hinges, on a ring without weight. A spin in body axes has no such rates, and the refusals
+    say what has.
     """
 
-    scene = (
+    ring = (
         SceneBuilder("top", space="spatial")
         .gravity(0, 0, -9.81)
+        .rigid("ring", mass=1e-12, inertia=[1e-12] * 3)
         .rigid(
             "top", mass=15.0, inertia=[0.25, 0.25, 0.5], orientation="zxz", markers={"foot": {"position": (0, 0, -1)}}
         )
-        .spherical("pivot", "ground.origin", "top.foot")
-        .initial({"top.theta2": 0.5})
-        .build()
+        .universal("pivot", "ground.origin", "ring.origin")
+        .revolute("spin", "ring.origin", "top.foot")
+        .initial({"pivot.angle2": 0.5})
     )
     A, C, spin, p = 15.25, 0.5, 150.0, 2.0
-    tilt = equilibrium(model_of(scene), rates={"top.theta1": p, "top.theta3": spin})["top.theta2"]
+    model = model_of(ring.build())
+    found = equilibrium(model, rates={"pivot.angle1": p, "spin.angle": spin})
+    tilt = found["top.theta2"]
+    assert tilt == pytest.approx(found["pivot.angle2"], rel=1e-12)
     assert C * (spin + p * math.cos(tilt)) * p - A * p**2 * math.cos(tilt) == pytest.approx(15.0 * 9.81, rel=1e-9)
+    with pytest.raises(ModelError, match="top.theta1 is an Euler angle.*universal and a revolute"):
+        equilibrium(model, rates={"top.theta1": p})
     with pytest.raises(NoEquilibrium, match="turn of a body: give the spin as rates"):
         equilibrium(built_in("heavy_top"), rates={"top.e2": 75.0, "top.e3": -2.30769})

@@ -5,7 +5,6 @@ The point moves as x = t (or as asked), and the determinant is a given function 
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
@@ -15,7 +14,6 @@ import pytest
 
 from runtime import Model, simulate
 from runtime.running.singular.crossing import Crossing, cross
-from runtime.running.singular.euler_angles import singular_angles
 from runtime.running.singular.exchange import best_exchange
 from runtime.running.singular.guard import Guard
 from runtime.running.singular.tight_integrator import BranchLost, TightIntegrator
@@ -150,15 +148,6 @@ def test_the_alarm_of_a_small_determinant() -> None:
     assert alarm(2e-5) and not alarm(4e-5)
     guard.passed()
     assert alarm(0.14) and not alarm(0.16) and not guard.alarm(-np.ones(1), -np.ones(1))
-
-
-@pytest.mark.parametrize("axes, fails", [("zyx", math.pi / 2), ("zxz", 0.0)])
-def test_euler_angles_are_named_near_their_singular_orientation_only(axes: str, fails: float) -> None:
-    """Within 0.2 of the cosine, or sine, of the middle angle."""
-    body: Any = SimpleNamespace(name="top", angles=["a", "b", "c"], orientation=axes)
-    for off, near in ((0.1, True), (0.3, False), (1.2, False)):
-        advice = singular_angles([body], {"a": 0.0, "b": fails - off, "c": 0.0})
-        assert (advice is not None) == near
 
 
 def test_a_loop_unknown_takes_the_place_that_it_nearly_deserves() -> None:

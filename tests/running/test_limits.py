@@ -12,7 +12,6 @@ import pytest
 
 from runtime import Model, ModelError, simulate
 from runtime.running.accuracy import Accuracy, CoordinateError
-from runtime.running.checks.angles import Angles
 from runtime.running.checks.check import Check, Subject
 from runtime.running.checks.closure import Closure
 from runtime.running.checks.constraints import Constraints
@@ -23,7 +22,6 @@ from runtime.running.checks.mass import Mass
 from runtime.running.plan import make_plan
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import start_vector
-from runtime.schemes.turns import watch_turns
 from symgen.scene import Scene, SceneBuilder
 
 Load = Callable[[str], Model]
@@ -34,7 +32,6 @@ INSIDE, BEYOND = 0.99, 1.01
 def watched(model: Model, scheme: str = "single_rate") -> tuple[Subject, np.ndarray]:
     """A subject at the model's own start, and that state."""
     built = scheme_kind(scheme).build(scheme, model, 1e-3, None, {})
-    watch_turns(built)
     c = model.constants(model.parameter_vector())
     subject = Subject(model, built, c)
     z = start_vector(built, 0.0, model.initial_q, model.initial_q_dot, c)
@@ -91,12 +88,6 @@ def test_constraints(built_in: Load) -> None:
     limit = 1e-6 * subject.length / probe
     for factor, expected in ((0.9, None), (1.1, "constraints_lost")):
         assert named(Constraints(subject), moved(factor * limit)) == expected
-
-
-def test_angles(built_in: Load) -> None:
-    subject, z = watched(built_in("spatial_chain"))
-    for factor, expected in ((INSIDE, None), (BEYOND, "angles_too_fast")):
-        assert named(Angles(subject), put(subject, z, "turn", factor * 0.3)) == expected
 
 
 def test_energy_that_nobody_fed(built_in: Load) -> None:

@@ -121,38 +121,6 @@ def test_a_body_on_a_rod_exchanges_the_angle_that_no_longer_changes_the_length(t
     assert found.constraint_error.max() < 1e-10
 
 
-@pytest.mark.parametrize(
-    "sequence, start",
-    [
-        ("zxz", {"top.theta2": 0.0, "top.theta1_dot": 2.0}),
-        ("zxz", {"top.theta2": 0.3, "top.theta2_dot": -1.0, "top.theta1_dot": 0.2}),
-        ("zyx", {"top.theta2": math.pi / 2, "top.theta1_dot": 1.0}),
-    ],
-)
-def test_a_run_that_euler_angles_stop_says_so(tmp_path: Path, sequence: str, start: dict[str, float]) -> None:
-    scene = (
-        builder()
-        .rigid("top", mass=1.0, inertia=[0.1, 0.2, 0.3], orientation=sequence, free=True)
-        .initial({"top.theta2": 0.5})
-    )
-    model = load_model(generate(scene.build(), tmp_path / "use"))
-    found = simulate(model, t_end=2.0, dt=1e-3, scheme="single_rate", engine="interpreted", initial=start)
-    assert not found.status.ok
-    assert f"Euler angles {sequence} of top" in found.status.advice
-    assert "euler_parameters" in found.status.advice
-
-
-def test_another_stop_does_not_blame_euler_angles(tmp_path: Path) -> None:
-    scene = (
-        builder()
-        .rigid("top", mass=1.0, inertia=[0.1, 0.2, 0.3], orientation="zyx", free=True)
-        .spring_damper("spring", "ground.origin", "top.origin", stiffness=1e6)
-    )
-    found = run(scene.initial({"top.x": 1.0}), tmp_path, 1.0, 0.1)
-    assert found.status.name == "step_too_long"
-    assert "Euler" not in found.status.advice
-
-
 def pendulum() -> SceneBuilder:
     return builder().rigid("rod", mass=1.0, inertia=[0.1, 0.1, 0.1]).revolute("hinge", "ground.origin", "rod.origin")
 

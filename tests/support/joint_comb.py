@@ -1,16 +1,19 @@
 """A free flexible body that carries one body on every type of joint: the joints' laws at one go.
 
-The body bends where the joints sit, so their markers move and turn with it. The same mechanism can be written with
-Euler parameters (joints place bodies by coordinates of their own) or with Euler angles (joints are equations), and with
-the two markers of a joint exchanged.
+The body bends where the joints sit, so their markers move and turn with it. The same mechanism can be derived with
+joints that place bodies by coordinates of their own or with joints that are all equations between bodies (see
+`no_placements`), and written with the two markers of a joint exchanged.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import pytest
 
 from runtime.contract.coordinates import independent
 from runtime.contract.model import Model
@@ -34,11 +37,20 @@ GRAVITY = (1.0, -2.0, -9.0)
 
 @dataclass(frozen=True)
 class Variant:
-    """How the comb is written: with Euler parameters, with the joints' markers exchanged, base given last."""
+    """How the comb is written: do joints place bodies, are the joints' markers exchanged, is the base given last?"""
 
-    parameters: bool = True
+    placing: bool = True
     exchanged: bool = False
     base_last: bool = False
+
+
+@contextmanager
+def no_placements(none: bool) -> Iterator[None]:
+    """Derive with all joints as equations between bodies, each of which is free by itself."""
+    with pytest.MonkeyPatch.context() as patch:
+        if none:
+            patch.setattr("symgen.scene.parts.placements_of", lambda bodies, joints: [])
+        yield
 
 
 def lumps(types: tuple[str, ...]) -> dict[str, Nodes]:
@@ -64,7 +76,7 @@ def comb(types: tuple[str, ...], variant: Variant = Variant(), psi: float = 1.0)
     rng, nodes = np.random.default_rng(3), lumps(types)
     builder = SceneBuilder("comb", space="spatial").gravity(*GRAVITY)
     on_base, children = {}, []
-    for k, kind in enumerate(types):
+    for kind in types:
         a, b = rng.normal(size=(2, 3)), rng.normal(size=(2, 3))
         near = {
             "position": 0.5 * rng.normal(size=3),
@@ -76,15 +88,9 @@ def comb(types: tuple[str, ...], variant: Variant = Variant(), psi: float = 1.0)
             far |= {"shape": 0.3 * rng.normal(size=(3, 2)), "rotation": psi * rng.normal(size=(3, 2))}
         directions = _exchanged_universal(a, b) if kind == "universal" and variant.exchanged else (a, b)
         on_base[f"at_{kind}"], far = {**near, **_axes(directions[0])}, {**far, **_axes(directions[1])}
-        orientation = "euler_parameters" if variant.parameters else SEQUENCES[k % 12]
-        fields = {"orientation": orientation, "markers": {"at": far}}
+        fields = {"markers": {"at": far}}
         children.append((kind, fields))
-    base = {
-        **flexible(nodes["base"]),
-        "free": True,
-        "markers": on_base,
-        "orientation": "euler_parameters" if variant.parameters else "zyx",
-    }
+    base = {**flexible(nodes["base"]), "free": True, "markers": on_base}
     order = [*children, ("base", base)] if variant.base_last else [("base", base), *children]
     for name, fields in order:
         if nodes[name].shapes.shape[2] and name != "base":

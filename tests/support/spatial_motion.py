@@ -20,8 +20,6 @@ from symgen.scene import Scene
 from tests.hand_derived.spatial.twin_flexible_nodes import Nodes
 from tests.support.model_values import Array, State, augmented_solution, evaluate, joint_forces
 
-EULER_PARAMETERS = "euler_parameters"
-
 
 @dataclass(frozen=True, eq=False)
 class Frame:
@@ -38,31 +36,21 @@ class Frame:
     q_f_ddot: Array
 
 
-def rotation(kind: str, theta: ca.SX) -> ca.SX:
-    """A of Euler angles of a sequence, or of unit Euler parameters."""
-    if kind == EULER_PARAMETERS:
-        tilde = ca.skew(theta[1:])
-        return ca.SX.eye(3) + 2 * theta[0] * tilde + 2 * ca.mtimes(tilde, tilde)
-    A = ca.SX.eye(3)
-    for k, axis in enumerate(kind):
-        c, s, i = ca.cos(theta[k]), ca.sin(theta[k]), "xyz".index(axis)
-        turn = ca.SX.eye(3)
-        j, m = (i + 1) % 3, (i + 2) % 3
-        turn[j, j], turn[m, m], turn[j, m], turn[m, j] = c, c, -s, s
-        A = ca.mtimes(A, turn)
-    return A
+def rotation(e: ca.SX) -> ca.SX:
+    """A of unit Euler parameters."""
+    tilde = ca.skew(e[1:])
+    return ca.SX.eye(3) + 2 * e[0] * tilde + 2 * ca.mtimes(tilde, tilde)
 
 
 @cache
-def _turning(kind: str) -> ca.Function:
-    """(theta, theta_dot, theta_ddot) -> A, omega, alpha."""
-    n = 4 if kind == EULER_PARAMETERS else 3
-    theta, rate, second, s = ca.SX.sym("x", n), ca.SX.sym("v", n), ca.SX.sym("a", n), ca.SX.sym("s")
-    A = rotation(kind, theta + s * rate + s**2 / 2 * second)
+def _turning() -> ca.Function:
+    """(e, e_dot, e_ddot) -> A, omega, alpha."""
+    e, rate, second, s = ca.SX.sym("x", 4), ca.SX.sym("v", 4), ca.SX.sym("a", 4), ca.SX.sym("s")
+    A = rotation(e + s * rate + s**2 / 2 * second)
     A_dot = ca.reshape(ca.jacobian(ca.vec(A), s), 3, 3)
     omega = ca.inv_skew(ca.mtimes(A_dot, A.T))
     found = ca.substitute([A, omega, ca.jacobian(omega, s)], [s], [ca.SX(0)])
-    return ca.Function("turning", [theta, rate, second], found)
+    return ca.Function("turning", [e, rate, second], found)
 
 
 def frames(scene: Scene, q: Array, q_dot: Array, q_ddot: Array) -> dict[str, Frame]:
@@ -71,8 +59,8 @@ def frames(scene: Scene, q: Array, q_dot: Array, q_ddot: Array) -> dict[str, Fra
     for body in scene.moving_bodies:
         n = len(scene.frame_coordinates(body))
         turning, elastic = slice(first + 3, first + n), slice(first + n, first + n + body.nf)
-        kind = getattr(body, "orientation", EULER_PARAMETERS)
-        A, omega, alpha = (np.asarray(part) for part in _turning(kind)(q[turning], q_dot[turning], q_ddot[turning]))
+        moved = _turning()(q[turning], q_dot[turning], q_ddot[turning])
+        A, omega, alpha = (np.asarray(part) for part in moved)
         R = slice(first, first + 3)
         found[body.name] = Frame(
             q[R], A, q_dot[R], omega.ravel(), q_ddot[R], alpha.ravel(), q[elastic], q_dot[elastic], q_ddot[elastic]
@@ -81,18 +69,11 @@ def frames(scene: Scene, q: Array, q_dot: Array, q_ddot: Array) -> dict[str, Fra
     return found
 
 
-def orient(kind: str, A: Array, omega: Array) -> tuple[Array, Array]:
-    """Orientation coordinates and rates of a frame."""
-    if kind == EULER_PARAMETERS:
-        e = np.roll(Rotation.from_matrix(A).as_quat(), 1)
-        e = e if e[0] >= 0 else -e
-    else:
-        e = Rotation.from_matrix(A).as_euler(kind.upper())
-    slopes = np.array([np.asarray(_turning(kind)(e, unit, 0 * e)[1]).ravel() for unit in np.eye(len(e))]).T
-    if kind != EULER_PARAMETERS:
-        return e, np.linalg.solve(slopes, omega)
-    spin = np.concatenate([[0.0], omega / 2])
-    return e, _product(spin, e)
+def orient(A: Array, omega: Array) -> tuple[Array, Array]:
+    """Euler parameters and rates of a frame."""
+    e = np.roll(Rotation.from_matrix(A).as_quat(), 1)
+    e = e if e[0] >= 0 else -e
+    return e, _product(np.concatenate([[0.0], omega / 2]), e)
 
 
 def _product(p: Array, q: Array) -> Array:
@@ -104,7 +85,7 @@ def place(scene: Scene, model: Model, moving: Mapping[str, Frame], t: float) -> 
     q, q_dot = [], []
     for body in scene.moving_bodies:
         frame = moving[body.name]
-        theta, theta_dot = orient(getattr(body, "orientation", EULER_PARAMETERS), frame.A, frame.omega)
+        theta, theta_dot = orient(frame.A, frame.omega)
         q += [*frame.R, *theta, *frame.q_f]
         q_dot += [*frame.v, *theta_dot, *frame.q_f_dot]
     return full_state(model, np.array(q), np.array(q_dot), t)

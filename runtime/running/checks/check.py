@@ -11,7 +11,6 @@ from runtime.contract.coordinates import joined
 from runtime.contract.model import Model
 from runtime.contract.status import Status, StatusName
 from runtime.contract.units import mechanism_length
-from runtime.running.singular.euler_angles import singular_angles
 from runtime.schemes.scheme import Scheme
 
 
@@ -45,24 +44,10 @@ class Subject:
     def stop(
         self, name: StatusName, cause: str, advice: str, k: int | None = None, z: np.ndarray | None = None
     ) -> Status:
-        """The status that ends a run at its last good state, or at z; k: position in q_i of what is to blame.
-
-        Euler angles near their singular orientation explain whatever happens there.
-        """
+        """The status that ends a run at its last good state, or at z; k: position in q_i of what is to blame."""
         state = z if self.good is None or z is not None else self.good
         assert state is not None
-        return Status(
-            name, self.time(state), None if k is None else self.model.q_i[k], cause, self._angles(state) or advice
-        )
-
-    def _angles(self, z: np.ndarray) -> str | None:
-        seen = self.scheme.observer(z=z, c=self.c)
-        values = {
-            name: float(value)
-            for names, key in ((self.model.q_i, "q_i"), (self.model.q_d, "q_d"))
-            for name, value in zip(names, np.asarray(seen[key]).ravel(), strict=True)
-        }
-        return singular_angles(self.model.description.bodies, values)
+        return Status(name, self.time(state), None if k is None else self.model.q_i[k], cause, advice)
 
 
 class Check:

@@ -13,7 +13,6 @@ import numpy as np
 
 from runtime.contract.status import StatusName
 from runtime.engine.program import Fields
-from runtime.running.checks.angles import MOST_TURN
 from runtime.running.checks.closure import CLOSURE_LIMIT
 from runtime.running.segment import HIGHEST, LOWEST
 from runtime.running.singular.guard import NEAR
@@ -25,7 +24,6 @@ CAUSES: tuple[StatusName | str, ...] = (
     "iteration_failed",
     "not_finite",
     "constraints_lost",
-    "angles_too_fast",
 )
 
 Step = Callable[[ca.SX, ca.SX], ca.SX]
@@ -73,7 +71,6 @@ class LaneAccount:
             "iteration_failed": none if scheme.iteration_limit is None else s["failures"] > 0,
             "not_finite": ca.logic_not(scheme.alive(s)),
             "constraints_lost": s["closure_error"] > CLOSURE_LIMIT * self.length if self.blocks else none,
-            "angles_too_fast": s["turn"] > MOST_TURN if "turn" in s else none,
         }
         now = ca.SX(0)
         for k, name in enumerate(CAUSES):

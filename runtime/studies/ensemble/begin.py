@@ -19,7 +19,6 @@ from runtime.engine.program import Call, Fields, Layout, Program, Repeat, Sequen
 from runtime.operating.assembly import closable, closing, fitting
 from runtime.running.segment import HIGHEST, LOWEST
 from runtime.schemes.scheme import Scheme
-from runtime.schemes.turns import outer_angles
 from runtime.studies.ensemble.settle import settle_fields, settle_program
 
 NO_CONSTANTS = 1  # the begin reads none: its c is whatever stands first in the row
@@ -105,7 +104,5 @@ def _started(model: Model, scheme: Scheme, lane: Layout, z: Fields) -> ca.SX:
     blocks = scheme.layout.sizes["det_low"]
     fields |= {"t0": z["t"], "n": ca.SX(0)}
     fields |= {"det_low": LOWEST * ca.SX.ones(blocks), "det_high": HIGHEST * ca.SX.ones(blocks)}
-    if "turn" in fields:
-        fields["angles_before"] = z["q_i"][outer_angles(model)]
     empty = {name: ca.SX.zeros(size) for name, size in lane.sizes.items()}
     return lane.pack({**empty, "scheme": scheme.layout.pack(fields)})

@@ -16,7 +16,6 @@ from runtime.contract.units import mechanism_length
 from runtime.engine.ensemble_code import LaneCode, lane_form, lane_width, once_form, program_size
 from runtime.engine.prepare import prepare
 from runtime.engine.program import Fields, Layout, Program, Sequence, make_stage
-from runtime.schemes.turns import watch_turns, with_turns
 from runtime.studies.ensemble.account import LaneAccount
 from runtime.studies.ensemble.begin import NO_CONSTANTS, begin_program, moved, row_layout
 from runtime.studies.ensemble.looks import FIELDS, looked
@@ -36,8 +35,7 @@ class LanePrograms:
         self.plan = question.plan(model)
         scheme = self.scheme = self.plan.scheme
         scheme.of_one_length("an ensemble")
-        watch_turns(scheme)
-        self._prepared = prepare(with_turns(scheme, scheme.program()), scheme.layout.size, scheme.c_size)
+        self._prepared = prepare(scheme.program(), scheme.layout.size, scheme.c_size)
         reduced = [(question.outputs.index(name), reduction) for name, reduction in question.reduced]
         self._length = _length(model)
         self._observation = Observation(model, scheme, question.outputs)

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from runtime.contract.coordinates import charts_in, joined, parameter_columns
+from runtime.contract.coordinates import charts_in, euler_angles, joined, parameter_columns
+from runtime.contract.euler_angles import angle_names, angles_of
 from runtime.contract.model import Model, ModelError
 from runtime.engine.program import Call, Fields, Layout, Program, Until, make_stage
 from runtime.engine.program import Sequence as InSequence
@@ -28,7 +29,8 @@ KERNELS = ("energy", "measures", "reactions")
 @dataclass(frozen=True)
 class Column:
     """An output: entry `position` of the output `part` of a kernel; "state": of q, q_dot or q_ddot (part: suffix);
-    "spin": angular velocity about an axis (part: x, y or z) of the body whose Euler parameters begin at `position`.
+    "spin": angular velocity about an axis (part: x, y or z) of the body whose Euler parameters begin at `position`;
+    "angle": one of its Euler angles, from -pi to pi (part: sequence and place of the angle).
     """
 
     kernel: str
@@ -38,7 +40,7 @@ class Column:
     @property
     def suffixes(self) -> set[str]:
         """Which of q, q_dot, q_ddot it reads, if it is one of these or made of them."""
-        return {"state": {self.part}, "spin": {"", "_dot"}}.get(self.kernel, set())
+        return {"state": {self.part}, "spin": {"", "_dot"}, "angle": {""}}.get(self.kernel, set())
 
 
 def column(model: Model, name: str) -> Column:
@@ -70,7 +72,10 @@ def _quantities(model: Model) -> dict[str, Column]:
         found |= {f"{prefix}{name}": Column("measures", "measures", k) for prefix in ("", "measure.")}
     for k, name in enumerate(model.coordinates):
         found |= {f"{name}{suffix}": Column("state", suffix, k) for suffix in ORDERS}
+    kinds = euler_angles(model)
     for body, e in parameter_columns(model).items():
+        if body in kinds:
+            found |= {name: Column("angle", f"{kinds[body]}{k}", e[0]) for k, name in enumerate(angle_names(body))}
         found |= {f"{body}.omega_{axis}": Column("spin", axis, e[0]) for axis in AXES}
     return found
 
@@ -110,7 +115,7 @@ class Observation:
             self.closes = False
 
     def _dependent(self, one: Column) -> bool:
-        columns = range(one.position, one.position + (4 if one.kernel == "spin" else 1))
+        columns = range(one.position, one.position + (4 if one.kernel in ("spin", "angle") else 1))
         return bool(one.suffixes) and any(self.model.coordinates[column] in self.model.q_d for column in columns)
 
     @property
@@ -183,6 +188,9 @@ class Observation:
                     ca.vertsplit(self._whole(z, suffix)[one.position : one.position + 4]) for suffix in ORDERS[:2]
                 )
                 outputs[k] = _spin(e, e_dot, AXES.index(one.part))
+            elif one.kernel == "angle":
+                e = ca.vertsplit(self._whole(z, "")[one.position : one.position + 4])
+                outputs[k] = angles_of(one.part[:3], e, ca.atan2, ca.cos, ca.sin)[int(one.part[3])]
         return {"outputs": outputs}
 
     def _whole(self, z: Fields, suffix: str) -> ca.SX:

@@ -10,7 +10,7 @@ from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import dependent_part, independent
 from runtime.contract.model import Model, ModelError
 from runtime.operating.assembly import closable
-from runtime.operating.given_state import keeps_independent, spin_names
+from runtime.operating.given_state import angle_starts, keeps_independent, spin_names
 from runtime.running.inputs import started
 from runtime.running.schedule import Schedule
 from runtime.start.start_state import start_state
@@ -89,7 +89,7 @@ class CaseStarts:
 
 def in_lanes(model: Model, initial: list[str], start: str) -> bool:
     """Can these starts be made in lanes? Else Python makes them one by one."""
-    if set(initial) & set(spin_names(model)) or not model.places.all_independent:
+    if set(initial) & {*spin_names(model), *angle_starts(model)} or not model.places.all_independent:
         return False
     names = [model.coordinates[_column(model, name)] for name in initial]
     free = not model.constraints or (closable(model) and keeps_independent(model, names, ()))

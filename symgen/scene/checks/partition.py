@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fnmatch import fnmatchcase
 
+from runtime.contract.euler_angles import angle_names
 from runtime.contract.scheme_names import GROUPED_SCHEMES
 from symgen.scene.errors import SceneError, did_you_mean
 from symgen.scene.parts import SceneParts
@@ -20,30 +21,58 @@ def matching(pattern: str, names: Sequence[str]) -> list[str]:
 def partition_errors(scene: SceneParts) -> Iterator[SceneError]:
     """Unknown coordinates, coordinates in two groups, step ratios and steps that do not fit."""
     names = scene.coordinates()
-    turning = [body.name for body in scene.moving_bodies if scene.space == "spatial" and not scene.has_angles(body)]
+    turning = [body.name for body in scene.moving_bodies] if scene.space == "spatial" else []
     spins = [f"{body}.omega_{axis}" for body in turning for axis in "xyz"]
-    for section, known in (("coordinates", names), ("rates", [*names, *spins])):
+    angles = [name for body in scene.euler_angles() for name in angle_names(body)]
+    for section, known in (("coordinates", [*names, *angles]), ("rates", [*names, *angles, *spins])):
         for name in getattr(scene.initial, section):
             if name not in known:
                 yield _unknown(f"initial.{section}['{name}']", name, known)
+    yield from _angles_twice(scene)
     for index, measure in enumerate(scene.measures):
-        if measure.type == "coordinate" and measure.coordinate not in names:
+        if measure.type == "coordinate" and measure.coordinate not in [*names, *angles]:
             yield _unknown(f"{item_path('measures', index, measure.name)}.coordinate", measure.coordinate, names)
     names = [*names, *(f"{body}.turn_{axis}" for body in turning for axis in "xyz")]
     independent = scene.partition.independent
     for index, name in enumerate(independent or ()):
         path = f"partition.independent[{index}]"
-        if name not in names:
+        if name in angles:
+            yield _angle_error(path, name)
+        elif name not in names:
             yield _unknown(path, name, names)
         elif independent and name in independent[:index]:
             yield SceneError(path, f"'{name}' is there twice", "remove one of them")
     if independent is not None and not independent:
         yield SceneError("partition.independent", "is empty", "name coordinates, or leave it out to have them chosen")
-    yield from _groups(scene, names)
+    yield from _groups(scene, names, angles)
     yield from _steps(scene)
 
 
-def _groups(scene: SceneParts, names: list[str]) -> Iterator[SceneError]:
+def _angles_twice(scene: SceneParts) -> Iterator[SceneError]:
+    """An orientation, and how it turns, is given in one way: by angles, Euler parameters or angular velocities."""
+    for body in scene.euler_angles():
+        parameters = {f"{body}.e{k}" for k in range(4)}
+        others = {"coordinates": parameters, "rates": parameters | {f"{body}.omega_{axis}" for axis in "xyz"}}
+        for section, other in others.items():
+            given = getattr(scene.initial, section).keys()
+            both = [next((name for name in names if name in given), "") for names in (angle_names(body), sorted(other))]
+            if all(both):
+                what = "how the body is turned" if section == "coordinates" else "how the body turns"
+                yield SceneError(
+                    f"initial.{section}['{both[0]}']", f"'{both[1]}' says {what} too", "give one or the other"
+                )
+
+
+def _angle_error(path: str, name: str) -> SceneError:
+    body = name.partition(".")[0]
+    return SceneError(
+        path,
+        f"'{name}' is an Euler angle, which is input and output only",
+        f"the coordinates are {body}.turn_x, _y, _z, or those of the joint that places the body",
+    )
+
+
+def _groups(scene: SceneParts, names: list[str], angles: list[str]) -> Iterator[SceneError]:
     independent = scene.partition.independent
     owner: dict[str, str] = {}
     for index, group in enumerate(scene.partition.groups or ()):
@@ -53,7 +82,9 @@ def _groups(scene: SceneParts, names: list[str]) -> Iterator[SceneError]:
         for position, pattern in enumerate(group.coordinates):
             item = f"{path}.coordinates[{position}]"
             found = matching(pattern, names)
-            if not found:
+            if not found and matching(pattern, angles):
+                yield _angle_error(item, matching(pattern, angles)[0])
+            elif not found:
                 yield _unknown(item, pattern, names)
             elif independent is not None and not set(found) & set(independent):
                 yield SceneError(item, f"'{pattern}' is not independent", "add it to partition.independent")

@@ -49,10 +49,8 @@ def screw_errors(scene: SceneParts) -> Iterator[SceneError]:
         if joint.type == "screw" and scene.space == "spatial" and joint.name not in placing:
             yield SceneError(
                 item_path("joints", index, joint.name),
-                "a screw joint needs an angle of its own, which it has neither "
-                "between bodies with Euler angles nor where it closes a loop",
-                'use orientation = "euler_parameters", or name the screw before the joint that could close the loop in '
-                "its place",
+                "a screw joint needs an angle of its own, which it has not where it closes a loop",
+                "name the screw before the joint that could close the loop in its place",
             )
 
 

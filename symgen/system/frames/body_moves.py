@@ -49,16 +49,15 @@ class Float(Plain):
 
 @dataclass(frozen=True)
 class Orient(Plain):
-    """The orientation of such a body by its own coordinates theta (Euler parameters or angles)."""
+    """The orientation of such a body by Euler parameters theta that are coordinates like others."""
 
-    kind: str
     columns: list[int]
     theta: Vector
     theta_dot: Vector
 
     def at(self, rates: Vector) -> Orientation:
         """The orientation with these rates of theta."""
-        return orientation(self.kind, self.theta, rates)
+        return orientation(self.theta, rates)
 
     @property
     def twists(self) -> Mapping[int, Twist]:
@@ -77,9 +76,9 @@ class Orient(Plain):
         return Wrench(self.at(self.theta_dot).rotate(after.f), zeros())
 
     def momentum(self, column: int, after: Wrench, composite: Composite) -> Wrench:
-        """d(A h)/dtheta, by the shorter of two ways."""
-        turning, h = self.at(self.theta_dot), composite.h
-        return Wrench(turning.turned(self.columns.index(column), h, turning.rotate(h)), zeros())
+        """d(A h)/dtheta."""
+        turning = self.at(self.theta_dot)
+        return Wrench(turning.turned(self.columns.index(column), turning.rotate(composite.h)), zeros())
 
     def composite(self, after: Composite) -> Composite:
         """Nothing before this move turns: the mass alone counts."""

@@ -135,14 +135,11 @@ class Path:
         self.a = plus(self.a, scaled(ca.SX(2), cross(self.omega, speed)))
 
     def orient(self, columns: list[int], turning: Orientation) -> None:
-        """Orientation coordinates of a body; the path has not turned before."""
+        """Euler parameters of a body that are coordinates; the path has not turned before."""
         self._reach()
         self.turn_by(turning.A)
-        for k, column in enumerate(columns):
-            place = unit_axis(turning.body_axes[k])
-            axis = None if place is None else self.axes[place]
-            turns = turning.world_axes[k] if axis is None else axis
-            self.causes.append(Cause(column, turns, None, len(self._arms), axis))
+        for column, turns in zip(columns, turning.world_axes, strict=True):
+            self.causes.append(Cause(column, turns, None, len(self._arms)))
         self.omega, self.alpha = turning.omega, turning.bias
 
     def ball(self, columns: list[int], A: Matrix, omega: Vector) -> None:
@@ -221,9 +218,7 @@ class Path:
             for i, value in enumerate(cause.turns or () if cause.until is None else ()):
                 add_to(turned[i], cause.column, value)
         none = fixed_quaternion([ONE, ZERO, ZERO, ZERO])
-        return SpatialMarker(
-            to_end[0], self.r_dot, self.a, moved, self.axes, self.omega, turned, self.alpha, None, none
-        )
+        return SpatialMarker(to_end[0], self.r_dot, self.a, moved, self.axes, self.omega, turned, self.alpha, none)
 
     def to_end(self) -> list[Vector]:
         """From the end of each arm, and before them from the beginning, to the end of the path."""

@@ -57,14 +57,14 @@ class Skeleton:
         self._seats: dict[str, Seat] = {"ground": Seat()}
         self._numbers = numbers
 
-    def float(self, body: SpatialBody, kind: str, turning: Turning | None) -> None:
+    def float(self, body: SpatialBody, turning: Turning | None) -> None:
         """A body that no joint places. Its mass stands at its origin, which moves without turning."""
         q, data = body.coordinates, body.integrals
         assert data is not None
         point = Composite(data.mass, zeros(), no_masses().Sigma)
         floats = Float(q.columns[:3], q.R_o, q.R_o_dot)
         self._add(_Rough(GROUND, moves=[floats], inertia=RigidInertia(point)))
-        turns: Move = Orient(kind, q.turning, q.theta, q.theta_dot) if turning is None else _ball(turning)
+        turns: Move = Orient(q.turning, q.theta, q.theta_dot) if turning is None else _ball(turning)
         self._add(_Rough(len(self._rough) - 1, moves=[turns], inertia=_inertia(body, ZERO)))
         self._seats[body.name] = Seat(len(self._rough) - 1)
 

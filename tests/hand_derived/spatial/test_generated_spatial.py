@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from runtime.contract.coordinates import independent, independent_part, whole
 from runtime.contract.model import Model
@@ -23,7 +24,13 @@ from tests.hand_derived.spatial import (
     twin_spatial_hub_beam,
     twin_spatial_slider_crank,
 )
-from tests.hand_derived.spatial.twin_spatial import parameters_A, parameters_ddot, parameters_dot
+from tests.hand_derived.spatial.twin_spatial import (
+    euler_G,
+    euler_G_dot,
+    parameters_A,
+    parameters_ddot,
+    parameters_dot,
+)
 from tests.support.model_values import State, evaluate, make_state, relative_error
 
 TOLERANCE = 1e-12
@@ -54,10 +61,17 @@ CASES: dict[str, tuple[ModuleType, Any, Scene, Any]] = {
 }
 
 
+ORIENTED = {twin_free_body: 3, twin_heavy_top: 0, twin_free_flexible: 3}  # the first of three Euler angles in q_i
+
+
 def order(model: Model, twin: ModuleType, params: Any) -> list[int]:
-    """Positions of the twin's coordinates in q_i: the framework lists joints' coordinates last."""
+    """Positions of the twin's coordinates in q_i: the framework lists joints' coordinates last, after them turns."""
     if twin is twin_spatial_hub_beam:
         return [model.q_i.index("axle.angle"), *(model.q_i.index(f"beam.q{k + 1}") for k in range(len(model.q_i) - 1))]
+    if twin in ORIENTED:
+        names = [name.partition(".")[2] for name in model.q_i]
+        turns = {f"theta{k + 1}": f"turn_{axis}" for k, axis in enumerate("xyz")}
+        return [names.index(turns.get(name, name)) for name in twin.coordinates(params)]
     return list(range(len(model.q_i)))
 
 
@@ -68,33 +82,86 @@ def states(model: Model, scale: float, count: int = 4) -> list[State]:
     return [make_state(model, start + scale * rng.uniform(-1, 1, n), rng.uniform(-3, 3, n)) for _ in range(count)]
 
 
+class ByVelocities:
+    """A twin in angular velocities: (M, Q) of M w' = Q by (q, w), where turns are rotation vectors.
+
+    A twin in Euler angles has w = T q' with T = diag(1, G): M = T^-T M_hat T^-1, Q = T^-T Q_hat + M T' q'.
+    """
+
+    def __init__(self, twin: ModuleType, params: Any) -> None:
+        self.twin, self.params, self.first = twin, params, ORIENTED.get(twin)
+
+    def angles(self, turn: Any) -> Any:
+        """Of a real rotation vector."""
+        return Rotation.from_rotvec(turn).as_euler(self.params.sequence.upper())
+
+    def __call__(self, q: Any, w: Any) -> tuple[Any, Any]:
+        """At the twin's coordinates, angles among them, and velocities."""
+        if self.first is None:
+            return self.twin.M_hat(self.params, q, 0.0), self.twin.Q_hat(self.params, q, w, 0.0)
+        own, kind = slice(self.first, self.first + 3), self.params.sequence
+        G, q_dot, bias = euler_G(kind, q[own]), w + 0 * q, 0 * (q + w)
+        q_dot[own] = np.linalg.solve(G, w[own])
+        bias[own] = euler_G_dot(kind, q[own], q_dot[own]) @ q_dot[own]
+        back = np.eye(len(q)) + 0 * q[0]
+        back[own, own] = np.linalg.inv(G)
+        M = back.T @ self.twin.M_hat(self.params, q, 0.0) @ back
+        return M, back.T @ self.twin.Q_hat(self.params, q, q_dot, 0.0) + M @ bias
+
+    def start(self, q_i: Any) -> Any:
+        """The twin's coordinates for the framework's, in the twin's order."""
+        q = q_i.copy()
+        if self.first is not None:
+            q[self.first : self.first + 3] = self.angles(q_i[self.first : self.first + 3])
+        return q
+
+    def step(self, q: Any, k: int) -> Any:
+        """The change of the twin's coordinates for a unit of coordinate k; turns are rotations in body axes."""
+        unit = np.eye(len(q))[k]
+        if self.first is not None:
+            own = slice(self.first, self.first + 3)
+            unit[own] = np.linalg.solve(euler_G(self.params.sequence, q[own]), unit[own])
+        return unit
+
+
 @pytest.mark.parametrize("name", CASES)
 def test_m_hat_and_q_hat(name: str, model_of: Build) -> None:
     twin, params, scene, scale = CASES[name]
-    model = model_of(scene)
+    model, by_hand = model_of(scene), ByVelocities(twin, params)
     for state in states(model, scale):
         out, at = evaluate(model, "condensed", **state.values()), order(model, twin, params)
-        q_i, q_i_dot, n = state.q_i[at], state.q_i_dot[at], len(at)
-        assert relative_error(out["M_hat"].reshape(n, n)[np.ix_(at, at)], twin.M_hat(params, q_i, 0.0)) < TOLERANCE
-        assert relative_error(out["Q_hat"][at], twin.Q_hat(params, q_i, q_i_dot, 0.0)) < TOLERANCE
+        n = len(at)
+        M, Q = by_hand(by_hand.start(state.q_i[at]), state.q_i_dot[at])
+        assert relative_error(out["M_hat"].reshape(n, n)[np.ix_(at, at)], M) < TOLERANCE
+        assert relative_error(out["Q_hat"][at], Q) < TOLERANCE
 
 
 @pytest.mark.parametrize("name", CASES)
 def test_jacobians(name: str, model_of: Build) -> None:
-    """Total derivatives of Q_hat against complex steps of the twin."""
+    """Total derivatives of Q_hat against complex steps of the twin; along rotations in body axes for turns."""
     twin, params, scene, scale = CASES[name]
-    model, h = model_of(scene), 1e-40
+    model, h, by_hand = model_of(scene), 1e-40, ByVelocities(twin, params)
     for state in states(model, scale, 2):
         n, at = len(state.q_i), order(model, twin, params)
-        q_i, q_i_dot = state.q_i[at], state.q_i_dot[at]
+        q, w = by_hand.start(state.q_i[at]), state.q_i_dot[at]
         for kernel, position in (("dQ_hat_dq_i", True), ("dQ_hat_dq_i_dot", False)):
             columns = []
             for k in range(n):
-                step = 1j * h * np.eye(n)[k]
-                arguments = (q_i + step, q_i_dot) if position else (q_i, q_i_dot + step)
-                columns.append(np.imag(twin.Q_hat(params, *arguments, 0.0)) / h)
+                step = 1j * h * (by_hand.step(q, k) if position else np.eye(n)[k])
+                columns.append(np.imag(by_hand(*((q + step, w) if position else (q, w + step)))[1]) / h)
             found = evaluate(model, kernel, **state.values())[kernel].reshape(n, n)[np.ix_(at, at)]
             assert relative_error(found, np.array(columns).T) < 1e-11, kernel
+
+
+def test_a_free_body_off_its_centre_by_newton_and_euler(model_of: Build) -> None:
+    """M_hat couples the origin's motion and the turning: Newton's and Euler's lines about the origin, written down."""
+    model = model_of(CASES["free_zyx"][2])
+    for state in states(model, 2.0):
+        out = evaluate(model, "condensed", **state.values())
+        A = Rotation.from_rotvec(state.q_i[3:]).as_matrix()
+        M, Q = twin_free_body.by_velocities(free_zyx, A, state.q_i_dot[3:])
+        assert relative_error(out["M_hat"].reshape(6, 6), M) < TOLERANCE
+        assert relative_error(out["Q_hat"], Q) < TOLERANCE
 
 
 def test_any_orientation_gives_the_same_accelerations(model_of: Build) -> None:
@@ -131,7 +198,9 @@ def test_reactions(model_of: Build) -> None:
             assert relative_error(wrenches[k], np.concatenate([force, moment])) < 1e-11
     top, twin_params = model_of(CASES["heavy_top"][2]), twin_heavy_top.Params()
     for state in states(top, 1.0):
-        expected = twin_heavy_top.reaction(twin_params, state.q_i, state.q_i_dot, 0.0)
+        theta = ByVelocities(twin_heavy_top, twin_params).start(state.q_i)
+        theta_dot = np.linalg.solve(euler_G(twin_params.sequence, theta), state.q_i_dot)
+        expected = twin_heavy_top.reaction(twin_params, theta, theta_dot, 0.0)
         assert relative_error(joint_forces(top, state)[0, :3], expected) < 1e-11
 
 

@@ -13,6 +13,8 @@ Derivation (Newton and Euler about the moving origin; omega, alpha in body axes,
         Q_R = F - m A omega~ omega~ r + m A r~ G' theta'
         Q_theta = G^T (N_o - omega~ J_o omega - J_o G' theta')
     (the second row uses (m A r~ G)^T = -m G^T r~ A^T, so -(m A r~ G)^T = m G^T r~ A^T).
+    In the velocities (R_o', omega) themselves the two lines above are all there is, see `by_velocities`:
+        M = [[m 1, -m A r~], [m r~ A^T, J_o]],  Q = (F - m A omega~ omega~ r, N_o - omega~ J_o omega)
 """
 
 from __future__ import annotations
@@ -61,6 +63,16 @@ def _loads(p: Params, A: Array) -> tuple[Array, Array]:
     weight = p.mass * p.gravity
     moment = np.cross(p.centre, A.T @ weight) + np.cross(p.point, A.T @ p.force) + p.moment
     return weight + p.force, moment
+
+
+def by_velocities(params: Params, A: Array, omega: Array) -> tuple[Array, Array]:
+    """(M, Q) of M (R_o'', omega') = Q, omega in body axes: Newton's line, and Euler's about the origin."""
+    p, J = params, inertia_about_origin(params)
+    F, N = _loads(p, A)
+    corner = -p.mass * A @ tilde(p.centre)
+    M = np.block([[p.mass * np.eye(3), corner], [corner.T, J]])
+    on_R = F - p.mass * A @ np.cross(omega, np.cross(omega, p.centre))
+    return M, np.concatenate([on_R, N - np.cross(omega, J @ omega)])
 
 
 def M_hat(params: Params, q_i: Array, t: float) -> Array:
