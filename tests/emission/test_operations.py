@@ -95,9 +95,9 @@ def dense_spatial_chain() -> Scene:
 @pytest.mark.parametrize(
     ("scene", "budget"),
     [
-        (spatial_chain(10), 3500),
-        (spatial_chain(10, 2), 15_000),
-        (dense_spatial_chain(), 20_800),
+        (spatial_chain(10), 3000),
+        (spatial_chain(10, 2), 14_900),
+        (dense_spatial_chain(), 20_750),
     ],
     ids=["rigid chain of 10", "flexible chain of 10", "general flexible chain of 10"],
 )
