@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from math import ceil
 
 import numpy as np
@@ -28,6 +29,7 @@ def run() -> Result:
     details: dict = {}
     with workplace() as folder:
         for links, stiffening in CASES:
+            print(f"  {links} links, E x {stiffening:g} ...", file=sys.stderr, flush=True)
             fastest = FASTEST * stiffening**0.5
             problem = arm_problem(model_of(arm(links, stiffening=stiffening), folder), fastest)
             for spec in _contenders(links, fastest):

@@ -21,11 +21,13 @@ DENSE = 13  # independent coordinates up to which schemes that factorise M_hat t
 STIFF = "exponential_rk4"
 FIVE = {"order": 5}
 OWN = ("exponential", "linearised")
+EXPLICIT = (Spec("dop853"), Spec("rk4"), Spec("single_rate", None, {"common_velocity": "predictor"}))
 REMARK = """\
 CPU time of one native call for the whole motion, at the fewest steps that bring every graded coordinate below 1e-3 of
 its RMS amplitude; the best of at least five calls. `exponential_rk4 / best` is its time over that of the fastest scheme
 on the case; `radau / best of ours` is how many times as long `radau` takes as the fastest of `exponential_rk4`,
-`exponential` and `linearised`. Schemes that factorise M_hat are left out above {dense} coordinates."""
+`exponential` and `linearised`. Of schemes that factorise M_hat none is tried above {dense} coordinates, and on other
+large cases (arms, the loop in space) `exponential` with m = 1 alone."""
 
 
 def run() -> Result:
@@ -43,7 +45,7 @@ def run() -> Result:
 
 def best_trials(hard: HardCase, model: Model) -> dict[str, Trial]:
     """The best run of every scheme that meets the tolerance, by label."""
-    return best_of(contenders(model), problem_of(hard, model))
+    return best_of(contenders(model, hard.large), problem_of(hard, model))
 
 
 def best_of(specs: list[Spec], problem: Problem) -> dict[str, Trial]:
@@ -73,13 +75,15 @@ def problem_of(hard: HardCase, model: Model) -> Problem:
     return Problem(setting, hard.t_end, path, 1e-7)
 
 
-def contenders(model: Model) -> list[Spec]:
-    """The likeliest first."""
+def contenders(model: Model, large: bool) -> list[Spec]:
+    """The likeliest first; of those that factorise M_hat one where the case is large."""
     found = [Spec(STIFF)] if model.has("deflections") else []
     if len(model.q_i) <= DENSE and model.has("residual_jacobian"):
+        if large:
+            return [*found, Spec("exponential", (1,)), *EXPLICIT]
         orders = [Spec("exponential", (m,), options) for options in ({}, FIVE) for m in (1, 2)]
         found += [*orders, Spec("linearised", (2,)), Spec("radau", None, {"eps": (1e-6,)})]
-    return [*found, Spec("dop853"), Spec("rk4"), Spec("single_rate", None, {"common_velocity": "predictor"})]
+    return [*found, *EXPLICIT]
 
 
 def _lines(name: str, times: dict[str, float], found: dict[str, Trial]) -> list[Line]:

@@ -64,7 +64,7 @@ def run() -> Result:
     """All of them. Raises Skipped where Exudyn or Pinocchio is missing."""
     if not is_installed():
         raise Skipped("exudyn is not installed; install the extra `benchmark`")
-    theirs = library()
+    given = {"exudyn": version(), "rigid": RIGID_TOLERANCE, "end": RIGID_END, "pinocchio": pinocchio_version()}
     lines: list[Line] = []
     with workplace() as folder:
         for hard in CASES:
@@ -75,9 +75,10 @@ def run() -> Result:
             lines += against_sundials(case.name, problem, best)
             if case.name == LONG_ARM:
                 lines += against_exudyn(problem, best)
+    theirs = library()
+    with workplace() as folder:
         for links in RIGID:
             lines += against_pinocchio(links, model_of(planar_chain(links).scene, folder), theirs)
-    given = {"exudyn": version(), "rigid": RIGID_TOLERANCE, "end": RIGID_END, "pinocchio": pinocchio_version()}
     return Result("others", "Against other programs, in one run", lines, {}, REMARK.format(**given))
 
 

@@ -33,6 +33,7 @@ def exudyn() -> tuple[Any, Any]:
         warnings.simplefilter("ignore")
         import exudyn as core
         import exudyn.itemInterface as items
+    core.config.printToConsole = False  # runs that fail say so by an error
     return core, items
 
 

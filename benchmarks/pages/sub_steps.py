@@ -67,7 +67,7 @@ def draw(over_links: dict[str, list[Gains]], over_stiffness: dict[str, list[Gain
         ax.set_xticks(places, [f"{place:,.0f}" for place in places])
         ax.minorticks_off()
     axes[0].set_ylabel("time of single_rate / time")
-    axes[0].legend(fontsize="xx-small", ncols=2)
+    axes[0].legend(fontsize="xx-small", ncols=2, handlelength=4)
     figure.savefig(PICTURE, dpi=110)
 
 

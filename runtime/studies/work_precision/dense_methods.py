@@ -37,8 +37,8 @@ def left_out(model: Model) -> str:
     if not model.has("residual_jacobian"):
         return f"not tried with {n} coordinates: methods with a Jacobian, which the model is too large to have"
     names = ", ".join(one.scheme for one in ONE_OF_EACH)
-    ask = "symgen report SCENE --methods exponential:2 linearised:2 cvodes_bdf"
+    ask = "symgen report SCENE --methods exponential:2,linearised:2"
     if affordable(model):
-        return f"not tried with {n} coordinates: dense methods beside {names}, and CVODES and IDAS; {ask} tries some"
+        return f"not tried with {n} coordinates: dense methods beside {names}; {ask} tries some"
     price = f"{PER_CUBE * n**3 / 1e6:.1f} million operations a step"
     return f"not tried with {n} coordinates: {names} and other dense methods, {price}; {ask}"

@@ -16,7 +16,7 @@ from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.options import SchemeError
-from runtime.studies.work_precision.dense_methods import LARGE, dense_methods
+from runtime.studies.work_precision.dense_methods import LARGE, affordable, dense_methods
 from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
 from runtime.studies.work_precision.problem import Problem
 
@@ -31,7 +31,8 @@ ADAPTIVE: dict[str, Callable[..., Solution]] = {
     "CVODES Adams": partial(sundials_solution, method="cvodes", multistep="adams"),
     "IDAS": partial(sundials_solution, method="idas"),
 }
-FOR_LARGE = ("DOP853 adaptive",)  # the others compile derivatives of thousands of operations in one piece
+FOR_LARGE = ("DOP853 adaptive", "CVODES BDF", "CVODES Adams", "IDAS")
+FOR_LONGEST = ("DOP853 adaptive",)  # the others need derivatives of hundreds of thousands of operations
 
 
 @dataclass(frozen=True)
@@ -73,8 +74,13 @@ def usual_methods(model: Model) -> list[Method]:
         Spec("rk4"),
         Spec("dop853"),
     ]
-    adaptive = [name for name in ADAPTIVE if len(model.q_i) <= LARGE or name in FOR_LARGE]
-    return [Method(spec.label, spec) for spec in specs] + [Method(name) for name in adaptive]
+    return [Method(spec.label, spec) for spec in specs] + [Method(name) for name in _usual_adaptive(model)]
+
+
+def _usual_adaptive(model: Model) -> tuple[str, ...]:
+    if len(model.q_i) <= LARGE:
+        return tuple(ADAPTIVE)
+    return FOR_LARGE if affordable(model) and model.has("residual_jacobian") else FOR_LONGEST
 
 
 def methods_named(model: Model, names: list[str]) -> list[Method]:
