@@ -16,12 +16,13 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from symgen.algebra.rows import Row, add_scaled
+from symgen.algebra.rows import Row, add_scaled, add_to
 from symgen.algebra.scalar import ONE, ZERO, div, neg, sub
 from symgen.condensed.condensation import Condensed, congruence
 from symgen.condensed.loops import solve_transposed
-from symgen.condensed.row_changes import Variation, derivative_rows
+from symgen.condensed.row_changes import Variation, along, derivative_rows
 from symgen.condensed.variations import constraint_rates, particular, variations
+from symgen.system.frames.directions import Direction
 
 FEW_DIRECTIONS = 8  # independent coordinates up to which derivatives along each are tried
 
@@ -31,7 +32,7 @@ def held_jacobians(system: Condensed, q_i_ddot: Sequence[ca.SX]) -> list[tuple[c
     held = _held(system, dict(zip(system.choice.independent, q_i_ddot, strict=True)))
     found = [_eliminated(held)]
     if system.choice.loop_columns and len(system.choice.independent) <= FEW_DIRECTIONS:
-        found.append(_directed(held))
+        found.append(_tied(held) or _directed(held))
     return [(ca.densify(J_q), ca.densify(J_v)) for J_q, J_v in (ca.substitute(form, *held.values) for form in found)]
 
 
@@ -94,22 +95,78 @@ def _derivatives(held: _Held, columns: list[int]) -> list[list[Row]]:
     if eq.force_changes is None:
         values = [held.rho[column] for column in columns]
         return [derivative_rows(values, columns, by) for by in (eq.q, eq.q_dot)]
-    values = [sub(eq.outer_forces[column], held.reactions.get(column, ZERO)) for column in columns]
-    K, D = (derivative_rows(values, columns, by) for by in (eq.q, eq.q_dot))
-    inertia = eq.force_changes(held.accelerations)
-    known = [inertia[0], *(_curvature(held, joint) for joint in eq.curvatures)]
-    for rows, changes in ((K, known), (D, [inertia[1]])):
-        for row, column in zip(rows, columns, strict=True):
-            for change in changes:
-                add_scaled(row, neg(ONE), {c: v for c, v in change[column].items() if c in held.rho})
+    K, D = _outer(held, columns)
+    for rows, change in zip((K, D), eq.force_changes(held.accelerations), strict=True):
+        _take(rows, columns, change, held)
     return [K, D]
 
 
-def _curvature(held: _Held, joint: str) -> list[Row]:
+def _outer(held: _Held, columns: list[int], known: frozenset[str] = frozenset()) -> list[list[Row]]:
+    """Of all but the inertia forces and the rows of known joints."""
     eq = held.system.reduced
-    rows = [k for k, row in enumerate(eq.constraints) if row.joint == joint]
-    found = eq.curvatures[joint].weighted([held.lam.get(k, ZERO) for k in rows])
-    return [found.get(column, {}) for column in range(len(eq.q))]
+    values = [sub(eq.outer_forces[column], held.reactions.get(column, ZERO)) for column in columns]
+    K, D = (derivative_rows(values, columns, by) for by in (eq.q, eq.q_dot))
+    for joint in eq.curvatures.keys() - known:
+        found = eq.curvatures[joint].weighted(_multipliers_of(held, joint))
+        _take(K, columns, [found.get(column, {}) for column in range(len(eq.q))], held)
+    return [K, D]
+
+
+def _take(rows: list[Row], columns: list[int], change: list[Row], held: _Held) -> None:
+    for row, column in zip(rows, columns, strict=True):
+        add_scaled(row, neg(ONE), {c: v for c, v in change[column].items() if c in held.rho})
+
+
+def _multipliers_of(held: _Held, joint: str) -> list[ca.SX]:
+    rows = [k for k, row in enumerate(held.system.reduced.constraints) if row.joint == joint]
+    return [held.lam.get(k, ZERO) for k in rows]
+
+
+def _tied(held: _Held) -> list[ca.SX] | None:
+    """By the fields of frames along each independent coordinate, where spherical joints close loops."""
+    system, eq = held.system, held.system.reduced
+    independent = system.choice.independent
+    modes = eq.elastic_columns & held.rho.keys()
+    if eq.tied_changes is None or not eq.loop_rates or eq.turnings or not modes <= set(independent):
+        return None
+    directions = _directions(variations(system, held.accelerations), independent)
+    known = {joint: _multipliers_of(held, joint) for joint in eq.loop_rates}
+    inertia = eq.tied_changes(held.accelerations, known, directions)
+    if inertia is None:
+        return None
+    columns = sorted(held.rho)
+    S, S_dot = (
+        ca.sparsify(ca.horzcat(*(ca.vertcat(*(row.get(c, ZERO) for c in columns)) for row in rows)))
+        for rows in ([one.S for one in directions], [one.S_dot for one in directions])
+    )
+    K, D = (_matrix(rows, columns) for rows in _outer(held, columns, frozenset(eq.loop_rates)))
+    F_q, F_v = (change[columns, :] for change in inertia)
+    return [_product(S.T, _product(K, S) + _product(D, S_dot) - F_q), _product(S.T, _product(D, S) - F_v)]
+
+
+def _directions(found: list[Variation], independent: list[int]) -> list[Direction]:
+    """Each independent coordinate with all that follow it."""
+    directions = []
+    for column in independent:
+        S, first, second = {column: ONE}, dict[int, ca.SX](), dict[int, ca.SX]()
+        for one in found:
+            for target, terms in (
+                (second, ((one.h, S), (one.k, first), (one.e, second))),
+                (first, ((one.g, S), (one.e, first))),
+                (S, ((one.e, S),)),
+            ):
+                for factors, values in terms:
+                    add_to(target, one.column, along(factors, values))
+        directions.append(Direction(column, S, first, second))
+    return directions
+
+
+def _matrix(rows: list[Row], columns: list[int]) -> ca.SX:
+    found, place = ca.SX(len(rows), len(columns)), {column: k for k, column in enumerate(columns)}
+    for k, row in enumerate(rows):
+        for column, value in row.items():
+            found[k, place[column]] = value
+    return found
 
 
 def _directed(held: _Held) -> list[ca.SX]:
@@ -121,7 +178,7 @@ def _directed(held: _Held) -> list[ca.SX]:
     a = ca.vertcat(*(held.accelerations[columns[place]] for place in dependent))
     S = _tangents(system, columns)
 
-    def along(values: ca.SX, seeds: Sequence[tuple[ca.SX, ca.SX]]) -> ca.SX:
+    def moved(values: ca.SX, seeds: Sequence[tuple[ca.SX, ca.SX]]) -> ca.SX:
         symbols, directions = zip(*seeds, strict=True)
         return ca.jtimes(values, ca.vertcat(*symbols), ca.vertcat(*directions))
 
@@ -132,12 +189,12 @@ def _directed(held: _Held) -> list[ca.SX]:
         found = [particular(system, dict(zip(rows, ca.vertsplit(one), strict=True))) for one in ca.horzsplit(changes)]
         return ca.horzcat(*(ca.vertcat(*(one.get(c, ZERO) for c in columns)) for one in found))
 
-    W_q = following(along(first, [(q, S)]))
-    A_q = following(along(second, [(q, S), (rates, W_q)]))
-    A_v = following(along(second, [(rates, S)]))
+    W_q = following(moved(first, [(q, S)]))
+    A_q = following(moved(second, [(q, S), (rates, W_q)]))
+    A_v = following(moved(second, [(rates, S)]))
     by_q, by_v = (
-        along(rho, [(q, S), (rates, W_q), (a, A_q[dependent, :])]),
-        along(rho, [(rates, S), (a, A_v[dependent, :])]),
+        moved(rho, [(q, S), (rates, W_q), (a, A_q[dependent, :])]),
+        moved(rho, [(rates, S), (a, A_v[dependent, :])]),
     )
     return [_product(S.T, by_q), _product(S.T, by_v)]
 

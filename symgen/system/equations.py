@@ -21,6 +21,7 @@ from symgen.bodies.static_residual import StaticResidual
 from symgen.joints.instance import ConstraintRow
 from symgen.loads.effect import LinearSpring
 from symgen.scene import Scene
+from symgen.system.frames.directions import Direction
 from symgen.system.orientations import Turning
 from symgen.system.signals import input_records, input_symbols
 
@@ -53,6 +54,15 @@ class RowRates(Protocol):
         """(dC_q/dt, d^2 C_q/dt^2), rows by column."""
 
 
+class TiedChanges(Protocol):
+    """Derivatives of inertia forces along directions that close spherical loops."""
+
+    def __call__(
+        self, accelerations: Row, multipliers: Mapping[str, Sequence[ca.SX]], directions: Sequence[Direction]
+    ) -> tuple[ca.SX, ca.SX] | None:
+        """F_q and F_v of (inertia forces + C_q^T lambda of these joints), by column; None where this is no way."""
+
+
 class FreeJointAccelerations(Protocol):
     """Accelerations of a tree of frames in O(N)."""
 
@@ -71,7 +81,8 @@ class Equations:
 
     Q_F holds loads, gravity and damping; Q_star = Q_v - K q + Q_F. inertia_forces, where the bodies are a tree of
     frames: accelerations -> M q_ddot - Q_v; Q_v holds the weight too there, not Q_F.
-    force_changes: derivatives of these, where they are known by composites; curvatures, loop_rates: so, by joint.
+    force_changes: derivatives of these, where they are known by composites; curvatures, loop_rates: so, by joint;
+    tied_changes: along directions.
     free_joints: accelerations for a force on such a tree, if joints place all its bodies.
     placed_columns: coordinates of the frames of placed bodies, which no mass and no other constraint knows of.
     Energies [J] and powers [W] are scalars.
@@ -120,6 +131,7 @@ class Equations:
     force_changes: ForceChanges | None = None
     curvatures: Mapping[str, Curvature] = field(default_factory=dict)
     loop_rates: Mapping[str, RowRates] = field(default_factory=dict)
+    tied_changes: TiedChanges | None = None
     free_joints: FreeJointAccelerations | None = None
     placed_columns: frozenset[int] = frozenset()
     turnings: list[Turning] = field(default_factory=list)

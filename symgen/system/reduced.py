@@ -9,6 +9,7 @@ coordinates.
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 import casadi as ca
 
@@ -84,7 +85,10 @@ def reduced_equations(
     forces = TreeForces(space.tree, equations)
     equations.inertia_forces = forces.inertia_forces
     if has_force_changes(space.tree):
-        equations.force_changes = forces.force_changes
+        equations.force_changes, equations.tied_changes = (
+            forces.force_changes,
+            partial(forces.tied_changes, space.loop_rates),
+        )
         equations.curvatures, equations.loop_rates = space.curvatures, space.loop_rates
     if not floats(space.tree):
         equations.free_joints = forces.free_joints

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+
+import casadi as ca
 
 from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ONE, neg
 from symgen.algebra.vectors import Vector
 from symgen.system.equations import Equations
+from symgen.system.frames.directed_changes import Tie, tied_changes
+from symgen.system.frames.directions import Direction
 from symgen.system.frames.force_changes import force_changes
 from symgen.system.frames.free_joints import free_joint_accelerations
 from symgen.system.frames.inverse_dynamics import floating_forces, inverse_dynamics, own_wrenches
-from symgen.system.frames.tree import FrameTree
+from symgen.system.frames.loop_rates import LoopRates
+from symgen.system.frames.tree import GROUND, FrameTree
 
 
 @dataclass(frozen=True)
@@ -41,6 +47,20 @@ class TreeForces:
     def force_changes(self, accelerations: Row) -> tuple[list[Row], list[Row]]:
         """Derivatives of `inertia_forces` by q and by q_dot."""
         return force_changes(self.tree, len(self.equations.q), self._base, self._rates, accelerations)
+
+    def tied_changes(
+        self,
+        loops: Mapping[str, LoopRates],
+        accelerations: Row,
+        multipliers: Mapping[str, Sequence[ca.SX]],
+        directions: Sequence[Direction],
+    ) -> tuple[ca.SX, ca.SX] | None:
+        """Derivatives of `inertia_forces` + C_q^T lambda of spherical loops along directions."""
+        if not loops or any(way.base != GROUND for loop in loops.values() for way in (loop.a, loop.b)):
+            return None
+        ties = [Tie(loop.a, loop.b, list(multipliers[joint])) for joint, loop in loops.items()]
+        moving = self._rates, accelerations
+        return tied_changes(self.tree, len(self.equations.q), self._base, moving, ties, directions)
 
     def free_joints(self, force: Row, free: frozenset[int], imposed: Row | None = None) -> Row:
         """Accelerations by a force, and with `imposed` ones by rates and weight too."""

@@ -18,7 +18,7 @@ ALL = ("revolute", "universal", "planar")
 
 
 def bent_chain(kinds: tuple[str, ...], closing: str = "") -> Scene:
-    """Three bodies of two modes each, every integral non-zero, on joints of some kinds between bent and turned ends.
+    """Bodies of two modes each, every integral non-zero, on joints of some kinds between bent and turned ends.
 
     closing: type of a joint that ties the last one to the ground.
     """
@@ -37,7 +37,7 @@ def bent_chain(kinds: tuple[str, ...], closing: str = "") -> Scene:
         near, far = f"link{k - 1}.end" if k else "ground.origin", f"link{k}.start"
         builder.joint(kind, f"joint{k}", *((far, near) if k == 1 else (near, far)))
     if closing:
-        builder.joint(closing, "closing", "ground.origin", "link2.end")
+        builder.joint(closing, "closing", "ground.origin", f"link{len(kinds) - 1}.end")
     return builder.build()
 
 

@@ -12,7 +12,7 @@ from functools import cached_property
 import casadi as ca
 
 from symgen.algebra.rows import Row
-from symgen.algebra.scalar import ONE, add, dot, mul, neg, sub
+from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg, sub
 from symgen.algebra.vectors import (
     Vector,
     combination,
@@ -162,6 +162,23 @@ class BendChanges:
             for i, H in enumerate(point.H):
                 value = sub(value, mul(H[a][b], f[i]))
             found[other] = neg(value) if self._back else value
+        return found
+
+    def among(self, wrench: Wrench) -> list[list[ca.SX]]:
+        """Change of the power on each part, by rows, by each part, for a wrench after the move that goes with it."""
+        shared, point = self._bending.shared, self._deformation.point
+        f, moment = self._at_marker(wrench)
+        found = [[ZERO] * len(shared) for _ in shared]
+        for k, one in enumerate(shared):
+            turning = self._bending.bent.on_turns(self._carried(one, ONE, f, moment))
+            turning = plus(turning, self._bending.on_turns_changed(one, moment))
+            df = zeros() if self._back else cross(self._bending.turned(one)[0], f)
+            for i, row in enumerate(shared):
+                value = add(dot(row.shape, df), dot(row.theta, turning))
+                for axis, H in enumerate(point.H):
+                    a, b = (self._deformation.columns.index(next(iter(mode.shares))) for mode in (row, one))
+                    value = sub(value, mul(H[a][b], f[axis]))
+                found[i][k] = neg(value) if self._back else value
         return found
 
     def _at_marker(self, wrench: Wrench) -> tuple[Vector, Vector]:

@@ -3,10 +3,10 @@
 With L_a = int rho phi_a^T dm, D_a = sym(L_a) and B_a = ax(L_a) (index a: one mode; ' : rates of q_f):
 
     force      f = m a + G h + 2 omega x h' + nu_h + sum_a s_a q_a''
-    moment     n = h x a + ax(J G^T) + (tr(E') - E') omega + omega x B' + sum_a B_a q_a''
+    moment     n = h x a + ax(J G^T) + 2 (tr(L') - L'^T) omega + sum_a B_a q_a''
     on mode a  s_a.a + B_a.alpha + omega~^2 : D_a + 2 omega . sum_b ax(P_ba) q_b' + sum_b M_ab q_b''
 
-where J = int rho rho^T dm, E' = sum_a 2 D_a q_a', B' = sum_a B_a q_a'.
+where J = int rho rho^T dm and L' = sum_a L_a q_a'.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ import casadi as ca
 
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
-from symgen.algebra.vectors import Vector, combination, cross, minus, plus, scaled, times, zeros
+from symgen.algebra.vectors import Vector, combination, cross, plus, scaled, zeros
 from symgen.bodies.spatial_moments import SpatialIntegrals, SpatialMoments
-from symgen.system.frames.motion import Composite, Matrix, Motion, Wrench
+from symgen.system.frames.motion import Composite, Matrix, Motion, Wrench, traced
 
 
 @dataclass(frozen=True)
@@ -73,18 +73,7 @@ class FlexibleInertia:
         wrench = self.rigid.inertia_wrench(motion)
         twice = scaled(ca.SX(2), motion.omega)
         f = plus(wrench.f, cross(twice, moments.hd), moments.hn, combination(moments.s, own))
-        E = [
-            [total(mul(speed, E_a[i][j]) for speed, E_a in zip(speeds, self.doubled, strict=True)) for j in range(3)]
-            for i in range(3)
-        ]
-        trace = add(add(E[0][0], E[1][1]), E[2][2])
-        spun = minus(scaled(trace, motion.omega), times(E, motion.omega))
-        n = plus(
-            wrench.n,
-            spun,
-            cross(motion.omega, combination(moments.B, speeds)),
-            combination(moments.B, own),
-        )
+        n = plus(wrench.n, traced(weighted(moments.L, speeds), twice, False), combination(moments.B, own))
         modes = {}
         for a, column in enumerate(self.columns):
             value = add(dot(momenta[column].f, motion.a), dot(momenta[column].n, motion.alpha))
@@ -123,3 +112,11 @@ class RigidInertia:
     def inertia_force(self, motion: Motion, rates: Row, accelerations: Row) -> tuple[Wrench, Row]:
         """(wrench that moves the masses, nothing on modes)."""
         return self.rigid.inertia_wrench(motion), {}
+
+
+def weighted(blocks: list[Matrix], factors: Vector) -> Matrix:
+    """Sum of factors[k] blocks[k]."""
+    return [
+        [total(mul(factor, block[i][j]) for block, factor in zip(blocks, factors, strict=True)) for j in range(3)]
+        for i in range(3)
+    ]

@@ -32,12 +32,13 @@ def has_force_changes(tree: FrameTree) -> bool:
 
 def force_changes(tree: FrameTree, n: int, base: Vector, rates: Row, accelerations: Row) -> tuple[list[Row], list[Row]]:
     """(d/dq, d/dq') of `inverse_dynamics`, n rows by column."""
-    sweep = _Sweep(tree, n, base, rates, accelerations)
+    sweep = Sweep(n, rates, accelerations)
+    sweep.tree(tree, base)
     return sweep.K, sweep.D
 
 
 @dataclass
-class _Beyond:
+class Beyond:
     """What a frame carries: by column, the changes of its wrench and the rows of forces."""
 
     tangent: Tangent
@@ -46,7 +47,7 @@ class _Beyond:
     by_rate: dict[int, Wrench] = field(default_factory=dict)
     rows: dict[int, RowChange] = field(default_factory=dict)
 
-    def add(self, other: _Beyond) -> None:
+    def add(self, other: Beyond) -> None:
         """Of both."""
         self.tangent = self.tangent.plus(other.tangent)
         self.wrench = self.wrench.plus(other.wrench)
@@ -62,37 +63,41 @@ def gather(target: dict[int, Wrench], more: dict[int, Wrench]) -> None:
         target[column] = target[column].plus(wrench) if column in target else wrench
 
 
-def _nothing() -> _Beyond:
-    return _Beyond(Tangent(no_masses(), zeros(), [zeros() for _ in range(3)]))
+def _nothing() -> Beyond:
+    return Beyond(Tangent(no_masses(), zeros(), [zeros() for _ in range(3)]))
 
 
-class _Sweep:
-    """K and D are the result."""
+class Sweep:
+    """From the tips to the ground at some rates and accelerations; K and D, n rows by column, are the result."""
 
-    def __init__(self, tree: FrameTree, n: int, base: Vector, rates: Row, accelerations: Row) -> None:
+    def __init__(self, n: int, rates: Row, accelerations: Row) -> None:
         self.K: list[Row] = [{} for _ in range(n)]
         self.D: list[Row] = [{} for _ in range(n)]
         self._rates, self._accelerations = rates, accelerations
+
+    def tree(self, tree: FrameTree, base: Vector) -> None:
+        """All frames; base: acceleration of the ground."""
         spots: list[list[Spot]] = []
         motions: list[Motion] = []
         for frame in tree.frames:
             motion = Motion(zeros(), zeros(), base) if frame.parent == GROUND else motions[frame.parent]
             spots.append([])
             for move in frame.moves:
-                before, motion = motion, move.motion(motion, rates, accelerations)
-                spots[-1].append(Spot(before, motion, rates, accelerations))
+                before, motion = motion, move.motion(motion, self._rates, self._accelerations)
+                spots[-1].append(Spot(before, motion, self._rates, self._accelerations))
             motions.append(motion)
         states = [_nothing() for _ in tree.frames]
         for k in reversed(range(len(tree.frames))):
             frame, state = tree.frames[k], states[k]
             if frame.inertia is not None:
-                state.add(self._body(frame.inertia, motions[k]))
+                state.add(self.body(frame.inertia, motions[k]))
             for move, spot in zip(reversed(frame.moves), reversed(spots[k]), strict=True):
-                self._through(move, spot, state)
+                self.through(move, spot, state)
             if frame.parent != GROUND:
                 states[frame.parent].add(state)
 
-    def _body(self, inertia: RigidInertia | FlexibleInertia, motion: Motion) -> _Beyond:
+    def body(self, inertia: RigidInertia | FlexibleInertia, motion: Motion) -> Beyond:
+        """A body at its frame."""
         wrench, _ = inertia.inertia_force(motion, self._rates, self._accelerations)
         places = by_modes(inertia, motion, self._rates, self._accelerations)
         speeds = by_mode_rates(inertia, motion, self._rates)
@@ -100,7 +105,7 @@ class _Sweep:
             for column, change in changes.items():
                 for row, value in change.modes.items():
                     add_to(target[row], column, value)
-        return _Beyond(
+        return Beyond(
             tangent_of(inertia, motion, self._rates),
             wrench,
             {column: change.wrench for column, change in places.items()},
@@ -108,7 +113,8 @@ class _Sweep:
             mode_rows(inertia, motion, self._rates),
         )
 
-    def _through(self, move: Move, spot: Spot, state: _Beyond) -> None:
+    def through(self, move: Move, spot: Spot, state: Beyond) -> None:
+        """All that is beyond a move, as seen before it, in place."""
         bending = None
         if isinstance(move, Bend | Unbend):
             bending = BendChanges(move.deformation, spot, isinstance(move, Unbend))
@@ -138,7 +144,7 @@ class _Sweep:
         for column, share in part.shares.items():
             add_to(target[row], column, mul(share, value))
 
-    def _before(self, move: Move, spot: Spot, state: _Beyond, parts: list[Part]) -> None:
+    def _before(self, move: Move, spot: Spot, state: Beyond, parts: list[Part]) -> None:
         """Rows, inertia and wrench as seen before a move."""
         for part in parts:
             row = state.tangent.row(part.field.twist)

@@ -25,10 +25,17 @@ from symgen.system.frames.tree import GROUND, FrameTree, Seat
 
 @dataclass(frozen=True)
 class Way:
-    """Moves from a frame that is taken to be at rest to a marker; path: to the frame that carries the marker."""
+    """Moves from frame `base` (or GROUND), taken to be at rest, to a marker in `frame`; path: to that frame."""
 
+    base: int
+    frame: int
     moves: list[Move]
     path: Path
+
+    @property
+    def end(self) -> Move:
+        """From the frame to the marker, without turning."""
+        return self.moves[-1]
 
     @staticmethod
     def to(tree: FrameTree, base: int, seat: Seat, marker: Deformation, path: Path) -> Way:
@@ -37,7 +44,7 @@ class Way:
         frames = frames if base == GROUND else frames[frames.index(base) + 1 :]
         place = plus(seat.place.r, times(seat.place.R, marker.point.position))
         end = Fixed(identity(), place) if marker.rigid else Bend(place_of(marker))
-        return Way([*(move for frame in frames for move in tree.frames[frame].moves), end], path)
+        return Way(base, seat.frame, [*(move for frame in frames for move in tree.frames[frame].moves), end], path)
 
     def parts(self, rates: Row, accelerations: Row) -> list[Part]:
         """What the coordinates on the way do to its end, in the axes there."""

@@ -193,6 +193,17 @@ def inertia_times(Sigma: Matrix, omega: Vector) -> Vector:
     return result
 
 
+def traced(block: Matrix, vector: Vector, transposed: bool) -> Vector:
+    """(tr B - B^T) vector, or (tr B - B) vector."""
+    result = []
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        own = mul(add(block[j][j], block[k][k]), vector[i])
+        first, second = (block[i][j], block[i][k]) if transposed else (block[j][i], block[k][i])
+        result.append(sub(sub(own, mul(first, vector[j])), mul(second, vector[k])))
+    return result
+
+
 def turned_back(x: ca.SX, y: ca.SX, cosine: ca.SX, sine: ca.SX) -> tuple[ca.SX, ca.SX]:
     """Components in the axes from which a frame is turned, from those in the frame."""
     return sub(mul(cosine, x), mul(sine, y)), add(mul(sine, x), mul(cosine, y))

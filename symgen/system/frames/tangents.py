@@ -13,9 +13,18 @@ from dataclasses import dataclass, replace
 
 import casadi as ca
 
-from symgen.algebra.scalar import ZERO, add, dot, mul, sub
+from symgen.algebra.scalar import ZERO, add, dot, mul
 from symgen.algebra.vectors import Vector, cross, plus, product, scaled, times, zeros
-from symgen.system.frames.motion import Composite, Matrix, Motion, Twist, Wrench, both_turned_back, inertia_times
+from symgen.system.frames.motion import (
+    Composite,
+    Matrix,
+    Motion,
+    Twist,
+    Wrench,
+    both_turned_back,
+    inertia_times,
+    traced,
+)
 
 
 @dataclass(frozen=True)
@@ -74,7 +83,7 @@ class Tangent:
         """df and dn."""
         m, h, Sigma = self.inertia.m, self.inertia.h, self.inertia.Sigma
         f = plus(scaled(m, change.d), cross(change.beta, h), cross(change.u, self.p))
-        n = plus(cross(h, change.d), inertia_times(Sigma, change.beta), _traced(self.Lambda, change.u, False))
+        n = plus(cross(h, change.d), inertia_times(Sigma, change.beta), traced(self.Lambda, change.u, False))
         return Wrench(f, n)
 
     def row(self, twist: Twist) -> RowChange:
@@ -83,7 +92,7 @@ class Tangent:
         return RowChange(
             plus(inertia_times(Sigma, twist.omega), cross(h, twist.v)),
             plus(cross(twist.omega, h), scaled(m, twist.v)),
-            plus(_traced(self.Lambda, twist.omega, True), cross(self.p, twist.v)),
+            plus(traced(self.Lambda, twist.omega, True), cross(self.p, twist.v)),
         )
 
     def about(self, axis: int, cosine: ca.SX, sine: ca.SX) -> Tangent:
@@ -107,17 +116,6 @@ class Tangent:
             for i in range(3)
         ]
         return Tangent(inertia, p, Lambda)
-
-
-def _traced(block: Matrix, vector: Vector, transposed: bool) -> Vector:
-    """(tr B - B^T) vector, or (tr B - B) vector."""
-    result = []
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        own = mul(add(block[j][j], block[k][k]), vector[i])
-        first, second = (block[i][j], block[i][k]) if transposed else (block[j][i], block[k][i])
-        result.append(sub(sub(own, mul(first, vector[j])), mul(second, vector[k])))
-    return result
 
 
 def _sum(a: Matrix, b: Matrix) -> Matrix:
