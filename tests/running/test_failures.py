@@ -23,6 +23,7 @@ from runtime.running.simulate import make_plan
 from runtime.schemes.stepper import start_vector
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder
+from symgen.scenes import generated_folder
 
 Load = Callable[[str], Model]
 Build = Callable[[Scene], Model]
@@ -142,12 +143,12 @@ def test_no_saved_state_is_missing_before_an_interruption(built_in: Load, monkey
     np.testing.assert_allclose(np.diff(run.t), 1e-3, rtol=1e-9)
 
 
-def test_auto_interprets_where_there_is_no_llvm(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_auto_interprets_where_there_is_no_llvm(monkeypatch: pytest.MonkeyPatch) -> None:
     def missing() -> None:
         raise NoLlvm("llvmlite cannot be used: not installed")
 
     monkeypatch.setattr(llvm_code, "_llvm", missing)
-    model = built_in("pendulum")
+    model = load_model(generated_folder("pendulum"))
     solution = simulate(model, t_end=0.1)
     assert solution.stats["engine"] == "interpreted"
     assert "llvmlite cannot be used" in str(solution.stats["engine_note"])
