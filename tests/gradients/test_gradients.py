@@ -189,8 +189,9 @@ def test_a_held_input_has_a_derivative_for_each_sample(model_of: Build, scheme: 
     run = DifferentiableRun(model, ["cart.x"], ["force"], inputs={"force": force}, **settings)
     assert run.by == ("force[0]", "force[1]", "force[2]", "force[3]")
     one, other = (run.gradient(End("cart.x"), mode=mode).derivatives for mode in ("forward", "reverse"))
-    np.testing.assert_allclose(other, one, rtol=1e-12)
-    np.testing.assert_allclose(one, exact, rtol=1e-9)
+    rounded = 4e-15 * 1000  # steps: the partial fractions of phi add up to 1 within some 1e-15
+    np.testing.assert_allclose(other, one, rtol=rounded)
+    np.testing.assert_allclose(one, exact, rtol=1e-11)
     assert run.gradient(End("cart.x")).value == pytest.approx(float(one @ run.x0), rel=1e-12)  # it is linear
     whole = simulate(model, inputs={"force": force}, **settings)
     np.testing.assert_allclose(run.values()[:, 0], whole["cart.x"], rtol=1e-14)
