@@ -148,16 +148,18 @@ class Sundials:
     def _begun(self, t: np.ndarray, options: dict[str, Any]) -> tuple[ca.Function, dict[str, Any]]:
         """An integrator that has run once, and its arguments."""
         system, arguments = self._system()
+        if self.method == "idas":  # the start is consistent: IDACalcIC, which gives up on some, has nothing to find
+            options = {**options, "calc_ic": False, "init_xdot": self._slope(arguments)}
         integrator = ca.integrator("baseline", self.method, system, 0.0, t, options)
-        try:
-            integrator(**arguments)
-        except RuntimeError:
-            if self.method != "idas":
-                raise
-            # IDACalcIC gives up on some consistent starts; without it the rates at the start are taken as zero
-            integrator = ca.integrator("baseline", self.method, system, 0.0, t, {**options, "calc_ic": False})
-            integrator(**arguments)
+        integrator(**arguments)
         return integrator, arguments
+
+    def _slope(self, arguments: dict[str, Any]) -> list[float]:
+        """y' at the start."""
+        e = self._equations
+        slope = ca.Function("slope", [*e.inputs.values(), e.c], [ca.densify(e.outputs["ode"])])
+        found = slope(0.0, arguments["x0"], arguments["z0"], self.given.c)
+        return [float(value) for value in np.asarray(found).ravel()]
 
     def _system(self) -> tuple[dict[str, Any], dict[str, Any]]:
         """CasADi's description, and the arguments of a run."""

@@ -202,6 +202,15 @@ def test_sundials_is_compiled(built_in: Load, method: str) -> None:
     np.testing.assert_allclose(compiled.q, interpreted.q, rtol=0, atol=1e-9)
 
 
+def test_idas_begins_with_the_rates_of_the_start(built_in: Load) -> None:
+    """Searching for them, IDACalcIC gave up here, and the first steps from zero rates were refused."""
+    model, start = built_in("near_singular_slider_crank"), {"start": "quasi_static"}
+    solution = sundials_solution(model, "idas", t_end=1e-3, rtol=1e-6, atol=2e-11, **start)
+    assert solution.status.ok, solution.status
+    exact = reference_solution(model, t_end=1e-3, **start)
+    assert np.max(np.abs(solution.q[-1] - exact.q[-1])) < 1e-7
+
+
 @pytest.mark.parametrize("method", ["cvodes", "idas"])
 def test_sundials_keeps_to_an_order(built_in: Load, method: str) -> None:
     """Order 2 at most takes many more steps than order 5 where the tolerance is tight."""
