@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import partial
+from functools import cached_property, partial
 from math import inf
 
 import casadi as ca
@@ -23,7 +23,7 @@ SAMPLES = 100
 MOST_STEPS = 10_000  # between two samples
 TOLERANCES = tuple(10.0**-k for k in range(1, 10))
 FIRST = 2  # where the search begins: 1e-3
-REPEATED, REPEATS = 0.1, 3  # a run shorter than this [s] is timed so often
+REPEATS = 2
 WAYS: Mapping[str, dict[str, tuple[str, int | None]]] = {
     "cvodes": {"BDF": ("bdf", None), "BDF to order 2": ("bdf", 2), "Adams": ("adams", None)},
     "idas": {"BDF": ("bdf", None), "BDF to order 2": ("bdf", 2)},
@@ -64,13 +64,10 @@ class SundialsRuns:
 
     def attempt(self, multistep: str, order: int | None, weight: float, rtol: float) -> Attempt:
         """One run; the absolute tolerance is rtol times the weight, in all coordinates and rates."""
-        run = partial(self.sundials.run, self._times, rtol, rtol * weight, multistep, order, MOST_STEPS)
-        done = run()
+        done = self.sundials.run(self._times, rtol, rtol * weight, multistep, order, MOST_STEPS, REPEATS)
         steps, seconds = int(done.stats["steps"]), float(done.stats["cpu_seconds"])
         if done.refused:
             return Attempt(rtol, inf, seconds, steps, done.refused)
-        if seconds < REPEATED:
-            seconds = min(seconds, *(float(run().stats["cpu_seconds"]) for _ in range(REPEATS - 1)))
         seen = evaluate(self._observe, {"t": self._times[:, None], "y": done.y}, self.sundials.given.c)
         model = self.problem.model
         told = whole(model, seen["q_i"], seen["q_d"])[:, followed(model)[1]]
@@ -80,5 +77,11 @@ class SundialsRuns:
 
     def _evaluations(self, values: int, slopes: int) -> float:
         """CPU seconds of so many evaluations of the equations and of their Jacobian."""
+        of_values, of_slopes = self._prices
+        return values * of_values + slopes * of_slopes
+
+    @cached_property
+    def _prices(self) -> tuple[float, float]:
+        """CPU seconds of one, where they were made last."""
         native = self.sundials.native
-        return inf if native is None else values * native.seconds(VALUES) + slopes * native.seconds(SLOPES)
+        return (inf, inf) if native is None else (native.seconds(VALUES), native.seconds(SLOPES))
