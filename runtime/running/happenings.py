@@ -63,6 +63,15 @@ class Happenings:
             shown_at_end(scheme, z, own.plan.grid.dt_L, self._once)
         return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
 
+    def happen_at(self, z: np.ndarray, t: float, happened: list[int], values: np.ndarray) -> np.ndarray | None:
+        """These events at a state z (n_z,) that is seen at t [s], in place; (n_w,) the inputs if they changed.
+
+        values (n_e,): what passed zero.
+        """
+        before, constants = z[self._inputs].copy(), self._scheme.constants(self.own.c)
+        self._happen(z, t, happened, action_values(self._scheme, z, constants), values)
+        return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
+
     def memory(self) -> dict[str, list[float]]:
         """Latest times of each event [s]: what tells chattering."""
         return {name: list(times) for name, times in self._recent.items()}

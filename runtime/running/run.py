@@ -19,7 +19,7 @@ from runtime.running.pace import Pace
 from runtime.running.record import Record
 from runtime.running.schedule import Schedule
 from runtime.running.segment import Segment
-from runtime.running.singular.guard import FLOOR, Guard
+from runtime.running.singular.guard import FLOOR, Guard, lost_unguarded
 from runtime.running.singular.passage import Passage, locate
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 
@@ -135,7 +135,7 @@ class Run:
         determinants = self.segment.determinants(self.z)
         alarm = self.guard.alarm(*determinants)
         scheme = self.segment.plan.scheme
-        if at is not None and not (saved and alarm):  # else the alarm comes first: what it is about is sought below
+        if at is not None and not alarm:  # else the alarm comes first: what it is about is sought below
             if isinstance(scheme, AdaptiveSteps):
                 if self._ends_at_event(scheme, saved):
                     return
@@ -231,13 +231,15 @@ class Run:
             self._step_unguarded(z)
             return
         self.accuracy.carried.hold(self.segment, z)
-        passage = Passage(self.segment, self.guard, self.record.segments, self.engine, lambda: self._interrupts.asked)
+        asked, happened = lambda: self._interrupts.asked, self.happenings
+        passage = Passage(self.segment, self.guard, self.record.segments, self.engine, asked, happened)
         found = passage.go_on(z if previous is None else previous)
         if found.event is not None and (
             found.event.kind != "no_variant" or not any(event.text == found.event.text for event in self.events)
         ):  # said once
-            self.events.append(found.event)
-        self.status = found.status
+            happened.told.append(found.event)
+        self.events += sorted(happened.told, key=lambda event: event.time)
+        happened.told.clear()
         if found.drop_from is None and found.status is None:  # look again later
             self.z, self.earlier = z, previous
             return
@@ -245,6 +247,7 @@ class Run:
             self.record.drop_from(found.drop_from)
         for sample in found.samples:
             self._keep(sample)
+        self.status = found.status
         if found.segment is not self.segment:
             self.segment, self.guard = found.segment, found.segment.new_guard()
             if found.segment not in self.record.segments:
@@ -260,13 +263,7 @@ class Run:
         self.status = self._checked(closely=True)
         if self.status is None:
             self.z = good
-            self.status = Status(
-                "branch_lost",
-                time_,
-                None,
-                "the loop closure is singular within the next step",
-                "Reduce the step, start elsewhere, or change a length a little.",
-            )
+            self.status = lost_unguarded(time_)
 
     def _batch(self) -> int:
         plan, done = self.segment.plan, self.step

@@ -44,13 +44,15 @@ class Segment(SteppedModel):
         found.find_switches(plan.t0, plan.t_end)
         return found
 
-    def start(self, q: np.ndarray, q_dot: np.ndarray, step: int = 0, work: float = 0.0) -> np.ndarray:
+    def start(
+        self, q: np.ndarray, q_dot: np.ndarray, step: int = 0, work: float = 0.0, at: float | None = None
+    ) -> np.ndarray:
         """The whole z at a consistent state of all coordinates (n,) after so many steps of the run (Eqs. 68-71).
 
-        work [J]: what was done on the mechanism until then.
+        work [J]: what was done on the mechanism until then. at [s]: its time where that is not of the grid.
         """
         grid = self.plan.time(step)
-        start = grid if self.broken is None else self.broken.grid.clock(step)
+        start = at if at is not None else grid if self.broken is None else self.broken.grid.clock(step)
         z = self.begin(start, q, q_dot)
         z[0], z[1] = self.plan.t0 + (start - grid), step  # the grid of times is the run's
         self.forget_determinants(z)

@@ -8,26 +8,26 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import ceil
 
 import numpy as np
 
 from runtime.contract.status import Event, Status, StatusName
 from runtime.contract.units import mechanism_length
-from runtime.results.sampling import evaluate
 from runtime.results.solution import Solution
+from runtime.running.happenings import Happenings
 from runtime.running.segment import Segment
-from runtime.running.singular.carry import COUNTERS, carried
-from runtime.running.singular.crossing import Crossing, approach, between, cross
+from runtime.running.singular.carry import carried
+from runtime.running.singular.crossing import approach, cross
 from runtime.running.singular.exchange import CLEARLY, Exchange, best_exchange
-from runtime.running.singular.guard import LAST, NEAR, Guard
+from runtime.running.singular.guard import LAST, Guard
 from runtime.running.singular.loop_determinants import LoopDeterminants
+from runtime.running.singular.over import Over
 from runtime.running.singular.tight_integrator import BranchLost, TightIntegrator
 from runtime.running.singular.variants import NoVariant, variant_of
+from runtime.running.singular.way import Way
 from runtime.schemes.options import SchemeError
 
 FOLLOWED = 0.02  # of the largest determinant: how far a motion is followed to see where it leads
-LONGEST_LEAVE = 10_000  # steps that the neighbourhood of a singular position may take after it
 
 
 @dataclass
@@ -79,13 +79,19 @@ def locate(
 
 
 class Passage:
-    """Looks at a place where the alarm was raised, and decides. asked: was Ctrl-C pressed?"""
+    """Looks at a place where the alarm was raised, and decides. asked: was Ctrl-C pressed? happenings: its own."""
 
     def __init__(
-        self, segment: Segment, guard: Guard, segments: list[Segment], engine: str, asked: Callable[[], bool]
+        self,
+        segment: Segment,
+        guard: Guard,
+        segments: list[Segment],
+        engine: str,
+        asked: Callable[[], bool],
+        happenings: Happenings,
     ) -> None:
         self.segment, self.guard, self.segments, self.engine = segment, guard, segments, engine
-        self.asked = asked
+        self.asked, self.happenings = asked, happenings
         self.loops = LoopDeterminants(segment.model, segment.c)
         self.length = mechanism_length(segment.model, self.loops.jacobian(0.0, segments[0].model.initial_q))
 
@@ -123,7 +129,8 @@ class Passage:
             return self._exchanged(z, seen, exchange)
         try:
             crossing = cross(integrator, t, y, block, largest)
-            return self._behind(z, integrator, (t, y), crossing, block, largest)
+            over = Over(self.segment, self.segments, self.happenings, block, largest, self.asked)
+            samples, status = over.go(z, Way(integrator, t, y, crossing, integrator))
         except BranchLost as error:
             return self._lost(
                 "branch_lost",
@@ -131,6 +138,9 @@ class Passage:
                 f"a singular position lies ahead, and the branch of the motion cannot be told behind it: {error}",
                 "Start elsewhere, change a length a little, or stop the run before it.",
             )
+        self.guard.passed()
+        first, event = self.segment.step_of(z) + 1, over.told()
+        return Continuation(self.segment, samples[-1].copy(), samples, first, event, status)
 
     # ---- another q_i ----------------------------------------------------------------------------------------
 
@@ -164,71 +174,6 @@ class Passage:
             return known
         model = variant_of(self.segments[0].model, names, q)
         return Segment.build(model, self.segment.plan.on(model), self.segment.p, self.engine)
-
-    # ---- over the position ----------------------------------------------------------------------------------
-
-    def _behind(
-        self,
-        z: np.ndarray,
-        integrator: TightIntegrator,
-        before: tuple[float, np.ndarray],
-        crossing: Crossing,
-        block: int,
-        largest: float,
-    ) -> Continuation:
-        """Samples up to the first step whose determinant is good again, where the scheme starts anew."""
-        plan, first = self.segment.plan, self.segment.step_of(z)
-        last = self._last_step(integrator, crossing, block, 1.2 * NEAR * largest, first)
-        steps = [k for k in range(first + 1, last + 1) if k == last or k % plan.save_every == 0]
-        times, over = np.array([plan.time(step) for step in steps]), crossing.ends(integrator)
-        ahead, behind = times <= over.t[0], times >= over.t[1]
-        q, q_dot = np.zeros((len(times), over.q.shape[1])), np.zeros((len(times), over.q.shape[1]))
-        for part, start in ((ahead, before), (behind, (crossing.t, crossing.y))):
-            if part.any():
-                found = integrator.states(times[part], integrator.path(*start, times[part]))
-                q[part], q_dot[part] = found["q"], found["q_dot"]
-        for k in np.flatnonzero(~ahead & ~behind):
-            q[k], q_dot[k] = between(over, float(times[k]))
-        works = self._works(z, q, q_dot, times)
-        samples = [self._state(z, *state) for state in zip(q, q_dot, steps, works, strict=True)]
-        event = Event(
-            crossing.t_s,
-            "singular_position",
-            f"passed a singular position at t = {crossing.t_s:.9g}; branch kept by continuity, energy to "
-            f"{abs(crossing.energy_change):.2g} J",
-        )
-        self.guard.passed()
-        return Continuation(self.segment, samples[-1].copy(), samples, first + 1, event)
-
-    def _last_step(self, integrator: TightIntegrator, crossing: Crossing, block: int, height: float, first: int) -> int:
-        """The first step behind the position whose determinant is good again; the last one allowed if there is none."""
-        plan = self.segment.plan
-        allowed = min(plan.steps, first + LONGEST_LEAVE)
-        if plan.time(allowed) <= crossing.t:
-            return allowed
-        t, y = crossing.t, crossing.y
-        if abs(float(integrator.determinants(t, y)[0][block])) <= height:
-            found = integrator.rise(t, y, plan.time(allowed), block, height)
-            if found is None:
-                return allowed
-            t = found[0]
-        return min(allowed, max(first + 1, ceil((t - plan.t0) / plan.grid.dt_L)))
-
-    def _works(self, z: np.ndarray, q: np.ndarray, q_dot: np.ndarray, times: np.ndarray) -> np.ndarray:
-        """(N,) work done until samples (N, n) behind z [J]: on so short a way it is what the energy changed by."""
-        seen = self.segment.observed([self.segment.stepper.state(z)])
-        motion = {"q": np.vstack([seen.q, q]), "q_dot": np.vstack([seen.q_dot, q_dot])}
-        at = {**motion, "t": np.concatenate([seen.t, times])[:, None]}
-        energy = evaluate(self.segment.model.kernel("energy"), at, self.segment.c)
-        total = np.asarray((energy["kinetic"] + energy["elastic"] + energy["potential"])[:, 0])
-        return np.asarray(self.segment.account(z)[0] + total[1:] - total[0])
-
-    def _state(self, z: np.ndarray, q: np.ndarray, q_dot: np.ndarray, step: int, work: float) -> np.ndarray:
-        result = self.segment.start(q, q_dot, step, work)
-        layout = self.segment.plan.scheme.layout
-        for name in COUNTERS:
-            result[layout.slice(name)] = z[layout.slice(name)]
-        return result
 
     # ---- neither --------------------------------------------------------------------------------------------
 

@@ -42,7 +42,7 @@ class TightIntegrator:
     """
 
     def __init__(self, model: Model, p: np.ndarray, c: np.ndarray, asked: Callable[[], bool] = lambda: False) -> None:
-        self.model, self.p, self.c, self.asked = model, p, c, asked
+        self.model, self.p, self.c, self.asked = model, p.copy(), c.copy(), asked  # events change those of the run
         self._rhs = model.derived("integrator", lambda: CondensedOde(model, CLOSURES).right_hand_side())
         self._observe = model.derived("tight_observe", lambda: CondensedOde(model, CLOSURES).observe())
         self.loops = LoopDeterminants(model, c)

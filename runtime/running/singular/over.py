@@ -1,0 +1,146 @@
+"""States of a run on the way over a singular position, and the events that happen there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import ceil
+
+import numpy as np
+
+from runtime.contract.status import Event, Status
+from runtime.results.sampling import evaluate
+from runtime.running.happenings import Happenings
+from runtime.running.segment import Segment
+from runtime.running.singular.carry import COUNTERS
+from runtime.running.singular.crossing import Crossing, cross
+from runtime.running.singular.guard import NEAR
+from runtime.running.singular.tight_integrator import BranchLost, TightIntegrator
+from runtime.running.singular.way import Way
+from runtime.schemes.switching.watched import quiet_until
+
+LONGEST_LEAVE = 10_000  # steps that the neighbourhood of a singular position may take after it
+
+
+class Over:
+    """Follows a way to the first step whose determinant is good again, where the scheme starts anew.
+
+    block: the loop block in question; largest: its largest determinant. asked: was Ctrl-C pressed?
+    """
+
+    def __init__(
+        self,
+        segment: Segment,
+        segments: list[Segment],
+        happenings: Happenings,
+        block: int,
+        largest: float,
+        asked: Callable[[], bool],
+    ) -> None:
+        self.segment, self.segments, self.happenings = segment, segments, happenings
+        self.block, self.largest, self.asked = block, largest, asked
+        self._passed: Crossing | None = None
+        self._lent = 0.0  # work less energy [J]
+
+    def go(self, z: np.ndarray, way: Way) -> tuple[list[np.ndarray], Status | None]:
+        """(states to be saved and the last one, the status where an event ends the run), from z (whole, flat) on.
+
+        What an event sets holds from there on; very near to the position from the other side on. Raises BranchLost.
+        """
+        plan, done, samples = self.segment.plan, self.segment.step_of(z), list[np.ndarray]()
+        seen = self.segment.observed([self.segment.stepper.state(z)])
+        self._lent = self.segment.account(z)[0] - self._energies(seen.q, seen.q_dot, seen.t)[0]
+        first, end, known = done, self._last_step(way, done), dict[int, float]()
+        while True:
+            quiet = quiet_until(self.segment.plan.scheme, z) if self.segment.watches_events else np.zeros(0)
+            until = float(min((one for one in quiet if one > way.t), default=np.inf))
+            event = way.first_event(self.segment, quiet > way.t, min(plan.time(end), until), known)
+            until = until if event is None else event[0]
+            steps = [
+                k for k in range(done + 1, end + 1) if (k == end or k % plan.save_every == 0) and plan.time(k) <= until
+            ]
+            samples += self._states(z, way, np.array([plan.time(k) for k in steps]), steps)
+            if until > plan.time(end):
+                self._passed = way.crossing
+                return samples, None
+            done = max([done, *steps])
+            step = max(done, min(end, ceil((until - plan.t0) / plan.grid.dt_L)))
+            (z,) = self._states(z, way, np.array([until]), [step], off_grid=True)
+            integrator = way.behind
+            known = {} if event is None else {k: float(event[2][k]) for k in event[1]}
+            if event is not None and self._happens(z, *event):
+                integrator = TightIntegrator(self.segment.model, self.segment.p, self.segment.c, self.asked)
+            if self.happenings.status is not None:
+                self._passed = way.crossing if until >= way.crossing.t_s else None
+                return [*samples, z], self.happenings.status
+            way = self._gone_on(way, until, integrator)
+            end = self._last_step(way, first)
+
+    def told(self) -> Event | None:
+        """That the position was passed, where it was."""
+        if (found := self._passed) is None:
+            return None
+        return Event(
+            found.t_s,
+            "singular_position",
+            f"passed a singular position at t = {found.t_s:.9g}; branch kept by continuity, energy to "
+            f"{abs(found.energy_change):.2g} J",
+        )
+
+    def _happens(self, z: np.ndarray, t: float, happened: list[int], values: np.ndarray) -> bool:
+        """Events at z, with what they do: do inputs change?"""
+        w = self.happenings.happen_at(z, t, happened, values)
+        if w is None:
+            return False
+        for segment in self.segments:
+            segment.take_inputs(w)
+        return True
+
+    def _gone_on(self, way: Way, t: float, integrator: TightIntegrator) -> Way:
+        """From t [s] on, by another integrator where forces have changed."""
+        q, q_dot = (part[0] for part in way.states(np.array([t])))
+        y = integrator.pack(q, q_dot)
+        if integrator is not way.behind and t < way.crossing.t_s:
+            try:
+                return Way(integrator, t, y, cross(integrator, t, y, self.block, self.largest), integrator)
+            except BranchLost:
+                pass  # too near: the change is felt from the other side on
+        return way.gone_on(t, y, integrator)
+
+    def _last_step(self, way: Way, first: int) -> int:
+        """The first step behind the position whose determinant is good again; the last one allowed if there is none."""
+        plan, height = self.segment.plan, 1.2 * NEAR * self.largest
+        allowed = min(plan.steps, first + LONGEST_LEAVE)
+        t, y = way.leaves
+        if plan.time(allowed) <= t:
+            return allowed
+        if abs(float(way.behind.determinants(t, y)[0][self.block])) <= height:
+            found = way.behind.rise(t, y, plan.time(allowed), self.block, height)
+            if found is None:
+                return allowed
+            t = found[0]
+        return min(allowed, max(first + 1, ceil((t - plan.t0) / plan.grid.dt_L)))
+
+    def _states(
+        self, z: np.ndarray, way: Way, times: np.ndarray, steps: list[int], off_grid: bool = False
+    ) -> list[np.ndarray]:
+        """Whole states at times (N,), the ends of steps unless they are off the grid."""
+        if not steps:
+            return []
+        q, q_dot = way.states(times)
+        found, own = [], self.segment.plan.scheme.layout.slice
+        for k, work in enumerate(self._lent + self._energies(q, q_dot, times)):
+            at = float(times[k]) if off_grid else None
+            one = self.segment.start(q[k], q_dot[k], steps[k], float(work), at)
+            for name in (
+                *COUNTERS,
+                *(["event_quiet"] if "event_quiet" in self.segment.plan.scheme.layout.sizes else []),
+            ):
+                one[own(name)] = z[own(name)]
+            found.append(one)
+        return found
+
+    def _energies(self, q: np.ndarray, q_dot: np.ndarray, times: np.ndarray) -> np.ndarray:
+        """(N,) [J] of states (N, n): on so short a way work is what they change by."""
+        at = {"q": q, "q_dot": q_dot, "t": times[:, None]}
+        energy = evaluate(self.segment.model.kernel("energy"), at, self.segment.c)
+        return np.asarray((energy["kinetic"] + energy["elastic"] + energy["potential"])[:, 0])

@@ -1,0 +1,68 @@
+"""Events near a singular position, where a run is integrated tightly and no steps are made."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from runtime import Model, simulate
+from symgen.scene import Scene
+from symgen.scenes.n_four_bar import n_four_bar
+
+Build = Callable[[Scene], Model]
+
+
+@pytest.mark.parametrize(
+    "scheme, tolerance, cap", [("rk4", None, 2e-10), ("single_rate", None, 2e-6), ("dopri5", 1e-9, 2e-10)]
+)
+def test_events_within_a_passage_are_told_and_act(
+    model_of: Build, scheme: str, tolerance: float | None, cap: float
+) -> None:
+    """Before, at and behind the position; by hand 3 y'' = 3.5 g sin y - torque, with the angle pi/2 - y.
+
+    Before it the torque sets in, behind it it is doubled; one behind it may end the run, at its time.
+    """
+    data = n_four_bar(2).model_dump()
+    data["name"] = "n_four_bar_events"
+    data["inputs"] = {"torque": {"default": 0.0, "unit": "N m"}}
+    data["loads"] = [{"type": "torque", "name": "motor", "marker": "upright0.origin", "value": "torque"}]
+    data["measures"] = [{"type": "coordinate", "name": "angle", "coordinate": "upright0.theta"}]
+    data["events"] = {
+        "before": {"when": "angle - 0.02", "action": {"torque": "20"}},
+        "at": {"when": "angle"},
+        "behind": {"when": "angle + 0.02", "action": {"torque": "40"}},
+        "ending": {"when": "angle + last", "terminal": True},
+    }
+    data["parameters"] = {"last": {"default": 0.03, "unit": "rad"}}
+    model = model_of(Scene.model_validate(data))
+
+    def angle(t: float, y: list[float], torque: float) -> list[float]:
+        return [y[1], -(3.5 * 9.81 * math.cos(y[0]) - torque) / 3]
+
+    t, y, times = 0.0, np.array([math.pi / 2, -1.0]), []
+    for torque, passing in ((0, 0.02), (20, 0.0), (20, -0.02), (40, -0.03), (40, -0.5)):
+
+        def reached(t: float, y: np.ndarray, torque: float, passing: float = passing) -> float:
+            return float(y[0] - passing)
+
+        reached.terminal = True  # type: ignore[attr-defined]
+        found = solve_ivp(angle, (t, 9), y, args=(torque,), events=reached, method="DOP853", rtol=1e-12, atol=1e-13)
+        t, y = found.t[-1], found.y[:, -1]
+        times.append(t)
+    settings: dict[str, Any] = {"scheme": scheme, "tolerance": tolerance, "dt": 1e-3, "t_end": 1.0, "save_every": 1}
+    for last in (0.03, 0.5):
+        run = simulate(model, **settings, parameters={"last": last})
+        told = [(event.kind, event.name) for event in run.events]
+        exact = [*times[:3], times[3 if last == 0.03 else 4]]
+        happened = [event for event in run.events if event.kind == "event"]
+        assert [event.name for event in happened] == ["before", "at", "behind", "ending"], told
+        assert [event.time for event in happened] == pytest.approx(exact, rel=0, abs=cap)
+        assert [event.time for event in run.events] == sorted(event.time for event in run.events)
+        assert run.status.name == "event" and run.t[-1] == run.events[-1].time
+        assert len(run.t) == 2 + int(exact[-1] / 1e-3) and np.ptp(run.energy_balance()) < 1e-4
+        assert run["torque"][-1] == 40 and run["upright0.theta"][-1] == pytest.approx(-last, abs=1e-8)
