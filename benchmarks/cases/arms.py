@@ -51,7 +51,8 @@ def _contenders(links: int, fastest: float) -> list[Spec]:
     dense = dense if links <= DENSE else dense[:1]
     ratios = sorted({max(2, ceil(limit / steps)) for steps in (125, 250, 500, 1000)})
     decoupled = [Spec("decoupled", (m,)) for m in ratios]
-    return [Spec("exponential_rk4"), *dense, *decoupled, Spec("single_rate", None, {"common_velocity": "predictor"})]
+    stiff = [Spec("exponential_adams"), Spec("exponential_rk4")]
+    return [*stiff, *dense, *decoupled, Spec("single_rate", None, {"common_velocity": "predictor"})]
 
 
 def arm_problem(model: Model, fastest: float) -> Problem:

@@ -12,7 +12,7 @@ from math import inf, isfinite, nan, sin
 import casadi as ca
 import numpy as np
 
-from benchmarks.cases.hard_steps import DENSE, STIFF, TOLERANCE, best_of, problem_of
+from benchmarks.cases.hard_steps import DENSE, TOLERANCE, best_of, problem_of
 from benchmarks.cases.rhs_pinocchio import planar_chain
 from benchmarks.contenders.explicit_stepper import ExplicitStepper
 from benchmarks.contenders.exudyn_arm import ExudynArm
@@ -31,6 +31,7 @@ from runtime.contract.model import Model
 from runtime.schemes.stage_equations import StageEquations
 from runtime.studies.work_precision.prepared_method import Spec, Trial
 from runtime.studies.work_precision.problem import Problem
+from runtime.studies.work_precision.stiff_methods import stiff_methods
 from symgen.scenes.hard_suite import CASES, HardCase
 
 SHORTER = {"oscillators_10000": 0.2, "arm_40": 0.25}  # s of motion, where all of it takes SUNDIALS many seconds
@@ -85,7 +86,7 @@ def run() -> Result:
 def ours(case: HardCase, problem: Problem) -> Trial:
     """The fastest of the likeliest schemes."""
     model = problem.model
-    specs = [Spec(STIFF)] if model.has("deflections") else []
+    specs = stiff_methods(model)
     if len(model.q_i) <= DENSE and model.has("residual_jacobian"):
         orders = ({},) if case.large else ({}, {"order": 5})
         specs += [Spec("exponential", (m,), options) for options in orders for m in ((1,) if case.large else (1, 2))]

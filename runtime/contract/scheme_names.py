@@ -11,6 +11,7 @@ SchemeName = Literal[
     "linearised",
     "exponential",
     "exponential_rk4",
+    "exponential_adams",
     "exponential_midpoint",
     "rk4",
     "dopri5",

@@ -20,6 +20,7 @@ from runtime.schemes.central_difference import CentralDifferenceOptions
 from runtime.schemes.coupled import Coupled, CoupledOptions
 from runtime.schemes.decoupled import Decoupled, DecoupledOptions
 from runtime.schemes.exponential import Exponential, ExponentialOptions
+from runtime.schemes.exponential_adams import ExponentialAdams, ExponentialAdamsOptions
 from runtime.schemes.exponential_midpoint import ExponentialMidpoint, ExponentialMidpointOptions
 from runtime.schemes.exponential_rk4 import ExponentialRungeKutta, ExponentialRungeKuttaOptions
 from runtime.schemes.grid import make_grid
@@ -122,6 +123,12 @@ SCHEMES: dict[str, SchemeKind] = {
         "none",
         ExponentialRungeKuttaOptions,
         adaptive=AdaptiveExponentialRungeKutta,
+    ),
+    "exponential_adams": SchemeKind(
+        ExponentialAdams,
+        "exponential Adams on the stiff deflections with a point in the middle, order 4",
+        "none",
+        ExponentialAdamsOptions,
     ),
     "exponential_midpoint": SchemeKind(
         ExponentialMidpoint,

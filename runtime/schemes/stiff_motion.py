@@ -22,6 +22,7 @@ added to g.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass
 from math import factorial
 
@@ -53,6 +54,12 @@ class _Resolvents:
     def __init__(self, J: ca.SX, J_v: ca.SX, h: ca.SX, chosen: Sequence[Pole]) -> None:
         self.h, self.poles, self._few = h, chosen, J.shape[0] <= FEW
         self._kept = [(inverse if self._few else factor)(_shifted(J, J_v, h, pole.r)) for pole in chosen]
+
+    def part(self, chosen: Sequence[Pole]) -> _Resolvents:
+        """The same matrices with the weights for a part of the sub-step."""
+        found = copy(self)
+        found.poles = chosen
+        return found
 
     def sums(self, y: Sequence[ca.SX]) -> list[ca.SX]:
         """Sums over the poles of h^2 x, h r x, r^2 x and r^3 x / h."""
@@ -90,6 +97,8 @@ class StiffMotion:
 
     tangent: (A, A_v), n_i x n_s each; None for those of the constant stiffness and damping. halves: never go through
     both halves of a step at once: undamped motion that is not resolved keeps its energy better over very many steps.
+    decaying: modes that are not resolved die out, and one set of matrices serves the whole step and its half, where
+    the approximation is of order 5 only.
     """
 
     def __init__(
@@ -100,6 +109,7 @@ class StiffMotion:
         h: ca.SX,
         tangent: tuple[ca.SX, ca.SX] | None = None,
         halves: bool = False,
+        decaying: bool = False,
     ) -> None:
         self.x, self.v, self.a, self.B, self.h = x, v, found.a, found.B, h
         if tangent is None:
@@ -107,7 +117,7 @@ class StiffMotion:
         self.A, self.A_v = (ca.sparsify(one) for one in tangent)
         self.J, self.J_v = (ca.sparsify(ca.mtimes(found.B.T, one)) for one in (self.A, self.A_v))
         self.rate = ca.mtimes(found.B.T, v)
-        self.whole = not halves and found.B.shape[1] <= FEW
+        self.decaying, self.whole = decaying, decaying or (not halves and found.B.shape[1] <= FEW)
         self._back = ca.sparsify(ca.SX(np.linalg.pinv(np.array(ca.DM(found.B))).T))
         self._known: dict[tuple[int, bool], _Resolvents] = {}
 
@@ -150,6 +160,12 @@ class StiffMotion:
 
     def _resolvents(self, halves: int, decaying: bool) -> _Resolvents:
         """Of a sub-step of so many halves, made once."""
+        if self.decaying:
+            known = self._known.get((2, True)) or _Resolvents(
+                self.J, self.J_v, self.h, poles(WHOLE_DEGREE, decaying=True)
+            )
+            self._known[2, True] = known
+            return known.part(poles(WHOLE_DEGREE, halves / 2, decaying=True))
         if (halves, decaying) not in self._known:
             chosen = poles(DEGREE if decaying or halves == 1 else WHOLE_DEGREE, decaying=decaying)
             self._known[halves, decaying] = _Resolvents(self.J, self.J_v, halves * self.h / 2, chosen)

@@ -84,6 +84,13 @@ FIELDS: tuple[Notation, ...] = (
     Notation("y_last", "", "", "n_L", "mixed", "the y_ddot of the major step before"),
     Notation("y_before", "", "", "n_L", "mixed", "that of the one before"),
     Notation("y_third", "", "", "n_L", "mixed", "and before that"),
+    Notation("a_middle", "", "", "n_i", "mixed", "q_i_ddot seen in the middle of the last step"),
+    Notation("a_before", "", "", "n_i", "mixed", "q_i_ddot at the start of the last step"),
+    Notation("s_middle", "", "", "n_s", "mixed", "stiff deflections in the middle of the last step"),
+    Notation("s_middle_dot", "", "", "n_s", "mixed", "their rates there"),
+    Notation("s_before", "", "", "n_s", "mixed", "stiff deflections at the start of the last step"),
+    Notation("s_before_dot", "", "", "n_s", "mixed", "their rates there"),
+    Notation("loop_third", "", "", "loops", "mixed", "third rates of the loop unknowns in the last step"),
     Notation(
         "crossing", "", "", "n_X (1 + n_S)", "mixed", "accelerations that cross to the rows of q_S of a large tree"
     ),

@@ -27,6 +27,7 @@ from runtime.studies.work_precision.dense_methods import ONE_OF_EACH, dense_meth
 from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
 from runtime.studies.work_precision.problem import Problem, Setting, make_setting
 from runtime.studies.work_precision.search import Search, search_steps
+from runtime.studies.work_precision.stiff_methods import stiff_methods
 
 PILOT_SECONDS = 2.0
 STATES = 12
@@ -87,7 +88,7 @@ class NoAdvice(NoResult):
 
 def candidates(model: Model) -> list[Spec]:
     """Methods worth trying, the likeliest first."""
-    found = [Spec("exponential_rk4")] if model.has("deflections") else []
+    found = stiff_methods(model)
     dense = [
         Spec("exponential", (1,)),
         Spec("exponential", (2,)),

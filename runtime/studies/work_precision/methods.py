@@ -19,6 +19,7 @@ from runtime.schemes.options import SchemeError
 from runtime.studies.work_precision.dense_methods import LARGE, affordable, dense_methods
 from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
 from runtime.studies.work_precision.problem import Problem
+from runtime.studies.work_precision.stiff_methods import stiff_methods
 
 TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9)
 SAMPLES = 101
@@ -61,8 +62,7 @@ def usual_methods(model: Model) -> list[Method]:
     ]
     dense += [Spec("radau", None, {"eps": (1e-6,)}), Spec("generalized_alpha"), Spec("hht")]
     specs = dense_methods(model, dense)
-    if model.has("deflections"):
-        specs = [Spec("exponential_rk4"), *specs]
+    specs = [*stiff_methods(model), *specs]
     if len(model.groups) > 1:
         inner = (1,) * (len(model.groups) - 2)
         specs += [Spec("coupled", (*inner, 4)), Spec("printed", (*inner, 4), {"common_update": "direct"})]

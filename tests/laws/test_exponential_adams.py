@@ -1,0 +1,147 @@
+"""Exponential Adams steps with a point in the middle: order, matrices and limits by hand, modes, price, refusal."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+from runtime.contract.model import Model
+from runtime.engine.choose import arithmetic
+from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.options import SchemeError
+from runtime.schemes.scheme import Scheme
+from runtime.studies.stability.tangent import TangentStep
+from symgen.scene import Scene
+from symgen.scenes import SCENES
+from symgen.scenes.arm import arm
+from symgen.scenes.chain import chain
+from tests.hand_derived.twin_oscillators import Params
+from tests.hand_derived.twin_subcycling import matrices, radius
+from tests.support.model_values import Array
+from tests.support.prepared_runs import PreparedRuns
+
+Load = Callable[[str], Model]
+Build = Callable[[Scene], Model]
+NAME = "exponential_adams"
+
+
+def built(model: Model) -> Scheme:
+    return scheme_kind(NAME).build(NAME, model, 1.0, None, {})
+
+
+def with_stiff(*names: str) -> Scene:
+    data = SCENES["two_oscillators"]().to_dict()
+    data["partition"] = {**data["partition"], "stiff": list(names)}
+    return Scene.from_dict(data)
+
+
+def step_matrix(tangent: TangentStep, params: Params, dt: float) -> Array:
+    """On the fields that act on the next step."""
+    scheme = tangent.scheme
+    model, names = scheme.model, {"c": params.c, "w": params.w, "k_L": params.k_L, "zeta": params.zeta}
+    c = scheme.constants(model.constants(model.parameter_vector(names)), dt)
+    z = np.asarray(scheme.starter(0.0, np.zeros(2), np.zeros(2), np.zeros(0), c)).ravel()
+    return np.asarray(tangent(z, c)[1])
+
+
+@dataclass(frozen=True)
+class Case:
+    """A scene, t_end and the coarsest of three steps [s], a cap on the error of q_i at the finest, about 1.5 times the
+    measured one, bounds of the slope, the start."""
+
+    scene: Callable[[], Scene]
+    t_end: float
+    dt: float
+    cap: float
+    slope: tuple[float, float]
+    start: str | None = None
+
+
+CASES = {
+    "time-dependent load": Case(SCENES["hub_beam"], 0.8, 2e-2, 4e-10, (3.7, 4.3)),
+    "loop": Case(SCENES["flexible_slider_crank_free"], 0.008, 1e-4, 2e-10, (3.5, 4.8), "quasi_static"),
+    "joint spring": Case(SCENES["flexible_joint_arm"], 0.5, 1.25e-3, 2e-12, (3.5, 8.0)),
+    "strong damper": Case(SCENES["overdamped_joint"], 0.2, 1e-2, 1e-9, (3.7, 4.6)),
+    "all links flexible": Case(lambda: chain(2, 2), 0.25, 1e-3, 4e-9, (3.7, 4.5)),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_order_four(model_of: Build, name: str) -> None:
+    """Law: the error of q_i at t_end falls with dt^4, the first step from a start without a past included."""
+    case = CASES[name]
+    model = model_of(case.scene())
+    exact = PreparedRuns(model, "dop853", start=case.start).end(case.t_end, case.dt / 64)
+    runs, steps = PreparedRuns(model, NAME, start=case.start), [case.dt, case.dt / 2, case.dt / 4]
+    errors = [float(np.max(np.abs(runs.end(case.t_end, step) - exact))) for step in steps]
+    slope = float(np.polyfit(np.log(steps), np.log(errors), 1)[0])
+    assert case.slope[0] < slope < case.slope[1], (slope, errors)
+    assert errors[-1] < case.cap, (slope, errors)
+
+
+def explicit_matrix(p: Params, dt: float) -> Array:
+    """A step without stiff deflections on (x, v, a of the last middle, a of the last start), in half steps k = dt / 2.
+
+    Y2  by the parabola through a at 0, -1, -2:      v + k (23, -16, 5) / 12,  x + k v + k^2 (19, -10, 3) / 24
+    end by the cubic through a at 1, 0, -1, -2:      v + k (8, -5, 4, -1) / 3, x + 2 k v + k^2 (62, 24, 6, -2) / 45
+    """
+    M, K, D = matrices(p)
+    x, v, middle, before = np.eye(8).reshape(4, 2, 8)
+    k = dt / 2
+
+    def a(x: Array, v: Array) -> Array:
+        return np.asarray(-np.linalg.solve(M, K @ x + D @ v))
+
+    def combined(weights: tuple[int, ...], values: tuple[Array, ...]) -> Array:
+        return np.asarray(sum(weight * value for weight, value in zip(weights, values, strict=True)))
+
+    now = a(x, v)
+    past = (now, middle, before)
+    there = a(x + k * v + k * k / 24 * combined((19, -10, 3), past), v + k / 12 * combined((23, -16, 5), past))
+    seen = (there, *past)
+    x_end = x + 2 * k * v + k * k / 45 * combined((62, 24, 6, -2), seen)
+    v_end = v + k / 3 * combined((8, -5, 4, -1), seen)
+    return np.concatenate([x_end, v_end, there, now])
+
+
+def test_matrix_and_reach_without_deflections(model_of: Build) -> None:
+    """The step by hand; undamped oscillation is stable up to h w = 2 and not beyond 2.05, decays up to h d = 0.29."""
+    tangent = TangentStep(built(model_of(with_stiff())))
+    for p in (Params(c=0.5, w=3.0, k_L=1.7, zeta=0.0), Params(c=-0.6, w=2.0, k_L=0.9, zeta=0.07)):
+        found = step_matrix(tangent, p, 0.2)
+        np.testing.assert_allclose(found, explicit_matrix(p, 0.2), rtol=0, atol=1e-13)
+    single = [radius(explicit_matrix(Params(c=0.0, w=h, k_L=h * h, zeta=0.0), 1.0)) for h in (0.5, 1.0, 2.0, 2.05)]
+    assert max(single[:3]) < 1.0 + 1e-12 < 1.01 < single[3], single
+    critical = [radius(explicit_matrix(Params(c=0.0, w=h, k_L=1e-9, zeta=1.0), 1.0)) for h in (0.28, 0.32)]
+    assert critical[0] < 1.0 + 1e-12 < 1.01 < critical[1], critical
+
+
+@pytest.mark.parametrize("c", [0.3, 0.6])
+def test_unresolved_modes_do_not_grow(model_of: Build, c: float) -> None:
+    """Law: from H w = 5 to 200 not at all, whatever the phase; from 2 to 5 by less than 1e-3 a step, H w_L = 0.2."""
+    tangent, slow = TangentStep(built(model_of(with_stiff("x_S")))), 0.2
+
+    def growth(reach: float) -> float:
+        return float(np.log(radius(step_matrix(tangent, Params(c=c, w=reach / slow, k_L=1.0, zeta=0.0), slow))))
+
+    assert max(growth(reach) for reach in np.geomspace(5.0, 200.0, 40)) < 1e-12
+    assert max(growth(reach) for reach in np.linspace(2.0, 5.0, 25)) < 1e-3
+
+
+def test_price(model_of: Build) -> None:
+    """288 operations for each further link of an arm; 1,373 for its three modes: two thirds of `exponential_rk4`."""
+    counts = []
+    for links in (4, 8):
+        stages = built(model_of(arm(links))).program().stages()
+        counts.append(sum(arithmetic(stage) for stage in stages))
+    assert counts[1] - counts[0] <= 4 * 290
+    assert counts[1] <= 8 * 290 + 1_400
+
+
+def test_turning_bodies_are_refused(built_in: Load) -> None:
+    """Who has other components in each step is told what to take."""
+    with pytest.raises(SchemeError, match="exponential_adams remembers accelerations.*take exponential_rk4"):
+        built(built_in("heavy_top"))
