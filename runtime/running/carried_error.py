@@ -134,10 +134,12 @@ class CarriedError:
 
     def follow(self, segment: Segment, before: np.ndarray, z: np.ndarray) -> None:
         """The run went by plain steps from one state (whole, flat) to another: so does the neighbour."""
+        steps = segment.step_of(z) - segment.step_of(before)
+        if steps < 0:  # back to where a position was singular
+            self.drop()
         if self.z is None:
             return
         take_given(segment, before, self.z)
-        steps = segment.step_of(z) - segment.step_of(before)
         if segment.broken is None:
             told = dict(segment.given)
             segment.run(self.z, steps)

@@ -9,13 +9,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import casadi as ca
 import numpy as np
 import pytest
 
 from runtime import simulate
 from runtime.contract.coordinates import independent
 from runtime.contract.model import Model
+from runtime.studies.stability.along import states_along
+from runtime.studies.stability.limits import StabilityStudy
+from runtime.studies.stability.spectrum import ExactMotion
 from symgen.scene import Scene, SceneBuilder
 from tests.laws.test_random_spatial import turned_place
 from tests.support.model_values import Array, evaluate, make_state, relative_error
@@ -111,11 +113,8 @@ def wanted(model: Model) -> Array:
 
 def end(runs: PreparedRuns, dt: float) -> Array:
     """Angle of the crank, modes and quaternion of the rod at T_END."""
-    steps, scheme, model = round(T_END / dt), runs.scheme, runs.model
-    found = runs.samples(dt, steps, steps)
-    seen = scheme.observer(z=np.concatenate([value[-1] for value in found.values()]), c=scheme.constants(runs.c, dt))
-    values = dict(zip([*model.q_i, *model.q_d], np.array(ca.vertcat(seen["q_i"], seen["q_d"])).ravel(), strict=True))
-    return np.array([values[name] for name in ("left.angle", "rod.q1", "rod.q2", *(f"rod.e{k}" for k in range(4)))])
+    seen = runs.seen(T_END, dt)
+    return np.array([seen[name] for name in ("left.angle", "rod.q1", "rod.q2", *(f"rod.e{k}" for k in range(4)))])
 
 
 @pytest.mark.parametrize("scheme, m, options, dt, order, most", SCHEMES)
@@ -145,3 +144,20 @@ def test_a_sweep_that_is_too_slow_ends_by_name(model: Model) -> None:
     assert failed.status.name == "iteration_failed" and "direct" in failed.status.advice
     direct = simulate(model, **settings, options={"common_update": "direct"}, engine="interpreted")
     assert direct.status.whole and direct.t[-1] == 0.25
+
+
+def test_predicted_limit_is_real(model: Model) -> None:
+    """A step 2 % below the predicted limit stays in bounds and one 2 % above it blows up. Steps in which the rod turns
+    more than once have no limit to tell."""
+    c, t_end = model.constants(model.parameter_vector()), 0.5
+    states, exact = states_along(model, t_end=t_end, count=6, start="quasi_static"), ExactMotion(model, c)
+    coupled = StabilityStudy(model, "coupled", [4], {}, c, states, t_end, exact)
+    assert coupled.at(0.1)[0] == np.inf
+    limit = StabilityStudy(model, "single_rate", None, {}, c, states, t_end, exact).curve(np.array([7e-3, 1e-2])).limit
+    assert limit is not None
+
+    def whole(dt: float) -> bool:
+        settings: dict[str, Any] = {"scheme": "single_rate", "start": "quasi_static", "force": True}
+        return simulate(model, dt=dt, t_end=t_end, engine="interpreted", **settings).status.whole
+
+    assert whole(0.98 * limit) and not whole(1.02 * limit)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
 
 import numpy as np
 import pytest
@@ -11,6 +13,8 @@ import pytest
 from runtime import Model, Sampled, Solution, reference_solution, resume, simulate
 from runtime.contract.coordinates import followed
 from runtime.results.amplitudes import floored
+from runtime.running.carried_error import CarriedError
+from runtime.running.segment import Segment
 from symgen.scene import Scene, SceneBuilder
 
 Load = Callable[[str], Model]
@@ -105,6 +109,14 @@ def test_what_turns_and_does_not_grow_is_not_called_unstable(built_in: Load, nam
     _, true, estimated = errors(run, {})
     assert run.status.ok and "error_growth" not in run.stats and "reliable_until" not in run.stats
     assert (estimated < 3 * true).all() and (true < 3 * estimated).all(), estimated / true
+
+
+def test_a_neighbour_is_left_where_the_run_goes_back() -> None:
+    """The search for a singular position may take a run back behind a mark: minus eleven steps cannot be followed."""
+    carried, segment = CarriedError(100), cast(Segment, SimpleNamespace(step_of=lambda z: int(z[0])))
+    carried.z = np.array([99.0])
+    carried.follow(segment, np.array([99.0]), np.array([88.0]))
+    assert carried.z is None
 
 
 def test_what_is_carried_goes_on_after_a_checkpoint(built_in: Load, tmp_path: Path) -> None:

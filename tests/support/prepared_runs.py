@@ -49,3 +49,12 @@ class PreparedRuns:
         """q_i at t_end."""
         steps = round(t_end / dt)
         return np.asarray(self.samples(t_end / steps, steps, steps)["x"][-1])
+
+    def seen(self, t_end: float, dt: float) -> dict[str, float]:
+        """All coordinates at t_end by name, Euler parameters as the scheme shows them."""
+        steps = round(t_end / dt)
+        found = self.samples(t_end / steps, steps, steps)
+        z, c = np.concatenate([value[-1] for value in found.values()]), self.scheme.constants(self.c, t_end / steps)
+        seen = self.scheme.observer(z=z, c=c)
+        values = np.concatenate([np.array(seen[part]).ravel() for part in ("q_i", "q_d")])
+        return dict(zip([*self.model.q_i, *self.model.q_d], values, strict=True))

@@ -62,8 +62,11 @@ class TangentStep:
             tangent[chart], tangent[turns] = parameter_rates(z[chart], change.T).T, 0.0
 
     def _arrive(self, z: np.ndarray, tangent: np.ndarray) -> None:
-        """Changes of turns and charts together as those of turns, in place."""
+        """Changes of turns and charts together as those of turns, in place; infinite behind a whole turn."""
         for turns, chart in self._orientations():
+            if not np.linalg.norm(z[turns]) < 2 * np.pi:
+                tangent[turns] = np.inf
+                continue
             own = np.linalg.solve(chart_rates(z[turns]), tangent[turns])
             tangent[turns] = own + rotation(z[turns]).T @ angular_velocity(z[chart], tangent[chart].T).T
 
@@ -111,6 +114,8 @@ def _tangent_of_stage(stage: ca.Function) -> Advance:
     def advance(
         z: np.ndarray, tangent: np.ndarray, c: np.ndarray, keep: object = kept
     ) -> tuple[np.ndarray, np.ndarray]:
+        if not tangent.shape[1]:
+            return np.asarray(stage(z, c)).ravel(), tangent
         given[0][:], given[1][:] = z, c
         evaluate()
         matrix.data[:] = found[1]
