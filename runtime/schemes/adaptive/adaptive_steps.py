@@ -200,6 +200,8 @@ class AdaptiveSteps(StepControl):
     def _plain(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """A step of one length among others, at once and without an estimate: what it begins with is not kept."""
         found = dict(self._move(z, equations))
+        if self.charts.size:  # all that follows counts from the new charts
+            equations = self.equations(ca.vertcat(equations.c, equations.h), {**z, **found})
         if not self.first_same_as_last:
             found |= self._begin({**z, **found}, equations)
         at = {**z, **found}
