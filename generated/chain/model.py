@@ -20,8 +20,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 12) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
-    160 operations.
+    gives c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
+    227 operations.
     """
     p = ca.SX.sym("p", 12)
     link_length = p[0]
@@ -36,7 +36,7 @@ def constants() -> ca.Function:
     link8_mass = p[9]
     link9_mass = p[10]
     link10_mass = p[11]
-    # intermediate terms (21)
+    # intermediate terms (53)
     w0 = link_length**2 * 0.078 / 12.0
     w1 = link_length / 2.0
     w2 = w1**2
@@ -48,16 +48,48 @@ def constants() -> ca.Function:
     w8 = link5_mass + w7
     w9 = link4_mass + w8
     w10 = link3_mass + w9
-    w11 = link2_mass + w10
-    w12 = w0 + w2 * link2_mass
-    w13 = w0 + w2 * link3_mass
-    w14 = w0 + w2 * link4_mass
-    w15 = w0 + w2 * link5_mass
-    w16 = w0 + w2 * link6_mass
-    w17 = w0 + w2 * link7_mass
-    w18 = w0 + w2 * link8_mass
-    w19 = w0 + w2 * link9_mass
-    w20 = link1_mass * w1
+    w11 = w1 * link2_mass
+    w12 = link_length * w10
+    w13 = w1 * link3_mass
+    w14 = link_length * w9
+    w15 = w1 * link4_mass
+    w16 = link_length * w8
+    w17 = w1 * link5_mass
+    w18 = link_length * w7
+    w19 = w1 * link6_mass
+    w20 = link_length * w6
+    w21 = w1 * link7_mass
+    w22 = link_length * w5
+    w23 = w1 * link8_mass
+    w24 = link_length * w4
+    w25 = w1 * link9_mass
+    w26 = link_length * link10_mass
+    w27 = w0 + w2 * link2_mass
+    w28 = w0 + w2 * link3_mass
+    w29 = w0 + w2 * link4_mass
+    w30 = w0 + w2 * link5_mass
+    w31 = w0 + w2 * link6_mass
+    w32 = w0 + w2 * link7_mass
+    w33 = w0 + w2 * link8_mass
+    w34 = w0 + w2 * link9_mass
+    w35 = link1_mass * w1
+    w36 = w35 * gravity_y
+    w37 = link2_mass * gravity_y
+    w38 = link3_mass * gravity_y
+    w39 = link4_mass * gravity_y
+    w40 = link5_mass * gravity_y
+    w41 = link6_mass * gravity_y
+    w42 = link7_mass * gravity_y
+    w43 = link8_mass * gravity_y
+    w44 = link9_mass * gravity_y
+    w45 = link10_mass * gravity_y
+    w46 = w44 + w45
+    w47 = w43 + w46
+    w48 = w42 + w47
+    w49 = w41 + w48
+    w50 = w40 + w49
+    w51 = w39 + w50
+    w52 = w38 + w51
     # outputs
     c = ca.vertcat(
         link_length,  # link_length
@@ -77,51 +109,67 @@ def constants() -> ca.Function:
         w8,  # c14
         w9,  # c15
         w10,  # c16
-        w3 + link_length * (link_length * w11),  # c17
-        w1 * link2_mass,  # c18
-        w1 * link3_mass,  # c19
-        w1 * link4_mass,  # c20
-        w1 * link5_mass,  # c21
-        w1 * link6_mass,  # c22
-        w1 * link7_mass,  # c23
-        w1 * link8_mass,  # c24
-        w1 * link9_mass,  # c25
+        w3 + link_length * (link_length * (link2_mass + w10)),  # c17
+        w11,  # c18
+        w13,  # c19
+        w15,  # c20
+        w17,  # c21
+        w19,  # c22
+        w21,  # c23
+        w23,  # c24
+        w25,  # c25
         w1 * link10_mass,  # c26
-        w12 + link_length * (link_length * w10),  # c27
-        w13 + link_length * (link_length * w9),  # c28
-        w14 + link_length * (link_length * w8),  # c29
-        w15 + link_length * (link_length * w7),  # c30
-        w16 + link_length * (link_length * w6),  # c31
-        w17 + link_length * (link_length * w5),  # c32
-        w18 + link_length * (link_length * w4),  # c33
-        w19 + link_length * (link_length * link10_mass),  # c34
+        w27 + link_length * w12,  # c27
+        w28 + link_length * w14,  # c28
+        w29 + link_length * w16,  # c29
+        w30 + link_length * w18,  # c30
+        w31 + link_length * w20,  # c31
+        w32 + link_length * w22,  # c32
+        w33 + link_length * w24,  # c33
+        w34 + link_length * w26,  # c34
         w0 + w2 * link10_mass,  # c35
         gravity_y,  # gravity_y
-        w20 * gravity_y,  # c37
-        link2_mass * gravity_y,  # c38
-        link3_mass * gravity_y,  # c39
-        link4_mass * gravity_y,  # c40
-        link5_mass * gravity_y,  # c41
-        link6_mass * gravity_y,  # c42
-        link7_mass * gravity_y,  # c43
-        link8_mass * gravity_y,  # c44
-        link9_mass * gravity_y,  # c45
-        link10_mass * gravity_y,  # c46
+        w36,  # c37
+        w37,  # c38
+        w38,  # c39
+        w39,  # c40
+        w40,  # c41
+        w41,  # c42
+        w42,  # c43
+        w43,  # c44
+        w44,  # c45
+        w45,  # c46
         -link_length,  # c47
         link1_mass,  # link1_mass
         w3,  # c49
-        w12,  # c50
-        w13,  # c51
-        w14,  # c52
-        w15,  # c53
-        w16,  # c54
-        w17,  # c55
-        w18,  # c56
-        w19,  # c57
-        w20,  # c58
+        w27,  # c50
+        w28,  # c51
+        w29,  # c52
+        w30,  # c53
+        w31,  # c54
+        w32,  # c55
+        w33,  # c56
+        w34,  # c57
+        w35,  # c58
         link1_mass * gravity_y,  # c59
         -gravity_y,  # c60
-        w11,  # c61
+        w11 + w12,  # c61
+        w13 + w14,  # c62
+        w15 + w16,  # c63
+        w17 + w18,  # c64
+        w19 + w20,  # c65
+        w21 + w22,  # c66
+        w23 + w24,  # c67
+        w25 + w26,  # c68
+        -(w36 + link_length * (w37 + w52)),  # c69
+        -(w11 * gravity_y + link_length * w52),  # c70
+        -(w13 * gravity_y + link_length * w51),  # c71
+        -(w15 * gravity_y + link_length * w50),  # c72
+        -(w17 * gravity_y + link_length * w49),  # c73
+        -(w19 * gravity_y + link_length * w48),  # c74
+        -(w21 * gravity_y + link_length * w47),  # c75
+        -(w23 * gravity_y + link_length * w46),  # c76
+        -(w25 * gravity_y + link_length * w45),  # c77
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -132,14 +180,14 @@ def condensed() -> ca.Function:
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 10 x 10) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 10) [N, N m]: condensed force S^T (Q* - M s)
     605 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 78)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -398,12 +446,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 20) [mixed]: dependent coordinates after one Newton step
     83 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 78)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -463,13 +511,13 @@ def velocities() -> ca.Function:
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 20) [mixed]: rates of the dependent coordinates
     119 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 78)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -540,14 +588,14 @@ def accelerations() -> ca.Function:
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 10) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 20) [mixed]: accelerations of the dependent coordinates
     173 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
     q_i_ddot = ca.SX.sym("q_i_ddot", 10)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 78)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -652,7 +700,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 30) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 30) [mixed]: rates of all coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 20) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 20 x 30) [SI]: constraint Jacobian
     gives C_t (n_c = 20) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -662,7 +710,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 78)
     link1_x = q[0]
     link1_y = q[1]
     link1_theta = q[2]
@@ -863,7 +911,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 30) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 30) [mixed]: rates of all coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 30 x 30) [SI]: mass matrix in all coordinates
     gives K (n x n = 30 x 30) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 30) [N, N m]: quadratic velocity force in all coordinates
@@ -875,7 +923,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 78)
     link1_theta = q[2]
     link2_theta = q[5]
     link3_theta = q[8]
@@ -1353,7 +1401,7 @@ def reactions() -> ca.Function:
     takes q (n = 30) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 30) [mixed]: rates of all coordinates
     takes q_ddot (n = 30) [mixed]: accelerations of all coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 20) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 10) [N, N m]: world force and moment of a joint on its body b, at b
     329 operations.
@@ -1361,7 +1409,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
     q_ddot = ca.SX.sym("q_ddot", 30)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 78)
     link1_theta = q[2]
     link2_theta = q[5]
     link3_theta = q[8]
@@ -1537,7 +1585,7 @@ def energy() -> ca.Function:
 
     takes q (n = 30) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 30) [mixed]: rates of all coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -1547,7 +1595,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 78)
     link1_y = q[1]
     link1_theta = q[2]
     link2_y = q[4]
@@ -1817,13 +1865,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 10 x 10) [SI]: total derivative of Q_hat by q_i, through q_d
-    792 operations.
+    531 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 78)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -1845,280 +1893,261 @@ def dQ_hat_dq_i() -> ca.Function:
     link9_theta_dot = q_i_dot[8]
     link10_theta_dot = q_i_dot[9]
     link_length = c[0]
-    link2_mass = c[1]
-    link3_mass = c[2]
-    link4_mass = c[3]
-    link5_mass = c[4]
-    link6_mass = c[5]
-    link7_mass = c[6]
-    link8_mass = c[7]
-    link9_mass = c[8]
-    link10_mass = c[9]
-    c10 = c[10]
-    c11 = c[11]
-    c12 = c[12]
-    c13 = c[13]
-    c14 = c[14]
-    c15 = c[15]
-    c16 = c[16]
-    c18 = c[18]
-    c19 = c[19]
-    c20 = c[20]
-    c21 = c[21]
-    c22 = c[22]
-    c23 = c[23]
-    c24 = c[24]
-    c25 = c[25]
     c26 = c[26]
-    gravity_y = c[36]
-    c37 = c[37]
-    c38 = c[38]
-    c39 = c[39]
-    c40 = c[40]
-    c41 = c[41]
-    c42 = c[42]
-    c43 = c[43]
-    c44 = c[44]
-    c45 = c[45]
-    c46 = c[46]
     c60 = c[60]
     c61 = c[61]
-    # intermediate terms (179)
-    w0 = ca.cos(link1_theta) * link_length
-    w1 = link1_theta_dot**2
-    w2 = w0 * w1
-    w3 = ca.sin(link1_theta)
-    w4 = link2_theta_dot**2
-    w5 = ca.cos(link2_theta)
-    w6 = w5 * c18
-    w7 = w4 * w6
-    w8 = link3_theta_dot**2
-    w9 = ca.cos(link3_theta)
-    w10 = w9 * c19
-    w11 = w8 * w10
-    w12 = w5 * link_length
-    w13 = w4 * w12
-    w14 = w2 + w13
-    w15 = link4_theta_dot**2
-    w16 = ca.cos(link4_theta)
-    w17 = w16 * c20
-    w18 = w15 * w17
-    w19 = w9 * link_length
-    w20 = w8 * w19
-    w21 = w14 + w20
-    w22 = link5_theta_dot**2
-    w23 = ca.cos(link5_theta)
-    w24 = w23 * c21
-    w25 = w22 * w24
-    w26 = w16 * link_length
-    w27 = w15 * w26
-    w28 = w21 + w27
-    w29 = link6_theta_dot**2
-    w30 = ca.cos(link6_theta)
-    w31 = w30 * c22
-    w32 = w29 * w31
-    w33 = w23 * link_length
-    w34 = w22 * w33
-    w35 = w28 + w34
-    w36 = link7_theta_dot**2
-    w37 = ca.cos(link7_theta)
-    w38 = w37 * c23
-    w39 = w36 * w38
-    w40 = w30 * link_length
-    w41 = w29 * w40
-    w42 = w35 + w41
-    w43 = link8_theta_dot**2
-    w44 = ca.cos(link8_theta)
-    w45 = w44 * c24
-    w46 = w43 * w45
-    w47 = w37 * link_length
-    w48 = w36 * w47
-    w49 = w42 + w48
-    w50 = link9_theta_dot**2
-    w51 = ca.cos(link9_theta)
-    w52 = w51 * c25
-    w53 = w50 * w52
-    w54 = w44 * link_length
-    w55 = w43 * w54
-    w56 = w49 + w55
-    w57 = link10_theta_dot**2
-    w58 = ca.cos(link10_theta) * c26
-    w59 = w57 * w58
-    w60 = w51 * link_length
-    w61 = w50 * w60
-    w62 = w56 + w61
-    w63 = w59 + w62 * link10_mass
-    w64 = w53 + w56 * link9_mass + w63
-    w65 = w46 + w49 * link8_mass + w64
-    w66 = w39 + w42 * link7_mass + w65
-    w67 = w32 + w35 * link6_mass + w66
-    w68 = w25 + w28 * link5_mass + w67
-    w69 = w18 + w21 * link4_mass + w68
-    w70 = w11 + w14 * link3_mass + w69
-    w71 = ca.sin(link2_theta)
-    w72 = w71 * c18
-    w73 = w4 * w72
-    w74 = w3 * link_length
-    w75 = w1 * w74
-    w76 = ca.sin(link3_theta)
-    w77 = w76 * c19
-    w78 = w8 * w77
-    w79 = w71 * link_length
-    w80 = w4 * w79
-    w81 = w75 + w80
-    w82 = ca.sin(link4_theta)
-    w83 = w82 * c20
-    w84 = w15 * w83
-    w85 = w76 * link_length
-    w86 = w8 * w85
-    w87 = w81 + w86
-    w88 = ca.sin(link5_theta)
-    w89 = w88 * c21
-    w90 = w22 * w89
-    w91 = w82 * link_length
-    w92 = w15 * w91
-    w93 = w87 + w92
-    w94 = ca.sin(link6_theta)
-    w95 = w94 * c22
-    w96 = w29 * w95
-    w97 = w88 * link_length
-    w98 = w22 * w97
-    w99 = w93 + w98
-    w100 = ca.sin(link7_theta)
-    w101 = w100 * c23
-    w102 = w36 * w101
-    w103 = w94 * link_length
-    w104 = w29 * w103
-    w105 = w99 + w104
-    w106 = ca.sin(link8_theta)
-    w107 = w106 * c24
-    w108 = w43 * w107
-    w109 = w100 * link_length
-    w110 = w36 * w109
-    w111 = w105 + w110
-    w112 = ca.sin(link9_theta)
-    w113 = w112 * c25
-    w114 = w50 * w113
-    w115 = w106 * link_length
-    w116 = w43 * w115
-    w117 = w111 + w116
-    w118 = ca.sin(link10_theta) * c26
-    w119 = w57 * w118
-    w120 = w112 * link_length
-    w121 = w50 * w120
-    w122 = w117 + w121
-    w123 = c46 + w119 + w122 * link10_mass
-    w124 = c45 + w114 + w117 * link9_mass + w123
-    w125 = c44 + w108 + w111 * link8_mass + w124
-    w126 = c43 + w102 + w105 * link7_mass + w125
-    w127 = c42 + w96 + w99 * link6_mass + w126
-    w128 = c41 + w90 + w93 * link5_mass + w127
-    w129 = c40 + w84 + w87 * link4_mass + w128
-    w130 = c39 + w78 + w81 * link3_mass + w129
-    w131 = w0 * (w2 * c61) - (w3 * c37 + w0 * (w7 + w2 * link2_mass + w70) + w74 * (c38 + w73 + w75 * link2_mass + w130))
-    w132 = w10 + w19 * c15
-    w133 = w77 + w85 * c15
-    w134 = w17 + w26 * c14
-    w135 = w83 + w91 * c14
-    w136 = w24 + w33 * c13
-    w137 = w89 + w97 * c13
-    w138 = w31 + w40 * c12
-    w139 = w95 + w103 * c12
-    w140 = w38 + w47 * c11
-    w141 = w101 + w109 * c11
-    w142 = w45 + w54 * c10
-    w143 = w107 + w115 * c10
-    w144 = w52 + w60 * link10_mass
-    w145 = w113 + w120 * link10_mass
-    w146 = w13 * c16
-    w147 = w80 * c16
-    w148 = w20 * c15
-    w149 = w11 + w148
-    w150 = w86 * c15
-    w151 = w78 + w150
-    w152 = w27 * c14
-    w153 = w18 + w152
-    w154 = w92 * c14
-    w155 = w84 + w154
-    w156 = w34 * c13
-    w157 = w25 + w156
-    w158 = w98 * c13
-    w159 = w90 + w158
-    w160 = w41 * c12
-    w161 = w32 + w160
-    w162 = w104 * c12
-    w163 = w96 + w162
-    w164 = w48 * c11
-    w165 = w39 + w164
-    w166 = w110 * c11
-    w167 = w102 + w166
-    w168 = w47 * w164 - (w101 * w105 + w38 * w42 + w101 * gravity_y + w47 * w65 + w109 * w125) + w109 * w166
-    w169 = w55 * c10
-    w170 = w46 + w169
-    w171 = w116 * c10
-    w172 = w108 + w171
-    w173 = w54 * w169 - (w107 * w111 + w45 * w49 + w107 * gravity_y + w54 * w64 + w115 * w124) + w115 * w171
-    w174 = w61 * link10_mass
-    w175 = w53 + w174
-    w176 = w121 * link10_mass
-    w177 = w114 + w176
-    w178 = w60 * w174 - (w113 * w117 + w52 * w56 + w113 * gravity_y + w60 * w63 + w120 * w123) + w120 * w176
+    c62 = c[62]
+    c63 = c[63]
+    c64 = c[64]
+    c65 = c[65]
+    c66 = c[66]
+    c67 = c[67]
+    c68 = c[68]
+    c69 = c[69]
+    c70 = c[70]
+    c71 = c[71]
+    c72 = c[72]
+    c73 = c[73]
+    c74 = c[74]
+    c75 = c[75]
+    c76 = c[76]
+    c77 = c[77]
+    # intermediate terms (194)
+    w0 = ca.sin(link1_theta)
+    w1 = w0 * link_length
+    w2 = ca.sin(link2_theta)
+    w3 = w2 * link_length
+    w4 = ca.cos(link2_theta)
+    w5 = w4 * link_length
+    w6 = ca.cos(link1_theta) * link_length
+    w7 = w1 * (w2 * c61) + w4 * c61 * w6
+    w8 = link2_theta_dot**2
+    w9 = w7 * w8
+    w10 = ca.sin(link3_theta)
+    w11 = w10 * link_length
+    w12 = w10 * c62
+    w13 = ca.cos(link3_theta)
+    w14 = w13 * link_length
+    w15 = w13 * c62
+    w16 = w1 * w12 + w6 * w15
+    w17 = link3_theta_dot**2
+    w18 = w16 * w17
+    w19 = ca.sin(link4_theta)
+    w20 = w19 * link_length
+    w21 = w19 * c63
+    w22 = ca.cos(link4_theta)
+    w23 = w22 * link_length
+    w24 = w22 * c63
+    w25 = w1 * w21 + w6 * w24
+    w26 = link4_theta_dot**2
+    w27 = w25 * w26
+    w28 = ca.sin(link5_theta)
+    w29 = w28 * link_length
+    w30 = w28 * c64
+    w31 = ca.cos(link5_theta)
+    w32 = w31 * link_length
+    w33 = w31 * c64
+    w34 = w1 * w30 + w6 * w33
+    w35 = link5_theta_dot**2
+    w36 = w34 * w35
+    w37 = ca.sin(link6_theta)
+    w38 = w37 * link_length
+    w39 = w37 * c65
+    w40 = ca.cos(link6_theta)
+    w41 = w40 * link_length
+    w42 = w40 * c65
+    w43 = w1 * w39 + w6 * w42
+    w44 = link6_theta_dot**2
+    w45 = w43 * w44
+    w46 = ca.sin(link7_theta)
+    w47 = w46 * link_length
+    w48 = w46 * c66
+    w49 = ca.cos(link7_theta)
+    w50 = w49 * link_length
+    w51 = w49 * c66
+    w52 = w1 * w48 + w6 * w51
+    w53 = link7_theta_dot**2
+    w54 = w52 * w53
+    w55 = ca.sin(link8_theta)
+    w56 = w55 * link_length
+    w57 = w55 * c67
+    w58 = ca.cos(link8_theta)
+    w59 = w58 * link_length
+    w60 = w58 * c67
+    w61 = w1 * w57 + w6 * w60
+    w62 = link8_theta_dot**2
+    w63 = w61 * w62
+    w64 = ca.sin(link9_theta)
+    w65 = w64 * c68
+    w66 = ca.cos(link9_theta)
+    w67 = w66 * c68
+    w68 = w1 * w65 + w6 * w67
+    w69 = link9_theta_dot**2
+    w70 = w68 * w69
+    w71 = ca.sin(link10_theta) * c26
+    w72 = ca.cos(link10_theta) * c26
+    w73 = w1 * w71 + w6 * w72
+    w74 = link10_theta_dot**2
+    w75 = w73 * w74
+    w76 = link1_theta_dot**2
+    w77 = w7 * w76
+    w78 = w16 * w76
+    w79 = w25 * w76
+    w80 = w34 * w76
+    w81 = w43 * w76
+    w82 = w52 * w76
+    w83 = w61 * w76
+    w84 = w68 * w76
+    w85 = w73 * w76
+    w86 = w3 * w12 + w5 * w15
+    w87 = w17 * w86
+    w88 = w3 * w21 + w5 * w24
+    w89 = w26 * w88
+    w90 = w3 * w30 + w5 * w33
+    w91 = w35 * w90
+    w92 = w3 * w39 + w5 * w42
+    w93 = w44 * w92
+    w94 = w3 * w48 + w5 * w51
+    w95 = w53 * w94
+    w96 = w3 * w57 + w5 * w60
+    w97 = w62 * w96
+    w98 = w3 * w65 + w5 * w67
+    w99 = w69 * w98
+    w100 = w3 * w71 + w5 * w72
+    w101 = w74 * w100
+    w102 = w8 * w86
+    w103 = w8 * w88
+    w104 = w8 * w90
+    w105 = w8 * w92
+    w106 = w8 * w94
+    w107 = w8 * w96
+    w108 = w8 * w98
+    w109 = w8 * w100
+    w110 = w11 * w21 + w14 * w24
+    w111 = w26 * w110
+    w112 = w11 * w30 + w14 * w33
+    w113 = w35 * w112
+    w114 = w11 * w39 + w14 * w42
+    w115 = w44 * w114
+    w116 = w11 * w48 + w14 * w51
+    w117 = w53 * w116
+    w118 = w11 * w57 + w14 * w60
+    w119 = w62 * w118
+    w120 = w11 * w65 + w14 * w67
+    w121 = w69 * w120
+    w122 = w11 * w71 + w14 * w72
+    w123 = w74 * w122
+    w124 = w17 * w110
+    w125 = w17 * w112
+    w126 = w17 * w114
+    w127 = w17 * w116
+    w128 = w17 * w118
+    w129 = w17 * w120
+    w130 = w17 * w122
+    w131 = w20 * w30 + w23 * w33
+    w132 = w35 * w131
+    w133 = w20 * w39 + w23 * w42
+    w134 = w44 * w133
+    w135 = w20 * w48 + w23 * w51
+    w136 = w53 * w135
+    w137 = w20 * w57 + w23 * w60
+    w138 = w62 * w137
+    w139 = w20 * w65 + w23 * w67
+    w140 = w69 * w139
+    w141 = w20 * w71 + w23 * w72
+    w142 = w74 * w141
+    w143 = w26 * w131
+    w144 = w26 * w133
+    w145 = w26 * w135
+    w146 = w26 * w137
+    w147 = w26 * w139
+    w148 = w26 * w141
+    w149 = w29 * w39 + w32 * w42
+    w150 = w44 * w149
+    w151 = w29 * w48 + w32 * w51
+    w152 = w53 * w151
+    w153 = w29 * w57 + w32 * w60
+    w154 = w62 * w153
+    w155 = w29 * w65 + w32 * w67
+    w156 = w69 * w155
+    w157 = w29 * w71 + w32 * w72
+    w158 = w74 * w157
+    w159 = w35 * w149
+    w160 = w35 * w151
+    w161 = w35 * w153
+    w162 = w35 * w155
+    w163 = w35 * w157
+    w164 = w38 * w48 + w41 * w51
+    w165 = w53 * w164
+    w166 = w38 * w57 + w41 * w60
+    w167 = w62 * w166
+    w168 = w38 * w65 + w41 * w67
+    w169 = w69 * w168
+    w170 = w38 * w71 + w41 * w72
+    w171 = w74 * w170
+    w172 = w44 * w164
+    w173 = w44 * w166
+    w174 = w44 * w168
+    w175 = w44 * w170
+    w176 = w47 * w57 + w50 * w60
+    w177 = w62 * w176
+    w178 = w47 * w65 + w50 * w67
+    w179 = w69 * w178
+    w180 = w47 * w71 + w50 * w72
+    w181 = w74 * w180
+    w182 = w53 * w176
+    w183 = w53 * w178
+    w184 = w53 * w180
+    w185 = w56 * w65 + w59 * w67
+    w186 = w69 * w185
+    w187 = w56 * w71 + w59 * w72
+    w188 = w74 * w187
+    w189 = w62 * w185
+    w190 = w62 * w187
+    w191 = w64 * link_length * w71 + w66 * link_length * w72
+    w192 = w74 * w191
+    w193 = w69 * w191
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w131 + w74 * (w75 * c61), w0 * (w7 + w146) + w74 * (w73 + w147), w0 * w149 + w74 * w151,
-            w0 * w153 + w74 * w155, w0 * w157 + w74 * w159, w0 * w161 + w74 * w163, w0 * w165 + w74 * w167,
-            w0 * w170 + w74 * w172, w0 * w175 + w74 * w177, w0 * w59 + w74 * w119,
+            w0 * c69 - (w9 + w18 + w27 + w36 + w45 + w54 + w63 + w70 + w75), w9, w18, w27, w36, w45, w54, w63, w70,
+            w75,
         ),
         ca.horzcat(  # link2.theta
-            w2 * (w6 + w12 * c16) + w75 * (w72 + w79 * c16),
-            w12 * w146 - (w72 * w75 + w2 * w6 + w72 * gravity_y + w12 * w70 + w79 * w130) + w79 * w147,
-            w12 * w149 + w79 * w151, w12 * w153 + w79 * w155, w12 * w157 + w79 * w159, w12 * w161 + w79 * w163,
-            w12 * w165 + w79 * w167, w12 * w170 + w79 * w172, w12 * w175 + w79 * w177, w12 * w59 + w79 * w119,
+            w77, w2 * c70 - (w77 + w87 + w89 + w91 + w93 + w95 + w97 + w99 + w101), w87, w89, w91, w93, w95, w97,
+            w99, w101,
         ),
         ca.horzcat(  # link3.theta
-            w2 * w132 + w75 * w133, w13 * w132 + w80 * w133,
-            w19 * w148 - (w77 * w81 + w10 * w14 + w77 * gravity_y + w19 * w69 + w85 * w129) + w85 * w150,
-            w19 * w153 + w85 * w155, w19 * w157 + w85 * w159, w19 * w161 + w85 * w163, w19 * w165 + w85 * w167,
-            w19 * w170 + w85 * w172, w19 * w175 + w85 * w177, w19 * w59 + w85 * w119,
+            w78, w102, w10 * c71 - (w78 + w102 + w111 + w113 + w115 + w117 + w119 + w121 + w123), w111, w113, w115,
+            w117, w119, w121, w123,
         ),
         ca.horzcat(  # link4.theta
-            w2 * w134 + w75 * w135, w13 * w134 + w80 * w135, w20 * w134 + w86 * w135,
-            w26 * w152 - (w83 * w87 + w17 * w21 + w83 * gravity_y + w26 * w68 + w91 * w128) + w91 * w154,
-            w26 * w157 + w91 * w159, w26 * w161 + w91 * w163, w26 * w165 + w91 * w167, w26 * w170 + w91 * w172,
-            w26 * w175 + w91 * w177, w26 * w59 + w91 * w119,
+            w79, w103, w124, w19 * c72 - (w124 + (w79 + w103) + w132 + w134 + w136 + w138 + w140 + w142), w132,
+            w134, w136, w138, w140, w142,
         ),
         ca.horzcat(  # link5.theta
-            w2 * w136 + w75 * w137, w13 * w136 + w80 * w137, w20 * w136 + w86 * w137, w27 * w136 + w92 * w137,
-            w33 * w156 - (w89 * w93 + w24 * w28 + w89 * gravity_y + w33 * w67 + w97 * w127) + w97 * w158,
-            w33 * w161 + w97 * w163, w33 * w165 + w97 * w167, w33 * w170 + w97 * w172, w33 * w175 + w97 * w177,
-            w33 * w59 + w97 * w119,
+            w80, w104, w125, w143, w28 * c73 - (w143 + (w125 + (w80 + w104)) + w150 + w152 + w154 + w156 + w158),
+            w150, w152, w154, w156, w158,
         ),
         ca.horzcat(  # link6.theta
-            w2 * w138 + w75 * w139, w13 * w138 + w80 * w139, w20 * w138 + w86 * w139, w27 * w138 + w92 * w139,
-            w34 * w138 + w98 * w139,
-            w40 * w160 - (w95 * w99 + w31 * w35 + w95 * gravity_y + w40 * w66 + w103 * w126) + w103 * w162,
-            w40 * w165 + w103 * w167, w40 * w170 + w103 * w172, w40 * w175 + w103 * w177, w40 * w59 + w103 * w119,
+            w81, w105, w126, w144, w159,
+            w37 * c74 - (w159 + (w144 + (w126 + (w81 + w105))) + w165 + w167 + w169 + w171), w165, w167, w169, w171,
         ),
         ca.horzcat(  # link7.theta
-            w2 * w140 + w75 * w141, w13 * w140 + w80 * w141, w20 * w140 + w86 * w141, w27 * w140 + w92 * w141,
-            w34 * w140 + w98 * w141, w41 * w140 + w104 * w141, w168, w47 * w170 + w109 * w172,
-            w47 * w175 + w109 * w177, w47 * w59 + w109 * w119,
+            w82, w106, w127, w145, w160, w172,
+            w46 * c75 - (w172 + (w160 + (w145 + (w127 + (w82 + w106)))) + w177 + w179 + w181), w177, w179, w181,
         ),
         ca.horzcat(  # link8.theta
-            w2 * w142 + w75 * w143, w13 * w142 + w80 * w143, w20 * w142 + w86 * w143, w27 * w142 + w92 * w143,
-            w34 * w142 + w98 * w143, w41 * w142 + w104 * w143, w48 * w142 + w110 * w143, w173,
-            w54 * w175 + w115 * w177, w54 * w59 + w115 * w119,
+            w83, w107, w128, w146, w161, w173, w182,
+            w55 * c76 - (w182 + (w173 + (w161 + (w146 + (w128 + (w83 + w107))))) + w186 + w188), w186, w188,
         ),
         ca.horzcat(  # link9.theta
-            w2 * w144 + w75 * w145, w13 * w144 + w80 * w145, w20 * w144 + w86 * w145, w27 * w144 + w92 * w145,
-            w34 * w144 + w98 * w145, w41 * w144 + w104 * w145, w48 * w144 + w110 * w145, w55 * w144 + w116 * w145,
-            w178, w59 * w60 + w119 * w120,
+            w84, w108, w129, w147, w162, w174, w183, w189,
+            w64 * c77 - (w189 + (w183 + (w174 + (w162 + (w147 + (w129 + (w84 + w108)))))) + w192), w192,
         ),
         ca.horzcat(  # link10.theta
-            w2 * w58 + w75 * w118, w13 * w58 + w80 * w118, w20 * w58 + w86 * w118, w27 * w58 + w92 * w118,
-            w34 * w58 + w98 * w118, w41 * w58 + w104 * w118, w48 * w58 + w110 * w118, w55 * w58 + w116 * w118,
-            w58 * w61 + w118 * w121, w118 * c60 - (w118 * w122 + w58 * w62),
+            w85, w109, w130, w148, w163, w175, w184, w190, w193,
+            w71 * c60 - (w193 + (w190 + (w184 + (w175 + (w163 + (w148 + (w130 + (w85 + w109)))))))),
         ),
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
@@ -2130,13 +2159,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 10 x 10) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    605 operations.
+    431 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 78)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -2158,202 +2187,165 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     link9_theta_dot = q_i_dot[8]
     link10_theta_dot = q_i_dot[9]
     link_length = c[0]
-    link10_mass = c[9]
-    c10 = c[10]
-    c11 = c[11]
-    c12 = c[12]
-    c13 = c[13]
-    c14 = c[14]
-    c15 = c[15]
-    c16 = c[16]
-    c18 = c[18]
-    c19 = c[19]
-    c20 = c[20]
-    c21 = c[21]
-    c22 = c[22]
-    c23 = c[23]
-    c24 = c[24]
-    c25 = c[25]
     c26 = c[26]
     c61 = c[61]
-    # intermediate terms (126)
-    w0 = ca.cos(link1_theta) * link_length
-    w1 = ca.sin(link1_theta) * link_length
-    w2 = 2 * link1_theta_dot
-    w3 = w1 * w2
-    w4 = w0 * w2
-    w5 = ca.cos(link2_theta)
-    w6 = w5 * c18
-    w7 = w5 * link_length
-    w8 = ca.sin(link2_theta)
-    w9 = w8 * c18
-    w10 = w8 * link_length
-    w11 = ca.cos(link3_theta)
-    w12 = w11 * c19
-    w13 = w11 * link_length
-    w14 = w12 + w13 * c15
-    w15 = ca.sin(link3_theta)
-    w16 = w15 * c19
-    w17 = w15 * link_length
-    w18 = w16 + w17 * c15
-    w19 = ca.cos(link4_theta)
-    w20 = w19 * c20
-    w21 = w19 * link_length
-    w22 = w20 + w21 * c14
-    w23 = ca.sin(link4_theta)
-    w24 = w23 * c20
-    w25 = w23 * link_length
-    w26 = w24 + w25 * c14
-    w27 = ca.cos(link5_theta)
-    w28 = w27 * c21
-    w29 = w27 * link_length
-    w30 = w28 + w29 * c13
-    w31 = ca.sin(link5_theta)
-    w32 = w31 * c21
-    w33 = w31 * link_length
-    w34 = w32 + w33 * c13
-    w35 = ca.cos(link6_theta)
-    w36 = w35 * c22
-    w37 = w35 * link_length
-    w38 = w36 + w37 * c12
-    w39 = ca.sin(link6_theta)
-    w40 = w39 * c22
-    w41 = w39 * link_length
-    w42 = w40 + w41 * c12
-    w43 = ca.cos(link7_theta)
-    w44 = w43 * c23
-    w45 = w43 * link_length
-    w46 = w44 + w45 * c11
-    w47 = ca.sin(link7_theta)
-    w48 = w47 * c23
-    w49 = w47 * link_length
-    w50 = w48 + w49 * c11
-    w51 = ca.cos(link8_theta)
-    w52 = w51 * c24
-    w53 = w51 * link_length
-    w54 = w52 + w53 * c10
-    w55 = ca.sin(link8_theta)
-    w56 = w55 * c24
-    w57 = w55 * link_length
-    w58 = w56 + w57 * c10
-    w59 = ca.cos(link9_theta)
-    w60 = w59 * c25
-    w61 = w59 * link_length
-    w62 = w60 + w61 * link10_mass
-    w63 = ca.sin(link9_theta)
-    w64 = w63 * c25
-    w65 = w63 * link_length
-    w66 = w64 + w65 * link10_mass
-    w67 = ca.cos(link10_theta) * c26
-    w68 = ca.sin(link10_theta) * c26
-    w69 = 2 * link2_theta_dot
-    w70 = w10 * w69
-    w71 = w70 * c16
-    w72 = w7 * w69
-    w73 = w72 * c16
-    w74 = 2 * link3_theta_dot
-    w75 = w17 * w74
-    w76 = w75 * c15
-    w77 = w16 * w74 + w76
-    w78 = w13 * w74
-    w79 = w78 * c15
-    w80 = w12 * w74 + w79
-    w81 = 2 * link4_theta_dot
-    w82 = w25 * w81
-    w83 = w82 * c14
-    w84 = w24 * w81 + w83
-    w85 = w21 * w81
-    w86 = w85 * c14
-    w87 = w20 * w81 + w86
-    w88 = 2 * link5_theta_dot
-    w89 = w33 * w88
-    w90 = w89 * c13
-    w91 = w32 * w88 + w90
-    w92 = w29 * w88
-    w93 = w92 * c13
-    w94 = w28 * w88 + w93
-    w95 = 2 * link6_theta_dot
-    w96 = w41 * w95
-    w97 = w96 * c12
-    w98 = w40 * w95 + w97
-    w99 = w37 * w95
-    w100 = w99 * c12
-    w101 = w36 * w95 + w100
-    w102 = 2 * link7_theta_dot
-    w103 = w49 * w102
-    w104 = w103 * c11
-    w105 = w48 * w102 + w104
-    w106 = w45 * w102
-    w107 = w106 * c11
-    w108 = w44 * w102 + w107
-    w109 = 2 * link8_theta_dot
-    w110 = w57 * w109
-    w111 = w110 * c10
-    w112 = w56 * w109 + w111
-    w113 = w53 * w109
-    w114 = w113 * c10
-    w115 = w52 * w109 + w114
-    w116 = 2 * link9_theta_dot
-    w117 = w65 * w116
-    w118 = w117 * link10_mass
-    w119 = w64 * w116 + w118
-    w120 = w61 * w116
-    w121 = w120 * link10_mass
-    w122 = w60 * w116 + w121
-    w123 = 2 * link10_theta_dot
-    w124 = w68 * w123
-    w125 = w67 * w123
+    c62 = c[62]
+    c63 = c[63]
+    c64 = c[64]
+    c65 = c[65]
+    c66 = c[66]
+    c67 = c[67]
+    c68 = c[68]
+    # intermediate terms (109)
+    w0 = ca.sin(link1_theta) * link_length
+    w1 = ca.cos(link2_theta)
+    w2 = w1 * link_length
+    w3 = ca.cos(link1_theta) * link_length
+    w4 = ca.sin(link2_theta)
+    w5 = w4 * link_length
+    w6 = w0 * (w1 * c61) - w3 * (w4 * c61)
+    w7 = 2 * link1_theta_dot
+    w8 = ca.cos(link3_theta)
+    w9 = w8 * link_length
+    w10 = w8 * c62
+    w11 = ca.sin(link3_theta)
+    w12 = w11 * link_length
+    w13 = w11 * c62
+    w14 = w0 * w10 - w3 * w13
+    w15 = ca.cos(link4_theta)
+    w16 = w15 * link_length
+    w17 = w15 * c63
+    w18 = ca.sin(link4_theta)
+    w19 = w18 * link_length
+    w20 = w18 * c63
+    w21 = w0 * w17 - w3 * w20
+    w22 = ca.cos(link5_theta)
+    w23 = w22 * link_length
+    w24 = w22 * c64
+    w25 = ca.sin(link5_theta)
+    w26 = w25 * link_length
+    w27 = w25 * c64
+    w28 = w0 * w24 - w3 * w27
+    w29 = ca.cos(link6_theta)
+    w30 = w29 * link_length
+    w31 = w29 * c65
+    w32 = ca.sin(link6_theta)
+    w33 = w32 * link_length
+    w34 = w32 * c65
+    w35 = w0 * w31 - w3 * w34
+    w36 = ca.cos(link7_theta)
+    w37 = w36 * link_length
+    w38 = w36 * c66
+    w39 = ca.sin(link7_theta)
+    w40 = w39 * link_length
+    w41 = w39 * c66
+    w42 = w0 * w38 - w3 * w41
+    w43 = ca.cos(link8_theta)
+    w44 = w43 * link_length
+    w45 = w43 * c67
+    w46 = ca.sin(link8_theta)
+    w47 = w46 * link_length
+    w48 = w46 * c67
+    w49 = w0 * w45 - w3 * w48
+    w50 = ca.cos(link9_theta)
+    w51 = w50 * c68
+    w52 = ca.sin(link9_theta)
+    w53 = w52 * c68
+    w54 = w0 * w51 - w3 * w53
+    w55 = ca.cos(link10_theta) * c26
+    w56 = ca.sin(link10_theta) * c26
+    w57 = w0 * w55 - w3 * w56
+    w58 = w5 * w10 - w2 * w13
+    w59 = 2 * link2_theta_dot
+    w60 = w5 * w17 - w2 * w20
+    w61 = w5 * w24 - w2 * w27
+    w62 = w5 * w31 - w2 * w34
+    w63 = w5 * w38 - w2 * w41
+    w64 = w5 * w45 - w2 * w48
+    w65 = w5 * w51 - w2 * w53
+    w66 = w5 * w55 - w2 * w56
+    w67 = link3_theta_dot * -2.0
+    w68 = w12 * w17 - w9 * w20
+    w69 = 2 * link3_theta_dot
+    w70 = w12 * w24 - w9 * w27
+    w71 = w12 * w31 - w9 * w34
+    w72 = w12 * w38 - w9 * w41
+    w73 = w12 * w45 - w9 * w48
+    w74 = w12 * w51 - w9 * w53
+    w75 = w12 * w55 - w9 * w56
+    w76 = link4_theta_dot * -2.0
+    w77 = w19 * w24 - w16 * w27
+    w78 = 2 * link4_theta_dot
+    w79 = w19 * w31 - w16 * w34
+    w80 = w19 * w38 - w16 * w41
+    w81 = w19 * w45 - w16 * w48
+    w82 = w19 * w51 - w16 * w53
+    w83 = w19 * w55 - w16 * w56
+    w84 = link5_theta_dot * -2.0
+    w85 = w26 * w31 - w23 * w34
+    w86 = 2 * link5_theta_dot
+    w87 = w26 * w38 - w23 * w41
+    w88 = w26 * w45 - w23 * w48
+    w89 = w26 * w51 - w23 * w53
+    w90 = w26 * w55 - w23 * w56
+    w91 = link6_theta_dot * -2.0
+    w92 = w33 * w38 - w30 * w41
+    w93 = 2 * link6_theta_dot
+    w94 = w33 * w45 - w30 * w48
+    w95 = w33 * w51 - w30 * w53
+    w96 = w33 * w55 - w30 * w56
+    w97 = link7_theta_dot * -2.0
+    w98 = w40 * w45 - w37 * w48
+    w99 = 2 * link7_theta_dot
+    w100 = w40 * w51 - w37 * w53
+    w101 = w40 * w55 - w37 * w56
+    w102 = link8_theta_dot * -2.0
+    w103 = w47 * w51 - w44 * w53
+    w104 = 2 * link8_theta_dot
+    w105 = w47 * w55 - w44 * w56
+    w106 = link9_theta_dot * -2.0
+    w107 = w52 * link_length * w55 - w50 * link_length * w56
+    w108 = link10_theta_dot * -2.0
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w0 * (w3 * c61) - w1 * (w4 * c61), w0 * (w9 * w69 + w71) - w1 * (w6 * w69 + w73), w0 * w77 - w1 * w80,
-            w0 * w84 - w1 * w87, w0 * w91 - w1 * w94, w0 * w98 - w1 * w101, w0 * w105 - w1 * w108,
-            w0 * w112 - w1 * w115, w0 * w119 - w1 * w122, w0 * w124 - w1 * w125,
+            0.0, w6 * (link2_theta_dot * -2.0), w14 * w67, w21 * w76, w28 * w84, w35 * w91, w42 * w97, w49 * w102,
+            w54 * w106, w57 * w108,
         ),
         ca.horzcat(  # link2.theta
-            w3 * (w6 + w7 * c16) - w4 * (w9 + w10 * c16), w7 * w71 - w10 * w73, w7 * w77 - w10 * w80,
-            w7 * w84 - w10 * w87, w7 * w91 - w10 * w94, w7 * w98 - w10 * w101, w7 * w105 - w10 * w108,
-            w7 * w112 - w10 * w115, w7 * w119 - w10 * w122, w7 * w124 - w10 * w125,
+            w6 * w7, 0.0, w58 * w67, w60 * w76, w61 * w84, w62 * w91, w63 * w97, w64 * w102, w65 * w106, w66 * w108,
         ),
         ca.horzcat(  # link3.theta
-            w3 * w14 - w4 * w18, w14 * w70 - w18 * w72, w13 * w76 - w17 * w79, w13 * w84 - w17 * w87,
-            w13 * w91 - w17 * w94, w13 * w98 - w17 * w101, w13 * w105 - w17 * w108, w13 * w112 - w17 * w115,
-            w13 * w119 - w17 * w122, w13 * w124 - w17 * w125,
+            w7 * w14, w58 * w59, 0.0, w68 * w76, w70 * w84, w71 * w91, w72 * w97, w73 * w102, w74 * w106,
+            w75 * w108,
         ),
         ca.horzcat(  # link4.theta
-            w3 * w22 - w4 * w26, w22 * w70 - w26 * w72, w22 * w75 - w26 * w78, w21 * w83 - w25 * w86,
-            w21 * w91 - w25 * w94, w21 * w98 - w25 * w101, w21 * w105 - w25 * w108, w21 * w112 - w25 * w115,
-            w21 * w119 - w25 * w122, w21 * w124 - w25 * w125,
+            w7 * w21, w59 * w60, w68 * w69, 0.0, w77 * w84, w79 * w91, w80 * w97, w81 * w102, w82 * w106,
+            w83 * w108,
         ),
         ca.horzcat(  # link5.theta
-            w3 * w30 - w4 * w34, w30 * w70 - w34 * w72, w30 * w75 - w34 * w78, w30 * w82 - w34 * w85,
-            w29 * w90 - w33 * w93, w29 * w98 - w33 * w101, w29 * w105 - w33 * w108, w29 * w112 - w33 * w115,
-            w29 * w119 - w33 * w122, w29 * w124 - w33 * w125,
+            w7 * w28, w59 * w61, w69 * w70, w77 * w78, 0.0, w85 * w91, w87 * w97, w88 * w102, w89 * w106,
+            w90 * w108,
         ),
         ca.horzcat(  # link6.theta
-            w3 * w38 - w4 * w42, w38 * w70 - w42 * w72, w38 * w75 - w42 * w78, w38 * w82 - w42 * w85,
-            w38 * w89 - w42 * w92, w37 * w97 - w41 * w100, w37 * w105 - w41 * w108, w37 * w112 - w41 * w115,
-            w37 * w119 - w41 * w122, w37 * w124 - w41 * w125,
+            w7 * w35, w59 * w62, w69 * w71, w78 * w79, w85 * w86, 0.0, w92 * w97, w94 * w102, w95 * w106,
+            w96 * w108,
         ),
         ca.horzcat(  # link7.theta
-            w3 * w46 - w4 * w50, w46 * w70 - w50 * w72, w46 * w75 - w50 * w78, w46 * w82 - w50 * w85,
-            w46 * w89 - w50 * w92, w46 * w96 - w50 * w99, w45 * w104 - w49 * w107, w45 * w112 - w49 * w115,
-            w45 * w119 - w49 * w122, w45 * w124 - w49 * w125,
+            w7 * w42, w59 * w63, w69 * w72, w78 * w80, w86 * w87, w92 * w93, 0.0, w98 * w102, w100 * w106,
+            w101 * w108,
         ),
         ca.horzcat(  # link8.theta
-            w3 * w54 - w4 * w58, w54 * w70 - w58 * w72, w54 * w75 - w58 * w78, w54 * w82 - w58 * w85,
-            w54 * w89 - w58 * w92, w54 * w96 - w58 * w99, w54 * w103 - w58 * w106, w53 * w111 - w57 * w114,
-            w53 * w119 - w57 * w122, w53 * w124 - w57 * w125,
+            w7 * w49, w59 * w64, w69 * w73, w78 * w81, w86 * w88, w93 * w94, w98 * w99, 0.0, w103 * w106,
+            w105 * w108,
         ),
         ca.horzcat(  # link9.theta
-            w3 * w62 - w4 * w66, w62 * w70 - w66 * w72, w62 * w75 - w66 * w78, w62 * w82 - w66 * w85,
-            w62 * w89 - w66 * w92, w62 * w96 - w66 * w99, w62 * w103 - w66 * w106, w62 * w110 - w66 * w113,
-            w61 * w118 - w65 * w121, w61 * w124 - w65 * w125,
+            w7 * w54, w59 * w65, w69 * w74, w78 * w82, w86 * w89, w93 * w95, w99 * w100, w103 * w104, 0.0,
+            w107 * w108,
         ),
         ca.horzcat(  # link10.theta
-            w3 * w67 - w4 * w68, w67 * w70 - w68 * w72, w67 * w75 - w68 * w78, w67 * w82 - w68 * w85,
-            w67 * w89 - w68 * w92, w67 * w96 - w68 * w99, w67 * w103 - w68 * w106, w67 * w110 - w68 * w113,
-            w67 * w117 - w68 * w120, 0.0,
+            w7 * w57, w59 * w66, w69 * w75, w78 * w83, w86 * w90, w93 * w96, w99 * w101, w104 * w105,
+            w107 * (2 * link9_theta_dot), 0.0,
         ),
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
@@ -2366,15 +2358,15 @@ def residual_jacobian() -> ca.Function:
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 10) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 10 x 10) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 10 x 10) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    1385 operations.
+    1067 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
     q_i_ddot = ca.SX.sym("q_i_ddot", 10)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 78)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -2406,14 +2398,6 @@ def residual_jacobian() -> ca.Function:
     link9_theta_ddot = q_i_ddot[8]
     link10_theta_ddot = q_i_ddot[9]
     link_length = c[0]
-    link2_mass = c[1]
-    link3_mass = c[2]
-    link4_mass = c[3]
-    link5_mass = c[4]
-    link6_mass = c[5]
-    link7_mass = c[6]
-    link8_mass = c[7]
-    link9_mass = c[8]
     link10_mass = c[9]
     c10 = c[10]
     c11 = c[11]
@@ -2431,424 +2415,380 @@ def residual_jacobian() -> ca.Function:
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
-    gravity_y = c[36]
-    c37 = c[37]
-    c38 = c[38]
-    c39 = c[39]
-    c40 = c[40]
-    c41 = c[41]
-    c42 = c[42]
-    c43 = c[43]
-    c44 = c[44]
-    c45 = c[45]
-    c46 = c[46]
+    c60 = c[60]
     c61 = c[61]
-    # intermediate terms (290)
-    w0 = ca.cos(link1_theta) * link_length
-    w1 = ca.sin(link1_theta)
-    w2 = w1 * link_length
-    w3 = link1_theta_dot**2
-    w4 = link1_theta_ddot * w2 + w0 * w3
-    w5 = link2_theta_dot**2
-    w6 = ca.cos(link2_theta)
-    w7 = w6 * c18
-    w8 = w5 * w7
-    w9 = ca.sin(link2_theta)
-    w10 = w9 * c18
-    w11 = w10 * link2_theta_ddot
-    w12 = link3_theta_dot**2
-    w13 = ca.cos(link3_theta)
-    w14 = w13 * c19
-    w15 = w12 * w14
-    w16 = w6 * link_length
-    w17 = w5 * w16
-    w18 = w9 * link_length
-    w19 = link2_theta_ddot * w18
-    w20 = w4 + w17 + w19
-    w21 = ca.sin(link3_theta)
-    w22 = w21 * c19
-    w23 = w22 * link3_theta_ddot
-    w24 = link4_theta_dot**2
-    w25 = ca.cos(link4_theta)
-    w26 = w25 * c20
-    w27 = w24 * w26
-    w28 = w13 * link_length
-    w29 = w12 * w28
-    w30 = w21 * link_length
-    w31 = link3_theta_ddot * w30
-    w32 = w20 + w29 + w31
-    w33 = ca.sin(link4_theta)
-    w34 = w33 * c20
-    w35 = w34 * link4_theta_ddot
-    w36 = link5_theta_dot**2
-    w37 = ca.cos(link5_theta)
-    w38 = w37 * c21
-    w39 = w36 * w38
-    w40 = w25 * link_length
-    w41 = w24 * w40
-    w42 = w33 * link_length
-    w43 = link4_theta_ddot * w42
-    w44 = w32 + w41 + w43
-    w45 = ca.sin(link5_theta)
-    w46 = w45 * c21
-    w47 = w46 * link5_theta_ddot
-    w48 = link6_theta_dot**2
-    w49 = ca.cos(link6_theta)
-    w50 = w49 * c22
-    w51 = w48 * w50
-    w52 = w37 * link_length
-    w53 = w36 * w52
-    w54 = w45 * link_length
-    w55 = link5_theta_ddot * w54
-    w56 = w44 + w53 + w55
-    w57 = ca.sin(link6_theta)
-    w58 = w57 * c22
-    w59 = w58 * link6_theta_ddot
-    w60 = link7_theta_dot**2
-    w61 = ca.cos(link7_theta)
-    w62 = w61 * c23
-    w63 = w60 * w62
-    w64 = w49 * link_length
-    w65 = w48 * w64
-    w66 = w57 * link_length
-    w67 = link6_theta_ddot * w66
-    w68 = w56 + w65 + w67
-    w69 = ca.sin(link7_theta)
-    w70 = w69 * c23
-    w71 = w70 * link7_theta_ddot
-    w72 = link8_theta_dot**2
-    w73 = ca.cos(link8_theta)
-    w74 = w73 * c24
-    w75 = w72 * w74
-    w76 = w61 * link_length
-    w77 = w60 * w76
-    w78 = w69 * link_length
-    w79 = link7_theta_ddot * w78
-    w80 = w68 + w77 + w79
-    w81 = ca.sin(link8_theta)
-    w82 = w81 * c24
-    w83 = w82 * link8_theta_ddot
-    w84 = link9_theta_dot**2
-    w85 = ca.cos(link9_theta)
-    w86 = w85 * c25
-    w87 = w84 * w86
-    w88 = w73 * link_length
-    w89 = w72 * w88
-    w90 = w81 * link_length
-    w91 = link8_theta_ddot * w90
-    w92 = w80 + w89 + w91
-    w93 = ca.sin(link9_theta)
-    w94 = w93 * c25
-    w95 = w94 * link9_theta_ddot
-    w96 = link10_theta_dot**2
-    w97 = ca.cos(link10_theta) * c26
-    w98 = w96 * w97
-    w99 = w85 * link_length
-    w100 = w84 * w99
-    w101 = w93 * link_length
-    w102 = link9_theta_ddot * w101
-    w103 = w92 + w100 + w102
-    w104 = ca.sin(link10_theta) * c26
-    w105 = w104 * link10_theta_ddot
-    w106 = w98 + (w103 * link10_mass + w105)
-    w107 = w87 + (w92 * link9_mass + w95) + w106
-    w108 = w75 + (w80 * link8_mass + w83) + w107
-    w109 = w63 + (w68 * link7_mass + w71) + w108
-    w110 = w51 + (w56 * link6_mass + w59) + w109
-    w111 = w39 + (w44 * link5_mass + w47) + w110
-    w112 = w27 + (w32 * link4_mass + w35) + w111
-    w113 = w15 + (w20 * link3_mass + w23) + w112
-    w114 = w5 * w10
-    w115 = w0 * link1_theta_ddot - w2 * w3
-    w116 = w7 * link2_theta_ddot
-    w117 = w12 * w22
-    w118 = w5 * w18
-    w119 = link2_theta_ddot * w16
-    w120 = w115 - w118 + w119
-    w121 = w14 * link3_theta_ddot
-    w122 = w24 * w34
-    w123 = w12 * w30
-    w124 = link3_theta_ddot * w28
-    w125 = w120 - w123 + w124
-    w126 = w26 * link4_theta_ddot
-    w127 = w36 * w46
-    w128 = w24 * w42
-    w129 = link4_theta_ddot * w40
-    w130 = w125 - w128 + w129
-    w131 = w38 * link5_theta_ddot
-    w132 = w48 * w58
-    w133 = w36 * w54
-    w134 = link5_theta_ddot * w52
-    w135 = w130 - w133 + w134
-    w136 = w50 * link6_theta_ddot
-    w137 = w60 * w70
-    w138 = w48 * w66
-    w139 = link6_theta_ddot * w64
-    w140 = w135 - w138 + w139
-    w141 = w62 * link7_theta_ddot
-    w142 = w72 * w82
-    w143 = w60 * w78
-    w144 = link7_theta_ddot * w76
-    w145 = w140 - w143 + w144
-    w146 = w74 * link8_theta_ddot
-    w147 = w84 * w94
-    w148 = w72 * w90
-    w149 = link8_theta_ddot * w88
-    w150 = w145 - w148 + w149
-    w151 = w86 * link9_theta_ddot
-    w152 = w96 * w104
-    w153 = w84 * w101
-    w154 = link9_theta_ddot * w99
-    w155 = w150 - w153 + w154
-    w156 = w97 * link10_theta_ddot
-    w157 = c46 + w152 - (w155 * link10_mass + w156)
-    w158 = c45 + w147 - (w150 * link9_mass + w151) + w157
-    w159 = c44 + w142 - (w145 * link8_mass + w146) + w158
-    w160 = c43 + w137 - (w140 * link7_mass + w141) + w159
-    w161 = c42 + w132 - (w135 * link6_mass + w136) + w160
-    w162 = c41 + w127 - (w130 * link5_mass + w131) + w161
-    w163 = c40 + w122 - (w125 * link4_mass + w126) + w162
-    w164 = c39 + w117 - (w120 * link3_mass + w121) + w163
-    w165 = w1 * c37 + w0 * (w8 + (w4 * link2_mass + w11) + w113) + w2 * (c38 + w114 - (w115 * link2_mass + w116) + w164)
-    w166 = w7 + w16 * c16
-    w167 = w10 + w18 * c16
-    w168 = w14 + w28 * c15
-    w169 = w22 + w30 * c15
-    w170 = w26 + w40 * c14
-    w171 = w34 + w42 * c14
-    w172 = w38 + w52 * c13
-    w173 = w46 + w54 * c13
-    w174 = w50 + w64 * c12
-    w175 = w58 + w66 * c12
-    w176 = w62 + w76 * c11
-    w177 = w70 + w78 * c11
-    w178 = w74 + w88 * c10
-    w179 = w82 + w90 * c10
-    w180 = w86 + w99 * link10_mass
-    w181 = w94 + w101 * link10_mass
-    w182 = w17 + w19
-    w183 = w182 * c16
-    w184 = w119 - w118
-    w185 = w184 * c16
-    w186 = w29 + w31
-    w187 = w186 * c15
-    w188 = w15 + w23 + w187
-    w189 = w124 - w123
-    w190 = w189 * c15
-    w191 = w121 - w117 + w190
-    w192 = w41 + w43
-    w193 = w192 * c14
-    w194 = w27 + w35 + w193
-    w195 = w129 - w128
-    w196 = w195 * c14
-    w197 = w126 - w122 + w196
-    w198 = w53 + w55
-    w199 = w198 * c13
-    w200 = w39 + w47 + w199
-    w201 = w134 - w133
-    w202 = w201 * c13
-    w203 = w131 - w127 + w202
-    w204 = w65 + w67
-    w205 = w204 * c12
-    w206 = w51 + w59 + w205
-    w207 = w139 - w138
-    w208 = w207 * c12
-    w209 = w136 - w132 + w208
-    w210 = w77 + w79
-    w211 = w210 * c11
-    w212 = w63 + w71 + w211
-    w213 = w144 - w143
-    w214 = w213 * c11
-    w215 = w141 - w137 + w214
-    w216 = w89 + w91
-    w217 = w216 * c10
-    w218 = w75 + w83 + w217
-    w219 = w149 - w148
-    w220 = w219 * c10
-    w221 = w146 - w142 + w220
-    w222 = w100 + w102
-    w223 = w222 * link10_mass
-    w224 = w87 + w95 + w223
-    w225 = w154 - w153
-    w226 = w225 * link10_mass
-    w227 = w151 - w147 + w226
-    w228 = w98 + w105
-    w229 = w156 - w152
-    w230 = 2 * link1_theta_dot
-    w231 = w2 * w230
-    w232 = w0 * w230
-    w233 = 2 * link2_theta_dot
-    w234 = w18 * w233
-    w235 = w234 * c16
-    w236 = w16 * w233
-    w237 = w236 * c16
-    w238 = 2 * link3_theta_dot
-    w239 = w30 * w238
-    w240 = w239 * c15
-    w241 = w22 * w238 + w240
-    w242 = w28 * w238
-    w243 = w242 * c15
-    w244 = w14 * w238 + w243
-    w245 = 2 * link4_theta_dot
-    w246 = w42 * w245
-    w247 = w246 * c14
-    w248 = w34 * w245 + w247
-    w249 = w40 * w245
-    w250 = w249 * c14
-    w251 = w26 * w245 + w250
-    w252 = 2 * link5_theta_dot
-    w253 = w54 * w252
-    w254 = w253 * c13
-    w255 = w46 * w252 + w254
-    w256 = w52 * w252
-    w257 = w256 * c13
-    w258 = w38 * w252 + w257
-    w259 = 2 * link6_theta_dot
-    w260 = w66 * w259
-    w261 = w260 * c12
-    w262 = w58 * w259 + w261
-    w263 = w64 * w259
-    w264 = w263 * c12
-    w265 = w50 * w259 + w264
-    w266 = 2 * link7_theta_dot
-    w267 = w78 * w266
-    w268 = w267 * c11
-    w269 = w70 * w266 + w268
-    w270 = w76 * w266
-    w271 = w270 * c11
-    w272 = w62 * w266 + w271
-    w273 = 2 * link8_theta_dot
-    w274 = w90 * w273
-    w275 = w274 * c10
-    w276 = w82 * w273 + w275
-    w277 = w88 * w273
-    w278 = w277 * c10
-    w279 = w74 * w273 + w278
-    w280 = 2 * link9_theta_dot
-    w281 = w101 * w280
-    w282 = w281 * link10_mass
-    w283 = w94 * w280 + w282
-    w284 = w99 * w280
-    w285 = w284 * link10_mass
-    w286 = w86 * w280 + w285
-    w287 = 2 * link10_theta_dot
-    w288 = w104 * w287
-    w289 = w97 * w287
+    c62 = c[62]
+    c63 = c[63]
+    c64 = c[64]
+    c65 = c[65]
+    c66 = c[66]
+    c67 = c[67]
+    c68 = c[68]
+    c69 = c[69]
+    c70 = c[70]
+    c71 = c[71]
+    c72 = c[72]
+    c73 = c[73]
+    c74 = c[74]
+    c75 = c[75]
+    c76 = c[76]
+    c77 = c[77]
+    # intermediate terms (271)
+    w0 = ca.sin(link1_theta)
+    w1 = w0 * link_length
+    w2 = ca.sin(link2_theta)
+    w3 = link2_theta_dot**2
+    w4 = ca.cos(link2_theta)
+    w5 = w2 * w3 - w4 * link2_theta_ddot
+    w6 = w5 * link_length
+    w7 = ca.cos(link1_theta)
+    w8 = w7 * link_length
+    w9 = w3 * w4 + w2 * link2_theta_ddot
+    w10 = w9 * link_length
+    w11 = w1 * (w5 * c61) + w8 * (w9 * c61)
+    w12 = ca.sin(link3_theta)
+    w13 = link3_theta_dot**2
+    w14 = ca.cos(link3_theta)
+    w15 = w12 * w13 - w14 * link3_theta_ddot
+    w16 = w15 * link_length
+    w17 = w15 * c62
+    w18 = w13 * w14 + w12 * link3_theta_ddot
+    w19 = w18 * link_length
+    w20 = w18 * c62
+    w21 = w1 * w17 + w8 * w20
+    w22 = ca.sin(link4_theta)
+    w23 = link4_theta_dot**2
+    w24 = ca.cos(link4_theta)
+    w25 = w22 * w23 - w24 * link4_theta_ddot
+    w26 = w25 * link_length
+    w27 = w25 * c63
+    w28 = w23 * w24 + w22 * link4_theta_ddot
+    w29 = w28 * link_length
+    w30 = w28 * c63
+    w31 = w1 * w27 + w8 * w30
+    w32 = ca.sin(link5_theta)
+    w33 = link5_theta_dot**2
+    w34 = ca.cos(link5_theta)
+    w35 = w32 * w33 - w34 * link5_theta_ddot
+    w36 = w35 * link_length
+    w37 = w35 * c64
+    w38 = w33 * w34 + w32 * link5_theta_ddot
+    w39 = w38 * link_length
+    w40 = w38 * c64
+    w41 = w1 * w37 + w8 * w40
+    w42 = ca.sin(link6_theta)
+    w43 = link6_theta_dot**2
+    w44 = ca.cos(link6_theta)
+    w45 = w42 * w43 - w44 * link6_theta_ddot
+    w46 = w45 * link_length
+    w47 = w45 * c65
+    w48 = w43 * w44 + w42 * link6_theta_ddot
+    w49 = w48 * link_length
+    w50 = w48 * c65
+    w51 = w1 * w47 + w8 * w50
+    w52 = ca.sin(link7_theta)
+    w53 = link7_theta_dot**2
+    w54 = ca.cos(link7_theta)
+    w55 = w52 * w53 - w54 * link7_theta_ddot
+    w56 = w55 * link_length
+    w57 = w55 * c66
+    w58 = w53 * w54 + w52 * link7_theta_ddot
+    w59 = w58 * link_length
+    w60 = w58 * c66
+    w61 = w1 * w57 + w8 * w60
+    w62 = ca.sin(link8_theta)
+    w63 = link8_theta_dot**2
+    w64 = ca.cos(link8_theta)
+    w65 = w62 * w63 - w64 * link8_theta_ddot
+    w66 = w65 * link_length
+    w67 = w65 * c67
+    w68 = w63 * w64 + w62 * link8_theta_ddot
+    w69 = w68 * link_length
+    w70 = w68 * c67
+    w71 = w1 * w67 + w8 * w70
+    w72 = ca.sin(link9_theta)
+    w73 = link9_theta_dot**2
+    w74 = ca.cos(link9_theta)
+    w75 = w72 * w73 - w74 * link9_theta_ddot
+    w76 = w75 * c68
+    w77 = w73 * w74 + w72 * link9_theta_ddot
+    w78 = w77 * c68
+    w79 = w1 * w76 + w8 * w78
+    w80 = ca.sin(link10_theta)
+    w81 = link10_theta_dot**2
+    w82 = ca.cos(link10_theta)
+    w83 = (w80 * w81 - w82 * link10_theta_ddot) * c26
+    w84 = (w81 * w82 + w80 * link10_theta_ddot) * c26
+    w85 = w1 * w83 + w8 * w84
+    w86 = w2 * link_length
+    w87 = link1_theta_dot**2
+    w88 = (w0 * w87 - w7 * link1_theta_ddot) * link_length
+    w89 = w4 * link_length
+    w90 = w4 * c61
+    w91 = (w7 * w87 + w0 * link1_theta_ddot) * link_length
+    w92 = w2 * c61 * w88 + w90 * w91
+    w93 = w12 * link_length
+    w94 = w12 * c62
+    w95 = w14 * link_length
+    w96 = w14 * c62
+    w97 = w88 * w94 + w91 * w96
+    w98 = w22 * link_length
+    w99 = w22 * c63
+    w100 = w24 * link_length
+    w101 = w24 * c63
+    w102 = w88 * w99 + w91 * w101
+    w103 = w32 * link_length
+    w104 = w32 * c64
+    w105 = w34 * link_length
+    w106 = w34 * c64
+    w107 = w88 * w104 + w91 * w106
+    w108 = w42 * link_length
+    w109 = w42 * c65
+    w110 = w44 * link_length
+    w111 = w44 * c65
+    w112 = w88 * w109 + w91 * w111
+    w113 = w52 * link_length
+    w114 = w52 * c66
+    w115 = w54 * link_length
+    w116 = w54 * c66
+    w117 = w88 * w114 + w91 * w116
+    w118 = w62 * link_length
+    w119 = w62 * c67
+    w120 = w64 * link_length
+    w121 = w64 * c67
+    w122 = w88 * w119 + w91 * w121
+    w123 = w72 * link_length
+    w124 = w72 * c68
+    w125 = w74 * link_length
+    w126 = w74 * c68
+    w127 = w88 * w124 + w91 * w126
+    w128 = w80 * c26
+    w129 = w82 * c26
+    w130 = w88 * w128 + w91 * w129
+    w131 = w17 * w86 + w20 * w89
+    w132 = w27 * w86 + w30 * w89
+    w133 = w37 * w86 + w40 * w89
+    w134 = w47 * w86 + w50 * w89
+    w135 = w57 * w86 + w60 * w89
+    w136 = w67 * w86 + w70 * w89
+    w137 = w76 * w86 + w78 * w89
+    w138 = w83 * w86 + w84 * w89
+    w139 = w6 * w94 + w10 * w96
+    w140 = w6 * w99 + w10 * w101
+    w141 = w6 * w104 + w10 * w106
+    w142 = w6 * w109 + w10 * w111
+    w143 = w6 * w114 + w10 * w116
+    w144 = w6 * w119 + w10 * w121
+    w145 = w6 * w124 + w10 * w126
+    w146 = w6 * w128 + w10 * w129
+    w147 = w27 * w93 + w30 * w95
+    w148 = w37 * w93 + w40 * w95
+    w149 = w47 * w93 + w50 * w95
+    w150 = w57 * w93 + w60 * w95
+    w151 = w67 * w93 + w70 * w95
+    w152 = w76 * w93 + w78 * w95
+    w153 = w83 * w93 + w84 * w95
+    w154 = w16 * w99 + w19 * w101
+    w155 = w16 * w104 + w19 * w106
+    w156 = w16 * w109 + w19 * w111
+    w157 = w16 * w114 + w19 * w116
+    w158 = w16 * w119 + w19 * w121
+    w159 = w16 * w124 + w19 * w126
+    w160 = w16 * w128 + w19 * w129
+    w161 = w37 * w98 + w40 * w100
+    w162 = w47 * w98 + w50 * w100
+    w163 = w57 * w98 + w60 * w100
+    w164 = w67 * w98 + w70 * w100
+    w165 = w76 * w98 + w78 * w100
+    w166 = w83 * w98 + w84 * w100
+    w167 = w26 * w104 + w29 * w106
+    w168 = w26 * w109 + w29 * w111
+    w169 = w26 * w114 + w29 * w116
+    w170 = w26 * w119 + w29 * w121
+    w171 = w26 * w124 + w29 * w126
+    w172 = w26 * w128 + w29 * w129
+    w173 = w47 * w103 + w50 * w105
+    w174 = w57 * w103 + w60 * w105
+    w175 = w67 * w103 + w70 * w105
+    w176 = w76 * w103 + w78 * w105
+    w177 = w83 * w103 + w84 * w105
+    w178 = w36 * w109 + w39 * w111
+    w179 = w36 * w114 + w39 * w116
+    w180 = w36 * w119 + w39 * w121
+    w181 = w36 * w124 + w39 * w126
+    w182 = w36 * w128 + w39 * w129
+    w183 = w57 * w108 + w60 * w110
+    w184 = w67 * w108 + w70 * w110
+    w185 = w76 * w108 + w78 * w110
+    w186 = w83 * w108 + w84 * w110
+    w187 = w46 * w114 + w49 * w116
+    w188 = w46 * w119 + w49 * w121
+    w189 = w46 * w124 + w49 * w126
+    w190 = w46 * w128 + w49 * w129
+    w191 = w67 * w113 + w70 * w115
+    w192 = w76 * w113 + w78 * w115
+    w193 = w83 * w113 + w84 * w115
+    w194 = w56 * w119 + w59 * w121
+    w195 = w56 * w124 + w59 * w126
+    w196 = w56 * w128 + w59 * w129
+    w197 = w76 * w118 + w78 * w120
+    w198 = w83 * w118 + w84 * w120
+    w199 = w66 * w124 + w69 * w126
+    w200 = w66 * w128 + w69 * w129
+    w201 = w83 * w123 + w84 * w125
+    w202 = w75 * link_length * w128 + w77 * link_length * w129
+    w203 = w1 * w90 - w8 * (w2 * c18 + w86 * c16)
+    w204 = 2 * link1_theta_dot
+    w205 = w12 * c19 + w93 * c15
+    w206 = w1 * w96 - w8 * w205
+    w207 = w22 * c20 + w98 * c14
+    w208 = w1 * w101 - w8 * w207
+    w209 = w32 * c21 + w103 * c13
+    w210 = w1 * w106 - w8 * w209
+    w211 = w42 * c22 + w108 * c12
+    w212 = w1 * w111 - w8 * w211
+    w213 = w52 * c23 + w113 * c11
+    w214 = w1 * w116 - w8 * w213
+    w215 = w62 * c24 + w118 * c10
+    w216 = w1 * w121 - w8 * w215
+    w217 = w72 * c25 + w123 * link10_mass
+    w218 = w1 * w126 - w8 * w217
+    w219 = w1 * w129 - w8 * w128
+    w220 = w86 * w96 - w89 * w205
+    w221 = 2 * link2_theta_dot
+    w222 = w86 * w101 - w89 * w207
+    w223 = w86 * w106 - w89 * w209
+    w224 = w86 * w111 - w89 * w211
+    w225 = w86 * w116 - w89 * w213
+    w226 = w86 * w121 - w89 * w215
+    w227 = w86 * w126 - w89 * w217
+    w228 = w86 * w129 - w89 * w128
+    w229 = link3_theta_dot * -2.0
+    w230 = w93 * w101 - w95 * w207
+    w231 = 2 * link3_theta_dot
+    w232 = w93 * w106 - w95 * w209
+    w233 = w93 * w111 - w95 * w211
+    w234 = w93 * w116 - w95 * w213
+    w235 = w93 * w121 - w95 * w215
+    w236 = w93 * w126 - w95 * w217
+    w237 = w93 * w129 - w95 * w128
+    w238 = link4_theta_dot * -2.0
+    w239 = w98 * w106 - w100 * w209
+    w240 = 2 * link4_theta_dot
+    w241 = w98 * w111 - w100 * w211
+    w242 = w98 * w116 - w100 * w213
+    w243 = w98 * w121 - w100 * w215
+    w244 = w98 * w126 - w100 * w217
+    w245 = w98 * w129 - w100 * w128
+    w246 = link5_theta_dot * -2.0
+    w247 = w103 * w111 - w105 * w211
+    w248 = 2 * link5_theta_dot
+    w249 = w103 * w116 - w105 * w213
+    w250 = w103 * w121 - w105 * w215
+    w251 = w103 * w126 - w105 * w217
+    w252 = w103 * w129 - w105 * w128
+    w253 = link6_theta_dot * -2.0
+    w254 = w108 * w116 - w110 * w213
+    w255 = 2 * link6_theta_dot
+    w256 = w108 * w121 - w110 * w215
+    w257 = w108 * w126 - w110 * w217
+    w258 = w108 * w129 - w110 * w128
+    w259 = link7_theta_dot * -2.0
+    w260 = w113 * w121 - w115 * w215
+    w261 = 2 * link7_theta_dot
+    w262 = w113 * w126 - w115 * w217
+    w263 = w113 * w129 - w115 * w128
+    w264 = link8_theta_dot * -2.0
+    w265 = w118 * w126 - w120 * w217
+    w266 = 2 * link8_theta_dot
+    w267 = w118 * w129 - w120 * w128
+    w268 = link9_theta_dot * -2.0
+    w269 = w123 * w129 - w125 * w128
+    w270 = link10_theta_dot * -2.0
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w0 * (w4 * c61) - w165 - w2 * (w115 * c61), w0 * (w8 + w11 + w183) - w2 * (w116 - w114 + w185),
-            w0 * w188 - w2 * w191, w0 * w194 - w2 * w197, w0 * w200 - w2 * w203, w0 * w206 - w2 * w209,
-            w0 * w212 - w2 * w215, w0 * w218 - w2 * w221, w0 * w224 - w2 * w227, w0 * w228 - w2 * w229,
+            w0 * c69 - (w11 + w21 + w31 + w41 + w51 + w61 + w71 + w79 + w85), w11, w21, w31, w41, w51, w61, w71,
+            w79, w85,
         ),
         ca.horzcat(  # link2.theta
-            w4 * w166 - w115 * w167,
-            w10 * w115 - w4 * w7 - w10 * gravity_y - w16 * w113 - w18 * w164 + w16 * w183 - w18 * w185,
-            w16 * w188 - w18 * w191, w16 * w194 - w18 * w197, w16 * w200 - w18 * w203, w16 * w206 - w18 * w209,
-            w16 * w212 - w18 * w215, w16 * w218 - w18 * w221, w16 * w224 - w18 * w227, w16 * w228 - w18 * w229,
+            w92, w2 * c70 - (w92 + w131 + w132 + w133 + w134 + w135 + w136 + w137 + w138), w131, w132, w133, w134,
+            w135, w136, w137, w138,
         ),
         ca.horzcat(  # link3.theta
-            w4 * w168 - w115 * w169, w168 * w182 - w169 * w184,
-            w22 * w120 - w14 * w20 - w22 * gravity_y - w28 * w112 - w30 * w163 + w28 * w187 - w30 * w190,
-            w28 * w194 - w30 * w197, w28 * w200 - w30 * w203, w28 * w206 - w30 * w209, w28 * w212 - w30 * w215,
-            w28 * w218 - w30 * w221, w28 * w224 - w30 * w227, w28 * w228 - w30 * w229,
+            w97, w139, w12 * c71 - (w97 + w139 + w147 + w148 + w149 + w150 + w151 + w152 + w153), w147, w148, w149,
+            w150, w151, w152, w153,
         ),
         ca.horzcat(  # link4.theta
-            w4 * w170 - w115 * w171, w170 * w182 - w171 * w184, w170 * w186 - w171 * w189,
-            w34 * w125 - w26 * w32 - w34 * gravity_y - w40 * w111 - w42 * w162 + w40 * w193 - w42 * w196,
-            w40 * w200 - w42 * w203, w40 * w206 - w42 * w209, w40 * w212 - w42 * w215, w40 * w218 - w42 * w221,
-            w40 * w224 - w42 * w227, w40 * w228 - w42 * w229,
+            w102, w140, w154, w22 * c72 - (w154 + (w102 + w140) + w161 + w162 + w163 + w164 + w165 + w166), w161,
+            w162, w163, w164, w165, w166,
         ),
         ca.horzcat(  # link5.theta
-            w4 * w172 - w115 * w173, w172 * w182 - w173 * w184, w172 * w186 - w173 * w189,
-            w172 * w192 - w173 * w195,
-            w46 * w130 - w38 * w44 - w46 * gravity_y - w52 * w110 - w54 * w161 + w52 * w199 - w54 * w202,
-            w52 * w206 - w54 * w209, w52 * w212 - w54 * w215, w52 * w218 - w54 * w221, w52 * w224 - w54 * w227,
-            w52 * w228 - w54 * w229,
+            w107, w141, w155, w167, w32 * c73 - (w167 + (w155 + (w107 + w141)) + w173 + w174 + w175 + w176 + w177),
+            w173, w174, w175, w176, w177,
         ),
         ca.horzcat(  # link6.theta
-            w4 * w174 - w115 * w175, w174 * w182 - w175 * w184, w174 * w186 - w175 * w189,
-            w174 * w192 - w175 * w195, w174 * w198 - w175 * w201,
-            w58 * w135 - w50 * w56 - w58 * gravity_y - w64 * w109 - w66 * w160 + w64 * w205 - w66 * w208,
-            w64 * w212 - w66 * w215, w64 * w218 - w66 * w221, w64 * w224 - w66 * w227, w64 * w228 - w66 * w229,
+            w112, w142, w156, w168, w178,
+            w42 * c74 - (w178 + (w168 + (w156 + (w112 + w142))) + w183 + w184 + w185 + w186), w183, w184, w185,
+            w186,
         ),
         ca.horzcat(  # link7.theta
-            w4 * w176 - w115 * w177, w176 * w182 - w177 * w184, w176 * w186 - w177 * w189,
-            w176 * w192 - w177 * w195, w176 * w198 - w177 * w201, w176 * w204 - w177 * w207,
-            w70 * w140 - w62 * w68 - w70 * gravity_y - w76 * w108 - w78 * w159 + w76 * w211 - w78 * w214,
-            w76 * w218 - w78 * w221, w76 * w224 - w78 * w227, w76 * w228 - w78 * w229,
+            w117, w143, w157, w169, w179, w187,
+            w52 * c75 - (w187 + (w179 + (w169 + (w157 + (w117 + w143)))) + w191 + w192 + w193), w191, w192, w193,
         ),
         ca.horzcat(  # link8.theta
-            w4 * w178 - w115 * w179, w178 * w182 - w179 * w184, w178 * w186 - w179 * w189,
-            w178 * w192 - w179 * w195, w178 * w198 - w179 * w201, w178 * w204 - w179 * w207,
-            w178 * w210 - w179 * w213,
-            w82 * w145 - w74 * w80 - w82 * gravity_y - w88 * w107 - w90 * w158 + w88 * w217 - w90 * w220,
-            w88 * w224 - w90 * w227, w88 * w228 - w90 * w229,
+            w122, w144, w158, w170, w180, w188, w194,
+            w62 * c76 - (w194 + (w188 + (w180 + (w170 + (w158 + (w122 + w144))))) + w197 + w198), w197, w198,
         ),
         ca.horzcat(  # link9.theta
-            w4 * w180 - w115 * w181, w180 * w182 - w181 * w184, w180 * w186 - w181 * w189,
-            w180 * w192 - w181 * w195, w180 * w198 - w181 * w201, w180 * w204 - w181 * w207,
-            w180 * w210 - w181 * w213, w180 * w216 - w181 * w219,
-            w94 * w150 - w86 * w92 - w94 * gravity_y - w99 * w106 - w101 * w157 + w99 * w223 - w101 * w226,
-            w99 * w228 - w101 * w229,
+            w127, w145, w159, w171, w181, w189, w195, w199,
+            w72 * c77 - (w199 + (w195 + (w189 + (w181 + (w171 + (w159 + (w127 + w145)))))) + w201), w201,
         ),
         ca.horzcat(  # link10.theta
-            w4 * w97 - w104 * w115, w97 * w182 - w104 * w184, w97 * w186 - w104 * w189, w97 * w192 - w104 * w195,
-            w97 * w198 - w104 * w201, w97 * w204 - w104 * w207, w97 * w210 - w104 * w213, w97 * w216 - w104 * w219,
-            w97 * w222 - w104 * w225, w104 * w155 - w97 * w103 - w104 * gravity_y,
+            w130, w146, w160, w172, w182, w190, w196, w200, w202,
+            w128 * c60 - (w202 + (w200 + (w196 + (w190 + (w182 + (w172 + (w160 + (w130 + w146)))))))),
         ),
     )
     J_v = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w0 * (w231 * c61) - w2 * (w232 * c61), w0 * (w10 * w233 + w235) - w2 * (w7 * w233 + w237),
-            w0 * w241 - w2 * w244, w0 * w248 - w2 * w251, w0 * w255 - w2 * w258, w0 * w262 - w2 * w265,
-            w0 * w269 - w2 * w272, w0 * w276 - w2 * w279, w0 * w283 - w2 * w286, w0 * w288 - w2 * w289,
+            0.0, w203 * (link2_theta_dot * -2.0), w206 * w229, w208 * w238, w210 * w246, w212 * w253, w214 * w259,
+            w216 * w264, w218 * w268, w219 * w270,
         ),
         ca.horzcat(  # link2.theta
-            w166 * w231 - w167 * w232, w16 * w235 - w18 * w237, w16 * w241 - w18 * w244, w16 * w248 - w18 * w251,
-            w16 * w255 - w18 * w258, w16 * w262 - w18 * w265, w16 * w269 - w18 * w272, w16 * w276 - w18 * w279,
-            w16 * w283 - w18 * w286, w16 * w288 - w18 * w289,
+            w203 * w204, 0.0, w220 * w229, w222 * w238, w223 * w246, w224 * w253, w225 * w259, w226 * w264,
+            w227 * w268, w228 * w270,
         ),
         ca.horzcat(  # link3.theta
-            w168 * w231 - w169 * w232, w168 * w234 - w169 * w236, w28 * w240 - w30 * w243, w28 * w248 - w30 * w251,
-            w28 * w255 - w30 * w258, w28 * w262 - w30 * w265, w28 * w269 - w30 * w272, w28 * w276 - w30 * w279,
-            w28 * w283 - w30 * w286, w28 * w288 - w30 * w289,
+            w204 * w206, w220 * w221, 0.0, w230 * w238, w232 * w246, w233 * w253, w234 * w259, w235 * w264,
+            w236 * w268, w237 * w270,
         ),
         ca.horzcat(  # link4.theta
-            w170 * w231 - w171 * w232, w170 * w234 - w171 * w236, w170 * w239 - w171 * w242,
-            w40 * w247 - w42 * w250, w40 * w255 - w42 * w258, w40 * w262 - w42 * w265, w40 * w269 - w42 * w272,
-            w40 * w276 - w42 * w279, w40 * w283 - w42 * w286, w40 * w288 - w42 * w289,
+            w204 * w208, w221 * w222, w230 * w231, 0.0, w239 * w246, w241 * w253, w242 * w259, w243 * w264,
+            w244 * w268, w245 * w270,
         ),
         ca.horzcat(  # link5.theta
-            w172 * w231 - w173 * w232, w172 * w234 - w173 * w236, w172 * w239 - w173 * w242,
-            w172 * w246 - w173 * w249, w52 * w254 - w54 * w257, w52 * w262 - w54 * w265, w52 * w269 - w54 * w272,
-            w52 * w276 - w54 * w279, w52 * w283 - w54 * w286, w52 * w288 - w54 * w289,
+            w204 * w210, w221 * w223, w231 * w232, w239 * w240, 0.0, w247 * w253, w249 * w259, w250 * w264,
+            w251 * w268, w252 * w270,
         ),
         ca.horzcat(  # link6.theta
-            w174 * w231 - w175 * w232, w174 * w234 - w175 * w236, w174 * w239 - w175 * w242,
-            w174 * w246 - w175 * w249, w174 * w253 - w175 * w256, w64 * w261 - w66 * w264, w64 * w269 - w66 * w272,
-            w64 * w276 - w66 * w279, w64 * w283 - w66 * w286, w64 * w288 - w66 * w289,
+            w204 * w212, w221 * w224, w231 * w233, w240 * w241, w247 * w248, 0.0, w254 * w259, w256 * w264,
+            w257 * w268, w258 * w270,
         ),
         ca.horzcat(  # link7.theta
-            w176 * w231 - w177 * w232, w176 * w234 - w177 * w236, w176 * w239 - w177 * w242,
-            w176 * w246 - w177 * w249, w176 * w253 - w177 * w256, w176 * w260 - w177 * w263,
-            w76 * w268 - w78 * w271, w76 * w276 - w78 * w279, w76 * w283 - w78 * w286, w76 * w288 - w78 * w289,
+            w204 * w214, w221 * w225, w231 * w234, w240 * w242, w248 * w249, w254 * w255, 0.0, w260 * w264,
+            w262 * w268, w263 * w270,
         ),
         ca.horzcat(  # link8.theta
-            w178 * w231 - w179 * w232, w178 * w234 - w179 * w236, w178 * w239 - w179 * w242,
-            w178 * w246 - w179 * w249, w178 * w253 - w179 * w256, w178 * w260 - w179 * w263,
-            w178 * w267 - w179 * w270, w88 * w275 - w90 * w278, w88 * w283 - w90 * w286, w88 * w288 - w90 * w289,
+            w204 * w216, w221 * w226, w231 * w235, w240 * w243, w248 * w250, w255 * w256, w260 * w261, 0.0,
+            w265 * w268, w267 * w270,
         ),
         ca.horzcat(  # link9.theta
-            w180 * w231 - w181 * w232, w180 * w234 - w181 * w236, w180 * w239 - w181 * w242,
-            w180 * w246 - w181 * w249, w180 * w253 - w181 * w256, w180 * w260 - w181 * w263,
-            w180 * w267 - w181 * w270, w180 * w274 - w181 * w277, w99 * w282 - w101 * w285,
-            w99 * w288 - w101 * w289,
+            w204 * w218, w221 * w227, w231 * w236, w240 * w244, w248 * w251, w255 * w257, w261 * w262, w265 * w266,
+            0.0, w269 * w270,
         ),
         ca.horzcat(  # link10.theta
-            w97 * w231 - w104 * w232, w97 * w234 - w104 * w236, w97 * w239 - w104 * w242, w97 * w246 - w104 * w249,
-            w97 * w253 - w104 * w256, w97 * w260 - w104 * w263, w97 * w267 - w104 * w270, w97 * w274 - w104 * w277,
-            w97 * w281 - w104 * w284, 0.0,
+            w204 * w219, w221 * w228, w231 * w237, w240 * w245, w248 * w252, w255 * w258, w261 * w263, w266 * w267,
+            w269 * (2 * link9_theta_dot), 0.0,
         ),
     )
     inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
@@ -2860,13 +2800,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
-    takes c (n_const = 62) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 10) [mixed]: accelerations of the independent coordinates
     674 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 78)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]

@@ -590,13 +590,13 @@ def residual_jacobian() -> ca.Function:
     w3 = lower_theta_dot**2 * w2
     w4 = w1 * c1
     w5 = lower_theta_ddot * w4
-    w6 = upper_theta_ddot * w4
-    w7 = upper_theta_dot**2 * w2
+    w6 = upper_theta_dot**2 * w2
+    w7 = upper_theta_ddot * w4
     w8 = w1 * c19
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(ca.sin(upper_theta) * c17 - w3 - w5, w3 + w5),  # upper.theta
-        ca.horzcat(w7 - w6, w6 - w7 - ca.sin(lower_theta) * c4),  # lower.theta
+        ca.horzcat(w6 - w7, w7 - ca.sin(lower_theta) * c4 - w6),  # lower.theta
     )
     J_v = ca.SX(2, 2)
     # upper.theta

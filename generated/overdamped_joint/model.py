@@ -559,7 +559,7 @@ def dQ_hat_dq_i() -> ca.Function:
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(c19 - ca.sin(rod_theta) * c5 - w1, spring_stiffness + w1),  # rod.theta
-        ca.horzcat(spring_stiffness + w2, c19 - w2 - ca.sin(finger_theta) * c6),  # finger.theta
+        ca.horzcat(spring_stiffness + w2, c19 - ca.sin(finger_theta) * c6 - w2),  # finger.theta
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
@@ -631,13 +631,13 @@ def residual_jacobian() -> ca.Function:
     w3 = finger_theta_dot**2 * w2
     w4 = w1 * c3
     w5 = finger_theta_ddot * w4
-    w6 = rod_theta_ddot * w4
-    w7 = rod_theta_dot**2 * w2
+    w6 = rod_theta_dot**2 * w2
+    w7 = rod_theta_ddot * w4
     w8 = w1 * c21
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(c19 - ca.sin(rod_theta) * c5 - w3 - w5, w5 + (spring_stiffness + w3)),  # rod.theta
-        ca.horzcat(spring_stiffness + w7 - w6, w6 - spring_stiffness - w7 - ca.sin(finger_theta) * c6),  # finger.theta
+        ca.horzcat(spring_stiffness + w6 - w7, w7 - spring_stiffness - ca.sin(finger_theta) * c6 - w6),  # finger.theta
     )
     J_v = ca.vertcat(
         ca.horzcat(c20, spring_damping + finger_theta_dot * w8),  # rod.theta

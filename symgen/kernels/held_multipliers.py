@@ -22,6 +22,7 @@ from symgen.condensed.condensation import Condensed, congruence
 from symgen.condensed.loops import solve_transposed
 from symgen.condensed.row_changes import Variation, along, derivative_rows
 from symgen.condensed.variations import constraint_rates, particular, variations
+from symgen.kernels.paired_masses import paired_changes
 from symgen.system.frames.directions import Direction
 
 FEW_DIRECTIONS = 8  # independent coordinates up to which derivatives along each are tried
@@ -29,11 +30,22 @@ FEW_DIRECTIONS = 8  # independent coordinates up to which derivatives along each
 
 def held_jacobians(system: Condensed, q_i_ddot: Sequence[ca.SX]) -> list[tuple[ca.SX, ca.SX]]:
     """(J_q, J_v): total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot, by each way that may be short."""
-    held = _held(system, dict(zip(system.choice.independent, q_i_ddot, strict=True)))
-    found = [_eliminated(held)]
+    given = dict(zip(system.choice.independent, q_i_ddot, strict=True))
+    held = _held(system, given)
+    found = [ca.substitute(_eliminated(held), *held.values)]
     if system.choice.loop_columns and len(system.choice.independent) <= FEW_DIRECTIONS:
-        found.append(_tied(held) or _directed(held))
-    return [(ca.densify(J_q), ca.densify(J_v)) for J_q, J_v in (ca.substitute(form, *held.values) for form in found)]
+        found.append(ca.substitute(_tied(held) or _directed(held), *held.values))
+    inertia = paired_changes(system, given)
+    if inertia is not None:
+        found.append(_with(system, given, inertia))
+    return [(ca.densify(J_q), ca.densify(J_v)) for J_q, J_v in found]
+
+
+def _with(system: Condensed, given: Row, inertia: tuple[ca.SX, ca.SX]) -> list[ca.SX]:
+    """Of all forces but those of inertia by elimination, and of these."""
+    held = _held(system, given, massless=True)
+    rest = ca.substitute(_eliminated(held), *held.values)
+    return [other + own for other, own in zip(rest, inertia, strict=True)]
 
 
 @dataclass(frozen=True)
@@ -41,6 +53,7 @@ class _Held:
     """rho by column, accelerations by column (of dependent coordinates: symbols), and what the symbols stand for.
 
     reactions: C_q^T lambda by column, of the rows whose second derivatives are not known; lam by constraint row.
+    massless: without inertia forces, in rho and lambda.
     """
 
     system: Condensed
@@ -49,13 +62,14 @@ class _Held:
     lam: Row
     accelerations: Row
     values: tuple[list[ca.SX], list[ca.SX]]
+    massless: bool = False
 
 
-def _held(system: Condensed, given: Row) -> _Held:
+def _held(system: Condensed, given: Row, massless: bool = False) -> _Held:
     eq = system.reduced
     a_d = {one.column: ca.SX.sym(f"a_{one.column}") for one in system.inner}
     accelerations = {**given, **a_d}
-    force = eq.force(accelerations)
+    force = eq.outer_forces if massless else eq.force(accelerations)
     rows = _rows(system)
     lam = {row: ca.SX.sym(f"lam_{row}") for row in rows}
     reactions: Row = {}
@@ -69,7 +83,7 @@ def _held(system: Condensed, given: Row) -> _Held:
     symbols = ca.SX(ca.vertcat(*a_d.values()))
     multipliers = ca.substitute(ca.SX(ca.vertcat(*_multipliers(system, rows, force))), symbols, known)
     values = [symbols, ca.SX(ca.vertcat(*lam.values()))], [known, multipliers]
-    return _Held(system, rho, reactions, lam, accelerations, values)
+    return _Held(system, rho, reactions, lam, accelerations, values, massless)
 
 
 def _eliminated(held: _Held) -> list[ca.SX]:
@@ -77,7 +91,7 @@ def _eliminated(held: _Held) -> list[ca.SX]:
     system, eq = held.system, held.system.reduced
     columns = sorted(held.rho)
     K, D = (dict(zip(columns, rows, strict=True)) for rows in _derivatives(held, columns))
-    left = _Elimination([dict(row) for row in eq.M], K, D)
+    left = _Elimination([{} if held.massless else dict(row) for row in eq.M], K, D)
     for one in reversed(variations(system, held.accelerations)):
         left.take_out(one)
     return [left.matrix(matrix, system.choice.independent) for matrix in (left.K, left.D)]

@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-import casadi as ca
 import numpy as np
 import pytest
 
-from symgen.condensed.condensation import Condensed
-from symgen.kernels import held_multipliers, jacobians
-from symgen.pipeline import derive
 from symgen.scene import Scene, SceneBuilder
-from symgen.system.build import build_system
 from tests.derivation.test_force_changes import bent_chain
+from tests.support.jacobian_forms import assert_equal_forms, values_of_forms
 
 
 def twice_tied() -> Scene:
@@ -37,23 +31,4 @@ def twice_tied() -> Scene:
 )
 def test_directions_give_the_jacobians_of_elimination(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
     """At random positions and rates: the forms are equal whether or not these close the loops."""
-    forms: list[tuple[ca.SX, ca.SX]] = []
-    whole = held_multipliers.held_jacobians
-
-    def kept(system: Condensed, q_i_ddot: Sequence[ca.SX]) -> list[tuple[ca.SX, ca.SX]]:
-        assert system.reduced.tied_changes is not None and system.reduced.loop_rates
-        forms.extend(whole(system, q_i_ddot))
-        return forms
-
-    monkeypatch.setattr(jacobians, "held_jacobians", kept)
-    derive(scene, frozenset({"residual_jacobian"}))
-    eliminated, directed = (ca.vertcat(*form) for form in forms)
-    symbols = ca.symvar(ca.horzcat(eliminated, directed))
-    function = ca.Function("both", [ca.vertcat(*symbols)], [eliminated, directed])
-    table, rng = build_system(scene).parameters, np.random.default_rng(0)
-    given = {str(own): entry.default for own, entry in zip(ca.vertsplit(table.vector()), table.entries, strict=True)}
-    values = function([given.get(str(symbol), 0.4 * rng.normal()) for symbol in symbols])
-    expected, found = (np.asarray(value) for value in values)
-    size = found.shape[1]
-    for part in (slice(size), slice(size, None)):
-        assert np.max(np.abs(found[part] - expected[part])) <= 1e-13 * np.max(np.abs(expected[part])) > 0
+    assert_equal_forms(values_of_forms(scene, monkeypatch))
