@@ -17,10 +17,10 @@ from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
 from runtime.contract.status import Event
 from runtime.operating.mode_solver import ModeSolver, State
+from runtime.running.followed_steps import follow_steps, follows_steps
 from runtime.running.made_error import error_made, may_be_judged, may_be_longer
 from runtime.running.neighbour import placed_beside, seen_state, small_change, take_given
 from runtime.running.segment import Segment
-from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.step_limit import eigenvalues
 from runtime.schemes.switching.broken_steps import BrokenSteps
 
@@ -123,11 +123,13 @@ class CarriedError:
 
     def _place(self, segment: Segment, z: np.ndarray) -> None:
         """Put the neighbour where the error says, over the scale."""
-        size, scheme = self._size(segment), segment.plan.scheme
+        size = self._size(segment)
         self.ended, self.z, self.held = not size < LOST, None, False
         if self.ended or size == 0:
             return
-        offset = max(OFFSET, TOLERANCES * scheme.tolerance) if isinstance(scheme, AdaptiveSteps) else OFFSET
+        offset = OFFSET
+        if not follows_steps(segment, z):
+            offset = max(OFFSET, TOLERANCES * segment.plan.scheme.tolerance)  # type: ignore[attr-defined]
         self.scale = offset / size
         self.z = placed_beside(segment, z, self.scale * self.di, self.scale * self.dv)
         self.ended = self.z is None
@@ -140,7 +142,12 @@ class CarriedError:
         if self.z is None:
             return
         take_given(segment, before, self.z)
-        if segment.broken is None:
+        if segment.plan.scheme.adaptive and follows_steps(segment, z):
+            self.z = follow_steps(segment, before, z, self.z)
+            if self.z is None:
+                self.drop()
+                return
+        elif segment.broken is None:
             told = dict(segment.given)
             segment.run(self.z, steps)
             segment.given = told  # impulses that the run tells are its own

@@ -56,6 +56,8 @@ def error_made(
     if (other[failures] > start[failures]).any():
         return None
     there = seen_state(segment, other, constants)
+    if isinstance(segment.plan.scheme, AdaptiveSteps):
+        here = seen_state(segment, segment.plan.scheme.at_end(end))
     dq, dq_dot = ((a - b) * share for a, b in zip(there, here, strict=True))
     return (dq, dq_dot) if np.isfinite([*dq, *dq_dot]).all() else None
 
@@ -76,12 +78,15 @@ def _fixed(segment: Segment, start: np.ndarray, end: np.ndarray, longer: bool) -
 def _varying(
     segment: Segment, start: np.ndarray, end: np.ndarray, longer: bool
 ) -> tuple[np.ndarray, np.ndarray, float]:
-    scheme, other, steps = segment.plan.scheme, start.copy(), segment.step_of(end) - segment.step_of(start)
+    """From the end of one step of the run to that of another: in between the interpolant errs, for a moment only."""
+    scheme, other = segment.plan.scheme, start.copy()
     assert isinstance(scheme, AdaptiveSteps)
-    constants = scheme.constants(segment.c, None, TOLERANCE * scheme.tolerance)
     scheme.with_errors(other, TOLERANCE)
-    scheme.step_from_seen(other, segment.plan.grid.dt_L)  # the run's own step has gone further, and its error with it
-    segment.run_varying(other, steps, segment.stepper.ready_for(constants), segment.plan.grid.dt_L)
-    if segment.step_of(other) != segment.step_of(end):
+    scheme.begin_anew(other)
+    scheme.land(other)
+    seconds = scheme.reached(end) - scheme.reached(start)
+    constants = scheme.constants(segment.c, seconds, TOLERANCE * scheme.tolerance)
+    segment.run_varying(other, 1, segment.stepper.ready_for(constants), seconds)
+    if segment.step_of(other) != 1:
         other[:] = np.nan
     return other, constants, 1 / (TOLERANCE ** (scheme.order / scheme.error_order) - 1)

@@ -21,10 +21,14 @@ PAIR = 1.5  # steps of a finer trial over those of one whose error is measured
 REACH = (6.0, 24.0, 256.0)
 ROUGH, LOST = 0.03, 1.0  # of an amplitude: errors above are not taken on; and tell nothing
 SLACK = 1.5  # of the largest error that is taken on
-LEAP = 8.0  # steps of a trial over those of the finest so far, at most
+LEAP, LEAPS = 8.0, (2.0, 4.0, 8.0)  # steps of a trial over those of the finest so far, at most; for as many falls
 MOST = 12  # trials
 CLEAN = (0.8, 1.25)  # slopes of errors over the order of the method
-FEWER, MORE = 1.2, 1.35  # the steps that are wanted over those of a trial, or these over those: near enough
+FEWER, MORE, ENOUGH = 1.2, 1.35, 2.5  # wanted steps over those of a trial, these over those, and its error: near enough
+APART, AT_ONCE = (
+    1.1,
+    5.0,
+)  # steps of a trial over those of a coarser one, at least; of the run's over the finest, at most
 
 
 @dataclass
@@ -45,9 +49,12 @@ class SteadyTrials:
             return None
         while len(self.made) <= MOST:
             k = self._last_above(error)
-            one, wanted = self._nearest(k, error)
-            if one is not None and (wanted < FEWER * self._count(one) and self._count(one) < MORE * wanted):
-                return one
+            wanted = self._between(k, error)
+            if self._is_sure(k, error):
+                near = [one for one in self.made if wanted / FEWER < self._count(one) < MORE * wanted]
+                near = [one for one in near if self.error_of(one) < ENOUGH * error]
+                if near:
+                    return min(near, key=lambda one: abs(np.log(self._count(one) / wanted)))
             if not self._add(self._next(k, error, wanted)):
                 return None
         return None
@@ -76,8 +83,7 @@ class SteadyTrials:
     def operations_for(self, other: TriedMotion) -> float:
         """Of as many steps as have the error of another motion."""
         error = self.runs.error(other, self.made[-1])
-        k = self._last_above(error)
-        return self.operations(self._between(k, error) if k >= 0 else self._taken_on(0, error))
+        return self.operations(self._between(self._last_above(error), error))
 
     def _count(self, one: TriedMotion) -> float:
         return self.runs.span / one.steady
@@ -105,30 +111,27 @@ class SteadyTrials:
         fall = np.log(self.errors[k] / self.errors[k + 1]) / np.log(self.counts[k + 1] / self.counts[k])
         return float(fall / self.runs.scheme.order)
 
-    def _nearest(self, k: int, error: float) -> tuple[TriedMotion | None, float]:
-        """(a trial that may have the error, the number of steps that should); k: the finest one with a larger error."""
-        if k < 0:
-            wanted = max(self._taken_on(0, error), float(LEAST_STEPS))
-            return self.made[0], wanted
-        wanted = self._between(k, error)
-        if k < len(self.errors) - 1:
-            return self.made[k + 1], wanted
-        sure = self.errors[k] <= SLACK * self._largest(error, self._clean(k))
-        return (self.made[-1] if sure else None), wanted
+    def _is_sure(self, k: int, error: float) -> bool:
+        """Is the number of steps known well enough? k: the finest trial with a larger error."""
+        if 0 <= k == len(self.errors) - 1:
+            return bool(self.errors[k] <= SLACK * self._largest(error, self._clean(k)))
+        return True
 
     def _next(self, k: int, error: float, wanted: float) -> float:
         """Of how many steps the next trial is, where `wanted` should have the error."""
         finest = self._count(self.made[-1])
-        if k < len(self.errors) - 1:
+        if k < 0:
             return max(wanted, float(self.counts[0]) / LEAP)
-        if self.errors[k] > LOST:
-            return 2 * finest
-        if self.errors[k] <= SLACK * self._largest(error, self._clean(k)):
-            return min(wanted, LEAP * finest)
-        there = self._taken_on(k, self._largest(error, self._clean(k, unknown=True)))
+        if k < len(self.errors) - 1:
+            return max(wanted, APART * float(self.counts[k]))
+        if self._is_sure(k, error):
+            return min(max(wanted, APART * finest), LEAP * finest)
+        hopeful = self._clean(k, unknown=True)
+        there, leap = self._taken_on(k, self._largest(error, hopeful)), LEAPS[hopeful if self.errors[k] < LOST else 0]
         if there > PAIR * finest:
-            return min(there, LEAP * finest)
-        return min(max(PAIR * finest, wanted), LEAP * finest) if self._clean(k) else PAIR * finest
+            return min(there, leap * finest)
+        at_once = self._clean(k) > 0 and PAIR * finest < wanted < AT_ONCE * finest
+        return wanted if at_once else PAIR * finest
 
     @staticmethod
     def _largest(error: float, clean: int) -> float:
@@ -151,7 +154,9 @@ class SteadyTrials:
         return float(self.runs.scheme.order * min(max(known[0] if known else 1.0, CLEAN[0]), CLEAN[1]))
 
     def _between(self, k: int, error: float) -> float:
-        """The number of steps for an error that is less than that of a trial, by the next one where it is known."""
+        """The number of steps for an error; k: the finest trial with a larger one."""
+        if k < 0:
+            return max(self._taken_on(0, error), float(LEAST_STEPS))
         if k == len(self.errors) - 1:
             return self._taken_on(k, error)
         share = np.log(self.errors[k] / error) / np.log(self.errors[k] / self.errors[k + 1])

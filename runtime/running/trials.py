@@ -23,7 +23,7 @@ from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.times import SwitchTime
 
 RANGING = 0.1  # tolerance of steps of the trial that amplitudes are first told by
-AIM = 0.4  # of what is asked: the error that is aimed at
+AIM = 0.6  # of what is asked: the error that is aimed at
 WORTH = 1.1  # of the operations with steps of one length: where varied ones may take fewer than that, they are tried
 
 

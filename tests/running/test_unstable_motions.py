@@ -14,7 +14,10 @@ from runtime import Model, Sampled, Solution, reference_solution, resume, simula
 from runtime.contract.coordinates import followed
 from runtime.results.amplitudes import floored
 from runtime.running.carried_error import CarriedError
+from runtime.running.followed_steps import follow_steps, follows_steps
+from runtime.running.plan import make_plan
 from runtime.running.segment import Segment
+from runtime.start.start_state import start_state
 from symgen.scene import Scene, SceneBuilder
 
 Load = Callable[[str], Model]
@@ -163,3 +166,29 @@ def test_what_a_controller_holds_is_not_called_unstable(model_of: Build) -> None
     hold = Sampled(lambda t, y: -20.0 * (y[0] - np.pi / 2) - 5.0 * y[1], 0.02, reads=("rod.theta", "rod.theta_dot"))
     run = simulate(model_of(builder.build()), inputs={"u": hold})
     assert run["rod.theta"][-1] == pytest.approx(np.pi / 2, abs=1e-6) and "remark" not in run.stats
+
+
+def test_a_neighbour_takes_the_steps_of_the_run(built_in: Load) -> None:
+    """Where they vary: what it differs by is in proportion to what it differed by."""
+    model = built_in("double_pendulum")
+    options = {"tolerance": 1e-3, "error_of": "step"}
+    plan = make_plan(model, 2.0, 0.05, None, "dopri5", 1, options, 0.0, False)
+    p = model.parameter_vector(None)
+    segment = Segment.build(model, plan, p, "auto")
+    state = start_state(model, p, segment.c, 0.0, OVER_THE_TOP, None)
+    z, own = segment.start(state.q, state.q_dot), plan.scheme.layout.slice
+    segment.run(z, 10)
+    before, beside = z.copy(), z.copy()
+    segment.run(z, 20)
+    assert follows_steps(segment, z) and z[own("accepted")] > before[own("accepted")] + 5
+    same = follow_steps(segment, before, z, before.copy())
+    assert same is not None and same[own("x")] == pytest.approx(z[own("x")], rel=1e-13, abs=1e-13)
+    moved = []
+    for offset in (1e-6, 1e-8):  # small steps of a controller would be seen: they do not shrink with the offset
+        beside = before.copy()
+        for name in ("x", "q_to"):
+            beside[own(name)] += offset
+        found = follow_steps(segment, before, z, beside)
+        assert found is not None
+        moved.append((found[own("x")] - z[own("x")]) / offset)
+    assert moved[1] == pytest.approx(moved[0], rel=1e-4) and np.abs(moved[0]).max() > 1.0

@@ -244,14 +244,6 @@ class AdaptiveState(OneStep):
         z[self.layout.slice("n")] = 0
         return float(z[self.layout.slice("h_next")][0])
 
-    def step_from_seen(self, z: np.ndarray, dt: float) -> None:
-        """Let the next step begin where z (flat) is seen, dt [s] apart, and not at the end of its last step."""
-        own = self.layout.slice
-        z[own("t_to")] = z[own("t0")] + z[own("n")] * dt
-        for name, seen in (("q_to", "x"), ("v_to", "v"), ("loop_to", "loop")):
-            z[own(name)] = z[own(seen)]
-        z[own("fresh")] = z[own("cold")] = 1.0
-
     def is_stuck(self, z: np.ndarray) -> bool:
         """Did the least step not meet the tolerance?"""
         return bool(z[self.layout.slice("stuck")][0] > 0)
