@@ -16,8 +16,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
-    97 operations.
+    gives c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
+    115 operations.
     """
     p = ca.SX.sym("p", 6)
     gravity_z = p[0]
@@ -26,54 +26,60 @@ def constants() -> ca.Function:
     top_inertia_yy = p[3]
     top_inertia_zz = p[4]
     top_foot_y = p[5]
-    # intermediate terms (15)
+    # intermediate terms (20)
     w0 = top_mass * top_foot_y
-    w1 = top_inertia_xx + top_inertia_yy
-    w2 = (w1 + top_inertia_zz) / 2.0
-    w3 = -2.0 * w2
-    w4 = top_foot_y * w0
-    w5 = w2 - top_inertia_yy
-    w6 = w2 - top_inertia_zz
-    w7 = w2 - top_inertia_xx
-    w8 = w6 + w7
-    w9 = w5 + w6
-    w10 = w5 + w7
-    w11 = -4.0 * w10
-    w12 = -4.0 * w8
-    w13 = top_mass * gravity_z
-    w14 = w5 + w4
+    w1 = w0 * gravity_z
+    w2 = top_inertia_xx + top_inertia_yy
+    w3 = (w2 + top_inertia_zz) / 2.0
+    w4 = -2.0 * w3
+    w5 = top_foot_y * w0
+    w6 = gravity_z * (top_foot_y * (2 * top_mass))
+    w7 = w3 - top_inertia_yy
+    w8 = w3 - top_inertia_zz
+    w9 = w3 - top_inertia_xx
+    w10 = w8 + w9
+    w11 = w7 + w8
+    w12 = w7 + w9
+    w13 = -4.0 * w12
+    w14 = -4.0 * w10
+    w15 = top_mass * gravity_z
+    w16 = w7 + w5
+    w17 = -1.0 / (w16 + w8)
+    w18 = -1.0 / w10
+    w19 = -1.0 / (w16 + w9)
     # outputs
     c = ca.vertcat(
-        w0 * gravity_z,  # c0
-        -(top_inertia_yy + top_inertia_zz + w3 - w4),  # c1
-        -(w3 + (top_inertia_xx + top_inertia_zz)),  # c2
-        -(w1 + w3 - w4),  # c3
-        gravity_z * (top_foot_y * (2 * top_mass)),  # c4
-        top_inertia_yy - top_inertia_zz - w4,  # c5
+        w1,  # c0
+        -(top_inertia_yy + top_inertia_zz + w4 - w5),  # c1
+        -(w4 + (top_inertia_xx + top_inertia_zz)),  # c2
+        -(w2 + w4 - w5),  # c3
+        w6,  # c4
+        top_inertia_yy - top_inertia_zz - w5,  # c5
         -(top_inertia_xx - top_inertia_zz),  # c6
-        w4 + (top_inertia_xx - top_inertia_yy),  # c7
+        w5 + (top_inertia_xx - top_inertia_yy),  # c7
         -top_foot_y,  # c8
         top_foot_y,  # top_foot_y
-        w5,  # c10
+        w7,  # c10
         top_mass,  # top_mass
-        w6,  # c12
-        w7,  # c13
-        w8,  # c14
-        w9,  # c15
-        w10,  # c16
-        4.0 * w8 + w11,  # c17
-        4.0 * w10 + -4.0 * w9,  # c18
-        4.0 * w9 + w12,  # c19
-        w12 + 4.0 * w9,  # c20
-        4.0 * w10 + -4.0 * w9,  # c21
-        w11 + 4.0 * w8,  # c22
-        w13,  # c23
-        -w13,  # c24
-        w14 + w6,  # c25
-        w14 + w7,  # c26
-        w14 - w6,  # c27
-        w6 - w7,  # c28
-        w7 - w14,  # c29
+        w8,  # c12
+        w9,  # c13
+        w10,  # c14
+        w11,  # c15
+        w12,  # c16
+        4.0 * w10 + w13,  # c17
+        4.0 * w12 + -4.0 * w11,  # c18
+        4.0 * w11 + w14,  # c19
+        w14 + 4.0 * w11,  # c20
+        4.0 * w12 + -4.0 * w11,  # c21
+        w13 + 4.0 * w10,  # c22
+        w15,  # c23
+        -w15,  # c24
+        w1 * w17,  # c25
+        w6 * w17,  # c26
+        top_inertia_yy * w17 - top_inertia_zz * w17 - w5 * w17,  # c27
+        top_inertia_xx * w18 - top_inertia_zz * w18,  # c28
+        w6 * w19,  # c29
+        top_inertia_xx * w19 - top_inertia_yy * w19 + w5 * w19,  # c30
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -84,14 +90,14 @@ def condensed() -> ca.Function:
 
     takes q_d (n_d = 7) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 3 x 3) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 3) [N, N m]: condensed force S^T (Q* - M s)
     45 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 31)
     top_e0 = q_d[3]
     top_e1 = q_d[4]
     top_e2 = q_d[5]
@@ -129,13 +135,13 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
     takes chart (4 x orientations = 4) [1]: unit quaternions from which the turns in q_i are rotation vectors
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 7) [mixed]: dependent coordinates after one Newton step
     80 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     chart = ca.SX.sym("chart", 4)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 31)
     top_turn_x = q_i[0]
     top_turn_y = q_i[1]
     top_turn_z = q_i[2]
@@ -175,13 +181,13 @@ def velocities() -> ca.Function:
 
     takes q_d (n_d = 7) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 7) [mixed]: rates of the dependent coordinates
     116 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 31)
     top_e0 = q_d[3]
     top_e1 = q_d[4]
     top_e2 = q_d[5]
@@ -237,7 +243,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 7) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 7) [mixed]: accelerations of the dependent coordinates
     180 operations.
     """
@@ -245,7 +251,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 7)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 31)
     top_e0 = q_d[3]
     top_e1 = q_d[4]
     top_e2 = q_d[5]
@@ -315,7 +321,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 4) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 4 x 7) [SI]: constraint Jacobian
     gives C_t (n_c = 4) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -325,7 +331,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 31)
     top_x = q[0]
     top_y = q[1]
     top_z = q[2]
@@ -393,7 +399,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 7 x 7) [SI]: mass matrix in all coordinates
     gives K (n x n = 7 x 7) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 7) [N, N m]: quadratic velocity force in all coordinates
@@ -405,7 +411,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 31)
     top_e0 = q[3]
     top_e1 = q[4]
     top_e2 = q[5]
@@ -549,7 +555,7 @@ def reactions() -> ca.Function:
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
     takes q_ddot (n = 7) [mixed]: accelerations of all coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 4) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6) [N, N m]: world force and moment of a joint on its body b, at b
     274 operations.
@@ -557,7 +563,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
     q_ddot = ca.SX.sym("q_ddot", 7)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 31)
     top_e0 = q[3]
     top_e1 = q[4]
     top_e2 = q[5]
@@ -657,7 +663,7 @@ def energy() -> ca.Function:
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -667,7 +673,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 31)
     top_z = q[2]
     top_e0 = q[3]
     top_e1 = q[4]
@@ -767,12 +773,12 @@ def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
 
     takes q_d (n_d = 7) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i, through q_d
     32 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 31)
     top_e0 = q_d[3]
     top_e1 = q_d[4]
     top_e2 = q_d[5]
@@ -797,12 +803,12 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     """Total derivative of Q_hat by q_i_dot, through q_d_dot.
 
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     22 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 31)
     top_omega_x = q_i_dot[0]
     top_omega_y = q_i_dot[1]
     top_omega_z = q_i_dot[2]
@@ -824,14 +830,14 @@ def residual_jacobian() -> ca.Function:
 
     takes q_d (n_d = 7) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 3 x 3) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     53 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 31)
     top_e0 = q_d[3]
     top_e1 = q_d[4]
     top_e2 = q_d[5]
@@ -868,13 +874,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_d (n_d = 7) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
-    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
-    43 operations.
+    34 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 30)
+    c = ca.SX.sym("c", 31)
     top_e0 = q_d[3]
     top_e1 = q_d[4]
     top_e2 = q_d[5]
@@ -882,21 +888,17 @@ def forward_dynamics() -> ca.Function:
     top_omega_x = q_i_dot[0]
     top_omega_y = q_i_dot[1]
     top_omega_z = q_i_dot[2]
-    c0 = c[0]
-    c14 = c[14]
     c25 = c[25]
     c26 = c[26]
     c27 = c[27]
     c28 = c[28]
     c29 = c[29]
-    # intermediate terms (2)
-    w0 = 2 * top_e1
-    w1 = 2 * top_e2
+    c30 = c[30]
     # outputs
     q_i_ddot = ca.vertcat(
-        -(((1.0 - (top_e1 * w0 + top_e2 * w1)) * c0 + top_omega_y * top_omega_z * c27) / c25),  # top.turn_x
-        -(top_omega_z * top_omega_x * c28 / c14),  # top.turn_y
-        -((top_omega_y * top_omega_x * c29 - (w0 * top_e3 - w1 * top_e0) * c0) / c26),  # top.turn_z
+        c25 - top_e1**2 * c26 - top_e2**2 * c26 - top_omega_y * top_omega_z * c27,  # top.turn_x
+        top_omega_z * top_omega_x * c28,  # top.turn_y
+        (top_e2 * top_e0 - top_e1 * top_e3) * c29 - top_omega_y * top_omega_x * c30,  # top.turn_z
     )
     inputs, outputs = [q_d, q_i_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_d", "q_i_dot", "c"], ["q_i_ddot"])

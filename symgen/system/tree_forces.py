@@ -8,14 +8,14 @@ from dataclasses import dataclass
 import casadi as ca
 
 from symgen.algebra.rows import Row, add_scaled
-from symgen.algebra.scalar import ONE, neg
+from symgen.algebra.scalar import ONE, ZERO, add, neg
 from symgen.algebra.vectors import Vector
 from symgen.system.equations import Equations
 from symgen.system.frames.directed_changes import Tie, tied_changes
 from symgen.system.frames.directions import Direction
 from symgen.system.frames.force_changes import force_changes
 from symgen.system.frames.free_joints import free_joint_accelerations
-from symgen.system.frames.inverse_dynamics import floating_forces, inverse_dynamics, own_wrenches
+from symgen.system.frames.inverse_dynamics import floating_forces, inverse_dynamics, lone_hinges, own_wrenches
 from symgen.system.frames.loop_rates import LoopRates
 from symgen.system.frames.tree import GROUND, FrameTree
 
@@ -63,10 +63,15 @@ class TreeForces:
         return tied_changes(self.tree, len(self.equations.q), self._base, moving, ties, directions)
 
     def free_joints(self, force: Row, free: frozenset[int], imposed: Row | None = None) -> Row:
-        """Accelerations by a force, and with `imposed` ones by rates and weight too."""
+        """Accelerations by a force, and with `imposed` ones by rates and weight too.
+
+        These are solved for as differences from a motion in which no hinge turns its body faster: less wrenches.
+        """
         if imposed is None:
             return free_joint_accelerations(self.tree, force, free)
-        wrenches, modes = own_wrenches(self.tree, self._base, self._rates, imposed)
+        hinges = lone_hinges(self.tree) & free
+        wrenches, modes, chosen = own_wrenches(self.tree, self._base, self._rates, imposed, hinges)
         left = dict(force)
         add_scaled(left, neg(ONE), modes)
-        return free_joint_accelerations(self.tree, left, free, wrenches)
+        found = free_joint_accelerations(self.tree, left, free, wrenches)
+        return {column: add(value, chosen.get(column, ZERO)) for column, value in found.items()}

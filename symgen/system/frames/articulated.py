@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from symgen.algebra.scalar import ZERO, add, mul, neg, sub
-from symgen.algebra.vectors import Vector, cross, plus, product, scaled, times, zeros
+from symgen.algebra.scalar import ZERO, add, mul, neg
+from symgen.algebra.vectors import Vector, cross, plus, product, times, zeros
 from symgen.system.frames.motion import Composite, Matrix, Twist, Wrench, both_turned_back, symmetric_of
 
 
@@ -75,12 +75,10 @@ class Articulated:
         f = plus(times(self.A, twist.v), times(_transposed(self.H), twist.omega))
         return Wrench(f, plus(times(self.H, twist.v), times(self.J, twist.omega)))
 
-    def less(self, wrench: Wrench, inverse: ca.SX) -> Articulated:
-        """With a coordinate freed whose unit acceleration takes this wrench and 1 / inverse of its own force."""
-        f, n = scaled(inverse, wrench.f), scaled(inverse, wrench.n)
-        return Articulated(
-            _less(self.A, wrench.f, f, True), _less(self.H, wrench.n, f, False), _less(self.J, wrench.n, n, True)
-        )
+    def less(self, wrench: Wrench, over: Wrench) -> Articulated:
+        """With a coordinate freed whose unit acceleration takes this wrench; over: by its own force against that."""
+        A, H, J = _more(self.A, wrench.f, over.f), _more(self.H, wrench.n, over.f), _more(self.J, wrench.n, over.n)
+        return Articulated(symmetric_of(A), H, symmetric_of(J))
 
     def free_about(self, axis: int) -> Articulated:
         """Without what a freed hinge about an axis leaves at zero: no moment about it, whatever the motion."""
@@ -102,6 +100,5 @@ def _columns(apply: Callable[[Vector], Vector], block: Matrix) -> Matrix:
     return _transposed([apply(column) for column in _transposed(block)])
 
 
-def _less(block: Matrix, left: Vector, right: Vector, symmetric: bool) -> Matrix:
-    result = [[sub(block[i][j], mul(left[i], right[j])) for j in range(3)] for i in range(3)]
-    return symmetric_of(result) if symmetric else result
+def _more(block: Matrix, left: Vector, right: Vector) -> Matrix:
+    return [[add(block[i][j], mul(left[i], right[j])) for j in range(3)] for i in range(3)]

@@ -9,17 +9,17 @@ which go to the ground with what is left of the forces: nothing here depends on 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import casadi as ca
 
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE, ZERO, add, div, mul, neg, sub
-from symgen.algebra.vectors import scaled, zeros
+from symgen.algebra.vectors import minus, scaled, zeros
 from symgen.system.frames.articulated import Articulated
 from symgen.system.frames.body_moves import Float
 from symgen.system.frames.motion import NOTHING, Motion, Twist, Wrench, no_masses
-from symgen.system.frames.moves import Move, Turn
+from symgen.system.frames.moves import Move, Slide, Turn
 from symgen.system.frames.tree import GROUND, FrameTree
 
 Place = tuple[int, int]  # frame, and how many of its moves lie before
@@ -41,14 +41,26 @@ def free_joint_accelerations(
 
 
 @dataclass(frozen=True)
+class _Hinge:
+    """A turn by itself: its axis and sign, and the force on it, which is all of the moment that it passes on."""
+
+    axis: int
+    sign: ca.SX
+    force: ca.SX
+
+
+@dataclass(frozen=True)
 class _Freed:
-    """An eliminated coordinate: x'' = inverse (force - wrench . motion - sum others x_j'')."""
+    """An eliminated coordinate: x'' = wrench . motion + sum others x_j'' - share, all over its negative own mass.
+
+    hinge: where there is one, the wrench has a unit moment against its axis.
+    """
 
     column: int
-    inverse: ca.SX
-    force: ca.SX
+    share: ca.SX
     wrench: Wrench
     others: Row
+    hinge: _Hinge | None
 
 
 @dataclass
@@ -67,7 +79,8 @@ class _FreeJoints:
     """
 
     def __init__(self, tree: FrameTree, force: Row, free: frozenset[int], wrenches: Sequence[Wrench]) -> None:
-        self._tree, self._free, self._wrenches = tree, free, wrenches
+        frames = [replace(frame, moves=_turning_last(frame.moves)) for frame in tree.frames]
+        self._tree, self._free, self._wrenches = FrameTree(frames, tree.seats), free, wrenches
         self._force = {column: force.get(column, ZERO) for column in free}
         self._mass: dict[tuple[int, int], ca.SX] = {}
         self._freed: dict[Place, list[_Freed]] = {}
@@ -115,7 +128,9 @@ class _FreeJoints:
     def _through(self, move: Move, place: Place, state: _State) -> None:
         twists = {column: twist for column, twist in move.twists.items() if column in self._free}
         own = {column: state.inertia.momentum(twist) for column, twist in twists.items()}
-        known = dict(state.momenta)
+        known, hinge = dict(state.momenta), None
+        if isinstance(move, Turn) and move.column in twists and move.column not in known:
+            hinge = _Hinge(move.axis, move.sign, self._force[move.column])
         for column, twist in twists.items():
             self._force[column] = sub(self._force[column], state.wrench.along(twist))
             for other, wrench in known.items():
@@ -126,34 +141,34 @@ class _FreeJoints:
                 self._add(column, other, own[column].along(twists[other]))
         for column, wrench in own.items():
             _gather(state.momenta, column, wrench)
-        hinge = move.axis if isinstance(move, Turn) and not set(twists) & set(known) else None
         self._eliminate(place, state, hinge)
         state.inertia = move.composite(state.inertia)  # type: ignore[arg-type, assignment]
         state.wrench = move.wrench(state.wrench)
         state.momenta = {column: move.wrench(wrench) for column, wrench in state.momenta.items()}
 
-    def _eliminate(self, place: Place, state: _State, hinge: int | None) -> None:
-        """The columns that are met nowhere nearer to the ground. hinge: the axis of a turn of its own."""
+    def _eliminate(self, place: Place, state: _State, hinge: _Hinge | None) -> None:
+        """The columns that are met nowhere nearer to the ground. hinge: a turn by itself."""
         for column in sorted(state.momenta):
             if self._last[column] != place:
                 continue
             wrench, force = state.momenta.pop(column), self._force.pop(column)
-            inverse = div(ONE, self._mass.pop((column, column)))
-            others: Row = {}
-            for other in (c for c in state.momenta if _pair(c, column) in self._mass):
-                others[other] = self._mass.pop(_pair(other, column))
-            self._freed.setdefault(place, []).append(_Freed(column, inverse, force, wrench, others))
-            share = mul(inverse, force)
-            state.wrench = state.wrench.plus(Wrench(scaled(share, wrench.f), scaled(share, wrench.n)))
-            state.inertia = state.inertia.less(wrench, inverse)
+            # a product with 1 / m is turned into a division where the emitted text is read, one with -1 / m is not
+            inverse = div(neg(ONE), self._mass.pop((column, column)))
+            over, share = Wrench(scaled(inverse, wrench.f), scaled(inverse, wrench.n)), mul(inverse, force)
+            masses = {c: self._mass.pop(_pair(c, column)) for c in state.momenta if _pair(c, column) in self._mass}
+            relative = {other: mul(inverse, mass) for other, mass in masses.items()}
+            self._freed.setdefault(place, []).append(_Freed(column, share, over, relative, hinge))
+            f, n = state.wrench.f, state.wrench.n
+            state.wrench = Wrench(minus(f, scaled(share, wrench.f)), minus(n, scaled(share, wrench.n)))
+            state.inertia = state.inertia.less(wrench, over)
             if hinge is not None:
-                state.inertia = state.inertia.free_about(hinge)
-            for other, value in others.items():
-                factor = neg(mul(inverse, value))
+                state.wrench.n[hinge.axis] = mul(hinge.sign, hinge.force)
+                state.inertia = state.inertia.free_about(hinge.axis)
+            for other, factor in relative.items():
                 self._force[other] = add(self._force[other], mul(factor, force))
                 mine = state.momenta[other]
                 state.momenta[other] = mine.plus(Wrench(scaled(factor, wrench.f), scaled(factor, wrench.n)))
-                for second, mass in others.items():
+                for second, mass in masses.items():
                     if second >= other:
                         self._add(other, second, mul(factor, mass))
 
@@ -177,10 +192,24 @@ class _FreeJoints:
     def _solve(self, place: Place, motion: Motion) -> None:
         """The columns eliminated at a place; motion: that of the frame without them."""
         for freed in reversed(self._freed.get(place, [])):
-            rest = sub(freed.force, freed.wrench.along(Twist(motion.alpha, motion.a)))
-            for other, value in freed.others.items():
-                rest = sub(rest, mul(value, self.accelerations[other]))
-            self.accelerations[freed.column] = mul(freed.inverse, rest)
+            n, turned = list(freed.wrench.n), ZERO
+            if freed.hinge is not None:
+                axis = freed.hinge.axis
+                n[axis], turned = ZERO, mul(freed.hinge.sign, motion.alpha[axis])
+            value = sub(Wrench(freed.wrench.f, n).along(Twist(motion.alpha, motion.a)), freed.share)
+            for other, factor in freed.others.items():
+                value = add(value, mul(factor, self.accelerations[other]))
+            self.accelerations[freed.column] = sub(value, turned)
+
+
+def _turning_last(moves: Sequence[Move]) -> list[Move]:
+    """A constant shift along the axis of a turn before it: a freed turn passes no moment about its axis on to it."""
+    found = list(moves)
+    for k in range(1, len(found)):
+        turn, slide = found[k - 1], found[k]
+        if isinstance(turn, Turn) and isinstance(slide, Slide) and turn.axis == slide.axis and slide.column is None:
+            found[k - 1 : k + 1] = [slide, turn]
+    return found
 
 
 def _pair(i: int, j: int) -> tuple[int, int]:

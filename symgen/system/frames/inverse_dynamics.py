@@ -6,11 +6,15 @@ masses beyond each move, whose power on the move's twists is the generalised for
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Collection
+
 from symgen.algebra.rows import Row, add_scaled, add_to
 from symgen.algebra.scalar import ZERO, add
 from symgen.algebra.vectors import Vector, zeros
 from symgen.system.frames.body_moves import Float
 from symgen.system.frames.motion import NOTHING, Motion, Wrench
+from symgen.system.frames.moves import Turn
 from symgen.system.frames.tree import GROUND, FrameTree
 
 
@@ -19,7 +23,7 @@ def inverse_dynamics(tree: FrameTree, base: Vector, rates: Row, accelerations: R
 
     Without the accelerations of the origins of bodies that no joint places, which `floating_forces` adds.
     """
-    own, force = own_wrenches(tree, base, rates, accelerations)
+    own, force, _ = own_wrenches(tree, base, rates, accelerations)
     wrenches = [NOTHING] * len(tree.frames)
     for k in reversed(range(len(tree.frames))):
         frame, wrench = tree.frames[k], wrenches[k].plus(own[k])
@@ -32,15 +36,23 @@ def inverse_dynamics(tree: FrameTree, base: Vector, rates: Row, accelerations: R
     return force
 
 
-def own_wrenches(tree: FrameTree, base: Vector, rates: Row, accelerations: Row) -> tuple[list[Wrench], Row]:
-    """(what moves the masses of each frame, generalised forces on modes by column)."""
+def own_wrenches(
+    tree: FrameTree, base: Vector, rates: Row, accelerations: Row, chosen: Collection[int] = ()
+) -> tuple[list[Wrench], Row, Row]:
+    """(what moves the masses of each frame, generalised forces on modes by column, accelerations of `chosen` columns).
+
+    chosen: hinges whose accelerations are those that leave no angular acceleration about their axes.
+    """
     motions: list[Motion] = []
     wrenches: list[Wrench] = []
     force: Row = {}
+    found: Row = {}
     for frame in tree.frames:
         motion = Motion(zeros(), zeros(), base) if frame.parent == GROUND else motions[frame.parent]
         for move in frame.moves:
             motion = move.motion(motion, rates, accelerations)
+            if isinstance(move, Turn) and move.column is not None and move.column in chosen:
+                motion, found[move.column] = move.steadied(motion)
         motions.append(motion)
         own = NOTHING
         if frame.inertia is not None:
@@ -48,7 +60,18 @@ def own_wrenches(tree: FrameTree, base: Vector, rates: Row, accelerations: Row) 
             for column, value in modes.items():
                 add_to(force, column, value)
         wrenches.append(own)
-    return wrenches, force
+    return wrenches, force, found
+
+
+def lone_hinges(tree: FrameTree) -> set[int]:
+    """Columns of turns that no other move depends on."""
+    met = Counter(column for frame in tree.frames for move in frame.moves for column in move.twists)
+    return {
+        move.column
+        for frame in tree.frames
+        for move in frame.moves
+        if isinstance(move, Turn) and move.column is not None and met[move.column] == 1
+    }
 
 
 def floating_forces(tree: FrameTree, M: list[Row], base: Vector, accelerations: Row) -> Row:

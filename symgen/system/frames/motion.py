@@ -13,7 +13,7 @@ from functools import cached_property
 import casadi as ca
 
 from symgen.algebra.scalar import ZERO, add, dot, mul, neg, sub
-from symgen.algebra.vectors import Vector, axial, cross, plus, product, scaled, times, zeros
+from symgen.algebra.vectors import Vector, cross, plus, product, scaled, times, zeros
 
 Matrix = list[Vector]
 
@@ -88,13 +88,27 @@ class Motion:
     @cached_property
     def G(self) -> Matrix:
         """alpha~ + omega~^2, by rows."""
-        (x, y, z), (ax, ay, az) = self.omega, self.alpha
-        xx, yy, zz, xy, xz, yz = mul(x, x), mul(y, y), mul(z, z), mul(x, y), mul(x, z), mul(y, z)
+        (x, y, z), (ax, ay, az), (xx, yy, zz) = self.omega, self.alpha, self._squares
+        xy, xz, yz = mul(x, y), mul(x, z), mul(y, z)
         return [
             [neg(add(yy, zz)), sub(xy, az), add(xz, ay)],
             [add(xy, az), neg(add(xx, zz)), sub(yz, ax)],
             [sub(xz, ay), add(yz, ax), neg(add(xx, yy))],
         ]
+
+    @cached_property
+    def _squares(self) -> Vector:
+        return [mul(value, value) for value in self.omega]
+
+    def turning_moment(self, Sigma: Matrix) -> Vector:
+        """ax(Sigma G^T), where G_kk - G_jj is omega_k^2 - omega_j^2."""
+        G, squares, found = self.G, self._squares, []
+        for i in range(3):
+            j, k = (i + 1) % 3, (i + 2) % 3
+            across = mul(Sigma[j][k], sub(squares[k], squares[j]))
+            along = sub(mul(Sigma[i][j], G[k][i]), mul(Sigma[i][k], G[j][i]))
+            found.append(add(add(across, along), sub(mul(Sigma[j][j], G[k][j]), mul(Sigma[k][k], G[j][k]))))
+        return found
 
     def carried(self, arm: Vector) -> Vector:
         """Acceleration of the point at `arm`, fixed in the frame."""
@@ -161,8 +175,7 @@ class Composite:
     def inertia_wrench(self, motion: Motion) -> Wrench:
         """What moves the masses: f = m a + G h, n = h x a + ax(Sigma G^T)."""
         f = plus(scaled(self.m, motion.a), times(motion.G, self.h))
-        transposed = [list(column) for column in zip(*motion.G, strict=True)]
-        turning, held = axial(product(self.Sigma, transposed)), motion.held
+        turning, held = motion.turning_moment(self.Sigma), motion.held
         n = plus(cross(self.h, motion.a), turning)
         if held is None:
             return Wrench(f, n)
@@ -213,8 +226,8 @@ def both_turned_back(block: Matrix, axis: int, cosine: ca.SX, sine: ca.SX, symme
     """R block R^T for a turn R about an axis: 16 operations for a symmetric block, 23 for any."""
     i, j, k = (axis + 1) % 3, (axis + 2) % 3, axis
     result = [list(row) for row in block]
-    twice = mul(ca.SX(2), block[i][j]) if symmetric else add(block[i][j], block[j][i])
-    off = add(mul(sine, sub(block[i][i], block[j][j])), mul(cosine, twice))
+    both = mul(mul(ca.SX(2), cosine), block[i][j]) if symmetric else mul(cosine, add(block[i][j], block[j][i]))
+    off = add(mul(sine, sub(block[i][i], block[j][j])), both)
     across, along = mul(sine, off), mul(cosine, off)
     result[i][i], result[j][j] = sub(block[i][i], across), add(block[j][j], across)
     result[i][j], result[j][i] = sub(along, block[j][i]), sub(along, block[i][j])

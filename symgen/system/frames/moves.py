@@ -6,7 +6,7 @@ A move may depend on coordinates: then it has twists, the motion of the frame af
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 import casadi as ca
@@ -88,6 +88,12 @@ class Turn(Plain):
         alpha = plus(alpha, cross(omega, spin))
         alpha[self.axis] = add(alpha[self.axis], mul(self.sign, accelerations.get(self.column, ZERO)))
         return Motion(plus(omega, spin), alpha, a)
+
+    def steadied(self, after: Motion) -> tuple[Motion, ca.SX]:
+        """A motion after the move less what turns it faster about the axis, and the acceleration that does that."""
+        alpha = list(after.alpha)
+        turning, alpha[self.axis] = alpha[self.axis], ZERO
+        return replace(after, alpha=alpha), neg(mul(self.sign, turning))
 
     def seen(self, vector: Vector) -> Vector:
         """A vector in the axes after the move."""
