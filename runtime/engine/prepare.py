@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import casadi as ca
 import numpy as np
@@ -16,6 +17,7 @@ import numpy as np
 from runtime.contract.binding_time import Place, Time, binding_times, split
 from runtime.contract.collection import no_collection
 from runtime.contract.tape import UNUSED, Node, Tape, as_function, read_tape
+from runtime.engine.direct import Direct
 from runtime.engine.invariants import hoist_invariants, widened
 from runtime.engine.program import LONG, Program
 
@@ -40,7 +42,11 @@ class Prepared:
 
     def ready(self, c: np.ndarray) -> np.ndarray:
         """The constants as an array for an engine."""
-        return np.asarray(self.constants(c), dtype=float).ravel().copy()
+        return self._constants(c)
+
+    @cached_property
+    def _constants(self) -> Direct:
+        return Direct(self.constants)
 
 
 def prepare(program: Program, z_size: int, c_size: int) -> Prepared:

@@ -16,6 +16,7 @@ import numpy as np
 from runtime.contract.coordinates import charts_in
 from runtime.contract.model import Model
 from runtime.engine.choose import arithmetic
+from runtime.engine.direct import Direct
 from runtime.engine.program import Call, Fields, Layout, Program, make_stage
 from runtime.schemes.charts import Charts
 from runtime.schemes.grid import Grid
@@ -45,11 +46,12 @@ class Scheme(ABC):
     counts_powers: bool = False  # do its stages call `worked`? Else a stage before them does what it would
     integrates_work: bool = False  # over its own steps, so that z has the work itself
     power_at: float = 0.0  # where in a step its powers are summed up: 0 its start, 1/2, or 1: the end of each sub-step
-    power_function: ca.Function | None = None  # of work.py, once it was asked for
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
         self.model, self.grid = model, grid
         self._derived: dict[str, ca.Function] = {}
+        self._steps = np.array(grid.h)
+        self.called: dict[str, Direct] = {}  # by direct.py
         self.options = options.checked(len(grid.groups))
         blocks = loop_blocks(model) if self.closes else 0
         common = {
@@ -146,7 +148,7 @@ class Scheme(ABC):
 
     def constants(self, c: np.ndarray, dt: float | None = None) -> np.ndarray:
         """The model's c and the steps, as the stages read them; dt: another major step than the grid's [s]."""
-        steps = np.array(self.grid.h)
+        steps = self._steps
         return np.concatenate([c, steps if dt is None else steps * (dt / steps[0])])
 
     def derived(self, name: str, build: Callable[[], ca.Function]) -> ca.Function:

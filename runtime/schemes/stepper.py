@@ -9,6 +9,7 @@ import numpy as np
 from runtime.contract.coordinates import independent, loop_part
 from runtime.engine.choose import choose_engine, operations_per_step
 from runtime.engine.prepare import prepare
+from runtime.schemes.direct import direct
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.watched import with_events
 from runtime.schemes.work import with_account
@@ -19,8 +20,8 @@ def start_vector(
 ) -> np.ndarray:
     """The scheme's own z at a consistent state of all coordinates (Eqs. 68-71); dt: another step than its grid's."""
     model = scheme.model
-    z = scheme.starter(t, *independent(model, q, q_dot), loop_part(model, q), scheme.constants(c, dt))
-    return np.asarray(z, dtype=float).ravel().copy()
+    start = direct(scheme, "start", lambda: scheme.starter)
+    return start(t, *independent(model, q, q_dot), loop_part(model, q), scheme.constants(c, dt))
 
 
 class Stepper:

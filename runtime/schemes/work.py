@@ -21,6 +21,7 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Sequence
+from runtime.schemes.direct import direct
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stage_equations import StageEquations
 
@@ -128,11 +129,13 @@ def account_at(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> tuple[float, flo
 
 def power_of(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> float:
     """P at the state that z (the scheme's part, flat) shows [W]."""
-    if scheme.power_function is None:
+
+    def build() -> ca.Function:
         symbols = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
         equations = scheme.equations(symbols[1], scheme.layout.unpack(symbols[0]))
-        scheme.power_function = ca.Function("power", list(symbols), [_observed_power(scheme, *symbols, equations)])
-    return float(scheme.power_function(z, c))
+        return ca.Function("power", list(symbols), [_observed_power(scheme, *symbols, equations)])
+
+    return float(direct(scheme, "power", build)(z[: scheme.layout.size], c)[0])
 
 
 def _observed_power(scheme: Scheme, z: ca.SX, c: ca.SX, equations: StageEquations) -> ca.SX:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import prod
 
+import casadi as ca
 import numpy as np
 
-from runtime.contract.coordinates import independent_rates, whole
+from runtime.contract.coordinates import independent_rates, joined
 from runtime.contract.model import Model
+from runtime.schemes.direct import direct
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.state_fields import Lasting
 from runtime.schemes.stepper import Stepper
@@ -62,6 +64,8 @@ class Legs:
     def part(self, leg: Leg, c: np.ndarray, start: float, end: float) -> Leg:
         """A step between two clocks [s], with the work that is done in it; c (c_size,)."""
         scheme, work = self.scheme, leg.work
+        if self.remembers and leg.seen is None:  # all that set out from here need it
+            leg = replace(leg, seen=self.seen(leg.z, self.constants(c, leg.dt)))
         z, length = self.flown(leg, c, start, end)
         if accounted(scheme):
             half = self.flown(leg, c, start, start + length / 2)
@@ -87,8 +91,7 @@ class Legs:
         if self.remembers:
             q, q_dot = leg.seen or self.seen(leg.z, self.constants(c, leg.dt))
             z = self.stepper.start(t, q, q_dot, c, dt)
-            for name in scheme.lasting(Lasting.ACCOUNT, Lasting.GIVEN):
-                z[scheme.layout.slice(name)] = leg.z[scheme.layout.slice(name)]
+            z[self._stays] = leg.z[self._stays]
         else:
             z = leg.z.copy()
             if leg.seen is not None:
@@ -96,12 +99,23 @@ class Legs:
         z[0], z[1] = t, 0.0
         return z
 
+    @cached_property
+    def _stays(self) -> np.ndarray:
+        """Where accounts and inputs are in z."""
+        names, size = self.scheme.lasting(Lasting.ACCOUNT, Lasting.GIVEN), np.arange(self.scheme.layout.size)
+        return np.concatenate([size[self.scheme.layout.slice(name)] for name in names])
+
     def seen(self, z: np.ndarray, constants: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """All coordinates and rates (n,) of a state."""
-        model, seen = self.model, self.scheme.observer(z=self.stepper.state(z), c=constants)
-        parts = {name: np.asarray(value).ravel() for name, value in seen.items()}
-        q, q_dot = (whole(model, parts[f"q_i{rate}"], parts[f"q_d{rate}"]) for rate in ("", "_dot"))
-        return q, q_dot
+
+        def build() -> ca.Function:
+            symbols = ca.SX.sym("z", self.scheme.layout.size), ca.SX.sym("c", self.scheme.c_size)
+            found = self.scheme.observer(z=symbols[0], c=symbols[1])
+            whole = [joined(self.model, found[f"q_i{rate}"], found[f"q_d{rate}"]) for rate in ("", "_dot")]
+            return ca.Function("seen", list(symbols), whole)
+
+        found = direct(self.scheme, "seen", build)(self.stepper.state(z), constants)
+        return found[: len(found) // 2], found[len(found) // 2 :]
 
     def constants(self, c: np.ndarray, dt: float) -> np.ndarray:
         """c (c_size,) as the stages read them, for a step of dt [s]."""

@@ -12,6 +12,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.engine.program import Fields, Program, Sequence, Until
+from runtime.schemes.direct import direct
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.switching.dips import dips
@@ -57,7 +58,7 @@ def _seen(scheme: Scheme, z: np.ndarray, c: np.ndarray, name: str) -> np.ndarray
         found = _values(scheme, symbols[0], equations).get(name, ca.SX(0, 1))
         return ca.Function(name, list(symbols), [ca.densify(found)])
 
-    return np.asarray(scheme.derived(name, build)(z[: scheme.layout.size], c)).ravel()
+    return direct(scheme, name, build)(z[: scheme.layout.size], c)
 
 
 def action_values(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> np.ndarray:
