@@ -14,6 +14,7 @@ from typing import NoReturn
 import numpy as np
 
 from runtime.contract.errors import SymgenError
+from runtime.contract.one_thread import one_thread
 
 MAX_ITERATIONS = 100
 LARGEST_STEP = 0.5  # rad or m per iteration: keeps Newton on the branch the user started
@@ -188,7 +189,8 @@ def _least_change(C_q: np.ndarray, side: np.ndarray, free: np.ndarray) -> np.nda
     """Smallest step with C_q step = side on the free coordinates (least squares if there is none)."""
     step = np.zeros(C_q.shape[1])
     if C_q.shape[0] and free.any():
-        step[free] = np.linalg.lstsq(C_q[:, free], side, rcond=1e-13)[0]
+        with one_thread(len(free)):
+            step[free] = np.linalg.lstsq(C_q[:, free], side, rcond=1e-13)[0]
     return step
 
 

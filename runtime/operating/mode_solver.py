@@ -14,6 +14,7 @@ import numpy as np
 
 from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
+from runtime.contract.one_thread import dense_eigenvalues, one_thread
 from runtime.operating.moving_axes import axes_turning, in_moving_axes
 from runtime.results.solution import Solution
 from runtime.schemes.stage_equations import StageEquations, is_long_tree
@@ -89,6 +90,10 @@ class ModeSolver:
 
         What limits a step is in held axes, see `matrices`. Raises LinAlgError if M_hat is singular.
         """
+        with one_thread(self.n):
+            return self._slopes(state, moving)
+
+    def _slopes(self, state: State, moving: bool) -> tuple[np.ndarray, np.ndarray]:
         if is_long_tree(self.model):
             function = self.model.derived("slopes", lambda: self._along(self.model))
             found = function(state.t, state.q_i, state.q_i_dot, state.loop, self.c, np.eye(self.n))
@@ -118,8 +123,9 @@ class ModeSolver:
         A = np.zeros((2 * n, 2 * n))
         A[:n, n:] = np.eye(n)
         A[n:, :n], A[n:, n:] = self.slopes(state, moving=True)
-        undamped = np.sort(np.sqrt(np.maximum(np.linalg.eigvals(-A[n:, :n]).real, 0.0)))
-        values, vectors = np.linalg.eig(A)
+        undamped = np.sort(np.sqrt(np.maximum(dense_eigenvalues(-A[n:, :n]).real, 0.0)))
+        with one_thread(2 * n):
+            values, vectors = np.linalg.eig(A)
         chosen = _one_of_each(values, n)
         size = np.abs(values[chosen])
         with np.errstate(divide="ignore", invalid="ignore"):

@@ -10,6 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from runtime.contract.one_thread import dense_eigenvalues
+
 # Central difference with velocities predicted by the last acceleration: for a pure decay d with x = h d the recursion
 # mu^2 - (1 - 3/2 x) mu - x/2 = 0 reaches mu = -1 at x = 1.
 PREDICTED_DECAY_REACH = 1.0
@@ -71,7 +73,7 @@ def central_difference_limit(A_q: np.ndarray, A_v: np.ndarray, predicted: bool) 
     At mu = -1 the recursion is 4 w + h^2 A_q w = 0 with velocities of the step itself, whatever the damping, and
     4 w + h^2 A_q w + 4 h A_v w = 0 with predicted velocities; s = 2 / h makes that an eigenvalue problem.
     """
-    frequency = float(np.sqrt(np.maximum(np.linalg.eigvals(-A_q).real, 0.0)).max(initial=0.0))
+    frequency = float(np.sqrt(np.maximum(dense_eigenvalues(-A_q).real, 0.0)).max(initial=0.0))
     s = float(eigenvalues(-A_q, -2 * A_v).real.max(initial=0.0)) if predicted else frequency
     if not s > 0:
         return None
@@ -85,7 +87,7 @@ def slow_decay_limit(A_v: np.ndarray, slow: list[int], m: int) -> StepLimit | No
 
     For v' = -d v that is v <- v - H d (3 v - v_last) / 2, stable up to H d = 1 for H = m h.
     """
-    decay = float((-np.linalg.eigvals(A_v[np.ix_(slow, slow)]).real).max(initial=0.0))
+    decay = float((-dense_eigenvalues(A_v[np.ix_(slow, slow)]).real).max(initial=0.0))
     return StepLimit(PREDICTED_DECAY_REACH / (m * decay), decay, True) if decay > 0 else None
 
 
@@ -127,4 +129,4 @@ def restarted_decay_reach(m: int) -> float:
 def eigenvalues(A_q: np.ndarray, A_v: np.ndarray) -> np.ndarray:
     """Of w'' = A_q w + A_v w'. Raises LinAlgError if they are not finite."""
     n = len(A_q)
-    return np.asarray(np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [A_q, A_v]])))
+    return dense_eigenvalues(np.block([[np.zeros((n, n)), np.eye(n)], [A_q, A_v]]))

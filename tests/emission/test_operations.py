@@ -189,3 +189,19 @@ def test_planar_scenes_pay_only_for_what_they_have(tmp_path: Path) -> None:
     model = load_model(generate(plain.build(), tmp_path / "plain"))
     assert model.kernel("condensed").name_in() == ["c"]
     assert model.operations["condensed"] == 4  # load c, zero, two outputs
+
+
+def test_products_grow_with_the_length() -> None:
+    """Accelerations with their derivative along one direction in O(N): the same again for each ten links."""
+    counts = []
+    for links in (10, 20, 30):
+        found = as_function(
+            "dynamics", derive(chain(links, 2), frozenset({"forward_dynamics"})).tapes["forward_dynamics"]
+        )
+        symbols = {name: ca.SX.sym(name, found.size1_in(name)) for name in found.name_in()}
+        along = [ca.SX.sym(name, symbols[name].numel()) for name in ("q_i", "q_i_dot")]
+        a = ca.vertcat(*found.call(list(symbols.values())))
+        product = sum(ca.jtimes(a, symbols[name], to) for name, to in zip(("q_i", "q_i_dot"), along, strict=True))
+        together = ca.Function("product", [*symbols.values(), *along], ca.cse([ca.densify(a), ca.densify(product)]))
+        counts.append(arithmetic(together))
+    assert counts[2] - counts[1] == counts[1] - counts[0] <= 8600

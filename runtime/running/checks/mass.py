@@ -8,6 +8,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.model import Model
+from runtime.contract.one_thread import one_thread
 from runtime.contract.status import Status
 from runtime.running.checks.check import Check, Subject, observed_constants
 from runtime.schemes.scheme import Scheme
@@ -60,8 +61,9 @@ class Mass(Check):
 
     def _status(self, z: np.ndarray, cause: str) -> Status | None:
         M_hat = self.matrix(z)
-        if np.isfinite(M_hat).all() and np.linalg.eigvalsh(M_hat)[0] > 0:
-            return None
+        with one_thread(len(M_hat)):
+            if np.isfinite(M_hat).all() and np.linalg.eigvalsh(M_hat)[0] > 0:
+                return None
         return self.subject.stop("mass_not_positive", cause, ADVICE)
 
 

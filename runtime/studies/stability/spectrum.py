@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.contract.model import Model
+from runtime.contract.one_thread import dense_eigenvalues
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
@@ -50,7 +51,7 @@ class StepSpectrum:
         exact, matrix = self.exact(state, dt), self.matrix(state, dt)
         if not np.isfinite(matrix).all():
             return Spectrum(np.inf, np.full(len(exact) // 2, np.inf))
-        multipliers = np.linalg.eigvals(matrix)
+        multipliers = dense_eigenvalues(matrix)
         size = np.abs(multipliers)
         # which mode a multiplier belongs to is told by the nearest exact one; aliases fall together
         nearest = np.abs(multipliers[:, None] - exact[None, :]).argmin(axis=1)
@@ -81,7 +82,7 @@ class ExactMotion:
         key = (state.t, dt)
         if key not in self._found:
             matrix = self._matrix(state, dt)
-            values = np.linalg.eigvals(matrix) if np.isfinite(matrix).all() else np.ones(len(matrix))
+            values = dense_eigenvalues(matrix) if np.isfinite(matrix).all() else np.ones(len(matrix))
             values = values[np.argsort(-np.abs(values))][: 2 * self.modes.n]  # memory beyond the motion vanishes
             frozen = self._frozen(state)
             self._found[key] = values[_matched(np.exp(frozen * dt), values)]
