@@ -15,6 +15,7 @@ from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.sampling import evaluate
 from runtime.running.arguments import RunArguments
 from runtime.running.calibration import Calibration
+from runtime.schemes.adaptive.adaptive_state import STOPS
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.error_norm import FLOOR
 from runtime.schemes.catalogue import scheme_kind
@@ -30,7 +31,7 @@ REFERENCE, TIGHT = "dopri5", 3e-11
 REACH, LEAST_STEPS = 0.75, 20_000  # h w of a reference with steps of one length, and how many it takes at least
 COARSE = (20, 25, 32, 40, 50, 80, 100, 125, 160)  # numbers of steps that divide KEPT
 FINER = 2**0.5  # ratio of one number of steps to the next
-REPEATS, ENOUGH = 3, 0.03  # timings at least, and until they last this long together [s]
+REPEATS, ENOUGH = 7, 0.1  # timings at least, and until they last this long together [s]
 Advance = Callable[[np.ndarray, int], None]
 
 
@@ -125,13 +126,13 @@ class Method:
             known.begin(scheme, z)
         ready = self.stepper.ready_for(scheme.constants(s.c, dt, tolerance))
 
-        if not self.case.jumps:
-            scheme.look_ahead(z, [])
+        scheme.look_ahead(z, self.case.jumps)
+        further = len(self.case.jumps) >= STOPS  # than z knows from the start
 
         def advance(state: np.ndarray, n: int) -> None:
             end, on = int(state[1]) + n, True
             while on:
-                if self.case.jumps:
+                if further:
                     scheme.look_ahead(state, self.case.jumps)
                 self.stepper.run(state, ready, end - int(state[1]))
                 on = state[1] < end and not scheme.is_stuck(state)

@@ -14,7 +14,7 @@ from typing import Generic, NamedTuple, TypeVar
 from runtime.contract.tape import Tape
 from runtime.engine.llvm_code import Code, Compiler, Effort
 from runtime.engine.llvm_ir import Form
-from runtime.engine.program import Program
+from runtime.engine.program import Program, Repeat, Until
 
 T = TypeVar("T")
 INLINED = 10_000  # operations with every call written out: below, stages are inlined and z is local
@@ -54,8 +54,12 @@ def program_length(program: Program) -> int:
 
 
 def written_out(program: Program) -> int:
-    """Operations of a program with every call of a stage written out, a repetition's once."""
-    return int(program.fold(lambda stage: stage.n_instructions(), lambda parts: sum(parts), lambda body, node: body))
+    """Operations of a program with every call of a stage written out, a repetition's once, what is seldom done not."""
+
+    def again(body: int, node: Repeat | Until) -> int:
+        return 0 if isinstance(node, Until) and not node.usual else body
+
+    return int(program.fold(lambda stage: int(stage.n_instructions()), lambda parts: sum(parts), again))
 
 
 class Tiers(Generic[T]):

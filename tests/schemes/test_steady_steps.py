@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from runtime.contract.model import Model
+from runtime.engine.tiers import written_out
 from runtime.running.steady_trials import LEAST_STEPS, SteadyTrials
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from tests.support.prepared_runs import PreparedRuns
@@ -122,3 +123,10 @@ def test_what_varied_steps_would_gain() -> None:
     for sizes, gain in (([1.0, 1.0], 1.0), ([1.0, 0.0], 0.5)):
         steady.made = [SimpleNamespace(sizes=np.array(sizes))]  # type: ignore[list-item]
         assert steady.gain_of_varied() == pytest.approx(gain, rel=1e-12)
+
+
+def test_the_stage_of_such_steps_does_not_keep_others_from_being_inlined(built_in: Load) -> None:
+    """Both are in the program of a run, which takes one of them."""
+    program = PreparedRuns(built_in("pendulum"), "exponential", options={"tolerance": 1e-4}).stepper.program
+    sizes = {stage.name(): stage.n_instructions() for stage in program.stages()}
+    assert sizes["plain"] > 0 and written_out(program) <= sum(sizes.values()) - sizes["plain"]
