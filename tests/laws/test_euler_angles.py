@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from runtime import Model, Solution, ensemble, equilibrium, simulate
+from runtime import Model, ModelError, Solution, ensemble, equilibrium, load_model, simulate
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.euler_angles import (
     angle_motion,
@@ -22,6 +22,7 @@ from runtime.contract.euler_angles import (
     turning_axes,
     turning_axes_rate,
 )
+from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder, SceneError
 
 Build = Callable[[Scene], Model]
@@ -200,3 +201,11 @@ def test_what_angles_cannot_be(change: Callable[[Any], Any], item: str, problem:
     with pytest.raises(SceneError) as caught:
         change(free("zyx", {}, {})).build()
     assert caught.value.item == item and problem in caught.value.problem and caught.value.remedy
+
+
+def test_a_model_with_angles_as_coordinates_is_refused(tmp_path: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As versions generated it in which they were: here with names of coordinates that still are."""
+    monkeypatch.setattr("symgen.emission.description.angle_names", lambda body: [f"{body}.{axis}" for axis in "xyz"])
+    folder = generate(free("zyx", {}, {}).build(), tmp_path / "old", frozenset({"condensed"}))
+    with pytest.raises(ModelError, match=r"Euler angles were coordinates \(body.x\).*regenerate"):
+        load_model(folder)
