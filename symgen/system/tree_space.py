@@ -193,8 +193,8 @@ class TreeSpace(SpatialSpace):
         if joint.name in self.topology.placements or joint.name in self.orientations.balls:
             return [row for row in self.whole.constraints if row.joint == joint.name]
         if joint.type in COVERED:
-            ways = (self._way_to(GROUND, reference) for reference in (joint.marker_a, joint.marker_b))
-            self.curvatures[joint.name] = LoopCurvature(*ways)
+            a, b = (self._way_to(GROUND, reference) for reference in (joint.marker_a, joint.marker_b))
+            self.curvatures[joint.name] = LoopCurvature(a, b, COVERED[joint.type])
         if joint.type == "spherical":
             base = self._common(joint.marker_a, joint.marker_b)
             self.loop_rates[joint.name] = LoopRates(*(self._way(base, one) for one in (joint.marker_a, joint.marker_b)))

@@ -16,15 +16,22 @@ from symgen.algebra.scalar import ZERO, add, dot, mul, neg, sub
 from symgen.algebra.vectors import Vector, cross, plus, scaled, zeros
 from symgen.system.frames.paths import Cause, ModesOnWay, Path
 
-COVERED = {"spherical": 3, "revolute": 5}  # rows of the joints whose second derivatives are known here
+# after the rows of a point: axes of a and of b whose products vanish, of joints whose second derivatives are known
+COVERED: dict[str, tuple[tuple[int, int], ...]] = {
+    "spherical": (),
+    "universal": ((2, 0),),
+    "revolute": ((0, 2), (1, 2)),
+    "weld": ((0, 2), (1, 2), (1, 0)),
+}
 
 
 @dataclass(frozen=True)
 class LoopCurvature:
-    """Of a joint between the ends of two ways: r_b - r_a = 0, and for a hinge x_a.z_b = y_a.z_b = 0."""
+    """Of a joint between the ends of two ways: r_b - r_a = 0, and products of axes of a and of b that vanish."""
 
     a: Path
     b: Path
+    products: tuple[tuple[int, int], ...]
 
     def weighted(self, multipliers: list[ca.SX]) -> dict[int, Row]:
         """Rows by column of sum lambda_r d^2 C_r / dq^2."""
@@ -32,9 +39,8 @@ class LoopCurvature:
         found = _Entries()
         _point(found, self.b, F)
         _point(found, self.a, scaled(ca.SX(-1), F))
-        if len(multipliers) == 5:
-            x, y, _ = self.a.axes
-            u, n = plus(scaled(multipliers[3], x), scaled(multipliers[4], y)), self.b.axes[2]
+        for n, weighted in self._by_axis(multipliers[3:]):
+            u = plus(*weighted)
             _direction(found, self.b, n, u)
             _direction(found, self.a, u, n)
             of_a, of_b = _turned(self.a, u), _turned(self.b, n)
@@ -42,6 +48,13 @@ class LoopCurvature:
                 for k, second in of_b.items():
                     found.pair(j, k, dot(first, second))
         return found.rows
+
+    def _by_axis(self, multipliers: list[ca.SX]) -> list[tuple[Vector, list[Vector]]]:
+        """Axes of b, each with what it is multiplied by: axes of a, weighted."""
+        found: dict[int, list[Vector]] = {}
+        for (of_a, of_b), value in zip(self.products, multipliers, strict=True):
+            found.setdefault(of_b, []).append(scaled(value, self.a.axes[of_a]))
+        return [(self.b.axes[axis], weighted) for axis, weighted in found.items()]
 
 
 class _Entries:
