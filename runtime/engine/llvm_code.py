@@ -20,7 +20,7 @@ from runtime.engine.llvm_ir import Form, program_ir
 from runtime.engine.object_cache import ObjectCache
 from runtime.engine.program import Program, Repeat, Until
 
-PRINTER = ("llvm_ir", "llvm_stage", "llvm_operations", "mathematics", "llvm_code")  # files of this folder
+PRINTER = ("llvm_ir", "llvm_stage", "llvm_operations", "mathematics", "angles", "llvm_code")  # files of this folder
 
 
 class Effort(NamedTuple):

@@ -58,14 +58,14 @@ def program_ir(program: Program, tapes: dict[str, Tape], form: Form) -> tuple[st
     operations = Operations(form.width, form.mathematics, form.inline)
     control = _Control(operations.lanes)
     body = program.fold(control.call, control.sequence, control.again)("")
-    parts, work = [operations.functions()], 0
+    parts, work = list[str](), 0
     for (name, masked), function in control.functions.items():
         writer = StageWriter(function, tapes[name], operations, form.chunk, masked, form.inline)
         functions, entries = writer.functions()
         parts += functions
         work = max(work, entries)
     size = program.stages()[0].size1_in(0)
-    parts += [_run(operations.lanes, control.loops, body, size, form.inline), RUN_BLOCKS]
+    parts += [operations.functions(), _run(operations.lanes, control.loops, body, size, form.inline), RUN_BLOCKS]
     return "\n".join(parts), work
 
 

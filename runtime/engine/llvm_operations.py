@@ -5,9 +5,12 @@ Every text is a template of {r} (the result), {a} and {b} (operands); {D} is the
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import casadi as ca
 
-from runtime.engine.mathematics import LIBRARY_BINARY, LIBRARY_UNARY, PURE, REPLACED, Lanes, own_functions
+from runtime.engine.angles import WIDTHS
+from runtime.engine.mathematics import LIBRARY_BINARY, LIBRARY_UNARY, PURE, REPLACED, Lanes, own_functions, sincos
 
 _ARITHMETIC = {ca.OP_ADD: "fadd", ca.OP_SUB: "fsub", ca.OP_MUL: "fmul", ca.OP_DIV: "fdiv"}
 _TESTS = {ca.OP_LT: "olt", ca.OP_LE: "ole", ca.OP_EQ: "oeq", ca.OP_NE: "une"}
@@ -46,6 +49,14 @@ TEMPLATES = {
 }
 
 
+class Beside(NamedTuple):
+    """Instructions, and the names of sines and cosines that they define."""
+
+    text: str
+    sines: list[str]
+    cosines: list[str]
+
+
 class Operations:
     """Text of operations on values of `width` lanes, with mathematics `own` or `library`.
 
@@ -54,6 +65,9 @@ class Operations:
 
     def __init__(self, width: int, mathematics: str, inline: bool, fused: bool = False) -> None:
         self.lanes, self.own, self._inline = Lanes(width), mathematics == "own", inline
+        # the functions of a fused one are those of another, which is exact, so it has no vectors of angles
+        self.takes_angles_together = self.own and width == 1 and not fused
+        self._beside: set[int] = set()  # widths of these vectors
         lanes = self.lanes
         called = {name: self._name(name) for name in _FUNCTIONS.values()}
         fixed = {
@@ -95,9 +109,32 @@ class Operations:
             f"  {sine} = extractvalue {pair} {sine}p, 0\n  {cosine} = extractvalue {pair} {sine}p, 1"
         )
 
+    def sines_and_cosines(self, name: str, angles: list[str]) -> Beside:
+        """Of several angles by one call; more lanes than angles repeat the last."""
+        width = next(one for one in sorted(WIDTHS) if one >= len(angles))
+        self._beside.add(width)
+        D, lines, vector = Lanes(width).double, [], "poison"
+        for lane in range(width):
+            angle = angles[min(lane, len(angles) - 1)]
+            lines.append(f"  {name}i{lane} = insertelement {D} {vector}, double {angle}, i64 {lane}")
+            vector = f"{name}i{lane}"
+        lines.append(f"  {name}p = call {{ {D}, {D} }} @own_sincos_{width}({D} {vector})")
+        names: list[list[str]] = []
+        for part, letter in enumerate("sc"):
+            lines.append(f"  {name}{letter} = extractvalue {{ {D}, {D} }} {name}p, {part}")
+            names.append([f"{name}{letter}{lane}" for lane in range(len(angles))])
+            lines += [f"  {one} = extractelement {D} {name}{letter}, i64 {k}" for k, one in enumerate(names[-1])]
+        return Beside("\n".join(lines), *names)
+
     def functions(self) -> str:
         """Declarations and definitions that a module needs."""
         lanes = self.lanes
+        beside = [sincos(Lanes(width), f"own_sincos_{width}", self._inline) for width in sorted(self._beside)]
+        for width in self._beside:
+            kind = Lanes(width)
+            for name, count in (("fma", 3), ("fabs", 1)):
+                arguments = ", ".join([kind.double] * count)
+                beside.append(f"declare {kind.double} @llvm.{name}.{kind.suffix}({arguments})")
         parts = [f"attributes #0 = {{ {PURE} nobuiltin }}"]  # nobuiltin: LLVM must not replace pow(x, 2) by x x
         library = (*LIBRARY_UNARY, *LIBRARY_BINARY, *(() if self.own else REPLACED))
         for name in library:
@@ -108,7 +145,7 @@ class Operations:
         for name, count in (("fma", 3), ("copysign", 2), ("sqrt", 1), ("fabs", 1), ("floor", 1), ("ceil", 1)):
             arguments = ", ".join([lanes.double] * count)
             parts.append(f"declare {lanes.double} @llvm.{name}.{lanes.suffix}({arguments})")
-        return "\n".join([*parts, own_functions(lanes, self._inline) if self.own else ""])
+        return "\n".join([*parts, *beside, own_functions(lanes, self._inline) if self.own else ""])
 
     def _lane_by_lane(self, name: str, count: int) -> str:
         """A function of the library for all lanes."""

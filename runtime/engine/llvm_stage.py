@@ -11,6 +11,7 @@ import casadi as ca
 
 from runtime.contract.binding_time import below
 from runtime.contract.tape import Tape
+from runtime.engine.angles import Group, side_by_side
 from runtime.engine.llvm_operations import Operations
 
 ARGUMENTS = "ptr noalias %z, ptr noalias readonly %c, ptr noalias %w"
@@ -38,6 +39,9 @@ class StageWriter:
         self.order = [k for k in live if tape.nodes[k].op not in (ca.OP_INPUT, ca.OP_CONST)]
         self.partner = self._partners() if operations.own else {}
         self.chunk = chunk if 0 < chunk < len(self.order) else max(1, len(self.order))
+        self.beside: dict[int, Group] = {}
+        if operations.takes_angles_together and chunk == 0:
+            self.order, self.beside = side_by_side(tape.nodes, self.order)
         self.kind = "alwaysinline" if inline else "noinline"
         self.arguments = ARGUMENTS + "".join(f", ptr noalias readonly %{array}" for array in arrays)
         self.passed = "".join(f", ptr %{array}" for array in arrays)
@@ -147,6 +151,9 @@ class StageWriter:
         if node.op == ca.OP_ASSIGN:
             self.names[k] = a
             return
+        if k in self.beside:
+            self._define_beside(self.beside[k])
+            return
         if k in self.partner:
             name, other = (self.names.setdefault(one, f"%v{one}") for one in (k, self.partner[k]))
             sine, cosine = (name, other) if node.op == ca.OP_SIN else (other, name)
@@ -155,6 +162,17 @@ class StageWriter:
         b = self._operand(node.b) if node.b >= 0 else ""
         name = self.names[k] = self._number() if node.op in self.operations.single else f"%v{k}"
         self.lines.append(self.operations.text(node.op, name, a, b))
+
+    def _define_beside(self, group: Group) -> None:
+        """Sines and cosines of a group of angles, in lanes."""
+        angles = [self._operand(k) for k in group]
+        found = self.operations.sines_and_cosines(f"%g{group[0]}", angles)
+        self.lines.append(found.text)
+        trigonometric = {(self.tape.nodes[k].op, self.tape.nodes[k].a): k for k in self.beside}
+        for angle, sine, cosine in zip(group, found.sines, found.cosines, strict=True):
+            for op, name in ((ca.OP_SIN, sine), (ca.OP_COS, cosine)):
+                if (op, angle) in trigonometric:
+                    self.names[trigonometric[op, angle]] = name
 
     def _number(self) -> str:
         name = f"%{self.next}"

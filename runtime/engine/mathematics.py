@@ -123,21 +123,25 @@ class _Body:
         return self.line(f"fcmp {test} {self.lanes.double} {a}, {self.lanes.number(b)}")
 
 
+def sincos(lanes: Lanes, name: str, inline: bool) -> str:
+    """A definition of sine and cosine (a pair) under a name of its own."""
+    body, pair = _Body(lanes), f"{{ {lanes.double}, {lanes.double} }}"
+    sine, cosine = _sincos(body)
+    first = body.line(f"insertvalue {pair} poison, {lanes.double} {sine}, 0")
+    end = body.line(f"insertvalue {pair} {first}, {lanes.double} {cosine}, 1")
+    return _defined(name, pair, body, end, f"{PURE} {'alwaysinline' if inline else 'noinline'}")
+
+
 def own_functions(lanes: Lanes, inline: bool) -> str:
     """Definitions of @own_sincos (a pair), @own_sin, @own_cos and @own_exp."""
     kind = lanes.double
     attributes = f"{PURE} {'alwaysinline' if inline else 'noinline'}"
-    pair = f"{{ {kind}, {kind} }}"
     parts = []
-    for name, result in (("sin", kind), ("cos", kind), ("sincos", pair)):
+    for name in ("sin", "cos"):
         body = _Body(lanes)
         sine, cosine = _sincos(body)
-        if name == "sincos":
-            first = body.line(f"insertvalue {pair} poison, {kind} {sine}, 0")
-            end = body.line(f"insertvalue {pair} {first}, {kind} {cosine}, 1")
-        else:
-            end = sine if name == "sin" else cosine
-        parts.append(_defined(f"own_{name}", result, body, end, attributes))
+        parts.append(_defined(f"own_{name}", kind, body, sine if name == "sin" else cosine, attributes))
+    parts.append(sincos(lanes, "own_sincos", inline))
     body = _Body(lanes)
     parts.append(_defined("own_exp", kind, body, _exp(body), attributes))
     return "\n".join(parts)

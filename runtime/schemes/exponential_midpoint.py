@@ -34,7 +34,7 @@ from runtime.schemes.stiff_motion import StiffMotion
 from runtime.schemes.stiff_tree_motion import StiffTreeMotion
 
 USUAL_ITERATIONS = 6
-STALLED = 64  # roundings of the state below which a change that no longer falls is what rounding leaves
+STALLED = 512  # roundings of the state below which a change that no longer falls is what rounding leaves
 REACH = 2.0  # h w and h d of the rest up to which the iteration converges
 
 

@@ -9,7 +9,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from runtime.engine.llvm_ir import Form
+from runtime.contract.tape import read_tape
+from runtime.engine.llvm_ir import Form, program_ir
 from runtime.engine.program import Call
 from runtime.engine.tiers import BEST, FIRST
 from tests.support.step_programs import StepProgram
@@ -58,6 +59,26 @@ def test_sine_and_cosine(x: np.ndarray) -> None:
         for value, (sine, cosine) in zip(x, found, strict=True):
             assert ulps(sine, mpmath.sin(mpmath.mpf(value))) <= MOST_ULP
             assert ulps(cosine, mpmath.cos(mpmath.mpf(value))) <= MOST_ULP
+
+
+@pytest.mark.parametrize("count", [2, 3, 5, 8, 9, 20])
+def test_angles_together_have_the_bits_of_angles_alone(count: int) -> None:
+    """By vectors of 2, 4 and 8, some not full; half of the angles wait for sines of the others, and a few have no
+    cosine. In functions of one statement each no angle has another beside it."""
+    x = RANDOM.uniform(-50.0, 50.0, (20, count))
+
+    def chained(*angles: ca.SX) -> list[ca.SX]:
+        first = [ca.sin(a) for a in angles]
+        second = [a * b + 0.1 * k for k, (a, b) in enumerate(zip(angles, first, strict=True))]
+        return [*first, *(ca.cos(a) for a in angles[1:]), *(ca.sin(s) - ca.cos(s) for s in second)]
+
+    together = evaluated(chained, x, Form())
+    alone = evaluated(chained, x, Form(chunk=1, inline=False), FIRST)
+    np.testing.assert_array_equal(together, alone)
+    z = [ca.SX.sym("z", count), ca.SX.sym("c", 1)]
+    stage = ca.Function("f", z, [ca.vertcat(*chained(*ca.vertsplit(z[0])))[:count]], ["z", "c"], ["z_next"])
+    width = {2: 2, 3: 4, 5: 8, 8: 8, 9: 8, 20: 8}[count]
+    assert f"@own_sincos_{width}(<{width} x double> %" in program_ir(Call(stage), {"f": read_tape(stage)}, Form())[0]
 
 
 @pytest.mark.parametrize("limit", [1.0, 30.0, 708.0])

@@ -86,3 +86,21 @@ def test_price_of_an_iteration(model_of: Build) -> None:
         scheme = scheme_kind(NAME).build(NAME, model_of(arm(links)), 1.0, None, {})
         counts.append({stage.name(): arithmetic(stage) for stage in scheme.program().stages()}["midpoint_iterate"])
     assert counts[1] - counts[0] <= 4 * 170 and counts[1] < 12 * 170 + 900, counts
+
+
+@pytest.mark.parametrize("reach", [50.0, 17 * np.pi])
+def test_every_step_on_two_masses_converges(model_of: Build, reach: float) -> None:
+    """300,000 native steps at H w_L = 0.2, c = 0.6: what rounding leaves counts as arrived, and the energy stays."""
+    data, dt, c, w = SCENES["two_oscillators"]().to_dict(), 0.2, 0.6, reach / 0.2
+    data["partition"] = {**data["partition"], "stiff": ["x_S"]}
+    runs = PreparedRuns(model_of(Scene.from_dict(data)), NAME, parameters={"c": c, "w": w, "k_L": 1.0, "zeta": 0.0})
+    z = runs.stepper.start(0.0, np.array([1.0, 0.01]), np.array([0.0, 0.3]), runs.c, dt)
+    layout, before = runs.scheme.layout, z.copy()
+
+    def energy(z: np.ndarray) -> float:
+        (x_L, x_S), (v_L, v_S) = z[layout.slice("x")], z[layout.slice("v")]
+        return float(v_L**2 + 2 * c * v_L * v_S + v_S**2 + x_L**2 + (w * x_S) ** 2) / 2
+
+    runs.stepper.run(z, runs.stepper.ready(runs.c, dt), 300_000)
+    assert z[layout.slice("failures")][0] == 0
+    assert abs(energy(z) / energy(before) - 1) < 1e-8
