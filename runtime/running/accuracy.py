@@ -21,15 +21,13 @@ import numpy as np
 from runtime.contract.coordinates import followed
 from runtime.contract.model import Model
 from runtime.results.amplitudes import floored
-from runtime.running.carried_error import CarriedError
+from runtime.running.carried_error import SHARE, SHORTEST, CarriedError
 from runtime.running.neighbour import seen_state, small_change
 from runtime.running.segment import Segment
 from runtime.running.singular.guard import Guard
 from runtime.running.window import Window, window_at
 
 WINDOWS = 10  # at most
-SHORTEST = 4  # steps of a window
-SHARE = 0.05  # of the run's steps lie in windows; stepping them three times costs 15 %
 ROUND = 2 * np.pi  # rad: what has turned further turns on and on
 ONE_SIGN = 0.75  # sum of the delays over that of their magnitudes: less is no delay, but energies that go to and fro
 WORTH_A_WORD = 0.03  # error relative to an amplitude that a run says, if all of it is as its worst window

@@ -25,7 +25,8 @@ from runtime.schemes.step_limit import eigenvalues
 from runtime.schemes.switching.broken_steps import BrokenSteps
 
 MARKS = 25  # at most: where growth is looked for, and the neighbour is looked at
-SHORTEST, SHARE = 4, 0.05  # steps of a window, and their share of all steps
+SHORTEST = 4  # steps of a window
+SHARE = 0.05  # of the run's steps lie in windows; stepping them three times costs 15 %
 GROWS = 2.0  # Re lambda T from which the neighbour is followed
 OFFSET = 1e-5  # of the neighbour, of a radian or the size of the mechanism; more than rounding, less than what bends
 TOLERANCES = 10.0  # at least, where the neighbour's steps are others

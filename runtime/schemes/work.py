@@ -138,6 +138,12 @@ def power_of(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> float:
     return float(direct(scheme, "power", build)(z[: scheme.layout.size], c)[0])
 
 
+def by_simpson(h: Any, start: Any, middle: Any, end: Any) -> tuple[Any, Any]:
+    """Work [J] in h [s] of a power [W] by Simpson's rule, and the magnitude of what that is off the trapezoidal one."""
+    done = h / 6 * (start + 4 * middle + end)
+    return done, abs(done - h / 2 * (start + end))
+
+
 def _observed_power(scheme: Scheme, z: ca.SX, c: ca.SX, equations: StageEquations) -> ca.SX:
     seen = scheme.observer(z=z, c=c)
     parts = {end: (seen[f"q_i{end}"], seen[f"q_d{end}"]) for end in ("", "_dot", "_ddot")}

@@ -197,4 +197,4 @@ def test_a_held_input_has_a_derivative_for_each_sample(model_of: Build, scheme: 
     np.testing.assert_allclose(run.values()[:, 0], whole["cart.x"], rtol=1e-14)
     monkeypatch.setattr(passes, "TAPE_NUMBERS", 0)
     again = DifferentiableRun(model, ["cart.x"], ["force[3]", "cart.mass"], inputs={"force": force}, **settings)
-    assert again.gradient(End("cart.x"), mode="reverse")["force[3]"] == pytest.approx(other[3], rel=1e-14)
+    assert again.gradient(End("cart.x"), mode="reverse")["force[3]"] == other[3]

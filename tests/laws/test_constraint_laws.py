@@ -18,13 +18,16 @@ Load = Callable[[str], Model]
 CLOSING = [name for name, kind in SCHEMES.items() if kind.make.closes]
 STEPS = {"four_bar": 5e-3, "slider_crank": 2e-4, "flexible_slider_crank": 4e-5, "near_singular_slider_crank": 1e-4}
 
+# where the run says that at this step its error passes a tenth of an amplitude
+COARSE = {("coupled", "four_bar"), ("decoupled", "four_bar"), ("exponential_adams", "four_bar")}
+
 
 @pytest.mark.parametrize("name", STEPS)
 @pytest.mark.parametrize("scheme", CLOSING)
 def test_constraints_hold_at_both_levels(built_in: Load, name: str, scheme: str) -> None:
     """At coarse steps, prescribed motion included: C to 1e-10 m, its rate to 1e-10 of the fastest coordinate."""
     run = simulate(built_in(name), scheme=scheme, dt=STEPS[name], t_end=200 * STEPS[name], save_every=3, force=True)
-    assert run.status.whole
+    assert run.status.name == ("inaccurate" if (scheme, name) in COARSE else "completed")
     assert run.constraint_error.max() < 1e-10
     assert run.constraint_rate_error.max() < 1e-10 * max(1.0, np.abs(run.q_dot).max())
 

@@ -31,6 +31,7 @@ RUNS = {
     "two_oscillators": (100, 1e-2),
 }
 
+COARSE = ("flexible_slider_crank_torque",)  # runs say that their error passes a tenth of an amplitude
 
 # tolerances of the sweep just above the rounding of h^2 q_ddot in each scene: h^2 q_ddot is about 1e-2 on L1
 TIGHT: dict[str, Any] = {"eps": (1e-20,), "stopping": "absolute"}
@@ -43,7 +44,7 @@ def tight(name: str) -> dict[str, Any]:
 
 def trajectory(model: Model, steps: int, dt: float, **given: Any) -> Any:
     solution = simulate(model, t_end=steps * dt, dt=dt, save_every=10, **given)
-    assert solution.status.whole, solution.status
+    assert solution.status.ok or (model.name in COARSE and solution.status.whole), solution.status
     return solution.q
 
 

@@ -30,6 +30,7 @@ from runtime.schemes.adaptive.step_control import StepControl
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.switching.dips import NODES, ValuesInStep
 from runtime.schemes.switching.watched import NEVER, event_outputs, flagged, next_values
+from runtime.schemes.work import by_simpson
 
 NOTHING = 1e-12  # of a step: an interpolant is not asked for less
 STARTS = ("q_from", "v_from", "loop_from", "t_from", "a_from", "before")  # what a step sets anew that is looked at
@@ -41,7 +42,7 @@ class Attempt:
     """The end (q_i, q_i_dot, guess of the loop unknowns) of a step, and its error estimates (n_i each).
 
     kept: fields of z that the interpolant or the next step takes. seen: closed configurations on the way.
-    middle_power: P in the middle of the step [W], where it was asked for.
+    powers: P in the middle of the step, and at its end where that is evaluated [W]; none where there is no account.
     """
 
     q: ca.SX
@@ -140,9 +141,7 @@ class AdaptiveSteps(StepControl):
     @staticmethod
     def _worked(z: Fields, P: ca.SX) -> dict[str, ca.SX]:
         """The account of the work at the end of a step, where the power is P [W]."""
-        h = z["pending"]
-        done = h / 6 * (z["power"] + 4 * z["power_mid"] + P)
-        bend = ca.fabs(done - h / 2 * (z["power"] + P))
+        done, bend = by_simpson(z["pending"], z["power"], z["power_mid"], P)
         return {"work_from": z["work_from"] + done, "pending": ca.SX(0), "power": P, "bends": z["bends"] + bend}
 
     def time_in_step(self, z: Fields, h: ca.SX, share: float) -> ca.SX:

@@ -15,7 +15,7 @@ from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.switching.dips import first_bracket, looked_at
 from runtime.schemes.switching.event_search import first_passage
 from runtime.schemes.switching.watched import NEVER, passed, quiet_until
-from runtime.schemes.work import accounted, power_of
+from runtime.schemes.work import accounted, by_simpson, power_of
 
 Runs = Callable[[np.ndarray], None]  # one application of the program, in place
 FAR = 1e15  # steps
@@ -105,9 +105,9 @@ def settled(scheme: AdaptiveSteps, z: np.ndarray, constants: np.ndarray) -> None
     seen[own("t0")] -= z[own("beside")]
     P, h = power_of(scheme, seen, constants), z[own("pending")].copy()
     start, middle = z[own("power")].copy(), z[own("power_mid")].copy()
-    done = h / 6 * (start + 4 * middle + P)
+    done, bend = by_simpson(h, start, middle, P)
     z[own("work_from")] += done
-    z[own("bends")] += np.abs(done - h / 2 * (start + P))
+    z[own("bends")] += bend
     z[own("pending")], z[own("power")] = 0.0, P
 
 

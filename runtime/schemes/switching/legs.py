@@ -16,7 +16,7 @@ from runtime.schemes.direct import direct
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.state_fields import Lasting
 from runtime.schemes.stepper import Stepper
-from runtime.schemes.work import accounted, power_of
+from runtime.schemes.work import accounted, by_simpson, power_of
 
 MOST_KEPT = 64  # lengths
 
@@ -71,7 +71,7 @@ class Legs:
             half = self.flown(leg, c, start, start + length / 2)
             seen = [(self.set_out(leg, c, start, length), length), half, (z, length)]
             powers = [power_of(scheme, self.stepper.state(one), self.constants(c, dt)) for one, dt in seen]
-            work += length * (powers[0] + 4 * powers[1] + powers[2]) / 6
+            work += by_simpson(length, *powers)[0]
         return Leg(z, length, work, reached=end)
 
     def flown(self, leg: Leg, c: np.ndarray, start: float, end: float) -> tuple[np.ndarray, float]:
