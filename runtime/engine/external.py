@@ -53,7 +53,7 @@ Shapes = Mapping[str, ca.Sparsity]
 
 
 @dataclass
-class Program:
+class BoundProgram:
     """A program with its arrays; z holds inputs and outputs one after another."""
 
     engine: NativeProgram
@@ -125,7 +125,7 @@ class External:
         return min(found)
 
 
-def _program(inputs: list[ca.SX], results: list[ca.SX], c: ca.SX, values: np.ndarray) -> Program:
+def _program(inputs: list[ca.SX], results: list[ca.SX], c: ca.SX, values: np.ndarray) -> BoundProgram:
     """[inputs, results] -> [inputs, results]."""
     given, result = ca.vertcat(*inputs), ca.vertcat(*results)
     z = ca.SX.sym("z", given.numel() + result.numel())
@@ -134,7 +134,7 @@ def _program(inputs: list[ca.SX], results: list[ca.SX], c: ca.SX, values: np.nda
     prepared = prepare(Call(stage), z.numel(), c.numel())
     operations = sum(one.n_instructions() for one in prepared.program.stages())
     engine = NativeProgram(prepared.program, wait=operations <= BEST, tapes=prepared.tapes)
-    return Program(engine, operations, prepared.widened(np.zeros(z.numel())), prepared.ready(values))
+    return BoundProgram(engine, operations, prepared.widened(np.zeros(z.numel())), prepared.ready(values))
 
 
 def _exported(name: str, k: int, inputs: Shapes, outputs: Shapes) -> str:
