@@ -103,9 +103,9 @@ def dense_spatial_chain() -> Scene:
 @pytest.mark.parametrize(
     ("scene", "budget"),
     [
-        (spatial_chain(10), 3000),
-        (spatial_chain(10, 2), 14_900),
-        (dense_spatial_chain(), 20_750),
+        (spatial_chain(10), 2959),
+        (spatial_chain(10, 2), 14_620),
+        (dense_spatial_chain(), 20_491),
     ],
     ids=["rigid chain of 10", "flexible chain of 10", "general flexible chain of 10"],
 )

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import casadi as ca
 import numpy as np
+import pytest
 
 from runtime.contract.model import Model
 from symgen.bodies.spatial_moments import SpatialIntegrals, SpatialPoint
@@ -60,7 +61,8 @@ def test_integrals_about_a_node_that_the_modes_move() -> None:
     assert np.abs(numbers(integrals(nodes).about(point)) - numbers(integrals(seen))).max() < 1e-14
 
 
-def test_rod_held_at_its_end(build: Callable[[Scene, frozenset[str] | None], Model]) -> None:
+@pytest.mark.parametrize("kinds", [("cylindrical", "revolute"), ("spherical", "spherical")], ids=["hinges", "balls"])
+def test_rod_held_at_its_end(build: Callable[[Scene, frozenset[str] | None], Model], kinds: tuple[str, str]) -> None:
     """A rod of six modes hangs by its small end, a weight from its big end, all three turned against each other:
 
     (38) by the recursions, with twists that come to the rod and shares in the turns of its ends, is (28) by the
@@ -72,8 +74,8 @@ def test_rod_held_at_its_end(build: Callable[[Scene, frozenset[str] | None], Mod
     builder.flexible("rod", **data)
     hook = {"position": [0.1, 0.05, 0], "axis": [0, 1, 1], "x_axis": [1, 0, 0]}
     builder.rigid("weight", mass=0.3, inertia=[1e-3, 2e-3, 2.5e-3], markers={"hook": hook})
-    builder.joint("cylindrical", "top", "ground.origin", "rod.small_end")
-    builder.joint("revolute", "elbow", "rod.big_end", "weight.hook")
+    builder.joint(kinds[0], "top", "ground.origin", "rod.small_end")
+    builder.joint(kinds[1], "elbow", "rod.big_end", "weight.hook")
     model = build(builder.build(), CONDENSED)
     for state in random_states(model, 2):
         q_ddot, _ = augmented_solution(model, state)
