@@ -65,7 +65,7 @@ class RigidBody(StrictModel):
 
     mass [kg]; inertia [kg m^2] about the centre of mass: one number in a planar scene, the entries xx, yy, zz of the
     inertia tensor in a spatial one, where products are its entries xy, xz, yz; center_of_mass [m] in the body frame.
-    orientation (spatial): Euler angles by their sequence of axes, or Euler parameters, which fail at no angle.
+    orientation (spatial): a sequence of axes if the body's Euler angles are wanted as input and output.
     ``free = true`` says that no joint is intended. shape: how pictures show it, in place of rods between its markers.
     """
 

@@ -6,8 +6,7 @@ from symgen.scene import Scene, SceneBuilder
 def heavy_top(orientation: str = "euler_parameters") -> Scene:
     """Spin 150 rad/s about the axis through its centre of mass, which starts level.
 
-    orientation: Euler parameters, or Euler angles about three different axes. Of these "xzy" fits this motion; "zxy"
-    meets its singular angle when the top points straight down at 0.3725 s.
+    orientation: Euler parameters, or Euler angles about three different axes, by which the start is given then.
     """
     builder = SceneBuilder("heavy_top", space="spatial", title="Heavy top").gravity(0.0, 0.0, -9.81)
     builder.rigid(

@@ -25,7 +25,6 @@ from tests.support.model_values import Array
 PLACING = ("revolute", "prismatic", "cylindrical", "screw", "universal", "planar", "weld")
 OTHERS = ("spherical", "point_on_line", "distance", "prescribed_angle", "prescribed_displacement")
 ONE_WAY = ("point_on_line", "prescribed_angle", "prescribed_displacement")  # marker a has the axis
-SEQUENCES = ("xyz", "xzy", "yxz", "yzx", "zxy", "zyx", "xyx", "xzx", "yxy", "yzy", "zxz", "zyz")
 MORE: dict[str, dict[str, Any]] = {
     "screw": {"lead": 0.3},
     "distance": {"length": 0.8},
