@@ -18,9 +18,10 @@ import casadi as ca
 
 from symgen.algebra.rows import Row, add_scaled, add_to
 from symgen.algebra.scalar import ONE, ZERO, div, neg, sub
-from symgen.condensed.condensation import Condensed, congruence
+from symgen.condensed.condensation import Condensed
 from symgen.condensed.loops import solve_transposed
 from symgen.condensed.row_changes import Variation, along, derivative_rows
+from symgen.condensed.taken_out import TakenOut
 from symgen.condensed.variations import constraint_rates, particular, variations
 from symgen.kernels.paired_masses import paired_changes
 from symgen.system.frames.directions import Direction
@@ -91,7 +92,7 @@ def _eliminated(held: _Held) -> list[ca.SX]:
     system, eq = held.system, held.system.reduced
     columns = sorted(held.rho)
     K, D = (dict(zip(columns, rows, strict=True)) for rows in _derivatives(held, columns))
-    left = _Elimination([{} if held.massless else dict(row) for row in eq.M], K, D)
+    left = TakenOut([{} if held.massless else dict(row) for row in eq.M], K, D)
     for one in reversed(variations(system, held.accelerations)):
         left.take_out(one)
     return [left.matrix(matrix, system.choice.independent) for matrix in (left.K, left.D)]
@@ -242,44 +243,3 @@ def _multipliers(system: Condensed, rows: list[int], force: list[ca.SX]) -> list
         found[row] = div(rest.pop(column, ZERO), eq.constraints[row].C_q[column])
         add_scaled(rest, neg(found[row]), {c: v for c, v in eq.constraints[row].C_q.items() if c != column})
     return [found[row] for row in rows]
-
-
-@dataclass
-class _Elimination:
-    """Rows of M (symmetric), K and D by column, in the coordinates that are left."""
-
-    M: list[Row]
-    K: dict[int, Row]
-    D: dict[int, Row]
-
-    def take_out(self, one: Variation) -> None:
-        """A dependent coordinate: its columns, then its rows."""
-        d = one.column
-        for row, value in self.M[d].items():
-            if row in self.K:
-                add_scaled(self.K[row], neg(value), one.h)
-                add_scaled(self.D[row], neg(value), one.k)
-        for row, rates in self.D.items():
-            value = rates.pop(d, ZERO)
-            if not value.is_zero():
-                add_scaled(self.K[row], value, one.g)
-                add_scaled(rates, value, one.e)
-        for places in self.K.values():
-            value = places.pop(d, ZERO)
-            if not value.is_zero():
-                add_scaled(places, value, one.e)
-        for rows in (self.K, self.D):
-            own = rows.pop(d)
-            for column, factor in one.e.items():
-                if column in rows:
-                    add_scaled(rows[column], factor, own)
-        congruence(self.M, d, one.e)
-
-    def matrix(self, rows: dict[int, Row], columns: list[int]) -> ca.SX:
-        """Those of some columns."""
-        place = {column: k for k, column in enumerate(columns)}
-        found = ca.SX(len(columns), len(columns))
-        for row, entries in rows.items():
-            for column, value in entries.items():
-                found[place[row], place[column]] = value
-        return found
