@@ -1,0 +1,38 @@
+"""Cases of the hard suite in which a load jumps: steps end there, and order 4 is kept."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from runtime import Model, simulate
+from symgen.scene import Scene
+from symgen.scenes.hard_suite import HARD_SUITE
+
+Build = Callable[[Scene], Model]
+
+
+@pytest.mark.parametrize(
+    "name, t_end, steps, caps",
+    [
+        ("f2_heavy_hub", 2.5, 260, (5e-11, 8e-11)),
+        ("f2_light_hub", 2.5, 500, (3e-10, 5e-11)),
+        ("slider_crank_torque", 0.2, 1800, (1.2e-9, 1e-7)),
+    ],
+)
+def test_order_4_across_a_jump(model_of: Build, name: str, t_end: float, steps: int, caps: tuple[float, float]) -> None:
+    """Slope of two halvings and cap at the end, of the coordinates that the suite grades; a jump lies before it."""
+    case = HARD_SUITE[name]
+    model = model_of(case.make())
+
+    def ends(scheme: str, count: int) -> np.ndarray:
+        settings = {"parameters": dict(case.parameters), "initial": dict(case.initial), "start": case.start}
+        run = simulate(model, scheme=scheme, dt=t_end / count, t_end=t_end, force=True, save_every=10**6, **settings)  # type: ignore[arg-type]
+        return np.array([run[one][-1] for one in case.graded])
+
+    exact = ends("dop853", 30 * steps)
+    for scheme, cap in zip(("exponential_rk4", "exponential"), caps, strict=True):
+        coarse, fine = (float(np.abs(ends(scheme, count) - exact).max()) for count in (steps, 2 * steps))
+        assert np.log2(coarse / fine) > 3.7 and fine < cap, (scheme, coarse, fine)
