@@ -90,7 +90,7 @@ def ours(case: HardCase, problem: Problem) -> Trial:
     if len(model.q_i) <= DENSE and model.has("residual_jacobian"):
         orders = ({},) if case.large else ({}, {"order": 5})
         specs += [Spec("exponential", (m,), options) for options in orders for m in ((1,) if case.large else (1, 2))]
-    found = best_of([*specs, Spec("dop853")], problem)
+    found = best_of([*specs, Spec("dop853"), Spec("rk4")], problem)
     return min(found.values(), key=lambda trial: trial.seconds)
 
 
