@@ -57,7 +57,9 @@ def error_made(
         return None
     there = seen_state(segment, other, constants)
     if isinstance(segment.plan.scheme, AdaptiveSteps):
-        here = seen_state(segment, segment.plan.scheme.at_end(end))
+        ended = segment.plan.scheme.at_end(end)
+        segment.run_varying(ended, 0, segment.ready, segment.plan.grid.dt_L)  # an impulse that is to be given there
+        here = seen_state(segment, ended)
     dq, dq_dot = ((a - b) * share for a, b in zip(there, here, strict=True))
     return (dq, dq_dot) if np.isfinite([*dq, *dq_dot]).all() else None
 
