@@ -24,7 +24,7 @@ class Variation:
 
 
 @dataclass(frozen=True)
-class RowChange:
+class ConstraintChange:
     """entries dx' + g dx and entries dx'' + k dx' + h dx of one constraint row."""
 
     entries: Row
@@ -71,7 +71,7 @@ def rates_of(eq: Equations, rows: Sequence[int], accelerations: Row) -> tuple[li
     return first, [sub(along(row.C_q, accelerations), row.gamma) for row in constraints]
 
 
-def row_changes(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[int, RowChange]:
+def row_changes(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[int, ConstraintChange]:
     """Rates and derivatives commute: d(C')/dq_j = (C_qj)', d(C'')/dq_j = (C_qj)'' and d(C'')/dq_j' = 2 (C_qj)'.
 
     With velocities that are no rates of coordinates they do not, and in the plane, where a row has few coordinates,
@@ -83,7 +83,7 @@ def row_changes(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[
     return known | _by_rates(eq, [row for row in rows if row not in known], accelerations)
 
 
-def _by_fields(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[int, RowChange]:
+def _by_fields(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[int, ConstraintChange]:
     """Of the joints whose rows have rates known by geometry."""
     found = {}
     for joint, known in eq.loop_rates.items():
@@ -93,11 +93,11 @@ def _by_fields(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[i
                 entries = eq.constraints[row].C_q
                 g, h = (_of(entries.keys() & accelerations.keys(), change) for change in (first, second))
                 k = {c: mul(ca.SX(2), value) for c, value in g.items()}
-                found[row] = RowChange(dict(entries), g, h, k)
+                found[row] = ConstraintChange(dict(entries), g, h, k)
     return found
 
 
-def _by_rates(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[int, RowChange]:
+def _by_rates(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[int, ConstraintChange]:
     if not rows:
         return {}
     columns = sorted(accelerations)
@@ -107,14 +107,14 @@ def _by_rates(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[in
     entries = ca.SX(ca.vertcat(*(eq.constraints[row].C_q[column] for row, column in places)))
     first = ca.jtimes(entries, q, rates)
     changes = [first, ca.jtimes(first, ca.vertcat(q, rates), ca.vertcat(rates, second)), 2 * first]
-    found = {row: RowChange(dict(eq.constraints[row].C_q), {}, {}, {}) for row in rows}
+    found = {row: ConstraintChange(dict(eq.constraints[row].C_q), {}, {}, {}) for row in rows}
     for (row, column), *values in zip(places, *(vector(value) for value in changes), strict=True):
         for target, value in zip((found[row].g, found[row].h, found[row].k), values, strict=True):
             add_to(target, column, value)
     return found
 
 
-def _by_differentiation(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[int, RowChange]:
+def _by_differentiation(eq: Equations, rows: Sequence[int], accelerations: Row) -> dict[int, ConstraintChange]:
     columns = sorted(accelerations)
     entries = [eq.constraints[row].C_q for row in rows]
     first, second = rates_of(eq, rows, accelerations)
@@ -122,7 +122,7 @@ def _by_differentiation(eq: Equations, rows: Sequence[int], accelerations: Row) 
     by_rate = derivative_rows(second, columns, eq.q_dot)
     n = len(rows)
     return {
-        row: RowChange(dict(own), *(_of(_places(eq, own), change) for change in (g, h, k)))
+        row: ConstraintChange(dict(own), *(_of(_places(eq, own), change) for change in (g, h, k)))
         for row, own, g, h, k in zip(rows, entries, by_q[:n], by_q[n:], by_rate, strict=True)
     }
 

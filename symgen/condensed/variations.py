@@ -21,7 +21,7 @@ from symgen.algebra.scalar import ZERO, add, div, mul, neg, sub
 from symgen.algebra.small_systems import solve_small
 from symgen.condensed.condensation import Condensed, Substitution
 from symgen.condensed.loops import LoopBlock, solve_forward
-from symgen.condensed.row_changes import RowChange, Variation, along, rates_of, row_changes
+from symgen.condensed.row_changes import ConstraintChange, Variation, along, rates_of, row_changes
 
 
 def variations(system: Condensed, accelerations: Row) -> list[Variation]:
@@ -89,16 +89,16 @@ def particular(system: Condensed, changes: Row) -> Row:
     return found
 
 
-def _solved_row(one: Substitution, change: RowChange, pivot: ca.SX) -> Variation:
+def _solved_row(one: Substitution, change: ConstraintChange, pivot: ca.SX) -> Variation:
     g, h, k = ({c: neg(div(value, pivot)) for c, value in row.items()} for row in (change.g, change.h, change.k))
     add_scaled(g, g.pop(one.column, ZERO), one.e)
-    row = RowChange({}, g, h, k)
+    row = ConstraintChange({}, g, h, k)
     row.folded(Variation(one.column, one.e, g, {}, {}))
     return Variation(one.column, one.e, row.g, row.h, row.k)
 
 
 def _solved_block(
-    block: LoopBlock, changes: dict[int, RowChange], system: Condensed, by_column: dict[int, Substitution]
+    block: LoopBlock, changes: dict[int, ConstraintChange], system: Condensed, by_column: dict[int, Substitution]
 ) -> list[Variation]:
     """-U^-1 of the changes of the block's rows."""
     entries = system.loops.entries()

@@ -24,7 +24,7 @@ from symgen.system.frames.ball import Ball
 from symgen.system.frames.body_moves import Bend
 from symgen.system.frames.curvature import COVERED, LoopCurvature
 from symgen.system.frames.linkage import links_of
-from symgen.system.frames.loop_rates import LoopRates, Way
+from symgen.system.frames.loop_rates import LoopRates, MarkerWay
 from symgen.system.frames.motion import Matrix
 from symgen.system.frames.paths import Path
 from symgen.system.frames.skeleton import Skeleton
@@ -155,9 +155,9 @@ class TreeSpace(SpatialSpace):
             return GROUND
         return base
 
-    def _way(self, base: int, reference: str) -> Way:
+    def _way(self, base: int, reference: str) -> MarkerWay:
         seat = self.tree.seats[reference.partition(".")[0]]
-        return Way.to(self.tree, base, seat, self._deformation(reference), self._path(base, seat.frame))
+        return MarkerWay.to(self.tree, base, seat, self._deformation(reference), self._path(base, seat.frame))
 
     def _has_ball(self, frames: list[int]) -> bool:
         return any(isinstance(move, Ball) for frame in frames for move in self.tree.frames[frame].moves)

@@ -27,7 +27,7 @@ from symgen.algebra.vectors import (
 )
 from symgen.bodies.deformation import Bent, Deformation
 from symgen.system.frames.body_moves import Bend, Unbend
-from symgen.system.frames.fields import TWO, Field, Part, Rates, Spot, arm_of, joint_parts
+from symgen.system.frames.fields import TWO, Field, FieldPart, Rates, Spot, arm_of, joint_parts
 from symgen.system.frames.motion import Motion, Wrench
 from symgen.system.frames.moves import Move, unit
 
@@ -114,7 +114,7 @@ class _Bending:
         return minus(scaled(half, cross(moment, one.theta)), fewer)
 
 
-def parts_of(move: Move, spot: Spot) -> list[Part]:
+def parts_of(move: Move, spot: Spot) -> list[FieldPart]:
     """What the coordinates of a move do."""
     if isinstance(move, Bend | Unbend):
         return BendChanges(move.deformation, spot, isinstance(move, Unbend)).parts
@@ -131,19 +131,19 @@ class BendChanges:
         self._spot = spot
 
     @cached_property
-    def parts(self) -> list[Part]:
+    def parts(self) -> list[FieldPart]:
         """By what is shared."""
         return [self._unbent(one) if self._back else self._bent(one) for one in self._bending.shared]
 
-    def _bent(self, one: _Shared) -> Part:
+    def _bent(self, one: _Shared) -> FieldPart:
         (t, t1, t2), (s, s1, s2) = self._bending.turned(one), self._bending.shape(one)
         turning, moving = ([transposed_times(self._R, vector) for vector in own] for own in ((t, t1, t2), (s, s1, s2)))
-        return Part(one.shares, Field((turning[0], turning[1], turning[2]), (moving[0], moving[1], moving[2])))
+        return FieldPart(one.shares, Field((turning[0], turning[1], turning[2]), (moving[0], moving[1], moving[2])))
 
-    def _unbent(self, one: _Shared) -> Part:
+    def _unbent(self, one: _Shared) -> FieldPart:
         (t, t1, t2), (s, s1, s2) = self._bending.turned(one), self._bending.shape(one)
         still = Field((negative(t), negative(t1), negative(t2)), (negative(s), negative(s1), negative(s2)))
-        return Part(one.shares, still.shifted(arm_of(Unbend(self._deformation), self._spot)))
+        return FieldPart(one.shares, still.shifted(arm_of(Unbend(self._deformation), self._spot)))
 
     def powers(self, column: int, wrench: Wrench, change: Wrench) -> Row:
         """Changes of the powers by a mode, for the wrench after the move and its change, both in the axes there."""

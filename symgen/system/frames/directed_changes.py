@@ -23,11 +23,11 @@ from symgen.system.frames.body_moves import Bend, Unbend
 from symgen.system.frames.directions import Direction
 from symgen.system.frames.fields import Field, Spot
 from symgen.system.frames.flexible import FlexibleInertia
-from symgen.system.frames.force_changes import Sweep
-from symgen.system.frames.loop_rates import Way
+from symgen.system.frames.force_changes import ForceSweep
+from symgen.system.frames.loop_rates import MarkerWay
 from symgen.system.frames.motion import NOTHING, Motion, Twist, Wrench
 from symgen.system.frames.moves import Fixed, Move
-from symgen.system.frames.places import Place
+from symgen.system.frames.places import FramePlace
 from symgen.system.frames.screws import identity
 from symgen.system.frames.tangents import Change
 from symgen.system.frames.tree import GROUND, FrameTree
@@ -39,8 +39,8 @@ _Power = tuple[Row, Callable[[Change, Wrench, Wrench], ca.SX]]  # shares by colu
 class Tie:
     """A spherical joint between the ends of two ways from the ground; force: lambda in world axes."""
 
-    a: Way
-    b: Way
+    a: MarkerWay
+    b: MarkerWay
     force: Vector
 
 
@@ -48,8 +48,8 @@ class Tie:
 class _End:
     """Of a tie, with the force on it in the axes of its frame."""
 
-    own: Way
-    other: Way
+    own: MarkerWay
+    other: MarkerWay
     force: Vector
 
 
@@ -88,9 +88,9 @@ class _Sums:
         self, tree: FrameTree, n: int, base: Vector, moving: tuple[Row, Row], directions: Sequence[Direction]
     ) -> None:
         self._tree, self._moving, self._directions = tree, moving, directions
-        self._sweep = Sweep(n, *moving)
-        self._ground = Place([], Motion(zeros(), zeros(), base))
-        self._places: list[Place] = []
+        self._sweep = ForceSweep(n, *moving)
+        self._ground = FramePlace([], Motion(zeros(), zeros(), base))
+        self._places: list[FramePlace] = []
         for frame in tree.frames:
             place = self._place(frame.parent)
             for move in frame.moves:
@@ -98,13 +98,13 @@ class _Sums:
             self._places.append(place)
         self.F_q, self.F_v = ([zeros(len(directions)) for _ in range(n)] for _ in range(2))
 
-    def _place(self, frame: int) -> Place:
+    def _place(self, frame: int) -> FramePlace:
         return self._ground if frame == GROUND else self._places[frame]
 
     def add(self, k: int, ends: list[_End]) -> None:
         """What a frame adds that joints may tie."""
         inertia, place = self._tree.frames[k].inertia, self._places[k]
-        seen = Place(place.steps, place.motion)
+        seen = FramePlace(place.steps, place.motion)
         if inertia is not None:
             seen.state = self._sweep.body(inertia, place.motion)
         closed = len(ends) == 1 and len(place.parts) > len(self._place(ends[0].other.frame).parts)
@@ -117,7 +117,7 @@ class _Sums:
             fields = self._closed(fields, ends[0])
         self._contract(seen, fields, self._powers(seen, fields, closed))
 
-    def _seated(self, place: Place, end: _End) -> Place:
+    def _seated(self, place: FramePlace, end: _End) -> FramePlace:
         """The same masses looked at from the marker that a joint ties."""
         seat = place.beyond(end.own.end, *self._moving)
         seat.state, seat.forces = place.state, [(zeros(), end.force)]
@@ -139,7 +139,7 @@ class _Sums:
             found.append(Field(known.turning, (v, v1, v2)))
         return found
 
-    def _contract(self, place: Place, fields: list[Field], powers: list[_Power]) -> None:
+    def _contract(self, place: FramePlace, fields: list[Field], powers: list[_Power]) -> None:
         geometric, state = place.carried(self._directions), place.state
         for j, (one, direction) in enumerate(zip(fields, self._directions, strict=True)):
             by_position, by_rate = one.by_position(place.motion.a), one.by_rate
@@ -159,7 +159,7 @@ class _Sums:
                 for F, known in ((self.F_q, self._sweep.K), (self.F_v, self._sweep.D)):
                     F[column][j] = add(F[column][j], known[column].get(direction.column, ZERO))
 
-    def _powers(self, place: Place, fields: list[Field], closed: bool) -> list[_Power]:
+    def _powers(self, place: FramePlace, fields: list[Field], closed: bool) -> list[_Power]:
         """On what the coordinates on the way do; where the way is closed by fields, on those of the directions."""
         if not closed:
             return [(part.shares, partial(_power, part.field.twist)) for part in place.parts]
@@ -181,7 +181,7 @@ def _power(twist: Twist, change: Change, more: Wrench, w: Wrench) -> ca.SX:
     return w.along(twist)
 
 
-def _power_of_row(place: Place, twist: Twist, change: Change, more: Wrench, w: Wrench) -> ca.SX:
+def _power_of_row(place: FramePlace, twist: Twist, change: Change, more: Wrench, w: Wrench) -> ca.SX:
     """Without the force of w, where that does work on one twist alone."""
     assert place.state is not None
     row = place.state.tangent.row(Twist(zeros(), twist.v))

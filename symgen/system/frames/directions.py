@@ -14,7 +14,7 @@ import casadi as ca
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, add, mul
 from symgen.algebra.vectors import plus, scaled, zeros
-from symgen.system.frames.fields import TWO, Field, Part, Rates
+from symgen.system.frames.fields import TWO, Field, FieldPart, Rates
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class Direction:
     S_dot: Row
     S_ddot: Row
 
-    def along(self, parts: Sequence[Part]) -> Field:
+    def along(self, parts: Sequence[FieldPart]) -> Field:
         """The field of a frame that has these parts."""
         turning, moving = (zeros(), zeros(), zeros()), (zeros(), zeros(), zeros())
         for part in parts:
@@ -36,7 +36,7 @@ class Direction:
         return Field(turning, moving)
 
 
-def share_of(part: Part, row: Row) -> ca.SX:
+def share_of(part: FieldPart, row: Row) -> ca.SX:
     """Of what a part's coordinates do."""
     found = ZERO
     for column, share in part.shares.items():

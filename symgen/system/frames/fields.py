@@ -47,7 +47,7 @@ class Spot:
 
 
 @dataclass(frozen=True)
-class Arm:
+class MovingArm:
     """From the origin before a move to the one after it, as seen from the ground: where, velocity, acceleration.
 
     In the axes before the move; for `Unbend` in those after it.
@@ -87,7 +87,7 @@ class Field:
             return self._seen(move).shifted(arm_of(move, spot))
         return self.shifted(arm_of(move, spot))._seen(move)
 
-    def shifted(self, arm: Arm) -> Field:
+    def shifted(self, arm: MovingArm) -> Field:
         """About the end of an arm."""
         t, t1, t2 = self.turning
         v, v1, v2 = self.moving
@@ -102,7 +102,7 @@ class Field:
 
 
 @dataclass(frozen=True)
-class Part:
+class FieldPart:
     """What the coordinates of some columns do to the frame after a move, each its share of it."""
 
     shares: Row
@@ -120,7 +120,7 @@ def seen_beyond(move: Move, vector: Vector) -> Vector:
     return times(move.deformation.at({}).R, vector) if isinstance(move, Unbend) else vector
 
 
-def arm_of(move: Move, spot: Spot) -> Arm:
+def arm_of(move: Move, spot: Spot) -> MovingArm:
     """Of a move."""
     if isinstance(move, Bend | Unbend):
         body = spot.after if isinstance(move, Unbend) else spot.before
@@ -128,7 +128,7 @@ def arm_of(move: Move, spot: Spot) -> Arm:
         r, V = bent.rho, plus(bent.rho_dot, cross(body.omega, bent.rho))
         own = combination(bent.shapes, move.deformation.of(spot.accelerations))
         A = plus(times(body.G, r), bent.drift(body.omega), own)
-        return Arm(negative(r), negative(V), negative(A)) if isinstance(move, Unbend) else Arm(r, V, A)
+        return MovingArm(negative(r), negative(V), negative(A)) if isinstance(move, Unbend) else MovingArm(r, V, A)
     r, speed, own = zeros(), zeros(), zeros()
     if isinstance(move, Slide):
         r = unit(move.axis, move.amount)
@@ -139,17 +139,17 @@ def arm_of(move: Move, spot: Spot) -> Arm:
         r = move.r
     omega = spot.before.omega
     A = plus(times(spot.before.G, r), cross(scaled(TWO, omega), speed), own)
-    return Arm(r, plus(cross(omega, r), speed), A)
+    return MovingArm(r, plus(cross(omega, r), speed), A)
 
 
-def joint_parts(move: Move, spot: Spot) -> list[Part]:
+def joint_parts(move: Move, spot: Spot) -> list[FieldPart]:
     """Of a hinge or a slide."""
     if isinstance(move, Turn | Slide) and move.column is not None:
         axis = unit(move.axis, move.sign if isinstance(move, Turn) else move.factor)
         rates = axis, cross(spot.after.omega, axis), times(spot.after.G, axis)
         twice, still = cross(scaled(TWO, spot.after.omega), axis), (zeros(), zeros(), zeros())
         turns, slides = Field(rates, still, (twice, zeros())), Field(still, rates, (zeros(), twice))
-        return [Part({move.column: ONE}, turns if isinstance(move, Turn) else slides)]
+        return [FieldPart({move.column: ONE}, turns if isinstance(move, Turn) else slides)]
     return []
 
 

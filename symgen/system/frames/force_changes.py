@@ -16,7 +16,7 @@ from symgen.algebra.scalar import ZERO, mul, neg
 from symgen.algebra.vectors import Vector, cross, negative, plus, scaled, zeros
 from symgen.system.frames.bend_changes import BendChanges
 from symgen.system.frames.body_moves import Bend, Unbend
-from symgen.system.frames.fields import Part, Spot, joint_parts, turned
+from symgen.system.frames.fields import FieldPart, Spot, joint_parts, turned
 from symgen.system.frames.flexible import FlexibleInertia, RigidInertia
 from symgen.system.frames.inertia_changes import TWO, by_mode_rates, by_modes, mode_rows, tangent_of
 from symgen.system.frames.motion import NOTHING, Motion, Wrench, no_masses
@@ -32,7 +32,7 @@ def has_force_changes(tree: FrameTree) -> bool:
 
 def force_changes(tree: FrameTree, n: int, base: Vector, rates: Row, accelerations: Row) -> tuple[list[Row], list[Row]]:
     """(d/dq, d/dq') of `inverse_dynamics`, n rows by column."""
-    sweep = Sweep(n, rates, accelerations)
+    sweep = ForceSweep(n, rates, accelerations)
     sweep.tree(tree, base)
     return sweep.K, sweep.D
 
@@ -67,7 +67,7 @@ def _nothing() -> Beyond:
     return Beyond(Tangent(no_masses(), zeros(), [zeros() for _ in range(3)]))
 
 
-class Sweep:
+class ForceSweep:
     """From the tips to the ground at some rates and accelerations; K and D, n rows by column, are the result."""
 
     def __init__(self, n: int, rates: Row, accelerations: Row) -> None:
@@ -140,11 +140,11 @@ class Sweep:
             state.by_rate[column] = move.wrench(wrench)
         self._before(move, spot, state, parts)
 
-    def _shared(self, target: list[Row], row: int, part: Part, value: ca.SX) -> None:
+    def _shared(self, target: list[Row], row: int, part: FieldPart, value: ca.SX) -> None:
         for column, share in part.shares.items():
             add_to(target[row], column, mul(share, value))
 
-    def _before(self, move: Move, spot: Spot, state: Beyond, parts: list[Part]) -> None:
+    def _before(self, move: Move, spot: Spot, state: Beyond, parts: list[FieldPart]) -> None:
         """Rows, inertia and wrench as seen before a move."""
         for part in parts:
             row = state.tangent.row(part.field.twist)
@@ -157,7 +157,7 @@ class Sweep:
         state.wrench = move.wrench(state.wrench)
 
 
-def _shares(part: Part, wrench: Wrench) -> dict[int, Wrench]:
+def _shares(part: FieldPart, wrench: Wrench) -> dict[int, Wrench]:
     """Of a wrench, by column."""
     return {column: Wrench(scaled(share, wrench.f), scaled(share, wrench.n)) for column, share in part.shares.items()}
 

@@ -14,7 +14,7 @@ from symgen.algebra.vectors import plus, times, zeros
 from symgen.bodies.deformation import Deformation
 from symgen.system.frames.bend_changes import parts_of
 from symgen.system.frames.body_moves import Bend
-from symgen.system.frames.fields import Part, Spot
+from symgen.system.frames.fields import FieldPart, Spot
 from symgen.system.frames.motion import Motion
 from symgen.system.frames.moves import Fixed, Move
 from symgen.system.frames.paths import Path
@@ -24,7 +24,7 @@ from symgen.system.frames.tree import GROUND, FrameTree, Seat
 
 
 @dataclass(frozen=True)
-class Way:
+class MarkerWay:
     """Moves from frame `base` (or GROUND), taken to be at rest, to a marker in `frame`; path: to that frame."""
 
     base: int
@@ -38,22 +38,24 @@ class Way:
         return self.moves[-1]
 
     @staticmethod
-    def to(tree: FrameTree, base: int, seat: Seat, marker: Deformation, path: Path) -> Way:
+    def to(tree: FrameTree, base: int, seat: Seat, marker: Deformation, path: Path) -> MarkerWay:
         """From a frame (or GROUND) to a marker of a body with some seat; path: to the frame of that."""
         frames = tree.way(seat.frame)
         frames = frames if base == GROUND else frames[frames.index(base) + 1 :]
         place = plus(seat.place.r, times(seat.place.R, marker.point.position))
         end = Fixed(identity(), place) if marker.rigid else Bend(place_of(marker))
-        return Way(base, seat.frame, [*(move for frame in frames for move in tree.frames[frame].moves), end], path)
+        return MarkerWay(
+            base, seat.frame, [*(move for frame in frames for move in tree.frames[frame].moves), end], path
+        )
 
-    def parts(self, rates: Row, accelerations: Row) -> list[Part]:
+    def parts(self, rates: Row, accelerations: Row) -> list[FieldPart]:
         """What the coordinates on the way do to its end, in the axes there."""
-        found: list[Part] = []
+        found: list[FieldPart] = []
         motion = Motion(zeros(), zeros(), zeros())
         for move in self.moves:
             before, motion = motion, move.motion(motion, rates, accelerations)
             spot = Spot(before, motion, rates, accelerations)
-            found = [Part(part.shares, part.field.beyond(move, spot)) for part in found] + parts_of(move, spot)
+            found = [FieldPart(part.shares, part.field.beyond(move, spot)) for part in found] + parts_of(move, spot)
         return found
 
 
@@ -61,8 +63,8 @@ class Way:
 class LoopRates:
     """Of a spherical joint between the ends of two ways from the same frame."""
 
-    a: Way
-    b: Way
+    a: MarkerWay
+    b: MarkerWay
 
     def rows(self, rates: Row, accelerations: Row) -> tuple[list[Row], list[Row]]:
         """(dC_q/dt, d^2 C_q/dt^2) by row and column."""

@@ -20,7 +20,7 @@ from symgen.algebra.vectors import Vector, cross, negative
 from symgen.system.frames.bend_changes import BendChanges
 from symgen.system.frames.body_moves import Bend, Unbend
 from symgen.system.frames.directions import Direction, share_of
-from symgen.system.frames.fields import Part, Spot, joint_parts, turned
+from symgen.system.frames.fields import FieldPart, Spot, joint_parts, turned
 from symgen.system.frames.force_changes import Beyond
 from symgen.system.frames.motion import NOTHING, Motion, Wrench
 from symgen.system.frames.moves import Move
@@ -32,12 +32,12 @@ class _Step:
     """A move on the way to a frame with what its coordinates do to the frame; bending: where modes move a marker."""
 
     move: Move
-    parts: list[Part]
+    parts: list[FieldPart]
     bending: BendChanges | None
 
     def beyond(self, move: Move, spot: Spot) -> _Step:
         """For the frame after a further move."""
-        carried = [Part(part.shares, part.field.beyond(move, spot)) for part in self.parts]
+        carried = [FieldPart(part.shares, part.field.beyond(move, spot)) for part in self.parts]
         return _Step(self.move, carried, self.bending)
 
 
@@ -49,7 +49,7 @@ def _step(move: Move, spot: Spot) -> _Step:
 
 
 @dataclass
-class Place:
+class FramePlace:
     """Where a frame's masses are looked at: its steps and motion; what moves its masses; forces of joints on it."""
 
     steps: list[_Step]
@@ -58,7 +58,7 @@ class Place:
     forces: list[tuple[Vector, Vector]] = field(default_factory=list)  # (arm, force) in the axes here
 
     @property
-    def parts(self) -> list[Part]:
+    def parts(self) -> list[FieldPart]:
         """What the coordinates on the way do to the frame."""
         return [part for step in self.steps for part in step.parts]
 
@@ -70,11 +70,11 @@ class Place:
             found = found.plus(Wrench(negative(force), negative(cross(arm, force))))
         return found
 
-    def beyond(self, move: Move, rates: Row, accelerations: Row) -> Place:
+    def beyond(self, move: Move, rates: Row, accelerations: Row) -> FramePlace:
         """After a move; without masses."""
         after = move.motion(self.motion, rates, accelerations)
         spot = Spot(self.motion, after, rates, accelerations)
-        return Place([*(step.beyond(move, spot) for step in self.steps), _step(move, spot)], after)
+        return FramePlace([*(step.beyond(move, spot) for step in self.steps), _step(move, spot)], after)
 
     def changed(self, change: Change, more: Wrench) -> Wrench:
         """Of the wrench that moves the masses, by a change of the motion and a further change."""
