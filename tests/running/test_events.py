@@ -248,7 +248,7 @@ DIPS = np.sort(np.concatenate([TURNS + np.arccos(-0.99), TURNS - np.arccos(-0.99
 def test_long_steps_of_a_tolerance_pass_nothing_over(
     model_of: Build, scheme: str, when: str, direction: str, times: np.ndarray
 ) -> None:
-    """20 turns in 5 s, for which the motion itself needs some ten steps: each is told, at its time by hand."""
+    """20 turns in 5 s, which steps of any length follow: each passage is told, at its time by hand."""
     run = simulate(model_of(turning(when=when, direction=direction)), scheme=scheme, tolerance=1e-6)
     assert [event.time for event in run.events] == pytest.approx(times[(times > 0) & (times < 5)], rel=0, abs=1e-9)
 
