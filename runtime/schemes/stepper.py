@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import casadi as ca
 import numpy as np
 
-from runtime.contract.coordinates import independent, loop_part
+from runtime.contract.coordinates import charts_in, independent, loop_part
 from runtime.engine.choose import choose_engine, operations_per_step
 from runtime.engine.prepare import prepare
 from runtime.schemes.direct import direct
@@ -20,8 +21,21 @@ def start_vector(
 ) -> np.ndarray:
     """The scheme's own z at a consistent state of all coordinates (Eqs. 68-71); dt: another step than its grid's."""
     model = scheme.model
+    if not model.places.all_independent:
+        return direct(scheme, "start_there", lambda: start_there(scheme))(t, q, q_dot, scheme.constants(c, dt))
     start = direct(scheme, "start", lambda: scheme.starter)
     return start(t, *independent(model, q, q_dot), loop_part(model, q), scheme.constants(c, dt))
+
+
+def start_there(scheme: Scheme) -> ca.Function:
+    """(t0, q, q_dot, c) -> z at a consistent state: turns that follow from loops count from where their bodies are."""
+    model, charts = scheme.model, charts_in(scheme.model)
+    t0, c = ca.SX.sym("t0"), ca.SX.sym("c", scheme.c_size)
+    q, q_dot = (ca.SX.sym(name, len(model.coordinates)) for name in ("q", "q_dot"))
+    (q_i, q_d), rates = scheme.charts.seen_in(model, q), scheme.charts.seen_in(model, q, q_dot)[0]
+    there = ca.vertcat(c[: charts.start], q[model.places.parameters.ravel().tolist()], c[charts.stop :])
+    loop = ca.vertcat(*(q_d[int(k)] for k in model.places.loops))
+    return ca.Function("start_there", [t0, q, q_dot, c], [scheme.starter(t0, q_i, rates, loop, there)])
 
 
 class Stepper:

@@ -19,6 +19,7 @@ from runtime.studies.stability.along import states_along
 from runtime.studies.stability.limits import StabilityStudy
 from runtime.studies.stability.spectrum import ExactMotion
 from symgen.scene import Scene, SceneBuilder
+from tests.laws.test_orientations_in_loops import mechanism
 from tests.laws.test_random_spatial import turned_place
 from tests.support.model_values import Array, evaluate, make_state, relative_error
 from tests.support.prepared_runs import PreparedRuns
@@ -161,3 +162,11 @@ def test_predicted_limit_is_real(model: Model) -> None:
         return simulate(model, dt=dt, t_end=t_end, engine="interpreted", **settings).status.whole
 
     assert whole(0.98 * limit) and not whole(1.02 * limit)
+
+
+def test_a_ball_twice(model_of: Build) -> None:
+    """Its rows are found redundant, whichever body is named first, and change nothing."""
+    once, twice = model_of(mechanism()), model_of(mechanism(twice=True))
+    assert len(twice.redundant) == 3 and twice.loop_unknowns == once.loop_unknowns
+    ends = [simulate(one, scheme="rk4", dt=4e-3, t_end=0.2, engine="interpreted") for one in (once, twice)]
+    np.testing.assert_allclose(ends[1].q, ends[0].q, rtol=0, atol=1e-13)

@@ -19,6 +19,7 @@ from runtime import ensemble, linearise, resume, simulate
 from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
+from runtime.studies.ensemble.starts import in_lanes
 from symgen.scene import Scene, SceneBuilder
 from tests.laws.test_orientations import product, rotation
 from tests.laws.test_random_spatial import turned_place
@@ -209,21 +210,13 @@ def test_orders(model_of: Build, stay: bool) -> None:
         return float(np.abs(np.array([seen[name] for name in names]) - wanted).max())
 
     for scheme, settings, dt, order, most in SCHEMES if not stay else SCHEMES[:2]:
-        runs = PreparedRuns(model, scheme, **settings, engine="interpreted")
-        errors = [error(runs.seen(0.2, h)) for h in (dt, dt / 2)]
+        run = PreparedRuns(model, scheme, **settings, engine="interpreted")
+        errors = [error(run.seen(0.2, h)) for h in (dt, dt / 2)]
         assert errors[0] < most, (scheme, errors)
         assert np.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.35), (scheme, errors)
     by_tolerance = simulate(model, scheme="dopri5", dt=0.1, t_end=0.2, options={"tolerance": 1e-8})
     assert by_tolerance.status.ok and by_tolerance.constraint_error.max() < 1e-12
     assert error({name: by_tolerance[name][-1] for name in names}) < 1e-8
-
-
-def test_a_ball_twice(model_of: Build) -> None:
-    """Its rows are found redundant, whichever body is named first, and change nothing."""
-    once, twice = model_of(mechanism()), model_of(mechanism(twice=True))
-    assert len(twice.redundant) == 3 and (twice.q_i, twice.loop_unknowns) == (once.q_i, once.loop_unknowns)
-    ends = [simulate(one, scheme="rk4", dt=4e-3, t_end=0.2, engine="interpreted") for one in (once, twice)]
-    np.testing.assert_allclose(ends[1].q, ends[0].q, rtol=0, atol=1e-13)
 
 
 def test_exchange_of_a_turn(model_of: Build) -> None:
@@ -251,14 +244,15 @@ def test_resumed_runs_and_lanes(model_of: Build, tmp_path: Path) -> None:
         settings: dict[str, Any] = {"scheme": scheme, "dt": 2e-3, "t_end": 0.1}
         end, whole, broken = simulate(model, **settings).q[-1], tmp_path / f"whole_{scheme}", tmp_path / scheme
         simulate(model, **settings, stream=whole)
-        rule: dict[str, Any] = {"checkpoint": tmp_path / "run.npz", "checkpoint_every": 3, "progress": stop}
+        rule: dict[str, Any] = {"checkpoint": tmp_path / "run", "checkpoint_every": 3, "progress": stop}
         assert simulate(model, **settings, **rule, stream=broken).status.name == "interrupted"
-        assert np.array_equal(resume(model, tmp_path / "run.npz").q[-1], end)
+        assert np.array_equal(resume(model, tmp_path / "run").q[-1], end)
         assert (broken / "samples.bin").read_bytes() == (whole / "samples.bin").read_bytes()
-    rates, name = np.array([3.0, 4.0]), "rod.omega_x"
-    many = ensemble(model, initial={"left.angle_dot": rates}, reduce={name: ["end"]}, outputs=[name], **settings)
-    alone = [simulate(model, initial={"left.angle_dot": rate}, **settings)[name][-1] for rate in rates]
-    assert np.array_equal(np.asarray(many[f"{name}_end"]), alone)
+    name, starts = "rod.omega_x", {"left.angle_dot": np.array([3.0, 4.0]), "left.angle": np.array([0.3, 0.4])}
+    many = ensemble(model, initial=starts, reduce={name: ["end"]}, outputs=[name], **settings)
+    each = np.array([*starts.values()]).T.tolist()
+    alone = [simulate(model, initial=dict(zip(starts, one, strict=True)), **settings)[name][-1] for one in each]
+    assert in_lanes(model, list(starts), "") and np.array_equal(np.asarray(many[f"{name}_end"]), alone)
 
 
 def spinning(hinges: bool) -> Scene:

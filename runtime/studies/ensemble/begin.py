@@ -1,7 +1,8 @@
 """The start of runs in lanes as one program: parameters to constants, assembly, preparation, the scheme's own start.
 
 A lane's row begins with what it is given (p, t, h, q_i, q_i_dot, a guess of q_d, whether that is to be closed, and
-whether elastic coordinates are to be brought into equilibrium);
+whether elastic coordinates are to be brought into equilibrium;
+where turns follow from loops, whether it was to be closed, and all coordinates and rates);
 c, what the step program reads and its z follow. Functions are called on entries of the row only, each a stage of its
 own, so that a lane has the bits of a run by itself.
 """
@@ -19,6 +20,7 @@ from runtime.engine.program import Call, Fields, Layout, Program, Repeat, Sequen
 from runtime.operating.assembly import closable, closing, fitting
 from runtime.running.segment import HIGHEST, LOWEST
 from runtime.schemes.scheme import Scheme
+from runtime.schemes.stepper import start_there
 from runtime.studies.ensemble.settle import settle_fields, settle_program
 
 NO_CONSTANTS = 1  # the begin reads none: its c is whatever stands first in the row
@@ -30,6 +32,8 @@ def row_layout(model: Model, scheme: Scheme, ready: int, lane: Layout, looks: in
     n_i = len(model.q_i)
     given = {"p": len(model.parameters), "t": 1, "h": len(scheme.grid.h), "q_i": n_i, "q_i_dot": n_i}
     given |= {"q_d": len(model.q_d), "close": 1, "settle": 1}
+    if not model.places.all_independent:
+        given |= {"asked": 1, "q": len(model.coordinates), "q_dot": len(model.coordinates)}
     found = {
         "c": model.c_size,
         "fits": 1,
@@ -57,8 +61,12 @@ def begin_program(
             return {"q_d": q_d, "close": open_}
 
         def fit(z: Fields) -> Mapping[str, ca.SX]:
-            _, _, fits = fitting(model)(z["q_i"], z["q_i_dot"], z["q_d"], z["t"], z["c"])
-            return {"fits": ca.logic_and(fits, z["close"] <= 0)}
+            q, q_dot, fits = fitting(model)(z["q_i"], z["q_i_dot"], z["q_d"], z["t"], z["c"])
+            found = {"fits": ca.logic_and(fits, z["close"] <= 0)}
+            if "asked" not in z:
+                return found
+            told = (("q", q), ("q_dot", q_dot))
+            return found | {name: ca.if_else(z["asked"] > 0, value, z[name]) for name, value in told}
 
         parts += [Until(stage("begin_close", close), flag, MAX_ITERATIONS, 4), stage("begin_fit", fit)]
     if "settled" in row.sizes:
@@ -99,7 +107,11 @@ def _started(model: Model, scheme: Scheme, lane: Layout, z: Fields) -> ca.SX:
     """The lane's z at step 0 (Eqs. 68-71); the account of a run begins."""
     loops = [model.q_d.index(name) for name in model.loop_unknowns]
     loop = z["q_d"][loops] if loops else ca.SX(0, 1)
-    state = scheme.starter(z["t"], z["q_i"], z["q_i_dot"], loop, ca.vertcat(z["c"], z["h"]))
+    c = ca.vertcat(z["c"], z["h"])
+    if "asked" in z:
+        state = start_there(scheme)(z["t"], z["q"], z["q_dot"], c)
+    else:
+        state = scheme.starter(z["t"], z["q_i"], z["q_i_dot"], loop, c)
     fields = scheme.layout.unpack(state)
     blocks = scheme.layout.sizes["det_low"]
     fields |= {"t0": z["t"], "n": ca.SX(0)}

@@ -90,8 +90,10 @@ class LaneRuns:
         blocks[:, programs.row.slice("h"), :] = np.array(programs.plan.grid.h)[:, None]
         for position, values in starts.varied.items():
             put("p", values[rows], position)
-        for name in ("q_i", "q_i_dot", "q_d", "close", "settle"):
-            put(name, getattr(starts, name)[rows])
+        given = {name: getattr(starts, name) for name in ("q_i", "q_i_dot", "q_d", "close", "settle", "q", "q_dot")}
+        for name, table in {**given, "asked": starts.close}.items():
+            if name in programs.row.sizes:
+                put(name, table[rows])
         programs.begin.run(blocks, 0, 0, 1)
         return blocks
 

@@ -22,12 +22,15 @@ from runtime.studies.ensemble.settle import quasi_static
 class Starts:
     """Of some cases: p (n_p,) and what of it is varied {position: values (cases,)}; q_i, q_i_dot (cases, n_i).
 
-    q_d (cases, n_d); close (cases,): is it a guess that lanes close? settle (cases,): do lanes bring the elastic
-    coordinates into equilibrium? impossible (cases,): there is no consistent start.
+    q, q_dot (cases, n): the same of all coordinates, before lanes close them. q_d (cases, n_d); close (cases,): is it a
+    guess that lanes close? settle (cases,): do lanes bring the elastic coordinates into equilibrium? impossible
+    (cases,): there is no consistent start.
     """
 
     p: np.ndarray
     varied: dict[int, np.ndarray]
+    q: np.ndarray
+    q_dot: np.ndarray
     q_i: np.ndarray
     q_i_dot: np.ndarray
     q_d: np.ndarray
@@ -71,7 +74,8 @@ class CaseStarts:
             self._one_by_one(table, q, q_dot, impossible)
         q_i, q_i_dot = independent(model, q, q_dot)
         settle = np.full(cases, self._settle)
-        return Starts(self._own, varied, q_i, q_i_dot, dependent_part(model, q), close, settle, impossible)
+        q_d = dependent_part(model, q)
+        return Starts(self._own, varied, q, q_dot, q_i, q_i_dot, q_d, close, settle, impossible)
 
     def _one_by_one(self, table: np.ndarray, q: np.ndarray, q_dot: np.ndarray, impossible: np.ndarray) -> None:
         """As for a run by itself, into q and q_dot."""
@@ -89,11 +93,12 @@ class CaseStarts:
 
 def in_lanes(model: Model, initial: list[str], start: str) -> bool:
     """Can these starts be made in lanes? Else Python makes them one by one."""
-    if set(initial) & {*spin_names(model), *angle_starts(model)} or not model.places.all_independent:
+    if set(initial) & {*spin_names(model), *angle_starts(model)}:
         return False
     names = [model.coordinates[_column(model, name)] for name in initial]
     free = not model.constraints or (closable(model) and keeps_independent(model, names, ()))
-    return free and (_given(model, initial, start) or quasi_static(model, start))
+    settles = model.places.all_independent and quasi_static(model, start)
+    return free and (_given(model, initial, start) or settles)
 
 
 def _given(model: Model, initial: list[str], start: str) -> bool:
