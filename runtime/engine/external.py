@@ -129,7 +129,7 @@ def _program(inputs: list[ca.SX], results: list[ca.SX], c: ca.SX, values: np.nda
     """[inputs, results] -> [inputs, results]."""
     given, result = ca.vertcat(*inputs), ca.vertcat(*results)
     z = ca.SX.sym("z", given.numel() + result.numel())
-    (result,) = ca.substitute([result], [given], [z[: given.numel()]])
+    (result,) = ca.cse(ca.substitute([result], [given], [z[: given.numel()]]))
     stage = ca.Function("external", [z, c], [ca.vertcat(z[: given.numel()], result)], ["z", "c"], ["z_next"])
     prepared = prepare(Call(stage), z.numel(), c.numel())
     operations = sum(one.n_instructions() for one in prepared.program.stages())

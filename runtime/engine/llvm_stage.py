@@ -168,11 +168,12 @@ class StageWriter:
         angles = [self._operand(k) for k in group]
         found = self.operations.sines_and_cosines(f"%g{group[0]}", angles)
         self.lines.append(found.text)
-        trigonometric = {(self.tape.nodes[k].op, self.tape.nodes[k].a): k for k in self.beside}
-        for angle, sine, cosine in zip(group, found.sines, found.cosines, strict=True):
-            for op, name in ((ca.OP_SIN, sine), (ca.OP_COS, cosine)):
-                if (op, angle) in trigonometric:
-                    self.names[trigonometric[op, angle]] = name
+        names = {ca.OP_SIN: dict(zip(group, found.sines, strict=True))}
+        names[ca.OP_COS] = dict(zip(group, found.cosines, strict=True))
+        for k, other in self.beside.items():
+            if other == group:
+                node = self.tape.nodes[k]
+                self.names[k] = names[node.op][node.a]
 
     def _number(self) -> str:
         name = f"%{self.next}"
@@ -188,6 +189,7 @@ class StageWriter:
         if node.op == ca.OP_CONST:
             self.names[k] = self.operations.lanes.number(node.value)
         else:
+            assert node.op == ca.OP_INPUT, f"node {k} is used before it is defined"
             self._load(k, self.tape.input_names[node.a], node.b)
         return self.names[k]
 

@@ -9,8 +9,10 @@ import mpmath
 import numpy as np
 import pytest
 
-from runtime.contract.tape import read_tape
+from runtime.contract.tape import UNUSED, Node, Tape, as_function, read_tape
+from runtime.engine.angles import side_by_side
 from runtime.engine.llvm_ir import Form, program_ir
+from runtime.engine.native import NativeProgram
 from runtime.engine.program import Call
 from runtime.engine.tiers import BEST, FIRST
 from tests.support.step_programs import StepProgram
@@ -122,3 +124,30 @@ def test_lanes_and_scalar_code_agree_in_own_mathematics() -> None:
     x = np.concatenate([*ANGLES.values(), np.array(SPECIAL)])[::10, None]
     scalar, lanes = (evaluated(lambda a: [ca.sin(a), ca.cos(a), ca.exp(a / 50)], x, Form(width)) for width in (1, 8))
     np.testing.assert_array_equal(scalar, lanes)
+
+
+def test_angles_side_by_side_that_stand_twice_have_both_their_values() -> None:
+    """Nothing shares what a tape has twice: each node is defined, with the bits of angles that stand alone."""
+    tape = Tape(
+        ["z", "c"],
+        [5, 1],
+        ["z_next"],
+        [(5, 1)],
+        nodes=[
+            Node(ca.OP_INPUT, 0, 0, 0.0),
+            Node(ca.OP_INPUT, 0, 1, 0.0),
+            Node(ca.OP_SIN, 0, UNUSED, 0.0),
+            Node(ca.OP_SIN, 0, UNUSED, 0.0),
+            Node(ca.OP_COS, 1, UNUSED, 0.0),
+            Node(ca.OP_ADD, 2, 4, 0.0),
+            Node(ca.OP_MUL, 3, 5, 0.0),
+        ],
+        outputs=[[0, 1, 2, 3, 6]],
+    )
+    order, groups = side_by_side(tape.nodes, range(2, 7))
+    assert set(groups) == {2, 3, 4} and sorted(order) == list(range(2, 7))
+    stage = as_function("twice", tape)
+    z = np.array([0.7, -1.3, 0.0, 0.0, 0.0])
+    NativeProgram(Call(stage), tapes={"twice": tape}, wait=True).run(z, np.zeros(1), 1)
+    sine, cosine = evaluated(lambda a: [ca.sin(a), ca.cos(a)], np.array([[0.7], [-1.3]]), Form())[[0, 1], [0, 1]]
+    np.testing.assert_array_equal(z[2:], [sine, sine, sine * (sine + cosine)])

@@ -13,6 +13,7 @@ import pytest
 
 from runtime import Model, ModelError, simulate
 from runtime.contract.files import write_text
+from runtime.contract.orientations import places_of
 from runtime.contract.units import mechanism_length
 from runtime.operating.given_state import given_state
 from runtime.operating.linearise import linearise
@@ -80,7 +81,9 @@ def test_what_rests_has_no_drift_of_energy(model_of: Build) -> None:
 @pytest.mark.parametrize("n, dense", [(32, True), (33, False)])
 def test_methods_with_dense_systems_are_tried_up_to_their_price(n: int, dense: bool) -> None:
     """12 n^3 operations: 393,216 for 32 coordinates, 431,244 for 33, where 400,000 are too many."""
-    model: Any = SimpleNamespace(q_i=["x"] * n, has=lambda name: True, operations={}, groups=["all"])
+    names = [f"x{k}" for k in range(n)]
+    places = places_of(names, names, [], [], [])
+    model: Any = SimpleNamespace(q_i=names, has=lambda name: True, operations={}, groups=["all"], places=places)
     assert any(spec.scheme == "exponential" for spec in candidates(model)) == dense
 
 
