@@ -39,13 +39,13 @@ density = 2700.0
 area = 4e-5
 second_moment = 5.3e-11
 youngs_modulus = 7e10
-elements = 20
+elements = 20                                    # the paper's lumped mesh; leave it out for exact shapes
 lateral = { ends = "clamped-free", modes = 2 }   # also pinned-pinned, free-free, clamped-pinned, clamped-clamped
 # axial = { ends = "fixed-free", modes = 1 }
 damping_ratio = 0.01                             # of every mode
 stiffening = true                                # geometric stiffening: keep it for bodies that turn fast
 
-# --- Joints: revolute, prismatic, weld, point_on_line, prescribed_angle, prescribed_displacement --------------
+# --- Joints: revolute, prismatic, weld, point_on_line, distance, prescribed_angle, prescribed_displacement ----
 [[joints]]
 type = "revolute"
 name = "hinge"
@@ -73,7 +73,7 @@ name = "drive"
 marker = "crank.origin"
 value = "torque*sin(pi*t)"                       # of t, parameters, measures and their rates (swing_dot)
 
-# --- Measures: angle, distance, x, y between two markers ------------------------------------------------------
+# --- Measures: angle, distance, x, y between two markers; coordinate; forces and moments in beams -------------
 [[measures]]
 type = "angle"
 name = "swing"
@@ -102,6 +102,7 @@ t_end = 1.0
 dt = 2e-4
 scheme = "single_rate"
 save_every = 10
+# Instead of a step: scheme = "auto" and tolerance = 1e-3; dt is then the time between the states that are saved.
 """
 
 

@@ -1,12 +1,13 @@
 """Bodies whose orientation has velocities of its own: the absolute angular velocity in body axes, not rates of q.
 
-All three turns of such a body are independent: it floats, or a spherical joint of the tree holds it. Its independent
-coordinates are a rotation vector theta from a chart, a unit quaternion that is data of a run, with q_i' = omega,
+Such a body is placed by no joint: it floats, a spherical joint holds it, or it is part of a closed loop, where some of
+its turns are independent and the others loop unknowns. Its coordinates are a rotation vector theta from a chart, a unit
+quaternion that is data of a run, with omega for theta' at theta = 0,
 
     e = chart o exp(theta),    e' = e o (0, omega) / 2,    e'' = e o (0, omega') / 2 - (omega.omega / 4) e,
 
-so that its Euler parameters e depend on them. A body whose turning a closed loop, a motion or the scene's own choice
-of q_i reaches keeps Euler parameters that are coordinates like others.
+so that its Euler parameters e depend on them. A body whose Euler parameters the scene names in its partition keeps
+them as coordinates like others.
 """
 
 from __future__ import annotations
