@@ -32,3 +32,21 @@ def twice_tied() -> Scene:
 def test_directions_give_the_jacobians_of_elimination(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
     """At random positions and rates: the forms are equal whether or not these close the loops."""
     assert_equal_forms(values_of_forms(scene, monkeypatch))
+
+
+def on_a_turntable() -> Scene:
+    """Two rigid bodies on universal joints, the second tied to the turning body that carries the first."""
+    builder, rng = SceneBuilder("turntable", space="spatial").gravity(0.3, 0.5, -9.81), np.random.default_rng(4)
+    for name in ("table", "near", "far"):
+        ends = {end: {"position": rng.normal(size=3), "axis": rng.normal(size=3)} for end in ("start", "end", "side")}
+        builder.rigid(name, mass=1.0, inertia=[0.2, 0.3, 0.4], center_of_mass=rng.normal(size=3), markers=ends)
+    builder.revolute("pivot", "ground.origin", "table.start")
+    builder.universal("first", "table.end", "near.start").universal("second", "near.end", "far.start")
+    builder.spherical("tie", "far.end", "table.side").rates({"pivot.angle": 2.0, "first.angle1": 1.0})
+    return builder.build()
+
+
+def test_a_loop_on_a_turning_body(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Rates of a loop's rows, seen from the body that carries it, are those of the rows: its directions, where it is
+    closed, give the Jacobians by differentiation."""
+    assert_equal_forms(values_of_forms(on_a_turntable(), monkeypatch, at_start=True))

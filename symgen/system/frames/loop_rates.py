@@ -61,10 +61,13 @@ class MarkerWay:
 
 @dataclass(frozen=True)
 class LoopRates:
-    """Of a spherical joint between the ends of two ways from the same frame."""
+    """Of a spherical joint between the ends of two ways from the same frame; base: the way to that, whose rates do not
+    count: what is closed in its axes is closed in those of the world, in which the rows are.
+    """
 
     a: MarkerWay
     b: MarkerWay
+    base: Path
 
     def rows(self, rates: Row, accelerations: Row) -> tuple[list[Row], list[Row]]:
         """(dC_q/dt, d^2 C_q/dt^2) by row and column."""
@@ -73,7 +76,7 @@ class LoopRates:
         for way, back in ((self.a, True), (self.b, False)):
             for part in way.parts(rates, accelerations):
                 for rows, vector in ((first, part.field.moving[1]), (second, part.field.moving[2])):
-                    for row, value in zip(rows, way.path.along(vector), strict=True):
+                    for row, value in zip(rows, self.base.along(way.path.along(vector)), strict=True):
                         for column, share in part.shares.items():
                             own = mul(share, value)
                             add_to(row, column, neg(own) if back else own)
