@@ -49,8 +49,9 @@ class Condensed:
 
     @cached_property
     def inner(self) -> list[Substitution]:
-        """The substitutions between coordinates that have masses or constraints."""
-        return [s for s in self.substitutions if s.column not in self.reduced.placed_columns]
+        """The substitutions between coordinates that have masses or constraints, or that forces depend on."""
+        left_out = self.reduced.placed_columns - self.reduced.felt_columns
+        return [s for s in self.substitutions if s.column not in left_out]
 
     def dependent_velocities(self, independent: Mapping[int, ca.SX]) -> dict[int, ca.SX]:
         """q_dot of every coordinate from q_i_dot (Eq. 36)."""

@@ -88,8 +88,9 @@ def tree_accelerations(system: Condensed, topology: Topology) -> list[dict[int, 
     Elimination of M, which has no fill, or the recursion of articulated bodies where joints place all bodies.
     """
     solve, columns = system.reduced.free_joints, system.choice.independent
-    parameters = {column for turning in system.reduced.turnings for column in turning.parameters}
-    if solve is None or any(s.e for s in system.inner if s.column not in parameters):
+    following = {column for turning in system.reduced.turnings for column in turning.parameters}
+    following |= system.reduced.placed_columns
+    if solve is None or any(s.e for s in system.inner if s.column not in following):
         return tree_solutions(system, topology, [forces_side(system)])
     imposed = {s.column: s.c_acceleration for s in system.inner}
     force = system.projected(dict(enumerate(system.reduced.outer_forces)))

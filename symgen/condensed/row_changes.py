@@ -132,8 +132,7 @@ def _places(eq: Equations, entries: Row) -> set[int]:
 
     A turn about the line to a marker does not move the marker, and yet omega x (omega x r) has its rate.
     """
-    turned = [one for one in eq.turnings if entries.keys().isdisjoint(one.parameters)]
-    turned = [one for one in turned if not entries.keys().isdisjoint(one.columns)]
+    turned = [one for one in eq.turnings if not entries.keys().isdisjoint(one.columns)]
     return {*entries, *(column for one in turned for column in (*one.columns, *one.parameters))}
 
 

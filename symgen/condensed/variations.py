@@ -32,8 +32,12 @@ def variations(system: Condensed, accelerations: Row) -> list[Variation]:
     structural = [(row, one) for row, one in structural if one.column in kept]
     changes = row_changes(eq, [*choice.loop_rows, *(row for row, _ in structural)], accelerations)
     following = {}
+    parameters = {column for turning in eq.turnings for column in turning.parameters}
+    turned = [Variation(one.column, one.e, {}, {}, {}) for one in inner if one.column in parameters]
     for row, one in structural:
         change, pivot = changes[row], eq.constraints[row].C_q[one.column]
+        for other in turned if one.column in parameters else []:  # e' = e o omega / 2 has all four
+            change.folded(other)
         following[one.column] = _solved_row(one, change, pivot)
     for _, one in reversed(structural):
         for row in choice.loop_rows:

@@ -84,7 +84,8 @@ class Equations:
     force_changes: derivatives of these, where they are known by composites; curvatures, loop_rates: so, by joint;
     tied_changes: along directions.
     free_joints: accelerations for a force on such a tree, if joints place all its bodies.
-    placed_columns: coordinates of the frames of placed bodies, which no mass and no other constraint knows of.
+    placed_columns: coordinates of the frames of placed bodies, which no mass and no other constraint knows of;
+    felt_columns: those of them that forces depend on, by measures of coordinates, with those that they follow from.
     Energies [J] and powers [W] are scalars.
     springs: loads that are linear springs, by name. joint_columns: coordinates of joints; gravity: its components
     [m/s^2]; measure_units: SI unit of each measure. u: the entries of the inputs by name, each a symbol.
@@ -134,6 +135,7 @@ class Equations:
     tied_changes: TiedChanges | None = None
     free_joints: FreeJointAccelerations | None = None
     placed_columns: frozenset[int] = frozenset()
+    felt_columns: frozenset[int] = frozenset()
     turnings: list[Turning] = field(default_factory=list)
 
     @cached_property

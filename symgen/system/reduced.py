@@ -94,7 +94,23 @@ def reduced_equations(
         equations.free_joints = forces.free_joints
     for column, value in equations.inertia_forces({}).items():
         equations.Q_v[column] = neg(value)
+    equations.felt_columns = _felt(equations, topology, orientations)
     return equations
+
+
+def _felt(equations: Equations, topology: Topology, orientations: Orientations) -> frozenset[int]:
+    """Coordinates of the frames of placed bodies that forces depend on, and those of the bodies before these."""
+    forces = ca.vertcat(*equations.Q_F)
+    known = {symbol.element_hash() for symbol in ca.symvar(forces)}
+    parents = {one.child: one.parent for one in (*topology.placements.values(), *orientations.balls.values())}
+    felt: set[int] = set()
+    for body, columns in equations.body_columns.items():
+        own: str | None = body
+        if any(known & {equations.q[c].element_hash(), equations.q_dot[c].element_hash()} for c in columns):
+            while own is not None:
+                felt |= equations.placed_columns.intersection(equations.body_columns.get(own, ()))
+                own = parents.get(own)
+    return frozenset(felt)
 
 
 def _tell(whole: Equations, reduced: Equations, omega: ca.SX) -> None:

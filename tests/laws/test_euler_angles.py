@@ -24,6 +24,8 @@ from runtime.contract.euler_angles import (
 )
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder, SceneError
+from tests.laws.test_random_spatial import turned_place
+from tests.support.model_values import Array, evaluate, make_state, random_states, relative_error
 
 Build = Callable[[Scene], Model]
 SEQUENCES = [a + b + c for a, b, c in itertools.product("xyz", repeat=3) if a != b != c]
@@ -187,6 +189,39 @@ def test_angles_wherever_values_have_names(model_of: Build, tmp_path: Any) -> No
         simulate(model, initial={"body.theta1_dot": 1.0, "body.omega_x": 1.0})
     spun = simulate(model, t_end=0.01, initial={"body.theta2": 0.6, "body.omega_x": 4.0})
     assert spun["body.theta2"][0] == pytest.approx(0.6, abs=1e-14) and spun["body.omega_x"][0] == 4.0
+
+
+@pytest.mark.parametrize("joints", [("revolute", "revolute"), ("spherical", "spherical"), ("spherical", "revolute")])
+def test_loads_that_follow_coordinates(
+    build: Callable[[Scene, frozenset[str] | None], Model], joints: tuple[str, str]
+) -> None:
+    """Residual Jacobians where loads depend on angles, places and Euler parameters of bodies that joints place, and on
+    their rates: differences of Q_hat - M_hat a."""
+    builder = SceneBuilder("controlled", space="spatial").gravity(0.3, -0.4, -9.81)
+    ends = {"hinge": {"axis": [0.3, 0.4, 1]}, "next": {"position": [0.5, 0.2, 0.1], "axis": [1, 0.2, 0.3]}}
+    data: dict[str, Any] = {"mass": 1.0, "inertia": [0.4, 0.5, 0.6], "center_of_mass": [0.1, 0.2, 0.3], "markers": ends}
+    builder.rigid("base", orientation="xyz", **data).rigid("arm", orientation="zyx", **data)
+    builder.joint(joints[0], "first", "ground.origin", "base.hinge")
+    builder.joint(joints[1], "second", "base.next", "arm.hinge")
+    for name, coordinate in (("yaw", "arm.theta1"), ("pitch", "base.theta2"), ("x", "arm.x"), ("e", "arm.e1")):
+        builder.measure_coordinate(name, coordinate)
+    builder.torque("held", "arm.hinge", "-5 * yaw - 0.3 * yaw_dot + 2 * e * x_dot", reaction="base.next")
+    builder.torque("turned", "base.hinge", "3 * pitch + 0.2 * yaw * pitch_dot - 4 * x + e_dot")
+    functions = {"condensed", "closure", "velocities", "residual_jacobian"}
+    model = build(builder.build(), frozenset(functions))
+    (state,), n, h = random_states(model, 1), len(model.q_i), 1e-5
+    a = np.linspace(-1.0, 1.0, n)
+
+    def residual(step: Array, change: Array) -> Array:
+        at = make_state(model, turned_place(model, state, step), state.q_i_dot + change, state.t, state.q)
+        out = evaluate(model, "condensed", **at.values())
+        return np.asarray(out["Q_hat"] - out["M_hat"].reshape(n, n) @ a)
+
+    found, none = evaluate(model, "residual_jacobian", **state.values(), q_i_ddot=a), np.zeros(n)
+    J_q = np.array([residual(unit, none) - residual(-unit, none) for unit in h * np.eye(n)]).T / (2 * h)
+    J_v = np.array([residual(none, unit) - residual(none, -unit) for unit in h * np.eye(n)]).T / (2 * h)
+    assert relative_error(found["J_q"].reshape(n, n), J_q) < 1e-7
+    assert relative_error(found["J_v"].reshape(n, n), J_v) < 1e-7
 
 
 @pytest.mark.parametrize(
