@@ -36,7 +36,8 @@ class Substitution:
 class Condensed:
     """A system with its substitutions, in the order of evaluation (independent coordinates to the tips).
 
-    equations: in all coordinates; reduced: without those of placed bodies' frames, which nothing below needs.
+    equations: in all coordinates; reduced: without those of placed bodies' frames, which nothing below
+    needs but the forces that depend on `felt_columns`.
     deflections: the stiff ones among its coordinates.
     """
 

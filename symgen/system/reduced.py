@@ -102,7 +102,8 @@ def _felt(equations: Equations, topology: Topology, orientations: Orientations) 
     """Coordinates of the frames of placed bodies that forces depend on, and those of the bodies before these."""
     forces = ca.vertcat(*equations.Q_F)
     known = {symbol.element_hash() for symbol in ca.symvar(forces)}
-    parents = {one.child: one.parent for one in (*topology.placements.values(), *orientations.balls.values())}
+    parents = {one.child: one.parent for one in topology.placements.values()}
+    parents |= {ball.child: ball.parent for ball in orientations.balls.values()}
     felt: set[int] = set()
     for body, columns in equations.body_columns.items():
         own: str | None = body
