@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from threading import Lock
 from typing import Any
 
 import casadi as ca
@@ -11,7 +12,7 @@ import numpy as np
 class Direct:
     """A Function called on arrays through CasADi's buffers: without conversions, which cost more than small functions.
 
-    All outputs come as one vector, column by column. Not for several threads at once.
+    All outputs come as one vector, column by column. Threads that share it wait for one another.
     """
 
     def __init__(self, function: ca.Function) -> None:
@@ -25,10 +26,12 @@ class Direct:
         for k, array in enumerate(self._arguments):
             buffers[0].set_arg(k, array.data)
         buffers[0].set_res(0, self._result.data)
+        self._lock = Lock()  # runs of one model in several threads have its arrays in common
 
     def __call__(self, *arguments: np.ndarray | float) -> np.ndarray:
         """(size,) a copy of what it gives."""
-        for own, one in zip(self._arguments, arguments, strict=True):
-            own[:] = one
-        self._call()
-        return self._result.copy()
+        with self._lock:
+            for own, one in zip(self._arguments, arguments, strict=True):
+                own[:] = one
+            self._call()
+            return self._result.copy()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from threading import Lock
 from typing import Any
 
 from runtime.engine.native import NativeProgram
@@ -9,6 +10,7 @@ from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import Stepper
 
 MOST_OPERATIONS = 300_000  # of a step, of all that a model keeps: what they take stays in memory
+_LOCK = Lock()  # of what models keep: threads may run one model at once
 
 
 def kept_stepper(scheme: Scheme, engine: str = "auto", wait: bool = False) -> Stepper:
@@ -19,13 +21,15 @@ def kept_stepper(scheme: Scheme, engine: str = "auto", wait: bool = False) -> St
     """
     known: dict[tuple[Any, ...], Stepper] = scheme.model.steppers
     key = (type(scheme), repr(scheme.grid), repr(scheme.options), repr(scheme.layout.sizes), engine, wait)
-    found = known.pop(key, None)
-    if found is not None:
-        known[key] = found  # the youngest now
-        return found
+    with _LOCK:
+        found = known.pop(key, None)
+        if found is not None:
+            known[key] = found  # the youngest now
+            return found
     stepper = Stepper(scheme, engine, wait)
     if isinstance(stepper.engine, NativeProgram) and stepper.operations <= MOST_OPERATIONS:
-        known[key] = stepper
-        while sum(one.operations for one in known.values()) > MOST_OPERATIONS:
-            del known[next(iter(known))]
+        with _LOCK:
+            known[key] = stepper
+            while sum(one.operations for one in known.values()) > MOST_OPERATIONS:
+                del known[next(iter(known))]
     return stepper

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -75,3 +77,25 @@ def test_what_is_kept_is_bounded_and_the_oldest_goes(model: Model, monkeypatch: 
     assert list(model.steppers.values())[0] is first and second not in model.steppers.values()
     monkeypatch.setattr(kept_steppers, "MOST_OPERATIONS", first.operations - 1)
     assert of(4e-4) not in model.steppers.values()
+
+
+def test_threads_begin_where_they_are_told_to(model: Model) -> None:
+    """Runs of one model at once share what is called between steps: none may get the numbers of another."""
+    one, c = (
+        kept_stepper(scheme_kind("rk4").build("rk4", model, 1e-4, None, {})),
+        model.constants(model.parameter_vector()),
+    )
+    q, q_dot = model.initial_q, model.initial_q_dot
+
+    def begins(t: float) -> list[np.ndarray]:
+        return [one.start(t, q, (1 + t) * q_dot, c, 1e-4) for _ in range(10_000)]
+
+    alone, interval = [begins(t)[0] for t in (0.0, 1.0)], sys.getswitchinterval()
+    try:
+        sys.setswitchinterval(1e-6)
+        with ThreadPoolExecutor(2) as threads:
+            found = list(threads.map(begins, (0.0, 1.0)))
+    finally:
+        sys.setswitchinterval(interval)
+    for own, others in zip(alone, found, strict=True):
+        assert all(np.array_equal(own, other) for other in others)

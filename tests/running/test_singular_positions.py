@@ -87,6 +87,14 @@ def test_four_bars_pass_ten_singular_positions(
     assert run.constraint_error.max() < 1e-10 and run.constraint_rate_error.max() < 1e-10
 
 
+@pytest.mark.parametrize("scheme", ["dopri5", "exponential_rk4"])
+def test_steps_of_a_tolerance_are_counted_across_passages(built_in: Load, scheme: str) -> None:
+    """None is longer than the largest: so many of that length are at least as long as the motion outside passages."""
+    run = simulate(built_in("n_four_bar"), scheme=scheme, tolerance=1e-6, dt=0.05, t_end=3.0)
+    assert run.status.ok and [event.kind for event in run.events] == ["singular_position"] * 3
+    assert int(run.stats["steps"]) * float(run.stats["largest_step"]) > 2.0
+
+
 def test_singular_times_are_those_of_the_exact_motion(built_in: Load) -> None:
     run = simulate(built_in("n_four_bar"), scheme="dop853", dt=1e-3, t_end=5.0, save_every=100)
     times = [event.time for event in run.events]

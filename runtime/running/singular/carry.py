@@ -18,8 +18,8 @@ from runtime.running.segment import Segment
 from runtime.schemes.central_difference import CentralDifference
 
 COUNTERS = ("closure_error", "iterations", "failures")
-# of steps that follow from one
-OF_TOLERANCE = ("accepted", "counted", "rejected", "h_least", "h_largest", "h_next", "per_step", "steady", "lands")
+STEPS_MADE = ("accepted", "counted", "rejected", "h_least", "h_largest")  # those that follow from a tolerance
+OF_TOLERANCE = (*STEPS_MADE, "h_next", "per_step", "steady", "lands")
 CLOSURES = 6
 CONJUGATE = np.array([1.0, -1.0, -1.0, -1.0])
 
