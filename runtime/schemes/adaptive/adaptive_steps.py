@@ -223,7 +223,9 @@ class AdaptiveSteps(StepControl):
         flag, longest = flagged(self, z, new, new, z["t_to"], inside.room_for_zero()), inside.longest(h, equations.h[0])
         shorter = self.planned(z, equations, z["t_to"], longest)
         next_one = {name: ca.if_else(longest < z["h_next"], one, z[name]) for name, one in shorter.items()}
-        return {**self._stopped(z, flag, z["event_step"]), **next_one, "event_near": ca.SX(0)}
+        # ends alone tell nothing of values that turn within steps: the next one is looked at, too
+        change = ca.if_else(inside.resolved(), z["event_change"], NEVER)
+        return {**self._stopped(z, flag, z["event_step"]), **next_one, "event_near": ca.SX(0), "event_change": change}
 
     @staticmethod
     def _stopped(z: Fields, flag: ca.SX, otherwise: ca.SX | float) -> dict[str, ca.SX]:

@@ -100,6 +100,10 @@ class ValuesInStep:
             rising = ca.fmin(rising, way * (b[k] - b[k - 1]))
         return ca.fmax(ca.if_else(side * b[4] > 0, lowest <= rest, rising < 0), self.unresolved > UNRESOLVED)
 
+    def resolved(self) -> ca.SX:
+        """1 where steps of this length tell how all values change."""
+        return ca.mmax(self.unresolved) <= RESOLVED
+
     def longest(self, h: ca.SX, dt: ca.SX) -> ca.SX:
         """The longest step [s] after one of h [s] in which values would still be resolved.
 
