@@ -197,8 +197,8 @@ class TreeSpace(SpatialSpace):
             self.curvatures[joint.name] = LoopCurvature(a, b, COVERED[joint.type])
         if joint.type == "spherical":
             base = self._common(joint.marker_a, joint.marker_b)
-            ways = (self._way(base, one) for one in (joint.marker_a, joint.marker_b))
-            self.loop_rates[joint.name] = LoopRates(*ways, self._path(GROUND, base))
+            one, other = (self._way(base, reference) for reference in (joint.marker_a, joint.marker_b))
+            self.loop_rates[joint.name] = LoopRates(one, other, self._path(GROUND, base))
         return super().joint_rows(joint, motion)
 
     def picture(self) -> Picture:
