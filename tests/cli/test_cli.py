@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -175,10 +176,11 @@ def test_a_run_that_fails_exits_with_one_and_keeps_its_report(capsys, folder, tm
     assert data["report"]["status"]["name"] in capsys.readouterr().out
 
 
-def test_demo_leaves_everything(capsys, tmp_path) -> None:
-    code, data = run(
-        capsys, "demo", "slider-crank", "--out", tmp_path / "demo", "--t-end", 0.01, "--engine", "interpreted"
-    )
+def test_demo_leaves_everything(capsys, tmp_path, monkeypatch) -> None:
+    page = (Path(__file__).parents[2] / "docs" / "guide" / "cli.md").read_text()
+    monkeypatch.chdir(tmp_path)
+    (words,) = re.findall(r"^symgen (demo .*)$", page, re.MULTILINE)
+    code, data = run(capsys, *words.split())
     assert code == 0 and data["report"]["model"]["name"] == "flexible_slider_crank"
     assert all((tmp_path / "demo" / name).stat().st_size > 500 for name in DEMO_FILES)
     assert (tmp_path / "demo" / "model" / "model.py").is_file()
