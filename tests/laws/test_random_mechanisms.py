@@ -25,7 +25,7 @@ from tests.support.random_mechanisms import four_bars, trees
 
 QUICK = settings(
     deadline=None,
-    max_examples=12,
+    max_examples=8,
     derandomize=True,
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
 )

@@ -29,7 +29,7 @@ from tests.support.random_spatial import spatial_loops, spatial_trees
 
 QUICK = settings(
     deadline=None,
-    max_examples=4,
+    max_examples=3,
     derandomize=True,
     phases=(Phase.generate,),
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
