@@ -34,7 +34,7 @@ def used(page: str, folder: Path, script: str, state: str = "") -> dict[str, Any
     path.write_text(page.replace("</body>", f"<script>{script}</script></body>"), encoding="utf-8")
     address = path.as_uri() + (f"#{state}" if state else "")
     done = subprocess.run(
-        _command(folder, "--window-size=800,450", "--dump-dom", address), capture_output=True, text=True, timeout=180
+        _command(folder, "--window-size=1366,768", "--dump-dom", address), capture_output=True, text=True, timeout=180
     )
     root = re.search(r"<html[^>]*>", done.stdout)
     assert root, done.stderr
