@@ -24,9 +24,7 @@ from runtime.engine.prepare import prepare
 from runtime.engine.program import Call
 
 VALUES, SLOPES = range(2)  # the two programs of an external Function
-BEST = (
-    20_000  # operations up to which they are compiled as well as steps are: beyond, that takes long and gains a tenth
-)
+BEST = 20_000  # operations up to which they are compiled as well as steps: beyond, that takes long and gains a tenth
 TIMED, ENOUGH = 20, 1e-3  # bursts, and how long each lasts [s]
 HEAD = """
 #include <string.h>

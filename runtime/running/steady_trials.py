@@ -25,10 +25,8 @@ LEAP, LEAPS = 8.0, (2.0, 4.0, 8.0)  # steps of a trial over those of the finest 
 MOST = 12  # trials
 CLEAN = (0.8, 1.25)  # slopes of errors over the order of the method
 FEWER, MORE, ENOUGH = 1.2, 1.35, 2.5  # wanted steps over those of a trial, these over those, and its error: near enough
-APART, AT_ONCE = (
-    1.1,
-    5.0,
-)  # steps of a trial over those of a coarser one, at least; of the run's over the finest, at most
+APART = 1.1  # steps of a trial over those of a coarser one, at least
+AT_ONCE = 5.0  # steps of the run over those of the finest trial, at most
 
 
 @dataclass

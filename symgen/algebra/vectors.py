@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import casadi as ca
 
-from symgen.algebra.scalar import ZERO, add, dot, mul, neg, sub
+from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg, sub
 
 Vector = list[ca.SX]
 Columns = Sequence[Sequence[ca.SX]]
@@ -15,6 +15,11 @@ Columns = Sequence[Sequence[ca.SX]]
 def zeros(n: int = 3) -> Vector:
     """n zeros."""
     return [ZERO] * n
+
+
+def identity() -> list[Vector]:
+    """The unit vectors of three axes, as columns: no rotation."""
+    return [[ONE if i == j else ZERO for i in range(3)] for j in range(3)]
 
 
 def plus(*vectors: Sequence[ca.SX]) -> Vector:

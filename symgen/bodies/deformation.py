@@ -14,7 +14,7 @@ import casadi as ca
 
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
-from symgen.algebra.vectors import Vector, combination, cross, plus, product, scaled, zeros
+from symgen.algebra.vectors import Vector, combination, cross, identity, plus, product, scaled, zeros
 from symgen.bodies.spatial_moments import LocalMotion, Matrix, SpatialPoint
 
 
@@ -64,6 +64,16 @@ class Bent:
         return plus(cross(scaled(ca.SX(2), omega), self.rho_dot), self.nu)
 
 
+def along_axes(vectors: list[Vector], columns: list[int]) -> dict[int, Row]:
+    """Components by axis of the body and column, of the axes along which there are any."""
+    found: dict[int, Row] = {}
+    for axis in range(3):
+        own = {column: one[axis] for column, one in zip(columns, vectors, strict=True) if not one[axis].is_zero()}
+        if own:
+            found[axis] = own
+    return found
+
+
 @dataclass(frozen=True)
 class SharedMotion:
     """A turning theta of psi or a shape, along an axis of the body; shares of it: of the modes, by column."""
@@ -95,22 +105,13 @@ class Deformation:
     @property
     def shared(self) -> list[SharedMotion]:
         """What modes do alike to the marker, by axis, where there are fewer axes than modes; empty otherwise."""
-        turns, shapes = self._along(self.point.turns), self._along(self.point.shapes)
+        turns, shapes = (along_axes(vectors, self.columns) for vectors in (self.point.turns, self.point.shapes))
         if self.point.H or len(turns) + len(shapes) >= len(self.columns):
             return []
-        axes, still = _units(), zeros()
+        axes, still = identity(), zeros()
         return [SharedMotion(shares, axes[k], still) for k, shares in turns.items()] + [
             SharedMotion(shares, still, axes[k]) for k, shares in shapes.items()
         ]
-
-    def _along(self, vectors: list[Vector]) -> dict[int, Row]:
-        """Components by axis and column, of the axes along which there are any."""
-        found: dict[int, Row] = {}
-        for column, vector in zip(self.columns, vectors, strict=True):
-            for k, value in enumerate(vector):
-                if not value.is_zero():
-                    found.setdefault(k, {})[column] = value
-        return found
 
     @property
     def now(self) -> Bent:
@@ -143,10 +144,6 @@ class Deformation:
         R = product(_rotation(psi, inverse), self.point.axes)
         place = self.point, psi, inverse, R, kinds[0], kinds[1]
         return Bent(*place, turning, turned, kinds[2], kinds[3], omega, fading)
-
-
-def _units() -> Matrix:
-    return [[ONE if i == j else ZERO for i in range(3)] for j in range(3)]
 
 
 def _rotation(psi: Vector, inverse: ca.SX) -> Matrix:

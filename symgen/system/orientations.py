@@ -21,7 +21,7 @@ import casadi as ca
 from runtime.contract.records import Coordinate
 from symgen.algebra.rows import nonzero
 from symgen.algebra.scalar import ONE, ZERO, div, dot, mul, neg
-from symgen.algebra.vectors import Vector, quaternion_product, scaled, zeros
+from symgen.algebra.vectors import Vector, identity, quaternion_product, scaled, zeros
 from symgen.joints.instance import ConstraintRow
 from symgen.scene import Scene
 from symgen.system.topology import Topology
@@ -82,7 +82,7 @@ class Turning:
         half, share = _half(theta)
         turn = [ca.cos(half), *scaled(share / 2, theta)]
         reached = quaternion_product(self.chart, turn)
-        slopes = [quaternion_product(self.e, [ZERO, *(div(one, ca.SX(2)) for one in unit)]) for unit in _units()]
+        slopes = [quaternion_product(self.e, [ZERO, *(div(one, ca.SX(2)) for one in unit)]) for unit in identity()]
         fading = div(dot(self.omega, self.omega), ca.SX(4))
         return [
             ConstraintRow(
@@ -109,7 +109,7 @@ class Turning:
                 one - mul(first, tilde[i][j]) + mul(second, mul(theta[i], theta[j]) - mul(square, one))
                 for j, one in enumerate(unit)
             ]
-            for i, unit in enumerate(_units())
+            for i, unit in enumerate(identity())
         ]
 
 
@@ -117,10 +117,6 @@ def _half(theta: Vector) -> tuple[ca.SX, ca.SX]:
     """(|theta| / 2, its sine over it)."""
     half = ca.sqrt(div(dot(theta, theta), ca.SX(4)) + SMALLEST)
     return half, ca.sin(half) / half
-
-
-def _units() -> list[Vector]:
-    return [[ONE if i == j else ZERO for i in range(3)] for j in range(3)]
 
 
 def turn_coordinates(body: str) -> list[Coordinate]:

@@ -22,20 +22,15 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-NODES = (
-    0.17,
-    0.53,
-    0.83,
-)  # of a step: no share of its length is a whole number of others, so that turns are not missed
+# of a step: no share of its length is a whole number of others, so that turns are not missed
+NODES = (0.17, 0.53, 0.83)
 SAFE = 3.0  # times the second difference of a step that is looked at closely
 NEAR = 0.05  # of the range of four looks: a fifth one that cubics through them foretell
 FINEST = 1e-6  # of a step: intervals are halved no further
 LEAST = 1e-3  # of the time between states that are seen
 AT_ONCE = 16  # intervals that are halved, from the left
-UNRESOLVED, RESOLVED = (
-    0.05,
-    0.01,
-)  # of a range: a quartic part of a step that must be looked at, and that next ones have
+# of a range: a quartic part of a step that must be looked at, and that next ones have
+UNRESOLVED, RESOLVED = 0.05, 0.01
 REACH = 0.25  # of the way to zero: what is so small beside it does not matter
 MOST_LOOKS = 20_000
 

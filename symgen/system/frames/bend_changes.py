@@ -25,7 +25,7 @@ from symgen.algebra.vectors import (
     transposed_times,
     zeros,
 )
-from symgen.bodies.deformation import Bent, Deformation
+from symgen.bodies.deformation import Bent, Deformation, along_axes
 from symgen.system.frames.body_moves import Bend, Unbend
 from symgen.system.frames.fields import TWO, Field, FieldPart, Rates, Spot, arm_of, joint_parts
 from symgen.system.frames.motion import Motion, Wrench
@@ -65,7 +65,7 @@ class _Bending:
     def shared(self) -> list[_Shared]:
         """By axes where that is fewer than by modes."""
         point, columns, still = self.deformation.point, self.deformation.columns, (zeros(), zeros())
-        turns, shapes = _along_axes(point.turns, columns), _along_axes(point.shapes, columns)
+        turns, shapes = along_axes(point.turns, columns), along_axes(point.shapes, columns)
         moving = [b for b in range(len(columns)) if not _nothing([*point.turns[b], *point.shapes[b]])]
         if not point.H and len(turns) + len(shapes) < len(moving):
             by_turn = [_Shared(shares, unit(axis), zeros(), still) for axis, shares in turns.items()]
@@ -191,16 +191,6 @@ class BendChanges:
         """Change of the moment in body axes: the wrench turns with the marker, or the marker moves along its force."""
         own = negative(cross(one.shape, f)) if self._back else cross(self._bending.turned(one)[0], moment)
         return scaled(share, own)
-
-
-def _along_axes(vectors: list[Vector], columns: list[int]) -> dict[int, Row]:
-    """Components by axis and column, of the axes along which there are any."""
-    found: dict[int, Row] = {}
-    for axis in range(3):
-        own = {column: one[axis] for column, one in zip(columns, vectors, strict=True) if not one[axis].is_zero()}
-        if own:
-            found[axis] = own
-    return found
 
 
 def _nothing(values: Vector) -> bool:

@@ -18,7 +18,7 @@ import casadi as ca
 
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE, ZERO, add, dot, mul
-from symgen.algebra.vectors import Vector, negative, zeros
+from symgen.algebra.vectors import Vector, identity, negative, zeros
 from symgen.system.frames.body_moves import Bend, Unbend
 from symgen.system.frames.directions import Direction
 from symgen.system.frames.fields import Field, Spot
@@ -28,7 +28,6 @@ from symgen.system.frames.loop_rates import MarkerWay
 from symgen.system.frames.motion import NOTHING, Motion, Twist, Wrench
 from symgen.system.frames.moves import Fixed, Move
 from symgen.system.frames.places import FramePlace
-from symgen.system.frames.screws import identity
 from symgen.system.frames.tangents import Change
 from symgen.system.frames.tree import GROUND, FrameTree
 

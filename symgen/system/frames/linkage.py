@@ -8,9 +8,10 @@ from dataclasses import dataclass
 import casadi as ca
 
 from symgen.algebra.scalar import ONE, ZERO, add, mul, neg
+from symgen.algebra.vectors import identity
 from symgen.joints.spatial_rows import JointCoordinate
 from symgen.system.frames.moves import Fixed, Move, Slide, Turn
-from symgen.system.frames.screws import BetweenHinges, Displacement, FixedAngle, Screw, identity
+from symgen.system.frames.screws import BetweenHinges, Displacement, FixedAngle, Screw
 
 X_TO_Z = [[ZERO, ZERO, ONE], [ONE, ZERO, ZERO], [ZERO, ONE, ZERO]]  # columns y, z, x: its z-axis is the old x-axis
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import mul, neg
-from symgen.algebra.vectors import plus, times, zeros
+from symgen.algebra.vectors import identity, plus, times, zeros
 from symgen.bodies.deformation import Deformation
 from symgen.system.frames.bend_changes import parts_of
 from symgen.system.frames.body_moves import Bend
@@ -18,7 +18,6 @@ from symgen.system.frames.fields import FieldPart, Spot
 from symgen.system.frames.motion import Motion
 from symgen.system.frames.moves import Fixed, Move
 from symgen.system.frames.paths import Path
-from symgen.system.frames.screws import identity
 from symgen.system.frames.skeleton import place_of
 from symgen.system.frames.tree import GROUND, FrameTree, Seat
 

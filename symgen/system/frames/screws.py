@@ -12,15 +12,10 @@ from dataclasses import dataclass
 import casadi as ca
 
 from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
-from symgen.algebra.vectors import Vector, cross, plus, product, scaled, times, transposed_times, zeros
+from symgen.algebra.vectors import Vector, cross, identity, plus, product, scaled, times, transposed_times, zeros
 
 Matrix = list[Vector]
 STRAIGHT = 0.02  # sine of the angle between two axes below which their common normal may be far away
-
-
-def identity() -> Matrix:
-    """No rotation."""
-    return [[ONE if i == j else ZERO for j in range(3)] for i in range(3)]
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 import casadi as ca
 
 from symgen.algebra.scalar import ZERO
-from symgen.algebra.vectors import zeros
+from symgen.algebra.vectors import identity, zeros
 from symgen.bodies.deformation import Deformation
 from symgen.bodies.spatial_body import SpatialBody
 from symgen.system.frames.ball import Across, Ball, ToWorld
@@ -23,7 +23,7 @@ from symgen.system.frames.flexible import FlexibleInertia, RigidInertia
 from symgen.system.frames.linkage import JointLink
 from symgen.system.frames.motion import Composite, Matrix, no_masses
 from symgen.system.frames.moves import Fixed, Move
-from symgen.system.frames.screws import STRAIGHT, Displacement, Screw, between_hinges, identity
+from symgen.system.frames.screws import STRAIGHT, Displacement, Screw, between_hinges
 from symgen.system.frames.sharing import give_to_parent
 from symgen.system.frames.tree import GROUND, Frame, FrameTree, Seat
 from symgen.system.orientations import Turning
