@@ -14,9 +14,13 @@ from runtime.running.plan import Plan
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 
-FORMAT = "symgen checkpoint 5"
-# an older format, and the entries that it lacks: nothing to be told, and no event before it counts as one of many
-WITHOUT: dict[str, dict[str, Any]] = {"symgen checkpoint 4": {"impulses": [], "happened": {}}}
+FORMAT = "symgen checkpoint 6"
+# older formats, and the entries that they lack: nothing to be told, and no event before it counts as one of many; what
+# trials told a run to a tolerance is then not in its statistics
+WITHOUT: dict[str, dict[str, Any]] = {
+    "symgen checkpoint 4": {"impulses": [], "happened": {}, "told": {}},
+    "symgen checkpoint 5": {"told": {}},
+}
 
 
 @dataclass(frozen=True)
@@ -26,7 +30,8 @@ class CheckpointHeader:
     segments: q_i of each segment so far, in the order of the record; segment: the one under way. position: all
     coordinates there, which tell a generator of variants where it is. monitor, guard, accuracy, carried: what checks
     compare with, and errors so far. schedule: what drives it remembers. impulses: those of the segment, which may be
-    told later: time, energy, rates after them and their jumps. happened: latest times of each event [s].
+    told later: time, energy, rates after them and their jumps. happened: latest times of each event [s]. told: what was
+    said of the run before it began, for its statistics.
     """
 
     model: str
@@ -58,6 +63,7 @@ class CheckpointHeader:
     schedule: dict[str, list[float]]
     impulses: list[list[float]]
     happened: dict[str, list[float]]
+    told: dict[str, float | int | str]
 
     def to_json(self) -> str:
         """One JSON object with its format."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from runtime.contract.status import Event
@@ -25,8 +27,11 @@ def header_of(
     schedule: Schedule | None,
     happenings: Happenings,
     initial_changes: str,
+    told: Mapping[str, float | int | str],
 ) -> CheckpointHeader:
-    """What a checkpoint says of a run whose `segment` is at z (n_z,). initial_changes: of the start, in words."""
+    """What a checkpoint says of a run whose `segment` is at z (n_z,). initial_changes: of the start, in words; told:
+    what was said of the run before it began.
+    """
     first = record.segments[0]
     model, plan, table = first.model, first.plan, record.table
     return CheckpointHeader(
@@ -59,4 +64,5 @@ def header_of(
         schedule={} if schedule is None else schedule.memory(),
         impulses=segment.impulse_memory(z),
         happened=happenings.memory(),
+        told=dict(told),
     )

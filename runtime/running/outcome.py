@@ -41,6 +41,7 @@ def _ended(run: Run, setup: float) -> Solution:
     run.accuracy.watch({name: (solution[name], solution.rate(name)) for name in run.accuracy.errors})
     circumstances = {**_circumstances(run), **run.accuracy.stats(run.segment.model)}
     stats = {**_statistics(run.segment, run.z, setup, wall), **solution.stats, **circumstances}
+    _tell(run, stats)
     status = judged(status, run.accuracy, run.segment.model)
     solution = replace(solution, status=status, stats=stats, events=run.events, parameters=run.segment.p)
     solution = with_limits(solution)
@@ -52,6 +53,17 @@ def _ended(run: Run, setup: float) -> Solution:
         except OutputError as error:  # the header that is there says that the run did not come to its end
             solution = replace(solution, status=Status("output_failed", status.time, None, str(error)))
     return solution
+
+
+def _tell(run: Run, stats: dict[str, float | int | str]) -> None:
+    """What was said of the run before it began, beside its own statistics."""
+    stats |= run.told
+    if "expected_error" not in run.told:
+        return
+    if any(event.kind == "singular_position" for event in run.events):  # trials do not pass it as runs do
+        del stats["expected_error"]
+    elif "estimated_error" in stats:  # errors that grow with time are seen by trials, and not by windows
+        stats["estimated_error"] = max(float(run.told["expected_error"]), float(stats["estimated_error"]))
 
 
 def _circumstances(run: Run) -> dict[str, float | int | str]:

@@ -76,6 +76,7 @@ def resume(
         engine=engine,
         guard=Guard.remembered(header.guard),
         accuracy=accuracy,
+        told=header.told,
         earlier=kept.arrays.get("earlier"),
     )
     run.happenings.resume(header.happened)

@@ -43,6 +43,7 @@ class Run:
     accuracy: Accuracy = field(default_factory=lambda: Accuracy(0))
     schedule: Schedule | None = None
     pace: Pace = field(default_factory=Pace)
+    told: dict[str, float | int | str] = field(default_factory=dict)  # said before it began, for its statistics
     _happened: Happenings | None = None
     earlier: np.ndarray | None = None  # a state of this segment at least a step before z, if there is one
 
@@ -289,7 +290,8 @@ class Run:
             arrays["earlier"] = self.earlier
         try:
             watching = self.guard, self.accuracy, self.schedule, self.happenings
-            header = header_of(self.segment, self.z, self.record, self.events, *watching, self.initial_changes)
+            said = (*watching, self.initial_changes, self.told)
+            header = header_of(self.segment, self.z, self.record, self.events, *said)
             Checkpoint(header, self.z, self.segment.p, arrays).write(self.rule.path)
         except OutputError as error:  # what is in memory is worth more than its copy on the disk
             if not any(event.kind == "checkpoint_failed" for event in self.events):

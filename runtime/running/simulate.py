@@ -53,6 +53,7 @@ def simulate(
     t0: float = 0.0,
     inputs: Mapping[str, InputValue] | None = None,
     calibration: Calibration | None = None,
+    advice: str = "",
     **further: Unpack[FurtherArguments],
 ) -> Solution:
     """Simulate from t0 with major step dt and ratios m until t_end is reached (None: the scene's own settings) [s].
@@ -65,7 +66,7 @@ def simulate(
     and initial change values by name (rates as `<coordinate>_dot`). start: `given` or `quasi_static`
     (elastic coordinates in equilibrium). inputs: by name a number, a function of time (called once with a symbol),
     (times, values) held in between, or a `Sampled` controller. calibration: what trials for the tolerance told, where
-    they were made already. further: see `Further`.
+    they were made already; advice: why this scheme, for the statistics. further: see `Further`.
 
     Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError, InitialStateError,
     OutputError or CompilerError for arguments that cannot be used.
@@ -86,16 +87,10 @@ def simulate(
     def calibrated(segment: Segment) -> Calibration | None:
         return (calibration or trials_of(segment, state)) if steady and not segment.watches_events else None
 
-    run, set_up, known = _begun(model, plan, p, state, more, rule, calibrated)
+    run, set_up = _begun(model, plan, p, state, more, rule, calibrated)
     run.schedule = with_reads(schedule, run)
-    solution = finished(run, set_up)
-    if known is not None:
-        solution.stats |= known.told()
-        if any(event.kind == "singular_position" for event in solution.events):  # trials do not pass it as runs do
-            del solution.stats["expected_error"]
-        elif "estimated_error" in solution.stats:  # errors that grow with time are seen by trials, and not by windows
-            solution.stats["estimated_error"] = max(known.error, float(solution.stats["estimated_error"]))
-    return solution
+    run.told |= {"advice": advice} if advice else {}
+    return finished(run, set_up)
 
 
 def with_reads(schedule: Schedule, run: Run) -> Schedule | None:
@@ -122,8 +117,8 @@ def _begun(
     more: Further,
     rule: CheckpointRule,
     calibrated: Callable[[Segment], Calibration | None],
-) -> tuple[Run, float, Calibration | None]:
-    """(a run at its checked start with parameters p (n_p,), seconds that preparing it took, what trials told)."""
+) -> tuple[Run, float]:
+    """(a run at its checked start with parameters p (n_p,), seconds that preparing it took)."""
     started = time.perf_counter()
     segment = Segment.build(model, plan, p, more.engine)
     events = check_time_functions(model, segment.c, plan, state, segment.switches)
@@ -146,11 +141,12 @@ def _begun(
         engine=more.engine,
         guard=segment.new_guard(),
         accuracy=Accuracy(plan.steps, plan.scheme.adaptive),
+        told=known.told() if known is not None else {},
     )
     with record.closed_on_error():
         run.status = segment.monitor.first(segment.stepper.state(z))
         record.add(0, z)
-    return run, set_up, known
+    return run, set_up
 
 
 def _driven(

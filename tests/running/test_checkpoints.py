@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 from collections.abc import Callable
+from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,8 @@ import pytest
 
 from runtime import ModelError, SchemeError, Solution, load_model, resume, simulate
 from runtime.contract.model import Model
+from runtime.running.checkpoint import read_checkpoint
+from runtime.running.header import CheckpointHeader
 from runtime.schemes.catalogue import SCHEMES
 from symgen.generate import generate
 from symgen.scenes import SCENES
@@ -55,6 +58,16 @@ def assert_same(one: Solution, other: Solution) -> None:
     assert one.stats["full_evaluations"] == other.stats["full_evaluations"]
 
 
+def stop_at(t: float, end: float) -> None:
+    if t >= end:
+        raise KeyboardInterrupt
+
+
+def told(one: Solution) -> dict[str, Any]:
+    """Statistics that no clock is in."""
+    return {name: value for name, value in one.stats.items() if "seconds" not in name}
+
+
 def settings_of(name: str, scheme: str, engine: str) -> dict[str, Any]:
     dt = STEP[name]
     m = {"none": None, "sub_steps": [2], "groups": [3] if name != "slider_crank" else None}[SCHEMES[scheme].ratios]
@@ -92,6 +105,42 @@ def test_resumed_run_is_the_uninterrupted_run(
     stop = broken_off(model, settings, path)
     assert_same(resume(model, path, engine=engine), whole)  # from Ctrl-C
     assert_same(resume(model, stop.copy, engine=engine), whole)  # from the last one before, as after a crash
+
+
+@pytest.mark.parametrize("scheme", ["auto", "exponential_rk4"])
+def test_a_resumed_run_to_a_tolerance_tells_the_same(built_in: Load, tmp_path: Path, scheme: str) -> None:
+    """Also what trials told before it began, which an older format lacks: all of its statistics but times."""
+    model, path = built_in("hub_beam"), tmp_path / "run.npz"
+    settings: dict[str, Any] = {"scheme": scheme, "tolerance": 1e-4, "dt": 0.01, "t_end": 0.6}
+    whole, stop = simulate(model, **settings), Break(0.3, path)
+    assert (
+        simulate(model, **settings, checkpoint=path, checkpoint_every=EVERY, progress=stop).status.name != "completed"
+    )
+    for kept in (path, stop.copy):
+        resumed = resume(model, kept)
+        assert_same(resumed, whole)
+        assert told(resumed) == told(whole)
+    assert {"trials", "expected_error"} < set(told(whole)) and ("advice" in told(whole)) == (scheme == "auto")
+
+
+def test_a_checkpoint_without_what_trials_told(built_in: Load, tmp_path: Path) -> None:
+    """The format before: read by its name, and the motion is the same."""
+    model, path = built_in("pendulum"), tmp_path / "run.npz"
+    settings: dict[str, Any] = {"scheme": "dopri5", "tolerance": 1e-4, "dt": 0.01, "t_end": 0.6}
+    simulate(model, **settings, checkpoint=path, checkpoint_every=EVERY, progress=lambda t, _: stop_at(t, 0.3))
+    kept = read_checkpoint(path)
+    text = json.loads(kept.header.to_json()) | {"format": "symgen checkpoint 5"}
+    del text["told"]
+
+    class Older(CheckpointHeader):
+        def to_json(self) -> str:
+            return json.dumps(text)
+
+    older = Older(**{entry.name: getattr(kept.header, entry.name) for entry in fields(kept.header)})
+    replace(kept, header=older).write(path)
+    resumed = resume(model, path)
+    assert_same(resumed, simulate(model, **settings))
+    assert "trials" not in resumed.stats
 
 
 def test_checkpoints_do_not_change_a_run(built_in: Load, tmp_path: Path) -> None:

@@ -74,9 +74,7 @@ def simulate(model: Model, *, scheme: str | None = None, **settings: Unpack[RunA
     settings["tolerance"] = tolerance
     if chosen.known is None:
         settings["options"] = {"error_of": "step"}
-    solution = run(model, scheme=chosen.scheme, calibration=chosen.known, **settings)
-    solution.stats["advice"] = chosen.reason
-    return solution
+    return run(model, scheme=chosen.scheme, calibration=chosen.known, advice=chosen.reason, **settings)
 
 
 @dataclass(frozen=True)
