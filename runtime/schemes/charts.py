@@ -14,7 +14,7 @@ from collections.abc import Collection, Mapping, Sequence
 import casadi as ca
 
 from runtime.contract.model import Model
-from runtime.schemes.rotation_vectors import angular_velocity, chart_acceleration, chart_rate, turned_chart
+from runtime.schemes.rotation_vectors import angular_velocity, chart_acceleration, chart_rate, turn_since, turned_chart
 
 
 class Charts:
@@ -68,6 +68,11 @@ class Charts:
     def accelerations(self, x: ca.SX, rate: ca.SX, v: ca.SX, a: ca.SX) -> ca.SX:
         """Second rates of x of accelerations (with omega')."""
         return self._each(a, {n: chart_acceleration(x[k], rate[k], v[k], a[k]) for n, k in self._in(x)})
+
+    def accelerations_from(self, end: ca.SX, x: ca.SX, v: ca.SX, a: ca.SX) -> ca.SX:
+        """Second rates of x of velocities and accelerations (with omega and omega') there, in the charts at an end."""
+        seen = self._each(x, {n: turn_since(end[own], x[own]) for n, own in self._in(x)})
+        return self.accelerations(seen, self.rates(seen, v), v, a)
 
     def seen_in(self, model: Model, q: ca.SX, rate: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """(q_i, q_d) of all coordinates q, every chart where its body is; or of their rates or accelerations at q."""

@@ -22,13 +22,11 @@ from math import factorial
 import casadi as ca
 import numpy as np
 
-from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program
 from runtime.schemes.exponential_rk4 import krogstad
-from runtime.schemes.grid import Grid
 from runtime.schemes.linear_propagation import polynomial
 from runtime.schemes.one_step import OneStep
-from runtime.schemes.options import MOST_UNROLLED, ClosureOptions, Options, SchemeError, whole_number
+from runtime.schemes.options import MOST_UNROLLED, ClosureOptions, Options, whole_number
 from runtime.schemes.slow_polynomial import lagrange
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.state_fields import StateField, state
@@ -49,20 +47,13 @@ class ExponentialAdamsOptions(ClosureOptions):
 
 class ExponentialAdams(OneStep):
     """Two evaluations a step in one stage. a_middle, a_before: accelerations seen in the middle and at the start of the
-    last step, s_* and s_*_dot: the deflections there and their rates; loop_third: third rate of the loop unknowns.
+    last step, those of turns as second rates in the charts at its end; s_*, s_*_dot: the deflections there and their
+    rates; loop_third: third rate of the loop unknowns.
     """
 
     options: ExponentialAdamsOptions
     order = 4
     counts_powers = True
-
-    def __init__(self, model: Model, grid: Grid, options: ExponentialAdamsOptions) -> None:
-        super().__init__(model, grid, options)
-        if self.charts.size:
-            raise SchemeError(
-                "exponential_adams remembers accelerations, and those of turning bodies have other components in each "
-                "step; take exponential_rk4, which remembers none"
-            )
 
     @classmethod
     def limited(cls, options: Options) -> bool:
@@ -100,7 +91,7 @@ class ExponentialAdams(OneStep):
 
         def d(stage: MotionStage) -> ca.SX:
             at = equations.close_well(stage.q, fields["loop"], t0 + stage.tau)
-            return motion.remainder(equations.accelerations(at, stage.v), stage)
+            return motion.remainder(equations.chart_accelerations(at, stage.v), stage)
 
         first = krogstad(motion, d)
         s, s_dot = (ca.mtimes(found.B.T, one) for one in (q_i, q_i_dot))
@@ -126,13 +117,16 @@ class ExponentialAdams(OneStep):
         loop.append(equations.loop_accelerations(start, v, found.a))
         guess = polynomial([*loop, z["loop_third"]], there.tau)
         middle = equations.close(there.q, guess, t + there.tau, self.options.closure_iterations)
-        a = equations.accelerations(middle, there.v)
-        end = motion.to(2, *bends((*LAST, MIDDLE), [*last, motion.remainder(a, there)], h))
+        v_there = equations.velocities(middle, there.v)
+        a = equations.accelerations(middle, v_there)
+        bent = equations.bent(middle, there.v, v_there, a)
+        end = motion.to(2, *bends((*LAST, MIDDLE), [*last, motion.remainder(bent, there)], h))
         third = (equations.loop_part(middle.q_d) - polynomial(loop, there.tau)) * (factorial(3) / there.tau**3)
         ahead = polynomial([*loop, third], h)
+        at = self.arrived(equations, end.q, ahead, t + h)
         remembered = {
-            "a_middle": a,
-            "a_before": found.a,
+            "a_middle": equations.accelerations_from(at, middle, v_there, a),
+            "a_before": equations.accelerations_from(at, start, v, found.a),
             "s_middle": ca.mtimes(found.B.T, there.q),
             "s_middle_dot": ca.mtimes(found.B.T, there.v),
             "s_before": s,
@@ -140,7 +134,7 @@ class ExponentialAdams(OneStep):
             "loop_third": third,
         }
         work = self.worked(z, equations, start, v, found.a)
-        ends = {"x": end.q, "v": end.v, "loop": ahead, "n": z["n"] + 1}
+        ends = {**self.rebased(z, at, ahead), "v": equations.velocities(at, end.v), "n": z["n"] + 1}
         return {**ends, **remembered, **work, **self.closed(z, start, middle)}
 
 

@@ -7,6 +7,7 @@
 
 At theta = 0 both are 1, and theta'' = omega'. The turn that a step made is put into the chart at its end: chart <-
 chart o exp(theta), theta <- 0. A turn d of the last step is d in the new chart too, and its beginning is at -d there.
+What lies between has other components there: exp(theta_new) = exp(-d) o exp(theta).
 """
 
 from __future__ import annotations
@@ -55,7 +56,23 @@ def chart_acceleration(theta: ca.SX, rate: ca.SX, omega: ca.SX, omega_dot: ca.SX
 
 def turned_chart(chart: ca.SX, theta: ca.SX) -> ca.SX:
     """chart o exp(theta), 4, made of unit length."""
-    half = ca.sqrt(ca.dot(theta, theta) / 4 + SMALLEST)
-    w, v = ca.cos(half), ca.sin(half) / half / 2 * theta
-    turned = ca.vertcat(chart[0] * w - ca.dot(chart[1:], v), chart[0] * v + w * chart[1:] + ca.cross(chart[1:], v))
+    turned = _product(chart, _exponential(theta))
     return turned * (1.5 - ca.dot(turned, turned) / 2)  # a Newton step to unit length, near which it is
+
+
+def turn_since(end: ca.SX, there: ca.SX) -> ca.SX:
+    """theta with exp(end) o exp(theta) = exp(there), 3, below pi: a place of one chart in the chart at its end."""
+    between = _product(_exponential(-end), _exponential(there))
+    half = ca.sqrt(ca.dot(between[1:], between[1:]) + SMALLEST)
+    return 2 * ca.atan2(half, between[0]) / half * between[1:]
+
+
+def _exponential(theta: ca.SX) -> ca.SX:
+    """The unit quaternion of a rotation vector."""
+    half = ca.sqrt(ca.dot(theta, theta) / 4 + SMALLEST)
+    return ca.vertcat(ca.cos(half), ca.sin(half) / half / 2 * theta)
+
+
+def _product(a: ca.SX, b: ca.SX) -> ca.SX:
+    """a o b of quaternions, scalar first."""
+    return ca.vertcat(a[0] * b[0] - ca.dot(a[1:], b[1:]), a[0] * b[1:] + b[0] * a[1:] + ca.cross(a[1:], b[1:]))

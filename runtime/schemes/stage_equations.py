@@ -15,7 +15,7 @@ from runtime.schemes.stage_records import ClosedConfiguration as ClosedConfigura
 from runtime.schemes.stage_records import LinearisedEquations as LinearisedEquations
 from runtime.schemes.stiff_deflections import StiffDeflections, StiffResponse
 from runtime.schemes.turned_axes import in_chart
-from runtime.schemes.turns_in_loops import rates_of, second_rates_of, velocities_of
+from runtime.schemes.turns_in_loops import rates_of, second_rates_from, second_rates_of, velocities_of
 
 START_CLOSURE_ITERATIONS = 4  # Newton steps on the loop unknowns where a scheme starts or is observed
 LONG_TREE = 12  # independent coordinates beyond which M_hat and the Jacobians of a tree are left alone
@@ -120,6 +120,10 @@ class StageEquations:
             return self.accelerations(motion, rate)
         v = self.velocities(motion, rate)
         return self.bent(motion, rate, v, self.accelerations(motion, v))
+
+    def accelerations_from(self, end: ClosedConfiguration, motion: ClosedConfiguration, v: ca.SX, a: ca.SX) -> ca.SX:
+        """Second rates of q_i of the velocities v and accelerations a of a motion, in the charts at an end."""
+        return second_rates_from(self, end, motion, v, a)
 
     def slow_response(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> dict[str, ca.SX]:
         """y_ddot, N and crossing of a large tree in two groups: q_L'' = y'' - N q_S'' by one elimination."""

@@ -60,3 +60,15 @@ def second_rates_of(equations: TurningEquations, motion: ClosedConfiguration, ra
     whole, w = ca.vertcat(motion.q_i, motion.q_d), ca.vertcat(v, equations.rates(motion, v))
     b = ca.vertcat(a, equations.dependent_accelerations(motion, v, a))
     return charts.accelerations(whole, charts.rates(whole, w), w, b)[: charts.n]
+
+
+def second_rates_from(
+    equations: TurningEquations, end: ClosedConfiguration, motion: ClosedConfiguration, v: ca.SX, a: ca.SX
+) -> ca.SX:
+    """Second rates of q_i of velocities and accelerations of a motion, in the charts at an end of it."""
+    charts = equations.charts
+    if not charts.split:
+        return charts.accelerations_from(end.q_i, motion.q_i, v, a)
+    there, w = ca.vertcat(motion.q_i, motion.q_d), ca.vertcat(v, equations.rates(motion, v))
+    b = ca.vertcat(a, equations.dependent_accelerations(motion, v, a))
+    return charts.accelerations_from(ca.vertcat(end.q_i, end.q_d), there, w, b)[: charts.n]

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from runtime.contract.model import Model
-from runtime.schemes.charts import Charts
 from runtime.studies.work_precision.prepared_method import Spec
 
 
 def stiff_methods(model: Model) -> list[Spec]:
-    """The likeliest first; `exponential_adams` not where bodies turn in space or deflections are many along a tree."""
+    """The likeliest first; `exponential_adams` not where deflections are many along a tree."""
     if not model.has("deflections"):
         return []
     found = [Spec("exponential_rk4")]
-    if Charts(model).size or model.has("shifted_solution"):
+    if model.has("shifted_solution"):
         return found
     return [Spec("exponential_adams"), *found]
