@@ -15,7 +15,8 @@ class Calibration:
 
     per_step: tolerance of its steps over that of the motion. steady: the length of all of its steps [s], 0 where they
     vary. low, high (n_i): ranges of the motion. first, longest [s]: steps to be expected at its start, and at most.
-    error: expected of the motion; operations: of the run. trials: how many were made; tried: their operations.
+    error: expected of the motion; operations: of the run. trials: how many were made; tried: their operations. alarmed:
+    did they come near singular positions? passes: do they pass those as runs do?
     """
 
     per_step: float
@@ -28,6 +29,8 @@ class Calibration:
     operations: float
     trials: int
     tried: float
+    alarmed: bool = False
+    passes: bool = False
 
     def told(self) -> dict[str, float | int | str]:
         """For the statistics of the run."""
@@ -36,6 +39,7 @@ class Calibration:
             "trial_operations": self.tried,
             "run_operations": self.operations,
             "expected_error": self.error,
+            **({"trials_pass": 1} if self.passes else {}),
         }
 
     def begin(self, scheme: AdaptiveSteps, z: np.ndarray) -> None:

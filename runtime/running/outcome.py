@@ -60,7 +60,8 @@ def _tell(run: Run, stats: dict[str, float | int | str]) -> None:
     stats |= run.told
     if "expected_error" not in run.told:
         return
-    if any(event.kind == "singular_position" for event in run.events):  # trials do not pass it as runs do
+    passed = any(event.kind == "singular_position" for event in run.events)
+    if passed and "trials_pass" not in run.told:  # no trial came near it
         del stats["expected_error"]
     elif "estimated_error" in stats:  # errors that grow with time are seen by trials, and not by windows
         stats["estimated_error"] = max(float(run.told["expected_error"]), float(stats["estimated_error"]))

@@ -85,7 +85,11 @@ def simulate(
     steady = not (schedule.samples or schedule.controllers)  # else the motion cannot be tried
 
     def calibrated(segment: Segment) -> Calibration | None:
-        return (calibration or trials_of(segment, state)) if steady and not segment.watches_events else None
+        if not steady or segment.watches_events:
+            return None
+        if calibration is not None and not calibration.alarmed:
+            return calibration
+        return trials_of(segment, state, more.engine)
 
     run, set_up = _begun(model, plan, p, state, more, rule, calibrated)
     run.schedule = with_reads(schedule, run)

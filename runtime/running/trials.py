@@ -14,35 +14,22 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.running.calibration import Calibration
+from runtime.running.passing_trials import PassingTrials
 from runtime.running.segment import Segment
 from runtime.running.steady_trials import SteadyTrials
-from runtime.running.tried_motion import OPERATIONS, SEEN, TrialRuns, TriedMotion
+from runtime.running.tried_motion import SEEN, TrialRuns, TriedMotion
 from runtime.running.varied_trials import COARSER, VariedTrials
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
-from runtime.schemes.stepper import Stepper
-from runtime.schemes.switching.times import SwitchTime
 
-RANGING = 0.1  # tolerance of steps of the trial that amplitudes are first told by
 AIM = 0.6  # of what is asked: the error that is aimed at
 WORTH = 1.1  # of the operations with steps of one length: where varied ones may take fewer than that, they are tried
 
 
 class Trials:
-    """Trials of a scheme that is compiled, from z (flat) over `span` [s]; c (c_size,) are the model's constants.
+    """Trials of a motion, as `runs` makes them. first: the first one."""
 
-    switches: times that no step crosses. budget: operations that all trials together may take. first: the first one.
-    """
-
-    def __init__(
-        self,
-        stepper: Stepper,
-        z: np.ndarray,
-        c: np.ndarray,
-        span: float,
-        switches: list[SwitchTime],
-        budget: float = OPERATIONS,
-    ) -> None:
-        self.runs = TrialRuns(stepper, z, c, span, switches, budget)
+    def __init__(self, runs: TrialRuns) -> None:
+        self.runs = runs
         self.first: TriedMotion | None = None
 
     @property
@@ -52,6 +39,10 @@ class Trials:
 
     def calibration(self, asked: float) -> Calibration | None:
         """For a motion with that error; None where trials told nothing, or took more than their budget."""
+        found = self._found(asked)
+        return None if found is None else replace(found, alarmed=self.runs.alarmed, passes=self.runs.passes)
+
+    def _found(self, asked: float) -> Calibration | None:
         with np.errstate(all="ignore"):
             first = self.first or self.begin(asked)
             if first is None:
@@ -69,7 +60,11 @@ class Trials:
 
     def begin(self, asked: float) -> TriedMotion | None:
         """The first trial for that error."""
-        self.first = self.runs.of_tolerance(max(RANGING, COARSER * asked), known=None)
+        with np.errstate(all="ignore"):
+            for tolerance in self.runs.begins:
+                self.first = self.runs.of_tolerance(max(tolerance, COARSER * asked), known=None)
+                if self.first is not None:
+                    break
         return self.first
 
     @staticmethod
@@ -86,14 +81,24 @@ class Trials:
         if found is None:
             return None
         told = steady.error_of(found), found.operations, self.runs.tries, self.runs.spent
-        return Calibration(1.0, found.steady, found.low, found.high, found.steady, found.steady, *told)
+        lengths = found.steady, found.low, found.high, found.steady, found.steady
+        return Calibration(1.0, *lengths, *told)
 
 
-def trials_of(segment: Segment, state: ConsistentState) -> Calibration | None:
-    """What trials from a state tell a run; None where the tolerance is that of steps, or there is none."""
+def trials_of(segment: Segment, state: ConsistentState, engine: str) -> Calibration | None:
+    """What trials from a state tell a run; None where the tolerance is that of steps, or there is none.
+
+    Where the first one comes near a singular position, they are runs that pass those, and exchange coordinates.
+    """
     plan, scheme = segment.plan, segment.plan.scheme
     if not isinstance(scheme, AdaptiveSteps) or scheme.error_of == "step":
         return None
     span = plan.t_end - plan.t0
     z = segment.stepper.start(plan.t0, state.q, state.q_dot, segment.c, span / SEEN)
-    return Trials(segment.stepper, z, segment.c, span, segment.switches).calibration(scheme.tolerance)
+    trials = Trials(TrialRuns(segment.stepper, z, segment.c, span, segment.switches))
+    lost = trials.begin(scheme.tolerance) is None
+    if trials.runs.alarmed:
+        trials = Trials(PassingTrials(segment, state, engine))
+    elif lost:
+        return None
+    return trials.calibration(scheme.tolerance)

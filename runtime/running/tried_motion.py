@@ -8,7 +8,10 @@ import numpy as np
 
 from runtime.contract.coordinates import followed, whole
 from runtime.contract.model import Model
+from runtime.engine.program import Layout
 from runtime.results.sampling import evaluate
+from runtime.running.segment import HIGHEST, LOWEST
+from runtime.running.singular.guard import Guard
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.error_norm import FLOOR, LEAST
 from runtime.schemes.adaptive.impulses import run_across
@@ -45,8 +48,12 @@ class TrialRuns:
     """Makes trials by a scheme that is compiled, from z (flat) over `span` [s]; c (c_size,) are the model's constants.
 
     switches: times that no step crosses. budget: operations that all trials together may take. spent: by them so far;
-    expected: of the coarsest, also where it was given up.
+    expected: of the coarsest, also where it was given up. alarmed: did the first one come near a singular position?
+    begins: tolerances of steps of the first trial, the next one where it is lost. passes: are such positions passed?
     """
+
+    begins: tuple[float, ...] = (0.1,)
+    passes = False
 
     def __init__(
         self,
@@ -63,6 +70,7 @@ class TrialRuns:
         self.switches, self.budget = switches, budget
         self._impulses: dict[float, Impulse] | None = {} if moves_in_time(scheme.model) else None  # nobody asks
         self.spent, self.tries, self.expected = 0.0, 0, np.inf
+        self.alarmed = False
 
     @property
     def model(self) -> Model:
@@ -106,10 +114,13 @@ class TrialRuns:
         """The motion from z (flat), None where it is lost or takes too much."""
         scheme, layout = self.scheme, self.scheme.layout
         ready = self.stepper.ready_for(scheme.constants(self.c, self.span / SEEN, tolerance))
+        guard = Guard.of(layout.sizes["det_low"]) if self.tries == 0 else Guard()
         states, first, spent = [self.stepper.state(z).copy()], 0.0, [0.0]
         self.tries += 1
         while len(states) <= SEEN:
+            z[layout.slice("det_low")], z[layout.slice("det_high")] = LOWEST, HIGHEST
             run_across(self.stepper, z, 1, ready, self.c, self.span / SEEN, self.switches, self._impulses)
+            self.alarmed |= self._is_near(z, guard)
             spent = [*spent[: len(states)], scheme.operations_taken(z, self.stepper.program)]
             if int(z[1]) == len(states):
                 states.append(self.stepper.state(z).copy())
@@ -125,12 +136,22 @@ class TrialRuns:
         if not np.isfinite([*low, *high]).all():
             return None
         taken, longest = int(z[layout.slice("accepted")][0]), float(scheme.longest(z))
-        made = (low.copy(), high.copy(), steady or first, longest, taken, spent[-1], self._sizes(kept[1:]))
+        made = (low.copy(), high.copy(), steady or first, longest, taken, spent[-1], self._sizes(kept[1:], layout))
         return TriedMotion(tolerance, steady, seen, *made)
 
-    def _sizes(self, states: np.ndarray) -> np.ndarray:
-        """(N,) of the estimated errors of the last steps before the scheme's states (N, n_z)."""
-        weight, dq, dv, h = (states[:, self.scheme.layout.slice(n)] for n in ("weight", "q_error", "v_error", "h_try"))
+    def _is_near(self, z: np.ndarray, guard: Guard) -> bool:
+        """Was a determinant of the closure small, or has its sign changed, since z was looked at last?"""
+        determinants = z[self.scheme.layout.slice("det_low")], z[self.scheme.layout.slice("det_high")]
+        if not len(guard.largest):
+            return False
+        alarm = guard.alarm(*determinants)
+        guard.accept(*determinants)
+        return alarm
+
+    @staticmethod
+    def _sizes(states: np.ndarray, layout: Layout) -> np.ndarray:
+        """(N,) of the estimated errors of the last steps before a scheme's states (N, n_z)."""
+        weight, dq, dv, h = (states[:, layout.slice(n)] for n in ("weight", "q_error", "v_error", "h_try"))
         return np.asarray(np.sqrt((weight * (dq * dq + h * h * dv * dv)).sum(axis=1)))
 
     def _too_much(self, spent: list[float]) -> bool:

@@ -21,6 +21,7 @@ from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.tumbling_body import tumbling_body
 from symgen.variants import generate_variant
 from tests.support.own_parameters import with_parameters
+from tests.support.slider_cranks import driven_slider_crank, equal_slider_crank, loop
 
 Load = Callable[[str], Model]
 Build = Callable[[Scene], Model]
@@ -87,14 +88,6 @@ def test_four_bars_pass_ten_singular_positions(
     assert run.constraint_error.max() < 1e-10 and run.constraint_rate_error.max() < 1e-10
 
 
-@pytest.mark.parametrize("scheme", ["dopri5", "exponential_rk4"])
-def test_steps_of_a_tolerance_are_counted_across_passages(built_in: Load, scheme: str) -> None:
-    """None is longer than the largest: so many of that length are at least as long as the motion outside passages."""
-    run = simulate(built_in("n_four_bar"), scheme=scheme, tolerance=1e-6, dt=0.05, t_end=3.0)
-    assert run.status.ok and [event.kind for event in run.events] == ["singular_position"] * 3
-    assert int(run.stats["steps"]) * float(run.stats["largest_step"]) > 2.0
-
-
 def test_singular_times_are_those_of_the_exact_motion(built_in: Load) -> None:
     run = simulate(built_in("n_four_bar"), scheme="dop853", dt=1e-3, t_end=5.0, save_every=100)
     times = [event.time for event in run.events]
@@ -117,25 +110,6 @@ def test_a_run_may_start_beside_a_singular_position(built_in: Load, start: float
     assert bars_stay_parallel(run) and energy_error(run) < 1e-6
 
 
-def loop(crank: float, rod: float, independent: str) -> SceneBuilder:
-    """A slider-crank. With crank and rod of one length, upright, the rod may go on beside the crank or turn with it."""
-    scene = SceneBuilder("loop").gravity(0, -9.81)
-    for name, length in (("crank", crank), ("rod", rod)):
-        scene.rigid(
-            name, mass=1.0, inertia=0.02, center_of_mass=(length / 2, 0), markers={"tip": {"position": (length, 0)}}
-        )
-    scene.rigid("slider", mass=0.5, inertia=0.01)
-    scene.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "rod.origin")
-    scene.prismatic("slide", "ground.origin", "slider.origin").revolute("C", "rod.tip", "slider.origin")
-    scene.initial({"crank.theta": 0.5, "rod.theta": -math.asin(crank * math.sin(0.5) / rod)})
-    scene.rates({"crank.theta": 6.0}).independent(independent)
-    return scene.simulation(t_end=5.0, dt=1e-3, scheme="single_rate")
-
-
-def equal_slider_crank() -> SceneBuilder:
-    return loop(0.5, 0.5, "crank.theta")
-
-
 @pytest.mark.parametrize(
     "scheme, dt, energy",
     [("single_rate", 1e-3, 5e-3), ("rk4", 1e-3, 1e-6), ("dop853", 1e-2, 1e-5), ("single_rate", 1e-2, 0.5)],
@@ -151,9 +125,7 @@ def test_equal_slider_crank_keeps_its_branch(model_of: Build, scheme: str, dt: f
 
 def test_damped_and_driven_mechanisms_pass_too(model_of: Build) -> None:
     """Energy is compared by the work of dampers and loads."""
-    scene = equal_slider_crank().torque("drive", "crank.origin", "2 + 3 * sin(5 * t)")
-    scene.rotational_spring_damper("bearing", "ground.origin", "crank.origin", stiffness=0.5, damping=0.1)
-    run = simulate(model_of(scene.build()), scheme="rk4", t_end=1.5, save_every=1)
+    run = simulate(model_of(driven_slider_crank().build()), scheme="rk4", t_end=1.5, save_every=1)
     assert run.status.ok and len(run.events) >= 2
     assert np.abs(run.work()).max() > 1.0 and energy_error(run) < 1e-6
     assert np.abs(run["rod.theta"] + run["crank.theta"]).max() < 1e-9

@@ -65,8 +65,8 @@ def test_trials_have_a_budget(built_in: Load) -> None:
     """A motion whose trials would take more than it tells nothing but about how long they would be."""
     runs = PreparedRuns(built_in("pendulum"), "dopri5", options={"tolerance": 1e-4})
     z = runs.stepper.start(0.0, runs.state.q, runs.state.q_dot, runs.c, 10.0 / SEEN)
-    whole = Trials(runs.stepper, z, runs.c, 10.0, [])
+    whole = Trials(TrialRuns(runs.stepper, z, runs.c, 10.0, []))
     assert whole.calibration(1e-4) is not None and whole.runs.tries >= 3
-    short = Trials(runs.stepper, z, runs.c, 10.0, [], budget=0.3 * whole.expected)
+    short = Trials(TrialRuns(runs.stepper, z, runs.c, 10.0, [], budget=0.3 * whole.expected))
     assert short.calibration(1e-4) is None and short.runs.tries == 1
     assert 0.5 * whole.expected < short.expected < 2 * whole.expected

@@ -19,7 +19,8 @@ from runtime.schemes.central_difference import CentralDifference
 
 COUNTERS = ("closure_error", "iterations", "failures")
 STEPS_MADE = ("accepted", "counted", "rejected", "h_least", "h_largest")  # those that follow from a tolerance
-OF_TOLERANCE = (*STEPS_MADE, "h_next", "per_step", "steady", "lands")
+OF_TOLERANCE = (*STEPS_MADE, "h_next", "per_step", "steady", "lands", "ranging")
+RANGES = ("q_low", "q_high")  # what errors are measured by
 CLOSURES = 6
 CONJUGATE = np.array([1.0, -1.0, -1.0, -1.0])
 
@@ -34,8 +35,8 @@ def carried(old: Segment, z: np.ndarray, new: Segment, seen: Solution) -> np.nda
     for name in new.plan.scheme.history:
         values = result[after.slice(name)]
         result[after.slice(name)] = np.where(stays, z[before.slice(name)], values)
-    for name in ("q_low", "q_high"):
-        if name in after.sizes:  # what errors are measured by
+    for name in RANGES:
+        if name in after.sizes:
             result[after.slice(name)] = np.where(stays, z[before.slice(name)], result[after.slice(name)])
     if isinstance(new.plan.scheme, CentralDifference):
         for k in np.flatnonzero(~stays):

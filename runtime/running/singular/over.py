@@ -11,7 +11,7 @@ from runtime.contract.status import Event, Status
 from runtime.results.sampling import evaluate
 from runtime.running.happenings import Happenings
 from runtime.running.segment import Segment
-from runtime.running.singular.carry import COUNTERS, STEPS_MADE
+from runtime.running.singular.carry import COUNTERS, OF_TOLERANCE, RANGES
 from runtime.running.singular.crossing import Crossing, cross
 from runtime.running.singular.guard import NEAR
 from runtime.running.singular.tight_integrator import BranchLost, TightIntegrator
@@ -128,7 +128,7 @@ class Over:
             return []
         q, q_dot = way.states(times)
         found, layout = [], self.segment.plan.scheme.layout
-        stays = [name for name in (*COUNTERS, *STEPS_MADE, "event_quiet") if name in layout.sizes]
+        stays = [name for name in (*COUNTERS, *OF_TOLERANCE, *RANGES, "event_quiet") if name in layout.sizes]
         for k, work in enumerate(self._lent + self._energies(q, q_dot, times)):
             at = float(times[k]) if off_grid else None
             one = self.segment.start(q[k], q_dot[k], steps[k], float(work), at)

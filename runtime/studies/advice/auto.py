@@ -26,7 +26,7 @@ from runtime.running.inputs import bound
 from runtime.running.simulate import simulate as run
 from runtime.running.tolerance import tolerance_of, whole_span
 from runtime.running.trials import Trials
-from runtime.running.tried_motion import SEEN
+from runtime.running.tried_motion import SEEN, TrialRuns
 from runtime.schemes.adaptive.dormand_prince import DormandPrince5
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.kept_steppers import kept_stepper
@@ -156,7 +156,7 @@ class _Motion:
         scheme = scheme_kind(name).build(name, self.model, h, None, {"tolerance": self.tolerance})
         stepper = kept_stepper(scheme)
         z = stepper.start(self.t0, self.state.q, self.state.q_dot, self.c, h)
-        return Trials(stepper, z, self.c, self.span, self.switches)
+        return Trials(TrialRuns(stepper, z, self.c, self.span, self.switches))
 
     def tried(self, trials: Trials, rivals: Mapping[str, _Tried]) -> _Tried:
         """What trials tell, where it may be worth more than what others were found to need."""
