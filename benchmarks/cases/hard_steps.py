@@ -29,7 +29,7 @@ its RMS amplitude; the best of at least five calls. `exponential_rk4 / best` is 
 on the case, `on stiff deflections only / best` that of the faster of it and `exponential_adams`; `radau / best of ours`
 is how many times as long `radau` takes as the fastest of these two, `exponential` and `linearised`. Of schemes that
 factorise M_hat none is tried above {dense} coordinates, and on other large cases (arms, the loop in space)
-`exponential` with m = 1 alone. Where a load jumps inside a step, `exponential_adams` starts anew, 0.5 ms of Python."""
+`exponential` with m = 1 alone. Where a load jumps inside a step, `exponential_adams` starts anew, 0.1 ms of Python."""
 
 
 def run() -> Result:

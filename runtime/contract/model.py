@@ -30,7 +30,7 @@ class Model:
     digest: SHA-256 of the manifest; scene_toml: an opaque text that only the generator reads; folder: where it was
     loaded from, by which it is pickled; "" if not known. input_values, sources: constants and functions of time given
     for inputs (see `with_inputs`); driven_by: hash of what else drives a run. steppers: see
-    runtime.schemes.kept_steppers.
+    runtime.schemes.kept_steppers. choices: options that schemes have found to fit, by name.
     Kernels take the run's constants c = constants(p); `function(name)` gives the same function of p.
     """
 
@@ -48,6 +48,7 @@ class Model:
     _kernels: dict[str, ca.Function] = field(default_factory=dict, repr=False)
     _derived: dict[str, ca.Function] = field(default_factory=dict, repr=False)
     steppers: dict[tuple[Any, ...], Any] = field(default_factory=dict, repr=False, compare=False)
+    choices: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def name(self) -> str:
@@ -152,6 +153,7 @@ class Model:
             _kernels={},
             _derived={},
             steppers={},
+            choices={},
         )
 
     @property

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any, Literal
@@ -20,13 +20,14 @@ from runtime.schemes.central_difference import CentralDifferenceOptions
 from runtime.schemes.coupled import Coupled, CoupledOptions
 from runtime.schemes.decoupled import Decoupled, DecoupledOptions
 from runtime.schemes.exponential import Exponential, ExponentialOptions
-from runtime.schemes.exponential_adams import ExponentialAdams, ExponentialAdamsOptions
+from runtime.schemes.exponential_adams import ExponentialAdams, fitting
 from runtime.schemes.exponential_midpoint import ExponentialMidpoint, ExponentialMidpointOptions
 from runtime.schemes.exponential_rk4 import ExponentialRungeKutta, ExponentialRungeKuttaOptions
-from runtime.schemes.grid import make_grid
+from runtime.schemes.grid import Grid, make_grid
 from runtime.schemes.linearised import Linearised, LinearisedOptions
 from runtime.schemes.options import AdaptiveOptions, Options, SchemeError, SingleClosureOptions
 from runtime.schemes.printed import Printed, PrintedOptions
+from runtime.schemes.remembering_step import ExponentialAdamsOptions
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.single_rate import SingleRate
 
@@ -40,6 +41,7 @@ class SchemeKind:
     ratios: what m is. `groups`: one ratio between each two groups of the partition; `sub_steps`: one number of
     sub-steps for all coordinates; `none`: no m. options: the record of its options, defaults in it.
     default_m: m where neither the user nor the scene gives one that fits. adaptive: the class for a tolerance.
+    fitting: who makes it, where there are several of a kind, among which `make` is one.
     """
 
     make: type[Scheme]
@@ -48,6 +50,7 @@ class SchemeKind:
     options: type[Options]
     default_m: int = 1
     adaptive: type[Scheme] | None = None
+    fitting: Callable[[Model, Grid, Options], Scheme] | None = None
 
     @property
     def multirate(self) -> bool:
@@ -71,7 +74,7 @@ class SchemeKind:
         grid = make_grid(
             groups, dt, m, 0 if self.ratios == "none" else 1 if self.ratios == "sub_steps" else len(groups) - 1, names
         )
-        return (adaptive or self.make)(model, grid, options)
+        return (adaptive or self.fitting or self.make)(model, grid, options)
 
     def chosen(self, name: str, changes: Mapping[str, Any]) -> Options:
         """The options with some changed by name, their values not checked yet. Raises SchemeError for other names."""
@@ -126,9 +129,10 @@ SCHEMES: dict[str, SchemeKind] = {
     ),
     "exponential_adams": SchemeKind(
         ExponentialAdams,
-        "exponential Adams on the stiff deflections with a point in the middle, order 4",
+        "exponential Adams on the stiff deflections or all coordinates with a point inside the step, order 4",
         "none",
         ExponentialAdamsOptions,
+        fitting=fitting,
     ),
     "exponential_midpoint": SchemeKind(
         ExponentialMidpoint,

@@ -15,19 +15,22 @@ approximation lets them die out: by 2e-9, 2e-6 and 1e-3 a step at h w = 1, 2 and
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from math import factorial
+from collections.abc import Mapping
+from dataclasses import replace
 
 import casadi as ca
 import numpy as np
 
+from runtime.contract.model import Model
+from runtime.engine.choose import operations_per_step
 from runtime.engine.program import Fields, Program
 from runtime.schemes.exponential_rk4 import krogstad
+from runtime.schemes.grid import Grid
 from runtime.schemes.linear_propagation import polynomial
-from runtime.schemes.one_step import OneStep
-from runtime.schemes.options import MOST_UNROLLED, ClosureOptions, Options, whole_number
-from runtime.schemes.slow_polynomial import lagrange
+from runtime.schemes.options import Options
+from runtime.schemes.remembering_step import ExponentialAdamsOptions, RememberingStep, bends
+from runtime.schemes.rosenbrock_adams import RosenbrockAdams
+from runtime.schemes.scheme import Scheme
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.state_fields import StateField, state
 from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
@@ -36,24 +39,16 @@ from runtime.schemes.stiff_motion import MotionStage, StiffMotion
 IMAGINARY_REACH, REAL_REACH = 2.0, 0.29  # h w and h d up to which the explicit part is stable
 LAST = (-0.5, -1.0)  # where accelerations of the last step were seen, in steps from the start of this one
 MIDDLE = 0.5
+WORTH = 1.2  # a step with the Jacobian is taken up to so many times the operations of one with the stiffness
 
 
-@dataclass(frozen=True)
-class ExponentialAdamsOptions(ClosureOptions):
-    """closure_iterations: Newton steps on the loop unknowns in each evaluation, from a guess that is right to h^4."""
-
-    closure_iterations: int = whole_number(1, most=MOST_UNROLLED)
-
-
-class ExponentialAdams(OneStep):
+class ExponentialAdams(RememberingStep):
     """Two evaluations a step in one stage. a_middle, a_before: accelerations seen in the middle and at the start of the
     last step, those of turns as second rates in the charts at its end; s_*, s_*_dot: the deflections there and their
     rates; loop_third: third rate of the loop unknowns.
     """
 
-    options: ExponentialAdamsOptions
     order = 4
-    counts_powers = True
 
     @classmethod
     def limited(cls, options: Options) -> bool:
@@ -68,17 +63,16 @@ class ExponentialAdams(OneStep):
     def further_fields(self) -> dict[str, StateField]:
         """See above."""
         n, n_s = StageEquations(self.model, ca.SX.zeros(self.model.c_size + 1)).deflections().B.shape
-        sizes = {"a_middle": n, "a_before": n, "loop_third": len(self.model.loop_unknowns)}
-        sizes |= dict.fromkeys(("s_middle", "s_middle_dot", "s_before", "s_before_dot"), n_s)
-        return {name: state(size) for name, size in sizes.items()}
+        sizes = {
+            "a_middle": n,
+            "a_before": n,
+            **dict.fromkeys(("s_middle", "s_middle_dot", "s_before", "s_before_dot"), n_s),
+        }
+        return {**super().further_fields(), **{name: state(size) for name, size in sizes.items()}}
 
     def program(self) -> Program:
         """One stage."""
         return self.stage("exponential_adams", self._step)
-
-    def evaluations(self) -> tuple[int, int]:
-        """Two."""
-        return 2, 0
 
     def started(
         self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, equations: StageEquations
@@ -112,17 +106,15 @@ class ExponentialAdams(OneStep):
             return z[f"a_{when}"] - (found.a + along)
 
         last = [seen("middle"), seen("before")]
-        there = motion.to(1, *bends(LAST, last, h))
-        loop = [equations.loop_part(start.q_d), equations.loop_part(equations.rates(start, v))]
-        loop.append(equations.loop_accelerations(start, v, found.a))
+        there = motion.to(1, *bends(LAST, last, h, 1))
+        loop = self.loop_motion(equations, start, v, found.a)
         guess = polynomial([*loop, z["loop_third"]], there.tau)
         middle = equations.close(there.q, guess, t + there.tau, self.options.closure_iterations)
         v_there = equations.velocities(middle, there.v)
         a = equations.accelerations(middle, v_there)
         bent = equations.bent(middle, there.v, v_there, a)
-        end = motion.to(2, *bends((*LAST, MIDDLE), [*last, motion.remainder(bent, there)], h))
-        third = (equations.loop_part(middle.q_d) - polynomial(loop, there.tau)) * (factorial(3) / there.tau**3)
-        ahead = polynomial([*loop, third], h)
+        end = motion.to(2, *bends((*LAST, MIDDLE), [*last, motion.remainder(bent, there)], h, 1))
+        ahead, third = self.loops_ahead(loop, equations.loop_part(middle.q_d), there.tau, h)
         at = self.arrived(equations, end.q, ahead, t + h)
         remembered = {
             "a_middle": equations.accelerations_from(at, middle, v_there, a),
@@ -138,11 +130,17 @@ class ExponentialAdams(OneStep):
         return {**ends, **remembered, **work, **self.closed(z, start, middle)}
 
 
-def bends(nodes: Sequence[float], values: Sequence[ca.SX], h: ca.SX) -> list[ca.SX]:
-    """b1, b2, ... of the polynomial b1 tau + b2 tau^2 / 2 + ... through values at nodes (in h), and 0 at 0."""
-    through = lagrange([0.0, *nodes])[1:]
-    found = []
-    for k in range(1, len(nodes) + 1):
-        terms = (float(one.coef[k]) * factorial(k) / h**k * d for one, d in zip(through, values, strict=True))
-        found.append(sum(terms, ca.SX(0)))
-    return found
+def fitting(model: Model, grid: Grid, options: Options) -> Scheme:
+    """Steps with the stiffness of the deflections or with the Jacobian of all coordinates, as the options say."""
+    assert isinstance(options, ExponentialAdamsOptions)
+    chosen = options.checked(len(grid.groups)).linearisation
+    if chosen == "jacobian":
+        return RosenbrockAdams(model, grid, options)
+    by_stiffness = ExponentialAdams(model, grid, replace(options, linearisation="stiffness"))
+    if chosen == "stiffness" or not RosenbrockAdams.possible(model):
+        return by_stiffness
+    by_jacobian = RosenbrockAdams(model, grid, replace(options, linearisation="jacobian"))
+    if "linearisation" not in model.choices:
+        price, other = (operations_per_step(one.program()) for one in (by_jacobian, by_stiffness))
+        model.choices["linearisation"] = "jacobian" if price <= WORTH * other else "stiffness"
+    return by_jacobian if model.choices["linearisation"] == "jacobian" else by_stiffness

@@ -23,7 +23,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from runtime.schemes.partial_fractions import Pole, poles
+from runtime.schemes.partial_fractions import DEGREE, Pole, poles
 from runtime.schemes.sparse_lu import Number, factor, solve
 
 
@@ -63,6 +63,7 @@ def propagate(
     decaying: bool = False,
     echo: tuple[float, ca.SX] | None = None,
     free: Collection[int] = (),
+    degree: int = DEGREE,
 ) -> tuple[ca.SX, ca.SX]:
     """(w, w') after a part of a sub-step h from (w, u) at tau; G: G0, G1, ... The factors are of these poles.
 
@@ -76,8 +77,8 @@ def propagate(
     slopes[0] = slopes[0] + ca.mtimes(system.J_v, even)
     start = _Start(rest, ca.mtimes(system.M, rest), ca.mtimes(system.J_q, even))
     new_w, new_u = w + part * h * even, u
-    echoes = poles(part=1.0 if echo is None else echo[0], decaying=decaying)
-    for pole, echoing, entries in zip(poles(part=part, decaying=decaying), echoes, factors, strict=True):
+    echoes = poles(degree, 1.0 if echo is None else echo[0], decaying)
+    for pole, echoing, entries in zip(poles(degree, part, decaying), echoes, factors, strict=True):
         extra = None if echo is None else (echoing.weights[2], echo[1])
         x, y = _solved(pole, entries, slopes, start, h, extra)
         new_w, new_u = new_w + pole.share * x, new_u + pole.share * y

@@ -86,6 +86,8 @@ FIELDS: tuple[Notation, ...] = (
     Notation("y_third", "", "", "n_L", "mixed", "and before that"),
     Notation("a_middle", "", "", "n_i", "mixed", "q_i_ddot seen in the middle of the last step"),
     Notation("a_before", "", "", "n_i", "mixed", "q_i_ddot at the start of the last step"),
+    Notation("q_before", "", "", "n_i", "mixed", "q_i at the start of the last step"),
+    Notation("v_before", "", "", "n_i", "mixed", "v at the start of the last step"),
     Notation("s_middle", "", "", "n_s", "mixed", "stiff deflections in the middle of the last step"),
     Notation("s_middle_dot", "", "", "n_s", "mixed", "their rates there"),
     Notation("s_before", "", "", "n_s", "mixed", "stiff deflections at the start of the last step"),
