@@ -14,7 +14,6 @@ from runtime.operating.mode_solver import ModeSolver
 from runtime.running.neighbour import seen_state
 from runtime.running.segment import Segment
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
-from runtime.schemes.switching.broken_steps import BrokenSteps
 
 TOLERANCE = 8
 FEWEST = 4  # steps to a tolerance that are judged at once: what the last one is ahead of the end is not seen
@@ -73,7 +72,7 @@ def _fixed(segment: Segment, start: np.ndarray, end: np.ndarray, longer: bool) -
         steps -= 1
     t, dt, c = segment.time_of(begin), factor * segment.plan.grid.dt_L, segment.with_inputs(start)
     other = stepper.start(t, *seen_state(segment, begin), c, dt)
-    BrokenSteps(stepper, t, dt, segment.switches).run(other, stepper.ready(c, dt), c, round(steps / factor))
+    segment.broken_beside(t, segment.time_of(end), dt).run(other, stepper.ready(c, dt), c, round(steps / factor))
     return other, scheme.constants(c, dt), 1 / (factor**scheme.order - 1)
 
 

@@ -17,7 +17,9 @@ from runtime.running.singular.guard import Guard
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.impulses import run_across
+from runtime.schemes.switching.broken_steps import BrokenSteps
 from runtime.schemes.switching.impulse import Impulse, moves_in_time
+from runtime.schemes.switching.times import between
 from runtime.schemes.switching.watched import watch_events
 from runtime.schemes.work import account_at, account_for_work, begin_account
 
@@ -43,6 +45,11 @@ class Segment(SteppedModel):
         found = cls(model, plan, one.stepper, one.p, one.c, one.ready, monitor)
         found.find_switches(plan.t0, plan.t_end)
         return found
+
+    def broken_beside(self, t0: float, t_end: float, dt: float) -> BrokenSteps:
+        """Other steps dt [s] of the same motion, from one time to another [s]."""
+        many = self.broken is not None and self.broken.many
+        return BrokenSteps(self.stepper, t0, dt, between(self.switches, t0 - dt, t_end + dt), many)
 
     def start(
         self, q: np.ndarray, q_dot: np.ndarray, step: int = 0, work: float = 0.0, at: float | None = None

@@ -10,7 +10,6 @@ from runtime.contract.model import ModelError
 from runtime.running.neighbour import seen_state
 from runtime.running.segment import Segment
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
-from runtime.schemes.switching.broken_steps import BrokenSteps
 
 FINER = 8  # tolerance of the run over that of the finer one
 STEPS, SHARE = 4, 0.005  # of a run whose steps follow from a tolerance: so many steps, so much of the motion at least
@@ -49,7 +48,7 @@ def _of_one_length(segment: Segment, z: np.ndarray, length: int) -> Window:
     scheme, stepper, dt = segment.plan.scheme, segment.stepper, segment.plan.grid.dt_L
     t, (q, q_dot) = segment.time_of(z), seen_state(segment, z)
     segment.run(z, length)
-    halved, half = stepper.start(t, q, q_dot, segment.c, dt / 2), BrokenSteps(stepper, t, dt / 2, segment.switches)
+    halved, half = stepper.start(t, q, q_dot, segment.c, dt / 2), segment.broken_beside(t, t + length * dt, dt / 2)
     half.run(halved, stepper.ready(segment.c, dt / 2), segment.c, 2 * length)
     constants = scheme.constants(segment.c, dt), scheme.constants(segment.c, dt / 2)
     more = 2.0**scheme.order / (2.0**scheme.order - 1)

@@ -46,7 +46,7 @@ class Stepper:
     """
 
     def __init__(self, scheme: Scheme, engine: str = "auto", wait: bool = False) -> None:
-        self.scheme, self.requested = scheme, engine
+        self.scheme, self.requested, self.waits = scheme, engine, wait
         prepared = prepare(
             with_events(scheme, with_account(scheme, scheme.program())),
             scheme.layout.size,
@@ -54,7 +54,7 @@ class Stepper:
         )
         self.program, c_size = prepared.program, int(prepared.constants.size1_out(0))
         self.engine = choose_engine(engine, self.program, prepared.z_size, c_size, wait, prepared.tapes)
-        self._prepared = replace(prepared, tapes={})
+        self.prepared = replace(prepared, tapes={})
 
     @property
     def operations(self) -> int:
@@ -67,11 +67,11 @@ class Stepper:
 
     def ready_for(self, constants: np.ndarray) -> np.ndarray:
         """The same for the constants as the scheme's stages read them."""
-        return self._prepared.ready(constants)
+        return self.prepared.ready(constants)
 
     def start(self, t: float, q: np.ndarray, q_dot: np.ndarray, c: np.ndarray, dt: float) -> np.ndarray:
         """z at a consistent state of all coordinates (Eqs. 68-71)."""
-        return self._prepared.widened(start_vector(self.scheme, t, q, q_dot, c, dt))
+        return self.prepared.widened(start_vector(self.scheme, t, q, q_dot, c, dt))
 
     def state(self, z: np.ndarray) -> np.ndarray:
         """The scheme's part of z, as a view."""

@@ -75,24 +75,34 @@ def begin_account(
     """
     if not accounted(scheme):
         return
-    layout, h, n = scheme.layout, counting_step(scheme), scheme.layout.size
+    layout, n = scheme.layout, scheme.layout.size
     if scheme.integrates_work:
         z[layout.slice("work")] = z[layout.slice("work_from")] = work
         z[layout.slice("pending")] = 0.0
         return
     P_0 = power_of(scheme, z[:n], c)
-    before, change, start = P_0, 0.0, 0.0
-    if scheme.power_at == END_OF_STEP:
-        start = P_0 / 2
-    elif scheme.power_at != MIDDLE:
-        P_1, P_2 = (P_0, P_0) if step is None else _next_powers(scheme, z.copy(), c, step)
+    P_1 = P_2 = P_0
+    if looks_ahead(scheme) and step is not None:
+        P_1, P_2 = _next_powers(scheme, z.copy(), c, step)
         if not np.isfinite([P_1, P_2]).all():
             P_1 = P_2 = P_0
-        bend = P_0 - 2 * P_1 + P_2
-        before, change = P_0 - (P_1 - P_0) + bend, (P_1 - P_0) - 2 * bend  # of the parabola through the three
-        start = -P_0 / 2 + (P_1 - P_0) / 12 - bend / 24
-    z[layout.slice("power")], z[layout.slice("power_change")] = before, change
-    z[layout.slice("power_sum")] = work / h + start
+    for name, value in zip(FIELDS, begun(scheme, work, P_0, P_1, P_2), strict=False):
+        z[layout.slice(name)] = value
+
+
+def looks_ahead(scheme: Scheme) -> bool:
+    """Does an account begin with the powers after the first and the second step?"""
+    return scheme.power_at not in (END_OF_STEP, MIDDLE)
+
+
+def begun(scheme: Scheme, work: Any, P_0: Any, P_1: Any, P_2: Any) -> tuple[Any, Any, Any]:
+    """power_sum, power and power_change of an account that begins with this work [J] and these powers [W]."""
+    h = counting_step(scheme)
+    if not looks_ahead(scheme):
+        return work / h + (P_0 / 2 if scheme.power_at == END_OF_STEP else 0.0), P_0, 0.0
+    bend = P_0 - 2 * P_1 + P_2
+    start = -P_0 / 2 + (P_1 - P_0) / 12 - bend / 24
+    return work / h + start, P_0 - (P_1 - P_0) + bend, (P_1 - P_0) - 2 * bend  # of the parabola through the three
 
 
 def counting_step(scheme: Scheme) -> float:
@@ -105,17 +115,22 @@ def work_and_doubt(scheme: Scheme, z: np.ndarray, P: Any) -> tuple[Any, Any]:
 
     z (N, n_z) or (n_z,): states, at least the scheme's part; P (N,) or a number: their powers [W].
     """
-    layout, h = scheme.layout, counting_step(scheme)
+    layout = scheme.layout
     if scheme.integrates_work:
         return z[..., layout.slice("work")][..., 0], IN_DOUBT * z[..., layout.slice("bends")][..., 0]
-    total, last, change, bends = (z[..., layout.slice(name)][..., 0] for name in FIELDS)
+    return counted_work(scheme, P, *(z[..., layout.slice(name)][..., 0] for name in FIELDS))
+
+
+def counted_work(scheme: Scheme, P: Any, total: Any, last: Any, change: Any, bends: Any) -> tuple[Any, Any]:
+    """The same of the fields (arrays, or SX) of a scheme whose steps sum powers up."""
+    h = counting_step(scheme)
     if scheme.power_at == END_OF_STEP:
         return h * (total - P / 2), h * IN_DOUBT * bends
     if scheme.power_at == MIDDLE:
         return h * total, h * IN_DOUBT * bends
     slope = P - last
     bend = slope - change
-    return h * (total + P / 2 - slope / 12 - bend / 24), h * IN_DOUBT * (bends + np.abs(bend))
+    return h * (total + P / 2 - slope / 12 - bend / 24), h * IN_DOUBT * (bends + abs(bend))
 
 
 def account_at(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> tuple[float, float]:
@@ -133,7 +148,7 @@ def power_of(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> float:
     def build() -> ca.Function:
         symbols = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
         equations = scheme.equations(symbols[1], scheme.layout.unpack(symbols[0]))
-        return ca.Function("power", list(symbols), [_observed_power(scheme, *symbols, equations)])
+        return ca.Function("power", list(symbols), [observed_power(scheme, *symbols, equations)])
 
     return float(direct(scheme, "power", build)(z[: scheme.layout.size], c)[0])
 
@@ -144,7 +159,8 @@ def by_simpson(h: Any, start: Any, middle: Any, end: Any) -> tuple[Any, Any]:
     return done, abs(done - h / 2 * (start + end))
 
 
-def _observed_power(scheme: Scheme, z: ca.SX, c: ca.SX, equations: StageEquations) -> ca.SX:
+def observed_power(scheme: Scheme, z: ca.SX, c: ca.SX, equations: StageEquations) -> ca.SX:
+    """P [W] at the state that z (the scheme's part) shows; c as the stages read it."""
     seen = scheme.observer(z=z, c=c)
     parts = {end: (seen[f"q_i{end}"], seen[f"q_d{end}"]) for end in ("", "_dot", "_ddot")}
     return equations.power(seen["t"], *(equations.joined(*both) for both in parts.values()))
@@ -157,7 +173,7 @@ def with_account(scheme: Scheme, program: Program) -> Program:
 
     def counted(z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         constants = ca.vertcat(equations.c, equations.h)
-        return scheme.counted(z, _observed_power(scheme, scheme.layout.pack(z), constants, equations))
+        return scheme.counted(z, observed_power(scheme, scheme.layout.pack(z), constants, equations))
 
     return Sequence((scheme.stage("work", counted), program))
 

@@ -4,13 +4,26 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Sequence
-from math import floor
+from dataclasses import dataclass
 
 import numpy as np
 
 from runtime.schemes.switching.times import SwitchTime
 
 ON_THE_GRID = 1e-9  # of a step: a jump that near to the end of a step is there
+
+
+@dataclass(frozen=True)
+class Parts:
+    """Of broken steps, in order: clocks at which they start and end (N,) [s]; counts (S,): how many each step has.
+
+    clocks (S,): from where the step behind each broken one starts [s].
+    """
+
+    start: np.ndarray
+    end: np.ndarray
+    counts: np.ndarray
+    clocks: np.ndarray
 
 
 class Breaks:
@@ -20,16 +33,23 @@ class Breaks:
         self.t0, self.dt = t0, dt
         self.inside: dict[int, list[SwitchTime]] = {}
         self.on: dict[int, list[SwitchTime]] = {}
-        for one in switches:
-            k = floor((one.time - t0) / dt)
-            near = [step for step in (k, k + 1) if abs(one.time - self.time(step)) <= ON_THE_GRID * dt]
-            where, step = (self.on, near[0]) if near else (self.inside, k)
-            where.setdefault(step, []).append(one)
+        times, self._before, self._after = (
+            np.array([getattr(one, name) for one in switches], dtype=float) for name in ("time", "before", "after")
+        )
+        steps = np.floor((times - t0) / dt)
+        near = [np.abs(times - self.times(k)) <= ON_THE_GRID * dt for k in (steps, steps + 1)]
+        self._there, self._step = near[0] | near[1], np.where(near[1] & ~near[0], steps + 1, steps).astype(int)
+        for one, step, there in zip(switches, self._step.tolist(), self._there.tolist(), strict=True):
+            (self.on if there else self.inside).setdefault(step, []).append(one)
         self.broken = sorted({*self.inside, *(k - 1 for k in self.on if k > 0)})
 
     def time(self, step: int) -> float:
         """Of the grid [s]."""
         return self.t0 + step * self.dt
+
+    def times(self, steps: np.ndarray) -> np.ndarray:
+        """(N,) of the grid [s]."""
+        return np.asarray(self.t0 + steps * self.dt)
 
     def clock(self, step: int) -> float:
         """The time from which a step starts [s]: after a jump that is there."""
@@ -43,7 +63,37 @@ class Breaks:
         there = self.on[step + 1]
         return [*inside, (min(one.before for one in there), max(one.after for one in there))]
 
+    def parts(self, first: int, last: int) -> Parts:
+        """Of these broken steps, counted among the broken ones."""
+        steps = np.array(self.broken[first:last])
+        inside = ~self._there & (self._step >= steps[0]) & (self._step <= steps[-1])
+        counts = np.bincount(np.searchsorted(steps, self._step[inside]), minlength=len(steps)) + 1
+        ends = np.zeros(counts.sum(), dtype=bool)
+        ends[np.cumsum(counts) - 1] = True
+        begins = np.roll(ends, 1)
+        start, end = np.empty(len(ends)), np.empty(len(ends))
+        start[~begins], end[~ends] = self._after[inside], self._before[inside]
+        (_, start[begins]), (end[ends], clocks) = self._sides(steps), self._sides(steps + 1)
+        return Parts(start, end, counts, clocks)
+
+    def _sides(self, steps: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(N,) clocks at which the steps before these end, and from which these start [s]."""
+        before, after = self.times(steps), self.times(steps)
+        on = self._step[self._there]
+        if len(on):
+            which, first = np.unique(on, return_index=True)
+            least = np.minimum.reduceat(self._before[self._there], first)
+            most = np.maximum.reduceat(self._after[self._there], first)
+            k = np.minimum(np.searchsorted(which, steps), len(which) - 1)
+            there = which[k] == steps
+            before, after = np.where(there, least[k], before), np.where(there, np.maximum(most[k], after), after)
+        return before, after
+
     def next_broken(self, step: int) -> int | None:
         """The first broken step from this one on."""
-        k = bisect_left(self.broken, step)
+        k = self.number(step)
         return self.broken[k] if k < len(self.broken) else None
+
+    def number(self, step: int) -> int:
+        """How many steps before this one are broken."""
+        return bisect_left(self.broken, step)

@@ -9,7 +9,7 @@ it, one that begins there on clocks after it, so that no rounding of t decides w
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 
 import casadi as ca
@@ -21,7 +21,8 @@ from runtime.schemes.switching.breaks import ON_THE_GRID, Breaks
 from runtime.schemes.switching.dips import dips, first_bracket
 from runtime.schemes.switching.event_search import first_passage
 from runtime.schemes.switching.impulse import Impulse, impulse_at, moves_in_time
-from runtime.schemes.switching.legs import MOST_KEPT, Acts, Leg, Legs
+from runtime.schemes.switching.legs import Acts, Leg, Legs
+from runtime.schemes.switching.listed_breaks import AHEAD, ListedBreaks
 from runtime.schemes.switching.times import SwitchTime
 from runtime.schemes.switching.watched import (
     NEVER,
@@ -34,31 +35,25 @@ from runtime.schemes.switching.watched import (
 )
 from runtime.schemes.work import account_at, accounted, begin_account
 
-AHEAD = 2  # steps that the account of work looks at in advance
-
-
-@dataclass(frozen=True)
-class Planned:
-    """A broken step: a z of its own (n_z,), clocks [s] with the step from each, what these read, t0 after it."""
-
-    z: np.ndarray
-    parts: list[tuple[float, Callable[[int], None]]]
-    ready: list[np.ndarray]
-    t0: float
+FEW, MOST = 16, 256  # broken steps of a list
+MANY = 64  # broken steps from which a program for what is between their parts pays
 
 
 class BrokenSteps:
     """Runs major steps dt [s] of a stepper from t0 on, breaking those in which something jumps.
 
-    impulses: of prescribed motions whose velocity has jumped so far, by time.
+    many: of a run with many broken steps. impulses: of prescribed motions whose velocity has jumped so far, by time.
     """
 
-    def __init__(self, stepper: Stepper, t0: float, dt: float, switches: Sequence[SwitchTime]) -> None:
+    def __init__(
+        self, stepper: Stepper, t0: float, dt: float, switches: Sequence[SwitchTime], many: bool = False
+    ) -> None:
         self.stepper, self.t0, self.dt = stepper, t0, dt
         self.legs, self.grid = Legs(stepper), Breaks(t0, dt, switches)
+        self.many = many or len(self.grid.broken) >= MANY
         self.impulses: dict[float, Impulse] = {}
         self._moves = moves_in_time(self.model)
-        self._planned: dict[int, Planned] = {}
+        self._list: ListedBreaks | None = None
 
     @property
     def model(self) -> Model:
@@ -71,7 +66,10 @@ class BrokenSteps:
         while (step := int(z[1])) < end:
             broken = self.grid.next_broken(step)
             if broken == step:
-                (self._break_plainly if self._plain else self._break)(z, c)
+                if self._may_list and not self._moves:
+                    self._by_list(z, ready, c, end)
+                else:
+                    self._break(z, c)
                 continue
             n = end - step if broken is None else min(end, broken) - step
             if z[0] != self.t0:  # the clock was set after a jump at the start of this step
@@ -81,33 +79,22 @@ class BrokenSteps:
                 self.stepper.run(z, ready, n)
 
     @cached_property
-    def _plain(self) -> bool:
-        """Are the parts of a broken step nothing but steps of their own lengths?"""
-        scheme = self.stepper.scheme
-        return not (self.legs.remembers or accounted(scheme) or watches(scheme) or self._moves)
+    def _may_list(self) -> bool:
+        """May broken steps be made by lists of calls, and does it pay?"""
+        scheme, remembers = self.stepper.scheme, self.legs.remembers
+        if watches(scheme) or (remembers and scheme.charts.size):
+            return False
+        ready_made = not remembers and not accounted(scheme)
+        return ready_made or self.stepper.waits or self.many
 
-    def _break_plainly(self, z: np.ndarray, c: np.ndarray) -> None:
-        """One major step in parts; what they need is known before."""
-        step = int(z[1])
-        if step not in self._planned:
-            if len(self._planned) >= MOST_KEPT:
-                self._planned.clear()
-            clocks, ends = [self.grid.clock(step)], self.grid.ends(step)
-            clocks += [after for _, after in ends[:-1] if after is not None]
-            lengths = [self.legs.length(start, end) for start, (end, _) in zip(clocks, ends, strict=True)]
-            shift = self.grid.clock(step + 1) - self.grid.time(step + 1)
-            ready = [self.legs.ready(c, length) for length in lengths]
-            own = np.zeros_like(z)  # code that is bound knows where it is
-            steps = [self.stepper.engine.bound(own, one) for one in ready]
-            self._planned[step] = Planned(own, list(zip(clocks, steps, strict=True)), ready, self.t0 + shift)
-        planned = self._planned[step]
-        own = planned.z
-        own[:] = z
-        for clock, go in planned.parts:
-            own[0], own[1] = clock, 0.0
-            go(1)
-        z[:] = own
-        z[0], z[1] = planned.t0, step + 1
+    def _by_list(self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, end: int) -> None:
+        """From a broken step on, all that one list has before step `end`."""
+        number = self.grid.number(int(z[1]))
+        if self._list is None or not self._list.first <= number < self._list.last:
+            now = self.grid.number(end) - number
+            most = now if self._list is None else MOST  # who goes on will go on further
+            self._list = ListedBreaks(self.stepper, self.grid, number, c, len(ready), min(max(now, FEW, most), MOST))
+        self._list.run(z, ready, number, end)
 
     def _break(self, z: np.ndarray, c: np.ndarray, acts: Acts | None = None) -> None:
         """One major step in parts; acts: what events do, where they are looked for."""

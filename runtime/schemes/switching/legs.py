@@ -16,6 +16,7 @@ from runtime.schemes.direct import direct
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.state_fields import Lasting
 from runtime.schemes.stepper import Stepper
+from runtime.schemes.switching.crossing import remembers
 from runtime.schemes.work import accounted, by_simpson, power_of
 
 MOST_KEPT = 64  # lengths
@@ -49,7 +50,7 @@ class Legs:
     @cached_property
     def remembers(self) -> bool:
         """Does the scheme act through more than positions and rates?"""
-        return set(self.scheme.memory) != {"x", "v", "loop"}
+        return remembers(self.scheme)
 
     @property
     def scheme(self) -> Scheme:

@@ -7,7 +7,8 @@ short its period is beside a step.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from bisect import bisect_left, bisect_right
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import casadi as ca
@@ -15,6 +16,7 @@ import numpy as np
 
 from runtime.contract.model import Model, ModelError
 from runtime.contract.tape import node_value, read_tape
+from runtime.engine.many_points import ManyPoints
 from runtime.schemes.switching.enclosure import Enclosure
 
 MOST_TIMES = 100_000
@@ -92,10 +94,10 @@ def _of_function(source: ca.Function, t: ca.SX) -> Iterator[ca.SX]:
 def _changes(value: ca.SX, t: ca.SX, t0: float, t_end: float) -> list[tuple[float, float, float]]:
     """(time, clock before, clock after) of each change of sign."""
     with_slope = ca.Function("condition", [t], [ca.densify(ca.vertcat(value, ca.jacobian(value, t)))])
-    plain = ca.Function("condition", [t], [ca.densify(value)])
+    plain, nothing = ManyPoints(ca.Function("condition", [t], [ca.densify(value)])), np.zeros(0)
 
     def at(times: np.ndarray) -> np.ndarray:
-        return np.asarray(plain(times[None, :])).ravel()
+        return plain(nothing, times[:, None])[:, 0]
 
     around = NARROW * max(t_end - t0, abs(t0), abs(t_end))  # a change at t0 or at t_end shows its two sides
     low, high = _pieces(Enclosure(with_slope), t0 - around, t_end + around)
@@ -107,7 +109,8 @@ def _changes(value: ca.SX, t: ca.SX, t0: float, t_end: float) -> list[tuple[floa
     rising = b > a
     # both ends of a stretch of zeros: the last clock with the sign before, the first with the one after
     before = _last(low, high, lambda x: np.where(rising, at(x) < 0, at(x) > 0), np.where(rising, a < 0, a > 0))
-    after = -_last(-high, -low, lambda x: np.where(rising, at(-x) > 0, at(-x) < 0), np.where(rising, b > 0, b < 0))
+    high = _soon(before, high, lambda x: np.where(rising, at(x) > 0, at(x) < 0))
+    after = -_last(-high, -before, lambda x: np.where(rising, at(-x) > 0, at(-x) < 0), np.where(rising, b > 0, b < 0))
     time = before + (after - before) / 2
     inside = (time >= t0 - around) & (time <= t_end + around)
     margin = MARGIN * np.abs(time)
@@ -136,6 +139,18 @@ def _pieces(condition: Enclosure, t0: float, t_end: float) -> tuple[np.ndarray, 
     return lows[order], highs[order]
 
 
+def _soon(low: np.ndarray, high: np.ndarray, holds: Signs) -> np.ndarray:
+    """Times from low to high at which a condition holds as it does at high, by going ahead from low."""
+    reach, found = 2 * np.spacing(np.abs(low)), high.copy()
+    waits = np.ones(len(low), dtype=bool)
+    while waits.any():
+        near = np.minimum(low + reach, high)
+        done = waits & ((near >= high) | holds(near))
+        found[done], waits = near[done], waits & ~done
+        reach *= 8
+    return found
+
+
 def _last(low: np.ndarray, high: np.ndarray, holds: Signs, at_low: np.ndarray) -> np.ndarray:
     """The last float in [low, high] until which a condition holds, by halving; low where it does not hold there."""
     low, high, finest = low.copy(), np.where(at_low, high, low), FINEST * (high - low).max(initial=0.0)
@@ -145,6 +160,14 @@ def _last(low: np.ndarray, high: np.ndarray, holds: Signs, at_low: np.ndarray) -
             return low
         yes = holds(middle)
         low, high = np.where(yes, middle, low), np.where(yes, high, middle)
+
+
+def between(switches: Sequence[SwitchTime], t0: float, t_end: float) -> Sequence[SwitchTime]:
+    """Those of all, rising, that are from t0 to t_end [s]."""
+    first, last = (
+        find(switches, t, key=lambda one: one.time) for find, t in ((bisect_left, t0), (bisect_right, t_end))
+    )
+    return switches[first:last]
 
 
 def _merged(found: list[SwitchTime], near: float) -> list[SwitchTime]:

@@ -1,0 +1,104 @@
+"""What is done between the parts of a broken step, as a program: starts anew behind a jump, and the account of work.
+
+Its z holds a state of the scheme and numbers beside it; which of its stages are applied is among them. So one program
+serves all steps, and a list of calls (call_list.py) can cross jumps without Python.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from threading import Lock
+from weakref import WeakKeyDictionary
+
+import casadi as ca
+
+from runtime.engine.choose import choose_engine
+from runtime.engine.prepare import prepare
+from runtime.engine.program import Fields, Layout, Sequence, Until, make_stage
+from runtime.schemes.scheme import LARGEST, Scheme
+from runtime.schemes.state_fields import Lasting
+from runtime.schemes.stepper import Stepper
+from runtime.schemes.work import FIELDS, accounted, begun, counted_work, looks_ahead, observed_power
+
+ACCOUNT = list(FIELDS)[:3]  # what begins anew
+ACTS = ("restart", "power", "open", "close")  # in this order
+_LOCK = Lock()
+_KEPT: WeakKeyDictionary[Stepper, Crossing] = WeakKeyDictionary()
+
+
+class Crossing:
+    """Of a stepper. Fields of its z: state, the scheme's z; dt, dt_before, clock [s]; share, work, powers: see stages.
+
+    restart: the state, shown by steps dt_before, as the start of steps dt at the clock. power: that of the state is
+    the last of three, and `share` of it is added to `work`. open: `work` is that of the state. close: `account` holds
+    the account of `work` begun at the last power, or with the three.
+    """
+
+    def __init__(self, stepper: Stepper) -> None:
+        self.scheme = scheme = stepper.scheme
+        sizes = {"state": scheme.layout.size, "dt": 1, "dt_before": 1, "clock": 1}
+        sizes |= {"share": 1, "work": 1, "powers": 3, "account": len(ACCOUNT), **dict.fromkeys(ACTS, 1)}
+        self.layout = Layout(sizes)
+        bodies: dict[str, Callable[[Fields, ca.SX], dict[str, ca.SX]]] = {"restart": self._restart}
+        if accounted(scheme):
+            bodies |= {"power": self._power, "open": self._open, "close": self._close}
+        parts = [
+            Until(make_stage(name, self.layout, scheme.c_size, body), self.layout.slice(name).start, 1, usual=1)
+            for name, body in bodies.items()
+            if name != "restart" or remembers(scheme)
+        ]
+        self.prepared = prepare(Sequence(tuple(parts)), self.layout.size, scheme.c_size)
+        self.n_c = int(self.prepared.constants.size1_out(0))  # numbers that it reads
+        self.engine = choose_engine(
+            stepper.requested, self.prepared.program, self.prepared.z_size, self.n_c, stepper.waits, self.prepared.tapes
+        )
+
+    def _constants(self, z: Fields, c: ca.SX, dt: ca.SX) -> ca.SX:
+        """c as the stages of the scheme read it with steps dt, and the inputs that the state holds."""
+        end, fields = self.scheme.model.c_size, self.scheme.layout.unpack(z["state"])
+        return self.scheme.constants_at(fields, ca.vertcat(c[:end], c[end:] * (dt / c[end])))
+
+    def _restart(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
+        scheme, model = self.scheme, self.scheme.model
+        fields = scheme.layout.unpack(z["state"])
+        seen = scheme.observer(z=z["state"], c=self._constants(z, c, z["dt_before"]))
+        loop = [seen["q_d"][model.q_d.index(name)] for name in model.loop_unknowns]
+        guess = ca.vertcat(*loop) if loop else ca.SX(0, 1)
+        constants = self._constants(z, c, z["dt"])
+        found = ca.SX(scheme.starter(z["clock"], seen["q_i"], seen["q_i_dot"], guess, constants))
+        for name in scheme.lasting(Lasting.ACCOUNT, Lasting.GIVEN):
+            found[scheme.layout.slice(name)] = fields[name]
+        found[scheme.layout.slice("t0")], found[scheme.layout.slice("n")] = z["clock"], 0.0
+        return {"state": found}
+
+    def _power(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
+        constants = self._constants(z, c, z["dt"])
+        equations = self.scheme.equations(constants, self.scheme.layout.unpack(z["state"]))
+        P = observed_power(self.scheme, z["state"], constants, equations)
+        work = ca.if_else(z["share"] > 0, z["work"] + z["share"] * P, z["work"])
+        return {"powers": ca.vertcat(z["powers"][1:], P), "work": work}
+
+    def _open(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
+        fields = self.scheme.layout.unpack(z["state"])
+        return {"work": counted_work(self.scheme, z["powers"][2], *(fields[name] for name in FIELDS))[0]}
+
+    def _close(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
+        P = ca.vertsplit(z["powers"])
+        if not looks_ahead(self.scheme):
+            return {"account": ca.vertcat(*begun(self.scheme, z["work"], P[2], P[2], P[2]))}
+        finite = ca.fabs(P[1]) + ca.fabs(P[2]) < LARGEST
+        ahead = (ca.if_else(finite, one, P[0]) for one in P[1:])
+        return {"account": ca.vertcat(*begun(self.scheme, z["work"], P[0], *ahead))}
+
+
+def remembers(scheme: Scheme) -> bool:
+    """Does a scheme act through more than positions and rates?"""
+    return set(scheme.memory) != {"x", "v", "loop"}
+
+
+def crossing(stepper: Stepper) -> Crossing:
+    """Made once for a stepper."""
+    with _LOCK:
+        if stepper not in _KEPT:
+            _KEPT[stepper] = Crossing(stepper)
+        return _KEPT[stepper]

@@ -1,0 +1,113 @@
+"""Broken steps one after another in one native call: the list of what is run and copied, for many of them at once.
+
+Each is what broken_steps.py makes of it: parts of their own lengths, each with constants of its own, and where the
+scheme needs them starts anew, powers in the middle of parts, and an account of work that begins again (crossing.py).
+"""
+
+from __future__ import annotations
+
+from math import prod
+
+import numpy as np
+
+from runtime.engine.call_list import CallList, repeated, woven
+from runtime.engine.program import Layout
+from runtime.schemes.stepper import Stepper
+from runtime.schemes.switching.breaks import Breaks, Parts
+from runtime.schemes.switching.crossing import ACTS, crossing, remembers
+from runtime.schemes.switching.crossing_rows import CrossingRows, marks
+from runtime.schemes.work import accounted
+
+MOST_NUMBERS = 1 << 19  # of the constants of their parts, about
+AHEAD = 2  # steps that the account of work looks at in advance
+
+
+class ListedBreaks:
+    """Broken steps first, first + 1, ... of a grid, by their numbers among the broken ones; not those from `last` on.
+
+    c (c_size,): the model's constants; n_c: how many numbers the program of the stepper reads. most: of steps.
+    """
+
+    def __init__(self, stepper: Stepper, grid: Breaks, first: int, c: np.ndarray, n_c: int, most: int) -> None:
+        scheme, n_z = stepper.scheme, stepper.prepared.z_size
+        self._stepper, self._grid, self.first = stepper, grid, first
+        self._shares = (1, 2) if accounted(scheme) else (1,)  # parts, and their halves
+        self.last = first + max(1, min(most, MOST_NUMBERS // (2 * len(self._shares) * n_c)))
+        self._steps = np.array(grid.broken[first : self.last])
+        self.last, parts = first + len(self._steps), grid.parts(first, self.last)
+        own = self._crossing = crossing(stepper) if remembers(scheme) or accounted(scheme) else None
+        # clock and n; step, the one before and the clock, for a part and for its half; shares of its powers in the work
+        times = {"clock": 2, "whole": 3, "half": 3, "outer_share": 1, "inner_share": 1}
+        self._part = Layout({**times, **{f"ready{share}": n_c for share in self._shares}})
+        self._step = Layout({"grid": 2, "back": 3})  # t0 and n; the step dt, the one before and the clock
+        sizes = {"z": n_z, "other": n_z, "ready": n_c, "t0": 1, "dt": 1, "zero": 1}
+        programs = [(stepper.engine, n_z, n_c)]
+        if own is not None:
+            sizes |= {"cross": own.prepared.z_size, "constants": own.n_c, **dict.fromkeys(marks(), len(ACTS))}
+            programs.append((own.engine, own.prepared.z_size, own.n_c))
+        of_parts, of_steps = len(parts.start) * self._part.size, len(self._steps) * self._step.size
+        self._memory = Layout({**sizes, "parts": of_parts, "steps": of_steps})
+        rows, self._begins, self._ends = self._listed(parts)
+        self._list = CallList(self._filled(parts, c), programs, rows)
+
+    def run(self, z: np.ndarray, ready: np.ndarray, first: int, end: int) -> None:
+        """Advance z (n_z,) in place by broken steps from this one on, and all steps between them, but none from `end`.
+
+        ready: what the program of the stepper reads for whole steps.
+        """
+        memory, at, k = self._list.memory, self._memory.slice, first - self.first
+        last = int(np.searchsorted(self._steps, end)) - 1
+        memory[at("z")], memory[at("ready")] = z, ready
+        self._list.run(int(self._begins[k]), int(self._ends[last]))
+        z[:] = memory[at("z")]
+
+    def _listed(self, parts: Parts) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """(rows, where the broken steps begin behind the whole steps before them, where they end)."""
+        steps, grid, at = self._steps, self._grid, self._memory.slice
+        rows = CrossingRows(
+            self._stepper.scheme, self._stepper.prepared.z_size, self._memory, self._part, self._step, self._crossing
+        )
+        between = np.diff(steps, prepend=steps[0] - 1) - 1
+        shifted = np.append(False, parts.clocks[:-1] != grid.times(steps[:-1] + 1))
+        first = (shifted & (between > 0)).astype(int)
+        behind = np.append(steps[1:], grid.next_broken(int(steps[-1]) + 1) or np.inf)
+        ahead = (behind >= steps + 1 + AHEAD).astype(int)
+        regular = rows.regular(first, between - first)
+        of_steps = len(steps), at("steps").start, self._step.size
+        found, begins, ends = woven(
+            repeated([*regular, *rows.opened()], *of_steps),
+            repeated(rows.made(), len(parts.start), at("parts").start, self._part.size),
+            repeated(rows.closed(ahead), *of_steps),
+            parts.counts,
+        )
+        return found, begins + len(regular), ends
+
+    def _filled(self, parts: Parts, c: np.ndarray) -> np.ndarray:
+        """The memory of the list, with what is known beforehand."""
+        grid, scheme, own = self._grid, self._stepper.scheme, self._crossing
+        memory, at = np.zeros(self._memory.size), self._memory.slice
+        memory[at("t0")], memory[at("dt")] = grid.t0, grid.dt
+        if own is not None:
+            memory[at("constants")] = own.prepared.ready(scheme.constants(c))
+            for mark, acts in marks().items():
+                memory[at(mark)] = acts
+        # sub-steps add up by rounding
+        length = (parts.end - parts.start) * (1 - 2 * np.finfo(float).eps * prod(scheme.grid.m))
+        last = np.cumsum(parts.counts) - 1
+        before = np.append(grid.dt, length[:-1])
+        before[last[:-1] + 1] = grid.dt
+        columns = {"clock": [parts.start, np.zeros_like(length)], "whole": [length, before, parts.start]}
+        columns |= {"half": [length / 2, before, parts.start], "outer_share": [length / 6]}
+        columns["inner_share"] = [4 * (length / 6)]
+        of_parts = memory[at("parts")].reshape(len(length), -1)
+        for name, values in columns.items():
+            of_parts[:, self._part.slice(name)] = np.column_stack(values)
+        h = np.array(scheme.grid.h)
+        for share in self._shares:
+            ready = self._stepper.prepared.ready_for_many(c, h * (length / share / h[0])[:, None])
+            of_parts[:, self._part.slice(f"ready{share}")] = ready
+        of_steps, done = memory[at("steps")].reshape(len(last), -1), self._steps + 1
+        of_steps[:, self._step.slice("grid")] = np.column_stack([grid.t0 + (parts.clocks - grid.times(done)), done])
+        whole = np.full(len(last), grid.dt)
+        of_steps[:, self._step.slice("back")] = np.column_stack([whole, length[last], parts.clocks])
+        return memory

@@ -1,0 +1,109 @@
+"""Many jumps in time: lists of calls cross them without Python, as the parts of each step would be made one by one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from runtime import Model, simulate
+from runtime.engine.call_list import CallList
+from runtime.schemes.switching.broken_steps import BrokenSteps
+from symgen.scene import Scene, SceneBuilder
+
+Build = Callable[[Scene], Model]
+UP, DOWN, ABOVE = 3.0, -1.0, 0.4  # N; the force is UP while sin(40 t + 30 t^2) > ABOVE
+ON_THE_GRID = 40  # 1/s: a second wave whose jumps are at ends of steps of 0.0125 s
+SCHEMES = ["rk4", "exponential_adams", "single_rate", "hht", "decoupled"]
+
+
+def pushed_mass() -> Scene:
+    builder = SceneBuilder("pushed_mass").rigid("mass", mass=1.0, inertia=0.1)
+    builder.prismatic("rail", "ground.origin", "mass.origin")
+    builder.force("push", "mass.origin", f"where(sin(40 * t + 30 * t**2) > {ABOVE}, {UP}, {DOWN})", 0.0)
+    return builder.simulation(t_end=3.9, dt=0.002, scheme="rk4").build()
+
+
+def pushed_by_hand(t_end: float) -> tuple[int, float, float, float]:
+    """(jumps, x, v, work): a constant force between times at which the phase is asin(ABOVE) or pi less that."""
+    turns, up = 2 * np.pi * np.arange(500), np.arcsin(ABOVE)
+    phases = np.sort(np.concatenate([up + turns, np.pi - up + turns]))
+    times = (-40 + np.sqrt(1600 + 120 * phases)) / 60
+    times = times[times < t_end]
+    x = v = work = 0.0
+    for k, (a, b) in enumerate(zip([0.0, *times], [*times, t_end], strict=True)):
+        force, h = (UP if k % 2 else DOWN), b - a
+        work += force * (v * h + force * h**2 / 2)
+        x, v = x + v * h + force * h**2 / 2, v + force * h
+    return len(times), x, v, work
+
+
+@pytest.fixture
+def listed(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """How many lists were run; no step may be broken by Python."""
+    runs, run = list[int](), CallList.run
+
+    def counted(self: CallList, first: int, last: int) -> None:
+        runs.append(last - first)
+        run(self, first, last)
+
+    def refused(*_: Any) -> None:
+        raise AssertionError("a step was broken by Python")
+
+    monkeypatch.setattr(CallList, "run", counted)
+    monkeypatch.setattr(BrokenSteps, "_break", refused)
+    return runs
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "exponential_adams", "single_rate"])
+def test_a_square_wave_is_exact_without_python(model_of: Build, listed: list[int], scheme: str) -> None:
+    """Constant forces between jumps: position, velocity and work to rounding, and some lists for all jumps."""
+    model = model_of(pushed_mass())
+    jumps, x, v, work = pushed_by_hand(3.9)
+    run = simulate(model, scheme=scheme, save_every=1000, force=True)
+    assert jumps > 190 and len(listed) < jumps / 3 and run.t[-1] == pytest.approx(3.9)
+    assert run["mass.x"][-1] == pytest.approx(x, rel=1e-10)
+    assert run.rate("mass.x")[-1] == pytest.approx(v, rel=1e-10)
+    assert run.energy["work"][-1] == pytest.approx(work, rel=1e-9)
+
+
+def two_waves() -> Scene:
+    """A damped hub with a beam; one wave jumps within steps, up to three times, one at their ends."""
+    builder = SceneBuilder("two_waves").rigid("hub", mass=1.0, inertia=10.0)
+    section = {"area": 7.2968e-5, "second_moment": 8.2189e-9, "youngs_modulus": 6.8952e10}
+    shapes = {"ends": "clamped-free", "modes": 1}
+    builder.beam("beam", length=8.0, density=2766.7, lateral=shapes, stiffening=True, **section)
+    builder.revolute("pivot", "ground.origin", "hub.origin", damping=2.0).weld("clamp", "hub.origin", "beam.start")
+    builder.torque("kick", "hub.origin", "where(sin(150 * t + 100 * t**2) > 0.4, 20, 0)")
+    builder.torque("push", "hub.origin", f"where(sin(pi * {ON_THE_GRID} * (t - 1e-13)) > 0, 30, -30)")
+    return builder.simulation(t_end=1.0, dt=0.0125, scheme="rk4").build()
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "exponential_adams", "single_rate", "hht", "decoupled"])
+def test_lists_do_what_is_done_one_by_one(model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str) -> None:
+    """Jumps within steps, several in one, at their ends, and one step behind another, with damping."""
+    model = model_of(two_waves())
+
+    def course() -> np.ndarray:
+        run = simulate(model, scheme=scheme, m=[2] if scheme == "decoupled" else None, save_every=1, force=True)
+        assert len(run.t) == 81
+        return np.column_stack([run.q, run.q_dot, run.energy["work"]])
+
+    found = course()
+    monkeypatch.setattr("runtime.schemes.switching.broken_steps.MANY", 10**9)
+    monkeypatch.setattr("runtime.schemes.stepper.Stepper.waits", False, raising=False)
+    one_by_one = course()
+    assert np.abs(found - one_by_one).max() < 1e-11 * np.abs(one_by_one).max()
+
+
+def test_the_bits_do_not_depend_on_calls_or_engines(model_of: Build) -> None:
+    """One call or many, whole lists or a few steps of them, compiled or interpreted."""
+    model, ends = model_of(two_waves()), []
+    for engine, calls in (("compiled-library", [80]), ("compiled-library", [1, 3, 36, 40]), ("interpreted", [40, 40])):
+        one = model.stepper(scheme="single_rate", engine=engine)
+        for n in calls:
+            one.step(n)
+        ends.append(one.save().z)
+    assert np.array_equal(ends[0], ends[1]) and np.array_equal(ends[0], ends[2])
