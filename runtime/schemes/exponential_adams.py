@@ -34,7 +34,7 @@ from runtime.schemes.scheme import Scheme
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.state_fields import StateField, state
 from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
-from runtime.schemes.stiff_motion import MotionStage, StiffMotion
+from runtime.schemes.stiff_motion import Along, MotionStage, StiffMotion
 
 IMAGINARY_REACH, REAL_REACH = 2.0, 0.29  # h w and h d up to which the explicit part is stable
 LAST = (-0.5, -1.0)  # where accelerations of the last step were seen, in steps from the start of this one
@@ -83,7 +83,7 @@ class ExponentialAdams(RememberingStep):
         found = equations.stiff_response(start, q_i_dot)
         motion = StiffMotion(q_i, q_i_dot, found, h)
 
-        def d(stage: MotionStage) -> ca.SX:
+        def d(stage: MotionStage) -> Along:
             at = equations.close_well(stage.q, fields["loop"], t0 + stage.tau)
             return motion.remainder(equations.chart_accelerations(at, stage.v), stage)
 
@@ -101,9 +101,8 @@ class ExponentialAdams(RememberingStep):
         motion = StiffMotion(x, v, found, h, decaying=True)
         s, s_dot = (ca.mtimes(found.B.T, one) for one in (x, v))
 
-        def seen(when: str) -> ca.SX:
-            along = ca.mtimes(motion.A, z[f"s_{when}"] - s) + ca.mtimes(motion.A_v, z[f"s_{when}_dot"] - s_dot)
-            return z[f"a_{when}"] - (found.a + along)
+        def seen(when: str) -> Along:
+            return motion.seen(z[f"a_{when}"], z[f"s_{when}"] - s, z[f"s_{when}_dot"] - s_dot)
 
         last = [seen("middle"), seen("before")]
         there = motion.to(1, *bends(LAST, last, h, 1))

@@ -31,7 +31,7 @@ from runtime.schemes.options import MOST_UNROLLED, AdaptiveOptions, Options, one
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
 from runtime.schemes.stiff_deflections import StiffResponse
-from runtime.schemes.stiff_motion import MotionStage, StiffMotion
+from runtime.schemes.stiff_motion import Along, MotionStage, StiffMotion
 from runtime.schemes.stiff_tree_motion import StiffTreeMotion
 
 # h w and h d up to which the explicit part is stable: above sqrt(2) a mode grows by 1e-3 a step at 1.6, by 2 % at 2
@@ -65,7 +65,7 @@ class KrogstadStages:
 
 
 def krogstad(
-    motion: StiffMotion | StiffTreeMotion, d: Callable[[MotionStage], ca.SX], rough: bool = False
+    motion: StiffMotion | StiffTreeMotion, d: Callable[[MotionStage], Along], rough: bool = False
 ) -> KrogstadStages:
     """The stages of a step of motion.h; d: what accelerations at a stage are beside what the stiff part accounts for.
 
@@ -74,12 +74,12 @@ def krogstad(
     """
     h = motion.h
     d2 = d(motion.to(1))
-    middle = motion.to(1, 4 / h * d2)
+    middle = motion.to(1, d2 * (4 / h))
     d3 = d(middle)
-    before = motion.to(2, 2 / h * d3, at_once=rough)
+    before = motion.to(2, d3 * (2 / h), at_once=rough)
     d4 = d(before)
-    b1, b2 = 2 / h * (d2 + d3) - 1 / h * d4, 4 / (h * h) * d4 - 4 / (h * h) * (d2 + d3)  # d4 is waited for
-    return KrogstadStages(middle, before, motion.to(2, b1, b2), b1, b2)
+    b1, b2 = (d2 + d3) * (2 / h) - d4 * (1 / h), d4 * (4 / (h * h)) - (d2 + d3) * (4 / (h * h))  # d4 is waited for
+    return KrogstadStages(middle, before, motion.to(2, b1, b2), motion.all_of(b1), motion.all_of(b2))
 
 
 def tangent_of(
@@ -149,7 +149,7 @@ class ExponentialRungeKutta(OneStep):
         )
         seen: list[ClosedConfiguration] = [start]
 
-        def d(stage: MotionStage) -> ca.SX:
+        def d(stage: MotionStage) -> Along:
             guess = polynomial(loop, stage.tau)
             seen.append(equations.close(stage.q, guess, t + stage.tau, self.options.closure_iterations))
             return motion.remainder(equations.chart_accelerations(seen[-1], stage.v), stage)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import factorial
-from typing import Any
+from typing import Any, TypeVar
 
 import casadi as ca
 import numpy as np
@@ -15,6 +15,9 @@ from runtime.schemes.one_step import OneStep
 from runtime.schemes.options import MOST_UNROLLED, ClosureOptions, one_of, whole_number
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.state_fields import StateField, state
+from runtime.schemes.stiff_motion import Along
+
+Vector = TypeVar("Vector", ca.SX, Along)
 
 
 @dataclass(frozen=True)
@@ -57,13 +60,16 @@ class RememberingStep(OneStep):
         return polynomial([*motion, third], h), third
 
 
-def bends(nodes: Sequence[float], values: Sequence[ca.SX], h: ca.SX, first: int) -> list[ca.SX]:
+def bends(nodes: Sequence[float], values: Sequence[Vector], h: ca.SX, first: int) -> list[Vector]:
     """b_k, k = first, first + 1, ..., of the polynomial sum_k b_k tau^k / k! through values at nodes [in h]."""
     powers = range(first, first + len(nodes))
     weights: Any = (
         np.linalg.inv([[node**power / factorial(power) for power in powers] for node in nodes]) if nodes else []
     )
-    return [
-        sum((float(w) * one for w, one in zip(row, values, strict=True)), ca.SX(0)) / h**power
-        for row, power in zip(weights, powers, strict=True)
-    ]
+    found: list[Vector] = []
+    for row, power in zip(weights, powers, strict=True):
+        total = values[0] * (float(row[0]) / h**power)
+        for weight, one in zip(row[1:], values[1:], strict=True):
+            total = total + one * (float(weight) / h**power)
+        found.append(total)
+    return found

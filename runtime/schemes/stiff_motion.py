@@ -13,7 +13,9 @@ linear_propagation.py gives over h, for each of its poles r with the weight u of
     E = h^2 A sum x + h A_v sum r x,    E' = h A sum r x + A_v sum r^2 x,
     w = sum r^2 x,                      w' = R(infinity) y_1 + sum r^3 x / h.
 
-Nothing is divided by J or B^T X, so softness does no harm. A few deflections go through a whole step at once, by an
+Accelerations beside those of the stiff part are a' - A w' - ..., and all that multiplies A is summed before it does: a
+coordinate takes one product with its row of A for q and one for q'. Nothing is divided by J or B^T X, so softness does
+no harm. A few deflections go through a whole step at once, by an
 approximation of higher degree and by inverses of their matrices: then a stage waits for one product. Of more the
 factors are what costs: one set serves both halves of a step, where w of the second begins anew, with A w
 added to g.
@@ -21,8 +23,8 @@ added to g.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from copy import copy
+import operator
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import factorial
 
@@ -30,12 +32,34 @@ import casadi as ca
 import numpy as np
 
 from runtime.schemes.linear_propagation import polynomial
-from runtime.schemes.partial_fractions import DEGREE, Pole, poles
-from runtime.schemes.sparse_lu import Number, factor, inverse, solve
+from runtime.schemes.partial_fractions import DEGREE, poles
+from runtime.schemes.resolvents import FEW, Adjugate, Resolvents
 from runtime.schemes.stiff_deflections import StiffResponse
 
-FEW = 3  # deflections up to which inverses are formed and whole steps have matrices of their own
 WHOLE_DEGREE = 5  # of the approximation of a whole step: as exact as two of DEGREE for halves, and more below h w = 5
+
+
+@dataclass(frozen=True)
+class Along:
+    """A vector e + A w + A_v w_dot (n_i) in its parts, w and w_dot (n_s) empty on trees; across: B^T times it."""
+
+    e: ca.SX
+    w: ca.SX
+    w_dot: ca.SX
+    across: ca.SX
+
+    def _with(self, change: Callable[..., ca.SX], *others: Along) -> Along:
+        names = ("e", "w", "w_dot", "across")
+        return Along(*(change(getattr(self, name), *(getattr(one, name) for one in others)) for name in names))
+
+    def __add__(self, other: Along) -> Along:
+        return self._with(operator.add, other)
+
+    def __sub__(self, other: Along) -> Along:
+        return self._with(operator.sub, other)
+
+    def __mul__(self, factor: ca.SX) -> Along:
+        return self._with(lambda part: factor * part)
 
 
 @dataclass(frozen=True)
@@ -45,51 +69,7 @@ class MotionStage:
     tau: ca.SX
     q: ca.SX
     v: ca.SX
-    accounted: ca.SX
-
-
-class _Resolvents:
-    """Solutions of (r^2 - r h J_v - h^2 J) x = f for the poles r of a sub-step h."""
-
-    def __init__(self, J: ca.SX, J_v: ca.SX, h: ca.SX, chosen: Sequence[Pole]) -> None:
-        self.h, self.poles, self._few = h, chosen, J.shape[0] <= FEW
-        self._kept = [(inverse if self._few else factor)(_shifted(J, J_v, h, pole.r)) for pole in chosen]
-
-    def part(self, chosen: Sequence[Pole]) -> _Resolvents:
-        """The same matrices with the weights for a part of the sub-step."""
-        found = copy(self)
-        found.poles = chosen
-        return found
-
-    def sums(self, y: Sequence[ca.SX]) -> list[ca.SX]:
-        """Sums over the poles of h^2 x, h r x, r^2 x and r^3 x / h."""
-        scales, sums = (self.h * self.h, self.h, ca.SX(1), 1 / self.h), [ca.SX(0)] * 4
-        for pole, kept in zip(self.poles, self._kept, strict=True):
-            x = self._solution(pole, kept, y)
-            for k, scale in enumerate(scales):
-                power = pole.share * pole.r**k
-                part = power.real * scale * x.re
-                sums[k] = sums[k] + (part if x.im is None else part - power.imag * scale * x.im)
-        return sums
-
-    @property
-    def turned(self) -> float:
-        """R at infinity: what a rate is multiplied by where nothing else is left of the motion."""
-        return 1 - sum((pole.share * pole.weights[0]).real for pole in self.poles)
-
-    def _solution(self, pole: Pole, kept: Number, y: Sequence[ca.SX]) -> Number:
-        def side(part: str) -> ca.SX:
-            terms = (getattr(pole.weights[0] / pole.r**k, part) * self.h**k * one for k, one in enumerate(y, start=1))
-            return ca.densify(sum(terms, ca.SX(0)))
-
-        f = Number(side("real"), side("imag") if pole.r.imag else None)
-        return kept @ f if self._few else solve(kept, f)
-
-
-def _shifted(J: ca.SX, J_v: ca.SX, h: ca.SX, r: complex) -> Number:
-    square, unit = r * r, ca.SX.eye(J.shape[0])
-    re = square.real * unit - r.real * h * J_v - h * h * J
-    return Number(re, square.imag * unit - r.imag * h * J_v if r.imag else None)
+    accounted: Along
 
 
 class StiffMotion:
@@ -116,28 +96,53 @@ class StiffMotion:
             tangent = -ca.mtimes(found.X, found.K), -ca.mtimes(found.X, found.D)
         self.A, self.A_v = (ca.sparsify(one) for one in tangent)
         self.J, self.J_v = (ca.sparsify(ca.mtimes(found.B.T, one)) for one in (self.A, self.A_v))
-        self.rate = ca.mtimes(found.B.T, v)
+        self.rate, self._none = ca.mtimes(found.B.T, v), ca.SX.zeros(found.B.shape[1])
         self.decaying, self.whole = decaying, decaying or (not halves and found.B.shape[1] <= FEW)
         self._back = ca.sparsify(ca.SX(np.linalg.pinv(np.array(ca.DM(found.B))).T))
-        self._known: dict[tuple[int, bool], _Resolvents] = {}
+        self._known: dict[tuple[int, bool], Resolvents] = {}
+        often = not decaying and not self.J_v.nnz() and 0 < self.J.shape[0] <= FEW  # else inverses are shorter
+        self._adjugate = Adjugate(h * h * self.J) if often else None
 
-    def to(self, halves: int, *bends: ca.SX, at_once: bool = False) -> MotionStage:
+    def to(self, halves: int, *bends: Along, at_once: bool = False) -> MotionStage:
         """The motion over so many half steps with a_n + b1 tau + b2 tau^2 / 2 + ... beside the stiff part.
 
         at_once: both halves in one sub-step that lets what is fast die out, with factors of its own: less exact where
         modes are not resolved.
         """
         tau = halves * self.h / 2
-        if not self.B.shape[1]:
-            return self._stage(tau, *_even(tau, self.v, (self.a, *bends)))
-        g = (self.a - ca.mtimes(self.A_v, self.rate), *bends)
+        g = (self.along(self.a, self._none, -self.rate), *bends)
         moved, rise = _even(tau, self.v, g)
-        by_A, by_A_v, w, rate = self._along(halves, [ca.mtimes(self.B.T, one) for one in g], at_once)
-        moved = moved + ca.mtimes(self.A, by_A[0]) + ca.mtimes(self.A_v, by_A_v[0])
-        rise = rise + ca.mtimes(self.A, by_A[1]) + ca.mtimes(self.A_v, by_A_v[1])
-        return self._stage(tau, self._with(moved, w), self._with(rise, rate - self.rate))
+        if not self.B.shape[1]:
+            return MotionStage(tau, self.x + moved.e, self.v + rise.e, self.beside(0 * self.x))
+        by_A, by_A_v, w, rate = self._stiff_part(halves, [one.across for one in g], at_once)
+        none = 0 * self.x
+        dq = self._with(self.all_of(moved + self.along(none, by_A[0], by_A_v[0])), w)
+        dv = self._with(self.all_of(rise + self.along(none, by_A[1], by_A_v[1])), rate - self.rate)
+        accounted = self.along(none, ca.mtimes(self.B.T, dq), ca.mtimes(self.B.T, dv))
+        return MotionStage(tau, self.x + dq, self.v + dv, accounted)
 
-    def _along(
+    def seen(self, a: ca.SX, w: ca.SX, w_dot: ca.SX) -> Along:
+        """d: accelerations beside a_n and what the stiff part accounts for where deflections and rates changed so."""
+        return self.along(a - self.a, -w, -w_dot)
+
+    def remainder(self, a: ca.SX, stage: MotionStage) -> Along:
+        """d at a stage."""
+        return self.seen(a, stage.accounted.w, stage.accounted.w_dot)
+
+    def beside(self, vector: ca.SX) -> Along:
+        """A vector of which nothing is kept along A."""
+        return self.along(vector, self._none, self._none)
+
+    def along(self, e: ca.SX, w: ca.SX, w_dot: ca.SX) -> Along:
+        """e + A w + A_v w_dot."""
+        across = ca.mtimes(self.B.T, e) + ca.mtimes(self.J, w) + ca.mtimes(self.J_v, w_dot)
+        return Along(e, w, w_dot, across)
+
+    def all_of(self, vector: Along) -> ca.SX:
+        """The vector itself."""
+        return ca.densify(vector.e + ca.mtimes(self.A, vector.w) + ca.mtimes(self.A_v, vector.w_dot))
+
+    def _stiff_part(
         self, halves: int, g: Sequence[ca.SX], at_once: bool
     ) -> tuple[tuple[ca.SX, ca.SX], tuple[ca.SX, ca.SX], ca.SX, ca.SX]:
         """What multiplies A and A_v in E and in E', and w and w', at the end."""
@@ -158,30 +163,24 @@ class StiffMotion:
         """A vector whose part along B is known without the cancellation of I2 and E, which grows with (h w)^2."""
         return vector + ca.mtimes(self._back, along - ca.mtimes(self.B.T, vector))
 
-    def _resolvents(self, halves: int, decaying: bool) -> _Resolvents:
+    def _resolvents(self, halves: int, decaying: bool) -> Resolvents:
         """Of a sub-step of so many halves, made once."""
         if self.decaying:
-            known = self._known.get((2, True)) or _Resolvents(
-                self.J, self.J_v, self.h, poles(WHOLE_DEGREE, decaying=True)
-            )
-            self._known[2, True] = known
-            return known.part(poles(WHOLE_DEGREE, halves / 2, decaying=True))
+            return self._made(2, True, WHOLE_DEGREE).part(poles(WHOLE_DEGREE, halves / 2, decaying=True))
+        return self._made(halves, decaying, DEGREE if decaying or halves == 1 else WHOLE_DEGREE)
+
+    def _made(self, halves: int, decaying: bool, degree: int) -> Resolvents:
         if (halves, decaying) not in self._known:
-            chosen = poles(DEGREE if decaying or halves == 1 else WHOLE_DEGREE, decaying=decaying)
-            self._known[halves, decaying] = _Resolvents(self.J, self.J_v, halves * self.h / 2, chosen)
+            chosen = poles(degree, decaying=decaying)
+            made = Resolvents(self.J, self.J_v, self.h, halves / 2, chosen, self._adjugate)
+            self._known[halves, decaying] = made
         return self._known[halves, decaying]
 
-    def _stage(self, tau: ca.SX, moved: ca.SX, rise: ca.SX) -> MotionStage:
-        along, faster = ca.mtimes(self.B.T, moved), ca.mtimes(self.B.T, rise)
-        accounted = ca.mtimes(self.A, along) + ca.mtimes(self.A_v, faster)
-        return MotionStage(tau, self.x + moved, self.v + rise, ca.densify(accounted))
 
-    def remainder(self, a: ca.SX, stage: MotionStage) -> ca.SX:
-        """d: what accelerations at a stage are beside a_n and what the stiff part accounts for."""
-        return a - (self.a + stage.accounted)
-
-
-def _even(tau: ca.SX, v: ca.SX, g: Sequence[ca.SX]) -> tuple[ca.SX, ca.SX]:
+def _even(tau: ca.SX, v: ca.SX, g: Sequence[Along]) -> tuple[Along, Along]:
     """Changes of q and of v by the polynomial alone."""
-    rise = sum((tau**k / factorial(k) * one for k, one in enumerate(g, start=1)), ca.SX(0))
-    return tau * v + sum((tau**k / factorial(k) * one for k, one in enumerate(g, start=2)), ca.SX(0)), rise
+    none = 0 * g[0].w
+    moved, rise = Along(tau * v, none, none, none), Along(0 * v, none, none, none)
+    for k, one in enumerate(g, start=1):
+        rise, moved = rise + one * (tau**k / factorial(k)), moved + one * (tau ** (k + 1) / factorial(k + 1))
+    return moved, rise

@@ -20,7 +20,7 @@ import casadi as ca
 from runtime.schemes.partial_fractions import poles
 from runtime.schemes.sparse_lu import Number
 from runtime.schemes.stiff_deflections import StiffDeflections
-from runtime.schemes.stiff_motion import MotionStage
+from runtime.schemes.stiff_motion import Along, MotionStage
 
 # (kappa, delta, force) -> (M + B (kappa K + delta D) B^T)^-1 B force; n_s -> n_i
 ShiftedSolution = Callable[[Number, Number, Number], Number]
@@ -34,14 +34,14 @@ class StiffTreeMotion:
     ) -> None:
         self.x, self.v, self.a, self.stiff, self.h, self.solution = x, v, a, stiff, h, solution
 
-    def to(self, halves: int, *bends: ca.SX, at_once: bool = False) -> MotionStage:
+    def to(self, halves: int, *bends: Along, at_once: bool = False) -> MotionStage:
         """The motion over so many half steps with accelerations a + b1 tau + b2 tau^2 / 2 beside the stiff part.
 
         at_once: both halves in one sub-step that lets what is fast die out: less exact where modes are not resolved.
         """
         none = ca.SX.zeros(self.a.numel())
         E, rate = none, none
-        b1, b2 = (*bends, none, none)[:2]
+        b1, b2 = (*(one.e for one in bends), none, none)[:2]
         h, count = (self.h, 1) if at_once and halves == 2 else (self.h / 2, halves)
         for k in range(count):
             E, rate = self._sub_step(k * h, h, b1, b2, E, rate, count < halves)
@@ -50,11 +50,21 @@ class StiffTreeMotion:
         q, v = self.x + tau * self.v + I2 + E, self.v + I1 + rate
         unshifted = Number(ca.SX(0))
         force = self.stiff.force(q - self.x, v - self.v)
-        return MotionStage(tau, q, v, -self.solution(unshifted, unshifted, Number(force)).re)
+        return MotionStage(tau, q, v, self.beside(-self.solution(unshifted, unshifted, Number(force)).re))
 
-    def remainder(self, a: ca.SX, stage: MotionStage) -> ca.SX:
+    def remainder(self, a: ca.SX, stage: MotionStage) -> Along:
         """d: what accelerations at a stage are beside a_n and what the stiff part accounts for."""
-        return a - self.a - stage.accounted
+        return self.beside(a - self.a - stage.accounted.e)
+
+    @staticmethod
+    def all_of(vector: Along) -> ca.SX:
+        """The vector itself."""
+        return vector.e
+
+    @staticmethod
+    def beside(vector: ca.SX) -> Along:
+        """A vector of which nothing is kept along A."""
+        return Along(vector, *[ca.SX(0, 1)] * 3)
 
     def _integrals(self, tau: ca.SX, b1: ca.SX, b2: ca.SX) -> tuple[ca.SX, ca.SX]:
         I1 = tau * (self.a + tau / 2 * (b1 + tau / 3 * b2))

@@ -250,10 +250,10 @@ def test_price_with_all_links_flexible() -> None:
 
 
 def test_price(model_of: Build) -> None:
-    """443 operations for each further link of an arm; 1,925 for its three modes."""
+    """420 operations for each further link of an arm; 1,550 for its three modes."""
     counts = []
     for links in (8, 12):
         stages = built(model_of(arm(links))).program().stages()
         counts.append(sum(arithmetic(stage) for stage in stages))
-    assert counts[1] - counts[0] <= 4 * 450
-    assert counts[1] <= 12 * 450 + 2_000
+    assert counts[1] - counts[0] <= 4 * 425
+    assert counts[1] <= 12 * 425 + 1_550

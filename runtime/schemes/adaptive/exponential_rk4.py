@@ -25,7 +25,7 @@ from runtime.schemes.linear_propagation import polynomial
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.state_fields import StateField, state
 from runtime.schemes.stiff_deflections import StiffResponse
-from runtime.schemes.stiff_motion import MotionStage, StiffMotion
+from runtime.schemes.stiff_motion import Along, MotionStage, StiffMotion
 from runtime.schemes.stiff_tree_motion import StiffTreeMotion
 
 
@@ -70,7 +70,7 @@ class AdaptiveExponentialRungeKutta(AdaptiveSteps):
         motion, powers = self._motion(z, equations, h), {}
         seen: list[ClosedConfiguration] = []
 
-        def d(stage: MotionStage) -> ca.SX:
+        def d(stage: MotionStage) -> Along:
             share = (0.5, 0.5, 1.0)[len(seen)]
             guess = polynomial([z["loop_from"], z["loop_dot"], z["loop_bend"]], stage.tau)
             at = equations.close(stage.q, guess, self.time_in_step(z, h, share), self.options.closure_iterations)
@@ -89,7 +89,8 @@ class AdaptiveExponentialRungeKutta(AdaptiveSteps):
 
     def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """The same motion, ended sooner."""
-        stage = self._motion(z, equations, tau).to(2, z["b1"], z["b2"])
+        motion = self._motion(z, equations, tau)
+        stage = motion.to(2, motion.beside(z["b1"]), motion.beside(z["b2"]))
         return stage.q, self.velocities_at(z, equations, tau, stage.q, stage.v)
 
     def _motion(self, z: Fields, equations: StageEquations, h: ca.SX) -> StiffMotion | StiffTreeMotion:
