@@ -74,6 +74,7 @@ class Accuracy:
         self.marks = [steps * k // self.count for k in range(self.count)]
         self.apart = steps / max(1, self.count)
         self.errors: dict[str, CoordinateError] = {}
+        self.measured: dict[str, float] = {}  # of the whole motion, where that was compared with a finer one
         self.carried = CarriedError(steps)
 
     def until_next(self, step: int) -> int | None:
@@ -141,8 +142,10 @@ class Accuracy:
     def error(self, model: Model, name: str) -> float:
         """Of a coordinate at the end of the run [m or rad]: what its motion has made of the errors of windows, at most
         all of the range; where nothing was carried on to the end, what windows and the delay of the mechanism add up
-        to, or more if errors have grown until then.
+        to, or more if errors have grown until then. Where the whole motion was measured, what that told.
         """
+        if name in self.measured:
+            return self.measured[name]
         one = self.errors.get(name, CoordinateError(low=0.0, high=0.0))
         carried = min(float(self._carried(model, name).max(initial=0.0)), one.high - one.low)
         if self.carried.arrived:
@@ -206,7 +209,7 @@ class Accuracy:
         seen = [self.errors.get(name, CoordinateError(low=0.0, high=0.0)) for name in names]
         amplitudes = floored(model, np.array([one.amplitude for one in seen]))
         errors = np.array([self.error(model, name) for name in names])
-        at_worst = np.array([one.worst for one in seen]) * self.count
+        at_worst = np.array([0.0 if self.measured else one.worst for one in seen]) * self.count
         likely, most = errors / amplitudes, np.maximum(errors, at_worst) / amplitudes
         return dict(zip(names, likely.tolist(), strict=True)), dict(zip(names, most.tolist(), strict=True))
 
@@ -222,12 +225,18 @@ class Accuracy:
             name = max(at_worst, key=lambda one: at_worst[one])
             if at_worst[name] > WORTH_A_WORD:
                 time = self.errors[name].worst_time
+                said = f"is {relative[name]:.2g} of its amplitude, measured by a finer run"
+                if not self.measured:
+                    said = (
+                        f"is estimated at {relative[name]:.2g} of its amplitude, or {at_worst[name]:.2g} if all of "
+                        f"the motion is as near t = {time:.4g} s"
+                    )
                 found["remark"] = (
-                    f"the error of {name} is estimated at {relative[name]:.2g} of its amplitude, or "
-                    f"{at_worst[name]:.2g} if all of the motion is as near t = {time:.4g} s: "
+                    f"the error of {name} {said}: "
                     f"take a smaller {'tolerance' if self.adaptive else 'step'}, or another scheme (symgen advise)"
                 )
-            found |= self._grown(model)
+            if not self.measured or max(relative.values()) > WORTH_A_WORD:
+                found |= self._grown(model)
         return found
 
     def memory(self) -> dict[str, list[float]]:

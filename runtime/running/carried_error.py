@@ -19,7 +19,7 @@ from runtime.contract.status import Event
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.running.followed_steps import follow_steps, follows_steps
 from runtime.running.made_error import error_made, may_be_judged, may_be_longer
-from runtime.running.neighbour import placed_beside, seen_state, small_change, take_given
+from runtime.running.neighbour import placed_beside, seen_state, small_change, stepped_to, take_given
 from runtime.running.segment import Segment
 from runtime.schemes.step_limit import eigenvalues
 from runtime.schemes.switching.broken_steps import BrokenSteps
@@ -107,8 +107,10 @@ class CarriedError:
 
     def _arrive(self, segment: Segment, z: np.ndarray) -> None:
         """At a mark: see what has become of the error, and add what was made since the mark before."""
-        state, step, t = seen_state(segment, z), segment.step_of(z), segment.plan.time(segment.step_of(z))
-        dq = self._measure(segment, *state)[0] if self.z is not None else np.zeros(len(state[0]))
+        state, step = seen_state(segment, stepped_to(segment, z)), segment.step_of(z)
+        t, dq = segment.plan.time(step), np.zeros(len(state[0]))
+        if self.z is not None:
+            dq = self._measure(segment, state, seen_state(segment, stepped_to(segment, self.z)))[0]
         made = None if self.start is None else error_made(segment, self.start, z, state, self.longer)
         new = np.zeros((2, len(segment.model.q_i)))
         if made is not None and self.start is not None:
@@ -167,7 +169,8 @@ class CarriedError:
             self.start = None
             return
         state = seen_state(segment, z)
-        dq, dq_dot = self._measure(segment, *state)
+        assert self.z is not None
+        dq, dq_dot = self._measure(segment, state, seen_state(segment, self.z))
         if self.start is not None and self.longer and segment.step_of(z) > segment.step_of(self.start) + 1:
             made = error_made(segment, self.start, z, state, self.longer)
             if made is not None:
@@ -191,13 +194,15 @@ class CarriedError:
             self._broken = of_run, own
         return self._broken[1]
 
-    def _measure(self, segment: Segment, q: np.ndarray, q_dot: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The error (n,) of all coordinates and rates, of which di and dv are taken."""
-        assert self.z is not None
-        there = seen_state(segment, self.z)
-        dq, dq_dot = (there[0] - q) / self.scale, (there[1] - q_dot) / self.scale
+    def _measure(
+        self, segment: Segment, here: tuple[np.ndarray, np.ndarray], there: tuple[np.ndarray, np.ndarray]
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """The error (n,) of all coordinates and rates, of which di and dv are taken; here, there: the run's and the
+        neighbour's.
+        """
+        dq, dq_dot = ((b - a) / self.scale for a, b in zip(here, there, strict=True))
         if np.isfinite([*dq, *dq_dot]).all():
-            self.di, self.dv = small_change(segment.model, q, q_dot, dq, dq_dot)
+            self.di, self.dv = small_change(segment.model, *here, dq, dq_dot)
         else:
             self.z = None
         return dq, dq_dot

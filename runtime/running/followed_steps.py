@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from runtime.running.neighbour import placed_beside, seen_state, small_change
+from runtime.running.neighbour import placed_beside, seen_state, small_change, stepped_to
 from runtime.running.segment import Segment
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 
@@ -53,6 +53,6 @@ def follow_steps(segment: Segment, before: np.ndarray, z: np.ndarray, other: np.
         segment.stepper.run(one, segment.ready, 1)
     if any(segment.step_of(one) != segment.step_of(z) for one in both):
         return None
-    (q, q_dot), (q_other, q_dot_other) = (seen_state(segment, one) for one in both)
-    change = small_change(segment.model, *seen_state(segment, z), q_other - q, q_dot_other - q_dot)
+    (q, q_dot), (q_other, q_dot_other) = (seen_state(segment, stepped_to(segment, one)) for one in both)
+    change = small_change(segment.model, q, q_dot, q_other - q, q_dot_other - q_dot)
     return placed_beside(segment, z, *change)

@@ -16,13 +16,9 @@ ADVICE = "Take a smaller step, or another scheme (symgen advise)"
 
 
 def judged(status: Status, accuracy: Accuracy, model: Model) -> Status:
-    """`inaccurate` in place of `completed` where an error is estimated above LARGEST of what moves.
-
-    What is carried on beside steps of a tolerance is far too large at times: a remark tells it, the status does not.
-    """
+    """`inaccurate` in place of `completed` where an error is estimated above LARGEST of what moves."""
     names = [name for name in followed(model)[0] if name in accuracy.errors]
-    doubtful = accuracy.adaptive and accuracy.carried.following
-    if status.name != "completed" or doubtful or len(names) < len(followed(model)[0]):
+    if status.name != "completed" or len(names) < len(followed(model)[0]):
         return status
     amplitudes = np.array([accuracy.errors[name].amplitude for name in names])
     errors = np.array([accuracy.error(model, name) for name in names]) / floored(model, amplitudes, SEEN)

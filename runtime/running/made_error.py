@@ -2,7 +2,7 @@
 
 Steps of a double length make 2^p times as much with order p, at half the price of the run's. Where those may be
 unstable, or too long to be told by their order, steps of half the length make 2^-p of it. Where steps follow from a
-tolerance the others follow from one that is larger by TOLERANCE.
+tolerance the others follow from TOLERANCE of it: those that it allows are often so long that longer ones have no order.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from runtime.running.neighbour import seen_state
 from runtime.running.segment import Segment
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 
-TOLERANCE = 8
+TOLERANCE = 1 / 8
 FEWEST = 4  # steps to a tolerance that are judged at once: what the last one is ahead of the end is not seen
 ROOM = 4.0  # the limit of the step over the step, from which steps may be doubled
 
@@ -45,7 +45,7 @@ def error_made(
 ) -> tuple[np.ndarray, np.ndarray] | None:
     """(n,) of all coordinates and rates, at the end; start, end: whole, flat; here: coordinates and rates of the end.
 
-    longer: by steps that are. None if the other steps fail.
+    longer: by steps that are, where all are of one length. None if the other steps fail.
     """
     try:
         other, constants, share = (_varying if segment.plan.scheme.adaptive else _fixed)(segment, start, end, longer)

@@ -27,6 +27,14 @@ def seen_state(segment: Segment, z: np.ndarray, constants: np.ndarray | None = N
     return whole(segment.model, q_i, q_d), whole(segment.model, v, v_d)
 
 
+def stepped_to(segment: Segment, z: np.ndarray) -> np.ndarray:
+    """z (whole, flat) seen where its last step ends: up to a step behind what is seen where steps follow from a
+    tolerance, and it is from there that they go on.
+    """
+    scheme = segment.plan.scheme
+    return scheme.at_end(z) if isinstance(scheme, AdaptiveSteps) else z
+
+
 def small_change(
     model: Model, q: np.ndarray, q_dot: np.ndarray, dq: np.ndarray, dq_dot: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -63,8 +71,8 @@ def _changed(
 
 
 def _change(segment: Segment, z: np.ndarray, di: np.ndarray, dv: np.ndarray) -> np.ndarray:
-    """Change (len(z),) of a state z for changes as in `small_change`."""
-    scheme, plan = segment.plan.scheme, segment.plan
+    """Change (len(z),) of a state z for changes as in `small_change` where its last step ends."""
+    scheme, plan, z = segment.plan.scheme, segment.plan, stepped_to(segment, z)
     layout, clock = scheme.layout, segment.time_of(z)
     c, found, state = segment.with_inputs(z), np.zeros_like(z), seen_state(segment, z)
     states = (_changed(segment.model, *state, k * di, k * dv) for k in (0, 1))

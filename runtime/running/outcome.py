@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.files import OutputError
 from runtime.contract.status import Status
 from runtime.engine.choose import sub_step_operations
@@ -16,6 +17,7 @@ from runtime.results.stream import StreamFile
 from runtime.running.inaccurate import judged
 from runtime.running.limits import with_limits
 from runtime.running.run import Run
+from runtime.running.second_opinion import doubted, measured_errors
 from runtime.running.segment import Segment
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.scheme import evaluation_operations
@@ -39,6 +41,8 @@ def _ended(run: Run, setup: float) -> Solution:
     if status.name == "completed":
         run.accuracy.look(run.segment, run.z, run.guard)
     run.accuracy.watch({name: (solution[name], solution.rate(name)) for name in run.accuracy.errors})
+    if status.name == "completed":
+        _measure(run, status, ConsistentState(solution.q[0], solution.q_dot[0], {}))
     circumstances = {**_circumstances(run), **run.accuracy.stats(run.segment.model)}
     stats = {**_statistics(run.segment, run.z, setup, wall), **solution.stats, **circumstances}
     _tell(run, stats)
@@ -53,6 +57,16 @@ def _ended(run: Run, setup: float) -> Solution:
         except OutputError as error:  # the header that is there says that the run did not come to its end
             solution = replace(solution, status=Status("output_failed", status.time, None, str(error)))
     return solution
+
+
+def _measure(run: Run, status: Status, state: ConsistentState) -> None:
+    """Where the estimate of a run would condemn it, or is not believed: its error as the whole motion tells it."""
+    model = run.segment.model
+    if judged(status, run.accuracy, model).ok and not doubted(run, run.accuracy):
+        return
+    found = measured_errors(run, state)
+    if found is not None:
+        run.accuracy.measured |= found
 
 
 def _tell(run: Run, stats: dict[str, float | int | str]) -> None:

@@ -93,6 +93,12 @@ class TrialRuns:
         z[self.scheme.layout.slice("steady")] = h
         return self._made(z, known.tolerance)
 
+    def again(self, share: float) -> TriedMotion | None:
+        """From z as it is, with steps that have a share of the error."""
+        z = self.z.copy()
+        self.scheme.with_errors(z, share)
+        return self._made(z, share * self.scheme.tolerance)
+
     def error(self, one: TriedMotion, finer: TriedMotion) -> float:
         """RMS over the motion of the worst coordinate, relative to its RMS amplitude."""
         seen = finer.seen

@@ -174,8 +174,9 @@ class AdaptiveState(OneStep):
         }
 
     def with_errors(self, z: np.ndarray, share: float) -> None:
-        """Let the steps of z (flat) that are all of one length take the one that a share of the tolerance asks for."""
-        z[self.layout.slice("steady")] *= share ** (1 / self.error_order)
+        """Let the next steps of z (flat) take the length that a share of the tolerance asks for, all or the first."""
+        for name in ("steady", "h_next"):
+            z[self.layout.slice(name)] *= share ** (1 / self.error_order)
 
     def longest(self, z: np.ndarray) -> float:
         """The longest step of those that led to z (flat) [s]."""
