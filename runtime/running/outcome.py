@@ -20,7 +20,7 @@ from runtime.running.run import Run
 from runtime.running.second_opinion import doubted, measured_errors
 from runtime.running.segment import Segment
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
-from runtime.schemes.scheme import evaluation_operations
+from runtime.schemes.evaluation import evaluation_operations
 
 
 def finished(run: Run, setup: float) -> Solution:

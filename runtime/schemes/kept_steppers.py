@@ -1,11 +1,13 @@
-"""Steppers that a model keeps: who runs it again with other parameters or starts need not prepare its steps again."""
+"""Steppers that a model keeps: who runs it again need not prepare its steps again."""
 
 from __future__ import annotations
 
+from copy import copy
 from threading import Lock
 from typing import Any
 
 from runtime.engine.native import NativeProgram
+from runtime.schemes.grid import Grid
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import Stepper
 
@@ -14,18 +16,20 @@ _LOCK = Lock()  # of what models keep: threads may run one model at once
 
 
 def kept_stepper(scheme: Scheme, engine: str = "auto", wait: bool = False) -> Stepper:
-    """The stepper of an equal scheme on the same model that was asked for before, else a new one.
+    """A stepper with what was prepared and compiled for a like scheme on the same model before, else a new one.
 
-    Its `scheme` is to be used in place of the one given: what was built of that is there already. Equal are schemes of
-    a kind with the same groups, steps, options and fields of z. Only native code is kept; the oldest goes first.
+    Its `scheme` is to be used in place of the one given: what was built of that is there already. Alike are schemes of
+    a kind with the same groups, ratios, options and fields of z, whatever their steps: these are data of a program.
+    Only native code is kept; the oldest goes first.
     """
     known: dict[tuple[Any, ...], Stepper] = scheme.model.steppers
-    key = (type(scheme), repr(scheme.grid), repr(scheme.options), repr(scheme.layout.sizes), engine, wait)
+    alike = (repr(scheme.grid.groups), repr(scheme.grid.m), repr(scheme.options), repr(scheme.layout.sizes))
+    key = (type(scheme), *alike, engine, wait)
     with _LOCK:
         found = known.pop(key, None)
         if found is not None:
             known[key] = found  # the youngest now
-            return found
+            return found if found.scheme.grid == scheme.grid else _with_steps(found, scheme.grid)
     stepper = Stepper(scheme, engine, wait)
     if isinstance(stepper.engine, NativeProgram) and stepper.operations <= MOST_OPERATIONS:
         with _LOCK:
@@ -33,3 +37,11 @@ def kept_stepper(scheme: Scheme, engine: str = "auto", wait: bool = False) -> St
             while sum(one.operations for one in known.values()) > MOST_OPERATIONS:
                 del known[next(iter(known))]
     return stepper
+
+
+def _with_steps(kept: Stepper, grid: Grid) -> Stepper:
+    """The same programs with other steps; what is built of either scheme later is that of both."""
+    other = copy(kept)
+    other.scheme = copy(kept.scheme)
+    other.scheme.take_steps(grid)
+    return other

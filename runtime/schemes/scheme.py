@@ -8,14 +8,12 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
-from functools import cached_property
 
 import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import charts_in
 from runtime.contract.model import Model
-from runtime.engine.choose import arithmetic
 from runtime.engine.direct import Direct
 from runtime.engine.program import Call, Fields, Layout, Program, make_stage
 from runtime.schemes.charts import Charts
@@ -48,9 +46,9 @@ class Scheme(ABC):
     power_at: float = 0.0  # where in a step its powers are summed up: 0 its start, 1/2, or 1: the end of each sub-step
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
-        self.model, self.grid = model, grid
+        self.model = model
+        self.take_steps(grid)
         self._derived: dict[str, ca.Function] = {}
-        self._steps = np.array(grid.h)
         self.called: dict[str, Direct] = {}  # by direct.py
         self.options = options.checked(len(grid.groups))
         blocks = loop_blocks(model) if self.closes else 0
@@ -73,7 +71,6 @@ class Scheme(ABC):
         self._fields = {**common, **self.fields()}
         self.layout = Layout({name: one.size for name, one in self._fields.items()})
         self.c_size = model.c_size + len(grid.h)
-        self.step_sizes = np.array([grid.h[self.group_of(k)] for k in range(len(model.q_i))])
 
     # ---- what a scheme says ---------------------------------------------------------------------------------
 
@@ -146,6 +143,11 @@ class Scheme(ABC):
         """The fields of z that matter so long, in the order of z."""
         return [name for name, one in self._fields.items() if one.lasting in kinds]
 
+    def take_steps(self, grid: Grid) -> None:
+        """From now on the steps of a grid with the same groups and ratios."""
+        self.grid, self._steps = grid, np.array(grid.h)
+        self.step_sizes = np.array([grid.h[self.group_of(k)] for k in range(len(self.model.q_i))])
+
     def constants(self, c: np.ndarray, dt: float | None = None) -> np.ndarray:
         """The model's c and the steps, as the stages read them; dt: another major step than the grid's [s]."""
         steps = self._steps
@@ -157,15 +159,15 @@ class Scheme(ABC):
             self._derived[name] = build()
         return self._derived[name]
 
-    @cached_property
+    @property
     def starter(self) -> ca.Function:
         """start(), built once."""
-        return self.start()
+        return self.derived("starter", self.start)
 
-    @cached_property
+    @property
     def observer(self) -> ca.Function:
         """observe(), built once."""
-        return self.observe()
+        return self.derived("observer", self.observe)
 
     def closed(self, z: Fields, *motions: ClosedConfiguration) -> dict[str, ca.SX]:
         """The fields that keep account of closures."""
@@ -287,14 +289,3 @@ class Scheme(ABC):
         q_i, q_d = self.charts.zeroed(motion.q_i), self.charts.zeroed_dependent(motion.q_d)
         outputs = ca.cse([motion.t, q_i, q_d, v, v_d, a, a_d])
         return ca.Function("observe", [z, c], [ca.densify(output) for output in outputs], ["z", "c"], list(OBSERVED))
-
-
-def evaluation_operations(scheme: Scheme) -> int:
-    """Arithmetic operations of a full evaluation: closure, velocities, M_hat, Q_hat and the solution for q_i_ddot."""
-    model = scheme.model
-    q_i, v, t = ca.SX.sym("q_i", len(model.q_i)), ca.SX.sym("v", len(model.q_i)), ca.SX.sym("t")
-    loop, c = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", scheme.c_size)
-    equations = scheme.equations(c)
-    assert isinstance(scheme.options, ClosureOptions)  # who takes sub-steps closes in each of them
-    a = equations.accelerations(equations.close(q_i, loop, t, scheme.options.closure_iterations), v)
-    return arithmetic(ca.Function("evaluation", [q_i, v, t, loop, c], ca.cse([a])))

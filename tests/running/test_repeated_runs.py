@@ -55,28 +55,51 @@ def test_a_second_run_prepares_nothing_and_is_the_run_of_a_new_model(
     assert second.stats["estimated_error"] == new.stats["estimated_error"]
 
 
-def test_other_steps_options_and_ratios_are_other_steppers(model: Model) -> None:
+@pytest.mark.parametrize("scheme", ["coupled", "exponential"])
+def test_a_run_with_other_steps_prepares_nothing_and_is_the_run_of_a_new_model(
+    model: Model, prepared: list[str], scheme: str
+) -> None:
+    """Work, error estimate and samples included; nor do the runs before it change by it."""
+    first = simulate(model, **SHORT, scheme=scheme)
+    count = len(prepared)
+    half, again = (simulate(model, t_end=0.02, dt=dt, scheme=scheme) for dt in (5e-5, 1e-4))
+    assert count and len(prepared) == count
+    new = simulate(load_model(generated_folder(NAME)), t_end=0.02, dt=5e-5, scheme=scheme)
+    for found, wanted in ((half, new), (again, first)):
+        for field in ("t", "q", "q_dot", "q_ddot", "lam"):
+            assert np.array_equal(getattr(found, field), getattr(wanted, field)), field
+        assert np.array_equal(found.energy_balance(), wanted.energy_balance())
+        for told in ("steps", "sub_steps", "estimated_error"):
+            assert found.stats.get(told) == wanted.stats.get(told), told
+    assert not np.array_equal(half.q[-1], first.q[-1])
+
+
+def test_other_options_and_ratios_are_other_programs(model: Model) -> None:
     def of(name: str, dt: float = 1e-4, m: list[int] | None = None, **options: Any) -> stepper.Stepper:
         return kept_stepper(scheme_kind(name).build(name, model, dt, m, options))
 
-    made = [of("single_rate"), of("single_rate", 2e-4), of("coupled", m=[2]), of("coupled", m=[3]), of("rk4")]
+    made = [of("single_rate"), of("coupled", m=[2]), of("coupled", m=[3]), of("rk4")]
     made += [of("rk4", closure_iterations=3), of("dop853")]
-    assert len({id(one) for one in made}) == len(made)
-    assert of("coupled", m=[3]) is made[3]
+    assert len({id(one.engine) for one in made}) == len(made)
+    assert of("coupled", m=[3]) is made[2]
+    longer = of("coupled", 2e-4, m=[3])
+    assert longer.engine is made[2].engine and longer.scheme.grid.h == [2e-4, 2e-4 / 3]
+    assert made[2].scheme.grid.dt_L == 1e-4
 
 
 def test_what_is_kept_is_bounded_and_the_oldest_goes(model: Model, monkeypatch: pytest.MonkeyPatch) -> None:
-    def of(dt: float) -> stepper.Stepper:
-        return kept_stepper(scheme_kind("rk4").build("rk4", model, dt, None, {}))
+    def of(scheme: str) -> stepper.Stepper:
+        return kept_stepper(scheme_kind(scheme).build(scheme, model, 1e-4, None, {}))
 
-    first = of(1e-4)
-    monkeypatch.setattr(kept_steppers, "MOST_OPERATIONS", 2.5 * first.operations)
-    second = of(2e-4)
-    assert of(1e-4) is first  # now the younger one
-    of(3e-4)
+    first, second = of("rk4"), of("single_rate")
+    third = of("dopri5").operations
+    model.steppers.popitem()
+    assert of("rk4") is first  # now the younger one
+    monkeypatch.setattr(kept_steppers, "MOST_OPERATIONS", first.operations + third)
+    of("dopri5")
     assert list(model.steppers.values())[0] is first and second not in model.steppers.values()
     monkeypatch.setattr(kept_steppers, "MOST_OPERATIONS", first.operations - 1)
-    assert of(4e-4) not in model.steppers.values()
+    assert of("radau") not in model.steppers.values()
 
 
 def test_threads_begin_where_they_are_told_to(model: Model) -> None:
