@@ -56,8 +56,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     missing = [str(place) for place in places if not place.exists()]
     if missing:
         raise pytest.UsageError(f"tests/conftest.py lists as fast what is not there: {', '.join(missing)}")
+    fast = {path for path in {item.path for item in items} if any(path.is_relative_to(place) for place in places)}
     for item in items:
-        if any(item.path.is_relative_to(place) for place in places):
+        if item.path in fast:
             item.add_marker("fast")
 
 

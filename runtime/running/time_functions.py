@@ -97,31 +97,43 @@ def _refuse_jumps(
     if function is None:
         return
     velocities = np.asarray(function(times[None, :])).reshape(-1, len(times))
-    for row, values in enumerate(velocities):
-        allowed = JUMP * float(np.abs(values).max()) + DUST
-        for k in np.argsort(-np.abs(np.diff(values, 2)))[:CANDIDATES]:  # steep is no jump
-            if any(times[k] <= end <= times[k + 2] for end in ends):
-                continue
-            near = k - 1 if k > 0 else min(k + 2, len(values) - 2)
-            slope = float(values[near + 1] - values[near]) / float(times[near + 1] - times[near])
+    allowed = JUMP * np.abs(velocities).max(axis=1) + DUST
+    steep = np.argsort(-np.abs(np.diff(velocities, 2)), axis=1)[:, :CANDIDATES]  # steep is no jump
+    looked = [(row, k) for row, own in enumerate(steep) for k in own if not _ends_between(ends, *times[[k, k + 2]])]
+    if not looked:
+        return
+    rows, at = np.array(looked).T
+    near = np.where(at > 0, at - 1, np.minimum(at + 2, len(times) - 2))
+    slopes = (velocities[rows, near + 1] - velocities[rows, near]) / (times[near + 1] - times[near])
 
-            def level(t: float, row: int = row, slope: float = slope) -> float:
-                return float(np.asarray(function(t)).ravel()[row]) - slope * t
+    def levels(t: np.ndarray) -> np.ndarray:
+        """(n,) of each candidate at its own time, what changes steadily taken out."""
+        found: np.ndarray = np.asarray(function(t[None, :]))[rows, np.arange(len(rows))] - slopes * t
+        return found
 
-            low, high = float(times[k]), float(times[k + 2])
-            for _ in range(HALVINGS):
-                middle = (low + high) / 2
-                if not low < middle < high:
-                    break
-                at = [level(t) for t in (low, middle, high)]
-                low, high = (low, middle) if abs(at[1] - at[0]) > abs(at[2] - at[1]) else (middle, high)
-            jump = level(high) - level(low)
-            if abs(jump) > allowed:
-                raise ModelError(
-                    f"prescribed motion of {model.constraints[row]}",
-                    f"its velocity jumps by {-jump:.4g} at t = {high:.6g} s, which takes an impulse",
-                    "let the velocity change in a finite time, or start a new run there",
-                )
+    low, high = times[at], times[at + 2]
+    below, above = levels(low), levels(high)
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        if not ((low < middle) & (middle < high)).any():
+            break
+        between = levels(middle)
+        left = np.abs(between - below) > np.abs(above - between)
+        low, below = np.where(left, (low, below), (middle, between))
+        high, above = np.where(left, (middle, between), (high, above))
+    jumps = above - below
+    beyond = np.flatnonzero(np.abs(jumps) > allowed[rows])
+    if len(beyond):
+        k = int(beyond[0])
+        raise ModelError(
+            f"prescribed motion of {model.constraints[rows[k]]}",
+            f"its velocity jumps by {-jumps[k]:.4g} at t = {high[k]:.6g} s, which takes an impulse",
+            "let the velocity change in a finite time, or start a new run there",
+        )
+
+
+def _ends_between(ends: Sequence[float], low: float, high: float) -> bool:
+    return any(low <= end <= high for end in ends)
 
 
 def _missed_loads(

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import struct
 import sys
+from importlib import import_module
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -12,7 +14,6 @@ import pytest
 import scipy.io
 import scipy.sparse as sp
 from numpy.testing import assert_allclose
-from pyyeti.nastran import op4
 
 from symgen.fe import STEEL, FiniteElementError, FlexibleBody, LineMesh, Section
 from symgen.fe.frame import frame_structure
@@ -24,6 +25,11 @@ MESH = LineMesh(
 )
 IDS = np.array([10, 11, 12, 13, 14, 15, 16, 40])
 ENDS = {"pin": [10], "slot": [40]}
+
+
+def op4() -> ModuleType:
+    """What writes such files; its import takes two seconds, in each process that collects tests."""
+    return import_module("pyyeti.nastran.op4")
 
 
 @pytest.fixture
@@ -101,7 +107,7 @@ def test_arrays(model: FEStructure, expected: dict[str, Any]) -> None:
 @pytest.mark.parametrize("choices", [{"binary": True}, {"binary": False, "digits": 17}])
 def test_nastran_op4(tmp_path: Path, model: FEStructure, expected: dict[str, Any], choices: dict[str, Any]) -> None:
     path = str(tmp_path / "model.op4")
-    op4.write(path, ["KGG", "MGG"], [model.K.toarray(), model.M.toarray()], **choices)
+    op4().write(path, ["KGG", "MGG"], [model.K.toarray(), model.M.toarray()], **choices)
     grids = "".join(
         f"GRID,{name},,{place[0]!r},{place[1]!r},{place[2]!r}\n" for name, place in zip(IDS, MESH.nodes, strict=True)
     )
@@ -146,7 +152,7 @@ def test_nastran_files_that_cannot_be_read(tmp_path: Path) -> None:
     with pytest.raises(FiniteElementError, match="cannot be read"):
         FlexibleBody.from_nastran(tmp_path / "bad.op2", [(0, 0, 0)], interface={}, modes=1)
     (tmp_path / "own.bdf").write_text("BEGIN BULK\nGRID,1,5,0.,0.,0.\nENDDATA\n")
-    op4.write(str(tmp_path / "a.op4"), ["kaa", "maa"], [np.eye(6), np.eye(6)])
+    op4().write(str(tmp_path / "a.op4"), ["kaa", "maa"], [np.eye(6), np.eye(6)])
     with pytest.raises(FiniteElementError, match="coordinate system"):
         FlexibleBody.from_nastran(tmp_path / "a.op4", tmp_path / "own.bdf", interface={}, modes=1)
 

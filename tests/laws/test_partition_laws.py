@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib.util
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -72,10 +72,13 @@ class Switched:
     scheme: str
     dt: float
     m: list[int] | None = None
+    _built: dict[int, Segment] = field(default_factory=dict)
 
     def segment(self, model: Model) -> Segment:
-        plan = make_plan(model, 1.0, self.dt, self.m, self.scheme, 1, None, 0.0)
-        return Segment.build(model, plan, model.parameter_vector(), "interpreted")
+        if id(model) not in self._built:
+            plan = make_plan(model, 1.0, self.dt, self.m, self.scheme, 1, None, 0.0)
+            self._built[id(model)] = Segment.build(model, plan, model.parameter_vector(), "auto")
+        return self._built[id(model)]
 
     def run(self, parts: list[tuple[Model, int]]) -> np.ndarray:
         """q after so many steps on each model in turn."""
@@ -132,8 +135,8 @@ def test_exchange_there_and_back_is_the_identity(model_of: Build) -> None:
     across = carried(back, z, there, back.observed([back.stepper.state(z)]))
     again = carried(there, across, back, there.observed([there.stepper.state(across)]))
     layout = back.plan.scheme.layout
-    for field, tolerance in (("x", 1e-13), ("d", 1e-13), ("a", 1e-3), ("n", 0), ("t0", 0)):
-        assert np.abs(again - z)[layout.slice(field)].max() <= tolerance, field
+    for name, tolerance in (("x", 1e-13), ("d", 1e-13), ("a", 1e-3), ("n", 0), ("t0", 0)):
+        assert np.abs(again - z)[layout.slice(name)].max() <= tolerance, name
 
 
 @pytest.mark.parametrize("scheme, m", [("printed", [4]), ("coupled", [4])])
