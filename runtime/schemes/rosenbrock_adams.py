@@ -3,14 +3,15 @@
 As in exponential.py D is what forces at a state are beside the linear system of the start of a step, where D is 0 with
 its first derivative. Seen from there, what the last step began with gives D(-h) for products of matrices and vectors.
 
-    Y    to 9/10 h, by G2 of the parabola through D(-h),
-    end  to h,      by G2 and G3 of the cubic through D(-h) and D of Y.
+    Y    to 5/6 h, by G2 of the parabola through D(-h),
+    end  to h,     by G2 and G3 of the cubic through D(-h) and D of Y.
 
 With Y at c h the cubic leaves D4 tau^2 (tau + h) (tau - c h) / 24 of D, D4 its fourth derivative. The mean of that over
-a step, by which motion that the step resolves is off, is zero for c = 27/35 and -D4 h^4 / 320 for 9/10; decays that are
-much faster than the step see the end of it, where less is left the nearer c is to 1, and overdamped joints take a sixth
-fewer steps to 1e-3 with 9/10. Nothing linear is remembered: of a linear system D is zero, and the step is the rational
-approximation of all of it by which exponential_adams.py follows stiff deflections.
+a step, by which motion that the step resolves is off, is zero for c = 27/35 and -D4 h^4 / 665 for 5/6; decays that are
+much faster than the step see the end of it, where less is left the nearer c is to 1. To 1e-3 5/6 takes a tenth fewer
+steps than 27/35 with an overdamped joint, and no more than 9/10 with slider-cranks. Nothing linear is remembered: of a
+linear system D is zero, and the step is the rational approximation of all of it by which exponential_adams.py follows
+stiff deflections.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ from runtime.schemes.stage_equations import LONG_TREE, ClosedConfiguration, Stag
 from runtime.schemes.state_fields import StateField, state
 from runtime.schemes.stiff_motion import WHOLE_DEGREE
 
-NODE = 0.9  # where the second evaluation is, in steps
+NODE = 5 / 6  # where the second evaluation is, in steps
 BENDS = 2  # the first power of the time in D
 
 

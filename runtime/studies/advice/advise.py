@@ -173,7 +173,8 @@ def _within_limit(problem: Problem, done: list[Search], states: list[State]) -> 
         assert one.best is not None
         spec = one.spec
         kind = SCHEMES[spec.scheme]
-        limited = kind.make.limited(kind.chosen(spec.scheme, spec.options))
+        scheme = kind.build(spec.scheme, problem.model, 1.0, list(spec.m) if spec.m else None, spec.options)
+        limited = scheme.limited(scheme.options)
         if not limited or not states or len(problem.model.q_i) > STUDIED:
             return one, None
         if problem.t_end < FEW_STEPS * one.best.setting:
