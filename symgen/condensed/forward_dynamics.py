@@ -18,6 +18,7 @@ import casadi as ca
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
 from symgen.condensed.condensation import Condensed, Substitution, congruence
+from symgen.system.equations import FreeJointAccelerations
 from symgen.system.topology import Topology
 
 LONGEST_ELIMINATION = 24  # coordinates of joints up to which it may be the shorter way
@@ -87,10 +88,9 @@ def tree_accelerations(system: Condensed, topology: Topology) -> list[dict[int, 
 
     Elimination of M, which has no fill, or the recursion of articulated bodies where joints place all bodies.
     """
-    solve, columns = system.reduced.free_joints, system.choice.independent
-    following = {column for turning in system.reduced.turnings for column in turning.parameters}
-    following |= system.reduced.placed_columns
-    if solve is None or any(s.e for s in system.inner if s.column not in following):
+    columns = system.choice.independent
+    solve = free_joints(system)
+    if solve is None:
         return tree_solutions(system, topology, [forces_side(system)])
     imposed = {s.column: s.c_acceleration for s in system.inner}
     force = system.projected(dict(enumerate(system.reduced.outer_forces)))
@@ -99,6 +99,15 @@ def tree_accelerations(system: Condensed, topology: Topology) -> list[dict[int, 
     if len(columns) > LONGEST_ELIMINATION:
         return [other]
     return [*tree_solutions(system, topology, [forces_side(system)]), other]
+
+
+def free_joints(system: Condensed) -> FreeJointAccelerations | None:
+    """The recursion of articulated bodies, where joints place all bodies and no other coordinate follows."""
+    following = {column for turning in system.reduced.turnings for column in turning.parameters}
+    following |= system.reduced.placed_columns
+    if any(s.e for s in system.inner if s.column not in following):
+        return None
+    return system.reduced.free_joints
 
 
 def tree_solutions(

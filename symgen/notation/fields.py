@@ -93,9 +93,7 @@ FIELDS: tuple[Notation, ...] = (
     Notation("s_before", "", "", "n_s", "mixed", "stiff deflections at the start of the last step"),
     Notation("s_before_dot", "", "", "n_s", "mixed", "their rates there"),
     Notation("loop_third", "", "", "loops", "mixed", "third rates of the loop unknowns in the last step"),
-    Notation(
-        "crossing", "", "", "n_X (1 + n_S)", "mixed", "accelerations that cross to the rows of q_S of a large tree"
-    ),
+    Notation("crossing", "", "", "n_X (1 + n_S)", "mixed", "motion that crosses to the rows of q_S of a large tree"),
     Notation("trunk_ddot", "", "", "n_L", "mixed", "q_L'' of the bodies that carry the branches with fast coordinates"),
     Notation("X_trunk", "", "", "n_L x n_u", "SI", "what forces phi of the branches add to it"),
     Notation(

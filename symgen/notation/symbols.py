@@ -99,7 +99,7 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("y_ddot", "", "", "n_L", "mixed", "acceleration of q_L + N q_S, M_hat_LL^-1 Q_hat_L"),
     Notation("M_bar_SS", "", "", "n_S x n_S", "SI", "M_hat_SS - M_hat_SL N: inertia of q_S with q_L free"),
     Notation(
-        "crossing", "", "", "n_X (1 + n_S)", "mixed", "q'' that the rows of q_S see: of forces, of each unit q_S''"
+        "crossing", "", "", "n_X (1 + n_S)", "mixed", "motion that the rows of q_S see: by forces, by each unit q_S''"
     ),
     Notation("trunk_ddot", "", "", "n_L", "mixed", "q_L'' of the bodies that carry the fast ones, these not pushing"),
     Notation("X_trunk", "", "", "n_L x n_u", "SI", "what phi adds to it"),

@@ -5,7 +5,7 @@ Sparse rows of CasADi SX, put together from the scene's bodies, joints and loads
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Protocol
@@ -73,6 +73,20 @@ class FreeJointAccelerations(Protocol):
         """
 
 
+class Carried(Protocol):
+    """Frames at the ends of a tree, and what crosses to the forces on their coordinates."""
+
+    @property
+    def size(self) -> int:
+        """How many numbers cross."""
+
+    def crossing(self, accelerations: Row, still: bool = False) -> list[ca.SX]:
+        """They, of a motion with these accelerations; still: without rates and weight."""
+
+    def forces(self, crossing: Sequence[ca.SX], accelerations: Row, still: bool = False) -> Row:
+        """Inertia force and weight by column, with further accelerations."""
+
+
 @dataclass
 class Equations:
     """What stands in M q_ddot + K q + C_q^T lam = Q_F + Q_v, C = 0: (1)-(2), which are (22)-(23), of a whole scene.
@@ -83,7 +97,8 @@ class Equations:
     frames: accelerations -> M q_ddot - Q_v; Q_v holds the weight too there, not Q_F.
     force_changes: derivatives of these, where they are known by composites; curvatures, loop_rates: so, by joint;
     tied_changes: along directions.
-    free_joints: accelerations for a force on such a tree, if joints place all its bodies.
+    free_joints: accelerations for a force on such a tree, if joints place all its bodies; carried: without balls, the
+    frames that some columns move.
     placed_columns: coordinates of the frames of placed bodies, which no mass and no other constraint knows of;
     felt_columns: those of them that forces depend on, by measures of coordinates, with those that they follow from.
     Energies [J] and powers [W] are scalars.
@@ -134,6 +149,7 @@ class Equations:
     loop_rates: Mapping[str, RowRates] = field(default_factory=dict)
     tied_changes: TiedChanges | None = None
     free_joints: FreeJointAccelerations | None = None
+    carried: Callable[[frozenset[int]], Carried] | None = None
     placed_columns: frozenset[int] = frozenset()
     felt_columns: frozenset[int] = frozenset()
     turnings: list[Turning] = field(default_factory=list)

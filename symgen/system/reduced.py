@@ -92,6 +92,8 @@ def reduced_equations(
         equations.curvatures, equations.loop_rates = space.curvatures, space.loop_rates
     if not floats(space.tree):
         equations.free_joints = forces.free_joints
+        if not equations.turnings and not equations.states:
+            equations.carried = forces.carried
     for column, value in equations.inertia_forces({}).items():
         equations.Q_v[column] = neg(value)
     equations.felt_columns = _felt(equations, topology, orientations)

@@ -11,6 +11,7 @@ from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ONE, ZERO, add, neg
 from symgen.algebra.vectors import Vector
 from symgen.system.equations import Equations
+from symgen.system.frames.carried_frames import CarriedFrames
 from symgen.system.frames.directed_changes import Tie, tied_changes
 from symgen.system.frames.directions import Direction
 from symgen.system.frames.force_changes import force_changes
@@ -75,3 +76,7 @@ class TreeForces:
         add_scaled(left, neg(ONE), modes)
         found = free_joint_accelerations(self.tree, left, free, wrenches)
         return {column: add(value, chosen.get(column, ZERO)) for column, value in found.items()}
+
+    def carried(self, columns: frozenset[int]) -> CarriedFrames:
+        """The frames that these columns move, and all beyond them; for trees without balls."""
+        return CarriedFrames(self.tree, columns, self._base, self._rates)

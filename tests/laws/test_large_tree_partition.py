@@ -16,11 +16,13 @@ from runtime.engine.prepare import prepare
 from runtime.schemes import slow_polynomial
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.step_limit import slow_decay_limit
+from symgen.generate import model_of as on_demand
 from symgen.pipeline import derive
 from symgen.scene import Scene
 from symgen.scenes import SCENES
 from symgen.scenes.arm import arm
 from symgen.scenes.chain import chain
+from symgen.scenes.spatial_arm import spatial_arm
 from tests.support.model_values import evaluate, random_states
 from tests.support.prepared_runs import PreparedRuns
 
@@ -28,10 +30,12 @@ Build = Callable[[Scene], Model]
 KERNELS = {"slow_response", "fast_rows", "trunk_response", "branch_motion"}
 
 
-@pytest.mark.parametrize("scene", [arm(8), chain(4, 2)], ids=["arm", "chain of flexible links"])
-def test_slow_response_and_fast_rows_are_those_of_the_condensed_equations(model_of: Build, scene: Scene) -> None:
+@pytest.mark.parametrize(
+    "scene", [arm(8), chain(4, 2), spatial_arm(5)], ids=["arm", "chain of flexible links", "in space"]
+)
+def test_slow_response_and_fast_rows_are_those_of_the_condensed_equations(scene: Scene) -> None:
     """(39): y'' = M_LL^-1 Q_L, N = M_LL^-1 M_LS; the rows of q_S are M_SS - M_SL N and Q_S - M_SL y''."""
-    model = model_of(scene)
+    model = on_demand(scene)
     L, S = (group.positions for group in model.groups)
     n = len(model.q_i)
     for state in random_states(model, 2):
@@ -121,6 +125,20 @@ def test_sub_steps_cost_the_same_whatever_the_mechanism(model_of: Build) -> None
     assert large["hold_1"] - small["hold_1"] <= 4 * 137 and small["hold_1"] <= 1141
     small, large = counts["printed"]
     assert large["common_update"] - small["common_update"] <= 4 * 80
+
+
+def test_sub_steps_in_space_cost_the_same_whatever_the_mechanism() -> None:
+    """`decoupled` on arms with hinges about two axes: 181 operations a sub-step, and order 2."""
+    counts, models = [], [on_demand(spatial_arm(links)) for links in (5, 12)]
+    for model in models:
+        scheme = scheme_kind("decoupled").build("decoupled", model, 1.0, [8], {})
+        prepared = prepare(scheme.program(), scheme.layout.size, scheme.c_size)
+        counts.append({stage.name(): arithmetic(stage) for stage in prepared.program.stages()})
+    assert counts[0]["sub_step_1"] == counts[1]["sub_step_1"] <= 185
+    assert counts[1]["hold_1"] <= 12 * 500
+    exact, runs = PreparedRuns(models[0], "dop853").end(0.1, 2e-4), PreparedRuns(models[0], "decoupled", [8])
+    errors = [float(np.abs(runs.end(0.1, step) - exact)[:5].max()) for step in (2e-3, 1e-3)]
+    assert errors[1] < 1.8e-6 and 1.8 < np.log2(errors[0] / errors[1]) < 2.4, errors
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ masses beyond each move, whose power on the move's twists is the generalised for
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 from symgen.algebra.rows import Row, add_scaled, add_to
 from symgen.algebra.scalar import ZERO, add
@@ -18,8 +18,10 @@ from symgen.system.frames.moves import Turn
 from symgen.system.frames.tree import GROUND, FrameTree
 
 
-def inverse_dynamics(tree: FrameTree, base: Vector, rates: Row, accelerations: Row) -> Row:
-    """Generalised force by column that gives the accelerations at these rates; base: acceleration of the ground.
+def inverse_dynamics(tree: FrameTree, base: Vector | Mapping[int, Motion], rates: Row, accelerations: Row) -> Row:
+    """Generalised force by column that gives the accelerations at these rates.
+
+    base: acceleration of the ground, or how what each frame on the ground stands on moves, by frame.
 
     Without the accelerations of the origins of bodies that no joint places, which `floating_forces` adds.
     """
@@ -37,7 +39,11 @@ def inverse_dynamics(tree: FrameTree, base: Vector, rates: Row, accelerations: R
 
 
 def own_wrenches(
-    tree: FrameTree, base: Vector, rates: Row, accelerations: Row, chosen: Collection[int] = ()
+    tree: FrameTree,
+    base: Vector | Mapping[int, Motion],
+    rates: Row,
+    accelerations: Row,
+    chosen: Collection[int] = (),
 ) -> tuple[list[Wrench], Row, Row]:
     """(what moves the masses of each frame, generalised forces on modes by column, accelerations of `chosen` columns).
 
@@ -47,8 +53,8 @@ def own_wrenches(
     wrenches: list[Wrench] = []
     force: Row = {}
     found: Row = {}
-    for frame in tree.frames:
-        motion = Motion(zeros(), zeros(), base) if frame.parent == GROUND else motions[frame.parent]
+    for k, frame in enumerate(tree.frames):
+        motion = _begun(base, k) if frame.parent == GROUND else motions[frame.parent]
         for move in frame.moves:
             motion = move.motion(motion, rates, accelerations)
             if isinstance(move, Turn) and move.column is not None and move.column in chosen:
@@ -61,6 +67,10 @@ def own_wrenches(
                 add_to(force, column, value)
         wrenches.append(own)
     return wrenches, force, found
+
+
+def _begun(base: Vector | Mapping[int, Motion], frame: int) -> Motion:
+    return base[frame] if isinstance(base, Mapping) else Motion(zeros(), zeros(), base)
 
 
 def lone_hinges(tree: FrameTree) -> set[int]:
