@@ -18,7 +18,7 @@ from runtime.engine.llvm_code import Code, Effort, host, linked, machine_code
 from runtime.engine.native import NativeProgram
 
 COPY = 0
-NUMBER = 8  # bytes
+NUMBER, ROW = 8, 40  # bytes
 FOLLOW = """
 declare void @llvm.memcpy.p0.p0.i64(ptr, ptr, i64, i1)
 
@@ -102,26 +102,39 @@ class CallList:
     def __init__(self, memory: np.ndarray, programs: Sequence[tuple[Engine, int, int]], rows: np.ndarray) -> None:
         self.memory, self._programs, self.rows = memory, list(programs), rows
         self._native = [engine for engine, _, _ in programs if isinstance(engine, NativeProgram)]
-        self._addresses: np.ndarray | None = None
-        self._codes: tuple[Code, ...] = ()
+        self._addresses = np.zeros((0, 5), dtype=np.int64)
+        self._place, self._final = 0, False
+        self._codes: tuple[Code, ...] | None = None
         self._work: list[np.ndarray] = []
 
     def run(self, first: int, last: int) -> None:
         """Do these rows."""
-        if len(self._native) < len(self._programs):
+        if self._final:
+            _follower()[1](self._place + ROW * first, last - first)
+        elif len(self._native) < len(self._programs):
             self._one_by_one(first, last)
-            return
-        self._use(first, last, ())
+        else:
+            self._use(first, last, ())
+
+    def set_counts(self, first: int, counts: Sequence[int]) -> None:
+        """n of rows from this one on."""
+        for k, n in enumerate(counts, first):
+            self.rows[k, 3] = n
+            if self._place:
+                self._addresses[k, 4] = n
 
     def _use(self, first: int, last: int, codes: tuple[Code, ...]) -> None:
         """With the code that each program has now; what it takes counts as time of all."""
         if len(codes) < len(self._native):
             self._native[len(codes)].tiers.use(lambda code: self._use(first, last, (*codes, code)))
             return
-        if self._addresses is None or codes != self._codes:
+        if codes != self._codes:
             self._addresses, self._codes = self._addressed(codes), codes
-        _, follow, _ = _follower()
-        follow(self._addresses.ctypes.data + 5 * NUMBER * first, last - first)
+            self._place = self._addresses.ctypes.data
+            self._final = all(
+                one.tiers.final and one.tiers.code is code for one, code in zip(self._native, codes, strict=True)
+            )
+        _follower()[1](self._place + ROW * first, last - first)
 
     def _addressed(self, codes: tuple[Code, ...]) -> np.ndarray:
         self._work = [np.zeros(code.work + 1) for code in codes]

@@ -65,35 +65,32 @@ class BrokenSteps:
         end = int(z[1]) + steps
         while (step := int(z[1])) < end:
             broken = self.grid.next_broken(step)
-            if broken == step:
-                if self._may_list and not self._moves:
-                    self._by_list(z, ready, c, end)
-                else:
-                    self._break(z, c)
-                continue
-            n = end - step if broken is None else min(end, broken) - step
-            if z[0] != self.t0:  # the clock was set after a jump at the start of this step
+            if broken is not None and broken < end and self._listed:
+                self._by_list(z, ready, c, end)
+            elif broken == step:
+                self._break(z, c)
+            elif z[0] != self.t0:  # the clock was set after a jump at the start of this step
                 self.stepper.run(z, ready, 1)
                 z[0] = self.t0
             else:
-                self.stepper.run(z, ready, n)
+                self.stepper.run(z, ready, (end if broken is None else min(end, broken)) - step)
 
     @cached_property
-    def _may_list(self) -> bool:
+    def _listed(self) -> bool:
         """May broken steps be made by lists of calls, and does it pay?"""
         scheme, remembers = self.stepper.scheme, self.legs.remembers
-        if watches(scheme) or (remembers and scheme.charts.size):
+        if self._moves or watches(scheme) or (remembers and scheme.charts.size):
             return False
         ready_made = not remembers and not accounted(scheme)
         return ready_made or self.stepper.waits or self.many
 
     def _by_list(self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, end: int) -> None:
-        """From a broken step on, all that one list has before step `end`."""
+        """All that one list has before step `end`."""
         number = self.grid.number(int(z[1]))
         if self._list is None or not self._list.first <= number < self._list.last:
             now = self.grid.number(end) - number
-            most = now if self._list is None else MOST  # who goes on will go on further
-            self._list = ListedBreaks(self.stepper, self.grid, number, c, len(ready), min(max(now, FEW, most), MOST))
+            most = min(max(now, FEW), MOST) if self._list is None else MOST  # who goes on will go on further
+            self._list = ListedBreaks(self.stepper, self.grid, number, c, len(ready), most)
         self._list.run(z, ready, number, end)
 
     def _break(self, z: np.ndarray, c: np.ndarray, acts: Acts | None = None) -> None:

@@ -14,6 +14,7 @@ from runtime.schemes.switching.crossing import ACCOUNT, ACTS, Crossing, remember
 from runtime.schemes.work import accounted, looks_ahead
 
 STEP, CROSS = 1, 2  # programs of a list
+LEAD = 3  # rows of whole steps
 MARKS: Mapping[str, tuple[str, ...]] = {  # stages of a crossing that are applied together
     "opened": ("power", "open"),
     "restarted": ("restart",),
@@ -42,8 +43,8 @@ class CrossingRows:
     step: Layout
     crossing: Crossing | None
 
-    def regular(self, first: np.ndarray, others: np.ndarray) -> list[Row]:
-        """Whole steps (S,): the first one from a clock behind a jump, then those from the grid's."""
+    def whole_steps(self, first: np.ndarray, others: np.ndarray) -> list[Row]:
+        """LEAD rows of whole steps (S,): the first one from a clock behind a jump, then those from the grid's."""
         to_grid = Row(COPY, self._at("z"), self._at("t0"), first)
         return [self._go("z", "ready", first), to_grid, self._go("z", "ready", others)]
 

@@ -6,6 +6,8 @@ scheme needs them starts anew, powers in the middle of parts, and an account of 
 
 from __future__ import annotations
 
+import sys
+from bisect import bisect_left
 from math import prod
 
 import numpy as np
@@ -15,7 +17,7 @@ from runtime.engine.program import Layout
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.breaks import Breaks, Parts
 from runtime.schemes.switching.crossing import ACTS, crossing, remembers
-from runtime.schemes.switching.crossing_rows import CrossingRows, marks
+from runtime.schemes.switching.crossing_rows import LEAD, CrossingRows, marks
 from runtime.schemes.work import accounted
 
 MOST_NUMBERS = 1 << 19  # of the constants of their parts, about
@@ -47,40 +49,58 @@ class ListedBreaks:
             programs.append((own.engine, own.prepared.z_size, own.n_c))
         of_parts, of_steps = len(parts.start) * self._part.size, len(self._steps) * self._step.size
         self._memory = Layout({**sizes, "parts": of_parts, "steps": of_steps})
-        rows, self._begins, self._ends = self._listed(parts)
+        gaps = np.diff(self._steps, prepend=self._steps[0] - 1) - 1
+        shifted = np.append(False, parts.clocks != grid.times(self._steps + 1))
+        self._between, self._shifted, self._numbers = gaps.tolist(), shifted.tolist(), self._steps.tolist()
+        behind = grid.next_broken(self._numbers[-1] + 1)
+        self._until = sys.maxsize if behind is None else behind
+        rows, self._leads = self._listed(parts)
         self._list = CallList(self._filled(parts, c), programs, rows)
+        memory, at = self._list.memory, self._memory.slice
+        self._z, self._ready = memory[at("z")], memory[at("ready")]
 
-    def run(self, z: np.ndarray, ready: np.ndarray, first: int, end: int) -> None:
-        """Advance z (n_z,) in place by broken steps from this one on, and all steps between them, but none from `end`.
+    def run(self, z: np.ndarray, ready: np.ndarray, number: int, end: int) -> None:
+        """Advance z (n_z,) in place to step `end`, or as far as is known here; broken step `number` comes next.
 
         ready: what the program of the stepper reads for whole steps.
         """
-        memory, at, k = self._list.memory, self._memory.slice, first - self.first
-        last = int(np.searchsorted(self._steps, end)) - 1
-        memory[at("z")], memory[at("ready")] = z, ready
-        self._list.run(int(self._begins[k]), int(self._ends[last]))
-        z[:] = memory[at("z")]
+        k, steps = number - self.first, self._numbers
+        last = bisect_left(steps, end)
+        until = min(end, steps[last] if last < len(steps) else self._until)
+        self._whole_steps(k, steps[k] - int(z[1]), z[0] != self._grid.t0)
+        self._whole_steps(last, until - steps[last - 1] - 1, self._shifted[last])
+        self._z[:], self._ready[:] = z, ready
+        self._list.run(self._leads[k], self._leads[last] + LEAD)
+        z[:] = self._z
+        for one in (k, last):
+            if 0 < one < len(steps):  # those at both ends are given by each call
+                self._whole_steps(one, self._between[one], self._shifted[one])
 
-    def _listed(self, parts: Parts) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """(rows, where the broken steps begin behind the whole steps before them, where they end)."""
-        steps, grid, at = self._steps, self._grid, self._memory.slice
+    def _whole_steps(self, k: int, n: int, shifted: bool) -> None:
+        """So many before broken step k; shifted: the first from a clock behind a jump."""
+        first = int(shifted and n > 0)
+        self._list.set_counts(self._leads[k], (first, first, n - first))
+
+    def _listed(self, parts: Parts) -> tuple[np.ndarray, list[int]]:
+        """(rows, where those of whole steps before each broken one are, and at last behind all)."""
+        at, count = self._memory.slice, len(self._steps)
         rows = CrossingRows(
             self._stepper.scheme, self._stepper.prepared.z_size, self._memory, self._part, self._step, self._crossing
         )
-        between = np.diff(steps, prepend=steps[0] - 1) - 1
-        shifted = np.append(False, parts.clocks[:-1] != grid.times(steps[:-1] + 1))
-        first = (shifted & (between > 0)).astype(int)
-        behind = np.append(steps[1:], grid.next_broken(int(steps[-1]) + 1) or np.inf)
-        ahead = (behind >= steps + 1 + AHEAD).astype(int)
-        regular = rows.regular(first, between - first)
-        of_steps = len(steps), at("steps").start, self._step.size
-        found, begins, ends = woven(
-            repeated([*regular, *rows.opened()], *of_steps),
+        between = np.array(self._between)
+        first = (np.array(self._shifted[:-1]) & (between > 0)).astype(int)  # the clock was set after a jump there
+        behind = np.append(self._steps[1:], min(self._until, int(self._steps[-1]) + 1 + AHEAD))
+        ahead = (behind >= self._steps + 1 + AHEAD).astype(int)
+        of_steps = count, at("steps").start, self._step.size
+        found, begins, _ = woven(
+            repeated([*rows.whole_steps(first, between - first), *rows.opened()], *of_steps),
             repeated(rows.made(), len(parts.start), at("parts").start, self._part.size),
             repeated(rows.closed(ahead), *of_steps),
             parts.counts,
         )
-        return found, begins + len(regular), ends
+        none = np.zeros(1, dtype=int)
+        last = repeated(rows.whole_steps(none, none), 1, 0, 0)[0]
+        return np.concatenate([found, last]), [*begins.tolist(), len(found)]
 
     def _filled(self, parts: Parts, c: np.ndarray) -> np.ndarray:
         """The memory of the list, with what is known beforehand."""
