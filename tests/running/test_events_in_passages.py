@@ -11,10 +11,29 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from runtime import Model, simulate
+from runtime.running.singular import over
+from runtime.running.singular.crossing import BranchLost
 from symgen.scene import Scene
 from symgen.scenes.n_four_bar import n_four_bar
 
 Build = Callable[[Scene], Model]
+
+
+def watched() -> Scene:
+    """Four bars whose torque is set by an event before the singular position and one behind it."""
+    data = n_four_bar(2).model_dump()
+    data["name"] = "n_four_bar_events"
+    data["inputs"] = {"torque": {"default": 0.0, "unit": "N m"}}
+    data["loads"] = [{"type": "torque", "name": "motor", "marker": "upright0.origin", "value": "torque"}]
+    data["measures"] = [{"type": "coordinate", "name": "angle", "coordinate": "upright0.theta"}]
+    data["events"] = {
+        "before": {"when": "angle - 0.02", "action": {"torque": "push"}},
+        "at": {"when": "angle"},
+        "behind": {"when": "angle + 0.02", "action": {"torque": "40"}},
+        "ending": {"when": "angle + last", "terminal": True},
+    }
+    data["parameters"] = {"last": {"default": 0.03, "unit": "rad"}, "push": {"default": 20.0, "unit": "N m"}}
+    return Scene.model_validate(data)
 
 
 @pytest.mark.parametrize(
@@ -27,19 +46,7 @@ def test_events_within_a_passage_are_told_and_act(
 
     Before it the torque sets in, behind it it is doubled; one behind it may end the run, at its time.
     """
-    data = n_four_bar(2).model_dump()
-    data["name"] = "n_four_bar_events"
-    data["inputs"] = {"torque": {"default": 0.0, "unit": "N m"}}
-    data["loads"] = [{"type": "torque", "name": "motor", "marker": "upright0.origin", "value": "torque"}]
-    data["measures"] = [{"type": "coordinate", "name": "angle", "coordinate": "upright0.theta"}]
-    data["events"] = {
-        "before": {"when": "angle - 0.02", "action": {"torque": "20"}},
-        "at": {"when": "angle"},
-        "behind": {"when": "angle + 0.02", "action": {"torque": "40"}},
-        "ending": {"when": "angle + last", "terminal": True},
-    }
-    data["parameters"] = {"last": {"default": 0.03, "unit": "rad"}}
-    model = model_of(Scene.model_validate(data))
+    model = model_of(watched())
 
     def angle(t: float, y: list[float], torque: float) -> list[float]:
         return [y[1], -(3.5 * 9.81 * math.cos(y[0]) - torque) / 3]
@@ -66,3 +73,33 @@ def test_events_within_a_passage_are_told_and_act(
         assert run.status.name == "event" and run.t[-1] == run.events[-1].time
         assert len(run.t) == 2 + int(exact[-1] / 1e-3) and np.ptp(run.energy_balance()) < 1e-4
         assert run["torque"][-1] == 40 and run["upright0.theta"][-1] == pytest.approx(-last, abs=1e-8)
+
+
+def test_forces_that_turn_a_motion_back_before_the_position(model_of: Build, monkeypatch: pytest.MonkeyPatch) -> None:
+    """4000 N m stop the uprights 0.01 rad before it: it is not passed. Where it cannot be passed, that is said."""
+    model, push = model_of(watched()), 4000.0
+    settings: dict[str, Any] = {"scheme": "rk4", "dt": 1e-3, "t_end": 0.75, "save_every": 1}
+    run = simulate(model, **settings, parameters={"push": push})
+    assert run.status.ok and [event.name for event in run.events] == ["before", "before"]  # and back
+    before = run.events[0].time
+    rate = -math.sqrt(1 + 2 * 3.5 * 9.81 / 3 * (1 - math.sin(0.02)))  # by the energy
+
+    def angle(t: float, y: list[float]) -> list[float]:
+        return [y[1], -(3.5 * 9.81 * math.cos(y[0]) - push) / 3]
+
+    times = run.t[run.t > before]
+    exact = solve_ivp(angle, (before, 0.76), [0.02, rate], method="DOP853", rtol=1e-12, atol=1e-13, t_eval=times).y[0]
+    assert exact.min() > 0 and run["upright0.theta"][run.t > before] == pytest.approx(exact, abs=1e-6)
+
+    def refuse(*_: Any) -> None:
+        raise BranchLost("made up")
+
+    honest = over.Over._gone_on
+
+    def refused(*known: Any) -> Any:
+        monkeypatch.setattr(over, "cross", refuse)
+        return honest(*known)
+
+    monkeypatch.setattr(over.Over, "_gone_on", refused)
+    lost = simulate(model, **settings)
+    assert lost.status.name == "branch_lost" and "made up" in lost.status.cause

@@ -43,6 +43,11 @@ class Crossing:
         return integrator.seen(np.array([self.t_near, self.t]), np.array([self.y_near, self.y]))
 
 
+def turned_back(t: float, y: np.ndarray) -> Crossing:
+    """Of a motion that from t [s] on does not reach the position: nothing to step over, and t_near = t."""
+    return Crossing(t, t, y, 0.0, t, y)
+
+
 def between(over: Solution, t: float) -> tuple[np.ndarray, np.ndarray]:
     """(q, q_dot) at a time inside the step, by the polynomial through q, q_dot and q_ddot at its ends."""
     H = float(over.t[1] - over.t[0])

@@ -12,12 +12,13 @@ from runtime.results.sampling import evaluate
 from runtime.running.happenings import Happenings
 from runtime.running.segment import Segment
 from runtime.running.singular.carry import COUNTERS, OF_TOLERANCE, RANGES
-from runtime.running.singular.crossing import Crossing, cross
+from runtime.running.singular.crossing import CLOSEST, Crossing, approach, cross, turned_back
 from runtime.running.singular.guard import NEAR
 from runtime.running.singular.tight_integrator import BranchLost, TightIntegrator
 from runtime.running.singular.way import Way
 from runtime.schemes.switching.watched import quiet_until
 
+NEAREST = CLOSEST[-1]  # determinant, of the largest, down to which a change of forces is followed before the position
 LONGEST_LEAVE = 10_000  # steps that the neighbourhood of a singular position may take after it
 
 
@@ -40,6 +41,7 @@ class Over:
         self.block, self.largest, self.asked = block, largest, asked
         self._passed: Crossing | None = None
         self._lent = 0.0  # work less energy [J]
+        self._late = 0.0  # by how much a change of inputs is felt late at most [s]
 
     def go(self, z: np.ndarray, way: Way) -> tuple[list[np.ndarray], Status | None]:
         """(states to be saved and the last one, the status where an event ends the run), from z (whole, flat) on.
@@ -77,13 +79,14 @@ class Over:
 
     def told(self) -> Event | None:
         """That the position was passed, where it was."""
-        if (found := self._passed) is None:
+        if (found := self._passed) is None or found.t_near == found.t:
             return None
+        late = f"; what an event set is felt {self._late:.2g} s late" if self._late > 0 else ""
         return Event(
             found.t_s,
             "singular_position",
             f"passed a singular position at t = {found.t_s:.9g}; branch kept by continuity, energy to "
-            f"{abs(found.energy_change):.2g} J",
+            f"{abs(found.energy_change):.2g} J{late}",
         )
 
     def _happens(self, z: np.ndarray, t: float, happened: list[int], values: np.ndarray) -> bool:
@@ -96,15 +99,23 @@ class Over:
         return True
 
     def _gone_on(self, way: Way, t: float, integrator: TightIntegrator) -> Way:
-        """From t [s] on, by another integrator where forces have changed."""
+        """From t [s] on, by another integrator where forces have changed. Raises BranchLost where these lead on to a
+        position that cannot be passed.
+        """
         q, q_dot = (part[0] for part in way.states(np.array([t])))
         y = integrator.pack(q, q_dot)
-        if integrator is not way.behind and t < way.crossing.t_s:
+        if integrator is way.behind:
+            return way.gone_on(t, y, integrator)
+        if t < way.crossing.t_s and abs(float(integrator.determinants(t, y)[0][self.block])) > NEAREST * self.largest:
             try:
                 return Way(integrator, t, y, cross(integrator, t, y, self.block, self.largest), integrator)
             except BranchLost:
-                pass  # too near: the change is felt from the other side on
-        return way.gone_on(t, y, integrator)
+                if approach(integrator, t, y, self.block, NEAREST * self.largest) is not None:
+                    raise
+                return Way(integrator, t, y, turned_back(t, y), integrator)
+        found = way.gone_on(t, y, integrator)  # too near: the change is felt from the other side on
+        self._late = max(self._late, found.leaves[0] - t)
+        return found
 
     def _last_step(self, way: Way, first: int) -> int:
         """The first step behind the position whose determinant is good again; the last one allowed if there is none."""
