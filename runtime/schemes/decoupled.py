@@ -77,12 +77,15 @@ class Decoupled(HeldSlow):
         return bool(self.slow) and self.model.has("slow_response")
 
     def further_fields(self) -> dict[str, StateField]:
-        """N column by column and y_ddot; what is held and, along a tree, what of it crosses to the rows of q_S."""
+        """N column by column, y_ddot, N times what q_S did in the last step: its way beyond H q_S', the change of q_S'.
+        What is held and, along a tree, what of it crosses to the rows of q_S.
+        """
         if not self.slow:
             return super().further_fields()
         n, loops, slow, fast = len(self.model.q_i), len(self.model.loop_unknowns), len(self.slow), len(self.fast)
         found = {"s": work(1), "a": work(n), "hold_q": work(n), "hold_v": work(n)}
-        found |= {"x_last": state(n), "v_last": state(n), "N": state(slow * fast), "y_ddot": state(slow)}
+        found |= {"x_last": state(n), "v_last": state(n), "N": work(slow * fast), "y_ddot": state(slow)}
+        found |= {"N_moved": state(slow), "N_sped": state(slow)}
         found |= {"loop_old": state(loops), "loop_dot": state(loops)}
         if self.past:
             found |= {**dict.fromkeys(self.past, state(slow)), "y_third": work(slow)}
@@ -98,11 +101,13 @@ class Decoupled(HeldSlow):
         if not self.slow:
             return fields
         response = self._response(equations, equations.close(q_i, fields["loop"], t0, 1), q_i_dot)
-        found = {name: response[name] for name in ("N", "y_ddot")}
+        L, S, y_ddot = self.slow, self.fast, response["y_ddot"]
+        N = ca.reshape(response["N"], len(L), len(S))
+        sped = ca.mtimes(N, q_i_dot[S] - fields["v_last"][S])
+        found = {"y_ddot": y_ddot, "N_sped": sped, "N_moved": equations.h[0] / 2 * sped}
         if not self.past:
             return {**fields, **found}
-        L, S, y_ddot = self.slow, self.fast, response["y_ddot"]
-        rate = q_i_dot[L] + ca.mtimes(ca.reshape(response["N"], len(L), len(S)), q_i_dot[S])  # of y, q_S at rest
+        rate = q_i_dot[L] + ca.mtimes(N, q_i_dot[S])  # of y, q_S at rest
 
         def at(tau: ca.SX, bend: ca.SX) -> ca.SX:
             x = q_i[L] + polynomial([ca.SX.zeros(len(L)), rate, y_ddot, bend], tau)
@@ -118,12 +123,11 @@ class Decoupled(HeldSlow):
         if not self.slow:
             return super()._hold(z, equations, level)
         L, S, H = self.slow, self.fast, equations.h[0]
-        N = ca.reshape(z["N"], len(L), len(S))
         x_rise, v_rise = (z["x"] - z["x_last"])[S] / 2, (z["v"] - z["v_last"])[S] / 2
         known = [z[name] for name in ("y_ddot", *self.past)]  # of the steps before
         x_y, v_y = moved(known, -1, 0.0, H)
-        x_L = z["x"][L] + H / 2 * z["v"][L] + x_y - ca.mtimes(N, x_rise - H / 2 * z["v"][S])
-        v_L = z["v"][L] + v_y - ca.mtimes(N, v_rise)
+        x_L = z["x"][L] + H / 2 * z["v"][L] + x_y - (z["N_moved"] - H * z["N_sped"]) / 2
+        v_L = z["v"][L] + v_y - z["N_sped"] / 2
         x, v = (
             replaced(replaced(z[name], L, one), S, z[name][S] + rise)
             for name, one, rise in (("x", x_L, x_rise), ("v", v_L, v_rise))
@@ -212,7 +216,7 @@ class Decoupled(HeldSlow):
         names = ("y_ddot", *self.past, "y_third") if self.past else ("y_ddot",)
         x_y, v_y = moved([z[name] for name in names], 0, 0.5, H)
         rise = z["x"][S] - z["x_last"][S] - H * z["v_last"][S]
-        x = z["x"][L] + H * z["v"][L] + x_y - ca.mtimes(N, rise)
-        v = z["v"][L] + v_y - ca.mtimes(N, z["v"][S] - z["v_last"][S])
-        ends = {"x": replaced(z["x"], L, x), "v": replaced(z["v"], L, v)}
+        moved_by, sped_by = ca.mtimes(N, rise), ca.mtimes(N, z["v"][S] - z["v_last"][S])
+        x, v = z["x"][L] + H * z["v"][L] + x_y - moved_by, z["v"][L] + v_y - sped_by
+        ends = {"x": replaced(z["x"], L, x), "v": replaced(z["v"], L, v), "N_moved": moved_by, "N_sped": sped_by}
         return {**ends, **super()._finish({**z, **ends}, equations)}

@@ -46,8 +46,9 @@ def weights(first: int, count: int, end: float) -> tuple[tuple[float, ...], tupl
 def moved(values: Sequence[ca.SX], first: int, end: float, H: ca.SX) -> tuple[ca.SX, ca.SX]:
     """What values at first, first - 1, ... add to y beside (e + 1/2) H y', and to y', up to e = `end`."""
     by_position, by_rate = weights(first, len(values), end)
-    x, v = (sum((w * y for w, y in zip(ones, values, strict=True)), ca.SX(0)) for ones in (by_position, by_rate))
-    return H * H * x, H * v
+    scaled = ((by_position, H * H), (by_rate, H))  # products of H alone are made once a run
+    x, v = (sum((w * by * y for w, y in zip(ones, values, strict=True)), ca.SX(0)) for ones, by in scaled)
+    return x, v
 
 
 def values_before(at: Callable[[ca.SX, ca.SX], ca.SX], y_ddot: ca.SX, H: ca.SX, count: int) -> list[ca.SX]:

@@ -81,6 +81,8 @@ FIELDS: tuple[Notation, ...] = (
     Notation("hold_v", "", "", "n_i", "mixed", "rates there, as the rows of q_S of a large tree see them"),
     Notation("N", "", "", "n_L x n_S", "SI", "M_hat_LL^-1 M_hat_LS at the middle"),
     Notation("y_ddot", "", "", "n_L", "mixed", "acceleration of q_L + N q_S, M_hat_LL^-1 Q_hat_L"),
+    Notation("N_moved", "", "", "n_L", "mixed", "N times the way of q_S in the last step beyond H q_S'"),
+    Notation("N_sped", "", "", "n_L", "mixed", "N times the change of q_S' in the last step"),
     Notation("y_last", "", "", "n_L", "mixed", "the y_ddot of the major step before"),
     Notation("y_before", "", "", "n_L", "mixed", "that of the one before"),
     Notation("y_third", "", "", "n_L", "mixed", "and before that"),
