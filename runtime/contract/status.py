@@ -34,6 +34,7 @@ EventKind = Literal[
     "no_variant",
     "checkpoint_failed",
     "load_missed",
+    "load_not_finite",
     "shapes_missing",
     "stresses_missing",
     "sections_missing",

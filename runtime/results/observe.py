@@ -101,7 +101,8 @@ def assemble_solution(
         lam, forces = joint_reactions(model, values, C_q, c)
         error = np.abs(constraint["C"]).max(axis=1)
         rate_error = np.abs(constraint["C_dot"]).max(axis=1)
-        driven = np.sum(lam * constraint["C_t"], axis=1)
+        with np.errstate(all="ignore"):  # of states that are not finite
+            driven = np.sum(lam * constraint["C_t"], axis=1)
     if model.has("load_actions"):
         flat = evaluate(model.kernel("load_actions"), values, c)[
             "load_actions"

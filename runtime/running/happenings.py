@@ -15,11 +15,12 @@ from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.event_ends import ended_at_event, settled, shown_at_end
 from runtime.schemes.switching.broken_steps import BrokenSteps
 from runtime.schemes.switching.legs import Leg
-from runtime.schemes.switching.watched import action_values, begin_events, cool_down, event_values
+from runtime.schemes.switching.watched import action_values, begin_events, cool_down, event_slopes, event_values
 
 MOST_IN_A_STEP = 50  # events of one name
 CHATTER = 1e-3  # of the time between states that are seen, in place of a step: where steps follow from a tolerance
 MOST_TOLD = 100  # impulses of prescribed motions
+AT_THE_END = 1e-10  # s
 NEAR = 1e-6  # of a step: what happens at its end
 
 
@@ -47,6 +48,12 @@ class Happenings:
         assert isinstance(self._scheme, AdaptiveSteps)
         return ended_at_event(self._scheme, z, self._scheme.constants(self.own.c), self._once)
 
+    def lie_within(self, z: np.ndarray) -> bool:
+        """Is the end of the last step of z (n_z,) not behind the end of the run?"""
+        assert isinstance(self._scheme, AdaptiveSteps)
+        plan = self.own.plan
+        return int(z[1]) < plan.steps or self._scheme.reached(z) <= plan.t_end + AT_THE_END
+
     def happen(self, z: np.ndarray, happened: list[int]) -> np.ndarray | None:
         """These events at the end of the last step of z, in place; (n_w,) the inputs if they changed.
 
@@ -55,9 +62,9 @@ class Happenings:
         scheme, own = self._scheme, self.own
         assert isinstance(scheme, AdaptiveSteps)
         before, constants, seen = z[self._inputs].copy(), scheme.constants(own.c), scheme.at_end(z)
-        values, slopes = action_values(scheme, seen, constants), event_values(scheme, seen, constants)
+        values, values_now = action_values(scheme, seen, constants), event_values(scheme, seen, constants)
         settled(scheme, z, constants)
-        self._happen(z, scheme.reached(z), happened, values, slopes)
+        self._happen(z, scheme.reached(z), happened, values, values_now)
         begin_events(scheme, z, constants, scheme.at_end(z))  # with the inputs as they are now
         if self.status is not None:
             shown_at_end(scheme, z, own.plan.grid.dt_L, self._once)
@@ -94,19 +101,29 @@ class Happenings:
         self._happen(z, float(leg.reached), happened, values, event_values(self._scheme, leg.z, constants))
         return replace(leg, z=z, ends=self.status is not None)
 
-    def _happen(self, z: np.ndarray, t: float, happened: list[int], values: np.ndarray, slopes: np.ndarray) -> None:
-        """These events at t [s]: they are told and judged, and z gets the inputs that they set."""
+    def _happen(self, z: np.ndarray, t: float, happened: list[int], values: np.ndarray, values_now: np.ndarray) -> None:
+        """These events at t [s]: they are told and judged, and z gets the inputs that they set.
+
+        values (n_a,): what they set; values_now (n_e,): of the events, past zero, or at it to the last bit.
+        """
+        constants = self._scheme.constants(self.own.c)
+        rates = event_slopes(self._scheme, z, constants) if (values_now == 0).any() else values_now
         first = np.cumsum([0, *(len(event.sets) for event in self._events)])
         changes: dict[str, float] = {}
         cool_down(self._scheme, z, happened, t)
         for k in happened:
-            event, direction = self._events[k], "rising" if slopes[k] >= 0 else "falling"
+            event = self._events[k]
+            direction = "rising" if (values_now[k] or rates[k]) >= 0 else "falling"
             if event.direction != "either":
                 direction = event.direction
             changes |= dict(zip(event.sets, values[first[k] : first[k + 1]].tolist(), strict=True))
             self.told.append(Event(t, "event", _text(event, direction, changes), event.name, direction))
             self._judge(event, t)
-        if changes:
+        endless = next((name for name, value in changes.items() if not np.isfinite(value)), None)
+        if endless is not None:
+            cause = f"event {self.told[-1].name} sets {endless} to {changes[endless]}"
+            self.status = Status("not_finite", t, None, cause, "Let its action have a finite value there.")
+        elif changes:
             z[self._inputs] = self.own.model.signals.changed(z[self._inputs].copy(), t, changes)
 
     def _judge(self, event: EventRecord, t: float) -> None:

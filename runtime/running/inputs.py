@@ -126,6 +126,8 @@ def _arrays(name: str, value: Any) -> tuple[np.ndarray, np.ndarray]:
 
 def _steps(name: str, time: float, dt: float) -> int:
     """How many steps a time is. Raises ModelError if it lies within one."""
+    if not np.isfinite(time):
+        raise ModelError(f"input {name!r}", f"its samples are {time} s apart", "give a time in seconds")
     count = round(time / dt)
     if abs(time / dt - count) > ON_THE_GRID * max(1.0, abs(count)):
         raise ModelError(

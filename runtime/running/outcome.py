@@ -34,6 +34,7 @@ def finished(run: Run, setup: float) -> Solution:
 def _ended(run: Run, setup: float) -> Solution:
     began = time.perf_counter()
     status = run.status if run.step == 0 and run.status is not None else run.go()
+    status = _explained(status, run)
     wall = time.perf_counter() - began
     last = (run.record.segments.index(run.segment), run.segment.stepper.state(run.z))
     run.record.flush()
@@ -57,6 +58,16 @@ def _ended(run: Run, setup: float) -> Solution:
         except OutputError as error:  # the header that is there says that the run did not come to its end
             solution = replace(solution, status=Status("output_failed", status.time, None, str(error)))
     return solution
+
+
+def _explained(status: Status, run: Run) -> Status:
+    """A breakdown where a load has no finite value is its doing."""
+    within = status.time + 2 * run.segment.plan.grid.dt_L
+    bad = (event for event in run.events if event.kind == "load_not_finite" and event.time <= within)
+    event = next(bad, None) if status.name in ("not_finite", "diverged", "step_too_short") else None
+    if event is None:
+        return status
+    return Status(status.name, status.time, status.coordinate, event.text, "Let it be finite, or end the run before.")
 
 
 def _measure(run: Run, status: Status, state: ConsistentState) -> None:

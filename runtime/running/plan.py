@@ -19,6 +19,7 @@ from runtime.schemes.scheme import Scheme
 
 MAX_SAMPLES = 10_000_000
 MAX_STEPS = 1e15
+TOLD_APART = 2.0**-49  # dt over a time, at least
 STEP_ROUNDING = 1e-6  # of a step: t_end / dt is a whole number up to this
 
 
@@ -92,6 +93,9 @@ def make_plan(
         raise SchemeError(f"dt = {grid.dt_L:g} s is longer than the simulation ({end - t0:g} s); give a smaller step")
     if (end - t0) / grid.dt_L > MAX_STEPS:
         raise SchemeError(f"dt = {grid.dt_L:g} s needs more than {MAX_STEPS:.0e} steps; raise dt or lower t_end")
+    if grid.dt_L < TOLD_APART * max(abs(t0), abs(end)):
+        near = f"times near {max(abs(t0), abs(end)):g} s that are {grid.dt_L:g} s apart"
+        raise SchemeError(f"{near} cannot be told from each other; begin at t0 = 0")
     steps = max(1, ceil((end - t0) / grid.dt_L - STEP_ROUNDING))
     if steps / every > MAX_SAMPLES and not bounded:
         raise SchemeError(f"{steps // every:.3g} saved states are too many; raise save_every or dt, or stream them")

@@ -17,7 +17,7 @@ from runtime.running.header_of import header_of
 from runtime.running.interrupts import Interrupts, heard_interrupts
 from runtime.running.pace import Pace
 from runtime.running.record import Record
-from runtime.running.schedule import Schedule
+from runtime.running.schedule import EndlessInput, Schedule
 from runtime.running.segment import Segment
 from runtime.running.singular.guard import FLOOR, Guard, lost_unguarded
 from runtime.running.singular.passage import Passage, locate
@@ -61,8 +61,8 @@ class Run:
                 self._loop(interrupts)
             except KeyboardInterrupt:
                 interrupts.asked = True
-            except OutputError as error:
-                self.status = self._output_failed(error)
+            except (OutputError, EndlessInput) as error:
+                self.status = error.status if isinstance(error, EndlessInput) else self._output_failed(error)
             interrupted = self.status is None and self.step < self.segment.plan.steps
             if interrupted:
                 self.status = self.segment.monitor.after(self._state, last=True)
@@ -193,7 +193,7 @@ class Run:
                 break
             self.segment.run(self.z, 1)
             self._keep()
-        if self.step < plan.steps:  # else it lies behind the end of the run
+        if self.happenings.lie_within(self.z):
             self._take_event(self.happenings.happen(self.z, happened))
         return True
 

@@ -8,10 +8,21 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model, ModelError
 from runtime.contract.signals import Signals
+from runtime.contract.status import Status
 from runtime.running.reading import reading
 from runtime.schemes.scheme import Scheme
+
+
+class EndlessInput(Exception):
+    """A controller gave a number that is not finite; status: how the run ends by it."""
+
+    def __init__(self, status: Status) -> None:
+        super().__init__(str(status))
+        self.status = status
+
 
 DONE = ""  # in what a schedule remembers, beside the names of inputs
 
@@ -34,11 +45,21 @@ class Controller:
         self._read = lambda z: np.asarray(function(z, constants)).ravel()
 
     def decides(self, t: float, z: np.ndarray) -> float:
-        """The input from t [s] on; z: the scheme's part of the state."""
+        """The input from t [s] on; z: the scheme's part of the state. Raises ArgumentError and EndlessInput."""
         assert self._read is not None
         seen = self._read(z)
         remembered = self.memory is not None and len(self.memory)
-        return float(self.function(t, seen, self.memory) if remembered else self.function(t, seen))
+        given = self.function(t, seen, self.memory) if remembered else self.function(t, seen)
+        try:
+            found = float(given)
+        except (TypeError, ValueError):
+            raise ArgumentError(
+                f"the controller of input {self.name!r} gave {given!r} at t = {t:g} s: give a number"
+            ) from None
+        if not np.isfinite(found):
+            cause = f"the controller of input {self.name!r} gave {found}"
+            raise EndlessInput(Status("not_finite", t, None, cause, "What was computed until then is kept."))
+        return found
 
 
 @dataclass

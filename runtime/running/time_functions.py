@@ -2,8 +2,8 @@
 
 Everything but t is held as it is at the start. Where a load jumps or kinks steps end, so that nothing is missed there.
 Of the others each of the shortest steps is looked into at a few points: a load whose impulse the ends of the steps do
-not show is named. A prescribed motion whose velocity jumps at a known time has an impulse; one whose position jumps is
-refused, and so is a jump of velocity that no condition tells of.
+not show is named, and so is one that has no finite value. A prescribed motion whose velocity jumps at a known time has
+an impulse; one whose position jumps is refused, and so is a jump of velocity that no condition tells of.
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ MISSED = 0.02  # of the whole impulse of a load
 JUMP = 1e-6  # of the largest position or velocity of the prescribed motions
 SEEN, DUST = 200, 1e-12  # looks at the range of a motion; m or rad, and their rates
 CANDIDATES, HALVINGS = 8, 60
+LARGEST_LOAD = 1e290  # N or N m: its work overflows
 
 
 def check_time_functions(
@@ -145,6 +146,11 @@ def _missed_loads(
     if function is None:
         return []
     forces = np.asarray(function(times[None, :])).reshape(-1, len(times))
+    bad = ~(np.abs(forces) < LARGEST_LOAD)
+    if bad.any():
+        k = int(bad.any(axis=0).argmax())
+        text = f"the load on {model.q_i[int(bad[:, k].argmax())]} has no finite value at t = {times[k]:.6g} s"
+        return [Event(float(times[k]), "load_not_finite", text)]
     varying = forces - np.median(forces, axis=1)[:, None]
     h = (times[-1] - times[0]) / (len(times) - 1)
     fine = h * (varying[:, 1:] + varying[:, :-1]) / 2

@@ -11,6 +11,7 @@ from runtime.schemes.catalogue import SCHEMES, scheme_kind
 from runtime.schemes.options import LARGEST_TOLERANCE, SchemeError
 
 MOST_SEEN = 1000  # states of a motion, where neither dt nor save_every says otherwise
+LEAST_TOLERANCE = 1e-13
 ROUNDING = 1e-6  # of a step: a motion is a whole number of them up to this
 
 
@@ -37,6 +38,8 @@ def tolerance_of(model: Model, scheme: str | None, tolerance: float | None) -> f
         )
     if isinstance(tolerance, bool) or not isinstance(tolerance, int | float) or not 0 < tolerance <= LARGEST_TOLERANCE:
         raise SchemeError(f"tolerance must be between 0 and {LARGEST_TOLERANCE:g}, not {tolerance!r}")
+    if tolerance < LEAST_TOLERANCE:
+        raise SchemeError(f"tolerance = {tolerance:g} is below what rounding leaves; give at least {LEAST_TOLERANCE:g}")
     return float(tolerance)
 
 
@@ -66,4 +69,8 @@ def with_tolerance(
         seen = span / max(1, steps)
     except (TypeError, ValueError, ArithmeticError):  # not numbers, or not a motion: make_plan says so
         return options, dt, save_every
-    return {**(options or {}), "tolerance": asked}, seen if span > 0 and dt != 0 else dt, save_every or 1
+    return (
+        {**(options or {}), "tolerance": asked},
+        seen if span > 0 and (dt is None or float(dt) > 0) else dt,
+        save_every or 1,
+    )

@@ -138,7 +138,8 @@ def account_at(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> tuple[float, flo
     if not accounted(scheme):
         return 0.0, 0.0
     state = z[: scheme.layout.size]
-    work, doubt = work_and_doubt(scheme, state, power_of(scheme, state, c))
+    with np.errstate(all="ignore"):  # other checks say what is not finite
+        work, doubt = work_and_doubt(scheme, state, power_of(scheme, state, c))
     return float(work), float(doubt)
 
 

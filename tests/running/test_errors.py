@@ -20,7 +20,7 @@ from symgen.cli import listing, main
 from symgen.scene import SceneError
 
 # control flow within one file or two: caught there, never seen by a user
-INTERNAL = {"BranchLost", "NoInertia", "TooLarge", "UnknownInterface", "_TooDear"}
+INTERNAL = {"BranchLost", "EndlessInput", "NoInertia", "TooLarge", "UnknownInterface", "_TooDear"}
 
 
 def exceptions() -> set[type]:

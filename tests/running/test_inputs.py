@@ -180,7 +180,7 @@ def test_motions_need_rates(model_of: Build, change: dict[str, Any], words: str)
         ({"force": lambda t: np.array([t, t])}, "one number"),
         ({"force": Sampled(lambda t, x: 0.0, 0.0)}, "every dt"),
         ({"force": Sampled(lambda t, x: 0.0, 0.01, ["cart.z"])}, "'cart.z'"),
-        ({"force": Sampled(lambda t, x: np.inf, 0.01)}, "finite"),
+        ({"force": Sampled(lambda t, x: 0.0, np.inf)}, "inf s apart"),
     ],
 )
 def test_what_cannot_be_an_input_is_refused_by_name(model_of: Build, inputs: dict[str, Any], words: str) -> None:
