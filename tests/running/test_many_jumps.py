@@ -81,7 +81,7 @@ def test_a_comparison_crosses_jumps_in_one_native_call(
     model, dt = model_of(pushed_mass()), 0.002
     own = Stepper(scheme_kind(scheme).build(scheme, model, dt, None, {}), wait=True)
     c, q = model.constants(model.parameter_vector(None)), np.zeros(len(model.coordinates))
-    broken = BrokenSteps(own, 0.0, dt, switching_times(model, c, 0.0, 0.6))
+    broken = BrokenSteps(own, 0.0, dt, switching_times(model, c, 0.0, 0.6), many=True)
     monkeypatch.delattr(NativeProgram, "run")
     z = own.start(0.0, q, q, c, dt)
     broken.run(z, own.ready(c, dt), c, 300)
@@ -118,9 +118,62 @@ def test_lists_do_what_is_done_one_by_one(model_of: Build, monkeypatch: pytest.M
 
     found = course()
     monkeypatch.setattr("runtime.schemes.switching.broken_steps.MANY", 10**9)
-    monkeypatch.setattr("runtime.schemes.stepper.Stepper.waits", False, raising=False)
     one_by_one = course()
     assert np.abs(found - one_by_one).max() < 1e-11 * np.abs(one_by_one).max()
+
+
+def test_only_jumps_of_a_velocity_are_left_to_python(model_of: Build, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A drive turns smoothly, then at once; a bob on it is pushed by a wave. Its impulse is that of single steps."""
+    builder = SceneBuilder("driven_bob").rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
+    builder.rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
+    builder.revolute("pin", "ground.origin", "crank.origin").revolute("hinge", "crank.tip", "bob.origin")
+    motion = "where(t < 0.4, 0, (t - 0.4)**2) + where(t < 0.7, 0, t - 0.7)"
+    builder.prescribed_angle("drive", "ground.origin", "crank.origin", motion=motion)
+    builder.torque("push", "bob.origin", "where(sin(300 * t) > 0, 1, -1)")
+    model = model_of(builder.simulation(t_end=1.0, dt=0.004, scheme="rk4").build())
+    broken, break_ = list[float](), BrokenSteps._break
+
+    def counted(self: BrokenSteps, z: np.ndarray, c: np.ndarray, acts: Any = None) -> None:
+        broken.append(float(z[0] + z[1] * self.dt))
+        break_(self, z, c, acts)
+
+    monkeypatch.setattr(BrokenSteps, "_break", counted)
+    found = simulate(model)
+    assert [event.kind for event in found.events] == ["velocity_jump"] and broken
+    assert all(abs(t - 0.7) < 0.005 for t in broken)
+    monkeypatch.setattr("runtime.schemes.switching.broken_steps.MANY", 10**9)
+    one_by_one = simulate(model)
+    assert len(broken) > 90 and np.abs(found.q_dot - one_by_one.q_dot).max() < 1e-12
+    assert np.abs(found.energy["work"] - one_by_one.energy["work"]).max() < 1e-12
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "single_rate"])
+def test_events_among_many_jumps(model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str) -> None:
+    """A mass on a spring under a wave, which an action doubles: told as by single steps; Python makes theirs only."""
+    builder = SceneBuilder("shaken").input("force", 1.0, "N").rigid("mass", mass=1.0, inertia=0.1)
+    builder.prismatic("rail", "ground.origin", "mass.origin").measure("x", "x", "mass.origin")
+    builder.force("push", "mass.origin", "where(sin(250 * t + 10 * sin(9 * t)) > 0.4, force, -force) - 900 * x", 0.0)
+    builder.event("through", "x", direction="rising", cool_down=0.1).initial({"mass.x": 0.01})
+    builder.event("later", "t - 0.6", action={"force": "2 * force"})
+    model = model_of(builder.simulation(t_end=1.0, dt=0.004, scheme="rk4").build())
+    broken, break_ = list[int](), BrokenSteps._break
+
+    def counted(self: BrokenSteps, z: np.ndarray, c: np.ndarray, acts: Any = None) -> None:
+        broken.append(int(z[1]))
+        break_(self, z, c, acts)
+
+    monkeypatch.setattr(BrokenSteps, "_break", counted)
+    found = simulate(model, scheme=scheme, force=True)
+    assert len(found.events) > 4 and len(set(broken)) <= len(found.events) + 1
+    monkeypatch.setattr("runtime.schemes.switching.broken_steps.MANY", 10**9)
+    one_by_one = simulate(model, scheme=scheme, force=True)
+    assert len(set(broken)) > 60
+    assert [(one.name, one.direction) for one in found.events] == [
+        (one.name, one.direction) for one in one_by_one.events
+    ]
+    times = [[event.time for event in run.events] for run in (found, one_by_one)]
+    assert times[0] == pytest.approx(times[1], rel=0, abs=1e-10)
+    assert np.abs(found.q - one_by_one.q).max() < 1e-10 * np.abs(found.q).max()
 
 
 def test_the_bits_do_not_depend_on_calls_or_engines(model_of: Build) -> None:

@@ -8,6 +8,7 @@ it, one that begins there on clocks after it, so that no rounding of t decides w
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -18,9 +19,10 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.breaks import ON_THE_GRID, Breaks
+from runtime.schemes.switching.crossing import crossing, needs_crossing
 from runtime.schemes.switching.dips import dips, first_bracket
 from runtime.schemes.switching.event_search import first_passage
-from runtime.schemes.switching.impulse import Impulse, impulse_at, moves_in_time
+from runtime.schemes.switching.impulse import Impulse, impulse_at, may_give_impulses, moves_in_time
 from runtime.schemes.switching.legs import Acts, Leg, Legs
 from runtime.schemes.switching.listed_breaks import AHEAD, ListedBreaks
 from runtime.schemes.switching.times import SwitchTime
@@ -52,8 +54,11 @@ class BrokenSteps:
         self.legs, self.grid = Legs(stepper), Breaks(t0, dt, switches)
         self.many = many or len(self.grid.broken) >= MANY
         self.impulses: dict[float, Impulse] = {}
-        self._moves = moves_in_time(self.model)
+        self._moves, self._switches = moves_in_time(self.model), switches
         self._list: ListedBreaks | None = None
+        self._jolted: list[int] | None = None  # broken steps in which there may be impulses
+        if self.grid.broken and self._listed and needs_crossing(stepper.scheme):
+            crossing(stepper)  # compiled before anything is run
 
     @property
     def model(self) -> Model:
@@ -66,8 +71,11 @@ class BrokenSteps:
         while (step := int(z[1])) < end:
             broken = self.grid.next_broken(step)
             if broken is not None and broken < end and self._listed:
-                self._by_list(z, ready, c, end)
-            elif broken == step:
+                jolted = self._next_jolted(step, c)
+                if jolted != broken:
+                    self._by_list(z, ready, c, end if jolted is None else min(end, jolted))
+                    continue
+            if broken == step:
                 self._break(z, c)
             elif z[0] != self.t0:  # the clock was set after a jump at the start of this step
                 self.stepper.run(z, ready, 1)
@@ -75,14 +83,21 @@ class BrokenSteps:
             else:
                 self.stepper.run(z, ready, (end if broken is None else min(end, broken)) - step)
 
+    def _next_jolted(self, step: int, c: np.ndarray) -> int | None:
+        """The first broken step from this one on in which a prescribed motion may give an impulse."""
+        if self._jolted is None:
+            may = may_give_impulses(self.model, c, self._switches) if self._moves else []
+            self._jolted = Breaks(self.t0, self.dt, may).broken
+        k = bisect_left(self._jolted, step)
+        return self._jolted[k] if k < len(self._jolted) else None
+
     @cached_property
     def _listed(self) -> bool:
         """May broken steps be made by lists of calls, and does it pay?"""
-        scheme, remembers = self.stepper.scheme, self.legs.remembers
-        if self._moves or watches(scheme) or (remembers and scheme.charts.size):
+        scheme = self.stepper.scheme
+        if self.legs.remembers and scheme.charts.size:  # charts move at a start
             return False
-        ready_made = not remembers and not accounted(scheme)
-        return ready_made or self.stepper.waits or self.many
+        return self.many or not needs_crossing(scheme)
 
     def _by_list(self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, end: int) -> None:
         """All that one list has before step `end`."""

@@ -18,34 +18,39 @@ from runtime.engine.program import Fields, Layout, Sequence, Until, make_stage
 from runtime.schemes.scheme import LARGEST, Scheme
 from runtime.schemes.state_fields import Lasting
 from runtime.schemes.stepper import Stepper
+from runtime.schemes.switching.watched import NEVER, values_at, watches
 from runtime.schemes.work import FIELDS, accounted, begun, counted_work, looks_ahead, observed_power
 
 ACCOUNT = list(FIELDS)[:3]  # what begins anew
-ACTS = ("restart", "power", "open", "close")  # in this order
+ACTS = ("restart", "power", "open", "close", "look")  # in this order
 _LOCK = Lock()
 _KEPT: WeakKeyDictionary[Stepper, Crossing] = WeakKeyDictionary()
 
 
 class Crossing:
-    """Of a stepper. Fields of its z: state, the scheme's z; dt, dt_before, clock [s]; share, work, powers: see stages.
+    """Of a stepper. Fields of its z: state, the scheme's z; dt, dt_before, clock [s], and what the stages speak of.
 
     restart: the state, shown by steps dt_before, as the start of steps dt at the clock. power: that of the state is
-    the last of three, and `share` of it is added to `work`. open: `work` is that of the state. close: `account` holds
-    the account of `work` begun at the last power, or with the three.
+    the last of three `powers`, and `share` of it is added to `work`. open: `work` is that of the state. close:
+    `account` begins with `work` and the last power, or the three. look: events are looked for from the state on;
+    `flagged` is the first step in which one was seen before.
     """
 
     def __init__(self, stepper: Stepper) -> None:
         self.scheme = scheme = stepper.scheme
         sizes = {"state": scheme.layout.size, "dt": 1, "dt_before": 1, "clock": 1}
-        sizes |= {"share": 1, "work": 1, "powers": 3, "account": len(ACCOUNT), **dict.fromkeys(ACTS, 1)}
+        sizes |= {"flagged": 1, "share": 1, "work": 1, "powers": 3, "account": len(ACCOUNT), **dict.fromkeys(ACTS, 1)}
         self.layout = Layout(sizes)
-        bodies: dict[str, Callable[[Fields, ca.SX], dict[str, ca.SX]]] = {"restart": self._restart}
+        bodies: dict[str, Callable[[Fields, ca.SX], dict[str, ca.SX]]] = {}
+        if remembers(scheme):
+            bodies["restart"] = self._restart
         if accounted(scheme):
             bodies |= {"power": self._power, "open": self._open, "close": self._close}
+        if watches(scheme):
+            bodies["look"] = self._look
         parts = [
             Until(make_stage(name, self.layout, scheme.c_size, body), self.layout.slice(name).start, 1, usual=1)
             for name, body in bodies.items()
-            if name != "restart" or remembers(scheme)
         ]
         self.prepared = prepare(Sequence(tuple(parts)), self.layout.size, scheme.c_size)
         self.n_c = int(self.prepared.constants.size1_out(0))  # numbers that it reads
@@ -90,10 +95,23 @@ class Crossing:
         ahead = (ca.if_else(finite, one, P[0]) for one in P[1:])
         return {"account": ca.vertcat(*begun(self.scheme, z["work"], P[0], *ahead))}
 
+    def _look(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
+        fields = self.scheme.layout.unpack(z["state"])
+        equations = self.scheme.equations(self._constants(z, c, z["dt"]), fields)
+        seen = values_at(self.scheme, z["state"], equations)
+        new = {"event_values": seen["events"], "event_change": ca.SX.ones(seen["events"].numel()) * NEVER}
+        new["event_step"] = ca.if_else(fields["event_step"] < NEVER, ca.fmin(z["flagged"], fields["n"]), z["flagged"])
+        return {"state": self.scheme.layout.pack({**fields, **new, "event_slopes": seen["slopes"]})}
+
 
 def remembers(scheme: Scheme) -> bool:
     """Does a scheme act through more than positions and rates?"""
     return set(scheme.memory) != {"x", "v", "loop"}
+
+
+def needs_crossing(scheme: Scheme) -> bool:
+    """Is there something to do between two parts of a step?"""
+    return remembers(scheme) or accounted(scheme) or watches(scheme)
 
 
 def crossing(stepper: Stepper) -> Crossing:

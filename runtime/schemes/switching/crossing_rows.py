@@ -11,6 +11,7 @@ from runtime.engine.call_list import COPY, Row
 from runtime.engine.program import Layout
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.crossing import ACCOUNT, ACTS, Crossing, remembers
+from runtime.schemes.switching.watched import watches
 from runtime.schemes.work import accounted, looks_ahead
 
 STEP, CROSS = 1, 2  # programs of a list
@@ -21,6 +22,7 @@ MARKS: Mapping[str, tuple[str, ...]] = {  # stages of a crossing that are applie
     "watched": ("power",),
     "set_out": ("restart", "power"),
     "closed": ("power", "close"),
+    "looked": ("look",),
 }
 
 
@@ -49,10 +51,14 @@ class CrossingRows:
         return [self._go("z", "ready", first), to_grid, self._go("z", "ready", others)]
 
     def opened(self) -> list[Row]:
-        """At the start: the work until now."""
-        if not accounted(self.scheme):
-            return []
-        return [self._given("dt", "dt"), self._given("share", "zero"), *self._cross("opened", "z")]
+        """At the start: the work until now, and in which step an event was seen until now."""
+        rows = []
+        if accounted(self.scheme):
+            rows += [self._given("dt", "dt"), self._given("share", "zero"), *self._cross("opened", "z")]
+        if watches(self.scheme):
+            flag = self._at("z") + self.scheme.layout.slice("event_step").start
+            rows += [Row(COPY, self._in("flagged"), flag, 1), Row(COPY, flag, self._at("never"), 1)]
+        return rows
 
     def made(self) -> list[Row]:
         """A part; with an account of work its half beside it, and the powers at both ends and between."""
@@ -64,12 +70,17 @@ class CrossingRows:
         return [*half, *start, self._go_on("z", "ready1"), *middle, *self._watched("whole", "outer_share", "z")]
 
     def closed(self, ahead: np.ndarray) -> list[Row]:
-        """Back on the grid, where an account of work begins again; ahead (S,): 1 where it looks at the next steps."""
+        """Back on the grid, where events are looked for and an account of work begins again; ahead (S,): see there."""
         rows = self._restarted("back", self.step, "z") if remembers(self.scheme) else []
         rows.append(Row(COPY, self._at("z"), self.step.slice("grid").start, 2, own=True))
-        if not accounted(self.scheme):
-            return rows
-        rows += [self._given("dt", "dt"), self._given("share", "zero")]
+        if watches(self.scheme):
+            state = Row(COPY, self._at("z"), self._in("state"), self.scheme.layout.size)
+            rows += [self._given("dt", "dt"), *self._cross("looked", "z"), state]
+        return [*rows, *self._counted(ahead)] if accounted(self.scheme) else rows
+
+    def _counted(self, ahead: np.ndarray) -> list[Row]:
+        """An account of work begins; ahead (S,): 1 where it looks at the next steps."""
+        rows = [self._given("dt", "dt"), self._given("share", "zero")]
         if looks_ahead(self.scheme):
             rows += [*self._cross("watched", "z"), Row(COPY, self._at("other"), self._at("z"), self.n_z)]
             rows += [self._go("other", "ready", ahead), *self._cross("watched", "other")]

@@ -6,6 +6,7 @@ that S^T M (q'+ - q'-) = 0 with S = [1; B] in the order (q_i, q_d): M_hat (q_i'+
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import casadi as ca
@@ -13,6 +14,7 @@ import numpy as np
 
 from runtime.contract.coordinates import parts, rate_parts, whole
 from runtime.contract.model import Model, ModelError
+from runtime.schemes.switching.times import SwitchTime
 
 DUST = 1e-12  # of the largest rate: less is rounding of a rate that does not jump
 
@@ -29,6 +31,28 @@ class Impulse:
 def moves_in_time(model: Model) -> bool:
     """Are there prescribed motions?"""
     return bool(model.constraints) and (not model.has("constraints") or "t" in model.kernel("constraints").name_in())
+
+
+def may_give_impulses(model: Model, c: np.ndarray, switches: Sequence[SwitchTime]) -> list[SwitchTime]:
+    """Those of the times at which the velocity of a prescribed motion may jump; c (c_size,): the model's constants.
+
+    All of them where that depends on coordinates or inputs too, or where no function tells.
+    """
+    if not switches or not moves_in_time(model):
+        return []
+    if not model.has("constraints"):
+        return list(switches)
+    q, q_dot = (ca.SX.sym(name, len(model.coordinates)) for name in ("q", "q_dot"))
+    t, inputs = ca.SX.sym("t"), ca.SX.sym("w", model.signals.size)
+    held = ca.vertcat(ca.SX(ca.DM(c[: len(c) - model.signals.size])), inputs)
+    C_t = ca.densify(model.evaluate("constraints", q=q, q_dot=q_dot, t=t, c=held)["C_t"])
+    if ca.depends_on(C_t, ca.vertcat(q, q_dot, inputs)):
+        return list(switches)
+    sides = np.array([[one.before, one.after] for one in switches])
+    values = np.asarray(ca.Function("velocities", [t], [C_t])(sides.reshape(1, -1)))
+    jumps = np.abs(values[:, 1::2] - values[:, 0::2])
+    may = (jumps > DUST * np.abs(values).max(axis=1, initial=0.0)[:, None]).any(axis=0)
+    return [one for one, jumping in zip(switches, may.tolist(), strict=True) if jumping]
 
 
 def impulse_at(

@@ -16,8 +16,9 @@ from runtime.engine.call_list import CallList, repeated, woven
 from runtime.engine.program import Layout
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.breaks import Breaks, Parts
-from runtime.schemes.switching.crossing import ACTS, crossing, remembers
+from runtime.schemes.switching.crossing import ACTS, crossing, needs_crossing
 from runtime.schemes.switching.crossing_rows import LEAD, CrossingRows, marks
+from runtime.schemes.switching.watched import NEVER
 from runtime.schemes.work import accounted
 
 MOST_NUMBERS = 1 << 19  # of the constants of their parts, about
@@ -37,12 +38,12 @@ class ListedBreaks:
         self.last = first + max(1, min(most, MOST_NUMBERS // (2 * len(self._shares) * n_c)))
         self._steps = np.array(grid.broken[first : self.last])
         self.last, parts = first + len(self._steps), grid.parts(first, self.last)
-        own = self._crossing = crossing(stepper) if remembers(scheme) or accounted(scheme) else None
+        own = self._crossing = crossing(stepper) if needs_crossing(scheme) else None
         # clock and n; step, the one before and the clock, for a part and for its half; shares of its powers in the work
         times = {"clock": 2, "whole": 3, "half": 3, "outer_share": 1, "inner_share": 1}
         self._part = Layout({**times, **{f"ready{share}": n_c for share in self._shares}})
         self._step = Layout({"grid": 2, "back": 3})  # t0 and n; the step dt, the one before and the clock
-        sizes = {"z": n_z, "other": n_z, "ready": n_c, "t0": 1, "dt": 1, "zero": 1}
+        sizes = {"z": n_z, "other": n_z, "ready": n_c, "t0": 1, "dt": 1, "zero": 1, "never": 1}
         programs = [(stepper.engine, n_z, n_c)]
         if own is not None:
             sizes |= {"cross": own.prepared.z_size, "constants": own.n_c, **dict.fromkeys(marks(), len(ACTS))}
@@ -106,7 +107,7 @@ class ListedBreaks:
         """The memory of the list, with what is known beforehand."""
         grid, scheme, own = self._grid, self._stepper.scheme, self._crossing
         memory, at = np.zeros(self._memory.size), self._memory.slice
-        memory[at("t0")], memory[at("dt")] = grid.t0, grid.dt
+        memory[at("t0")], memory[at("dt")], memory[at("never")] = grid.t0, grid.dt, NEVER
         if own is not None:
             memory[at("constants")] = own.prepared.ready(scheme.constants(c))
             for mark, acts in marks().items():

@@ -55,7 +55,7 @@ def _seen(scheme: Scheme, z: np.ndarray, c: np.ndarray, name: str) -> np.ndarray
     def build() -> ca.Function:
         symbols = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
         equations = scheme.equations(symbols[1], scheme.layout.unpack(symbols[0]))
-        found = _values(scheme, symbols[0], equations).get(name, ca.SX(0, 1))
+        found = values_at(scheme, symbols[0], equations).get(name, ca.SX(0, 1))
         return ca.Function(name, list(symbols), [ca.densify(found)])
 
     return direct(scheme, name, build)(z[: scheme.layout.size], c)
@@ -105,13 +105,13 @@ def with_events(scheme: Scheme, program: Program) -> Program:
         return program
 
     def looked(z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        seen = _values(scheme, scheme.layout.pack(z), equations)
+        seen = values_at(scheme, scheme.layout.pack(z), equations)
         flag = flagged(scheme, z, z["event_values"], seen["events"], seen["t"])
         step, looks = ca.fmin(z["event_step"], ca.if_else(flag, z["n"], NEVER)), next_values(z, seen["events"])
         return {**looks, "event_step": step, "event_slopes": z["event_slopes"] * looks["event_near"]}
 
     def bent(z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        seen, new = _values(scheme, scheme.layout.pack(z), equations), z["event_values"]
+        seen, new = values_at(scheme, scheme.layout.pack(z), equations), z["event_values"]
         dip = dips(new - z["event_change"], z["event_slopes"], new, seen["slopes"], equations.h[0])
         flag = flagged(scheme, z, new, new, seen["t"], dip)
         step = ca.fmin(z["event_step"], ca.if_else(flag, z["n"], NEVER))
@@ -156,7 +156,7 @@ def passed(scheme: Scheme, old: np.ndarray, new: np.ndarray, asleep: np.ndarray 
     return found if asleep is None else [k for k in found if not asleep[k]]
 
 
-def _values(scheme: Scheme, z: ca.SX, equations: StageEquations) -> dict[str, ca.SX]:
+def values_at(scheme: Scheme, z: ca.SX, equations: StageEquations) -> dict[str, ca.SX]:
     """`events`, their `slopes` (n_e,) and what `actions` set, at the state that z shows, at `t`."""
     seen = scheme.observer(z=z, c=ca.vertcat(equations.c, equations.h))
     q, q_dot, q_ddot = (equations.joined(seen[f"q_i{end}"], seen[f"q_d{end}"]) for end in ("", "_dot", "_ddot"))
