@@ -25,9 +25,9 @@ OWN = ("exponential", "linearised")
 EXPLICIT = (Spec("dop853"), Spec("rk4"), Spec("single_rate", None, {"common_velocity": "predictor"}))
 REMARK = """\
 CPU time of one native call for the whole motion, at the fewest steps that bring every graded coordinate below 1e-3 of
-its RMS amplitude; the best of at least five calls. `exponential_rk4 / best` is its time over that of the fastest scheme
-on the case, `these / best` that of the fastest of it and `exponential_adams`; `radau / best of ours`
-is how many times as long `radau` takes as the fastest of these two, `exponential` and `linearised`. Of schemes that
+its RMS amplitude; the lower quartile of at least five calls. `exponential_rk4 / best` is its time over that of the
+fastest scheme on the case, `these / best` that of the fastest of it and `exponential_adams`; `radau / best of ours` is
+how many times as long `radau` takes as the fastest of these two, `exponential` and `linearised`. Of schemes that
 factorise M_hat none is tried above {dense} coordinates, and on other large cases (arms, the loop in space)
 `exponential` with m = 1 alone. `jacobian`: the Jacobian of all coordinates where the price of a step is against it."""
 

@@ -15,7 +15,7 @@ from runtime import Model, SchemeError, simulate
 from runtime.contract.model import ModelError
 from runtime.studies.advice.advise import Advice, NoAdvice, advise, candidates
 from runtime.studies.advice.words import advice_data, advice_lines, command
-from runtime.studies.work_precision import dense_methods
+from runtime.studies.work_precision import dense_methods, prepared_method
 from runtime.studies.work_precision.comparison import Comparison, WorkCurve, work_precision
 from runtime.studies.work_precision.comparison_files import write_comparison
 from runtime.studies.work_precision.dense_methods import left_out
@@ -235,3 +235,20 @@ def test_an_arm_of_twenty_links_is_compared_with_dense_methods_too(
     assert "exponential, radau and other dense methods, 0.1 million operations a step" in left_out(model)
     assert "radau eps=1e-06" not in {one.label for one in candidates(model)}
     assert "IDAS" not in {one.label for one in usual_methods(model)}
+
+
+def test_a_clock_that_misses_most_of_a_call_is_not_believed(problem: Problem, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Calls of 2 ms of which it sees 1 us in one, as clocks of CPU time may where others run: 2 ms."""
+    prepared, seen, asked = PreparedMethod(Spec("rk4"), problem), 0.0, 0
+
+    def clock() -> float:
+        nonlocal seen, asked
+        asked += 1
+        if asked % 2 == 0:  # behind a call
+            seen += 1e-6 if asked == 8 else 2e-3
+        return seen
+
+    monkeypatch.setattr(prepared_method, "SAMPLES", 1)  # the first call is for the error, the others for the time
+    monkeypatch.setattr(prepared_method.time, "process_time", clock)
+    assert prepared.run(400).seconds == pytest.approx(2e-3)
+    assert asked > 8

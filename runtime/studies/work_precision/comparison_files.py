@@ -170,7 +170,7 @@ def _introduction(data: Mapping[str, Any]) -> list[str]:
     return [
         f"Motion of {data['t_end']:g} s. Graded: {graded}; in brackets the amplitude that errors are relative to.",
         "Error: RMS over the motion of the worst graded coordinate. Time: CPU, compiled, one thread, first call "
-        "excluded, best of several runs. Reference: DOP853 at rtol 1e-11, itself off by "
+        "excluded, lower quartile of several runs. Reference: DOP853 at rtol 1e-11, itself off by "
         f"{data['reference_error']:.1e} at most. Evaluations count M_hat and Q_hat and sub-steps alike.",
         f"Recommended: {data['recommendation']}.",
     ]

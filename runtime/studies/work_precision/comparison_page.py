@@ -77,8 +77,8 @@ def _measured(comparison: Comparison, data: Mapping[str, Any]) -> dict[str, str]
         "scene": f"{model.name}: {len(model.coordinates)} coordinates, {len(model.q_i)} independent; groups "
         f"{', '.join(group.name for group in model.groups)}; {data['t_end']:g} s of motion",
         "error": f"RMS over the motion of the worst graded coordinate, relative to its amplitude: {graded}",
-        "time": "CPU time of one thread, compiled, first call excluded, best of several runs; evaluations count "
-        "M_hat and Q_hat and sub-steps alike",
+        "time": "CPU time of one thread, compiled, first call excluded, lower quartile of several runs; evaluations "
+        "count M_hat and Q_hat and sub-steps alike",
         "reference": f"DOP853 at rtol 1e-11, itself off by {data['reference_error']:.1e} at most",
         "machine": f"{_processor()}, {os.cpu_count()} cores, {platform.system()} {platform.machine()}",
         "date": date.today().isoformat(),
