@@ -651,7 +651,7 @@ def forward_dynamics() -> ca.Function:
     w16 = w0 * c20 + w1 * (c14 + w2 * w3 - w5 * w6 + w7 * w10) + w13 * w14 - w9 * (w2 * w4 + w6 * w11 + w10 * w12 + w14 * w15)
     w17 = w16 / (c8 + w1 * (w1 * w7) - (w9 * (w13 - w9 * w15) + w9 * w13))
     # outputs
-    q_i_ddot = ca.vertcat(w17, (w6 - (w3 * (w14 + w9 * w17) + w4 * (w1 * w17 - w10))) / c11)
+    q_i_ddot = ca.vertcat(w17, w6 / c11 - w11 * (w14 + w9 * w17) - w5 * (w1 * w17 - w10))
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_i_ddot"])
 

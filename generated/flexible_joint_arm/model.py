@@ -971,7 +971,7 @@ def forward_dynamics() -> ca.Function:
     q_i_ddot = ca.vertcat(
         w20,  # link1.theta
         (w1 + ca.sin(t * 3.141592653589793) * shoulder_torque) / rotor1_inertia,  # rotor1.theta
-        (w9 - (w5 * (w17 + w12 * w20) + w6 * (w3 * w20 - w13))) / c18,  # link2.theta
+        w9 / c18 - w14 * (w17 + w12 * w20) - w7 * (w3 * w20 - w13),  # link2.theta
         (w2 + w8) / rotor2_inertia,  # rotor2.theta
     )
     inputs, outputs = [q_i, q_i_dot, t, c], [ca.densify(q_i_ddot)]

@@ -714,7 +714,7 @@ def forward_dynamics() -> ca.Function:
     w17 = w0 * c22 + w1 + w2 * (c16 + w3 * w4 - w6 * w7 + w8 * w11) + w14 * w15 - w10 * (w3 * w5 + w7 * w12 + w11 * w13 + w15 * w16)
     w18 = w17 / (c10 + w2 * (w2 * w8) - (w10 * (w14 - w10 * w16) + w10 * w14))
     # outputs
-    q_i_ddot = ca.vertcat(w18, (w7 - (w4 * (w15 + w10 * w18) + w5 * (w2 * w18 - w11))) / c13)
+    q_i_ddot = ca.vertcat(w18, w7 / c13 - w12 * (w15 + w10 * w18) - w6 * (w2 * w18 - w11))
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_i_ddot"])
 

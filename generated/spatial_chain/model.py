@@ -3659,7 +3659,7 @@ def forward_dynamics() -> ca.Function:
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
-    493 operations.
+    491 operations.
     """
     q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
@@ -3854,9 +3854,9 @@ def forward_dynamics() -> ca.Function:
     w141 = w92 * w132 - (w35 * c17 - w65 * c15 + (w80 * w127 + w83 * w128 + w86 * w129)) - w71 * w133 - w109 * w135
     w142 = w141 - w126 * w138
     w143 = (w110 - w125 * w126 - w140 * w142) / (c2 - w90 * w91 - w28 * w29 - w101 * w105 - w122 * w125 - w137 * w140)
-    w144 = (w142 - w137 * w143) / w139
-    w145 = (w126 - (w122 * w143 + w136 * w144)) / w124
-    w146 = (w109 - (w101 * w143 + w134 * w144 + w121 * w145)) / w104
+    w144 = w142 / w139 - w140 * w143
+    w145 = w126 / w124 - w125 * w143 - w138 * w144
+    w146 = w109 / w104 - w105 * w143 - w135 * w144 - w123 * w145
     # outputs
     q_i_ddot = ca.vertcat(
         -(link1_omega_y * link1_omega_z * c66 / c0),  # link1.turn_x
@@ -3866,8 +3866,8 @@ def forward_dynamics() -> ca.Function:
         w145,  # link2.turn_y
         w146,  # link2.turn_z
         -(link3_omega_z * link3_omega_y * c69 / c10),  # link3.turn_x
-        -((w71 + (w118 * w145 - w100 * w146 + w28 * w143 - w131 * w144)) / c11),  # link3.turn_y
-        -((w92 + (w96 * w146 - w117 * w145 - w90 * w143 + w130 * w144)) / c12),  # link3.turn_z
+        w133 * w144 - (w71 / c11 + w29 * w143) - w120 * w145 + w103 * w146,  # link3.turn_y
+        w91 * w143 - w92 / c12 - w132 * w144 + w119 * w145 - w102 * w146,  # link3.turn_z
     )
     inputs, outputs = [q_d, q_i_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_d", "q_i_dot", "c"], ["q_i_ddot"])

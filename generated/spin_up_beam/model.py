@@ -16,8 +16,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 654) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
-    395 operations.
+    gives c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
+    410 operations.
     """
     p = ca.SX.sym("p", 654)
     omega = p[0]
@@ -129,7 +129,7 @@ def constants() -> ca.Function:
     beam_clamped_free5_1_0_H_4_2 = p[111]
     beam_clamped_free5_1_0_H_4_3 = p[112]
     beam_clamped_free5_1_0_H_4_4 = p[113]
-    # intermediate terms (42)
+    # intermediate terms (47)
     w0 = beam_density * beam_area
     w1 = w0 * beam_length
     w2 = w1 * beam_clamped_free5_mass_0_0
@@ -145,33 +145,38 @@ def constants() -> ca.Function:
     w12 = beam_length**2
     w13 = beam_youngs_modulus * beam_second_moment / (beam_length * w12)
     w14 = beam_length * w1
-    w15 = (ramp / 6.283185307179586)**2
-    w16 = 6.283185307179586 / ramp
-    w17 = w1 * beam_clamped_free5_xH_1_0
-    w18 = w1 * beam_clamped_free5_xH_1_1
-    w19 = w1 * beam_clamped_free5_xH_1_2
-    w20 = w1 * beam_clamped_free5_xH_1_3
-    w21 = w1 * beam_clamped_free5_xH_1_4
-    w22 = w1 * beam_clamped_free5_xH_2_0
-    w23 = w1 * beam_clamped_free5_xH_2_1
-    w24 = w1 * beam_clamped_free5_xH_2_2
-    w25 = w1 * beam_clamped_free5_xH_2_3
-    w26 = w1 * beam_clamped_free5_xH_2_4
-    w27 = w1 * beam_clamped_free5_xH_3_0
-    w28 = w1 * beam_clamped_free5_xH_3_1
-    w29 = w1 * beam_clamped_free5_xH_3_2
-    w30 = w1 * beam_clamped_free5_xH_3_3
-    w31 = w1 * beam_clamped_free5_xH_3_4
-    w32 = w1 * beam_clamped_free5_xH_4_0
-    w33 = w1 * beam_clamped_free5_xH_4_1
-    w34 = w1 * beam_clamped_free5_xH_4_2
-    w35 = w1 * beam_clamped_free5_xH_4_3
-    w36 = w1 * beam_clamped_free5_xH_4_4
-    w37 = w1 * beam_clamped_free5_phi_y_0_0
-    w38 = w1 * beam_clamped_free5_phi_y_1_0
-    w39 = w1 * beam_clamped_free5_phi_y_2_0
-    w40 = w1 * beam_clamped_free5_phi_y_3_0
-    w41 = w1 * beam_clamped_free5_phi_y_4_0
+    w15 = w14 * beam_clamped_free5_xi_phi_y_0_0
+    w16 = (ramp / 6.283185307179586)**2
+    w17 = 6.283185307179586 / ramp
+    w18 = w1 * beam_clamped_free5_xH_1_0
+    w19 = w1 * beam_clamped_free5_xH_1_1
+    w20 = w1 * beam_clamped_free5_xH_1_2
+    w21 = w1 * beam_clamped_free5_xH_1_3
+    w22 = w1 * beam_clamped_free5_xH_1_4
+    w23 = w14 * beam_clamped_free5_xi_phi_y_1_0
+    w24 = w1 * beam_clamped_free5_xH_2_0
+    w25 = w1 * beam_clamped_free5_xH_2_1
+    w26 = w1 * beam_clamped_free5_xH_2_2
+    w27 = w1 * beam_clamped_free5_xH_2_3
+    w28 = w1 * beam_clamped_free5_xH_2_4
+    w29 = w14 * beam_clamped_free5_xi_phi_y_2_0
+    w30 = w1 * beam_clamped_free5_xH_3_0
+    w31 = w1 * beam_clamped_free5_xH_3_1
+    w32 = w1 * beam_clamped_free5_xH_3_2
+    w33 = w1 * beam_clamped_free5_xH_3_3
+    w34 = w1 * beam_clamped_free5_xH_3_4
+    w35 = w14 * beam_clamped_free5_xi_phi_y_3_0
+    w36 = w1 * beam_clamped_free5_xH_4_0
+    w37 = w1 * beam_clamped_free5_xH_4_1
+    w38 = w1 * beam_clamped_free5_xH_4_2
+    w39 = w1 * beam_clamped_free5_xH_4_3
+    w40 = w1 * beam_clamped_free5_xH_4_4
+    w41 = w14 * beam_clamped_free5_xi_phi_y_4_0
+    w42 = w1 * beam_clamped_free5_phi_y_0_0
+    w43 = w1 * beam_clamped_free5_phi_y_1_0
+    w44 = w1 * beam_clamped_free5_phi_y_2_0
+    w45 = w1 * beam_clamped_free5_phi_y_3_0
+    w46 = w1 * beam_clamped_free5_phi_y_4_0
     # outputs
     c = ca.vertcat(
         w2,  # c0
@@ -186,41 +191,41 @@ def constants() -> ca.Function:
         w11,  # c9
         w13 * beam_clamped_free5_kappa_lateral_0_0,  # c10
         ramp,  # ramp
-        w14 * beam_clamped_free5_xi_phi_y_0_0,  # c12
+        w15,  # c12
         omega / ramp,  # c13
-        w15 * w16**2,  # c14
-        w17,  # c15
-        w18,  # c16
-        w19,  # c17
-        w20,  # c18
-        w21,  # c19
+        w16 * w17**2,  # c14
+        w18,  # c15
+        w19,  # c16
+        w20,  # c17
+        w21,  # c18
+        w22,  # c19
         w13 * beam_clamped_free5_kappa_lateral_1_1,  # c20
-        w14 * beam_clamped_free5_xi_phi_y_1_0,  # c21
-        w22,  # c22
-        w23,  # c23
-        w24,  # c24
-        w25,  # c25
-        w26,  # c26
+        w23,  # c21
+        w24,  # c22
+        w25,  # c23
+        w26,  # c24
+        w27,  # c25
+        w28,  # c26
         w13 * beam_clamped_free5_kappa_lateral_2_2,  # c27
-        w14 * beam_clamped_free5_xi_phi_y_2_0,  # c28
-        w27,  # c29
-        w28,  # c30
-        w29,  # c31
-        w30,  # c32
-        w31,  # c33
+        w29,  # c28
+        w30,  # c29
+        w31,  # c30
+        w32,  # c31
+        w33,  # c32
+        w34,  # c33
         w13 * beam_clamped_free5_kappa_lateral_3_3,  # c34
-        w14 * beam_clamped_free5_xi_phi_y_3_0,  # c35
-        w32,  # c36
-        w33,  # c37
-        w34,  # c38
-        w35,  # c39
-        w36,  # c40
+        w35,  # c35
+        w36,  # c36
+        w37,  # c37
+        w38,  # c38
+        w39,  # c39
+        w40,  # c40
         w13 * beam_clamped_free5_kappa_lateral_4_4,  # c41
-        w14 * beam_clamped_free5_xi_phi_y_4_0,  # c42
+        w41,  # c42
         omega,  # omega
-        w15,  # c44
+        w16,  # c44
         ramp / 2.0,  # c45
-        w15 * w16,  # c46
+        w16 * w17,  # c46
         w1,  # c47
         w14 * beam_clamped_free5_s1_0_0,  # c48
         w0 * beam_clamped_free5_H_0_0,  # c49
@@ -248,17 +253,17 @@ def constants() -> ca.Function:
         w0 * beam_clamped_free5_H_4_2,  # c71
         w0 * beam_clamped_free5_H_4_3,  # c72
         w0 * beam_clamped_free5_H_4_4,  # c73
-        w37,  # c74
-        w38,  # c75
-        w39,  # c76
-        w40,  # c77
-        w41,  # c78
+        w42,  # c74
+        w43,  # c75
+        w44,  # c76
+        w45,  # c77
+        w46,  # c78
         w1 * w12 * beam_clamped_free5_i0_0_0,  # c79
-        -w37,  # c80
-        -w38,  # c81
-        -w39,  # c82
-        -w40,  # c83
-        -w41,  # c84
+        -w42,  # c80
+        -w43,  # c81
+        -w44,  # c82
+        -w45,  # c83
+        -w46,  # c84
         beam_length,  # beam_length
         beam_clamped_free5_1_0_H_0_0 / beam_length,  # c86
         beam_clamped_free5_1_0_H_0_1 / beam_length,  # c87
@@ -291,30 +296,35 @@ def constants() -> ca.Function:
         beam_clamped_free5_1_0_shape_1_3,  # beam_clamped_free5_1_0_shape_1_3
         beam_clamped_free5_1_0_shape_1_4,  # beam_clamped_free5_1_0_shape_1_4
         w2 - w7,  # c116
-        -w17,  # c117
-        -w22,  # c118
-        -w27,  # c119
-        -w32,  # c120
+        -w18,  # c117
+        -w24,  # c118
+        -w30,  # c119
+        -w36,  # c120
         -w8,  # c121
-        w3 - w18,  # c122
-        -w23,  # c123
-        -w28,  # c124
-        -w33,  # c125
+        w3 - w19,  # c122
+        -w25,  # c123
+        -w31,  # c124
+        -w37,  # c125
         -w9,  # c126
-        -w19,  # c127
-        w4 - w24,  # c128
-        -w29,  # c129
-        -w34,  # c130
+        -w20,  # c127
+        w4 - w26,  # c128
+        -w32,  # c129
+        -w38,  # c130
         -w10,  # c131
-        -w20,  # c132
-        -w25,  # c133
-        w5 - w30,  # c134
-        -w35,  # c135
+        -w21,  # c132
+        -w27,  # c133
+        w5 - w33,  # c134
+        -w39,  # c135
         -w11,  # c136
-        -w21,  # c137
-        -w26,  # c138
-        -w31,  # c139
-        w6 - w36,  # c140
+        -w22,  # c137
+        -w28,  # c138
+        -w34,  # c139
+        w6 - w40,  # c140
+        -(w15 / w2),  # c141
+        -(w23 / w3),  # c142
+        -(w29 / w4),  # c143
+        -(w35 / w5),  # c144
+        -(w41 / w6),  # c145
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -326,7 +336,7 @@ def condensed() -> ca.Function:
     takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
     takes q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
     takes t (1) [s]: time
-    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 5 x 5) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 5) [N, N m]: condensed force S^T (Q* - M s)
     176 operations.
@@ -334,7 +344,7 @@ def condensed() -> ca.Function:
     q_i = ca.SX.sym("q_i", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 3)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 141)
+    c = ca.SX.sym("c", 146)
     beam_q1 = q_i[0]
     beam_q2 = q_i[1]
     beam_q3 = q_i[2]
@@ -420,12 +430,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes t (1) [s]: time
-    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 3) [mixed]: dependent coordinates after one Newton step
     29 operations.
     """
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 141)
+    c = ca.SX.sym("c", 146)
     ramp = c[11]
     c13 = c[13]
     omega = c[43]
@@ -444,12 +454,12 @@ def velocities() -> ca.Function:
     """Rates of the dependent coordinates (Eq. 36).
 
     takes t (1) [s]: time
-    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
     21 operations.
     """
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 141)
+    c = ca.SX.sym("c", 146)
     ramp = c[11]
     c13 = c[13]
     omega = c[43]
@@ -467,12 +477,12 @@ def accelerations() -> ca.Function:
     """Accelerations of the dependent coordinates (Eq. 35).
 
     takes t (1) [s]: time
-    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 3) [mixed]: accelerations of the dependent coordinates
     18 operations.
     """
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 141)
+    c = ca.SX.sym("c", 146)
     ramp = c[11]
     c13 = c[13]
     c14 = c[14]
@@ -487,7 +497,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes t (1) [s]: time
-    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 3) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 3 x 8) [SI]: constraint Jacobian
     gives C_t (n_c = 3) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -497,7 +507,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 8)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 141)
+    c = ca.SX.sym("c", 146)
     beam_x = q[0]
     beam_y = q[1]
     beam_theta = q[2]
@@ -537,7 +547,7 @@ def augmented() -> ca.Function:
     takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 8) [mixed]: rates of all coordinates
     takes t (1) [s]: time
-    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 8 x 8) [SI]: mass matrix in all coordinates
     gives K (n x n = 8 x 8) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 8) [N, N m]: quadratic velocity force in all coordinates
@@ -550,7 +560,7 @@ def augmented() -> ca.Function:
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 141)
+    c = ca.SX.sym("c", 146)
     beam_theta = q[2]
     beam_q1 = q[3]
     beam_q2 = q[4]
@@ -793,7 +803,7 @@ def reactions() -> ca.Function:
     takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 8) [mixed]: rates of all coordinates
     takes q_ddot (n = 8) [mixed]: accelerations of all coordinates
-    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 3) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 2) [N, N m]: world force and moment of a joint on its body b, at b
     416 operations.
@@ -801,7 +811,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
     q_ddot = ca.SX.sym("q_ddot", 8)
-    c = ca.SX.sym("c", 141)
+    c = ca.SX.sym("c", 146)
     beam_theta = q[2]
     beam_q1 = q[3]
     beam_q2 = q[4]
@@ -942,7 +952,7 @@ def energy() -> ca.Function:
 
     takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 8) [mixed]: rates of all coordinates
-    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -952,7 +962,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
-    c = ca.SX.sym("c", 141)
+    c = ca.SX.sym("c", 146)
     beam_theta = q[2]
     beam_q1 = q[3]
     beam_q2 = q[4]
@@ -1093,13 +1103,13 @@ def measures() -> ca.Function:
 
     takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 8) [mixed]: rates of all coordinates
-    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives measures (measures = 4) [mixed]: measures of the scene and their rates
     219 operations.
     """
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
-    c = ca.SX.sym("c", 141)
+    c = ca.SX.sym("c", 146)
     beam_x = q[0]
     beam_y = q[1]
     beam_theta = q[2]
@@ -1211,12 +1221,12 @@ def switching() -> ca.Function:
     """Where in time loads and prescribed motions jump or kink: where one of these changes its sign.
 
     takes t (1) [s]: time
-    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives switching (conditions in t = 1) [SI]: zero where a load or a prescribed motion jumps or kinks
     4 operations.
     """
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 141)
+    c = ca.SX.sym("c", 146)
     ramp = c[11]
     # outputs
     switching = ca.vertcat(t - ramp)
@@ -1228,12 +1238,12 @@ def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
 
     takes q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i, through q_d
     87 operations.
     """
     q_d_dot = ca.SX.sym("q_d_dot", 3)
-    c = ca.SX.sym("c", 141)
+    c = ca.SX.sym("c", 146)
     beam_theta_dot = q_d_dot[2]
     c10 = c[10]
     c20 = c[20]
@@ -1295,13 +1305,13 @@ def residual_jacobian() -> ca.Function:
     """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 5 x 5) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     113 operations.
     """
     q_d_dot = ca.SX.sym("q_d_dot", 3)
-    c = ca.SX.sym("c", 141)
+    c = ca.SX.sym("c", 146)
     beam_theta_dot = q_d_dot[2]
     c10 = c[10]
     c20 = c[20]
@@ -1351,13 +1361,13 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 5 x 5) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 5 x 5) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 5 x 5) [SI]: damping of the stiff deflections
     82 operations.
     """
-    c = ca.SX.sym("c", 141)
+    c = ca.SX.sym("c", 146)
     c10 = c[10]
     c20 = c[20]
     c27 = c[27]
@@ -1392,14 +1402,14 @@ def forward_dynamics() -> ca.Function:
     takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
     takes q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
     takes t (1) [s]: time
-    takes c (n_const = 141) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
     155 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 3)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 141)
+    c = ca.SX.sym("c", 146)
     beam_q1 = q_i[0]
     beam_q2 = q_i[1]
     beam_q3 = q_i[2]
@@ -1418,7 +1428,6 @@ def forward_dynamics() -> ca.Function:
     c9 = c[9]
     c10 = c[10]
     ramp = c[11]
-    c12 = c[12]
     c13 = c[13]
     c14 = c[14]
     c15 = c[15]
@@ -1427,28 +1436,29 @@ def forward_dynamics() -> ca.Function:
     c18 = c[18]
     c19 = c[19]
     c20 = c[20]
-    c21 = c[21]
     c22 = c[22]
     c23 = c[23]
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
     c27 = c[27]
-    c28 = c[28]
     c29 = c[29]
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
     c33 = c[33]
     c34 = c[34]
-    c35 = c[35]
     c36 = c[36]
     c37 = c[37]
     c38 = c[38]
     c39 = c[39]
     c40 = c[40]
     c41 = c[41]
-    c42 = c[42]
+    c141 = c[141]
+    c142 = c[142]
+    c143 = c[143]
+    c144 = c[144]
+    c145 = c[145]
     # intermediate terms (8)
     w0 = beam_theta_dot**2
     w1 = w0 * (beam_q1 * c0 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7 + beam_q4 * c8 + beam_q5 * c9)) - beam_q1 * c10
@@ -1460,11 +1470,11 @@ def forward_dynamics() -> ca.Function:
     w7 = w0 * (beam_q5 * c4 - (beam_q1 * c36 + beam_q2 * c37 + beam_q3 * c38 + beam_q4 * c39 + beam_q5 * c40))
     # outputs
     q_i_ddot = ca.vertcat(
-        (w1 - ca.if_else(w2, w3 * c12, 0)) / c0,  # beam.q1
-        (w4 - beam_q2 * c20 - ca.if_else(w2, w3 * c21, 0)) / c1,  # beam.q2
-        (w5 - beam_q3 * c27 - ca.if_else(w2, w3 * c28, 0)) / c2,  # beam.q3
-        (w6 - beam_q4 * c34 - ca.if_else(w2, w3 * c35, 0)) / c3,  # beam.q4
-        (w7 - beam_q5 * c41 - ca.if_else(w2, w3 * c42, 0)) / c4,  # beam.q5
+        w1 / c0 + ca.if_else(w2, w3 * c141, 0),  # beam.q1
+        (w4 - beam_q2 * c20) / c1 + ca.if_else(w2, w3 * c142, 0),  # beam.q2
+        (w5 - beam_q3 * c27) / c2 + ca.if_else(w2, w3 * c143, 0),  # beam.q3
+        (w6 - beam_q4 * c34) / c3 + ca.if_else(w2, w3 * c144, 0),  # beam.q4
+        (w7 - beam_q5 * c41) / c4 + ca.if_else(w2, w3 * c145, 0),  # beam.q5
     )
     inputs, outputs = [q_i, q_d_dot, t, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_d_dot", "t", "c"], ["q_i_ddot"])

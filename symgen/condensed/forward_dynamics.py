@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from symgen.algebra.rows import Row, add_to
-from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
+from symgen.algebra.scalar import ONE, ZERO, add, div, mul, neg, sub
 from symgen.condensed.condensation import Condensed, Substitution, congruence
 from symgen.system.equations import FreeJointAccelerations
 from symgen.system.topology import Topology
@@ -42,9 +42,9 @@ class Side:
 
 @dataclass
 class _Pivot:
-    """An eliminated coordinate: its row, 1 / pivot, and its force in each right-hand side, for the way back."""
+    """An eliminated coordinate: less its row over the pivot, 1 / pivot, and its force in each right-hand side."""
 
-    row: Row
+    weights: Row
     inverse: ca.SX
     forces: list[ca.SX]
 
@@ -178,12 +178,12 @@ class RowsLeft:
         for column in reversed(self.order):
             if column in self.pivots:
                 pivot = self.pivots[column]
-                rest = dot(list(pivot.row.values()), [found[c] for c in pivot.row])
-                found[column] = mul(sub(pivot.forces[k], rest), pivot.inverse)
+                total, weights = mul(pivot.forces[k], pivot.inverse), pivot.weights
             else:
-                one = self.by_column[column]
-                known = [found.get(c, ZERO) for c in one.e]
-                found[column] = add(self.sides[k].constants.get(column, ZERO), dot(list(one.e.values()), known))
+                total, weights = self.sides[k].constants.get(column, ZERO), self.by_column[column].e
+            for other, weight in weights.items():  # what is known last is waited for last
+                total = add(total, mul(weight, found.get(other, ZERO)))
+            found[column] = total
         return found
 
 
@@ -213,9 +213,9 @@ def _eliminate(M: list[Row], forces: list[Row], k: int) -> _Pivot:
     values = [force.pop(k, ZERO) for force in forces]
     for column in row:
         M[column].pop(k, None)
-    columns = sorted(row)
+    columns, weights = sorted(row), {}
     for position, i in enumerate(columns):
-        factor = neg(mul(row[i], inverse))
+        factor = weights[i] = neg(mul(row[i], inverse))
         for force, value in zip(forces, values, strict=True):
             if not value.is_zero():
                 force[i] = add(force.get(i, ZERO), mul(factor, value))
@@ -223,4 +223,4 @@ def _eliminate(M: list[Row], forces: list[Row], k: int) -> _Pivot:
             add_to(M[i], j, mul(factor, row[j]))
             if i != j and j in M[i]:
                 M[j][i] = M[i][j]
-    return _Pivot(row, inverse, values)
+    return _Pivot(weights, inverse, values)
