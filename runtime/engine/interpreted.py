@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 from functools import partial
 from typing import Any
@@ -69,14 +70,18 @@ class InterpretedProgram:
         self.note = ""
         self._composer = _Composer(z_size, c_size)
         self._step = self._composer.function(program)
-        self._batches: dict[int, tuple[Any, ...]] = {}
+        self._own = threading.local()
 
     def _batch(self, n: int) -> tuple[Any, ...]:
-        if n not in self._batches:
+        """(function of n steps, its buffer, what evaluates it), this thread's."""
+        batches: dict[int, tuple[Any, ...]] | None = getattr(self._own, "batches", None)
+        if batches is None:
+            batches = self._own.batches = {}
+        if n not in batches:
             function = self._composer.power(self._step, n)
             buffer, evaluate = function.buffer()
-            self._batches[n] = (function, buffer, evaluate)
-        return self._batches[n]
+            batches[n] = (function, buffer, evaluate)
+        return batches[n]
 
     def bound(self, z: np.ndarray, c: np.ndarray) -> Callable[[int], None]:
         """`run` with z and c fixed: only the number of steps is left to give."""

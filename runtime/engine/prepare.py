@@ -29,7 +29,7 @@ COMMUTING = (ca.OP_ADD, ca.OP_MUL)
 class Prepared:
     """A program as it is run: z has z_size entries, the first of which are the scheme's; constants(c) is what it reads.
 
-    The first entries of constants(c) are c. tapes: of the long stages, by name, for who compiles them at once.
+    The first entries of constants(c) are c. tapes: of the stages, by name, for who compiles them at once.
     """
 
     program: Program
@@ -83,8 +83,8 @@ def _prepared(program: Program, z_size: int, c_size: int) -> Prepared:
 
 
 def _is_of(tape: Tape, length: int) -> bool:
-    """Is a long tape that of its Function? It is unless CasADi found something to simplify."""
-    return len(tape.nodes) > LONG and tape.operations == length
+    """Is a tape that of its Function? It is unless CasADi found something to simplify."""
+    return tape.operations == length
 
 
 def _input_time(name: str, entry: int) -> Time:

@@ -6,6 +6,7 @@ from copy import copy
 from threading import Lock
 from typing import Any
 
+from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.native import NativeProgram
 from runtime.schemes.grid import Grid
 from runtime.schemes.scheme import Scheme
@@ -20,7 +21,7 @@ def kept_stepper(scheme: Scheme, engine: str = "auto", wait: bool = False) -> St
 
     Its `scheme` is to be used in place of the one given: what was built of that is there already. Alike are schemes of
     a kind with the same groups, ratios, options and fields of z, whatever their steps: these are data of a program.
-    Only native code is kept; the oldest goes first.
+    What a C compiler made is not kept; the oldest goes first.
     """
     known: dict[tuple[Any, ...], Stepper] = scheme.model.steppers
     alike = (repr(scheme.grid.groups), repr(scheme.grid.m), repr(scheme.options), repr(scheme.layout.sizes))
@@ -31,7 +32,7 @@ def kept_stepper(scheme: Scheme, engine: str = "auto", wait: bool = False) -> St
             known[key] = found  # the youngest now
             return found if found.scheme.grid == scheme.grid else _with_steps(found, scheme.grid)
     stepper = Stepper(scheme, engine, wait)
-    if isinstance(stepper.engine, NativeProgram) and stepper.operations <= MOST_OPERATIONS:
+    if isinstance(stepper.engine, NativeProgram | InterpretedProgram) and stepper.operations <= MOST_OPERATIONS:
         with _LOCK:
             known[key] = stepper
             while sum(one.operations for one in known.values()) > MOST_OPERATIONS:

@@ -49,6 +49,8 @@ def test_windows_pass_ten_singular_positions(
     assert solution.status.ok
     assert [event.kind for event in solution.events] == ["singular_position"] * 10
     assert np.abs(solution.total_energy - solution.total_energy[0]).max() < energy
+    uprights = [solution[f"upright{k}.theta"] for k in range(3)]
+    assert len(solution.t) == 1001 and np.ptp(uprights, axis=0).max() < 1e-6  # they stay parallel
     assert window_error(solution) < error
     assert max(solution.constraint_error.max(), solution.constraint_rate_error.max()) < 1e-10
 

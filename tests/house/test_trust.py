@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import os
-import subprocess
-import sys
 import threading
 from pathlib import Path
 
@@ -60,7 +58,7 @@ def test_results_do_not_replace_a_model_folder_of_the_users_own(tmp_path: Path) 
     assert (model / "model.py").read_text() == "mine"
 
 
-def test_code_beside_a_scene_file_does_not_run(tmp_path: Path) -> None:
+def test_code_beside_a_scene_file_does_not_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A folder ./arm with a matching manifest is not loaded for arm.toml; named itself, it is."""
     scene = Scene.from_toml_text(PENDULUM.replace('name = "pendulum"', 'name = "arm"', 1))
     (tmp_path / "arm.toml").write_text(scene.to_toml())
@@ -69,11 +67,10 @@ def test_code_beside_a_scene_file_does_not_run(tmp_path: Path) -> None:
     text = planted.read_text()
     planted.write_text(text + f"\nopen({str(tmp_path / 'ran')!r}, 'w').close()\n")
     _refresh_manifest(tmp_path / "arm")
-    arguments = [sys.executable, "-m", "symgen.cli", "simulate", "arm.toml", "--t-end", "0.01"]
-    subprocess.run(arguments, cwd=tmp_path, env=_environment(), check=True, capture_output=True)
+    monkeypatch.chdir(tmp_path)
+    assert main(["simulate", "arm.toml", "--t-end", "0.01"]) == 0
     assert not (tmp_path / "ran").exists()
-    arguments[4] = "arm"
-    subprocess.run(arguments, cwd=tmp_path, env=_environment(), check=True, capture_output=True)
+    assert main(["simulate", "arm", "--t-end", "0.01"]) == 0
     assert (tmp_path / "ran").exists()
 
 

@@ -12,9 +12,8 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime import load_model
 from runtime.contract.model import Model
-from symgen.generate import generate
+from symgen.generate import model_of
 from symgen.scene import Scene
 from tests.support.joint_comb import (
     GRAVITY,
@@ -32,20 +31,19 @@ from tests.support.spatial_motion import Frame, assembled, frames, momentum_rate
 
 Build = Callable[[tuple[str, ...], Variant], tuple[Scene, Model]]
 WITHOUT_SCREW = tuple(kind for kind in PLACING if kind != "screw")
-KERNELS = frozenset({"constraints", "augmented", "reactions", "closure", "velocities"})
 T = 0.37
 
 
 @pytest.fixture(scope="module")
-def build(tmp_path_factory: pytest.TempPathFactory) -> Build:
-    """Scene and model of a comb, generated once."""
+def build() -> Build:
+    """Scene and model of a comb, its functions derived when they are asked for, once."""
     made: dict[tuple[tuple[str, ...], Variant], tuple[Scene, Model]] = {}
 
     def get(types: tuple[str, ...], variant: Variant) -> tuple[Scene, Model]:
         if (types, variant) not in made:
             scene = comb(types, variant)
             with no_placements(not variant.placing):
-                made[types, variant] = scene, load_model(generate(scene, tmp_path_factory.mktemp("comb"), KERNELS))
+                made[types, variant] = scene, model_of(scene)
         return made[types, variant]
 
     return get

@@ -40,7 +40,10 @@ def prepared(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return seen
 
 
-@pytest.mark.parametrize("settings", [{"scheme": "coupled"}, {"scheme": "dopri5", "tolerance": 1e-4}])
+@pytest.mark.parametrize(
+    "settings",
+    [{"scheme": "coupled"}, {"scheme": "dopri5", "tolerance": 1e-4}, {"scheme": "rk4", "engine": "interpreted"}],
+)
 def test_a_second_run_prepares_nothing_and_is_the_run_of_a_new_model(
     model: Model, prepared: list[str], settings: dict[str, Any]
 ) -> None:
@@ -122,3 +125,27 @@ def test_threads_begin_where_they_are_told_to(model: Model) -> None:
         sys.setswitchinterval(interval)
     for own, others in zip(alone, found, strict=True):
         assert all(np.array_equal(own, other) for other in others)
+
+
+def test_threads_share_an_interpreted_program(model: Model) -> None:
+    """Its functions, not the arrays that they read and write."""
+    one = kept_stepper(scheme_kind("rk4").build("rk4", model, 1e-4, None, {}), "interpreted")
+    c = model.constants(model.parameter_vector())
+    ready, start = one.ready(c, 1e-4), one.start(0.0, model.initial_q, model.initial_q_dot, c, 1e-4)
+
+    def after(turn: float) -> np.ndarray:
+        z = start.copy()
+        z[one.scheme.layout.slice("t0")] = turn
+        for _ in range(500):
+            one.run(z, ready, 1)
+        return z
+
+    alone, interval = [after(turn) for turn in (0.0, 1.0)], sys.getswitchinterval()
+    try:
+        sys.setswitchinterval(1e-6)
+        with ThreadPoolExecutor(2) as threads:
+            found = list(threads.map(after, (0.0, 1.0)))
+    finally:
+        sys.setswitchinterval(interval)
+    for own, others in zip(alone, found, strict=True):
+        assert np.array_equal(own, others)

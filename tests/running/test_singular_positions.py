@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from runtime import Solution, load_model, resume, simulate
+from runtime import Solution, resume, simulate
 from runtime.contract.model import Model
 from runtime.running.singular import crossing, passage
 from runtime.running.singular.crossing import BranchLost
 from runtime.running.singular.variants import use_generator
-from symgen.generate import generate
+from symgen.generate import model_of as model_of_scene
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.tumbling_body import tumbling_body
 from symgen.variants import generate_variant
@@ -67,9 +67,7 @@ def bars_stay_parallel(solution: Solution) -> bool:
         ("rk4", 1e-3, 1e-6, 1e-4),
         ("radau", 1e-3, 1e-6, 1e-4),
         ("single_rate", 1.25e-4, 1e-6, 2e-5),
-        ("single_rate", 1e-2, 1e-3, 0.1),
         ("rk4", 1e-2, 1e-3, 0.1),
-        ("dop853", 1e-2, 1e-6, 1e-4),
         ("coupled", 1e-3, 2e-4, 1e-2),
         ("linearised", 2e-3, 1e-4, 1e-2),
         ("exponential", 2e-3, 1e-5, 1e-4),
@@ -181,10 +179,10 @@ def assert_same(one: Solution, other: Solution) -> None:
 )
 def test_passing_does_not_depend_on_native_calls(built_in: Load, tmp_path: Path, scheme: str, engine: str) -> None:
     """Calls of one step (a checkpoint after each), or as many as are quick: the same run, bit for bit."""
-    settings: dict[str, Any] = {"scheme": scheme, "dt": 2e-3, "t_end": 1.5, "save_every": 5, "engine": engine}
+    settings: dict[str, Any] = {"scheme": scheme, "dt": 2e-3, "t_end": 0.9, "save_every": 5, "engine": engine}
     model = built_in("n_four_bar")
     whole = simulate(model, **settings)
-    assert len(whole.events) == 2
+    assert len(whole.events) == 1
     assert_same(simulate(model, **settings, checkpoint=tmp_path / "run.npz", checkpoint_every=1), whole)
 
     def stop(t: float, t_end: float) -> None:
@@ -257,9 +255,9 @@ def random_four_bar(seed: int) -> Scene:
 
 
 @pytest.mark.parametrize("seed", range(8))
-def test_random_four_bars_go_on_wherever_they_lead(tmp_path: Path, seed: int) -> None:
+def test_random_four_bars_go_on_wherever_they_lead(seed: int) -> None:
     """q_i is exchanged as often as it takes; energy and constraints hold throughout."""
-    run = simulate(load_model(generate(random_four_bar(seed), tmp_path / "model")), save_every=20)
+    run = simulate(model_of_scene(random_four_bar(seed)), save_every=20)
     assert run.status.ok, run.status
     assert energy_error(run) < 1e-4 * float(run.energy["kinetic"].max())
     assert run.constraint_error.max() < 1e-10 and run.constraint_rate_error.max() < 1e-10
