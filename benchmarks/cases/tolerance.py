@@ -52,7 +52,8 @@ REMARK = (
     "Each case by the method that `auto` chooses, to 1e-2, 1e-3, 1e-4, 1e-5 and 1e-6. Delivered over asked is of the "
     "worst independent coordinate. The best step is that of the same method with steps of one length at the error that "
     "was delivered, from a sweep of numbers of steps by a factor of 1.4; a dash where none came to that error. Time is "
-    "that of the run; operations of the trials before it are told beside it, over those of the run. In the sweep steps "
+    "that of the run; operations of the trials before it are told beside it, over those of the run: of all methods "
+    "that were tried, less the run where one of them is the run. In the sweep steps "
     "go across times at which loads jump; those of a run to a tolerance end there."
 )
 

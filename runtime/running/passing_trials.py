@@ -32,16 +32,20 @@ class PassingTrials(TrialRuns):
     begins = (1e-2, 1e-3, 1e-4)  # coarser motions lose their way beside a singular position
     passes = True
 
-    def __init__(self, segment: Segment, state: ConsistentState, engine: str, budget: float = OPERATIONS) -> None:
+    def __init__(
+        self, segment: Segment, state: ConsistentState, engine: str, budget: float = OPERATIONS, least: int = 0
+    ) -> None:
         plan, self.engine = segment.plan, engine
         monitor = Monitor(segment.model, plan.scheme, segment.c, force=True, p=segment.p)
         plan = replace(plan, save_every=max(1, plan.steps // SEEN), outputs=(), force=True)
         own = replace(segment, plan=plan, ready=segment.ready.copy(), monitor=monitor, given={})
         own.switches, self.segments = segment.switches, [own]
         z = own.start(state.q, state.q_dot)
-        super().__init__(own.stepper, z, own.c, plan.t_end - plan.t0, own.switches, budget)
+        super().__init__(own.stepper, z, own.c, plan.t_end - plan.t0, own.switches, budget, least=least)
 
-    def _made(self, z: np.ndarray, tolerance: float) -> TriedMotion | None:
+    def _made(
+        self, z: np.ndarray, tolerance: float, keep: bool = False, longest: float = np.inf, most: float = np.inf
+    ) -> TriedMotion | None:
         """The motion from z (flat), None where it is lost or takes too much."""
         own, first = self.segments[0], [0.0]
         for segment in self.segments:
@@ -61,7 +65,7 @@ class PassingTrials(TrialRuns):
             first[0] = first[0] or float(run.z[run.segment.plan.scheme.layout.slice("h_next")][0])
             done = self._operations(run)
             self.expected = min(self.expected, done * (t_end - own.plan.t0) / (t - own.plan.t0))
-            if self.spent + done > self.budget:
+            if done > min(self.budget - self.spent, most):
                 raise _TooDear
 
         run = Run(
@@ -117,4 +121,4 @@ class PassingTrials(TrialRuns):
         steady, steps = float(run.z[at("steady")][0]), int(run.z[at("accepted")][0])
         size = size[size > 0] if (size > 0).any() else np.ones(1)  # none where a passage has ended
         made = (low.copy(), high.copy(), steady or first, float(own.longest(run.z)), steps, spent, size)
-        return TriedMotion(tolerance, steady, q[:, followed(self.model)[1]], *made)
+        return TriedMotion(tolerance, steady, q[:, followed(self.model)[1]], *made, low.copy(), high.copy())

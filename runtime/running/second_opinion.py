@@ -27,7 +27,7 @@ SHORTER = ((1 + 5**0.5) / 2) ** 3  # steps of one length over those of the finer
 PARTS = 4  # of a step on the grid, of the finer motion
 FINER = 64.0  # tolerance of the run over that of the finer motion
 AS_BEGUN = ("h_next", "per_step", "steady", "ranging", *RANGES)  # what trials have told at the start
-DOUBTED = 10.0  # times what trials expect, and what was asked: such an estimate is not believed at once
+DOUBTED = 10.0  # times what trials expect, where that is more than was asked: such an estimate is not believed at once
 
 
 def doubted(run: Run, accuracy: Accuracy) -> bool:
@@ -36,7 +36,7 @@ def doubted(run: Run, accuracy: Accuracy) -> bool:
         return False
     relative = accuracy.relative(run.segment.model)[0]
     asked = float(run.segment.plan.scheme.options.tolerance)  # type: ignore[attr-defined]
-    return max(relative.values()) > DOUBTED * max(float(run.told["expected_error"]), asked)
+    return max(relative.values()) > max(DOUBTED * float(run.told["expected_error"]), asked)
 
 
 def measured_errors(run: Run, state: ConsistentState) -> dict[str, float] | None:

@@ -32,6 +32,7 @@ class Segment(SteppedModel):
 
     monitor: Monitor
     given: dict[float, Impulse] = field(default_factory=dict)
+    tried: np.ndarray | None = None  # (S + 1, n_z) states of a trial with the very steps of the run
     _energies: ca.Function | None = None
 
     @classmethod
@@ -127,10 +128,34 @@ class Segment(SteppedModel):
             raise
 
     def _go_on(self, z: np.ndarray, steps: int) -> None:
+        if self._was_tried(z, steps):
+            return
         if self.plan.scheme.adaptive:
             self.run_varying(z, steps, self.ready, self.plan.grid.dt_L, self.given)
         else:
             self.advance(z, steps)
+
+    def _was_tried(self, z: np.ndarray, steps: int) -> bool:
+        """Has a trial made the very steps that come next? Then z is, in place, where they have led."""
+        k = self.step_of(z)
+        if self.tried is None or k + steps >= len(self.tried):
+            return False
+        if not (z == self.tried[k])[self._acting].all():
+            return False
+        low, high = (self.plan.scheme.layout.slice(name) for name in ("det_low", "det_high"))
+        passed = np.vstack([z, self.tried[k + 1 : k + steps + 1]])
+        z[:] = passed[-1]
+        z[low], z[high] = passed[:, low].min(axis=0), passed[:, high].max(axis=0)
+        return True
+
+    @cached_property
+    def _acting(self) -> np.ndarray:
+        """(n_z,) of a state: not what is only noted since someone looked."""
+        layout = self.plan.scheme.layout
+        found = np.ones(self.tried.shape[1] if self.tried is not None else layout.size, dtype=bool)
+        for name in ("det_low", "det_high", "before"):
+            found[layout.slice(name)] = False
+        return found
 
     def run_varying(
         self, z: np.ndarray, steps: int, ready: np.ndarray, dt: float, given: dict[float, Impulse] | None = None

@@ -14,7 +14,7 @@ import numpy as np
 
 from runtime.running.tried_motion import TrialRuns, TriedMotion
 
-LEAST_STEPS = 2
+BEGIN = 24  # steps of the first trial, where nothing is known
 PAIR = 1.5  # steps of a finer trial over those of one whose error is measured
 # errors that are taken on, over what is aimed at: where no fall of the errors was as the order says, where one was, and
 # where two were
@@ -22,19 +22,21 @@ REACH = (6.0, 24.0, 256.0)
 ROUGH, LOST = 0.03, 1.0  # of an amplitude: errors above are not taken on; and tell nothing
 SLACK = 1.5  # of the largest error that is taken on
 LEAP, LEAPS = 8.0, (2.0, 4.0, 8.0)  # steps of a trial over those of the finest so far, at most; for as many falls
-MOST = 12  # trials
+MOST = 24  # trials
 CLEAN = (0.8, 1.25)  # slopes of errors over the order of the method
 FEWER, MORE, ENOUGH = 1.2, 1.35, 2.5  # wanted steps over those of a trial, these over those, and its error: near enough
+ASTRAY = 300  # steps from which on a motion near a singular position is believed to come there
+KEPT = 0.5  # of the wanted steps: trials with more may be the run
 APART = 1.1  # steps of a trial over those of a coarser one, at least
 AT_ONCE = 5.0  # steps of the run over those of the finest trial, at most
 
 
 @dataclass
 class SteadyTrials:
-    """runs: makes trials; first: one with steps to a tolerance, which tells ranges. made: ever finer."""
+    """runs: makes trials; first: one with steps to a tolerance, where there is one. made: ever finer."""
 
     runs: TrialRuns
-    first: TriedMotion
+    first: TriedMotion | None
 
     def __post_init__(self) -> None:
         self.made: list[TriedMotion] = []
@@ -42,10 +44,12 @@ class SteadyTrials:
 
     def searched(self, error: float) -> TriedMotion | None:
         """The trial that should have an error; None if none was found."""
-        count = float(max(LEAST_STEPS, self.first.steps // 2))
+        count = float(max(self.runs.least, BEGIN if self.first is None else self.first.steps // 2))
         if not self._add(count) or not self._add(PAIR * count):
             return None
         while len(self.made) <= MOST:
+            if self.runs.alarmed and (self.errors[-1] < ROUGH or self._count(self.made[-1]) > ASTRAY):
+                return None  # others pass what is singular there
             k = self._last_above(error)
             wanted = self._between(k, error)
             if self._is_sure(k, error):
@@ -53,7 +57,7 @@ class SteadyTrials:
                 near = [one for one in near if self.error_of(one) < ENOUGH * error]
                 if near:
                     return min(near, key=lambda one: abs(np.log(self._count(one) / wanted)))
-            if not self._add(self._next(k, error, wanted)):
+            if not self._add(self._next(k, error, wanted), wanted):
                 return None
         return None
 
@@ -86,9 +90,10 @@ class SteadyTrials:
     def _count(self, one: TriedMotion) -> float:
         return self.runs.span / one.steady
 
-    def _add(self, count: float) -> bool:
-        """One more trial, in its place; False where there is none."""
-        one = self.runs.of_length(self.runs.span / count, self.first)
+    def _add(self, count: float, wanted: float = np.inf) -> bool:
+        """One more trial, in its place; False where there is none. wanted: steps that the run may take."""
+        known = self.made[-1] if self.made else self.first
+        one = self.runs.of_length(self.runs.span / count, known, keep=count > KEPT * wanted)
         if one is None:
             return False
         self.made = sorted([*self.made, one], key=lambda trial: -trial.steady)
@@ -119,7 +124,7 @@ class SteadyTrials:
         """Of how many steps the next trial is, where `wanted` should have the error."""
         finest = self._count(self.made[-1])
         if k < 0:
-            return max(wanted, float(self.counts[0]) / LEAP)
+            return max(wanted, float(self.counts[0]) / LEAP, self.runs.least)
         if k < len(self.errors) - 1:
             return max(wanted, APART * float(self.counts[k]))
         if self._is_sure(k, error):
@@ -154,7 +159,7 @@ class SteadyTrials:
     def _between(self, k: int, error: float) -> float:
         """The number of steps for an error; k: the finest trial with a larger one."""
         if k < 0:
-            return max(self._taken_on(0, error), float(LEAST_STEPS))
+            return max(self._taken_on(0, error), float(self.runs.least))
         if k == len(self.errors) - 1:
             return self._taken_on(k, error)
         share = np.log(self.errors[k] / error) / np.log(self.errors[k] / self.errors[k + 1])

@@ -91,6 +91,13 @@ def _of_time(model: Model, c: np.ndarray, state: ConsistentState, name: str, out
     return ca.Function("of_time", [t], [found]) if ca.depends_on(found, t) else None
 
 
+def force_of_time(model: Model, c: np.ndarray, state: ConsistentState) -> ca.Function | None:
+    """t -> Q_hat (n_i,) at the state; None if it does not depend on t."""
+    if is_long_tree(model) and "t" not in model.kernel("forward_dynamics").name_in():
+        return None
+    return _of_time(model, c, state, "condensed", "Q_hat")
+
+
 def _refuse_jumps(
     model: Model, c: np.ndarray, state: ConsistentState, times: np.ndarray, ends: Sequence[float]
 ) -> None:
@@ -140,9 +147,7 @@ def _ends_between(ends: Sequence[float], low: float, high: float) -> bool:
 def _missed_loads(
     model: Model, c: np.ndarray, state: ConsistentState, times: np.ndarray, points: int, broken: np.ndarray
 ) -> list[Event]:
-    if is_long_tree(model) and "t" not in model.kernel("forward_dynamics").name_in():
-        return []
-    function = _of_time(model, c, state, "condensed", "Q_hat")
+    function = force_of_time(model, c, state)
     if function is None:
         return []
     forces = np.asarray(function(times[None, :])).reshape(-1, len(times))

@@ -12,6 +12,7 @@ from runtime.engine.program import Layout
 from runtime.results.sampling import evaluate
 from runtime.running.segment import HIGHEST, LOWEST
 from runtime.running.singular.guard import Guard
+from runtime.schemes.adaptive.adaptive_state import FIRST
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.error_norm import FLOOR, LEAST
 from runtime.schemes.adaptive.impulses import run_across
@@ -22,14 +23,19 @@ from runtime.schemes.switching.times import SwitchTime
 SEEN = 100  # states of a trial
 EARLY = 8  # states, before which the length of a trial is not told from its beginning
 OPERATIONS = 3e9  # of all trials of a method, at most: some seconds
+RANGING = 0.1  # tolerance of steps of a first trial, at least
+LEAST_STEPS = 2
+MOST_KEPT = 4_000_000  # numbers of a motion that is kept for a run
 
 
 @dataclass(frozen=True)
 class TriedMotion:
     """A trial: a motion with steps to a tolerance, or of one length (steady [s], else 0).
 
-    seen (SEEN + 1, n): what tells the motion. low, high (n_i): its ranges. first, longest [s]: a step at its start, and
-    the longest. steps: made; operations: of all of them. sizes (SEEN,): of estimated errors of steps on the way.
+    seen (SEEN + 1, n): what tells the motion. low, high (n_i): ranges that it was measured by, or has seen. first,
+    longest [s]: a step at its start, and the longest. steps: made; operations: of all of them. sizes (SEEN,): of
+    estimated errors of steps on the way. seen_low, seen_high (n_i): what q_i were seen between. states (S + 1, n_z): as
+    a run that shows as many passes them, where they were kept.
     """
 
     tolerance: float
@@ -42,17 +48,22 @@ class TriedMotion:
     steps: int
     operations: float
     sizes: np.ndarray
+    seen_low: np.ndarray
+    seen_high: np.ndarray
+    states: np.ndarray | None = None
 
 
 class TrialRuns:
     """Makes trials by a scheme that is compiled, from z (flat) over `span` [s]; c (c_size,) are the model's constants.
 
-    switches: times that no step crosses. budget: operations that all trials together may take. spent: by them so far;
-    expected: of the coarsest, also where it was given up. alarmed: did the first one come near a singular position?
-    begins: tolerances of steps of the first trial, the next one where it is lost. passes: are such positions passed?
+    switches: times that no step crosses. budget: operations that all trials together may take. shown: states of the run
+    that is to come. least: steps of one length, below which loads may not be seen. spent: operations of trials so far,
+    of those that were given up, too; expected: of the last. alarmed: did the last whole one come near a singular
+    position? begins: tolerances of steps of a first trial, the next one where it is lost. passes: are such positions
+    passed?
     """
 
-    begins: tuple[float, ...] = (0.1,)
+    begins: tuple[float, ...] = (RANGING,)
     passes = False
 
     def __init__(
@@ -63,12 +74,16 @@ class TrialRuns:
         span: float,
         switches: list[SwitchTime],
         budget: float = OPERATIONS,
+        shown: int = 0,
+        least: int = 0,
     ) -> None:
         scheme = stepper.scheme
         assert isinstance(scheme, AdaptiveSteps)
         self.scheme, self.stepper, self.z, self.c, self.span = scheme, stepper, z, c, span
-        self.switches, self.budget = switches, budget
+        self.switches, self.budget, self.least = switches, budget, max(least, LEAST_STEPS)
         self._impulses: dict[float, Impulse] | None = {} if moves_in_time(scheme.model) else None  # nobody asks
+        kept = shown if SEEN <= shown and shown * len(z) <= MOST_KEPT else 0
+        self.shown = 0 if self._impulses is not None and switches else kept  # impulses are told by who gives them
         self.spent, self.tries, self.expected = 0.0, 0, np.inf
         self.alarmed = False
 
@@ -77,21 +92,31 @@ class TrialRuns:
         """Of the scheme."""
         return self.scheme.model
 
-    def of_tolerance(self, tolerance: float, known: TriedMotion | None) -> TriedMotion | None:
-        """With steps to a tolerance; known: a trial that tells its ranges. None where the motion is lost."""
+    def of_tolerance(
+        self, tolerance: float, known: TriedMotion | None, longest: float = np.inf, most: float = np.inf
+    ) -> TriedMotion | None:
+        """With steps to a tolerance; known: a trial that tells its ranges. None where the motion is lost, where a step
+        is as long as `longest` [s], or where it would take more than `most` operations.
+        """
         z, layout = self.z.copy(), self.scheme.layout
+        z[layout.slice("h_next")] = FIRST * self.span / SEEN
         if known is not None:
-            longer = (tolerance / known.tolerance) ** (1 / self.scheme.error_order)
-            self._ranged(z, known)
+            longer = 1.0 if known.steady else (tolerance / known.tolerance) ** (1 / self.scheme.error_order)
+            self._ranged(z, known.low, known.high)
             z[layout.slice("h_next")] = known.first * min(1.0, longer)
-        return self._made(z, tolerance)
+        return self._made(z, tolerance, longest=longest, most=most)
 
-    def of_length(self, h: float, known: TriedMotion) -> TriedMotion | None:
-        """With steps of h [s]."""
+    def of_length(self, h: float, known: TriedMotion | None, keep: bool = False) -> TriedMotion | None:
+        """With steps of h [s]; keep: the states that a run passes."""
         z = self.z.copy()
-        self._ranged(z, known)
+        if known is not None:
+            self._ranged(z, known.seen_low, known.seen_high)
+        z[self.scheme.layout.slice("ranging")] = 0.0
         z[self.scheme.layout.slice("steady")] = h
-        return self._made(z, known.tolerance)
+        if self.passes and known is not None:
+            return self._made(z, known.tolerance)
+        z[self.scheme.layout.slice("h_next")] = h
+        return self._made(z, self.scheme.tolerance, keep)
 
     def again(self, share: float) -> TriedMotion | None:
         """From z as it is, with steps that have a share of the error."""
@@ -112,38 +137,75 @@ class TrialRuns:
         worst = float(off.max())
         return max(worst, 1e-16) if np.isfinite(worst) else 1e16
 
-    def _ranged(self, z: np.ndarray, known: TriedMotion) -> None:
-        for name, value in (("q_low", known.low), ("q_high", known.high), ("ranging", 0.0)):
-            z[self.scheme.layout.slice(name)] = value
+    def _ranged(self, z: np.ndarray, low: np.ndarray, high: np.ndarray) -> None:
+        if np.isfinite([*low, *high]).all():
+            for name, value in (("q_low", low), ("q_high", high), ("ranging", 0.0)):
+                z[self.scheme.layout.slice(name)] = value
 
-    def _made(self, z: np.ndarray, tolerance: float) -> TriedMotion | None:
+    def _made(
+        self, z: np.ndarray, tolerance: float, keep: bool = False, longest: float = np.inf, most: float = np.inf
+    ) -> TriedMotion | None:
         """The motion from z (flat), None where it is lost or takes too much."""
         scheme, layout = self.scheme, self.scheme.layout
-        ready = self.stepper.ready_for(scheme.constants(self.c, self.span / SEEN, tolerance))
-        guard = Guard.of(layout.sizes["det_low"]) if self.tries == 0 else Guard()
-        states, first, spent = [self.stepper.state(z).copy()], 0.0, [0.0]
+        count = self.shown if keep and self.shown else SEEN
+        dt, low, high, steady = self.span / count, *(z[layout.slice(n)].copy() for n in ("q_low", "q_high", "steady"))
+        ready = self.stepper.ready_for(scheme.constants(self.c, dt, tolerance))
+        states, at_seen, first, spent = [z.copy()], [z.copy()], 0.0, [0.0]
         self.tries += 1
-        while len(states) <= SEEN:
-            z[layout.slice("det_low")], z[layout.slice("det_high")] = LOWEST, HIGHEST
-            run_across(self.stepper, z, 1, ready, self.c, self.span / SEEN, self.switches, self._impulses)
-            self.alarmed |= self._is_near(z, guard)
-            spent = [*spent[: len(states)], scheme.operations_taken(z, self.stepper.program)]
+        guard, alarmed = Guard.of(layout.sizes["det_low"]), False
+        while len(states) <= count:
+            z[layout.slice("det_low")], z[layout.slice("det_high")] = LOWEST, HIGHEST  # of one state to the next
+            run_across(self.stepper, z, 1, ready, self.c, dt, self.switches, self._impulses)
+            alarmed |= self._is_near(z, guard)
+            first, passed = first or float(z[layout.slice("h_next")][0]), len(at_seen)
             if int(z[1]) == len(states):
-                states.append(self.stepper.state(z).copy())
-            first = first or float(z[layout.slice("h_next")][0])
-            if scheme.is_stuck(z) or self._too_much(spent):
+                while len(at_seen) * count <= len(states) * SEEN:
+                    at_seen.append(self._seen_between(states[-1], z, len(at_seen), count, tolerance))
+                states.append(z.copy())
+                if len(at_seen) == passed:
+                    continue
+            spent = [*spent[:passed], scheme.operations_taken(z, self.stepper.program)]
+            if scheme.is_stuck(z) or self._too_much(spent, most) or scheme.longest(z) > longest:
+                self.spent += spent[-1]
                 return None
-        self.spent += spent[-1]
-        kept = np.array(states)
-        seen, low, high = self._seen(kept), z[layout.slice("q_low")], z[layout.slice("q_high")]
-        steady = float(z[layout.slice("steady")][0])
-        if not scheme.charts.size and not steady:  # narrower than those of a coarse trial that went astray
-            low, high = seen.min(axis=0), seen.max(axis=0)
-        if not np.isfinite([*low, *high]).all():
-            return None
-        taken, longest = int(z[layout.slice("accepted")][0]), float(scheme.longest(z))
-        made = (low.copy(), high.copy(), steady or first, longest, taken, spent[-1], self._sizes(kept[1:], layout))
-        return TriedMotion(tolerance, steady, seen, *made)
+        self.spent, self.alarmed = self.spent + spent[-1], alarmed
+        shown = np.array(at_seen)[:, : layout.size]
+        seen = self._seen(shown)
+        reached = shown[:, layout.slice("q_seen" if layout.sizes["q_seen"] else "x")]
+        if not steady:  # narrower than those of a coarse trial that went astray
+            told = [reached.min(axis=0), reached.max(axis=0)]
+            low, high = told if not scheme.charts.size else (z[layout.slice("q_low")], z[layout.slice("q_high")])
+            if not np.isfinite([*low, *high]).all():
+                return None
+        made, most = int(z[layout.slice("accepted")][0]), float(scheme.longest(z))
+        return TriedMotion(
+            tolerance,
+            float(steady[0]),
+            seen,
+            low.copy(),
+            high.copy(),
+            float(steady[0]) or first,
+            most,
+            made,
+            spent[-1],
+            self._sizes(shown[1:], layout),
+            reached.min(axis=0),
+            reached.max(axis=0),
+            np.array(states) if keep and self.shown else None,
+        )
+
+    def _seen_between(self, before: np.ndarray, z: np.ndarray, k: int, count: int, tolerance: float) -> np.ndarray:
+        """The state k of SEEN, which lies between two of `count`, the second included; its time is its t0."""
+        t, dt = z[0] + k * self.span / SEEN, self.span / count
+        found = z.copy()
+        if k * count != int(z[1]) * SEEN:
+            found, program = before.copy(), self.stepper.program
+            found[0], found[1] = t - dt, 0
+            ready = self.stepper.ready_for(self.scheme.constants(self.c, dt, tolerance))
+            run_across(self.stepper, found, 1, ready, self.c, dt, self.switches, self._impulses)
+            self.spent += self.scheme.operations_taken(found, program) - self.scheme.operations_taken(before, program)
+        found[0], found[1] = t, 0
+        return found
 
     def _is_near(self, z: np.ndarray, guard: Guard) -> bool:
         """Was a determinant of the closure small, or has its sign changed, since z was looked at last?"""
@@ -160,16 +222,15 @@ class TrialRuns:
         weight, dq, dv, h = (states[:, layout.slice(n)] for n in ("weight", "q_error", "v_error", "h_try"))
         return np.asarray(np.sqrt((weight * (dq * dq + h * h * dv * dv)).sum(axis=1)))
 
-    def _too_much(self, spent: list[float]) -> bool:
-        """Will a trial that has taken these operations from state to state need more than is left of the budget?"""
+    def _too_much(self, spent: list[float], most: float) -> bool:
+        """Will a trial that has taken these operations from state to state need more, or than is left of the budget?"""
         seen = len(spent) - 1
-        if seen < EARLY and spent[-1] < self.budget / 2:
+        if seen < EARLY and spent[-1] < min(self.budget, most) / 2:
             return False
         half = seen // 2
         expected = spent[-1] + (SEEN - seen) * (spent[-1] - spent[half]) / max(1, seen - half)
-        if self.tries == 1:
-            self.expected = expected
-        return self.spent + expected > self.budget
+        self.expected = expected
+        return expected > min(self.budget - self.spent, most)
 
     def _seen(self, states: np.ndarray) -> np.ndarray:
         """What tells the motion (N, n) of the scheme's states (N, n_z)."""

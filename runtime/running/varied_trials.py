@@ -52,9 +52,9 @@ class VariedTrials:
             wanted = self._wanted(aim)
         return self._told(asked, aim, min(max(wanted, self.made[-1].tolerance / NEARER, FINEST), LOOSEST))
 
-    def begin(self, asked: float) -> TriedMotion | None:
-        """The coarser trial."""
-        return self.made[0] if self._add(min(LOOSEST, COARSER * asked)) else None
+    def begin(self, asked: float, most: float = np.inf) -> TriedMotion | None:
+        """The coarser trial; None where it is lost or takes more than `most` operations."""
+        return self.made[0] if self._add(min(LOOSEST, COARSER * asked), most) else None
 
     def _told(self, asked: float, aim: float, wanted: float) -> Calibration:
         nearest = min(self.made, key=lambda one: abs(np.log(one.tolerance / wanted)))
@@ -74,9 +74,9 @@ class VariedTrials:
             self.runs.spent,
         )
 
-    def _add(self, tolerance: float) -> bool:
+    def _add(self, tolerance: float, most: float = np.inf) -> bool:
         """One more trial, in its place; False where there is none."""
-        one = self.runs.of_tolerance(tolerance, self.made[-1] if self.made else self.first)
+        one = self.runs.of_tolerance(tolerance, self.made[-1] if self.made else self.first, most=most)
         if one is None:
             return False
         self.made = sorted([*self.made, one], key=lambda trial: -trial.tolerance)
@@ -85,18 +85,21 @@ class VariedTrials:
     def _line(self, error: float) -> tuple[float, float, float]:
         """(log tolerance, log error, slope) of the trial whose error is nearest to this one, of all but the finest.
 
-        The slope is that to the next one, within SLOPES of what the orders of the method say.
+        The slope is that to the next one, within SLOPES of what the orders of the method say. An error that has fallen
+        faster is luck, as where a motion is unstable in itself: steps of nearly that tolerance may be far worse.
         """
         pairs = zip(self.made, self.made[1:], strict=False)
         x = np.log([one.tolerance for one in self.made[:-1]])
         y = np.log([self.runs.error(one, finer) for one, finer in pairs])
         order = self.runs.scheme.order / self.runs.scheme.error_order
+        least, most = SLOPES[0] * order, max(SLOPES[1] * order, 1.0)
+        for j in range(1, len(y)):
+            y[j] = max(y[j], y[j - 1] + most * (x[j] - x[j - 1]))
         k = int(np.argmin(abs(y - np.log(error))))
         slope = order
         if len(x) > 1:
             other = k + 1 if k == 0 or (k + 1 < len(x) and y[k] > np.log(error)) else k - 1
             slope = (y[other] - y[k]) / (x[other] - x[k])
-        least, most = SLOPES[0] * order, max(SLOPES[1] * order, 1.0)
         return float(x[k]), float(y[k]), float(min(max(slope, least), most))
 
     def _wanted(self, error: float) -> float:

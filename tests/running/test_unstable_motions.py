@@ -83,8 +83,13 @@ def test_errors_of_a_tumbling_body_are_known_with_a_tolerance(
 
 def test_errors_of_a_double_pendulum_are_known_with_a_tolerance(built_in: Load) -> None:
     settings = {"t_end": 10.0, "initial": OVER_THE_TOP, "dt": 0.05}
-    run = simulate(built_in("double_pendulum"), scheme="dopri5", tolerance=1e-3, **settings)
-    relative, true, estimated = errors(run, OVER_THE_TOP)
+    for error_of in ("motion", "step"):
+        chosen = {"tolerance": 1e-3, "options": {"error_of": error_of}}
+        run = simulate(built_in("double_pendulum"), scheme="dopri5", **chosen, **settings)  # type: ignore[arg-type]
+        relative, true, estimated = errors(run, OVER_THE_TOP)
+        if error_of == "motion":
+            rms = float(np.sqrt(np.mean(relative**2, axis=0)).max())
+            assert 1e-4 < rms < 3e-3 and true.max() < 0.05 and rms / 10 < float(run.stats["expected_error"]) < 10 * rms
     assert true.max() > 0.1 and (estimated < WITHIN * true).all() and (true < WITHIN * estimated).all()
     assert float(run.stats["reliable_until"]) == pytest.approx(run.t[(relative > 0.03).any(axis=1)][0], abs=2.0)
 

@@ -10,7 +10,8 @@ import pytest
 
 from runtime.contract.model import Model
 from runtime.engine.tiers import written_out
-from runtime.running.steady_trials import LEAST_STEPS, SteadyTrials
+from runtime.running.steady_trials import SteadyTrials
+from runtime.running.tried_motion import LEAST_STEPS
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from tests.support.prepared_runs import PreparedRuns
 
@@ -62,11 +63,11 @@ class _Law:
     """In place of trials: errors of a method by a law of the number of steps."""
 
     def __init__(self, law: Callable[[float], float], order: int = 4) -> None:
-        self.law, self.span, self.made = law, 1.0, []
+        self.law, self.span, self.made, self.alarmed, self.least = law, 1.0, [], False, LEAST_STEPS
         self.scheme = SimpleNamespace(order=order, error_order=order, price_of_varied=lambda program: 1.0)
         self.stepper = SimpleNamespace(program=None)
 
-    def of_length(self, h: float, known: object) -> SimpleNamespace:
+    def of_length(self, h: float, known: object, keep: bool = False) -> SimpleNamespace:
         self.made.append(1 / h)
         return SimpleNamespace(steady=h, operations=1 / h, value=self.law(1 / h))
 

@@ -191,6 +191,10 @@ class AdaptiveState(OneStep):
         start = self._operations_of_start(size)
         return accepted * start + (accepted + rejected) * size["attempt"]
 
+    def operations_of_plain(self, program: Program) -> int:
+        """Of a step among steps of one length."""
+        return self._sizes(program)["plain"]
+
     def price_of_varied(self, program: Program) -> float:
         """Operations of a step of varied length over those of one among steps of one length."""
         size = self._sizes(program)

@@ -9,7 +9,8 @@ come later no more is tried than would be worth it: RIVAL times the operations o
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Unpack
 
 import numpy as np
@@ -22,17 +23,21 @@ from runtime.results.meter import Meter
 from runtime.results.solution import Solution
 from runtime.running.arguments import RunArguments
 from runtime.running.calibration import Calibration
-from runtime.running.inputs import bound
+from runtime.running.inputs import bound, scheduled, started
+from runtime.running.load_steps import steps_that_see_loads
+from runtime.running.plan import Plan, make_plan
 from runtime.running.simulate import simulate as run
-from runtime.running.tolerance import tolerance_of, whole_span
+from runtime.running.tolerance import tolerance_of, with_tolerance
 from runtime.running.trials import Trials
-from runtime.running.tried_motion import SEEN, TrialRuns
+from runtime.running.tried_motion import RANGING, TrialRuns, TriedMotion
+from runtime.running.varied_trials import COARSER
 from runtime.schemes.adaptive.dormand_prince import DormandPrince5
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.kept_steppers import kept_stepper
 from runtime.schemes.options import LARGE_SYSTEM, SchemeError
 from runtime.schemes.step_limit import limit_between_the_axes
 from runtime.schemes.switching.times import SwitchTime, switching_times
+from runtime.schemes.work import account_for_work
 from runtime.start.start_state import start_state
 from runtime.studies.work_precision.dense_methods import affordable
 
@@ -40,7 +45,6 @@ AUTO = "auto"
 TOLERANCE = 1e-3
 EXPLICIT = "dopri5"
 NEAR = 0.3  # of the stability limit of the explicit pair
-RIVAL, LITTLE = 8.0, 1e7  # times the operations of the best run known, or so many: trials of another take no more
 NEAR_OF_ELASTIC = 0.1  # of it where the model has stiff deflections: methods that follow them may take longer steps
 
 
@@ -88,30 +92,36 @@ class AutomaticChoice:
 
 def choose(model: Model, tolerance: float, settings: RunArguments) -> AutomaticChoice:
     """What to step with. settings: of the run. Raises what `simulate` raises."""
-    t0, p = settings.get("t0", 0.0), model.parameter_vector(settings.get("parameters"))
-    c = model.constants(p)
-    state = start_state(model, p, c, t0, settings.get("initial"), settings.get("start"))
-    span = whole_span(model, settings.get("t_end"), t0)
-    motion = _Motion(model, tolerance, c, state, t0, span, switching_times(model, c, t0, t0 + span))
+    motion = _Motion.of(model, tolerance, settings)
     explicit = motion.trials(EXPLICIT)
-    found: dict[str, _Tried] = {}
-    if not motion.seems_stiff(explicit):
-        found = {EXPLICIT: motion.tried(explicit, {})}
-        known = found[EXPLICIT].known
-        if known and not motion.stiff(known.longest):
+    near = motion.near
+    tried, best, prices = [explicit], None, {}
+    coarse = (max(RANGING, COARSER * tolerance) / tolerance) ** (1 / explicit.runs.scheme.error_order)
+    if explicit.begin(tolerance, longest=coarse * near) is not None:
+        known = explicit.calibration(tolerance)
+        if known and known.longest < near:
             return AutomaticChoice(EXPLICIT, f"{EXPLICIT} to {tolerance:g}: the motion is not stiff", known)
-    for name in exponentials(model):
-        found[name] = motion.tried(motion.trials(name), found)
-    if EXPLICIT not in found:
-        found[EXPLICIT] = motion.tried(explicit, found)
-    best, *others = sorted(found, key=lambda name: found[name].price)
-    if found[best].known is None:
-        best, *others = sorted(found, key=lambda name: (found[name].expected, name == EXPLICIT))
-        reason = f"{best} to {tolerance:g} a step: trials of the whole motion would take too long, or come to no end"
-        return AutomaticChoice(best, reason, None)
-    seen = " and ".join(f"{name} takes {_times(found[name].price / found[best].price)}" for name in others)
+        best = _Best.of(EXPLICIT, known, explicit)
+        prices[EXPLICIT] = np.inf if known is None else known.operations
+    for name in [*exponentials(model), *([] if EXPLICIT in prices else [EXPLICIT])]:
+        trials = explicit if name == EXPLICIT else motion.trials(name)
+        tried += [] if name == EXPLICIT else [trials]
+        if best is None:
+            known = trials.calibration(tolerance)
+            prices[name] = np.inf if known is None else known.operations
+        elif name == EXPLICIT and motion.least_price(trials) > best.known.operations:
+            known, prices[name] = None, motion.least_price(trials)
+        else:
+            known, prices[name] = trials.beside(tolerance, best.known, best.finest)
+        best = _Best.of(name, known, trials, best)
+    if best is None:
+        return motion.by_steps(dict(zip([EXPLICIT, *exponentials(model)], tried, strict=True)))
+    price = best.known.operations
+    seen = " and ".join(f"{name} takes {_times(prices[name] / price)}" for name in prices if name != best.name)
     seen = seen or "there is no other method"
-    return AutomaticChoice(best, f"{best} to {tolerance:g}: the motion is stiff, and {seen}", found[best].known)
+    spent = sum(trials.runs.spent for trials in tried) - (price if best.known.states is not None else 0.0)
+    known = replace(best.known, tried=spent, trials=sum(trials.runs.tries for trials in tried))
+    return AutomaticChoice(best.name, f"{best.name} to {tolerance:g}: the motion is stiff, and {seen}", known)
 
 
 def exponentials(model: Model) -> list[str]:
@@ -126,61 +136,102 @@ def _times(ratio: float) -> str:
 
 
 @dataclass(frozen=True)
-class _Tried:
-    """known: what trials of a method told, if they did; expected: operations of the coarsest."""
+class _Best:
+    """The method that takes the fewest operations so far; finest: a trial with steps of one length, and its error."""
 
-    known: Calibration | None
-    expected: float
+    name: str
+    known: Calibration
+    finest: tuple[TriedMotion, float]
 
-    @property
-    def price(self) -> float:
-        """Operations of the run, infinite where they are not known."""
-        return np.inf if self.known is None else self.known.operations
+    @staticmethod
+    def of(name: str, known: Calibration | None, trials: Trials, before: _Best | None = None) -> _Best | None:
+        """With what trials have told, if they did; else what it was before."""
+        if known is None:
+            return before
+        finest = trials.finest or (None if before is None else before.finest)
+        assert finest is not None
+        return _Best(name, known, finest)
 
 
 @dataclass(frozen=True)
 class _Motion:
-    """A motion of `span` [s] from a state at t0, with constants c (c_size,) and times that no step crosses."""
+    """A motion from a state, with constants c (c_size,) and times that no step crosses; plan: of the explicit pair;
+    least: steps that see what loads do.
+    """
 
-    model: Model
     tolerance: float
     c: np.ndarray
     state: ConsistentState
-    t0: float
-    span: float
+    plan: Plan
+    engine: str
+    least: int
     switches: list[SwitchTime]
 
+    @classmethod
+    def of(cls, model: Model, tolerance: float, settings: RunArguments) -> _Motion:
+        """That of a run. Raises what `simulate` raises."""
+        t0, times = settings.get("t0", 0.0), (settings.get("t_end"), settings.get("dt"))
+        options, dt, every = with_tolerance(model, EXPLICIT, tolerance, None, *times, settings.get("save_every"), t0)
+        plan = make_plan(model, times[0], dt, None, EXPLICIT, every, options, t0, bounded=True)
+        inputs = settings.get("inputs")
+        p = started(
+            model, model.parameter_vector(settings.get("parameters")), scheduled(model, inputs, t0, plan.grid.dt_L), t0
+        )
+        c = model.constants(p)
+        state = start_state(model, p, c, t0, settings.get("initial"), settings.get("start"))
+        switches = switching_times(model, c, t0, plan.t_end)
+        least = steps_that_see_loads(model, c, state, t0, plan.t_end, switches)
+        return cls(tolerance, c, state, plan, settings.get("engine", "auto"), least, switches)
+
     def trials(self, name: str) -> Trials:
-        """Of a method."""
-        h = self.span / SEEN
-        scheme = scheme_kind(name).build(name, self.model, h, None, {"tolerance": self.tolerance})
-        stepper = kept_stepper(scheme)
-        z = stepper.start(self.t0, self.state.q, self.state.q_dot, self.c, h)
-        return Trials(TrialRuns(stepper, z, self.c, self.span, self.switches))
+        """Of a method, with the program of its run."""
+        plan = self.plan
+        scheme = scheme_kind(name).build(name, plan.scheme.model, plan.grid.dt_L, None, plan.options)
+        account_for_work(scheme)
+        stepper = kept_stepper(scheme, self.engine)
+        z = stepper.start(plan.t0, self.state.q, self.state.q_dot, self.c, plan.grid.dt_L)
+        span = plan.t_end - plan.t0
+        return Trials(TrialRuns(stepper, z, self.c, span, self.switches, shown=plan.steps, least=self.least))
 
-    def tried(self, trials: Trials, rivals: Mapping[str, _Tried]) -> _Tried:
-        """What trials tell, where it may be worth more than what others were found to need."""
-        best = min((one.price for one in rivals.values()), default=np.inf)
-        trials.runs.budget = min(trials.runs.budget, max(RIVAL * best, LITTLE))
-        return _Tried(trials.calibration(self.tolerance), trials.expected)
+    def by_steps(self, tried: Mapping[str, Trials]) -> AutomaticChoice:
+        """Where trials told nothing: the method that would take the fewest operations with coarse steps.
 
-    def seems_stiff(self, trials: Trials) -> bool:
-        """Would steps of the explicit pair be near its stability limit, as far as its first trial tells?"""
-        first = trials.begin(self.tolerance)
-        if first is None:
-            return True
-        return self.stiff(first.longest * (self.tolerance / first.tolerance) ** (1 / trials.runs.scheme.error_order))
+        Where they came near a singular position, its run makes others that pass it.
+        """
+        alarmed = any(trials.runs.alarmed for trials in tried.values())
+        for trials in tried.values():
+            trials.begin(self.tolerance)
+        best = min(tried, key=lambda name: (tried[name].expected, name == EXPLICIT))
+        reason = (
+            f"{best} to {self.tolerance:g} a step: trials of the whole motion would take too long, or come to no end"
+        )
+        if alarmed:
+            reason = f"{best} to {self.tolerance:g}: the motion comes near singular positions"
+        return AutomaticChoice(best, reason, Calibration.of_none() if alarmed else None)
 
-    def stiff(self, h: float) -> bool:
-        """Is a step near what a vibration or a decay at the start allows? Yes where that is not known."""
-        if not ModeSolver.possible(self.model):
-            return True
-        at = independent(self.model, self.state.q, self.state.q_dot)
+    def least_price(self, trials: Trials) -> float:
+        """Operations of the explicit pair with the longest steps that are stable at the start."""
+        steps = (self.plan.t_end - self.plan.t0) / self._limit if self._limit else 0.0
+        return steps * trials.runs.scheme.operations_of_plain(trials.runs.stepper.program)
+
+    @property
+    def near(self) -> float:
+        """Steps of the explicit pair from which on a motion counts as stiff [s]: near what a vibration or a decay at
+        the start allows; 0 where that is not known.
+        """
+        return (NEAR_OF_ELASTIC if self.plan.scheme.model.has("deflections") else NEAR) * self._limit
+
+    @cached_property
+    def _limit(self) -> float:
+        """The longest step of the explicit pair that is stable at the start [s]; 0 where that is not known."""
+        model = self.plan.scheme.model
+        if not ModeSolver.possible(model):
+            return 0.0
+        at = independent(model, self.state.q, self.state.q_dot)
         try:
-            state = State(self.t0, *at, loop_part(self.model, self.state.q))
-            slopes = ModeSolver(self.model, self.c).slopes(state)
+            state = State(self.plan.t0, *at, loop_part(model, self.state.q))
+            slopes = ModeSolver(model, self.c).slopes(state)
             limit = limit_between_the_axes(*slopes, DormandPrince5.reach, DormandPrince5.decay_reach)
         except np.linalg.LinAlgError:
-            return True
-        near = NEAR_OF_ELASTIC if self.model.has("deflections") else NEAR
-        return limit is not None and not h < near * limit.h
+            return 0.0
+        return np.inf if limit is None else limit.h
