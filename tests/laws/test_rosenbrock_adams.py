@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from math import factorial
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
+from runtime import resume, simulate
 from runtime.contract.model import Model
 from runtime.engine.choose import arithmetic
 from runtime.schemes.catalogue import scheme_kind
@@ -127,7 +130,7 @@ def test_remainder_of_a_pushed_block(model_of: Build) -> None:
 def test_where_it_is_chosen(built_in: Load, model_of: Build) -> None:
     """`auto` takes it where a step is hardly longer: few coordinates in few terms, not loops, long trees or space."""
     chosen = {}
-    for model in (*map(built_in, ("flexible_joint_arm", "overdamped_joint", "flexible_four_bar", "heavy_top")),
+    for model in (*map(built_in, ("flexible_joint_arm", "overdamped_joint", "flexible_slider_crank_free", "heavy_top")),
                   model_of(arm(10))):  # fmt: skip
         scheme = built(model, {})
         chosen[model.name] = scheme.options.linearisation
@@ -176,3 +179,21 @@ def test_a_beam_that_stands_by_spinning(built_in: Load) -> None:
         return float(np.abs(PreparedRuns(model, NAME, None, {"linearisation": word}).end(10.0, 0.1) - exact).max())
 
     assert off("jacobian") < 4e-8 < 1e-2 < off("stiffness")
+
+
+def test_runs_go_on(built_in: Load, tmp_path: Path) -> None:
+    """Order 4 where the torque on the hub ends within a step, and a resumed run is bitwise the whole one."""
+    model = built_in("hub_beam")
+    settings: dict[str, Any] = {"scheme": NAME, "options": JACOBIAN}
+
+    def stop(t: float, t_end: float) -> None:
+        if t >= 2.5:
+            raise KeyboardInterrupt
+
+    exact = simulate(model, t_end=3.0, dt=0.01, scheme="dop853", save_every=300).q[-1]
+    runs = [simulate(model, t_end=3.0, dt=dt, save_every=25, **settings) for dt in (0.06, 0.03)]
+    errors = [float(np.abs(run.q[-1] - exact).max()) for run in runs]
+    assert errors[1] < 3e-8 and 12 < errors[0] / errors[1] < 22, errors
+    path = tmp_path / "run.npz"
+    simulate(model, t_end=3.0, dt=0.06, save_every=25, checkpoint=path, checkpoint_every=7, progress=stop, **settings)
+    assert np.array_equal(resume(model, path).q, runs[0].q)
