@@ -12,8 +12,8 @@ INTRODUCTION = """# Benchmarks
 
 Written by `python -m benchmarks --publish`; every number is of one run on the machine below.
 
-Times are CPU times. Contenders of a comparison take turns within the run; the time is the minimum of many bursts and
-a ratio is the ratio of the minima, beside it the quartiles of the round-by-round ratios or the range over processes. A
+Times are CPU times. Contenders of a comparison take turns within the run; the time is the lower quartile of many bursts
+and a ratio is the ratio of these, beside it the quartiles of the round-by-round ratios or the range over processes. A
 goal is an upper limit.
 """
 

@@ -1,4 +1,4 @@
-"""Times that can be compared: methods take turns, CPU time of this thread, the minimum of many bursts."""
+"""Times that can be compared: methods take turns, CPU time of this thread, the lower quartile of many bursts."""
 
 from __future__ import annotations
 
@@ -14,7 +14,10 @@ MOST_CALLS = 1 << 30
 
 @dataclass(frozen=True)
 class Timing:
-    """Seconds a call of one method: the least of all bursts, and how far the median lies above it (relative)."""
+    """Seconds a call of one method: the lower quartile of all bursts, and how far the median lies above it (relative).
+
+    Not the least of them: where other programs run, a clock of CPU time misses half of a burst now and then.
+    """
 
     best: float
     spread: float
@@ -36,7 +39,7 @@ def interleave(
 
 
 def ratio(first: Timing, second: Timing) -> tuple[float, float, float]:
-    """(ratio of the minima, lower and upper quartile of the round-by-round ratios)."""
+    """(ratio of the best, lower and upper quartile of the round-by-round ratios)."""
     rounds = [a / b for a, b in zip(first.bursts, second.bursts, strict=True)]
     lower, _, upper = quantiles(rounds, n=4)
     return first.best / second.best, lower, upper
@@ -58,5 +61,6 @@ def _calibrate(work: Callable[[int], None], burst_seconds: float) -> int:
 
 
 def _timing(bursts: list[float]) -> Timing:
-    best = min(bursts)
-    return Timing(best, sorted(bursts)[len(bursts) // 2] / best - 1, tuple(bursts))
+    ordered = sorted(bursts)
+    best = ordered[len(bursts) // 4]
+    return Timing(best, ordered[len(bursts) // 2] / best - 1, tuple(bursts))
