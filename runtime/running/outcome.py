@@ -61,13 +61,14 @@ def _ended(run: Run, setup: float) -> Solution:
 
 
 def _explained(status: Status, run: Run) -> Status:
-    """A breakdown where a load has no finite value is its doing."""
-    within = status.time + 2 * run.segment.plan.grid.dt_L
-    bad = (event for event in run.events if event.kind == "load_not_finite" and event.time <= within)
-    event = next(bad, None) if status.name in ("not_finite", "diverged", "step_too_short") else None
-    if event is None:
+    """A breakdown where a load has no finite value, or acts between the steps, is its doing."""
+    near = 2 * run.segment.plan.grid.dt_L
+    endless = [one for one in run.events if one.kind == "load_not_finite" and one.time <= status.time + near]
+    missed = [one for one in run.events if one.kind == "load_missed" and abs(one.time - status.time) <= near]
+    if status.name not in ("not_finite", "diverged", "step_too_short") or not endless + missed:
         return status
-    return Status(status.name, status.time, status.coordinate, event.text, "Let it be finite, or end the run before.")
+    advice = "Let it be finite, or end the run before." if endless else "Give it a smaller step there."
+    return Status(status.name, status.time, status.coordinate, (endless + missed)[0].text, advice)
 
 
 def _measure(run: Run, status: Status, state: ConsistentState) -> None:

@@ -25,13 +25,18 @@ from runtime.schemes.switching.broken_steps import BrokenSteps
 
 SHORTER = ((1 + 5**0.5) / 2) ** 3  # steps of one length over those of the finer motion: no common period with a force
 PARTS = 4  # of a step on the grid, of the finer motion
+FINEST = 8  # where a load acts between the steps: the points that have shown it
 FINER = 64.0  # tolerance of the run over that of the finer motion
 AS_BEGUN = ("h_next", "per_step", "steady", "ranging", *RANGES)  # what trials have told at the start
 DOUBTED = 10.0  # times what trials expect, where that is more than was asked: such an estimate is not believed at once
 
 
 def doubted(run: Run, accuracy: Accuracy) -> bool:
-    """Does the estimate of a run that has come to its end say far more than the trials that were made before it?"""
+    """Does the estimate of a run that has come to its end say far more than the trials that were made before it, or did
+    a load act between its steps?
+    """
+    if any(event.kind == "load_missed" for event in run.events):
+        return bool(accuracy.errors)
     if "expected_error" not in run.told or not accuracy.errors:
         return False
     relative = accuracy.relative(run.segment.model)[0]
@@ -58,25 +63,26 @@ def measured_errors(run: Run, state: ConsistentState) -> dict[str, float] | None
 
 
 def _fixed(run: Run, segment: Segment, state: ConsistentState) -> np.ndarray | None:
-    """(n_told,) by steps of a quarter of the length."""
+    """(n_told,) by steps of a part of the length."""
     plan, stepper, c = segment.plan, segment.stepper, segment.c
     if len(run.record.segments) > 1 or any(event.kind == "singular_position" for event in run.events):
         return None
-    if (1 + PARTS) * plan.steps * stepper.operations > OPERATIONS:
+    parts = FINEST if any(event.kind == "load_missed" for event in run.events) else PARTS
+    if (1 + parts) * plan.steps * stepper.operations > OPERATIONS:
         return None
-    scheme, dt, columns = plan.scheme, plan.grid.dt_L / PARTS, followed(segment.model)[1]
+    scheme, dt, columns = plan.scheme, plan.grid.dt_L / parts, followed(segment.model)[1]
     own, finer = segment.start(state.q, state.q_dot), stepper.start(plan.t0, state.q, state.q_dot, c, dt)
     broken, ready = BrokenSteps(stepper, plan.t0, dt, segment.switches), stepper.ready(c, dt)
     marks = sorted({plan.steps * (k + 1) // SEEN for k in range(SEEN)} - {0})
     off = np.zeros(len(columns))
     for steps in np.diff([0, *marks]).tolist():
         segment.run(own, steps)
-        broken.run(finer, ready, c, PARTS * steps)
+        broken.run(finer, ready, c, parts * steps)
         ends = seen_state(segment, own)[0], seen_state(segment, finer, scheme.constants(c, dt))[0]
         off = np.fmax(off, np.abs(ends[0] - ends[1])[columns])
         if not np.isfinite([*ends[0], *ends[1]]).all():
             return None
-    return np.asarray(off * PARTS**scheme.order / (PARTS**scheme.order - 1))
+    return np.asarray(off * parts**scheme.order / (parts**scheme.order - 1))
 
 
 def _varying(run: Run, segment: Segment, state: ConsistentState) -> np.ndarray | None:

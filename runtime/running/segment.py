@@ -15,6 +15,7 @@ from runtime.running.monitor import Monitor
 from runtime.running.plan import Plan
 from runtime.running.singular.guard import Guard
 from runtime.running.stepped_model import SteppedModel
+from runtime.running.time_functions import all_stops
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.impulses import run_across
 from runtime.schemes.switching.broken_steps import BrokenSteps
@@ -75,6 +76,12 @@ class Segment(SteppedModel):
             return
         constants = self.plan.scheme.constants(self.c)
         begin_account(self.plan.scheme, z, constants, work, lambda state: self.advance(state, 1))
+
+    def find_switches(self, t0: float, t_end: float) -> None:
+        """As every stepped model; steps to a tolerance end within short pulses of loads, too. Raises ModelError."""
+        super().find_switches(t0, t_end)
+        if self.plan.scheme.adaptive:
+            self.switches = all_stops(self.model, self.c, t0, t_end)
 
     def take_inputs(self, w: np.ndarray) -> None:
         """From now on p and c have these numbers (n_w,) of the inputs; z has its own."""

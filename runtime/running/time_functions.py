@@ -19,12 +19,13 @@ from runtime.contract.coordinates import parts, rate_parts
 from runtime.contract.model import Model, ModelError
 from runtime.contract.status import Event
 from runtime.running.plan import Plan
+from runtime.running.pulses import pulse_times
 from runtime.schemes.stage_equations import is_long_tree
 from runtime.schemes.switching.times import SwitchTime, switching_times
 
 INSIDE = 8  # points a step, where there are not too many steps
 MOST_POINTS = 200_000
-MISSED = 0.02  # of the whole impulse of a load
+MISSED, DRIFT = 0.02, 0.1  # of the whole impulse of a load: in a step, and summed up
 JUMP = 1e-6  # of the largest position or velocity of the prescribed motions
 SEEN, DUST = 200, 1e-12  # looks at the range of a motion; m or rad, and their rates
 CANDIDATES, HALVINGS = 8, 60
@@ -49,7 +50,9 @@ def check_time_functions(
     _refuse_jumps(model, c, state, times, ends)
     broken = np.unique([int((end - plan.t0) / plan.grid.dt_L * (1 - 1e-9)) for end in ends]).astype(int)
     sub_steps = np.repeat(np.isin(np.arange(plan.steps), broken), prod(plan.grid.m))
-    return _missed_loads(model, c, state, times, points, sub_steps)
+    found = _missed_loads(model, c, state, times, points, sub_steps)
+    varying = plan.scheme.adaptive  # whose steps end within short pulses, see `all_stops`
+    return [event for event in found if not varying or event.kind != "load_missed"]
 
 
 def refuse_position_jumps(
@@ -144,6 +147,15 @@ def _ends_between(ends: Sequence[float], low: float, high: float) -> bool:
     return any(low <= end <= high for end in ends)
 
 
+def all_stops(model: Model, c: np.ndarray, t0: float, t_end: float) -> list[SwitchTime]:
+    """Times that no step to a tolerance should cross: jumps and kinks, and places within short pulses of loads."""
+    known = switching_times(model, c, t0, t_end)
+    start = ConsistentState(model.initial_q, model.initial_q_dot, {})
+    function = force_of_time(model, c, start)
+    pulses = [] if function is None else pulse_times(lambda times: np.asarray(function(times)), t0, t_end, known)
+    return sorted([*known, *pulses], key=lambda one: one.time)
+
+
 def _missed_loads(
     model: Model, c: np.ndarray, state: ConsistentState, times: np.ndarray, points: int, broken: np.ndarray
 ) -> list[Event]:
@@ -165,6 +177,12 @@ def _missed_loads(
     missed = np.where(broken, 0.0, np.abs(impulse - shown))
     share = missed.max(axis=1) / np.maximum(np.abs(fine).sum(axis=1), 1e-300)
     worst = int(share.argmax())
+    total = np.abs(np.where(broken, 0.0, impulse - shown).cumsum(axis=1)).max(axis=1)
+    drift = total / np.maximum(np.abs(fine).sum(axis=1), 1e-300)
+    if not share[worst] > MISSED and drift.max() > DRIFT:
+        worst = int(drift.argmax())
+        text = f"the ends of the steps show {drift[worst]:.2g} of the impulse of the load on {model.q_i[worst]} wrong"
+        return [Event(float(times[0]), "load_missed", f"{text}: it changes as often as they come; take other steps")]
     if not share[worst] > MISSED:
         return []
     time = float(times[points * int(missed[worst].argmax())])

@@ -27,6 +27,7 @@ from runtime.running.inputs import bound, scheduled, started
 from runtime.running.load_steps import steps_that_see_loads
 from runtime.running.plan import Plan, make_plan
 from runtime.running.simulate import simulate as run
+from runtime.running.time_functions import all_stops
 from runtime.running.tolerance import tolerance_of, with_tolerance
 from runtime.running.trials import Trials
 from runtime.running.tried_motion import RANGING, TrialRuns, TriedMotion
@@ -36,7 +37,7 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.kept_steppers import kept_stepper
 from runtime.schemes.options import LARGE_SYSTEM, SchemeError
 from runtime.schemes.step_limit import limit_between_the_axes
-from runtime.schemes.switching.times import SwitchTime, switching_times
+from runtime.schemes.switching.times import SwitchTime
 from runtime.schemes.work import account_for_work
 from runtime.start.start_state import start_state
 from runtime.studies.work_precision.dense_methods import affordable
@@ -179,7 +180,7 @@ class _Motion:
         )
         c = model.constants(p)
         state = start_state(model, p, c, t0, settings.get("initial"), settings.get("start"))
-        switches = switching_times(model, c, t0, plan.t_end)
+        switches = all_stops(model, c, t0, plan.t_end)
         least = steps_that_see_loads(model, c, state, t0, plan.t_end, switches)
         return cls(tolerance, c, state, plan, settings.get("engine", "auto"), least, switches)
 
