@@ -18,7 +18,10 @@ from runtime.gradients.watch import Watch
 
 @dataclass(frozen=True)
 class Begun:
-    """A run at its start: z, the prepared constants, x (n_x,), slopes of x by the values (n_x, n), the values (n,)."""
+    """A run at its start: z, the prepared constants, x (n_x,), slopes of x by the values (n_x, n), the values (n,).
+
+    state: all coordinates and rates (n,).
+    """
 
     z: np.ndarray
     ready: np.ndarray
@@ -26,6 +29,7 @@ class Begun:
     slopes: np.ndarray
     values: np.ndarray
     watch: Watch
+    state: tuple[np.ndarray, np.ndarray]
 
 
 class Beginning:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from runtime.schemes.switching.breaks import Breaks
+from runtime.contract.errors import NoResult
+from runtime.schemes.switching.breaks import ON_THE_GRID, Breaks
 from runtime.schemes.switching.times import SwitchTime
 
 Moves = Callable[[Sequence[SwitchTime]], np.ndarray]  # of jumps at one time: its derivative by p (n_p,)
@@ -40,21 +41,38 @@ class Jump:
 
 
 @dataclass(frozen=True)
+class Passage:
+    """Events happen at a clock [s]. event: the position of the one that acts (-1: none).
+
+    least: the rate of its value [1/s] below which it grazes zero.
+    """
+
+    clock: float
+    event: int = -1
+    least: float = 0.0
+
+
+@dataclass(frozen=True)
 class StepPart:
-    """Of a broken step: from a clock on, so long [s], behind a jump."""
+    """Of a broken step: from a clock on, so long [s], behind a jump or a passage of events."""
 
     start: float
     length: float
     jump: Jump | None
+    passage: Passage | None = None
 
 
 @dataclass(frozen=True)
 class Broken:
-    """Parts of a major step, the number of steps done after it, and the clock from which the next one starts [s]."""
+    """Parts of a major step, the number of steps done after it, and the clock from which the next one starts [s].
+
+    passage: of events at its end.
+    """
 
     parts: tuple[StepPart, ...]
     step: int
     clock: float
+    passage: Passage | None = None
 
 
 @dataclass(frozen=True)
@@ -100,9 +118,9 @@ def course(steps: int, every: int, holds: Iterable[Hold]) -> Course:
     return Course(tuple(stops), tuple(times))
 
 
-def across(course: Course, breaks: Breaks, moves: Moves) -> Course:
-    """The course with its steps broken where something jumps."""
-    special = sorted({*breaks.broken, *breaks.on})
+def across(course: Course, breaks: Breaks, moves: Moves, passages: Mapping[int, Sequence[Passage]]) -> Course:
+    """The course with its steps broken where something jumps, and where events happen (by step)."""
+    special = sorted({*breaks.broken, *breaks.on, *passages})
     stops: list[Stop] = []
     done = 0
     for stop in course.stops:
@@ -110,7 +128,7 @@ def across(course: Course, breaks: Breaks, moves: Moves) -> Course:
         for k in (one for one in special if done <= one < end):
             if k > done:
                 cut.append(Stop(k - done, -1))
-            cut.append(Stop(0, -1, broken=_broken(breaks, k, moves)))
+            cut.append(Stop(0, -1, broken=_passed(_broken(breaks, k, moves), passages.get(k, ()), breaks.dt)))
             done = k + 1
         if done < end or not cut:
             cut.append(Stop(end - done, -1))
@@ -128,3 +146,24 @@ def _broken(breaks: Breaks, step: int, moves: Moves) -> Broken:
         if k < len(inside) and after is not None:
             start, jump = after, Jump(end, after, moves([inside[k]]))
     return Broken(tuple(parts), step + 1, breaks.clock(step + 1))
+
+
+def _passed(broken: Broken, passages: Sequence[Passage], dt: float) -> Broken:
+    """The same with parts that end at passages of events, too. Raises NoResult for one at the time of a jump."""
+    parts, last = list[StepPart](), None
+    waiting = list(passages)
+    for k, part in enumerate(broken.parts):
+        end, now = part.start + part.length, part
+        while waiting and waiting[0].clock <= end:
+            passage = waiting.pop(0)
+            left = end - passage.clock
+            parts.append(replace(now, length=passage.clock - now.start))
+            if left > ON_THE_GRID * dt:
+                now = StepPart(passage.clock, left, None, passage)
+                continue
+            if k < len(broken.parts) - 1:
+                raise NoResult(f"an event at t = {passage.clock:.6g} s", "happens just where a load jumps", "move one")
+            now, last = replace(now, length=0.0), passage
+        if now.length:
+            parts.append(now)
+    return replace(broken, parts=tuple(parts), passage=last)

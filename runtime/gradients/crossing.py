@@ -16,17 +16,19 @@ import numpy as np
 
 from runtime.contract.errors import ArgumentError
 from runtime.engine.native import NativeProgram
+from runtime.gradients.acting_events import Acted, ActingEvents
 from runtime.gradients.beginning import Begun
-from runtime.gradients.course import Broken, Hold, Jump, Stop
+from runtime.gradients.course import Broken, Hold, Jump, Passage, Stop
 from runtime.gradients.observed_program import ObservedProgram
-from runtime.schemes.state_fields import Lasting
+from runtime.gradients.starts_anew import StartsAnew
 
 
 @dataclass(frozen=True)
 class Handover:
     """From one part of a step to the next: the steps of both (groups,) [s], the clock [s], the jump there if any.
 
-    goes_on: is a step made from there? The last turn leads back to the grid. holds: inputs that change there.
+    goes_on: is a step made from there? The last turn leads back to the grid. holds: inputs that change there. passage:
+    of events.
     """
 
     before: np.ndarray
@@ -35,13 +37,15 @@ class Handover:
     jump: Jump | None
     goes_on: bool
     holds: tuple[Hold, ...] = ()
+    passage: Passage | None = None
 
 
 @dataclass(frozen=True)
 class Taken:
     """A turn at a state z (n_s,), the scheme's part, and a clock [s].
 
-    gap (n_i,): accelerations before the jump less those after it; w (n_w,): the inputs behind the turn.
+    gap (n_i,): accelerations before the jump less those after it; w (n_w,): the inputs behind the turn. acted: what an
+    event did there.
     """
 
     turn: Handover
@@ -49,6 +53,7 @@ class Taken:
     clock: float
     gap: np.ndarray
     w: np.ndarray
+    acted: Acted | None = None
 
 
 class JumpCrossing:
@@ -61,7 +66,9 @@ class JumpCrossing:
         self._rows = [program.active.z[k] for k in self._own]
         self._v = self._scheme.layout.slice("v") if "v" in self._scheme.layout.sizes else slice(0, 0)
         self._w = self._scheme.layout.slice("inputs") if self._scheme.model.inputs else slice(0, 0)
+        self._events = ActingEvents(self._scheme)
         self.remembers = not set(self._scheme.memory) <= {"x", "v", "loop", "chart"}
+        self._anew = StartsAnew(self._scheme, self.remembers)
         if self.remembers and self._scheme.charts.size:
             raise ArgumentError(
                 f"scheme of model {self._scheme.model.name}",
@@ -75,9 +82,9 @@ class JumpCrossing:
         for part in broken.parts:
             length = part.length * (1 - 2 * np.finfo(float).eps * prod(self._scheme.grid.m))
             after = self._steps * (length / self._steps[0])
-            found.append(Handover(before, after, part.start, part.jump, True))
+            found.append(Handover(before, after, part.start, part.jump, True, passage=part.passage))
             before = after
-        return [*found, Handover(before, self._steps, broken.clock, None, False)]
+        return [*found, Handover(before, self._steps, broken.clock, None, False, passage=broken.passage)]
 
     def hold(self, holds: tuple[Hold, ...]) -> Handover:
         """On the grid, with other inputs from there on."""
@@ -92,10 +99,16 @@ class JumpCrossing:
         gap = np.zeros(len(self._scheme.model.q_i))
         if turn.jump is not None and turn.jump.moves.any():
             before, after = turn.jump.before, turn.jump.after
-            gap = np.asarray(self._gap(own, p, turn.before, before, after)).ravel()
-        taken = Taken(turn, own, clock, gap, w)
+            gap = np.asarray(self._anew.gap(own, p, turn.before, before, after)).ravel()
+        acted = None
+        if turn.passage is not None and turn.passage.event >= 0:
+            acted = self._events.act(turn.passage, own, p, turn.before)
+            w = acted.w
+        taken = Taken(turn, own, clock, gap, w, acted)
         if self.remembers:
-            z[: self._n_s] = np.asarray(self._restart(*self._arguments(taken, begun))).ravel()
+            z[: self._n_s] = np.asarray(self._anew.restart(*self._arguments(taken, begun))).ravel()
+        elif acted is not None:
+            z[: self._n_s][self._w] = w
         if not turn.holds:
             z[0], z[1] = clock, 0.0
         return taken
@@ -135,9 +148,15 @@ class JumpCrossing:
             pushed = np.outer(taken.gap, jump.moves @ along)
         found, whole = moved.copy(), np.zeros((self._n_s, along.shape[1]))
         whole[self._rows] = moved[self._own]
+        inputs = whole[self._w].copy()
+        if taken.acted is not None:
+            state = taken.acted, taken.z, self._p(begun), taken.turn.before
+            for k in range(along.shape[1]):
+                push, inputs[:, k] = self._events.moved(*state, whole[:, k], along[:, k])
+                pushed[:, k] += push
         if not self.remembers:
             whole[v] += pushed
-        inputs = whole[self._w].copy()
+            whole[self._w] = inputs
         for one in taken.turn.holds:
             row = one.row - self._w.start
             inputs[row] = 0.0
@@ -145,7 +164,7 @@ class JumpCrossing:
                 inputs[row, one.place - first] = 1.0
         for k in range(along.shape[1]) if self.remembers else ():
             arguments = (*self._arguments(taken, begun), whole[:, k], along[:, k], pushed[:, k], inputs[:, k])
-            whole[:, k] = np.asarray(self._restart_tangent(*arguments)).ravel()
+            whole[:, k] = np.asarray(self._anew.tangent(*arguments)).ravel()
         found[self._own] = whole[self._rows]
         return found
 
@@ -163,14 +182,23 @@ class JumpCrossing:
         bar[self._rows] = adjoint[self._own]
         p_bar, pushed = np.zeros(len(self._p(begun))), bar[self._v]
         if self.remembers:
-            found = self._restart_adjoint(*self._arguments(taken, begun), bar)
+            found = self._anew.adjoint(*self._arguments(taken, begun), bar)
             bar, p_bar, pushed, of_inputs = (np.asarray(one).ravel() for one in found)
             for one in taken.turn.holds:
                 row = one.row - self._w.start
                 if one.place >= 0:
                     held[one.place] += of_inputs[row]
                 of_inputs[row] = 0.0
-            bar[self._w] += of_inputs
+            if taken.acted is None:
+                bar[self._w] += of_inputs
+        else:
+            of_inputs = bar[self._w].copy()
+        if taken.acted is not None:
+            if not self.remembers:
+                bar[self._w] = 0.0
+            state = taken.acted, taken.z, self._p(begun), taken.turn.before
+            of_state, of_p = self._events.pulled_back(*state, pushed, of_inputs)
+            bar, p_bar = bar + of_state, p_bar + of_p
         adjoint[self._own] = bar[self._rows]
         if (jump := taken.turn.jump) is not None:
             p_bar = p_bar + jump.moves * float(taken.gap @ pushed)
@@ -208,74 +236,6 @@ class JumpCrossing:
     @property
     def _ready_adjoint(self) -> ca.Function:
         return self._ready_derivatives[1]
-
-    @cached_property
-    def _symbols(self) -> tuple[ca.SX, ca.SX, ca.SX]:
-        """z, p, and c with the inputs that z holds."""
-        model = self._scheme.model
-        z, p = ca.SX.sym("z", self._n_s), ca.SX.sym("p", len(model.parameters))
-        c, fields = ca.SX(model.kernel("constants")(p)), self._scheme.layout.unpack(z)
-        if "inputs" in fields:
-            c = ca.vertcat(c[: model.c_size - model.signals.size], fields["inputs"])
-        return z, p, c
-
-    def _seen(self, steps: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
-        """q_i, q_i_dot and the loop unknowns of z."""
-        z, _, c = self._symbols
-        model, fields = self._scheme.model, self._scheme.layout.unpack(z)
-        if not self.remembers:
-            return fields["x"], fields["v"], fields["loop"]
-        seen = self._scheme.observer(z=z, c=ca.vertcat(c, steps))
-        loop = [seen["q_d"][model.q_d.index(name)] for name in model.loop_unknowns]
-        return seen["q_i"], seen["q_i_dot"], ca.vertcat(*loop) if loop else ca.SX(0, 1)
-
-    @cached_property
-    def _gap(self) -> ca.Function:
-        """(z, p, steps, before, after) -> accelerations before less those after."""
-        z, p, c = self._symbols
-        steps, before, after = ca.SX.sym("h", len(self._steps)), ca.SX.sym("before"), ca.SX.sym("after")
-        q_i, v, loop = self._seen(steps)
-        equations = self._scheme.equations(ca.vertcat(c, steps), self._scheme.layout.unpack(z))
-        a = [equations.accelerations(equations.close_well(q_i, loop, t), v) for t in (before, after)]
-        return ca.Function("gap", [z, p, steps, before, after], ca.cse([ca.densify(a[0] - a[1])]))
-
-    @cached_property
-    def _restarts(self) -> tuple[ca.Function, ca.Function, ca.Function]:
-        """(z, p, t, steps before, after, push, w) -> z; push: what is added to q_i_dot; its tangent and adjoint."""
-        z, p, c = self._symbols
-        scheme, t = self._scheme, ca.SX.sym("t")
-        before, after = (ca.SX.sym(name, len(self._steps)) for name in ("before", "after"))
-        push = ca.SX.sym("push", len(scheme.model.q_i))
-        q_i, v, loop = self._seen(before)
-        w = ca.SX.sym("w", self._w.stop - self._w.start)
-        there = ca.vertcat(c[: c.numel() - w.numel()], w, after)
-        found = ca.SX(scheme.starter(t, q_i, v + push, loop, there))
-        for name in scheme.lasting(Lasting.ACCOUNT, Lasting.GIVEN):
-            found[scheme.layout.slice(name)] = w if name == "inputs" else z[scheme.layout.slice(name)]
-        given = [z, p, t, before, after, push, w]
-        along = [ca.SX.sym(f"along_{k}", one.numel()) for k, one in enumerate((z, p, push, w))]
-        bar = ca.SX.sym("bar", found.numel())
-        inputs = ca.vertcat(z, p, push, w)
-        forward = ca.densify(ca.jtimes(found, inputs, ca.vertcat(*along)))
-        back = ca.densify(ca.jtimes(found, inputs, bar, True))
-        ends = np.cumsum([0, z.numel(), p.numel(), push.numel(), w.numel()]).tolist()
-        return (
-            ca.Function("restart", given, ca.cse([ca.densify(found)])),
-            ca.Function("restart_tangent", [*given, *along], ca.cse([forward])),
-            ca.Function("restart_adjoint", [*given, bar], ca.cse(ca.vertsplit(back, ends))),
-        )
-
-    @property
-    def _restart(self) -> ca.Function:
-        return self._restarts[0]
-
-    @property
-    def _restart_tangent(self) -> ca.Function:
-        return self._restarts[1]
-
-    @property
-    def _restart_adjoint(self) -> ca.Function:
-        return self._restarts[2]
 
 
 def hold_inputs(z: np.ndarray, stop: Stop, begun: Begun, crossing: JumpCrossing | None) -> None:

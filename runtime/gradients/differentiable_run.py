@@ -21,6 +21,7 @@ from runtime.gradients.moving_jumps import MovingJumps
 from runtime.gradients.objectives import Objective
 from runtime.gradients.observed_program import observed_program
 from runtime.gradients.outputs import check_outputs
+from runtime.gradients.passages import Passages
 from runtime.gradients.passes import Backward, Weigh, forward
 from runtime.gradients.start_of_run import StartOfRun
 from runtime.gradients.switches import Switches
@@ -62,8 +63,10 @@ class DifferentiableRun:
         if not model.q_i:
             raise ModelError(f"every coordinate of model {model.name} is driven: there is nothing to step")
         self.model, self.outputs, self._wait = model, check_outputs(model, outputs), wait
-        self.plan = make_plan(model, t_end, dt, m, scheme, save_every, options, t0)
+        self.plan, plan = (make_plan(model, t_end, dt, m, scheme, save_every, options, t0) for _ in range(2))
+        self._passages = Passages(model, plan)
         held = held_samples(model, inputs, self.plan)
+        self._passages.refuse(samples=any(one.step > 0 for one in held))
         self.variables = variables_of(model, by, held)
         entries = [entry for _, entry, _ in self.variables.parameters]
         self.program = observed_program(self.plan.scheme, self.outputs, entries)
@@ -158,7 +161,8 @@ class DifferentiableRun:
 
     def _across(self, begun: Begun) -> tuple[Course, JumpCrossing | None]:
         """The course with its steps broken where something jumps, and who crosses jumps and changes of inputs."""
-        course = self._jumps.broken(self.course, begun.x[: len(self.model.parameters)])
+        passages = self._passages.found(begun)
+        course = self._jumps.broken(self.course, begun.x[: len(self.model.parameters)], passages)
         held = any(stop.holds for stop in course.stops)
         if course is self.course and not (held and self._crossing.remembers):
             return course, None

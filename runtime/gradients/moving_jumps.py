@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
-from runtime.gradients.course import Course, across
+from runtime.gradients.course import Course, Passage, across
 from runtime.schemes.switching.breaks import Breaks
-from runtime.schemes.switching.times import SwitchTime, has_switching_times, switching_times
+from runtime.schemes.switching.times import SwitchTime, has_switching_times, switches_by_inputs, switching_times
 
 NEAR = 1e-9  # of a run: a condition whose zero is that near to a jump is of it
 ALIKE = 1e-9  # of the largest entry: derivatives of the times of two conditions
@@ -33,17 +33,19 @@ class MovingJumps:
     @property
     def reads_inputs(self) -> bool:
         """Do conditions depend on held inputs?"""
-        functions = {spec.name: spec for spec in self._model.description.functions}
-        return self._model.has("switching") and any(one.name == "u" for one in functions["switching"].inputs)
+        return switches_by_inputs(self._model)
 
-    def broken(self, course: Course, p: np.ndarray) -> Course:
-        """The course of a run with parameters p (n_p,), its steps broken where something jumps. Raises NoResult."""
-        if not self.possible:
+    def broken(self, course: Course, p: np.ndarray, passages: Mapping[int, Sequence[Passage]]) -> Course:
+        """The course of a run with parameters p (n_p,), its steps broken where something jumps or happens.
+
+        passages: of events, by step. Raises NoResult.
+        """
+        c, found = self._model.constants(p), list[SwitchTime]()
+        if self.possible:
+            found = switching_times(self._model, c, self._t0, self._end)
+        if not found and not passages:
             return course
-        found = switching_times(self._model, self._model.constants(p), self._t0, self._end)
-        if not found:
-            return course
-        return across(course, Breaks(self._t0, self._dt, found), lambda there: self._moves(there, p))
+        return across(course, Breaks(self._t0, self._dt, found), lambda there: self._moves(there, p), passages)
 
     def _moves(self, there: Sequence[SwitchTime], p: np.ndarray) -> np.ndarray:
         """(n_p,) the derivative of the time of jumps that are at one time."""

@@ -8,7 +8,6 @@ import numpy as np
 
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import independent, loop_part
-from runtime.contract.refused_events import refuse_events
 from runtime.gradients.assembly import start_slopes
 from runtime.gradients.beginning import Begun
 from runtime.gradients.driving import parameters_at
@@ -44,7 +43,6 @@ class StartOfRun:
 
     def values(self) -> np.ndarray:
         """(n,) x of the start: what was given, else what the model says. Raises ModelError for a motion that jumps."""
-        refuse_events(self._model, "derivatives of runs")
         p = parameters_at(self._model, self._parameters, self._plan.t0)
         c = self._model.constants(p)
         state = start_state(self._model, p, c, self._plan.t0, self._initial, self._kind)
@@ -71,7 +69,9 @@ class StartOfRun:
         watch = Watch(plan, c, p)
         watch.begin(z)
         where = np.concatenate([p, *independent(model, state.q, state.q_dot), loop_part(model, state.q)])
-        return Begun(z, self._program.prepared.ready(scheme.constants(c)), where, moved, x, watch)
+        return Begun(
+            z, self._program.prepared.ready(scheme.constants(c)), where, moved, x, watch, (state.q, state.q_dot)
+        )
 
     def _slopes(self, p: np.ndarray, c: np.ndarray, given: Given) -> np.ndarray:
         """d(p, q_i, q_i_dot, loop unknowns)/dx."""

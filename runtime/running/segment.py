@@ -20,7 +20,7 @@ from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.impulses import run_across
 from runtime.schemes.switching.broken_steps import BrokenSteps
 from runtime.schemes.switching.impulse import Impulse, moves_in_time
-from runtime.schemes.switching.times import between
+from runtime.schemes.switching.times import between, switches_by_inputs
 from runtime.schemes.switching.watched import watch_events
 from runtime.schemes.work import account_at, account_for_work, begin_account
 
@@ -86,14 +86,12 @@ class Segment(SteppedModel):
     def take_inputs(self, w: np.ndarray) -> None:
         """From now on p and c have these numbers (n_w,) of the inputs; z has its own."""
         self.p[-len(w) :] = self.c[-len(w) :] = w
-        if self.model.has("switching") and "u" in self._condition_arguments:
+        if self._switches_by_inputs:
             self.find_switches(self.plan.t0, self.plan.t_end)
 
-    @property
-    def _condition_arguments(self) -> list[str]:
-        """Of the emitted function `switching`."""
-        functions = {spec.name: spec for spec in self.model.description.functions}
-        return [signal.name for signal in functions["switching"].inputs]
+    @cached_property
+    def _switches_by_inputs(self) -> bool:
+        return switches_by_inputs(self.model)
 
     def account(self, z: np.ndarray) -> tuple[float, float]:
         """(work done until z, by how much it may be wrong) [J]."""

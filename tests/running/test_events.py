@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import Environment, Model, ModelError, ensemble, gradient, resume, simulate
+from runtime import Environment, Model, ModelError, ensemble, resume, simulate
 from runtime.contract.errors import ArgumentError
-from runtime.gradients.objectives import End
 from runtime.running.checkpoint import read_checkpoint
 from runtime.running.header import CheckpointHeader
 from runtime.schemes.catalogue import SCHEMES
+from runtime.studies.work_precision.problem import make_setting
 from symgen.scene import Scene, SceneBuilder, SceneError
 
 Build = Callable[[Scene], Model]
@@ -283,5 +283,5 @@ def test_wrong_events_and_those_who_do_not_look_are_named(model_of: Build) -> No
     with pytest.raises(SceneError, match="neither an input nor a parameter.*did you mean 'push'"):
         falling(wrong={"when": "x", "action": {"pushh": 1.0}})
     model = model_of(falling(floor={"when": "x - height"}))
-    with pytest.raises(ModelError, match="events floor of model falling_mass.*derivatives of runs"):
-        gradient(model, End("mass.x"), by=["height"])
+    with pytest.raises(ModelError, match="events floor of model falling_mass.*comparisons of methods"):
+        make_setting(model)

@@ -15,6 +15,7 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.broken_steps import BrokenSteps
 from runtime.schemes.switching.times import switching_times
+from symgen.generate import model_of as on_demand
 from symgen.scene import Scene, SceneBuilder
 
 Build = Callable[[Scene], Model]
@@ -185,3 +186,13 @@ def test_the_bits_do_not_depend_on_calls_or_engines(model_of: Build) -> None:
             one.step(n)
         ends.append(one.save().z)
     assert np.array_equal(ends[0], ends[1]) and np.array_equal(ends[0], ends[2])
+
+
+def test_an_action_among_jumps_of_a_model_made_on_demand() -> None:
+    """Whose functions are derived when they are asked for: does a condition in time depend on the input that is set?"""
+    builder = SceneBuilder("on_demand").input("force", 1.0, "N").rigid("mass", mass=1.0, inertia=0.1)
+    builder.prismatic("rail", "ground.origin", "mass.origin")
+    builder.force("push", "mass.origin", "where(t < 0.25, force, 0)", 0.0)
+    builder.event("later", "t - 0.1", action={"force": "3 * force"})
+    run = simulate(on_demand(builder.simulation(t_end=0.5, dt=0.01, scheme="rk4").build()))
+    assert run.rate("mass.x")[-1] == pytest.approx(0.1 + 0.15 * 3, rel=1e-9)

@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-LOCATED = 1e-11  # s
+LOCATED = 1e-12  # s
 OF_STEP = 1e-7  # of a short step, instead
 MOST_LOOKS = 100
 Looked = tuple[float, np.ndarray]  # how far [s], and the events' values (n_e,) there

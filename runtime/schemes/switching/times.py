@@ -45,6 +45,14 @@ def has_switching_times(model: Model) -> bool:
     return model.has("switching") or bool(model.sources)
 
 
+def switches_by_inputs(model: Model) -> bool:
+    """Do conditions of the scene depend on held inputs?"""
+    if not model.has("switching") or not model.signals.size:
+        return False
+    t, c = ca.SX.sym("t"), ca.SX.sym("c", model.c_size)
+    return bool(ca.depends_on(model.evaluate("switching", t=t, c=c)["switching"], c[-model.signals.size :]))
+
+
 def switching_times(model: Model, c: np.ndarray, t0: float, t_end: float) -> list[SwitchTime]:
     """All of them from t0 to t_end [s], rising, for constants c (c_size,) with held inputs; no step should cross one.
 

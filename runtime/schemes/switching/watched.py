@@ -157,13 +157,14 @@ def passed(scheme: Scheme, old: np.ndarray, new: np.ndarray, asleep: np.ndarray 
 
 
 def values_at(scheme: Scheme, z: ca.SX, equations: StageEquations) -> dict[str, ca.SX]:
-    """`events`, their `slopes` (n_e,) and what `actions` set, at the state that z shows, at `t`."""
+    """`events`, their `slopes` (n_e,), what `actions` set and its rates (`drifts`), at what z shows, at `t`."""
     seen = scheme.observer(z=z, c=ca.vertcat(equations.c, equations.h))
     q, q_dot, q_ddot = (equations.joined(seen[f"q_i{end}"], seen[f"q_d{end}"]) for end in ("", "_dot", "_ddot"))
     here, along = ca.vertcat(q, q_dot, seen["t"]), ca.vertcat(q_dot, q_ddot, 1)
     at = ca.SX.sym("at", here.numel())
     found = event_outputs(equations, at[-1], at[: q.numel()], at[q.numel() : -1])
-    found["slopes"] = ca.densify(ca.jtimes(found["events"], at, along))
+    rates = {"slopes": "events", "drifts": "actions"}
+    found |= {rate: ca.densify(ca.jtimes(found[name], at, along)) for rate, name in rates.items() if name in found}
     new = ca.substitute(list(found.values()), [at], [here])
     return {**dict(zip(found, new, strict=True)), "t": seen["t"]}
 

@@ -1,0 +1,98 @@
+"""Where the events of a differentiated run happen: the run is made once as `simulate` makes it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from runtime.contract.errors import ArgumentError, NoResult
+from runtime.contract.model import Model
+from runtime.contract.signals import SINCE
+from runtime.contract.status import Event
+from runtime.gradients.beginning import Begun
+from runtime.gradients.course import Passage
+from runtime.running.happenings import Happenings
+from runtime.running.plan import Plan
+from runtime.running.stepped_model import SteppedModel
+from runtime.schemes.switching.watched import watch_events, watches
+
+BATCH = 64  # steps after which events are looked at
+GRAZING = 1e-3  # least slope of a passage, over that of the way to it since the start of the step
+
+
+class Passages:
+    """Of a plan of its own, whose scheme gets the fields of events."""
+
+    def __init__(self, model: Model, plan: Plan) -> None:
+        self._model, self._plan = model, plan
+        watch_events(plan.scheme)
+        self._names = [event.name for event in model.description.events]
+
+    def refuse(self, samples: bool) -> None:
+        """Raises ArgumentError for events that are not differentiated; samples: do inputs change in the run?"""
+        events = self._model.description.events
+        ends = [event.name for event in events if event.terminal]
+        if ends:
+            raise ArgumentError(
+                f"events {', '.join(ends)} of model {self._model.name}",
+                "end the run at a time that moves, of which the derivative of a run does not know",
+                "take a scene without them, or let them not be terminal",
+            )
+        sets = any(event.sets for event in events)
+        if sets and (samples or SINCE in self._model.signals.names):
+            raise ArgumentError(
+                f"events of model {self._model.name}",
+                "set inputs, and samples, rates or filters change inputs too: that is not differentiated together",
+                "give constants",
+            )
+
+    def found(self, begun: Begun) -> dict[int, list[Passage]]:
+        """By the step in which they happen. Raises NoResult for a run that they end."""
+        plan = self._plan
+        if not watches(plan.scheme):
+            return {}
+        own = SteppedModel.prepared(self._model, plan, begun.x[: len(self._model.parameters)], "auto")
+        own.find_switches(plan.t0, plan.t_end)
+        assert own.broken is not None
+        z = own.begin(own.broken.grid.clock(0), *begun.state)
+        own.begin_events(z)
+        happenings, passages = Happenings(own), dict[int, list[Passage]]()
+        while (step := int(z[1])) < plan.steps:
+            before = z.copy()
+            own.broken.run(z, own.ready, own.c, min(BATCH, plan.steps - step))
+            at = own.first_event(z)
+            if at is None:
+                continue
+            z[:] = before
+            if at - 1 > step:
+                own.broken.run(z, own.ready, own.c, at - 1 - step)
+            start = z.copy()
+            happenings.step(z, own.broken)
+            if happenings.status is not None:
+                raise NoResult(f"model {self._model.name}", f"the run has no derivative, it ends: {happenings.status}")
+            if happenings.told:
+                passages[at - 1] = self._told(own, start, happenings.told)
+                happenings.told.clear()
+        return passages
+
+    def _told(self, own: SteppedModel, start: np.ndarray, told: Sequence[Event]) -> list[Passage]:
+        """Of one step from a state (whole, flat)."""
+        scheme, events = own.plan.scheme, self._model.description.events
+        t, values = float(start[0] + start[1] * self._plan.grid.dt_L), start[scheme.layout.slice("event_values")]
+        found = list[Passage]()
+        for clock in dict.fromkeys(event.time for event in told):
+            here = [self._names.index(event.name) for event in told if event.time == clock]
+            acting = [k for k in here if events[k].sets]
+            if len(acting) > 1:
+                raise NoResult(
+                    f"events {', '.join(self._names[k] for k in acting)} of model {self._model.name}",
+                    f"act at one time, t = {clock:.6g} s, and move apart with what is differentiated by",
+                    "move one of them a little, or let one event do both",
+                )
+            if acting:
+                least = GRAZING * abs(float(values[acting[0]])) / max(clock - t, 1e-300)
+                found.append(Passage(clock, acting[0], least))
+            else:
+                found.append(Passage(clock))
+        return found
