@@ -100,8 +100,8 @@ class StiffMotion:
         self.decaying, self.whole = decaying, decaying or (not halves and found.B.shape[1] <= FEW)
         self._back = ca.sparsify(ca.SX(np.linalg.pinv(np.array(ca.DM(found.B))).T))
         self._known: dict[tuple[int, bool], Resolvents] = {}
-        often = not decaying and not self.J_v.nnz() and 0 < self.J.shape[0] <= FEW  # else inverses are shorter
-        self._adjugate = Adjugate(h * h * self.J) if often else None
+        often = self.whole and not decaying and self.B.shape[1]  # else inverses are shorter
+        self._adjugate = Adjugate(h * h * self.J) if often and not self.J_v.nnz() else None
 
     def to(self, halves: int, *bends: Along, at_once: bool = False) -> MotionStage:
         """The motion over so many half steps with a_n + b1 tau + b2 tau^2 / 2 + ... beside the stiff part.
