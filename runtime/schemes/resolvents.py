@@ -75,17 +75,15 @@ class Resolvents:
     def sums(self, y: Sequence[ca.SX]) -> list[ca.SX]:
         """Sums over the poles of h^2 x, h r x, r^2 x and r^3 x / h."""
         scales = (self.h * self.h, self.h, ca.SX(1), 1 / self.h)
-        of = self._summed if self._adjugate is None else self._polynomials
-        return [scale * one for scale, one in zip(scales, of(y), strict=True)]
-
-    def _summed(self, y: Sequence[ca.SX]) -> list[ca.SX]:
+        if self._adjugate is not None:
+            return [scale * one for scale, one in zip(scales, self._polynomials(y), strict=True)]
         sums = [ca.SX(0)] * 4
         for pole, kept in zip(self.poles, self._kept, strict=True):
             x = self._solution(pole, kept, y)
-            for k in range(4):
+            for k, scale in enumerate(scales):
                 power = pole.share * pole.r**k
-                part = power.real * x.re
-                sums[k] = sums[k] + (part if x.im is None else part - power.imag * x.im)
+                part = power.real * scale * x.re
+                sums[k] = sums[k] + (part if x.im is None else part - power.imag * scale * x.im)
         return sums
 
     def _polynomials(self, y: Sequence[ca.SX]) -> list[ca.SX]:

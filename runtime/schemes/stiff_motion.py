@@ -36,6 +36,7 @@ from runtime.schemes.partial_fractions import DEGREE, poles
 from runtime.schemes.resolvents import FEW, Adjugate, Resolvents
 from runtime.schemes.stiff_deflections import StiffResponse
 
+WORTH = 4  # coordinates beside the deflections from which it pays to sum what multiplies A first
 WHOLE_DEGREE = 5  # of the approximation of a whole step: as exact as two of DEGREE for halves, and more below h w = 5
 
 
@@ -110,7 +111,7 @@ class StiffMotion:
         modes are not resolved.
         """
         tau = halves * self.h / 2
-        g = (self.along(self.a, self._none, -self.rate), *bends)
+        g = (self._kept(self.a, self._none, -self.rate), *bends)
         moved, rise = _even(tau, self.v, g)
         if not self.B.shape[1]:
             return MotionStage(tau, self.x + moved.e, self.v + rise.e, self.beside(0 * self.x))
@@ -123,7 +124,12 @@ class StiffMotion:
 
     def seen(self, a: ca.SX, w: ca.SX, w_dot: ca.SX) -> Along:
         """d: accelerations beside a_n and what the stiff part accounts for where deflections and rates changed so."""
-        return self.along(a - self.a, -w, -w_dot)
+        return self._kept(a - self.a, -w, -w_dot)
+
+    def _kept(self, e: ca.SX, w: ca.SX, w_dot: ca.SX) -> Along:
+        """e + A w + A_v w_dot in parts, where it pays."""
+        kept = self.along(e, w, w_dot)
+        return kept if self.B.shape[0] - self.B.shape[1] >= WORTH else self.beside(self.all_of(kept))
 
     def remainder(self, a: ca.SX, stage: MotionStage) -> Along:
         """d at a stage."""

@@ -181,16 +181,37 @@ def test_order_four_of_turning_bodies(model_of: Build, name: str) -> None:
     assert errors[-1] < case.cap, (slope, errors)
 
 
+def stopping(last: float) -> Callable[[float, float], None]:
+    """Progress of a run that is broken off at a time."""
+
+    def stop(t: float, t_end: float) -> None:
+        if t >= last:
+            raise KeyboardInterrupt
+
+    return stop
+
+
 def test_energy_and_resumed_run_of_a_thrown_rod(model_of: Build, tmp_path: Path) -> None:
     """Its energy stays, better by 16 with half the step; a resumed run is bitwise the whole one."""
     model = model_of(thrown())
-
-    def stop(t: float, t_end: float) -> None:
-        if t >= 0.25:
-            raise KeyboardInterrupt
-
     wholes = [simulate(model, dt=dt) for dt in (5e-3, 2.5e-3)]
     drifts = [float(np.abs(whole.energy_balance()).max()) for whole in wholes]
     assert drifts[1] < 1.5e-7 and 12 < drifts[0] / drifts[1] < 32, drifts
-    simulate(model, checkpoint=tmp_path / "run.npz", checkpoint_every=7, progress=stop)
+    simulate(model, checkpoint=tmp_path / "run.npz", checkpoint_every=7, progress=stopping(0.25))
     assert np.array_equal(resume(model, tmp_path / "run.npz").q, wholes[0].q)
+
+
+def test_exchange_of_a_turn(model_of: Build, tmp_path: Path) -> None:
+    """A body on a rigid rod: where its position no longer changes the length a turn takes its place, and all three are
+    independent then; energy and the rod's length stay. A run resumed before or behind it is bitwise the whole one."""
+    builder = SceneBuilder("bob", space="spatial").gravity(0, 0, -9.81)
+    builder.rigid("bob", mass=2.0, inertia=[0.1, 0.2, 0.3], markers={"eye": {"position": [0, 0, 0.5]}})
+    builder.distance("rod", "ground.origin", "bob.eye", length=1.0).initial({"bob.x": 1.0})
+    model = model_of(builder.simulation(t_end=0.7, dt=1e-3, scheme=NAME).build())
+    assert model.loop_unknowns == ["bob.turn_y"]
+    found = simulate(model)
+    assert [event.text.startswith("bob.turn_y took the place of") for event in found.events] == [True]
+    assert np.abs(found.energy_balance()).max() < 1e-4 and found.constraint_error.max() < 1e-12
+    for last in (0.2, 0.65):
+        simulate(model, checkpoint=tmp_path / "run.npz", checkpoint_every=7, progress=stopping(last))
+        assert np.array_equal(resume(model, tmp_path / "run.npz").q, found.q)

@@ -1,4 +1,4 @@
-"""Angular velocities in closed loops: equations by hand, orders of schemes, exchange, resumed runs, spinning parts.
+"""Angular velocities in closed loops: equations by hand, orders of schemes, resumed runs, spinning parts.
 
 A crank on a hinge about x, a rod between two balls, a rocker on a hinge about y. The rod may spin about its line, so
 that one of its turns is independent and two follow from the loop; with a stay to the ground all three follow. The
@@ -218,28 +218,6 @@ def test_orders(model_of: Build, stay: bool) -> None:
     by_tolerance = simulate(model, scheme="dopri5", dt=0.1, t_end=0.2, options={"tolerance": 1e-8})
     assert by_tolerance.status.ok and by_tolerance.constraint_error.max() < 1e-12
     assert error({name: by_tolerance[name][-1] for name in names}) < 1e-8
-
-
-def test_exchange_of_a_turn(model_of: Build, tmp_path: Path) -> None:
-    """A body on a rigid rod: where its position no longer changes the length a turn takes its place, and all three are
-    independent then; energy and the rod's length stay. Resumed before and behind it the run is bitwise the whole one,
-    by a scheme that remembers accelerations of turns."""
-    builder = SceneBuilder("bob", space="spatial").gravity(0, 0, -9.81)
-    builder.rigid("bob", mass=2.0, inertia=[0.1, 0.2, 0.3], markers={"eye": {"position": [0, 0, 0.5]}})
-    builder.distance("rod", "ground.origin", "bob.eye", length=1.0).initial({"bob.x": 1.0})
-    model = model_of(builder.simulation(t_end=0.7, dt=1e-3).build())
-    assert model.loop_unknowns == ["bob.turn_y"]
-    found = simulate(model, scheme="exponential_adams")
-    assert [event.text.startswith("bob.turn_y took the place of") for event in found.events] == [True]
-    assert np.abs(found.energy_balance()).max() < 1e-4 and found.constraint_error.max() < 1e-12
-    for last in (0.2, 0.65):
-
-        def stop(t: float, t_end: float, last: float = last) -> None:
-            if t >= last:
-                raise KeyboardInterrupt
-
-        simulate(model, scheme="exponential_adams", checkpoint=tmp_path / "run", checkpoint_every=7, progress=stop)
-        assert np.array_equal(resume(model, tmp_path / "run").q, found.q)
 
 
 def test_resumed_runs_and_lanes(model_of: Build, tmp_path: Path) -> None:
