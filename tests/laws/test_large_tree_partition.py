@@ -18,7 +18,7 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.step_limit import slow_decay_limit
 from symgen.generate import model_of as on_demand
 from symgen.pipeline import derive
-from symgen.scene import Scene
+from symgen.scene import Scene, SceneBuilder
 from symgen.scenes import SCENES
 from symgen.scenes.arm import arm
 from symgen.scenes.chain import chain
@@ -30,8 +30,38 @@ Build = Callable[[Scene], Model]
 KERNELS = {"slow_response", "fast_rows", "trunk_response", "branch_motion"}
 
 
+def crowded_arm() -> Scene:
+    """Seven links in space, two of them flexible: a driven hinge between, a link aside, a spring and damper."""
+    builder = SceneBuilder("crowded_arm", space="spatial").gravity(0.0, 0.3, -9.81)
+    turned = [{"axis": [0, 1, 0], "x_axis": [1, 0, 0]}, {"axis": [0, 0, 1], "x_axis": [1, 0, 0]}]
+    builder.ground(markers={"far": turned[0]})
+    mode, body = {"ends": "clamped-free", "modes": 1}, {"mass": 0.3, "inertia": [1e-3, 6e-3, 6e-3]}
+    before = "ground"
+    for k in range(7):
+        here, there, link = turned[k % 2], turned[(k + 1) % 2], f"link{k}"
+        if k in (2, 6):
+            ends = {"near": {"at": 0.0, **here}, "far": {"at": 0.5, **there}}
+            builder.beam(
+                link, length=0.5, density=7800.0, area=2e-5, second_moment=1e-11, second_moment_z=2e-11,
+                youngs_modulus=2e11, lateral=mode, lateral_z=mode, markers=ends,
+            )  # fmt: skip
+        else:
+            ends = {"near": here, "far": {"position": [0.5, 0, 0], **there}}
+            builder.rigid(link, **body, center_of_mass=[0.25, 0, 0], markers=ends)
+        builder.revolute(f"hinge{k}", f"{before}.far", f"{link}.near")
+        before = link
+    builder.rigid("aside", **body, center_of_mass=[0.1, 0.02, 0], markers={"near": turned[1]})
+    builder.revolute("hinge7", "link0.far", "aside.near")
+    builder.prescribed_angle("drive", "link4.far", "link5.near", motion="0.3 * sin(4 * t)")
+    builder.spring_damper("rope", "ground.origin", "link6.far", stiffness=50.0, damping=0.3, free_length=0.5)
+    builder.groups(L=["hinge*.angle"], S=["link*.q*"])
+    return builder.simulation(t_end=0.1, dt=1e-4, m=[4], scheme="decoupled").build()
+
+
 @pytest.mark.parametrize(
-    "scene", [arm(8), chain(4, 2), spatial_arm(5)], ids=["arm", "chain of flexible links", "in space"]
+    "scene",
+    [arm(8), chain(4, 2), spatial_arm(5), crowded_arm()],
+    ids=["arm", "chain of flexible links", "in space", "two flexible links in space"],
 )
 def test_slow_response_and_fast_rows_are_those_of_the_condensed_equations(scene: Scene) -> None:
     """(39): y'' = M_LL^-1 Q_L, N = M_LL^-1 M_LS; the rows of q_S are M_SS - M_SL N and Q_S - M_SL y''."""
