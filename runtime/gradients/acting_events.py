@@ -15,7 +15,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import NoResult
-from runtime.gradients.course import Passage
+from runtime.gradients.course import EventPassage
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.watched import values_at
 
@@ -42,7 +42,7 @@ class ActingEvents:
     def __init__(self, scheme: Scheme) -> None:
         self._scheme, self._made = scheme, dict[int, tuple[ca.Function, ...]]()
 
-    def act(self, passage: Passage, z: np.ndarray, p: np.ndarray, steps: np.ndarray) -> Acted:
+    def act(self, passage: EventPassage, z: np.ndarray, p: np.ndarray, steps: np.ndarray) -> Acted:
         """What happens. Raises NoResult for an event that only grazes zero."""
         value, rate, gap, w = (np.asarray(one).ravel() for one in self._of(passage.event)[0](z, p, steps))
         if abs(float(rate[0])) <= passage.least:

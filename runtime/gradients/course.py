@@ -41,7 +41,7 @@ class Jump:
 
 
 @dataclass(frozen=True)
-class Passage:
+class EventPassage:
     """Events happen at a clock [s]. event: the position of the one that acts (-1: none).
 
     least: the rate of its value [1/s] below which it grazes zero.
@@ -59,7 +59,7 @@ class StepPart:
     start: float
     length: float
     jump: Jump | None
-    passage: Passage | None = None
+    passage: EventPassage | None = None
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class Broken:
     parts: tuple[StepPart, ...]
     step: int
     clock: float
-    passage: Passage | None = None
+    passage: EventPassage | None = None
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ def course(steps: int, every: int, holds: Iterable[Hold]) -> Course:
     return Course(tuple(stops), tuple(times))
 
 
-def across(course: Course, breaks: Breaks, moves: Moves, passages: Mapping[int, Sequence[Passage]]) -> Course:
+def across(course: Course, breaks: Breaks, moves: Moves, passages: Mapping[int, Sequence[EventPassage]]) -> Course:
     """The course with its steps broken where something jumps, and where events happen (by step)."""
     special = sorted({*breaks.broken, *breaks.on, *passages})
     stops: list[Stop] = []
@@ -148,7 +148,7 @@ def _broken(breaks: Breaks, step: int, moves: Moves) -> Broken:
     return Broken(tuple(parts), step + 1, breaks.clock(step + 1))
 
 
-def _passed(broken: Broken, passages: Sequence[Passage], dt: float) -> Broken:
+def _passed(broken: Broken, passages: Sequence[EventPassage], dt: float) -> Broken:
     """The same with parts that end at passages of events, too. Raises NoResult for one at the time of a jump."""
     parts, last = list[StepPart](), None
     waiting = list(passages)

@@ -18,7 +18,7 @@ from runtime.contract.errors import ArgumentError
 from runtime.engine.native import NativeProgram
 from runtime.gradients.acting_events import Acted, ActingEvents
 from runtime.gradients.beginning import Begun
-from runtime.gradients.course import Broken, Hold, Jump, Passage, Stop
+from runtime.gradients.course import Broken, EventPassage, Hold, Jump, Stop
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.gradients.starts_anew import StartsAnew
 
@@ -37,7 +37,7 @@ class Handover:
     jump: Jump | None
     goes_on: bool
     holds: tuple[Hold, ...] = ()
-    passage: Passage | None = None
+    passage: EventPassage | None = None
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ import numpy as np
 
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
-from runtime.gradients.course import Course, Passage, across
+from runtime.gradients.course import Course, EventPassage, across
 from runtime.schemes.switching.breaks import Breaks
 from runtime.schemes.switching.times import SwitchTime, has_switching_times, switches_by_inputs, switching_times
 
@@ -35,7 +35,7 @@ class MovingJumps:
         """Do conditions depend on held inputs?"""
         return switches_by_inputs(self._model)
 
-    def broken(self, course: Course, p: np.ndarray, passages: Mapping[int, Sequence[Passage]]) -> Course:
+    def broken(self, course: Course, p: np.ndarray, passages: Mapping[int, Sequence[EventPassage]]) -> Course:
         """The course of a run with parameters p (n_p,), its steps broken where something jumps or happens.
 
         passages: of events, by step. Raises NoResult.

@@ -11,7 +11,7 @@ from runtime.contract.model import Model
 from runtime.contract.signals import SINCE
 from runtime.contract.status import Event
 from runtime.gradients.beginning import Begun
-from runtime.gradients.course import Passage
+from runtime.gradients.course import EventPassage
 from runtime.running.happenings import Happenings
 from runtime.running.plan import Plan
 from runtime.running.stepped_model import SteppedModel
@@ -47,7 +47,7 @@ class Passages:
                 "give constants",
             )
 
-    def found(self, begun: Begun) -> dict[int, list[Passage]]:
+    def found(self, begun: Begun) -> dict[int, list[EventPassage]]:
         """By the step in which they happen. Raises NoResult for a run that they end."""
         plan = self._plan
         if not watches(plan.scheme):
@@ -57,7 +57,7 @@ class Passages:
         assert own.broken is not None
         z = own.begin(own.broken.grid.clock(0), *begun.state)
         own.begin_events(z)
-        happenings, passages = Happenings(own), dict[int, list[Passage]]()
+        happenings, passages = Happenings(own), dict[int, list[EventPassage]]()
         while (step := int(z[1])) < plan.steps:
             before = z.copy()
             own.broken.run(z, own.ready, own.c, min(BATCH, plan.steps - step))
@@ -76,11 +76,11 @@ class Passages:
                 happenings.told.clear()
         return passages
 
-    def _told(self, own: SteppedModel, start: np.ndarray, told: Sequence[Event]) -> list[Passage]:
+    def _told(self, own: SteppedModel, start: np.ndarray, told: Sequence[Event]) -> list[EventPassage]:
         """Of one step from a state (whole, flat)."""
         scheme, events = own.plan.scheme, self._model.description.events
         t, values = float(start[0] + start[1] * self._plan.grid.dt_L), start[scheme.layout.slice("event_values")]
-        found = list[Passage]()
+        found = list[EventPassage]()
         for clock in dict.fromkeys(event.time for event in told):
             here = [self._names.index(event.name) for event in told if event.time == clock]
             acting = [k for k in here if events[k].sets]
@@ -92,7 +92,7 @@ class Passages:
                 )
             if acting:
                 least = GRAZING * abs(float(values[acting[0]])) / max(clock - t, 1e-300)
-                found.append(Passage(clock, acting[0], least))
+                found.append(EventPassage(clock, acting[0], least))
             else:
-                found.append(Passage(clock))
+                found.append(EventPassage(clock))
         return found

@@ -73,7 +73,7 @@ class FreeJointAccelerations(Protocol):
         """
 
 
-class Carried(Protocol):
+class CarriedForces(Protocol):
     """Frames at the ends of a tree, and what crosses to the forces on their coordinates."""
 
     @property
@@ -149,7 +149,7 @@ class Equations:
     loop_rates: Mapping[str, RowRates] = field(default_factory=dict)
     tied_changes: TiedChanges | None = None
     free_joints: FreeJointAccelerations | None = None
-    carried: Callable[[frozenset[int]], Carried] | None = None
+    carried: Callable[[frozenset[int]], CarriedForces] | None = None
     placed_columns: frozenset[int] = frozenset()
     felt_columns: frozenset[int] = frozenset()
     turnings: list[Turning] = field(default_factory=list)

@@ -14,7 +14,7 @@ ON_THE_GRID = 1e-9  # of a step: a jump that near to the end of a step is there
 
 
 @dataclass(frozen=True)
-class Parts:
+class StepParts:
     """Of broken steps, in order: clocks at which they start and end (N,) [s]; counts (S,): how many each step has.
 
     clocks (S,): from where the step behind each broken one starts [s].
@@ -63,7 +63,7 @@ class Breaks:
         there = self.on[step + 1]
         return [*inside, (min(one.before for one in there), max(one.after for one in there))]
 
-    def parts(self, first: int, last: int) -> Parts:
+    def parts(self, first: int, last: int) -> StepParts:
         """Of these broken steps, counted among the broken ones."""
         steps = np.array(self.broken[first:last])
         inside = ~self._there & (self._step >= steps[0]) & (self._step <= steps[-1])
@@ -74,7 +74,7 @@ class Breaks:
         start, end = np.empty(len(ends)), np.empty(len(ends))
         start[~begins], end[~ends] = self._after[inside], self._before[inside]
         (_, start[begins]), (end[ends], clocks) = self._sides(steps), self._sides(steps + 1)
-        return Parts(start, end, counts, clocks)
+        return StepParts(start, end, counts, clocks)
 
     def _sides(self, steps: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(N,) clocks at which the steps before these end, and from which these start [s]."""

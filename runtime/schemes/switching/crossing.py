@@ -24,10 +24,10 @@ from runtime.schemes.work import FIELDS, accounted, begun, counted_work, looks_a
 ACCOUNT = list(FIELDS)[:3]  # what begins anew
 ACTS = ("restart", "power", "open", "close", "look")  # in this order
 _LOCK = Lock()
-_KEPT: WeakKeyDictionary[Stepper, Crossing] = WeakKeyDictionary()
+_KEPT: WeakKeyDictionary[Stepper, ListedCrossing] = WeakKeyDictionary()
 
 
-class Crossing:
+class ListedCrossing:
     """Of a stepper. Fields of its z: state, the scheme's z; dt, dt_before, clock [s], and what the stages speak of.
 
     restart: the state, shown by steps dt_before, as the start of steps dt at the clock. power: that of the state is
@@ -114,9 +114,9 @@ def needs_crossing(scheme: Scheme) -> bool:
     return remembers(scheme) or accounted(scheme) or watches(scheme)
 
 
-def crossing(stepper: Stepper) -> Crossing:
+def crossing(stepper: Stepper) -> ListedCrossing:
     """Made once for a stepper."""
     with _LOCK:
         if stepper not in _KEPT:
-            _KEPT[stepper] = Crossing(stepper)
+            _KEPT[stepper] = ListedCrossing(stepper)
         return _KEPT[stepper]

@@ -10,7 +10,7 @@ import numpy as np
 from runtime.engine.call_list import COPY, Row
 from runtime.engine.program import Layout
 from runtime.schemes.scheme import Scheme
-from runtime.schemes.switching.crossing import ACCOUNT, ACTS, Crossing, remembers
+from runtime.schemes.switching.crossing import ACCOUNT, ACTS, ListedCrossing, remembers
 from runtime.schemes.switching.watched import watches
 from runtime.schemes.work import accounted, looks_ahead
 
@@ -43,7 +43,7 @@ class CrossingRows:
     memory: Layout
     part: Layout
     step: Layout
-    crossing: Crossing | None
+    crossing: ListedCrossing | None
 
     def whole_steps(self, first: np.ndarray, others: np.ndarray) -> list[Row]:
         """LEAD rows of whole steps (S,): the first one from a clock behind a jump, then those from the grid's."""

@@ -15,7 +15,7 @@ import numpy as np
 from runtime.engine.call_list import CallList, repeated, woven
 from runtime.engine.program import Layout
 from runtime.schemes.stepper import Stepper
-from runtime.schemes.switching.breaks import Breaks, Parts
+from runtime.schemes.switching.breaks import Breaks, StepParts
 from runtime.schemes.switching.crossing import ACTS, crossing, needs_crossing
 from runtime.schemes.switching.crossing_rows import LEAD, CrossingRows, marks
 from runtime.schemes.switching.watched import NEVER
@@ -82,7 +82,7 @@ class ListedBreaks:
         first = int(shifted and n > 0)
         self._list.set_counts(self._leads[k], (first, first, n - first))
 
-    def _listed(self, parts: Parts) -> tuple[np.ndarray, list[int]]:
+    def _listed(self, parts: StepParts) -> tuple[np.ndarray, list[int]]:
         """(rows, where those of whole steps before each broken one are, and at last behind all)."""
         at, count = self._memory.slice, len(self._steps)
         rows = CrossingRows(
@@ -103,7 +103,7 @@ class ListedBreaks:
         last = repeated(rows.whole_steps(none, none), 1, 0, 0)[0]
         return np.concatenate([found, last]), [*begins.tolist(), len(found)]
 
-    def _filled(self, parts: Parts, c: np.ndarray) -> np.ndarray:
+    def _filled(self, parts: StepParts, c: np.ndarray) -> np.ndarray:
         """The memory of the list, with what is known beforehand."""
         grid, scheme, own = self._grid, self._stepper.scheme, self._crossing
         memory, at = np.zeros(self._memory.size), self._memory.slice
