@@ -8,6 +8,9 @@ one native call for the whole motion; that of steps of one length is taken at th
 
 from __future__ import annotations
 
+import sys
+from time import process_time
+
 import numpy as np
 
 from benchmarks.harness.models import model_of, workplace
@@ -22,8 +25,13 @@ TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 
 def run() -> Result:
     """Every case of the hard suite."""
+    details: dict[str, dict] = {}
+    began = process_time()
     with workplace() as folder:
-        return told({hard.name: _case(Case(hard, model_of(hard.make(), folder))) for hard in CASES})
+        for k, hard in enumerate(CASES, start=1):
+            details[hard.name] = _case(Case(hard, model_of(hard.make(), folder)))
+            print(f"tolerance: {hard.name}, {k} of {len(CASES)}, {process_time() - began:.0f} CPU s", file=sys.stderr)
+    return told(details)
 
 
 def told(details: dict[str, dict]) -> Result:

@@ -31,6 +31,7 @@ REFERENCE, TIGHT = "dopri5", 3e-11
 REACH, LEAST_STEPS = 0.75, 20_000  # h w of a reference with steps of one length, and how many it takes at least
 COARSE = (20, 25, 32, 40, 50, 80, 100, 125, 160)  # numbers of steps that divide KEPT
 FINER = 2**0.5  # ratio of one number of steps to the next
+SWEEP = 20.0  # CPU seconds of all runs with steps of one length of a method
 REPEATS, ENOUGH = 7, 0.1  # timings at least, and until they last this long together [s]
 Advance = Callable[[np.ndarray, int], None]
 
@@ -202,11 +203,14 @@ def numbers_of_steps() -> Iterator[int]:
 
 
 def swept(method: Method, most_exact: float, longest: float) -> list[Run]:
-    """Runs with ever more steps of one length, until one is more exact than what is asked or takes too long [s]."""
+    """Runs with ever more steps of one length, until one is more exact than what is asked or takes too long [s], or all
+    have taken SWEEP.
+    """
     runs: list[Run] = []
+    began = time.process_time()
     for steps in numbers_of_steps():
         runs.append(method.of_one_length(steps))
-        if runs[-1].error < most_exact or runs[-1].seconds > longest:
+        if runs[-1].error < most_exact or runs[-1].seconds > longest or time.process_time() - began > SWEEP:
             return runs
     return runs
 
