@@ -98,7 +98,8 @@ def placed_beside(segment: Segment, z: np.ndarray, di: np.ndarray, dv: np.ndarra
     """The state (whole, flat) beside z by changes as in `small_change`; None if it is not finite."""
     scheme, found = segment.plan.scheme, z + _change(segment, z, di, dv)
     if isinstance(scheme, AdaptiveSteps):
-        found[scheme.layout.slice("cold")] = 1.0  # what was evaluated at the end of the step belongs to the run
+        for name in {"cold", "restart"} & {*scheme.layout.sizes}:
+            found[scheme.layout.slice(name)] = 1.0  # what was evaluated until the end of the step belongs to the run
     return found if np.isfinite(found).all() else None
 
 

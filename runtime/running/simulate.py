@@ -128,6 +128,12 @@ def _begun(
     events = check_time_functions(model, segment.c, plan, state, segment.switches)
     z = segment.start(state.q, state.q_dot)
     known, plan = calibrated(segment), segment.plan
+    if known is None and isinstance(plan.scheme, AdaptiveSteps) and not plan.scheme.varies:
+        raise SchemeError(
+            "tolerance",
+            f"{plan.name} takes steps of one length that trials find, and this motion cannot be tried",
+            "take exponential_rk4, or a step dt",
+        )
     if known is not None and isinstance(plan.scheme, AdaptiveSteps):
         known.begin(plan.scheme, z)
         segment.tried = known.states if known.stepper and known.stepper.program is segment.stepper.program else None

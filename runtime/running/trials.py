@@ -53,6 +53,8 @@ class Trials:
             if first is None:
                 return None
             varied = VariedTrials(self.runs, first)
+            if not self.runs.scheme.varies:
+                return None if alike is None else self._told(alike)
             if alike is not None and not self._may_win(varied, steady, asked, alike.operations):
                 return self._told(alike)
             other = varied.calibration(asked, AIM * asked)

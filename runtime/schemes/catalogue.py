@@ -10,6 +10,7 @@ from typing import Any, Literal
 from runtime.contract.model import Model
 from runtime.schemes.adaptive.dormand_prince import AdaptiveDormandPrince, DormandPrince5
 from runtime.schemes.adaptive.exponential import HALVES, AdaptiveExponential
+from runtime.schemes.adaptive.exponential_adams import AdaptiveExponentialAdams
 from runtime.schemes.adaptive.exponential_rk4 import AdaptiveExponentialRungeKutta
 from runtime.schemes.adaptive.linearised import AdaptiveLinearised
 from runtime.schemes.baselines.alpha_options import GeneralizedAlphaOptions, HilberHughesTaylorOptions
@@ -133,6 +134,7 @@ SCHEMES: dict[str, SchemeKind] = {
         "none",
         ExponentialAdamsOptions,
         fitting=fitting,
+        adaptive=AdaptiveExponentialAdams,
     ),
     "exponential_midpoint": SchemeKind(
         ExponentialMidpoint,

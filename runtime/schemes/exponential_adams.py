@@ -28,7 +28,7 @@ from runtime.schemes.exponential_rk4 import krogstad
 from runtime.schemes.grid import Grid
 from runtime.schemes.linear_propagation import polynomial
 from runtime.schemes.options import Options
-from runtime.schemes.remembering_step import ExponentialAdamsOptions, RememberingStep, bends
+from runtime.schemes.remembering_step import ExponentialAdamsOptions, RememberingStep, bends, loops_ahead
 from runtime.schemes.rosenbrock_adams import RosenbrockAdams
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stage_equations import StageEquations
@@ -113,7 +113,7 @@ class ExponentialAdams(RememberingStep):
         a = equations.accelerations(middle, v_there)
         bent = equations.bent(middle, there.v, v_there, a)
         end = motion.to(2, *bends((*LAST, MIDDLE), [*last, motion.remainder(bent, there)], h, 1))
-        ahead, third = self.loops_ahead(loop, equations.loop_part(middle.q_d), there.tau, h)
+        ahead, third = loops_ahead(loop, equations.loop_part(middle.q_d), there.tau, h)
         at = self.arrived(equations, end.q, ahead, t + h)
         remembered = {
             "a_middle": equations.accelerations_from(at, middle, v_there, a),

@@ -12,7 +12,7 @@ import numpy as np
 
 from runtime.schemes.linear_propagation import polynomial
 from runtime.schemes.one_step import OneStep
-from runtime.schemes.options import MOST_UNROLLED, ClosureOptions, one_of, whole_number
+from runtime.schemes.options import MOST_UNROLLED, AdaptiveOptions, one_of, whole_number
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.state_fields import StateField, state
 from runtime.schemes.stiff_motion import Along
@@ -21,8 +21,10 @@ Vector = TypeVar("Vector", ca.SX, Along)
 
 
 @dataclass(frozen=True)
-class ExponentialAdamsOptions(ClosureOptions):
+class ExponentialAdamsOptions(AdaptiveOptions):
     """closure_iterations: Newton steps on the loop unknowns in each evaluation, from a guess that is right to h^4.
+
+    tolerance: see AdaptiveOptions; error_of: the motion.
 
     linearisation: what is followed by exponentials: `stiffness`, the constant K and D of the stiff deflections, or
         `jacobian`, the Jacobian of all coordinates at the start of the step; `auto` takes the latter where a step
@@ -54,10 +56,11 @@ class RememberingStep(OneStep):
         rates = equations.loop_part(equations.rates(start, v))
         return equations.loop_part(start.q_d), rates, equations.loop_accelerations(start, v, a)
 
-    def loops_ahead(self, motion: Sequence[ca.SX], seen: ca.SX, tau: ca.SX, h: ca.SX) -> tuple[ca.SX, ca.SX]:
-        """The loop unknowns at the end of a step, and their third rates, of the cubic that leads to `seen` at tau."""
-        third = (seen - polynomial(motion, tau)) * (factorial(3) / tau**3)
-        return polynomial([*motion, third], h), third
+
+def loops_ahead(motion: Sequence[ca.SX], seen: ca.SX, tau: ca.SX, h: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """The loop unknowns at the end of a step, and their third rates, of the cubic that leads to `seen` at tau."""
+    third = (seen - polynomial(motion, tau)) * (factorial(3) / tau**3)
+    return polynomial([*motion, third], h), third
 
 
 def bends(nodes: Sequence[float], values: Sequence[Vector], h: ca.SX, first: int) -> list[Vector]:

@@ -30,7 +30,7 @@ from runtime.schemes.linear_propagation import Factors, LinearSystem, factors_of
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.options import SchemeError
 from runtime.schemes.partial_fractions import poles
-from runtime.schemes.remembering_step import ExponentialAdamsOptions, RememberingStep, bends
+from runtime.schemes.remembering_step import ExponentialAdamsOptions, RememberingStep, bends, loops_ahead
 from runtime.schemes.stage_equations import LONG_TREE, ClosedConfiguration, StageEquations
 from runtime.schemes.state_fields import StateField, state
 from runtime.schemes.stiff_motion import WHOLE_DEGREE
@@ -133,7 +133,7 @@ class RosenbrockAdams(RememberingStep):
         there = equations.close(x + w, polynomial([*loop, z["loop_third"]], tau), t + tau, iterations)
         D = motion.beside(equations.accelerations(there, u), NODE, w, u)
         end, v_end = motion.to(1, *bends((-1, NODE), [last, D], h, BENDS))
-        ahead, third = self.loops_ahead(loop, equations.loop_part(there.q_d), tau, h)
+        ahead, third = loops_ahead(loop, equations.loop_part(there.q_d), tau, h)
         return {
             "x": x + end,
             "v": v_end,

@@ -37,12 +37,18 @@ def _seen(runs: PreparedRuns, h: float, dt: float, states: int, stops: list[floa
 
 @pytest.mark.parametrize(
     ("scheme", "name", "m"),
-    [("dopri5", "slider_crank", None), ("exponential", "flexible_joint_arm", [2]), ("dopri5", "pendulum", None)],
+    [
+        ("dopri5", "slider_crank", None),
+        ("exponential", "flexible_joint_arm", [2]),
+        ("dopri5", "pendulum", None),
+        ("exponential_adams", "flexible_joint_arm", None),
+    ],
 )
 def test_they_are_those_of_the_method_itself(built_in: Load, scheme: str, name: str, m: list[int] | None) -> None:
     """Seen once at the end or on the way, at ends of steps or between them: the same motion up to rounding."""
     model, h, steps = built_in(name), 0.004, 50
-    own = PreparedRuns(model, scheme, m).samples(h, steps, 10)["x"][1:]
+    options = {"linearisation": "stiffness"} if scheme == "exponential_adams" else {}
+    own = PreparedRuns(model, scheme, m, options=options).samples(h, steps, 10)["x"][1:]
     runs = PreparedRuns(model, scheme, options={"tolerance": 1e-4})
     scale = np.abs(own).max()
     assert _seen(runs, h, steps * h, 1)[-1] == pytest.approx(own[-1], abs=1e-11 * scale)
@@ -50,9 +56,10 @@ def test_they_are_those_of_the_method_itself(built_in: Load, scheme: str, name: 
     assert _seen(runs, h, 0.8 * h, 50)[-1] == pytest.approx(own[3], abs=1e-11 * scale)
 
 
-def test_none_crosses_a_stop(built_in: Load) -> None:
+@pytest.mark.parametrize("scheme", ["exponential_rk4", "exponential_adams"])
+def test_none_crosses_a_stop(built_in: Load, scheme: str) -> None:
     """A stop in the middle of a step: steps end there, no error but that of the method is made, and all goes on."""
-    runs = PreparedRuns(built_in("flexible_joint_arm"), "exponential_rk4", options={"tolerance": 1e-4})
+    runs = PreparedRuns(built_in("flexible_joint_arm"), scheme, options={"tolerance": 1e-4})
     h, stops = 0.004, [0.0305, 0.103]
     free, held = (_seen(runs, h, 0.2, 1, stops=one)[-1] for one in ([], stops))
     finer = _seen(runs, h / 4, 0.2, 1)[-1]

@@ -38,7 +38,7 @@ def rotor(torque: str, **simulation: object) -> Scene:
     )
 
 
-@pytest.mark.parametrize("scheme", (*METHODS, "linearised"))
+@pytest.mark.parametrize("scheme", (*METHODS, "linearised", "exponential_adams"))
 def test_what_is_asked_is_delivered_and_told(built_in: Load, scheme: str) -> None:
     """A pendulum against steps of one length that are far finer: error and estimate within what was asked."""
     model = built_in("pendulum")
@@ -71,7 +71,8 @@ def seen_inside_a_step(model: Model, scheme: str, h: float, share: float) -> tup
 
 
 @pytest.mark.parametrize(
-    ("scheme", "order"), [("dopri5", 5), ("exponential_rk4", 4), ("exponential", 4), ("linearised", 2)]
+    ("scheme", "order"),
+    [("dopri5", 5), ("exponential_rk4", 4), ("exponential", 4), ("linearised", 2), ("exponential_adams", 4)],
 )
 def test_between_the_ends_of_a_step_the_order_is_kept(built_in: Load, scheme: str, order: int) -> None:
     """Local errors of q_i and q_i_dot inside a step fall as h^(order + 1) and h^order at least, with a loop."""
@@ -260,5 +261,9 @@ def test_what_cannot_follow_a_tolerance_says_so(built_in: Load) -> None:
         simulate(model, scheme="linearised", tolerance=1e-3, options={"corrections": 1})
     with pytest.raises(SchemeError, match="does not go with linearised where bodies turn in space freely"):
         simulate(built_in("heavy_top"), scheme="linearised", tolerance=1e-3)
+    with pytest.raises(SchemeError, match="goes to a tolerance where no body turns freely in space"):
+        simulate(built_in("heavy_top"), scheme="exponential_adams", tolerance=1e-3)
+    with pytest.raises(SchemeError, match="steps of one length, which trials find"):
+        simulate(model, scheme="exponential_adams", tolerance=1e-3, options={"error_of": "step"})
     with pytest.raises(SchemeError, match="auto chooses m and options itself"):
         simulate(model, scheme="auto", options={"closure_iterations": 3})

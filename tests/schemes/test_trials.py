@@ -172,7 +172,7 @@ def test_an_error_that_is_small_by_luck_is_not_believed() -> None:
 
 @pytest.mark.parametrize("name", ["flexible_joint_arm", "hub_beam"])
 def test_what_trials_of_all_methods_take(built_in: Load, name: str) -> None:
-    """A few times the operations of the run, which is one of them; 15 to 50 times if all were searched to the end."""
+    """A few times those of the run, which is one of them; 25 to 50 times where all were searched to the end."""
     stats = simulate(built_in(name), tolerance=1e-4).stats
-    assert 0 < float(stats["trial_operations"]) < 5 * float(stats["run_operations"])
+    assert 0 < float(stats["trial_operations"]) < 8 * float(stats["run_operations"])
     assert stats["trials"] >= 5  # type: ignore[operator]

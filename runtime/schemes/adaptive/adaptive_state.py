@@ -34,6 +34,8 @@ class AdaptiveState(OneStep):
     counted_evaluations: tuple[int, int]  # at the start of a step, and in an attempt
     begins_after_rejection = False  # does a refused attempt leave nothing to go on from?
     error_order: int  # the estimate is of h to this power
+    varies = True  # may steps follow their estimates?
+    carried: tuple[str, ...] = ()  # fields by which a step among those of one length acts on the next
     first_same_as_last = False  # is the end of an attempt evaluated, so that the next step need not evaluate its start?
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:

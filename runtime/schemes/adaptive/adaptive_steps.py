@@ -76,6 +76,10 @@ class AdaptiveSteps(StepControl):
         """Of a method whose first evaluation is the last of the step before: its fields at the start of a step."""
         return {}
 
+    def after_begin(self) -> tuple[Program, ...]:
+        """Of a method that remembers earlier steps: what it does where there are none."""
+        return ()
+
     # ---- the program ----------------------------------------------------------------------------------------
 
     def program(self) -> Program:
@@ -87,7 +91,7 @@ class AdaptiveSteps(StepControl):
         if "landed" in self.layout.sizes and not self.first_same_as_last:
             settle = Until(self.stage("settle", self._settle), self.layout.slice("landed").start, 1, usual=0)
             moved = (*moved, settle)
-        start = Sequence((Until(Sequence(moved), flag["fresh"], 1, usual=1), begin))
+        start = Sequence((Until(Sequence(moved), flag["fresh"], 1, usual=1), begin, *self.after_begin()))
         judge = Until(self.stage("judge", self._judge), flag["odd"], 1, usual=0)
         step: tuple[Program, ...] = (start, self.stage("attempt", self._attempt), judge)
         if self.may_be_steady:
@@ -205,7 +209,7 @@ class AdaptiveSteps(StepControl):
             found |= self._begin({**z, **found}, equations)
         at = {**z, **found}
         found |= self._ended(at, self.attempted(at, equations, z["h_try"]))
-        gone = {*STARTS, *(() if self.first_same_as_last else self.method_fields())}
+        gone = {*STARTS, *(() if self.first_same_as_last else self.method_fields())} - {*self.carried}
         return {**{name: one for name, one in found.items() if name not in gone}, "straight": z["straight"] - 1}
 
     def _look(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:

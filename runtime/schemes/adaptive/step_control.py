@@ -108,6 +108,7 @@ class StepControl(AdaptiveState):
             "fresh": ca.if_else(accepted, 1.0, 0.0),
             "cold": ca.logic_or(landed, ca.logic_not(accepted)) if self.begins_after_rejection else landed,
             "stuck": stuck,
+            **({"restart": ca.logic_or(landed, z["restart"])} if "restart" in z else {}),
             "going": self._left({**z, "stuck": stuck}, self._goal(z, equations) - t, t),
             **({"pending": ca.if_else(accepted, h, 0.0), "landed": landed} if "work_from" in z else {}),
         }

@@ -128,6 +128,8 @@ def choose(model: Model, tolerance: float, settings: RunArguments) -> AutomaticC
 def exponentials(model: Model) -> list[str]:
     """Methods for stiff motion that the model can be stepped with, and that are not dear by its size."""
     found = ["exponential_rk4"] if model.has("deflections") else []
+    if found and not model.description.orientations and not model.has("shifted_solution"):
+        found.append("exponential_adams")  # it has one matrix of the deflections, and no charts to a tolerance
     small = model.has("residual_jacobian") and (len(model.q_i) <= LARGE_SYSTEM if found else affordable(model))
     return [*found, "exponential"] if small else found
 
