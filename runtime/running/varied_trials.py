@@ -9,7 +9,7 @@ nearly in proportion to the tolerance of the steps. What two trials differ by is
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -21,6 +21,7 @@ COARSER = 10.0  # tolerance of the coarser trial over what is asked
 FAR = 10.0  # beyond the finest trial, errors are not taken to be in proportion to the tolerance
 NEARER = 100.0  # at most, from one further trial to the next
 MOST = 6  # trials that are compared
+TIGHTER = 3  # trials of the tolerance that is wanted, where singular positions are passed
 SLOPES = (0.8, 1.25)  # of an error's power of the tolerance over what the orders of the method say
 
 
@@ -50,7 +51,22 @@ class VariedTrials:
             if not self._add(more):
                 return None
             wanted = self._wanted(aim)
-        return self._told(asked, aim, min(max(wanted, self.made[-1].tolerance / NEARER, FINEST), LOOSEST))
+        wanted = min(max(wanted, self.made[-1].tolerance / NEARER, FINEST), LOOSEST)
+        return self._seen(asked, aim, wanted) if self.runs.passes else self._told(asked, aim, wanted)
+
+    def _seen(self, asked: float, aim: float, wanted: float) -> Calibration:
+        """Where singular positions are passed the error also depends on where the steps before them end: what it was
+        with a tolerance is not carried to another one without a trial of that.
+        """
+        error, finest = 0.0, self.made[-1]
+        for _ in range(TIGHTER):
+            one = self.runs.of_tolerance(wanted, finest) if wanted > finest.tolerance else None
+            error = 0.0 if one is None else self.runs.error(one, finest)
+            if error <= asked:
+                break
+            wanted = max(wanted * min(aim / error, 0.5), finest.tolerance)
+        told = self._told(asked, aim, wanted)
+        return replace(told, error=max(error, told.error) if error <= asked else told.error)
 
     def begin(self, asked: float, most: float = np.inf) -> TriedMotion | None:
         """The coarser trial; None where it is lost or takes more than `most` operations."""
