@@ -1,9 +1,8 @@
-"""Run the benchmarks: `python -m benchmarks [--only NAME] [--out DIR] [--publish]`."""
+"""Run the benchmarks: `python -m benchmarks [--only NAME] [--out DIR] [--publish] [--kept]`."""
 
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -26,8 +25,10 @@ from benchmarks.cases import (
     step_slider_crank,
     tolerance,
 )
+from benchmarks.harness import figures
+from benchmarks.harness.kept import keep, kept
 from benchmarks.harness.machine import describe_machine
-from benchmarks.harness.page import as_json, as_markdown, with_sections
+from benchmarks.harness.page import as_markdown, with_sections
 from benchmarks.harness.result import Benchmark, Result, Skipped
 from benchmarks.pages import (
     bad_input,
@@ -40,6 +41,10 @@ from benchmarks.pages import (
     stress_modes,
     sub_steps,
 )
+from benchmarks.tables import arms as arms_tables
+from benchmarks.tables import hard_steps as hard_steps_tables
+from benchmarks.tables import others as others_tables
+from benchmarks.tables import tolerance as tolerance_tables
 
 BENCHMARKS: dict[str, Benchmark] = {
     "step_slider_crank": step_slider_crank.run,
@@ -70,16 +75,25 @@ PAGES: dict[str, Callable[[list[str]], int]] = {
     "orientations": orientations.main,
     "spherical_trees": spherical_trees.main,
 }
+WRITTEN = frozenset({"hard_tables", "long_runs", "hard_twins"})  # computed pages that --publish writes
+FIGURES: dict[str, dict[str, Callable[[Result], str]]] = {  # what pages have of benchmarks, by marker
+    "arms": arms_tables.FIGURES,
+    "hard_steps": hard_steps_tables.FIGURES,
+    "others": others_tables.FIGURES,
+    "tolerance": tolerance_tables.FIGURES,
+}
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "evidence" / "benchmarks.md"
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run, print, and write results.json and results.md; --publish also writes the page or its sections."""
+    """Run, print, and keep every result as soon as it is there; --publish also writes pages or their sections."""
     options = _parser().parse_args(arguments)
     chosen = options.only or [*BENCHMARKS, *PAGES]
     for name in filter(PAGES.__contains__, chosen):
         print(f"computing the page {name} ...", file=sys.stderr, flush=True)
-        PAGES[name](["--publish"] if options.publish else [])
+        if options.publish and name not in WRITTEN:
+            print(f"{name} writes no page: its figures are printed", file=sys.stderr)
+        PAGES[name](["--publish"] if options.publish and name in WRITTEN else [])
     measured = [name for name in chosen if name in BENCHMARKS]
     if measured:
         _measure(measured, options)
@@ -87,25 +101,43 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _measure(names: list[str], options: argparse.Namespace) -> None:
-    machine, skipped = describe_machine(), []
+    here, missing = describe_machine(), []
     results: list[Result] = []
     for name in names:
-        print(f"running {name} ...", file=sys.stderr, flush=True)
-        try:
-            results.append(BENCHMARKS[name]())
-        except Skipped as reason:
-            print(f"skipped {name}: {reason}", file=sys.stderr)
-            skipped.append(name)
-    page = as_markdown(machine, results)
-    options.out.mkdir(parents=True, exist_ok=True)
-    (options.out / "results.json").write_text(json.dumps(as_json(machine, results), indent=1) + "\n", encoding="utf-8")
-    (options.out / "results.md").write_text(page, encoding="utf-8")
-    if options.publish and skipped:
-        print(f"{PAGE.name} is left as it is: it needs {', '.join(skipped)} too", file=sys.stderr)
-    elif options.publish:
-        whole = with_sections(PAGE.read_text(encoding="utf-8"), machine, results) if options.only else page
-        PAGE.write_text(whole, encoding="utf-8")
+        found = kept(options.out, name) if options.kept else _run(name, here)
+        if found is None:
+            missing.append(name)
+            continue
+        machine, result = found
+        results.append(result)
+        if not options.kept:
+            keep(options.out, machine, result, results)
+        if options.publish:
+            PAGE.write_text(with_sections(PAGE.read_text(encoding="utf-8"), machine, [result]), encoding="utf-8")
+            _publish_figures(machine, result)
+    page = as_markdown(here, results)
+    if options.publish and missing:
+        print(f"other sections of {PAGE.name} stay: there is nothing of {', '.join(missing)}", file=sys.stderr)
+    elif options.publish and not options.only and not options.kept:
+        PAGE.write_text(page, encoding="utf-8")
     print(page)
+
+
+def _run(name: str, machine: dict[str, str]) -> tuple[dict[str, str], Result] | None:
+    print(f"running {name} ...", file=sys.stderr, flush=True)
+    try:
+        return machine, BENCHMARKS[name]()
+    except Skipped as reason:
+        print(f"skipped {name}: {reason}", file=sys.stderr)
+        return None
+
+
+def _publish_figures(machine: dict[str, str], result: Result) -> None:
+    """The tables that pages have of a benchmark, each with where it was measured."""
+    by = f"Written by `python -m benchmarks --only {result.name} --publish`, on {machine['processor']}."
+    written = {marker: f"{make(result)}\n{by}" for marker, make in FIGURES.get(result.name, {}).items()}
+    for page in figures.publish(written):
+        print(f"figures of {result.name} are in {page.name}", file=sys.stderr)
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -122,12 +154,16 @@ def _parser() -> argparse.ArgumentParser:
         type=Path,
         default=Path("out/benchmarks"),
         metavar="DIR",
-        help="folder for results.json and results.md (default: %(default)s)",
+        help="folder for NAME.json of each benchmark, results.json and results.md (default: %(default)s)",
     )
     parser.add_argument(
         "--publish",
         action="store_true",
-        help="also write docs/evidence/benchmarks.md; with --only, the other sections stay",
+        help="also write docs/evidence/benchmarks.md (with --only, the other sections stay) and the tables between the "
+        "markers of a benchmark in other pages, each as soon as it is measured",
+    )
+    parser.add_argument(
+        "--kept", action="store_true", help="measure nothing: take what an earlier run left in the folder of --out"
     )
     return parser
 

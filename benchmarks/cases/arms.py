@@ -40,7 +40,7 @@ def run() -> Result:
                 note = f"{best.steps} steps, {method.operations} operations a step, error {best.error:.1e}"
                 name = f"{links} links, E x {stiffening:g}, {spec.label}"
                 lines.append(Line(name, best.seconds * 1e3, "ms", note=note))
-                details[name] = {"steps": best.steps, "operations": method.operations}
+                details[name] = {"steps": best.steps, "operations": method.operations, "seconds": best.seconds}
     return Result("arms", f"Arms of N links, the last one flexible, {T_END} s to {TOLERANCE:g}", lines, details)
 
 

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from math import inf, isfinite, nan, sin
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -39,6 +40,7 @@ LONG_ARM, EXUDYN_SAMPLES = "arm_20", 50
 PATIENCE = 2.0  # s: a run that is longer than this and not exact enough is the last of its kind
 ANCF = ((2, 0.9, True, 1e-5), (2, 0.9, False, 1e-5), (4, 0.9, True, 1e-5), (2, None, True, 1e-5))
 FLOATING = ((3, 0.9, True, 1e-5), (3, 0.9, False, 1e-5), (3, None, True, 1e-5))
+CABLE, FRAME = "Exudyn, cable elements", "Exudyn, floating frame"
 STEPS = tuple(EXUDYN_SAMPLES * 2.0**k for k in range(7))
 EXUDYN_FINEST, EXUDYN_REPEATED, EXUDYN_REPEATS = 6_400, 0.2, 3
 RIGID, RIGID_TOLERANCE, RIGID_END = (10, 20), 1e-6, 1.0
@@ -67,20 +69,25 @@ def run() -> Result:
         raise Skipped("exudyn is not installed; install the extra `benchmark`")
     given = {"exudyn": version(), "rigid": RIGID_TOLERANCE, "end": RIGID_END, "pinocchio": pinocchio_version()}
     lines: list[Line] = []
+    details: dict[str, Any] = {"suite": {}, "rigid": {}}
     with workplace() as folder:
         for hard in CASES:
             print(f"  {hard.name} ...", file=sys.stderr, flush=True)
             case = replace(hard, t_end=SHORTER.get(hard.name, hard.t_end))
             problem = problem_of(case, model_of(case.make(), folder))
             best = ours(case, problem)
-            lines += against_sundials(case.name, problem, best)
+            details["suite"][case.name], found = against_sundials(case.name, problem, best)
+            lines += found
             if case.name == LONG_ARM:
-                lines += against_exudyn(problem, best)
+                details["exudyn"], found = against_exudyn(problem, best)
+                lines += found
     theirs = library()
     with workplace() as folder:
         for links in RIGID:
-            lines += against_pinocchio(links, model_of(planar_chain(links).scene, folder), theirs)
-    return Result("others", "Against other programs, in one run", lines, {}, REMARK.format(**given))
+            chain = model_of(planar_chain(links).scene, folder)
+            details["rigid"][str(links)], found = against_pinocchio(links, chain, theirs)
+            lines += found
+    return Result("others", "Against other programs, in one run", lines, details, REMARK.format(**given))
 
 
 def ours(case: HardCase, problem: Problem) -> Trial:
@@ -94,32 +101,36 @@ def ours(case: HardCase, problem: Problem) -> Trial:
     return min(found.values(), key=lambda trial: trial.seconds)
 
 
-def against_sundials(name: str, problem: Problem, best: Trial) -> list[Line]:
-    """One case of the hard suite."""
+def against_sundials(name: str, problem: Problem, best: Trial) -> tuple[dict[str, Any], list[Line]]:
+    """Figures of one case of the hard suite: ours, and of each integrator its ratio, and that if it were alone."""
     t_end = problem.t_end
     told = f"{best.label}, {best.error:.1e} in {best.steps} steps, {t_end:g} s of motion"
     lines = [Line(f"{name}: this project", best.seconds / t_end * 1e3, "ms/s", note=told)]
+    figures: dict[str, Any] = {"label": best.label, "steps": best.steps, "ms_a_second": best.seconds / t_end * 1e3}
     for method in ("cvodes", "idas"):
+        figures[method] = nan, nan
         try:
             way, found = SundialsRuns(method, problem).best(TOLERANCE, PATIENCE)
         except SymgenError as refused:
             lines.append(Line(f"{name}: {method.upper()} / this project", nan, "", note=str(refused)))
             continue
         ratio = found.seconds / best.seconds if found.met else nan
-        lines.append(Line(f"{name}: {method.upper()} / this project", ratio, "", note=_told(way, found, best, t_end)))
-    return lines
+        share = _share(found)
+        figures[method] = ratio, share * ratio
+        words = f"{way}: {found.told(t_end)}"
+        if isfinite(share):
+            words += f"; equations {share:.0%}, alone {share * found.seconds / best.seconds:.3g}"
+        lines.append(Line(f"{name}: {method.upper()} / this project", ratio, "", note=words))
+    return figures, lines
 
 
-def _told(way: str, found: Matched, best: Trial, t_end: float) -> str:
-    words = f"{way}: {found.told(t_end)}"
-    if found.fine is None or not isfinite(found.fine.own):
-        return words
-    share = found.fine.own / found.fine.seconds
-    return f"{words}; equations {share:.0%}, alone {share * found.seconds / best.seconds:.3g}"
+def _share(found: Matched) -> float:
+    """Of the equations in the time of a run; nan where it is not known."""
+    return found.fine.own / found.fine.seconds if found.fine is not None and isfinite(found.fine.own) else nan
 
 
-def against_exudyn(problem: Problem, best: Trial) -> list[Line]:
-    """The arm of 20 links."""
+def against_exudyn(problem: Problem, best: Trial) -> tuple[dict[str, Any], list[Line]]:
+    """The arm of 20 links: ours, and (label, ratio, what is told) of each model by its kind."""
     angles = tuple(-1.2 + 0.5 * sin(k) for k in range(1, 21))
     places = [followed(problem.model)[0].index(f"link{k}.theta") for k in range(1, 20)]
     motion = problem.path(np.linspace(0.0, problem.t_end, EXUDYN_SAMPLES + 1))[:, places]
@@ -127,14 +138,16 @@ def against_exudyn(problem: Problem, best: Trial) -> list[Line]:
         elements: ExudynArm(angles, 100.0, elements, 0.9).run(problem.t_end, EXUDYN_FINEST, EXUDYN_SAMPLES)[1]
         for elements in {way[0] for way in ANCF}
     }
-    arms = [(ExudynArm(angles, 100.0, *way), finest[way[0]]) for way in ANCF]
-    arms += [(FloatingArm(angles, 100.0, *way), motion - motion[0]) for way in FLOATING]
-    lines = []
-    for arm, exact in arms:
+    arms = [(CABLE, ExudynArm(angles, 100.0, *way), finest[way[0]]) for way in ANCF]
+    arms += [(FRAME, FloatingArm(angles, 100.0, *way), motion - motion[0]) for way in FLOATING]
+    lines: list[Line] = []
+    kinds: dict[str, list[tuple[str, float, str]]] = {CABLE: [], FRAME: []}
+    for kind, arm, exact in arms:
         found = match(partial(_exudyn, arm, exact, problem.t_end), STEPS, 0, TOLERANCE, inf)
         ratio = found.seconds / best.seconds if found.met else nan
+        kinds[kind].append((arm.label, ratio, found.told(problem.t_end)))
         lines.append(Line(f"{LONG_ARM}: {arm.label} / this project", ratio, "", note=found.told(problem.t_end)))
-    return lines
+    return {"case": LONG_ARM, "label": best.label, "steps": best.steps, "seconds": best.seconds, "kinds": kinds}, lines
 
 
 def _exudyn(arm: ExudynArm, exact: np.ndarray, t_end: float, steps: float) -> Attempt:
@@ -152,8 +165,8 @@ def _exudyn(arm: ExudynArm, exact: np.ndarray, t_end: float, steps: float) -> At
     return Attempt(steps, error if isfinite(error) else inf, seconds, count)
 
 
-def against_pinocchio(links: int, model: Model, theirs: ctypes.CDLL) -> list[Line]:
-    """A rigid chain, thrown from a bend, by the same explicit steps."""
+def against_pinocchio(links: int, model: Model, theirs: ctypes.CDLL) -> tuple[dict[str, Any], list[Line]]:
+    """A rigid chain, thrown from a bend, by the same explicit steps: ours, and ratios of theirs."""
     case, c = planar_chain(links), model.constants(model.parameter_vector())
     tree = PinocchioTree(theirs, case.hinges, case.gravity)
     with workplace() as folder:
@@ -188,11 +201,13 @@ def against_pinocchio(links: int, model: Model, theirs: ctypes.CDLL) -> list[Lin
     own, title = timings["this project"].best, f"rigid arm of {links}"
     note = f"dop853, {errors['this project']:.1e} in {steps['this project']} steps"
     lines = [Line(f"{title}: this project", own / RIGID_END * 1e3, "ms/s", note=note)]
+    figures: dict[str, Any] = {"steps": steps["this project"], "seconds": own, "theirs": {}}
     for name in list(timings)[1:]:
         told = f"{errors[name]:.1e} in {steps[name]} steps" if name in steps else f"{calls} calls"
         note = f"{told}, {timings[name].best / RIGID_END * 1e3:.3g} ms/s"
+        figures["theirs"][name] = timings[name].best / own, told
         lines.append(Line(f"{title}: {name} / this project", timings[name].best / own, "", note=note))
-    return lines
+    return figures, lines
 
 
 def _repeated(run: Callable[[], np.ndarray], times: int) -> None:

@@ -75,7 +75,6 @@ def main(arguments: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.pages.bad_input", description=__doc__)
     parser.add_argument("--count", type=int, default=400)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--publish", action="store_true", help="nothing more: figures go into silence.md by hand")
     options = parser.parse_args(arguments)
     warnings.simplefilter("ignore")
     counts: Counter[str] = Counter()

@@ -170,7 +170,6 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--json", type=Path, default=None, help="every run")
-    parser.add_argument("--publish", action="store_true", help="nothing more: figures go into silence.md by hand")
     options = parser.parse_args(arguments)
     found: list[Judged] = []
     for mechanism in mechanisms(options.of, options.first + options.count, options.seed)[options.first :]:

@@ -1,11 +1,10 @@
 """The hard suite at full length by equations that are not condensed: `python -m benchmarks.pages.hard_twins`.
 
-Reference values of the hard suite come from the condensed equations. Here every case is integrated once more in all
-coordinates and multipliers (Eq. 28), from the start to the end: other emitted functions, another linear system, no
-elimination and no loop closure; constraints hold at the level of accelerations only.
-
---points: planar cases by equations that the generator has no part in: Lagrange's of the first kind, from the kinetic
-energy of material points (benchmarks/contenders/material_points.py).
+Reference values of the hard suite come from the condensed equations. Here every case is integrated once more from the
+start to the end. Planar cases by equations that the generator has no part in: Lagrange's of the first kind, from the
+kinetic energy of material points (benchmarks/contenders/material_points.py). Others, and with --coordinates all, in all
+coordinates and multipliers (Eq. 28): other emitted functions, another linear system, no elimination, no loop closure;
+constraints hold at the level of accelerations only.
 """
 
 from __future__ import annotations
@@ -14,11 +13,13 @@ import argparse
 import sys
 import tempfile
 import time
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 
 from benchmarks.cases.hard_by_points import BY_POINTS
+from benchmarks.harness import figures
 from runtime import Model, Solution, SymgenError, load_model, reference_solution
 from runtime.baselines.augmented import augmented_solution
 from symgen.generate import generate
@@ -61,22 +62,44 @@ def points(case: HardCase, model: Model, condensed: Solution, motion: dict[str, 
     return {name: q[:, mechanism.names.index(name)] for name in case.graded}
 
 
+def rows_of(names: Iterable[str], by_points: bool) -> dict[str, str]:
+    """Rows of the table by case, printed as they come."""
+    rows = {}
+    for name in names:
+        try:
+            off, end, seconds = compared(HARD_SUITE[name], by_points)
+            rows[name] = f"| {name} | {off:.1g} | {end} |"
+            print(f"{rows[name]} {seconds:.0f} s", flush=True)
+        except (SymgenError, RuntimeError) as error:  # CasADi's: bodies without mass make M singular
+            print(f"| {name} | - | {str(error).strip().splitlines()[-1]} |", flush=True)
+    return rows
+
+
+def publish(marker: str, rows: dict[str, str]) -> None:
+    """Put rows into the table of these figures; those of other cases stay."""
+    head, rule, *old = figures.figures(marker).splitlines()
+    known = {row.split("|")[1].strip(): row for row in old} | rows
+    ordered = [known[name] for name in HARD_SUITE if name in known]
+    figures.publish({marker: "\n".join([head, rule, *ordered])})
+
+
 def main(arguments: list[str] | None = None) -> int:
-    """Print a row for each case."""
+    """Print a row for each case: planar ones by material points, others in all coordinates, or all as asked."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.pages.hard_twins", description=__doc__)
     parser.add_argument("--only", action="append", choices=list(HARD_SUITE), help="these cases")
-    parser.add_argument("--points", action="store_true", help="by material points, planar cases")
-    parser.add_argument("--publish", action="store_true", help="nothing more: figures go into silence.md by hand")
+    parser.add_argument("--points", action="store_true", help="by material points, planar cases only")
+    parser.add_argument("--coordinates", action="store_true", help="in all coordinates and multipliers only")
+    parser.add_argument("--publish", action="store_true", help="also write the rows into docs/evidence/silence.md")
     options = parser.parse_args(arguments)
-    print("| case | largest difference to the condensed reference | end value in all coordinates | CPU [s] |")
-    print("|---|---:|---|---:|")
-    for name in options.only or (BY_POINTS if options.points else HARD_SUITE):
-        try:
-            off, end, seconds = compared(HARD_SUITE[name], options.points)
-        except (SymgenError, RuntimeError) as error:  # CasADi's: bodies without mass make M singular
-            print(f"| {name} | - | {str(error).strip().splitlines()[-1]} | |", flush=True)
-            continue
-        print(f"| {name} | {off:.1g} | {end} | {seconds:.0f} |", flush=True)
+    names = options.only or list(HARD_SUITE)
+    both = not options.points and not options.coordinates
+    for by_points, wanted in ((True, both or options.points), (False, both or options.coordinates)):
+        chosen = [name for name in names if (name in BY_POINTS if by_points else not both or name not in BY_POINTS)]
+        if wanted and chosen:
+            print("by material points" if by_points else "in all coordinates")
+            rows = rows_of(chosen, by_points)
+            if options.publish:
+                publish("hard_twins.points" if by_points else "hard_twins", rows)
     return 0
 
 

@@ -1,4 +1,4 @@
-"""`python -m benchmarks` knows every benchmark and every computed page, and leaves its results."""
+"""`python -m benchmarks` knows every benchmark and computed page, leaves results, and writes tables into pages."""
 
 from __future__ import annotations
 
@@ -6,7 +6,13 @@ import json
 from importlib import import_module
 from pathlib import Path
 
-from benchmarks.__main__ import BENCHMARKS, PAGES, main
+import pytest
+
+from benchmarks import __main__ as program
+from benchmarks.__main__ import BENCHMARKS, FIGURES, PAGES, main
+from benchmarks.harness import figures
+from benchmarks.harness.result import Line, Result
+from benchmarks.pages import hard_twins
 
 FOLDER = Path(__file__).resolve().parents[2] / "benchmarks"
 
@@ -26,3 +32,141 @@ def test_results_are_left_in_a_folder(tmp_path: Path) -> None:
     (result,) = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"))["results"]
     assert result["name"] == "operations" and all(line["value"] > 0 for line in result["lines"])
     assert result["title"] in (tmp_path / "results.md").read_text(encoding="utf-8")
+
+
+def test_markers_in_pages_are_those_that_benchmarks_write() -> None:
+    """Each names the benchmark that writes it, and all that one writes has a place."""
+    written = {marker for tables in FIGURES.values() for marker in tables}
+    assert set(figures.marked()) == written | {"hard_twins", "hard_twins.points"}
+    for name, tables in FIGURES.items():
+        assert name in BENCHMARKS and {marker.partition(".")[0] for marker in tables} == {name}
+
+
+def marked_page(folder: Path, *markers: str) -> Path:
+    page = folder / "page.md"
+    blocks = [f"<!-- figures: {marker} -->\nold\n<!-- end -->\n" for marker in markers]
+    page.write_text("before\n\n" + "\nbetween\n\n".join(blocks) + "\nafter\n", encoding="utf-8")
+    return page
+
+
+def test_figures_go_between_their_markers(tmp_path: Path) -> None:
+    page = marked_page(tmp_path, "one", "one.more")
+    figures.publish({"one": "new\n"}, tmp_path)
+    figures.publish({"one": "newer \\1\n"}, tmp_path)
+    first, second = page.read_text(encoding="utf-8").split("\nbetween\n")
+    assert first == "before\n\n<!-- figures: one -->\nnewer \\1\n<!-- end -->\n"
+    assert second == "\n<!-- figures: one.more -->\nold\n<!-- end -->\n\nafter\n"
+    with pytest.raises(KeyError):
+        figures.publish({"two": "new"}, tmp_path)
+    page.write_text(page.read_text(encoding="utf-8") + "<!-- figures: two -->\n", encoding="utf-8")
+    with pytest.raises(ValueError, match="no end of its own"):
+        figures.marked(tmp_path)
+
+
+def cell(delivered: float, time: float) -> dict[str, float]:
+    return {"delivered": delivered, "time": time, "rejected": 0.01, "steps_over_fixed": time, "trials": 4.0}
+
+
+MEASURED = {
+    "tolerance": Result(
+        "tolerance",
+        "A",
+        [],
+        {"one": {"cells": [cell(0.5, 0.9), cell(4, 1.3)]}, "two": {"cells": [cell(1, float("nan"))]}},
+    ),
+    "arms": Result(
+        "arms", "B", [], {"10 links, E x 100, exponential_rk4": {"steps": 22, "operations": 6235, "seconds": 4.2e-5}}
+    ),
+    "hard_steps": Result(
+        "hard_steps",
+        "C",
+        [],
+        {
+            "arm": {"exponential_rk4": (30, 2e-5, 1e-3), "exponential_adams jacobian": (51, 1e-5, 1e-3)},
+            "chain": {"dop853": (9, 1e-3, 1e-3)},
+        },
+    ),
+    "others": Result(
+        "others",
+        "D",
+        [Line("x", 1.0, "s")],
+        {
+            "suite": {
+                "arm": {
+                    "label": "exponential m=2",
+                    "steps": 12,
+                    "ms_a_second": 0.0123,
+                    "cvodes": (62.4, 2.04),
+                    "idas": (float("nan"), float("nan")),
+                }
+            },
+            "exudyn": {
+                "case": "arm_20",
+                "label": "exponential_rk4",
+                "steps": 67,
+                "seconds": 1.8e-4,
+                "kinds": {"cable": [("slow", float("nan"), "not met"), ("two", 459.0, "800 steps")]},
+            },
+            "rigid": {"10": {"steps": 80, "seconds": 2.7e-4, "theirs": {"aba": (1.21, "80 steps")}}},
+        },
+    ),
+}
+ROWS = {
+    "tolerance": [
+        "| delivered over asked between 0.1 and 3 | 90 % of runs | 67 % |",
+        "| runs that take more than 1.15 times the time | none | 50 % |",
+    ],
+    "arms": ["| 10 | - | 22 steps of 6,235: 0.042 ms | - | - |"],
+    "hard_steps": ["| arm | 1.00: 51 (Jacobian) | 2.00: 30 | `exponential_adams` jacobian, 51 steps: 0.01 ms |"],
+    "hard_steps.times": ["| chain | - | - | - | - | - | - | 1 | - |"],
+    "others": ["| arm | `exponential` m=2, 12 | 0.0123 | 62 (2) | - |"],
+    "others.programs": [
+        "| `arm_20` to 1e-3 | `exponential_rk4`, 67 steps: 0.18 ms | two | 459 (800 steps) |",
+        "| 10 rigid links, 1 s to 1e-6 | `dop853`, 80 steps: 0.27 ms | aba | 1.21 (80 steps) |",
+    ],
+}
+
+
+def test_an_interrupted_run_keeps_and_publishes_what_it_has(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """All tables, written as soon as they are measured and once more from what was kept; the last one is broken off."""
+    markers = [marker for tables in FIGURES.values() for marker in tables]
+    page, evidence = marked_page(tmp_path, *markers), tmp_path / "evidence.md"
+    evidence.write_text("# Benchmarks\n\n## Other\n\nstays\n", encoding="utf-8")
+    monkeypatch.setattr(figures, "DOCS", tmp_path)
+    monkeypatch.setattr(program, "PAGE", evidence)
+
+    def broken() -> Result:
+        raise KeyboardInterrupt
+
+    for name, found in MEASURED.items():
+        monkeypatch.setitem(BENCHMARKS, name, lambda found=found: found)
+    monkeypatch.setitem(BENCHMARKS, "iftomm", broken)
+    asked = [word for name in (*MEASURED, "iftomm") for word in ("--only", name)]
+    with pytest.raises(KeyboardInterrupt):
+        main([*asked, "--out", str(tmp_path / "out"), "--publish"])
+    seen = page.read_text(encoding="utf-8")
+    for marker in markers:
+        text = figures.figures(marker)
+        assert all(row in text.splitlines() for row in ROWS[marker]), (marker, text)
+        assert f"Written by `python -m benchmarks --only {marker.partition('.')[0]} --publish`" in text
+    assert "## Other\n\nstays" in evidence.read_text(encoding="utf-8") and "## D" in evidence.read_text(
+        encoding="utf-8"
+    )
+    assert len(json.loads((tmp_path / "out" / "results.json").read_text(encoding="utf-8"))["results"]) == len(MEASURED)
+    marked_page(tmp_path, *markers)
+    assert main([*asked, "--out", str(tmp_path / "out"), "--publish", "--kept"]) == 0
+    assert page.read_text(encoding="utf-8") == seen
+
+
+def test_rows_of_twins_replace_those_of_their_cases(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    page = tmp_path / "page.md"
+    rows = "| f1_smooth | 1 | a |\n| chain | 2 | b |"
+    page.write_text(
+        f"<!-- figures: hard_twins -->\n| case | x | y |\n|---|---|---|\n{rows}\n<!-- end -->\n", encoding="utf-8"
+    )
+    monkeypatch.setattr(figures, "DOCS", tmp_path)
+    monkeypatch.setattr(hard_twins, "compared", lambda case, by_points: (3e-9, case.name, 1.0))
+    assert hard_twins.main(["--coordinates", "--only", "chain", "--only", "f1_rigid", "--publish"]) == 0
+    assert figures.figures("hard_twins").splitlines()[2:] == [
+        "| f1_smooth | 1 | a |", "| f1_rigid | 3e-09 | f1_rigid |", "| chain | 3e-09 | chain |"
+    ]  # fmt: skip

@@ -1,0 +1,1 @@
+"""Tables that pages have of benchmarks: FIGURES of each module, by the names of their markers."""
