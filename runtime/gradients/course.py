@@ -156,14 +156,21 @@ def _passed(broken: Broken, passages: Sequence[EventPassage], dt: float) -> Brok
         end, now = part.start + part.length, part
         while waiting and waiting[0].clock <= end:
             passage = waiting.pop(0)
+            _refuse(passage, passage.clock < now.start)
             left = end - passage.clock
             parts.append(replace(now, length=passage.clock - now.start))
             if left > ON_THE_GRID * dt:
                 now = StepPart(passage.clock, left, None, passage)
                 continue
-            if k < len(broken.parts) - 1:
-                raise NoResult(f"an event at t = {passage.clock:.6g} s", "happens just where a load jumps", "move one")
+            _refuse(passage, k < len(broken.parts) - 1)
             now, last = replace(now, length=0.0), passage
         if now.length:
             parts.append(now)
+    if waiting:
+        _refuse(waiting[0], True)
     return replace(broken, parts=tuple(parts), passage=last)
+
+
+def _refuse(passage: EventPassage, where_something_jumps: bool) -> None:
+    if where_something_jumps:
+        raise NoResult(f"an event at t = {passage.clock:.6g} s", "happens just where a load jumps", "move one of them")

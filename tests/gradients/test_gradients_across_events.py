@@ -156,3 +156,11 @@ def test_what_has_no_derivative_is_refused_by_name(model_of: Build) -> None:
         refused({"when": "x - 0.1", "terminal": True})
     with pytest.raises(NoResult, match="events event0, event1 of model thrown: act at one time"):
         refused({"when": "x - 0.1", **act}, {"when": "2 * x - 0.2", **act}).jacobian()
+    for at in (0.1, 0.09):
+        builder = SceneBuilder("relieved").input("own", 0.0, "N").rigid("ball", mass=1.0, inertia=0.1)
+        builder.prismatic("rail", "ground.origin", "ball.origin")
+        builder.force("push", "ball.origin", f"where(t < {at}, 2, own)", 0.0)
+        builder.event("takes", f"t - {at}", action={"own": "3"})
+        model = model_of(builder.simulation(t_end=0.3, dt=0.03, scheme="rk4").build())
+        with pytest.raises(NoResult, match="happens just where a load jumps"):
+            DifferentiableRun(model, ["ball.x"], ["ball.x_dot"]).jacobian()

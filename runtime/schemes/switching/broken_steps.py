@@ -20,7 +20,7 @@ from runtime.contract.model import Model
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.breaks import ON_THE_GRID, Breaks
 from runtime.schemes.switching.crossing import crossing, needs_crossing
-from runtime.schemes.switching.dips import dips, first_bracket
+from runtime.schemes.switching.dips import first_bracket, unsure
 from runtime.schemes.switching.event_search import first_passage
 from runtime.schemes.switching.impulse import Impulse, impulse_at, may_give_impulses, moves_in_time
 from runtime.schemes.switching.legs import Acts, Leg, Legs
@@ -122,12 +122,18 @@ class BrokenSteps:
                 break
             if after is not None:
                 leg, clock = self._jumped(c, leg, end, after), after
+                leg = leg if acts is None else self._passed_by_jump(leg, c, end, after, acts)
+                if leg.ends:
+                    break
         start, c = leg.reached if leg.ends else self.grid.clock(step + 1), self.legs.with_inputs(leg.z, c)
         z[:] = self.legs.set_out(leg, c, start, self.dt)
         z[0], z[1] = self.t0 + (start - self.grid.time(step + 1)), step + 1
         if watches(self.stepper.scheme):
-            seen = acts is None and z[layout.slice("event_step")][0] < NEVER
+            old, asleep = z[layout.slice("event_values")].copy(), quiet_until(self.stepper.scheme, z) > start
+            seen = z[layout.slice("event_step")][0] < NEVER
             begin_events(self.stepper.scheme, z, self.legs.constants(c, self.dt))
+            seen |= bool(passed(self.stepper.scheme, old, z[layout.slice("event_values")], asleep))
+            seen &= acts is None
             z[layout.slice("event_step")] = min(flagged, step + 1) if seen else flagged
         self.count_anew(z, c, leg.work)
 
@@ -210,8 +216,8 @@ class BrokenSteps:
         constants = legs.constants(c, length)
         slopes = event_slopes(scheme, legs.set_out(leg, c, start, length), constants)
         end = event_slopes(scheme, found.z, legs.constants(c, found.dt))
-        dip = dips(ca.DM(at(0.0)), ca.DM(slopes), ca.DM(at(length)), ca.DM(end), length)
-        if not (np.asarray(dip).ravel() * ~asleep).any():
+        open_ = unsure(ca.DM(at(0.0)), ca.DM(slopes), ca.DM(at(length)), ca.DM(end), length)
+        if not (np.asarray(open_).ravel() * ~asleep).any():
             return (0.0, length) if passed(scheme, at(0.0), at(length), asleep) else None
         return first_bracket(
             lambda a, b: bool(passed(scheme, a, b, asleep)),
@@ -231,6 +237,18 @@ class BrokenSteps:
             return leg
         self.impulses[(before + after) / 2] = found
         return replace(leg, work=leg.work + found.energy, seen=(q, found.q_dot))
+
+    def _passed_by_jump(self, leg: Leg, c: np.ndarray, end: float, after: float, acts: Acts) -> Leg:
+        """Through the events that pass zero just where something jumps, between its clocks."""
+        scheme, legs = self.stepper.scheme, self.legs
+        c = legs.with_inputs(leg.z, c)
+        constants = legs.constants(c, leg.dt)
+        there = event_values(scheme, legs.set_out(leg, c, after, leg.dt), constants)
+        asleep = quiet_until(scheme, leg.z) > end
+        happened = passed(scheme, event_values(scheme, leg.z, constants), there, asleep)
+        if not happened:
+            return leg
+        return acts(replace(leg, seen=leg.seen or legs.seen(leg.z, constants), reached=(end + after) / 2), happened)
 
     def count_anew(self, z: np.ndarray, c: np.ndarray, work: float) -> None:
         """Begin the account of work at a state of the grid; what lies behind a jump is not looked at in advance."""

@@ -18,7 +18,7 @@ from runtime.engine.program import Fields, Layout, Sequence, Until, make_stage
 from runtime.schemes.scheme import LARGEST, Scheme
 from runtime.schemes.state_fields import Lasting
 from runtime.schemes.stepper import Stepper
-from runtime.schemes.switching.watched import NEVER, values_at, watches
+from runtime.schemes.switching.watched import NEVER, flagged, values_at, watches
 from runtime.schemes.work import FIELDS, accounted, begun, counted_work, looks_ahead, observed_power
 
 ACCOUNT = list(FIELDS)[:3]  # what begins anew
@@ -100,7 +100,9 @@ class ListedCrossing:
         equations = self.scheme.equations(self._constants(z, c, z["dt"]), fields)
         seen = values_at(self.scheme, z["state"], equations)
         new = {"event_values": seen["events"], "event_change": ca.SX.ones(seen["events"].numel()) * NEVER}
-        new["event_step"] = ca.if_else(fields["event_step"] < NEVER, ca.fmin(z["flagged"], fields["n"]), z["flagged"])
+        by_jump = flagged(self.scheme, fields, fields["event_values"], seen["events"], seen["t"])
+        sooner = ca.logic_or(fields["event_step"] < NEVER, by_jump)
+        new["event_step"] = ca.if_else(sooner, ca.fmin(z["flagged"], fields["n"]), z["flagged"])
         return {"state": self.scheme.layout.pack({**fields, **new, "event_slopes": seen["slopes"]})}
 
 

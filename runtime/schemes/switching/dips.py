@@ -59,6 +59,18 @@ def dips(old: Any, old_slope: Any, new: Any, new_slope: Any, h: Any) -> Any:
     return into * (lowest <= 0)
 
 
+def unsure(old: Any, old_slope: Any, new: Any, new_slope: Any, h: Any) -> Any:
+    """(n_e,) 1 where the same cubic may reach zero between ends of one sign, or may turn between those of two.
+
+    More than `dips` sees, for steps in which something happens: what passes zero once may do so again soon.
+    """
+    side, way = ca.sign(old), ca.sign(new - old)
+    first, last = old + h / 3 * old_slope, new - h / 3 * new_slope
+    reaches = ca.fmin(side * first, side * last) <= 0
+    turns = ca.fmin(ca.fmin(way * (first - old), way * (last - first)), way * (new - last)) < 0
+    return ca.if_else(side * new > 0, reaches, turns)
+
+
 @dataclass(frozen=True)
 class ValuesInStep:
     """Of events at 0, NODES and 1 of a step (n_e each), by Bernstein coefficients of the polynomial through them."""

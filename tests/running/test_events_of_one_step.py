@@ -1,0 +1,44 @@
+"""Events of which several happen in one step, or just where a load jumps: none is lost."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from runtime import Model, simulate
+from symgen.scene import Scene, SceneBuilder
+
+Build = Callable[[Scene], Model]
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "exponential", "single_rate"])
+def test_all_passages_of_one_step_are_told_in_order(model_of: Build, scheme: str) -> None:
+    """Values with three and four zeros in a step of 50 mm, at 1 m/s: also where its ends tell of one, or none."""
+    zeros = {"cube": (0.51, 0.51 - 3e-5, 0.51 + 3e-5), "bands": (0.603, 0.605, 0.615, 0.617)}
+    builder = SceneBuilder("gliding").rigid("mass", mass=1.0, inertia=0.1).rates({"mass.x": 1.0})
+    builder.prismatic("rail", "ground.origin", "mass.origin").measure("x", "x", "mass.origin")
+    for name, places in zeros.items():
+        builder.event(name, " * ".join(f"(x - {place!r})" for place in places))
+    run = simulate(model_of(builder.simulation(t_end=1.0, dt=0.05, scheme="rk4").build()), scheme=scheme)
+    told = [event.name for event in run.events]
+    assert told == ["cube"] * 3 + ["bands"] * 4
+    exact = sorted(zeros["cube"] + zeros["bands"])
+    assert [event.time for event in run.events] == pytest.approx(exact, rel=0, abs=1e-9)
+
+
+@pytest.mark.parametrize("many", [True, False])
+@pytest.mark.parametrize("scheme", ["rk4", "single_rate"])
+@pytest.mark.parametrize("at", [0.512, 0.5])
+def test_an_event_just_where_a_load_jumps(
+    model_of: Build, monkeypatch: pytest.MonkeyPatch, at: float, scheme: str, many: bool
+) -> None:
+    """The force of 2 N that ends at a time is 3 N from there on, by an event at that time; also among many jumps."""
+    monkeypatch.setattr("runtime.schemes.switching.broken_steps.MANY", 1 if many else 100)
+    builder = SceneBuilder("relieved").input("own", 0.0, "N").rigid("mass", mass=1.0, inertia=0.1)
+    builder.prismatic("rail", "ground.origin", "mass.origin")
+    builder.force("push", "mass.origin", f"where(t < {at}, 2, own)", 0.0)
+    builder.event("takes", f"t - {at}", direction="rising", action={"own": "3"})
+    run = simulate(model_of(builder.simulation(t_end=1.0, dt=0.05, scheme="rk4").build()), scheme=scheme)
+    assert [event.time for event in run.events] == pytest.approx([at], rel=0, abs=1e-12)
+    assert run.rate("mass.x")[-1] == pytest.approx(2 * at + 3 * (1 - at), rel=1e-9)
