@@ -19,6 +19,9 @@ from runtime.running.trials import Trials, trials_of
 from runtime.running.tried_motion import SEEN, TrialRuns
 from runtime.running.varied_trials import VariedTrials
 from runtime.start.start_state import start_state
+from runtime.studies.advice.auto import choose
+from symgen.scene import Scene
+from symgen.scenes import SCENES
 from tests.support.prepared_runs import PreparedRuns
 
 Load = Callable[[str], Model]
@@ -176,3 +179,12 @@ def test_what_trials_of_all_methods_take(built_in: Load, name: str) -> None:
     stats = simulate(built_in(name), tolerance=1e-4).stats
     assert 0 < float(stats["trial_operations"]) < 8 * float(stats["run_operations"])
     assert stats["trials"] >= 5  # type: ignore[operator]
+
+
+def test_auto_takes_steps_of_one_length_only_where_the_motion_can_be_tried(model_of: Callable[[Scene], Model]) -> None:
+    """Of an arm `exponential_adams`; with an event, which trials do not watch, a method whose steps may vary."""
+    data = SCENES["flexible_joint_arm"]().to_dict()
+    assert choose(model_of(Scene.from_dict(data)), 1e-4, {}).scheme == "exponential_adams"
+    far = {"far": {"when": "t - 100"}}
+    run = simulate(model_of(Scene.from_dict({**data, "events": far})), tolerance=1e-4)
+    assert run.scheme != "exponential_adams" and run.t[-1] == 2.0

@@ -44,7 +44,7 @@ from runtime.studies.work_precision.dense_methods import affordable
 
 AUTO = "auto"
 TOLERANCE = 1e-3
-EXPLICIT = "dopri5"
+EXPLICIT, UNVARIED = "dopri5", "exponential_adams"  # the second with steps of one length only
 NEAR = 0.3  # of the stability limit of the explicit pair
 NEAR_OF_ELASTIC = 0.1  # of it where the model has stiff deflections: methods that follow them may take longer steps
 
@@ -104,7 +104,8 @@ def choose(model: Model, tolerance: float, settings: RunArguments) -> AutomaticC
             return AutomaticChoice(EXPLICIT, f"{EXPLICIT} to {tolerance:g}: the motion is not stiff", known)
         best = _Best.of(EXPLICIT, known, explicit)
         prices[EXPLICIT] = np.inf if known is None else known.operations
-    for name in [*exponentials(model), *([] if EXPLICIT in prices else [EXPLICIT])]:
+    names = [name for name in exponentials(model) if motion.may_be_tried or name != UNVARIED]
+    for name in [*names, *([] if EXPLICIT in prices else [EXPLICIT])]:
         trials = explicit if name == EXPLICIT else motion.trials(name)
         tried += [] if name == EXPLICIT else [trials]
         if best is None:
@@ -114,9 +115,11 @@ def choose(model: Model, tolerance: float, settings: RunArguments) -> AutomaticC
             known, prices[name] = None, motion.least_price(trials)
         else:
             known, prices[name] = trials.beside(tolerance, best.known, best.finest)
+        if name == UNVARIED and trials.runs.alarmed:  # its run may have to vary steps
+            known = None
         best = _Best.of(name, known, trials, best)
     if best is None:
-        return motion.by_steps(dict(zip([EXPLICIT, *exponentials(model)], tried, strict=True)))
+        return motion.by_steps(dict(zip([EXPLICIT, *names], tried, strict=True)))
     price = best.known.operations
     seen = " and ".join(f"{name} takes {_times(prices[name] / price)}" for name in prices if name != best.name)
     seen = seen or "there is no other method"
@@ -129,7 +132,7 @@ def exponentials(model: Model) -> list[str]:
     """Methods for stiff motion that the model can be stepped with, and that are not dear by its size."""
     found = ["exponential_rk4"] if model.has("deflections") else []
     if found and not model.description.orientations and not model.has("shifted_solution"):
-        found.append("exponential_adams")  # it has one matrix of the deflections, and no charts to a tolerance
+        found.append(UNVARIED)  # it has one matrix of the deflections, and no charts to a tolerance
     small = model.has("residual_jacobian") and (len(model.q_i) <= LARGE_SYSTEM if found else affordable(model))
     return [*found, "exponential"] if small else found
 
@@ -159,7 +162,7 @@ class _Best:
 @dataclass(frozen=True)
 class _Motion:
     """A motion from a state, with constants c (c_size,) and times that no step crosses; plan: of the explicit pair;
-    least: steps that see what loads do.
+    least: steps that see what loads do. may_be_tried: will the run be as its trials?
     """
 
     tolerance: float
@@ -168,6 +171,7 @@ class _Motion:
     plan: Plan
     engine: str
     least: int
+    may_be_tried: bool
     switches: list[SwitchTime]
 
     @classmethod
@@ -177,14 +181,14 @@ class _Motion:
         options, dt, every = with_tolerance(model, EXPLICIT, tolerance, None, *times, settings.get("save_every"), t0)
         plan = make_plan(model, times[0], dt, None, EXPLICIT, every, options, t0, bounded=True)
         inputs = settings.get("inputs")
-        p = started(
-            model, model.parameter_vector(settings.get("parameters")), scheduled(model, inputs, t0, plan.grid.dt_L), t0
-        )
+        schedule = scheduled(model, inputs, t0, plan.grid.dt_L)
+        p = started(model, model.parameter_vector(settings.get("parameters")), schedule, t0)
+        tried = not (schedule.samples or schedule.controllers or model.description.events)
         c = model.constants(p)
         state = start_state(model, p, c, t0, settings.get("initial"), settings.get("start"))
         switches = all_stops(model, c, t0, plan.t_end)
         least = steps_that_see_loads(model, c, state, t0, plan.t_end, switches)
-        return cls(tolerance, c, state, plan, settings.get("engine", "auto"), least, switches)
+        return cls(tolerance, c, state, plan, settings.get("engine", "auto"), least, tried, switches)
 
     def trials(self, name: str) -> Trials:
         """Of a method, with the program of its run."""
@@ -202,9 +206,11 @@ class _Motion:
         Where they came near a singular position, its run makes others that pass it.
         """
         alarmed = any(trials.runs.alarmed for trials in tried.values())
-        for trials in tried.values():
-            trials.begin(self.tolerance)
-        best = min(tried, key=lambda name: (tried[name].expected, name == EXPLICIT))
+        for name, trials in tried.items():
+            if name != UNVARIED:
+                trials.begin(self.tolerance)
+        able = [name for name in tried if name != UNVARIED]
+        best = min(able, key=lambda name: (tried[name].expected, name == EXPLICIT))
         reason = (
             f"{best} to {self.tolerance:g} a step: trials of the whole motion would take too long, or come to no end"
         )
