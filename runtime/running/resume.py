@@ -99,7 +99,8 @@ def _segments(model: Model, kept: Checkpoint, engine: str, path: str | Path) -> 
     if len(fitting) != len(kept.z):
         raise ModelError(
             f"checkpoint {path}",
-            "it holds a state of another length than this scheme's; another version wrote it",
-            "go on with that version, or start again",
+            f"it holds a state of {len(kept.z)} numbers, where the steps of its scheme {plan.name} prepared here have "
+            f"{len(fitting)}: they were prepared otherwise when it was written, as another version does",
+            "go on with the version that wrote it, or start again",
         )
     return segments

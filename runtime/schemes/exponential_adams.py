@@ -140,6 +140,9 @@ def fitting(model: Model, grid: Grid, options: Options) -> Scheme:
         return by_stiffness
     by_jacobian = RosenbrockAdams(model, grid, replace(options, linearisation="jacobian"))
     if "linearisation" not in model.choices:
-        price, other = (operations_per_step(one.program()) for one in (by_jacobian, by_stiffness))
+        usual = ExponentialAdamsOptions()  # so what is chosen depends on the model alone
+        kinds = (RosenbrockAdams, "jacobian"), (ExponentialAdams, "stiffness")
+        built = (kind(model, grid, replace(usual, linearisation=word)) for kind, word in kinds)
+        price, other = (operations_per_step(one.program()) for one in built)
         model.choices["linearisation"] = "jacobian" if price <= WORTH * other else "stiffness"
     return by_jacobian if model.choices["linearisation"] == "jacobian" else by_stiffness

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import resume, simulate
+from runtime import load_model, resume, simulate
 from runtime.contract.model import Model
 from runtime.engine.choose import arithmetic
 from runtime.schemes.catalogue import scheme_kind
@@ -20,6 +20,7 @@ from runtime.schemes.scheme import Scheme
 from runtime.studies.stability.tangent import TangentStep
 from runtime.studies.work_precision.stiff_methods import stiff_methods
 from symgen.scene import Scene, SceneBuilder
+from symgen.scenes import generated_folder
 from symgen.scenes.arm import arm
 from tests.hand_derived.twin_oscillators import Params
 from tests.hand_derived.twin_subcycling import matrices, radius
@@ -136,6 +137,14 @@ def test_where_it_is_chosen(built_in: Load, model_of: Build) -> None:
         chosen[model.name] = scheme.options.linearisation
         assert type(built(model, {})) is type(scheme)
     assert list(chosen.values()) == ["jacobian", "jacobian", "stiffness", "stiffness", "stiffness"], chosen
+
+
+def test_what_was_run_before_does_not_choose() -> None:
+    """With 20 Newton steps on the loop in each evaluation both are about as long; `auto` goes by the usual one."""
+    model = load_model(generated_folder("n_four_bar"))
+    for options in ({"closure_iterations": 20}, {}):
+        scheme = scheme_kind(NAME).build(NAME, model, 1e-3, None, options)
+        assert scheme.options.linearisation == "stiffness"  # type: ignore[attr-defined]
 
 
 def test_price_and_steps(built_in: Load) -> None:

@@ -212,6 +212,15 @@ def test_other_settings_are_refused(built_in: Load, checkpoint: Path, said: dict
         resume(built_in("slider_crank"), checkpoint, **said)
 
 
+def test_a_state_of_another_length_is_refused(built_in: Load, checkpoint: Path, tmp_path: Path) -> None:
+    kept, path = read_checkpoint(checkpoint), tmp_path / "short.npz"
+    replace(kept, z=kept.z[:-1]).write(path)
+    with pytest.raises(
+        ModelError, match=f"{len(kept.z) - 1} numbers, where .* single_rate prepared here have {len(kept.z)}"
+    ):
+        resume(built_in("slider_crank"), path)
+
+
 def test_the_same_settings_may_be_said_again(built_in: Load, checkpoint: Path, tmp_path: Path) -> None:
     again = resume(
         built_in("slider_crank"),
