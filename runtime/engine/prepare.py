@@ -25,7 +25,7 @@ from runtime.engine.program import LONG, Program
 COMMUTING = (ca.OP_ADD, ca.OP_MUL)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Prepared:
     """A program as it is run: z has z_size entries, the first of which are the scheme's; constants(c) is what it reads.
 

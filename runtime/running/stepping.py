@@ -140,7 +140,7 @@ class ModelStepper:
     def _hold(self, u: Mapping[str, float] | Sequence[float]) -> None:
         """From now on these inputs."""
         if self._across is not None:
-            self._across.forget()
+            self._across.take_inputs()
         names, own = self.model.inputs, self._own_inputs.copy() if self._own.remembers else self._own_inputs
         if not isinstance(u, Mapping):
             if len(u) != len(names):

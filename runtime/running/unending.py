@@ -16,7 +16,7 @@ from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import refuse_position_jumps
 from runtime.schemes.switching.broken_steps import BrokenSteps
 from runtime.schemes.switching.impulse import moves_in_time
-from runtime.schemes.switching.times import has_switching_times, switching_times
+from runtime.schemes.switching.times import has_switching_times, switches_by_inputs, switching_times
 
 STRETCH = 4096  # steps over which jumps are looked for at a time: the same in one call or in many
 
@@ -46,6 +46,7 @@ class UnendingSteps:
         self._own, self._z, self.t0 = own, z, float(z[0])
         self._first, self._broken = -1, BrokenSteps(own.stepper, self.t0, own.plan.grid.dt_L, [])
         self._jumps, self.happenings = may_jump(own.model), Happenings(own)
+        self._by_inputs = self._jumps and (switches_by_inputs(own.model) or moves_in_time(own.model))
 
     def begin(self, t0: float) -> None:
         """The grid of steps begins there [s]."""
@@ -67,8 +68,13 @@ class UnendingSteps:
             self._own.look_anew(self._z)
 
     def forget(self) -> None:
-        """Inputs or parameters have changed: look again."""
+        """Parameters have changed: look again."""
         self._first = -1
+
+    def take_inputs(self) -> None:
+        """Inputs have changed: look again where times of jumps, or how far positions jump, hang on them."""
+        if self._by_inputs:
+            self.forget()
 
     def run(self, steps: int) -> None:
         """Make so many major steps, fewer where an event ends them.
@@ -99,7 +105,7 @@ class UnendingSteps:
         if sooner:
             self._broken.run(z, own.ready, c, sooner)
         if self.happenings.step(z, self._broken) is not None:
-            self.forget()
+            self.take_inputs()
 
     def _look(self, c: np.ndarray) -> None:
         own, h = self._own, self._own.plan.grid.dt_L

@@ -86,7 +86,7 @@ def begin_account(
         P_1, P_2 = _next_powers(scheme, z.copy(), c, step)
         if not np.isfinite([P_1, P_2]).all():
             P_1 = P_2 = P_0
-    for name, value in zip(FIELDS, begun(scheme, work, P_0, P_1, P_2), strict=False):
+    for name, value in zip(FIELDS, begun(scheme, scheme.grid.h, work, P_0, P_1, P_2), strict=False):
         z[layout.slice(name)] = value
 
 
@@ -95,9 +95,12 @@ def looks_ahead(scheme: Scheme) -> bool:
     return scheme.power_at not in (END_OF_STEP, MIDDLE)
 
 
-def begun(scheme: Scheme, work: Any, P_0: Any, P_1: Any, P_2: Any) -> tuple[Any, Any, Any]:
-    """power_sum, power and power_change of an account that begins with this work [J] and these powers [W]."""
-    h = counting_step(scheme)
+def begun(scheme: Scheme, steps: Any, work: Any, P_0: Any, P_1: Any, P_2: Any) -> tuple[Any, Any, Any]:
+    """power_sum, power and power_change of an account that begins with this work [J] and these powers [W].
+
+    steps (groups,): of a major step [s].
+    """
+    h = counting_step(scheme, steps)
     if not looks_ahead(scheme):
         return work / h + (P_0 / 2 if scheme.power_at == END_OF_STEP else 0.0), P_0, 0.0
     bend = P_0 - 2 * P_1 + P_2
@@ -105,9 +108,9 @@ def begun(scheme: Scheme, work: Any, P_0: Any, P_1: Any, P_2: Any) -> tuple[Any,
     return work / h + start, P_0 - (P_1 - P_0) + bend, (P_1 - P_0) - 2 * bend  # of the parabola through the three
 
 
-def counting_step(scheme: Scheme) -> float:
-    """Time between two powers of the account [s]."""
-    return scheme.grid.h[-1] if scheme.power_at == END_OF_STEP else scheme.grid.h[0]
+def counting_step(scheme: Scheme, steps: Any) -> Any:
+    """Time between two powers of the account [s], of the steps (groups,)."""
+    return steps[-1] if scheme.power_at == END_OF_STEP else steps[0]
 
 
 def work_and_doubt(scheme: Scheme, z: np.ndarray, P: Any) -> tuple[Any, Any]:
@@ -118,12 +121,12 @@ def work_and_doubt(scheme: Scheme, z: np.ndarray, P: Any) -> tuple[Any, Any]:
     layout = scheme.layout
     if scheme.integrates_work:
         return z[..., layout.slice("work")][..., 0], IN_DOUBT * z[..., layout.slice("bends")][..., 0]
-    return counted_work(scheme, P, *(z[..., layout.slice(name)][..., 0] for name in FIELDS))
+    return counted_work(scheme, scheme.grid.h, P, *(z[..., layout.slice(name)][..., 0] for name in FIELDS))
 
 
-def counted_work(scheme: Scheme, P: Any, total: Any, last: Any, change: Any, bends: Any) -> tuple[Any, Any]:
-    """The same of the fields (arrays, or SX) of a scheme whose steps sum powers up."""
-    h = counting_step(scheme)
+def counted_work(scheme: Scheme, steps: Any, P: Any, total: Any, last: Any, change: Any, bends: Any) -> tuple[Any, Any]:
+    """The same of the fields (arrays, or SX) of a scheme whose steps (groups,) [s] sum powers up."""
+    h = counting_step(scheme, steps)
     if scheme.power_at == END_OF_STEP:
         return h * (total - P / 2), h * IN_DOUBT * bends
     if scheme.power_at == MIDDLE:

@@ -14,6 +14,7 @@ from runtime.engine.native import NativeProgram
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.broken_steps import BrokenSteps
+from runtime.schemes.switching.crossing import ListedCrossing
 from runtime.schemes.switching.times import switching_times
 from symgen.generate import model_of as on_demand
 from symgen.scene import Scene, SceneBuilder
@@ -72,6 +73,25 @@ def test_a_square_wave_is_exact_without_python(model_of: Build, listed: list[int
     assert run["mass.x"][-1] == pytest.approx(x, rel=1e-10)
     assert run.rate("mass.x")[-1] == pytest.approx(v, rel=1e-10)
     assert run.energy["work"][-1] == pytest.approx(work, rel=1e-9)
+
+
+@pytest.mark.parametrize("scheme", ["exponential_adams", "single_rate"])
+def test_other_steps_cross_by_the_same_program(model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str) -> None:
+    """Steps are data of it: it is made once, and the work of runs with other steps is that by hand."""
+    model, made, init = model_of(pushed_mass()), list[Stepper](), ListedCrossing.__init__
+
+    def counted(self: ListedCrossing, stepper: Stepper) -> None:
+        made.append(stepper)
+        init(self, stepper)
+
+    monkeypatch.setattr(ListedCrossing, "__init__", counted)
+    model.steppers.clear()
+    x, v, work = pushed_by_hand(3.9)[1:]
+    for dt in (0.0025, 0.002):
+        run = simulate(model, scheme=scheme, dt=dt, save_every=1000, force=True)
+        assert len(made) == 1
+        found = run["mass.x"][-1], run.rate("mass.x")[-1], run.energy["work"][-1]
+        assert found == pytest.approx((x, v, work), rel=1e-9)
 
 
 @pytest.mark.parametrize("scheme", ["rk4", "exponential_adams"])
@@ -196,3 +216,25 @@ def test_an_action_among_jumps_of_a_model_made_on_demand() -> None:
     builder.event("later", "t - 0.1", action={"force": "3 * force"})
     run = simulate(on_demand(builder.simulation(t_end=0.5, dt=0.01, scheme="rk4").build()))
     assert run.rate("mass.x")[-1] == pytest.approx(0.1 + 0.15 * 3, rel=1e-9)
+
+
+@pytest.mark.parametrize("condition, looks", [("t < 0.25", 1), ("t < until", 3)])
+def test_inputs_of_a_stepper_and_the_search_for_jumps(
+    model_of: Build, monkeypatch: pytest.MonkeyPatch, condition: str, looks: int
+) -> None:
+    """Looked for anew where a time of a jump hangs on an input, not at each step with other inputs."""
+    builder = SceneBuilder("held").input("force", 0.0, "N").input("until", 0.25, "s")
+    builder.rigid("mass", mass=1.0, inertia=0.1).prismatic("rail", "ground.origin", "mass.origin")
+    builder.force("push", "mass.origin", f"where({condition}, force, 0)", 0.0)
+    one, seen = model_of(builder.simulation(t_end=1.0, dt=0.1, scheme="rk4").build()).stepper(), list[float]()
+
+    def counted(model: Model, c: np.ndarray, t0: float, t_end: float) -> Any:
+        seen.append(t_end)
+        return switching_times(model, c, t0, t_end)
+
+    monkeypatch.setattr("runtime.running.unending.switching_times", counted)
+    one.reset()
+    for force in (1.0, 3.0):
+        one.step({"force": force, "until": 0.25}, 2)
+    assert len(seen) == looks
+    assert one.state["mass.x_dot"] == pytest.approx(0.2 * 1.0 + 0.05 * 3.0, rel=1e-12)

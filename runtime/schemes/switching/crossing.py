@@ -13,7 +13,7 @@ from weakref import WeakKeyDictionary
 import casadi as ca
 
 from runtime.engine.choose import choose_engine
-from runtime.engine.prepare import prepare
+from runtime.engine.prepare import Prepared, prepare
 from runtime.engine.program import Fields, Layout, Sequence, Until, make_stage
 from runtime.schemes.scheme import LARGEST, Scheme
 from runtime.schemes.state_fields import Lasting
@@ -24,7 +24,7 @@ from runtime.schemes.work import FIELDS, accounted, begun, counted_work, looks_a
 ACCOUNT = list(FIELDS)[:3]  # what begins anew
 ACTS = ("restart", "power", "open", "close", "look")  # in this order
 _LOCK = Lock()
-_KEPT: WeakKeyDictionary[Stepper, ListedCrossing] = WeakKeyDictionary()
+_KEPT: WeakKeyDictionary[Prepared, ListedCrossing] = WeakKeyDictionary()  # by programs, shared by steppers
 
 
 class ListedCrossing:
@@ -63,6 +63,10 @@ class ListedCrossing:
         end, fields = self.scheme.model.c_size, self.scheme.layout.unpack(z["state"])
         return self.scheme.constants_at(fields, ca.vertcat(c[:end], c[end:] * (dt / c[end])))
 
+    def _steps(self, z: Fields, c: ca.SX) -> ca.SX:
+        """(groups,) of a major step dt [s]."""
+        return self._constants(z, c, z["dt"])[self.scheme.model.c_size :]
+
     def _restart(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
         scheme, model = self.scheme, self.scheme.model
         fields = scheme.layout.unpack(z["state"])
@@ -85,15 +89,16 @@ class ListedCrossing:
 
     def _open(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
         fields = self.scheme.layout.unpack(z["state"])
-        return {"work": counted_work(self.scheme, z["powers"][2], *(fields[name] for name in FIELDS))[0]}
+        own = (fields[name] for name in FIELDS)
+        return {"work": counted_work(self.scheme, self._steps(z, c), z["powers"][2], *own)[0]}
 
     def _close(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
-        P = ca.vertsplit(z["powers"])
+        P, steps = ca.vertsplit(z["powers"]), self._steps(z, c)
         if not looks_ahead(self.scheme):
-            return {"account": ca.vertcat(*begun(self.scheme, z["work"], P[2], P[2], P[2]))}
+            return {"account": ca.vertcat(*begun(self.scheme, steps, z["work"], P[2], P[2], P[2]))}
         finite = ca.fabs(P[1]) + ca.fabs(P[2]) < LARGEST
         ahead = (ca.if_else(finite, one, P[0]) for one in P[1:])
-        return {"account": ca.vertcat(*begun(self.scheme, z["work"], P[0], *ahead))}
+        return {"account": ca.vertcat(*begun(self.scheme, steps, z["work"], P[0], *ahead))}
 
     def _look(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
         fields = self.scheme.layout.unpack(z["state"])
@@ -117,8 +122,8 @@ def needs_crossing(scheme: Scheme) -> bool:
 
 
 def crossing(stepper: Stepper) -> ListedCrossing:
-    """Made once for a stepper."""
+    """Made once for a stepper and those of the same programs with other steps, which are data."""
     with _LOCK:
-        if stepper not in _KEPT:
-            _KEPT[stepper] = ListedCrossing(stepper)
-        return _KEPT[stepper]
+        if stepper.prepared not in _KEPT:
+            _KEPT[stepper.prepared] = ListedCrossing(stepper)
+        return _KEPT[stepper.prepared]
