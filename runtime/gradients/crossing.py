@@ -67,7 +67,8 @@ class JumpCrossing:
         self._v = self._scheme.layout.slice("v") if "v" in self._scheme.layout.sizes else slice(0, 0)
         self._w = self._scheme.layout.slice("inputs") if self._scheme.model.inputs else slice(0, 0)
         self._events = ActingEvents(self._scheme)
-        self.remembers = not set(self._scheme.memory) <= {"x", "v", "loop", "chart"}
+        remembered = set(self._scheme.memory) - {"x", "v", "loop", "chart"}
+        self.remembers = bool(remembered) or self._scheme.starts_from_last
         self._anew = StartsAnew(self._scheme, self.remembers)
         if self.remembers and self._scheme.charts.size:
             raise ArgumentError(

@@ -43,6 +43,7 @@ class Scheme(ABC):
     adaptive: bool = False  # are its steps as long as a tolerance asks for, and dt the time between states to be seen?
     counts_powers: bool = False  # do its stages call `worked`? Else a stage before them does what it would
     integrates_work: bool = False  # over its own steps, so that z has the work itself
+    starts_from_last: bool = False  # do iterations begin with the last step's values, and its rate of convergence?
     power_at: float = 0.0  # where in a step its powers are summed up: 0 its start, 1/2, or 1: the end of each sub-step
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from runtime import Model, simulate
-from symgen.scene import Scene
+from runtime.schemes.switching.times import switching_times
+from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.hard_suite import HARD_SUITE
 
 Build = Callable[[Scene], Model]
@@ -36,3 +37,15 @@ def test_order_4_across_a_jump(model_of: Build, name: str, t_end: float, steps: 
     for scheme, cap in zip(("exponential_rk4", "exponential"), caps, strict=True):
         coarse, fine = (float(np.abs(ends(scheme, count) - exact).max()) for count in (steps, 2 * steps))
         assert np.log2(coarse / fine) > 3.7 and fine < cap, (scheme, coarse, fine)
+
+
+@pytest.mark.parametrize("t_end, jumps", [(0.4, 53), (1.0, 131)])
+def test_stages_behind_jumps_converge(model_of: Build, t_end: float, jumps: int) -> None:
+    """`radau` against steps without iterations: by Python and by lists. Parts just before a jump may be tiny."""
+    builder = SceneBuilder("wave_on_pendulum").gravity(0, -9.81)
+    builder.rigid("bob", mass=1.3, inertia=0.2, center_of_mass=(0.7, 0)).revolute("pin", "ground.origin", "bob.origin")
+    builder.torque("kick", "bob.origin", "where(sin(411 * t + 0.2) > 0.3, 8 * cos(9 * t), -3 * t)")
+    model = model_of(builder.simulation(t_end=1.0, dt=0.005, scheme="rk4").build())
+    wanted, found = (simulate(model, scheme=scheme, t_end=t_end, save_every=10) for scheme in ("dop853", "radau"))
+    assert len(switching_times(model, model.constants(model.parameter_vector(None)), 0.0, t_end)) == jumps
+    assert np.abs(found.q - wanted.q).max() < 1e-11 and np.abs(found.q_dot - wanted.q_dot).max() < 1e-11

@@ -13,7 +13,8 @@ pair, split the matrix: with A^-1 = T diag(r) T^-1, each iteration is one real a
 
 The first guess is the last step's polynomial of K, extrapolated. Iterations stop, as in RADAU5, when
 eta = theta / (1 - theta) times the last correction is small enough, theta being the ratio of the last two corrections;
-after the first correction of a step, eta is that of the step before to the power 0.8.
+after the first correction of a step, eta is that of the step before to the power 0.8. Behind a jump of the forces both
+begin as at the start of a run: the rate of a short step before it would let the first correction pass for the last.
 """
 
 from __future__ import annotations
@@ -94,6 +95,7 @@ class Radau(OneStep):
 
     order = 5
     counts_powers = True
+    starts_from_last = True
 
     options: RadauOptions
 

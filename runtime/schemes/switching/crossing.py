@@ -112,8 +112,8 @@ class ListedCrossing:
 
 
 def remembers(scheme: Scheme) -> bool:
-    """Does a scheme act through more than positions and rates?"""
-    return set(scheme.memory) != {"x", "v", "loop"}
+    """Does a scheme act, or steer its iterations, through more than positions and rates?"""
+    return set(scheme.memory) != {"x", "v", "loop"} or scheme.starts_from_last
 
 
 def needs_crossing(scheme: Scheme) -> bool:
