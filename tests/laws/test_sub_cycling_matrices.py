@@ -78,6 +78,8 @@ class Amplification:
         layout, columns = self.scheme.layout, list(self.tangent.columns)
         positions = [k for name in fields for k in range(layout.slice(name).start, layout.slice(name).stop)]
         self.entries = [columns.index(k) for k in positions]
+        products = [layout.slice(name).start for name in ("N_moved", "N_sped") if fields is DECOUPLED]
+        self.products = [columns.index(k) for k in products]
 
     def __call__(self, p: Params, dt: float) -> tuple[Array, Array]:
         """(whole matrix of a major step, its block of the fields that the twin has)."""
@@ -85,7 +87,16 @@ class Amplification:
         c = np.concatenate([c, np.array(self.scheme.grid.h) * dt])
         z = np.asarray(self.start(0.0, REST.q_i, REST.q_i_dot, REST.loop, c)).ravel()
         matrix = self.tangent(z, c)[1]
-        return matrix, matrix[np.ix_(self.entries, self.entries)]
+        block = matrix[np.ix_(self.entries, self.entries)]
+        if self.products:
+            block = block + matrix[np.ix_(self.entries, self.products)] @ remembered_products(p, dt)
+        return matrix, block
+
+
+def remembered_products(p: Params, dt: float) -> Array:
+    """N (x_S - x_last_S - H v_last_S) and N (v_S - v_last_S), N = c, on the fields of DECOUPLED."""
+    x_S, v_S, x_last_S, v_last_S = np.eye(9)[1:8:2]
+    return np.array([p.c * (x_S - x_last_S - dt * v_last_S), p.c * (v_S - v_last_S)])
 
 
 @pytest.mark.parametrize("case", CASES)
