@@ -22,7 +22,7 @@ from runtime.schemes.switching.broken_steps import BrokenSteps
 from runtime.schemes.switching.impulse import Impulse, moves_in_time
 from runtime.schemes.switching.times import between, switches_by_inputs
 from runtime.schemes.switching.watched import watch_events
-from runtime.schemes.work import account_at, account_for_work, begin_account
+from runtime.schemes.work import Ahead, account_at, account_for_work, begin_account
 
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 
@@ -75,7 +75,7 @@ class Segment(SteppedModel):
             self.broken.count_anew(z, self.c, work)
             return
         constants = self.plan.scheme.constants(self.c)
-        begin_account(self.plan.scheme, z, constants, work, lambda state: self.advance(state, 1))
+        begin_account(self.plan.scheme, z, constants, work, Ahead(z, constants, lambda state: self.advance(state, 1)))
 
     def find_switches(self, t0: float, t_end: float) -> None:
         """As every stepped model; steps to a tolerance end within short pulses of loads, too. Raises ModelError."""

@@ -5,15 +5,17 @@ what is missing at both ends is added when W is read, by Gregory's formula with 
 
     W = h (P_0 + ... + P_n - (P_0 + P_n) / 2 - (grad P_n - grad P_0) / 12 - (grad^2 P_n + grad^2 P_0) / 24)
 
-of order 4 for schemes that evaluate at the start of a step. Where a scheme sees the middle of its steps (`linearised`),
-W = h sum P, and where it sees the ends of its sub-steps with slow coordinates held, the trapezoidal rule: order 2, as
-the schemes. A scheme whose steps vary integrates them by Simpson's rule.
+of order 4 for schemes that evaluate at the start of a step. Where only one whole step follows before something jumps,
+the differences are those of its start, middle and end, which makes W Simpson's rule. Where a scheme sees the middle of
+its steps (`linearised`), W = h sum P, and where it sees the ends of its sub-steps with slow coordinates held, the
+trapezoidal rule: order 2, as the schemes. A scheme whose steps vary integrates them by Simpson's rule.
 W does not depend on which samples are kept. A mechanism that nothing feeds or damps has no such fields.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
@@ -41,7 +43,10 @@ INTEGRATED = {
     "landed": 1,
     "bends": 1,
 }
-IN_DOUBT = 1 / 8  # of the second differences, as work: a power that dies within the first step is off by as much
+# of the second differences, as work: where a power P dies within the first step of an account, W = 3/8 h P is off by as
+# much (three differences of P); where it dies within a later one (two of P), by up to twice as much
+IN_DOUBT = 1 / 8
+AHEAD = 2  # powers that an account looks at in advance
 END_OF_STEP, MIDDLE = 1.0, 0.5
 
 
@@ -65,13 +70,23 @@ def accounted(scheme: Scheme) -> bool:
     return "power" in scheme.layout.sizes
 
 
-def begin_account(
-    scheme: Scheme, z: np.ndarray, c: np.ndarray, work: float, step: Callable[[np.ndarray], None] | None
-) -> None:
+@dataclass(frozen=True)
+class Ahead:
+    """How the first powers are looked at, for Gregory's formula: from a state z on, which `step` advances.
+
+    c: as the stages read it then. spacing: of the powers, in major steps.
+    """
+
+    z: np.ndarray
+    c: np.ndarray
+    step: Callable[[np.ndarray], None]
+    spacing: float = 1.0
+
+
+def begin_account(scheme: Scheme, z: np.ndarray, c: np.ndarray, work: float, ahead: Ahead | None) -> None:
     """Count anew from a state z (at least the scheme's part, flat) with this work [J]; c as the stages read it.
 
-    step advances a state by a major step: the first powers are looked at in advance, for Gregory's formula; None where
-    something jumps within them.
+    ahead: None where no whole step is made from there.
     """
     if not accounted(scheme):
         return
@@ -82,30 +97,36 @@ def begin_account(
         return
     P_0 = power_of(scheme, z[:n], c)
     P_1 = P_2 = P_0
-    if looks_ahead(scheme) and step is not None:
-        P_1, P_2 = _next_powers(scheme, z.copy(), c, step)
+    spacing = 1.0
+    if looks_ahead(scheme) and ahead is not None:
+        P_1, P_2 = _next_powers(scheme, ahead)
+        spacing = ahead.spacing
         if not np.isfinite([P_1, P_2]).all():
             P_1 = P_2 = P_0
-    for name, value in zip(FIELDS, begun(scheme, scheme.grid.h, work, P_0, P_1, P_2), strict=False):
+    for name, value in zip(FIELDS, begun(scheme, scheme.grid.h, work, P_0, P_1, P_2, spacing), strict=False):
         z[layout.slice(name)] = value
 
 
 def looks_ahead(scheme: Scheme) -> bool:
-    """Does an account begin with the powers after the first and the second step?"""
+    """Does an account begin with the powers that come next?"""
     return scheme.power_at not in (END_OF_STEP, MIDDLE)
 
 
-def begun(scheme: Scheme, steps: Any, work: Any, P_0: Any, P_1: Any, P_2: Any) -> tuple[Any, Any, Any]:
+def begun(
+    scheme: Scheme, steps: Any, work: Any, P_0: Any, P_1: Any, P_2: Any, spacing: Any = 1.0
+) -> tuple[Any, Any, Any]:
     """power_sum, power and power_change of an account that begins with this work [J] and these powers [W].
 
-    steps (groups,): of a major step [s].
+    steps (groups,): of a major step [s]. spacing: of the powers, in major steps. Where only one whole step follows it
+    is 1/2, and W behind that step is by Simpson's rule.
     """
     h = counting_step(scheme, steps)
     if not looks_ahead(scheme):
         return work / h + (P_0 / 2 if scheme.power_at == END_OF_STEP else 0.0), P_0, 0.0
-    bend = P_0 - 2 * P_1 + P_2
-    start = -P_0 / 2 + (P_1 - P_0) / 12 - bend / 24
-    return work / h + start, P_0 - (P_1 - P_0) + bend, (P_1 - P_0) - 2 * bend  # of the parabola through the three
+    bend = (P_0 - 2 * P_1 + P_2) / spacing**2  # of the parabola through the three
+    change = (P_1 - P_0) / spacing + bend / 2 * (1 - spacing)
+    start = -P_0 / 2 + change / 12 - bend / 24
+    return work / h + start, P_0 - change + bend, change - 2 * bend
 
 
 def counting_step(scheme: Scheme, steps: Any) -> Any:
@@ -182,12 +203,10 @@ def with_account(scheme: Scheme, program: Program) -> Program:
     return Sequence((scheme.stage("work", counted), program))
 
 
-def _next_powers(
-    scheme: Scheme, z: np.ndarray, c: np.ndarray, step: Callable[[np.ndarray], None]
-) -> tuple[float, float]:
-    """P after one and after two steps; z is used up."""
-    powers = []
-    for _ in range(2):
-        step(z)
-        powers.append(power_of(scheme, z[: scheme.layout.size], c))
-    return powers[0], powers[1]
+def _next_powers(scheme: Scheme, ahead: Ahead) -> list[float]:
+    """P after one and after two steps."""
+    powers, z = list[float](), ahead.z.copy()
+    for _ in range(AHEAD):
+        ahead.step(z)
+        powers.append(power_of(scheme, z[: scheme.layout.size], ahead.c))
+    return powers

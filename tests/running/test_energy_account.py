@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime import Model, resume, simulate
+from runtime import Model, Sampled, resume, simulate
 from runtime.engine.choose import arithmetic
 from runtime.engine.prepare import prepare
 from runtime.engine.program import Repeat
@@ -47,6 +47,29 @@ def test_work_of_a_constant_torque_is_torque_times_angle(model_of: Build, scheme
     run = simulate(model_of(flywheel("4.0")), scheme=scheme, save_every=7)
     assert run.work() == pytest.approx(4.0 * (run["wheel.theta"] - run["wheel.theta"][0]), abs=1e-10)
     assert np.abs(run.energy_balance()).max() < 1e-10
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "exponential_adams", "single_rate"])
+def test_work_of_one_whole_step_beside_broken_ones(model_of: Build, scheme: str) -> None:
+    """At the start, between jumps, behind a sampled input and behind an event, in steps of 10 ms: torques are constant.
+
+    J = 2 kg m2, so W = v^2 - 9 with the velocity by hand.
+    """
+    torque = (
+        "where(t < 0.0153, 4, where(t < 0.035, -60, where(t < 0.0571, 50, -7))) + extra + where(t < 0.1019, boost, -20)"
+    )
+    builder = SceneBuilder("driven_wheel").rigid("wheel", mass=1.0, inertia=2.0)
+    builder.revolute("axle", "ground.origin", "wheel.origin")
+    builder.input("extra", 0.0, "N*m").input("boost", 0.0, "N*m").event("later", "t - 0.0837", action={"boost": "25"})
+    builder.torque("motor", "wheel.origin", torque).rates({"wheel.theta": 3.0})
+    model = model_of(builder.simulation(t_end=0.12, dt=0.01, scheme="rk4").build())
+    run = simulate(model, scheme=scheme, inputs={"extra": Sampled(lambda t, x: 750.0 * t, 0.04)})
+    assert run.status.name == "completed" and len(run.events) == 1
+    ends = [0.0, 0.0153, 0.035, 0.04, 0.0571, 0.08, 0.0837, 0.1019, 0.12]
+    v = 3.0 + np.append(0.0, np.cumsum(np.diff(ends) * [4, -60, 50, 80, 23, 53, 78, 33])) / 2
+    assert run.rate("wheel.theta")[-1] == pytest.approx(v[-1], rel=1e-10)  # an event's time by search
+    assert run.work()[-1] == pytest.approx(v[-1] ** 2 - 9.0, abs=1e-9)
+    assert np.abs(run.energy_balance()).max() < 1e-11
 
 
 def test_work_of_torque_and_damper_converges_with_order_four(model_of: Build) -> None:

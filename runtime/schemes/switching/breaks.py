@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -9,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.schemes.switching.times import SwitchTime
+from runtime.schemes.work import AHEAD
 
 ON_THE_GRID = 1e-9  # of a step: a jump that near to the end of a step is there
 
@@ -93,6 +95,11 @@ class Breaks:
         """The first broken step from this one on."""
         k = self.number(step)
         return self.broken[k] if k < len(self.broken) else None
+
+    def whole_ahead(self, steps: np.ndarray) -> np.ndarray:
+        """(N,) whole steps from each of these on, as many as an account of work looks at in advance at most."""
+        behind = np.append(self.broken, sys.maxsize).astype(int)
+        return np.asarray(np.minimum(behind[np.searchsorted(self.broken, steps)] - steps, AHEAD))
 
     def number(self, step: int) -> int:
         """How many steps before this one are broken."""

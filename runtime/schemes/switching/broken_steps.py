@@ -24,7 +24,7 @@ from runtime.schemes.switching.dips import first_bracket, unsure
 from runtime.schemes.switching.event_search import first_passage
 from runtime.schemes.switching.impulse import Impulse, impulse_at, may_give_impulses, moves_in_time
 from runtime.schemes.switching.legs import Acts, Leg, Legs
-from runtime.schemes.switching.listed_breaks import AHEAD, ListedBreaks
+from runtime.schemes.switching.listed_breaks import ListedBreaks
 from runtime.schemes.switching.times import SwitchTime
 from runtime.schemes.switching.watched import (
     NEVER,
@@ -35,7 +35,7 @@ from runtime.schemes.switching.watched import (
     quiet_until,
     watches,
 )
-from runtime.schemes.work import account_at, accounted, begin_account
+from runtime.schemes.work import AHEAD, Ahead, account_at, accounted, begin_account, looks_ahead
 
 FEW, MOST = 16, 256  # broken steps of a list
 MANY = 64  # broken steps from which a program for what is between their parts pays
@@ -252,10 +252,19 @@ class BrokenSteps:
 
     def count_anew(self, z: np.ndarray, c: np.ndarray, work: float) -> None:
         """Begin the account of work at a state of the grid; what lies behind a jump is not looked at in advance."""
-        scheme, broken = self.stepper.scheme, self.grid.next_broken(int(z[1]))
-        near = broken is not None and broken < int(z[1]) + AHEAD
-        if not accounted(scheme):
-            return
-        ready = self.legs.ready(c, self.dt)
-        ahead = None if near else (lambda state: self.stepper.run(state, ready, 1))
-        begin_account(scheme, z, self.legs.constants(c, self.dt), work, ahead)
+        scheme = self.stepper.scheme
+        if accounted(scheme):
+            ahead = self._ahead(z, c) if looks_ahead(scheme) else None
+            begin_account(scheme, z, self.legs.constants(c, self.dt), work, ahead)
+
+    def _ahead(self, z: np.ndarray, c: np.ndarray) -> Ahead | None:
+        """Whole steps from a state of the grid, or halves of the one that is there before the next broken one."""
+        whole, share = int(self.grid.whole_ahead(z[1:2].astype(int))[0]), 1.0
+        if not whole:
+            return None
+        if whole < AHEAD:
+            share, c = whole / AHEAD, self.legs.with_inputs(z, c)
+            z = self.legs.set_out(Leg(z, self.dt, 0.0), c, z[0] + z[1] * self.dt, share * self.dt)
+        dt = share * self.dt
+        ready = self.legs.ready(c, dt)
+        return Ahead(z, self.legs.constants(c, dt), lambda state: self.stepper.run(state, ready, 1), share)

@@ -32,14 +32,22 @@ class ListedCrossing:
 
     restart: the state, shown by steps dt_before, as the start of steps dt at the clock. power: that of the state is
     the last of three `powers`, and `share` of it is added to `work`. open: `work` is that of the state. close:
-    `account` begins with `work` and the last power, or the three. look: events are looked for from the state on;
-    `flagged` is the first step in which one was seen before.
+    `account` begins with `work` and the last power, or the three, dt apart: `spacing` major steps. look: events are
+    looked for from the state on; `flagged` is the first step in which one was seen before.
     """
 
     def __init__(self, stepper: Stepper) -> None:
         self.scheme = scheme = stepper.scheme
         sizes = {"state": scheme.layout.size, "dt": 1, "dt_before": 1, "clock": 1}
-        sizes |= {"flagged": 1, "share": 1, "work": 1, "powers": 3, "account": len(ACCOUNT), **dict.fromkeys(ACTS, 1)}
+        sizes |= {
+            "flagged": 1,
+            "share": 1,
+            "spacing": 1,
+            "work": 1,
+            "powers": 3,
+            "account": len(ACCOUNT),
+            **dict.fromkeys(ACTS, 1),
+        }
         self.layout = Layout(sizes)
         bodies: dict[str, Callable[[Fields, ca.SX], dict[str, ca.SX]]] = {}
         if remembers(scheme):
@@ -63,9 +71,9 @@ class ListedCrossing:
         end, fields = self.scheme.model.c_size, self.scheme.layout.unpack(z["state"])
         return self.scheme.constants_at(fields, ca.vertcat(c[:end], c[end:] * (dt / c[end])))
 
-    def _steps(self, z: Fields, c: ca.SX) -> ca.SX:
+    def _steps(self, z: Fields, c: ca.SX, dt: ca.SX) -> ca.SX:
         """(groups,) of a major step dt [s]."""
-        return self._constants(z, c, z["dt"])[self.scheme.model.c_size :]
+        return self._constants(z, c, dt)[self.scheme.model.c_size :]
 
     def _restart(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
         scheme, model = self.scheme, self.scheme.model
@@ -90,15 +98,15 @@ class ListedCrossing:
     def _open(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
         fields = self.scheme.layout.unpack(z["state"])
         own = (fields[name] for name in FIELDS)
-        return {"work": counted_work(self.scheme, self._steps(z, c), z["powers"][2], *own)[0]}
+        return {"work": counted_work(self.scheme, self._steps(z, c, z["dt"]), z["powers"][2], *own)[0]}
 
     def _close(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
-        P, steps = ca.vertsplit(z["powers"]), self._steps(z, c)
+        P, steps = ca.vertsplit(z["powers"]), self._steps(z, c, z["dt"] / z["spacing"])
         if not looks_ahead(self.scheme):
             return {"account": ca.vertcat(*begun(self.scheme, steps, z["work"], P[2], P[2], P[2]))}
         finite = ca.fabs(P[1]) + ca.fabs(P[2]) < LARGEST
-        ahead = (ca.if_else(finite, one, P[0]) for one in P[1:])
-        return {"account": ca.vertcat(*begun(self.scheme, steps, z["work"], P[0], *ahead))}
+        P_1, P_2 = (ca.if_else(finite, one, P[0]) for one in P[1:])
+        return {"account": ca.vertcat(*begun(self.scheme, steps, z["work"], P[0], P_1, P_2, z["spacing"]))}
 
     def _look(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
         fields = self.scheme.layout.unpack(z["state"])

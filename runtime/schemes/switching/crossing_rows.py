@@ -12,7 +12,7 @@ from runtime.engine.program import Layout
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.crossing import ACCOUNT, ACTS, ListedCrossing, remembers
 from runtime.schemes.switching.watched import watches
-from runtime.schemes.work import accounted, looks_ahead
+from runtime.schemes.work import AHEAD, accounted, looks_ahead
 
 STEP, CROSS = 1, 2  # programs of a list
 LEAD = 3  # rows of whole steps
@@ -79,16 +79,24 @@ class CrossingRows:
         return [*rows, *self._counted(ahead)] if accounted(self.scheme) else rows
 
     def _counted(self, ahead: np.ndarray) -> list[Row]:
-        """An account of work begins; ahead (S,): 1 where it looks at the next steps."""
-        rows = [self._given("dt", "dt"), self._given("share", "zero")]
+        """An account of work begins; ahead (S,): it looks at AHEAD whole steps, or halves of one, or none."""
+        rows = [self._given("dt", "dt"), self._given("share", "zero"), self._own("spacing", "spacing", self.step, 1)]
         if looks_ahead(self.scheme):
-            rows += [*self._cross("watched", "z"), Row(COPY, self._at("other"), self._at("z"), self.n_z)]
-            rows += [self._go("other", "ready", ahead), *self._cross("watched", "other")]
-            rows += [self._go("other", "ready", ahead), *self._cross("closed", "other")]
+            lone = (ahead == 1).astype(int)
+            go = [self._go("other", "ready", (ahead == AHEAD).astype(int)), self._go("other", "ready_half", lone)]
+            rows += [*self._cross("watched", "z"), *self._halved(lone), self._own("dt", "ahead", self.step, 1)]
+            rows += [*go, *self._cross("watched", "other"), *go, *self._cross("closed", "other")]
         else:
             rows += self._cross("closed", "z")
         account = self._at("z") + self.scheme.layout.slice(ACCOUNT[0]).start
         return [*rows, Row(COPY, account, self._in("account"), len(ACCOUNT))]
+
+    def _halved(self, lone: np.ndarray) -> list[Row]:
+        """At `other` is the state of z; where a whole step is lone (S,), as the start of halves of it."""
+        copied = Row(COPY, self._at("other"), self._at("z"), self.n_z)
+        if remembers(self.scheme):
+            return [copied, *self._restarted("ahead", self.step, "other", lone)]
+        return [copied, Row(COPY, self._at("other"), self.step.slice("clock").start, 2 * lone, own=True)]
 
     # ---- single rows ----------------------------------------------------------------------------------------
 
@@ -113,12 +121,12 @@ class CrossingRows:
         """One step with constants of the part's own."""
         return Row(STEP, self._at(z), self.part.slice(ready).start, 1, own=True)
 
-    def _cross(self, mark: str, z: str) -> list[Row]:
-        """Stages of the crossing, for a state."""
+    def _cross(self, mark: str, z: str, n: int | np.ndarray = 1) -> list[Row]:
+        """Stages of the crossing, for a state; n (S,): 0 where none is applied."""
         return [
             Row(COPY, self._in(ACTS[0]), self._at(mark), len(ACTS)),
             Row(COPY, self._in("state"), self._at(z), self.scheme.layout.size),
-            Row(CROSS, self._at("cross"), self._at("constants"), 1),
+            Row(CROSS, self._at("cross"), self._at("constants"), n),
         ]
 
     def _watched(self, times: str, share: str, z: str) -> list[Row]:
@@ -133,7 +141,7 @@ class CrossingRows:
         rows = [Row(COPY, self._at(to), self._at("z"), self.n_z)] if to != "z" else []
         return [*rows, Row(COPY, self._at(to), self.part.slice("clock").start, 2, own=True)]
 
-    def _restarted(self, times: str, of: Layout, to: str) -> list[Row]:
-        """The state of z started anew, at `to`."""
+    def _restarted(self, times: str, of: Layout, to: str, n: int | np.ndarray = 1) -> list[Row]:
+        """The state of z started anew, at `to`; n (S,): 0 where it is as it was."""
         state = Row(COPY, self._at(to), self._in("state"), self.scheme.layout.size)
-        return [self._own("dt", times, of, 3), *self._cross("restarted", "z"), state]
+        return [self._own("dt", times, of, 3), *self._cross("restarted", "z", n), state]

@@ -19,10 +19,9 @@ from runtime.schemes.switching.breaks import Breaks, StepParts
 from runtime.schemes.switching.crossing import ACTS, crossing, needs_crossing
 from runtime.schemes.switching.crossing_rows import LEAD, CrossingRows, marks
 from runtime.schemes.switching.watched import NEVER
-from runtime.schemes.work import accounted
+from runtime.schemes.work import AHEAD, accounted
 
 MOST_NUMBERS = 1 << 19  # of the constants of their parts, about
-AHEAD = 2  # steps that the account of work looks at in advance
 
 
 class ListedBreaks:
@@ -42,8 +41,9 @@ class ListedBreaks:
         # clock and n; step, the one before and the clock, for a part and for its half; shares of its powers in the work
         times = {"clock": 2, "whole": 3, "half": 3, "outer_share": 1, "inner_share": 1}
         self._part = Layout({**times, **{f"ready{share}": n_c for share in self._shares}})
-        self._step = Layout({"grid": 2, "back": 3})  # t0 and n; the step dt, the one before and the clock
-        sizes = {"z": n_z, "other": n_z, "ready": n_c, "t0": 1, "dt": 1, "zero": 1, "never": 1}
+        # t0 and n; the step dt, the one before and the clock; the same of what is looked at in advance; clock and n
+        self._step = Layout({"grid": 2, "back": 3, "ahead": 3, "spacing": 1, "clock": 2})
+        sizes = {"z": n_z, "other": n_z, "ready": n_c, "ready_half": n_c, "t0": 1, "dt": 1, "zero": 1, "never": 1}
         programs = [(stepper.engine, n_z, n_c)]
         if own is not None:
             sizes |= {"cross": own.prepared.z_size, "constants": own.n_c, **dict.fromkeys(marks(), len(ACTS))}
@@ -55,6 +55,7 @@ class ListedBreaks:
         self._between, self._shifted, self._numbers = gaps.tolist(), shifted.tolist(), self._steps.tolist()
         behind = grid.next_broken(self._numbers[-1] + 1)
         self._until = sys.maxsize if behind is None else behind
+        self._ahead = grid.whole_ahead(self._steps + 1)
         rows, self._leads = self._listed(parts)
         self._list = CallList(self._filled(parts, c), programs, rows)
         memory, at = self._list.memory, self._memory.slice
@@ -90,13 +91,11 @@ class ListedBreaks:
         )
         between = np.array(self._between)
         first = (np.array(self._shifted[:-1]) & (between > 0)).astype(int)  # the clock was set after a jump there
-        behind = np.append(self._steps[1:], min(self._until, int(self._steps[-1]) + 1 + AHEAD))
-        ahead = (behind >= self._steps + 1 + AHEAD).astype(int)
         of_steps = count, at("steps").start, self._step.size
         found, begins, _ = woven(
             repeated([*rows.whole_steps(first, between - first), *rows.opened()], *of_steps),
             repeated(rows.made(), len(parts.start), at("parts").start, self._part.size),
-            repeated(rows.closed(ahead), *of_steps),
+            repeated(rows.closed(self._ahead), *of_steps),
             parts.counts,
         )
         none = np.zeros(1, dtype=int)
@@ -131,4 +130,9 @@ class ListedBreaks:
         of_steps[:, self._step.slice("grid")] = np.column_stack([grid.t0 + (parts.clocks - grid.times(done)), done])
         whole = np.full(len(last), grid.dt)
         of_steps[:, self._step.slice("back")] = np.column_stack([whole, length[last], parts.clocks])
+        spacing = np.where((self._ahead > 0) & (self._ahead < AHEAD), self._ahead / AHEAD, 1.0)
+        of_steps[:, self._step.slice("spacing")] = spacing[:, None]
+        of_steps[:, self._step.slice("ahead")] = np.column_stack([spacing * whole, whole, parts.clocks])
+        of_steps[:, self._step.slice("clock")] = np.column_stack([parts.clocks, np.zeros_like(whole)])
+        memory[at("ready_half")] = self._stepper.prepared.ready_for_many(c, h[None] * (grid.dt / AHEAD / h[0]))[0]
         return memory
