@@ -44,6 +44,7 @@ class Breaks:
         for one, step, there in zip(switches, self._step.tolist(), self._there.tolist(), strict=True):
             (self.on if there else self.inside).setdefault(step, []).append(one)
         self.broken = sorted({*self.inside, *(k - 1 for k in self.on if k > 0)})
+        self._next = np.array([*self.broken, sys.maxsize], dtype=np.int64)
 
     def time(self, step: int) -> float:
         """Of the grid [s]."""
@@ -98,8 +99,7 @@ class Breaks:
 
     def whole_ahead(self, steps: np.ndarray) -> np.ndarray:
         """(N,) whole steps from each of these on, as many as an account of work looks at in advance at most."""
-        behind = np.append(self.broken, sys.maxsize).astype(int)
-        return np.asarray(np.minimum(behind[np.searchsorted(self.broken, steps)] - steps, AHEAD))
+        return np.asarray(np.minimum(self._next[np.searchsorted(self._next, steps)] - steps, AHEAD))
 
     def number(self, step: int) -> int:
         """How many steps before this one are broken."""
