@@ -141,14 +141,15 @@ class Accuracy:
 
     def error(self, model: Model, name: str) -> float:
         """Of a coordinate at the end of the run [m or rad]: what its motion has made of the errors of windows, at most
-        all of the range; where nothing was carried on to the end, what windows and the delay of the mechanism add up
-        to, or more if errors have grown until then. Where the whole motion was measured, what that told.
+        all of the range; where nothing was carried on to the end, or until it was lost, what windows and the delay of
+        the mechanism add up to, or more if errors have grown until then. Where the whole motion was measured, what that
+        told.
         """
         if name in self.measured:
             return self.measured[name]
         one = self.errors.get(name, CoordinateError(low=0.0, high=0.0))
         carried = min(float(self._carried(model, name).max(initial=0.0)), one.high - one.low)
-        if self.carried.arrived:
+        if self.carried.arrived or self.carried.lost:
             return carried
         added = one.error
         if abs(self.late) >= ONE_SIGN * self.lates and self._turns(model):
@@ -178,7 +179,7 @@ class Accuracy:
     def _grown(self, model: Model) -> dict[str, float | int | str]:
         """What to say where the motion itself makes errors grow: by how much, and until when the run is good."""
         growth = self._growth(model)
-        if growth < GROWN:
+        if growth < GROWN and not self.carried.lost:
             return {}
         passed = {}
         for name, amplitude in zip(followed(model)[0], self._amplitudes(model), strict=True):
@@ -188,11 +189,12 @@ class Accuracy:
         if not passed:
             return {"error_growth": growth}
         name = min(passed, key=lambda one: passed[one])
+        grows = f"this motion is unstable in itself: small errors grow {growth:.2g} times"
         return {
             "error_growth": growth,
             "reliable_until": passed[name],
             "remark": (
-                f"this motion is unstable in itself: small errors grow {growth:.2g} times, and that of {name} passes "
+                f"{grows if growth >= GROWN else 'the error of this run is lost'}, and that of {name} passes "
                 f"{100 * WORTH_A_WORD:.0f} % of its amplitude at about t = {passed[name]:.4g} s; what follows is not "
                 f"to be relied on. A smaller {'tolerance' if self.adaptive else 'step'} or a scheme of higher order "
                 "moves that time on, but not far"

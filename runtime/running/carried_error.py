@@ -31,7 +31,7 @@ GROWS = 2.0  # Re lambda T from which the neighbour is followed
 OFFSET = 1e-5  # of the neighbour, of a radian or the size of the mechanism; more than rounding, less than what bends
 TOLERANCES = 10.0  # at least, where the neighbour's steps are others
 ROUNDING = 2.0**-52
-FLAGS = ("following", "ended", "arrived", "longer", "missed", "held")
+FLAGS = ("following", "ended", "arrived", "longer", "missed", "held", "lost")
 LOST = 1e6  # times the size of the mechanism: such an error is followed no further
 
 
@@ -41,8 +41,9 @@ class CarriedError:
     steps: of the run. z: the neighbour, scale times the error away from the run; None where there is none. made
     (3, n_i): sums of |di|, |dv| and |dv| t of what was added. course: rows of the time, the magnitudes of the error of
     all coordinates, and what they would be if every part went on with its own velocity and none grew [m, rad].
-    ended: it is followed no further; arrived: it was until the end of the run, and all of its errors are in it; missed:
-    of some steps they could not be told. longer: steps are judged by longer ones, see `made_error`.
+    ended: it is followed no further; arrived: it was until the end of the run, and all of its errors are in it; lost:
+    it became so large that it tells nothing more but that; missed: of some steps they could not be told. longer: steps
+    are judged by longer ones, see `made_error`.
     """
 
     def __init__(self, steps: int) -> None:
@@ -52,7 +53,7 @@ class CarriedError:
         self.start: np.ndarray | None = None  # of the run: from where the steps are judged that come next
         self.di, self.dv, self.scale = np.zeros(0), np.zeros(0), 0.0
         self.made = np.zeros((3, 0))
-        self.following, self.ended, self.arrived, self.longer, self.missed, self.held = (False,) * 6
+        self.following, self.ended, self.arrived, self.longer, self.missed, self.held, self.lost = (False,) * 7
         self.course: list[list[float]] = []
         self._held: tuple[np.ndarray, ...] = ()  # state and error of all coordinates and rates
         self._broken: tuple[BrokenSteps, BrokenSteps] | None = None  # of the run, and of the neighbour
@@ -127,7 +128,8 @@ class CarriedError:
     def _place(self, segment: Segment, z: np.ndarray) -> None:
         """Put the neighbour where the error says, over the scale."""
         size = self._size(segment)
-        self.ended, self.z, self.held = not size < LOST, None, False
+        self.lost = not size < LOST
+        self.ended, self.z, self.held = self.lost, None, False
         if self.ended or size == 0:
             return
         offset = OFFSET
@@ -256,7 +258,7 @@ class CarriedError:
     def resume(self, memory: Mapping[str, Sequence[float]], states: Mapping[str, np.ndarray]) -> None:
         """From `memory` and `states`."""
         self.scale, *flags = memory["flags"]
-        for name, flag in zip(FLAGS, flags, strict=True):
+        for name, flag in zip(FLAGS, flags, strict=False):  # checkpoints of before lack the last
             setattr(self, name, bool(flag))
         self.z, self.start = states.get("neighbour"), states.get("judged")
         self.di, self.dv = np.array(memory["di"]), np.array(memory["dv"])

@@ -159,6 +159,17 @@ def test_what_is_carried_goes_on_after_a_checkpoint(built_in: Load, tmp_path: Pa
         assert len(keys) > 6 and all(again.stats[key] == whole.stats[key] for key in keys)
 
 
+def test_an_error_that_is_lost_is_not_forgotten(built_in: Load) -> None:
+    """Long steps on stiff joints: 3.9 of an amplitude off, and what the neighbour said was dropped for 0.004."""
+    run = simulate(built_in("flexible_joint_arm"), scheme="linearised", t_end=20.0, dt=0.0125, save_every=8)
+    assert run.status.name == "inaccurate" and float(run.stats["estimated_error"]) > 0.1
+    assert 1.0 < float(run.stats["reliable_until"]) < 10.0 and "is lost" in str(run.stats["remark"])
+    one, other = CarriedError(100), CarriedError(100)
+    one.lost = True
+    other.resume(one.memory(), {})
+    assert other.lost
+
+
 def test_a_motion_that_grows_costs_twice_and_a_half_its_steps(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
     """Its own, the neighbour's, half as many of double length, and the windows' 15 in a hundred."""
     from runtime.schemes.stepper import Stepper
