@@ -158,7 +158,7 @@ def test_an_error_that_is_small_by_luck_is_not_believed() -> None:
     values = {1e-2: 0.23 + 6.5e-4, 1e-3: 6.5e-4}
 
     class Law:
-        tries, spent, scheme = 0, 0.0, SimpleNamespace(order=5, error_order=5)
+        tries, spent, passes, scheme = 0, 0.0, False, SimpleNamespace(order=5, error_order=5)
 
         def of_tolerance(self, tolerance: float, known: object, most: float = np.inf) -> SimpleNamespace:
             found = SimpleNamespace(tolerance=tolerance, value=values.get(tolerance, 0.0), first=1.0, longest=1.0)
