@@ -21,14 +21,15 @@ from runtime.gradients.beginning import Begun
 from runtime.gradients.course import Broken, EventPassage, Hold, Jump, Stop
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.gradients.starts_anew import StartsAnew
+from runtime.schemes.switching.crossing import ListedCrossing
 
 
 @dataclass(frozen=True)
 class Handover:
     """From one part of a step to the next: the steps of both (groups,) [s], the clock [s], the jump there if any.
 
-    goes_on: is a step made from there? The last turn leads back to the grid. holds: inputs that change there. passage:
-    of events.
+    lengths: of the major steps [s], where a run crosses by lists. goes_on: is a step made from there? The last turn
+    leads back to the grid. holds: inputs that change there. passage: of events.
     """
 
     before: np.ndarray
@@ -38,6 +39,7 @@ class Handover:
     goes_on: bool
     holds: tuple[Hold, ...] = ()
     passage: EventPassage | None = None
+    lengths: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)
@@ -79,13 +81,31 @@ class JumpCrossing:
 
     def turns(self, broken: Broken) -> list[Handover]:
         """To each part of a broken step, and back to the grid."""
-        found, before = [], self._steps
+        found, before, last = [], self._steps, float(self._steps[0])
+        by_python = broken.passage is not None or any(part.passage is not None for part in broken.parts)
+
+        def lengths(of: float) -> tuple[float, float] | None:
+            return None if by_python else (last, of)
+
         for part in broken.parts:
             length = part.length * (1 - 2 * np.finfo(float).eps * prod(self._scheme.grid.m))
             after = self._steps * (length / self._steps[0])
-            found.append(Handover(before, after, part.start, part.jump, True, passage=part.passage))
-            before = after
-        return [*found, Handover(before, self._steps, broken.clock, None, False, passage=broken.passage)]
+            found.append(
+                Handover(before, after, part.start, part.jump, True, passage=part.passage, lengths=lengths(length))
+            )
+            before, last = after, length
+        return [
+            *found,
+            Handover(
+                before,
+                self._steps,
+                broken.clock,
+                None,
+                False,
+                passage=broken.passage,
+                lengths=lengths(float(self._steps[0])),
+            ),
+        ]
 
     def hold(self, holds: tuple[Hold, ...]) -> Handover:
         """On the grid, with other inputs from there on."""
@@ -107,7 +127,7 @@ class JumpCrossing:
             w = acted.w
         taken = Taken(turn, own, clock, gap, w, acted)
         if self.remembers:
-            z[: self._n_s] = np.asarray(self._anew.restart(*self._arguments(taken, begun))).ravel()
+            z[: self._n_s] = self._restarted(taken, begun)
         elif acted is not None:
             z[: self._n_s][self._w] = w
         if not turn.holds:
@@ -210,6 +230,18 @@ class JumpCrossing:
         return np.asarray(self._ready_adjoint(self._p(begun), turn.after, bar)).ravel()
 
     # ---- inside ---------------------------------------------------------------------------------------------
+
+    def _restarted(self, taken: Taken, begun: Begun) -> np.ndarray:
+        """By the program that a run has for it, so that the bits are the same."""
+        if taken.turn.lengths is None:
+            return np.asarray(self._anew.restart(*self._arguments(taken, begun))).ravel()
+        return self._listed.restarted(
+            taken.z, self._scheme.model.constants(self._p(begun)), *taken.turn.lengths, taken.clock
+        )
+
+    @cached_property
+    def _listed(self) -> ListedCrossing:
+        return ListedCrossing(self._scheme)
 
     def _p(self, begun: Begun) -> np.ndarray:
         return begun.x[: len(self._scheme.model.parameters)]

@@ -8,7 +8,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.schemes.scheme import Scheme
-from runtime.schemes.state_fields import Lasting
+from runtime.schemes.switching.started_anew import loop_guess, started_anew
 
 
 class StartsAnew:
@@ -32,12 +32,11 @@ class StartsAnew:
     def _seen(self, steps: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
         """q_i, q_i_dot and the loop unknowns of z."""
         z, _, c = self._symbols
-        model, fields = self._scheme.model, self._scheme.layout.unpack(z)
+        fields = self._scheme.layout.unpack(z)
         if not self._remembers:
             return fields["x"], fields["v"], fields["loop"]
         seen = self._scheme.observer(z=z, c=ca.vertcat(c, steps))
-        loop = [seen["q_d"][model.q_d.index(name)] for name in model.loop_unknowns]
-        return seen["q_i"], seen["q_i_dot"], ca.vertcat(*loop) if loop else ca.SX(0, 1)
+        return seen["q_i"], seen["q_i_dot"], loop_guess(self._scheme, seen["q_d"])
 
     @cached_property
     def gap(self) -> ca.Function:
@@ -56,12 +55,9 @@ class StartsAnew:
         scheme, t = self._scheme, ca.SX.sym("t")
         before, after = (ca.SX.sym(name, self._groups) for name in ("before", "after"))
         push = ca.SX.sym("push", len(scheme.model.q_i))
-        q_i, v, loop = self._seen(before)
         w = ca.SX.sym("w", self._w.stop - self._w.start)
         there = ca.vertcat(c[: c.numel() - w.numel()], w, after)
-        found = ca.SX(scheme.starter(t, q_i, v + push, loop, there))
-        for name in scheme.lasting(Lasting.ACCOUNT, Lasting.GIVEN):
-            found[scheme.layout.slice(name)] = w if name == "inputs" else z[scheme.layout.slice(name)]
+        found = started_anew(scheme, z, t, ca.vertcat(c, before), there, push)
         given = [z, p, t, before, after, push, w]
         along = [ca.SX.sym(f"along_{k}", one.numel()) for k, one in enumerate((z, p, push, w))]
         bar = ca.SX.sym("bar", found.numel())

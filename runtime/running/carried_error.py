@@ -192,7 +192,7 @@ class CarriedError:
     def _own_broken(self, segment: Segment, of_run: BrokenSteps) -> BrokenSteps:
         """What breaks the neighbour's steps: impulses that the run tells are its own."""
         if self._broken is None or self._broken[0] is not of_run:
-            own = BrokenSteps(segment.stepper, segment.plan.t0, segment.plan.grid.dt_L, segment.switches, of_run.many)
+            own = BrokenSteps(segment.stepper, segment.plan.t0, segment.plan.grid.dt_L, segment.switches)
             self._broken = of_run, own
         return self._broken[1]
 

@@ -50,8 +50,7 @@ class Segment(SteppedModel):
 
     def broken_beside(self, t0: float, t_end: float, dt: float) -> BrokenSteps:
         """Other steps dt [s] of the same motion, from one time to another [s]."""
-        many = self.broken is not None and self.broken.many
-        return BrokenSteps(self.stepper, t0, dt, between(self.switches, t0 - dt, t_end + dt), many)
+        return BrokenSteps(self.stepper, t0, dt, between(self.switches, t0 - dt, t_end + dt))
 
     def start(
         self, q: np.ndarray, q_dot: np.ndarray, step: int = 0, work: float = 0.0, at: float | None = None

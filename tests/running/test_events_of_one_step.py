@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from runtime import Model, simulate
+from runtime.schemes.switching.broken_steps import BrokenSteps
 from symgen.scene import Scene, SceneBuilder
 
 Build = Callable[[Scene], Model]
@@ -27,14 +28,14 @@ def test_all_passages_of_one_step_are_told_in_order(model_of: Build, scheme: str
     assert [event.time for event in run.events] == pytest.approx(exact, rel=0, abs=1e-9)
 
 
-@pytest.mark.parametrize("many", [True, False])
+@pytest.mark.parametrize("by_lists", [True, False])
 @pytest.mark.parametrize("scheme", ["rk4", "single_rate"])
 @pytest.mark.parametrize("at", [0.512, 0.5])
 def test_an_event_just_where_a_load_jumps(
-    model_of: Build, monkeypatch: pytest.MonkeyPatch, at: float, scheme: str, many: bool
+    model_of: Build, monkeypatch: pytest.MonkeyPatch, at: float, scheme: str, by_lists: bool
 ) -> None:
-    """The force of 2 N that ends at a time is 3 N from there on, by an event at that time; also among many jumps."""
-    monkeypatch.setattr("runtime.schemes.switching.broken_steps.MANY", 1 if many else 100)
+    """The force of 2 N that ends at a time is 3 N from there on, by an event at that time; by lists and by Python."""
+    monkeypatch.setattr(BrokenSteps, "_listed", by_lists)
     builder = SceneBuilder("relieved").input("own", 0.0, "N").rigid("mass", mass=1.0, inertia=0.1)
     builder.prismatic("rail", "ground.origin", "mass.origin")
     builder.force("push", "mass.origin", f"where(t < {at}, 2, own)", 0.0)

@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime import Model, simulate
+from runtime import DifferentiableRun, Model, simulate
 from runtime.engine.call_list import CallList
 from runtime.engine.native import NativeProgram
 from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.broken_steps import BrokenSteps
 from runtime.schemes.switching.crossing import ListedCrossing
@@ -79,11 +80,11 @@ def test_a_square_wave_is_exact_without_python(model_of: Build, listed: list[int
 @pytest.mark.parametrize("scheme", ["exponential_adams", "single_rate"])
 def test_other_steps_cross_by_the_same_program(model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str) -> None:
     """Steps are data of it: it is made once, and the work of runs with other steps is that by hand."""
-    model, made, init = model_of(pushed_mass()), list[Stepper](), ListedCrossing.__init__
+    model, made, init = model_of(pushed_mass()), list[str](), ListedCrossing.__init__
 
-    def counted(self: ListedCrossing, stepper: Stepper) -> None:
-        made.append(stepper)
-        init(self, stepper)
+    def counted(self: ListedCrossing, scheme: Scheme, engine: str, wait: bool) -> None:
+        made.append(engine)
+        init(self, scheme, engine, wait)
 
     monkeypatch.setattr(ListedCrossing, "__init__", counted)
     model.steppers.clear()
@@ -103,7 +104,7 @@ def test_a_comparison_crosses_jumps_in_one_native_call(
     model, dt = model_of(pushed_mass()), 0.002
     own = Stepper(scheme_kind(scheme).build(scheme, model, dt, None, {}), wait=True)
     c, q = model.constants(model.parameter_vector(None)), np.zeros(len(model.coordinates))
-    broken = BrokenSteps(own, 0.0, dt, switching_times(model, c, 0.0, 0.6), many=True)
+    broken = BrokenSteps(own, 0.0, dt, switching_times(model, c, 0.0, 0.6))
     monkeypatch.delattr(NativeProgram, "run")
     z = own.start(0.0, q, q, c, dt)
     broken.run(z, own.ready(c, dt), c, 300)
@@ -114,7 +115,7 @@ def test_a_comparison_crosses_jumps_in_one_native_call(
     assert float(there["q_i_dot"]) == pytest.approx(v, rel=1e-11)
 
 
-def two_waves(flexible: bool = True) -> Scene:
+def two_waves(flexible: bool = True, at_ends: bool = True) -> Scene:
     """A damped hub with a beam; one wave jumps within steps, often twice, one at their ends."""
     builder = SceneBuilder("two_waves").rigid("hub", mass=1.0, inertia=10.0)
     builder.revolute("pivot", "ground.origin", "hub.origin", damping=2.0)
@@ -124,7 +125,8 @@ def two_waves(flexible: bool = True) -> Scene:
         builder.beam("beam", length=8.0, density=2766.7, lateral=shapes, stiffening=True, **section)
         builder.weld("clamp", "hub.origin", "beam.start")
     builder.torque("kick", "hub.origin", "where(sin(250 * t + 10 * sin(9 * t)) > 0.4, 20, 0)")
-    builder.torque("push", "hub.origin", f"where(sin(pi * {ON_THE_GRID} * (t - 1e-13)) > 0, 30, -30)")
+    if at_ends:
+        builder.torque("push", "hub.origin", f"where(sin(pi * {ON_THE_GRID} * (t - 1e-13)) > 0, 30, -30)")
     return builder.simulation(t_end=1.0, dt=0.0125, scheme="rk4").build()
 
 
@@ -139,7 +141,7 @@ def test_lists_do_what_is_done_one_by_one(model_of: Build, monkeypatch: pytest.M
         return np.column_stack([run.q, run.q_dot, run.energy["work"]])
 
     found = course()
-    monkeypatch.setattr("runtime.schemes.switching.broken_steps.MANY", 10**9)
+    monkeypatch.setattr(BrokenSteps, "_listed", False)
     one_by_one = course()
     assert np.abs(found - one_by_one).max() < 1e-11 * np.abs(one_by_one).max()
 
@@ -163,7 +165,7 @@ def test_only_jumps_of_a_velocity_are_left_to_python(model_of: Build, monkeypatc
     found = simulate(model)
     assert [event.kind for event in found.events] == ["velocity_jump"] and broken
     assert all(abs(t - 0.7) < 0.005 for t in broken)
-    monkeypatch.setattr("runtime.schemes.switching.broken_steps.MANY", 10**9)
+    monkeypatch.setattr(BrokenSteps, "_listed", False)
     one_by_one = simulate(model)
     assert len(broken) > 90 and np.abs(found.q_dot - one_by_one.q_dot).max() < 1e-12
     assert np.abs(found.energy["work"] - one_by_one.energy["work"]).max() < 1e-12
@@ -187,7 +189,7 @@ def test_events_among_many_jumps(model_of: Build, monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr(BrokenSteps, "_break", counted)
     found = simulate(model, scheme=scheme, force=True)
     assert len(found.events) > 4 and len(set(broken)) <= len(found.events) + 1
-    monkeypatch.setattr("runtime.schemes.switching.broken_steps.MANY", 10**9)
+    monkeypatch.setattr(BrokenSteps, "_listed", False)
     one_by_one = simulate(model, scheme=scheme, force=True)
     assert len(set(broken)) > 60
     assert [(one.name, one.direction) for one in found.events] == [
@@ -207,6 +209,20 @@ def test_the_bits_do_not_depend_on_calls_or_engines(model_of: Build) -> None:
             one.step(n)
         ends.append(one.save().z)
     assert np.array_equal(ends[0], ends[1]) and np.array_equal(ends[0], ends[2])
+
+
+def test_the_bits_do_not_depend_on_how_many_jumps_there_are(model_of: Build) -> None:
+    """A run, the same as the beginning of a longer one, by a stepper, and differentiated."""
+    model, scheme = model_of(two_waves(flexible=False, at_ends=False)), "exponential_adams"
+    short, long = (simulate(model, scheme=scheme, t_end=t_end, save_every=1, force=True) for t_end in (0.25, 1.0))
+    assert np.array_equal(short.q, long.q[:21]) and np.array_equal(short.q_dot, long.q_dot[:21])
+    one = model.stepper(scheme=scheme)
+    one.step(20)
+    assert np.array_equal(one.sample.q[0], short.q[-1]) and np.array_equal(one.sample.q_dot[0], short.q_dot[-1])
+    for run in (short, long):
+        t_end = float(run.t[-1])
+        found = DifferentiableRun(model, ["hub.theta"], ["hub.inertia"], scheme=scheme, t_end=t_end, save_every=1)
+        assert np.array_equal(found.values()[:, 0], run["hub.theta"])
 
 
 def test_an_action_among_jumps_of_a_model_made_on_demand() -> None:

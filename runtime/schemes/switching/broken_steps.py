@@ -38,21 +38,17 @@ from runtime.schemes.switching.watched import (
 from runtime.schemes.work import AHEAD, Ahead, account_at, accounted, begin_account, looks_ahead
 
 FEW, MOST = 16, 256  # broken steps of a list
-MANY = 64  # broken steps from which a program for what is between their parts pays
 
 
 class BrokenSteps:
     """Runs major steps dt [s] of a stepper from t0 on, breaking those in which something jumps.
 
-    many: of a run with many broken steps. impulses: of prescribed motions whose velocity has jumped so far, by time.
+    impulses: of prescribed motions whose velocity has jumped so far, by time.
     """
 
-    def __init__(
-        self, stepper: Stepper, t0: float, dt: float, switches: Sequence[SwitchTime], many: bool = False
-    ) -> None:
+    def __init__(self, stepper: Stepper, t0: float, dt: float, switches: Sequence[SwitchTime]) -> None:
         self.stepper, self.t0, self.dt = stepper, t0, dt
         self.legs, self.grid = Legs(stepper), Breaks(t0, dt, switches)
-        self.many = many or len(self.grid.broken) >= MANY
         self.impulses: dict[float, Impulse] = {}
         self._moves, self._switches = moves_in_time(self.model), switches
         self._list: ListedBreaks | None = None
@@ -93,11 +89,8 @@ class BrokenSteps:
 
     @cached_property
     def _listed(self) -> bool:
-        """May broken steps be made by lists of calls, and does it pay?"""
-        scheme = self.stepper.scheme
-        if self.legs.remembers and scheme.charts.size:  # charts move at a start
-            return False
-        return self.many or not needs_crossing(scheme)
+        """May broken steps be made by lists of calls? By the scheme and the model alone, and so the bits."""
+        return not (self.legs.remembers and self.stepper.scheme.charts.size)  # charts move at a start
 
     def _by_list(self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, end: int) -> None:
         """All that one list has before step `end`."""

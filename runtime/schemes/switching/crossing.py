@@ -11,13 +11,14 @@ from threading import Lock
 from weakref import WeakKeyDictionary
 
 import casadi as ca
+import numpy as np
 
 from runtime.engine.choose import choose_engine
 from runtime.engine.prepare import Prepared, prepare
 from runtime.engine.program import Fields, Layout, Sequence, Until, make_stage
 from runtime.schemes.scheme import LARGEST, Scheme
-from runtime.schemes.state_fields import Lasting
 from runtime.schemes.stepper import Stepper
+from runtime.schemes.switching.started_anew import started_anew
 from runtime.schemes.switching.watched import NEVER, flagged, values_at, watches
 from runtime.schemes.work import FIELDS, accounted, begun, counted_work, looks_ahead, observed_power
 
@@ -28,7 +29,7 @@ _KEPT: WeakKeyDictionary[Prepared, ListedCrossing] = WeakKeyDictionary()  # by p
 
 
 class ListedCrossing:
-    """Of a stepper. Fields of its z: state, the scheme's z; dt, dt_before, clock [s], and what the stages speak of.
+    """Of a scheme. Fields of its z: state, the scheme's z; dt, dt_before, clock [s], and what the stages speak of.
 
     restart: the state, shown by steps dt_before, as the start of steps dt at the clock. power: that of the state is
     the last of three `powers`, and `share` of it is added to `work`. open: `work` is that of the state. close:
@@ -36,8 +37,8 @@ class ListedCrossing:
     looked for from the state on; `flagged` is the first step in which one was seen before.
     """
 
-    def __init__(self, stepper: Stepper) -> None:
-        self.scheme = scheme = stepper.scheme
+    def __init__(self, scheme: Scheme, engine: str = "auto", wait: bool = False) -> None:
+        self.scheme = scheme
         sizes = {"state": scheme.layout.size, "dt": 1, "dt_before": 1, "clock": 1}
         sizes |= {
             "flagged": 1,
@@ -63,8 +64,17 @@ class ListedCrossing:
         self.prepared = prepare(Sequence(tuple(parts)), self.layout.size, scheme.c_size)
         self.n_c = int(self.prepared.constants.size1_out(0))  # numbers that it reads
         self.engine = choose_engine(
-            stepper.requested, self.prepared.program, self.prepared.z_size, self.n_c, stepper.waits, self.prepared.tapes
+            engine, self.prepared.program, self.prepared.z_size, self.n_c, wait, self.prepared.tapes
         )
+
+    def restarted(self, state: np.ndarray, c: np.ndarray, dt_before: float, dt: float, clock: float) -> np.ndarray:
+        """`restart` of a state (n_z,) alone; c (c_size,): the model's constants."""
+        z = np.zeros(self.prepared.z_size)
+        z[self.layout.slice("state")] = state
+        for name, value in {"dt_before": dt_before, "dt": dt, "clock": clock, ACTS[0]: 1.0}.items():
+            z[self.layout.slice(name)] = value
+        self.engine.run(z, self.prepared.ready(self.scheme.constants(c)), 1)
+        return z[self.layout.slice("state")]
 
     def _constants(self, z: Fields, c: ca.SX, dt: ca.SX) -> ca.SX:
         """c as the stages of the scheme read it with steps dt, and the inputs that the state holds."""
@@ -76,16 +86,9 @@ class ListedCrossing:
         return self._constants(z, c, dt)[self.scheme.model.c_size :]
 
     def _restart(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
-        scheme, model = self.scheme, self.scheme.model
-        fields = scheme.layout.unpack(z["state"])
-        seen = scheme.observer(z=z["state"], c=self._constants(z, c, z["dt_before"]))
-        loop = [seen["q_d"][model.q_d.index(name)] for name in model.loop_unknowns]
-        guess = ca.vertcat(*loop) if loop else ca.SX(0, 1)
-        constants = self._constants(z, c, z["dt"])
-        found = ca.SX(scheme.starter(z["clock"], seen["q_i"], seen["q_i_dot"], guess, constants))
-        for name in scheme.lasting(Lasting.ACCOUNT, Lasting.GIVEN):
-            found[scheme.layout.slice(name)] = fields[name]
-        found[scheme.layout.slice("t0")], found[scheme.layout.slice("n")] = z["clock"], 0.0
+        before, after = (self._constants(z, c, z[name]) for name in ("dt_before", "dt"))
+        found, own = started_anew(self.scheme, z["state"], z["clock"], before, after), self.scheme.layout.slice
+        found[own("t0")], found[own("n")] = z["clock"], 0.0
         return {"state": found}
 
     def _power(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
@@ -133,5 +136,5 @@ def crossing(stepper: Stepper) -> ListedCrossing:
     """Made once for a stepper and those of the same programs with other steps, which are data."""
     with _LOCK:
         if stepper.prepared not in _KEPT:
-            _KEPT[stepper.prepared] = ListedCrossing(stepper)
+            _KEPT[stepper.prepared] = ListedCrossing(stepper.scheme, stepper.requested, stepper.waits)
         return _KEPT[stepper.prepared]

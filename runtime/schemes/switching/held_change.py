@@ -16,9 +16,9 @@ from runtime.engine.choose import choose_engine
 from runtime.engine.prepare import prepare
 from runtime.engine.program import Call
 from runtime.schemes.scheme import Scheme
-from runtime.schemes.state_fields import Lasting
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.legs import Leg, Legs
+from runtime.schemes.switching.started_anew import started_anew
 
 
 class HeldChange:
@@ -70,11 +70,7 @@ def _started_anew(scheme: Scheme) -> ca.Function:
     model, size, n_w = scheme.model, scheme.layout.size, scheme.model.signals.size
     both, c = ca.SX.sym("z", size + n_w), ca.SX.sym("c", scheme.c_size)
     z, w, end = both[:size], both[size:], model.c_size
-    fields, seen = scheme.layout.unpack(z), scheme.observer(z=z, c=c)
-    loop = [seen["q_d"][model.q_d.index(name)] for name in model.loop_unknowns]
-    guess = ca.vertcat(*loop) if loop else ca.SX(0, 1)
+    fields = scheme.layout.unpack(z)
     t = fields["t0"] + fields["n"] * c[end]
-    found = ca.SX(scheme.starter(t, seen["q_i"], seen["q_i_dot"], guess, ca.vertcat(c[: end - n_w], w, c[end:])))
-    for name in scheme.lasting(Lasting.ACCOUNT, Lasting.GIVEN):
-        found[scheme.layout.slice(name)] = w if name == "inputs" else fields[name]
+    found = started_anew(scheme, z, t, c, ca.vertcat(c[: end - n_w], w, c[end:]))
     return ca.Function("started_anew", [both, c], [ca.densify(ca.vertcat(found, w))], ["z", "c"], ["z_next"])

@@ -123,7 +123,7 @@ class PreparedMethod:
 
     def _broken(self, dt: float) -> BrokenSteps | None:
         """Who steps where something jumps."""
-        return BrokenSteps(self._stepper, 0.0, dt, self._switches, many=True) if self._switches else None
+        return BrokenSteps(self._stepper, 0.0, dt, self._switches) if self._switches else None
 
     def _run(self, z: np.ndarray, ready: np.ndarray, broken: BrokenSteps | None, steps: int) -> None:
         if broken is None:
