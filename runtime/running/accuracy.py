@@ -74,6 +74,7 @@ class Accuracy:
         self.marks = [steps * k // self.count for k in range(self.count)]
         self.apart = steps / max(1, self.count)
         self.errors: dict[str, CoordinateError] = {}
+        self.seen: np.ndarray | None = None  # (3, n) of all coordinates: lowest, highest, fastest
         self.measured: dict[str, float] = {}  # of the whole motion, where that was compared with a finer one
         self.carried = CarriedError(steps)
 
@@ -85,8 +86,11 @@ class Accuracy:
     def look(self, segment: Segment, z: np.ndarray, guard: Guard) -> None:
         """Judge the window that starts at z (whole, flat), if one does; near a singular position it says nothing."""
         with np.errstate(all="ignore"):
+            step = segment.step_of(z)
+            if step in self.marks or (step in self.carried.marks and not self.carried.ended):
+                self.watch(*(part[None] for part in seen_state(segment, z)))
             self.carried.look(segment, z)
-            if segment.step_of(z) in self.marks:
+            if step in self.marks:
                 self._window(segment, z, guard)
 
     def _window(self, segment: Segment, z: np.ndarray, guard: Guard) -> None:
@@ -133,11 +137,22 @@ class Accuracy:
         slower = (sum(energies[0]) - sum(energies[1])) * window.more / (2 * kinetic) if steady else 0.0
         return ((dq, dq_dot), ends[0], slower) if np.isfinite([*dq, *dq_dot, slower]).all() else None
 
-    def watch(self, samples: dict[str, tuple[np.ndarray, np.ndarray]]) -> None:
-        """Widen the ranges by samples of coordinates and rates (N,)."""
-        for name, one in self.errors.items():
-            if name in samples and len(samples[name][0]):
-                one.widen(*samples[name])
+    def watch(self, q: np.ndarray, q_dot: np.ndarray) -> None:
+        """See samples of all coordinates and rates (N, n): ranges must not be those of the windows alone, which may all
+        lie at one phase of the motion.
+        """
+        if len(q):
+            seen = np.array([np.fmin.reduce(q), np.fmax.reduce(q), np.fmax.reduce(np.abs(q_dot))])
+            if self.seen is not None:
+                seen = np.array([np.fmin(seen[0], self.seen[0]), *np.fmax(seen[1:], self.seen[1:])])
+            self.seen = seen
+
+    def widen(self, model: Model) -> None:
+        """The ranges by all that was seen."""
+        seen = np.zeros((3, 0)) if self.seen is None else self.seen
+        for name, one in self.errors.items() if seen.size else ():
+            of_one = seen[:, model.coordinates.index(name)]
+            one.widen(of_one[:2], of_one[2:])
 
     def error(self, model: Model, name: str) -> float:
         """Of a coordinate at the end of the run [m or rad]: what its motion has made of the errors of windows, at most
@@ -242,11 +257,13 @@ class Accuracy:
         return found
 
     def memory(self) -> dict[str, list[float]]:
-        """In plain numbers, by coordinate; the delay has no name."""
+        """In plain numbers, by coordinate; the delay and what was seen have no name."""
         kept = {name: [float(value) for value in astuple(one)] for name, one in self.errors.items()}
-        return {"": [self.late, self.lates], **kept}
+        seen = [] if self.seen is None else self.seen.ravel().tolist()
+        return {"": [self.late, self.lates, *seen], **kept}
 
     def resume(self, memory: Mapping[str, Sequence[float]]) -> None:
         """From `memory`."""
-        self.late, self.lates = memory[""]
+        self.late, self.lates, *seen = memory[""]
+        self.seen = np.array(seen).reshape(3, -1) if seen else None
         self.errors = {name: CoordinateError(*values) for name, values in memory.items() if name}

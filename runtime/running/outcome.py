@@ -25,6 +25,7 @@ from runtime.schemes.evaluation import evaluation_operations
 
 def finished(run: Run, setup: float) -> Solution:
     """Go to the end, and put the Solution together; setup: seconds that it took to come to the start."""
+    run.record.watch = run.accuracy.watch  # what is written and forgotten widens the ranges, too
     with run.record.closed_on_error():
         solution = _ended(run, setup)
     run.record.close()
@@ -41,7 +42,8 @@ def _ended(run: Run, setup: float) -> Solution:
     solution = run.record.solution(last)
     if status.name == "completed":
         run.accuracy.look(run.segment, run.z, run.guard)
-    run.accuracy.watch({name: (solution[name], solution.rate(name)) for name in run.accuracy.errors})
+    run.accuracy.watch(solution.q, solution.q_dot)
+    run.accuracy.widen(run.segment.model)
     if status.name == "completed":
         _measure(run, status, ConsistentState(solution.q[0], solution.q_dot[0], {}))
     circumstances = {**_circumstances(run), **run.accuracy.stats(run.segment.model)}
@@ -72,11 +74,17 @@ def _explained(status: Status, run: Run) -> Status:
 
 
 def _measure(run: Run, status: Status, state: ConsistentState) -> None:
-    """Where the estimate of a run would condemn it, or is not believed: its error as the whole motion tells it."""
+    """Where the estimate of a run would condemn it, or is not believed: its error as the whole motion tells it.
+
+    That may take longer than the run, which is there already: Ctrl-C ends the measuring only.
+    """
     model = run.segment.model
     if judged(status, run.accuracy, model).ok and not doubted(run, run.accuracy):
         return
-    found = measured_errors(run, state)
+    try:
+        found = measured_errors(run, state)
+    except KeyboardInterrupt:
+        found = None  # it stays what it was judged
     if found is not None:
         run.accuracy.measured |= found
 

@@ -6,7 +6,7 @@ blocks of them are observed on the way and forgotten; of the whole states the fi
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from itertools import groupby
@@ -41,6 +41,7 @@ class Record:
         self.samples: list[tuple[int, np.ndarray]] = []  # all of them, or those that wait to be written
         self.first: tuple[int, np.ndarray] | None = None
         self.last_step = -1
+        self.watch: Callable[[np.ndarray, np.ndarray], None] | None = None  # who sees coordinates and rates (N, n)
 
     def add(self, segment: int, z: np.ndarray) -> None:
         """Keep a state (a copy of the scheme's part of z), unless this step is kept already."""
@@ -60,6 +61,8 @@ class Record:
             return
         for segment, part in _by_segment(self.samples):
             seen = concatenated([self.segments[segment].observed(part)], self.segments[0].model)
+            if self.watch is not None:
+                self.watch(seen.q, seen.q_dot)
             self.table.append(rows_of(seen, self.outputs))
         self.samples = []
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from runtime import Model, simulate
+from runtime.running import outcome
 from symgen.scene import Scene, SceneBuilder
 
 Build = Callable[[Scene], Model]
@@ -56,3 +59,32 @@ def test_forces_faster_than_the_steps(model_of: Build, scheme: str, f: float, ri
     assert run.status.name == ("completed" if right else "inaccurate") and (true < 0.02 if right else true > 0.1)
     said = float(run.stats["estimated_error.rod.theta"])
     assert off / 10 < said < max(10 * off, 0.01 * amplitude) and ("remark" in run.stats) == (not right)
+
+
+def test_ctrl_c_in_the_second_opinion_leaves_the_run(model_of: Build, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It stays what its estimate made of it; a finer motion would tell that it is right, see above."""
+
+    def pressed(*_: object) -> None:
+        signal.raise_signal(signal.SIGINT)
+
+    monkeypatch.setattr(outcome, "measured_errors", pressed)
+    run = simulate(model_of(shaken()), scheme="single_rate", dt=0.01)
+    assert run.status.name == "inaccurate" and run.t[-1] == pytest.approx(5.0) and len(run.t) == 501
+
+
+def test_errors_are_measured_by_all_of_the_motion(model_of: Build, tmp_path: Path) -> None:
+    """An oscillation whose period is that of the windows: its range is not that of one phase, whatever is kept."""
+    builder = SceneBuilder("in_phase").rigid("rod", mass=1.0, inertia=0.1)
+    builder.revolute("pin", "ground.origin", "rod.origin")
+    builder.rotational_spring_damper("spring", "ground.origin", "rod.origin", stiffness=0.4)
+    model = model_of(builder.initial({"rod.theta": 0.1}).simulation(t_end=10 * np.pi, dt=np.pi / 100).build())
+    settings = {"scheme": "single_rate", "t_end": 10 * np.pi, "dt": np.pi / 100}
+    whole = simulate(model, **settings)  # type: ignore[arg-type]
+    assert np.abs(whole["rod.theta"] - 0.1 * np.cos(2 * whole.t)).max() < 0.002 and whole.status.ok
+    for few, within in (
+        ({"outputs": ["rod.theta"]}, 0.0),
+        ({"stream": tmp_path / "rows"}, 0.0),
+        ({"save_every": 100}, 0.2),
+    ):
+        run, said = simulate(model, **settings, **few), whole.stats["estimated_error"]  # type: ignore[arg-type]
+        assert run.status.ok and run.stats["estimated_error"] == pytest.approx(said, rel=within, abs=0.0)
