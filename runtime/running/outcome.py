@@ -14,10 +14,10 @@ from runtime.engine.choose import sub_step_operations
 from runtime.results.export import run_header
 from runtime.results.solution import Solution
 from runtime.results.stream import StreamFile
-from runtime.running.inaccurate import judged
+from runtime.running.inaccurate import ADVICE, judged
 from runtime.running.limits import with_limits
 from runtime.running.run import Run
-from runtime.running.second_opinion import doubted, measured_errors
+from runtime.running.second_opinion import doubted, finer_misses_load, measured_errors, misses_load
 from runtime.running.segment import Segment
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.evaluation import evaluation_operations
@@ -45,7 +45,7 @@ def _ended(run: Run, setup: float) -> Solution:
     run.accuracy.watch(solution.q, solution.q_dot)
     run.accuracy.widen(run.segment.model)
     if status.name == "completed":
-        _measure(run, status, ConsistentState(solution.q[0], solution.q_dot[0], {}))
+        status = _measured(run, status, ConsistentState(solution.q[0], solution.q_dot[0], {}))
     circumstances = {**_circumstances(run), **run.accuracy.stats(run.segment.model)}
     stats = {**_statistics(run.segment, run.z, setup, wall), **solution.stats, **circumstances}
     _tell(run, stats)
@@ -73,20 +73,25 @@ def _explained(status: Status, run: Run) -> Status:
     return Status(status.name, status.time, status.coordinate, (endless + missed)[0].text, advice)
 
 
-def _measure(run: Run, status: Status, state: ConsistentState) -> None:
+def _measured(run: Run, status: Status, state: ConsistentState) -> Status:
     """Where the estimate of a run would condemn it, or is not believed: its error as the whole motion tells it.
 
-    That may take longer than the run, which is there already: Ctrl-C ends the measuring only.
+    `inaccurate` where the motion that would tell it does not show the load either that the run has missed. That may
+    take longer than the run, which is there already: Ctrl-C ends the measuring only.
     """
     model = run.segment.model
     if judged(status, run.accuracy, model).ok and not doubted(run, run.accuracy):
-        return
+        return status
     try:
         found = measured_errors(run, state)
+        unseen = found is not None and misses_load(run) and finer_misses_load(run, state)
     except KeyboardInterrupt:
-        found = None  # it stays what it was judged
-    if found is not None:
-        run.accuracy.measured |= found
+        return status  # it stays what it was judged
+    if unseen:
+        missed = next(event for event in run.events if event.kind == "load_missed")
+        return Status("inaccurate", status.time, None, f"{missed.text}; finer steps do, too", ADVICE)
+    run.accuracy.measured |= found or {}
+    return status
 
 
 def _tell(run: Run, stats: dict[str, float | int | str]) -> None:

@@ -9,14 +9,16 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.model import Model, ModelError
 from runtime.results.solution import Solution
 from runtime.running.accuracy import Accuracy
 from runtime.running.arguments import Further
 from runtime.running.checkpoint import Checkpoint, read_checkpoint
 from runtime.running.inputs import InputValue, bound, scheduled
+from runtime.running.neighbour import seen_state
 from runtime.running.outcome import finished
-from runtime.running.record import record_of
+from runtime.running.record import Record, record_of
 from runtime.running.run import Progress, Run
 from runtime.running.segment import Segment
 from runtime.running.simulate import with_reads
@@ -62,6 +64,7 @@ def resume(
     record.segments[:] = segments
     with record.closed_on_error():
         record.restore(kept.arrays, header.rows, header.last_step)
+    _stop_as_before(segments, record)
     accuracy = Accuracy(header.steps, segment.plan.scheme.adaptive)
     accuracy.resume(header.accuracy)
     accuracy.carried.resume(header.carried, kept.arrays)
@@ -84,6 +87,16 @@ def resume(
     schedule.resume(header.schedule)
     run.schedule = with_reads(schedule, run)
     return finished(run, set_up)
+
+
+def _stop_as_before(segments: list[Segment], record: Record) -> None:
+    """Steps to a tolerance end within what loads do, as seen from the state in which the run began."""
+    if record.first is None or not segments[0].plan.scheme.adaptive:
+        return
+    begun = ConsistentState(*seen_state(segments[record.first[0]], record.first[1]), {})
+    for one in segments:
+        one.begun = begun
+        one.find_switches(one.plan.t0, one.plan.t_end)
 
 
 def _segments(model: Model, kept: Checkpoint, engine: str, path: str | Path) -> list[Segment]:

@@ -19,13 +19,15 @@ from runtime.running.passing_trials import PassingTrials
 from runtime.running.run import Run
 from runtime.running.segment import Segment
 from runtime.running.singular.carry import RANGES
+from runtime.running.time_functions import all_stops, missed_by_finer
 from runtime.running.tried_motion import OPERATIONS, SEEN, TrialRuns
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.switching.broken_steps import BrokenSteps
+from runtime.schemes.switching.times import SwitchTime
 
 SHORTER = ((1 + 5**0.5) / 2) ** 3  # steps of one length over those of the finer motion: no common period with a force
 PARTS = 4  # of a step on the grid, of the finer motion
-FINEST = 8  # where a load acts between the steps: the points that have shown it
+FINEST = 8  # where a load acts between the steps, which then also end within short pulses
 FINER = 64.0  # tolerance of the run over that of the finer motion
 AS_BEGUN = ("h_next", "per_step", "steady", "ranging", *RANGES)  # what trials have told at the start
 DOUBTED = 10.0  # times what trials expect, where that is more than was asked: such an estimate is not believed at once
@@ -35,13 +37,31 @@ def doubted(run: Run, accuracy: Accuracy) -> bool:
     """Does the estimate of a run that has come to its end say far more than the trials that were made before it, or did
     a load act between its steps?
     """
-    if any(event.kind == "load_missed" for event in run.events):
+    if misses_load(run):
         return bool(accuracy.errors)
     if "expected_error" not in run.told or not accuracy.errors:
         return False
     relative = accuracy.relative(run.segment.model)[0]
     asked = float(run.segment.plan.scheme.options.tolerance)  # type: ignore[attr-defined]
     return max(relative.values()) > max(DOUBTED * float(run.told["expected_error"]), asked)
+
+
+def misses_load(run: Run) -> bool:
+    """Is it known that a load acts between the steps?"""
+    return any(event.kind == "load_missed" for event in run.events)
+
+
+def finer_misses_load(run: Run, state: ConsistentState) -> bool:
+    """Would the finer motion that `measured_errors` makes of such a run from a state on not show that load either?"""
+    first = run.record.segments[0]
+    stops = _stops(run, first, state)
+    return missed_by_finer(first.model, first.c, state, first.plan, FINEST, stops)
+
+
+def _stops(run: Run, segment: Segment, state: ConsistentState) -> list[SwitchTime]:
+    """Where steps of one length of the finer motion end besides."""
+    plan = segment.plan
+    return all_stops(segment.model, segment.c, plan.t0, plan.t_end, state) if misses_load(run) else segment.switches
 
 
 def measured_errors(run: Run, state: ConsistentState) -> dict[str, float] | None:
@@ -67,12 +87,12 @@ def _fixed(run: Run, segment: Segment, state: ConsistentState) -> np.ndarray | N
     plan, stepper, c = segment.plan, segment.stepper, segment.c
     if len(run.record.segments) > 1 or any(event.kind == "singular_position" for event in run.events):
         return None
-    parts = FINEST if any(event.kind == "load_missed" for event in run.events) else PARTS
+    parts = FINEST if misses_load(run) else PARTS
     if (1 + parts) * plan.steps * stepper.operations > OPERATIONS:
         return None
     scheme, dt, columns = plan.scheme, plan.grid.dt_L / parts, followed(segment.model)[1]
     own, finer = segment.start(state.q, state.q_dot), stepper.start(plan.t0, state.q, state.q_dot, c, dt)
-    broken, ready = BrokenSteps(stepper, plan.t0, dt, segment.switches), stepper.ready(c, dt)
+    broken, ready = BrokenSteps(stepper, plan.t0, dt, _stops(run, segment, state)), stepper.ready(c, dt)
     marks = sorted({plan.steps * (k + 1) // SEEN for k in range(SEEN)} - {0})
     off = np.zeros(len(columns))
     for steps in np.diff([0, *marks]).tolist():

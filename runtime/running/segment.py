@@ -9,6 +9,7 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
+from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.model import Model
 from runtime.running.checks.check import observed
 from runtime.running.monitor import Monitor
@@ -34,17 +35,20 @@ class Segment(SteppedModel):
     monitor: Monitor
     given: dict[float, Impulse] = field(default_factory=dict)
     tried: np.ndarray | None = None  # (S + 1, n_z) states of a trial with the very steps of the run
+    begun: ConsistentState | None = None  # where the run starts; None: as the model does
     _energies: ca.Function | None = None
 
     @classmethod
-    def build(cls, model: Model, plan: Plan, p: np.ndarray, engine: str) -> Segment:
-        """Prepare and compile, for parameters p (n_p,). Raises ModelError or CompilerError."""
+    def build(
+        cls, model: Model, plan: Plan, p: np.ndarray, engine: str, begun: ConsistentState | None = None
+    ) -> Segment:
+        """Prepare and compile, for parameters p (n_p,). begun: where the run starts. Raises what `prepared` does."""
         account_for_work(plan.scheme)
         watch_events(plan.scheme)
         one = SteppedModel.prepared(model, plan, p, engine)
         plan = one.plan
         monitor = Monitor(model, plan.scheme, one.c, force=plan.force, p=one.p)
-        found = cls(model, plan, one.stepper, one.p, one.c, one.ready, monitor)
+        found = cls(model, plan, one.stepper, one.p, one.c, one.ready, monitor, begun=begun)
         found.find_switches(plan.t0, plan.t_end)
         return found
 
@@ -80,7 +84,8 @@ class Segment(SteppedModel):
         """As every stepped model; steps to a tolerance end within short pulses of loads, too. Raises ModelError."""
         super().find_switches(t0, t_end)
         if self.plan.scheme.adaptive:
-            self.switches = all_stops(self.model, self.c, t0, t_end)
+            begun = self.begun or ConsistentState(self.model.initial_q, self.model.initial_q_dot, {})
+            self.switches = all_stops(self.model, self.c, t0, t_end, begun)
 
     def take_inputs(self, w: np.ndarray) -> None:
         """From now on p and c have these numbers (n_w,) of the inputs; z has its own."""

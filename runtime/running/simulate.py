@@ -124,7 +124,7 @@ def _begun(
 ) -> tuple[Run, float]:
     """(a run at its checked start with parameters p (n_p,), seconds that preparing it took)."""
     started = time.perf_counter()
-    segment = Segment.build(model, plan, p, more.engine)
+    segment = Segment.build(model, plan, p, more.engine, state)
     events = check_time_functions(model, segment.c, plan, state, segment.switches)
     z = segment.start(state.q, state.q_dot)
     known, plan = calibrated(segment), segment.plan

@@ -1,9 +1,11 @@
 """Loads and prescribed motions as functions of time alone: do the steps of a run see what they do?
 
-Everything but t is held as it is at the start. Where a load jumps or kinks steps end, so that nothing is missed there.
-Of the others each of the shortest steps is looked into at a few points: a load whose impulse the ends of the steps do
-not show is named, and so is one that has no finite value. A prescribed motion whose velocity jumps at a known time has
-an impulse; one whose position jumps is refused, and so is a jump of velocity that no condition tells of.
+Everything but t is held as it is at the start of the run, and once more turned a little and with rates, as a load may
+be nothing at the start by the motion alone: a brake of a mechanism at rest. Where a load jumps or kinks steps end, so
+that nothing is missed there. Of the others each of the shortest steps is looked into at a few points: a load whose
+impulse the ends of the steps do not show is named, and so is one that has no finite value. A prescribed motion whose
+velocity jumps at a known time has an impulse; one whose position jumps is refused, and so is a jump of velocity that no
+condition tells of.
 """
 
 from __future__ import annotations
@@ -19,16 +21,18 @@ from runtime.contract.coordinates import parts, rate_parts
 from runtime.contract.model import Model, ModelError
 from runtime.contract.status import Event
 from runtime.running.plan import Plan
-from runtime.running.pulses import pulse_times
+from runtime.running.pulses import Forces, pulse_times
 from runtime.schemes.stage_equations import is_long_tree
 from runtime.schemes.switching.times import SwitchTime, switching_times
 
 INSIDE = 8  # points a step, where there are not too many steps
 MOST_POINTS = 200_000
+MOST_FINER = 3_000_000  # of a run that is known to miss a load
 MISSED, DRIFT = 0.02, 0.1  # of the whole impulse of a load: in a step, and summed up
 JUMP = 1e-6  # of the largest position or velocity of the prescribed motions
 SEEN, DUST = 200, 1e-12  # looks at the range of a motion; m or rad, and their rates
 CANDIDATES, HALVINGS = 8, 60
+TURNED, RATES = (0.2, 0.4), (1.0, 1.5)  # rad or m, and their rates, from the first coordinate to the last
 LARGEST_LOAD = 1e290  # N or N m: its work overflows
 
 
@@ -147,27 +151,74 @@ def _ends_between(ends: Sequence[float], low: float, high: float) -> bool:
     return any(low <= end <= high for end in ends)
 
 
-def all_stops(model: Model, c: np.ndarray, t0: float, t_end: float) -> list[SwitchTime]:
-    """Times that no step to a tolerance should cross: jumps and kinks, and places within short pulses of loads."""
+def all_stops(model: Model, c: np.ndarray, t0: float, t_end: float, state: ConsistentState) -> list[SwitchTime]:
+    """Times that no step to a tolerance should cross: jumps and kinks, and places within short pulses of loads.
+
+    state: at the start of the run.
+    """
     known = switching_times(model, c, t0, t_end)
-    start = ConsistentState(model.initial_q, model.initial_q_dot, {})
-    function = force_of_time(model, c, start)
-    pulses = [] if function is None else pulse_times(lambda times: np.asarray(function(times)), t0, t_end, known)
+    forces = _forces_nearby(model, c, state)
+    pulses = [] if forces is None else pulse_times(forces, t0, t_end, known)
     return sorted([*known, *pulses], key=lambda one: one.time)
+
+
+def _forces_nearby(model: Model, c: np.ndarray, state: ConsistentState) -> Forces | None:
+    """times (1, N) -> Q_hat at a state, and below it at a turned one that moves; None where no load depends on t.
+
+    What is not finite at the second is left out: nothing says that the motion comes there.
+    """
+    own, other = force_of_time(model, c, state), force_of_time(model, c, _moved(model, state))
+    if own is None and other is None:
+        return None
+    n = len(model.q_i)
+
+    def forces(times: np.ndarray) -> np.ndarray:
+        """(2 n_i, N)."""
+        none = np.zeros((n, times.size))
+        here = none if own is None else np.asarray(own(times)).reshape(n, -1)
+        there = none if other is None else np.array(other(times)).reshape(n, -1)
+        there[~np.all(np.abs(there) < LARGEST_LOAD, axis=1)] = 0.0
+        return np.vstack([here, there])
+
+    return forces
+
+
+def _moved(model: Model, state: ConsistentState) -> ConsistentState:
+    """Coordinates that are not elastic by TURNED, all rates by RATES; loops need not close, loads do not ask."""
+    entries = {entry.name: entry for entry in model.description.coordinates}
+    rigid = [entries[name].unit in ("rad", "m") and not entries[name].elastic for name in model.coordinates]
+    n = len(rigid)
+    return ConsistentState(
+        state.q + np.where(rigid, np.linspace(*TURNED, n), 0.0), state.q_dot + np.linspace(*RATES, n), {}
+    )
+
+
+def missed_by_finer(
+    model: Model, c: np.ndarray, state: ConsistentState, plan: Plan, parts: int, stops: Sequence[SwitchTime]
+) -> bool:
+    """Do steps of a part of the plan's, which end at these stops, too, still not show what a load does?"""
+    steps = parts * plan.steps
+    if steps * INSIDE > MOST_FINER:
+        return True
+    times = np.linspace(plan.t0, plan.t_end, steps * INSIDE + 1)
+    broken = np.unique([int((one.time - plan.t0) * parts / plan.grid.dt_L * (1 - 1e-9)) for one in stops]).astype(int)
+    found = _missed_loads(model, c, state, times, INSIDE, np.isin(np.arange(steps), broken))
+    return any(event.kind == "load_missed" for event in found)
 
 
 def _missed_loads(
     model: Model, c: np.ndarray, state: ConsistentState, times: np.ndarray, points: int, broken: np.ndarray
 ) -> list[Event]:
-    function = force_of_time(model, c, state)
-    if function is None:
+    loads = _forces_nearby(model, c, state)
+    if loads is None:
         return []
-    forces = np.asarray(function(times[None, :])).reshape(-1, len(times))
+    forces = loads(times[None, :])
     bad = ~(np.abs(forces) < LARGEST_LOAD)
     if bad.any():
         k = int(bad.any(axis=0).argmax())
         text = f"the load on {model.q_i[int(bad[:, k].argmax())]} has no finite value at t = {times[k]:.6g} s"
         return [Event(float(times[k]), "load_not_finite", text)]
+    names = [*model.q_i, *model.q_i]
     varying = forces - np.median(forces, axis=1)[:, None]
     h = (times[-1] - times[0]) / (len(times) - 1)
     fine = h * (varying[:, 1:] + varying[:, :-1]) / 2
@@ -181,13 +232,13 @@ def _missed_loads(
     drift = total / np.maximum(np.abs(fine).sum(axis=1), 1e-300)
     if not share[worst] > MISSED and drift.max() > DRIFT:
         worst = int(drift.argmax())
-        text = f"the ends of the steps show {drift[worst]:.2g} of the impulse of the load on {model.q_i[worst]} wrong"
+        text = f"the ends of the steps show {drift[worst]:.2g} of the impulse of the load on {names[worst]} wrong"
         return [Event(float(times[0]), "load_missed", f"{text}: it changes as often as they come; take other steps")]
     if not share[worst] > MISSED:
         return []
     time = float(times[points * int(missed[worst].argmax())])
     text = (
-        f"the load on {model.q_i[worst]} acts between the steps: after t = {time:.6g} s the ends of a step miss "
+        f"the load on {names[worst]} acts between the steps: after t = {time:.6g} s the ends of a step miss "
         f"{share[worst]:.2g} of its impulse; take a smaller step, or let it act longer"
     )
     return [Event(time, "load_missed", text)]

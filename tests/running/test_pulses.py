@@ -10,7 +10,9 @@ import numpy as np
 import pytest
 
 from runtime import Model, simulate
+from runtime.contract.consistent_state import ConsistentState
 from runtime.running.pulses import PARTS, pulse_times
+from runtime.running.time_functions import all_stops
 from runtime.schemes.switching.times import SwitchTime
 from symgen.scene import Scene, SceneBuilder
 
@@ -24,6 +26,13 @@ def kicked() -> Scene:
     builder.revolute("pin", "ground.origin", "rod.origin")
     builder.torque("drive", "rod.origin", f"0.03*cos(t) + {KICK}/width*exp(-(((t - {AT})/width)**2))")
     return builder.simulation(t_end=5.0, dt=0.05, scheme="dopri5").build()
+
+
+def rod(torque: str) -> Scene:
+    """A rod about a pin through its centre, at rest."""
+    builder = SceneBuilder("rod").rigid("rod", mass=1.0, inertia=INERTIA)
+    builder.revolute("pin", "ground.origin", "rod.origin").measure_coordinate("turn", "rod.theta")
+    return builder.torque("drive", "rod.origin", torque).simulation(t_end=5.0, dt=0.05, scheme="dopri5").build()
 
 
 def turned(width: float, t: np.ndarray) -> np.ndarray:
@@ -50,6 +59,36 @@ def test_short_pulses(model_of: Build, width: float, settings: dict[str, Any], o
     true = math.sqrt(np.mean((run["rod.theta"] - exact) ** 2)) / exact.std()
     assert run.status.name == name and true < off and (true > 0.05) == (name == "inaccurate")
     assert [event.kind for event in run.events] == ["load_missed"] * (name == "inaccurate")
+
+
+def test_a_pulse_that_the_motion_makes_a_load(model_of: Build) -> None:
+    """theta'' = 1 - B(t) theta' from rest, a brake of 4 ms: it leaves exp(-sqrt(pi)) of the speed AT, and none is felt
+    at the start."""
+    model = model_of(rod(f"{INERTIA}*(1 - 500*exp(-(((t - {AT})/2e-3)**2))*turn_dot)"))
+    left = AT * math.exp(-math.sqrt(math.pi)) + 5.0 - AT
+    run = simulate(model, scheme="dopri5", tolerance=1e-2)
+    assert run.status.ok and run.rate("rod.theta")[-1] == pytest.approx(left, rel=3e-3)
+    run = simulate(model, scheme="rk4", dt=0.04)
+    assert run.status.name == "inaccurate" and run.events[0].kind == "load_missed"
+
+
+def test_pulses_are_those_at_the_start_of_the_run(model_of: Build) -> None:
+    """A pulse that acts about theta = 1 only: found where the run starts there."""
+    model = model_of(rod(f"exp(-(((t - {AT})/5e-3)**2) - ((turn - 1)/0.01)**2)"))
+    c = model.constants(model.parameter_vector())
+    for place, count in ((0.0, 0), (1.0, PARTS + 1)):
+        q = model.initial_q.copy()
+        q[model.coordinates.index("rod.theta")] = place
+        state = ConsistentState(q, model.initial_q_dot, {})
+        assert len(all_stops(model, c, 0.0, 5.0, state)) == count
+
+
+def test_a_pulse_that_an_eighth_of_the_step_misses_too(model_of: Build) -> None:
+    """It lies four widths from the nearest of those points: the finer motion ends steps within it."""
+    run = simulate(model_of(rod(f"0.1 + 1000*exp(-(((t - {AT})/2.5e-4)**2))")), scheme="rk4", dt=0.048)
+    assert run.status.name == "inaccurate" and [event.kind for event in run.events] == ["load_missed"]
+    moved = 0.25 * math.sqrt(math.pi) / INERTIA * (run.t[-1] - AT)
+    assert run.stats["estimated_error.rod.theta"] == pytest.approx(moved, rel=0.05)
 
 
 def test_where_steps_end_within_a_pulse() -> None:

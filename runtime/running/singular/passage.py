@@ -173,7 +173,8 @@ class Passage:
         if known is not None:
             return known
         model = variant_of(self.segments[0].model, names, q)
-        return Segment.build(model, self.segment.plan.on(model), self.segment.p, self.engine)
+        own = self.segment
+        return Segment.build(model, own.plan.on(model), own.p, self.engine, own.begun)
 
     # ---- neither --------------------------------------------------------------------------------------------
 

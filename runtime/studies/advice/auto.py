@@ -186,7 +186,7 @@ class _Motion:
         tried = not (schedule.samples or schedule.controllers or model.description.events)
         c = model.constants(p)
         state = start_state(model, p, c, t0, settings.get("initial"), settings.get("start"))
-        switches = all_stops(model, c, t0, plan.t_end)
+        switches = all_stops(model, c, t0, plan.t_end, state)
         least = steps_that_see_loads(model, c, state, t0, plan.t_end, switches)
         return cls(tolerance, c, state, plan, settings.get("engine", "auto"), least, tried, switches)
 
