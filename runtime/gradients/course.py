@@ -66,13 +66,14 @@ class StepPart:
 class Broken:
     """Parts of a major step, the number of steps done after it, and the clock from which the next one starts [s].
 
-    passage: of events at its end.
+    passage: of events at its end. whole: is it one step of the grid, from a clock behind a jump at its start?
     """
 
     parts: tuple[StepPart, ...]
     step: int
     clock: float
     passage: EventPassage | None = None
+    whole: bool = False
 
 
 @dataclass(frozen=True)
@@ -145,7 +146,8 @@ def _broken(breaks: Breaks, step: int, moves: Moves) -> Broken:
         parts.append(StepPart(start, end - start, jump))
         if k < len(inside) and after is not None:
             start, jump = after, Jump(end, after, moves([inside[k]]))
-    return Broken(tuple(parts), step + 1, breaks.clock(step + 1))
+    whole = breaks.next_broken(step) != step
+    return Broken(tuple(parts), step + 1, breaks.clock(step + 1), whole=whole)
 
 
 def _passed(broken: Broken, passages: Sequence[EventPassage], dt: float) -> Broken:
@@ -168,7 +170,7 @@ def _passed(broken: Broken, passages: Sequence[EventPassage], dt: float) -> Brok
             parts.append(now)
     if waiting:
         _refuse(waiting[0], True)
-    return replace(broken, parts=tuple(parts), passage=last)
+    return replace(broken, parts=tuple(parts), passage=last, whole=broken.whole and not passages)
 
 
 def _refuse(passage: EventPassage, where_something_jumps: bool) -> None:

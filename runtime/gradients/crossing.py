@@ -29,7 +29,7 @@ class Handover:
     """From one part of a step to the next: the steps of both (groups,) [s], the clock [s], the jump there if any.
 
     lengths: of the major steps [s], where a run crosses by lists. goes_on: is a step made from there? The last turn
-    leads back to the grid. holds: inputs that change there. passage: of events.
+    leads back to the grid. holds: inputs that change there. passage: of events. kept: does the state stay as it is?
     """
 
     before: np.ndarray
@@ -40,6 +40,7 @@ class Handover:
     holds: tuple[Hold, ...] = ()
     passage: EventPassage | None = None
     lengths: tuple[float, float] | None = None
+    kept: bool = False
 
 
 @dataclass(frozen=True)
@@ -82,6 +83,10 @@ class JumpCrossing:
     def turns(self, broken: Broken) -> list[Handover]:
         """To each part of a broken step, and back to the grid."""
         found, before, last = [], self._steps, float(self._steps[0])
+        if broken.whole:
+            start, jump = broken.parts[0].start, broken.parts[0].jump
+            begins = Handover(before, before, start, jump, True, kept=True)
+            return [begins, Handover(before, before, broken.clock, None, False, kept=True)]
         by_python = broken.passage is not None or any(part.passage is not None for part in broken.parts)
 
         def lengths(of: float) -> tuple[float, float] | None:
@@ -126,6 +131,10 @@ class JumpCrossing:
             acted = self._events.act(turn.passage, own, p, turn.before)
             w = acted.w
         taken = Taken(turn, own, clock, gap, w, acted)
+        if turn.kept:
+            if turn.goes_on:
+                z[0] = self._t0 + (clock - (self._t0 + n * self._steps[0]))
+            return taken
         if self.remembers:
             z[: self._n_s] = self._restarted(taken, begun)
         elif acted is not None:
@@ -184,8 +193,11 @@ class JumpCrossing:
             if first <= one.place < first + along.shape[1]:
                 inputs[row, one.place - first] = 1.0
         for k in range(along.shape[1]) if self.remembers else ():
-            arguments = (*self._arguments(taken, begun), whole[:, k], along[:, k], pushed[:, k], inputs[:, k])
-            whole[:, k] = np.asarray(self._anew.tangent(*arguments)).ravel()
+            moves = whole[:, k], along[:, k], pushed[:, k], inputs[:, k]
+            if taken.turn.kept:  # it was started there just before: the push alone is new
+                moves = 0 * moves[0], 0 * moves[1], moves[2], 0 * moves[3]
+            new = np.asarray(self._anew.tangent(*self._arguments(taken, begun), *moves)).ravel()
+            whole[:, k] = whole[:, k] + new if taken.turn.kept else new
         found[self._own] = whole[self._rows]
         return found
 
@@ -202,7 +214,9 @@ class JumpCrossing:
         bar = np.zeros(self._n_s)
         bar[self._rows] = adjoint[self._own]
         p_bar, pushed = np.zeros(len(self._p(begun))), bar[self._v]
-        if self.remembers:
+        if self.remembers and taken.turn.kept:
+            pushed = np.asarray(self._anew.adjoint(*self._arguments(taken, begun), bar)[2]).ravel()
+        elif self.remembers:
             found = self._anew.adjoint(*self._arguments(taken, begun), bar)
             bar, p_bar, pushed, of_inputs = (np.asarray(one).ravel() for one in found)
             for one in taken.turn.holds:

@@ -59,3 +59,23 @@ def test_forward_reverse_and_differences_of_runs(
     again = DifferentiableRun(model, ["rod.theta"], by, scheme=scheme, dt=dt, save_every=10)
     parts = again.gradient(End("rod.theta"), mode="reverse")
     np.testing.assert_allclose(parts.derivatives, reverse.derivatives, rtol=1e-13)
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "exponential_adams"])
+def test_a_jump_at_the_end_of_a_step(model_of: Build, scheme: str) -> None:
+    """A whole step follows, as in `simulate`: the same bits; against differences where no time moves, and by T."""
+    model, T = model_of(kicked()), 0.46
+    run = DifferentiableRun(model, ["rod.theta"], ["rod.mass", "T"], scheme=scheme, parameters={"T": T}, save_every=10)
+
+    def course(mass: float, T: float = T) -> np.ndarray:
+        parameters = {"rod.mass": mass, "T": T}
+        return np.asarray(simulate(model, scheme=scheme, parameters=parameters, save_every=10)["rod.theta"])
+
+    assert np.array_equal(run.values()[:, 0], course(1.0))
+    forward, reverse = (run.gradient(End("rod.theta"), mode=mode).derivatives for mode in ("forward", "reverse"))
+    np.testing.assert_allclose(reverse, forward, rtol=0, atol=1e-12 * 8)
+    ends = {n: course(1.0 + 1e-4 * n)[-1] for n in (-2, -1, 1, 2)}
+    difference = (8 * (ends[1] - ends[-1]) - (ends[2] - ends[-2])) / 12e-4
+    assert forward[0] == pytest.approx(difference, rel=1e-8)
+    moved = (course(1.0, T + 1e-4)[-1] - course(1.0, T - 1e-4)[-1]) / 2e-4
+    assert forward[1] == pytest.approx(moved, rel=1e-4)
