@@ -36,7 +36,7 @@ class Monitor:
     ) -> None:
         self.subject = Subject(model, scheme, c)
         self._finite, self._step = Finite(self.subject), StepLength(self.subject, force)
-        self._mass = Mass(self.subject)
+        self._mass, self.energy = Mass(self.subject), Energy(self.subject)
         cheap = (
             Growth(self.subject),
             Closure(self.subject),
@@ -44,7 +44,7 @@ class Monitor:
             LeastStep(self.subject),
         )
         deflection = Deflection(self.subject, model.parameter_vector() if p is None else p)
-        costly = (Constraints(self.subject), self._mass, deflection, Energy(self.subject), self._step)
+        costly = (Constraints(self.subject), self._mass, deflection, self.energy, self._step)
         self.checks: list[Check] = [self._finite, *cheap, *costly]
         self._latest: np.ndarray | None = None  # the last state that passed the cheap checks
         self._samples = 0

@@ -77,21 +77,22 @@ def _measured(run: Run, status: Status, state: ConsistentState) -> Status:
     """Where the estimate of a run would condemn it, or is not believed: its error as the whole motion tells it.
 
     `inaccurate` where the motion that would tell it does not show the load either that the run has missed. That may
-    take longer than the run, which is there already: Ctrl-C ends the measuring only.
+    take longer than the run, which is there already: Ctrl-C ends the measuring only. `diverged` where energy seemed to
+    grow by itself, and nothing tells that the motion is right all the same.
     """
-    model = run.segment.model
+    model, grown = run.segment.model, run.segment.monitor.energy.verdict() or status
     if judged(status, run.accuracy, model).ok and not doubted(run, run.accuracy):
-        return status
+        return grown
     try:
         found = measured_errors(run, state)
         unseen = found is not None and misses_load(run) and finer_misses_load(run, state)
     except KeyboardInterrupt:
-        return status  # it stays what it was judged
+        return grown  # it stays what it was judged
     if unseen:
         missed = next(event for event in run.events if event.kind == "load_missed")
         return Status("inaccurate", status.time, None, f"{missed.text}; finer steps do, too", ADVICE)
     run.accuracy.measured |= found or {}
-    return status
+    return status if found and judged(status, run.accuracy, model).ok else grown
 
 
 def _tell(run: Run, stats: dict[str, float | int | str]) -> None:

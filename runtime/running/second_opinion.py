@@ -34,10 +34,10 @@ DOUBTED = 10.0  # times what trials expect, where that is more than was asked: s
 
 
 def doubted(run: Run, accuracy: Accuracy) -> bool:
-    """Does the estimate of a run that has come to its end say far more than the trials that were made before it, or did
-    a load act between its steps?
+    """Does the estimate of a run that has come to its end say far more than the trials that were made before it, did a
+    load act between its steps, or did its energy seem to grow by itself?
     """
-    if misses_load(run):
+    if misses_load(run) or run.segment.monitor.energy.worst > 0:
         return bool(accuracy.errors)
     if "expected_error" not in run.told or not accuracy.errors:
         return False

@@ -99,6 +99,22 @@ def test_energy_that_nobody_fed(built_in: Load) -> None:
         assert named(check, state(subject, 2.0 * np.sqrt(1 + 0.5 * factor), 20)) == expected
 
 
+def test_energy_of_a_run_that_was_tried(built_in: Load) -> None:
+    """It goes on, and is judged by all that it has seen; a checkpoint keeps what was seen."""
+    subject, _ = watched(built_in("pendulum"))
+    check, later = Energy(subject), Energy(subject)
+    check.tried = True
+    check.start(state(subject, 2.0, 0))
+    assert named(check, state(subject, 2.0 * np.sqrt(1 + 0.5 * BEYOND), 20)) is None
+    later.resume(check.memory())
+    for one in (check, later):
+        verdict = one.verdict()
+        assert verdict is not None and verdict.name == "diverged"
+        assert verdict.time == pytest.approx(20 * subject.scheme.grid.dt_L)
+    later.largest *= BEYOND**2
+    assert later.verdict() is None
+
+
 def test_energy_after_a_start_from_rest(built_in: Load) -> None:
     subject, _ = watched(built_in("pendulum"))
     for steps, expected in ((9, None), (10, "diverged")):

@@ -81,6 +81,8 @@ def test_pulses_are_those_at_the_start_of_the_run(model_of: Build) -> None:
         q[model.coordinates.index("rod.theta")] = place
         state = ConsistentState(q, model.initial_q_dot, {})
         assert len(all_stops(model, c, 0.0, 5.0, state)) == count
+    run = simulate(model, scheme="dopri5", tolerance=1e-3, initial={"rod.theta": 1.0})
+    assert run.rate("rod.theta")[-1] == pytest.approx(5e-3 * math.sqrt(math.pi) / INERTIA, rel=0.01)
 
 
 def test_a_pulse_that_an_eighth_of_the_step_misses_too(model_of: Build) -> None:

@@ -31,6 +31,41 @@ def shaken() -> Scene:
     return builder.simulation(t_end=5.0, dt=0.05, scheme="rk4").build()
 
 
+def let_go(torque: str, t_end: float) -> Scene:
+    """theta'' = torque from theta = 1 at rest."""
+    builder = SceneBuilder("let_go").rigid("rod", mass=1.0, inertia=1.0)
+    builder.revolute("pin", "ground.origin", "rod.origin").measure_coordinate("a", "rod.theta")
+    builder.torque("drive", "rod.origin", torque).initial({"rod.theta": 1.0})
+    return builder.simulation(t_end=t_end, dt=t_end / 200, scheme="dopri5").build()
+
+
+@pytest.mark.parametrize(("scheme", "tolerance"), [("exponential", 1e-2), ("exponential", 1e-3)])
+def test_work_that_long_steps_know_badly_ends_no_run(model_of: Build, scheme: str, tolerance: float) -> None:
+    """theta'' = -3 theta' - 40 theta, by hand: it was `diverged` at 0.7 s by the work of the first steps."""
+    run = simulate(model_of(let_go("-3*a_dot - 40*a", 10.0)), scheme=scheme, tolerance=tolerance)
+    w = np.sqrt(40 - 1.5**2)
+    exact = np.exp(-1.5 * run.t) * (np.cos(w * run.t) + 1.5 / w * np.sin(w * run.t))
+    off = np.sqrt(np.mean((run["rod.theta"] - exact) ** 2)) / exact.std()
+    assert run.status.name == "completed" and off < 2 * tolerance
+
+
+def test_energy_that_grows_by_itself_is_named_where_nothing_else_tells(
+    model_of: Build, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A motion that the trials expect to be right, and whose energy grows: `diverged` where it cannot be measured."""
+    from runtime.running import outcome
+    from runtime.running.checks.energy import Energy
+
+    def seen(check: Energy, z: np.ndarray) -> None:
+        check.worst, check.since = 1e3, check.subject.time(z)
+
+    monkeypatch.setattr(Energy, "after", seen)
+    model = model_of(let_go("-40*a", 2.0))
+    assert simulate(model, scheme="dopri5", tolerance=1e-3).status.name == "completed"  # as the finer motion tells
+    monkeypatch.setattr(outcome, "measured_errors", lambda run, state: None)
+    assert simulate(model, scheme="dopri5", tolerance=1e-3).status.name == "diverged"
+
+
 def turned(f: float, t: np.ndarray) -> np.ndarray:
     """sin^8 = 35/128 - 7/16 cos 2x + 7/32 cos 4x - 1/16 cos 6x + 1/128 cos 8x, integrated twice from rest."""
     found = 0.2 * (1 - np.cos(t)) + 20 * 35 / 256 * t**2
