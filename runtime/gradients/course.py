@@ -139,13 +139,13 @@ def across(course: Course, breaks: Breaks, moves: Moves, passages: Mapping[int, 
 
 
 def _broken(breaks: Breaks, step: int, moves: Moves) -> Broken:
-    start, there = breaks.clock(step), breaks.on.get(step, []) if step else []
-    jump = Jump(min(one.before for one in there), start, moves(there)) if there else None
-    inside, parts = breaks.inside.get(step, []), []
-    for k, (end, after) in enumerate(breaks.ends(step)):
-        parts.append(StepPart(start, end - start, jump))
-        if k < len(inside) and after is not None:
-            start, jump = after, Jump(end, after, moves([inside[k]]))
+    there = breaks.on.get(step, []) if step else []
+    jump = Jump(min(one.before for one in there), breaks.clock(step), moves(there)) if there else None
+    inside, parts = iter(breaks.inside.get(step, [])), []
+    for start, length, before, after in breaks.parts(np.array([step])).each():
+        parts.append(StepPart(start, length, jump))
+        one = next(inside, None) if before is not None else None  # what jumps at the end of the step is the next one's
+        jump = Jump(before, after, moves([one])) if one is not None and before is not None else None
     whole = breaks.next_broken(step) != step
     return Broken(tuple(parts), step + 1, breaks.clock(step + 1), whole=whole)
 

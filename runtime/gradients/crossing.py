@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import prod
 
 import casadi as ca
 import numpy as np
@@ -21,6 +20,7 @@ from runtime.gradients.beginning import Begun
 from runtime.gradients.course import Broken, EventPassage, Hold, Jump, Stop
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.gradients.starts_anew import StartsAnew
+from runtime.schemes.switching.breaks import within
 from runtime.schemes.switching.crossing import ListedCrossing
 
 
@@ -93,7 +93,7 @@ class JumpCrossing:
             return None if by_python else (last, of)
 
         for part in broken.parts:
-            length = part.length * (1 - 2 * np.finfo(float).eps * prod(self._scheme.grid.m))
+            length = within(part.length, self._scheme.grid.m)
             after = self._steps * (length / self._steps[0])
             found.append(
                 Handover(before, after, part.start, part.jump, True, passage=part.passage, lengths=lengths(length))

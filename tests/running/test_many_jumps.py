@@ -37,9 +37,12 @@ def pushed_by_hand(t_end: float) -> tuple[int, float, float, float]:
     """(jumps, x, v, work): a constant force between times at which the phase is asin(ABOVE) or pi less that."""
     turns, up = 2 * np.pi * np.arange(500), np.arcsin(ABOVE)
     phases = np.sort(np.concatenate([up + turns, np.pi - up + turns]))
-    times = (-40 + np.sqrt(1600 + 120 * phases)) / 60
-    times = times[times < t_end]
-    x = v = work = 0.0
+    return by_hand((-40 + np.sqrt(1600 + 120 * phases)) / 60, t_end)
+
+
+def by_hand(times: np.ndarray, t_end: float, v: float = 0.0) -> tuple[int, float, float, float]:
+    """The same for a force that is DOWN until the first time, then UP."""
+    times, x, work = times[times < t_end], 0.0, 0.0
     for k, (a, b) in enumerate(zip([0.0, *times], [*times, t_end], strict=True)):
         force, h = (UP if k % 2 else DOWN), b - a
         work += force * (v * h + force * h**2 / 2)
@@ -94,6 +97,38 @@ def test_other_steps_cross_by_the_same_program(model_of: Build, monkeypatch: pyt
         assert len(made) == 1
         found = run["mass.x"][-1], run.rate("mass.x")[-1], run.energy["work"][-1]
         assert found == pytest.approx((x, v, work), rel=1e-9)
+
+
+@pytest.mark.parametrize("by_lists", [True, False])  # or by Python
+@pytest.mark.parametrize("scheme", ["rk4", "exponential_adams"])
+def test_no_time_is_lost_at_jumps_far_from_zero(
+    model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str, by_lists: bool
+) -> None:
+    """A mass at 10 m/s past 1,000 jumps, ten in each step, from t = 1,000 s on, clocks 7 ps apart at each.
+
+    The memory of a list is bounded by what all parts of its steps take.
+    """
+    monkeypatch.setattr(BrokenSteps, "_listed", by_lists)
+    monkeypatch.setattr("runtime.schemes.switching.listed_breaks.MOST_NUMBERS", most := 4000)
+    sizes, begin = list[int](), CallList.__init__
+
+    def seen(self: CallList, memory: np.ndarray, *others: Any) -> None:
+        sizes.append(len(memory))
+        begin(self, memory, *others)
+
+    monkeypatch.setattr(CallList, "__init__", seen)
+    builder = SceneBuilder("passing").rigid("mass", mass=1.0, inertia=0.1).rates({"mass.x": 10.0})
+    builder.prismatic("rail", "ground.origin", "mass.origin")
+    builder.force("push", "mass.origin", f"where(sin(1000 * pi * t + 0.3) > {ABOVE}, {UP}, {DOWN})", 0.0)
+    model = model_of(builder.simulation(t_end=1.0, dt=0.01, scheme="rk4").build())
+    run = simulate(model, scheme=scheme, t0=1000.0, t_end=1001.0, force=True)
+    turns, up = 2 * np.pi * np.arange(501), np.arcsin(ABOVE)
+    phases = np.sort(np.concatenate([up + turns, np.pi - up + turns]))
+    jumps, x, v, work = by_hand((phases - 0.3) / (1000 * np.pi), 1.0, 10.0)
+    assert jumps == 1000 and bool(sizes) == by_lists and max(sizes, default=0) < 3 * most
+    assert run["mass.x"][-1] == pytest.approx(x, rel=0, abs=1e-9)
+    assert run.rate("mass.x")[-1] == pytest.approx(v, rel=0, abs=1e-9)
+    assert run.energy["work"][-1] == pytest.approx(work, rel=0, abs=1e-8)
 
 
 @pytest.mark.parametrize("scheme", ["rk4", "exponential_adams"])

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import sys
 from bisect import bisect_left
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from math import prod
+from typing import Any
 
 import numpy as np
 
@@ -13,19 +15,33 @@ from runtime.schemes.switching.times import SwitchTime
 from runtime.schemes.work import AHEAD
 
 ON_THE_GRID = 1e-9  # of a step: a jump that near to the end of a step is there
+LOST = 1e-11  # of a step: by so much a part that ends at a jump may be short, so that its clocks are on their sides
 
 
 @dataclass(frozen=True)
 class StepParts:
-    """Of broken steps, in order: clocks at which they start and end (N,) [s]; counts (S,): how many each step has.
+    """Of broken steps, in order: clocks at which they start and lengths (N,) [s]; counts (S,): how many each step has.
 
-    clocks (S,): from where the step behind each broken one starts [s].
+    before, after (N,): clocks of what jumps at the end of a part [s]; infinite where nothing does. clocks (S,): from
+    where the step behind each broken one starts [s].
     """
 
     start: np.ndarray
-    end: np.ndarray
+    length: np.ndarray
+    before: np.ndarray
+    after: np.ndarray
     counts: np.ndarray
     clocks: np.ndarray
+
+    def each(self) -> Iterator[tuple[float, float, float | None, float]]:
+        """(start, length, before or None where nothing jumps at the end, after) of each [s]."""
+        for start, length, before, after in zip(self.start, self.length, self.before, self.after, strict=True):
+            yield float(start), float(length), float(before) if np.isfinite(before) else None, float(after)
+
+
+def within(length: Any, m: Sequence[int]) -> Any:
+    """The step [s] of a part so long [s]: its sub-steps, m of each group, add up by rounding, and end within it."""
+    return length * (1 - 2 * np.finfo(float).eps * prod(m))
 
 
 class Breaks:
@@ -35,16 +51,23 @@ class Breaks:
         self.t0, self.dt = t0, dt
         self.inside: dict[int, list[SwitchTime]] = {}
         self.on: dict[int, list[SwitchTime]] = {}
-        times, self._before, self._after = (
+        times, before, after = (
             np.array([getattr(one, name) for one in switches], dtype=float) for name in ("time", "before", "after")
         )
         steps = np.floor((times - t0) / dt)
         near = [np.abs(times - self.times(k)) <= ON_THE_GRID * dt for k in (steps, steps + 1)]
-        self._there, self._step = near[0] | near[1], np.where(near[1] & ~near[0], steps + 1, steps).astype(int)
-        for one, step, there in zip(switches, self._step.tolist(), self._there.tolist(), strict=True):
-            (self.on if there else self.inside).setdefault(step, []).append(one)
+        there, step = near[0] | near[1], np.where(near[1] & ~near[0], steps + 1, steps).astype(int)
+        for one, k, on in zip(switches, step.tolist(), there.tolist(), strict=True):
+            (self.on if on else self.inside).setdefault(k, []).append(one)
         self.broken = sorted({*self.inside, *(k - 1 for k in self.on if k > 0)})
         self._next = np.array([*self.broken, sys.maxsize], dtype=np.int64)
+        self._inside = step[~there], times[~there], before[~there], after[~there]
+        self._on, first = np.unique(step[there], return_index=True)
+        self._sides_on = (
+            (np.minimum.reduceat(before[there], first), np.maximum.reduceat(after[there], first))
+            if len(first)
+            else (first, first)
+        )
 
     def time(self, step: int) -> float:
         """Of the grid [s]."""
@@ -56,40 +79,46 @@ class Breaks:
 
     def clock(self, step: int) -> float:
         """The time from which a step starts [s]: after a jump that is there."""
-        return max(self.time(step), *(one.after for one in self.on.get(step, ())), -np.inf)
+        return float(np.maximum(self._sides(np.array([step]))[1], self.time(step))[0])
 
-    def ends(self, step: int) -> list[tuple[float, float | None]]:
-        """Clocks [s] at which the parts of a step end, and from which the next ones start (None: nothing jumps)."""
-        inside = [(one.before, one.after) for one in self.inside.get(step, ())]
-        if step + 1 not in self.on:
-            return [*inside, (self.time(step + 1), None)]
-        there = self.on[step + 1]
-        return [*inside, (min(one.before for one in there), max(one.after for one in there))]
+    def parts(self, steps: np.ndarray) -> StepParts:
+        """Of broken steps (S,) that follow one another.
 
-    def parts(self, first: int, last: int) -> StepParts:
-        """Of these broken steps, counted among the broken ones."""
-        steps = np.array(self.broken[first:last])
-        inside = ~self._there & (self._step >= steps[0]) & (self._step <= steps[-1])
-        counts = np.bincount(np.searchsorted(steps, self._step[inside]), minlength=len(steps)) + 1
+        A part is as long as it is between the times at its ends, up to LOST. At a jump its clocks stay on their side:
+        one that ends at a jump starts from a clock so much sooner, one that starts behind a jump ends so much later.
+        What is between two jumps is made in halves, one with the clocks of the first, one with those of the second.
+        """
+        own = slice(*np.searchsorted(self._inside[0], [steps[0], steps[-1] + 1]))
+        step, time, last, first = (values[own] for values in self._inside)
+        counts = np.bincount(np.searchsorted(steps, step), minlength=len(steps)) + 1
         ends = np.zeros(counts.sum(), dtype=bool)
         ends[np.cumsum(counts) - 1] = True
         begins = np.roll(ends, 1)
-        start, end = np.empty(len(ends)), np.empty(len(ends))
-        start[~begins], end[~ends] = self._after[inside], self._before[inside]
-        (_, start[begins]), (end[ends], clocks) = self._sides(steps), self._sides(steps + 1)
-        return StepParts(start, end, counts, clocks)
+        start, end, before, after, behind = (np.empty(len(ends)) for _ in range(5))
+        start[begins], start[~begins], end[ends], end[~ends] = self.times(steps), time, self.times(steps + 1), time
+        (_, behind[begins]), behind[~begins] = self._sides(steps), first
+        (before[ends], after[ends]), before[~ends], after[~ends] = self._sides(steps + 1), last, first
+        clocks = np.maximum(after[ends], end[ends])
+        length = end - start
+        clock, free = np.maximum(behind, start), np.isinf(behind)
+        short = (clock + length - before > LOST * self.dt) & ~(free & (start <= self.t0))  # loads may begin at t0
+        halved = short & ~free
+        length = np.where(short, length / (1 + halved), np.minimum(length, before - clock))
+        clock = np.where(short & free, before - length, clock)
+        of = np.repeat(np.arange(len(ends)), 1 + halved)
+        again, goes_on = np.append(False, of[1:] == of[:-1]), np.append(of[1:] == of[:-1], False)
+        clock = np.where(again, before[of] - length[of], clock[of])
+        before, after = np.where(goes_on, np.inf, before[of]), np.where(goes_on, -np.inf, after[of])
+        counts = np.add.reduceat(1 + halved, np.flatnonzero(begins))
+        return StepParts(clock, length[of], before, after, counts, clocks)
 
     def _sides(self, steps: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """(N,) clocks at which the steps before these end, and from which these start [s]."""
-        before, after = self.times(steps), self.times(steps)
-        on = self._step[self._there]
-        if len(on):
-            which, first = np.unique(on, return_index=True)
-            least = np.minimum.reduceat(self._before[self._there], first)
-            most = np.maximum.reduceat(self._after[self._there], first)
-            k = np.minimum(np.searchsorted(which, steps), len(which) - 1)
-            there = which[k] == steps
-            before, after = np.where(there, least[k], before), np.where(there, np.maximum(most[k], after), after)
+        """(N,) clocks before and after what jumps at the start of steps [s]; infinite where nothing does."""
+        before, after = np.full(len(steps), np.inf), np.full(len(steps), -np.inf)
+        if len(self._on):
+            k = np.minimum(np.searchsorted(self._on, steps), len(self._on) - 1)
+            there = self._on[k] == steps
+            before[there], after[there] = (side[k[there]] for side in self._sides_on)
         return before, after
 
     def next_broken(self, step: int) -> int | None:

@@ -108,14 +108,13 @@ class BrokenSteps:
             flagged, z[layout.slice("event_step")] = float(z[layout.slice("event_step")][0]), NEVER
         c = self.legs.with_inputs(z, c)
         leg = Leg(z, self.dt, account_at(self.stepper.scheme, z, self.legs.constants(c, self.dt))[0])
-        clock = max(z[0] + step * self.dt, self.grid.clock(step))
-        for end, after in self.grid.ends(step):
-            leg = self._reach(leg, c, clock, end, acts)
+        for start, length, before, after in self.grid.parts(np.array([step])).each():
+            leg = self._reach(leg, c, start, length, acts)
             if leg.ends:
                 break
-            if after is not None:
-                leg, clock = self._jumped(c, leg, end, after), after
-                leg = leg if acts is None else self._passed_by_jump(leg, c, end, after, acts)
+            if before is not None:
+                leg = self._jumped(c, leg, before, after)
+                leg = leg if acts is None else self._passed_by_jump(leg, c, before, after, acts)
                 if leg.ends:
                     break
         start, c = leg.reached if leg.ends else self.grid.clock(step + 1), self.legs.with_inputs(leg.z, c)
@@ -153,23 +152,24 @@ class BrokenSteps:
             z[own("event_step")] = NEVER
         return False
 
-    def _reach(self, leg: Leg, c: np.ndarray, start: float, end: float, acts: Acts | None) -> Leg:
-        """From one clock to another, through the events on the way; a part ends where a cool-down is over."""
-        scheme, legs = self.stepper.scheme, self.legs
+    def _reach(self, leg: Leg, c: np.ndarray, start: float, length: float, acts: Acts | None) -> Leg:
+        """So far [s] from a clock on, through the events on the way; a part ends where a cool-down is over."""
+        scheme, legs, end = self.stepper.scheme, self.legs, start + length
         while True:
             c = legs.with_inputs(leg.z, c)
             if acts is None:
-                return legs.part(leg, c, start, end)
+                return legs.part(leg, c, start, length)
             quiet = quiet_until(scheme, leg.z).copy()
             asleep = quiet > start
-            goal = min((one for one in quiet[asleep] if one < end - ON_THE_GRID * self.dt), default=end)
+            wakes = min((float(one) for one in quiet[asleep] if one < end - ON_THE_GRID * self.dt), default=None)
+            goal = length if wakes is None else wakes - start
             found = legs.part(leg, c, start, goal)
-            at = self._looks(leg, c, start, found)
-            bracket = self._bracket(leg, c, start, found, asleep, at)
+            at = self._looks(leg, c, start, goal, found)
+            bracket = self._bracket(leg, c, start, goal, found, asleep, at)
             if bracket is None:
-                if goal == end:
+                if wakes is None:
                     return found
-                leg, start = found, goal
+                leg, start, length = found, wakes, end - wakes
                 continue
 
             def ask(old: np.ndarray, new: np.ndarray, asleep: np.ndarray = asleep) -> list[int]:
@@ -177,16 +177,16 @@ class BrokenSteps:
 
             low, high = ((s, at(s)) for s in bracket)
             s, before = first_passage(ask, at, low, high, found.dt)
-            happened, there = ask(before, at(s)), legs.part(leg, c, start, start + s)
+            clock = start + s
+            happened, there = ask(before, at(s)), legs.part(leg, c, start, clock - start)
             seen = legs.seen(there.z, legs.constants(c, there.dt))  # rates as they are before inputs change
-            leg, start = acts(replace(there, seen=seen), happened), start + s
-            if leg.ends or end - start <= ON_THE_GRID * self.dt:
+            leg, start, length = acts(replace(there, seen=seen), happened), clock, end - clock
+            if leg.ends or length <= ON_THE_GRID * self.dt:
                 return leg
 
-    def _looks(self, leg: Leg, c: np.ndarray, start: float, found: Leg) -> Callable[[float], np.ndarray]:
-        """s [s] -> values of events (n_e,) on the way to `found`: by a step that ends there."""
+    def _looks(self, leg: Leg, c: np.ndarray, start: float, length: float, found: Leg) -> Callable[[float], np.ndarray]:
+        """s [s] -> values of events (n_e,) on the way to `found`, so far away [s]: by a step that ends there."""
         scheme, legs = self.stepper.scheme, self.legs
-        length = found.reached - start
         start_z = legs.set_out(leg, c, start, length)
         known = {
             0.0: event_values(scheme, start_z, legs.constants(c, length)),
@@ -195,17 +195,24 @@ class BrokenSteps:
 
         def at(s: float) -> np.ndarray:
             if s not in known:
-                z, dt = legs.flown(leg, c, start, start + s)
+                z, dt = legs.flown(leg, c, start, s)
                 known[s] = event_values(scheme, z, legs.constants(c, dt))
             return known[s]
 
         return at
 
     def _bracket(
-        self, leg: Leg, c: np.ndarray, start: float, found: Leg, asleep: np.ndarray, at: Callable[[float], np.ndarray]
+        self,
+        leg: Leg,
+        c: np.ndarray,
+        start: float,
+        length: float,
+        found: Leg,
+        asleep: np.ndarray,
+        at: Callable[[float], np.ndarray],
     ) -> tuple[float, float] | None:
-        """Where on the way to `found` an event that is not asleep happens first [s]."""
-        scheme, legs, length = self.stepper.scheme, self.legs, found.reached - start
+        """Where on the way to `found`, so far away [s], an event that is not asleep happens first [s]."""
+        scheme, legs = self.stepper.scheme, self.legs
         constants = legs.constants(c, length)
         slopes = event_slopes(scheme, legs.set_out(leg, c, start, length), constants)
         end = event_slopes(scheme, found.z, legs.constants(c, found.dt))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import prod
 
 import casadi as ca
 import numpy as np
@@ -16,6 +15,7 @@ from runtime.schemes.direct import direct
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.state_fields import Lasting
 from runtime.schemes.stepper import Stepper
+from runtime.schemes.switching.breaks import within
 from runtime.schemes.switching.crossing import remembers
 from runtime.schemes.work import accounted, by_simpson, power_of
 
@@ -62,29 +62,25 @@ class Legs:
         """Of the scheme."""
         return self.stepper.scheme.model
 
-    def part(self, leg: Leg, c: np.ndarray, start: float, end: float) -> Leg:
-        """A step between two clocks [s], with the work that is done in it; c (c_size,)."""
+    def part(self, leg: Leg, c: np.ndarray, start: float, length: float) -> Leg:
+        """A part so long [s] from a clock on [s], with the work that is done in it; c (c_size,)."""
         scheme, work = self.scheme, leg.work
         if self.remembers and leg.seen is None:  # all that set out from here need it
             leg = replace(leg, seen=self.seen(leg.z, self.constants(c, leg.dt)))
-        z, length = self.flown(leg, c, start, end)
+        z, dt = self.flown(leg, c, start, length)
         if accounted(scheme):
-            half = self.flown(leg, c, start, start + length / 2)
-            seen = [(self.set_out(leg, c, start, length), length), half, (z, length)]
-            powers = [power_of(scheme, self.stepper.state(one), self.constants(c, dt)) for one, dt in seen]
-            work += by_simpson(length, *powers)[0]
-        return Leg(z, length, work, reached=end)
+            half = self.flown(leg, c, start, length / 2)
+            seen = [(self.set_out(leg, c, start, dt), dt), half, (z, dt)]
+            powers = [power_of(scheme, self.stepper.state(one), self.constants(c, step)) for one, step in seen]
+            work += by_simpson(dt, *powers)[0]
+        return Leg(z, dt, work, reached=start + length)
 
-    def flown(self, leg: Leg, c: np.ndarray, start: float, end: float) -> tuple[np.ndarray, float]:
-        """(z, its step) after a step between two clocks, nothing counted."""
-        length = self.length(start, end)
-        z = self.set_out(leg, c, start, length)
-        self.stepper.run(z, self.ready(c, length), 1)
-        return z, length
-
-    def length(self, start: float, end: float) -> float:
-        """The step [s] between two clocks."""
-        return (end - start) * (1 - 2 * np.finfo(float).eps * prod(self.scheme.grid.m))  # sub-steps add up by rounding
+    def flown(self, leg: Leg, c: np.ndarray, start: float, length: float) -> tuple[np.ndarray, float]:
+        """(z, its step) after a part so long [s], nothing counted."""
+        dt = within(length, self.scheme.grid.m)
+        z = self.set_out(leg, c, start, dt)
+        self.stepper.run(z, self.ready(c, dt), 1)
+        return z, dt
 
     def set_out(self, leg: Leg, c: np.ndarray, t: float, dt: float) -> np.ndarray:
         """z (n_z,) from which steps dt [s] go on at a clock, with the accounts and inputs of the leg before."""

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 import sys
 from bisect import bisect_left
-from math import prod
 
 import numpy as np
 
 from runtime.engine.call_list import CallList, repeated, woven
 from runtime.engine.program import Layout
 from runtime.schemes.stepper import Stepper
-from runtime.schemes.switching.breaks import Breaks, StepParts
+from runtime.schemes.switching.breaks import Breaks, StepParts, within
 from runtime.schemes.switching.crossing import ACTS, crossing, needs_crossing
 from runtime.schemes.switching.crossing_rows import LEAD, CrossingRows, marks
 from runtime.schemes.switching.watched import NEVER
@@ -34,9 +33,10 @@ class ListedBreaks:
         scheme, n_z = stepper.scheme, stepper.prepared.z_size
         self._stepper, self._grid, self.first = stepper, grid, first
         self._shares = (1, 2) if accounted(scheme) else (1,)  # parts, and their halves
-        self.last = first + max(1, min(most, MOST_NUMBERS // (2 * len(self._shares) * n_c)))
-        self._steps = np.array(grid.broken[first : self.last])
-        self.last, parts = first + len(self._steps), grid.parts(first, self.last)
+        steps = np.array(grid.broken[first : first + most])
+        held = len(self._shares) * n_c * np.cumsum(grid.parts(steps).counts)  # numbers, up to each step
+        self._steps = steps[: max(1, int(np.searchsorted(held, MOST_NUMBERS, side="right")))]
+        self.last, parts = first + len(self._steps), grid.parts(self._steps)
         own = self._crossing = crossing(stepper) if needs_crossing(scheme) else None
         # clock and n; step, the one before and the clock, for a part and for its half; shares of its powers in the work
         times = {"clock": 2, "whole": 3, "half": 3, "outer_share": 1, "inner_share": 1}
@@ -111,8 +111,7 @@ class ListedBreaks:
             memory[at("constants")] = own.prepared.ready(scheme.constants(c))
             for mark, acts in marks().items():
                 memory[at(mark)] = acts
-        # sub-steps add up by rounding
-        length = (parts.end - parts.start) * (1 - 2 * np.finfo(float).eps * prod(scheme.grid.m))
+        length = within(parts.length, scheme.grid.m)
         last = np.cumsum(parts.counts) - 1
         before = np.append(grid.dt, length[:-1])
         before[last[:-1] + 1] = grid.dt
