@@ -103,7 +103,8 @@ class SteppedModel:
         breaks = (
             bool(self.switches) or self.watches_events
         ) and not scheme.adaptive  # who chooses the ends of steps puts them there
-        self.broken = BrokenSteps(self.stepper, t0, length, self.switches) if breaks else None
+        known = round((t_end - t0) / length)
+        self.broken = BrokenSteps(self.stepper, t0, length, self.switches, known=known) if breaks else None
 
     def begin_events(self, z: np.ndarray) -> None:
         """Look for events from a state z (n_z,) on as if none had happened yet."""

@@ -51,13 +51,12 @@ def test_work_of_a_constant_torque_is_torque_times_angle(model_of: Build, scheme
 
 @pytest.mark.parametrize("scheme", ["rk4", "exponential_adams", "single_rate"])
 def test_work_of_one_whole_step_beside_broken_ones(model_of: Build, scheme: str) -> None:
-    """At the start, between jumps, behind a sampled input and behind an event, in steps of 10 ms: torques are constant.
+    """At the start, between jumps, behind an input's sample and an event, at the end; steps of 10 ms, constant torques.
 
     J = 2 kg m2, so W = v^2 - 9 with the velocity by hand.
     """
-    torque = (
-        "where(t < 0.0153, 4, where(t < 0.035, -60, where(t < 0.0571, 50, -7))) + extra + where(t < 0.1019, boost, -20)"
-    )
+    torque = "where(t < 0.0153, 4, where(t < 0.035, -60, where(t < 0.0571, 50, -7))) + extra"
+    torque += " + where(t < 0.1019, boost, where(t < 0.1219, -20, 500))"  # the last jump is behind the end
     builder = SceneBuilder("driven_wheel").rigid("wheel", mass=1.0, inertia=2.0)
     builder.revolute("axle", "ground.origin", "wheel.origin")
     builder.input("extra", 0.0, "N*m").input("boost", 0.0, "N*m").event("later", "t - 0.0837", action={"boost": "25"})

@@ -45,9 +45,12 @@ def within(length: Any, m: Sequence[int]) -> Any:
 
 
 class Breaks:
-    """Of steps of dt [s] from t0 on. inside: jumps by the step that they are in; on: at the start of which step."""
+    """Of steps of dt [s] from t0 on. inside: jumps by the step that they are in; on: at the start of which step.
 
-    def __init__(self, t0: float, dt: float, switches: Sequence[SwitchTime]) -> None:
+    known: of how many steps all jumps are given.
+    """
+
+    def __init__(self, t0: float, dt: float, switches: Sequence[SwitchTime], known: int = sys.maxsize) -> None:
         self.t0, self.dt = t0, dt
         self.inside: dict[int, list[SwitchTime]] = {}
         self.on: dict[int, list[SwitchTime]] = {}
@@ -60,7 +63,7 @@ class Breaks:
         for one, k, on in zip(switches, step.tolist(), there.tolist(), strict=True):
             (self.on if on else self.inside).setdefault(k, []).append(one)
         self.broken = sorted({*self.inside, *(k - 1 for k in self.on if k > 0)})
-        self._next = np.array([*self.broken, sys.maxsize], dtype=np.int64)
+        self._next = np.array([*(k for k in self.broken if k < known), known, sys.maxsize], dtype=np.int64)
         self._inside = step[~there], times[~there], before[~there], after[~there]
         self._on, first = np.unique(step[there], return_index=True)
         self._sides_on = (

@@ -8,6 +8,7 @@ it, one that begins there on clocks after it, so that no rounding of t decides w
 
 from __future__ import annotations
 
+import sys
 from bisect import bisect_left
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -43,12 +44,15 @@ FEW, MOST = 16, 256  # broken steps of a list
 class BrokenSteps:
     """Runs major steps dt [s] of a stepper from t0 on, breaking those in which something jumps.
 
-    impulses: of prescribed motions whose velocity has jumped so far, by time.
+    known: of how many steps all jumps are given; an account of work does not look further. impulses: of prescribed
+    motions whose velocity has jumped so far, by time.
     """
 
-    def __init__(self, stepper: Stepper, t0: float, dt: float, switches: Sequence[SwitchTime]) -> None:
+    def __init__(
+        self, stepper: Stepper, t0: float, dt: float, switches: Sequence[SwitchTime], known: int = sys.maxsize
+    ) -> None:
         self.stepper, self.t0, self.dt = stepper, t0, dt
-        self.legs, self.grid = Legs(stepper), Breaks(t0, dt, switches)
+        self.legs, self.grid = Legs(stepper), Breaks(t0, dt, switches, known)
         self.impulses: dict[float, Impulse] = {}
         self._moves, self._switches = moves_in_time(self.model), switches
         self._list: ListedBreaks | None = None
