@@ -4,7 +4,9 @@ Errors of windows (accuracy.py) move a state beside that of the run, and this ne
 difference, kept so small that the motion is linear in it, is the error of the run over a factor: it grows, turns and
 dies out by the tangent of the motion at every step. The neighbour costs as much as the run. So it is followed only from
 where the linearised equations let something grow: Re lambda T > GROWS for an eigenvalue lambda and the length T of the
-run. Where coefficients vary that need not be true, and then nothing but time is lost.
+run, or for the rate at which coefficients that change with time may drive a mode (parametric.py). Where coefficients
+vary the first need not mean growth, and then nothing but time is lost; that coordinates on their way drive others with
+no eigenvalue to the right is not seen.
 """
 
 from __future__ import annotations
@@ -15,18 +17,20 @@ import numpy as np
 
 from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
+from runtime.contract.one_thread import dense_eigenvalues
 from runtime.contract.status import Event
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.running.followed_steps import follow_steps, follows_steps
 from runtime.running.made_error import error_made, may_be_judged, may_be_longer
 from runtime.running.neighbour import placed_beside, seen_state, small_change, stepped_to, take_given
+from runtime.running.parametric import first_order, pumped
 from runtime.running.segment import Segment
-from runtime.schemes.step_limit import eigenvalues
 from runtime.schemes.switching.broken_steps import BrokenSteps
 
 MARKS = 25  # at most: where growth is looked for, and the neighbour is looked at
 SHORTEST = 4  # steps of a window
 SHARE = 0.05  # of the run's steps lie in windows; stepping them three times costs 15 %
+EVERY = 5  # of the marks: where it is asked what changes with time may do
 GROWS = 2.0  # Re lambda T from which the neighbour is followed
 OFFSET = 1e-5  # of the neighbour, of a radian or the size of the mechanism; more than rounding, less than what bends
 TOLERANCES = 10.0  # at least, where the neighbour's steps are others
@@ -85,7 +89,7 @@ class CarriedError:
         if self.start is not None and segment.step_of(self.start) == step:
             return  # the run went back to where a batch of steps began
         if not self.following:
-            self.following = _grows(segment, z)
+            self.following = _grows(segment, z, closely=self.marks.index(step) % EVERY == 0)
             if not self.following:
                 self.start = z.copy() if step == 0 else self.start
                 return
@@ -266,15 +270,19 @@ class CarriedError:
         self.course = np.array(memory["course"]).reshape(-1, row).tolist() if row else []
 
 
-def _grows(segment: Segment, z: np.ndarray) -> bool:
-    """Does something grow in the equations linearised here, or can that not be told?"""
+def _grows(segment: Segment, z: np.ndarray, closely: bool) -> bool:
+    """Does something grow in the equations linearised here, or can that not be told? closely: by what changes, too."""
     model, plan = segment.model, segment.plan
     if not ModeSolver.possible(model):
         return True
     q, q_dot = seen_state(segment, z)
     state = State(plan.time(segment.step_of(z)), *independent(model, q, q_dot), loop_part(model, q))
+    solver, span = ModeSolver(model, segment.with_inputs(z)), plan.t_end - plan.t0
     try:
-        rates = eigenvalues(*ModeSolver(model, segment.with_inputs(z)).slopes(state, moving=True)).real
+        here = first_order(*solver.slopes(state, moving=True))
+        rate = float(dense_eigenvalues(here).real.max(initial=0.0))
+        if closely and rate * span <= GROWS:
+            rate += pumped(solver, state, here, plan.t0, span)
+        return rate * span > GROWS
     except np.linalg.LinAlgError:
         return False
-    return bool(rates.max(initial=0.0) * (plan.t_end - plan.t0) > GROWS)

@@ -170,6 +170,41 @@ def test_an_error_that_is_lost_is_not_forgotten(built_in: Load) -> None:
     assert other.lost
 
 
+def swung() -> Scene:
+    """theta'' = -(s + e cos(f t)) theta - 0.05 theta^3 about a pin."""
+    builder = SceneBuilder("swung").rigid("rod", mass=1.0, inertia=1.0)
+    builder.parameter("s", 4.0).parameter("e", 3.0).parameter("f", 4.0)
+    builder.revolute("pin", "ground.origin", "rod.origin").measure_coordinate("a", "rod.theta")
+    builder.torque("drive", "rod.origin", "-(s + e*cos(f*t))*a - 0.05*a**3").initial({"rod.theta": 0.1})
+    return builder.simulation(t_end=40.0, dt=0.1, scheme="rk4").build()
+
+
+@pytest.mark.parametrize(("scheme", "dt", "off"), [("rk4", 0.1, 0.33), ("exponential", 0.1, 0.056)])
+def test_parametric_resonance_is_seen(model_of: Build, scheme: str, dt: float, off: float) -> None:
+    """Every eigenvalue is imaginary at all times, and errors grow 14 to 33 times: 1e-4 was said."""
+    model = model_of(swung())
+    run, exact = simulate(model, scheme=scheme, dt=dt), simulate(model, dt=0.01, save_every=10)
+    true = float(np.abs(run["rod.theta"] - exact["rod.theta"]).max() / (np.ptp(exact["rod.theta"]) / 2))
+    assert true == pytest.approx(off, rel=0.1) and run.status.name == ("inaccurate" if off > 0.1 else "completed")
+    assert true / 3 < float(run.stats["estimated_error"]) < 3 * true and "reliable_until" in run.stats
+
+
+@pytest.mark.parametrize(("f", "followed"), [(1.0, False), (40.0, True)])
+def test_slow_changes_drive_no_mode(model_of: Build, monkeypatch: pytest.MonkeyPatch, f: float, followed: bool) -> None:
+    """Of 20 rad/s, changed by a quarter: beside it slow ones cost no neighbour, those of twice its frequency do."""
+    from runtime.schemes.stepper import Stepper
+
+    model, taken, honest = model_of(swung()), [0], Stepper.run
+
+    def counted(self: Stepper, z: np.ndarray, ready: np.ndarray, steps: int) -> None:
+        taken[0] += steps
+        honest(self, z, ready, steps)
+
+    monkeypatch.setattr(Stepper, "run", counted)
+    simulate(model, scheme="rk4", dt=2e-3, t_end=4.0, parameters={"s": 400.0, "e": 100.0, "f": f})
+    assert (taken[0] > 2.4 * 2000) if followed else (taken[0] < 1.3 * 2000)
+
+
 def test_a_motion_that_grows_costs_twice_and_a_half_its_steps(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
     """Its own, the neighbour's, half as many of double length, and the windows' 15 in a hundred."""
     from runtime.schemes.stepper import Stepper
