@@ -1,9 +1,10 @@
 """From the tolerance of a motion to that of its steps, where their lengths vary.
 
 Errors of steps add up over a motion or die out in it, by factors from 10 to 10,000 from mechanism to mechanism, but
-nearly in proportion to the tolerance of the steps. What two trials differ by is the error of the coarser one.
+nearly in proportion to the tolerance of the steps. What a trial and the finest one differ by is the error of the first.
 
     trials      at COARSER times what is asked, and at what is asked
+    finer       while two of them have nearly the same steps, as stability sets those: their errors are nearly the same
     further     where the tolerance that is wanted lies far from both: coarser or finer ones, at most MOST in all
 """
 
@@ -21,6 +22,7 @@ COARSER = 10.0  # tolerance of the coarser trial over what is asked
 FAR = 10.0  # beyond the finest trial, errors are not taken to be in proportion to the tolerance
 NEARER = 100.0  # at most, from one further trial to the next
 MOST = 6  # trials that are compared
+AS_LONG = 0.5  # of the power of the tolerance that steps go down by: below that it is not what sets them
 TIGHTER = 3  # trials of the tolerance that is wanted, where singular positions are passed
 SLOPES = (0.8, 1.25)  # of an error's power of the tolerance over what the orders of the method say
 
@@ -39,6 +41,9 @@ class VariedTrials:
         """For a motion with the error `aim` where `asked` is; None where a trial is lost."""
         if (not self.made and self.begin(asked) is None) or not self._add(asked):
             return None
+        while not self.runs.passes and self._steps_are_as_long() and len(self.made) < MOST:
+            if not self._add(max(self.made[-1].tolerance / COARSER, FINEST)):
+                return None
         wanted = self._wanted(aim)
         while len(self.made) < MOST:
             coarsest, finest = self.made[0].tolerance, self.made[-1].tolerance
@@ -67,6 +72,12 @@ class VariedTrials:
             wanted = max(wanted * min(aim / error, 0.5), finest.tolerance)
         told = self._told(asked, aim, wanted)
         return replace(told, error=max(error, told.error) if error <= asked else told.error)
+
+    def _steps_are_as_long(self) -> bool:
+        """Do the two finest trials have nearly the same steps?"""
+        coarse, fine = self.made[-2:]
+        power = AS_LONG / self.runs.scheme.error_order
+        return bool(fine.steps < coarse.steps * (coarse.tolerance / fine.tolerance) ** power)
 
     def begin(self, asked: float, most: float = np.inf) -> TriedMotion | None:
         """The coarser trial; None where it is lost or takes more than `most` operations."""
@@ -104,9 +115,8 @@ class VariedTrials:
         The slope is that to the next one, within SLOPES of what the orders of the method say. An error that has fallen
         faster is luck, as where a motion is unstable in itself: steps of nearly that tolerance may be far worse.
         """
-        pairs = zip(self.made, self.made[1:], strict=False)
         x = np.log([one.tolerance for one in self.made[:-1]])
-        y = np.log([self.runs.error(one, finer) for one, finer in pairs])
+        y = np.log([self.runs.error(one, self.made[-1]) for one in self.made[:-1]])
         order = self.runs.scheme.order / self.runs.scheme.error_order
         least, most = SLOPES[0] * order, max(SLOPES[1] * order, 1.0)
         for j in range(1, len(y)):
