@@ -3,7 +3,8 @@
 Trials of the whole motion tell the steps that a method needs (runtime/running/trials.py). The explicit pair is first.
 Stiffness is seen where its steps come near its stability limit, mostly in its first, coarse trial; then the exponential
 methods are tried before it goes on, and the one that needs the fewest operations makes the run. Of the methods that
-come later no more is tried than would be worth it: RIVAL times the operations of the best run so far.
+come later no more is tried than would be worth it: they have to take clearly fewer than the best one so far
+(runtime/running/rival_trials.py).
 """
 
 from __future__ import annotations
@@ -138,6 +139,9 @@ def exponentials(model: Model) -> list[str]:
 
 
 def _times(ratio: float) -> str:
+    """In words; a method that takes a little less, as far as a short trial tells, is not worth more trials."""
+    if ratio < 1:
+        return "about as many operations"
     return f"{ratio:.3g} times the operations" if np.isfinite(ratio) else "more operations than were tried"
 
 
