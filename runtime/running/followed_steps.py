@@ -3,7 +3,8 @@
 Steps that the neighbour's own estimates ask for make other errors than the run's: what the two differ by is then no
 longer the error that the motion carries on. Where all steps of the run are of one length the neighbour takes them by
 itself. Else the run's motion is stepped once more, step by step, and each step is followed by the neighbour's of its
-length; what these two have come to differ by is put beside the run.
+length; what these two have come to differ by is put beside the run. So it is where events are watched: behind one that
+happens a neighbour is placed anew.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ def follows_steps(segment: Segment, z: np.ndarray) -> bool:
     if not isinstance(scheme, AdaptiveSteps):
         return True
     own = scheme.layout.slice
-    return not ("event_step" in scheme.layout.sizes or bool(segment.switches) or z[own("lands")][0] > 0)
+    return not (bool(segment.switches) or z[own("lands")][0] > 0)
 
 
 def follow_steps(segment: Segment, before: np.ndarray, z: np.ndarray, other: np.ndarray) -> np.ndarray | None:

@@ -19,6 +19,7 @@ from runtime.running.plan import make_plan
 from runtime.running.segment import Segment
 from runtime.start.start_state import start_state
 from symgen.scene import Scene, SceneBuilder
+from symgen.scenes import SCENES
 
 Load = Callable[[str], Model]
 Build = Callable[[Scene], Model]
@@ -168,6 +169,24 @@ def test_an_error_that_is_lost_is_not_forgotten(built_in: Load) -> None:
     one.lost = True
     other.resume(one.memory(), {})
     assert other.lost
+
+
+def test_a_neighbour_takes_the_steps_of_a_run_that_watches_events(built_in: Load, model_of: Build) -> None:
+    """Stiff joints: steps of its own erred by more than it was beside, and all of the range was said of right runs.
+
+    One event never happens, the other ends steps on the way.
+    """
+    data, quiet = SCENES["flexible_joint_arm"]().to_dict(), built_in("flexible_joint_arm")
+    data["measures"] = [{"type": "coordinate", "name": "a", "coordinate": "link1.theta"}]
+    data["events"] = {"never": {"when": "a + 50"}, "passes": {"when": "a + 1"}}
+    run = simulate(model_of(Scene.from_dict(data)), scheme="exponential", tolerance=1e-4)
+    each = round(float(run.t[1]) / 2.5e-4)
+    exact = simulate(quiet, scheme="dop853", dt=float(run.t[1]) / each, save_every=each)
+    assert exact.t == pytest.approx(run.t)
+    own, right = (one.q[:, followed(quiet)[1]] for one in (run, exact))
+    true = float((np.abs(own - right).max(axis=0) / np.ptp(right, axis=0) * 2).max())
+    assert len(run.events) > 0 and run.status.ok and true < 1e-3
+    assert true / WITHIN < float(run.stats["estimated_error"]) < WITHIN * true and "reliable_until" not in run.stats
 
 
 def swung() -> Scene:
