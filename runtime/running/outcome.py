@@ -17,7 +17,7 @@ from runtime.results.stream import StreamFile
 from runtime.running.inaccurate import ADVICE, judged
 from runtime.running.limits import with_limits
 from runtime.running.run import Run
-from runtime.running.second_opinion import doubted, finer_misses_load, measured_errors, misses_load
+from runtime.running.second_opinion import MISSED, doubted, finer_misses_load, measured_errors, misses_load
 from runtime.running.segment import Segment
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.evaluation import evaluation_operations
@@ -104,7 +104,15 @@ def _tell(run: Run, stats: dict[str, float | int | str]) -> None:
     if passed and "trials_pass" not in run.told:  # no trial came near it
         del stats["expected_error"]
     elif "estimated_error" in stats:  # errors that grow with time are seen by trials, and not by windows
-        stats["estimated_error"] = max(float(run.told["expected_error"]), float(stats["estimated_error"]))
+        expected, error = float(run.told["expected_error"]), float(stats["estimated_error"])
+        stats["estimated_error"] = max(expected, error)
+        asked = float(run.segment.plan.scheme.options.tolerance)  # type: ignore[attr-defined]
+        if error > MISSED * max(expected, asked):
+            stats["error_over_tolerance"] = error / asked
+            said = (
+                f"the error is estimated at {error:.2g} of an amplitude, where {asked:g} was asked and trials expected "
+            )
+            stats.setdefault("remark", f"{said}{expected:.2g}: take a smaller tolerance")
 
 
 def _circumstances(run: Run) -> dict[str, float | int | str]:

@@ -31,6 +31,7 @@ FINEST = 8  # where a load acts between the steps, which then also end within sh
 FINER = 64.0  # tolerance of the run over that of the finer motion
 AS_BEGUN = ("h_next", "per_step", "steady", "ranging", *RANGES)  # what trials have told at the start
 DOUBTED = 10.0  # times what trials expect, where that is more than was asked: such an estimate is not believed at once
+MISSED = 3.0  # times what was asked and expected: the tolerance was not kept
 
 
 def doubted(run: Run, accuracy: Accuracy) -> bool:
@@ -43,7 +44,8 @@ def doubted(run: Run, accuracy: Accuracy) -> bool:
         return False
     relative = accuracy.relative(run.segment.model)[0]
     asked = float(run.segment.plan.scheme.options.tolerance)  # type: ignore[attr-defined]
-    return max(relative.values()) > max(DOUBTED * float(run.told["expected_error"]), asked)
+    expected, error = float(run.told["expected_error"]), max(relative.values())
+    return error > max(DOUBTED * expected, asked) or error > MISSED * max(expected, asked)
 
 
 def misses_load(run: Run) -> bool:

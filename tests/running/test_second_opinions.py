@@ -5,12 +5,14 @@ from __future__ import annotations
 import signal
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from runtime import Model, simulate
 from runtime.running import outcome
+from runtime.running.calibration import Calibration
 from symgen.scene import Scene, SceneBuilder
 
 Build = Callable[[Scene], Model]
@@ -64,6 +66,20 @@ def test_energy_that_grows_by_itself_is_named_where_nothing_else_tells(
     assert simulate(model, scheme="dopri5", tolerance=1e-3).status.name == "completed"  # as the finer motion tells
     monkeypatch.setattr(outcome, "measured_errors", lambda run, state: None)
     assert simulate(model, scheme="dopri5", tolerance=1e-3).status.name == "diverged"
+
+
+def test_a_tolerance_that_was_not_kept_is_said(model_of: Build, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A run with ten times the error that its trials have told, of cos(sqrt(40) t); one that keeps it says nothing."""
+    model, told = model_of(let_go("-40*a", 2.0)), Calibration.told
+    settings: dict[str, Any] = {"scheme": "dopri5", "tolerance": 1e-3}
+    kept = simulate(model, **settings)
+    assert "error_over_tolerance" not in kept.stats and "remark" not in kept.stats
+    monkeypatch.setattr("runtime.running.trials.AIM", 8.0)
+    monkeypatch.setattr(Calibration, "told", lambda known: {**told(known), "expected_error": 6e-4})
+    run = simulate(model, **settings)
+    off = float(np.abs(run["rod.theta"] - np.cos(np.sqrt(40) * run.t)).max())
+    assert run.stats["error_over_tolerance"] == pytest.approx(off / 1e-3, rel=0.5) and off > 3e-3
+    assert "0.001 was asked" in str(run.stats["remark"])
 
 
 def turned(f: float, t: np.ndarray) -> np.ndarray:
