@@ -90,7 +90,7 @@ def _measured(run: Run, status: Status, state: ConsistentState) -> Status:
         return grown  # it stays what it was judged
     if unseen:
         missed = next(event for event in run.events if event.kind == "load_missed")
-        return Status("inaccurate", status.time, None, f"{missed.text}; finer steps do, too", ADVICE)
+        return Status("inaccurate", status.time, None, f"{missed.text} (an eighth of it misses it, too)", ADVICE)
     run.accuracy.measured |= found or {}
     return status if found and judged(status, run.accuracy, model).ok else grown
 

@@ -27,7 +27,7 @@ from runtime.schemes.switching.times import SwitchTime, switching_times
 
 INSIDE = 8  # points a step, where there are not too many steps
 MOST_POINTS = 200_000
-MOST_FINER = 3_000_000  # of a run that is known to miss a load
+MOST_FINER = 6_000_000  # numbers, of a run that is known to miss a load
 MISSED, DRIFT = 0.02, 0.1  # of the whole impulse of a load: in a step, and summed up
 JUMP = 1e-6  # of the largest position or velocity of the prescribed motions
 SEEN, DUST = 200, 1e-12  # looks at the range of a motion; m or rad, and their rates
@@ -198,8 +198,8 @@ def missed_by_finer(
 ) -> bool:
     """Do steps of a part of the plan's, which end at these stops, too, still not show what a load does?"""
     steps = parts * plan.steps
-    if steps * INSIDE > MOST_FINER:
-        return True
+    if 2 * len(model.q_i) * steps * INSIDE > MOST_FINER:
+        return all(one.owners for one in stops)  # no place within a short pulse is known
     times = np.linspace(plan.t0, plan.t_end, steps * INSIDE + 1)
     broken = np.unique([int((one.time - plan.t0) * parts / plan.grid.dt_L * (1 - 1e-9)) for one in stops]).astype(int)
     found = _missed_loads(model, c, state, times, INSIDE, np.isin(np.arange(steps), broken))

@@ -93,6 +93,13 @@ def test_a_pulse_that_an_eighth_of_the_step_misses_too(model_of: Build) -> None:
     assert run.stats["estimated_error.rod.theta"] == pytest.approx(moved, rel=0.05)
 
 
+def test_loads_that_no_finer_motion_shows(model_of: Build) -> None:
+    """Twenty pulses, too many to end steps within, too short for an eighth of the step: 1.3 off, estimated at 3e-10."""
+    torque = "+".join(f"exp(-(((t - {0.2003 + 0.2309 * k})/2.5e-4)**2))" for k in range(20))
+    run = simulate(model_of(rod(f"0.1 + 100*({torque})")), scheme="rk4", dt=0.048)
+    assert run.status.name == "inaccurate" and "an eighth" in str(run.status.cause)
+
+
 def test_where_steps_end_within_a_pulse() -> None:
     """A pulse of 3 ms on a slow load: 25 places from where it begins to where it ends; none for what is not short, for
     many pulses, or where steps end already."""
