@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 import pytest
@@ -12,28 +11,19 @@ from runtime.contract.model import Model
 from runtime.schemes import exponential
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
+from tests.support.order_case import OrderCase
 from tests.support.prepared_runs import PreparedRuns
 
 Load = Callable[[str], Model]
 FIVE = {"order": 5}
 
 
-@dataclass(frozen=True)
-class Case:
-    """t_end and the coarsest of three steps [s], a cap on the error at the finest, about 1.5 times the measured one."""
-
-    t_end: float
-    dt: float
-    cap: float
-    start: str | None = None
-
-
 CASES = {
-    "hub_beam": Case(0.8, 8e-2, 1.4e-10),  # a load that depends on time, gyroscopic forces
-    "flexible_slider_crank_torque": Case(0.02, 1e-3, 6e-11),  # a loop, modal damping, gravity
-    "flexible_slider_crank_free": Case(0.008, 2e-4, 1.7e-11, "quasi_static"),
-    "double_pendulum": Case(1.0, 2e-2, 3e-9),
-    "overdamped_joint": Case(0.4, 4e-2, 6e-11),
+    "hub_beam": OrderCase(0.8, 8e-2, 1.4e-10),  # a load that depends on time, gyroscopic forces
+    "flexible_slider_crank_torque": OrderCase(0.02, 1e-3, 6e-11),  # a loop, modal damping, gravity
+    "flexible_slider_crank_free": OrderCase(0.008, 2e-4, 1.7e-11, "quasi_static"),
+    "double_pendulum": OrderCase(1.0, 2e-2, 3e-9),
+    "overdamped_joint": OrderCase(0.4, 4e-2, 6e-11),
 }
 
 

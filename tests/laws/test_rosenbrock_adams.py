@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from math import factorial
 from pathlib import Path
 from typing import Any
@@ -25,6 +24,7 @@ from symgen.scenes.arm import arm
 from tests.hand_derived.twin_oscillators import Params
 from tests.hand_derived.twin_subcycling import matrices, radius
 from tests.support.model_values import Array
+from tests.support.order_case import OrderCase
 from tests.support.prepared_runs import PreparedRuns
 
 Load = Callable[[str], Model]
@@ -37,21 +37,11 @@ def built(model: Model, options: Mapping[str, str] = JACOBIAN) -> Scheme:
     return scheme_kind(NAME).build(NAME, model, 1.0, None, options)
 
 
-@dataclass(frozen=True)
-class Case:
-    """t_end and the coarsest of three steps [s], a cap on the error at the finest, about 1.5 times the measured one."""
-
-    t_end: float
-    dt: float
-    cap: float
-    start: str | None = None
-
-
 CASES = {
-    "hub_beam": Case(0.8, 4e-2, 9e-10),  # a load that depends on time, gyroscopic forces
-    "flexible_slider_crank_free": Case(0.008, 2e-4, 5e-10, "quasi_static"),  # a loop
-    "flexible_joint_arm": Case(0.5, 1.25e-3, 8e-13),  # springs between coordinates
-    "overdamped_joint": Case(0.4, 2e-2, 2.7e-9),
+    "hub_beam": OrderCase(0.8, 4e-2, 9e-10),  # a load that depends on time, gyroscopic forces
+    "flexible_slider_crank_free": OrderCase(0.008, 2e-4, 5e-10, "quasi_static"),  # a loop
+    "flexible_joint_arm": OrderCase(0.5, 1.25e-3, 8e-13),  # springs between coordinates
+    "overdamped_joint": OrderCase(0.4, 2e-2, 2.7e-9),
 }
 
 
