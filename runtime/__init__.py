@@ -20,7 +20,6 @@ The names below are the doors; each room is imported when a name of it is first 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from runtime import moved
 from runtime.contract import doors
 from runtime.results import showing
 
@@ -128,8 +127,6 @@ _HOMES = {
     "plots": "views",
     "animation": "views",
 }
-
-moved.redirect()
 
 
 def _page(*arguments: Any) -> Any:

@@ -34,7 +34,6 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from warnings import warn
 
 import casadi as ca
 import numpy as np
@@ -239,10 +238,3 @@ def _choice(system: System, numbers: ConstraintNumbers, q: np.ndarray, at: Confi
         require_redundant(equations, numbers.position, q, redundant)
     kept = [row for row in loop_rows if row not in redundant]
     return choose_loops(system, structural, kept, jacobian, scales, redundant)
-
-
-def __getattr__(name: str) -> type[Configuration]:
-    if name == "Position":
-        warn("pipeline.Position is Configuration since 0.4; the old name goes with 0.5", DeprecationWarning, 2)
-        return Configuration
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -18,7 +18,7 @@ import numpy as np
 
 from runtime.contract.files import OutputError, replacing, try_writing
 from runtime.contract.model import ModelError
-from runtime.running.header import FORMAT, WITHOUT, CheckpointHeader
+from runtime.running.header import FORMAT, CheckpointHeader
 
 BROKEN = (
     OSError,
@@ -108,7 +108,7 @@ def read_checkpoint(path: str | Path) -> Checkpoint:
             raise ModelError(f"checkpoint {path}", f"it is damaged ({damaged})", REMEDY)
         with np.load(path, allow_pickle=False) as data:
             text = str(data["header"])
-            if json.loads(text)["format"] not in (FORMAT, *WITHOUT):
+            if json.loads(text)["format"] != FORMAT:
                 raise ModelError(
                     str(path), "it is a checkpoint in another format", "run it with the version that wrote it"
                 )

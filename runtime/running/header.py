@@ -15,12 +15,6 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 
 FORMAT = "symgen checkpoint 6"
-# older formats, and the entries that they lack: nothing to be told, and no event before it counts as one of many; what
-# trials told a run to a tolerance is then not in its statistics
-WITHOUT: dict[str, dict[str, Any]] = {
-    "symgen checkpoint 4": {"impulses": [], "happened": {}, "told": {}},
-    "symgen checkpoint 5": {"told": {}},
-}
 
 
 @dataclass(frozen=True)
@@ -73,7 +67,7 @@ class CheckpointHeader:
     def from_json(cls, text: str) -> CheckpointHeader:
         """From `to_json`. Raises KeyError, TypeError, AttributeError or ValueError for another text."""
         values = json.loads(text)
-        values |= WITHOUT.get(values.pop("format"), {})
+        del values["format"]
         if set(values) != {entry.name for entry in fields(cls)}:
             raise ValueError("its header has other entries than a checkpoint's")
         events = [Event(**event) for event in values.pop("events")]

@@ -4,8 +4,6 @@
 module each: reading or assembling a `FEStructure`, checking that it is one free body, interfaces, mode set, integrals.
 """
 
-from warnings import warn
-
 from symgen.fe.body import FlexibleBody
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.frame import LineMesh, Section
@@ -14,10 +12,3 @@ from symgen.fe.modal_fields import Marker
 from symgen.fe.structure import FEStructure
 
 __all__ = ["STEEL", "FiniteElementError", "FlexibleBody", "LineMesh", "Marker", "Material", "Section", "FEStructure"]
-
-
-def __getattr__(name: str) -> type[FEStructure]:
-    if name == "Structure":
-        warn("symgen.fe.Structure is FEStructure since 0.4; the old name goes with 0.5", DeprecationWarning, 2)
-        return FEStructure
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -8,8 +8,6 @@ Two ways to them: shapes in closed form with exact integrals (`exact_bending`, `
 mesh with lumped nodal masses (`lateral_modes`, `axial_modes`).
 """
 
-from warnings import warn
-
 from runtime.contract.beams import BENDING, STRETCHING, panels_for
 from symgen.modes.axial import AXIAL_ENDS, BarModes, axial_modes
 from symgen.modes.cleaning import clean
@@ -37,13 +35,3 @@ __all__ = [
     "lateral_modes",
     "panels_for",
 ]
-
-_RENAMED: dict[str, type[BarModes] | type[BeamModes]] = {"AxialModes": BarModes, "LateralModes": BeamModes}
-
-
-def __getattr__(name: str) -> type[BarModes] | type[BeamModes]:
-    if name in _RENAMED:
-        new = _RENAMED[name]
-        warn(f"symgen.modes.{name} is {new.__name__} since 0.4; the old name goes with 0.5", DeprecationWarning, 2)
-        return new
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

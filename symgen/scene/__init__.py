@@ -4,9 +4,6 @@ A `Scene` is immutable and checked: whatever is wrong in it surfaces as a `Scene
 and remedy.
 """
 
-from typing import Any
-from warnings import warn
-
 from symgen.scene.attachments import lateral_ends, with_ends
 from symgen.scene.bodies import (
     AxialModes,
@@ -80,18 +77,3 @@ __all__ = [
     "UniversalJoint", "WeldJoint", "XMeasure", "YMeasure", "ZMeasure", "lateral_ends", "parse_expression", "read_mesh",
     "with_ends",
 ]  # fmt: skip
-
-_RENAMED = {
-    "FlexibleBody": SpatialModalBody,
-    "Group": CoordinateGroup,
-    "Parameter": DeclaredParameter,
-    "Place": Placement,
-}
-
-
-def __getattr__(name: str) -> type[Any]:
-    if name in _RENAMED:
-        new = _RENAMED[name]
-        warn(f"symgen.scene.{name} is {new.__name__} since 0.4; the old name goes with 0.5", DeprecationWarning, 2)
-        return new
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from typing import Annotated, Literal
-from warnings import warn
 
 from pydantic import Field
 
@@ -136,11 +135,6 @@ class SceneParts(StrictModel):
     def placements(self) -> list[Placement]:
         """The joints that place a body by coordinates of their own, in scene order (spatial scenes)."""
         return placements_of(self.moving_bodies, self.joints) if self.space == "spatial" else []
-
-    def places(self) -> list[Placement]:
-        """The old name of `placements`."""
-        warn("Scene.places is placements since 0.4; the old name goes with 0.5", DeprecationWarning, 2)
-        return self.placements()
 
     def switched_parameters(self) -> set[str]:
         """Parameters that actions of events set: they are held as inputs are, and stand where inputs may."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 from collections.abc import Callable
-from dataclasses import fields, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +15,6 @@ import pytest
 from runtime import ModelError, SchemeError, Solution, load_model, resume, simulate
 from runtime.contract.model import Model
 from runtime.running.checkpoint import read_checkpoint
-from runtime.running.header import CheckpointHeader
 from runtime.schemes.catalogue import SCHEMES
 from symgen.generate import generate
 from symgen.scenes import SCENES
@@ -121,26 +120,6 @@ def test_a_resumed_run_to_a_tolerance_tells_the_same(built_in: Load, tmp_path: P
         assert_same(resumed, whole)
         assert told(resumed) == told(whole)
     assert {"trials", "expected_error"} < set(told(whole)) and ("advice" in told(whole)) == (scheme == "auto")
-
-
-def test_a_checkpoint_without_what_trials_told(built_in: Load, tmp_path: Path) -> None:
-    """The format before: read by its name, and the motion is the same."""
-    model, path = built_in("pendulum"), tmp_path / "run.npz"
-    settings: dict[str, Any] = {"scheme": "dopri5", "tolerance": 1e-4, "dt": 0.01, "t_end": 0.6}
-    simulate(model, **settings, checkpoint=path, checkpoint_every=EVERY, progress=lambda t, _: stop_at(t, 0.3))
-    kept = read_checkpoint(path)
-    text = json.loads(kept.header.to_json()) | {"format": "symgen checkpoint 5"}
-    del text["told"]
-
-    class Older(CheckpointHeader):
-        def to_json(self) -> str:
-            return json.dumps(text)
-
-    older = Older(**{entry.name: getattr(kept.header, entry.name) for entry in fields(kept.header)})
-    replace(kept, header=older).write(path)
-    resumed = resume(model, path)
-    assert_same(resumed, simulate(model, **settings))
-    assert "trials" not in resumed.stats
 
 
 def test_checkpoints_do_not_change_a_run(built_in: Load, tmp_path: Path) -> None:

@@ -7,14 +7,12 @@ import inspect
 import json
 import pickle
 import pkgutil
-import subprocess
-import sys
 
 import pytest
 
 import runtime
 import symgen
-from runtime import SymgenError, moved
+from runtime import SymgenError
 from runtime.contract.errors import NoResult
 from symgen.cli import listing, main
 from symgen.scene import SceneError
@@ -71,24 +69,3 @@ def test_a_fault_of_ours_is_not_called_the_users(monkeypatch, capsys, raised: Ex
     assert ("in broken" in error.get("traceback", "")) == (code == 3)  # where it broke
     assert ("please report" in captured.err) == (code == 3)
     assert ("Traceback" in captured.err) == (code == 3)
-
-
-def test_old_paths_still_lead_to_their_modules() -> None:
-    """Each where nothing of the runtime was imported before, with a warning that names the new path."""
-    program = (
-        "import importlib, json, sys, warnings\n"
-        "for old, new, names in json.loads(sys.argv[1]):\n"
-        "    for name in [name for name in sys.modules if name.partition('.')[0] == 'runtime']:\n"
-        "        del sys.modules[name]\n"
-        "    sys.meta_path[:] = [one for one in sys.meta_path if type(one).__module__ != 'runtime.moved']\n"
-        "    with warnings.catch_warnings(record=True) as heard:\n"
-        "        warnings.simplefilter('always')\n"
-        "        module = importlib.import_module(old)\n"
-        "    assert any(new in str(one.message) for one in heard), (old, heard)\n"
-        "    assert module is importlib.import_module(new), old\n"
-        "    assert all(hasattr(module, name) for name in names), old\n"
-    )
-    cases = [(old, new, [*moved.RENAMED.get(old, {})]) for old, new in sorted(moved.MOVED.items())]
-    assert len(cases) > 15
-    result = subprocess.run([sys.executable, "-c", program, json.dumps(cases)], capture_output=True, text=True)
-    assert result.returncode == 0, result.stderr
