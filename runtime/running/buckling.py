@@ -144,7 +144,7 @@ def acting_forces(solution: Solution) -> list[Acting]:
         if one.name in columns
     ] + [
         Acting(
-            {name: -1.0 if role == "marker_a" else 1.0 for role, name in load.markers.items()},
+            {name: -1.0 if role in ("marker_a", "reaction") else 1.0 for role, name in load.markers.items()},
             solution.load_forces[:, k, :dimension],
         )
         for k, load in enumerate(described.loads)

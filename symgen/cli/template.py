@@ -66,7 +66,7 @@ marker_b = "rod.start"
 # marker_b = "crank.origin"
 # motion = "2*pi*t"
 
-# --- Loads: force, torque, spring_damper, rotational_spring_damper; gravity is set above -----------------------
+# --- Loads: force, torque, effort, spring_damper, rotational_spring_damper; gravity is set above ---------------
 [[loads]]
 type = "torque"
 name = "drive"

@@ -31,6 +31,7 @@ from symgen.pipeline import Derived
 from symgen.scene import GroundBody, RigidBody, Scene
 from symgen.scene.appearance import BoxShape, CylinderShape, MeshShape, SphereShape
 from symgen.scene.flexible import SpatialModalBody
+from symgen.scene.loads import Load
 
 
 def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) -> Description:
@@ -52,7 +53,7 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
         redundant=[eq.constraints[row].label for row in derived.redundant],
         bodies=_bodies(derived),
         joints=_joints(scene),
-        loads=[LoadRecord(load.name, load.type, _markers(load)) for load in scene.loads],
+        loads=[_load(scene, load) for load in scene.loads],
         measures=[Measure(name, eq.measure_units[name]) for name in eq.measures],
         drawing=_drawing(derived),
         gravity=_gravity(derived),
@@ -119,9 +120,14 @@ def _joints(scene: Scene) -> list[JointRecord]:
     ]
 
 
-def _markers(load: object) -> dict[str, str]:
+def _load(scene: Scene, load: Load) -> LoadRecord:
+    """An effort is the torque or the force that it is, on marker b of its joint."""
+    if load.type == "effort":
+        joint, turning = scene.joint_of(load.coordinate), ".angle" in load.coordinate
+        ends = {"marker": joint.marker_b, "reaction": joint.marker_a}
+        return LoadRecord(load.name, "torque" if turning else "force", ends)
     named = {key: getattr(load, key, None) for key in ("marker", "marker_a", "marker_b", "reaction")}
-    return {key: name for key, name in named.items() if name}
+    return LoadRecord(load.name, load.type, {key: name for key, name in named.items() if name})
 
 
 def _drawing(derived: Derived) -> Drawing:

@@ -34,6 +34,17 @@ def torque(marker: MarkerMotion, value: ca.SX, reaction: MarkerMotion | None) ->
     return LoadEffect(row, applied=value * rate, action=[ZERO, ZERO, value])
 
 
+def push(a: MarkerMotion, b: MarkerMotion, value: ca.SX) -> LoadEffect:
+    """Force on b along the x-axis of marker a, its opposite on a (prismatic joint)."""
+    direction = a.direction
+    row: Row = {}
+    for axis, component in enumerate(direction):
+        add_scaled(row, value * component, b.r_columns[axis])
+        add_scaled(row, -value * component, a.r_columns[axis])
+    rate = sum(t * (of_b - of_a) for t, of_b, of_a in zip(direction, b.r_dot, a.r_dot, strict=True))
+    return LoadEffect(row, applied=value * rate, action=[*(value * t for t in direction), ZERO])
+
+
 def spring_damper(a: MarkerMotion, b: MarkerMotion, stiffness: ca.SX, damping: ca.SX, free_length: ca.SX) -> LoadEffect:
     """Translational spring-damper between the points a and b."""
     d, d_dot = (

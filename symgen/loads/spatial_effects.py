@@ -9,7 +9,7 @@ import casadi as ca
 
 from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ZERO, add, dot, mul, neg, total
-from symgen.algebra.vectors import Vector, combination, cross, minus, scaled
+from symgen.algebra.vectors import Vector, combination, cross, minus, scaled, zeros
 from symgen.bodies.spatial_body import SpatialMarker
 from symgen.loads import spring_template
 from symgen.loads.effect import LinearSpring, LoadEffect
@@ -53,6 +53,32 @@ def torque(marker: SpatialMarker, value: ca.SX, reaction: SpatialMarker | None) 
     if reaction is not None:
         rate = rate - dot(axis, reaction.omega)
     return LoadEffect(row, applied=value * rate, action=[ZERO, ZERO, ZERO, *scaled(value, axis)])
+
+
+def effort(row: Row, rate: ca.SX, value: ca.SX, axis: Vector, turning: bool) -> LoadEffect:
+    """Torque about or force along an axis on marker b, on a scalar of the motion with this row and rate."""
+    acting = [*zeros(), *scaled(value, axis)] if turning else [*scaled(value, axis), *zeros()]
+    force: Row = {}
+    add_scaled(force, value, row)
+    return LoadEffect(force, applied=value * rate, action=acting)
+
+
+def relative_travel(a: SpatialMarker, b: SpatialMarker) -> tuple[Row, ca.SX]:
+    """Row and rate of the travel of b along marker a's z-axis, where b is on that axis."""
+    row: Row = {}
+    for i in range(3):
+        add_scaled(row, a.axes[2][i], b.r_columns[i])
+        add_scaled(row, neg(a.axes[2][i]), a.r_columns[i])
+    return row, dot(a.axes[2], minus(b.r_dot, a.r_dot))
+
+
+def relative_turn(a: SpatialMarker, b: SpatialMarker) -> tuple[Row, ca.SX]:
+    """Row and rate of the turn of b about marker a's z-axis."""
+    row: Row = {}
+    for i in range(3):
+        add_scaled(row, a.axes[2][i], b.turn_rows[i])
+        add_scaled(row, neg(a.axes[2][i]), a.turn_rows[i])
+    return row, dot(a.axes[2], minus(b.omega, a.omega))
 
 
 def spring_damper(

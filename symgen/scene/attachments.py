@@ -125,7 +125,8 @@ def _by(part: Joint | Load, side: str, scene: SceneParts, reference: str) -> Car
     if kind in ("torque", "rotational_spring_damper", "prescribed_angle"):
         return Carried(False, True)
     if kind in FREE_ROTATION:
-        damped = getattr(part, "damping", 0) != 0
+        driven = any(load.type == "effort" and load.coordinate.startswith(f"{part.name}.angle") for load in scene.loads)
+        damped = driven or getattr(part, "damping", 0) != 0
         if scene.space == "planar":
             return Carried(True, damped)
         return Carried(True, True, None if damped else _free_axis(kind, side, scene, reference))

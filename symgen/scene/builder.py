@@ -151,6 +151,10 @@ class SceneBuilder:
         """A `Torque` [N m]."""
         return self._add("loads", "torque", name, {"marker": marker, "value": value, **fields})
 
+    def effort(self, name: str, coordinate: str, value: float | str) -> Self:
+        """An `Effort` on a joint's coordinate [N m or N]."""
+        return self._add("loads", "effort", name, {"coordinate": coordinate, "value": value})
+
     def spring_damper(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
         """A `SpringDamper`."""
         return self._pair("loads", "spring_damper", name, marker_a, marker_b, fields)

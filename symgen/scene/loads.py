@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from symgen.scene.fields import Bound, MarkerRef, Meaning, Name, Quantity, Scope, StrictModel
+from symgen.scene.fields import Bound, Coordinate, MarkerRef, Meaning, Name, Quantity, Scope, StrictModel
 
 Stiffness = Annotated[Quantity, Meaning("stiffness", "N/m", Bound.NON_NEGATIVE)]
 Damping = Annotated[Quantity, Meaning("damping", "N s/m", Bound.NON_NEGATIVE)]
@@ -38,6 +38,19 @@ class Torque(StrictModel):
     marker: MarkerRef
     value: Annotated[Quantity, Meaning("torque", "N m", scope=Scope.MEASURES)]
     reaction: MarkerRef | None = None
+
+
+class Effort(StrictModel):
+    """What a motor puts on a joint's own coordinate: a torque [N m] on an angle, a force [N] on a travel.
+
+    coordinate: "joint.angle" or "joint.travel", and in space "joint.angle1", "joint.angle2", "joint.x", "joint.y" where
+    the joint has these. It acts on marker b along the coordinate, and its opposite on marker a.
+    """
+
+    type: Literal["effort"] = "effort"
+    name: Name
+    coordinate: Coordinate
+    value: Annotated[Quantity, Meaning("torque or force", "N m or N", scope=Scope.MEASURES)]
 
 
 class SpringDamper(StrictModel):
@@ -83,4 +96,4 @@ class Bushing(StrictModel):
     rotational_damping: TurningDampings = (0.0, 0.0, 0.0)
 
 
-Load = Annotated[Force | Torque | SpringDamper | RotationalSpringDamper | Bushing, Field(discriminator="type")]
+Load = Annotated[Force | Torque | Effort | SpringDamper | RotationalSpringDamper | Bushing, Field(discriminator="type")]

@@ -90,6 +90,15 @@ class SceneParts(StrictModel):
             raise SceneError(f"body '{name}'", f"it has no marker '{marker}'", did_you_mean(marker, markers))
         return body, markers[marker]
 
+    def joint_of(self, coordinate: str) -> Joint:
+        """The joint of "joint.angle"; raises SceneError."""
+        name = coordinate.partition(".")[0]
+        for joint in self.joints:
+            if joint.name == name:
+                return joint
+        remedy = did_you_mean(name, [joint.name for joint in self.joints])
+        raise SceneError("joints", f"there is no joint '{name}'", remedy)
+
     def coordinates(self) -> list[str]:
         """The names of the coordinates q, in order: R_o, theta, q1 ... of each body, those of joints, of states."""
         return [entry.name for entry in self.coordinate_records()]

@@ -41,6 +41,12 @@ KINDS: dict[str, CoordinateKind] = {
     "x": "position",
     "y": "position",
 }
+# what an effort may act on between the markers of a joint that has no coordinates of its own
+RELATIVE: dict[str, tuple[str, ...]] = {
+    "revolute": ("angle",),
+    "prismatic": ("travel",),
+    "cylindrical": ("angle", "travel"),
+}
 
 
 @dataclass(frozen=True)

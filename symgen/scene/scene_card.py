@@ -15,7 +15,7 @@ def scene_card(scene: SceneParts) -> str:
         for body in (scene.ground, *scene.moving_bodies)
     ]
     joints = [(joint.name, joint.type, f"{joint.marker_a} - {joint.marker_b}") for joint in scene.joints]
-    roles = ("marker", "marker_a", "marker_b", "reaction")
+    roles = ("marker", "marker_a", "marker_b", "reaction", "coordinate")
     loads = [
         (load.name, load.type, " - ".join(getattr(load, role) for role in roles if getattr(load, role, None)))
         for load in scene.loads

@@ -94,7 +94,7 @@ class PlanarSpace:
         )
 
     def load(self, load: Load, value: Any) -> LoadEffect:
-        """Force, torque or spring-damper."""
+        """Force, torque, effort or spring-damper."""
         if load.type == "force":
             return effects.point_force(
                 self.marker(load.marker), components(load.components, load.name, "xy", value), load.frame
@@ -102,6 +102,10 @@ class PlanarSpace:
         if load.type == "torque":
             reaction = self.marker(load.reaction) if load.reaction else None
             return effects.torque(self.marker(load.marker), value(load.value, f"{load.name}.value"), reaction)
+        if load.type == "effort":
+            joint, effort = self.scene.joint_of(load.coordinate), value(load.value, f"{load.name}.value")
+            a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
+            return effects.torque(b, effort, a) if joint.type == "revolute" else effects.push(a, b, effort)
         turning = load.type == "rotational_spring_damper"
         effect = effects.rotational_spring_damper if turning else effects.spring_damper
         return effect(self.marker(load.marker_a), self.marker(load.marker_b), *spring_values(load, self.table))

@@ -159,7 +159,7 @@ class SpatialSpace:
         return ca.sqrt(dot(d, d)) if kind == "distance" else d["xyz".index(kind)]
 
     def load(self, load: Load, value: Any) -> LoadEffect:
-        """Force, torque, spring-damper or bushing."""
+        """Force, torque, effort, spring-damper or bushing."""
         if load.type == "force":
             return effects.point_force(
                 self.marker(load.marker), components(load.components, load.name, "xyz", value), load.frame
@@ -170,6 +170,8 @@ class SpatialSpace:
                 return effects.torque(self.marker(load.marker), moment, None)
             acted, reaction = self.pair(load.marker, load.reaction)
             return effects.torque(acted, moment, reaction)
+        if load.type == "effort":
+            return self._effort(load.coordinate, value(load.value, f"{load.name}.value"))
         a, b = self.pair(load.marker_a, load.marker_b)
         if load.type == "bushing":
             return effects.bushing(
@@ -185,6 +187,18 @@ class SpatialSpace:
         angle = self._joint_angle(load.marker_a, load.marker_b) or effects.angle_about_z(a, b, self.motion)
         stiffness, damping, free_angle = values
         return effects.turning_spring_damper(angle, stiffness, damping, free_angle, a.axes[2])
+
+    def _effort(self, coordinate: str, value: ca.SX) -> LoadEffect:
+        """On a joint's own coordinate, or between the markers of one that closes a loop."""
+        joint, part = self.scene.joint_of(coordinate), coordinate.partition(".")[2]
+        a, b = self.pair(joint.marker_a, joint.marker_b)
+        own, turning = self._coordinates.get(coordinate), part.startswith("angle")
+        if own is not None:
+            row, rate = {own.column: ONE}, own.rate
+        else:
+            row, rate = (effects.relative_turn if turning else effects.relative_travel)(a, b)
+        axis = b.axes[0] if part == "angle2" else a.axes["xy".find(part)]  # z unless x or y
+        return effects.effort(row, rate, value, axis, turning)
 
     def _triple(self, load: Load, key: str) -> list[ca.SX]:
         values: Sequence[float | str] = getattr(load, key)

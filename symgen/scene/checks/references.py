@@ -7,6 +7,7 @@ from typing import Any
 
 from symgen.scene.errors import SceneError, did_you_mean
 from symgen.scene.parts import SceneParts
+from symgen.scene.placing import PLACING, RELATIVE
 from symgen.scene.translate import item_path
 
 _REFERENCES = ("marker", "marker_a", "marker_b", "reaction")
@@ -20,6 +21,23 @@ def reference_errors(scene: SceneParts) -> Iterator[SceneError]:
             path = item_path(section, index, entry.name)
             unknown = list(_unknown(path, entry, known))
             yield from unknown or _pair(section, path, entry)
+    yield from _efforts(scene)
+
+
+def _efforts(scene: SceneParts) -> Iterator[SceneError]:
+    """Efforts on what no joint has."""
+    efforts = [(k, load) for k, load in enumerate(scene.loads) if load.type == "effort"]
+    placing = {placement.joint for placement in scene.placements()} if efforts else set()
+    kinds = {joint.name: joint.type for joint in scene.joints}
+    for index, load in efforts:
+        path = f"{item_path('loads', index, load.name)}.coordinate"
+        name, _, part = load.coordinate.partition(".")
+        kind = kinds.get(name)
+        if kind is None:
+            yield SceneError(path, f"there is no joint '{name}'", did_you_mean(name, kinds))
+        elif part not in (known := (PLACING if name in placing else RELATIVE).get(kind, ())):
+            has = did_you_mean(part, known) if known else "put a force or a torque on a marker instead"
+            yield SceneError(path, f"the {kind} joint '{name}' has no coordinate '{part}' here", has)
 
 
 def _known_markers(scene: SceneParts) -> dict[str, list[str]]:
