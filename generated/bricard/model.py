@@ -23,7 +23,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 48) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
-    389 operations.
+    215 operations.
     """
     p = ca.SX.sym("p", 48)
     gravity_y = p[0]
@@ -278,7 +278,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
-    674 operations.
+    636 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
@@ -517,7 +517,7 @@ def closure() -> ca.Function:
     gives q_d_next (n_d = 39) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 4) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
-    503 operations.
+    426 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
@@ -737,7 +737,7 @@ def velocities() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
-    810 operations.
+    722 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
@@ -1047,7 +1047,7 @@ def accelerations() -> ca.Function:
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 39) [mixed]: accelerations of the dependent coordinates
-    1455 operations.
+    1346 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
@@ -1525,7 +1525,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 40) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 40) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 40) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    3009 operations.
+    1153 operations.
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
@@ -2207,7 +2207,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 40) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 40 x 40) [SI]: constraint Jacobian
     gives gamma_b (n_c = 40) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    7001 operations.
+    1884 operations.
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
@@ -3626,7 +3626,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 40) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 6) [N, N m]: world force and moment of a joint on its body b, at b
-    3007 operations.
+    2752 operations.
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
@@ -4608,7 +4608,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    1145 operations.
+    1020 operations.
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
@@ -5000,7 +5000,7 @@ def measures() -> ca.Function:
     takes q_dot (n = 40) [mixed]: rates of all coordinates
     takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives measures (measures = 6) [mixed]: measures of the scene and their rates
-    64 operations.
+    41 operations.
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
@@ -5043,7 +5043,7 @@ def poses() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 5) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    226 operations.
+    130 operations.
     """
     q = ca.SX.sym("q", 40)
     bar1_x = q[0]
@@ -5165,7 +5165,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
     takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
-    1636 operations.
+    1606 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
@@ -5591,7 +5591,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
     takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    698 operations.
+    664 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
@@ -5826,7 +5826,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    1933 operations.
+    1893 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
@@ -6371,7 +6371,7 @@ def geometry() -> ca.Function:
     takes p (n_p = 48) [SI]: parameters: every physical number of a scene that is not zero
     gives positions (3 x points = 3 x 13) [m]: drawn points in body axes
     gives axes (9 x points = 9 x 13) [1]: columns of the rotation matrix of the marker at a drawn point
-    165 operations.
+    0 operations.
     """
     p = ca.SX.sym("p", 48)
     bar1_end_x = p[30]

@@ -21,7 +21,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 12) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
-    227 operations.
+    134 operations.
     """
     p = ca.SX.sym("p", 12)
     link_length = p[0]
@@ -183,7 +183,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 10 x 10) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 10) [N, N m]: condensed force S^T (Q* - M s)
-    605 operations.
+    428 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
@@ -448,7 +448,7 @@ def closure() -> ca.Function:
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
     takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 20) [mixed]: dependent coordinates after one Newton step
-    83 operations.
+    52 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     c = ca.SX.sym("c", 78)
@@ -513,7 +513,7 @@ def velocities() -> ca.Function:
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
     takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 20) [mixed]: rates of the dependent coordinates
-    119 operations.
+    78 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
@@ -590,7 +590,7 @@ def accelerations() -> ca.Function:
     takes q_i_ddot (n_i = 10) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 20) [mixed]: accelerations of the dependent coordinates
-    173 operations.
+    124 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
@@ -706,7 +706,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 20) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 20) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 20) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    848 operations.
+    126 operations.
     """
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
@@ -919,7 +919,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 30) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 20 x 30) [SI]: constraint Jacobian
     gives gamma_b (n_c = 20) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    2738 operations.
+    163 operations.
     """
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
@@ -1404,7 +1404,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 20) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 10) [N, N m]: world force and moment of a joint on its body b, at b
-    329 operations.
+    198 operations.
     """
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
@@ -1591,7 +1591,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    328 operations.
+    240 operations.
     """
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
@@ -1730,7 +1730,7 @@ def poses() -> ca.Function:
 
     takes q (n = 30) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 10) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    182 operations.
+    30 operations.
     """
     q = ca.SX.sym("q", 30)
     link1_x = q[0]
@@ -1867,7 +1867,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
     takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 10 x 10) [SI]: total derivative of Q_hat by q_i, through q_d
-    531 operations.
+    391 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
@@ -2161,7 +2161,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
     takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 10 x 10) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    431 operations.
+    299 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
@@ -2361,7 +2361,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 10 x 10) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 10 x 10) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    1067 operations.
+    799 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
@@ -2802,7 +2802,7 @@ def forward_dynamics() -> ca.Function:
     takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
     takes c (n_const = 78) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 10) [mixed]: accelerations of the independent coordinates
-    674 operations.
+    604 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
@@ -3117,7 +3117,7 @@ def geometry() -> ca.Function:
     takes p (n_p = 12) [SI]: parameters: every physical number of a scene that is not zero
     gives positions (3 x points = 3 x 21) [m]: drawn points in body axes
     gives axes (9 x points = 9 x 21) [1]: columns of the rotation matrix of the marker at a drawn point
-    255 operations.
+    0 operations.
     """
     p = ca.SX.sym("p", 12)
     link_length = p[0]
@@ -3206,7 +3206,7 @@ def bounded() -> ca.Function:
 
     takes p (n_p = 12) [SI]: parameters: every physical number of a scene that is not zero
     gives bounded (expressions = 10) [SI]: expressions of the scene that must keep their sign
-    16 operations.
+    3 operations.
     """
     p = ca.SX.sym("p", 12)
     link_length = p[0]

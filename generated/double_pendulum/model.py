@@ -17,7 +17,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 9) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
-    59 operations.
+    30 operations.
     """
     p = ca.SX.sym("p", 9)
     gravity_y = p[0]
@@ -71,7 +71,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 2 x 2) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 2) [N, N m]: condensed force S^T (Q* - M s)
-    30 operations.
+    15 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -108,7 +108,7 @@ def closure() -> ca.Function:
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 4) [mixed]: dependent coordinates after one Newton step
-    11 operations.
+    4 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     c = ca.SX.sym("c", 21)
@@ -129,7 +129,7 @@ def velocities() -> ca.Function:
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 4) [mixed]: rates of the dependent coordinates
-    15 operations.
+    6 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -154,7 +154,7 @@ def accelerations() -> ca.Function:
     takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 4) [mixed]: accelerations of the dependent coordinates
-    21 operations.
+    12 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -187,7 +187,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 4) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 4) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 4) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    64 operations.
+    14 operations.
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
@@ -245,7 +245,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 6) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 4 x 6) [SI]: constraint Jacobian
     gives gamma_b (n_c = 4) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    162 operations.
+    27 operations.
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
@@ -359,7 +359,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 4) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 2) [N, N m]: world force and moment of a joint on its body b, at b
-    65 operations.
+    38 operations.
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
@@ -418,7 +418,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    72 operations.
+    48 operations.
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
@@ -463,7 +463,7 @@ def poses() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 2) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    38 operations.
+    6 operations.
     """
     q = ca.SX.sym("q", 6)
     upper_x = q[0]
@@ -504,7 +504,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i, through q_d
-    24 operations.
+    13 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -536,7 +536,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    16 operations.
+    6 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -567,7 +567,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 2 x 2) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    44 operations.
+    25 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -614,7 +614,7 @@ def forward_dynamics() -> ca.Function:
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
-    74 operations.
+    60 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -662,7 +662,7 @@ def geometry() -> ca.Function:
     takes p (n_p = 9) [SI]: parameters: every physical number of a scene that is not zero
     gives positions (3 x points = 3 x 5) [m]: drawn points in body axes
     gives axes (9 x points = 9 x 5) [1]: columns of the rotation matrix of the marker at a drawn point
-    64 operations.
+    0 operations.
     """
     p = ca.SX.sym("p", 9)
     upper_tip_x = p[7]

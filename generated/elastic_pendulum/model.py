@@ -14,7 +14,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
-    20 operations.
+    4 operations.
     """
     p = ca.SX.sym("p", 6)
     gravity_y = p[0]
@@ -49,7 +49,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 3 x 3) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 3) [N, N m]: condensed force S^T (Q* - M s)
-    45 operations.
+    22 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -96,7 +96,7 @@ def augmented() -> ca.Function:
     gives Q_v (n = 3) [N, N m]: quadratic velocity force in all coordinates
     gives Q_F (n = 3) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 3) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
-    60 operations.
+    22 operations.
     """
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
@@ -144,7 +144,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    51 operations.
+    32 operations.
     """
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
@@ -183,7 +183,7 @@ def measures() -> ca.Function:
     takes q (n = 3) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 3) [mixed]: rates of all coordinates
     gives measures (measures = 2) [mixed]: measures of the scene and their rates
-    17 operations.
+    11 operations.
     """
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
@@ -206,7 +206,7 @@ def load_actions() -> ca.Function:
     takes q_dot (n = 3) [mixed]: rates of all coordinates
     takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
-    32 operations.
+    21 operations.
     """
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
@@ -236,7 +236,7 @@ def poses() -> ca.Function:
 
     takes q (n = 3) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    20 operations.
+    3 operations.
     """
     q = ca.SX.sym("q", 3)
     bob_x = q[0]
@@ -265,7 +265,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i, through q_d
-    78 operations.
+    61 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -311,7 +311,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
     takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    30 operations.
+    17 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     c = ca.SX.sym("c", 9)
@@ -342,7 +342,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 3 x 3) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    101 operations.
+    75 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -398,7 +398,7 @@ def forward_dynamics() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
-    38 operations.
+    24 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -432,7 +432,7 @@ def geometry() -> ca.Function:
     takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
     gives positions (3 x points = 3 x 2) [m]: drawn points in body axes
     gives axes (9 x points = 9 x 2) [1]: columns of the rotation matrix of the marker at a drawn point
-    26 operations.
+    0 operations.
     """
     p = ca.SX.sym("p", 6)
     # outputs

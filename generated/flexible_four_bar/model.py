@@ -18,7 +18,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 169) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
-    173 operations.
+    74 operations.
     """
     p = ca.SX.sym("p", 169)
     gravity_y = p[0]
@@ -167,7 +167,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 5 x 5) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 5) [N, N m]: condensed force S^T (Q* - M s)
-    521 operations.
+    430 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -351,7 +351,7 @@ def closure() -> ca.Function:
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 2) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
-    72 operations.
+    44 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -404,7 +404,7 @@ def velocities() -> ca.Function:
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    123 operations.
+    94 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -471,7 +471,7 @@ def accelerations() -> ca.Function:
     takes q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
-    193 operations.
+    157 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -561,7 +561,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 8) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 8) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    271 operations.
+    103 operations.
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
@@ -690,7 +690,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 13) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 8 x 13) [SI]: constraint Jacobian
     gives gamma_b (n_c = 8) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    833 operations.
+    274 operations.
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
@@ -1003,7 +1003,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
-    350 operations.
+    260 operations.
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
@@ -1162,7 +1162,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    278 operations.
+    208 operations.
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
@@ -1284,7 +1284,7 @@ def poses() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 3) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    56 operations.
+    9 operations.
     """
     q = ca.SX.sym("q", 13)
     crank_x = q[0]
@@ -1339,7 +1339,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i, through q_d
-    1264 operations.
+    1171 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -1705,7 +1705,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    655 operations.
+    579 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -1910,7 +1910,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 5 x 5) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    1665 operations.
+    1542 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -2369,7 +2369,7 @@ def deflections() -> ca.Function:
     gives B (n_i x n_s = 5 x 4) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 4 x 4) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 4 x 4) [SI]: damping of the stiff deflections
-    58 operations.
+    0 operations.
     """
     c = ca.SX.sym("c", 65)
     c41 = c[41]
@@ -2410,7 +2410,7 @@ def blocks() -> ca.Function:
     gives M_hat_SS (n_S x n_S = 4 x 4) [SI]: block of M_hat, rows of S, columns of S
     gives Q_hat_L (n_L = 1) [N, N m]: part of Q_hat of L
     gives Q_hat_S (n_S = 4) [N, N m]: part of Q_hat of S
-    521 operations.
+    430 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -2605,7 +2605,7 @@ def substep_2() -> ca.Function:
     takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 4 x 4) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 4) [N, N m]: right-hand side of a sub-step, slow q'' given
-    432 operations.
+    353 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -2774,7 +2774,7 @@ def geometry() -> ca.Function:
     gives H (1 x entries = 1 x 136) [1/m]: foreshortening of the drawn points that have it, nf x nf each
     gives sections (2 x beams = 2 x 2) [m]: height and width of a rectangle that stands for a beam's section
     gives rigidities (2 x beams = 2 x 2) [N m^2]: E I of a beam for bending along y and along z
-    1480 operations.
+    226 operations.
     """
     p = ca.SX.sym("p", 169)
     coupler_length = p[3]

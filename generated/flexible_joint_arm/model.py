@@ -18,7 +18,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 17) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
-    86 operations.
+    38 operations.
     """
     p = ca.SX.sym("p", 17)
     shoulder_torque = p[0]
@@ -93,7 +93,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 4 x 4) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 4) [N, N m]: condensed force S^T (Q* - M s)
-    75 operations.
+    34 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -151,7 +151,7 @@ def closure() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
-    15 operations.
+    4 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     c = ca.SX.sym("c", 32)
@@ -177,7 +177,7 @@ def velocities() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    19 operations.
+    6 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -207,7 +207,7 @@ def accelerations() -> ca.Function:
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
-    25 operations.
+    12 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -244,7 +244,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 8) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 8) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    158 operations.
+    16 operations.
     """
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
@@ -330,7 +330,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 12) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 8 x 12) [SI]: constraint Jacobian
     gives gamma_b (n_c = 8) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    502 operations.
+    42 operations.
     """
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
@@ -500,7 +500,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
-    95 operations.
+    50 operations.
     """
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
@@ -578,7 +578,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    136 operations.
+    89 operations.
     """
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
@@ -652,7 +652,7 @@ def load_actions() -> ca.Function:
     takes t (1) [s]: time
     takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 3 x 4) [N, N m]: world force and moment of a load on its marker, or b
-    34 operations.
+    10 operations.
     """
     q = ca.SX.sym("q", 12)
     t = ca.SX.sym("t", 1)
@@ -680,7 +680,7 @@ def poses() -> ca.Function:
 
     takes q (n = 12) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 4) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    74 operations.
+    12 operations.
     """
     q = ca.SX.sym("q", 12)
     link1_x = q[0]
@@ -745,7 +745,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i, through q_d
-    43 operations.
+    15 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -792,7 +792,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    28 operations.
+    6 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -823,7 +823,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    74 operations.
+    27 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -885,7 +885,7 @@ def deflections() -> ca.Function:
     gives B (n_i x n_s = 4 x 2) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 2 x 2) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 2 x 2) [SI]: damping of the stiff deflections
-    21 operations.
+    0 operations.
     """
     c = ca.SX.sym("c", 32)
     gear1_stiffness = c[2]
@@ -916,7 +916,7 @@ def forward_dynamics() -> ca.Function:
     takes t (1) [s]: time
     takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    115 operations.
+    85 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -991,7 +991,7 @@ def blocks() -> ca.Function:
     gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat, rows of S, columns of S
     gives Q_hat_L (n_L = 2) [N, N m]: part of Q_hat of L
     gives Q_hat_S (n_S = 2) [N, N m]: part of Q_hat of S
-    75 operations.
+    34 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -1050,7 +1050,7 @@ def substep_2() -> ca.Function:
     takes c (n_const = 32) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 2) [N, N m]: right-hand side of a sub-step, slow q'' given
-    32 operations.
+    12 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     t = ca.SX.sym("t", 1)
@@ -1085,7 +1085,7 @@ def geometry() -> ca.Function:
     takes p (n_p = 17) [SI]: parameters: every physical number of a scene that is not zero
     gives positions (3 x points = 3 x 7) [m]: drawn points in body axes
     gives axes (9 x points = 9 x 7) [1]: columns of the rotation matrix of the marker at a drawn point
-    88 operations.
+    0 operations.
     """
     p = ca.SX.sym("p", 17)
     link1_tip_x = p[13]

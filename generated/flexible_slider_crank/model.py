@@ -18,7 +18,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 68) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
-    100 operations.
+    17 operations.
     """
     p = ca.SX.sym("p", 68)
     omega = p[0]
@@ -121,7 +121,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 4 x 4) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 4) [N, N m]: condensed force S^T (Q* - M s)
-    236 operations.
+    173 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
@@ -244,7 +244,7 @@ def closure() -> ca.Function:
     gives q_d_next (n_d = 9) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 1) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
-    38 operations.
+    19 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
@@ -285,7 +285,7 @@ def velocities() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
-    40 operations.
+    22 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
@@ -328,7 +328,7 @@ def accelerations() -> ca.Function:
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 9) [mixed]: accelerations of the dependent coordinates
-    59 operations.
+    39 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
@@ -381,7 +381,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 9) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 9) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 9) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    217 operations.
+    41 operations.
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
@@ -485,7 +485,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 13) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 9 x 13) [SI]: constraint Jacobian
     gives gamma_b (n_c = 9) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    698 operations.
+    141 operations.
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
@@ -735,7 +735,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 9) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 5) [N, N m]: world force and moment of a joint on its body b, at b
-    240 operations.
+    160 operations.
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
@@ -869,7 +869,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    222 operations.
+    165 operations.
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
@@ -971,7 +971,7 @@ def poses() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 3) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    56 operations.
+    9 operations.
     """
     q = ca.SX.sym("q", 13)
     crank_x = q[0]
@@ -1026,7 +1026,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i, through q_d
-    332 operations.
+    267 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
@@ -1168,7 +1168,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    172 operations.
+    125 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
@@ -1260,7 +1260,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    423 operations.
+    338 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
@@ -1431,7 +1431,7 @@ def deflections() -> ca.Function:
     gives B (n_i x n_s = 4 x 4) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 4 x 4) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 4 x 4) [SI]: damping of the stiff deflections
-    55 operations.
+    0 operations.
     """
     c = ca.SX.sym("c", 48)
     rod_K_ff_0_0 = c[19]
@@ -1475,7 +1475,7 @@ def blocks() -> ca.Function:
     gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat, rows of S, columns of S
     gives Q_hat_L (n_L = 2) [N, N m]: part of Q_hat of L
     gives Q_hat_S (n_S = 2) [N, N m]: part of Q_hat of S
-    236 operations.
+    173 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
@@ -1606,7 +1606,7 @@ def substep_2() -> ca.Function:
     takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 2) [N, N m]: right-hand side of a sub-step, slow q'' given
-    197 operations.
+    149 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
@@ -1713,7 +1713,7 @@ def geometry() -> ca.Function:
     gives axes (9 x points = 9 x 13) [1]: columns of the rotation matrix of the marker at a drawn point
     gives shapes (3 x modes = 3 x 36) [1]: displacement of a drawn point by each mode of its body
     gives turns (3 x modes = 3 x 36) [1/m]: rotation at a drawn point by each mode of its body
-    410 operations.
+    0 operations.
     """
     p = ca.SX.sym("p", 68)
     crank_tip_x = p[32]

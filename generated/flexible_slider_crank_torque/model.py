@@ -18,7 +18,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 168) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
-    130 operations.
+    52 operations.
     """
     p = ca.SX.sym("p", 168)
     motor_torque = p[0]
@@ -138,7 +138,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 3 x 3) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 3) [N, N m]: condensed force S^T (Q* - M s)
-    308 operations.
+    253 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -264,7 +264,7 @@ def closure() -> ca.Function:
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 1) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
-    43 operations.
+    23 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -304,7 +304,7 @@ def velocities() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    58 operations.
+    37 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -351,7 +351,7 @@ def accelerations() -> ca.Function:
     takes q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
-    92 operations.
+    67 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -415,7 +415,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 8) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 8) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    200 operations.
+    57 operations.
     """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
@@ -519,7 +519,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 11) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 8 x 11) [SI]: constraint Jacobian
     gives gamma_b (n_c = 8) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    575 operations.
+    154 operations.
     """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
@@ -741,7 +741,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
-    221 operations.
+    152 operations.
     """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
@@ -858,7 +858,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    196 operations.
+    141 operations.
     """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
@@ -948,7 +948,7 @@ def load_actions() -> ca.Function:
     takes t (1) [s]: time
     takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
-    9 operations.
+    2 operations.
     """
     t = ca.SX.sym("t", 1)
     c = ca.SX.sym("c", 45)
@@ -964,7 +964,7 @@ def poses() -> ca.Function:
 
     takes q (n = 11) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 3) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    56 operations.
+    9 operations.
     """
     q = ca.SX.sym("q", 11)
     crank_x = q[0]
@@ -1015,7 +1015,7 @@ def switching() -> ca.Function:
 
     takes t (1) [s]: time
     gives switching (conditions in t = 1) [SI]: zero where a load or a prescribed motion jumps or kinks
-    4 operations.
+    1 operations.
     """
     t = ca.SX.sym("t", 1)
     # outputs
@@ -1033,7 +1033,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i, through q_d
-    604 operations.
+    556 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1242,7 +1242,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    324 operations.
+    276 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1375,7 +1375,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 3 x 3) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    811 operations.
+    749 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1640,7 +1640,7 @@ def deflections() -> ca.Function:
     gives B (n_i x n_s = 3 x 2) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 2 x 2) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 2 x 2) [SI]: damping of the stiff deflections
-    20 operations.
+    0 operations.
     """
     c = ca.SX.sym("c", 45)
     c27 = c[27]
@@ -1678,7 +1678,7 @@ def blocks() -> ca.Function:
     gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat, rows of S, columns of S
     gives Q_hat_L (n_L = 1) [N, N m]: part of Q_hat of L
     gives Q_hat_S (n_S = 2) [N, N m]: part of Q_hat of S
-    308 operations.
+    253 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1811,7 +1811,7 @@ def substep_2() -> ca.Function:
     takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 2) [N, N m]: right-hand side of a sub-step, slow q'' given
-    220 operations.
+    178 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1919,7 +1919,7 @@ def geometry() -> ca.Function:
     gives H (1 x entries = 1 x 68) [1/m]: foreshortening of the drawn points that have it, nf x nf each
     gives sections (2 x beams = 2) [m]: height and width of a rectangle that stands for a beam's section
     gives rigidities (2 x beams = 2) [N m^2]: E I of a beam for bending along y and along z
-    834 operations.
+    113 operations.
     """
     p = ca.SX.sym("p", 168)
     rod_length = p[5]

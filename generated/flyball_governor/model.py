@@ -22,7 +22,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 44) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
-    314 operations.
+    160 operations.
     """
     p = ca.SX.sym("p", 44)
     gravity_z = p[0]
@@ -243,7 +243,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 4 x 4) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 4) [N, N m]: condensed force S^T (Q* - M s)
-    190 operations.
+    128 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -345,7 +345,7 @@ def closure() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 28) [mixed]: dependent coordinates after one Newton step
-    98 operations.
+    49 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     c = ca.SX.sym("c", 108)
@@ -431,7 +431,7 @@ def velocities() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 28) [mixed]: rates of the dependent coordinates
-    353 operations.
+    293 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 28)
@@ -576,7 +576,7 @@ def accelerations() -> ca.Function:
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 28) [mixed]: accelerations of the dependent coordinates
-    658 operations.
+    590 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 28)
@@ -793,7 +793,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 28) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 28) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 28) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    1715 operations.
+    646 operations.
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
@@ -1216,7 +1216,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 32) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 28 x 32) [SI]: constraint Jacobian
     gives gamma_b (n_c = 28) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    4893 operations.
+    1675 operations.
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
@@ -2321,7 +2321,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 28) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 4) [N, N m]: world force and moment of a joint on its body b, at b
-    2173 operations.
+    1949 operations.
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
@@ -3035,7 +3035,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    1083 operations.
+    963 operations.
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
@@ -3407,7 +3407,7 @@ def load_actions() -> ca.Function:
     takes q_dot (n = 32) [mixed]: rates of all coordinates
     takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 6 x 2) [N, N m]: world force and moment of a load on its marker, or b
-    96 operations.
+    62 operations.
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
@@ -3462,7 +3462,7 @@ def poses() -> ca.Function:
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 4) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    181 operations.
+    104 operations.
     """
     q = ca.SX.sym("q", 32)
     shaft_x = q[0]
@@ -3564,7 +3564,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i, through q_d
-    336 operations.
+    287 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -3695,7 +3695,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    171 operations.
+    128 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -3785,7 +3785,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    467 operations.
+    399 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -3967,7 +3967,7 @@ def forward_dynamics() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    178 operations.
+    134 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -4059,7 +4059,7 @@ def geometry() -> ca.Function:
     takes p (n_p = 44) [SI]: parameters: every physical number of a scene that is not zero
     gives positions (3 x points = 3 x 13) [m]: drawn points in body axes
     gives axes (9 x points = 9 x 13) [1]: columns of the rotation matrix of the marker at a drawn point
-    169 operations.
+    0 operations.
     """
     p = ca.SX.sym("p", 44)
     shaft_right_x = p[22]

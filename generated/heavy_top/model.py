@@ -17,7 +17,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
-    115 operations.
+    73 operations.
     """
     p = ca.SX.sym("p", 6)
     gravity_z = p[0]
@@ -93,7 +93,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 3 x 3) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 3) [N, N m]: condensed force S^T (Q* - M s)
-    45 operations.
+    17 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -137,7 +137,7 @@ def closure() -> ca.Function:
     takes chart (4 x orientations = 4) [1]: unit quaternions from which the turns in q_i are rotation vectors
     takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 7) [mixed]: dependent coordinates after one Newton step
-    80 operations.
+    61 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     chart = ca.SX.sym("chart", 4)
@@ -183,7 +183,7 @@ def velocities() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 7) [mixed]: rates of the dependent coordinates
-    116 operations.
+    98 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -245,7 +245,7 @@ def accelerations() -> ca.Function:
     takes q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 7) [mixed]: accelerations of the dependent coordinates
-    180 operations.
+    154 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -327,7 +327,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 4) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 4) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 4) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    169 operations.
+    109 operations.
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
@@ -407,7 +407,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 7) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 4 x 7) [SI]: constraint Jacobian
     gives gamma_b (n_c = 4) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    378 operations.
+    201 operations.
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
@@ -558,7 +558,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 4) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6) [N, N m]: world force and moment of a joint on its body b, at b
-    274 operations.
+    231 operations.
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
@@ -669,7 +669,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    140 operations.
+    109 operations.
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
@@ -738,7 +738,7 @@ def poses() -> ca.Function:
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    46 operations.
+    26 operations.
     """
     q = ca.SX.sym("q", 7)
     top_x = q[0]
@@ -775,7 +775,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 7) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i, through q_d
-    32 operations.
+    16 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     c = ca.SX.sym("c", 31)
@@ -805,7 +805,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    22 operations.
+    6 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     c = ca.SX.sym("c", 31)
@@ -833,7 +833,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 3 x 3) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    53 operations.
+    22 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -876,7 +876,7 @@ def forward_dynamics() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes c (n_const = 31) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
-    34 operations.
+    18 operations.
     """
     q_d = ca.SX.sym("q_d", 7)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -910,7 +910,7 @@ def geometry() -> ca.Function:
     takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
     gives positions (3 x points = 3 x 3) [m]: drawn points in body axes
     gives axes (9 x points = 9 x 3) [1]: columns of the rotation matrix of the marker at a drawn point
-    39 operations.
+    0 operations.
     """
     p = ca.SX.sym("p", 6)
     top_foot_y = p[5]

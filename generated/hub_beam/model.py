@@ -17,7 +17,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 295) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
-    188 operations.
+    68 operations.
     """
     p = ca.SX.sym("p", 295)
     torque = p[0]
@@ -185,7 +185,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 4 x 4) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 4) [N, N m]: condensed force S^T (Q* - M s)
-    102 operations.
+    50 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -256,7 +256,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     gives q_d_next (n_d = 5) [mixed]: dependent coordinates after one Newton step
-    7 operations.
+    0 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     hub_theta = q_i[0]
@@ -272,7 +272,7 @@ def velocities() -> ca.Function:
 
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     gives q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
-    7 operations.
+    0 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     hub_theta_dot = q_i_dot[0]
@@ -288,7 +288,7 @@ def accelerations() -> ca.Function:
 
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
     gives q_d_ddot (n_d = 5) [mixed]: accelerations of the dependent coordinates
-    7 operations.
+    0 operations.
     """
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
     hub_theta_ddot = q_i_ddot[0]
@@ -308,7 +308,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 5) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 5) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 5) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    77 operations.
+    3 operations.
     """
     q = ca.SX.sym("q", 9)
     hub_x = q[0]
@@ -360,7 +360,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 9) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 5 x 9) [SI]: constraint Jacobian
     gives gamma_b (n_c = 5) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    444 operations.
+    150 operations.
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
@@ -547,7 +547,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 5) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 2) [N, N m]: world force and moment of a joint on its body b, at b
-    237 operations.
+    176 operations.
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
@@ -655,7 +655,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    225 operations.
+    166 operations.
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
@@ -752,7 +752,7 @@ def measures() -> ca.Function:
     takes q_dot (n = 9) [mixed]: rates of all coordinates
     takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives measures (measures = 4) [mixed]: measures of the scene and their rates
-    117 operations.
+    87 operations.
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
@@ -812,7 +812,7 @@ def load_actions() -> ca.Function:
     takes t (1) [s]: time
     takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
-    13 operations.
+    5 operations.
     """
     t = ca.SX.sym("t", 1)
     c = ca.SX.sym("c", 68)
@@ -828,7 +828,7 @@ def poses() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 2) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    38 operations.
+    6 operations.
     """
     q = ca.SX.sym("q", 9)
     hub_x = q[0]
@@ -867,7 +867,7 @@ def switching() -> ca.Function:
 
     takes t (1) [s]: time
     gives switching (conditions in t = 1) [SI]: zero where a load or a prescribed motion jumps or kinks
-    4 operations.
+    1 operations.
     """
     t = ca.SX.sym("t", 1)
     # outputs
@@ -883,7 +883,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
     takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i, through q_d
-    72 operations.
+    32 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
@@ -936,7 +936,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
     takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    72 operations.
+    35 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -994,7 +994,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    156 operations.
+    90 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -1073,7 +1073,7 @@ def deflections() -> ca.Function:
     gives B (n_i x n_s = 4 x 3) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 3 x 3) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 3 x 3) [SI]: damping of the stiff deflections
-    35 operations.
+    0 operations.
     """
     c = ca.SX.sym("c", 68)
     c17 = c[17]
@@ -1105,7 +1105,7 @@ def forward_dynamics() -> ca.Function:
     takes t (1) [s]: time
     takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    109 operations.
+    70 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -1178,7 +1178,7 @@ def blocks() -> ca.Function:
     gives M_hat_SS (n_S x n_S = 3 x 3) [SI]: block of M_hat, rows of S, columns of S
     gives Q_hat_L (n_L = 1) [N, N m]: part of Q_hat of L
     gives Q_hat_S (n_S = 3) [N, N m]: part of Q_hat of S
-    102 operations.
+    50 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -1246,7 +1246,7 @@ def substep_2() -> ca.Function:
     takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 3 x 3) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 3) [N, N m]: right-hand side of a sub-step, slow q'' given
-    67 operations.
+    31 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
@@ -1308,7 +1308,7 @@ def geometry() -> ca.Function:
     gives H (1 x entries = 1 x 153) [1/m]: foreshortening of the drawn points that have it, nf x nf each
     gives sections (2 x beams = 2) [m]: height and width of a rectangle that stands for a beam's section
     gives rigidities (2 x beams = 2) [N m^2]: E I of a beam for bending along y and along z
-    1225 operations.
+    212 operations.
     """
     p = ca.SX.sym("p", 295)
     beam_length = p[3]

@@ -19,7 +19,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 18) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
-    88 operations.
+    35 operations.
     """
     p = ca.SX.sym("p", 18)
     gravity_y = p[0]
@@ -97,7 +97,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
-    209 operations.
+    176 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
@@ -203,7 +203,7 @@ def closure() -> ca.Function:
     gives q_d_next (n_d = 14) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 4) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 2) [SI]: determinants of the loop blocks, zero if singular
-    98 operations.
+    65 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
@@ -278,7 +278,7 @@ def velocities() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
-    78 operations.
+    52 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
@@ -333,7 +333,7 @@ def accelerations() -> ca.Function:
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 14) [mixed]: accelerations of the dependent coordinates
-    130 operations.
+    99 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
@@ -409,7 +409,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 14) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 14) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 14) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    365 operations.
+    69 operations.
     """
     q = ca.SX.sym("q", 15)
     q_dot = ca.SX.sym("q_dot", 15)
@@ -555,7 +555,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 15) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 14 x 15) [SI]: constraint Jacobian
     gives gamma_b (n_c = 14) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    842 operations.
+    84 operations.
     """
     q = ca.SX.sym("q", 15)
     q_dot = ca.SX.sym("q_dot", 15)
@@ -829,7 +829,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 14) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 7) [N, N m]: world force and moment of a joint on its body b, at b
-    257 operations.
+    172 operations.
     """
     q = ca.SX.sym("q", 15)
     q_dot = ca.SX.sym("q_dot", 15)
@@ -980,7 +980,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    168 operations.
+    120 operations.
     """
     q = ca.SX.sym("q", 15)
     q_dot = ca.SX.sym("q_dot", 15)
@@ -1061,7 +1061,7 @@ def poses() -> ca.Function:
 
     takes q (n = 15) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 5) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    92 operations.
+    15 operations.
     """
     q = ca.SX.sym("q", 15)
     upright0_x = q[0]
@@ -1140,7 +1140,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
     takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
-    438 operations.
+    408 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
@@ -1307,7 +1307,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
     takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    170 operations.
+    146 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
@@ -1402,7 +1402,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    488 operations.
+    455 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
@@ -1579,7 +1579,7 @@ def geometry() -> ca.Function:
     takes p (n_p = 18) [SI]: parameters: every physical number of a scene that is not zero
     gives positions (3 x points = 3 x 13) [m]: drawn points in body axes
     gives axes (9 x points = 9 x 13) [1]: columns of the rotation matrix of the marker at a drawn point
-    165 operations.
+    0 operations.
     """
     p = ca.SX.sym("p", 18)
     upright0_tip_x = p[11]

@@ -18,7 +18,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 164) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
-    100 operations.
+    36 operations.
     """
     p = ca.SX.sym("p", 164)
     crank_mass = p[0]
@@ -119,7 +119,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 3 x 3) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 3) [N, N m]: condensed force S^T (Q* - M s)
-    284 operations.
+    237 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -240,7 +240,7 @@ def closure() -> ca.Function:
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 1) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
-    43 operations.
+    23 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -280,7 +280,7 @@ def velocities() -> ca.Function:
     takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
     takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    58 operations.
+    37 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -327,7 +327,7 @@ def accelerations() -> ca.Function:
     takes q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
-    92 operations.
+    67 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -391,7 +391,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 8) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 8) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    200 operations.
+    57 operations.
     """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
@@ -494,7 +494,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 11) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 8 x 11) [SI]: constraint Jacobian
     gives gamma_b (n_c = 8) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    543 operations.
+    132 operations.
     """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
@@ -675,7 +675,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
-    195 operations.
+    134 operations.
     """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
@@ -780,7 +780,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    157 operations.
+    113 operations.
     """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
@@ -856,7 +856,7 @@ def poses() -> ca.Function:
 
     takes q (n = 11) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 3) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    56 operations.
+    9 operations.
     """
     q = ca.SX.sym("q", 11)
     crank_x = q[0]
@@ -911,7 +911,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i, through q_d
-    578 operations.
+    533 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1111,7 +1111,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    320 operations.
+    274 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1242,7 +1242,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 3 x 3) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    781 operations.
+    724 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1499,7 +1499,7 @@ def deflections() -> ca.Function:
     gives B (n_i x n_s = 3 x 2) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 2 x 2) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 2 x 2) [SI]: damping of the stiff deflections
-    18 operations.
+    0 operations.
     """
     c = ca.SX.sym("c", 35)
     c23 = c[23]
@@ -1532,7 +1532,7 @@ def blocks() -> ca.Function:
     gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat, rows of S, columns of S
     gives Q_hat_L (n_L = 1) [N, N m]: part of Q_hat of L
     gives Q_hat_S (n_S = 2) [N, N m]: part of Q_hat of S
-    284 operations.
+    237 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1657,7 +1657,7 @@ def substep_2() -> ca.Function:
     takes c (n_const = 35) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 2) [N, N m]: right-hand side of a sub-step, slow q'' given
-    207 operations.
+    168 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
@@ -1759,7 +1759,7 @@ def geometry() -> ca.Function:
     gives H (1 x entries = 1 x 68) [1/m]: foreshortening of the drawn points that have it, nf x nf each
     gives sections (2 x beams = 2) [m]: height and width of a rectangle that stands for a beam's section
     gives rigidities (2 x beams = 2) [N m^2]: E I of a beam for bending along y and along z
-    834 operations.
+    113 operations.
     """
     p = ca.SX.sym("p", 164)
     rod_length = p[2]

@@ -17,7 +17,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 10) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
-    63 operations.
+    30 operations.
     """
     p = ca.SX.sym("p", 10)
     gravity_y = p[0]
@@ -73,7 +73,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 2 x 2) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 2) [N, N m]: condensed force S^T (Q* - M s)
-    43 operations.
+    26 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -111,7 +111,7 @@ def closure() -> ca.Function:
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 4) [mixed]: dependent coordinates after one Newton step
-    11 operations.
+    4 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     c = ca.SX.sym("c", 23)
@@ -132,7 +132,7 @@ def velocities() -> ca.Function:
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 4) [mixed]: rates of the dependent coordinates
-    15 operations.
+    6 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -157,7 +157,7 @@ def accelerations() -> ca.Function:
     takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 4) [mixed]: accelerations of the dependent coordinates
-    21 operations.
+    12 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -190,7 +190,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 4) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 4) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 4) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    64 operations.
+    14 operations.
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
@@ -248,7 +248,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 6) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 4 x 6) [SI]: constraint Jacobian
     gives gamma_b (n_c = 4) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    171 operations.
+    34 operations.
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
@@ -365,7 +365,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 4) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 2) [N, N m]: world force and moment of a joint on its body b, at b
-    65 operations.
+    38 operations.
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
@@ -424,7 +424,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    81 operations.
+    55 operations.
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
@@ -473,7 +473,7 @@ def load_actions() -> ca.Function:
     takes q_dot (n = 6) [mixed]: rates of all coordinates
     takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
-    15 operations.
+    5 operations.
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
@@ -497,7 +497,7 @@ def poses() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 2) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    38 operations.
+    6 operations.
     """
     q = ca.SX.sym("q", 6)
     rod_x = q[0]
@@ -538,7 +538,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i, through q_d
-    30 operations.
+    17 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -572,7 +572,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    18 operations.
+    7 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -604,7 +604,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 2 x 2) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    52 operations.
+    30 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -654,7 +654,7 @@ def deflections() -> ca.Function:
     gives B (n_i x n_s = 2) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 1) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 1) [SI]: damping of the stiff deflections
-    8 operations.
+    0 operations.
     """
     c = ca.SX.sym("c", 23)
     spring_stiffness = c[0]
@@ -674,7 +674,7 @@ def forward_dynamics() -> ca.Function:
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
-    83 operations.
+    67 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -731,7 +731,7 @@ def blocks() -> ca.Function:
     gives M_hat_SS (n_S x n_S = 1) [SI]: block of M_hat, rows of S, columns of S
     gives Q_hat_L (n_L = 1) [N, N m]: part of Q_hat of L
     gives Q_hat_S (n_S = 1) [N, N m]: part of Q_hat of S
-    43 operations.
+    26 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -773,7 +773,7 @@ def substep_2() -> ca.Function:
     takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 1) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 1) [N, N m]: right-hand side of a sub-step, slow q'' given
-    29 operations.
+    17 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
@@ -805,7 +805,7 @@ def geometry() -> ca.Function:
     takes p (n_p = 10) [SI]: parameters: every physical number of a scene that is not zero
     gives positions (3 x points = 3 x 4) [m]: drawn points in body axes
     gives axes (9 x points = 9 x 4) [1]: columns of the rotation matrix of the marker at a drawn point
-    51 operations.
+    0 operations.
     """
     p = ca.SX.sym("p", 10)
     rod_tip_x = p[7]

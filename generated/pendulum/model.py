@@ -17,7 +17,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 3) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
-    19 operations.
+    7 operations.
     """
     p = ca.SX.sym("p", 3)
     length = p[0]
@@ -49,7 +49,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
-    7 operations.
+    2 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     c = ca.SX.sym("c", 9)
@@ -67,7 +67,7 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     gives q_d_next (n_d = 2) [mixed]: dependent coordinates after one Newton step
-    3 operations.
+    0 operations.
     """
     # outputs
     q_d_next = ca.SX(2, 1)
@@ -79,7 +79,7 @@ def velocities() -> ca.Function:
     """Rates of the dependent coordinates (Eq. 36).
 
     gives q_d_dot (n_d = 2) [mixed]: rates of the dependent coordinates
-    3 operations.
+    0 operations.
     """
     # outputs
     q_d_dot = ca.SX(2, 1)
@@ -91,7 +91,7 @@ def accelerations() -> ca.Function:
     """Accelerations of the dependent coordinates (Eq. 35).
 
     gives q_d_ddot (n_d = 2) [mixed]: accelerations of the dependent coordinates
-    3 operations.
+    0 operations.
     """
     # outputs
     q_d_ddot = ca.SX(2, 1)
@@ -108,7 +108,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 2) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 2) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 2) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    18 operations.
+    0 operations.
     """
     q = ca.SX.sym("q", 3)
     rod_x = q[0]
@@ -140,7 +140,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 3) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 2 x 3) [SI]: constraint Jacobian
     gives gamma_b (n_c = 2) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    54 operations.
+    10 operations.
     """
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
@@ -189,7 +189,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 2) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3) [N, N m]: world force and moment of a joint on its body b, at b
-    32 operations.
+    18 operations.
     """
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
@@ -227,7 +227,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    40 operations.
+    24 operations.
     """
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
@@ -262,7 +262,7 @@ def measures() -> ca.Function:
     takes q_dot (n = 3) [mixed]: rates of all coordinates
     takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives measures (measures = 4) [mixed]: measures of the scene and their rates
-    21 operations.
+    10 operations.
     """
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
@@ -293,7 +293,7 @@ def poses() -> ca.Function:
 
     takes q (n = 3) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    20 operations.
+    3 operations.
     """
     q = ca.SX.sym("q", 3)
     rod_x = q[0]
@@ -321,7 +321,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
-    5 operations.
+    2 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     c = ca.SX.sym("c", 9)
@@ -337,7 +337,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     """Total derivative of Q_hat by q_i_dot, through q_d_dot.
 
     gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    2 operations.
+    0 operations.
     """
     # outputs
     dQ_hat_dq_i_dot = ca.SX(1, 1)
@@ -352,7 +352,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    7 operations.
+    2 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     c = ca.SX.sym("c", 9)
@@ -371,7 +371,7 @@ def forward_dynamics() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    7 operations.
+    3 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     c = ca.SX.sym("c", 9)
@@ -390,7 +390,7 @@ def geometry() -> ca.Function:
     takes p (n_p = 3) [SI]: parameters: every physical number of a scene that is not zero
     gives positions (3 x points = 3 x 3) [m]: drawn points in body axes
     gives axes (9 x points = 9 x 3) [1]: columns of the rotation matrix of the marker at a drawn point
-    39 operations.
+    0 operations.
     """
     p = ca.SX.sym("p", 3)
     length = p[0]

@@ -18,7 +18,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 11) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
-    44 operations.
+    15 operations.
     """
     p = ca.SX.sym("p", 11)
     gravity_y = p[0]
@@ -70,7 +70,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
-    87 operations.
+    70 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
@@ -128,7 +128,7 @@ def closure() -> ca.Function:
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 1) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
-    31 operations.
+    16 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
@@ -163,7 +163,7 @@ def velocities() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    30 operations.
+    16 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
@@ -198,7 +198,7 @@ def accelerations() -> ca.Function:
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
-    44 operations.
+    28 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
@@ -244,7 +244,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 8) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 8) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    148 operations.
+    28 operations.
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
@@ -329,7 +329,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 9) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 8 x 9) [SI]: constraint Jacobian
     gives gamma_b (n_c = 8) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    324 operations.
+    34 operations.
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
@@ -469,7 +469,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
-    107 operations.
+    61 operations.
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
@@ -550,7 +550,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    90 operations.
+    59 operations.
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
@@ -603,7 +603,7 @@ def poses() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 3) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    56 operations.
+    9 operations.
     """
     q = ca.SX.sym("q", 9)
     crank_x = q[0]
@@ -658,7 +658,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
-    134 operations.
+    120 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
@@ -725,7 +725,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    59 operations.
+    48 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
@@ -775,7 +775,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    166 operations.
+    149 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
@@ -858,7 +858,7 @@ def geometry() -> ca.Function:
     takes p (n_p = 11) [SI]: parameters: every physical number of a scene that is not zero
     gives positions (3 x points = 3 x 6) [m]: drawn points in body axes
     gives axes (9 x points = 9 x 6) [1]: columns of the rotation matrix of the marker at a drawn point
-    76 operations.
+    0 operations.
     """
     p = ca.SX.sym("p", 11)
     crank_tip_x = p[9]

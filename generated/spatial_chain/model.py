@@ -22,7 +22,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 19) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
-    211 operations.
+    119 operations.
     """
     p = ca.SX.sym("p", 19)
     gravity_z = p[0]
@@ -168,7 +168,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 9 x 9) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 9) [N, N m]: condensed force S^T (Q* - M s)
-    439 operations.
+    302 operations.
     """
     q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
@@ -402,7 +402,7 @@ def closure() -> ca.Function:
     takes chart (4 x orientations = 12) [1]: unit quaternions from which the turns in q_i are rotation vectors
     takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 21) [mixed]: dependent coordinates after one Newton step
-    215 operations.
+    166 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     chart = ca.SX.sym("chart", 12)
@@ -499,7 +499,7 @@ def velocities() -> ca.Function:
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 21) [mixed]: rates of the dependent coordinates
-    272 operations.
+    224 operations.
     """
     q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
@@ -623,7 +623,7 @@ def accelerations() -> ca.Function:
     takes q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 21) [mixed]: accelerations of the dependent coordinates
-    416 operations.
+    350 operations.
     """
     q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
@@ -784,7 +784,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 12) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 12) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 12) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    581 operations.
+    241 operations.
     """
     q = ca.SX.sym("q", 21)
     q_dot = ca.SX.sym("q_dot", 21)
@@ -985,7 +985,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 21) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 12 x 21) [SI]: constraint Jacobian
     gives gamma_b (n_c = 12) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    2048 operations.
+    763 operations.
     """
     q = ca.SX.sym("q", 21)
     q_dot = ca.SX.sym("q_dot", 21)
@@ -1647,7 +1647,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 12) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 3) [N, N m]: world force and moment of a joint on its body b, at b
-    1143 operations.
+    1017 operations.
     """
     q = ca.SX.sym("q", 21)
     q_dot = ca.SX.sym("q_dot", 21)
@@ -2053,7 +2053,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    691 operations.
+    612 operations.
     """
     q = ca.SX.sym("q", 21)
     q_dot = ca.SX.sym("q_dot", 21)
@@ -2296,7 +2296,7 @@ def poses() -> ca.Function:
 
     takes q (n = 21) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 3) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    136 operations.
+    78 operations.
     """
     q = ca.SX.sym("q", 21)
     link1_x = q[0]
@@ -2380,7 +2380,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat by q_i, through q_d
-    1216 operations.
+    1104 operations.
     """
     q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
@@ -2818,7 +2818,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    585 operations.
+    468 operations.
     """
     q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
@@ -3070,7 +3070,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 9 x 9) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    1702 operations.
+    1494 operations.
     """
     q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
@@ -3659,7 +3659,7 @@ def forward_dynamics() -> ca.Function:
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
-    491 operations.
+    436 operations.
     """
     q_d = ca.SX.sym("q_d", 21)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
@@ -3879,7 +3879,7 @@ def geometry() -> ca.Function:
     takes p (n_p = 19) [SI]: parameters: every physical number of a scene that is not zero
     gives positions (3 x points = 3 x 7) [m]: drawn points in body axes
     gives axes (9 x points = 9 x 7) [1]: columns of the rotation matrix of the marker at a drawn point
-    89 operations.
+    0 operations.
     """
     p = ca.SX.sym("p", 19)
     link1_end_x = p[16]

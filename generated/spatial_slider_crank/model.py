@@ -21,7 +21,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 176) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
-    879 operations.
+    361 operations.
     """
     p = ca.SX.sym("p", 176)
     gravity_z = p[0]
@@ -656,7 +656,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 7 x 7) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 7) [N, N m]: condensed force S^T (Q* - M s)
-    2516 operations.
+    2269 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
@@ -1350,7 +1350,7 @@ def closure() -> ca.Function:
     gives q_d_next (n_d = 24) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 3) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 3) [SI]: determinants of the loop blocks, zero if singular
-    420 operations.
+    338 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
@@ -1543,7 +1543,7 @@ def velocities() -> ca.Function:
     takes q_i_dot (n_i = 7) [mixed]: rates of the independent coordinates
     takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
-    1310 operations.
+    1225 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
@@ -1930,7 +1930,7 @@ def accelerations() -> ca.Function:
     takes q_i_ddot (n_i = 7) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 24) [mixed]: accelerations of the dependent coordinates
-    1964 operations.
+    1862 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
@@ -2479,7 +2479,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 24) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 24) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 24) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    2542 operations.
+    1605 operations.
     """
     q = ca.SX.sym("q", 31)
     q_dot = ca.SX.sym("q_dot", 31)
@@ -3147,7 +3147,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 31) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 24 x 31) [SI]: constraint Jacobian
     gives gamma_b (n_c = 24) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    5819 operations.
+    2786 operations.
     """
     q = ca.SX.sym("q", 31)
     q_dot = ca.SX.sym("q_dot", 31)
@@ -4540,7 +4540,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 24) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 4) [N, N m]: world force and moment of a joint on its body b, at b
-    2445 operations.
+    2153 operations.
     """
     q = ca.SX.sym("q", 31)
     q_dot = ca.SX.sym("q_dot", 31)
@@ -5357,7 +5357,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    1274 operations.
+    1072 operations.
     """
     q = ca.SX.sym("q", 31)
     q_dot = ca.SX.sym("q_dot", 31)
@@ -5804,7 +5804,7 @@ def poses() -> ca.Function:
 
     takes q (n = 31) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 3) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    136 operations.
+    78 operations.
     """
     q = ca.SX.sym("q", 31)
     crank_x = q[0]
@@ -5890,7 +5890,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
     takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 7 x 7) [SI]: total derivative of Q_hat by q_i, through q_d
-    6379 operations.
+    6128 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
@@ -7212,7 +7212,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d_dot (n_d = 24) [mixed]: rates of the dependent coordinates
     takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 7 x 7) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    3621 operations.
+    3370 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
@@ -7995,7 +7995,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 7 x 7) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 7 x 7) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    8295 operations.
+    7950 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
@@ -9602,7 +9602,7 @@ def deflections() -> ca.Function:
     gives B (n_i x n_s = 7 x 6) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 6 x 6) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 6 x 6) [SI]: damping of the stiff deflections
-    128 operations.
+    0 operations.
     """
     c = ca.SX.sym("c", 344)
     rod_D_ff_0_0 = c[147]
@@ -9663,7 +9663,7 @@ def blocks() -> ca.Function:
     gives M_hat_SS (n_S x n_S = 6 x 6) [SI]: block of M_hat, rows of S, columns of S
     gives Q_hat_L (n_L = 1) [N, N m]: part of Q_hat of L
     gives Q_hat_S (n_S = 6) [N, N m]: part of Q_hat of S
-    2516 operations.
+    2269 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
@@ -10370,7 +10370,7 @@ def substep_2() -> ca.Function:
     takes c (n_const = 344) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 6 x 6) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 6) [N, N m]: right-hand side of a sub-step, slow q'' given
-    2448 operations.
+    2216 operations.
     """
     q_i = ca.SX.sym("q_i", 7)
     q_d = ca.SX.sym("q_d", 24)
@@ -11049,7 +11049,7 @@ def geometry() -> ca.Function:
     gives axes (9 x points = 9 x 8) [1]: columns of the rotation matrix of the marker at a drawn point
     gives shapes (3 x modes = 3 x 12) [1]: displacement of a drawn point by each mode of its body
     gives turns (3 x modes = 3 x 12) [1/m]: rotation at a drawn point by each mode of its body
-    197 operations.
+    0 operations.
     """
     p = ca.SX.sym("p", 176)
     ground_axle_z = p[133]

@@ -17,7 +17,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 654) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
-    410 operations.
+    153 operations.
     """
     p = ca.SX.sym("p", 654)
     omega = p[0]
@@ -339,7 +339,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 5 x 5) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 5) [N, N m]: condensed force S^T (Q* - M s)
-    176 operations.
+    93 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 3)
@@ -432,7 +432,7 @@ def closure() -> ca.Function:
     takes t (1) [s]: time
     takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 3) [mixed]: dependent coordinates after one Newton step
-    29 operations.
+    16 operations.
     """
     t = ca.SX.sym("t", 1)
     c = ca.SX.sym("c", 146)
@@ -456,7 +456,7 @@ def velocities() -> ca.Function:
     takes t (1) [s]: time
     takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
-    21 operations.
+    11 operations.
     """
     t = ca.SX.sym("t", 1)
     c = ca.SX.sym("c", 146)
@@ -479,7 +479,7 @@ def accelerations() -> ca.Function:
     takes t (1) [s]: time
     takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 3) [mixed]: accelerations of the dependent coordinates
-    18 operations.
+    8 operations.
     """
     t = ca.SX.sym("t", 1)
     c = ca.SX.sym("c", 146)
@@ -503,7 +503,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 3) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 3) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 3) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    80 operations.
+    29 operations.
     """
     q = ca.SX.sym("q", 8)
     t = ca.SX.sym("t", 1)
@@ -555,7 +555,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 8) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 3 x 8) [SI]: constraint Jacobian
     gives gamma_b (n_c = 3) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    571 operations.
+    293 operations.
     """
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
@@ -806,7 +806,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 3) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 2) [N, N m]: world force and moment of a joint on its body b, at b
-    416 operations.
+    316 operations.
     """
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
@@ -958,7 +958,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    370 operations.
+    275 operations.
     """
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
@@ -1105,7 +1105,7 @@ def measures() -> ca.Function:
     takes q_dot (n = 8) [mixed]: rates of all coordinates
     takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives measures (measures = 4) [mixed]: measures of the scene and their rates
-    219 operations.
+    167 operations.
     """
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
@@ -1195,7 +1195,7 @@ def poses() -> ca.Function:
 
     takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    20 operations.
+    3 operations.
     """
     q = ca.SX.sym("q", 8)
     beam_x = q[0]
@@ -1223,7 +1223,7 @@ def switching() -> ca.Function:
     takes t (1) [s]: time
     takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives switching (conditions in t = 1) [SI]: zero where a load or a prescribed motion jumps or kinks
-    4 operations.
+    1 operations.
     """
     t = ca.SX.sym("t", 1)
     c = ca.SX.sym("c", 146)
@@ -1240,7 +1240,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
     takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i, through q_d
-    87 operations.
+    31 operations.
     """
     q_d_dot = ca.SX.sym("q_d_dot", 3)
     c = ca.SX.sym("c", 146)
@@ -1293,7 +1293,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     """Total derivative of Q_hat by q_i_dot, through q_d_dot.
 
     gives dQ_hat_dq_i_dot (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    26 operations.
+    0 operations.
     """
     # outputs
     dQ_hat_dq_i_dot = ca.SX(5, 5)
@@ -1308,7 +1308,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 5 x 5) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    113 operations.
+    31 operations.
     """
     q_d_dot = ca.SX.sym("q_d_dot", 3)
     c = ca.SX.sym("c", 146)
@@ -1365,7 +1365,7 @@ def deflections() -> ca.Function:
     gives B (n_i x n_s = 5 x 5) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 5 x 5) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 5 x 5) [SI]: damping of the stiff deflections
-    82 operations.
+    0 operations.
     """
     c = ca.SX.sym("c", 146)
     c10 = c[10]
@@ -1404,7 +1404,7 @@ def forward_dynamics() -> ca.Function:
     takes t (1) [s]: time
     takes c (n_const = 146) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
-    155 operations.
+    98 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 3)
@@ -1491,7 +1491,7 @@ def geometry() -> ca.Function:
     gives H (1 x entries = 1 x 425) [1/m]: foreshortening of the drawn points that have it, nf x nf each
     gives sections (2 x beams = 2) [m]: height and width of a rectangle that stands for a beam's section
     gives rigidities (2 x beams = 2) [N m^2]: E I of a beam for bending along y and along z
-    2321 operations.
+    500 operations.
     """
     p = ca.SX.sym("p", 654)
     beam_length = p[2]

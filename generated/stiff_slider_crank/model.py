@@ -18,7 +18,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 67) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
-    96 operations.
+    16 operations.
     """
     p = ca.SX.sym("p", 67)
     crank_mass = p[0]
@@ -118,7 +118,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 5 x 5) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 5) [N, N m]: condensed force S^T (Q* - M s)
-    316 operations.
+    240 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -259,7 +259,7 @@ def closure() -> ca.Function:
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 1) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
-    35 operations.
+    18 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -297,7 +297,7 @@ def velocities() -> ca.Function:
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    42 operations.
+    25 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -339,7 +339,7 @@ def accelerations() -> ca.Function:
     takes q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
-    65 operations.
+    45 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -394,7 +394,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 8) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 8) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    195 operations.
+    39 operations.
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
@@ -490,7 +490,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 13) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 8 x 13) [SI]: constraint Jacobian
     gives gamma_b (n_c = 8) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    684 operations.
+    141 operations.
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
@@ -738,7 +738,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
-    222 operations.
+    148 operations.
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
@@ -862,7 +862,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    222 operations.
+    165 operations.
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
@@ -964,7 +964,7 @@ def poses() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12 x 3) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    56 operations.
+    9 operations.
     """
     q = ca.SX.sym("q", 13)
     crank_x = q[0]
@@ -1019,7 +1019,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i, through q_d
-    492 operations.
+    416 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -1217,7 +1217,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    330 operations.
+    263 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -1363,7 +1363,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 5 x 5) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    697 operations.
+    591 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -1614,7 +1614,7 @@ def deflections() -> ca.Function:
     gives B (n_i x n_s = 5 x 4) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 4 x 4) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 4 x 4) [SI]: damping of the stiff deflections
-    59 operations.
+    0 operations.
     """
     c = ca.SX.sym("c", 46)
     rod_K_ff_0_0 = c[27]
@@ -1658,7 +1658,7 @@ def blocks() -> ca.Function:
     gives M_hat_SS (n_S x n_S = 4 x 4) [SI]: block of M_hat, rows of S, columns of S
     gives Q_hat_L (n_L = 1) [N, N m]: part of Q_hat of L
     gives Q_hat_S (n_S = 4) [N, N m]: part of Q_hat of S
-    316 operations.
+    240 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -1817,7 +1817,7 @@ def substep_2() -> ca.Function:
     takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 4 x 4) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 4) [N, N m]: right-hand side of a sub-step, slow q'' given
-    244 operations.
+    180 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
@@ -1943,7 +1943,7 @@ def geometry() -> ca.Function:
     gives axes (9 x points = 9 x 13) [1]: columns of the rotation matrix of the marker at a drawn point
     gives shapes (3 x modes = 3 x 36) [1]: displacement of a drawn point by each mode of its body
     gives turns (3 x modes = 3 x 36) [1/m]: rotation at a drawn point by each mode of its body
-    410 operations.
+    0 operations.
     """
     p = ca.SX.sym("p", 67)
     crank_tip_x = p[31]

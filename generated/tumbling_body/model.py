@@ -17,7 +17,7 @@ def constants() -> ca.Function:
 
     takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
     gives c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
-    64 operations.
+    35 operations.
     """
     p = ca.SX.sym("p", 6)
     body_mass = p[0]
@@ -73,7 +73,7 @@ def condensed() -> ca.Function:
     takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 6 x 6) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 6) [N, N m]: condensed force S^T (Q* - M s)
-    59 operations.
+    6 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 6)
     c = ca.SX.sym("c", 22)
@@ -115,7 +115,7 @@ def closure() -> ca.Function:
     takes q_i (n_i = 6) [mixed]: independent coordinates, in the order of the partition
     takes chart (4 x orientations = 4) [1]: unit quaternions from which the turns in q_i are rotation vectors
     gives q_d_next (n_d = 4) [mixed]: dependent coordinates after one Newton step
-    57 operations.
+    43 operations.
     """
     q_i = ca.SX.sym("q_i", 6)
     chart = ca.SX.sym("chart", 4)
@@ -150,7 +150,7 @@ def velocities() -> ca.Function:
     takes q_d (n_d = 4) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
     gives q_d_dot (n_d = 4) [mixed]: rates of the dependent coordinates
-    37 operations.
+    25 operations.
     """
     q_d = ca.SX.sym("q_d", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 6)
@@ -184,7 +184,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 6) [mixed]: accelerations of the independent coordinates
     gives q_d_ddot (n_d = 4) [mixed]: accelerations of the dependent coordinates
-    55 operations.
+    39 operations.
     """
     q_d = ca.SX.sym("q_d", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 6)
@@ -226,7 +226,7 @@ def constraints() -> ca.Function:
     gives C_t (n_c = 1) [m/s, rad/s]: partial time derivative of C (prescribed motions)
     gives nu (n_c = 1) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
     gives gamma (n_c = 1) [m/s^2, rad/s^2]: right-hand side at acceleration level
-    39 operations.
+    17 operations.
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
@@ -266,7 +266,7 @@ def augmented() -> ca.Function:
     gives Q_star (n = 7) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 1 x 7) [SI]: constraint Jacobian
     gives gamma_b (n_c = 1) [m/s^2, rad/s^2]: gamma with Baumgarte terms
-    274 operations.
+    124 operations.
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
@@ -385,7 +385,7 @@ def reactions() -> ca.Function:
     takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 1) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 0) [N, N m]: world force and moment of a joint on its body b, at b
-    181 operations.
+    155 operations.
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
@@ -468,7 +468,7 @@ def energy() -> ca.Function:
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    137 operations.
+    108 operations.
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
@@ -535,7 +535,7 @@ def poses() -> ca.Function:
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     gives poses (12 x bodies = 12) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
-    46 operations.
+    26 operations.
     """
     q = ca.SX.sym("q", 7)
     body_x = q[0]
@@ -570,7 +570,7 @@ def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
 
     gives dQ_hat_dq_i (n_i x n_i = 6 x 6) [SI]: total derivative of Q_hat by q_i, through q_d
-    37 operations.
+    0 operations.
     """
     # outputs
     dQ_hat_dq_i = ca.SX(6, 6)
@@ -584,7 +584,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
     takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 6 x 6) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    49 operations.
+    6 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 6)
     c = ca.SX.sym("c", 22)
@@ -616,7 +616,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 6 x 6) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 6 x 6) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    85 operations.
+    6 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 6)
     c = ca.SX.sym("c", 22)
@@ -648,7 +648,7 @@ def forward_dynamics() -> ca.Function:
     takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
     takes c (n_const = 22) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 6) [mixed]: accelerations of the independent coordinates
-    28 operations.
+    12 operations.
     """
     q_i_dot = ca.SX.sym("q_i_dot", 6)
     c = ca.SX.sym("c", 22)
@@ -676,7 +676,7 @@ def geometry() -> ca.Function:
     takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
     gives positions (3 x points = 3 x 3) [m]: drawn points in body axes
     gives axes (9 x points = 9 x 3) [1]: columns of the rotation matrix of the marker at a drawn point
-    40 operations.
+    0 operations.
     """
     p = ca.SX.sym("p", 6)
     body_tip_x_x = p[4]

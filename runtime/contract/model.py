@@ -18,6 +18,7 @@ from runtime.contract.orientations import Places, places_of
 from runtime.contract.parameter_values import changed_vector, checked_inputs, require_bounds
 from runtime.contract.records import Coordinate, Description, Group, Parameter
 from runtime.contract.signals import Signals
+from runtime.contract.tape import arithmetic
 
 
 @dataclass(frozen=True, repr=False)
@@ -47,6 +48,7 @@ class Model:
     driven_by: str = ""
     _kernels: dict[str, ca.Function] = field(default_factory=dict, repr=False)
     _derived: dict[str, ca.Function] = field(default_factory=dict, repr=False)
+    _operations: dict[str, int] = field(default_factory=dict, repr=False)
     steppers: dict[tuple[Any, ...], Any] = field(default_factory=dict, repr=False, compare=False)
     choices: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
 
@@ -152,6 +154,7 @@ class Model:
             sources={**kept, **functions},
             _kernels={},
             _derived={},
+            _operations={},
             steppers={},
             choices={},
         )
@@ -170,9 +173,9 @@ class Model:
     def operations(self) -> dict[str, int]:
         """Operations of each function; where they are derived on demand, of those that were asked for until now."""
         emitted = {spec.name: spec.operations for spec in self.description.functions}
-        return {
-            name: int(kernel.n_instructions()) for name, kernel in self._kernels.items() if name not in emitted
-        } | emitted
+        for name in self._kernels.keys() - emitted.keys() - self._operations.keys():
+            self._operations[name] = arithmetic(self._kernels[name])
+        return self._operations | emitted
 
     def coordinate(self, name: str) -> Coordinate:
         """The record of a coordinate. Raises ModelError for an unknown name."""

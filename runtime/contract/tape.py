@@ -30,7 +30,12 @@ class Tape:
 
     @property
     def operations(self) -> int:
-        """CasADi's own count of the instructions of the Function this tape came from (loads and stores included)."""
+        """How many operations one evaluation takes: arithmetic, without reading inputs and writing outputs."""
+        return sum(node.op not in (ca.OP_INPUT, ca.OP_CONST) for node in self.nodes)
+
+    @property
+    def instructions(self) -> int:
+        """CasADi's count for the Function this tape came from, in which constants, loads and stores are too."""
         return len(self.nodes) + sum(len(entries) for entries in self.outputs)
 
 
@@ -128,6 +133,12 @@ def as_function(name: str, tape: Tape) -> ca.Function:
         for found, shape in zip(tape.outputs, tape.output_shapes, strict=True)
     ]
     return ca.Function(name, inputs, outputs, tape.input_names, tape.output_names)
+
+
+def arithmetic(function: ca.Function) -> int:
+    """Operations of a Function: `Tape.operations` of its tape."""
+    moves = (ca.OP_INPUT, ca.OP_OUTPUT, ca.OP_CONST, ca.OP_PARAMETER)
+    return sum(function.instruction_id(k) not in moves for k in range(function.n_instructions()))
 
 
 def uses(tape: Tape) -> list[int]:

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Protocol
 
-import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import ArgumentError
-from runtime.contract.tape import Tape
+from runtime.contract.tape import Tape, arithmetic
 from runtime.engine.compiled import CompiledProgram
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.llvm_code import find_llvm
@@ -41,12 +40,6 @@ def operations_per_step(program: Program) -> int:
         return body * (node.count if isinstance(node, Repeat) else node.usual)
 
     return program.fold(lambda stage: int(stage.n_instructions()), lambda parts: sum(parts), again)
-
-
-def arithmetic(stage: ca.Function) -> int:
-    """Operations of a stage without reading and writing its arguments."""
-    moves = (ca.OP_INPUT, ca.OP_OUTPUT, ca.OP_CONST, ca.OP_PARAMETER)
-    return sum(stage.instruction_id(k) not in moves for k in range(stage.n_instructions()))
 
 
 def sub_step_operations(program: Program) -> int | None:

@@ -9,7 +9,7 @@ import threading
 
 import numpy as np
 
-from runtime.engine.choose import arithmetic
+from runtime.contract.tape import arithmetic
 from runtime.engine.llvm_code import Compiler, Effort, host
 from runtime.engine.llvm_ir import Form
 from runtime.engine.program import Program

@@ -84,7 +84,7 @@ def _prepared(program: Program, z_size: int, c_size: int) -> Prepared:
 
 def _is_of(tape: Tape, length: int) -> bool:
     """Is a tape that of its Function? It is unless CasADi found something to simplify."""
-    return tape.operations == length
+    return tape.instructions == length
 
 
 def _input_time(name: str, entry: int) -> Time:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import casadi as ca
 
-from runtime.engine.choose import arithmetic
+from runtime.contract.tape import arithmetic
 from runtime.schemes.options import ClosureOptions
 from runtime.schemes.scheme import Scheme
 

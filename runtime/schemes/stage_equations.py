@@ -272,9 +272,9 @@ def tree_is_shorter(model: Model) -> bool:
     """
     if not model.has("forward_dynamics") or not model.has("condensed"):
         return model.has("forward_dynamics")
-    n, tree = len(model.q_i), _size(model, "forward_dynamics")
+    n, tree = len(model.q_i), _operations(model, "forward_dynamics")
     factorisation = n**3 / 6 + n**2
-    return tree < n**2 + factorisation or tree < _size(model, "condensed") + factorisation
+    return tree < factorisation or tree < _operations(model, "condensed") + factorisation
 
 
 def is_long_tree(model: Model) -> bool:
@@ -282,9 +282,11 @@ def is_long_tree(model: Model) -> bool:
     return len(model.q_i) > LONG_TREE and tree_is_shorter(model)
 
 
-def _size(model: Model, name: str) -> int:
-    """Operations of a function, which is built where the description does not say."""
-    return model.operations.get(name) or int(model.kernel(name).n_instructions())
+def _operations(model: Model, name: str) -> int:
+    """Of a function, which is built where the description does not say."""
+    if name not in model.operations:
+        model.kernel(name)
+    return model.operations[name]
 
 
 def velocity_dependent(model: Model) -> bool:

@@ -50,7 +50,7 @@ def _input_time(name: str, entry: int) -> Time:
 def _as_loaded(name: str, tape: Tape) -> Tape:
     """The tape as CasADi will simplify it when it loads the emitted text."""
     loaded = as_function(name, tape)
-    return tape if loaded.n_instructions() == tape.operations else read_tape(loaded)
+    return tape if loaded.n_instructions() == tape.instructions else read_tape(loaded)
 
 
 def _without_unused_inputs(tape: Tape) -> Tape:

@@ -24,7 +24,6 @@ TAKING_APART = {"partition", "rpartition", "split", "rsplit", "startswith", "end
 # text that is no name of a coordinate, row or parameter: commands, file endings, module names, keys of arrays, methods
 READERS_OF_TEXT = {
     "runtime/engine/compiled.py",
-    "runtime/moved.py",
     "runtime/results/export.py",
     "runtime/results/samples.py",  # columns of the CSV
     "runtime/running/record.py",

@@ -11,7 +11,7 @@ import pytest
 
 from runtime import resume, simulate
 from runtime.contract.model import Model
-from runtime.engine.choose import arithmetic
+from runtime.contract.tape import arithmetic
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
 from runtime.studies.stability.tangent import TangentStep

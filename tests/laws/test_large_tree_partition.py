@@ -11,7 +11,7 @@ import pytest
 from numpy.polynomial import Polynomial
 
 from runtime.contract.model import Model
-from runtime.engine.choose import arithmetic
+from runtime.contract.tape import arithmetic
 from runtime.engine.prepare import prepare
 from runtime.schemes import slow_polynomial
 from runtime.schemes.catalogue import scheme_kind

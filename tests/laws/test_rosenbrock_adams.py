@@ -12,7 +12,7 @@ import pytest
 
 from runtime import load_model, resume, simulate
 from runtime.contract.model import Model
-from runtime.engine.choose import arithmetic
+from runtime.contract.tape import arithmetic
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 from runtime.schemes.scheme import Scheme

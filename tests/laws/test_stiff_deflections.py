@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from runtime.contract.model import Model
-from runtime.engine.choose import arithmetic
+from runtime.contract.tape import arithmetic
 from runtime.engine.prepare import prepare
 from runtime.operating.mode_solver import State
 from runtime.schemes.catalogue import scheme_kind

@@ -9,7 +9,7 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
-from runtime.engine.choose import arithmetic
+from runtime.contract.tape import arithmetic
 from runtime.schemes.catalogue import scheme_kind
 from runtime.studies.stability.tangent import TangentStep
 from symgen.scene import Scene

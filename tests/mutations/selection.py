@@ -28,7 +28,6 @@ LEFT_OUT = (
     "symgen/cli",
     "symgen/scenes",
     "runtime/views",
-    "runtime/moved.py",
     "symgen/notation/symbols.py",
     "symgen/notation/fields.py",
 )

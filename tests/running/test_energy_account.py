@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from runtime import Model, Sampled, resume, simulate
-from runtime.engine.choose import arithmetic
+from runtime.contract.tape import arithmetic
 from runtime.engine.prepare import prepare
 from runtime.engine.program import Repeat
 from runtime.schemes.baselines.runge_kutta import ExplicitRungeKutta

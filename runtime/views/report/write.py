@@ -14,7 +14,7 @@ UNITS = {
     "scheme": "Steps in s; m is the ratio of each next group's step.",
     "energy": "Energies and work in J.",
     "constraints": "max |C| in m and rad.",
-    "operations": "CasADi operations of the emitted functions.",
+    "operations": "Operations of the emitted functions.",
 }
 
 
