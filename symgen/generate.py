@@ -10,8 +10,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import shutil
-import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from importlib.metadata import version
 from pathlib import Path
@@ -19,14 +17,13 @@ from pathlib import Path
 import casadi as ca
 import numpy as np
 
-from runtime.contract.cache import cache_folder
 from runtime.contract.model import Model, ModelError
 from runtime.contract.tape import as_function
 from symgen.emission.description import describe
 from symgen.emission.manifest import clean
-from symgen.emission.write import compare_model, emit, kept, write_model
+from symgen.emission.write import compare_model, emit, write_model
 from symgen.pipeline import Derived, derive, derive_on_demand, looked_at
-from symgen.scene import Scene, SceneError
+from symgen.scene import Scene
 
 LARGEST_COMPLETE = 200  # coordinates of a scene that is written with all functions where nothing else is said
 QUADRATIC = {
@@ -39,22 +36,17 @@ def generate(
     scene: Scene,
     folder: str | Path,
     functions: frozenset[str] | None = None,
-    to_keep: bool = False,
     complete: bool = False,
 ) -> Path:
     """Derive, condense and emit `scene` into `folder`; returns the folder.
 
     functions: names of the functions to emit. By default all, but for a tree of more than LARGEST_COMPLETE coordinates
     those that grow with its length, not with the square of it; the folder says which these are, and the others are
-    derived when a model loaded from it is asked for them. complete: all whatever the length. to_keep: leave out what a
-    repository does not keep of a large model. Raises SceneError for bad scenes and for a folder that cannot be written.
+    derived when a model loaded from it is asked for them. complete: all whatever the length. Raises SceneError for bad
+    scenes and for a folder that cannot be written.
     """
     target = Path(folder)
-    files = emit(_derived(scene, functions, complete))
-    written = kept(files) if to_keep else files
-    write_model(written, target)
-    for name in files.keys() - written.keys():
-        (target / name).unlink(missing_ok=True)
+    write_model(emit(_derived(scene, functions, complete)), target)
     return target
 
 
@@ -62,13 +54,12 @@ def check(
     scene: Scene,
     folder: str | Path,
     functions: frozenset[str] | None = None,
-    kept_only: bool = False,
     complete: bool = False,
 ) -> str:
     """Unified diff between `folder` and what the generator emits now; empty if they agree.
 
-    kept_only: the folder holds what a repository keeps; the manifest's hashes stand for the rest. A folder that says
-    what it leaves out is compared with the functions that it has, unless others are named or it is to be complete.
+    A folder that says what it leaves out is compared with the functions that it has, unless others are named or it is
+    to be complete.
     """
     left_out = _left_out(Path(folder)) if functions is None and not complete else []
     if left_out:
@@ -76,7 +67,7 @@ def check(
         files = emit(looked_at(found, [name for name in found.tapes if name not in left_out]))
     else:
         files = emit(_derived(scene, functions, complete))
-    return compare_model(kept(files) if kept_only else files, Path(folder))
+    return compare_model(files, Path(folder))
 
 
 def _left_out(folder: Path) -> list[str]:
@@ -96,40 +87,6 @@ def _derived(scene: Scene, functions: frozenset[str] | None, complete: bool) -> 
         return derive(scene)
     short = [name for name in found.tapes if name not in QUADRATIC and not name.startswith("substep_")]
     return looked_at(found, short)
-
-
-def completed(scene: Scene, folder: Path) -> Path:
-    """The folder itself if it has its code, else one in the cache that has: made on first use, never half-written.
-
-    folder: what a repository keeps of the scene. Raises SceneError if there is none, or the cache cannot be written.
-    """
-    if (folder / "model.py").is_file():
-        return folder
-    expected = _hash_of_files(folder)
-    target = cache_folder() / "models" / f"{scene.name}-{(expected or 'new')[:16]}"
-    if expected is not None and _hash_of_files(target) == expected and (target / "model.py").is_file():
-        return target
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=target.parent, prefix=".making-") as work:
-            made = generate(scene, Path(work) / "model")
-            shutil.rmtree(target, ignore_errors=True)
-            made.replace(target)
-    except OSError as error:
-        if not (target / "manifest.json").is_file():  # else another process was faster
-            raise SceneError(
-                str(target), f"cannot be written ({error})", "set SYMGEN_CACHE to another folder"
-            ) from error
-    return target
-
-
-def _hash_of_files(folder: Path) -> str | None:
-    """SHA-256 of those of model.py and of the scene, which also says how bodies look, by the folder's manifest."""
-    try:
-        known = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))["files"]
-        return hashlib.sha256(f"{known['model.py']} {known['scene.toml']}".encode()).hexdigest()
-    except (OSError, ValueError, KeyError, TypeError):
-        return None
 
 
 def model_of(scene: Scene) -> Model:

@@ -6,9 +6,10 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from symgen.cli.arguments import add_command, add_run_options, add_scene, motion_words
-from symgen.cli.outcome import Outcome
-from symgen.cli.progress import Progress
+from symgen.cli.outcome import Outcome, Progress
+from symgen.cli.runs import MODEL_FOLDER, exit_code, leave_results, run_model, summary
+from symgen.cli.sources import find_source
+from symgen.cli.words import MOTION, motion_words, settings
 
 if TYPE_CHECKING:
     from runtime.contract.model import Model
@@ -21,35 +22,17 @@ LONGEST = 0.02  # s: where a method's curve ends
 SAMPLES = 500  # about so many are kept of the main run
 
 
-def add(subparsers: Any) -> None:
-    """Declare the subcommand."""
-    command = add_command(
-        subparsers,
-        "demo",
-        run,
-        "Generate a built-in scene, simulate it, and show the results.",
-        "Leaves model/, report.json, report.md, motion.gif, view.html, motion.png, deformation.png, forces.png, "
-        "energy.png, solution.npz and .csv, and a comparison of methods: comparison.html, .md, .csv, .json, "
-        "error_time.png, error_evaluations.png. What it recommends is the main run; the scene's own scheme is beside "
-        "it in difference.png.",
-    )
-    add_scene(
-        command,
-        nargs="?",
-        default="slider-crank",
-        help="slider-crank (flexible, the default), any other built-in scene, or a .toml file",
-    )
-    command.add_argument("--out", metavar="DIR", help="folder for everything (default: out/SCENE)")
-    add_run_options(command)
+def demo(arguments: argparse.Namespace) -> Outcome:
+    """Generate a built-in scene, simulate it, and show the results.
 
-
-def run(arguments: argparse.Namespace) -> Outcome:
-    """The whole path: what the comparison recommends is the main run, the scene's own scheme stands beside it."""
+    Leaves model/, report.json, report.md, motion.gif, view.html, motion.png, deformation.png, forces.png,
+    energy.png, solution.npz and .csv, and a comparison of methods: comparison.html, .md, .csv, .json,
+    error_time.png, error_evaluations.png. What it recommends is the main run; the scene's own scheme is beside it
+    in difference.png.
+    """
     from runtime.contract.loading import load_model
     from runtime.views import plots
     from runtime.views.report import run_report
-    from symgen.cli.running import MODEL_FOLDER, exit_code, leave_pictures, leave_results, run_model, summary
-    from symgen.cli.sources import find_source
     from symgen.generate import generate
 
     folder = Path(arguments.out) if arguments.out else Path("out") / Path(arguments.scene).stem
@@ -58,7 +41,7 @@ def run(arguments: argparse.Namespace) -> Outcome:
         progress.note(f"deriving {source.scene.name} ...")
         model = load_model(generate(source.scene, folder / MODEL_FOLDER))
         files, best, judged = _compared(model, arguments, folder, progress)
-    chosen = any(getattr(arguments, name) for name in ("scheme", "dt", "m", "option"))
+    chosen = any(getattr(arguments, name) for name in ("scheme", "dt", "m", "options"))
     solution = run_model(model, arguments if chosen or best is None else argparse.Namespace(**vars(arguments) | best))
     lines = summary(solution, None if chosen else judged)
     if best is not None and not chosen:
@@ -68,7 +51,7 @@ def run(arguments: argparse.Namespace) -> Outcome:
         files["difference.png"] = str(folder / "difference.png")
     with Progress("symgen") as progress:
         progress.note("drawing ...")
-        files |= leave_results(solution, folder) | leave_pictures(solution, folder) | _moving(solution, folder)
+        files |= leave_results(solution, folder) | _moving(solution, folder)
     lines.append(f"in {folder}: {MODEL_FOLDER}/, {', '.join(files)}")
     return Outcome({"report": run_report(solution), "folder": str(folder), "files": files}, lines, exit_code(solution))
 
@@ -98,13 +81,7 @@ def _compared(
 
     if not model.has("dQ_hat_dq_i"):
         return {}, None, None
-    setting = make_setting(
-        model,
-        t_end=arguments.t_end,
-        parameters=dict(arguments.set),
-        initial=dict(arguments.initial),
-        start=arguments.start,
-    )
+    setting = make_setting(model, **settings(arguments, MOTION))
     names = METHODS + (["coupled:4", "printed:4"] if len(model.groups) == 2 else [])
     comparison = work_precision(setting, methods_named(model, names), longest=LONGEST, note=progress.note)
     files = write_comparison(comparison, folder, motion_words(arguments, DEMOS.get(arguments.scene, "")))
@@ -122,7 +99,7 @@ def _recommended(comparison: Comparison) -> tuple[dict[str, Any] | None, float |
     arguments = {
         "scheme": spec.scheme,
         "m": list(spec.m) if spec.m else None,
-        "option": list(spec.options.items()),
+        "options": dict(spec.options),
         "dt": trial.setting,
         "save_every": max(1, trial.steps // SAMPLES),
     }

@@ -1,4 +1,4 @@
-"""What a command has to say, and how it is said: lines for a person, or one JSON object."""
+"""What a command has to say, and how it is said: lines for a person, or one JSON object; its exit code."""
 
 from __future__ import annotations
 
@@ -6,13 +6,22 @@ import json
 import math
 import sys
 import traceback
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, TextIO
 
-from runtime.contract.errors import SymgenError
+from runtime.contract.errors import NoResult, SymgenError
+from runtime.results.meter import Meter
 
 OK, FAILED, WRONG_INPUT, FAULT, INTERRUPTED = 0, 1, 2, 3, 130
+EXIT_CODES = {
+    OK: "done",
+    FAILED: "numerical failure or stale generated code",
+    WRONG_INPUT: "wrong input",
+    FAULT: "a fault of symgen itself",
+    INTERRUPTED: "interrupted",
+}
+CODES = ((KeyboardInterrupt, INTERRUPTED), (NoResult, FAILED), (SymgenError, WRONG_INPUT), (Exception, FAULT))
 REPORT_IT = (
     "this is a fault of symgen, not of your input; please report it with the lines above, the command and the scene "
     "(docs/guide/failures.md says what helps)"
@@ -27,6 +36,26 @@ class Outcome:
     data: Mapping[str, Any]
     lines: list[str] = field(default_factory=list)
     code: int = OK
+
+
+class Progress(Meter):
+    """The progress line of a command, silent with --quiet."""
+
+    silenced = False
+
+    def __init__(self, label: str, stream: TextIO | None = None, counted: str = "") -> None:
+        super().__init__(label, stream, counted)
+        self._active = self._active and not Progress.silenced
+
+
+def exit_code_of(error: BaseException) -> int:
+    """The exit code of a command that ended in this exception."""
+    return next(code for kind, code in CODES if isinstance(error, kind))
+
+
+def left(files: Mapping[str, str] | Iterable[str]) -> list[str]:
+    """A line for each file that a command left."""
+    return [f"left {path}" for path in (files.values() if isinstance(files, Mapping) else files)]
 
 
 def detailed(outcome: Outcome) -> Outcome:
@@ -45,22 +74,29 @@ def report(outcome: Outcome, command: str, as_json: bool) -> None:
     sys.stdout.flush()
 
 
-def report_error(command: str, error: Exception | str, as_json: bool, code: int) -> None:
-    """Write an error: to standard error for a person, as the JSON object on standard output otherwise."""
-    further = [str(entry) for entry in getattr(error, "also", ())]
-    if as_json:
-        details = {
-            "kind": type(error).__name__ if isinstance(error, Exception) else error,
-            "message": clipped(str(error)),
-        }
+def report_error(command: str, error: BaseException, as_json: bool, code: int) -> None:
+    """Write an error: to standard error for a person, as the JSON object on standard output otherwise.
+
+    One that nobody expected is shown where it broke, with how to report it.
+    """
+    kind, message = type(error).__name__, str(error)
+    if code == INTERRUPTED:
+        kind = message = "interrupted"
+    details: dict[str, Any] = {"kind": kind, "message": clipped(message)}
+    further = [clipped(str(entry)) for entry in getattr(error, "also", ())]
+    if code == FAULT:
+        traceback.print_exception(error)
+        details |= {"traceback": "".join(traceback.format_exception(error)), "remedy": REPORT_IT}
+        print(f"symgen: {REPORT_IT}", file=sys.stderr)
+    else:
         if isinstance(error, SymgenError) and error.problem:
             parts = {"item": error.item, "problem": error.problem, "remedy": error.remedy}
             details |= {key: clipped(text) for key, text in parts.items()}
-        also = [clipped(text) for text in further]
-        _write_json({"command": command, "exit_code": code, "error": {**details, "also": also}})
-        return
-    for text in (str(error), *further):
-        print(f"symgen: {clipped(text)}", file=sys.stderr)
+        details["also"] = further
+        for text in () if as_json else (details["message"], *further):
+            print(f"symgen: {text}", file=sys.stderr)
+    if as_json:
+        _write_json({"command": command, "exit_code": code, "error": details})
 
 
 def clipped(text: str) -> str:
@@ -69,16 +105,6 @@ def clipped(text: str) -> str:
         return text
     half = LONGEST_MESSAGE // 2
     return f"{text[:half]} ... ({len(text) - 2 * half} characters left out) ... {text[-half:]}"
-
-
-def report_fault(command: str, error: Exception, as_json: bool) -> None:
-    """An exception that nobody expected: where it broke on standard error, and how to report it."""
-    traceback.print_exception(error)
-    print(f"symgen: {REPORT_IT}", file=sys.stderr)
-    if as_json:
-        where = "".join(traceback.format_exception(error))
-        details = {"kind": type(error).__name__, "message": str(error), "traceback": where, "remedy": REPORT_IT}
-        _write_json({"command": command, "exit_code": FAULT, "error": details})
 
 
 def _write_json(data: Mapping[str, Any]) -> None:

@@ -1,78 +1,67 @@
-"""From a word on the command line to a scene or a model: built-in name, .toml file, or folder of a generated model."""
+"""From a word on the command line to a scene or a model: built-in name, .toml file, or folder of a generated model.
+
+A built-in scene whose code is current, and a folder that is named, are opened without the generator.
+"""
 
 from __future__ import annotations
 
 import inspect
 import json
 import tempfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from symgen.scenes import SCENES, current_folder, generated_folder
 
 if TYPE_CHECKING:
     from runtime.contract.model import Model
     from symgen.scene import Scene
 
-
 MAX_COUNT = 1000
+NOTHING: Mapping[str, float] = {}
 
 
 @dataclass(frozen=True)
 class Source:
-    """A scene and the folder its generated code belongs in.
-
-    named: the folder was named by the user or is ours; the code in any other folder is not run.
-    builtin: the folder is the repository's own, without the code of large models.
-    """
+    """A scene and the folder its generated code belongs in."""
 
     scene: Scene
     folder: Path
-    named: bool = False
-    builtin: bool = False
-
-
-def builtin_scenes() -> Mapping[str, Callable[..., Scene]]:
-    """The built-in scenes by name."""
-    from symgen.scenes import SCENES
-
-    return SCENES
 
 
 def builtin_name(word: str) -> str | None:
     """The built-in scene that `word` names; dashes count as underscores."""
     name = word.replace("-", "_")
-    return name if name in builtin_scenes() else None
+    return name if name in SCENES else None
 
 
-def find_source(word: str, made_with: Sequence[tuple[str, float]] = ()) -> Source:
+def find_source(word: str, made_with: Mapping[str, float] = NOTHING) -> Source:
     """The scene that `word` names, and where its code goes: ./NAME if not a built-in scene as it stands.
 
     made_with: arguments of a built-in scene's function. Raises SceneError.
     """
     from symgen.scene import Scene, SceneError
     from symgen.scene.errors import did_you_mean
-    from symgen.scenes import kept_folder
 
-    scenes, path = builtin_scenes(), Path(word)
-    name = builtin_name(word)
+    path, name, folder = Path(word), builtin_name(word), is_folder(word)
     if name is not None:
-        scene = _made(name, scenes[name], made_with)
-        return Source(scene, Path(scene.name)) if made_with else Source(scene, kept_folder(name), True, True)
+        scene = _made(name, SCENES[name], made_with)
+        return Source(scene, Path(scene.name) if made_with else generated_folder(name))
     if made_with:
         raise SceneError("--with", f"'{word}' is not a built-in scene", "change the scene file, or use --set")
     if path.suffix == ".toml":
         scene = Scene.from_toml(path)
         return Source(scene, Path(scene.name))
-    folder = is_folder(word)
     if folder and (path / "scene.toml").is_file():
-        return Source(Scene.from_toml(path / "scene.toml"), path, named=True)
+        return Source(Scene.from_toml(path / "scene.toml"), path)
     if folder:
         raise SceneError(f"folder '{word}'", "contains no scene.toml", "give a folder written by symgen generate")
     raise SceneError(
         f"scene '{word}'",
         "is neither a built-in scene nor a .toml file",
-        f"{did_you_mean(word.replace('-', '_'), scenes)} (see: symgen list)",
+        f"{did_you_mean(word.replace('-', '_'), SCENES)} (see: symgen list)",
     )
 
 
@@ -84,14 +73,14 @@ def is_folder(word: str) -> bool:
         return False
 
 
-def _made(name: str, make: Callable[..., Scene], made_with: Sequence[tuple[str, float]]) -> Scene:
+def _made(name: str, make: Callable[..., Scene], made_with: Mapping[str, float]) -> Scene:
     """The scene of a function called with arguments by name; whole numbers where it counts something."""
     from symgen.scene import SceneError
     from symgen.scene.errors import did_you_mean
 
     known = inspect.signature(make).parameters
     values: dict[str, float | int] = {}
-    for key, value in made_with:
+    for key, value in made_with.items():
         if key not in known:
             raise SceneError(f"--with {key}", f"scene {name} is not made with that", did_you_mean(key, known))
         if isinstance(known[key].default, bool):
@@ -107,7 +96,7 @@ def _made(name: str, make: Callable[..., Scene], made_with: Sequence[tuple[str, 
 
 
 def opened_model(
-    word: str, made_with: Sequence[tuple[str, float]] = (), keep: Path | None = None, digest: str | None = None
+    word: str, made_with: Mapping[str, float] = NOTHING, keep: Path | None = None, digest: str | None = None
 ) -> Model:
     """The model of a generated folder, or of a scene: from its own folder if current, else derived anew.
 
@@ -116,45 +105,18 @@ def opened_model(
     keep: folder of the model's files if that one was generated. Raises ModelError or SceneError.
     """
     from runtime.contract.loading import load_model
-    from symgen.generate import completed, digest_on_demand
-    from symgen.scene import Scene
 
-    folder = Path(word)
-    if not is_folder(word) or builtin_name(word) is not None or made_with:
-        source = find_source(word, made_with)
-        if not (source.named and is_current(source)):
-            return _derived(source.scene, keep, digest)
-        folder = completed(source.scene, source.folder) if source.builtin else source.folder
-    elif digest is not None and (kept := _scene_text(folder)) is not None and digest == digest_on_demand(kept):
-        return _derived(Scene.from_toml_text(kept), keep, digest)  # what its run was derived from, bit for bit
-    return load_model(folder)
+    name = builtin_name(word)
+    if name is not None and not made_with and (folder := current_folder(name)):
+        return load_model(folder)
+    if name is not None or made_with or not is_folder(word):
+        return _derived(find_source(word, made_with).scene, keep, digest)
+    if digest is not None and (text := _scene_text(Path(word))) is not None:
+        from symgen.generate import digest_on_demand, model_of_text
 
-
-def try_leaving_model(folder: Path) -> None:
-    """See that `leave_model` can write, before something long is begun. Raises SceneError or OutputError."""
-    from runtime.contract.files import try_writing
-    from symgen.emission.ownership import MANIFEST, refuse_foreign_files
-    from symgen.emission.write import FILES
-
-    refuse_foreign_files(FILES, folder)
-    try_writing(folder / MANIFEST)
-
-
-def leave_model(model: Model, folder: Path) -> None:
-    """The files of a model that ran: those of its folder, or what was derived for the run. Raises SceneError."""
-    from symgen.generate import leave
-
-    if not model.folder:
-        leave(model, folder)
-    elif Path(model.folder) != folder.resolve():
-        _copy(Path(model.folder), folder)
-
-
-def _scene_text(folder: Path) -> str | None:
-    try:
-        return (folder / "scene.toml").read_bytes().decode("utf-8")
-    except (OSError, UnicodeDecodeError):
-        return None
+        if digest == digest_on_demand(text):
+            return model_of_text(text)  # what its run was derived from, bit for bit
+    return load_model(word)
 
 
 def opened_text(name: str, text: str, digest: str, keep: Path | None = None) -> Model:
@@ -162,11 +124,13 @@ def opened_text(name: str, text: str, digest: str, keep: Path | None = None) -> 
 
     Raises ModelError or SceneError.
     """
-    from symgen.scene import Scene
+    from runtime.contract.loading import load_model
 
     known = builtin_name(name)
-    if known is not None and find_source(known).scene.to_toml() == text:
-        return opened_model(known, keep=keep)
+    if known is not None and (folder := current_folder(known)) and _scene_text(folder) == text:
+        return load_model(folder)
+    from symgen.scene import Scene
+
     return _derived(Scene.from_toml_text(text), keep, digest)
 
 
@@ -183,14 +147,33 @@ def _derived(scene: Scene, keep: Path | None, digest: str | None) -> Model:
         return load_model(generate(scene, folder))
 
 
-def _copy(source: Path, target: Path) -> None:
-    """The files that the manifest lists, the manifest last. Raises SceneError."""
-    from symgen.emission.write import write_model
+def _scene_text(folder: Path) -> str | None:
+    try:
+        return (folder / "scene.toml").read_bytes().decode("utf-8")
+    except (OSError, UnicodeDecodeError):
+        return None
 
-    listed = json.loads((source / "manifest.json").read_text(encoding="utf-8"))["files"]
-    write_model({name: (source / name).read_bytes().decode("utf-8") for name in (*listed, "manifest.json")}, target)
+
+def try_leaving_model(folder: Path) -> None:
+    """See that `leave_model` can write, before something long is begun. Raises SceneError or OutputError."""
+    from runtime.contract.files import try_writing
+    from symgen.emission.ownership import MANIFEST, refuse_foreign_files
+    from symgen.emission.write import FILES
+
+    refuse_foreign_files(FILES, folder)
+    try_writing(folder / MANIFEST)
 
 
-def is_current(source: Source) -> bool:
-    """Was the code in the source's folder generated from this very scene?"""
-    return (source.folder / "manifest.json").is_file() and _scene_text(source.folder) == source.scene.to_toml()
+def leave_model(model: Model, folder: Path) -> None:
+    """The files of a model that ran: those of its folder, or what was derived for the run. Raises SceneError."""
+    if not model.folder:
+        from symgen.generate import leave
+
+        leave(model, folder)
+    elif Path(model.folder) != folder.resolve():
+        from symgen.emission.write import write_model
+
+        source = Path(model.folder)
+        listed = json.loads((source / "manifest.json").read_text(encoding="utf-8"))["files"]
+        files = {name: (source / name).read_bytes().decode("utf-8") for name in (*listed, "manifest.json")}
+        write_model(files, folder)  # the manifest last

@@ -5,7 +5,6 @@ from __future__ import annotations
 import difflib
 import json
 import math
-from collections.abc import Mapping
 from pathlib import Path
 
 from runtime.contract.files import OutputError, write_text
@@ -16,7 +15,6 @@ from symgen.emission.ownership import refuse_foreign_files
 from symgen.pipeline import Derived
 from symgen.scene import SceneError
 
-LARGEST_TEXT = 15_000  # lines of model.py; what is longer is made again when it is needed
 FILES = ("model.py", "data.json", "model.md", "scene.toml", "manifest.json")
 DATA_TOLERANCE = 1e-9  # eigenvectors and assembled states differ in the last digits between machines
 
@@ -30,13 +28,6 @@ def emit(derived: Derived) -> dict[str, str]:
         "scene.toml": derived.scene.to_toml(),
     }
     return {**files, "manifest.json": manifest_text(derived, files)}
-
-
-def kept(files: Mapping[str, str]) -> dict[str, str]:
-    """What a repository keeps of a model: all of it, or the scene and the manifest with hashes where it is large."""
-    if files["model.py"].count("\n") <= LARGEST_TEXT:
-        return dict(files)
-    return {name: files[name] for name in ("scene.toml", "manifest.json")}
 
 
 def write_model(files: dict[str, str], folder: Path) -> None:

@@ -1,81 +1,135 @@
-"""Built-in scenes, one file each. `SCENES` maps a name to a function that returns the Scene."""
+"""Built-in scenes. `SCENES` maps a name to a function that returns the Scene.
+
+Which scenes there are, what they are about, and whether the code that the repository has of them is current, is told
+without importing them: they bring in most of the generator.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import ast
+import hashlib
+import json
+import os
+from collections.abc import Callable, Iterator, Mapping
+from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from symgen.scene import Scene
-from symgen.scenes.bricard import bricard
-from symgen.scenes.chain import chain
-from symgen.scenes.double_pendulum import double_pendulum
-from symgen.scenes.elastic_pendulum import elastic_pendulum
-from symgen.scenes.flexible_four_bar import flexible_four_bar
-from symgen.scenes.flexible_joint_arm import flexible_joint_arm
-from symgen.scenes.flexible_slider_crank import (
-    flexible_slider_crank,
-    flexible_slider_crank_free,
-    flexible_slider_crank_torque,
-    physical_slider_crank,
-    stiff_slider_crank,
-)
-from symgen.scenes.flyball_governor import flyball_governor
-from symgen.scenes.four_bar import four_bar
-from symgen.scenes.heavy_top import heavy_top
-from symgen.scenes.hub_beam import hub_beam
-from symgen.scenes.n_four_bar import n_four_bar
-from symgen.scenes.near_singular_slider_crank import near_singular_slider_crank
-from symgen.scenes.overdamped_joint import overdamped_joint
-from symgen.scenes.pendulum import pendulum
-from symgen.scenes.slider_crank import slider_crank
-from symgen.scenes.spatial_chain import spatial_chain
-from symgen.scenes.spatial_slider_crank import spatial_slider_crank
-from symgen.scenes.spin_up_beam import spin_up_beam
-from symgen.scenes.tumbling_body import tumbling_body
-from symgen.scenes.two_oscillators import two_oscillators
+from runtime.contract.cache import cache_folder
+from runtime.contract.files import OutputError, write_text
 
-SCENES: dict[str, Callable[..., Scene]] = {
-    function.__name__: function
-    for function in (
-        pendulum,
-        double_pendulum,
-        elastic_pendulum,
-        four_bar,
-        slider_crank,
-        flexible_slider_crank,
-        flexible_slider_crank_free,
-        flexible_slider_crank_torque,
-        hub_beam,
-        spin_up_beam,
-        chain,
-        two_oscillators,
-        physical_slider_crank,
-        stiff_slider_crank,
-        near_singular_slider_crank,
-        flexible_four_bar,
-        flexible_joint_arm,
-        overdamped_joint,
-        n_four_bar,
-        heavy_top,
-        tumbling_body,
-        bricard,
-        flyball_governor,
-        spatial_chain,
-        spatial_slider_crank,
-    )
+if TYPE_CHECKING:
+    from symgen.scene import Scene
+
+ROOT = Path(__file__).resolve().parents[2]
+GENERATOR = (ROOT / "symgen", ROOT / "runtime" / "contract")  # what the text and the code of a scene follow from
+MODULES = {  # of this package, with the function of the scene's name
+    "pendulum": "pendulum",
+    "double_pendulum": "double_pendulum",
+    "elastic_pendulum": "elastic_pendulum",
+    "four_bar": "four_bar",
+    "slider_crank": "slider_crank",
+    "flexible_slider_crank": "flexible_slider_crank",
+    "flexible_slider_crank_free": "flexible_slider_crank",
+    "flexible_slider_crank_torque": "flexible_slider_crank",
+    "hub_beam": "hub_beam",
+    "spin_up_beam": "spin_up_beam",
+    "chain": "chain",
+    "two_oscillators": "two_oscillators",
+    "physical_slider_crank": "flexible_slider_crank",
+    "stiff_slider_crank": "flexible_slider_crank",
+    "near_singular_slider_crank": "near_singular_slider_crank",
+    "flexible_four_bar": "flexible_four_bar",
+    "flexible_joint_arm": "flexible_joint_arm",
+    "overdamped_joint": "overdamped_joint",
+    "n_four_bar": "n_four_bar",
+    "heavy_top": "heavy_top",
+    "tumbling_body": "tumbling_body",
+    "bricard": "bricard",
+    "flyball_governor": "flyball_governor",
+    "spatial_chain": "spatial_chain",
+    "spatial_slider_crank": "spatial_slider_crank",
 }
 
 
-def kept_folder(name: str) -> Path:
-    """What the repository keeps of a built-in scene, beside this package: without its code where that is large."""
-    return Path(__file__).resolve().parents[2] / "generated" / name
+class Catalogue(Mapping[str, "Callable[..., Scene]"]):
+    """The functions by name, each imported when it is asked for."""
+
+    def __getitem__(self, name: str) -> Callable[..., Scene]:
+        make: Callable[..., Scene] = getattr(import_module(f"symgen.scenes.{MODULES[name]}"), name)
+        return make
+
+    def __contains__(self, name: object) -> bool:
+        return name in MODULES
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(MODULES)
+
+    def __len__(self) -> int:
+        return len(MODULES)
+
+
+SCENES: Mapping[str, Callable[..., Scene]] = Catalogue()
+
+
+def summary(name: str) -> str:
+    """The first line that is said of a built-in scene."""
+    text = Path(__file__).with_name(f"{MODULES[name]}.py").read_text(encoding="utf-8")
+    made = (one for one in ast.parse(text).body if isinstance(one, ast.FunctionDef) and one.name == name)
+    return (ast.get_docstring(next(made)) or "").partition("\n")[0]
 
 
 def generated_folder(name: str) -> Path:
-    """Folder of the emitted code of a built-in scene; a large one is generated into the cache on first use."""
-    folder = kept_folder(name)
-    if (folder / "model.py").is_file():
-        return folder
-    from symgen.generate import completed  # brings in SymPy
+    """Folder of the emitted code of a built-in scene, beside this package."""
+    return ROOT / "generated" / name
 
-    return completed(SCENES[name](), folder)
+
+def current_folder(name: str) -> Path | None:
+    """Folder of the emitted code if that was generated from the scene as it stands today, else None.
+
+    The comparison builds the scene, so a stamp in the user's cache says for which files of the generator it was made.
+    """
+    folder = generated_folder(name)
+    try:
+        text = (folder / "scene.toml").read_bytes().decode("utf-8")
+        digest = str(json.loads((folder / "manifest.json").read_bytes())["sha256"])
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
+    stamp = cache_folder() / "current" / hashlib.sha256(str(folder).encode()).hexdigest()[:16]
+    expected = _stamp(digest, folder / "scene.toml")
+    if _read(stamp) == expected:
+        return folder
+    if SCENES[name]().to_toml() != text:
+        return None
+    try:
+        write_text(stamp, expected)
+    except OutputError:  # a cache that cannot be written: the scene is built again the next time
+        pass
+    return folder
+
+
+def _stamp(digest: str, scene: Path) -> str:
+    """The digest of a folder with a hash of names, sizes and times of the generator's files and of the scene's."""
+    listed = sorted(f"{entry.path} {_size_and_time(entry)}" for root in GENERATOR for entry in _files(root))
+    listed.append(f"{scene} {scene.stat().st_size} {scene.stat().st_mtime_ns}")
+    return f"{digest} {hashlib.sha256(repr(listed).encode()).hexdigest()}"
+
+
+def _size_and_time(entry: os.DirEntry[str]) -> str:
+    status = entry.stat()
+    return f"{status.st_size} {status.st_mtime_ns}"
+
+
+def _files(folder: Path | str) -> Iterator[os.DirEntry[str]]:
+    for entry in os.scandir(folder):
+        if entry.is_dir():
+            yield from _files(entry.path)
+        elif entry.name.endswith((".py", ".json")):
+            yield entry
+
+
+def _read(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError):
+        return ""

@@ -13,7 +13,7 @@ import pytest
 
 from runtime.results.solution import Solution
 from symgen.cli import main
-from symgen.cli.progress import Progress
+from symgen.cli.outcome import Progress
 
 DEMO_FILES = (
     "report.json",
@@ -189,7 +189,7 @@ def test_demo_leaves_everything(capsys, tmp_path, monkeypatch) -> None:
 def test_a_run_that_a_reference_has_judged_says_that_error() -> None:
     """Its own estimate, which may be far too large, does not stand beside it."""
     from runtime import load_model, simulate
-    from symgen.cli.running import summary
+    from symgen.cli.runs import summary
     from symgen.scenes import generated_folder
 
     run = simulate(load_model(generated_folder("pendulum")), scheme="single_rate", dt=0.05, t_end=20.0)
@@ -250,7 +250,7 @@ def test_interrupt_exits_with_130(capsys, folder, monkeypatch) -> None:
     def interrupt(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("symgen.cli.running.run_model", interrupt)
+    monkeypatch.setattr("symgen.cli.runs.run_model", interrupt)
     assert run(capsys, "simulate", folder / "code")[0] == 130
 
 

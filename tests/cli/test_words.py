@@ -12,7 +12,7 @@ from runtime.contract.model import ModelError
 from runtime.schemes.options import SchemeError
 from runtime.studies.advice.auto import simulate
 from symgen.cli import main
-from symgen.cli.commands import parser
+from symgen.cli.table import parser
 from symgen.scene import Scene, SceneError
 
 SPRING = '[[loads]]\ntype = "force"\nname = "push"\nmarker = "box.origin"\ncomponents = [1.0, 0.0]\n'
@@ -50,7 +50,7 @@ def test_the_package_runs_as_a_module() -> None:
 
 def test_help_brings_in_nothing_heavy() -> None:
     program = (
-        "import sys; from symgen.cli.commands import parser; parser().format_help(); "
+        "import sys; from symgen.cli.table import parser; parser().format_help(); "
         "print(sorted({'numpy', 'casadi', 'sympy', 'matplotlib', 'scipy', 'pydantic'} & set(sys.modules)))"
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)

@@ -14,15 +14,14 @@ from pathlib import Path
 import pytest
 
 from runtime import ModelError, load_model
-from symgen.emission import write
-from symgen.emission.write import LARGEST_TEXT, emit, kept
-from symgen.generate import check, completed, generate
+from symgen.emission.write import emit
+from symgen.generate import check, generate
 from symgen.pipeline import derive
-from symgen.scenes import SCENES, generated_folder, kept_folder
+from symgen.scenes import SCENES, generated_folder
 
 ROOT = Path(__file__).resolve().parents[2]
 FILES = ("model.py", "data.json", "model.md", "scene.toml", "manifest.json")
-WRITTEN = json.loads((kept_folder("pendulum") / "manifest.json").read_text(encoding="utf-8"))["versions"]
+WRITTEN = json.loads((generated_folder("pendulum") / "manifest.json").read_text(encoding="utf-8"))["versions"]
 LIBRARIES = ("casadi", "sympy")  # they order and count the operations: the text is that of one version of each
 
 
@@ -42,13 +41,13 @@ def copy(tmp_path: Path) -> Path:
 )
 @pytest.mark.parametrize("name", SCENES)
 def test_emitted_code_is_current(name: str) -> None:
-    assert check(SCENES[name](), kept_folder(name), kept_only=True) == "", f"regenerate with: symgen generate {name}"
+    assert check(SCENES[name](), generated_folder(name)) == "", f"regenerate with: symgen generate {name}"
 
 
 def test_every_emitted_folder_belongs_to_a_scene() -> None:
     folders = {
         path.name
-        for path in kept_folder("pendulum").parent.iterdir()
+        for path in generated_folder("pendulum").parent.iterdir()
         if path.is_dir() and not path.name.startswith(("_", "."))
     }
     assert folders == set(SCENES)
@@ -139,31 +138,3 @@ def test_another_scene_differs(copy: Path) -> None:
     heavier = scene.model_copy(update={"gravity": (0.0, -1.62)})
     assert "data.json" in check(heavier, copy)
     assert "model.py" in check(SCENES["double_pendulum"](), copy)
-
-
-def test_a_large_model_is_kept_as_scene_and_manifest(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Texts of built-in scenes are no longer than the rule says; of longer ones two files are kept."""
-    for name in SCENES:
-        there = {path.name for path in kept_folder(name).iterdir() if path.is_file()}
-        assert there == {*FILES}, name
-        assert (kept_folder(name) / "model.py").read_text(encoding="utf-8").count("\n") <= LARGEST_TEXT
-    files = {name: (kept_folder("pendulum") / name).read_text(encoding="utf-8") for name in FILES}
-    assert kept(files) == files
-    monkeypatch.setattr(write, "LARGEST_TEXT", files["model.py"].count("\n") - 1)
-    assert set(kept(files)) == {"scene.toml", "manifest.json"}
-
-
-def test_code_that_is_not_kept_is_made_on_first_use(copy: Path, tmp_path: Path, monkeypatch) -> None:
-    """Once: then it is found in the cache, unless what is there is half of it or belongs to another manifest."""
-    monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path / "cache"))
-    scene = SCENES["pendulum"]()
-    assert completed(scene, copy) == copy
-    for name in ("model.py", "data.json", "model.md"):
-        (copy / name).unlink()
-    folder = completed(scene, copy)
-    assert folder != copy and load_model(folder).name == "pendulum"
-    made = (folder / "model.py").stat().st_mtime_ns
-    assert completed(scene, copy) == folder and (folder / "model.py").stat().st_mtime_ns == made
-    (folder / "manifest.json").unlink()
-    assert load_model(completed(scene, copy)).name == "pendulum"
-    assert [path.name for path in folder.parent.iterdir()] == [folder.name]

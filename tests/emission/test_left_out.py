@@ -13,7 +13,7 @@ from runtime.contract import left_out
 from runtime.contract.model import Model, ModelError
 from symgen import generate as generating
 from symgen.cli import main
-from symgen.cli.running import results_of
+from symgen.cli.runs import results_of
 from symgen.cli.sources import opened_model
 from symgen.generate import check, generate, leave, model_of
 from symgen.scenes import SCENES

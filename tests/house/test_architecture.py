@@ -55,7 +55,7 @@ SYMGEN_ROOMS = {
     "pipeline": "choice condensed kernels scene system tapes",
     "emission": "notation pipeline scene",
     "generate": "emission pipeline scene",
-    "scenes": "generate scene",
+    "scenes": "scene",
     "variants": "emission pipeline scene",
     "cli": "kernels emission generate pipeline scene scenes",
     "": "cli",

@@ -16,6 +16,7 @@ from runtime.contract.status import StatusName
 from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.slow_interpolation import INTERPOLATIONS
 from symgen.cli import main
+from symgen.cli.table import COMMANDS
 from symgen.scene import Scene
 from symgen.scene.expression_values import ARITY
 
@@ -164,7 +165,7 @@ def test_pages_name_every_command_and_function() -> None:
 
     assert table() in read(GUIDE / "generated-code.md")
     text = read(GUIDE / "cli.md")
-    for command in ("new", "list", "show", "generate", "simulate", "animate", "demo"):
+    for command in COMMANDS:
         assert re.search(rf"^\| `{command}\b", text, re.MULTILINE), command
 
 

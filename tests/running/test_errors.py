@@ -14,7 +14,8 @@ import runtime
 import symgen
 from runtime import SymgenError
 from runtime.contract.errors import NoResult
-from symgen.cli import listing, main
+from symgen.cli import main
+from symgen.cli.table import COMMANDS
 from symgen.scene import SceneError
 
 # control flow within one file or two: caught there, never seen by a user
@@ -61,7 +62,7 @@ def test_a_fault_of_ours_is_not_called_the_users(monkeypatch, capsys, raised: Ex
     def broken(arguments: object) -> None:
         raise raised
 
-    monkeypatch.setattr(listing, "run", broken)
+    monkeypatch.setitem(COMMANDS, "list", (broken, ()))
     assert main(["list", "--json"]) == code
     captured = capsys.readouterr()
     error = json.loads(captured.out)["error"]

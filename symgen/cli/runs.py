@@ -1,4 +1,4 @@
-"""Steps that `simulate`, `animate` and `demo` share: run a model, leave the results, say how it ended."""
+"""`symgen simulate`, `resume`, `cache`, and what other commands share with them: run a model, leave its results."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from symgen.cli.arguments import UsageError
-from symgen.cli.outcome import FAILED, INTERRUPTED, OK
-from symgen.cli.progress import Progress
+from symgen.cli.outcome import FAILED, INTERRUPTED, OK, Outcome, Progress
+from symgen.cli.sources import builtin_name, is_folder, leave_model, opened_model, opened_text, try_leaving_model
+from symgen.cli.words import RUN, UsageError, settings
 
 if TYPE_CHECKING:
     from runtime.contract.model import Model
@@ -18,8 +18,106 @@ BALANCE_REMARK = 0.01
 MODEL_FOLDER, SOLUTION_FILE = "model", "solution.npz"
 
 
+def simulate(arguments: argparse.Namespace) -> Outcome:
+    """Simulate a scene or a generated model.
+
+    With --out it leaves model/, solution.npz, solution.csv, report.json, report.md and pictures.
+    """
+    if arguments.plots and not arguments.out:
+        raise UsageError("--plots needs --out DIR")
+    folder = Path(arguments.out) if arguments.out else None
+    model = opened_model(arguments.scene, arguments.made_with)
+    if folder:
+        try_leaving_model(folder / MODEL_FOLDER)
+    inputs = input_samples(arguments.inputs) if arguments.inputs else None
+    kept = settings(arguments, ("outputs", "stream", "checkpoint", "checkpoint_every"))
+    solution = run_model(model, arguments, inputs=inputs, **kept)
+    return _told(solution, folder, arguments.plots is not False)
+
+
+def resume(arguments: argparse.Namespace) -> Outcome:
+    """Go on with a run from its checkpoint.
+
+    The results are those of an uninterrupted run, bit for bit.
+    """
+    from runtime import resume
+    from runtime.running.checkpoint import read_checkpoint
+
+    folder = Path(arguments.out) if arguments.out else None
+    keep = folder / MODEL_FOLDER if folder else None
+    if keep:
+        try_leaving_model(keep)
+    header = read_checkpoint(arguments.file).header
+    model = (
+        opened_model(arguments.scene, keep=keep, digest=header.digest)
+        if arguments.scene
+        else opened_text(header.model, header.scene_toml, header.digest, keep)
+    )
+    with Progress(f"symgen {model.name}") as progress:
+        how = settings(arguments, ("stream", "engine", "checkpoint_every"))
+        solution = resume(model, arguments.file, progress=progress, **how)
+    return _told(solution, folder, pictures=False)
+
+
+def _told(solution: Solution, folder: Path | None, pictures: bool) -> Outcome:
+    """What a run ended with; its files if there is a folder for them."""
+    from runtime.views.report import run_report
+
+    files = leave_all(solution, folder, pictures) if folder else {}
+    lines = summary(solution) + ([f"results in {folder}"] if folder else [])
+    return Outcome({"report": run_report(solution), "files": files}, lines, exit_code(solution))
+
+
+def cache(arguments: argparse.Namespace) -> Outcome:
+    """Show what is kept of compiled programs, or remove it.
+
+    Nothing is lost by removing it: a program is compiled again when it is needed.
+    """
+    from runtime.engine.object_cache import MOST_BYTES, ObjectCache
+
+    cache = ObjectCache()
+    refused = cache.refused()
+    entries = cache.entries()
+    size = sum(size for _, size, _ in entries)
+    facts: dict[str, Any] = {"folder": str(cache.folder), "programs": len(entries), "bytes": size, "most": MOST_BYTES}
+    lines = [f"{cache.folder}: {len(entries)} compiled programs, {size / 1e6:.3g} of {MOST_BYTES / 1e6:.0f} MB"]
+    if refused:
+        facts["refused"] = refused
+        lines.append(f"not used: {refused}")
+    elif arguments.clear:
+        facts["removed"] = cache.clear()
+        lines.append(f"{facts['removed']} removed")
+    return Outcome(facts, lines)
+
+
+def input_samples(path: str) -> dict[str, tuple[list[float], list[float]]]:
+    """{input: (times [s], values)} of a CSV with the header `t,name,...` and a row for each time from which they hold.
+
+    Raises UsageError for a file that is none.
+    """
+    try:
+        with open(path, encoding="utf-8-sig") as stream:
+            lines = [line.strip() for line in stream if line.strip()]
+    except (OSError, ValueError) as error:
+        raise UsageError(f"--inputs {path} cannot be read ({getattr(error, 'strerror', None) or error})") from None
+    header = [name.strip() for name in lines[0].split(",")] if lines else []
+    if len(header) < 2 or header[0] != "t" or len(lines) < 2:
+        raise UsageError(f"--inputs {path}: the first line must name the columns, t,input,... and rows must follow")
+    columns: list[list[float]] = [[] for _ in header]
+    for number, line in enumerate(lines[1:], 2):
+        try:
+            values = [float(word) for word in line.split(",")]
+        except ValueError:
+            values = []
+        if len(values) != len(header):
+            raise UsageError(f"--inputs {path}: row {number} does not hold {len(header)} numbers")
+        for column, value in zip(columns, values, strict=True):
+            column.append(value)
+    return {name: (columns[0], values) for name, values in zip(header[1:], columns[1:], strict=True)}
+
+
 def run_model(model: Model, arguments: argparse.Namespace, **kept: Any) -> Solution:
-    """Simulate with the options of `add_run_options`; kept: what of the run is kept where.
+    """Simulate with the options of a run; kept: what of the run is kept where.
 
     Raises UsageError, and what `simulate` raises.
     """
@@ -28,23 +126,7 @@ def run_model(model: Model, arguments: argparse.Namespace, **kept: Any) -> Solut
 
     try:
         with Progress(f"symgen {model.name}") as progress:
-            return simulate(
-                model,
-                t_end=arguments.t_end,
-                dt=arguments.dt,
-                m=arguments.m,
-                scheme=arguments.scheme,
-                parameters=dict(arguments.set),
-                initial=dict(arguments.initial),
-                save_every=arguments.save_every,
-                engine=arguments.engine,
-                progress=progress,
-                options=dict(arguments.option),
-                force=arguments.force,
-                start=arguments.start,
-                tolerance=arguments.tolerance,
-                **kept,
-            )
+            return simulate(model, progress=progress, **settings(arguments, RUN), **kept)
     except CompilerError as error:  # asked for a compiled engine where it cannot be had
         raise UsageError(f"{error}; use --engine auto or interpreted") from error
 
@@ -62,12 +144,10 @@ def results_of(folder: str | Path) -> Solution:
 
 def loaded_or_run(arguments: argparse.Namespace) -> tuple[Solution, Path | None]:
     """The results of a folder with that folder, or those of a scene simulated now. Raises UsageError."""
-    from symgen.cli.sources import builtin_name, is_folder, opened_model
-
     folder = Path(arguments.scene)
     if is_folder(arguments.scene) and (folder / SOLUTION_FILE).is_file() and builtin_name(arguments.scene) is None:
-        settings = ("t_end", "dt", "m", "scheme", "set", "initial", "option", "save_every")
-        given = [name for name in settings if getattr(arguments, name)]
+        flags = {"parameters": "set", "options": "option"}
+        given = [flags.get(name, name) for name in RUN if name != "engine" and getattr(arguments, name)]
         if given:
             raise UsageError(
                 f"{arguments.scene} holds results that are there already; --{given[0].replace('_', '-')} "
@@ -82,34 +162,27 @@ def leave_all(solution: Solution, folder: Path, pictures: bool) -> dict[str, str
 
     Raises OutputError or SceneError.
     """
-    from symgen.cli.sources import leave_model
-
     try:
-        files = leave_results(solution, folder)
-        return {**files, **leave_pictures(solution, folder)} if pictures else files
+        return leave_results(solution, folder, pictures)
     finally:
         leave_model(solution.model, folder / MODEL_FOLDER)
 
 
-def leave_results(solution: Solution, folder: Path) -> dict[str, str]:
-    """solution.npz, solution.csv, report.json and report.md in `folder`; {what: path}. Raises OutputError."""
+def leave_results(solution: Solution, folder: Path, pictures: bool = True) -> dict[str, str]:
+    """solution.npz and .csv, report.json and .md; motion.png, energy.png, where there are any deformation.png and
+    forces.png; {what: path}. Raises OutputError.
+    """
     from runtime.views.report import run_report, write_report
 
     solution.save(folder / SOLUTION_FILE)
     solution.to_csv(folder / "solution.csv")
     write_report(run_report(solution), folder, solution.model.title or solution.model.name)
-    names = (SOLUTION_FILE, "solution.csv", "report.json", "report.md")
+    names = [SOLUTION_FILE, "solution.csv", "report.json", "report.md"]
+    if pictures:
+        from runtime.views import plots
+
+        names += [path.name for path in plots.usual(solution, folder)]
     return {name: str(folder / name) for name in names}
-
-
-def leave_pictures(solution: Solution, folder: Path) -> dict[str, str]:
-    """motion.png, energy.png and, where there are any, deformation.png and forces.png; {what: path}.
-
-    Raises OutputError.
-    """
-    from runtime.views import plots
-
-    return {path.name: str(path) for path in plots.usual(solution, folder)}
 
 
 def exit_code(solution: Solution) -> int:

@@ -1,8 +1,0 @@
-"""`python -m symgen.cli`."""
-
-import sys
-
-from symgen.cli import main
-
-if __name__ == "__main__":
-    sys.exit(main())

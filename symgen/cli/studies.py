@@ -1,0 +1,302 @@
+"""`symgen sweep`, `stability`, `advise`, `report`: many runs of a scene."""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from symgen.cli.outcome import FAILED, INTERRUPTED, OK, Outcome, Progress, left
+from symgen.cli.sources import opened_model
+from symgen.cli.words import MOTION, UsageError, motion_words, settings
+
+if TYPE_CHECKING:
+    from runtime.contract.model import Model
+    from runtime.studies.advice.advise import Advice
+    from runtime.studies.stability.chart import StabilityChart
+    from runtime.studies.work_precision.comparison import Comparison
+    from runtime.studies.work_precision.problem import Setting
+    from runtime.studies.work_precision.suite import SuiteResult
+
+MOST_CASES = 10_000_000
+LISTED = 12  # values in the summary of a sweep
+
+
+def sweep(arguments: argparse.Namespace) -> Outcome:
+    """Run a scene for many values of parameters and starts at once.
+
+    Every combination of the values of --over is a case. With --out FILE.nc or FILE.csv it leaves the answer, and a
+    picture of the same name.
+    """
+    import numpy as np
+
+    from runtime.contract.files import try_writing
+    from runtime.studies.ensemble.answer_files import check_suffix, variables, write_answer
+    from runtime.views.ensemble_picture import ensemble_picture
+
+    if arguments.out:
+        check_suffix(arguments.out)
+        try_writing(arguments.out)
+    if arguments.reduce and arguments.every is not None:
+        raise UsageError("--reduce and --every are two answers: give one")
+    model = opened_model(arguments.scene, arguments.made_with)
+    columns = _combined(arguments.over)
+    hows = [] if arguments.every is not None else arguments.reduce or ["peak", "end"]
+    answer = _swept(model, columns, hows, arguments)
+    written = variables(answer)
+    found = {name: values for name, (_, values, _) in written.items()}
+    kept = [f"{name}_{how}" for name in arguments.outputs for how in hows] or arguments.outputs
+    values = {name: found[name] for name in dict.fromkeys(kept)}
+    files = []
+    if arguments.out:
+        files = [str(arguments.out), str(Path(arguments.out).with_suffix(".png"))]
+        write_answer(answer, arguments.out)
+        units = {name: f"{name} [{unit}]" if unit else name for name, (_, _, unit) in written.items()}
+        varied = {name: one for name, one in columns.items() if np.ptp(one) > 0} or columns
+        axes = {units.get(name, units.get(f"initial.{name}", name)): one for name, one in varied.items()}
+        shown = {units[name]: one for name, one in values.items()}
+        ensemble_picture(model.title or model.name, axes, shown, found.get("time"), Path(files[1]))
+    ends, counts = np.unique(found["status"], return_counts=True)
+    statuses = dict(zip(ends.tolist(), counts.tolist(), strict=True))
+    finite = {name: one[np.isfinite(one)] for name, one in values.items()}
+    ranges = {name: (float(one.min()), float(one.max())) for name, one in finite.items() if one.size}
+    lines = [f"{model.name}: {len(found['case'])} cases, " + ", ".join(f"{n} {name}" for name, n in statuses.items())]
+    lines += [f"  {name:<28} {low:>14.6g} ... {high:.6g}" for name, (low, high) in list(ranges.items())[:LISTED]]
+    code = OK if set(statuses) == {"completed"} else INTERRUPTED if "interrupted" in statuses else FAILED
+    data = {"scene": model.name, "cases": len(found["case"]), "status": statuses, "ranges": ranges, "files": files}
+    return Outcome(data, [*lines, *left(files)], code)
+
+
+def _swept(model: Model, columns: dict[str, Any], hows: list[str], arguments: argparse.Namespace) -> Any:
+    """The answer of the ensemble of these columns. Raises UsageError, and what `ensemble` raises."""
+    from runtime import ensemble
+    from runtime.engine.compiled import CompilerError
+
+    known = {parameter.name for parameter in model.parameters}
+    starts = {name: values for name, values in columns.items() if name not in known}
+    _refuse_unknown(model, starts)
+    how = ("scheme", "dt", "m", "options", "t_end", "start", "outputs", "every", "workers", "folder")
+    try:
+        with Progress(f"symgen {model.name}", counted="cases") as progress:
+            return ensemble(
+                model,
+                {**arguments.parameters, **{name: columns[name] for name in columns if name in known}},
+                {**arguments.initial, **starts},
+                reduce=dict.fromkeys(arguments.outputs, hows) if hows else None,
+                progress=progress,
+                **settings(arguments, how),
+            )
+    except CompilerError as error:
+        raise UsageError(f"{error}; an ensemble needs llvmlite") from error
+
+
+def _combined(given: list[tuple[str, list[float]]]) -> dict[str, Any]:
+    """Columns of all combinations, the last name running fastest. Raises UsageError."""
+    import numpy as np
+
+    seen = [name for name, _ in given]
+    twice = next((name for name in seen if seen.count(name) > 1), None)
+    if twice is not None:
+        raise UsageError(f"--over {twice} is given twice; list its values in one")
+    if np.prod([float(len(values)) for _, values in given]) > MOST_CASES:
+        raise UsageError(f"--over makes more than {MOST_CASES} cases; take fewer values")
+    meshes = np.meshgrid(*(values for _, values in given), indexing="ij")
+    return {name: mesh.ravel() for name, mesh in zip(seen, meshes, strict=True)}
+
+
+def _refuse_unknown(model: Any, starts: dict[str, Any]) -> None:
+    """Raises ModelError for a name that is neither a parameter nor a coordinate or rate."""
+    from runtime.contract.model import ModelError
+
+    for name in starts:
+        if name.removesuffix("_dot") not in model.coordinates and name not in model.coordinates:
+            offered = [parameter.name for parameter in model.parameters if parameter.kind != "data"]
+            raise ModelError(
+                f"--over {name}",
+                f"model {model.name} has no parameter, coordinate or rate of this name",
+                f"it has {', '.join([*offered, *model.coordinates])}",
+            )
+
+
+def stability(arguments: argparse.Namespace) -> Outcome:
+    """Compute where a scheme is stable on a scene.
+
+    The exact Jacobian of the step, along the motion: spectral radius over (dt_S, m), the largest stable step for
+    each m, growth rates, resonance windows. With --out it leaves stability.csv and stability.png.
+    """
+    from runtime.studies.stability.chart import stability_chart
+    from runtime.studies.stability.picture import stability_picture
+
+    if (arguments.dt_from is None) != (arguments.dt_to is None):
+        raise UsageError("--dt-from and --dt-to belong together")
+    if arguments.dt_from is not None and not 0 < arguments.dt_from < arguments.dt_to:
+        raise UsageError("--dt-from must be positive and below --dt-to")
+    if arguments.points < 2 or arguments.states < 1:
+        raise UsageError("--points must be at least 2 and --states at least 1")
+    model = opened_model(arguments.scene, arguments.made_with)
+    with Progress(f"symgen {model.name}") as progress:
+        chart = stability_chart(
+            model,
+            arguments.scheme,
+            dt_range=None if arguments.dt_from is None else (arguments.dt_from, arguments.dt_to),
+            progress=progress,
+            **settings(arguments, ("m", "points", "states", "options", *MOTION)),
+        )
+    files = {}
+    if arguments.out:
+        folder = Path(arguments.out)
+        chart.write_csv(folder / "stability.csv")
+        stability_picture(chart, folder / "stability.png")
+        files = {name: str(folder / name) for name in ("stability.csv", "stability.png")}
+    data = {"scene": model.name, "scheme": chart.scheme, "t_end": chart.t_end, "limits": chart.table(), "files": files}
+    return Outcome(data, [*_limits(chart), *left(files)])
+
+
+def _limits(chart: StabilityChart) -> list[str]:
+    lines = [
+        f"{chart.model.name}, {chart.scheme}, {len(chart.states)} states over {chart.t_end:g} s",
+        f"{'m':>8}  {'dt limit':>12}  {'dt_S limit':>12}  {'growth below':>13}  windows",
+    ]
+    for row in chart.table():
+        m = ",".join(map(str, row["m"])) or "-"
+        if row["dt_limit"] is None:
+            limit = fine = "unstable"
+        else:
+            above = ">" if row["no_limit_found"] else ""
+            limit, fine = f"{above}{row['dt_limit']:.5g} s", f"{above}{row['dt_S_limit']:.5g} s"
+        growth = row["largest_growth_below_limit"]
+        below = f"{'-':>13}" if growth is None else f"{growth:>9.3g} 1/s"
+        windows = ", ".join(f"{low:.4g}-{high:.4g} s" for low, high in row["windows"]) or "-"
+        lines.append(f"{m:>8}  {limit:>12}  {fine:>12}  {below}  {windows}")
+        if row["dt_limit"] is None:
+            smallest, fastest = row["smallest_dt"], row["growth_at_smallest_dt"]
+            lines.append(
+                f"{'':>8}  already dt = {smallest:.3g} s grows by {fastest:.3g} 1/s more than the motion itself"
+            )
+    return lines
+
+
+def advise(arguments: argparse.Namespace) -> Outcome:
+    """Find the method and step that suit a scene.
+
+    Frequencies and damping over the motion, groups by the widest gap, then every method is tried on the motion
+    until it meets the tolerance; the fastest that keeps its stability limit is advised.
+    """
+    from runtime.studies.advice.advise import advise
+    from runtime.studies.advice.words import advice_data, advice_lines
+
+    model = opened_model(arguments.scene, arguments.made_with)
+    with Progress(f"symgen {model.name}") as progress:
+        how = settings(arguments, ("tolerance", "graded", *MOTION))
+        advice: Advice = advise(model, note=progress.note, **how)
+    return Outcome({"advice": advice_data(advice)}, advice_lines(advice, motion_words(arguments)))
+
+
+def report(arguments: argparse.Namespace) -> Outcome:
+    """Compare methods on a scene: error against CPU time and evaluations.
+
+    Every method runs the motion with ever finer steps, judged by an independent reference. Leaves comparison.json,
+    .csv, .md, .html, error_time.png and error_evaluations.png in --out.
+    """
+    if (arguments.suite is None) == (arguments.scene is None):
+        raise UsageError("give a scene, or --suite hard")
+    if arguments.cases and not arguments.suite:
+        raise UsageError("--cases belongs to --suite")
+    return _suite(arguments) if arguments.suite else _scene(arguments)
+
+
+def _scene(arguments: argparse.Namespace) -> Outcome:
+    from runtime.studies.work_precision.comparison_files import comparison_data, write_comparison
+    from runtime.studies.work_precision.dense_methods import left_out
+    from runtime.studies.work_precision.problem import make_setting
+
+    model = opened_model(arguments.scene, arguments.made_with)
+    setting = make_setting(model, graded=arguments.graded, **settings(arguments, MOTION))
+    folder = Path(arguments.out) if arguments.out else Path("out") / "report" / model.name
+    comparison = _compared(model, setting, arguments, folder)
+    files = write_comparison(comparison, folder, motion_words(arguments))
+    said = [] if arguments.methods else [one for one in [left_out(model)] if one]
+    data = {"comparison": comparison_data(comparison), "files": files}
+    return Outcome(data, [*table(comparison), *said, f"in {folder}"])
+
+
+def _compared(model: Model, setting: Setting, arguments: argparse.Namespace, folder: Path) -> Comparison:
+    """Its tables are in the folder after each method: an interrupted report keeps what it has."""
+    from runtime.studies.work_precision.comparison import work_precision
+    from runtime.studies.work_precision.comparison_files import write_tables
+    from runtime.studies.work_precision.methods import methods_named, usual_methods
+
+    methods = methods_named(model, arguments.methods) if arguments.methods else usual_methods(model)
+    with Progress(f"symgen {model.name}") as progress:
+        return work_precision(
+            setting,
+            methods,
+            arguments.tolerance,
+            arguments.longest,
+            progress.note,
+            partial(write_tables, folder=folder),
+        )
+
+
+def table(comparison: Comparison) -> list[str]:
+    """Methods by time to the tolerance, and the recommendation."""
+    lines = [f"{'method':36} {'ms':>9} {'evaluations':>12} {'order':>6}   to an error of {comparison.tolerance:g}"]
+    for curve in comparison.ranked():
+        seconds, count = curve.seconds_to(comparison.tolerance), curve.evaluations_to(comparison.tolerance)
+        reached = f"{seconds * 1e3:9.3g} {count:12.4g}" if seconds < float("inf") else f"{'-':>9} {'-':>12}"
+        order = f"{curve.order:6.2f}" if curve.order == curve.order else f"{'-':>6}"
+        lines.append(f"{curve.method.label:36} {reached} {order}   {curve.failure}".rstrip())
+    return [*lines, f"recommended: {comparison.recommendation()}"]
+
+
+def _suite(arguments: argparse.Namespace) -> Outcome:
+    from runtime.studies.work_precision.suite import suite_markdown, write_suite
+    from symgen.scenes.hard_suite import HARD_SUITE
+
+    chosen = arguments.cases or list(HARD_SUITE)
+    unknown = [name for name in chosen if name not in HARD_SUITE]
+    if unknown:
+        raise UsageError(f"the hard suite has no case {unknown[0]!r}; it has {', '.join(HARD_SUITE)}")
+    folder = Path(arguments.out) if arguments.out else Path("out") / "report" / "hard"
+    results: list[SuiteResult] = []
+    for name in chosen:  # what is done is kept when a later case is interrupted
+        results.append(_case(name, folder / name, arguments))
+        files = write_suite(results, folder)
+    rows = suite_markdown(results).rstrip().splitlines()[4:]
+    return Outcome({"cases": [result.row() for result in results], "files": files}, [*rows, f"in {folder}"])
+
+
+def _case(name: str, folder: Path, arguments: argparse.Namespace) -> SuiteResult:
+    from runtime.contract.errors import NoResult
+    from runtime.contract.loading import load_model
+    from runtime.studies.advice.advise import advise
+    from runtime.studies.work_precision.comparison_files import write_comparison
+    from runtime.studies.work_precision.problem import make_setting
+    from runtime.studies.work_precision.suite import SuiteResult
+    from symgen.generate import generate
+    from symgen.scenes.hard_suite import HARD_SUITE
+
+    case = HARD_SUITE[name]
+    motion: dict[str, Any] = {
+        "t_end": case.t_end,
+        "start": case.start,
+        "graded": list(case.graded),
+        "parameters": dict(case.parameters),
+        "initial": dict(case.initial),
+    }
+    with tempfile.TemporaryDirectory() as place:
+        model = load_model(generate(case.make(), Path(place) / "model"))
+    try:
+        comparison = _compared(model, make_setting(model, **motion), arguments, folder)
+    except NoResult as error:
+        return SuiteResult(name, None, None, str(error))
+    write_comparison(comparison, folder)
+    try:
+        with Progress(f"symgen {name}") as progress:
+            return SuiteResult(
+                name, comparison, advise(model, tolerance=arguments.tolerance, note=progress.note, **motion)
+            )
+    except NoResult as error:
+        return SuiteResult(name, comparison, None, str(error))
