@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from runtime.results.samples import Samples
 
-FORMAT = "symgen solution 4"
+FORMAT = "symgen solution 5"
 ARRAYS = (
     "parameters",
     "t",
@@ -109,6 +109,7 @@ def run_header(solution: Samples) -> dict[str, Any]:
         "stats": {key: _plain(value) for key, value in solution.stats.items()},
         "status": asdict(solution.status),
         "events": [asdict(event) for event in solution.events],
+        "stops": solution.stops.tolist(),
     }
 
 
@@ -122,6 +123,7 @@ def read_run_header(header: dict[str, Any], path: str | Path, model: Model | Non
         **{key: header[key] for key in ("scheme", "dt", "m", "stats")},
         "status": Status(**header["status"]),
         "events": [Event(**event) for event in header["events"]],
+        "stops": np.array(header["stops"], dtype=float).reshape(-1, 2),
         "model": model or recorded,
     }
 

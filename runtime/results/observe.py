@@ -16,7 +16,6 @@ from runtime.results.reactions import joint_reactions
 from runtime.results.sampling import evaluate
 from runtime.results.solution import Solution
 from runtime.schemes.scheme import Scheme
-from runtime.schemes.work import accounted, work_and_doubt
 
 CLOSED = 1e-12  # constraint error of a sample [mechanism lengths, at least 1 m] beyond which its closure is repeated
 MOST_CLOSURES = 8
@@ -44,12 +43,7 @@ def observe_samples(
     q_ddot = join(model, observed["q_i_ddot"], observed["q_d_ddot"])
     t = observed["t"][:, 0]
     stats = {**stats, "closure_error": float(samples[-1][scheme.layout.slice("closure_error")][0])}
-    found = assemble_solution(model, t, q, q_dot, q_ddot, p, c, name, scheme.grid.dt_L, scheme.grid.m, stats, status)
-    if accounted(scheme):
-        energy = found.energy
-        power = energy["power_applied"] + energy["power_driven"] - energy["power_dissipated"]
-        energy["work"] = work_and_doubt(scheme, samples, power)[0]
-    return found
+    return assemble_solution(model, t, q, q_dot, q_ddot, p, c, name, scheme.grid.dt_L, scheme.grid.m, stats, status)
 
 
 def _close_tightly(model: Model, observed: dict[str, np.ndarray], c: np.ndarray) -> None:

@@ -13,13 +13,13 @@ from runtime.contract.errors import ArgumentError
 from runtime.contract.euler_angles import NAMES
 from runtime.contract.model import Model, ModelError
 from runtime.contract.status import Event, Status
+from runtime.results.energy_balance import STORED, EnergyBalance, energy_balance
 from runtime.results.read_angles import read_angles
 
 FORCE_PARTS = {
     3: ("force_x", "force_y", "moment"),
     6: ("force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"),
 }  # planar, spatial
-STORED = ("kinetic", "elastic", "potential")
 PRESCRIBED = ("prescribed_angle", "prescribed_displacement")
 SERIES = (
     "q",
@@ -41,9 +41,9 @@ class Samples:
 
     t (N,) [s]; q, q_dot, q_ddot (N, n) in the order of model.coordinates; q_i (N, n_i) in the order of model.q_i;
     lam (N, n_constraints), the multipliers of Eq. (37); energy: kinetic, elastic, potential (N,) [J] and
-    power_dissipated (>= 0), power_applied, power_driven (N,) [W], work (N,) [J] done on the system since the start of a
-    run that something feeds or damps; constraint_error (N,) = max |C| and
-    constraint_rate_error (N,) = max |C_q q_dot + C_t|;
+    power_dissipated (>= 0), power_applied, power_driven (N,) [W]; constraint_error (N,) = max |C| and
+    constraint_rate_error (N,) = max |C_q q_dot + C_t|; stops (S, 2): times at which power may jump [s], and the energy
+    that the impulse of a prescribed motion put in there [J];
     measures (N, len(model.measures)); joint_forces (N, joints, 3), in space (N, joints, 6): world force [N] and moment
     [N m] of each joint on its body b, at marker b; load_forces (N, loads, 3 or 6): those of each load on its marker or
     its marker b; parameters: the vector p that was used; m: ratio of each next
@@ -72,6 +72,7 @@ class Samples:
     status: Status = field(default_factory=lambda: Status("completed", 0.0))
     events: list[Event] = field(default_factory=list)
     outputs: dict[str, np.ndarray] = field(default_factory=dict)
+    stops: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))
 
     def __repr__(self) -> str:
         return (
@@ -167,28 +168,18 @@ class Samples:
         """(N,) kinetic + elastic + potential energy [J]."""
         return np.asarray(np.sum([self.energy[key] for key in STORED], axis=0))
 
-    def work(self) -> np.ndarray:
-        """(N,) work done on the system since the first sample [J].
+    @property
+    def balance(self) -> EnergyBalance:
+        """Of energy and work, with the uncertainty that the samples leave; split at `stops`."""
+        return energy_balance(self.t, self.energy, self.stops)
 
-        Integral of power_applied + power_driven - power_dissipated: by the run's own steps (`energy["work"]`), or,
-        where an integrator keeps no account of it, over the saved samples by the trapezoidal rule with end correction
-        (fourth order for smooth power, any spacing).
-        """
-        if "work" in self.energy:
-            return np.asarray(self.energy["work"] - self.energy["work"][:1])
-        power = self.energy["power_applied"] + self.energy["power_driven"] - self.energy["power_dissipated"]
-        if len(self.t) < 2:
-            return np.zeros_like(self.t)
-        h = np.diff(self.t)
-        area = 0.5 * h * (power[1:] + power[:-1])
-        if len(self.t) > 2:
-            area -= h**2 / 12.0 * np.diff(np.gradient(power, self.t, edge_order=2))
-        return np.concatenate([[0.0], np.cumsum(area)])
+    def work(self) -> np.ndarray:
+        """(N,) work done on the system since the first sample [J]: of loads, drives and dampers, over the samples."""
+        return self.balance.work
 
     def energy_balance(self) -> np.ndarray:
         """(N,) total energy - initial energy - work [J]: zero for an exact solution sampled finely enough."""
-        total = self.total_energy
-        return np.asarray(total - total[:1] - self.work())
+        return self.balance.error
 
     def interpolate(self, t: float | np.ndarray, what: str = "q") -> np.ndarray:
         """Values between the saved samples at time(s) t [s].

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from runtime.contract.cards import badge, card, line, sparkline, table
 from runtime.contract.coordinates import followed
 from runtime.results.samples import Samples
@@ -17,7 +15,7 @@ def solution_card(solution: Samples) -> str:
     m = ",".join(map(str, solution.m)) or "-"
     wall = stats.get("wall_seconds")
     cost = f", {float(wall):.3g} s" if isinstance(wall, int | float) else ""
-    balance = f", energy balance {float(np.abs(solution.energy_balance()).max()):.2g} J" if len(solution.t) > 2 else ""
+    balance = f", energy balance {solution.balance}" if len(solution.t) > 2 else ""
     about = f"{solution.scheme}, dt = {solution.dt:g} s, m = {m}"
     rates = {f"{name}_dot" for name in model.measures}
     names = [*followed(model)[0], *(name for name in model.measures if name not in rates)][:MOST]

@@ -12,7 +12,7 @@ from runtime.contract.status import Event, Status
 from runtime.running.segment import Segment
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
-from runtime.schemes.adaptive.event_ends import ended_at_event, settled, shown_at_end
+from runtime.schemes.adaptive.event_ends import ended_at_event, shown_at_end
 from runtime.schemes.switching.broken_steps import BrokenSteps
 from runtime.schemes.switching.legs import Leg
 from runtime.schemes.switching.watched import action_values, begin_events, cool_down, event_slopes, event_values
@@ -63,7 +63,6 @@ class Happenings:
         assert isinstance(scheme, AdaptiveSteps)
         before, constants, seen = z[self._inputs].copy(), scheme.constants(own.c), scheme.at_end(z)
         values, values_now = action_values(scheme, seen, constants), event_values(scheme, seen, constants)
-        settled(scheme, z, constants)
         self._happen(z, scheme.reached(z), happened, values, values_now)
         begin_events(scheme, z, constants, scheme.at_end(z))  # with the inputs as they are now
         if self.status is not None:

@@ -62,7 +62,7 @@ def header_of(
         accuracy=accuracy.memory(),
         carried=accuracy.carried.memory(),
         schedule={} if schedule is None else schedule.memory(),
-        impulses=segment.impulse_memory(z),
+        impulses=[one for each in record.segments for one in each.impulse_memory()],
         happened=happenings.memory(),
         told=dict(told),
     )

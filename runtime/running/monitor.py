@@ -12,7 +12,6 @@ from runtime.running.checks.check import Check, Subject
 from runtime.running.checks.closure import Closure
 from runtime.running.checks.constraints import Constraints
 from runtime.running.checks.deflection import Deflection
-from runtime.running.checks.energy import Energy
 from runtime.running.checks.finite import Finite
 from runtime.running.checks.growth import Growth
 from runtime.running.checks.iterations import Iterations
@@ -22,7 +21,7 @@ from runtime.running.checks.step_length import StepLength
 from runtime.schemes.scheme import Scheme
 
 BREAKDOWNS = ("not_finite", "diverged", "constraints_lost", "iteration_failed")  # that M_hat may be the cause of
-FULL_CHECKS = 16  # saved states; constraints, mass and energy cost more than a short call
+FULL_CHECKS = 16  # saved states; constraints and mass cost more than a short call
 
 
 class Monitor:
@@ -36,7 +35,7 @@ class Monitor:
     ) -> None:
         self.subject = Subject(model, scheme, c)
         self._finite, self._step = Finite(self.subject), StepLength(self.subject, force)
-        self._mass, self.energy = Mass(self.subject), Energy(self.subject)
+        self._mass = Mass(self.subject)
         cheap = (
             Growth(self.subject),
             Closure(self.subject),
@@ -44,7 +43,7 @@ class Monitor:
             LeastStep(self.subject),
         )
         deflection = Deflection(self.subject, model.parameter_vector() if p is None else p)
-        costly = (Constraints(self.subject), self._mass, deflection, self.energy, self._step)
+        costly = (Constraints(self.subject), self._mass, deflection, self._step)
         self.checks: list[Check] = [self._finite, *cheap, *costly]
         self._latest: np.ndarray | None = None  # the last state that passed the cheap checks
         self._samples = 0

@@ -51,7 +51,7 @@ def _ended(run: Run, setup: float) -> Solution:
     _tell(run, stats)
     status = judged(status, run.accuracy, run.segment.model)
     solution = replace(solution, status=status, stats=stats, events=run.events, parameters=run.segment.p)
-    solution = with_limits(solution)
+    solution = with_limits(replace(solution, stops=_stops(run)))
     table = run.record.table
     if isinstance(table, StreamFile):
         outputs = list(run.segment.plan.outputs)
@@ -60,6 +60,21 @@ def _ended(run: Run, setup: float) -> Solution:
         except OutputError as error:  # the header that is there says that the run did not come to its end
             solution = replace(solution, status=Status("output_failed", status.time, None, str(error)))
     return solution
+
+
+def _stops(run: Run) -> np.ndarray:
+    """(S, 2) times at which the power of a run may jump [s], and the energy that an impulse put in there [J].
+
+    A sample at the very time of a stop shows what is before it: inputs change behind the sample, loads before it.
+    """
+    plan, segments = run.segment.plan, run.record.segments
+    impulses = {at: one.energy for segment in segments for at, one in segment.impulses.items()}
+    found = {float(one.before): 0.0 for one in run.segment.switches if one.time not in impulses}
+    found |= {event.time: 0.0 for event in run.events if event.kind == "event"}
+    if run.schedule is not None:
+        found |= {plan.time(step): 0.0 for step in run.schedule.changes(run.step)}
+    found |= impulses
+    return np.array(sorted(found.items())).reshape(-1, 2)
 
 
 def _explained(status: Status, run: Run) -> Status:
@@ -77,22 +92,21 @@ def _measured(run: Run, status: Status, state: ConsistentState) -> Status:
     """Where the estimate of a run would condemn it, or is not believed: its error as the whole motion tells it.
 
     `inaccurate` where the motion that would tell it does not show the load either that the run has missed. That may
-    take longer than the run, which is there already: Ctrl-C ends the measuring only. `diverged` where energy seemed to
-    grow by itself, and nothing tells that the motion is right all the same.
+    take longer than the run, which is there already: Ctrl-C ends the measuring only.
     """
-    model, grown = run.segment.model, run.segment.monitor.energy.verdict() or status
+    model = run.segment.model
     if judged(status, run.accuracy, model).ok and not doubted(run, run.accuracy):
-        return grown
+        return status
     try:
         found = measured_errors(run, state)
         unseen = found is not None and misses_load(run) and finer_misses_load(run, state)
     except KeyboardInterrupt:
-        return grown  # it stays what it was judged
+        return status  # it stays what it was judged
     if unseen:
         missed = next(event for event in run.events if event.kind == "load_missed")
         return Status("inaccurate", status.time, None, f"{missed.text} (an eighth of it misses it, too)", ADVICE)
     run.accuracy.measured |= found or {}
-    return status if found and judged(status, run.accuracy, model).ok else grown
+    return status
 
 
 def _tell(run: Run, stats: dict[str, float | int | str]) -> None:
@@ -126,9 +140,6 @@ def _circumstances(run: Run) -> dict[str, float | int | str]:
         found["engine_note"] = run.segment.stepper.engine.note
     if first.monitor.step_limit is not None:
         found["step_limit_at_start"] = first.monitor.step_limit
-    doubt = run.segment.account(run.z)[1]
-    if doubt > 0:
-        found["work_doubt"] = doubt
     return found
 
 

@@ -118,11 +118,9 @@ class Run:
         own = layout.slice("inputs")
         w = self.schedule.apply(self.step, plan.time(self.step), self._state, self.z[own].copy())
         if w is not None:
-            work = self.segment.account(self.z)[0]
             self.segment.hold(self.z, w)
             for segment in self.record.segments:
                 segment.take_inputs(w)
-            self.segment.count_anew(self.z, work)  # powers jump with the inputs
             self.segment.look_anew(self.z)
 
     def _advance(self, n: int) -> None:

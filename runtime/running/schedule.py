@@ -77,6 +77,11 @@ class Schedule:
         following += [controller.every - step % controller.every for controller in self.controllers]
         return min(following, default=None)
 
+    def changes(self, steps: int) -> set[int]:
+        """The steps, of so many, behind whose start an input may change; what is given for 0 is there at once."""
+        by_function = (set(range(0, steps, one.every)) for one in self.controllers)
+        return {step for step in self.samples if 0 < step < steps}.union(*by_function)
+
     def apply(self, step: int, t: float, z: np.ndarray, w: np.ndarray) -> np.ndarray | None:
         """(n_w,) w from this step on, where something is to change; z: the scheme's part of the state."""
         values: dict[str, float] = {}

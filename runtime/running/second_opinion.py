@@ -35,10 +35,10 @@ MISSED = 3.0  # times what was asked and expected: the tolerance was not kept
 
 
 def doubted(run: Run, accuracy: Accuracy) -> bool:
-    """Does the estimate of a run that has come to its end say far more than the trials that were made before it, did a
-    load act between its steps, or did its energy seem to grow by itself?
+    """Does the estimate of a run that has come to its end say far more than the trials that were made before it, or
+    did a load act between its steps?
     """
-    if misses_load(run) or run.segment.monitor.energy.worst > 0:
+    if misses_load(run):
         return bool(accuracy.errors)
     if "expected_error" not in run.told or not accuracy.errors:
         return False

@@ -23,14 +23,13 @@ from runtime.schemes.switching.broken_steps import BrokenSteps
 from runtime.schemes.switching.impulse import Impulse, moves_in_time
 from runtime.schemes.switching.times import between, switches_by_inputs
 from runtime.schemes.switching.watched import watch_events
-from runtime.schemes.work import Ahead, account_at, account_for_work, begin_account
 
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 
 
 @dataclass(eq=False)
 class Segment(SteppedModel):
-    """A stepped model whose work is counted, and who watches it."""
+    """A stepped model, and who watches it."""
 
     monitor: Monitor
     given: dict[float, Impulse] = field(default_factory=dict)
@@ -43,7 +42,6 @@ class Segment(SteppedModel):
         cls, model: Model, plan: Plan, p: np.ndarray, engine: str, begun: ConsistentState | None = None
     ) -> Segment:
         """Prepare and compile, for parameters p (n_p,). begun: where the run starts. Raises what `prepared` does."""
-        account_for_work(plan.scheme)
         watch_events(plan.scheme)
         one = SteppedModel.prepared(model, plan, p, engine)
         plan = one.plan
@@ -56,12 +54,10 @@ class Segment(SteppedModel):
         """Other steps dt [s] of the same motion, from one time to another [s]."""
         return BrokenSteps(self.stepper, t0, dt, between(self.switches, t0 - dt, t_end + dt))
 
-    def start(
-        self, q: np.ndarray, q_dot: np.ndarray, step: int = 0, work: float = 0.0, at: float | None = None
-    ) -> np.ndarray:
+    def start(self, q: np.ndarray, q_dot: np.ndarray, step: int = 0, at: float | None = None) -> np.ndarray:
         """The whole z at a consistent state of all coordinates (n,) after so many steps of the run (Eqs. 68-71).
 
-        work [J]: what was done on the mechanism until then. at [s]: its time where that is not of the grid.
+        at [s]: its time where that is not of the grid.
         """
         grid = self.plan.time(step)
         start = at if at is not None else grid if self.broken is None else self.broken.grid.clock(step)
@@ -69,16 +65,7 @@ class Segment(SteppedModel):
         z[0], z[1] = self.plan.t0 + (start - grid), step  # the grid of times is the run's
         self.forget_determinants(z)
         self.begin_events(z)
-        self.count_anew(z, work)
         return z
-
-    def count_anew(self, z: np.ndarray, work: float) -> None:
-        """Begin the account of work at a state of which the work until then [J] is known."""
-        if self.broken is not None:
-            self.broken.count_anew(z, self.c, work)
-            return
-        constants = self.plan.scheme.constants(self.c)
-        begin_account(self.plan.scheme, z, constants, work, Ahead(z, constants, lambda state: self.advance(state, 1)))
 
     def find_switches(self, t0: float, t_end: float) -> None:
         """As every stepped model; steps to a tolerance end within short pulses of loads, too. Raises ModelError."""
@@ -96,10 +83,6 @@ class Segment(SteppedModel):
     @cached_property
     def _switches_by_inputs(self) -> bool:
         return switches_by_inputs(self.model)
-
-    def account(self, z: np.ndarray) -> tuple[float, float]:
-        """(work done until z, by how much it may be wrong) [J]."""
-        return account_at(self.plan.scheme, z, self.plan.scheme.constants(self.c))
 
     def step_of(self, z: np.ndarray) -> int:
         """Major steps that were made when z was reached."""
@@ -188,11 +171,10 @@ class Segment(SteppedModel):
         """Of prescribed motions whose velocity has jumped so far, by time [s]."""
         return self.given if self.broken is None else self.broken.impulses
 
-    def impulse_memory(self, z: np.ndarray) -> list[list[float]]:
-        """`impulses` that lie ahead of what is seen at z, in plain numbers."""
-        seen = self.plan.time(self.step_of(z))
-        ahead = sorted((at, one) for at, one in self.impulses.items() if at > seen)
-        return [[at, one.energy, *one.q_dot.tolist(), *one.jumps.tolist()] for at, one in ahead]
+    def impulse_memory(self) -> list[list[float]]:
+        """`impulses` in plain numbers."""
+        found = sorted(self.impulses.items())
+        return [[at, one.energy, *one.q_dot.tolist(), *one.jumps.tolist()] for at, one in found]
 
     def resume_impulses(self, memory: Sequence[Sequence[float]]) -> None:
         """From `impulse_memory`."""

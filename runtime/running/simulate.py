@@ -136,7 +136,6 @@ def _begun(
         )
     if known is not None and isinstance(plan.scheme, AdaptiveSteps):
         known.begin(plan.scheme, z)
-        segment.monitor.energy.tried = known.passes or not known.alarmed
         segment.tried = known.states if known.stepper and known.stepper.program is segment.stepper.program else None
     set_up = time.perf_counter() - started
     changes = ", ".join(f"{key}: {a:.9g} -> {b:.9g}" for key, (a, b) in state.changed.items() if _differ(a, b))

@@ -41,7 +41,6 @@ class CentralDifference(Scheme):
     """Central difference on a model and grid; a subclass is the program of its groups."""
 
     options: CentralDifferenceOptions
-    counts_powers = True
 
     def fields(self) -> dict[str, StateField]:
         """See the module's text."""

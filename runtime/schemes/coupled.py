@@ -55,11 +55,6 @@ class Coupled(HeldSlow):
         sub_cycled = len(self.grid.groups) == 2 and bool(self.slow) and not self.model.loop_unknowns
         return sub_cycled and self.model.has("branch_motion") and self.options.slow_velocity == "auto"
 
-    @property
-    def counts_at_start(self) -> bool:
-        """The price of a sub-step is not to grow with the mechanism."""
-        return self.by_branches
-
     def further_fields(self) -> dict[str, StateField]:
         """And what is held of the trunk, sums over sub-steps of phi and of the slow accelerations of branches."""
         found = super().further_fields()
@@ -119,7 +114,7 @@ class Coupled(HeldSlow):
         L, H, h = self.slow, equations.h[0], equations.h[-1]
         half = z["v"][L] + h / 2 * z["a"][L]
         moved = {"x": replaced(z["x"], L, z["x"][L] + H * half), "v": replaced(z["v"], L, half)}
-        return {**held, **moved, **self.worked_at_start(z, equations)}
+        return {**held, **moved}
 
     def _sub_step(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         if not self.by_branches:

@@ -146,12 +146,7 @@ class Decoupled(HeldSlow):
             out |= {"loop_old": z["loop"], "loop": equations.loop_part(motion.q_d), **self.closed(z, motion)}
             out["loop_dot"] = equations.loop_part(equations.rates(motion, v))
         first, _ = self._fast_accelerations({**z, **out}, equations, z["x"][S], z["v"][S], ca.SX(0))
-        return {**out, "a": replaced(z["a"], S, first), **self.worked_at_start(z, equations)}
-
-    @property
-    def counts_at_start(self) -> bool:
-        """The price of a sub-step is not to grow with the mechanism."""
-        return bool(self.slow)
+        return {**out, "a": replaced(z["a"], S, first)}
 
     def _response(self, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> dict[str, ca.SX]:
         """N, y_ddot and, along a tree, crossing."""

@@ -69,7 +69,6 @@ class Exponential(LinearSubSteps):
     """exprb42 or exprb53s3 with m sub-steps; inner stages end inside of sub-steps, on the same factors."""
 
     options: ExponentialOptions
-    counts_powers = True
 
     def __init__(self, model: Model, grid: Grid, options: ExponentialOptions) -> None:
         options, m = options.checked(len(grid.groups)), grid.m[0]
@@ -140,7 +139,6 @@ class Exponential(LinearSubSteps):
             "loop_dot": equations.loop_part(equations.rates(motion, v)),
             "loop_bend": equations.loop_accelerations(motion, v, found.a),
             **self.closed(z, motion),
-            **self.worked(z, equations, motion, v, found.a),
         }
 
     def _correct(self, z: Fields, equations: StageEquations, k: int) -> Mapping[str, ca.SX]:

@@ -124,9 +124,8 @@ class ExponentialAdams(RememberingStep):
             "s_before_dot": s_dot,
             "loop_third": third,
         }
-        work = self.worked(z, equations, start, v, found.a)
         ends = {**self.rebased(z, at, ahead), "v": equations.velocities(at, end.v), "n": z["n"] + 1}
-        return {**ends, **remembered, **work, **self.closed(z, start, middle)}
+        return {**ends, **remembered, **self.closed(z, start, middle)}
 
 
 def fitting(model: Model, grid: Grid, options: Options) -> Scheme:

@@ -54,8 +54,6 @@ class ExponentialMidpoint(OneStep):
     """x_end, v_end: the last iterate; response: what it was made with; change: by how much it differed."""
 
     options: ExponentialMidpointOptions
-    counts_powers = True
-    power_at = 0.5
 
     def further_fields(self) -> dict[str, StateField]:
         """See above. What the iteration starts from does not act on what it converges to."""
@@ -147,15 +145,7 @@ class ExponentialMidpoint(OneStep):
             "v": z["v_end"],
             "n": z["n"] + 1,
             "failures": z["failures"] + z["unconverged"],
-            **self._worked_in_the_middle(z, equations),
         }
-
-    def _worked_in_the_middle(self, z: Fields, equations: StageEquations) -> dict[str, ca.SX]:
-        if "power_sum" not in z:
-            return {}
-        x, v = (z["x"] + z["x_end"]) / 2, (z["v"] + z["v_end"]) / 2
-        motion = equations.close(x, z["loop"], self.now(z, equations) + equations.h[0] / 2, 1)
-        return self.worked(z, equations, motion, v, (z["v_end"] - z["v"]) / equations.h[0])
 
     # ---- the motion of a step -------------------------------------------------------------------------------
 

@@ -112,7 +112,6 @@ class ExponentialRungeKutta(OneStep):
 
     options: ExponentialRungeKuttaOptions
     order = 4
-    counts_powers = True
 
     @classmethod
     def limited(cls, options: Options) -> bool:
@@ -155,8 +154,7 @@ class ExponentialRungeKutta(OneStep):
             return motion.remainder(equations.chart_accelerations(seen[-1], stage.v), stage)
 
         end = krogstad(motion, d).end
-        work = self.worked(z, equations, start, v, motion.a)
         there = equations.loop_part(seen[-1].q_d)
         at = self.arrived(equations, end.q, there, t + h)
         ends = {**self.rebased(z, at, there), "v": equations.velocities(at, end.v), "n": z["n"] + 1}
-        return {**ends, **work, **self.closed(z, *seen)}
+        return {**ends, **self.closed(z, *seen)}

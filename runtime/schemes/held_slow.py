@@ -35,25 +35,6 @@ class HeldSlow(OneStep):
     """Any number of nested groups: each is held over the sub-steps of the next faster one."""
 
     options: ClosureOptions
-    counts_powers = True
-
-    @property
-    def power_at(self) -> float:  # type: ignore[override]
-        """The end of each sub-step, or the start of a major step."""
-        return 0.0 if self.counts_at_start else 1.0
-
-    @property
-    def counts_at_start(self) -> bool:
-        """Are powers counted once a major step?"""
-        return False
-
-    def worked_at_start(self, z: Fields, equations: StageEquations) -> dict[str, ca.SX]:
-        """The account of the power at the start of a major step; prescribed motions need accelerations too."""
-        if "power_sum" not in z:
-            return {}
-        motion = equations.close(z["x"], z["loop"], self.now(z, equations), self.options.closure_iterations)
-        a = equations.accelerations(motion, z["v"]) if equations.drives else ca.SX.zeros(len(self.model.q_i))
-        return self.worked(z, equations, motion, z["v"], a)
 
     def further_fields(self) -> dict[str, StateField]:
         """Held positions, ends of the secants (of one group nothing is held), s: time in the running major step.
@@ -171,7 +152,7 @@ class HeldSlow(OneStep):
             seen[k] = z["hold_q"][k]
         motion = equations.close(seen, z["loop"], self.now(z, equations) + s, self.options.closure_iterations)
         a = self.accelerations(z, equations, motion, v)
-        out = {"x": x, "v": half + h / 2 * a, "a": a, "s": s, **self.worked(z, equations, motion, v, a)}
+        out = {"x": x, "v": half + h / 2 * a, "a": a, "s": s}
         if equations.loops:
             out |= {"loop": equations.loop_part(motion.q_d), **self.closed(z, motion)}
         return out

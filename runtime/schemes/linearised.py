@@ -38,8 +38,6 @@ class Linearised(LinearSubSteps):
     """m sub-steps on the system linearised at the midpoint, m even."""
 
     options: LinearisedOptions
-    counts_powers = True
-    power_at = 0.5
 
     def __init__(self, model: Model, grid: Grid, options: LinearisedOptions) -> None:
         if grid.m[0] % 2:
@@ -58,7 +56,6 @@ class Linearised(LinearSubSteps):
             "x_mid": history(n),
             "v_mid": history(n),
             "loop_dot": work(loops),
-            "power_mid": work(1),
         }
 
     def program(self) -> Program:
@@ -95,13 +92,11 @@ class Linearised(LinearSubSteps):
         motion = equations.close(q, z["loop"], t, self.options.closure_iterations)
         found = equations.linearised(motion, v)
         G0 = found.Q_hat - ca.mtimes(found.J_q, q - z["x"]) - ca.mtimes(found.J_v, v)
-        power = {"power_mid": equations.power_of(motion, v, found.a)} if "power_sum" in z else {}
         return {
             **self.begin(z, equations, found, G0, ca.SX.zeros(len(self.model.q_i))),
             "loop": equations.loop_part(motion.q_d),
             "loop_dot": equations.loop_part(equations.rates(motion, v)),
             **self.closed(z, motion),
-            **power,
         }
 
     def _recentre(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
@@ -109,8 +104,7 @@ class Linearised(LinearSubSteps):
         return {"x_mid": z["x"] + z["w"], "v_mid": z["u"]}
 
     def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        work = self.counted(z, z["power_mid"]) if "power_sum" in z else {}
-        return {"x": z["x"] + z["w"], "v": z["u"], "n": z["n"] + 1, "x_start": z["x"], **work}
+        return {"x": z["x"] + z["w"], "v": z["u"], "n": z["n"] + 1, "x_start": z["x"]}
 
     def _predict(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         ahead = {"x_mid": z["x_start"] + z["w"], "v_mid": z["u"]}

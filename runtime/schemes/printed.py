@@ -211,4 +211,4 @@ class Printed(CentralDifference):
             ),
             "s": s + equations.h[-1],
         }
-        return out if level > 0 else {**out, **self.worked(z, equations, motion, v, a), "n": z["n"] + 1}
+        return out if level > 0 else {**out, "n": z["n"] + 1}

@@ -39,7 +39,6 @@ class RememberingStep(OneStep):
     """Field loop_third: third rates of the loop unknowns, as the last step found them."""
 
     options: ExponentialAdamsOptions
-    counts_powers = True
 
     def further_fields(self) -> dict[str, StateField]:
         """See above."""

@@ -143,6 +143,5 @@ class RosenbrockAdams(RememberingStep):
             "q_before": x,
             "v_before": v,
             "a_before": motion.a,
-            **self.worked(z, equations, start, v, motion.a),
             **self.closed(z, start, there),
         }

@@ -41,10 +41,7 @@ class Scheme(ABC):
     closes: bool = True  # are all coordinates found from q_i by the closure, in every evaluation?
 
     adaptive: bool = False  # are its steps as long as a tolerance asks for, and dt the time between states to be seen?
-    counts_powers: bool = False  # do its stages call `worked`? Else a stage before them does what it would
-    integrates_work: bool = False  # over its own steps, so that z has the work itself
     starts_from_last: bool = False  # do iterations begin with the last step's values, and its rate of convergence?
-    power_at: float = 0.0  # where in a step its powers are summed up: 0 its start, 1/2, or 1: the end of each sub-step
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
         self.model = model
@@ -178,19 +175,6 @@ class Scheme(ABC):
             if low.numel():
                 low, high = ca.fmin(low, motion.det_loop), ca.fmax(high, motion.det_loop)
         return {"closure_error": error, "det_low": low, "det_high": high}
-
-    def worked(
-        self, z: Fields, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX, a: ca.SX
-    ) -> dict[str, ca.SX]:
-        """The fields that keep account of the power at a state that a stage evaluates; none where z has no account."""
-        return self.counted(z, equations.power_of(motion, v, a)) if "power_sum" in z else {}
-
-    @staticmethod
-    def counted(z: Fields, P: ca.SX) -> dict[str, ca.SX]:
-        """The same for a power P [W]; see work.py."""
-        change = P - z["power"]
-        bends = z["power_bends"] + ca.fabs(change - z["power_change"])
-        return {"power_sum": z["power_sum"] + P, "power": P, "power_change": change, "power_bends": bends}
 
     def constants_at(self, z: Fields, c: ca.SX) -> ca.SX:
         """c (of the model or of the stages) with the charts and the inputs as z holds them."""

@@ -27,6 +27,5 @@ class SingleRate(CentralDifference):
         everyone = list(range(len(self.model.q_i)))
         return {
             **self.moved(z, equations, motion, v, a, everyone),
-            **self.worked(z, equations, motion, v, a),
             "n": z["n"] + 1,
         }

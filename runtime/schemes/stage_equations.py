@@ -186,32 +186,6 @@ class StageEquations:
         by_q, by_v = ca.substitute([derivative(q), derivative(v)], [old], [new])
         return by_q, by_v
 
-    def power_of(self, motion: ClosedConfiguration, q_i_dot: ca.SX, q_i_ddot: ca.SX) -> ca.SX:
-        """Power of loads, dampers and prescribed motions at a state [W]."""
-        at = self._arguments(motion, q_i_dot)
-        q_d_ddot = ca.SX(0, 1)
-        if self.drives:
-            q_d_ddot = self.dependent_accelerations(motion, q_i_dot, q_i_ddot)
-        elif self.model.q_d:
-            q_d_ddot = ca.SX.zeros(len(self.model.q_d))
-        q, q_dot = self.joined(motion.q_i, motion.q_d), self.joined(q_i_dot, at["q_d_dot"])
-        return self.power(motion.t, q, q_dot, self.joined(q_i_ddot, q_d_ddot))
-
-    def power(self, t: ca.SX, q: ca.SX, q_dot: ca.SX, q_ddot: ca.SX) -> ca.SX:
-        """power_applied - power_dissipated + lam^T C_t [W]; q_ddot is not looked at without prescribed motions."""
-        at = {"q": q, "q_dot": q_dot, "t": t}
-        energy = self.call("energy", **at)
-        power = energy["power_applied"] - energy["power_dissipated"]
-        if not self.drives:
-            return power
-        lam = self.call("reactions", **at, q_ddot=q_ddot, lam_R=ca.SX.zeros(len(self.model.redundant)))["lam"]
-        return power + ca.dot(lam, self.call("constraints", **at)["C_t"])
-
-    @property
-    def drives(self) -> bool:
-        """Do prescribed motions do work?"""
-        return bool(self.model.constraints) and not self.model.structurally_zero("constraints", "C_t")
-
     def joined(self, independent: ca.SX, dependent: ca.SX) -> ca.SX:
         """A vector in the order of the model's coordinates, from its parts."""
         return joined(self.model, independent, dependent)

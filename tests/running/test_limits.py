@@ -16,7 +16,6 @@ from runtime.running.checks.check import Check, Subject
 from runtime.running.checks.closure import Closure
 from runtime.running.checks.constraints import Constraints
 from runtime.running.checks.deflection import Deflection
-from runtime.running.checks.energy import Energy
 from runtime.running.checks.growth import Growth
 from runtime.running.checks.mass import Mass
 from runtime.running.plan import make_plan
@@ -88,39 +87,6 @@ def test_constraints(built_in: Load) -> None:
     limit = 1e-6 * subject.length / probe
     for factor, expected in ((0.9, None), (1.1, "constraints_lost")):
         assert named(Constraints(subject), moved(factor * limit)) == expected
-
-
-def test_energy_that_nobody_fed(built_in: Load) -> None:
-    """Half as much again as the kinetic energy of the start; rates grow with its root."""
-    subject, _ = watched(built_in("pendulum"))
-    check = Energy(subject)
-    check.start(state(subject, 2.0, 0))
-    for factor, expected in ((INSIDE, None), (BEYOND, "diverged")):
-        assert named(check, state(subject, 2.0 * np.sqrt(1 + 0.5 * factor), 20)) == expected
-
-
-def test_energy_of_a_run_that_was_tried(built_in: Load) -> None:
-    """It goes on, and is judged by all that it has seen; a checkpoint keeps what was seen."""
-    subject, _ = watched(built_in("pendulum"))
-    check, later = Energy(subject), Energy(subject)
-    check.tried = True
-    check.start(state(subject, 2.0, 0))
-    assert named(check, state(subject, 2.0 * np.sqrt(1 + 0.5 * BEYOND), 20)) is None
-    later.resume(check.memory())
-    for one in (check, later):
-        verdict = one.verdict()
-        assert verdict is not None and verdict.name == "diverged"
-        assert verdict.time == pytest.approx(20 * subject.scheme.grid.dt_L)
-    later.largest *= BEYOND**2
-    assert later.verdict() is None
-
-
-def test_energy_after_a_start_from_rest(built_in: Load) -> None:
-    subject, _ = watched(built_in("pendulum"))
-    for steps, expected in ((9, None), (10, "diverged")):
-        check = Energy(subject)
-        check.start(state(subject, 0.0, 0))
-        assert named(check, state(subject, 1.0, steps)) == expected
 
 
 def test_mass_that_is_nearly_lost(model_of: Build) -> None:

@@ -33,21 +33,20 @@ def pushed_mass() -> Scene:
     return builder.simulation(t_end=3.9, dt=0.002, scheme="rk4").build()
 
 
-def pushed_by_hand(t_end: float) -> tuple[int, float, float, float]:
-    """(jumps, x, v, work): a constant force between times at which the phase is asin(ABOVE) or pi less that."""
+def pushed_by_hand(t_end: float) -> tuple[int, float, float]:
+    """(jumps, x, v): a constant force between times at which the phase is asin(ABOVE) or pi less that."""
     turns, up = 2 * np.pi * np.arange(500), np.arcsin(ABOVE)
     phases = np.sort(np.concatenate([up + turns, np.pi - up + turns]))
     return by_hand((-40 + np.sqrt(1600 + 120 * phases)) / 60, t_end)
 
 
-def by_hand(times: np.ndarray, t_end: float, v: float = 0.0) -> tuple[int, float, float, float]:
+def by_hand(times: np.ndarray, t_end: float, v: float = 0.0) -> tuple[int, float, float]:
     """The same for a force that is DOWN until the first time, then UP."""
-    times, x, work = times[times < t_end], 0.0, 0.0
+    times, x = times[times < t_end], 0.0
     for k, (a, b) in enumerate(zip([0.0, *times], [*times, t_end], strict=True)):
         force, h = (UP if k % 2 else DOWN), b - a
-        work += force * (v * h + force * h**2 / 2)
         x, v = x + v * h + force * h**2 / 2, v + force * h
-    return len(times), x, v, work
+    return len(times), x, v
 
 
 @pytest.fixture
@@ -70,19 +69,18 @@ def listed(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 @pytest.mark.parametrize("dt", [0.002, 0.01])  # s; of steps of 10 ms often one alone is whole between two broken ones
 @pytest.mark.parametrize("scheme", ["rk4", "exponential_adams", "single_rate"])
 def test_a_square_wave_is_exact_without_python(model_of: Build, listed: list[int], scheme: str, dt: float) -> None:
-    """Constant forces between jumps: position, velocity and work to rounding, and some lists for all jumps."""
+    """Constant forces between jumps: position and velocity to rounding, and some lists for all jumps."""
     model = model_of(pushed_mass())
-    jumps, x, v, work = pushed_by_hand(3.9)
+    jumps, x, v = pushed_by_hand(3.9)
     run = simulate(model, scheme=scheme, dt=dt, save_every=1000, force=True)
     assert jumps > 190 and len(listed) < jumps / 3 and run.t[-1] == pytest.approx(3.9)
     assert run["mass.x"][-1] == pytest.approx(x, rel=1e-10)
     assert run.rate("mass.x")[-1] == pytest.approx(v, rel=1e-10)
-    assert run.energy["work"][-1] == pytest.approx(work, rel=1e-9)
 
 
 @pytest.mark.parametrize("scheme", ["exponential_adams", "single_rate"])
 def test_other_steps_cross_by_the_same_program(model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str) -> None:
-    """Steps are data of it: it is made once, and the work of runs with other steps is that by hand."""
+    """Steps are data of it: it is made once, and runs with other steps are those by hand."""
     model, made, init = model_of(pushed_mass()), list[str](), ListedCrossing.__init__
 
     def counted(self: ListedCrossing, scheme: Scheme, engine: str, wait: bool) -> None:
@@ -91,12 +89,12 @@ def test_other_steps_cross_by_the_same_program(model_of: Build, monkeypatch: pyt
 
     monkeypatch.setattr(ListedCrossing, "__init__", counted)
     model.steppers.clear()
-    x, v, work = pushed_by_hand(3.9)[1:]
+    x, v = pushed_by_hand(3.9)[1:]
     for dt in (0.0025, 0.002):
         run = simulate(model, scheme=scheme, dt=dt, save_every=1000, force=True)
         assert len(made) == 1
-        found = run["mass.x"][-1], run.rate("mass.x")[-1], run.energy["work"][-1]
-        assert found == pytest.approx((x, v, work), rel=1e-9)
+        found = run["mass.x"][-1], run.rate("mass.x")[-1]
+        assert found == pytest.approx((x, v), rel=1e-9)
 
 
 @pytest.mark.parametrize("by_lists", [True, False])  # or by Python
@@ -124,11 +122,10 @@ def test_no_time_is_lost_at_jumps_far_from_zero(
     run = simulate(model, scheme=scheme, t0=1000.0, t_end=1001.0, force=True)
     turns, up = 2 * np.pi * np.arange(501), np.arcsin(ABOVE)
     phases = np.sort(np.concatenate([up + turns, np.pi - up + turns]))
-    jumps, x, v, work = by_hand((phases - 0.3) / (1000 * np.pi), 1.0, 10.0)
+    jumps, x, v = by_hand((phases - 0.3) / (1000 * np.pi), 1.0, 10.0)
     assert jumps == 1000 and bool(sizes) == by_lists and max(sizes, default=0) < 3 * most
     assert run["mass.x"][-1] == pytest.approx(x, rel=0, abs=1e-9)
     assert run.rate("mass.x")[-1] == pytest.approx(v, rel=0, abs=1e-9)
-    assert run.energy["work"][-1] == pytest.approx(work, rel=0, abs=1e-8)
 
 
 @pytest.mark.parametrize("scheme", ["rk4", "exponential_adams"])
@@ -143,7 +140,7 @@ def test_a_comparison_crosses_jumps_in_one_native_call(
     monkeypatch.delattr(NativeProgram, "run")
     z = own.start(0.0, q, q, c, dt)
     broken.run(z, own.ready(c, dt), c, 300)
-    jumps, x, v, _ = pushed_by_hand(0.6)
+    jumps, x, v = pushed_by_hand(0.6)
     assert jumps > 10 and len(listed) == 1
     there = own.scheme.observer(z=own.state(z), c=own.scheme.constants(c))
     assert float(there["q_i"]) == pytest.approx(x, rel=1e-11)
@@ -172,7 +169,7 @@ def test_lists_do_what_is_done_one_by_one(model_of: Build, monkeypatch: pytest.M
     def course() -> np.ndarray:
         run = simulate(model, scheme=scheme, m=[2] if scheme == "decoupled" else None, save_every=1, force=True)
         assert len(run.t) == 81
-        return np.column_stack([run.q, run.q_dot, run.energy["work"]])
+        return np.column_stack([run.q, run.q_dot, run.work()])
 
     found = course()
     monkeypatch.setattr(BrokenSteps, "_listed", False)
@@ -202,7 +199,7 @@ def test_only_jumps_of_a_velocity_are_left_to_python(model_of: Build, monkeypatc
     monkeypatch.setattr(BrokenSteps, "_listed", False)
     one_by_one = simulate(model)
     assert len(broken) > 90 and np.abs(found.q_dot - one_by_one.q_dot).max() < 1e-12
-    assert np.abs(found.energy["work"] - one_by_one.energy["work"]).max() < 1e-12
+    assert np.abs(found.work() - one_by_one.work()).max() < 1e-12
 
 
 @pytest.mark.parametrize("scheme", ["rk4", "single_rate"])

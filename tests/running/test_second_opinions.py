@@ -51,23 +51,6 @@ def test_work_that_long_steps_know_badly_ends_no_run(model_of: Build, scheme: st
     assert run.status.name == "completed" and off < 2 * tolerance
 
 
-def test_energy_that_grows_by_itself_is_named_where_nothing_else_tells(
-    model_of: Build, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """A motion that the trials expect to be right, and whose energy grows: `diverged` where it cannot be measured."""
-    from runtime.running import outcome
-    from runtime.running.checks.energy import Energy
-
-    def seen(check: Energy, z: np.ndarray) -> None:
-        check.worst, check.since = 1e3, check.subject.time(z)
-
-    monkeypatch.setattr(Energy, "after", seen)
-    model = model_of(let_go("-40*a", 2.0))
-    assert simulate(model, scheme="dopri5", tolerance=1e-3).status.name == "completed"  # as the finer motion tells
-    monkeypatch.setattr(outcome, "measured_errors", lambda run, state: None)
-    assert simulate(model, scheme="dopri5", tolerance=1e-3).status.name == "diverged"
-
-
 def test_a_tolerance_that_was_not_kept_is_said(model_of: Build, monkeypatch: pytest.MonkeyPatch) -> None:
     """A run with ten times the error that its trials have told, of cos(sqrt(40) t); one that keeps it says nothing."""
     model, told = model_of(let_go("-40*a", 2.0)), Calibration.told

@@ -67,7 +67,7 @@ REST = -np.linalg.solve(CLOSED, [KP * WANTED / J, WANTED])
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_every_scheme_closes_the_loop(model_of: Build, scheme: str) -> None:
     """(w, total) = x_0 + exp(A t) (0 - x_0) of the loop by hand."""
-    run = simulate(model_of(rotor()), scheme=scheme, save_every=100)
+    run = simulate(model_of(rotor()), scheme=scheme, save_every=10)
     exact = np.array([REST - expm(CLOSED * t) @ REST for t in run.t])
     tolerance = 2e-3 if SCHEMES[scheme].make.order == 2 else 1e-9  # of 33 rad/s, 500 steps
     np.testing.assert_allclose(run["rotor.theta_dot"], exact[:, 0], atol=tolerance)

@@ -86,7 +86,7 @@ def test_what_a_crash_leaves_is_readable(built_in: Load, tmp_path: Path) -> None
 
 def test_failed_run_ends_its_stream_with_the_last_good_state(built_in: Load, tmp_path: Path) -> None:
     model = built_in("two_oscillators")
-    settings = {"parameters": {"zeta": 0.0}, "scheme": "printed", "m": [4], "t_end": 20.0, "save_every": 7}
+    settings = {"parameters": {"zeta": 0.0}, "scheme": "printed", "m": [4], "t_end": 200.0, "save_every": 7}
     whole = simulate(model, **settings)  # type: ignore[arg-type]
     simulate(model, **settings, stream=tmp_path / "run")  # type: ignore[arg-type]
     back = Solution.load(tmp_path / "run", model)

@@ -8,7 +8,6 @@ from math import ceil
 import numpy as np
 
 from runtime.contract.status import Event, Status
-from runtime.results.sampling import evaluate
 from runtime.running.happenings import Happenings
 from runtime.running.segment import Segment
 from runtime.running.singular.carry import COUNTERS, OF_TOLERANCE, RANGES
@@ -40,7 +39,6 @@ class Over:
         self.segment, self.segments, self.happenings = segment, segments, happenings
         self.block, self.largest, self.asked = block, largest, asked
         self._passed: Crossing | None = None
-        self._lent = 0.0  # work less energy [J]
         self._late = 0.0  # by how much a change of inputs is felt late at most [s]
 
     def go(self, z: np.ndarray, way: Way) -> tuple[list[np.ndarray], Status | None]:
@@ -49,8 +47,6 @@ class Over:
         What an event sets holds from there on; very near to the position from the other side on. Raises BranchLost.
         """
         plan, done, samples = self.segment.plan, self.segment.step_of(z), list[np.ndarray]()
-        seen = self.segment.observed([self.segment.stepper.state(z)])
-        self._lent = self.segment.account(z)[0] - self._energies(seen.q, seen.q_dot, seen.t)[0]
         first, end, known = done, self._last_step(way, done), dict[int, float]()
         while True:
             quiet = quiet_until(self.segment.plan.scheme, z) if self.segment.watches_events else np.zeros(0)
@@ -140,16 +136,10 @@ class Over:
         q, q_dot = way.states(times)
         found, layout = [], self.segment.plan.scheme.layout
         stays = [name for name in (*COUNTERS, *OF_TOLERANCE, *RANGES, "event_quiet") if name in layout.sizes]
-        for k, work in enumerate(self._lent + self._energies(q, q_dot, times)):
+        for k in range(len(steps)):
             at = float(times[k]) if off_grid else None
-            one = self.segment.start(q[k], q_dot[k], steps[k], float(work), at)
+            one = self.segment.start(q[k], q_dot[k], steps[k], at)
             for name in stays:
                 one[layout.slice(name)] = z[layout.slice(name)]
             found.append(one)
         return found
-
-    def _energies(self, q: np.ndarray, q_dot: np.ndarray, times: np.ndarray) -> np.ndarray:
-        """(N,) [J] of states (N, n): on so short a way work is what they change by."""
-        at = {"q": q, "q_dot": q_dot, "t": times[:, None]}
-        energy = evaluate(self.segment.model.kernel("energy"), at, self.segment.c)
-        return np.asarray((energy["kinetic"] + energy["elastic"] + energy["potential"])[:, 0])

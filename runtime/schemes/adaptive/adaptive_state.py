@@ -29,8 +29,6 @@ class AdaptiveState(OneStep):
     """Start and end of the running step, the controller's memory, and what is counted."""
 
     adaptive = True
-    counts_powers = True
-    integrates_work = True
     counted_evaluations: tuple[int, int]  # at the start of a step, and in an attempt
     begins_after_rejection = False  # does a refused attempt leave nothing to go on from?
     error_order: int  # the estimate is of h to this power

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import casadi as ca
 
@@ -30,7 +30,6 @@ from runtime.schemes.adaptive.step_control import StepControl
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.switching.dips import NODES, ValuesInStep
 from runtime.schemes.switching.watched import NEVER, event_outputs, flagged, next_values
-from runtime.schemes.work import by_simpson
 
 NOTHING = 1e-12  # of a step: an interpolant is not asked for less
 STARTS = ("q_from", "v_from", "loop_from", "t_from", "a_from", "before")  # what a step sets anew that is looked at
@@ -42,7 +41,6 @@ class Attempt:
     """The end (q_i, q_i_dot, guess of the loop unknowns) of a step, and its error estimates (n_i each).
 
     kept: fields of z that the interpolant or the next step takes. seen: closed configurations on the way.
-    powers: P in the middle of the step, and at its end where that is evaluated [W]; none where there is no account.
     """
 
     q: ca.SX
@@ -52,7 +50,6 @@ class Attempt:
     dv: ca.SX
     kept: Mapping[str, ca.SX]
     seen: tuple[ClosedConfiguration, ...]
-    powers: Mapping[str, ca.SX] = field(default_factory=dict)
 
 
 class AdaptiveSteps(StepControl):
@@ -88,9 +85,6 @@ class AdaptiveSteps(StepControl):
         begin = Until(self.stage("begin", self._begin), flag["cold"], 1, usual=int(not self.first_same_as_last))
         widen = Until(self.stage("range", self._range), flag["ranging"], 1, usual=1)
         moved: tuple[Program, ...] = (widen, self.stage("move", self._move))
-        if "landed" in self.layout.sizes and not self.first_same_as_last:
-            settle = Until(self.stage("settle", self._settle), self.layout.slice("landed").start, 1, usual=0)
-            moved = (*moved, settle)
         start = Sequence((Until(Sequence(moved), flag["fresh"], 1, usual=1), begin, *self.after_begin()))
         judge = Until(self.stage("judge", self._judge), flag["odd"], 1, usual=0)
         step: tuple[Program, ...] = (start, self.stage("attempt", self._attempt), judge)
@@ -116,8 +110,6 @@ class AdaptiveSteps(StepControl):
             moved = self.rebased(z, self.arrived(equations, z["q_to"], z["loop_to"], z["t_to"]), z["loop_to"])
             out |= {"chart": moved["chart"], "q_from": moved["x"], "q_to": moved["x"]}
             out |= {"loop_from": moved["loop"], "loop_to": moved["loop"]}
-        if self.first_same_as_last and "work_from" in z:
-            out |= self._worked(z, z["power_to"])
         cold = z["cold"] if self.first_same_as_last else ca.SX(1)
         return {**out, **self.moved(z), "fresh": ca.SX(0), "cold": cold}
 
@@ -131,41 +123,12 @@ class AdaptiveSteps(StepControl):
         """What is evaluated at a start."""
         motion, a, fields = self.begun(z, equations)
         out = {"cold": ca.SX(0), "a_from": a, "loop_from": equations.loop_part(motion.q_d), **fields}
-        if "work_from" in z:
-            out |= self._worked(z, equations.power_of(motion, z["v_from"], a))
         return {**out, **self.closed(z, motion), "det_now": motion.det_loop}
-
-    def _settle(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        """The work of a step that has ended where something may jump: by the power before it."""
-        t = z["t_from"] - z["beside"]
-        motion = equations.close_well(z["q_from"], z["loop_from"], t)
-        a = equations.accelerations(motion, z["v_from"]) if equations.drives else z["a_from"]
-        return {"landed": ca.SX(0), **self._worked(z, equations.power_of(motion, z["v_from"], a))}
-
-    @staticmethod
-    def _worked(z: Fields, P: ca.SX) -> dict[str, ca.SX]:
-        """The account of the work at the end of a step, where the power is P [W]."""
-        done, bend = by_simpson(z["pending"], z["power"], z["power_mid"], P)
-        return {"work_from": z["work_from"] + done, "pending": ca.SX(0), "power": P, "bends": z["bends"] + bend}
 
     def time_in_step(self, z: Fields, h: ca.SX, share: float) -> ca.SX:
         """Time at a share of a step of h [s]: just behind its start and just before its end, where it may jump."""
         t = z["t_from"] + share * h
         return t + (z["beside"] if share == 0 else -z["beside"] if share == 1 else 0)
-
-    def power_between(
-        self, z: Fields, equations: StageEquations, tau: ca.SX, guess: ca.SX, h: ca.SX | None = None
-    ) -> ca.SX:
-        """P [W] at tau after the start of a step that ends at q_to; guess: of the loop unknowns."""
-        return self.power_at_state(z, equations, tau, *self.between(z, equations, tau, h), guess)
-
-    def power_at_state(
-        self, z: Fields, equations: StageEquations, tau: ca.SX, q: ca.SX, v: ca.SX, guess: ca.SX
-    ) -> ca.SX:
-        """P [W] at q, v, tau after the start of a step."""
-        motion = equations.close_well(q, guess, z["t_from"] + tau)
-        a = equations.accelerations(motion, v) if equations.drives else ca.SX.zeros(q.numel())
-        return equations.power_of(motion, v, a)
 
     def _attempt(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """As if it were accepted and the next one as long; `_judge` says otherwise where the estimate asks for it."""
@@ -189,7 +152,6 @@ class AdaptiveSteps(StepControl):
         seen = {"q_seen": self.ranged(tried.q, tried.seen[-1])} if z["q_seen"].numel() else {}
         return {
             **tried.kept,
-            **tried.powers,
             **seen,
             **{"q_to": tried.q, "v_to": tried.v, "loop_to": tried.loop, "t_to": t, "t_try": t + h},
             **self.closed(z, *tried.seen),
@@ -197,7 +159,6 @@ class AdaptiveSteps(StepControl):
             "accepted": z["accepted"] + 1,
             "fresh": ca.SX(1),
             "cold": ca.SX(0),
-            **({"pending": h} if "work_from" in z else {}),
         }
 
     def _plain(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
@@ -270,11 +231,5 @@ class AdaptiveSteps(StepControl):
         q, v = self.between(z, equations, tau)
         loop = z["loop_from"] + tau * (z["loop_to"] - z["loop_from"]) / h
         out = {"x": q, "v": v, "loop": loop, "n": z["n"] + 1}
-        if "work_from" in z:
-            middle, end = (
-                self.power_between(z, equations, part * tau, z["loop_from"] + part * (loop - z["loop_from"]))
-                for part in (0.5, 1.0)
-            )
-            out["work"] = z["work_from"] + tau / 6 * (z["power"] + 4 * middle + end)
         shown = {name: ca.if_else(arrived, new, z[name]) for name, new in out.items()}
         return {**shown, **self._lengths(z, z["accepted"])}

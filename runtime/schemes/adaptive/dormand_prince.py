@@ -72,7 +72,7 @@ class AdaptiveDormandPrince(AdaptiveSteps):
         """Slopes of (q_i, q_i_dot, loop unknowns)."""
         n = len(self.model.q_i)
         start = ca.vertcat(z["q_from"], z["v_from"], z["loop_from"])
-        slopes, seen, powers = [ca.vertcat(z["v_from"], z["a_from"], z["loop_dot"])], [], {}
+        slopes, seen = [ca.vertcat(z["v_from"], z["a_from"], z["loop_dot"])], []
         y = start
         for row, node in [*zip(A[1:], NODES[1:], strict=True), (WEIGHTS, 1.0)]:
             y = start + h * combined(row[: len(slopes)], slopes)
@@ -84,11 +84,7 @@ class AdaptiveDormandPrince(AdaptiveSteps):
         error, last = h * combined(ERROR, slopes), slopes[-1]
         kept = {"a_to": last[n : 2 * n], "loop_dot_to": last[2 * n :]}
         loop = equations.loop_part(seen[-1].q_d)
-        if "work_from" in z:
-            trial = {**z, "q_to": y[:n], "v_to": y[n : 2 * n], **kept}
-            powers["power_to"] = equations.power_of(seen[-1], y[n : 2 * n], kept["a_to"])
-            powers["power_mid"] = self.power_between(trial, equations, h / 2, (z["loop_from"] + loop) / 2, h)
-        return Attempt(y[:n], y[n : 2 * n], loop, error[:n], error[n : 2 * n], kept, tuple(seen), powers)
+        return Attempt(y[:n], y[n : 2 * n], loop, error[:n], error[n : 2 * n], kept, tuple(seen))
 
     def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """The polynomial of degree 5 and its derivative."""

@@ -15,7 +15,6 @@ from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.switching.dips import first_bracket, looked_at
 from runtime.schemes.switching.event_search import first_passage
 from runtime.schemes.switching.watched import NEVER, passed, quiet_until
-from runtime.schemes.work import accounted, by_simpson, power_of
 
 Runs = Callable[[np.ndarray], None]  # one application of the program, in place
 FAR = 1e15  # steps
@@ -96,28 +95,11 @@ def _made_again(scheme: AdaptiveSteps, z: np.ndarray, end: float, run: Runs) -> 
     return z
 
 
-def settled(scheme: AdaptiveSteps, z: np.ndarray, constants: np.ndarray) -> None:
-    """Bring the account of the work in z (whole, flat) up to the end of its last step: something changes there."""
-    own = scheme.layout.slice
-    if not accounted(scheme) or not z[own("pending")][0]:
-        return
-    seen = scheme.at_end(z)[: scheme.layout.size]
-    seen[own("t0")] -= z[own("beside")]
-    P, h = power_of(scheme, seen, constants), z[own("pending")].copy()
-    start, middle = z[own("power")].copy(), z[own("power_mid")].copy()
-    done, bend = by_simpson(h, start, middle, P)
-    z[own("work_from")] += done
-    z[own("bends")] += bend
-    z[own("pending")], z[own("power")] = 0.0, P
-
-
 def shown_at_end(scheme: AdaptiveSteps, z: np.ndarray, dt: float, run: Runs) -> None:
-    """Let z (whole, flat), whose work is settled, be seen at the end of its last step: one state of dt [s] more."""
+    """Let z (whole, flat) be seen at the end of its last step: one state of dt [s] more."""
     own = scheme.layout.slice
     t, n = float(z[own("t_to")][0]), float(z[own("n")][0]) + 1
     z[own("t0")] = t - n * dt
     while float(z[own("t0")][0]) + n * dt > t:
         z[own("t0")] = np.nextafter(z[own("t0")], -np.inf)
     run(z)
-    if accounted(scheme):
-        z[own("work")] = z[own("work_from")]

@@ -83,17 +83,11 @@ class AdaptiveExponential(AdaptiveSteps):
         system = self.stored.unpack(z)
         linear = z["G0"] + tau * z["G1"] + ca.mtimes(system.J_q, first[0]) + ca.mtimes(system.J_v, first[1])
         G2 = 2 / (tau * tau) * (ca.mtimes(system.M, equations.chart_accelerations(at, first[1])) - linear)
-        middle, (w, u) = self._motion(z, h, G2, 1.0)
+        w, u = self._motion(z, h, G2, 1.0)[-1]
         bend, end = equations.loop_part(at.q_d) - ahead, z["q_from"] + w
         loop = z["loop_from"] + h * z["loop_dot"] + bend / NODE**2
-        powers = {}
-        if "work_from" in z:
-            share = z["loop_from"] + h / 2 * z["loop_dot"] + bend / NODE**2 / 4
-            q = z["q_from"] + middle[0]
-            v = self.velocities_at(z, equations, h / 2, q, middle[1])
-            powers["power_mid"] = self.power_at_state(z, equations, h / 2, q, v, share)
         v = self.velocities_at(z, equations, h, end, u)
-        return Attempt(end, v, loop, w - second[0], u - second[1], {"G2": G2}, (at,), powers)
+        return Attempt(end, v, loop, w - second[0], u - second[1], {"G2": G2}, (at,))
 
     def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """The same linear motion, ended sooner."""

@@ -121,7 +121,7 @@ class AdaptiveExponentialAdams(AdaptiveSteps):
 
     def attempted(self, z: Fields, equations: StageEquations, h: ca.SX) -> Attempt:
         """One evaluation, in the middle."""
-        motion, powers = self._motion(z, equations, h), {}
+        motion = self._motion(z, equations, h)
         s, s_dot = (ca.mtimes(motion.B.T, one) for one in (z["q_from"], z["v_from"]))
         d_m, d_b = (motion.seen(z[f"a_{w}"], z[f"s_{w}"] - s, z[f"s_{w}_dot"] - s_dot) for w, _ in LAST)
         p = z["behind"]
@@ -137,11 +137,9 @@ class AdaptiveExponentialAdams(AdaptiveSteps):
         end, rough = motion.to(2, *found), motion.to(2, b1, b2)
         ahead, third = loops_ahead(loop, equations.loop_part(middle.q_d), tau, h)
         kept = {f"b{k}": motion.all_of(one) for k, one in enumerate(found, start=1)}
-        if "work_from" in z:
-            powers["power_mid"] = self.power_between({**z, **kept}, equations, tau, (z["loop_from"] + ahead) / 2, h)
         kept |= {"a_there": a, "s_there": ca.mtimes(motion.B.T, there.q), "s_there_dot": ca.mtimes(motion.B.T, there.v)}
         kept["third_there"] = third
-        return Attempt(end.q, end.v, ahead, end.q - rough.q, end.v - rough.v, kept, (middle,), powers)
+        return Attempt(end.q, end.v, ahead, end.q - rough.q, end.v - rough.v, kept, (middle,))
 
     def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """The same motion, ended sooner."""

@@ -67,7 +67,7 @@ class AdaptiveExponentialRungeKutta(AdaptiveSteps):
 
     def attempted(self, z: Fields, equations: StageEquations, h: ca.SX) -> Attempt:
         """Three evaluations."""
-        motion, powers = self._motion(z, equations, h), {}
+        motion = self._motion(z, equations, h)
         seen: list[ClosedConfiguration] = []
 
         def d(stage: MotionStage) -> Along:
@@ -83,9 +83,7 @@ class AdaptiveExponentialRungeKutta(AdaptiveSteps):
         kept = {"b1": found.b1, "b2": found.b2}
         end, loop = found.end, equations.loop_part(seen[-1].q_d)
         v = self.velocities_at(z, equations, h, end.q, end.v)
-        if "work_from" in z:  # a stage in the middle is of lower order than the motion that leads to the end
-            powers["power_mid"] = self.power_between({**z, **kept}, equations, h / 2, (z["loop_from"] + loop) / 2, h)
-        return Attempt(end.q, v, loop, end.q - found.before.q, end.v - found.before.v, kept, tuple(seen), powers)
+        return Attempt(end.q, v, loop, end.q - found.before.q, end.v - found.before.v, kept, tuple(seen))
 
     def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """The same motion, ended sooner."""

@@ -8,13 +8,11 @@ import numpy as np
 
 from runtime.contract.coordinates import independent_rates, whole
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
-from runtime.schemes.adaptive.event_ends import settled
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.breaks import ON_THE_GRID
 from runtime.schemes.switching.impulse import Impulse, impulse_at
 from runtime.schemes.switching.times import SwitchTime
 from runtime.schemes.switching.watched import NEVER
-from runtime.schemes.work import accounted
 
 
 def run_across(
@@ -78,16 +76,11 @@ def give_impulse(
     found = impulse_at(model, c, q, q_dot, there.before, there.after)
     if found is None:
         return {}
-    settled(scheme, z, constants)
     z[own("v_to")] = independent_rates(model, q, found.q_dot)
-    if accounted(scheme):
-        z[own("work_from")] += found.energy
     seen_at = float(z[own("t0")][0] + z[own("n")][0] * dt)
     if abs(seen_at - reached) <= ON_THE_GRID * dt:  # what is seen there is after the jump
         z[own("t0")] += max(0.0, there.after - seen_at)
         z[own("v")] = z[own("v_to")]
-        if accounted(scheme):
-            z[own("work")] = z[own("work_from")]
     return {there.time: found}
 
 

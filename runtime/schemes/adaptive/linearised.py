@@ -69,12 +69,8 @@ class AdaptiveLinearised(AdaptiveSteps):
         kept = self._system(found, q, at_middle, u, equations.loop_part(equations.rates(at, u)))
         w, v = self._motion({**z, **kept}, h)
         loop = equations.loop_part(at.q_d) + h / 2 * kept["loop_dot"]
-        powers = {}
-        if "work_from" in z:
-            powers["power_mid"] = equations.power_of(at, u, found.a)
-            powers["power_to"] = self.power_at_state(z, equations, h, q + w, v, loop)
         dq = q + w - z["q_base"] - predicted[0]
-        return Attempt(q + w, v, loop, dq, v - predicted[1], kept, (at,), powers)
+        return Attempt(q + w, v, loop, dq, v - predicted[1], kept, (at,))
 
     def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """The same linear motion, ended sooner."""

@@ -110,7 +110,6 @@ class StepControl(AdaptiveState):
             "stuck": stuck,
             **({"restart": ca.logic_or(landed, z["restart"])} if "restart" in z else {}),
             "going": self._left({**z, "stuck": stuck}, self._goal(z, equations) - t, t),
-            **({"pending": ca.if_else(accepted, h, 0.0), "landed": landed} if "work_from" in z else {}),
         }
 
     def _alike(self, z: Fields, equations: StageEquations, plan: Mapping[str, ca.SX], t: ca.SX) -> ca.SX:

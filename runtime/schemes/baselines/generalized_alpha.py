@@ -48,7 +48,6 @@ class AlphaMethod(Scheme):
 
     options: AlphaMethodOptions
     closes = False
-    counts_powers = True
 
     def __init__(self, model: Model, grid: Grid, options: AlphaMethodOptions) -> None:
         self.penalised = _singular_mass(model)
@@ -103,11 +102,7 @@ class AlphaMethod(Scheme):
     # ---- a step ---------------------------------------------------------------------------------------------
 
     def _begin(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        out = {"q_ddot_old": z["q_ddot"], "unconverged": self.alive(z)}
-        if "power_sum" not in z:
-            return out
-        at = self.now(z, equations), z["q"], z["q_dot"], z["q_ddot"]
-        return {**out, **self.counted(z, equations.power(*at))}
+        return {"q_ddot_old": z["q_ddot"], "unconverged": self.alive(z)}
 
     def _moved(self, z: Fields, w: ca.SX, h: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
         """(q, v, a) at the end of the step for q'' = w there."""

@@ -94,7 +94,6 @@ class Radau(OneStep):
     """Field K: the stage accelerations; loop_stages: the stages' loop unknowns; loop_last: those at the last start."""
 
     order = 5
-    counts_powers = True
     starts_from_last = True
 
     options: RadauOptions
@@ -160,7 +159,6 @@ class Radau(OneStep):
             "unconverged": self.alive(z),
             "correction": ca.SX(0),
             "iterations": z["iterations"] + 1,
-            **self.worked(z, equations, motion, z["v"], found.a),
         }
 
     def _columns(self, stacked: ca.SX) -> list[ca.SX]:

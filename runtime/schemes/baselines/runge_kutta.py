@@ -21,7 +21,6 @@ class ExplicitRungeKutta(OneStep):
     """A fixed step of the tableau (A, b, nodes) of a subclass."""
 
     options: ClosureOptions
-    counts_powers = True
     reach: float  # the largest stable h w of an undamped mode w
     decay_reach: float  # the largest stable h d of a pure decay d
 
@@ -53,20 +52,18 @@ class ExplicitRungeKutta(OneStep):
         A, b, nodes = self.tableau()
         slopes: list[ca.SX] = []
         motions: list[ClosedConfiguration] = []
-        work: dict[str, ca.SX] = {}
         for k, row in enumerate(A):
             at = y + h * combined(row[:k], slopes)
             motion = equations.close(at[:n], at[2 * n :], t + float(nodes[k]) * h, self.options.closure_iterations)
             if k == 0:  # start from the closed position: a guess that was never corrected would drift
                 y = ca.vertcat(y[: 2 * n], equations.loop_part(motion.q_d))
             a, v = equations.accelerations(motion, at[n : 2 * n]), at[n : 2 * n]
-            work = work if k else self.worked(z, equations, motion, v, a)
             slopes.append(ca.vertcat(equations.turning(motion, v), a, equations.loop_part(equations.rates(motion, v))))
             motions.append(motion)
         y = y + h * combined(b, slopes)
         end = self.arrived(equations, y[:n], y[2 * n :], t + h)
         ends = {**self.rebased(z, end, y[2 * n :]), "v": y[n : 2 * n], "n": z["n"] + 1}
-        return {**ends, **work, **self.closed(z, *motions)}
+        return {**ends, **self.closed(z, *motions)}
 
 
 class ClassicalRungeKutta(ExplicitRungeKutta):

@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 
 from runtime.schemes.switching.times import SwitchTime
-from runtime.schemes.work import AHEAD
 
 ON_THE_GRID = 1e-9  # of a step: a jump that near to the end of a step is there
 LOST = 1e-11  # of a step: by so much a part that ends at a jump may be short, so that its clocks are on their sides
@@ -128,10 +127,6 @@ class Breaks:
         """The first broken step from this one on."""
         k = self.number(step)
         return self.broken[k] if k < len(self.broken) else None
-
-    def whole_ahead(self, steps: np.ndarray) -> np.ndarray:
-        """(N,) whole steps from each of these on, as many as an account of work looks at in advance at most."""
-        return np.asarray(np.minimum(self._next[np.searchsorted(self._next, steps)] - steps, AHEAD))
 
     def number(self, step: int) -> int:
         """How many steps before this one are broken."""

@@ -36,7 +36,6 @@ from runtime.schemes.switching.watched import (
     quiet_until,
     watches,
 )
-from runtime.schemes.work import AHEAD, Ahead, account_at, accounted, begin_account, looks_ahead
 
 FEW, MOST = 16, 256  # broken steps of a list
 
@@ -44,8 +43,8 @@ FEW, MOST = 16, 256  # broken steps of a list
 class BrokenSteps:
     """Runs major steps dt [s] of a stepper from t0 on, breaking those in which something jumps.
 
-    known: of how many steps all jumps are given; an account of work does not look further. impulses: of prescribed
-    motions whose velocity has jumped so far, by time.
+    known: of how many steps all jumps are given. impulses: of prescribed motions whose velocity has jumped so far, by
+    time.
     """
 
     def __init__(
@@ -111,7 +110,7 @@ class BrokenSteps:
         if watches(self.stepper.scheme):
             flagged, z[layout.slice("event_step")] = float(z[layout.slice("event_step")][0]), NEVER
         c = self.legs.with_inputs(z, c)
-        leg = Leg(z, self.dt, account_at(self.stepper.scheme, z, self.legs.constants(c, self.dt))[0])
+        leg = Leg(z, self.dt)
         for start, length, before, after in self.grid.parts(np.array([step])).each():
             leg = self._reach(leg, c, start, length, acts)
             if leg.ends:
@@ -131,7 +130,6 @@ class BrokenSteps:
             seen |= bool(passed(self.stepper.scheme, old, z[layout.slice("event_values")], asleep))
             seen &= acts is None
             z[layout.slice("event_step")] = min(flagged, step + 1) if seen else flagged
-        self.count_anew(z, c, leg.work)
 
     def step_with_events(self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, acts: Acts) -> bool:
         """One major step in which events may happen, in place; where one ends the run, z is the state there.
@@ -240,7 +238,7 @@ class BrokenSteps:
         if found is None:
             return leg
         self.impulses[(before + after) / 2] = found
-        return replace(leg, work=leg.work + found.energy, seen=(q, found.q_dot))
+        return replace(leg, seen=(q, found.q_dot))
 
     def _passed_by_jump(self, leg: Leg, c: np.ndarray, end: float, after: float, acts: Acts) -> Leg:
         """Through the events that pass zero just where something jumps, between its clocks."""
@@ -253,22 +251,3 @@ class BrokenSteps:
         if not happened:
             return leg
         return acts(replace(leg, seen=leg.seen or legs.seen(leg.z, constants), reached=(end + after) / 2), happened)
-
-    def count_anew(self, z: np.ndarray, c: np.ndarray, work: float) -> None:
-        """Begin the account of work at a state of the grid; what lies behind a jump is not looked at in advance."""
-        scheme = self.stepper.scheme
-        if accounted(scheme):
-            ahead = self._ahead(z, c) if looks_ahead(scheme) else None
-            begin_account(scheme, z, self.legs.constants(c, self.dt), work, ahead)
-
-    def _ahead(self, z: np.ndarray, c: np.ndarray) -> Ahead | None:
-        """Whole steps from a state of the grid, or halves of the one that is there before the next broken one."""
-        whole, share = int(self.grid.whole_ahead(z[1:2].astype(int))[0]), 1.0
-        if not whole:
-            return None
-        if whole < AHEAD:
-            share, c = whole / AHEAD, self.legs.with_inputs(z, c)
-            z = self.legs.set_out(Leg(z, self.dt, 0.0), c, z[0] + z[1] * self.dt, share * self.dt)
-        dt = share * self.dt
-        ready = self.legs.ready(c, dt)
-        return Ahead(z, self.legs.constants(c, dt), lambda state: self.stepper.run(state, ready, 1), share)

@@ -1,4 +1,4 @@
-"""What is done between the parts of a broken step, as a program: starts anew behind a jump, and the account of work.
+"""What is done between the parts of a broken step, as a program: starts anew behind a jump, and a look for events.
 
 Its z holds a state of the scheme and numbers beside it; which of its stages are applied is among them. So one program
 serves all steps, and a list of calls (call_list.py) can cross jumps without Python.
@@ -16,14 +16,12 @@ import numpy as np
 from runtime.engine.choose import choose_engine
 from runtime.engine.prepare import Prepared, prepare
 from runtime.engine.program import Fields, Layout, Sequence, Until, make_stage
-from runtime.schemes.scheme import LARGEST, Scheme
+from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.started_anew import started_anew
 from runtime.schemes.switching.watched import NEVER, flagged, values_at, watches
-from runtime.schemes.work import FIELDS, accounted, begun, counted_work, looks_ahead, observed_power
 
-ACCOUNT = list(FIELDS)[:3]  # what begins anew
-ACTS = ("restart", "power", "open", "close", "look")  # in this order
+ACTS = ("restart", "look")  # in this order
 _LOCK = Lock()
 _KEPT: WeakKeyDictionary[Prepared, ListedCrossing] = WeakKeyDictionary()  # by programs, shared by steppers
 
@@ -31,30 +29,18 @@ _KEPT: WeakKeyDictionary[Prepared, ListedCrossing] = WeakKeyDictionary()  # by p
 class ListedCrossing:
     """Of a scheme. Fields of its z: state, the scheme's z; dt, dt_before, clock [s], and what the stages speak of.
 
-    restart: the state, shown by steps dt_before, as the start of steps dt at the clock. power: that of the state is
-    the last of three `powers`, and `share` of it is added to `work`. open: `work` is that of the state. close:
-    `account` begins with `work` and the last power, or the three, dt apart: `spacing` major steps. look: events are
-    looked for from the state on; `flagged` is the first step in which one was seen before.
+    restart: the state, shown by steps dt_before, as the start of steps dt at the clock. look: events
+    are looked for from the state on; `flagged` is the first step in which one was seen before.
     """
 
     def __init__(self, scheme: Scheme, engine: str = "auto", wait: bool = False) -> None:
         self.scheme = scheme
         sizes = {"state": scheme.layout.size, "dt": 1, "dt_before": 1, "clock": 1}
-        sizes |= {
-            "flagged": 1,
-            "share": 1,
-            "spacing": 1,
-            "work": 1,
-            "powers": 3,
-            "account": len(ACCOUNT),
-            **dict.fromkeys(ACTS, 1),
-        }
+        sizes |= {"flagged": 1, **dict.fromkeys(ACTS, 1)}
         self.layout = Layout(sizes)
         bodies: dict[str, Callable[[Fields, ca.SX], dict[str, ca.SX]]] = {}
         if remembers(scheme):
             bodies["restart"] = self._restart
-        if accounted(scheme):
-            bodies |= {"power": self._power, "open": self._open, "close": self._close}
         if watches(scheme):
             bodies["look"] = self._look
         parts = [
@@ -81,35 +67,11 @@ class ListedCrossing:
         end, fields = self.scheme.model.c_size, self.scheme.layout.unpack(z["state"])
         return self.scheme.constants_at(fields, ca.vertcat(c[:end], c[end:] * (dt / c[end])))
 
-    def _steps(self, z: Fields, c: ca.SX, dt: ca.SX) -> ca.SX:
-        """(groups,) of a major step dt [s]."""
-        return self._constants(z, c, dt)[self.scheme.model.c_size :]
-
     def _restart(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
         before, after = (self._constants(z, c, z[name]) for name in ("dt_before", "dt"))
         found, own = started_anew(self.scheme, z["state"], z["clock"], before, after), self.scheme.layout.slice
         found[own("t0")], found[own("n")] = z["clock"], 0.0
         return {"state": found}
-
-    def _power(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
-        constants = self._constants(z, c, z["dt"])
-        equations = self.scheme.equations(constants, self.scheme.layout.unpack(z["state"]))
-        P = observed_power(self.scheme, z["state"], constants, equations)
-        work = ca.if_else(z["share"] > 0, z["work"] + z["share"] * P, z["work"])
-        return {"powers": ca.vertcat(z["powers"][1:], P), "work": work}
-
-    def _open(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
-        fields = self.scheme.layout.unpack(z["state"])
-        own = (fields[name] for name in FIELDS)
-        return {"work": counted_work(self.scheme, self._steps(z, c, z["dt"]), z["powers"][2], *own)[0]}
-
-    def _close(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
-        P, steps = ca.vertsplit(z["powers"]), self._steps(z, c, z["dt"] / z["spacing"])
-        if not looks_ahead(self.scheme):
-            return {"account": ca.vertcat(*begun(self.scheme, steps, z["work"], P[2], P[2], P[2]))}
-        finite = ca.fabs(P[1]) + ca.fabs(P[2]) < LARGEST
-        P_1, P_2 = (ca.if_else(finite, one, P[0]) for one in P[1:])
-        return {"account": ca.vertcat(*begun(self.scheme, steps, z["work"], P[0], P_1, P_2, z["spacing"]))}
 
     def _look(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
         fields = self.scheme.layout.unpack(z["state"])
@@ -129,7 +91,7 @@ def remembers(scheme: Scheme) -> bool:
 
 def needs_crossing(scheme: Scheme) -> bool:
     """Is there something to do between two parts of a step?"""
-    return remembers(scheme) or accounted(scheme) or watches(scheme)
+    return remembers(scheme) or watches(scheme)
 
 
 def crossing(stepper: Stepper) -> ListedCrossing:

@@ -60,7 +60,7 @@ class HeldChange:
         seen = legs.seen(z, legs.constants(legs.with_inputs(z, c), self._dt))
         changed = z.copy()
         changed[self._own] = w
-        leg = Leg(changed, self._dt, 0.0, seen)
+        leg = Leg(changed, self._dt, seen)
         z[:] = legs.set_out(leg, legs.with_inputs(changed, c), float(clock[0] + clock[1] * self._dt), self._dt)
         z[:2] = clock
 

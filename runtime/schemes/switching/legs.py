@@ -1,4 +1,4 @@
-"""Parts of a major step, from one clock to another, with the work that is done in them."""
+"""Parts of a major step, from one clock to another."""
 
 from __future__ import annotations
 
@@ -17,21 +17,19 @@ from runtime.schemes.state_fields import Lasting
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.breaks import within
 from runtime.schemes.switching.crossing import remembers
-from runtime.schemes.work import accounted, by_simpson, power_of
 
 MOST_KEPT = 64  # lengths
 
 
 @dataclass(frozen=True)
 class Leg:
-    """Where a part of a step has led: z (whole), its dt [s], work [J]; seen: q and q_dot where rates have jumped.
+    """Where a part of a step has led: z (whole), its dt [s]; seen: q and q_dot where rates have jumped.
 
     reached: its clock [s]; ends: has an event ended the run there?
     """
 
     z: np.ndarray
     dt: float
-    work: float
     seen: tuple[np.ndarray, np.ndarray] | None = None
     reached: float = 0.0
     ends: bool = False
@@ -63,20 +61,14 @@ class Legs:
         return self.stepper.scheme.model
 
     def part(self, leg: Leg, c: np.ndarray, start: float, length: float) -> Leg:
-        """A part so long [s] from a clock on [s], with the work that is done in it; c (c_size,)."""
-        scheme, work = self.scheme, leg.work
+        """A part so long [s] from a clock on [s]; c (c_size,)."""
         if self.remembers and leg.seen is None:  # all that set out from here need it
             leg = replace(leg, seen=self.seen(leg.z, self.constants(c, leg.dt)))
         z, dt = self.flown(leg, c, start, length)
-        if accounted(scheme):
-            half = self.flown(leg, c, start, length / 2)
-            seen = [(self.set_out(leg, c, start, dt), dt), half, (z, dt)]
-            powers = [power_of(scheme, self.stepper.state(one), self.constants(c, step)) for one, step in seen]
-            work += by_simpson(dt, *powers)[0]
-        return Leg(z, dt, work, reached=start + length)
+        return Leg(z, dt, reached=start + length)
 
     def flown(self, leg: Leg, c: np.ndarray, start: float, length: float) -> tuple[np.ndarray, float]:
-        """(z, its step) after a part so long [s], nothing counted."""
+        """(z, its step) after a part so long [s]."""
         dt = within(length, self.scheme.grid.m)
         z = self.set_out(leg, c, start, dt)
         self.stepper.run(z, self.ready(c, dt), 1)

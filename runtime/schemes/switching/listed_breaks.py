@@ -1,7 +1,7 @@
 """Broken steps one after another in one native call: the list of what is run and copied, for many of them at once.
 
 Each is what broken_steps.py makes of it: parts of their own lengths, each with constants of its own, and where the
-scheme needs them starts anew, powers in the middle of parts, and an account of work that begins again (crossing.py).
+scheme needs them starts anew and looks for events (crossing.py).
 """
 
 from __future__ import annotations
@@ -18,7 +18,6 @@ from runtime.schemes.switching.breaks import Breaks, StepParts, within
 from runtime.schemes.switching.crossing import ACTS, crossing, needs_crossing
 from runtime.schemes.switching.crossing_rows import LEAD, CrossingRows, marks
 from runtime.schemes.switching.watched import NEVER
-from runtime.schemes.work import AHEAD, accounted
 
 MOST_NUMBERS = 1 << 19  # of the constants of their parts, about
 
@@ -32,18 +31,14 @@ class ListedBreaks:
     def __init__(self, stepper: Stepper, grid: Breaks, first: int, c: np.ndarray, n_c: int, most: int) -> None:
         scheme, n_z = stepper.scheme, stepper.prepared.z_size
         self._stepper, self._grid, self.first = stepper, grid, first
-        self._shares = (1, 2) if accounted(scheme) else (1,)  # parts, and their halves
         steps = np.array(grid.broken[first : first + most])
-        held = len(self._shares) * n_c * np.cumsum(grid.parts(steps).counts)  # numbers, up to each step
+        held = n_c * np.cumsum(grid.parts(steps).counts)  # numbers, up to each step
         self._steps = steps[: max(1, int(np.searchsorted(held, MOST_NUMBERS, side="right")))]
         self.last, parts = first + len(self._steps), grid.parts(self._steps)
         own = self._crossing = crossing(stepper) if needs_crossing(scheme) else None
-        # clock and n; step, the one before and the clock, for a part and for its half; shares of its powers in the work
-        times = {"clock": 2, "whole": 3, "half": 3, "outer_share": 1, "inner_share": 1}
-        self._part = Layout({**times, **{f"ready{share}": n_c for share in self._shares}})
-        # t0 and n; the step dt, the one before and the clock; the same of what is looked at in advance; clock and n
-        self._step = Layout({"grid": 2, "back": 3, "ahead": 3, "spacing": 1, "clock": 2})
-        sizes = {"z": n_z, "other": n_z, "ready": n_c, "ready_half": n_c, "t0": 1, "dt": 1, "zero": 1, "never": 1}
+        # clock and n; step, the one before and the clock; the same of the return to the grid, whose t0 and n are `grid`
+        self._part, self._step = Layout({"clock": 2, "whole": 3, "ready": n_c}), Layout({"grid": 2, "back": 3})
+        sizes = {"z": n_z, "ready": n_c, "t0": 1, "dt": 1, "never": 1}
         programs = [(stepper.engine, n_z, n_c)]
         if own is not None:
             sizes |= {"cross": own.prepared.z_size, "constants": own.n_c, **dict.fromkeys(marks(), len(ACTS))}
@@ -55,7 +50,6 @@ class ListedBreaks:
         self._between, self._shifted, self._numbers = gaps.tolist(), shifted.tolist(), self._steps.tolist()
         behind = grid.next_broken(self._numbers[-1] + 1)
         self._until = sys.maxsize if behind is None else behind
-        self._ahead = grid.whole_ahead(self._steps + 1)
         rows, self._leads = self._listed(parts)
         self._list = CallList(self._filled(parts, c), programs, rows)
         memory, at = self._list.memory, self._memory.slice
@@ -95,7 +89,7 @@ class ListedBreaks:
         found, begins, _ = woven(
             repeated([*rows.whole_steps(first, between - first), *rows.opened()], *of_steps),
             repeated(rows.made(), len(parts.start), at("parts").start, self._part.size),
-            repeated(rows.closed(self._ahead), *of_steps),
+            repeated(rows.closed(), *of_steps),
             parts.counts,
         )
         none = np.zeros(1, dtype=int)
@@ -116,22 +110,14 @@ class ListedBreaks:
         before = np.append(grid.dt, length[:-1])
         before[last[:-1] + 1] = grid.dt
         columns = {"clock": [parts.start, np.zeros_like(length)], "whole": [length, before, parts.start]}
-        columns |= {"half": [length / 2, before, parts.start], "outer_share": [length / 6]}
-        columns["inner_share"] = [4 * (length / 6)]
         of_parts = memory[at("parts")].reshape(len(length), -1)
         for name, values in columns.items():
             of_parts[:, self._part.slice(name)] = np.column_stack(values)
         h = np.array(scheme.grid.h)
-        for share in self._shares:
-            ready = self._stepper.prepared.ready_for_many(c, h * (length / share / h[0])[:, None])
-            of_parts[:, self._part.slice(f"ready{share}")] = ready
+        ready = self._stepper.prepared.ready_for_many(c, h * (length / h[0])[:, None])
+        of_parts[:, self._part.slice("ready")] = ready
         of_steps, done = memory[at("steps")].reshape(len(last), -1), self._steps + 1
         of_steps[:, self._step.slice("grid")] = np.column_stack([grid.t0 + (parts.clocks - grid.times(done)), done])
         whole = np.full(len(last), grid.dt)
         of_steps[:, self._step.slice("back")] = np.column_stack([whole, length[last], parts.clocks])
-        spacing = np.where((self._ahead > 0) & (self._ahead < AHEAD), self._ahead / AHEAD, 1.0)
-        of_steps[:, self._step.slice("spacing")] = spacing[:, None]
-        of_steps[:, self._step.slice("ahead")] = np.column_stack([spacing * whole, whole, parts.clocks])
-        of_steps[:, self._step.slice("clock")] = np.column_stack([parts.clocks, np.zeros_like(whole)])
-        memory[at("ready_half")] = self._stepper.prepared.ready_for_many(c, h[None] * (grid.dt / AHEAD / h[0]))[0]
         return memory

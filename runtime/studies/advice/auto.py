@@ -39,7 +39,6 @@ from runtime.schemes.kept_steppers import kept_stepper
 from runtime.schemes.options import LARGE_SYSTEM, SchemeError
 from runtime.schemes.step_limit import limit_between_the_axes
 from runtime.schemes.switching.times import SwitchTime
-from runtime.schemes.work import account_for_work
 from runtime.start.start_state import start_state
 from runtime.studies.work_precision.dense_methods import affordable
 
@@ -198,7 +197,6 @@ class _Motion:
         """Of a method, with the program of its run."""
         plan = self.plan
         scheme = scheme_kind(name).build(name, plan.scheme.model, plan.grid.dt_L, None, plan.options)
-        account_for_work(scheme)
         stepper = kept_stepper(scheme, self.engine)
         z = stepper.start(plan.t0, self.state.q, self.state.q_dot, self.c, plan.grid.dt_L)
         span = plan.t_end - plan.t0

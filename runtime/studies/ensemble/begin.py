@@ -41,7 +41,7 @@ def row_layout(model: Model, scheme: Scheme, ready: int, lane: Layout, looks: in
         "ready": ready,
         "lane": lane.size,
     }
-    return Layout({**given, **found, "look": looks, "look_at_start": looks})
+    return Layout({**given, **found, "look": looks})
 
 
 def begin_program(

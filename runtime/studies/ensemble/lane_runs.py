@@ -13,7 +13,7 @@ from runtime.engine.ensemble_code import blocks_of
 from runtime.studies.ensemble.account import cause_of
 from runtime.studies.ensemble.jumping import jumping
 from runtime.studies.ensemble.lane_programs import programs_of
-from runtime.studies.ensemble.looks import FIELDS, FOUND, judged
+from runtime.studies.ensemble.looks import FOUND, judged
 from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.starts import Starts
 
@@ -170,14 +170,12 @@ class _Watch:
     """What looks have found of each lane: wrong, a position in FOUND or -1; good, the step of the last good look."""
 
     def __init__(self, start: np.ndarray) -> None:
-        self._start, self._largest = start, start[FIELDS.index("moving")].copy()
-        self.wrong = judged(start, start, self._largest, 0)
+        self.wrong = judged(start)
         self.good = np.zeros(start.shape[1], dtype=int)
 
     def look(self, now: np.ndarray, step: int) -> None:
-        """Values of FIELDS (6, n) after so many steps."""
-        found = judged(now, self._start, self._largest, step)
-        self.wrong = np.where(self.wrong < 0, found, self.wrong)
+        """Values of FIELDS (4, n) after so many steps."""
+        self.wrong = np.where(self.wrong < 0, judged(now), self.wrong)
         self.good[self.wrong < 0] = step
 
 

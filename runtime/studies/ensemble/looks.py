@@ -4,7 +4,6 @@ constraint    largest C of the observed state, of its limit                     
 pivot         least pivot of M_hat = L D L^T                                       not above 0: mass_not_positive
 bent          largest deflection of a flexible body, of its limit                  above 1: deflection_too_large
 growth        largest increment of a step, of its limit                            above 1: diverged
-moving, total kinetic + elastic, and whole energy, where nothing does work [J]     see Energy: diverged
 """
 
 from __future__ import annotations
@@ -21,11 +20,10 @@ from runtime.contract.units import length_rows
 from runtime.running.checks.check import observed
 from runtime.running.checks.constraints import CONSTRAINT_LIMIT
 from runtime.running.checks.deflection import MOST_DEFLECTION, MOST_TURN
-from runtime.running.checks.energy import ENERGY_LIMIT, SETTLED
 from runtime.running.checks.growth import GROWTH_LIMIT
 from runtime.schemes.scheme import Scheme
 
-FIELDS = ("constraint", "pivot", "bent", "growth", "moving", "total")
+FIELDS = ("constraint", "pivot", "bent", "growth")
 LARGE = 20  # coordinates of q_i: above, M_hat is not factorised
 FOUND: tuple[StatusName, ...] = ("mass_not_positive", "constraints_lost", "deflection_too_large", "diverged")
 
@@ -33,35 +31,24 @@ FOUND: tuple[StatusName, ...] = ("mass_not_positive", "constraints_lost", "defle
 def looked(model: Model, scheme: Scheme, length: float, p: ca.SX, z: ca.SX, c: ca.SX) -> Mapping[str, ca.SX]:
     """The values of FIELDS at the scheme's part of z; c as the scheme's stages read it, p: parameters."""
     seen = scheme.observer(z=z, c=c)
-    found = {"constraint": ca.SX(0), "pivot": ca.SX(1), "bent": ca.SX(0), "moving": ca.SX(0), "total": ca.SX(0)}
+    found = {"constraint": ca.SX(0), "pivot": ca.SX(1), "bent": ca.SX(0)}
     if model.constraints and model.has("constraints"):
         C, _ = observed(model, scheme, "constraints", ("C", "C_q"))(z, c)
         found["constraint"] = _largest(C / (CONSTRAINT_LIMIT * np.where(length_rows(model), length, 1.0)))
     if len(model.q_i) <= LARGE:
         M_hat = model.evaluate("condensed", **{**seen, "c": c[: model.c_size]})["M_hat"]
         found["pivot"] = _least_pivot(ca.SX(M_hat))
-    if model.conservative:
-        parts = observed(model, scheme, "energy", ("kinetic", "elastic", "potential"))(z, c)
-        found["moving"], found["total"] = parts[0] + parts[1], parts[0] + parts[1] + parts[2]
     found["bent"] = _bent(model, p, seen["q_i"], seen["q_d"])
     found["growth"] = _largest(seen["q_i_dot"] * ca.DM(scheme.step_sizes)) / GROWTH_LIMIT
     return found
 
 
-def judged(now: np.ndarray, start: np.ndarray, largest: np.ndarray, step: int) -> np.ndarray:
-    """Position in FOUND, -1 where nothing is wrong, of lanes whose FIELDS are now (6, n) and were at the start.
-
-    largest (n,): kinetic and elastic energy seen until now, brought up to date; step: major steps done.
-    """
-    constraint, pivot, bent, growth, moving, total = now
-    with np.errstate(invalid="ignore"):  # of lanes that are lost
-        spurious = total - start[5]
-        np.maximum(largest, moving - np.maximum(spurious, 0.0), out=largest)
+def judged(now: np.ndarray) -> np.ndarray:
+    """Position in FOUND, -1 where nothing is wrong, of lanes whose FIELDS are now (4, n)."""
+    constraint, pivot, bent, growth = now
     wrong = np.full(now.shape[1], -1)
-    early = (step < SETTLED) & (start[4] < ENERGY_LIMIT * largest)
-    grown = (growth > 1) | ((spurious > ENERGY_LIMIT * largest) & (largest > 0) & ~early)
     for name, found in (
-        ("diverged", grown),
+        ("diverged", growth > 1),
         ("deflection_too_large", bent > 1),
         ("constraints_lost", ~(constraint <= 1)),
         ("mass_not_positive", ~(pivot > 0)),

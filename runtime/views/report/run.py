@@ -62,20 +62,21 @@ def _time(solution: Solution) -> dict[str, Any]:
 
 def _energy(solution: Solution) -> dict[str, Any]:
     """Energies [J] at both ends; the balance also relative to the largest energy or work that occurred."""
-    total, work, balance = solution.total_energy, solution.work(), solution.energy_balance()
+    total, balance = solution.total_energy, solution.balance
     size = max(
         float(np.ptp(total)),
-        float(np.abs(work).max()),
+        float(np.abs(balance.work).max()),
         *(float(np.abs(solution.energy[key]).max()) for key in ("kinetic", "elastic", "potential")),
     )
-    largest = float(np.abs(balance).max())
     return {
         "initial": float(total[0]),
         "final": float(total[-1]),
         **{f"final_{key}": float(solution.energy[key][-1]) for key in ("kinetic", "elastic", "potential")},
-        "work_done_on_the_system": float(work[-1]),
-        "largest_balance_error": largest,
-        "largest_balance_error_relative": largest / size if size else 0.0,
+        "work_done_on_the_system": float(balance.work[-1]),
+        "largest_balance_error": balance.largest,
+        "largest_balance_error_relative": balance.largest / size if size else 0.0,
+        "balance_uncertainty": float(balance.uncertainty[-1]),
+        "balance_resolved_by_the_samples": balance.resolved,
     }
 
 

@@ -1,0 +1,165 @@
+"""Energy and work of a run balance over its saved samples, as far as these resolve the power; they end no run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import erf
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from runtime import Model, Sampled, Solution, resume, simulate
+from runtime.results.energy_balance import energy_balance
+from symgen.scene import Scene, SceneBuilder
+
+Load = Callable[[str], Model]
+Build = Callable[[Scene], Model]
+
+
+def flywheel(torque: str, damping: float = 0.0) -> Scene:
+    """J = 2 kg m2 about a fixed axis, at 3 rad/s; theta'' = (torque - damping theta') / 2."""
+    builder = SceneBuilder("flywheel").rigid("wheel", mass=1.0, inertia=2.0)
+    builder.revolute("axle", "ground.origin", "wheel.origin", damping=damping)
+    builder.torque("motor", "wheel.origin", torque).rates({"wheel.theta": 3.0})
+    return builder.simulation(t_end=2.0, dt=1e-2, scheme="rk4").build()
+
+
+def energies(power: np.ndarray) -> dict[str, np.ndarray]:
+    """No energy, and one power (N,)."""
+    still = np.zeros(len(power))
+    names = ("kinetic", "elastic", "potential", "power_dissipated", "power_driven")
+    return {name: still for name in names} | {"power_applied": power}
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "dop853", "single_rate"])
+def test_work_of_a_constant_torque_is_torque_times_angle(model_of: Build, scheme: str) -> None:
+    """Power grows linearly, which the quadrature takes exactly."""
+    run = simulate(model_of(flywheel("4.0")), scheme=scheme, save_every=7)
+    assert run.work() == pytest.approx(4.0 * (run["wheel.theta"] - run["wheel.theta"][0]), abs=1e-10)
+    assert np.abs(run.energy_balance()).max() < 1e-10 and run.balance.uncertainty[-1] < 1e-10
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "exponential_adams", "single_rate"])
+def test_work_between_stops_of_all_kinds(model_of: Build, scheme: str) -> None:
+    """Jumps of a load, samples of an input, an event: constant torques in between; steps of 1 ms.
+
+    J = 2 kg m2, so W = v^2 - 9 with the velocity by hand.
+    """
+    torque = "where(t < 0.0153, 4, where(t < 0.035, -60, where(t < 0.0571, 50, -7))) + extra"
+    torque += " + where(t < 0.1019, boost, where(t < 0.1219, -20, 500))"  # the last jump is behind the end
+    builder = SceneBuilder("driven_wheel").rigid("wheel", mass=1.0, inertia=2.0)
+    builder.revolute("axle", "ground.origin", "wheel.origin")
+    builder.input("extra", 0.0, "N*m").input("boost", 0.0, "N*m").event("later", "t - 0.0837", action={"boost": "25"})
+    builder.torque("motor", "wheel.origin", torque).rates({"wheel.theta": 3.0})
+    model = model_of(builder.simulation(t_end=0.12, dt=0.001, scheme="rk4").build())
+    run = simulate(model, scheme=scheme, inputs={"extra": Sampled(lambda t, x: 750.0 * t, 0.04)})
+    assert run.status.name == "completed" and len(run.events) == 1
+    ends = [0.0, 0.0153, 0.035, 0.04, 0.0571, 0.08, 0.0837, 0.1019, 0.12]
+    v = 3.0 + np.append(0.0, np.cumsum(np.diff(ends) * [4, -60, 50, 80, 23, 53, 78, 33])) / 2
+    assert run.rate("wheel.theta")[-1] == pytest.approx(v[-1], rel=1e-10)  # an event's time by search
+    assert run.work()[-1] == pytest.approx(v[-1] ** 2 - 9.0, abs=1e-9)
+    assert np.abs(run.energy_balance()).max() < 1e-10
+
+
+def test_work_converges_with_the_fourth_order_of_the_samples_and_its_uncertainty_is_honest() -> None:
+    """P = e^t sin 9t with a jump of 5 at t = 1.2345, known in closed form; samples unevenly apart, too."""
+
+    def exact(t: np.ndarray) -> np.ndarray:
+        smooth = (np.exp(t) * (np.sin(9 * t) - 9 * np.cos(9 * t)) + 9) / 82
+        return smooth + 5 * np.maximum(t - 1.2345, 0)
+
+    errors = []
+    for n in (41, 81, 161):
+        for t in (np.linspace(0, 2, n), 2 * np.linspace(0, 1, n) ** 1.3):
+            power = np.exp(t) * np.sin(9 * t) + 5 * (t > 1.2345)
+            found = energy_balance(t, energies(power), np.array([[1.2345, 0.0]]))
+            off = np.abs(found.work - exact(t)).max()
+            assert off < found.uncertainty[-1] < 100 * off
+            errors.append(off)
+    assert np.log2(np.array(errors[:-2]) / errors[2:]).min() > 3.5, errors
+
+
+def test_what_lies_between_the_samples_is_not_resolved() -> None:
+    """A burst of power of the length of a sample: the balance is off, and says that the samples do not tell."""
+    t = np.linspace(0, 1, 21)
+    fed = 1000 * 0.02 * np.sqrt(np.pi) / 2 * (1 + np.array([erf((one - 0.52) / 0.02) for one in t]))
+    kicked = {**energies(1000 * np.exp(-(((t - 0.52) / 0.02) ** 2))), "kinetic": fed}
+    assert not (found := energy_balance(t, kicked, np.zeros((0, 2)))).resolved
+    assert "not resolved by the samples" in str(found)
+    lost = {**energies(np.zeros(21)), "kinetic": 1 + t}
+    assert (found := energy_balance(t, lost, np.zeros((0, 2)))).resolved and str(found) == "1 J"
+
+
+def test_stops_closer_than_samples_and_samples_at_stops() -> None:
+    """Piecewise constant powers, switched at samples (shown before the switch) and twice between two samples."""
+    t = np.linspace(0, 1, 11)
+    power = np.where(t <= 0.5, 3.0, 7.0)
+    found = energy_balance(t, energies(power), np.array([[0.5, 0.0]]))
+    assert found.work == pytest.approx(3 * np.minimum(t, 0.5) + 7 * np.maximum(t - 0.5, 0), abs=1e-14)
+    crowded = np.array([[0.52, 0.25], [0.54, -1.0], [0.58, 0.0]])
+    found = energy_balance(t, energies(np.full(11, 2.0)), crowded)
+    assert found.work == pytest.approx(2 * t - 0.75 * (t > 0.55), abs=1e-14)
+
+
+def test_a_mechanism_that_nothing_feeds_has_no_work(built_in: Load) -> None:
+    run = simulate(built_in("pendulum"), t_end=0.1)
+    assert not run.work().any() and run.balance.resolved
+
+
+def test_stops_are_kept_by_files_and_checkpoints(model_of: Build, tmp_path: Path) -> None:
+    """A load that jumps, and the impulse of a prescribed motion behind the place where the run stops."""
+    builder = SceneBuilder("driven_bob").rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
+    builder.rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
+    builder.revolute("pin", "ground.origin", "crank.origin").revolute("hinge", "crank.tip", "bob.origin")
+    motion = "where(t < 0.0201, 0, t - 0.0201) + where(t < 0.07, 0, 3*(t - 0.07))"
+    builder.prescribed_angle("drive", "ground.origin", "crank.origin", motion=motion)
+    builder.torque("push", "bob.origin", "where(sin(300 * t) > 0, 1, -1)")
+    model = model_of(builder.simulation(t_end=0.1, dt=0.001, scheme="rk4").build())
+
+    def stop(t: float, t_end: float) -> None:
+        if t > 0.05:
+            raise KeyboardInterrupt
+
+    whole = simulate(model)
+    simulate(model, checkpoint=tmp_path / "run.npz", progress=stop)
+    again = resume(model, tmp_path / "run.npz")
+    assert np.abs(whole.energy_balance()).max() < 1e-5 * np.ptp(whole.work())
+    assert np.count_nonzero(whole.stops[:, 1]) == 2 and len(whole.stops) > 9
+    assert np.array_equal(again.stops, whole.stops) and np.array_equal(again.work(), whole.work())
+    whole.save(tmp_path / "solution.npz")
+    assert np.array_equal(Solution.load(tmp_path / "solution.npz", model).work(), whole.work())
+
+
+@pytest.mark.parametrize(
+    "scheme", ["single_rate", "printed", "coupled", "decoupled", "linearised", "exponential", "exponential_rk4", "rk4"]
+)
+@pytest.mark.parametrize("load", ["hinge", "weight"])
+def test_a_mechanism_at_rest_on_a_load_stays_there(model_of: Build, load: str, scheme: str) -> None:
+    """A torque as a spring and damper, or a weight on a spring of force, from their own equilibria: nothing happens."""
+    builder = SceneBuilder(f"{load}_at_rest").rigid("rod", mass=1.0, inertia=0.1)
+    if load == "hinge":
+        builder.revolute("hinge", "ground.origin", "rod.origin")
+        builder.measure_coordinate("q", "rod.theta").torque("spring", "rod.origin", "-300*(q - 0.1) - 3*q_dot")
+        builder.initial({"rod.theta": 0.1})
+    else:
+        builder.prismatic("rail", "ground.origin", "rod.origin")
+        builder.measure_coordinate("q", "rod.x").force("spring", "rod.origin", "9.81 - 400*q - 2*q_dot", 0.0)
+        builder.initial({"rod.x": 9.81 / 400})
+    model = model_of(builder.simulation(t_end=0.5, dt=1e-3, scheme="rk4").build())
+    run = simulate(model, scheme=scheme)
+    assert run.status.name == "completed" and np.ptp(run.q, axis=0).max() < 1e-12
+
+
+def test_the_balance_tells_spurious_energy(model_of: Build) -> None:
+    """Two oscillators whose sub-steps of `coupled` resonate with the step of the slow one: energy beyond the work."""
+    builder = SceneBuilder("masses")
+    builder.structure(
+        coordinates=["x", "y"],
+        mass=[[1.0, 0.5], [0.5, 1.0]],
+        stiffness=[[1.0, 0.0], [0.0, 400.0]],
+        force=["sin(t)", 0.0],
+    )
+    builder.groups(L=["x"], S=["y"]).initial({"x": 1.0, "y": 0.1})
+    run = simulate(model_of(builder.simulation(t_end=30.0, dt=0.1, m=[8], scheme="coupled").build()))
+    assert run.balance.resolved and run.balance.largest > 1.0
