@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import cache, partial
-from importlib.metadata import entry_points
 from pathlib import Path
 
 import casadi as ca
@@ -29,6 +28,8 @@ def left_out(folder: Path, names: Iterable[str], described: Description, scene_t
 
     @cache
     def builders() -> Builders:
+        from importlib.metadata import entry_points  # takes as long to import as a short run
+
         found = next(iter(entry_points(group=ENTRY_POINTS)), None)
         if found is None:
             raise _refusal(folder, "no generator is installed", "install symgen beside the runtime")

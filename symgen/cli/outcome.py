@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 import sys
-import traceback
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, TextIO
@@ -85,6 +84,8 @@ def report_error(command: str, error: BaseException, as_json: bool, code: int) -
     details: dict[str, Any] = {"kind": kind, "message": clipped(message)}
     further = [clipped(str(entry)) for entry in getattr(error, "also", ())]
     if code == FAULT:
+        import traceback
+
         traceback.print_exception(error)
         details |= {"traceback": "".join(traceback.format_exception(error)), "remedy": REPORT_IT}
         print(f"symgen: {REPORT_IT}", file=sys.stderr)

@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import zipfile
 from pathlib import Path
 from typing import Any
 
 from symgen.cli.outcome import Outcome, left
 from symgen.cli.runs import exit_code, loaded_or_run, results_of
 from symgen.cli.words import UsageError
-
-# what numpy.load says of files that are cut, of another kind (an array alone), or not there
-BROKEN = (OSError, ValueError, TypeError, AttributeError, EOFError, zipfile.BadZipFile)
 
 
 def view(arguments: argparse.Namespace) -> Outcome:
@@ -38,14 +34,18 @@ def view(arguments: argparse.Namespace) -> Outcome:
 
 def _surfaces(given: list[str]) -> dict[str, dict[str, Any]]:
     """The surfaces given, by body. Raises UsageError."""
+    from zipfile import BadZipFile
+
     import numpy as np
 
+    # what numpy.load says of files that are cut, of another kind (an array alone), or not there
+    broken = (OSError, ValueError, TypeError, AttributeError, EOFError, BadZipFile)
     found: dict[str, dict[str, Any]] = {}
     for body, file in map(_named, given):
         try:
             with open(file, "rb") as stream, np.load(stream, allow_pickle=False) as arrays:
                 found[body] = {name: arrays[name] for name in arrays.files}
-        except BROKEN as error:
+        except broken as error:
             raise UsageError(
                 f"--surface {body}={file} is not a whole .npz file of plain arrays; write it with numpy.savez"
             ) from error

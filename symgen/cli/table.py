@@ -9,7 +9,6 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from importlib.metadata import PackageNotFoundError, version
 from inspect import getdoc
 from typing import Any
 
@@ -150,6 +149,19 @@ EVERY_COMMAND = (
     opt("-q --quiet", "write nothing but errors"),
     opt("-v --verbose", "also write what the run counted and took"),
 )
+
+
+class Version(argparse.Action):
+    """Prints the version of the installed package: reading it takes longer than all other words."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: Any) -> None:
+        from importlib.metadata import PackageNotFoundError, version
+
+        try:
+            print(f"symgen {version('symgen')}")
+        except PackageNotFoundError:
+            print("symgen (not installed)")
+        parser.exit()
 
 
 def completion(arguments: argparse.Namespace) -> Outcome:
@@ -386,7 +398,7 @@ def parser() -> Parser:
         description="Symbolic code generation and multirate time stepping for flexible multibody dynamics.",
         epilog="Exit codes: " + ", ".join(f"{code} {meaning}" for code, meaning in EXIT_CODES.items()) + ".",
     )
-    root.add_argument("--version", action="version", version=f"symgen {_version()}")
+    root.add_argument("--version", action=Version, nargs=0, help="show the version and exit")
     commands = root.add_subparsers(dest="command", required=True, metavar="COMMAND")
     for name, (function, options) in COMMANDS.items():
         said = " ".join((getdoc(function) or "").split())
@@ -401,10 +413,3 @@ def _declare(place: Any, options: Options) -> None:
             _declare(place.add_argument_group(one.title, one.text), one.options)
         else:
             place.add_argument(*one.names, **one.settings)
-
-
-def _version() -> str:
-    try:
-        return version("symgen")
-    except PackageNotFoundError:
-        return "(not installed)"

@@ -6,7 +6,6 @@ without importing them: they bring in most of the generator.
 
 from __future__ import annotations
 
-import ast
 import hashlib
 import json
 import os
@@ -74,6 +73,8 @@ SCENES: Mapping[str, Callable[..., Scene]] = Catalogue()
 
 def summary(name: str) -> str:
     """The first line that is said of a built-in scene."""
+    import ast
+
     text = Path(__file__).with_name(f"{MODULES[name]}.py").read_text(encoding="utf-8")
     made = (one for one in ast.parse(text).body if isinstance(one, ast.FunctionDef) and one.name == name)
     return (ast.get_docstring(next(made)) or "").partition("\n")[0]

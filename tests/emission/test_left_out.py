@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from runtime import load_model, simulate
-from runtime.contract import left_out
 from runtime.contract.model import Model, ModelError
 from symgen import generate as generating
 from symgen.cli import main
@@ -67,7 +66,7 @@ def test_functions_left_out_are_derived_when_asked_for(ran: Model, folder: Path)
 def test_without_a_generator_the_missing_function_is_refused_by_name(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(left_out, "entry_points", lambda group: ())
+    monkeypatch.setattr("importlib.metadata.entry_points", lambda group: ())
     model = load_model(folder)
     assert simulate(model, t_end=0.01, scheme="single_rate").status.ok  # all that this needs is there
     with pytest.raises(ModelError, match="no generator is installed.*symgen generate .* --complete"):
@@ -79,7 +78,7 @@ def test_a_generator_that_derives_another_model_is_refused(folder: Path, monkeyp
         def load(self) -> object:
             return lambda text: model_of(SCENES["pendulum"]())
 
-    monkeypatch.setattr(left_out, "entry_points", lambda group: [Other()])
+    monkeypatch.setattr("importlib.metadata.entry_points", lambda group: [Other()])
     with pytest.raises(ModelError, match="derives another model"):
         load_model(folder).kernel("augmented")
 
