@@ -5,6 +5,8 @@ Whatever is not of this family is a fault of the project itself.
 
 from __future__ import annotations
 
+LONGEST_MESSAGE = 2000  # characters: what was given may be as long as it likes, its echo may not
+
 
 class SymgenError(Exception):
     """Something that a user can mend.
@@ -24,9 +26,16 @@ class SymgenError(Exception):
         self.also = also
 
     def __str__(self) -> str:
-        if not self.problem:
-            return self.item
-        return f"{self.item}: {self.problem}; {self.remedy}" if self.remedy else f"{self.item}: {self.problem}"
+        parts = f"{self.item}: {self.problem}" if self.problem else self.item
+        return clipped(f"{parts}; {self.remedy}" if self.problem and self.remedy else parts)
+
+
+def clipped(text: str) -> str:
+    """A message with its middle left out where it is longer than a person reads."""
+    if len(text) <= LONGEST_MESSAGE:
+        return text
+    half = LONGEST_MESSAGE // 2
+    return f"{text[:half]} ... ({len(text) - 2 * half} characters left out) ... {text[-half:]}"
 
 
 class ArgumentError(SymgenError, ValueError):

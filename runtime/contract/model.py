@@ -52,6 +52,12 @@ class Model:
     steppers: dict[tuple[Any, ...], Any] = field(default_factory=dict, repr=False, compare=False)
     choices: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
 
+    def __post_init__(self) -> None:
+        for name in ("initial_q", "initial_q_dot"):
+            own = np.array(getattr(self, name))
+            own.flags.writeable = False  # a run that starts elsewhere says so by `initial=`
+            object.__setattr__(self, name, own)
+
     @property
     def name(self) -> str:
         """Name of the scene."""

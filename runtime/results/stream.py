@@ -19,7 +19,7 @@ try:
 except ImportError:  # Windows
     fcntl = None  # type: ignore[assignment]
 
-from runtime.contract.files import OutputError, write_text
+from runtime.contract.files import WRITING, OutputError, write_text
 from runtime.contract.model import ModelError
 
 FORMAT = "symgen stream 1"
@@ -76,14 +76,17 @@ class StreamFile(Table):
         self.rows = (self.folder / ROWS).stat().st_size // self._row_bytes
 
     def _refuse_foreign(self, resumed: bool) -> None:
-        """Rows that no header of ours belongs to are somebody's file. Raises OutputError."""
-        rows = self.folder / ROWS
-        if resumed or not rows.exists() or rows.stat().st_size == 0:
+        """A folder that holds files, and is no stream of ours, is somebody's. Raises OutputError."""
+        files = sorted(path.name for path in self.folder.iterdir() if not path.name.startswith(WRITING))
+        begun = files == [ROWS] and (self.folder / ROWS).stat().st_size == 0  # by another run, or one that was killed
+        if resumed or begun or not files:
             return
         try:
             read_header(self.folder)
         except ModelError as error:
-            raise OutputError(f"{rows} is there and is no stream of samples; choose another folder") from error
+            raise OutputError(
+                f"{self.folder} holds {files[0]} and is no stream of samples; choose a new or an empty folder"
+            ) from error
 
     def _lock(self) -> None:
         """One run writes a stream at a time; the lock goes with the process. Raises OutputError."""

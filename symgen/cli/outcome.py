@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, TextIO
 
-from runtime.contract.errors import NoResult, SymgenError
+from runtime.contract.errors import NoResult, SymgenError, clipped
 from runtime.results.meter import Meter
 
 OK, FAILED, WRONG_INPUT, FAULT, INTERRUPTED = 0, 1, 2, 3, 130
@@ -25,7 +25,6 @@ REPORT_IT = (
     "this is a fault of symgen, not of your input; please report it with the lines above, the command and the scene "
     "(docs/guide/failures.md says what helps)"
 )
-LONGEST_MESSAGE = 2000  # characters: what was given may be as long as it likes, its echo may not
 
 
 @dataclass(frozen=True)
@@ -98,14 +97,6 @@ def report_error(command: str, error: BaseException, as_json: bool, code: int) -
             print(f"symgen: {text}", file=sys.stderr)
     if as_json:
         _write_json({"command": command, "exit_code": code, "error": details})
-
-
-def clipped(text: str) -> str:
-    """A message with its middle left out where it is longer than a person reads."""
-    if len(text) <= LONGEST_MESSAGE:
-        return text
-    half = LONGEST_MESSAGE // 2
-    return f"{text[:half]} ... ({len(text) - 2 * half} characters left out) ... {text[-half:]}"
 
 
 def _write_json(data: Mapping[str, Any]) -> None:

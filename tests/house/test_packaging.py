@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 import subprocess
 import sys
@@ -54,6 +55,35 @@ def test_packages_are_named_and_typed() -> None:
     for package in PACKAGES:
         assert (ROOT / package / "py.typed").is_file()
         assert "py.typed" in PROJECT["tool"]["setuptools"]["package-data"][package]
+
+
+IMPORTED_AS = {"pin": "pinocchio", "scikit-fem": "skfem", "pillow": "PIL"}
+
+
+def _third_party(path: Path, seen: set[Path]) -> set[str]:
+    """Packages that a file imports, wherever, and the files of `tests` that it imports."""
+    seen.add(path)
+    found: set[str] = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        names = [node.module or ""] if isinstance(node, ast.ImportFrom) else []
+        names += [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+        for name in names:
+            further = ROOT / (name.replace(".", "/") + ".py")
+            if name.startswith("tests.") and further.is_file() and further not in seen:
+                found |= _third_party(further, seen)
+            found.add(name.partition(".")[0])
+    return found - {*sys.stdlib_module_names, *PACKAGES, "", "tests", "benchmarks"}
+
+
+def test_the_extra_benchmark_brings_what_the_benchmarks_import() -> None:
+    wanted = PROJECT["project"]["dependencies"] + PROJECT["project"]["optional-dependencies"]["benchmark"]
+    names = [re.match(r"[\w-]+", entry)[0] for entry in wanted]
+    there = {IMPORTED_AS.get(name, name) for name in names}
+    assert not {
+        str(path): missing
+        for path in (ROOT / "benchmarks").rglob("*.py")
+        if (missing := _third_party(path, set()) - there)
+    }
 
 
 def test_nothing_is_uploaded_by_mistake() -> None:

@@ -9,14 +9,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime import load_model
+from runtime import load_model, simulate
+from runtime.contract.errors import LONGEST_MESSAGE, SymgenError
 from runtime.contract.scheme_names import GROUPED_SCHEMES, SCHEME_NAMES
 from runtime.schemes.catalogue import SCHEMES
 from symgen.cli import main
-from symgen.cli.outcome import LONGEST_MESSAGE
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder, SceneError
 from symgen.scene.checks.sizes import MAX_BODY_MODES, MAX_COORDINATES
+from symgen.scenes import generated_folder
 from symgen.scenes.pendulum import pendulum
 
 PENDULUM = pendulum().to_toml()
@@ -166,9 +167,27 @@ def test_scenes_may_ask_for_every_scheme() -> None:
     assert set(GROUPED_SCHEMES) == {name for name, kind in SCHEMES.items() if kind.ratios == "groups"}
 
 
+def test_the_start_of_a_model_is_not_written_to() -> None:
+    """It would be that of all later runs."""
+    model = load_model(generated_folder("pendulum"))
+    for start in (model.initial_q, model.initial_q_dot):
+        with pytest.raises(ValueError, match="read-only"):
+            start[0] = 1.0
+
+
 def test_what_was_given_is_not_echoed_at_full_length(capsys) -> None:
     assert main(["simulate", "x" * 1_000_000]) == ERRORS
     assert len(capsys.readouterr().err) < 2 * LONGEST_MESSAGE
+
+
+@pytest.mark.parametrize(
+    "given", [{"scheme": "x" * 10**6}, {"parameters": {"x" * 10**6: 1.0}}, {"initial": {"x" * 10**6: 1.0}}], ids=list
+)
+def test_a_long_name_is_shortened_in_a_message(given: dict[str, object]) -> None:
+    with pytest.raises(SymgenError) as caught:
+        simulate(load_model(generated_folder("pendulum")), **given)
+    message = str(caught.value)
+    assert len(message) < 1.1 * LONGEST_MESSAGE and "characters left out" in message
 
 
 @pytest.mark.parametrize("content", [b"PK\x03\x04rubbish", b"", b"hello", "array", None], ids=repr)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -67,6 +69,14 @@ def test_two_runs_do_not_write_one_stream(built_in: Load, tmp_path: Path) -> Non
     assert simulate(built_in("pendulum"), t_end=0.1, dt=1e-3, stream=tmp_path / "rows").status.ok
 
 
+@pytest.mark.parametrize("name", ["notes.txt", "header.json", ".hidden"])
+def test_a_folder_with_files_of_others_takes_no_stream(built_in: Load, tmp_path: Path, name: str) -> None:
+    (tmp_path / name).write_text("mine")
+    with pytest.raises(OutputError, match=f"holds {name} and is no stream of samples; choose a new or an empty"):
+        simulate(built_in("pendulum"), t_end=0.01, stream=tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == [name] and (tmp_path / name).read_text() == "mine"
+
+
 def test_rows_of_somebody_else_are_not_written_over(built_in: Load, tmp_path: Path) -> None:
     (tmp_path / ROWS).write_bytes(b"mine")
     with pytest.raises(OutputError, match="no stream of samples"):
@@ -92,17 +102,22 @@ def test_a_stream_that_takes_no_more_ends_the_run_by_name(built_in: Load, tmp_pa
     assert sum(len(block["t"]) for block in read_blocks(tmp_path / "rows")) == blocks[0]
 
 
-def test_what_killed_processes_left_is_removed(tmp_path: Path) -> None:
-    stale, recent, other = (
-        tmp_path / name for name in (".writing-run-a.npz", ".writing-run-b.npz", ".writing-x-c.npz")
+def test_what_a_killed_process_left_is_removed_at_the_next_write(tmp_path: Path) -> None:
+    """Of this machine as soon as the process is gone, whichever file it wrote; of another one after an hour."""
+    program = (
+        "import os, sys\nfrom runtime.contract.files import replacing\n"
+        "with replacing(sys.argv[1] + '/killed.npz'): os.kill(os.getpid(), 9)"
     )
-    for path in (stale, recent, other):
+    subprocess.run([sys.executable, "-c", program, str(tmp_path)], check=False)
+    assert [path.name[:9] for path in tmp_path.iterdir()] == [".writing-"]
+    stale, recent = tmp_path / ".writing-elsewhere-1-a.npz", tmp_path / ".writing-elsewhere-1-b.npz"
+    for path in (stale, recent):
         path.write_text("")
     old = time.time() - STALE - 10
     os.utime(stale, (old, old))
-    os.utime(other, (old, old))
-    write_text(tmp_path / "run.npz", "new")
-    assert sorted(path.name for path in tmp_path.iterdir()) == sorted([other.name, recent.name, "run.npz"])
+    with replacing(tmp_path / "other.npz") as mine:
+        write_text(tmp_path / "run.npz", "new")
+        assert sorted(path.name for path in tmp_path.iterdir()) == sorted([recent.name, mine.name, "run.npz"])
     with pytest.raises(KeyboardInterrupt), replacing(tmp_path / "run.npz"):
         raise KeyboardInterrupt
     assert (tmp_path / "run.npz").read_text() == "new"
