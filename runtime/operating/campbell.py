@@ -81,7 +81,8 @@ def campbell(
 ) -> Campbell:
     """Modes at equilibria along `values` of `over`: a parameter, a rate (`hub.theta_dot`), or `hub.omega`.
 
-    Each equilibrium starts from the one before. held, rates, parameters, t: see `equilibrium`; locked: see `linearise`.
+    Each equilibrium starts from the one before. held, rates, parameters: see `equilibrium`;
+    t: its `at_time` [s], so that prescribed motions move; locked: see `linearise`.
     Raises ModelError, NoEquilibrium and ArgumentError (no values).
     """
     wanted = np.asarray(values, dtype=float)
@@ -144,7 +145,7 @@ class Sweep:
         initial = (
             {} if last is None else {name: last[name] for name in followed(self.model)[0] if name not in self.held}
         )
-        self._last = equilibrium(self.model, self.held, rates, parameters=parameters, initial=initial, t=self.t)
+        self._last = equilibrium(self.model, self.held, rates, parameters=parameters, initial=initial, at_time=self.t)
         return linearise(self.model, self._last, inputs=self.inputs, outputs=self.outputs, locked=self.locked)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,9 +19,10 @@ from runtime.contract.coordinates import (
 from runtime.contract.errors import NoResult
 from runtime.contract.euler_angles import angle_names, angles
 from runtime.contract.model import Model, ModelError
+from runtime.contract.signals import SUFFIXES
 from runtime.operating.all_coordinates import AllCoordinates
 from runtime.operating.balance import Clamped, clamped_directions, steady_rates
-from runtime.operating.functions import PointFunctions, PointValues, independent_turns, row_names
+from runtime.operating.functions import PointFunctions, PointValues, has_drives, independent_turns, row_names
 from runtime.operating.given_state import given_position, given_state
 from runtime.operating.modal import modal_analysis
 from runtime.operating.mode_solver import State
@@ -48,7 +49,8 @@ class Equilibrium:
     unknowns; held: coordinates that are clamped; turning: those with a given rate; holding: the generalised force
     [N, N m] that each of them needs to stay so; trimmed: inputs that were solved for; eigenvalues [1/s] and stable: of
     small motions with the held coordinates clamped; steady: do the forces stay the same as the motion goes on? (If
-    not, this is an instant of a motion that is not steady.)
+    not, this is an instant of a motion that is not steady.) drives: are prescribed motions `held` where they are at t,
+    or `moving` with the rates and accelerations that they have then; "" without any.
     """
 
     model: Model
@@ -64,6 +66,7 @@ class Equilibrium:
     stable: bool
     steady: bool
     iterations: int
+    drives: str = ""
 
     def __getitem__(self, name: str) -> float:
         """A coordinate, rate (`_dot`) or state by name. Raises ModelError for an unknown name."""
@@ -86,6 +89,7 @@ class Equilibrium:
 
     def __repr__(self) -> str:
         words = [self.kind, "stable" if self.stable else "unstable"] + ([] if self.steady else ["not steady"])
+        words += [f"drives {self.drives} as at t = {self.state.t:g} s"] if self.drives else []
         values = ", ".join(f"{name} = {self[name]:.6g}" for name in followed(self.model)[0][:6])
         return f"<{', '.join(words)} of {self.model.name}: {values}{', ...' if len(self.model.q_i) > 6 else ''}>"
 
@@ -99,14 +103,17 @@ def equilibrium(
     parameters: Mapping[str, float] | None = None,
     initial: Mapping[str, float] | None = None,
     t: float = 0.0,
+    at_time: float | None = None,
 ) -> Equilibrium:
     """The equilibrium reached from the model's initial state: Q_hat = 0 at constant rates.
 
     held: coordinates clamped at a value [m, rad]; rates: coordinates that go on at a constant rate [m/s, rad/s], from
     their held or initial position; inputs: inputs or parameters of the scene, set to a value, or None: solved for, so
     that no held or turning coordinate needs a force (there must be as many); parameters, initial: changes by name;
-    t [s]: the time at which loads and prescribed motions are taken. Newton with exact derivatives, led away from
-    unstable equilibria unless it starts in one. Raises NoEquilibrium, InitialStateError and ModelError.
+    t [s]: the time at which loads and prescribed motions are taken; motions are held there, without rates and
+    accelerations. at_time [s], in its place: they have those of that time (as they have where `inputs` or `parameters`
+    name a rate of an input). Newton with exact derivatives, led away from unstable equilibria unless it starts in one.
+    Raises NoEquilibrium, InitialStateError and ModelError.
     """
     inputs = inputs or {}
     held = {named(model, name): float(value) for name, value in (held or {}).items()}
@@ -116,7 +123,9 @@ def equilibrium(
     p = model.parameter_vector({**(parameters or {}), **given})
     fixed = [*held, *(name for name in rates if name not in held)]
     _check_trim(model, trim, fixed)
-    clamped, q_i = _clamped(model, p, t, held, rates, fixed, initial or {})
+    moving = at_time is not None or names_rates(model, {**(parameters or {}), **inputs})
+    functions = PointFunctions(model, model.constants(p), moving)
+    clamped, q_i = _clamped(functions, p, t if at_time is None else at_time, held, rates, fixed, initial or {})
     # a controller that wants something else than what is held has no balance before its inputs are solved for
     found = Found(q_i, True, np.zeros(0), 0) if trim and model.states else clamped.solve(q_i)
     if not found.converged:
@@ -174,8 +183,14 @@ def _check_trim(model: Model, trim: list[str], fixed: list[str]) -> None:
         )
 
 
+def names_rates(model: Model, names: Iterable[str]) -> bool:
+    """Does a name stand for a rate or acceleration of an input?"""
+    rates = {f"{entry.name}{suffix}" for entry in model.description.inputs for suffix in SUFFIXES[1:]}
+    return not rates.isdisjoint(names)
+
+
 def _clamped(
-    model: Model,
+    functions: PointFunctions,
     p: np.ndarray,
     t: float,
     held: Mapping[str, float],
@@ -184,7 +199,7 @@ def _clamped(
     initial: Mapping[str, float],
 ) -> tuple[Clamped, np.ndarray]:
     """The task with its clamped coordinates, and q_i where it starts."""
-    functions = PointFunctions(model, model.constants(p))
+    model = functions.model
     own = {name: value for name, value in held.items() if name in model.q_i}
     rows = [row_names(model).index(name) for name in fixed]
     q_i, loop = given_position(model, p, functions.c, t, {**initial, **own})
@@ -253,6 +268,7 @@ def _told(
         stable=modal.stable,
         steady=is_steady(at, v),
         iterations=iterations,
+        drives="" if not has_drives(model) else "moving" if clamped.functions.drives_move else "held",
     )
 
 

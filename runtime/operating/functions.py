@@ -63,15 +63,20 @@ class PointValues:
 
 
 class PointFunctions:
-    """Evaluates a model with constants c. Raises ModelError without Jacobians or freedoms."""
+    """Evaluates a model with constants c. Raises ModelError without Jacobians or freedoms.
 
-    def __init__(self, model: Model, c: np.ndarray) -> None:
+    drives_move: do prescribed motions have their rates and accelerations, or are they held where they are at t?
+    """
+
+    def __init__(self, model: Model, c: np.ndarray, drives_move: bool = True) -> None:
         if not model.q_i:
             raise ModelError(
                 f"every coordinate of model {model.name} is driven: it has no equilibrium and no modes of its own"
             )
         self.model, self.c = model, c
-        self._function = model.derived("operating_point", lambda: _built(model))
+        self.drives_move = drives_move = drives_move or not has_drives(model)
+        name = "operating_point" if drives_move else "operating_point_of_held_drives"
+        self._function = model.derived(name, lambda: _built(model, drives_move))
         self._pull = model.derived("pull_of_holding_forces", lambda: _pull(model)) if model.q_d else None
 
     def __call__(self, state: State, a: np.ndarray | None = None) -> PointValues:
@@ -136,28 +141,70 @@ def tangents(model: Model, equations: StageEquations, motion: ClosedConfiguratio
     return ca.densify(ca.horzcat(*(joined(model, unit[:, k], B[:, k]) for k in range(len(model.q_i)))))
 
 
-def _built(model: Model) -> ca.Function:
+def has_drives(model: Model) -> bool:
+    """Does a joint prescribe a motion?"""
+    return bool(model.q_d) and "t" in model.kernel("closure").name_in()
+
+
+def dependent_rates(equations: StageEquations, motion: ClosedConfiguration, v: ca.SX, drives_move: bool) -> ca.SX:
+    """q_d_dot (Eq. 36), with the rates of prescribed motions or without."""
+    rates = equations.rates(motion, v)
+    return rates if drives_move else rates - equations.rates(motion, ca.SX.zeros(len(equations.model.q_i)))
+
+
+def rates_and_forces(
+    equations: StageEquations, motion: ClosedConfiguration, v: ca.SX, drives_move: bool
+) -> tuple[ca.SX, ca.SX, ca.SX]:
+    """(q_d_dot, M_hat, Q_hat) at a state; prescribed motions that do not move have neither rates nor inertia."""
+    q_d_dot = dependent_rates(equations, motion, v, drives_move)
+    if drives_move:
+        return q_d_dot, *equations.condensed(motion, v)
+    at = {"q_i": motion.q_i, "q_d": motion.q_d, "t": motion.t, "q_i_dot": v, "q_d_dot": q_d_dot}
+    found = equations.call("condensed", **at)
+    return q_d_dot, found["M_hat"], found["Q_hat"] + driven_inertia(equations, motion)
+
+
+def driven_inertia(equations: StageEquations, motion: ClosedConfiguration) -> ca.SX:
+    """S^T M q'' (n_i,) of the q'' that the accelerations of prescribed motions bring about at rest (Eq. 35).
+
+    M q'' is dT/dq' at q' = q'', since T is quadratic in the rates.
+    """
+    model = equations.model
+    still = ca.SX.zeros(len(model.q_i))
+    resting = {"q_i_dot": still, "q_d_dot": ca.SX.zeros(len(model.q_d)), "q_i_ddot": still}
+    found = equations.call("accelerations", q_i=motion.q_i, q_d=motion.q_d, t=motion.t, **resting)
+    rates, place = ca.SX.sym("rates", len(model.coordinates)), all_coordinates(model, motion.q_i, motion.q_d)
+    T = equations.call("energy", q=place, q_dot=rates, t=motion.t)["kinetic"]
+    accelerations = all_coordinates(model, still, found["q_d_ddot"])
+    momenta = ca.substitute(ca.gradient(T, rates), rates, accelerations)
+    return ca.mtimes(tangents(model, equations, motion).T, momenta)
+
+
+def _built(model: Model, drives_move: bool) -> ca.Function:
     """(t, q_i, q_i_dot, a, loop unknowns, c) -> the entries of PointValues."""
     n = len(model.q_i)
     t, q, v, a = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("a", n)
     loop, c = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
     equations = StageEquations(model, c)
     motion = equations.close(q, loop, t, CLOSURE_ITERATIONS)
-    q_d_dot = equations.rates(motion, v)
-    M, Q = equations.condensed(motion, v)
+    q_d_dot, M, Q = rates_and_forces(equations, motion, v, drives_move)
     arguments = {"q_i": q, "q_d": motion.q_d, "q_i_dot": v, "q_d_dot": q_d_dot, "q_i_ddot": a, "t": t}
     found = equations.call("residual_jacobian", **arguments)
-    outputs = [
-        M,
-        Q,
-        found["J_q"],
-        found["J_v"],
-        all_coordinates(model, q, motion.q_d),
-        all_coordinates(model, v, q_d_dot),
-    ]
-    outputs += [tangents(model, equations, motion), equations.loop_part(motion.q_d), motion.C_loop]
-    outputs.append(equations.force_rate(motion, v, a))
+    J_q, Q_t = found["J_q"], equations.force_rate(motion, v, a)
+    if not drives_move:
+        inertia = driven_inertia(equations, equations.close(q, loop, t, ALREADY_CLOSED))
+        J_q += along_rotations(equations, motion, ca.jacobian(inertia, q))
+        Q_t = _rate_of_loads(equations, motion, v)
+    outputs = [M, Q, J_q, found["J_v"], all_coordinates(model, q, motion.q_d), all_coordinates(model, v, q_d_dot)]
+    outputs += [tangents(model, equations, motion), equations.loop_part(motion.q_d), motion.C_loop, Q_t]
     return ca.Function("operating_point", [t, q, v, a, loop, c], [ca.densify(value) for value in outputs])
+
+
+def _rate_of_loads(equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
+    """dQ_hat/dt at a place where prescribed motions are held."""
+    t = ca.SX.sym("time")
+    Q = rates_and_forces(equations, replace(motion, t=t), v, False)[2]
+    return ca.substitute(ca.jacobian(Q, t), t, motion.t)
 
 
 def _pull(model: Model) -> ca.Function:

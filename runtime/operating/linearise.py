@@ -10,7 +10,15 @@ import numpy as np
 from runtime.contract.coordinates import independent, independent_rates, loop_part
 from runtime.contract.model import Model, ModelError
 from runtime.operating.balance import clamped_directions
-from runtime.operating.equilibrium import Equilibrium, equilibrium, force_unit, is_steady, named, turning_name
+from runtime.operating.equilibrium import (
+    Equilibrium,
+    equilibrium,
+    force_unit,
+    is_steady,
+    named,
+    names_rates,
+    turning_name,
+)
 from runtime.operating.functions import PointFunctions, independent_turns, row_names
 from runtime.operating.given_state import given_state
 from runtime.operating.linearisation import Linearisation
@@ -35,18 +43,18 @@ def linearise(
     """M x'' + D x' + K x = B u, y = C (x, x') + D u about a state, from the exact derivatives of Eq. (38).
 
     at: an `equilibrium(...)`; coordinates and rates by name (`_dot`), taken as they are; (solution, sample); or None:
-    the equilibrium reached from the initial state at the rigid rates that it has. inputs: coordinates (a generalised
-    force [N, N m]), inputs or parameters of the scene; all independent coordinates by default. outputs: measures,
-    coordinates, or rates (`_dot`); the scene's measures by default, else the independent coordinates. parameters:
-    changes by name, not with an equilibrium or a solution, which have their own. locked: coordinates that stay as
-    they are; those that the equilibrium holds by default; t [s]: the time, if `at` does not say it. Raises
-    ModelError, InitialStateError and NoEquilibrium.
+    the equilibrium reached from the initial state at the rigid rates that it has, prescribed motions moving. inputs:
+    coordinates (a generalised force [N, N m]), inputs or parameters of the scene; all independent coordinates by
+    default. outputs: measures, coordinates, or rates (`_dot`); the scene's measures by default, else the independent
+    coordinates. parameters: changes by name, not with an equilibrium or a solution, which have their own. locked:
+    coordinates that stay as they are; those that the equilibrium holds by default; t [s]: the time, if `at` does not
+    say it. Raises ModelError, InitialStateError and NoEquilibrium.
     """
     point = _point(model, at, parameters, t)
     locked = tuple(turning_name(model, name) for name in (point.held if locked is None else locked))
     input_names = [_input(model, name) for name in inputs] if inputs is not None else list(model.q_i)
     output_names = list(outputs if outputs is not None else model.measures or model.q_i)
-    functions = PointFunctions(model, model.constants(point.p))
+    functions = PointFunctions(model, model.constants(point.p), point.drives_move)
     here = functions(point.state)
     resting = point.at_rest
     a = np.zeros(len(model.q_i)) if resting else np.linalg.solve(here.M, here.Q)
@@ -91,11 +99,12 @@ class _Point:
     held: tuple[str, ...] = ()
     holding: np.ndarray | None = None
     at_rest: bool = False
+    drives_move: bool = True
 
 
 def _point(model: Model, at: Place, parameters: Mapping[str, float] | None, t: float) -> _Point:
     if at is None:
-        at = equilibrium(model, rates=starting_rates(model), parameters=parameters, t=t)
+        at = equilibrium(model, rates=starting_rates(model), parameters=parameters, at_time=t)
     elif parameters and not isinstance(at, Mapping | State):
         raise ModelError("parameters belong to the equilibrium or solution that is linearised about: give them there")
     if isinstance(at, Equilibrium):
@@ -103,7 +112,7 @@ def _point(model: Model, at: Place, parameters: Mapping[str, float] | None, t: f
         for name, value in at.holding.items():
             if name in model.coordinates:  # what holds an independent turn adds no stiffness
                 force[model.coordinates.index(name)] = value
-        return _Point(at.state, at.parameters, at.held, force, True)
+        return _Point(at.state, at.parameters, at.held, force, True, at.drives != "held")
     p = model.parameter_vector(parameters)
     if isinstance(at, State):
         return _Point(at, p)
@@ -160,7 +169,9 @@ def _inputs(model: Model, point: _Point, a: np.ndarray, names: Sequence[str], S:
     of_loads = [name for name in names if name not in model.coordinates and name not in model.q_i]
     if of_loads:
         state = point.state
-        slope = model.derived(f"forces by {', '.join(of_loads)}", lambda: force_by_parameters(model, of_loads))
+        move = point.drives_move or names_rates(model, of_loads)
+        key = f"forces by {', '.join(of_loads)}{'' if move else ', drives held'}"
+        slope = model.derived(key, lambda: force_by_parameters(model, of_loads, move))
         found = slope(state.t, state.q_i, state.q_i_dot, a, state.loop, point.p)
         B[:, [names.index(name) for name in of_loads]] = np.asarray(found)
     for k, name in enumerate(names):
@@ -178,8 +189,9 @@ def _outputs(model: Model, point: _Point, inputs: Sequence[str], names: Sequence
     if not names:
         return np.zeros((0, 2 * n)), through
     loads = [k for k, name in enumerate(inputs) if name not in model.coordinates and name not in model.q_i]
-    key = f"outputs {', '.join(names)} by {', '.join(inputs[k] for k in loads)}"
-    function = model.derived(key, lambda: output_slopes(model, names, [inputs[k] for k in loads]))
+    move = point.drives_move
+    key = f"outputs {', '.join(names)} by {', '.join(inputs[k] for k in loads)}{'' if move else ', drives held'}"
+    function = model.derived(key, lambda: output_slopes(model, names, [inputs[k] for k in loads], move))
     by_state, by_parameters = function(state.t, state.q_i, state.q_i_dot, state.loop, point.p)
     through[:, loads] = np.asarray(by_parameters).reshape(len(names), len(loads))
     return np.asarray(by_state).reshape(len(names), 2 * n), through

@@ -7,14 +7,14 @@ from collections.abc import Sequence
 import casadi as ca
 
 from runtime.contract.model import Model, ModelError
-from runtime.operating.functions import ALREADY_CLOSED, all_coordinates
+from runtime.operating.functions import ALREADY_CLOSED, all_coordinates, dependent_rates
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.turned_axes import along_rotations, turning
 
 SHOWN = 30  # names that an error lists
 
 
-def output_slopes(model: Model, names: Sequence[str], inputs: Sequence[str]) -> ca.Function:
+def output_slopes(model: Model, names: Sequence[str], inputs: Sequence[str], drives_move: bool = True) -> ca.Function:
     """(t, q_i, q_i_dot, loop unknowns, p) -> dy/d(q_i, q_i_dot) (n_y x 2 n_i), dy/d(p of these inputs) (n_y x k).
 
     q_d = f(q_i, t, p) is differentiated through. Raises ModelError for a name that is neither a measure, nor a
@@ -26,7 +26,7 @@ def output_slopes(model: Model, names: Sequence[str], inputs: Sequence[str]) -> 
     equations = StageEquations(model, model.kernel("constants")(p))
     motion = equations.close(q, loop, t, ALREADY_CLOSED)
     places = all_coordinates(model, q, motion.q_d)
-    rates = all_coordinates(model, v, equations.rates(motion, v))
+    rates = all_coordinates(model, v, dependent_rates(equations, motion, v, drives_move))
     known = {name: places[k] for k, name in enumerate(model.coordinates)}
     known |= {f"{name}_dot": rates[k] for k, name in enumerate(model.coordinates)}
     known |= {name: q[k] for k, name in enumerate(model.q_i) if name not in known}

@@ -10,7 +10,7 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.operating.balance import Clamped
-from runtime.operating.functions import ALREADY_CLOSED, PointFunctions
+from runtime.operating.functions import ALREADY_CLOSED, PointFunctions, rates_and_forces
 from runtime.operating.mode_solver import State
 from runtime.schemes.stage_equations import StageEquations
 
@@ -19,14 +19,14 @@ TOLERANCE = 1e-12  # of the largest correction, relative to the largest value
 BALANCED = 1e-9  # what may be left of the forces, relative to those before
 
 
-def force_by_parameters(model: Model, names: Sequence[str]) -> ca.Function:
+def force_by_parameters(model: Model, names: Sequence[str], drives_move: bool = True) -> ca.Function:
     """(t, q_i, q_i_dot, a, loop unknowns, p) -> d(Q_hat - M_hat a)/d(p of these names) (n_i x k), q_d = f(q_i, p)."""
     index = [[parameter.name for parameter in model.parameters].index(name) for name in names]
     n = len(model.q_i)
     t, q, v, a = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("a", n)
     loop, p = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("p", len(model.parameters))
     equations = StageEquations(model, model.kernel("constants")(p))
-    M, Q = equations.condensed(equations.close(q, loop, t, ALREADY_CLOSED), v)
+    _, M, Q = rates_and_forces(equations, equations.close(q, loop, t, ALREADY_CLOSED), v, drives_move)
     slope = ca.jacobian(Q - ca.mtimes(M, a), p)[:, index]
     return ca.Function("by_parameters", [t, q, v, a, loop, p], [ca.densify(slope)])
 
@@ -46,12 +46,13 @@ def trimmed(model: Model, clamped: Clamped, q_i: np.ndarray, p: np.ndarray, name
 
     It begins at the equilibrium with holding forces. `clamped` is left with the constants of the last p.
     """
-    by_parameters = force_by_parameters(model, names)
+    drives_move = clamped.functions.drives_move
+    by_parameters = force_by_parameters(model, names, drives_move)
     index = [[parameter.name for parameter in model.parameters].index(name) for name in names]
     n, p = len(q_i), p.copy()
     start = np.inf
     for iteration in range(MAX_ITERATIONS):
-        clamped.functions = PointFunctions(model, model.constants(p))
+        clamped.functions = PointFunctions(model, model.constants(p), drives_move)
         at = clamped.values(q_i)
         if at is None:
             break

@@ -25,8 +25,10 @@ def equilibrium(arguments: argparse.Namespace) -> Outcome:
     from runtime.operating.equilibrium import force_unit
 
     model = opened_model(arguments.scene, arguments.made_with)
-    found = found_equilibrium(model, arguments)
+    found = found_equilibrium(model, arguments, arguments.moving)
     lines = [f"{model.name}: {'stable' if found.stable else 'unstable'} {found.kind}"]
+    if found.drives:
+        lines.append(f"prescribed motions: {found.drives} as at t = {found.state.t:g} s")
     if not found.steady:
         lines.append("the forces change with time or along the motion: this is the state of one instant")
     lines += [f"  {name} = {found[name]:.9g} {model.coordinate(name).unit}" for name in model.coordinates]
@@ -34,19 +36,24 @@ def equilibrium(arguments: argparse.Namespace) -> Outcome:
     return Outcome({"scene": model.name, "equilibrium": equilibrium_data(found)}, lines)
 
 
-def found_equilibrium(model: Model, arguments: argparse.Namespace) -> Equilibrium:
-    """The equilibrium that the options ask for; without --rate at the rates that the scene starts with."""
+def found_equilibrium(model: Model, arguments: argparse.Namespace, moving: bool = True) -> Equilibrium:
+    """The equilibrium that the options ask for; without --rate at the rates that the scene starts with.
+
+    moving: do prescribed motions move, or are they held?
+    """
     from runtime.operating.equilibrium import equilibrium
     from runtime.operating.linearise import starting_rates
 
     rates = arguments.rates or starting_rates(model)
-    return equilibrium(model, rates=rates, t=arguments.time, **settings(arguments, ("held", "parameters", "initial")))
+    when = {"at_time" if moving else "t": arguments.time}
+    return equilibrium(model, rates=rates, **when, **settings(arguments, ("held", "parameters", "initial")))
 
 
 def equilibrium_data(found: Equilibrium) -> dict[str, Any]:
     """An equilibrium for --json."""
     return {
         "coordinates": {name: found[name] for name in found.model.coordinates},
+        "drives": found.drives,
         "rates": {name: found[f"{name}_dot"] for name in found.turning},
         "holding": found.holding,
         "stable": found.stable,

@@ -300,7 +300,10 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             *RUN,
         ),
     ),
-    "equilibrium": (states.equilibrium, (*SCENE, STATE)),
+    "equilibrium": (
+        states.equilibrium,
+        (*SCENE, STATE, opt("--moving", "with the rates and accelerations of prescribed motions, not held")),
+    ),
     "modes": (states.modes, (*SCENE, STATE, LOCKED, opt("--out DIR", "folder for the motion of each mode"))),
     "campbell": (
         states.campbell,

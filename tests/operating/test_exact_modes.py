@@ -50,7 +50,9 @@ def test_coupled_frequencies_of_the_hub_and_its_beam(built_in: Load, model_of: B
 
 def rotating(model: Model, speed: float, clamped: float) -> np.ndarray:
     """In-plane frequencies in units of sqrt(EI / (rho A L^4)) of a beam on a drive of constant speed."""
-    found = linearise(model, equilibrium(model, parameters={"omega": speed * clamped}, t=20.0), inputs=(), outputs=())
+    found = linearise(
+        model, equilibrium(model, parameters={"omega": speed * clamped}, at_time=20.0), inputs=(), outputs=()
+    )
     return np.asarray(found.frequencies / clamped)
 
 

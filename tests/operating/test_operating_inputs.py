@@ -71,3 +71,40 @@ def test_gradients_by_inputs(model_of: Build, mode: str) -> None:
     """x = F t^2 / 2 m: its slope by the force and by the mass."""
     found = gradient(model_of(cart()), End("cart.x"), ["force", "cart.mass"], parameters={"force": 3.0}, mode=mode)
     np.testing.assert_allclose([found["force"], found["cart.mass"]], [0.25, -0.375], rtol=1e-12)
+
+
+def accelerated(motion: str) -> Scene:
+    """A pendulum of 1 m on a trolley that goes along a given way, with a damped second one below it."""
+    return (
+        SceneBuilder("accelerated")
+        .gravity(0, -9.81)
+        .rigid("trolley", mass=2.0, inertia=0.1)
+        .rigid("load", mass=1.0, inertia=0.0, center_of_mass=(0, -1.0), markers={"end": {"position": (0.0, -1.0)}})
+        .rigid("tail", mass=0.5, inertia=0.01, center_of_mass=(0, -0.4))
+        .prismatic("rail", "ground.origin", "trolley.origin")
+        .prescribed_displacement("drive", "ground.origin", "trolley.origin", motion=motion)
+        .revolute("hook", "trolley.origin", "load.origin")
+        .revolute("knee", "load.end", "tail.origin")
+        .rotational_spring_damper("stiff", "load.origin", "tail.origin", stiffness=2.0, damping=0.3, free_angle=0.4)
+        .build()
+    )
+
+
+def test_drives_are_held_unless_a_time_is_asked(model_of: Build) -> None:
+    """At rest under gravity, where the drive's place is; moving: as on a trolley that is pushed by its acceleration.
+
+    The linear system about either is what the same trolley without a motion gives, to the last digits.
+    """
+    model, still = model_of(accelerated("0.3 + 0.2 * t + 0.4 * t**2")), model_of(accelerated("0.3"))
+    held, rest = equilibrium(model), equilibrium(still)
+    assert held.drives == "held" and "drives held as at t = 0 s" in repr(held)
+    np.testing.assert_allclose(held.q, rest.q, atol=1e-12)
+    assert not held.q_dot.any() and held.steady and held.stable
+    np.testing.assert_allclose(np.sort_complex(held.eigenvalues), np.sort_complex(rest.eigenvalues), rtol=1e-9)
+    matrices = [linearise(one, at, inputs=[], outputs=[]) for one, at in ((model, held), (still, rest))]
+    for name in "MDK":
+        np.testing.assert_allclose(*(getattr(one, name) for one in matrices), atol=1e-10)
+    moving = equilibrium(model, at_time=0.0)
+    assert moving.drives == "moving" and moving["trolley.x_dot"] == pytest.approx(0.2)
+    assert abs(moving["load.theta"] - held["load.theta"]) > 0.05
+    assert "drives" not in repr(equilibrium(model_of(cart()), held={"cart.x": 0.0}))
