@@ -102,6 +102,7 @@ def model_of(scene: Scene) -> Model:
         initial_q_dot=np.array([clean(value) for value in initial.q_dot]),
         builders=FunctionsOnDemand(derived),
         initial_changes=initial.changed,
+        assembly=tuple(text for _, text in initial.told),
         digest=digest_on_demand(text),
         scene_toml=text,
     )

@@ -103,6 +103,7 @@ def consistent_state_by_angles(
     reluctant: frozenset[int] = frozenset(),
     first: Sequence[int] = (),
     following: frozenset[int] = frozenset(),
+    origins: frozenset[int] = frozenset(),
 ) -> ConsistentState:
     """`consistent_state` where angles of the bodies of `sequences` are given; columns are those of `names`.
 
@@ -110,7 +111,7 @@ def consistent_state_by_angles(
     """
     if not sequences:
         return consistent_state(
-            names, elastic, owners, position, velocity, coordinates, rates, guess, reluctant, first, following
+            names, elastic, owners, position, velocity, coordinates, rates, guess, reluctant, first, following, origins
         )
     form = AngleForm(names, sequences)
 
@@ -136,9 +137,11 @@ def consistent_state_by_angles(
         form.chosen(reluctant),
         first,
         form.chosen(following),
+        form.chosen(origins),
     )
     q, slope = form.fitting(found.q, position)
-    return replace(found, q=q, q_dot=slope @ found.q_dot)
+    placed, other = (None if x is None else form.whole(x)[0] for x in (found.placed, found.other))
+    return replace(found, q=q, q_dot=slope @ found.q_dot, placed=placed, other=other)
 
 
 def angle_bodies(names: Mapping[str, object], sequences: Mapping[str, str]) -> dict[str, str]:

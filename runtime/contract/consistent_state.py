@@ -15,6 +15,7 @@ import numpy as np
 
 from runtime.contract.errors import SymgenError
 from runtime.contract.one_thread import one_thread
+from runtime.contract.status import EventKind
 
 MAX_ITERATIONS = 100
 LARGEST_STEP = 0.5  # rad or m per iteration: keeps Newton on the branch the user started
@@ -22,6 +23,8 @@ POSITION_TOLERANCE = 1e-13  # m or rad, times the largest coordinate if above 1
 VELOCITY_TOLERANCE = 1e-12
 ROUNDING = 1e-13  # of the largest entry of C_q
 OTHER_STARTS, TURN_OPEN = 6, 0.6  # rad or m
+AS_NEAR = 1.25  # times as far away is another branch that may have been meant
+SAME = 1e-6  # rad or m between places that are one
 REMEDY = {
     "position": "free one of the fixed values, correct lengths and axes, take a joint that leaves more free, or start "
     "closer to an assembled position",
@@ -45,11 +48,19 @@ class GivenValues:
 
 @dataclass(frozen=True)
 class ConsistentState:
-    """q and q_dot (all coordinates), and what had to be changed: {name: (given, used)}, deflections included."""
+    """q and q_dot (all coordinates), and what had to be changed: {name: (given, used)}, deflections included.
+
+    placed (n,): where joints that place bodies put what was not given, before loops were closed; other (n,): another
+    branch that lies about as near to it. None where that was not looked for, or there is none. told: events of the
+    start: what may not be what was meant.
+    """
 
     q: np.ndarray
     q_dot: np.ndarray
     changed: dict[str, tuple[float, float]]
+    placed: np.ndarray | None = None
+    other: np.ndarray | None = None
+    told: tuple[tuple[EventKind, str], ...] = ()
 
 
 def consistent_state(
@@ -64,24 +75,27 @@ def consistent_state(
     reluctant: frozenset[int] = frozenset(),
     first: Sequence[int] = (),
     following: frozenset[int] = frozenset(),
+    origins: frozenset[int] = frozenset(),
 ) -> ConsistentState:
     """Solve C(q) = 0, then C_q q_dot = nu.
 
     names: coordinates; owners: joint of each constraint row; position(q) -> (C, C_q); velocity(q) -> (C_q, nu);
     guess: where coordinates that were left open start (zero by default); reluctant: those of them that count as given;
     first: rows that place bodies, satisfied by what was left open before the others are looked at; following:
-    coordinates that these rows give, whose rates cost nothing, so that those of all others change least.
+    coordinates that these rows give, whose rates cost nothing, so that those of all others change least; origins:
+    columns of places of bodies, which move alone where that is enough, so that nothing turns without need.
     Raises InitialStateError if no state within reach satisfies the constraints.
     """
     q0, stages = _start(names, elastic, coordinates, guess, reluctant)
     free, given = stages[-1], q0
+    stages.insert(0, stages[0] & np.array([k in origins for k in range(len(names))], dtype=bool))
     open_ = np.array([k in reluctant and name not in coordinates.values for k, name in enumerate(names)], dtype=bool)
     q = None
     rows = np.array(first, dtype=int)
     for start in _starts(q0, open_):
         if len(first):
-            start = _nearest(start, stages[0], lambda q: tuple(part[rows] for part in position(q)))
-        q = next((q for mask in stages if (q := _positions(start, mask, position)) is not None), None)
+            start = _nearest(start, stages[1], lambda q: tuple(part[rows] for part in position(q)))
+        moving, q = _first_closed(start, stages, position)
         if q is not None:
             break
     if q is None:
@@ -104,7 +118,40 @@ def consistent_state(
         for k, name in enumerate(names)
         if name in rates.values and v[k] != rates.values[name]
     }
-    return ConsistentState(q, v, changed)
+    return ConsistentState(q, v, changed, start, _other_branch(start, q, moving, position))
+
+
+def _first_closed(
+    start: np.ndarray, stages: list[np.ndarray], position: Residual
+) -> tuple[np.ndarray, np.ndarray | None]:
+    """(what moved, q) of the first stage that can satisfy the constraints; q is None if none can."""
+    for mask in stages:
+        q = _positions(start, mask, position)
+        if q is not None:
+            return mask, q
+    return stages[-1], None
+
+
+def _other_branch(start: np.ndarray, q: np.ndarray, moving: np.ndarray, position: Residual) -> np.ndarray | None:
+    """The branch on the other side of the start, if it lies about as near as q."""
+    if np.abs(q - start).max(initial=0.0) <= SAME or not _is_isolated(position(q)[1][:, moving]):
+        return None
+    found = _positions(2 * start - q, moving, position)
+    if found is None or np.abs(less_turns(found - q)).max() <= SAME:
+        return None
+    return (
+        found if np.linalg.norm(less_turns(found - start)) <= AS_NEAR * np.linalg.norm(less_turns(q - start)) else None
+    )
+
+
+def _is_isolated(slope: np.ndarray) -> bool:
+    """Do the constraints leave nothing open of what moves (columns)?"""
+    return bool(np.linalg.matrix_rank(slope, tol=SAME) == slope.shape[1])
+
+
+def less_turns(change: np.ndarray) -> np.ndarray:
+    """Changes of angles less whole turns (and so of lengths, which are small here, or not asked about)."""
+    return np.asarray((change + np.pi) % (2 * np.pi) - np.pi)
 
 
 def _start(

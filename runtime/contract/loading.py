@@ -118,6 +118,7 @@ def _model(path: Path, manifest: dict[str, Any], data: dict[str, Any], module: M
         initial_q_dot=np.array([data["q_dot"][name] for name in names]),
         builders={**module.FUNCTIONS, **left_out(path, manifest.get("left_out", ()), found, scene_toml)},
         initial_changes={name: (given, used) for name, (given, used) in data["changed"].items()},
+        assembly=tuple(data.get("assembled", ())),
         digest=manifest["sha256"],
         scene_toml=scene_toml,
         folder=str(path.resolve()),

@@ -27,7 +27,8 @@ class Model:
 
     description: the records of the contract; the properties below are views of it by name.
     initial_q, initial_q_dot (n) [m, rad, 1; per s]: the consistent initial state.
-    initial_changes: {coordinate or rate: (given, used)} where the scene's initial state had to be corrected.
+    initial_changes: {coordinate or rate: (given, used)} where the scene's initial state had to be corrected;
+    assembly: what else closing its loops did that may not be what was meant.
     digest: SHA-256 of the manifest; scene_toml: an opaque text that only the generator reads; folder: where it was
     loaded from, by which it is pickled; "" if not known. input_values, sources: constants and functions of time given
     for inputs (see `with_inputs`); driven_by: hash of what else drives a run. steppers: see
@@ -40,6 +41,7 @@ class Model:
     initial_q_dot: np.ndarray
     builders: Mapping[str, Callable[[], ca.Function]]
     initial_changes: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    assembly: tuple[str, ...] = ()
     digest: str = ""
     scene_toml: str = ""
     folder: str = ""

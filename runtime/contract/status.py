@@ -29,6 +29,8 @@ StatusName = Literal[
     "chattering",
 ]
 EventKind = Literal[
+    "assembled",
+    "not_settled",
     "repartition",
     "singular_position",
     "no_variant",

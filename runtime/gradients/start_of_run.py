@@ -85,6 +85,10 @@ class StartOfRun:
     def _kind_of(self, start: str | None) -> str:
         """As a simulation takes it. Raises InitialStateError for one that does not go with `by`."""
         chosen = start or str(self._model.simulation.get("start", "given"))
+        if chosen == "equilibrium":
+            raise InitialStateError(
+                "start = equilibrium is not differentiated: give its values as initial, or take quasi_static"
+            )
         names = {name + end for name in self._model.elastic for end in ("", "_dot")}
         if start is None and names & {*self._initial, *self._variables.names}:
             return "given"

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 
 import numpy as np
 
 from runtime.contract.angle_start import AngleForm, angle_bodies, consistent_state_by_angles
 from runtime.contract.angular import parameter_rates
+from runtime.contract.assembled import ASSEMBLED, with_words
 from runtime.contract.consistent_state import ConsistentState, GivenValues, InitialStateError
 from runtime.contract.coordinates import (
     OMEGA,
@@ -60,7 +62,8 @@ def given_state(
     coordinates, rates = _split(model, changes or {})
     defaults = np.array([parameter.default for parameter in model.parameters])
     if not changes and t0 == 0 and np.array_equal(p, defaults) and not model.sources:
-        return ConsistentState(model.initial_q, model.initial_q_dot, dict(model.initial_changes))
+        told = tuple((ASSEMBLED, text) for text in model.assembly)
+        return ConsistentState(model.initial_q, model.initial_q_dot, dict(model.initial_changes), told=told)
     if not model.constraints:
         q, q_dot = model.initial_q.copy(), model.initial_q_dot.copy()
         for k, name in enumerate(model.coordinates):
@@ -72,7 +75,7 @@ def given_state(
             q[k], q_dot[k] = coordinates.get(name, q[k]), rates.get(name, q_dot[k])
         found = closed_state(model, c, t0, *independent(model, q, q_dot), dependent_part(model, q))
         if found is not None:
-            return found
+            return with_words(replace(found, placed=q), model.description.coordinates, coordinates)
     return _assembled(model, c, t0, coordinates, rates)
 
 
@@ -170,7 +173,7 @@ def _assembled(
         for name, value in independent_rates.items()
         if not rates or set(rates) <= set(own) or name in model.elastic
     }
-    return consistent_state_by_angles(
+    found = consistent_state_by_angles(
         form.sequences,
         model.coordinates,
         elastic,
@@ -181,3 +184,4 @@ def _assembled(
         GivenValues({**keep_rates, **rates}, frozenset(rates)),
         model.initial_q,
     )
+    return with_words(found, model.description.coordinates, coordinates)

@@ -124,9 +124,14 @@ def _point(model: Model, at: Place, parameters: Mapping[str, float] | None, t: f
 
 def starting_rates(model: Model) -> dict[str, float]:
     """The rates of rigid independent coordinates at the scene's start that are not zero, `body.omega_x` of turns."""
+    return rigid_rates(model, model.initial_q, model.initial_q_dot)
+
+
+def rigid_rates(model: Model, q: np.ndarray, q_dot: np.ndarray) -> dict[str, float]:
+    """Those of a state (n,) and (n,)."""
     left_out = {*model.elastic, *(model.q_i[k] for k in model.states)}
     turns = set(independent_turns(model).tolist())
-    rates = independent_rates(model, model.initial_q, model.initial_q_dot).tolist()
+    rates = independent_rates(model, q, q_dot).tolist()
     moving = [(k, name, rate) for k, (name, rate) in enumerate(zip(model.q_i, rates, strict=True)) if rate != 0]
     return {
         name.replace(".turn_", ".omega_") if k in turns else name: rate

@@ -20,6 +20,7 @@ STAGNANT = 1e-9  # a correction that small, but no longer shrinking, is rounding
 LEAST_SCALE = 1e-6  # rad or m
 UNBALANCED = 1e-9  # force in directions without stiffness, relative to the largest one met
 NO_STIFFNESS = 1e-12  # relative singular value below which a direction has none
+HIDDEN = 1e-9  # relative singular value of H itself above which masses of very different size only hide a stiffness
 OVERSHOT = 0.9  # force along the step, reversed, relative to that at its start
 HALVINGS = 25
 
@@ -53,14 +54,14 @@ def balanced(balance: Evaluate, x: np.ndarray, advance: Advance = added, states:
     the point that a step d (k,) in them leads to, or None.
     """
     at = balance(x)
-    if at is None:
+    if at is None or not _is_definite(at[2]):
         return Found(x, False, np.zeros(0), 0)
     largest, before = 0.0, np.inf
     for iteration in range(MAX_ITERATIONS):
         r, H, M = at
         if not len(r):
             return Found(x, True, r, iteration)
-        L = np.linalg.cholesky(M)
+        L = _metric(H, M)
         g = np.linalg.solve(L, r)
         A = np.linalg.solve(L, np.linalg.solve(L, H.T).T)
         newton, left = _newton(A, g)
@@ -79,6 +80,24 @@ def balanced(balance: Evaluate, x: np.ndarray, advance: Advance = added, states:
             break
         x, at = moved
     return Found(x, False, at[0], iteration)
+
+
+def _is_definite(M: np.ndarray) -> bool:
+    """Is a mass matrix positive definite? Beyond what modes can describe it may not be."""
+    try:
+        np.linalg.cholesky(M)
+    except np.linalg.LinAlgError:
+        return False
+    return True
+
+
+def _metric(H: np.ndarray, M: np.ndarray) -> np.ndarray:
+    """L with L L^T the metric: M; the unit matrix where M makes directions look slack that are not."""
+    L = np.linalg.cholesky(M)
+    s = np.linalg.svd(np.linalg.solve(L, np.linalg.solve(L, H.T).T), compute_uv=False)
+    if s[-1] > NO_STIFFNESS * s[0] or not np.linalg.cond(H) * HIDDEN <= 1:
+        return np.asarray(L)
+    return np.eye(len(H))
 
 
 def _newton(A: np.ndarray, g: np.ndarray) -> tuple[np.ndarray, float]:
@@ -112,7 +131,7 @@ def _searched(
     for _ in range(HALVINGS):
         there = advance(x, step)
         found = None if there is None else balance(there)
-        if there is not None and found is not None:
+        if there is not None and found is not None and _is_definite(found[2]):
             push = float(r @ step)
             if push <= 0 or float(found[0] @ step) >= -OVERSHOT * push:
                 return there, found

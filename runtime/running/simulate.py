@@ -12,6 +12,7 @@ import numpy as np
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.model import Model
 from runtime.contract.refused_events import refuse_events
+from runtime.contract.status import Event
 from runtime.operating.given_state import given_state
 from runtime.results.solution import Solution
 from runtime.running.accuracy import Accuracy
@@ -63,10 +64,10 @@ def simulate(
     coordinate is driven there is nothing to step: see runtime.running.driven.
 
     scheme: a name of runtime.schemes.catalogue.SCHEMES. options: changes to its Options by name. parameters
-    and initial change values by name (rates as `<coordinate>_dot`). start: `given` or `quasi_static`
-    (elastic coordinates in equilibrium). inputs: by name a number, a function of time (called once with a symbol),
-    (times, values) held in between, or a `Sampled` controller. calibration: what trials for the tolerance told, where
-    they were made already; advice: why this scheme, for the statistics. further: see `Further`.
+    and initial change values by name (rates as `<coordinate>_dot`). start: `given`, `quasi_static` (elastic coordinates
+    in equilibrium) or `equilibrium` (all but those that turn). inputs: by name a number, a function of time (called
+    once with a symbol), (times, values) held in between, or a `Sampled` controller. calibration: what trials for the
+    tolerance told, where they were made already; advice: why this scheme, for the statistics. further: see `Further`.
 
     Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError, InitialStateError,
     OutputError or CompilerError for arguments that cannot be used.
@@ -125,7 +126,8 @@ def _begun(
     """(a run at its checked start with parameters p (n_p,), seconds that preparing it took)."""
     started = time.perf_counter()
     segment = Segment.build(model, plan, p, more.engine, state)
-    events = check_time_functions(model, segment.c, plan, state, segment.switches)
+    events = [Event(plan.t0, kind, text) for kind, text in state.told]
+    events += check_time_functions(model, segment.c, plan, state, segment.switches)
     z = segment.start(state.q, state.q_dot)
     known, plan = calibrated(segment), segment.plan
     if known is None and isinstance(plan.scheme, AdaptiveSteps) and not plan.scheme.varies:

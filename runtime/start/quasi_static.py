@@ -10,6 +10,8 @@ the order of (rigid rate / elastic frequency)^2.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
@@ -19,6 +21,7 @@ from runtime.operating.newton import Balance, balanced
 from runtime.start.elastic_residual import elastic_residual, positions
 from runtime.start.settling import PASSES, SMALL_MOTION, settled
 
+UNSETTLED = 1e-3  # rad or m that a spring would move a rigid coordinate
 UNSTABLE = 1e-10  # curvature, relative to the largest one, beyond which it is more than rounding
 
 
@@ -35,7 +38,7 @@ def quasi_static_state(
     q_i, v = independent(model, state.q, state.q_dot)
     quick = settled(model, c, t, q_i, v, dependent_part(model, state.q))
     if quick is not None:
-        return _with_elastic(model, state, *quick)
+        return _told(model, c, t, _with_elastic(model, state, *quick))
     solver = ElasticEquilibrium(model, elastic, c, unstable)
     loop = loop_part(model, state.q)
     rigid = [k for k in range(len(q_i)) if k not in elastic]
@@ -49,7 +52,7 @@ def quasi_static_state(
                 at[rigid] += sign * step * v[rigid]
                 moved.append(solver.solve(t + sign * step, at, v, loop)[elastic])
             v[elastic] = (moved[0] - moved[1]) / (2 * step)
-    return _with_elastic(model, state, *solver.closed(t, q_i, v, loop))
+    return _told(model, c, t, _with_elastic(model, state, *solver.closed(t, q_i, v, loop)))
 
 
 def _with_elastic(model: Model, state: ConsistentState, q: np.ndarray, q_dot: np.ndarray) -> ConsistentState:
@@ -59,7 +62,31 @@ def _with_elastic(model: Model, state: ConsistentState, q: np.ndarray, q_dot: np
         for k, name in enumerate(model.coordinates)
         if name in model.elastic and q[k] != state.q[k]
     }
-    return ConsistentState(q, q_dot, {**state.changed, **changed})
+    return replace(state, q=q, q_dot=q_dot, changed={**state.changed, **changed})
+
+
+def _told(model: Model, c: np.ndarray, t: float, state: ConsistentState) -> ConsistentState:
+    """The state, with rigid coordinates that springs pull away from it named."""
+    off = unsettled(model, c, t, state)
+    if not off:
+        return state
+    text = ", ".join(f"{name} (by about {by:.3g})" for name, by in off.items())
+    text = f"quasi_static settles elastic coordinates only, and springs pull {text}: start = equilibrium settles all"
+    return replace(state, told=(*state.told, ("not_settled", text)))
+
+
+def unsettled(model: Model, c: np.ndarray, t: float, state: ConsistentState) -> dict[str, float]:
+    """Rigid coordinates at rest that their springs would move by more than UNSETTLED, and by how much [rad, m]."""
+    if not model.has("deflections") or not model.has("condensed"):
+        return {}
+    found = {name: np.asarray(value) for name, value in model.evaluate("deflections", c=c).items()}
+    stiffness = np.einsum("ik,kl,il->i", found["B"], found["K_s"], found["B"])
+    q_i, v = independent(model, state.q, state.q_dot)
+    at = {"q_i": q_i, "q_d": dependent_part(model, state.q), "t": t, "c": c}
+    at |= {"q_i_dot": v, "q_d_dot": dependent_part(model, state.q_dot)}
+    Q = np.asarray(model.evaluate("condensed", **at)["Q_hat"]).ravel()
+    rigid = [k for k, name in enumerate(model.q_i) if name not in model.elastic and stiffness[k] > 0 and v[k] == 0]
+    return {model.q_i[k]: abs(Q[k]) / stiffness[k] for k in rigid if abs(Q[k]) > UNSETTLED * stiffness[k]}
 
 
 def small_motion(model: Model, q_dot: np.ndarray) -> tuple[float, int]:
@@ -91,8 +118,9 @@ class ElasticEquilibrium:
         at = balance(found.x) if found.converged else None
         if at is None or _soft(at):
             raise InitialStateError(
-                "there is no quasi-static elastic equilibrium in reach of the initial state "
-                "(a soft or buckled body?): start = given, with elastic coordinates of your own"
+                "there is no quasi-static elastic equilibrium in reach of the initial state (a soft or buckled "
+                "body, or rigid ones that stiff springs throw about?): start = equilibrium, which settles these, too, "
+                "or given, with elastic coordinates of your own"
             )
         if not self.unstable and float(_curvatures(at).max()) > UNSTABLE * float(np.abs(_curvatures(at)).max()):
             raise InitialStateError(

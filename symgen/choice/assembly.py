@@ -10,6 +10,7 @@ import numpy as np
 
 from runtime.contract.angle_start import angle_bodies, consistent_state_by_angles
 from runtime.contract.angular import parameter_rates
+from runtime.contract.assembled import with_words
 from runtime.contract.consistent_state import ConsistentState, GivenValues, InitialStateError
 from runtime.contract.euler_angles import angle_names
 from symgen.algebra.parameters import ParameterTable
@@ -84,6 +85,7 @@ def assembled(system: System, numbers: ConstraintNumbers) -> ConsistentState:
             equations.joint_columns,
             [k for k, row in enumerate(equations.constraints) if row.joint in topology.placements],
             following,
+            frozenset(k for k, coordinate in enumerate(equations.coordinates) if coordinate.kind == "position"),
         )
 
     try:
@@ -96,7 +98,7 @@ def assembled(system: System, numbers: ConstraintNumbers) -> ConsistentState:
     except InitialStateError as error:
         problem, _, remedy = str(error).rpartition("; ")
         raise DerivationError("initial", problem or remedy, remedy if problem else "check parameters") from error
-    return state
+    return with_words(state, equations.coordinates, requested.coordinates.values)
 
 
 def _by_parameters(equations: Equations, q: np.ndarray, given: GivenValues, bodies: Collection[str]) -> GivenValues:

@@ -80,8 +80,8 @@ MOTION = Group(
         pairs("--initial", "initial", "change a starting coordinate, or a rate by NAME_dot"),
         opt(
             "--start",
-            "elastic coordinates as given, or in equilibrium with the rigid motion (stable, or any)",
-            choices=("given", "quasi_static", "quasi_static_unstable"),
+            "elastic coordinates as given, or in equilibrium with the rigid motion (stable, or any); or all at rest",
+            choices=("given", "quasi_static", "quasi_static_unstable", "equilibrium"),
         ),
     ),
 )

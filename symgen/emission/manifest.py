@@ -16,12 +16,14 @@ def data_text(derived: Derived) -> str:
     """Default parameters and the consistent initial state; floats by repr, one entry a line."""
     initial = derived.initial
     names = derived.system.equations.names
-    data = {
+    data: dict[str, Any] = {
         "p": {entry.name: entry.default for entry in derived.parameters},
         "q": dict(zip(names, map(clean, initial.q), strict=True)),
         "q_dot": dict(zip(names, map(clean, initial.q_dot), strict=True)),
         "changed": {name: list(pair) for name, pair in initial.changed.items()},
     }
+    if initial.told:
+        data["assembled"] = [text for _, text in initial.told]
     return json.dumps(data, indent=1) + "\n"
 
 

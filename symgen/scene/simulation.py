@@ -67,7 +67,7 @@ class Simulation(StrictModel):
     tolerance: of the error of a step, relative to the amplitudes; steps then take the length that it asks for, and
     scheme is `auto` where it is left out.
     start: `given` takes the initial state as it is, `quasi_static` puts elastic coordinates into stable equilibrium
-    with it, `quasi_static_unstable` into any.
+    with it, `quasi_static_unstable` into any; `equilibrium`: every coordinate settles but those that turn.
     """
 
     t_end: Number = 1.0
@@ -76,7 +76,7 @@ class Simulation(StrictModel):
     scheme: SchemeName = "printed"
     tolerance: Annotated[float, Strict(), Field(gt=0, le=0.1)] | None = None
     save_every: Annotated[int, Strict(), Field(ge=1, le=MAX_STEPS)] = 1
-    start: Literal["given", "quasi_static", "quasi_static_unstable"] = "given"
+    start: Literal["given", "quasi_static", "quasi_static_unstable", "equilibrium"] = "given"
 
     @model_validator(mode="before")
     @classmethod

@@ -7,9 +7,11 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from runtime import equilibrium, simulate
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.model import Model
 from runtime.start.start_state import start_state
+from symgen.scene import Scene, SceneBuilder
 from tests.support.model_values import Array, condensed_accelerations, evaluate, make_state
 from tests.support.prepared_runs import PreparedRuns
 
@@ -114,3 +116,57 @@ def test_no_equilibrium_is_an_error(built_in: Load, parameters: dict, initial: d
     p = model.parameter_vector(parameters)
     with pytest.raises(InitialStateError, match="no quasi-static elastic equilibrium"):
         start_state(model, p, model.constants(p), 0.0, initial, "quasi_static")
+
+
+def geared_arm(stiffness: float) -> Scene:
+    """Two beams and a rotor, with springs between them that are wound up: angles 0.2 and 0.5 from a rotor at 0."""
+    bends = {"length": 1.0, "density": 7800.0, "area": 4e-4, "second_moment": 0.02**4 / 12, "youngs_modulus": 2e11}
+    return (
+        SceneBuilder("geared")
+        .gravity(0, -9.81)
+        .rigid("rotor", mass=1.0, inertia=0.008)
+        .beam("upper", **bends, lateral={"ends": "welded-welded", "modes": 2}, stiffening=True)
+        .beam("lower", **bends, lateral={"ends": "clamped-free", "modes": 2}, stiffening=True)
+        .revolute("axle", "ground.origin", "rotor.origin")
+        .revolute("shoulder", "ground.origin", "upper.start")
+        .revolute("elbow", "upper.end", "lower.start")
+        .rotational_spring_damper("gear", "rotor.origin", "upper.start", stiffness=stiffness)
+        .rotational_spring_damper("knee", "upper.end", "lower.start", stiffness=stiffness)
+        .initial({"upper.theta": 0.2, "lower.theta": 0.5})
+        .simulation(t_end=0.01, dt=1e-4, scheme="exponential", start="quasi_static")
+        .build()
+    )
+
+
+def test_stiff_gears_settle_with_the_rest(model_of: Callable[[Scene], Model]) -> None:
+    """Springs of 2e4 N m/rad wound by 0.2 rad throw the beams about: no elastic equilibrium is there, which is said.
+
+    With start = equilibrium all of it rests: nothing moves, and the run begins in what `equilibrium` finds.
+    """
+    model = model_of(geared_arm(2e4))
+    with pytest.raises(InitialStateError, match="start = equilibrium"):
+        simulate(model)
+    told = [event for event in simulate(model_of(geared_arm(200.0))).events if event.kind == "not_settled"]
+    assert len(told) == 1 and "rotor.theta" in told[0].text and "start = equilibrium" in told[0].text
+    run = simulate(model, start="equilibrium")
+    np.testing.assert_allclose(run.q[0], equilibrium(model).q, atol=1e-9)
+    assert np.abs(run.q - run.q[0]).max() < 1e-9
+
+
+def test_a_start_in_equilibrium_keeps_what_turns_and_what_drives(model_of: Callable[[Scene], Model]) -> None:
+    """A pendulum on a trolley that begins with 0.2 m/s: it hangs plumb, moves along, and stays so."""
+    scene = (
+        SceneBuilder("crane")
+        .gravity(0, -9.81)
+        .rigid("trolley", mass=2.0, inertia=0.1)
+        .rigid("load", mass=1.0, inertia=0.0, center_of_mass=(0, -1.0))
+        .prismatic("rail", "ground.origin", "trolley.origin")
+        .prescribed_displacement("drive", "ground.origin", "trolley.origin", motion="0.2 * t")
+        .revolute("hook", "trolley.origin", "load.origin")
+        .initial({"load.theta": 0.3})
+        .simulation(t_end=1.0, dt=1e-3, scheme="rk4", start="equilibrium")
+        .build()
+    )
+    run = simulate(model_of(scene))
+    assert np.abs(run["load.theta"]).max() < 1e-10 and run["trolley.x_dot"][0] == pytest.approx(0.2)
+    assert run["trolley.x"][-1] == pytest.approx(0.2)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from runtime import NoEquilibrium, equilibrium, linearise, modes
+from runtime import NoEquilibrium, equilibrium, linearise, modes, simulate
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.model import Model, ModelError
 from runtime.start.start_state import start_state
@@ -263,3 +263,17 @@ def test_a_top_that_precesses(model_of: Callable[..., Model], built_in: Callable
         equilibrium(model, rates={"top.theta1": p})
     with pytest.raises(NoEquilibrium, match="turn of a body: give the spin as rates"):
         equilibrium(built_in("heavy_top"), rates={"top.e2": 75.0, "top.e3": -2.30769})
+
+
+def test_a_beam_of_pieces_of_very_different_density(model_of: Build) -> None:
+    """Densities that differ by 1e9 do not change what a tip force bends: F L^3 / (3 E I) of the whole, to 1e-3."""
+    E, second, F = 7e10, 1e-9, 1.0
+    builder, last = SceneBuilder("pieces"), "ground.origin"
+    for k, (density, ends) in enumerate([(2700.0, "welded-welded"), (2.7e-6, "welded-heavy")]):
+        bends = {"length": 1.0, "density": density, "area": 1e-4, "second_moment": second, "youngs_modulus": E}
+        builder = builder.beam(f"piece{k}", **bends, lateral={"ends": ends, "modes": 4})
+        builder, last = builder.weld(f"weld{k}", last, f"piece{k}.start"), f"piece{k}.end"
+    model = model_of(builder.force("tip", last, 0.0, -F).measure("sag", "y", last).build())
+    assert equilibrium(model).stable
+    sag = simulate(model, start="equilibrium", t_end=1e-6, dt=1e-6, scheme="exponential", force=True)["sag"][0]
+    assert sag == pytest.approx(-F * 2.0**3 / (3 * E * second), rel=1e-3)
