@@ -40,6 +40,7 @@ from benchmarks.pages import (
     spherical_trees,
     stress_modes,
     sub_steps,
+    urdf_robots,
 )
 from benchmarks.tables import arms as arms_tables
 from benchmarks.tables import hard_steps as hard_steps_tables
@@ -74,6 +75,7 @@ PAGES: dict[str, Callable[[list[str]], int]] = {
     "sub_steps": sub_steps.main,
     "orientations": orientations.main,
     "spherical_trees": spherical_trees.main,
+    "urdf_robots": urdf_robots.main,
 }
 WRITTEN = frozenset({"hard_tables", "long_runs", "hard_twins"})  # computed pages that --publish writes
 FIGURES: dict[str, dict[str, Callable[[Result], str]]] = {  # what pages have of benchmarks, by marker

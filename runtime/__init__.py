@@ -137,12 +137,17 @@ def _stepper(*arguments: Any, **settings: Any) -> Any:
     return import_module("runtime.running.stepping").ModelStepper(*arguments, **settings)
 
 
+def _dynamics(*arguments: Any) -> Any:
+    return import_module("runtime.operating.dynamics").Dynamics(*arguments)
+
+
 def _sketch(*arguments: Any) -> Any:
     return import_module("runtime.views.model_sketch").model_sketch(*arguments)
 
 
 showing.SHOWS["page"] = _page
 doors.OPENS["stepper"] = _stepper
+doors.OPENS["dynamics"] = _dynamics
 doors.OPENS["sketch"] = _sketch
 
 

@@ -24,6 +24,7 @@ Scenes come from elsewhere:
 
 modes       shapes of beams, exact or with lumped masses     (15)-(19)
 fe          bodies from finite elements                      (15)-(20)
+urdf        robots from URDF files
 scenes      the built-in scenes
 cli         the command line
 """

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -258,6 +258,36 @@ class Model:
         scheme, dt [s], m, options, parameters, engine; what is not given comes from the scene.
         """
         return OPENS["stepper"](self, **settings)
+
+    def inverse_dynamics(self, q: Any, v: Any, a: Any, motors: Sequence[str] = (), **where: Any) -> np.ndarray:
+        """tau for the motion q, v, a; see runtime.operating.dynamics.Dynamics for this and the next five."""
+        found: np.ndarray = OPENS["dynamics"](self).inverse_dynamics(q, v, a, motors, **where)
+        return found
+
+    def forward_dynamics(self, q: Any, v: Any, tau: Any = None, **where: Any) -> np.ndarray:
+        """Accelerations under the loads of the scene and tau."""
+        found: np.ndarray = OPENS["dynamics"](self).forward_dynamics(q, v, tau, **where)
+        return found
+
+    def mass_matrix(self, q: Any, **where: Any) -> np.ndarray:
+        """M(q)."""
+        found: np.ndarray = OPENS["dynamics"](self).mass_matrix(q, **where)
+        return found
+
+    def gravity(self, q: Any, **where: Any) -> np.ndarray:
+        """tau that holds the mechanism still at q."""
+        found: np.ndarray = OPENS["dynamics"](self).gravity(q, **where)
+        return found
+
+    def coriolis(self, q: Any, v: Any, **where: Any) -> np.ndarray:
+        """C(q, v) v."""
+        found: np.ndarray = OPENS["dynamics"](self).coriolis(q, v, **where)
+        return found
+
+    def jacobian(self, marker: str, q: Any, **where: Any) -> np.ndarray:
+        """Velocity and angular velocity of "body.marker" by v."""
+        found: np.ndarray = OPENS["dynamics"](self).jacobian(marker, q, **where)
+        return found
 
     @cached_property
     def emitted_c_size(self) -> int:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from inspect import getdoc
 from typing import Any
 
-from symgen.cli import demo, pictures, runs, scenes, states, studies, words
+from symgen.cli import demo, exchange, pictures, runs, scenes, states, studies, words
 from symgen.cli.outcome import EXIT_CODES, Outcome
 from symgen.cli.words import Gather, Parser, UsageError, assignment, names, number, positive
 
@@ -183,6 +183,19 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
         (
             opt("name NAME", "name of the scene"),
             opt("--out FILE", "the file to write (default: NAME.toml)"),
+            opt("--force", "replace a file that is already there"),
+        ),
+    ),
+    "import": (
+        exchange.import_robot,
+        (
+            opt("file URDF", "the robot"),
+            opt("--base HOW", "the root link stands or floats", choices=("fixed", "free"), default="fixed"),
+            pairs(
+                "--flexible", "flexible", "the beam or finite-element body of a scene file for a link", words.file_of
+            ),
+            opt("--no-meshes", "leave out mesh files"),
+            opt("--out FILE", "the scene file to write (default: NAME.toml)"),
             opt("--force", "replace a file that is already there"),
         ),
     ),

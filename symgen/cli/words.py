@@ -124,6 +124,12 @@ def option(text: str) -> tuple[str, Any]:
     return name, parsed[0] if len(parsed) == 1 else tuple(parsed)
 
 
+@reader("NAME=FILE")
+def file_of(text: str) -> tuple[str, str]:
+    """NAME=FILE."""
+    return _named(text)
+
+
 def _word_or_number(text: str) -> str | int | float:
     for kind in (int, float):
         try:

@@ -1,0 +1,168 @@
+"""Robots of example-robot-data against Pinocchio: `python -m benchmarks --only urdf_robots`.
+
+Both packages are of the extra `benchmark`. Every URDF file, with a fixed and with a free base: accelerations of random
+states and efforts, Pinocchio's joint damping (which its algorithm leaves out) off here too; what is refused, with the
+reason. Then the torques of a Panda along a trajectory against Pinocchio's RNEA.
+"""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+from importlib.metadata import distribution
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from runtime.contract.angular import rotation
+from runtime.contract.model import Model
+from symgen.generate import model_of
+from symgen.scene import SceneError
+from symgen.urdf import RobotBuilder, read
+
+STATES, SEED = 3, 7
+LIMIT = 1e-12
+
+
+def robots() -> list[Path]:
+    """All URDF files of the package."""
+    package = distribution("example-robot-data")  # extra `benchmark`
+    return sorted(Path(str(package.locate_file(one))) for one in package.files or () if one.suffix == ".urdf")
+
+
+@dataclass(frozen=True)
+class Twin:
+    """A robot here and in Pinocchio, and where each joint stands in both."""
+
+    builder: RobotBuilder
+    model: Model
+    pin: Any
+    free: str
+
+    def state(self, rng: np.random.Generator) -> tuple[np.ndarray, ...]:
+        """q, v, efforts, and q, v, tau of Pinocchio: random, the base too."""
+        model, there = self.model, self.pin
+        q, v, tau = rng.uniform(-1, 1, (3, len(model.q_i)))
+        q_pin, v_pin, tau_pin = np.zeros(there.nq), np.zeros(there.nv), np.zeros(there.nv)
+        for joint, (coordinate,) in self.builder.coordinates.items():
+            k, to = model.q_i.index(coordinate), there.joints[there.getJointId(joint)]
+            q_pin[to.idx_q : to.idx_q + to.nq] = q[k] if to.nq == 1 else (np.cos(q[k]), np.sin(q[k]))
+            v_pin[to.idx_v], tau_pin[to.idx_v] = v[k], tau[k]
+        if self.free:
+            place, turn = self._base()
+            R = rotation(q[turn])
+            q_pin[:3], q_pin[3:7] = q[place], _quaternion(q[turn])
+            v_pin[:3], v_pin[3:6] = R.T @ v[place], v[turn]
+        return q, v, tau, q_pin, v_pin, tau_pin
+
+    def _base(self) -> tuple[list[int], list[int]]:
+        names = self.model.q_i
+        return (
+            [names.index(f"{self.free}.{axis}") for axis in "xyz"],
+            [names.index(f"{self.free}.turn_{axis}") for axis in "xyz"],
+        )
+
+    def accelerations(self, q: np.ndarray, v: np.ndarray, a_pin: np.ndarray) -> np.ndarray:
+        """Those of Pinocchio in the order of q_i."""
+        a = np.zeros(len(self.model.q_i))
+        for joint, (coordinate,) in self.builder.coordinates.items():
+            a[self.model.q_i.index(coordinate)] = a_pin[self.pin.joints[self.pin.getJointId(joint)].idx_v]
+        if self.free:
+            place, turn = self._base()
+            R = rotation(q[turn])
+            a[place] = R @ (a_pin[:3] + np.cross(v[turn], R.T @ v[place]))
+            a[turn] = a_pin[3:6]
+        return a
+
+    def inputs(self, tau: np.ndarray) -> dict[str, float]:
+        """The efforts as inputs, and no damping."""
+        found = {}
+        for joint, (coordinate,) in self.builder.coordinates.items():
+            (name,) = self.builder.efforts[joint]
+            found[name] = float(tau[self.model.q_i.index(coordinate)])
+        return found | {one.name: 0.0 for one in self.model.parameters if one.name.endswith(".damping")}
+
+
+def _quaternion(turn: np.ndarray) -> np.ndarray:
+    """x, y, z, w."""
+    angle = float(np.linalg.norm(turn))
+    return np.append(np.sinc(angle / (2 * np.pi)) / 2 * turn, np.cos(angle / 2))
+
+
+def twin(path: Path, base: Any) -> Twin:
+    """Raises SceneError where the robot is refused."""
+    import pinocchio as pin  # extra `benchmark`
+
+    builder = read(path, base=base, meshes=False)
+    model = model_of(builder.build())
+    free = "" if base == "fixed" else next(iter(builder.frames.values())).partition(".")[0]
+    there = pin.buildModelFromUrdf(str(path), pin.JointModelFreeFlyer()) if free else pin.buildModelFromUrdf(str(path))
+    return Twin(builder, model, there, free)
+
+
+def forward_difference(both: Twin) -> float:
+    """Largest relative difference of accelerations over some states."""
+    import pinocchio as pin
+
+    rng, worst = np.random.default_rng(SEED), 0.0
+    for _ in range(STATES):
+        q, v, tau, q_pin, v_pin, tau_pin = both.state(rng)
+        expected = both.accelerations(q, v, pin.aba(both.pin, both.pin.createData(), q_pin, v_pin, tau_pin))
+        found = both.model.forward_dynamics(q, v, parameters=both.inputs(tau))
+        worst = max(worst, float(np.abs(found - expected).max() / np.abs(expected).max()))
+    return worst
+
+
+def panda_torques(path: Path, samples: int = 200) -> float:
+    """Largest relative difference of inverse dynamics along a trajectory of all joints."""
+    import pinocchio as pin
+
+    both = twin(path, "fixed")
+    rng, data = np.random.default_rng(SEED), both.pin.createData()
+    n = len(both.model.q_i)
+    middle, size, rate, phase = (
+        rng.uniform(-1, 1, n),
+        rng.uniform(0.2, 1, n),
+        rng.uniform(1, 4, n),
+        rng.uniform(0, 6, n),
+    )
+    at = [both.pin.joints[both.pin.getJointId(joint)].idx_v for joint in both.builder.coordinates]
+    here = [both.model.q_i.index(name) for (name,) in both.builder.coordinates.values()]
+    worst, largest = 0.0, 0.0
+    for t in np.linspace(0.0, 5.0, samples):
+        wave = np.sin(rate * t + phase), rate * np.cos(rate * t + phase), -(rate**2) * np.sin(rate * t + phase)
+        q, v, a = (size * part for part in wave)
+        there = np.zeros((3, both.pin.nv))
+        there[:, at] = np.array([middle + q, v, a])[:, here]
+        expected = pin.rnea(both.pin, data, *there)[at]
+        found = both.model.inverse_dynamics(middle + q, v, a, parameters=both.inputs(np.zeros(n)))[here]
+        worst, largest = max(worst, np.abs(found - expected).max()), max(largest, np.abs(expected).max())
+    return float(worst / largest)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Print a line a robot; arguments: names of files, all by default. 0 where none is different."""
+    chosen = arguments or []
+    paths = [path for path in robots() if not chosen or path.stem in chosen]
+    different = refused = equal = 0
+    print("| robot | base | joints | difference or why not |\n|---|---|---|---|")
+    for path in paths:
+        for base in ("fixed", "free"):
+            try:
+                both = twin(path, base)
+                error, count = forward_difference(both), len(both.builder.coordinates)
+                equal, different = equal + (error <= LIMIT), different + (not error <= LIMIT)
+                print(f"| {path.stem} | {base} | {count} | {error:.1e} |", flush=True)
+            except SceneError as reason:
+                refused += 1
+                print(f"| {path.stem} | {base} | | {reason.item}: {reason.problem} |", flush=True)
+    print(f"\n{equal} within {LIMIT:g}, {refused} refused, {different} different")
+    for path in paths:
+        if path.stem == "panda":
+            print(f"inverse dynamics of the Panda: {panda_torques(path):.1e}")
+    return int(different > 0)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,187 @@
+"""The equations of motion at a state, by the names of robotics: M(q) a + C(q, v) v + g(q) = tau.
+
+tau stands for generalised forces on q_i beside all loads of the scene, so M is M_hat, and C v + g is -Q_hat of Eq. (38)
+with inputs as they are given (or their defaults): springs, dampers and elastic forces are in it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.consistent_state import MAX_ITERATIONS, InitialStateError
+from runtime.contract.coordinates import at_home, dependent_part, whole
+from runtime.contract.model import Model, ModelError
+from runtime.operating.assembly import closing
+
+POSSIBLE = 1e-9  # of the largest force: what motors may leave over
+
+
+@dataclass(frozen=True)
+class Place:
+    """Arguments of the kernels at a state: q_i, q_d, c (with charts where the bodies are) and t."""
+
+    q_i: np.ndarray
+    q_d: np.ndarray
+    c: np.ndarray
+    t: float
+
+
+class Dynamics:
+    """Terms of a model's equations. q, v, a (n_i,) in the order of `model.q_i`; SI units.
+
+    Turns in q are rotation vectors from the axes of the world, in v and a angular velocities and accelerations in axes
+    of their body. near (n,): all coordinates from which loop unknowns are found, by default those of the scene's start.
+    parameters: changes of parameters and inputs by name. Raises ModelError for arrays of another length and unknown
+    names, InitialStateError for q at which the loops do not close.
+    """
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+
+    def place(
+        self, q: Any, t: float = 0.0, parameters: Mapping[str, float] | None = None, near: np.ndarray | None = None
+    ) -> Place:
+        """The configuration with these q."""
+        model, q_i = self.model, self._vector("q", q)
+        c = model.constants(model.parameter_vector(parameters))
+        q_d = dependent_part(model, model.initial_q if near is None else np.asarray(near, dtype=float))
+        if model.q_d:
+            step, open_ = closing(model), True
+            for _ in range(MAX_ITERATIONS):
+                found = step(q_i, q_d, t, c)
+                q_d, open_ = np.asarray(found[0]).ravel(), bool(float(found[1]) > 0)
+                if not open_:
+                    break
+            if open_ or not np.all(np.isfinite(q_d)):
+                raise InitialStateError(f"the loops of model {model.name} do not close at this q: give another `near`")
+        c, q_d = at_home(model, c, q_d)
+        turns = [k for k in model.places.turns.ravel() if k < len(q_i)]
+        return Place(np.where(np.isin(np.arange(len(q_i)), turns), 0.0, q_i), q_d, c, t)
+
+    def _vector(self, name: str, values: Any) -> np.ndarray:
+        found = np.array(values, dtype=float)
+        if found.shape != (len(self.model.q_i),) or not np.all(np.isfinite(found)):
+            known = ", ".join(self.model.q_i[:12])
+            raise ModelError(f"{name} must be {len(self.model.q_i)} finite numbers, for {known}")
+        return found
+
+    def _call(self, name: str, at: Place, v: np.ndarray, **more: Any) -> dict[str, np.ndarray]:
+        """A kernel at a place and velocities."""
+        given = {"q_i": at.q_i, "q_d": at.q_d, "q_i_dot": v, "t": at.t, "c": at.c, **more}
+        if "q_d_dot" in self.model.kernel(name).name_in():
+            given["q_d_dot"] = self.model.evaluate("velocities", **given)["q_d_dot"]
+        return {key: np.asarray(value) for key, value in self.model.evaluate(name, **given).items()}
+
+    def _condensed(self, at: Place, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        found = self._call("condensed", at, v)
+        return found["M_hat"], found["Q_hat"].ravel()
+
+    def mass_matrix(self, q: Any, **where: Any) -> np.ndarray:
+        """M(q) (n_i, n_i)."""
+        return self._condensed(self.place(q, **where), np.zeros(len(self.model.q_i)))[0]
+
+    def gravity(self, q: Any, **where: Any) -> np.ndarray:
+        """g(q) (n_i,): tau that holds the mechanism still, against weight, springs and all other loads at rest."""
+        return np.asarray(-self._condensed(self.place(q, **where), np.zeros(len(self.model.q_i)))[1])
+
+    def coriolis(self, q: Any, v: Any, **where: Any) -> np.ndarray:
+        """C(q, v) v (n_i,): what tau has more because of the velocities, damping included."""
+        at, v = self.place(q, **where), self._vector("v", v)
+        return np.asarray(self._condensed(at, 0 * v)[1] - self._condensed(at, v)[1])
+
+    def forward_dynamics(self, q: Any, v: Any, tau: Any = None, **where: Any) -> np.ndarray:
+        """a (n_i,) under the loads of the scene, and tau (n_i,) if it is given."""
+        at, v = self.place(q, **where), self._vector("v", v)
+        if tau is None and self.model.has("forward_dynamics"):
+            return self._call("forward_dynamics", at, v)["q_i_ddot"].ravel()
+        M, Q = self._condensed(at, v)
+        return np.asarray(np.linalg.solve(M, Q if tau is None else Q + self._vector("tau", tau)))
+
+    def inverse_dynamics(self, q: Any, v: Any, a: Any, motors: Sequence[str] = (), **where: Any) -> np.ndarray:
+        """tau (n_i,) = M a - Q_hat for the motion a; with motors, names of inputs: their values (k,), of least norm.
+
+        Raises ModelError where these motors alone cannot make the motion, or act on it other than in proportion.
+        """
+        at, v, a = self.place(q, **where), self._vector("v", v), self._vector("a", a)
+        if not motors:
+            M, Q = self._condensed(at, v)
+            return np.asarray(M @ a - Q)
+        if unknown := [name for name in motors if name not in self.model.inputs]:
+            raise ModelError(f"model {self.model.name} has no input {unknown[0]!r}; it has {self.model.inputs}")
+
+        def missing(values: Any) -> np.ndarray:
+            given = {**(where.get("parameters") or {}), **dict(zip(motors, values, strict=True))}
+            here = self.place(q, **{**where, "parameters": given})
+            M, Q = self._condensed(here, v)
+            return np.asarray(M @ a - Q)
+
+        idle = missing([0.0] * len(motors))
+        acting = np.array([idle - missing(unit) for unit in np.eye(len(motors))]).T
+        values = np.linalg.lstsq(acting, idle, rcond=1e-12)[0]
+        if np.abs(missing(values)).max() > POSSIBLE * max(np.abs(idle).max(), np.abs(acting @ values).max(), 1e-300):
+            raise ModelError(
+                f"the motors {', '.join(motors)} of model {self.model.name} cannot make this motion: they are too few, "
+                "or a load is not proportional to one of them"
+            )
+        return np.asarray(values)
+
+    def jacobian(self, marker: str, q: Any, **where: Any) -> np.ndarray:
+        """J (6, n_i): velocity of "body.marker" and angular velocity there are J v, both in axes of the world."""
+        at, model = self.place(q, **where), self.model
+        n, all_q = len(model.q_i), whole(model, at.q_i, at.q_d)
+        S = np.array([self._rates(at, unit) - self._rates(at, 0 * unit) for unit in np.eye(n)]).T
+        body, rho, shapes, turns, H = self._point(marker, where.get("parameters"))
+        columns = [k for k, one in enumerate(model.description.coordinates) if one.elastic and one.owner == body]
+        q_f, poses = all_q[columns], model.description.drawing.poses
+        if body not in poses:
+            return np.zeros((6, n))
+        pose, slope = (np.asarray(part) for part in self._pose(poses.index(body))(all_q))
+        A, moved = pose.ravel()[3:].reshape(3, 3).T, slope @ S
+        rho = rho + shapes @ q_f - np.array([q_f @ H @ q_f / 2, 0.0, 0.0])
+        bent = shapes - np.outer([1.0, 0.0, 0.0], H @ q_f)
+        J = np.zeros((6, n))
+        for k in range(n):
+            dA = moved[3:, k].reshape(3, 3).T
+            spin = dA @ A.T
+            J[:3, k] = moved[:3, k] + dA @ rho + A @ bent @ S[columns, k]
+            J[3:, k] = np.array([spin[2, 1], spin[0, 2], spin[1, 0]]) + A @ turns @ S[columns, k]
+        return J
+
+    def _rates(self, at: Place, v: np.ndarray) -> np.ndarray:
+        """(n,) rates of all coordinates."""
+        model = self.model
+        q_d_dot = np.asarray(self._call("velocities", at, v)["q_d_dot"]).ravel() if model.q_d else np.zeros(0)
+        return whole(model, v, q_d_dot)
+
+    def _pose(self, column: int) -> ca.Function:
+        """q -> (12) origin and rotation matrix of a body, and their derivatives by q."""
+
+        def build() -> ca.Function:
+            q = ca.SX.sym("q", len(self.model.coordinates))
+            pose = self.model.evaluate("poses", q=q)["poses"][:, column]
+            return ca.Function("pose", [q], [ca.densify(pose), ca.densify(ca.jacobian(pose, q))])
+
+        return self.model.derived(f"pose_{column}", build)
+
+    def _point(self, marker: str, parameters: Mapping[str, float] | None) -> tuple[str, Any, Any, Any, Any]:
+        """Body, position (3,), shapes and turns (3, nf) and H (nf, nf) of a marker, in axes of its body."""
+        points = self.model.description.drawing.points
+        known = [f"{point.body}.{point.name}" for point in points]
+        if marker not in known or marker.endswith("."):
+            used = ", ".join(name for name in known if not name.endswith("."))
+            raise ModelError(f"model {self.model.name} has no marker {marker!r} in use; it has {used}")
+        p = self.model.parameter_vector(parameters)
+        values = {key: np.asarray(value) for key, value in self.model.kernel("geometry")(p=p).items()}
+        k = known.index(marker)
+        nf, first = points[k].modes, sum(point.modes for point in points[:k])
+        before = sum(point.modes**2 for point in points[:k] if point.stiffened)
+        none, H = np.zeros((3, 0)), np.zeros((nf, nf))
+        if points[k].stiffened:
+            H = values["H"].ravel()[before : before + nf * nf].reshape(nf, nf)
+        shapes, turns = (values[key][:, first : first + nf] if nf else none for key in ("shapes", "turns"))
+        return points[k].body, values["positions"][:, k], shapes, turns, H

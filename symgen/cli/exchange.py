@@ -1,0 +1,45 @@
+"""`symgen import`: files of other programs."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from symgen.cli.outcome import Outcome
+
+if TYPE_CHECKING:
+    from symgen.urdf import Dropped
+
+SHOWN = 6  # names of a kind that a line of the list has
+
+
+def import_robot(arguments: argparse.Namespace) -> Outcome:
+    """Write the scene of a robot that a URDF file describes, and list what the file has and the scene has not."""
+    from runtime.contract.files import write_text
+    from symgen.scene import SceneError
+    from symgen.urdf import read
+
+    path = Path(arguments.out) if arguments.out else Path(f"{Path(arguments.file).stem}.toml")
+    if path.exists() and not arguments.force:
+        raise SceneError(f"file '{path}'", "is there already", "choose another --out, or replace it with --force")
+    robot = read(arguments.file, arguments.base, arguments.flexible, meshes=not arguments.no_meshes)
+    scene = robot.build()
+    write_text(path, scene.to_toml())
+    lines = [f"Wrote {path}: {len(scene.moving_bodies)} bodies, {len(scene.joints)} joints.", *_lost(robot.dropped)]
+    lines += [f"Renamed: {', '.join(f'{a} -> {b}' for a, b in robot.renamed.items())}"] if robot.renamed else []
+    dropped = [str(one) for one in robot.dropped]
+    return Outcome(
+        {"scene": scene.name, "file": str(path), "dropped": dropped, "renamed": robot.renamed},
+        [*lines, f"Next: symgen show {path}, then symgen view {path}"],
+    )
+
+
+def _lost(dropped: list[Dropped]) -> list[str]:
+    """A line for each kind; all of them are in the outcome's data."""
+    kinds: dict[str, list[str]] = {}
+    for one in dropped:
+        kinds.setdefault(one.what, []).append(one.name)
+    more = {kind: f", and {len(names) - SHOWN} more (--json)" for kind, names in kinds.items() if len(names) > SHOWN}
+    lines = [f"  {kind}: {', '.join(names[:SHOWN])}{more.get(kind, '')}" for kind, names in kinds.items()]
+    return ["Not in the scene:", *lines] if lines else []

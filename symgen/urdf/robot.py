@@ -1,0 +1,252 @@
+"""What a URDF file says of links and joints, as records; what a scene cannot hold is kept by name."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import NoReturn
+from xml.etree.ElementTree import Element
+
+import numpy as np
+
+from symgen.scene.errors import SceneError, did_you_mean, show
+
+JOINTS = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
+NOISE = 1e-16  # m^2: moments of inertia a mass that come of a radius below 10 nm are a writer's rounding
+MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+
+
+@dataclass(frozen=True)
+class Dropped:
+    """What the scene does not hold: `what` of the element `name`, with its values or the reason."""
+
+    what: str
+    name: str
+    detail: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.what} of {self.name}" + (f": {self.detail}" if self.detail else "")
+
+
+@dataclass(frozen=True)
+class Pose:
+    """Where a frame stands in another: axes R (3, 3) by columns, origin p (3,) [m]."""
+
+    R: np.ndarray = field(default_factory=lambda: np.eye(3))
+    p: np.ndarray = field(default_factory=lambda: np.zeros(3))
+
+    def then(self, inner: Pose) -> Pose:
+        """The pose of a frame that stands in this one."""
+        return Pose(self.R @ inner.R, self.p + self.R @ inner.p)
+
+    def inverse(self) -> Pose:
+        """The outer frame seen from the inner one."""
+        return Pose(self.R.T, -self.R.T @ self.p)
+
+
+@dataclass(frozen=True)
+class Inertia:
+    """mass [kg], centre (3,) [m] and tensor (3, 3) [kg m^2] about the centre, in the axes of a frame."""
+
+    mass: float = 0.0
+    center: np.ndarray = field(default_factory=lambda: np.zeros(3))
+    tensor: np.ndarray = field(default_factory=lambda: np.zeros((3, 3)))
+
+    def seen(self, pose: Pose) -> Inertia:
+        """The same in the frame in which its own stands at `pose`."""
+        return Inertia(self.mass, pose.p + pose.R @ self.center, pose.R @ self.tensor @ pose.R.T)
+
+
+@dataclass(frozen=True)
+class Link:
+    """A link: its inertia, and its visual and collision elements."""
+
+    name: str
+    inertia: Inertia
+    visuals: list[Element]
+    collisions: list[Element]
+
+
+@dataclass(frozen=True)
+class RobotJoint:
+    """A joint of a type of JOINTS: the child's frame stands at `pose` in the parent's where the joint is at zero."""
+
+    name: str
+    type: str
+    parent: str
+    child: str
+    pose: Pose
+    axis: np.ndarray
+    damping: float
+
+
+@dataclass
+class Robot:
+    """Links and joints by name in the file's order, the root link, and what is not kept."""
+
+    name: str
+    links: dict[str, Link]
+    joints: list[RobotJoint]
+    root: str
+    dropped: list[Dropped]
+
+
+def robot_of(document: Element, file: str) -> Robot:
+    """The records of a `robot` element. Raises SceneError naming file and element for what is no tree of links."""
+    if document.tag != "robot":
+        refuse(file, f"has the root element {show(document.tag)}", "give a URDF file, whose root element is 'robot'")
+    dropped: list[Dropped] = []
+    links: dict[str, Link] = {}
+    joints: dict[str, RobotJoint] = {}
+    for element in document:
+        name = element.get("name", element.get("reference", ""))
+        if element.tag == "link":
+            _once(file, "link", name, links)
+            links[name] = _link(element, f"{file}: link '{name}'", dropped)
+        elif element.tag == "joint":
+            _once(file, "joint", name, joints)
+            joints[name] = _joint(element, f"{file}: joint '{name}'", dropped)
+        else:
+            dropped.append(Dropped(element.tag, name or "the robot"))
+    root = _root(file, links, joints.values())
+    return Robot(document.get("name") or "robot", links, list(joints.values()), root, dropped)
+
+
+def _once(file: str, kind: str, name: str, known: Iterable[str]) -> None:
+    if not name:
+        refuse(file, f"a {kind} has no name", "give it one")
+    if name in known:
+        refuse(f"{file}: {kind} '{name}'", "is there twice", "rename one of them")
+
+
+def refuse(item: str, problem: str, remedy: str) -> NoReturn:
+    """Raise SceneError."""
+    raise SceneError(item, problem, remedy)
+
+
+def _root(file: str, links: dict[str, Link], joints: Iterable[RobotJoint]) -> str:
+    """The link that is no joint's child; all others hang on it."""
+    parents: dict[str, RobotJoint] = {}
+    for joint in joints:
+        item = f"{file}: joint '{joint.name}'"
+        for end in (joint.parent, joint.child):
+            if end not in links:
+                refuse(item, f"there is no link '{end}'", did_you_mean(end, links))
+        if joint.child in parents:
+            refuse(item, f"link '{joint.child}' is already the child of joint '{parents[joint.child].name}'",
+                   "a URDF is a tree: close the loop by a [[joints]] entry of the scene")  # fmt: skip
+        parents[joint.child] = joint
+    if not links:
+        refuse(file, "has no links", "expand it with xacro, if it is made of parts")
+    roots = [name for name in links if name not in parents]
+    if len(roots) != 1:
+        problem = f"links {', '.join(roots[:6])} are no joint's child" if roots else "no link is without a parent"
+        refuse(file, problem, "give one root link")
+    reached = {roots[0]}
+    children: dict[str, list[str]] = {}
+    for joint in parents.values():
+        children.setdefault(joint.parent, []).append(joint.child)
+    waiting = [roots[0]]
+    while waiting:
+        found = children.get(waiting.pop(), [])
+        reached.update(found)
+        waiting += found
+    if loose := [name for name in links if name not in reached]:
+        refuse(f"{file}: link '{loose[0]}'", "hangs on its own child", "give a tree of links")
+    return roots[0]
+
+
+def _link(element: Element, item: str, dropped: list[Dropped]) -> Link:
+    name = element.get("name", "")
+    parts = _parts(element, name, ("inertial", "visual", "collision"), dropped)
+    if len(parts["inertial"]) > 1:
+        refuse(item, "has more than one inertial", "give one")
+    inertia = _inertia(parts["inertial"][0], item) if parts["inertial"] else Inertia()
+    return Link(name, inertia, parts["visual"], parts["collision"])
+
+
+def _parts(element: Element, name: str, kept: tuple[str, ...], dropped: list[Dropped]) -> dict[str, list[Element]]:
+    """The children of the kinds that are kept; the others are dropped."""
+    found: dict[str, list[Element]] = {tag: [] for tag in kept}
+    for part in element:
+        if part.tag in found:
+            found[part.tag].append(part)
+        else:
+            given = ", ".join(f"{key} {value}" for key, value in part.attrib.items())
+            dropped.append(Dropped(part.tag, name, given[:200]))
+    return found
+
+
+def _inertia(element: Element, item: str) -> Inertia:
+    mass, tensor = element.find("mass"), element.find("inertia")
+    if mass is None or tensor is None:
+        refuse(item, "its inertial has no mass or no inertia", "give <mass value=.../> and <inertia .../>")
+    xx, xy, xz, yy, yz, zz = (_number(tensor, key, item) for key in MOMENTS)
+    value, pose = _number(mass, "value", item), pose_of(element, item)
+    if value < 0:
+        refuse(item, f"has the mass {value:g}", "give a mass that is not negative")
+    own = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    own[abs(own) < NOISE * value] = 0.0
+    return Inertia(value, tensor=own).seen(pose)
+
+
+def _joint(element: Element, item: str, dropped: list[Dropped]) -> RobotJoint:
+    name, kind = element.get("name", ""), element.get("type", "")
+    if kind not in JOINTS:
+        refuse(item, f"is of the type {show(kind)}", did_you_mean(kind, JOINTS))
+    parts = _parts(element, name, ("origin", "parent", "child", "axis", "dynamics"), dropped)
+    ends = [parts[tag][0].get("link", "") if parts[tag] else "" for tag in ("parent", "child")]
+    axis = np.array([1.0, 0.0, 0.0])
+    damping = 0.0
+    if kind not in ("fixed", "floating"):
+        if parts["axis"]:
+            axis = numbers(parts["axis"][0], "xyz", item, "1 0 0")
+        if not (size := math.sqrt(axis @ axis)) > 1e-6:
+            refuse(item, "its axis has no direction", "give a vector that is not zero")
+        axis = axis / size
+    for dynamics in parts["dynamics"]:
+        damping = _number(dynamics, "damping", item, 0.0)
+        if kind in ("fixed", "floating", "planar") and damping:
+            dropped.append(Dropped("damping", name, f"{damping:g}, of a {kind} joint"))
+            damping = 0.0
+        if friction := _number(dynamics, "friction", item, 0.0):
+            dropped.append(Dropped("friction", name, f"{friction:g}"))
+    if damping < 0:
+        refuse(item, f"has the damping {damping:g}", "give one that is not negative")
+    return RobotJoint(name, kind, ends[0], ends[1], pose_of(element, item), axis, damping)
+
+
+def pose_of(element: Element, item: str) -> Pose:
+    """The pose of an element's `origin`: xyz [m], and rpy [rad] about the fixed axes x, y, z in this order."""
+    origin = element.find("origin")
+    if origin is None:
+        return Pose()
+    return pose(numbers(origin, "xyz", item, "0 0 0"), numbers(origin, "rpy", item, "0 0 0"))
+
+
+def pose(xyz: np.ndarray, rpy: np.ndarray) -> Pose:
+    """A frame at xyz [m], turned by rpy [rad] about the fixed axes x, y, z in this order."""
+    (cx, cy, cz), (sx, sy, sz) = np.cos(rpy), np.sin(rpy)
+    about_x = np.array([[1, 0, 0], [0, cx, -sx], [0, sx, cx]])
+    about_y = np.array([[cy, 0, sy], [0, 1, 0], [-sy, 0, cy]])
+    about_z = np.array([[cz, -sz, 0], [sz, cz, 0], [0, 0, 1]])
+    return Pose(about_z @ about_y @ about_x, xyz)
+
+
+def numbers(element: Element, key: str, item: str, default: str, count: int = 3) -> np.ndarray:
+    """So many finite numbers of an attribute."""
+    text = element.get(key, default)
+    try:
+        values = np.array([float(part) for part in text.split()])
+    except ValueError:
+        values = np.array([math.nan])
+    if len(values) != count or not np.all(np.isfinite(values)):
+        refuse(item, f"{key} of its {element.tag} is {show(text)}", f"give {count} finite numbers; expand xacro first")
+    return values
+
+
+def _number(element: Element, key: str, item: str, default: float | None = None) -> float:
+    if default is None and key not in element.attrib:
+        refuse(item, f"its {element.tag} has no {key}", "give the number")
+    return float(numbers(element, key, item, str(default), 1)[0])
