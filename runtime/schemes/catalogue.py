@@ -8,12 +8,15 @@ from difflib import get_close_matches
 from typing import Any, Literal
 
 from runtime.contract.model import Model
-from runtime.schemes.adaptive.dormand_prince import AdaptiveDormandPrince, DormandPrince5
-from runtime.schemes.adaptive.exponential import HALVES, AdaptiveExponential
 from runtime.schemes.adaptive.exponential_adams import AdaptiveExponentialAdams
-from runtime.schemes.adaptive.exponential_rk4 import AdaptiveExponentialRungeKutta
 from runtime.schemes.adaptive.linearised import AdaptiveLinearised
+from runtime.schemes.adaptive.methods import (
+    AdaptiveDormandPrince,
+    AdaptiveExponential,
+    AdaptiveExponentialRungeKutta,
+)
 from runtime.schemes.baselines.alpha_options import GeneralizedAlphaOptions, HilberHughesTaylorOptions
+from runtime.schemes.baselines.dormand_prince import DormandPrince5
 from runtime.schemes.baselines.generalized_alpha import GeneralizedAlpha, HilberHughesTaylor
 from runtime.schemes.baselines.radau import Radau, RadauOptions
 from runtime.schemes.baselines.runge_kutta import ClassicalRungeKutta, DormandPrince8
@@ -25,6 +28,7 @@ from runtime.schemes.exponential_adams import ExponentialAdams, fitting
 from runtime.schemes.exponential_midpoint import ExponentialMidpoint, ExponentialMidpointOptions
 from runtime.schemes.exponential_rk4 import ExponentialRungeKutta, ExponentialRungeKuttaOptions
 from runtime.schemes.grid import Grid, make_grid
+from runtime.schemes.linear_sub_steps import HALVES
 from runtime.schemes.linearised import Linearised, LinearisedOptions
 from runtime.schemes.options import AdaptiveOptions, Options, SchemeError, SingleClosureOptions
 from runtime.schemes.printed import Printed, PrintedOptions

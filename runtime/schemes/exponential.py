@@ -31,12 +31,14 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Repeat, Sequence
 from runtime.schemes.grid import Grid
-from runtime.schemes.linear_propagation import polynomial
+from runtime.schemes.linear_propagation import LinearSystem, factors_of, polynomial, propagate
 from runtime.schemes.linear_solve import solve_symmetric
-from runtime.schemes.linear_sub_steps import LinearSubStepOptions, LinearSubSteps
-from runtime.schemes.options import LARGEST_TOLERANCE, MOST_UNROLLED, SchemeError, one_of, share, whole_number
-from runtime.schemes.stage_equations import LONG_TREE, StageEquations
-from runtime.schemes.state_fields import StateField, work
+from runtime.schemes.linear_sub_steps import HALVES, LinearSubStepOptions, LinearSubSteps, refuse_varying
+from runtime.schemes.method import Attempt, Method
+from runtime.schemes.options import LARGEST_TOLERANCE, MOST_UNROLLED, Options, SchemeError, one_of, share, whole_number
+from runtime.schemes.partial_fractions import poles
+from runtime.schemes.stage_equations import LONG_TREE, ClosedConfiguration, LinearisedEquations, StageEquations
+from runtime.schemes.state_fields import StateField, state, work
 
 NODES = {4: (0.75,), 5: (0.5, 0.9)}
 ECHO = 1.08  # the echo is the motion from rest, up to the first node, under this many times G2
@@ -65,10 +67,11 @@ class ExponentialOptions(LinearSubStepOptions):
         return AT_ONCE if self.order == 5 else super().most_sub_steps
 
 
-class Exponential(LinearSubSteps):
+class Exponential(LinearSubSteps, Method):
     """exprb42 or exprb53s3 with m sub-steps; inner stages end inside of sub-steps, on the same factors."""
 
     options: ExponentialOptions
+    error_order, counted_evaluations, strictness = 4, (1, 1), 6.0
 
     def __init__(self, model: Model, grid: Grid, options: ExponentialOptions) -> None:
         options, m = options.checked(len(grid.groups)), grid.m[0]
@@ -129,19 +132,33 @@ class Exponential(LinearSubSteps):
         return self._sub_step(z, equations, part, echo)
 
     def _linearise(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        v, t = z["v"], self.now(z, equations)
+        t = self.now(z, equations)
         motion = equations.close(z["x"], z["loop"], t, self.options.closure_iterations)
+        found, forces, loops = self._about(motion, z["v"], equations)
+        return {**self.begin(z, equations, found, **forces), **loops, **self.closed(z, motion)}
+
+    @staticmethod
+    def _about(
+        motion: ClosedConfiguration, v: ca.SX, equations: StageEquations
+    ) -> tuple[LinearisedEquations, dict[str, ca.SX], dict[str, ca.SX]]:
+        """(equations to first order about a start, the forces G0, G1, how the loop unknowns move)."""
         found = equations.linearised(motion, v)
-        G0 = found.Q_hat - ca.mtimes(found.J_v, v)
-        return {
-            **self.begin(z, equations, found, G0, equations.force_rate(motion, v, found.a)),
+        forces = {
+            "G0": found.Q_hat - ca.mtimes(found.J_v, v),
+            "G1": equations.force_rate(motion, v, found.a),
+        }
+        loops = {
             "loop": equations.loop_part(motion.q_d),
             "loop_dot": equations.loop_part(equations.rates(motion, v)),
             "loop_bend": equations.loop_accelerations(motion, v, found.a),
-            **self.closed(z, motion),
         }
+        return found, forces, loops
 
     def _correct(self, z: Fields, equations: StageEquations, k: int) -> Mapping[str, ca.SX]:
+        motion, found = self._at_node(z, equations, k)
+        return {**found, **self.closed(z, motion)}
+
+    def _at_node(self, z: Fields, equations: StageEquations, k: int) -> tuple[ClosedConfiguration, dict[str, ca.SX]]:
         """D at node k, and forces and loop unknowns on their way through it; the motion begins anew."""
         h, system, tau = equations.h[0], self.stored.unpack(z), self.nodes[k] * equations.h[0]
         ahead, guess = (polynomial([z["loop"], z["loop_dot"], *bend], tau) for bend in ([], [z["loop_bend"]]))
@@ -157,13 +174,12 @@ class Exponential(LinearSubSteps):
             "w": ca.SX.zeros(len(self.model.q_i)),
             "u": z["v"],
             "tau": ca.SX(0),
-            **self.closed(z, motion),
         }
         if k == len(self.nodes) - 1:
             out["loop"] = polynomial([z["loop"], z["loop_dot"], *bends], h)
         if self.by_central_difference:
             out["acceleration"] = solve_symmetric(system.M, z["G0"] + ca.mtimes(system.J_v, z["v"]))
-        return out
+        return motion, out
 
     def _through(self, before: ca.SX, value: ca.SX, h: ca.SX, k: int) -> list[ca.SX]:
         """G2, G3 of the polynomial that takes a value at node k, and its earlier one where `before` tau^2 / 2 did."""
@@ -180,3 +196,66 @@ class Exponential(LinearSubSteps):
         t = self.now(z, equations) + equations.h[0]
         end = self.arrived(equations, z["x"] + z["w"], z["loop"], t)
         return {**self.rebased(z, end, z["loop"]), "v": equations.velocities(end, z["u"]), "n": z["n"] + 1}
+
+    # ---- steps that follow the estimate ---------------------------------------------------------------------
+
+    @classmethod
+    def refuse_varying(cls, grid: Grid, options: Options) -> None:
+        """Only two sub-steps without a limit, of order 4."""
+        assert isinstance(options, ExponentialOptions)
+        refuse_varying(grid, options)
+        if options.order != 4:
+            raise SchemeError("tolerance", "has an estimate of the error for order 4 only", "leave order out")
+
+    def method_fields(self) -> dict[str, StateField]:
+        """The linear system, its forces, and rates of the loop unknowns."""
+        n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
+        sizes = {**self.stored.matrix_sizes(), "G0": n, "G1": n, "G2": n, "loop_dot": loops, "loop_bend": loops}
+        return {name: state(size) for name, size in sizes.items()}
+
+    def begun(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:
+        """The equations to first order about the start, which a rejected step keeps."""
+        t = self.time_in_step(z, ca.SX(0), 0)
+        start = equations.close(z["q_from"], z["loop_from"], t, self.options.closure_iterations)
+        found, forces, loops = self._about(start, z["v_from"], equations)
+        system = self.stored.pack(LinearSystem(found.M_hat, found.J_q, found.J_v))
+        return start, found.a, {**system, **forces, "loop_dot": loops["loop_dot"], "loop_bend": loops["loop_bend"]}
+
+    def attempted(self, z: Fields, equations: StageEquations, h: ca.SX) -> Attempt:
+        """To 3/4 of the step, and through all of it with the force found there.
+
+        The estimate is the end less the inner stage run on to the end (Rosenbrock-Euler, order 2), which takes one
+        sub-step that damps, so that it sees modes that are not resolved.
+        """
+        at, halves = self._set_out(z, equations, h)
+        at |= self._whole(at, halves)
+        at |= self._part(at, halves, part=self.nodes[0] * HALVES - 1, echoing=False)
+        node, found = self._at_node(at, halves, 0)
+        at = self._through_all({**at, **found}, halves)
+        system, none = self.stored.unpack(z), ca.SX.zeros(z["q_from"].numel())
+        factors = factors_of(system, h, tuple(pole.r for pole in poles(decaying=True)))
+        rough = propagate(system, factors, none, z["v_from"], (z["G0"], z["G1"], none), ca.SX(0), h, decaying=True)
+        end, kept = z["q_from"] + at["w"], {"G2": at["G2"]}
+        return Attempt(end, at["u"], at["loop"], at["w"] - rough[0], at["u"] - rough[1], kept, (node,))
+
+    def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
+        """The linear motion with the force that leads to the end, ended sooner."""
+        at, halves = self._set_out(z, equations, tau)
+        at = self._through_all({**at, "G2": z["G2"]}, halves)
+        q = z["q_from"] + at["w"]
+        return q, self.velocities_at(z, equations, tau, q, at["u"])
+
+    def _through_all(self, z: Fields, halves: StageEquations) -> dict[str, ca.SX]:
+        at = dict(z)
+        for _ in range(HALVES):
+            at |= self._whole(at, halves)
+        return at
+
+    def _set_out(self, z: Fields, equations: StageEquations, h: ca.SX) -> tuple[dict[str, ca.SX], StageEquations]:
+        """(fields at the start of a step of h, equations with its steps)."""
+        zero, system = ca.SX.zeros(z["q_from"].numel()), self.stored.unpack(z)
+        names = {"x": "q_from", "v": "v_from", "u": "v_from", "loop": "loop_from", "t0": "t_from"}
+        names |= {name: name for name in (*self.stored.matrix_sizes(), "G0", "G1", "loop_dot", "loop_bend")}
+        at = {name: z[own] for name, own in names.items()} | {"n": ca.SX(0), "tau": ca.SX(0), "w": zero, "G2": zero}
+        at |= self.stored.pack_factors(factors_of(system, h / HALVES, self.shifts))
+        return at, StageEquations(self.model, ca.vertcat(equations.c, h, h / HALVES))

@@ -19,7 +19,7 @@ from runtime.schemes.grid import Grid
 from runtime.schemes.linear_propagation import LinearSystem, factors_of, polynomial, propagate
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.one_step import OneStep
-from runtime.schemes.options import ClosureOptions, Options, one_of
+from runtime.schemes.options import ClosureOptions, Options, SchemeError, one_of
 from runtime.schemes.partial_fractions import poles
 from runtime.schemes.stage_equations import LinearisedEquations, StageEquations
 from runtime.schemes.state_fields import StateField, work
@@ -37,6 +37,17 @@ class LinearSubStepOptions(ClosureOptions):
     """
 
     propagation: str = one_of("rational", "decaying", "central_difference")
+
+
+HALVES = 2  # sub-steps of a step that follows an estimate
+
+
+def refuse_varying(grid: Grid, options: LinearSubStepOptions) -> None:
+    """Raises SchemeError for sub-steps that steps of a tolerance do not take."""
+    if options.propagation == "central_difference":
+        raise SchemeError("tolerance", "needs sub-steps without a limit", "take propagation = rational or decaying")
+    if list(grid.m) != [HALVES]:
+        raise SchemeError("tolerance", f"takes {HALVES} sub-steps, not m = {list(grid.m)}", "leave m out")
 
 
 class LinearSubSteps(OneStep):

@@ -59,10 +59,14 @@ class StoredSystem:
 
     def sizes(self) -> dict[str, int]:
         """Sizes of the fields of z."""
-        sizes = {name: sparsity.nnz() for name, sparsity in self._sparsity.items()}
+        sizes = self.matrix_sizes()
         for k, is_complex in enumerate(self._complex):
             sizes[f"lu_{k}"] = self._factors.nnz() * (2 if is_complex else 1)
         return sizes
+
+    def matrix_sizes(self) -> dict[str, int]:
+        """Sizes of those of the matrices that are kept."""
+        return {name: sparsity.nnz() for name, sparsity in self._sparsity.items()}
 
     def pack(self, system: LinearSystem) -> dict[str, ca.SX]:
         """Fields of the matrices."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from abc import abstractmethod
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 
@@ -10,13 +9,14 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.model import Model
-from runtime.engine.program import Fields, Program
+from runtime.engine.program import Program
 from runtime.schemes.grid import Grid
-from runtime.schemes.one_step import OneStep
+from runtime.schemes.method import Method
 from runtime.schemes.options import Options
 from runtime.schemes.scheme import LARGEST
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, loop_blocks
 from runtime.schemes.state_fields import StateField, account, given, state
+from runtime.schemes.step_limit import StepLimit
 from runtime.schemes.switching.times import SwitchTime
 
 STOPS = 4  # times ahead that z knows; whoever runs the scheme fills in the next ones
@@ -25,25 +25,28 @@ FIRST = 0.1  # of dt: the first step that is tried
 RESTORED = ("closure_error", "det_now", "det_low", "det_high")
 
 
-class AdaptiveState(OneStep):
+class AdaptiveState(Method):
     """Start and end of the running step, the controller's memory, and what is counted."""
 
     adaptive = True
-    counted_evaluations: tuple[int, int]  # at the start of a step, and in an attempt
     begins_after_rejection = False  # does a refused attempt leave nothing to go on from?
-    error_order: int  # the estimate is of h to this power
     varies = True  # may steps follow their estimates?
     carried: tuple[str, ...] = ()  # fields by which a step among those of one length acts on the next
-    first_same_as_last = False  # is the end of an attempt evaluated, so that the next step need not evaluate its start?
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
+        self.refuse_varying(grid, options)
         super().__init__(model, grid, options)
         self.c_size += 1
         self._operations: dict[str, int] = {}
 
-    @abstractmethod
-    def method_fields(self) -> dict[str, StateField]:
-        """Fields of z that `begun` and `attempted` fill."""
+    @classmethod
+    def limited(cls, options: Options) -> bool:
+        """No: where a step is too long its estimate tells."""
+        return False
+
+    def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
+        """None."""
+        return None
 
     @property
     def tolerance(self) -> float:
@@ -145,13 +148,6 @@ class AdaptiveState(OneStep):
                     continue
                 found[k] = 2 * motion.q_d[self.model.q_d.index(name)]
         return found
-
-    def velocities_at(self, z: Fields, equations: StageEquations, tau: ca.SX, q: ca.SX, rate: ca.SX) -> ca.SX:
-        """q_i_dot of the rates of q, tau after the start of a step."""
-        if not self.charts.split:
-            return self.charts.velocities(q, rate)
-        guess = z["loop_from"] + tau * z["loop_dot"]
-        return equations.velocities(equations.close_well(q, guess, z["t_from"] + tau), rate)
 
     def evaluations(self) -> tuple[int, int]:
         """Not to be told from the number of states that are seen; see `taken`."""

@@ -16,9 +16,7 @@ No step crosses a time of `stops`; the controller begins anew there.
 
 from __future__ import annotations
 
-from abc import abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import casadi as ca
 
@@ -27,6 +25,7 @@ from runtime.schemes.adaptive.adaptive_state import RESTORED
 from runtime.schemes.adaptive.controller import FORGET, in_band
 from runtime.schemes.adaptive.error_norm import mean_square
 from runtime.schemes.adaptive.step_control import StepControl
+from runtime.schemes.method import Attempt
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.switching.dips import NODES, ValuesInStep
 from runtime.schemes.switching.watched import NEVER, event_outputs, flagged, next_values
@@ -36,46 +35,8 @@ STARTS = ("q_from", "v_from", "loop_from", "t_from", "a_from", "before")  # what
 ATTEMPTS = 1 << 13  # in one application of the program; the next one goes on
 
 
-@dataclass(frozen=True)
-class Attempt:
-    """The end (q_i, q_i_dot, guess of the loop unknowns) of a step, and its error estimates (n_i each).
-
-    kept: fields of z that the interpolant or the next step takes. seen: closed configurations on the way.
-    """
-
-    q: ca.SX
-    v: ca.SX
-    loop: ca.SX
-    dq: ca.SX
-    dv: ca.SX
-    kept: Mapping[str, ca.SX]
-    seen: tuple[ClosedConfiguration, ...]
-
-
 class AdaptiveSteps(StepControl):
-    """The loop. Subclasses give what is evaluated at the start of a step, an attempt, and an interpolant."""
-
-    # ---- what a method says ---------------------------------------------------------------------------------
-
-    @abstractmethod
-    def begun(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:
-        """(configuration, q_i_ddot, fields) at the start of a step: what does not depend on its length."""
-
-    @abstractmethod
-    def attempted(self, z: Fields, equations: StageEquations, h: ca.SX) -> Attempt:
-        """A step of h [s] from q_from, v_from."""
-
-    @abstractmethod
-    def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
-        """(q_i, q_i_dot) at tau [s] after the start of a step of h [s] (None: the last one), of the method's order."""
-
-    def moved(self, z: Fields) -> Mapping[str, ca.SX]:
-        """Of a method whose first evaluation is the last of the step before: its fields at the start of a step."""
-        return {}
-
-    def after_begin(self) -> tuple[Program, ...]:
-        """Of a method that remembers earlier steps: what it does where there are none."""
-        return ()
+    """The loop, around what a Method says of a step."""
 
     # ---- the program ----------------------------------------------------------------------------------------
 
@@ -125,11 +86,6 @@ class AdaptiveSteps(StepControl):
         out = {"cold": ca.SX(0), "a_from": a, "loop_from": equations.loop_part(motion.q_d), **fields}
         return {**out, **self.closed(z, motion), "det_now": motion.det_loop}
 
-    def time_in_step(self, z: Fields, h: ca.SX, share: float) -> ca.SX:
-        """Time at a share of a step of h [s]: just behind its start and just before its end, where it may jump."""
-        t = z["t_from"] + share * h
-        return t + (z["beside"] if share == 0 else -z["beside"] if share == 1 else 0)
-
     def _attempt(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """As if it were accepted and the next one as long; `_judge` says otherwise where the estimate asks for it."""
         h, t = z["h_try"], z["t_try"]
@@ -140,22 +96,25 @@ class AdaptiveSteps(StepControl):
         usual = ca.logic_and(ca.logic_and(in_band(square, peak), t + 2 * h < z["end"]), z["wider"] <= 0)
         usual = ca.logic_and(usual, z["steady"] <= 0)
         return {
-            **self._ended(z, tried),
+            **self._ended(z, equations, tried),
             **{"q_error": tried.dq, "v_error": tried.dv, "odd": ca.if_else(usual, 0.0, 1.0)},
             "peak": peak,
             "going": self._goal(z, equations) - t,
         }
 
-    def _ended(self, z: Fields, tried: Attempt) -> dict[str, ca.SX]:
+    def _ended(self, z: Fields, equations: StageEquations, tried: Attempt) -> dict[str, ca.SX]:
         """Fields at the end of a step of h_try to t_try; the next one as long."""
         h, t = z["h_try"], z["t_try"]
-        seen = {"q_seen": self.ranged(tried.q, tried.seen[-1])} if z["q_seen"].numel() else {}
+        on_the_way = tried.seen if tried.end is None else (*tried.seen, tried.end)
+        loop = tried.loop if tried.end is None else equations.loop_part(tried.end.q_d)
+        v = self.velocities_at({**z, **tried.kept}, equations, h, tried.q, tried.v) if self.by_rates else tried.v
+        seen = {"q_seen": self.ranged(tried.q, on_the_way[-1])} if z["q_seen"].numel() else {}
         return {
             **tried.kept,
             **seen,
-            **{"q_to": tried.q, "v_to": tried.v, "loop_to": tried.loop, "t_to": t, "t_try": t + h},
-            **self.closed(z, *tried.seen),
-            "det_now": tried.seen[-1].det_loop,
+            **{"q_to": tried.q, "v_to": v, "loop_to": loop, "t_to": t, "t_try": t + h},
+            **self.closed(z, *on_the_way),
+            "det_now": on_the_way[-1].det_loop,
             "accepted": z["accepted"] + 1,
             "fresh": ca.SX(1),
             "cold": ca.SX(0),
@@ -169,7 +128,7 @@ class AdaptiveSteps(StepControl):
         if not self.first_same_as_last:
             found |= self._begin({**z, **found}, equations)
         at = {**z, **found}
-        found |= self._ended(at, self.attempted(at, equations, z["h_try"]))
+        found |= self._ended(at, equations, self.attempted(at, equations, z["h_try"]))
         gone = {*STARTS, *(() if self.first_same_as_last else self.method_fields())} - {*self.carried}
         return {**{name: one for name, one in found.items() if name not in gone}, "straight": z["straight"] - 1}
 

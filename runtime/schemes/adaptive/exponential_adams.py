@@ -19,10 +19,11 @@ import casadi as ca
 
 from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Until
-from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps, Attempt
+from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.exponential_rk4 import krogstad
 from runtime.schemes.grid import Grid
 from runtime.schemes.linear_propagation import polynomial
+from runtime.schemes.method import Attempt
 from runtime.schemes.options import SchemeError
 from runtime.schemes.remembering_step import ExponentialAdamsOptions, loops_ahead
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations

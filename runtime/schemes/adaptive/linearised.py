@@ -14,11 +14,12 @@ import casadi as ca
 
 from runtime.contract.model import Model
 from runtime.engine.program import Fields
-from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps, Attempt
-from runtime.schemes.adaptive.exponential import HALVES, refuse_what_a_tolerance_cannot
+from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.grid import Grid
 from runtime.schemes.linear_propagation import LinearSystem, factors_of, propagate
+from runtime.schemes.linear_sub_steps import HALVES, refuse_varying
 from runtime.schemes.linearised import LinearisedOptions
+from runtime.schemes.method import Attempt
 from runtime.schemes.options import SchemeError
 from runtime.schemes.partial_fractions import poles
 from runtime.schemes.stage_equations import ClosedConfiguration, LinearisedEquations, StageEquations
@@ -36,7 +37,7 @@ class AdaptiveLinearised(AdaptiveSteps):
     begins_after_rejection = True
 
     def __init__(self, model: Model, grid: Grid, options: LinearisedOptions) -> None:
-        refuse_what_a_tolerance_cannot(grid, options.propagation)
+        refuse_varying(grid, options)
         if options.corrections:
             raise SchemeError("tolerance", "needs no corrections: steps are as short as it asks for", "leave them out")
         self.stored = StoredSystem(model, ())

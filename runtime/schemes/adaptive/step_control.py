@@ -24,8 +24,6 @@ LEAST, LEAST_OF_TIME = 1e-12, 1e-14  # of dt and of t: shorter steps are not mad
 class StepControl(AdaptiveState):
     """The controller, as stages."""
 
-    strictness: float = 1.0  # what the estimate is multiplied by, so that all methods deliver about the same
-
     def _goal(self, z: Fields, equations: StageEquations) -> ca.SX:
         return z["t0"] + (z["n"] + 1) * equations.h[0]
 

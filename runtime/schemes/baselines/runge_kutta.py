@@ -6,21 +6,23 @@ Opponents of the multirate schemes, compiled like them. The tableau of order 8 i
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections.abc import Mapping
 
 import casadi as ca
 import numpy as np
 
-from runtime.engine.program import Fields, Program
-from runtime.schemes.one_step import OneStep
+from runtime.engine.program import Fields
+from runtime.schemes.method import Attempt, Method
 from runtime.schemes.options import ClosureOptions, Options
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.step_limit import StepLimit, limit_between_the_axes
 
 
-class ExplicitRungeKutta(OneStep):
+class ExplicitRungeKutta(Method):
     """A fixed step of the tableau (A, b, nodes) of a subclass."""
 
     options: ClosureOptions
+    stage_name, by_rates = "runge_kutta", False
     reach: float  # the largest stable h w of an undamped mode w
     decay_reach: float  # the largest stable h d of a pure decay d
 
@@ -38,32 +40,45 @@ class ExplicitRungeKutta(OneStep):
         """Of the tableau's stability region."""
         return limit_between_the_axes(A_q, A_v, self.reach, self.decay_reach)
 
-    def program(self) -> Program:
-        """One stage, all slopes inside."""
-        return self.stage("runge_kutta", self._step)
-
-    def evaluations(self) -> tuple[int, int]:
+    @property
+    def counted_evaluations(self) -> tuple[int, int]:  # type: ignore[override]
         """One for each slope."""
-        return len(self.tableau()[1]), 0
+        return 1, len(self.tableau()[1]) - 1
 
-    def _step(self, z: Fields, equations: StageEquations) -> dict[str, ca.SX]:
-        h, t, n = equations.h[0], self.now(z, equations), len(self.model.q_i)
-        y = ca.vertcat(z["x"], z["v"], z["loop"])
+    def begun(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:
+        """The first slope. Its closed position is where the step starts: a guess never corrected would drift."""
+        t = self.time_in_step(z, ca.SX(0), 0)
+        start = equations.close(z["q_from"], z["loop_from"], t, self.options.closure_iterations)
+        rates = equations.loop_part(equations.rates(start, z["v_from"]))
+        return start, equations.accelerations(start, z["v_from"]), {"loop_dot": rates}
+
+    def attempted(self, z: Fields, equations: StageEquations, h: ca.SX) -> Attempt:
+        """The other slopes of (q_i, q_i_dot, loop unknowns); no estimate."""
+        n = len(self.model.q_i)
+        y, _, seen = self.slopes(z, equations, h)
+        none = ca.SX(0, 1)
+        return Attempt(y[:n], y[n : 2 * n], y[2 * n :], none, none, {}, seen)
+
+    def slopes(
+        self, z: Fields, equations: StageEquations, h: ca.SX
+    ) -> tuple[ca.SX, list[ca.SX], tuple[ClosedConfiguration, ...]]:
+        """(end, slopes, where they were evaluated); the first one is that of the start of the step."""
         A, b, nodes = self.tableau()
-        slopes: list[ca.SX] = []
-        motions: list[ClosedConfiguration] = []
-        for k, row in enumerate(A):
-            at = y + h * combined(row[:k], slopes)
-            motion = equations.close(at[:n], at[2 * n :], t + float(nodes[k]) * h, self.options.closure_iterations)
-            if k == 0:  # start from the closed position: a guess that was never corrected would drift
-                y = ca.vertcat(y[: 2 * n], equations.loop_part(motion.q_d))
-            a, v = equations.accelerations(motion, at[n : 2 * n]), at[n : 2 * n]
-            slopes.append(ca.vertcat(equations.turning(motion, v), a, equations.loop_part(equations.rates(motion, v))))
-            motions.append(motion)
-        y = y + h * combined(b, slopes)
-        end = self.arrived(equations, y[:n], y[2 * n :], t + h)
-        ends = {**self.rebased(z, end, y[2 * n :]), "v": y[n : 2 * n], "n": z["n"] + 1}
-        return {**ends, **self.closed(z, *motions)}
+        start = ca.vertcat(z["q_from"], z["v_from"], z["loop_from"])
+        slopes, seen = [ca.vertcat(z["v_from"], z["a_from"], z["loop_dot"])], list[ClosedConfiguration]()
+        for row, node in zip(A[1:], nodes[1:], strict=True):
+            y = start + h * combined(row[: len(slopes)], slopes)
+            motion, slope = self.slope(z, equations, y, self.time_in_step(z, h, float(node)))
+            slopes.append(slope)
+            seen.append(motion)
+        return start + h * combined(b, slopes), slopes, tuple(seen)
+
+    def slope(self, z: Fields, equations: StageEquations, y: ca.SX, t: ca.SX) -> tuple[ClosedConfiguration, ca.SX]:
+        """(configuration, rates) of y = (q_i, q_i_dot, loop unknowns)."""
+        n = len(self.model.q_i)
+        v, motion = y[n : 2 * n], equations.close(y[:n], y[2 * n :], t, self.options.closure_iterations)
+        loops = equations.loop_part(equations.rates(motion, v))
+        return motion, ca.vertcat(equations.turning(motion, v), equations.accelerations(motion, v), loops)
 
 
 class ClassicalRungeKutta(ExplicitRungeKutta):

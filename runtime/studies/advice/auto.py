@@ -33,7 +33,7 @@ from runtime.running.tolerance import tolerance_of, with_tolerance
 from runtime.running.trials import Trials
 from runtime.running.tried_motion import RANGING, TrialRuns, TriedMotion
 from runtime.running.varied_trials import COARSER
-from runtime.schemes.adaptive.dormand_prince import DormandPrince5
+from runtime.schemes.baselines.dormand_prince import DormandPrince5
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.kept_steppers import kept_stepper
 from runtime.schemes.options import LARGE_SYSTEM, SchemeError

@@ -12,8 +12,8 @@ import casadi as ca
 import numpy as np
 
 from runtime.engine.program import Fields
-from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps, Attempt
 from runtime.schemes.baselines.runge_kutta import ExplicitRungeKutta, combined
+from runtime.schemes.method import Attempt
 from runtime.schemes.options import AdaptiveOptions
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.state_fields import StateField, state
@@ -36,55 +36,34 @@ ERROR = np.array([71 / 57600, 0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 5
 class DormandPrince5(ExplicitRungeKutta):
     """Order 5, six evaluations; an undamped mode is stable to h w = 0.997, a decay to h d = 3.306."""
 
+    options: AdaptiveOptions
     reach, decay_reach, order = 0.997, 3.306, 5
+    error_order, counted_evaluations = 5, (0, 6)
+    strictness = 300.0  # its estimate is much nearer to the error than that of a method whose last stage is of order 2
+    first_same_as_last = True
 
     @staticmethod
     def tableau() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Dormand and Prince (1980)."""
         return A, WEIGHTS, NODES
 
-
-class AdaptiveDormandPrince(AdaptiveSteps):
-    """Six evaluations an attempt."""
-
-    options: AdaptiveOptions
-    order, error_order, counted_evaluations = 5, 5, (0, 6)
-    strictness = 300.0  # its estimate is much nearer to the error than that of a method whose last stage is of order 2
-    first_same_as_last = True
-
     def method_fields(self) -> dict[str, StateField]:
         """Rates of the loop unknowns at the start, and accelerations and these rates at the end."""
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
         return {"a_to": state(n), "loop_dot": state(loops), "loop_dot_to": state(loops)}
-
-    def begun(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:
-        """Accelerations."""
-        t = self.time_in_step(z, ca.SX(0), 0)
-        start = equations.close(z["q_from"], z["loop_from"], t, self.options.closure_iterations)
-        rates = equations.loop_part(equations.rates(start, z["v_from"]))
-        return start, equations.accelerations(start, z["v_from"]), {"loop_dot": rates}
 
     def moved(self, z: Fields) -> Mapping[str, ca.SX]:
         """What was evaluated at the end of the last step."""
         return {"a_from": z["a_to"], "loop_dot": z["loop_dot_to"]}
 
     def attempted(self, z: Fields, equations: StageEquations, h: ca.SX) -> Attempt:
-        """Slopes of (q_i, q_i_dot, loop unknowns)."""
+        """And the slope at the end, with which the step of order 4 is estimated."""
         n = len(self.model.q_i)
-        start = ca.vertcat(z["q_from"], z["v_from"], z["loop_from"])
-        slopes, seen = [ca.vertcat(z["v_from"], z["a_from"], z["loop_dot"])], []
-        y = start
-        for row, node in [*zip(A[1:], NODES[1:], strict=True), (WEIGHTS, 1.0)]:
-            y = start + h * combined(row[: len(slopes)], slopes)
-            v = y[n : 2 * n]
-            at = equations.close(y[:n], y[2 * n :], self.time_in_step(z, h, node), self.options.closure_iterations)
-            rate = equations.turning(at, v)
-            slopes.append(ca.vertcat(rate, equations.accelerations(at, v), equations.loop_part(equations.rates(at, v))))
-            seen.append(at)
-        error, last = h * combined(ERROR, slopes), slopes[-1]
+        y, slopes, seen = self.slopes(z, equations, h)
+        end, last = self.slope(z, equations, y, self.time_in_step(z, h, 1.0))
+        error = h * combined(ERROR, [*slopes, last])
         kept = {"a_to": last[n : 2 * n], "loop_dot_to": last[2 * n :]}
-        loop = equations.loop_part(seen[-1].q_d)
-        return Attempt(y[:n], y[n : 2 * n], loop, error[:n], error[n : 2 * n], kept, tuple(seen))
+        return Attempt(y[:n], y[n : 2 * n], y[2 * n :], error[:n], error[n : 2 * n], kept, seen, end)
 
     def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """The polynomial of degree 5 and its derivative."""
