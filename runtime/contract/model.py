@@ -51,6 +51,7 @@ class Model:
     _kernels: dict[str, ca.Function] = field(default_factory=dict, repr=False)
     _derived: dict[str, ca.Function] = field(default_factory=dict, repr=False)
     _operations: dict[str, int] = field(default_factory=dict, repr=False)
+    _zero_outputs: dict[str, frozenset[str]] = field(default_factory=dict, repr=False)
     steppers: dict[tuple[Any, ...], Any] = field(default_factory=dict, repr=False, compare=False)
     choices: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
 
@@ -163,6 +164,7 @@ class Model:
             _kernels={},
             _derived={},
             _operations={},
+            _zero_outputs={},
             steppers={},
             choices={},
         )
@@ -247,10 +249,12 @@ class Model:
 
     def structurally_zero(self, name: str, output: str) -> bool:
         """Is an output of a kernel zero whatever its arguments are?"""
-        kernel = self.kernel(name)
-        arguments = [ca.SX.sym(argument, *kernel.size_in(argument)) for argument in kernel.name_in()]
-        values = kernel.call(arguments)
-        return bool(ca.SX(values[kernel.name_out().index(output)]).is_zero())
+        if name not in self._zero_outputs:
+            kernel = self.kernel(name)
+            values = kernel.call([ca.SX.sym(argument, *kernel.size_in(argument)) for argument in kernel.name_in()])
+            found = zip(kernel.name_out(), values, strict=True)
+            self._zero_outputs[name] = frozenset(own for own, value in found if value.is_zero())
+        return output in self._zero_outputs[name]
 
     def stepper(self, **settings: Any) -> Any:
         """The model stepped from Python: see runtime.running.stepping.ModelStepper for the settings and the result.

@@ -66,15 +66,16 @@ UNUSED = -1
 
 
 def read_tape(function: ca.Function) -> Tape:
-    """The tape of an SX Function with dense outputs. Raises ValueError for any other kind of Function."""
+    """The tape of an SX Function, structural zeros of its outputs as the number 0.
+
+    Raises ValueError for any other kind of Function.
+    """
     if not function.is_a("SXFunction"):
         raise ValueError(f"{function.name()}: only a Function of SX expressions has a tape")
     shapes = [function.size_out(k) for k in range(function.n_out())]
-    for k in range(function.n_out()):
-        if not function.sparsity_out(k).is_dense():
-            raise ValueError(f"{function.name()}: output {function.name_out(k)} is not dense")
-    outputs = [[UNUSED] * (rows * columns) for rows, columns in shapes]
-    nodes = _read_nodes(function, outputs)
+    found = [[UNUSED] * function.nnz_out(k) for k in range(function.n_out())]
+    nodes = _read_nodes(function, found)
+    outputs = [_dense(function.sparsity_out(k), entries, nodes) for k, entries in enumerate(found)]
     return Tape(
         function.name_in(),
         [function.nnz_in(k) for k in range(function.n_in())],
@@ -83,6 +84,19 @@ def read_tape(function: ca.Function) -> Tape:
         nodes,
         outputs,
     )
+
+
+def _dense(pattern: ca.Sparsity, entries: list[int], nodes: list[Node]) -> list[int]:
+    """All entries of an output, column by column, from those of its pattern."""
+    if pattern.is_dense():
+        return entries
+    zero = Node(ca.OP_CONST, UNUSED, UNUSED, 0.0)
+    if nodes[-1:] != [zero]:
+        nodes.append(zero)
+    result = [len(nodes) - 1] * pattern.numel()
+    for place, entry in zip(pattern.find(), entries, strict=True):
+        result[place] = entry
+    return result
 
 
 def _read_nodes(function: ca.Function, outputs: list[list[int]]) -> list[Node]:
@@ -129,10 +143,17 @@ def as_function(name: str, tape: Tape) -> ca.Function:
     for node in tape.nodes:
         values.append(node_value(node, values, entries[node.a] if node.op == ca.OP_INPUT else []))
     outputs = [
-        ca.densify(ca.reshape(ca.vertcat(*(values[entry] for entry in found)), *shape))
+        ca.densify(_matrix(values, found, shape, tape.nodes))
         for found, shape in zip(tape.outputs, tape.output_shapes, strict=True)
     ]
     return ca.Function(name, inputs, outputs, tape.input_names, tape.output_names)
+
+
+def _matrix(values: list[ca.SX], found: list[int], shape: tuple[int, int], nodes: list[Node]) -> ca.SX:
+    """An output, its zeros left out."""
+    kept = [place for place, entry in enumerate(found) if nodes[entry].op != ca.OP_CONST or nodes[entry].value != 0.0]
+    pattern = ca.Sparsity.nonzeros(*shape, kept)
+    return ca.SX(pattern, ca.vertcat(*(values[found[place]] for place in kept)) if kept else ca.SX(0, 1))
 
 
 def arithmetic(function: ca.Function) -> int:

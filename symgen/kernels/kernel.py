@@ -26,7 +26,7 @@ class Kernel:
 
     def tape(self) -> Tape:
         """The kernel as straight-line code, common subexpressions shared, outputs dense."""
-        outputs = ca.cse([ca.densify(value) for value in self.outputs.values()])
+        outputs = ca.cse([ca.sparsify(value) for value in self.outputs.values()])
         return read_tape(
             ca.Function("kernel", list(self.inputs.values()), outputs, list(self.inputs), list(self.outputs))
         )

@@ -168,10 +168,25 @@ class Graph:
             if self._stays_negative(negative, other):
                 return self._sub(other, self.nodes[negative].a)
         if self.of_p[a] != self.of_p[b] or not self.of_p[a]:
-            old, new = self._terms(a), self._terms(b)
-            if len(old) + len(new) <= MAX_TERMS and self._meets(old, new):
+            old = self._few_terms(a, MAX_TERMS - 1)
+            new = self._few_terms(b, MAX_TERMS - len(old)) if old else []
+            if old and new and self._meets(old, new):
                 return self._sum(self._merge(old + new))
         return self._plain(ca.OP_ADD, min(a, b), max(a, b))
+
+    def _few_terms(self, k: int, most: int) -> list[int]:
+        """The terms of a sum; none where there are more than `most`."""
+        found, waiting = [], [k]
+        while waiting:
+            if len(found) + len(waiting) > most:
+                return []
+            last = waiting.pop()
+            node = self.nodes[last]
+            if node.op == ca.OP_ADD and not self.of_p[last] and last not in self.shared:
+                waiting += [node.b, node.a]
+            else:
+                found.append(last)
+        return found
 
     def _terms(self, k: int) -> list[int]:
         node = self.nodes[k]
