@@ -24,7 +24,7 @@ from symgen.condensed.row_changes import Variation, along, derivative_rows
 from symgen.condensed.taken_out import TakenOut
 from symgen.condensed.variations import constraint_rates, particular, variations
 from symgen.kernels.paired_masses import paired_changes
-from symgen.system.frames.directions import Direction
+from symgen.system.frames.fields import Direction
 
 FEW_DIRECTIONS = 8  # independent coordinates up to which derivatives along each are tried
 

@@ -21,7 +21,7 @@ from symgen.bodies.static_residual import StaticResidual
 from symgen.joints.instance import ConstraintRow
 from symgen.loads.effect import LinearSpring
 from symgen.scene import Scene
-from symgen.system.frames.directions import Direction
+from symgen.system.frames.fields import Direction
 from symgen.system.orientations import Turning
 from symgen.system.signals import input_records, input_symbols
 

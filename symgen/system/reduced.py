@@ -17,9 +17,9 @@ from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import ONE, ZERO, neg
 from symgen.scene import Scene
 from symgen.system.equations import Equations
-from symgen.system.frames.force_changes import has_force_changes
-from symgen.system.frames.free_joints import floats
-from symgen.system.frames.masses import mass_rows
+from symgen.system.frames.aba import floats
+from symgen.system.frames.crba import mass_rows
+from symgen.system.frames.rnea_derivatives import has_force_changes
 from symgen.system.mechanism import Mechanism
 from symgen.system.orientations import Orientations, Turning, turn_coordinates
 from symgen.system.topology import Topology

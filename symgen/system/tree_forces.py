@@ -11,13 +11,12 @@ from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ONE, ZERO, add, neg
 from symgen.algebra.vectors import Vector
 from symgen.system.equations import Equations
+from symgen.system.frames.aba import free_joint_accelerations
 from symgen.system.frames.carried_frames import CarriedFrames
-from symgen.system.frames.directed_changes import Tie, tied_changes
-from symgen.system.frames.directions import Direction
-from symgen.system.frames.force_changes import force_changes
-from symgen.system.frames.free_joints import free_joint_accelerations
-from symgen.system.frames.inverse_dynamics import floating_forces, inverse_dynamics, lone_hinges, own_wrenches
-from symgen.system.frames.loop_rates import LoopRates
+from symgen.system.frames.fields import Direction
+from symgen.system.frames.loop_derivatives import LoopForce, LoopRates, tied_changes
+from symgen.system.frames.rnea import floating_forces, inverse_dynamics, lone_hinges, own_wrenches
+from symgen.system.frames.rnea_derivatives import force_changes
 from symgen.system.frames.tree import GROUND, FrameTree
 
 
@@ -59,7 +58,7 @@ class TreeForces:
         """Derivatives of `inertia_forces` + C_q^T lambda of spherical loops along directions."""
         if not loops or any(way.base != GROUND for loop in loops.values() for way in (loop.a, loop.b)):
             return None
-        ties = [Tie(loop.a, loop.b, list(multipliers[joint])) for joint, loop in loops.items()]
+        ties = [LoopForce(loop.a, loop.b, list(multipliers[joint])) for joint, loop in loops.items()]
         moving = self._rates, accelerations
         return tied_changes(self.tree, len(self.equations.q), self._base, moving, ties, directions)
 

@@ -20,14 +20,13 @@ from symgen.scene import Scene
 from symgen.scene.joints import Joint
 from symgen.scene.placing import PLACING
 from symgen.system.equations import Equations
-from symgen.system.frames.ball import Ball
-from symgen.system.frames.body_moves import Bend
 from symgen.system.frames.curvature import COVERED, LoopCurvature
 from symgen.system.frames.linkage import links_of
-from symgen.system.frames.loop_rates import LoopRates, MarkerWay
-from symgen.system.frames.motion import Matrix
+from symgen.system.frames.loop_derivatives import LoopRates, MarkerWay
+from symgen.system.frames.moves import Ball, Bend
 from symgen.system.frames.paths import Path
 from symgen.system.frames.skeleton import Skeleton
+from symgen.system.frames.spatial_algebra import Matrix
 from symgen.system.frames.tree import GROUND, FrameTree
 from symgen.system.orientations import Orientations, Turning
 from symgen.system.reduced_body import ReducedBody

@@ -176,7 +176,8 @@ class Graph:
 
     def _few_terms(self, k: int, most: int) -> list[int]:
         """The terms of a sum; none where there are more than `most`."""
-        found, waiting = [], [k]
+        found: list[int] = []
+        waiting = [k]
         while waiting:
             if len(found) + len(waiting) > most:
                 return []

@@ -16,8 +16,8 @@ import casadi as ca
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO
 from symgen.algebra.vectors import Vector, zeros
-from symgen.system.frames.inverse_dynamics import inverse_dynamics
-from symgen.system.frames.motion import Motion
+from symgen.system.frames.rnea import inverse_dynamics
+from symgen.system.frames.spatial_algebra import FrameMotion
 from symgen.system.frames.tree import GROUND, Frame, FrameTree, columns_of
 
 NUMBERS = 9  # of a motion: omega, alpha, a
@@ -57,7 +57,7 @@ class CarriedFrames:
     def crossing(self, accelerations: Row, still: bool = False) -> list[ca.SX]:
         """They, of a motion with these accelerations; still: without rates and weight."""
         base, rates = (zeros(), {}) if still else (self.base, self.rates)
-        motions = {GROUND: Motion(zeros(), zeros(), base)}
+        motions = {GROUND: FrameMotion(zeros(), zeros(), base)}
         needed = {k for carrier in self._carriers for k in self.tree.way(carrier)}
         for k in sorted(needed):
             motions[k] = motions[self.tree.frames[k].parent]
@@ -69,10 +69,10 @@ class CarriedFrames:
     def forces(self, crossing: Sequence[ca.SX], accelerations: Row, still: bool = False) -> Row:
         """Generalised inertia force and weight by column of the carried frames, which these numbers cross to."""
         base, rates = (zeros(), {}) if still else (self.base, self.rates)
-        motions = {GROUND: Motion(zeros(), zeros(), base)}
+        motions = {GROUND: FrameMotion(zeros(), zeros(), base)}
         for position, k in enumerate(self._carriers):
             omega, alpha, a = (list(crossing[NUMBERS * position + i : NUMBERS * position + i + 3]) for i in (0, 3, 6))
-            motions[k] = Motion(zeros() if still else omega, alpha, a)
+            motions[k] = FrameMotion(zeros() if still else omega, alpha, a)
         others = zip(self._others, crossing[NUMBERS * len(self._carriers) :], strict=True)
         place = {k: position for position, k in enumerate(self._carried)}
         frames = [self.tree.frames[k] for k in self._carried]

@@ -14,7 +14,7 @@ import casadi as ca
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ZERO, add, dot, mul, neg, sub
 from symgen.algebra.vectors import Vector, cross, plus, scaled, zeros
-from symgen.system.frames.paths import Cause, ModesOnWay, Path
+from symgen.system.frames.paths import ModesOnWay, Path, PathColumn
 
 # after the rows of a point: axes of a and of b whose products vanish, of joints whose second derivatives are known
 COVERED: dict[str, tuple[tuple[int, int], ...]] = {
@@ -121,7 +121,7 @@ def _way(found: _Entries, path: Path, weight: Vector, changes: list[Vector], res
         k -= len(group)
 
 
-def _same_move(causes: list[Cause], last: int) -> range:
+def _same_move(causes: list[PathColumn], last: int) -> range:
     """The places of the causes that belong to the move of one of them, its last."""
     modes = causes[last].modes
     return range(last, last - 1, -1) if modes is None else range(last - len(modes.columns) + 1, last + 1)

@@ -6,16 +6,22 @@ V relative to it, with A its acceleration relative to it, is displaced by v + ta
 
     D(v + tau x r)   = D v + D tau x r + tau x V,
     D^2(v + tau x r) = D^2 v + D^2 tau x r + 2 D tau x V + tau x A.
+
+Directions in which all coordinates follow a few, and the fields of frames along them.
+
+A direction has S of Eq. (30) for each coordinate and its first two derivatives in time, so that a frame has the field
+tau = sum S tau_c, D tau = sum (S D tau_c + S' tau_c), D^2 tau = sum (S D^2 tau_c + 2 S' D tau_c + S'' tau_c), alike v.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import casadi as ca
 
 from symgen.algebra.rows import Row
-from symgen.algebra.scalar import ONE, ZERO, mul
+from symgen.algebra.scalar import ONE, ZERO, add, mul
 from symgen.algebra.vectors import (
     Vector,
     combination,
@@ -27,21 +33,19 @@ from symgen.algebra.vectors import (
     transposed_times,
     zeros,
 )
-from symgen.system.frames.body_moves import Bend, Unbend
-from symgen.system.frames.motion import Motion, Twist, Wrench
-from symgen.system.frames.moves import Fixed, Move, Slide, Turn, unit
-from symgen.system.frames.tangents import Change
+from symgen.system.frames.moves import Bend, Fixed, Move, Slide, Turn, Unbend, unit
+from symgen.system.frames.spatial_algebra import Force, FrameMotion, Motion
 
 TWO = ca.SX(2)
 Rates = tuple[Vector, Vector, Vector]  # x, D x, D^2 x
 
 
 @dataclass(frozen=True)
-class Spot:
+class MoveState:
     """A move with the motion before and after it, and the rates and accelerations of the coordinates by column."""
 
-    before: Motion
-    after: Motion
+    before: FrameMotion
+    after: FrameMotion
     rates: Row
     accelerations: Row
 
@@ -59,6 +63,15 @@ class MovingArm:
 
 
 @dataclass(frozen=True)
+class Change:
+    """(u, beta, d) of a frame: changes of omega, of alpha with omega x u, and of a; see `rnea_derivatives`."""
+
+    u: Vector
+    beta: Vector
+    d: Vector
+
+
+@dataclass(frozen=True)
 class Field:
     """tau and v of a frame with their rates; doubled: 2 D tau and 2 D v where they come for less."""
 
@@ -67,9 +80,9 @@ class Field:
     doubled: tuple[Vector, Vector] | None = None
 
     @property
-    def twist(self) -> Twist:
+    def twist(self) -> Motion:
         """tau and v."""
-        return Twist(self.turning[0], self.moving[0])
+        return Motion(self.turning[0], self.moving[0])
 
     def by_position(self, a: Vector) -> Change:
         """Change of the frame's motion by the coordinate, seen in the frame; a: acceleration of its origin."""
@@ -81,7 +94,7 @@ class Field:
         beta, d = self.doubled or (scaled(TWO, self.turning[1]), scaled(TWO, self.moving[1]))
         return Change(self.turning[0], beta, d)
 
-    def beyond(self, move: Move, spot: Spot) -> Field:
+    def beyond(self, move: Move, spot: MoveState) -> Field:
         """Of the frame after a move."""
         if isinstance(move, Unbend):
             return self._seen(move).shifted(arm_of(move, spot))
@@ -120,7 +133,7 @@ def seen_beyond(move: Move, vector: Vector) -> Vector:
     return times(move.deformation.at({}).R, vector) if isinstance(move, Unbend) else vector
 
 
-def arm_of(move: Move, spot: Spot) -> MovingArm:
+def arm_of(move: Move, spot: MoveState) -> MovingArm:
     """Of a move."""
     if isinstance(move, Bend | Unbend):
         body = spot.after if isinstance(move, Unbend) else spot.before
@@ -142,7 +155,7 @@ def arm_of(move: Move, spot: Spot) -> MovingArm:
     return MovingArm(r, plus(cross(omega, r), speed), A)
 
 
-def joint_parts(move: Move, spot: Spot) -> list[FieldPart]:
+def joint_parts(move: Move, spot: MoveState) -> list[FieldPart]:
     """Of a hinge or a slide."""
     if isinstance(move, Turn | Slide) and move.column is not None:
         axis = unit(move.axis, move.sign if isinstance(move, Turn) else move.factor)
@@ -153,6 +166,41 @@ def joint_parts(move: Move, spot: Spot) -> list[FieldPart]:
     return []
 
 
-def turned(twist: Twist, wrench: Wrench) -> Wrench:
+def turned(twist: Motion, wrench: Force) -> Force:
     """What a displacement of the frame after a move does to the wrench there, which goes with it."""
-    return Wrench(cross(twist.omega, wrench.f), plus(cross(twist.omega, wrench.n), cross(twist.v, wrench.f)))
+    return Force(cross(twist.omega, wrench.f), plus(cross(twist.omega, wrench.n), cross(twist.v, wrench.f)))
+
+
+@dataclass(frozen=True)
+class Direction:
+    """dx_c/dx_i of each coordinate, and its first two derivatives in time, by column; column: of x_i."""
+
+    column: int
+    S: Row
+    S_dot: Row
+    S_ddot: Row
+
+    def along(self, parts: Sequence[FieldPart]) -> Field:
+        """The field of a frame that has these parts."""
+        turning, moving = (zeros(), zeros(), zeros()), (zeros(), zeros(), zeros())
+        for part in parts:
+            s, s1, s2 = (share_of(part, row) for row in (self.S, self.S_dot, self.S_ddot))
+            turning = _added(turning, part.field.turning, s, s1, s2)
+            moving = _added(moving, part.field.moving, s, s1, s2)
+        return Field(turning, moving)
+
+
+def share_of(part: FieldPart, row: Row) -> ca.SX:
+    """Of what a part's coordinates do."""
+    found = ZERO
+    for column, share in part.shares.items():
+        if column in row:
+            found = add(found, mul(share, row[column]))
+    return found
+
+
+def _added(known: Rates, own: Rates, s: ca.SX, s1: ca.SX, s2: ca.SX) -> Rates:
+    x, x1, x2 = own
+    first = plus(known[1], scaled(s, x1), scaled(s1, x))
+    second = plus(known[2], scaled(s, x2), scaled(mul(TWO, s1), x1), scaled(s2, x))
+    return plus(known[0], scaled(s, x)), first, second

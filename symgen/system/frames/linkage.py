@@ -11,7 +11,8 @@ from symgen.algebra.scalar import ONE, ZERO, add, mul, neg
 from symgen.algebra.vectors import identity
 from symgen.joints.spatial_rows import JointCoordinate
 from symgen.system.frames.moves import Fixed, Move, Slide, Turn
-from symgen.system.frames.screws import BetweenHinges, Displacement, FixedAngle, Screw
+from symgen.system.frames.screws import BetweenHinges, FixedAngle, Screw
+from symgen.system.frames.spatial_algebra import SE3
 
 X_TO_Z = [[ZERO, ZERO, ONE], [ONE, ZERO, ZERO], [ZERO, ONE, ZERO]]  # columns y, z, x: its z-axis is the old x-axis
 
@@ -24,7 +25,7 @@ class JointLink:
     the coordinates as they move the far frame. lead: travel of a screw for a unit of its angle.
     """
 
-    before: Displacement
+    before: SE3
     turn: JointCoordinate | None = None
     travel: JointCoordinate | None = None
     crosswise: tuple[JointCoordinate, JointCoordinate] | None = None
@@ -41,12 +42,12 @@ class JointLink:
         """May the frame beyond be turned about z and shifted along it by a constant?"""
         return self.crosswise is None and not self.constant
 
-    def moves(self, way: BetweenHinges | Displacement, beyond: Screw) -> list[Move]:
+    def moves(self, way: BetweenHinges | SE3, beyond: Screw) -> list[Move]:
         """As moves to the frame that stands on the hinge, displaced by the screw `beyond`.
 
         way: the screws of the constant displacement, or the displacement itself where they are useless.
         """
-        if isinstance(way, Displacement):
+        if isinstance(way, SE3):
             return [Fixed(way.R, way.r), *self._variable(Screw(), beyond)]
         moves: list[Move] = [
             *_constant(2, way.start),
@@ -91,8 +92,8 @@ def _constant(axis: int, screw: Screw, slide_first: bool = False) -> list[Move]:
 
 
 def links_of(
-    kind: str, own: Mapping[str, JointCoordinate], before: Displacement, forward: bool, lead: ca.SX
-) -> tuple[list[JointLink], Displacement]:
+    kind: str, own: Mapping[str, JointCoordinate], before: SE3, forward: bool, lead: ca.SX
+) -> tuple[list[JointLink], SE3]:
     """(links of a joint, constant displacement beyond the last one to the far marker).
 
     before: from the near frame to the near marker; forward: the near one is marker a.
@@ -101,13 +102,13 @@ def links_of(
     if kind == "weld":
         return [], before
     if kind == "universal":
-        to_x = Displacement(X_TO_Z, [ZERO] * 3)
+        to_x = SE3(X_TO_Z, [ZERO] * 3)
         about_z, about_x = own["angle1"], own["angle2"]
         if forward:
-            return [JointLink(before, about_z), JointLink(to_x, about_x)], to_x.back()
-        first = JointLink(before.then(to_x), about_x, sign=sign)
-        return [first, JointLink(to_x.back(), about_z, sign=sign)], Displacement.none()
+            return [JointLink(before, about_z), JointLink(to_x, about_x)], to_x.inverse()
+        first = JointLink(before * to_x, about_x, sign=sign)
+        return [first, JointLink(to_x.inverse(), about_z, sign=sign)], SE3.identity()
     if kind == "planar":
-        return [JointLink(before, own["angle"], None, (own["x"], own["y"]), sign)], Displacement.none()
+        return [JointLink(before, own["angle"], None, (own["x"], own["y"]), sign)], SE3.identity()
     link = JointLink(before, own.get("angle"), own.get("travel"), None, sign, lead)
-    return [link], Displacement(identity(), [ZERO] * 3)
+    return [link], SE3(identity(), [ZERO] * 3)

@@ -1,43 +1,64 @@
 """The moves that lead from a frame to the next one, and what each does to motions, wrenches, inertia and paths.
 
 A move may depend on coordinates: then it has twists, the motion of the frame after it for a unit rate of each.
+
+Moves that a body makes by its own coordinates: it floats, it is oriented, it bends at its markers.
+
+Moves by which a body turns with its own absolute angular velocity: to world axes, then to those of the body.
+
+A ball passes neither a moment towards the ground nor an angular motion away from it: omega and alpha beyond it are its
+own velocities and their rates, and what is beyond is to all before it a mass at its centre.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Protocol
 
 import casadi as ca
 
 from symgen.algebra.rows import Row
-from symgen.algebra.scalar import ONE, ZERO, add, mul, neg
-from symgen.algebra.vectors import Vector, cross, plus, scaled, times, transposed_times, zeros
-from symgen.system.frames.motion import Composite, Matrix, Motion, Twist, Wrench, turned_back
+from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg
+from symgen.algebra.vectors import Vector, combination, cross, minus, plus, scaled, times, transposed_times, zeros
+from symgen.bodies.deformation import Deformation
+from symgen.bodies.spatial_orientation import Orientation, orientation
 from symgen.system.frames.paths import Path
+from symgen.system.frames.spatial_algebra import (
+    Force,
+    FrameMotion,
+    Inertia,
+    Matrix,
+    MomentArm,
+    Motion,
+    WorldFrame,
+    no_masses,
+    only_axis,
+    turned_back,
+)
 
 
 class Move(Protocol):
     """From one frame to the next."""
 
     @property
-    def twists(self) -> Mapping[int, Twist]:
+    def twists(self) -> Mapping[int, Motion]:
         """By column of q, in the axes and at the origin of the frame after the move."""
 
-    def motion(self, before: Motion, rates: Row, accelerations: Row) -> Motion:
+    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
         """Motion after the move; rates and accelerations by column, zero where absent."""
 
-    def wrench(self, after: Wrench) -> Wrench:
+    def wrench(self, after: Force) -> Force:
         """A wrench of the frame after the move, seen before it."""
 
-    def powers(self, after: Wrench) -> Row:
+    def powers(self, after: Force) -> Row:
         """Power of a wrench of the frame after the move on the twist of each column."""
 
-    def momentum(self, column: int, after: Wrench, composite: Composite) -> Wrench:
+    def momentum(self, column: int, after: Force, composite: Inertia) -> Force:
         """`wrench` of the momentum that a unit rate of one of the move's columns gives to all beyond (composite)."""
 
-    def composite(self, after: Composite) -> Composite:
+    def composite(self, after: Inertia) -> Inertia:
         """Inertia of the frame after the move, seen before it."""
 
     def lead(self, path: Path) -> None:
@@ -54,11 +75,11 @@ def unit(axis: int, value: ca.SX = ONE) -> Vector:
 class Plain:
     """A move for which a momentum is a wrench like any other."""
 
-    def powers(self: Move, after: Wrench) -> Row:
+    def powers(self: Move, after: Force) -> Row:
         """Power of a wrench on the twist of each column."""
         return {column: after.along(twist) for column, twist in self.twists.items()}
 
-    def momentum(self: Move, column: int, after: Wrench, composite: Composite) -> Wrench:
+    def momentum(self: Move, column: int, after: Force, composite: Inertia) -> Force:
         """Seen before the move."""
         return self.wrench(after)
 
@@ -75,21 +96,21 @@ class Turn(Plain):
     sign: ca.SX = ONE
 
     @property
-    def twists(self) -> Mapping[int, Twist]:
+    def twists(self) -> Mapping[int, Motion]:
         """By column of q."""
-        return {} if self.column is None else {self.column: Twist(unit(self.axis, self.sign), zeros())}
+        return {} if self.column is None else {self.column: Motion(unit(self.axis, self.sign), zeros())}
 
-    def motion(self, before: Motion, rates: Row, accelerations: Row) -> Motion:
+    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
         """Motion after the move."""
         omega, alpha, a = (self.seen(vector) for vector in (before.omega, before.alpha, before.a))
         if self.column is None:
-            return Motion(omega, alpha, a)
+            return FrameMotion(omega, alpha, a)
         spin = unit(self.axis, mul(self.sign, rates.get(self.column, ZERO)))
         alpha = plus(alpha, cross(omega, spin))
         alpha[self.axis] = add(alpha[self.axis], mul(self.sign, accelerations.get(self.column, ZERO)))
-        return Motion(plus(omega, spin), alpha, a)
+        return FrameMotion(plus(omega, spin), alpha, a)
 
-    def steadied(self, after: Motion) -> tuple[Motion, ca.SX]:
+    def steadied(self, after: FrameMotion) -> tuple[FrameMotion, ca.SX]:
         """A motion after the move less what turns it faster about the axis, and the acceleration that does that."""
         alpha = list(after.alpha)
         turning, alpha[self.axis] = alpha[self.axis], ZERO
@@ -105,11 +126,11 @@ class Turn(Plain):
         result[i], result[j] = turned_back(vector[i], vector[j], self.cosine, sine)
         return result
 
-    def wrench(self, after: Wrench) -> Wrench:
+    def wrench(self, after: Force) -> Force:
         """Seen before the move."""
-        return Wrench(self._rotated(after.f, self.sine), self._rotated(after.n, self.sine), after.world)
+        return Force(self._rotated(after.f, self.sine), self._rotated(after.n, self.sine), after.world)
 
-    def composite(self, after: Composite) -> Composite:
+    def composite(self, after: Inertia) -> Inertia:
         """Seen before the move."""
         return after.about(self.axis, self.cosine, self.sine)
 
@@ -131,24 +152,24 @@ class Slide(Plain):
     factor: ca.SX = ONE
 
     @property
-    def twists(self) -> Mapping[int, Twist]:
+    def twists(self) -> Mapping[int, Motion]:
         """By column of q."""
-        return {} if self.column is None else {self.column: Twist(zeros(), unit(self.axis, self.factor))}
+        return {} if self.column is None else {self.column: Motion(zeros(), unit(self.axis, self.factor))}
 
-    def motion(self, before: Motion, rates: Row, accelerations: Row) -> Motion:
+    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
         """Motion after the move."""
         a = before.carried(unit(self.axis, self.amount))
         if self.column is not None:
             speed = mul(mul(ca.SX(2), self.factor), rates.get(self.column, ZERO))
             a = plus(a, cross(before.omega, unit(self.axis, speed)))
             a[self.axis] = add(a[self.axis], mul(self.factor, accelerations.get(self.column, ZERO)))
-        return Motion(before.omega, before.alpha, a)
+        return FrameMotion(before.omega, before.alpha, a)
 
-    def wrench(self, after: Wrench) -> Wrench:
+    def wrench(self, after: Force) -> Force:
         """Seen before the move."""
-        return Wrench(after.f, plus(after.n, cross(unit(self.axis, self.amount), after.f)), after.world)
+        return Force(after.f, plus(after.n, cross(unit(self.axis, self.amount), after.f)), after.world)
 
-    def composite(self, after: Composite) -> Composite:
+    def composite(self, after: Inertia) -> Inertia:
         """Seen before the move."""
         return after.shifted(unit(self.axis, self.amount))
 
@@ -167,22 +188,22 @@ class Fixed(Plain):
     r: Vector
 
     @property
-    def twists(self) -> Mapping[int, Twist]:
+    def twists(self) -> Mapping[int, Motion]:
         """By column of q."""
         return {}
 
-    def motion(self, before: Motion, rates: Row, accelerations: Row) -> Motion:
+    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
         """Motion after the move."""
         vectors = before.omega, before.alpha, before.carried(self.r)
         omega, alpha, a = (transposed_times(self.R, vector) for vector in vectors)
-        return Motion(omega, alpha, a)
+        return FrameMotion(omega, alpha, a)
 
-    def wrench(self, after: Wrench) -> Wrench:
+    def wrench(self, after: Force) -> Force:
         """Seen before the move."""
         f = times(self.R, after.f)
-        return Wrench(f, plus(times(self.R, after.n), cross(self.r, f)), after.world)
+        return Force(f, plus(times(self.R, after.n), cross(self.r, f)), after.world)
 
-    def composite(self, after: Composite) -> Composite:
+    def composite(self, after: Inertia) -> Inertia:
         """Seen before the move."""
         return after.turned(self.R).shifted(self.r)
 
@@ -190,3 +211,335 @@ class Fixed(Plain):
         """Continue a path through the move."""
         path.shift(self.r)
         path.turn_by(self.R)
+
+
+@dataclass(frozen=True)
+class Float(Plain):
+    """The origin R_o of a body that no joint places, in world axes."""
+
+    columns: list[int]
+    R_o: Vector
+    R_o_dot: Vector
+
+    @property
+    def twists(self) -> Mapping[int, Motion]:
+        """By column of q."""
+        return {column: Motion(zeros(), unit(i)) for i, column in enumerate(self.columns)}
+
+    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
+        """Without the acceleration of the origin: its force on any coordinate is an entry of M times it."""
+        return FrameMotion(zeros(), zeros(), zeros())
+
+    def wrench(self, after: Force) -> Force:
+        """Seen before the move."""
+        return after
+
+    def composite(self, after: Inertia) -> Inertia:
+        """Seen before the move."""
+        return after
+
+    def lead(self, path: Path) -> None:
+        """Continue a path through the move."""
+        path.shift(self.R_o)
+        for i, column in enumerate(self.columns):
+            path.slide(column, unit(i), self.R_o_dot[i])
+
+
+@dataclass(frozen=True)
+class Orient(Plain):
+    """The orientation of such a body by Euler parameters theta that are coordinates like others."""
+
+    columns: list[int]
+    theta: Vector
+    theta_dot: Vector
+
+    def at(self, rates: Vector) -> Orientation:
+        """The orientation with these rates of theta."""
+        return orientation(self.theta, rates)
+
+    @property
+    def twists(self) -> Mapping[int, Motion]:
+        """By column of q."""
+        axes = self.at(self.theta_dot).body_axes
+        return {column: Motion(axes[k], zeros()) for k, column in enumerate(self.columns)}
+
+    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
+        """From the frame at the origin, which neither turns nor, for `Float`, accelerates."""
+        turning = self.at([rates.get(column, ZERO) for column in self.columns])
+        own = combination(turning.body_axes, [accelerations.get(column, ZERO) for column in self.columns])
+        return FrameMotion(turning.omega_body, plus(turning.bias_body, own), before.a)
+
+    def wrench(self, after: Force) -> Force:
+        """Nothing before this move turns, so that no moment does work there."""
+        return Force(self.at(self.theta_dot).rotate(after.f), zeros())
+
+    def momentum(self, column: int, after: Force, composite: Inertia) -> Force:
+        """d(A h)/dtheta."""
+        turning = self.at(self.theta_dot)
+        return Force(turning.turned(self.columns.index(column), turning.rotate(composite.h)), zeros())
+
+    def composite(self, after: Inertia) -> Inertia:
+        """Nothing before this move turns: the mass alone counts."""
+        return Inertia(after.m, zeros(), no_masses().Sigma)
+
+    def lead(self, path: Path) -> None:
+        """Continue a path through the move."""
+        turning = self.at(self.theta_dot)
+        path.orient(self.columns, turning)
+
+
+@dataclass(frozen=True)
+class Shared:
+    """A twist of the frame after a move of which the rates of several modes have shares, by column."""
+
+    shares: Row
+    twist: Motion
+
+
+@dataclass(frozen=True)
+class Bend(Plain):
+    """From the frame of a flexible body to a marker that its deformation shifts and turns (Eq. 19)."""
+
+    deformation: Deformation
+
+    @property
+    def shared(self) -> list[Shared]:
+        """By the axes along and about which modes move the marker, where these are fewer; empty otherwise."""
+        bent = self.deformation.at({})
+        return [
+            Shared(one.shares, Motion(transposed_times(bent.R, one.turned(bent)), transposed_times(bent.R, one.shape)))
+            for one in self.deformation.shared
+        ]
+
+    def shared_powers(self, after: Force) -> Vector:
+        """Power of a wrench on these twists."""
+        bent = self.deformation.at({})
+        f, turning = times(bent.R, after.f), bent.on_turns(times(bent.R, after.n))
+        return [add(dot(one.shape, f), dot(one.theta, turning)) for one in self.deformation.shared]
+
+    @property
+    def twists(self) -> Mapping[int, Motion]:
+        """By column of q."""
+        bent = self.deformation.at({})
+        return {
+            column: Motion(transposed_times(bent.R, bent.turned[a]), transposed_times(bent.R, bent.shapes[a]))
+            for a, column in enumerate(self.deformation.columns)
+        }
+
+    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
+        """Motion after the move."""
+        bent, own = self.deformation.at(rates), self.deformation.of(accelerations)
+        omega = plus(before.omega, bent.omega)
+        alpha = plus(before.alpha, combination(bent.turned, own), bent.fading, cross(before.omega, bent.omega))
+        a = plus(before.carried(bent.rho), bent.drift(before.omega), combination(bent.shapes, own))
+        omega, alpha, a = (transposed_times(bent.R, vector) for vector in (omega, alpha, a))
+        return FrameMotion(omega, alpha, a)
+
+    def powers(self, after: Force) -> Row:
+        """Power of a wrench on the twist of each column."""
+        bent = self.deformation.at({})
+        f, turning = times(bent.R, after.f), bent.on_turns(times(bent.R, after.n))
+        turns = self.deformation.point.turns
+        return {
+            column: add(dot(bent.shapes[a], f), dot(turns[a], turning))
+            for a, column in enumerate(self.deformation.columns)
+        }
+
+    def wrench(self, after: Force) -> Force:
+        """Seen before the move."""
+        bent = self.deformation.at({})
+        f = times(bent.R, after.f)
+        return Force(f, plus(times(bent.R, after.n), cross(bent.rho, f)))
+
+    def composite(self, after: Inertia) -> Inertia:
+        """Seen before the move."""
+        bent = self.deformation.at({})
+        return after.turned(bent.R).shifted(bent.rho)
+
+    def lead(self, path: Path) -> None:
+        """Continue a path through the move."""
+        path.bend(self.deformation.columns, self.deformation.now)
+
+
+@dataclass(frozen=True)
+class Unbend(Plain):
+    """From such a marker to the frame of its body."""
+
+    deformation: Deformation
+
+    @property
+    def shared(self) -> list[Shared]:
+        """By the axes along and about which modes move the marker, where these are fewer; empty otherwise."""
+        bent, found = self.deformation.at({}), []
+        for one in self.deformation.shared:
+            turned = one.turned(bent)
+            twist = Motion(scaled(neg(ONE), turned), minus(cross(turned, bent.rho), one.shape))
+            found.append(Shared(one.shares, twist))
+        return found
+
+    def shared_powers(self, after: Force) -> Vector:
+        """Power of a wrench on these twists."""
+        bent = self.deformation.at({})
+        turning = bent.on_turns(minus(after.n, cross(bent.rho, after.f)))
+        return [neg(add(dot(one.shape, after.f), dot(one.theta, turning))) for one in self.deformation.shared]
+
+    @property
+    def twists(self) -> Mapping[int, Motion]:
+        """With the marker held, the frame moves against the marker's motion in it."""
+        bent, result = self.deformation.at({}), {}
+        for a, column in enumerate(self.deformation.columns):
+            back = scaled(neg(ONE), bent.turned[a])
+            result[column] = Motion(back, minus(cross(bent.turned[a], bent.rho), bent.shapes[a]))
+        return result
+
+    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
+        """Motion after the move."""
+        bent, own = self.deformation.at(rates), self.deformation.of(accelerations)
+        omega, alpha, a = (times(bent.R, vector) for vector in (before.omega, before.alpha, before.a))
+        omega = minus(omega, bent.omega)
+        alpha = minus(alpha, plus(combination(bent.turned, own), bent.fading, cross(omega, bent.omega)))
+        turning = FrameMotion(omega, alpha, zeros())
+        relative = plus(turning.carried(bent.rho), bent.drift(omega), combination(bent.shapes, own))
+        return FrameMotion(omega, alpha, minus(a, relative))
+
+    def powers(self, after: Force) -> Row:
+        """Power of a wrench on the twist of each column."""
+        bent = self.deformation.at({})
+        turning = bent.on_turns(minus(after.n, cross(bent.rho, after.f)))
+        turns = self.deformation.point.turns
+        return {
+            column: neg(add(dot(bent.shapes[a], after.f), dot(turns[a], turning)))
+            for a, column in enumerate(self.deformation.columns)
+        }
+
+    def wrench(self, after: Force) -> Force:
+        """Seen before the move."""
+        bent = self.deformation.at({})
+        moment = minus(after.n, cross(bent.rho, after.f))
+        return Force(transposed_times(bent.R, after.f), transposed_times(bent.R, moment))
+
+    def composite(self, after: Inertia) -> Inertia:
+        """Seen before the move."""
+        bent = self.deformation.at({})
+        back = [list(column) for column in zip(*bent.R, strict=True)]
+        return after.shifted(scaled(neg(ONE), bent.rho)).turned(back)
+
+    def lead(self, path: Path) -> None:
+        """Continue a path through the move."""
+        path.unbend(self.deformation.columns, self.deformation.now)
+
+
+@dataclass(frozen=True)
+class ToWorld(Plain):
+    """From the axes of a frame to those of the world; `axes` gives the frame's axes there (rows of a rotation)."""
+
+    axes: Callable[[], Matrix]
+
+    @cached_property
+    def _P(self) -> Matrix:
+        return self.axes()
+
+    @property
+    def twists(self) -> Mapping[int, Motion]:
+        """None: the axes follow from what is before."""
+        return {}
+
+    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
+        """Of the origin alone: a ball follows."""
+        return FrameMotion(zeros(), zeros(), times(self._P, before.a))
+
+    def wrench(self, after: Force) -> Force:
+        """The force in the frame's axes; that in the world's goes with it."""
+        return Force(transposed_times(self._P, after.f), zeros(), world=after.f)
+
+    def composite(self, after: Inertia) -> Inertia:
+        """A mass at the origin."""
+        return after.turned_mass(lambda: [list(row) for row in zip(*self._P, strict=True)])
+
+    def lead(self, path: Path) -> None:
+        """The path ends in the world's axes when the ball is reached."""
+
+
+@dataclass(frozen=True)
+class Across(Plain):
+    """From a body that a ball holds to a point of it at `arm`, in world axes; A: of the body, by rows.
+
+    Accelerations and forces stay in world axes all along a chain of such bodies: only moments arm x A^T F of them are
+    taken in body axes. A whole matrix lies between the axes of two such bodies, so that the world's cost least.
+    """
+
+    arm: Vector
+    A: Matrix
+
+    @property
+    def twists(self) -> Mapping[int, Motion]:
+        """None: the place follows from what is before."""
+        return {}
+
+    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
+        """Of the point alone: a ball follows."""
+        held = before.held or WorldFrame(self.A, times(self.A, before.a), True)
+        return FrameMotion(zeros(), zeros(), plus(held.a, before.swung(held, self.arm)), held)
+
+    def wrench(self, after: Force) -> Force:
+        """The force at the body's origin, and its lever."""
+        f = transposed_times(self.A, after.f)
+        return Force(f, cross(self.arm, f), after.f, (MomentArm(self.arm, after.f),), zeros())
+
+    def composite(self, after: Inertia) -> Inertia:
+        """A mass at the point."""
+        return after.turned_mass(lambda: [list(row) for row in zip(*self.A, strict=True)]).shifted(self.arm)
+
+    def lead(self, path: Path) -> None:
+        """Continue a path to the point."""
+        path.shift(self.arm)
+
+
+@dataclass(frozen=True)
+class Ball(Plain):
+    """From world axes to those of a body: A by rows, omega [rad/s] in body axes, its columns."""
+
+    columns: list[int]
+    A: Matrix
+    omega: Vector
+
+    @property
+    def twists(self) -> Mapping[int, Motion]:
+        """By column of q."""
+        return {column: Motion(unit(i), zeros()) for i, column in enumerate(self.columns)}
+
+    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
+        """Angular motion as it is, the origin's acceleration in body axes."""
+        omega, alpha = ([source.get(c, ZERO) for c in self.columns] for source in (rates, accelerations))
+        return FrameMotion(
+            omega, alpha, transposed_times(self.A, before.a), WorldFrame(self.A, before.a, before.held is not None)
+        )
+
+    def powers(self, after: Force) -> Row:
+        """The moment: A (e_i x arm) . F of each lever, of those along one axis e that of A^T sum(arm_k F) at e."""
+        if not after.levers:
+            return super().powers(after)
+        assert after.rest is not None
+        moment, levers = after.rest, [lever for lever in after.levers if any(not x.is_zero() for x in lever.arm)]
+        along = only_axis([lever.arm for lever in levers])
+        if along is not None and len(levers) > 1:
+            F = plus(*(scaled(lever.arm[along], lever.F) for lever in levers))
+            moment = plus(moment, cross(unit(along), transposed_times(self.A, F)))
+        else:
+            for lever in levers:
+                speeds = [times(self.A, cross(unit(i), lever.arm)) for i in range(3)]
+                moment = plus(moment, times(speeds, lever.F))
+        return dict(zip(self.columns, moment, strict=True))
+
+    def wrench(self, after: Force) -> Force:
+        """The force alone, in world axes."""
+        f = times(self.A, after.f) if after.world is None else after.world
+        return Force(f, zeros())
+
+    def composite(self, after: Inertia) -> Inertia:
+        """The mass alone."""
+        return after.turned_mass(lambda: self.A)
+
+    def lead(self, path: Path) -> None:
+        """Continue a path through the move."""
+        path.ball(self.columns, self.A, self.omega)

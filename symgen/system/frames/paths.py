@@ -22,7 +22,7 @@ Matrix = list[Vector]
 
 
 @dataclass(frozen=True)
-class Cause:
+class PathColumn:
     """What a unit rate of a coordinate does to all that follows: it turns about an axis, or it slides.
 
     before: how many arms of the path come before it. axis: the axis itself, where `turns` is that or its opposite.
@@ -79,7 +79,7 @@ class Path:
         self.axes = [[ONE if i == j else ZERO for i in range(3)] for j in range(3)]
         self.omega, self.alpha = zeros(), zeros()
         self.r_dot, self.a = zeros(), zeros()
-        self.causes: list[Cause] = []
+        self.causes: list[PathColumn] = []
         self._arms: list[Arm] = []
         self._reached = 0  # arms whose end has been given its velocity
 
@@ -123,14 +123,14 @@ class Path:
         self._reach()
         turns = scaled(sign, axis)
         spin = scaled(rate, turns)
-        self.causes.append(Cause(column, turns, None, len(self._arms), axis))
+        self.causes.append(PathColumn(column, turns, None, len(self._arms), axis))
         self.alpha = plus(self.alpha, cross(self.omega, spin))
         self.omega = plus(self.omega, spin)
 
     def slide(self, column: int, axis: Vector, rate: ca.SX) -> None:
         """What follows slides along an axis that turns with the frame."""
         speed = scaled(rate, axis)
-        self.causes.append(Cause(column, None, axis, len(self._arms)))
+        self.causes.append(PathColumn(column, None, axis, len(self._arms)))
         self.r_dot = plus(self.r_dot, speed)
         self.a = plus(self.a, scaled(ca.SX(2), cross(self.omega, speed)))
 
@@ -139,7 +139,7 @@ class Path:
         self._reach()
         self.turn_by(turning.A)
         for column, turns in zip(columns, turning.world_axes, strict=True):
-            self.causes.append(Cause(column, turns, None, len(self._arms)))
+            self.causes.append(PathColumn(column, turns, None, len(self._arms)))
         self.omega, self.alpha = turning.omega, turning.bias
 
     def ball(self, columns: list[int], A: Matrix, omega: Vector) -> None:
@@ -149,7 +149,7 @@ class Path:
         self.causes = [one if one.until is not None else replace(one, until=end) for one in self.causes]
         self.axes = [[row[j] for row in A] for j in range(3)]
         for column, axis in zip(columns, self.axes, strict=True):
-            self.causes.append(Cause(column, axis, None, end, axis))
+            self.causes.append(PathColumn(column, axis, None, end, axis))
         self.omega, self.alpha = self.along(omega), zeros()
 
     def bend(self, columns: list[int], bent: Bent) -> None:
@@ -192,7 +192,7 @@ class Path:
                 if turning is None
                 else combination(turning, modes.share(column))
             )
-            self.causes.append(Cause(column, turns, slides, len(self._arms), modes=modes))
+            self.causes.append(PathColumn(column, turns, slides, len(self._arms), modes=modes))
 
     def _reach(self) -> None:
         """The arm so far is done: what turns from here on does not move its end."""
@@ -227,7 +227,7 @@ class Path:
             found.append(plus(arm.vector, found[-1]))
         return found[::-1]
 
-    def moved(self, cause: Cause, to_end: list[Vector]) -> Vector:
+    def moved(self, cause: PathColumn, to_end: list[Vector]) -> Vector:
         """The velocity of the end for a unit rate of a cause."""
         parts, modes = [], cause.modes
         if cause.turns is not None:
@@ -238,7 +238,7 @@ class Path:
                 parts.append(combination([cross(axis, across) for axis in modes.turning], modes.share(cause.column)))
         return plus(*parts, *([] if cause.slides is None else [cause.slides]))
 
-    def _across(self, cause: Cause, to_end: list[Vector]) -> Vector:
+    def _across(self, cause: PathColumn, to_end: list[Vector]) -> Vector:
         """From the cause's axis to the end of what it turns, without the arms along that axis."""
         if cause.until is not None:
             turned = self._arms[cause.before : cause.until]

@@ -12,32 +12,10 @@ from dataclasses import dataclass
 import casadi as ca
 
 from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
-from symgen.algebra.vectors import Vector, cross, identity, plus, product, scaled, times, transposed_times, zeros
+from symgen.algebra.vectors import Vector, cross, plus, scaled, zeros
+from symgen.system.frames.spatial_algebra import SE3, Matrix
 
-Matrix = list[Vector]
 STRAIGHT = 0.02  # sine of the angle between two axes below which their common normal may be far away
-
-
-@dataclass(frozen=True)
-class Displacement:
-    """A rigid displacement: the new axes are the columns of R, the new origin is at r."""
-
-    R: Matrix
-    r: Vector
-
-    @staticmethod
-    def none() -> Displacement:
-        """The frame itself."""
-        return Displacement(identity(), zeros())
-
-    def then(self, other: Displacement) -> Displacement:
-        """Followed by another one."""
-        return Displacement(product(self.R, other.R), plus(self.r, times(self.R, other.r)))
-
-    def back(self) -> Displacement:
-        """The opposite one."""
-        R = [list(column) for column in zip(*self.R, strict=True)]
-        return Displacement(R, scaled(neg(ONE), transposed_times(self.R, self.r)))
 
 
 @dataclass(frozen=True)
@@ -78,10 +56,10 @@ class Screw:
     shift: ca.SX = ZERO
 
     @property
-    def displacement(self) -> Displacement:
+    def displacement(self) -> SE3:
         """About z."""
         c, s = self.angle.cosine, self.angle.sine
-        return Displacement([[c, neg(s), ZERO], [s, c, ZERO], [ZERO, ZERO, ONE]], [ZERO, ZERO, self.shift])
+        return SE3([[c, neg(s), ZERO], [s, c, ZERO], [ZERO, ZERO, ONE]], [ZERO, ZERO, self.shift])
 
 
 @dataclass(frozen=True)
@@ -94,7 +72,7 @@ class BetweenHinges:
     offset: Vector  # a shift across the first axis before the others, where the axes are parallel
 
 
-def between_hinges(displacement: Displacement) -> BetweenHinges:
+def between_hinges(displacement: SE3) -> BetweenHinges:
     """The screws of a constant displacement between axes that are parallel by structure, or not at all."""
     R, r = displacement.R, displacement.r
     z = [row[2] for row in R]

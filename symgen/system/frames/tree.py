@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from symgen.system.frames.flexible import FlexibleInertia, RigidInertia
 from symgen.system.frames.moves import Move
-from symgen.system.frames.screws import Displacement
+from symgen.system.frames.nodes import FlexibleNode, RigidNode
+from symgen.system.frames.spatial_algebra import SE3
 
 GROUND = -1
 
@@ -18,15 +18,15 @@ class Frame:
 
     parent: int
     moves: list[Move]
-    inertia: RigidInertia | FlexibleInertia | None
+    inertia: RigidNode | FlexibleNode | None
 
 
 @dataclass(frozen=True)
-class Seat:
+class BodyFrame:
     """Where a body's own frame is: in which frame of the tree, and where in that."""
 
     frame: int = GROUND
-    place: Displacement = field(default_factory=Displacement.none)
+    place: SE3 = field(default_factory=SE3.identity)
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class FrameTree:
     """Frames, parents first, and the seat of each body by name (the ground too)."""
 
     frames: list[Frame]
-    seats: dict[str, Seat]
+    seats: dict[str, BodyFrame]
 
     def way(self, frame: int) -> list[int]:
         """The frames from the ground to one, itself included."""

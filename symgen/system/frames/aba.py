@@ -16,10 +16,8 @@ import casadi as ca
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE, ZERO, add, div, mul, neg, sub
 from symgen.algebra.vectors import minus, scaled, zeros
-from symgen.system.frames.articulated import Articulated
-from symgen.system.frames.body_moves import Float
-from symgen.system.frames.motion import NOTHING, Motion, Twist, Wrench, no_masses
-from symgen.system.frames.moves import Move, Slide, Turn
+from symgen.system.frames.moves import Float, Move, Slide, Turn
+from symgen.system.frames.spatial_algebra import NOTHING, ArticulatedInertia, Force, FrameMotion, Motion, no_masses
 from symgen.system.frames.tree import GROUND, FrameTree
 
 Place = tuple[int, int]  # frame, and how many of its moves lie before
@@ -31,7 +29,7 @@ def floats(tree: FrameTree) -> bool:
 
 
 def free_joint_accelerations(
-    tree: FrameTree, force: Row, free: frozenset[int], wrenches: Sequence[Wrench] | None = None
+    tree: FrameTree, force: Row, free: frozenset[int], wrenches: Sequence[Force] | None = None
 ) -> Row:
     """x'' of M x'' = force by column; free: the columns that accelerate. Only for a tree in which no body floats.
 
@@ -58,7 +56,7 @@ class _Freed:
 
     column: int
     share: ca.SX
-    wrench: Wrench
+    wrench: Force
     others: Row
     hinge: _Hinge | None
 
@@ -67,9 +65,9 @@ class _Freed:
 class _State:
     """What is beyond a place: inertia, and by column momenta, masses and forces; the wrench that is left."""
 
-    inertia: Articulated
-    momenta: dict[int, Wrench]
-    wrench: Wrench
+    inertia: ArticulatedInertia
+    momenta: dict[int, Force]
+    wrench: Force
 
 
 class _FreeJoints:
@@ -78,7 +76,7 @@ class _FreeJoints:
     free: the columns to solve for; the others do not accelerate here.
     """
 
-    def __init__(self, tree: FrameTree, force: Row, free: frozenset[int], wrenches: Sequence[Wrench]) -> None:
+    def __init__(self, tree: FrameTree, force: Row, free: frozenset[int], wrenches: Sequence[Force]) -> None:
         frames = [replace(frame, moves=_turning_last(frame.moves)) for frame in tree.frames]
         self._tree, self._free, self._wrenches = FrameTree(frames, tree.seats), free, wrenches
         self._force = {column: force.get(column, ZERO) for column in free}
@@ -104,12 +102,12 @@ class _FreeJoints:
     # ---- from the tips to the ground -------------------------------------------------------------------------
 
     def _inward(self) -> None:
-        states = [_State(Articulated.of(no_masses()), {}, NOTHING) for _ in self._tree.frames]
+        states = [_State(ArticulatedInertia.of(no_masses()), {}, NOTHING) for _ in self._tree.frames]
         for k in reversed(range(len(self._tree.frames))):
             frame, state = self._tree.frames[k], states[k]
             state.wrench = state.wrench.plus(self._wrenches[k])
             if frame.inertia is not None:
-                state.inertia = state.inertia.plus(Articulated.of(frame.inertia.rigid))
+                state.inertia = state.inertia.plus(ArticulatedInertia.of(frame.inertia.rigid))
                 for (row, column), value in frame.inertia.own_masses().items():
                     self._add(row, column, value)
                 for column, wrench in frame.inertia.momenta.items():
@@ -154,12 +152,12 @@ class _FreeJoints:
             wrench, force = state.momenta.pop(column), self._force.pop(column)
             # a product with 1 / m is turned into a division where the emitted text is read, one with -1 / m is not
             inverse = div(neg(ONE), self._mass.pop((column, column)))
-            over, share = Wrench(scaled(inverse, wrench.f), scaled(inverse, wrench.n)), mul(inverse, force)
+            over, share = Force(scaled(inverse, wrench.f), scaled(inverse, wrench.n)), mul(inverse, force)
             masses = {c: self._mass.pop(_pair(c, column)) for c in state.momenta if _pair(c, column) in self._mass}
             relative = {other: mul(inverse, mass) for other, mass in masses.items()}
             self._freed.setdefault(place, []).append(_Freed(column, share, over, relative, hinge))
             f, n = state.wrench.f, state.wrench.n
-            state.wrench = Wrench(minus(f, scaled(share, wrench.f)), minus(n, scaled(share, wrench.n)))
+            state.wrench = Force(minus(f, scaled(share, wrench.f)), minus(n, scaled(share, wrench.n)))
             state.inertia = state.inertia.less(wrench, over)
             if hinge is not None:
                 state.wrench.n[hinge.axis] = mul(hinge.sign, hinge.force)
@@ -167,7 +165,7 @@ class _FreeJoints:
             for other, factor in relative.items():
                 self._force[other] = add(self._force[other], mul(factor, force))
                 mine = state.momenta[other]
-                state.momenta[other] = mine.plus(Wrench(scaled(factor, wrench.f), scaled(factor, wrench.n)))
+                state.momenta[other] = mine.plus(Force(scaled(factor, wrench.f), scaled(factor, wrench.n)))
                 for second, mass in masses.items():
                     if second >= other:
                         self._add(other, second, mul(factor, mass))
@@ -179,9 +177,9 @@ class _FreeJoints:
     # ---- and back out ----------------------------------------------------------------------------------------
 
     def _outward(self) -> None:
-        motions: list[Motion] = []
+        motions: list[FrameMotion] = []
         for k, frame in enumerate(self._tree.frames):
-            motion = Motion(zeros(), zeros(), zeros()) if frame.parent == GROUND else motions[frame.parent]
+            motion = FrameMotion(zeros(), zeros(), zeros()) if frame.parent == GROUND else motions[frame.parent]
             for place, move in enumerate(frame.moves):
                 before = move.motion(motion, {}, {})
                 self._solve((k, place), before)
@@ -189,14 +187,14 @@ class _FreeJoints:
             self._solve((k, len(frame.moves)), motion)
             motions.append(motion)
 
-    def _solve(self, place: Place, motion: Motion) -> None:
+    def _solve(self, place: Place, motion: FrameMotion) -> None:
         """The columns eliminated at a place; motion: that of the frame without them."""
         for freed in reversed(self._freed.get(place, [])):
             n, turned = list(freed.wrench.n), ZERO
             if freed.hinge is not None:
                 axis = freed.hinge.axis
                 n[axis], turned = ZERO, mul(freed.hinge.sign, motion.alpha[axis])
-            value = sub(Wrench(freed.wrench.f, n).along(Twist(motion.alpha, motion.a)), freed.share)
+            value = sub(Force(freed.wrench.f, n).along(Motion(motion.alpha, motion.a)), freed.share)
             for other, factor in freed.others.items():
                 value = add(value, mul(factor, self.accelerations[other]))
             self.accelerations[freed.column] = sub(value, turned)
@@ -216,5 +214,5 @@ def _pair(i: int, j: int) -> tuple[int, int]:
     return (i, j) if i <= j else (j, i)
 
 
-def _gather(momenta: dict[int, Wrench], column: int, wrench: Wrench) -> None:
+def _gather(momenta: dict[int, Force], column: int, wrench: Force) -> None:
     momenta[column] = momenta[column].plus(wrench) if column in momenta else wrench

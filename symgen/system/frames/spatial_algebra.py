@@ -2,6 +2,8 @@
 
 A frame moves with the angular velocity omega and the angular acceleration alpha; its origin has the acceleration a. No
 linear velocity occurs. A point fixed at rho has the acceleration a + G rho with G = alpha~ + omega~^2.
+
+Inertia of bodies whose joints are free: f = A a + H^T alpha, n = H a + J alpha with A and J symmetric.
 """
 
 from __future__ import annotations
@@ -12,14 +14,35 @@ from functools import cached_property
 
 import casadi as ca
 
-from symgen.algebra.scalar import ZERO, add, dot, mul, neg, sub
-from symgen.algebra.vectors import Vector, cross, plus, product, scaled, times, zeros
+from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg, sub
+from symgen.algebra.vectors import Vector, cross, identity, plus, product, scaled, times, transposed_times, zeros
 
 Matrix = list[Vector]
 
 
 @dataclass(frozen=True)
-class Twist:
+class SE3:
+    """A rigid displacement: the new axes are the columns of R, the new origin is at r."""
+
+    R: Matrix
+    r: Vector
+
+    @staticmethod
+    def identity() -> SE3:
+        """The frame itself."""
+        return SE3(identity(), zeros())
+
+    def __mul__(self, other: SE3) -> SE3:
+        """Followed by another one."""
+        return SE3(product(self.R, other.R), plus(self.r, times(self.R, other.r)))
+
+    def inverse(self) -> SE3:
+        """The opposite one."""
+        return SE3(transposed(self.R), scaled(neg(ONE), transposed_times(self.R, self.r)))
+
+
+@dataclass(frozen=True)
+class Motion:
     """Motion of a frame for a unit rate of a coordinate: angular velocity, velocity of its origin."""
 
     omega: Vector
@@ -27,7 +50,7 @@ class Twist:
 
 
 @dataclass(frozen=True)
-class Lever:
+class MomentArm:
     """What gives a moment arm x A^T F: an arm in the frame's axes, F in those of the world."""
 
     arm: Vector
@@ -35,7 +58,7 @@ class Lever:
 
 
 @dataclass(frozen=True)
-class Wrench:
+class Force:
     """Force f and moment n about the frame's origin; world: f in world axes where it is known.
 
     Where there are levers, n is also what they and the `rest` give: the shorter of the two ways is taken later.
@@ -44,28 +67,28 @@ class Wrench:
     f: Vector
     n: Vector
     world: Vector | None = None
-    levers: tuple[Lever, ...] = ()
+    levers: tuple[MomentArm, ...] = ()
     rest: Vector | None = None
 
-    def along(self, twist: Twist) -> ca.SX:
+    def along(self, twist: Motion) -> ca.SX:
         """Power on a twist."""
         return add(dot(twist.omega, self.n), dot(twist.v, self.f))
 
-    def plus(self, other: Wrench) -> Wrench:
+    def plus(self, other: Force) -> Force:
         """Sum about the same origin."""
         known = self.world is not None and other.world is not None
         world = plus(self.world, other.world) if known else None  # type: ignore[arg-type]
         rest, levers = None, (*self.levers, *other.levers)
         if levers:
             rest = plus(*(one.n if one.rest is None else one.rest for one in (self, other)))
-        return Wrench(plus(self.f, other.f), plus(self.n, other.n), world, levers, rest)
+        return Force(plus(self.f, other.f), plus(self.n, other.n), world, levers, rest)
 
 
-NOTHING = Wrench(zeros(), zeros(), zeros())
+NOTHING = Force(zeros(), zeros(), zeros())
 
 
 @dataclass(frozen=True)
-class Held:
+class WorldFrame:
     """A frame's axes in the world, A by rows, and the acceleration of its origin there.
 
     swings: does another body on a ball carry the origin? Then A (e_i x h) are needed anyway, as momenta of unit rates.
@@ -77,13 +100,13 @@ class Held:
 
 
 @dataclass(frozen=True)
-class Motion:
+class FrameMotion:
     """omega, alpha, and the acceleration a of the frame's origin less gravity; held: where a ball gives the axes."""
 
     omega: Vector
     alpha: Vector
     a: Vector
-    held: Held | None = None
+    held: WorldFrame | None = None
 
     @cached_property
     def G(self) -> Matrix:
@@ -114,7 +137,7 @@ class Motion:
         """Acceleration of the point at `arm`, fixed in the frame."""
         return plus(self.a, times(self.G, arm))
 
-    def swung(self, held: Held, arm: Vector) -> Vector:
+    def swung(self, held: WorldFrame, arm: Vector) -> Vector:
         """G arm in world axes; arms along the same axis share a rotation."""
         along = only_axis([arm])
         if along is None:
@@ -123,7 +146,7 @@ class Motion:
 
 
 @dataclass(frozen=True)
-class Composite:
+class Inertia:
     """Mass m, first moment h = int rho dm and second moments Sigma = int rho rho^T dm about the frame's origin.
 
     The inertia tensor is tr(Sigma) - Sigma. A shift changes three entries of Sigma where it changes five of the tensor.
@@ -133,25 +156,25 @@ class Composite:
     h: Vector
     Sigma: Matrix
 
-    def plus(self, other: Composite) -> Composite:
+    def plus(self, other: Inertia) -> Inertia:
         """Of both bodies together, about the same origin."""
         Sigma = [plus(row, more) for row, more in zip(self.Sigma, other.Sigma, strict=True)]
-        return Composite(add(self.m, other.m), plus(self.h, other.h), Sigma)
+        return Inertia(add(self.m, other.m), plus(self.h, other.h), Sigma)
 
-    def turned(self, R: Matrix) -> Composite:
+    def turned(self, R: Matrix) -> Inertia:
         """In axes in which those of the frame are the columns of R."""
         half = product(R, self.Sigma)
         upper = [[dot(half[i], R[j]) if i <= j else ZERO for j in range(3)] for i in range(3)]
-        return Composite(self.m, times(R, self.h), symmetric_of(upper))
+        return Inertia(self.m, times(R, self.h), symmetric_of(upper))
 
-    def about(self, axis: int, cosine: ca.SX, sine: ca.SX) -> Composite:
+    def about(self, axis: int, cosine: ca.SX, sine: ca.SX) -> Inertia:
         """In axes from which the frame's are turned about one of them."""
         i, j = (axis + 1) % 3, (axis + 2) % 3
         h = list(self.h)
         h[i], h[j] = turned_back(h[i], h[j], cosine, sine)
-        return Composite(self.m, h, both_turned_back(self.Sigma, axis, cosine, sine))
+        return Inertia(self.m, h, both_turned_back(self.Sigma, axis, cosine, sine))
 
-    def shifted(self, arm: Vector) -> Composite:
+    def shifted(self, arm: Vector) -> Inertia:
         """About the point from which the origin is at `arm`."""
         h = plus(self.h, scaled(self.m, arm))
         upper = [
@@ -161,33 +184,33 @@ class Composite:
             ]
             for i in range(3)
         ]
-        return Composite(self.m, h, symmetric_of(upper))
+        return Inertia(self.m, h, symmetric_of(upper))
 
-    def turned_mass(self, R: Callable[[], Matrix]) -> Composite:
+    def turned_mass(self, R: Callable[[], Matrix]) -> Inertia:
         """The mass alone, in axes in which those of the frame are the columns of R."""
-        return Composite(self.m, zeros(), [zeros() for _ in range(3)])
+        return Inertia(self.m, zeros(), [zeros() for _ in range(3)])
 
-    def momentum(self, twist: Twist) -> Wrench:
+    def momentum(self, twist: Motion) -> Force:
         """Linear momentum and angular momentum about the origin of a twist: int v dm, int rho x v dm."""
         f = plus(scaled(self.m, twist.v), cross(twist.omega, self.h))
-        return Wrench(f, plus(cross(self.h, twist.v), inertia_times(self.Sigma, twist.omega)))
+        return Force(f, plus(cross(self.h, twist.v), inertia_times(self.Sigma, twist.omega)))
 
-    def inertia_wrench(self, motion: Motion) -> Wrench:
+    def inertia_wrench(self, motion: FrameMotion) -> Force:
         """What moves the masses: f = m a + G h, n = h x a + ax(Sigma G^T)."""
         f = plus(scaled(self.m, motion.a), times(motion.G, self.h))
         turning, held = motion.turning_moment(self.Sigma), motion.held
         n = plus(cross(self.h, motion.a), turning)
         if held is None:
-            return Wrench(f, n)
+            return Force(f, n)
         world = plus(scaled(self.m, held.a), motion.swung(held, self.h))
         if not held.swings:
-            return Wrench(f, n, world)
-        return Wrench(f, n, world, (Lever(self.h, held.a),), turning)
+            return Force(f, n, world)
+        return Force(f, n, world, (MomentArm(self.h, held.a),), turning)
 
 
-def no_masses() -> Composite:
+def no_masses() -> Inertia:
     """Nothing."""
-    return Composite(ZERO, zeros(), [zeros() for _ in range(3)])
+    return Inertia(ZERO, zeros(), [zeros() for _ in range(3)])
 
 
 def only_axis(arms: Sequence[Vector]) -> int | None:
@@ -242,3 +265,96 @@ def both_turned_back(block: Matrix, axis: int, cosine: ca.SX, sine: ca.SX, symme
 def symmetric_of(upper: Matrix) -> Matrix:
     """The symmetric matrix of an upper triangle."""
     return [[upper[min(i, j)][max(i, j)] for j in range(3)] for i in range(3)]
+
+
+@dataclass(frozen=True)
+class ArticulatedInertia:
+    """Inertia of what is beyond a frame, its joints free: blocks A (a to f), H (a to n) and J (alpha to n)."""
+
+    A: Matrix
+    H: Matrix
+    J: Matrix
+
+    @staticmethod
+    def of(body: Inertia) -> ArticulatedInertia:
+        """Of a body without free joints."""
+        (x, y, z), S = body.h, body.Sigma
+        A = [[body.m if i == j else ZERO for j in range(3)] for i in range(3)]
+        H = [[ZERO, neg(z), y], [z, ZERO, neg(x)], [neg(y), x, ZERO]]
+        J = [
+            [
+                add(S[(i + 1) % 3][(i + 1) % 3], S[(i + 2) % 3][(i + 2) % 3]) if i == j else neg(S[i][j])
+                for j in range(3)
+            ]
+            for i in range(3)
+        ]
+        return ArticulatedInertia(symmetric_of(A), H, symmetric_of(J))
+
+    def plus(self, other: ArticulatedInertia) -> ArticulatedInertia:
+        """Of both, about the same origin."""
+        A, H, J = (_sum(mine, own) for mine, own in zip(self._blocks, other._blocks, strict=True))
+        return ArticulatedInertia(symmetric_of(A), H, symmetric_of(J))
+
+    @property
+    def _blocks(self) -> tuple[Matrix, Matrix, Matrix]:
+        return self.A, self.H, self.J
+
+    def turned(self, R: Matrix) -> ArticulatedInertia:
+        """In axes in which those of the frame are the columns of R."""
+        back = transposed(R)
+        A, H, J = (product(product(R, block), back) for block in self._blocks)
+        return ArticulatedInertia(symmetric_of(A), H, symmetric_of(J))
+
+    def turned_mass(self, R: Callable[[], Matrix]) -> ArticulatedInertia:
+        """What a freed ball leaves: no moment, whatever the motion. In axes as in `turned`."""
+        axes = R()
+        A = symmetric_of(product(product(axes, self.A), transposed(axes)))
+        return ArticulatedInertia(A, [zeros() for _ in range(3)], [zeros() for _ in range(3)])
+
+    def about(self, axis: int, cosine: ca.SX, sine: ca.SX) -> ArticulatedInertia:
+        """In axes from which the frame's are turned about one of them."""
+        A, J = (both_turned_back(block, axis, cosine, sine) for block in (self.A, self.J))
+        return ArticulatedInertia(A, both_turned_back(self.H, axis, cosine, sine, symmetric=False), J)
+
+    def shifted(self, arm: Vector) -> ArticulatedInertia:
+        """About the point from which the origin is at `arm`: n gains arm x f, a loses arm x alpha."""
+        H = _sum(self.H, _columns(lambda column: cross(arm, column), self.A))
+        # n = ... + (J + arm~ H^T - (H + arm~ A) arm~) alpha
+        left = _columns(lambda column: cross(arm, column), transposed(self.H))
+        right = transposed(_columns(lambda column: cross(arm, column), transposed(H)))
+        J = [[add(add(self.J[i][j], left[i][j]), right[i][j]) if i <= j else ZERO for j in range(3)] for i in range(3)]
+        return ArticulatedInertia(self.A, H, symmetric_of(J))
+
+    def momentum(self, twist: Motion) -> Force:
+        """Force for an acceleration."""
+        f = plus(times(self.A, twist.v), times(transposed(self.H), twist.omega))
+        return Force(f, plus(times(self.H, twist.v), times(self.J, twist.omega)))
+
+    def less(self, wrench: Force, over: Force) -> ArticulatedInertia:
+        """With a coordinate freed whose unit acceleration takes this wrench; over: by its own force against that."""
+        A, H, J = _more(self.A, wrench.f, over.f), _more(self.H, wrench.n, over.f), _more(self.J, wrench.n, over.n)
+        return ArticulatedInertia(symmetric_of(A), H, symmetric_of(J))
+
+    def free_about(self, axis: int) -> ArticulatedInertia:
+        """Without what a freed hinge about an axis leaves at zero: no moment about it, whatever the motion."""
+        clear = [k == axis for k in range(3)]
+        H = [zeros() if clear[i] else list(row) for i, row in enumerate(self.H)]
+        J = [[ZERO if clear[i] or clear[j] else value for j, value in enumerate(row)] for i, row in enumerate(self.J)]
+        return ArticulatedInertia(self.A, H, symmetric_of(J))
+
+
+def transposed(block: Matrix) -> Matrix:
+    """Rows as columns."""
+    return [list(column) for column in zip(*block, strict=True)]
+
+
+def _sum(a: Matrix, b: Matrix) -> Matrix:
+    return [plus(x, y) for x, y in zip(a, b, strict=True)]
+
+
+def _columns(apply: Callable[[Vector], Vector], block: Matrix) -> Matrix:
+    return transposed([apply(column) for column in transposed(block)])
+
+
+def _more(block: Matrix, left: Vector, right: Vector) -> Matrix:
+    return [[add(block[i][j], mul(left[i], right[j])) for j in range(3)] for i in range(3)]

@@ -12,13 +12,12 @@ from collections.abc import Collection, Mapping
 from symgen.algebra.rows import Row, add_scaled, add_to
 from symgen.algebra.scalar import ZERO, add
 from symgen.algebra.vectors import Vector, zeros
-from symgen.system.frames.body_moves import Float
-from symgen.system.frames.motion import NOTHING, Motion, Wrench
-from symgen.system.frames.moves import Turn
+from symgen.system.frames.moves import Float, Turn
+from symgen.system.frames.spatial_algebra import NOTHING, Force, FrameMotion
 from symgen.system.frames.tree import GROUND, FrameTree
 
 
-def inverse_dynamics(tree: FrameTree, base: Vector | Mapping[int, Motion], rates: Row, accelerations: Row) -> Row:
+def inverse_dynamics(tree: FrameTree, base: Vector | Mapping[int, FrameMotion], rates: Row, accelerations: Row) -> Row:
     """Generalised force by column that gives the accelerations at these rates.
 
     base: acceleration of the ground, or how what each frame on the ground stands on moves, by frame.
@@ -40,17 +39,17 @@ def inverse_dynamics(tree: FrameTree, base: Vector | Mapping[int, Motion], rates
 
 def own_wrenches(
     tree: FrameTree,
-    base: Vector | Mapping[int, Motion],
+    base: Vector | Mapping[int, FrameMotion],
     rates: Row,
     accelerations: Row,
     chosen: Collection[int] = (),
-) -> tuple[list[Wrench], Row, Row]:
+) -> tuple[list[Force], Row, Row]:
     """(what moves the masses of each frame, generalised forces on modes by column, accelerations of `chosen` columns).
 
     chosen: hinges whose accelerations are those that leave no angular acceleration about their axes.
     """
-    motions: list[Motion] = []
-    wrenches: list[Wrench] = []
+    motions: list[FrameMotion] = []
+    wrenches: list[Force] = []
     force: Row = {}
     found: Row = {}
     for k, frame in enumerate(tree.frames):
@@ -69,8 +68,8 @@ def own_wrenches(
     return wrenches, force, found
 
 
-def _begun(base: Vector | Mapping[int, Motion], frame: int) -> Motion:
-    return base[frame] if isinstance(base, Mapping) else Motion(zeros(), zeros(), base)
+def _begun(base: Vector | Mapping[int, FrameMotion], frame: int) -> FrameMotion:
+    return base[frame] if isinstance(base, Mapping) else FrameMotion(zeros(), zeros(), base)
 
 
 def lone_hinges(tree: FrameTree) -> set[int]:

@@ -20,11 +20,11 @@ from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
 from symgen.algebra.vectors import Vector, combination, cross, plus, scaled, zeros
 from symgen.bodies.spatial_moments import SpatialIntegrals, SpatialMoments
-from symgen.system.frames.motion import Composite, Matrix, Motion, Wrench, traced
+from symgen.system.frames.spatial_algebra import Force, FrameMotion, Inertia, Matrix, traced
 
 
 @dataclass(frozen=True)
-class FlexibleInertia:
+class FlexibleNode:
     """A flexible body: its integrals, and values and columns of its modal coordinates q_f."""
 
     data: SpatialIntegrals
@@ -44,14 +44,14 @@ class FlexibleInertia:
         return SpatialMoments(self.data, self.q_f, self.own(rates), zeros())
 
     @cached_property
-    def rigid(self) -> Composite:
+    def rigid(self) -> Inertia:
         """The body as it is bent."""
-        return Composite(self.data.mass, self._still.h, self._still.J)
+        return Inertia(self.data.mass, self._still.h, self._still.J)
 
     @cached_property
-    def momenta(self) -> dict[int, Wrench]:
+    def momenta(self) -> dict[int, Force]:
         """s_a and B_a: momentum of the body for a unit rate of each mode, by column."""
-        return {column: Wrench(self._still.s[a], self._still.B[a]) for a, column in enumerate(self.columns)}
+        return {column: Force(self._still.s[a], self._still.B[a]) for a, column in enumerate(self.columns)}
 
     def own_masses(self) -> dict[tuple[int, int], ca.SX]:
         """Upper triangle of M_ff by columns."""
@@ -66,7 +66,7 @@ class FlexibleInertia:
         """E_a = L_a + L_a^T = 2 D_a."""
         return [[[add(L[i][j], L[j][i]) for j in range(3)] for i in range(3)] for L in self._still.L]
 
-    def inertia_force(self, motion: Motion, rates: Row, accelerations: Row) -> tuple[Wrench, Row]:
+    def inertia_force(self, motion: FrameMotion, rates: Row, accelerations: Row) -> tuple[Force, Row]:
         """(wrench that moves the masses, generalised force on the modes by column)."""
         moments, momenta = self.moments(rates), self.momenta
         speeds, own = self.own(rates), self.own(accelerations)
@@ -80,7 +80,7 @@ class FlexibleInertia:
             value = add(value, self._centrifugal(a, motion.omega))
             value = add(value, dot(twice, moments.Gd[a]))
             modes[column] = add(value, dot(self.data.M_ff[a], own))
-        return Wrench(f, n), modes
+        return Force(f, n), modes
 
     def _centrifugal(self, a: int, omega: Vector) -> ca.SX:
         """omega~^2 : D_a = omega.(D_a omega) - (omega.omega) tr(D_a)."""
@@ -95,13 +95,13 @@ class FlexibleInertia:
 
 
 @dataclass(frozen=True)
-class RigidInertia:
+class RigidNode:
     """A rigid body, or nothing, at a frame."""
 
-    rigid: Composite
+    rigid: Inertia
 
     @property
-    def momenta(self) -> dict[int, Wrench]:
+    def momenta(self) -> dict[int, Force]:
         """No modes."""
         return {}
 
@@ -109,7 +109,7 @@ class RigidInertia:
         """No modes."""
         return {}
 
-    def inertia_force(self, motion: Motion, rates: Row, accelerations: Row) -> tuple[Wrench, Row]:
+    def inertia_force(self, motion: FrameMotion, rates: Row, accelerations: Row) -> tuple[Force, Row]:
         """(wrench that moves the masses, nothing on modes)."""
         return self.rigid.inertia_wrench(motion), {}
 

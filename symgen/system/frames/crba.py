@@ -16,15 +16,14 @@ import casadi as ca
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ZERO, add, dot, length
 from symgen.algebra.vectors import plus, scaled, zeros
-from symgen.system.frames.body_moves import Bend, Unbend
-from symgen.system.frames.motion import NOTHING, Composite, Motion, Twist, Wrench, no_masses
-from symgen.system.frames.moves import Move
+from symgen.system.frames.moves import Bend, Move, Unbend
+from symgen.system.frames.spatial_algebra import NOTHING, Force, FrameMotion, Inertia, Motion, no_masses
 from symgen.system.frames.tree import GROUND, FrameTree
 
 FEW = 3  # coordinates before a flexible body, up to which their twists may be the shorter way
 
 Place = tuple[int, int]  # a frame, and one of its moves
-Momenta = dict[int, Wrench]
+Momenta = dict[int, Force]
 
 
 def mass_rows(tree: FrameTree, n: int) -> list[Row]:
@@ -38,12 +37,12 @@ def _length(M: list[Row]) -> int:
     return length([value for row in M for value in row.values()])
 
 
-def _meetings(tree: FrameTree) -> dict[Place, dict[int, Twist]]:
+def _meetings(tree: FrameTree) -> dict[Place, dict[int, Motion]]:
     """Twists of the coordinates before a flexible body after the move that its modes make first, where they are few."""
-    found: dict[Place, dict[int, Twist]] = {}
+    found: dict[Place, dict[int, Motion]] = {}
     if all(frame.inertia is None or not frame.inertia.momenta for frame in tree.frames):
         return found
-    twists: list[dict[int, Twist]] = []
+    twists: list[dict[int, Motion]] = []
     for k, frame in enumerate(tree.frames):
         known = {} if frame.parent == GROUND else dict(twists[frame.parent])
         modes = set() if frame.inertia is None else set(frame.inertia.momenta)
@@ -58,16 +57,16 @@ def _meetings(tree: FrameTree) -> dict[Place, dict[int, Twist]]:
     return found
 
 
-def _through(move: Move, twist: Twist) -> Twist:
+def _through(move: Move, twist: Motion) -> Motion:
     """A twist of the frame before a move, seen after it: accelerations at rest are moved alike."""
-    moved = move.motion(Motion(zeros(), twist.omega, twist.v), {}, {})
-    return Twist(moved.alpha, moved.a)
+    moved = move.motion(FrameMotion(zeros(), twist.omega, twist.v), {}, {})
+    return Motion(moved.alpha, moved.a)
 
 
 class _Composites:
     """meetings: twists by column and frame that come to momenta there; `M` is the result."""
 
-    def __init__(self, tree: FrameTree, n: int, meetings: Mapping[Place, Mapping[int, Twist]]) -> None:
+    def __init__(self, tree: FrameTree, n: int, meetings: Mapping[Place, Mapping[int, Motion]]) -> None:
         self.M: list[Row] = [{} for _ in range(n)]
         beyond = [no_masses() for _ in tree.frames]
         momenta: list[Momenta] = [{} for _ in tree.frames]
@@ -92,7 +91,7 @@ class _Composites:
                 beyond[frame.parent] = beyond[frame.parent].plus(composite)
                 _gather(momenta[frame.parent], moved)
 
-    def _whole(self, move: Move, composite: Composite, moved: Momenta) -> Momenta:
+    def _whole(self, move: Move, composite: Inertia, moved: Momenta) -> Momenta:
         """Momenta after a move with those of its own coordinates, which the others meet here."""
         for column, wrench in moved.items():
             if column not in move.twists:
@@ -110,7 +109,7 @@ class _Composites:
                     self._add(k, other, add(value, powers[other][k]) if other in powers else value)
         return whole
 
-    def _by_parts(self, move: Bend | Unbend, composite: Composite, moved: Momenta) -> Momenta:
+    def _by_parts(self, move: Bend | Unbend, composite: Inertia, moved: Momenta) -> Momenta:
         """Of the modes of a move by their shares in common twists, of which each pair meets once."""
         parts = move.shared
         own = [composite.momentum(part.twist) for part in parts]
@@ -123,13 +122,13 @@ class _Composites:
             for b in columns[place:]:
                 value = dot([part.shares.get(b, ZERO) for part in parts], found)
                 self._add(a, b, add(value, dot(shares, known[b])))
-            mine = [Wrench(scaled(share, one.f), scaled(share, one.n)) for share, one in zip(shares, own, strict=True)]
-            whole[a] = reduce(Wrench.plus, mine, moved.get(a, NOTHING))
+            mine = [Force(scaled(share, one.f), scaled(share, one.n)) for share, one in zip(shares, own, strict=True)]
+            whole[a] = reduce(Force.plus, mine, moved.get(a, NOTHING))
         return whole
 
-    def _meet(self, twists: Mapping[int, Twist], composite: Composite, moved: Momenta) -> Composite:
+    def _meet(self, twists: Mapping[int, Motion], composite: Inertia, moved: Momenta) -> Inertia:
         """What coordinates nearer to the ground have in common with momenta, and with each other by this inertia."""
-        rest = Composite(ZERO, composite.h, composite.Sigma)
+        rest = Inertia(ZERO, composite.h, composite.Sigma)
         columns = sorted(twists, key=lambda c: all(value.is_zero() for value in twists[c].omega), reverse=True)
         for place, column in enumerate(columns):
             own = rest.momentum(twists[column])
@@ -137,7 +136,7 @@ class _Composites:
                 self._add(min(column, other), max(column, other), own.along(twists[other]))
             for other, wrench in moved.items():
                 self._add(min(column, other), max(column, other), wrench.along(twists[column]))
-        return Composite(composite.m, zeros(), no_masses().Sigma)
+        return Inertia(composite.m, zeros(), no_masses().Sigma)
 
     def _add(self, i: int, j: int, value: ca.SX) -> None:
         add_to(self.M[i], j, value)
@@ -145,6 +144,6 @@ class _Composites:
             self.M[j][i] = self.M[i][j]
 
 
-def _gather(target: Momenta, more: Mapping[int, Wrench]) -> None:
+def _gather(target: Momenta, more: Mapping[int, Force]) -> None:
     for column, wrench in more.items():
         target[column] = target[column].plus(wrench) if column in target else wrench

@@ -1,0 +1,362 @@
+"""The first two derivatives in time of the rows of a spherical joint that closes a loop, from the ways to its markers.
+
+C = r_b - r_a, so that an entry of C_q is what a coordinate moves the end of a way by, and its rates are those of the
+coordinate's field there.
+
+A frame with the way to it: what the coordinates on the way do to the frame, and to the wrench that is there.
+
+k_c'c is what a displacement by coordinate c does to the power of a wrench on coordinate c' of an earlier move: the
+wrench is displaced with the frame. On coordinates of later moves it does nothing, as all of that is displaced alike;
+on those of the same move only where that bends a body. The force of a spherical joint keeps its direction instead: a
+turning tau of the frame changes it by -tau x f as seen there.
+
+Derivatives of inertia forces along directions in which all coordinates of loops follow a few.
+
+With T_i the field of a frame for direction i and w the change of the wrench that moves its masses,
+
+    d(S^T F)_i / dx_j = sum over frames of T_i . w(D T_j, D^2 T_j, T_j) + sum over c', c of S_c'i S_cj k_c'c,
+
+k being geometry (`places`). A body that one spherical joint ties is looked at where the joint is: its force has no
+moment there, and the joint's other body gives v where fewer coordinates move it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property, partial
+
+import casadi as ca
+
+from symgen.algebra.rows import Row, add_to
+from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg
+from symgen.algebra.vectors import Vector, cross, identity, negative, plus, times, zeros
+from symgen.bodies.deformation import Deformation
+from symgen.system.frames.fields import Change, Direction, Field, FieldPart, MoveState, joint_parts, share_of, turned
+from symgen.system.frames.moves import Bend, Fixed, Move, Unbend
+from symgen.system.frames.nodes import FlexibleNode
+from symgen.system.frames.paths import Path
+from symgen.system.frames.rnea_derivatives import BendChanges, ForceSweep, Subtree, parts_of
+from symgen.system.frames.skeleton import place_of
+from symgen.system.frames.spatial_algebra import NOTHING, Force, FrameMotion, Motion
+from symgen.system.frames.tree import GROUND, BodyFrame, FrameTree
+
+
+@dataclass(frozen=True)
+class MarkerWay:
+    """Moves from frame `base` (or GROUND), taken to be at rest, to a marker in `frame`; path: to that frame."""
+
+    base: int
+    frame: int
+    moves: list[Move]
+    path: Path
+
+    @property
+    def end(self) -> Move:
+        """From the frame to the marker, without turning."""
+        return self.moves[-1]
+
+    @staticmethod
+    def to(tree: FrameTree, base: int, seat: BodyFrame, marker: Deformation, path: Path) -> MarkerWay:
+        """From a frame (or GROUND) to a marker of a body with some seat; path: to the frame of that."""
+        frames = tree.way(seat.frame)
+        frames = frames if base == GROUND else frames[frames.index(base) + 1 :]
+        place = plus(seat.place.r, times(seat.place.R, marker.point.position))
+        end = Fixed(identity(), place) if marker.rigid else Bend(place_of(marker))
+        return MarkerWay(
+            base, seat.frame, [*(move for frame in frames for move in tree.frames[frame].moves), end], path
+        )
+
+    def parts(self, rates: Row, accelerations: Row) -> list[FieldPart]:
+        """What the coordinates on the way do to its end, in the axes there."""
+        found: list[FieldPart] = []
+        motion = FrameMotion(zeros(), zeros(), zeros())
+        for move in self.moves:
+            before, motion = motion, move.motion(motion, rates, accelerations)
+            spot = MoveState(before, motion, rates, accelerations)
+            found = [FieldPart(part.shares, part.field.beyond(move, spot)) for part in found] + parts_of(move, spot)
+        return found
+
+
+@dataclass(frozen=True)
+class LoopRates:
+    """Of a spherical joint between the ends of two ways from the same frame; base: the way to that, whose rates do not
+    count: what is closed in its axes is closed in those of the world, in which the rows are.
+    """
+
+    a: MarkerWay
+    b: MarkerWay
+    base: Path
+
+    def rows(self, rates: Row, accelerations: Row) -> tuple[list[Row], list[Row]]:
+        """(dC_q/dt, d^2 C_q/dt^2) by row and column."""
+        first: list[Row] = [{}, {}, {}]
+        second: list[Row] = [{}, {}, {}]
+        for way, back in ((self.a, True), (self.b, False)):
+            for part in way.parts(rates, accelerations):
+                for rows, vector in ((first, part.field.moving[1]), (second, part.field.moving[2])):
+                    for row, value in zip(rows, self.base.along(way.path.along(vector)), strict=True):
+                        for column, share in part.shares.items():
+                            own = mul(share, value)
+                            add_to(row, column, neg(own) if back else own)
+        return first, second
+
+
+@dataclass(frozen=True)
+class _Step:
+    """A move on the way to a frame with what its coordinates do to the frame; bending: where modes move a marker."""
+
+    move: Move
+    parts: list[FieldPart]
+    bending: BendChanges | None
+
+    def beyond(self, move: Move, spot: MoveState) -> _Step:
+        """For the frame after a further move."""
+        carried = [FieldPart(part.shares, part.field.beyond(move, spot)) for part in self.parts]
+        return _Step(self.move, carried, self.bending)
+
+
+def _step(move: Move, spot: MoveState) -> _Step:
+    if isinstance(move, Bend | Unbend):
+        bending = BendChanges(move.deformation, spot, isinstance(move, Unbend))
+        return _Step(move, bending.parts, bending)
+    return _Step(move, joint_parts(move, spot), None)
+
+
+@dataclass
+class FramePlace:
+    """Where a frame's masses are looked at: its steps and motion; what moves its masses; forces of joints on it."""
+
+    steps: list[_Step]
+    motion: FrameMotion
+    state: Subtree | None = None
+    forces: list[tuple[Vector, Vector]] = field(default_factory=list)  # (arm, force) in the axes here
+
+    @property
+    def parts(self) -> list[FieldPart]:
+        """What the coordinates on the way do to the frame."""
+        return [part for step in self.steps for part in step.parts]
+
+    @cached_property
+    def wrench(self) -> Force:
+        """That moves the masses, less the forces of joints."""
+        found = NOTHING if self.state is None else self.state.wrench
+        for arm, force in self.forces:
+            found = found.plus(Force(negative(force), negative(cross(arm, force))))
+        return found
+
+    def beyond(self, move: Move, rates: Row, accelerations: Row) -> FramePlace:
+        """After a move; without masses."""
+        after = move.motion(self.motion, rates, accelerations)
+        spot = MoveState(self.motion, after, rates, accelerations)
+        return FramePlace([*(step.beyond(move, spot) for step in self.steps), _step(move, spot)], after)
+
+    def changed(self, change: Change, more: Force) -> Force:
+        """Of the wrench that moves the masses, by a change of the motion and a further change."""
+        return more if self.state is None else self.state.tangent.wrench(change).plus(more)
+
+    def turned_forces(self, tau: Vector) -> Force:
+        """Change of the wrench of the forces of joints, as seen in a frame that turns by tau."""
+        found = NOTHING
+        for arm, force in self.forces:
+            turning = cross(tau, force)
+            found = found.plus(Force(turning, cross(arm, turning)))
+        return found
+
+    def carried(self, directions: Sequence[Direction]) -> list[list[ca.SX]]:
+        """sum over c of k_c'c S_cj, by part c' and direction j."""
+        parts = self.parts
+        shares = [[share_of(part, direction.S) for direction in directions] for part in parts]
+        return [
+            [dot(row, [shares[c][j] for c in range(len(parts))]) for j in range(len(directions))]
+            for row in self._geometric
+        ]
+
+    @cached_property
+    def _geometric(self) -> list[list[ca.SX]]:
+        """k of parts, in their order."""
+        parts, wrench = self.parts, self.wrench
+        found = [[ZERO] * len(parts) for _ in parts]
+        start = 0
+        for step in self.steps:
+            for place, part in enumerate(step.parts, start):
+                carried = turned(part.field.twist, wrench)
+                for earlier in range(start):
+                    found[earlier][place] = carried.along(parts[earlier].field.twist)
+            start += len(step.parts)
+        end, rest = len(parts), wrench
+        for step in reversed(self.steps):
+            if not any(one.bending is not None for one in self.steps):
+                break
+            end -= len(step.parts)
+            if step.bending is not None:
+                for i, row in enumerate(step.bending.among(rest)):
+                    found[end + i][end : end + len(row)] = row
+            rest = step.move.wrench(rest)
+        return found
+
+
+_Power = tuple[Row, Callable[[Change, Force, Force], ca.SX]]  # shares by column; (change, further w, w) -> power
+
+
+@dataclass(frozen=True)
+class LoopForce:
+    """A spherical joint between the ends of two ways from the ground; force: lambda in world axes."""
+
+    a: MarkerWay
+    b: MarkerWay
+    force: Vector
+
+
+@dataclass(frozen=True)
+class _End:
+    """Of a tie, with the force on it in the axes of its frame."""
+
+    own: MarkerWay
+    other: MarkerWay
+    force: Vector
+
+
+def tied_changes(
+    tree: FrameTree,
+    n: int,
+    base: Vector,
+    moving: tuple[Row, Row],
+    ties: Sequence[LoopForce],
+    directions: Sequence[Direction],
+) -> tuple[ca.SX, ca.SX] | None:
+    """F_q and F_v (n x directions), of which S^T F_q and S^T F_v are the derivatives by all x and x'.
+
+    moving: rates and accelerations of the coordinates by column. None where several joints tie bent markers of a body.
+    """
+    sums = _Sums(tree, n, base, moving, directions)
+    for k, frame in enumerate(tree.frames):
+        ends = [end for tie in ties for end in _ends(tie) if end.own.frame == k]
+        if len(ends) > 1 and any(isinstance(end.own.end, Bend) for end in ends):
+            return None
+        if frame.inertia is not None or ends:
+            sums.add(k, ends)
+    return _matrix(sums.F_q), _matrix(sums.F_v)
+
+
+def _matrix(rows: list[Vector]) -> ca.SX:
+    return ca.sparsify(ca.vertcat(*(ca.horzcat(*row) for row in rows)))
+
+
+def _ends(tie: LoopForce) -> list[_End]:
+    found = []
+    for own, other, force in ((tie.a, tie.b, tie.force), (tie.b, tie.a, negative(tie.force))):
+        found.append(_End(own, other, [dot(axis, force) for axis in own.path.axes]))
+    return found
+
+
+class _Sums:
+    """F_q and F_v are the result, by column and direction."""
+
+    def __init__(
+        self, tree: FrameTree, n: int, base: Vector, moving: tuple[Row, Row], directions: Sequence[Direction]
+    ) -> None:
+        self._tree, self._moving, self._directions = tree, moving, directions
+        self._sweep = ForceSweep(n, *moving)
+        self._ground = FramePlace([], FrameMotion(zeros(), zeros(), base))
+        self._places: list[FramePlace] = []
+        for frame in tree.frames:
+            place = self._place(frame.parent)
+            for move in frame.moves:
+                place = place.beyond(move, *moving)
+            self._places.append(place)
+        self.F_q, self.F_v = ([zeros(len(directions)) for _ in range(n)] for _ in range(2))
+
+    def _place(self, frame: int) -> FramePlace:
+        return self._ground if frame == GROUND else self._places[frame]
+
+    def add(self, k: int, ends: list[_End]) -> None:
+        """What a frame adds that joints may tie."""
+        inertia, place = self._tree.frames[k].inertia, self._places[k]
+        seen = FramePlace(place.steps, place.motion)
+        if inertia is not None:
+            seen.state = self._sweep.body(inertia, place.motion)
+        closed = len(ends) == 1 and len(place.parts) > len(self._place(ends[0].other.frame).parts)
+        if len(ends) == 1 and (closed or isinstance(inertia, FlexibleNode)):
+            seen = self._seated(seen, ends[0])
+        else:
+            seen.forces = [(end.own.end.r, end.force) for end in ends if isinstance(end.own.end, Fixed)]
+        fields = [direction.along(seen.parts) for direction in self._directions]
+        if closed:
+            fields = self._closed(fields, ends[0])
+        self._contract(seen, fields, self._powers(seen, fields, closed))
+
+    def _seated(self, place: FramePlace, end: _End) -> FramePlace:
+        """The same masses looked at from the marker that a joint ties."""
+        seat = place.beyond(end.own.end, *self._moving)
+        seat.state, seat.forces = place.state, [(zeros(), end.force)]
+        if place.state is not None:
+            move = end.own.end
+            back = Unbend(move.deformation) if isinstance(move, Bend) else _back(move)
+            self._sweep.through(back, MoveState(seat.motion, place.motion, *self._moving), place.state)
+        return seat
+
+    def _closed(self, fields: list[Field], end: _End) -> list[Field]:
+        """With v as the joint's other body gives it."""
+        other = self._place(end.other.frame).beyond(end.other.end, *self._moving)
+        found = []
+        for known, direction in zip(fields, self._directions, strict=True):
+            v, v1, v2 = (
+                [dot(axis, end.other.path.along(vector)) for axis in end.own.path.axes]
+                for vector in direction.along(other.parts).moving
+            )
+            found.append(Field(known.turning, (v, v1, v2)))
+        return found
+
+    def _contract(self, place: FramePlace, fields: list[Field], powers: list[_Power]) -> None:
+        geometric, state = place.carried(self._directions), place.state
+        for j, (one, direction) in enumerate(zip(fields, self._directions, strict=True)):
+            by_position, by_rate = one.by_position(place.motion.a), one.by_rate
+            more_q, more_v = place.turned_forces(one.turning[0]), NOTHING
+            if state is not None and direction.column in state.rows:
+                more_q = more_q.plus(state.by_position[direction.column])
+                more_v = more_v.plus(state.by_rate[direction.column])
+            for F, change, more in ((self.F_q, by_position, more_q), (self.F_v, by_rate, more_v)):
+                w = place.changed(change, more)
+                for shares, power in powers:
+                    _share(F, j, shares, power(change, more, w))
+                for column, row in state.rows.items() if state is not None else ():
+                    F[column][j] = add(F[column][j], row.of(change))
+            for part, values in zip(place.parts, geometric, strict=True):
+                _share(self.F_q, j, part.shares, values[j])
+            for column in state.rows if state is not None else ():
+                for F, known in ((self.F_q, self._sweep.K), (self.F_v, self._sweep.D)):
+                    F[column][j] = add(F[column][j], known[column].get(direction.column, ZERO))
+
+    def _powers(self, place: FramePlace, fields: list[Field], closed: bool) -> list[_Power]:
+        """On what the coordinates on the way do; where the way is closed by fields, on those of the directions."""
+        if not closed:
+            return [(part.shares, partial(_power, part.field.twist)) for part in place.parts]
+        moved = [i for i, one in enumerate(fields) if not all(value.is_zero() for value in one.moving[0])]
+        alone = moved if len(moved) == 1 < len(fields) and place.state is not None else []
+        found: list[_Power] = []
+        for i, (one, direction) in enumerate(zip(fields, self._directions, strict=True)):
+            power = partial(_power_of_row, place, one.twist) if i in alone else partial(_power, one.twist)
+            found.append(({direction.column: ONE}, power))
+        return found
+
+
+def _back(move: Move) -> Fixed:
+    assert isinstance(move, Fixed)
+    return Fixed(identity(), negative(move.r))
+
+
+def _power(twist: Motion, change: Change, more: Force, w: Force) -> ca.SX:
+    return w.along(twist)
+
+
+def _power_of_row(place: FramePlace, twist: Motion, change: Change, more: Force, w: Force) -> ca.SX:
+    """Without the force of w, where that does work on one twist alone."""
+    assert place.state is not None
+    row = place.state.tangent.row(Motion(zeros(), twist.v))
+    return add(dot(twist.omega, w.n), add(row.of(change), dot(twist.v, more.f)))
+
+
+def _share(F: list[Vector], j: int, shares: Row, value: ca.SX) -> None:
+    for column, share in shares.items():
+        F[column][j] = add(F[column][j], mul(share, value))

@@ -1,0 +1,577 @@
+"""How wrenches change where the motion of a frame does, all that is beyond it moving along.
+
+With a change (u, beta, d) of a frame at O, in its axes: u of omega, d of a, and beta = d(alpha) + omega x u, the point
+at rho, which moves with V relative to O, gains the acceleration d + beta x rho + 2 u x V. Hence, with p = int V dm,
+Lambda = int rho V^T dm and K = tr(Lambda) - Lambda^T,
+
+    df = m d + beta x h + 2 u x p,    dn = h x d + I beta + 2 K u.
+
+How the inertia force of a body changes with its own modes, their rates, and the motion of its frame.
+
+How the motion of a frame, and the powers of a wrench on the modes that lead there, change by those modes.
+
+What several modes do alike is done once and each has its share: all that shift a marker along one axis of the body, and
+all that turn it about one axis of psi. What one mode does to the turns of another is a form of their axes of psi too.
+
+Derivatives of the inertia forces of a tree of frames by its coordinates and rates, at fixed accelerations.
+
+From the tips to the ground each frame carries what is beyond it: its `Tangent`, for each coordinate there the change of
+the wrench that the frame passes on, and for each force there the row that gives it for a change of the frame's motion.
+Composite bodies make this O(1) a pair of coordinates, one of which is beyond the other.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import casadi as ca
+
+from symgen.algebra.rows import Row, add_to
+from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg, sub, total
+from symgen.algebra.vectors import (
+    Vector,
+    axial,
+    combination,
+    cross,
+    minus,
+    negative,
+    plus,
+    product,
+    scaled,
+    times,
+    transposed_times,
+    zeros,
+)
+from symgen.bodies.deformation import Bent, Deformation, along_axes
+from symgen.system.frames.fields import TWO, Change, Field, FieldPart, MoveState, Rates, arm_of, joint_parts, turned
+from symgen.system.frames.moves import Bend, Fixed, Move, Slide, Turn, Unbend, unit
+from symgen.system.frames.nodes import FlexibleNode, RigidNode, weighted
+from symgen.system.frames.spatial_algebra import (
+    NOTHING,
+    Force,
+    FrameMotion,
+    Inertia,
+    Matrix,
+    Motion,
+    both_turned_back,
+    inertia_times,
+    no_masses,
+    traced,
+)
+from symgen.system.frames.tree import GROUND, FrameTree
+
+
+@dataclass(frozen=True)
+class RowChange:
+    """What a generalised force gains: nu . beta + phi . d + r . u."""
+
+    nu: Vector
+    phi: Vector
+    r: Vector
+
+    def of(self, change: Change) -> ca.SX:
+        """For a change of the frame."""
+        return add(add(dot(self.nu, change.beta), dot(self.phi, change.d)), dot(self.r, change.u))
+
+    def scaled(self, factor: ca.SX) -> RowChange:
+        """Of a share."""
+        return RowChange(scaled(factor, self.nu), scaled(factor, self.phi), scaled(factor, self.r))
+
+    def plus(self, other: RowChange) -> RowChange:
+        """Of both."""
+        return RowChange(plus(self.nu, other.nu), plus(self.phi, other.phi), plus(self.r, other.r))
+
+
+@dataclass(frozen=True)
+class Tangent:
+    """What is beyond a frame: its inertia, 2 p and 2 Lambda."""
+
+    inertia: Inertia
+    p: Vector
+    Lambda: Matrix
+
+    @staticmethod
+    def of(inertia: Inertia, motion: FrameMotion) -> Tangent:
+        """Of masses that are fixed in the frame: 2 Lambda = 2 omega x the rows of Sigma."""
+        twice = scaled(ca.SX(2), motion.omega)
+        return Tangent(inertia, cross(twice, inertia.h), [cross(twice, row) for row in inertia.Sigma])
+
+    def moving(self, p: Vector, Lambda: Matrix) -> Tangent:
+        """With what motion in the frame adds to 2 p and to 2 Lambda."""
+        return replace(self, p=plus(self.p, p), Lambda=_sum(self.Lambda, Lambda))
+
+    def plus(self, other: Tangent) -> Tangent:
+        """Of both, about the same origin."""
+        return Tangent(self.inertia.plus(other.inertia), plus(self.p, other.p), _sum(self.Lambda, other.Lambda))
+
+    def wrench(self, change: Change) -> Force:
+        """df and dn."""
+        m, h, Sigma = self.inertia.m, self.inertia.h, self.inertia.Sigma
+        f = plus(scaled(m, change.d), cross(change.beta, h), cross(change.u, self.p))
+        n = plus(cross(h, change.d), inertia_times(Sigma, change.beta), traced(self.Lambda, change.u, False))
+        return Force(f, n)
+
+    def row(self, twist: Motion) -> RowChange:
+        """Of the power on a twist."""
+        m, h, Sigma = self.inertia.m, self.inertia.h, self.inertia.Sigma
+        return RowChange(
+            plus(inertia_times(Sigma, twist.omega), cross(h, twist.v)),
+            plus(cross(twist.omega, h), scaled(m, twist.v)),
+            plus(traced(self.Lambda, twist.omega, True), cross(self.p, twist.v)),
+        )
+
+    def about(self, axis: int, cosine: ca.SX, sine: ca.SX) -> Tangent:
+        """In axes from which the frame's are turned about one of them."""
+        at_p = Inertia(ZERO, self.p, [zeros() for _ in range(3)]).about(axis, cosine, sine).h
+        Lambda = both_turned_back(self.Lambda, axis, cosine, sine, symmetric=False)
+        return Tangent(self.inertia.about(axis, cosine, sine), at_p, Lambda)
+
+    def turned(self, R: Matrix) -> Tangent:
+        """In axes in which those of the frame are the columns of R."""
+        back = [list(column) for column in zip(*R, strict=True)]
+        return Tangent(self.inertia.turned(R), times(R, self.p), product(product(R, self.Lambda), back))
+
+    def shifted(self, arm: Vector, twice_velocity: Vector) -> Tangent:
+        """About the point from which the origin is at `arm`, moving with half of twice_velocity."""
+        inertia = self.inertia.shifted(arm)
+        p = plus(self.p, scaled(self.inertia.m, twice_velocity))
+        h = self.inertia.h
+        Lambda = [
+            [add(self.Lambda[i][j], add(mul(arm[i], p[j]), mul(h[i], twice_velocity[j]))) for j in range(3)]
+            for i in range(3)
+        ]
+        return Tangent(inertia, p, Lambda)
+
+
+def _sum(a: Matrix, b: Matrix) -> Matrix:
+    return [plus(x, y) for x, y in zip(a, b, strict=True)]
+
+
+@dataclass(frozen=True)
+class ModeChange:
+    """Change of the wrench and of the force on each mode, by column."""
+
+    wrench: Force
+    modes: Row
+
+
+def tangent_of(inertia: RigidNode | FlexibleNode, motion: FrameMotion, rates: Row) -> Tangent:
+    """Of the body alone."""
+    found = Tangent.of(inertia.rigid, motion)
+    if isinstance(inertia, RigidNode):
+        return found
+    moments, own = inertia.moments(rates), inertia.own(rates)
+    Lambda = [scaled(TWO, row) for row in weighted(moments.L, own)]
+    return found.moving(scaled(TWO, moments.hd), Lambda)
+
+
+def mode_rows(inertia: RigidNode | FlexibleNode, motion: FrameMotion, rates: Row) -> dict[int, RowChange]:
+    """Of the force on each mode, by column."""
+    if isinstance(inertia, RigidNode):
+        return {}
+    moments, twice = inertia.moments(rates), scaled(TWO, motion.omega)
+    found = {}
+    for a, column in enumerate(inertia.columns):
+        r = minus(scaled(TWO, moments.Gd[a]), traced(moments.L[a], twice, True))
+        found[column] = RowChange(moments.B[a], moments.s[a], r)
+    return found
+
+
+def by_modes(inertia: RigidNode | FlexibleNode, motion: FrameMotion, rates: Row, a: Row) -> dict[int, ModeChange]:
+    """Derivatives by the modes q_f, by column; a: accelerations."""
+    if isinstance(inertia, RigidNode):
+        return {}
+    data, moments = inertia.data, inertia.moments(rates)
+    speeds, own, doubled = inertia.own(rates), inertia.own(a), inertia.doubled
+    twice, found = scaled(TWO, motion.omega), {}
+    back = [list(column) for column in zip(*motion.G, strict=True)]
+    for b, column in enumerate(inertia.columns):
+        pairs = [_pair(inertia, a_, b) for a_ in range(data.nf)]  # dL_a / dq_b
+        s = [[neg(S_H[a_][b]) for S_H in data.S_H] or zeros() for a_ in range(data.nf)]  # ds_a / dq_b
+        f = plus(times(motion.G, moments.s[b]), cross(twice, combination(s, speeds)), combination(s, own))
+        moving, turning = weighted(pairs, speeds), weighted(pairs, own)
+        n = plus(
+            cross(moments.s[b], motion.a),
+            axial(product(doubled[b], back)),
+            traced(moving, twice, False),
+            axial(turning),
+        )
+        modes = {
+            other: add(
+                dot(s[k], motion.a),
+                total(mul(motion.G[i][j], pairs[k][j][i]) for i in range(3) for j in range(3)),
+            )
+            for k, other in enumerate(inertia.columns)
+        }
+        found[column] = ModeChange(Force(f, n), modes)
+    return found
+
+
+def by_mode_rates(inertia: RigidNode | FlexibleNode, motion: FrameMotion, rates: Row) -> dict[int, ModeChange]:
+    """Derivatives by q_f', by column."""
+    if isinstance(inertia, RigidNode):
+        return {}
+    data, moments, speeds = inertia.data, inertia.moments(rates), inertia.own(rates)
+    twice, found = scaled(TWO, motion.omega), {}
+    for b, column in enumerate(inertia.columns):
+        fading = [neg(mul(TWO, dot(S_H[b], speeds))) for S_H in data.S_H] or zeros()
+        n = traced(moments.L[b], twice, False)
+        modes = {other: dot(twice, axial(data.P[b][k])) if data.P else ZERO for k, other in enumerate(inertia.columns)}
+        found[column] = ModeChange(Force(plus(cross(twice, moments.s[b]), fading), n), modes)
+    return found
+
+
+def _pair(inertia: FlexibleNode, a: int, b: int) -> Matrix:
+    """dL_a / dq_b."""
+    data = inertia.data
+    found = [list(row) for row in data.P[b][a]] if data.P else [zeros() for _ in range(3)]
+    if data.G_H:
+        found = [[sub(found[i][j], data.G_H[i][j][a][b]) for j in range(3)] for i in range(3)]
+    return found
+
+
+HALF = ca.SX(0.5)
+
+
+@dataclass(frozen=True)
+class _Shared:
+    """A turning theta of psi and a shape, of which modes have shares by column; fading: the first two rates of it."""
+
+    shares: Row
+    theta: Vector
+    shape: Vector
+    fading: tuple[Vector, Vector]
+
+
+@dataclass(frozen=True)
+class _Bending:
+    """A marker's place rho and turning as the modes of its body move them, in body axes, which move with `body`."""
+
+    deformation: Deformation
+    body: FrameMotion
+    rates: Row
+    accelerations: Row
+
+    @cached_property
+    def bent(self) -> Bent:
+        return self.deformation.at(self.rates)
+
+    @cached_property
+    def _own(self) -> tuple[Vector, Vector]:
+        return self.deformation.of(self.rates), self.deformation.of(self.accelerations)
+
+    @cached_property
+    def shared(self) -> list[_Shared]:
+        """By axes where that is fewer than by modes."""
+        point, columns, still = self.deformation.point, self.deformation.columns, (zeros(), zeros())
+        turns, shapes = along_axes(point.turns, columns), along_axes(point.shapes, columns)
+        moving = [b for b in range(len(columns)) if not _nothing([*point.turns[b], *point.shapes[b]])]
+        if not point.H and len(turns) + len(shapes) < len(moving):
+            by_turn = [_Shared(shares, unit(axis), zeros(), still) for axis, shares in turns.items()]
+            return by_turn + [_Shared(shares, zeros(), unit(axis), still) for axis, shares in shapes.items()]
+        return [_Shared({columns[b]: ONE}, point.turns[b], self.bent.shapes[b], self._fading(b)) for b in moving]
+
+    def _fading(self, b: int) -> tuple[Vector, Vector]:
+        H = self.deformation.point.H
+        first, second = ([neg(dot(block[b], values)) for block in H] or zeros() for values in self._own)
+        return first, second
+
+    @cached_property
+    def _turning(self) -> tuple[Vector, Vector, ca.SX, ca.SX]:
+        """psi' and psi'' with 1 / (2 k), k' / k and k'' / k, where k = 1 + psi.psi / 4."""
+        turns, (speeds, own) = self.deformation.point.turns, self._own
+        first, second, bent = combination(turns, speeds), combination(turns, own), self.bent
+        half = mul(HALF, bent.inverse)
+        rate = mul(half, dot(bent.psi, first))
+        bending = mul(half, add(dot(first, first), dot(bent.psi, second)))
+        return scaled(half, first), scaled(half, second), rate, bending
+
+    def turned(self, one: _Shared) -> Rates:
+        """The axis about which the marker turns for a unit rate, its D and D^2."""
+        if _nothing(one.theta):
+            return zeros(), zeros(), zeros()
+        bent, theta = self.bent, one.theta
+        value = scaled(bent.inverse, plus(theta, scaled(HALF, cross(bent.psi, theta))))
+        first, second, rate, bending = self._turning
+        own = minus(cross(first, theta), scaled(rate, value))
+        more = minus(cross(second, theta), plus(scaled(mul(TWO, rate), own), scaled(bending, value)))
+        return self._seen(value, own, more)
+
+    def shape(self, one: _Shared) -> Rates:
+        """By what the marker moves for a unit rate, its D and D^2."""
+        return self._seen(one.shape, *one.fading)
+
+    def _seen(self, value: Vector, rate: Vector, second: Vector) -> Rates:
+        omega = self.body.omega
+        first = plus(rate, cross(omega, value))
+        return value, first, plus(second, cross(scaled(TWO, omega), rate), times(self.body.G, value))
+
+    def on_turns_changed(self, one: _Shared, moment: Vector) -> Vector:
+        """d(on_turns(moment)) for a unit of what is shared, at a fixed moment."""
+        half, bent = mul(HALF, self.bent.inverse), self.bent
+        fewer = scaled(mul(half, dot(bent.psi, one.theta)), bent.on_turns(moment))
+        return minus(scaled(half, cross(moment, one.theta)), fewer)
+
+
+def parts_of(move: Move, spot: MoveState) -> list[FieldPart]:
+    """What the coordinates of a move do."""
+    if isinstance(move, Bend | Unbend):
+        return BendChanges(move.deformation, spot, isinstance(move, Unbend)).parts
+    return joint_parts(move, spot)
+
+
+class BendChanges:
+    """From the frame of a flexible body to a marker, or with `back` from such a marker to the frame."""
+
+    def __init__(self, deformation: Deformation, spot: MoveState, back: bool) -> None:
+        self._back, self._deformation = back, deformation
+        self._bending = _Bending(deformation, spot.after if back else spot.before, spot.rates, spot.accelerations)
+        self._R = self._bending.bent.R
+        self._spot = spot
+
+    @cached_property
+    def parts(self) -> list[FieldPart]:
+        """By what is shared."""
+        return [self._unbent(one) if self._back else self._bent(one) for one in self._bending.shared]
+
+    def _bent(self, one: _Shared) -> FieldPart:
+        (t, t1, t2), (s, s1, s2) = self._bending.turned(one), self._bending.shape(one)
+        turning, moving = ([transposed_times(self._R, vector) for vector in own] for own in ((t, t1, t2), (s, s1, s2)))
+        return FieldPart(one.shares, Field((turning[0], turning[1], turning[2]), (moving[0], moving[1], moving[2])))
+
+    def _unbent(self, one: _Shared) -> FieldPart:
+        (t, t1, t2), (s, s1, s2) = self._bending.turned(one), self._bending.shape(one)
+        still = Field((negative(t), negative(t1), negative(t2)), (negative(s), negative(s1), negative(s2)))
+        return FieldPart(one.shares, still.shifted(arm_of(Unbend(self._deformation), self._spot)))
+
+    def powers(self, column: int, wrench: Force, change: Force) -> Row:
+        """Changes of the powers by a mode, for the wrench after the move and its change, both in the axes there."""
+        bending, point = self._bending, self._deformation.point
+        shares = [(one, one.shares[column]) for one in bending.shared if column in one.shares]
+        f, moment = self._at_marker(wrench)
+        df, dn = self._at_marker(change)
+        turning = bending.bent.on_turns(plus(dn, *(self._carried(one, share, f, moment) for one, share in shares)))
+        for one, share in shares:
+            turning = plus(turning, scaled(share, bending.on_turns_changed(one, moment)))
+            if not self._back:
+                df = plus(df, scaled(share, cross(bending.turned(one)[0], f)))
+        found, b = {}, self._deformation.columns.index(column)
+        for a, other in enumerate(self._deformation.columns):
+            value = add(dot(bending.bent.shapes[a], df), dot(point.turns[a], turning))
+            for i, H in enumerate(point.H):
+                value = sub(value, mul(H[a][b], f[i]))
+            found[other] = neg(value) if self._back else value
+        return found
+
+    def among(self, wrench: Force) -> list[list[ca.SX]]:
+        """Change of the power on each part, by rows, by each part, for a wrench after the move that goes with it."""
+        shared, point = self._bending.shared, self._deformation.point
+        f, moment = self._at_marker(wrench)
+        found = [[ZERO] * len(shared) for _ in shared]
+        for k, one in enumerate(shared):
+            turning = self._bending.bent.on_turns(self._carried(one, ONE, f, moment))
+            turning = plus(turning, self._bending.on_turns_changed(one, moment))
+            df = zeros() if self._back else cross(self._bending.turned(one)[0], f)
+            for i, row in enumerate(shared):
+                value = add(dot(row.shape, df), dot(row.theta, turning))
+                for axis, H in enumerate(point.H):
+                    a, b = (self._deformation.columns.index(next(iter(mode.shares))) for mode in (row, one))
+                    value = sub(value, mul(H[a][b], f[axis]))
+                found[i][k] = neg(value) if self._back else value
+        return found
+
+    def _at_marker(self, wrench: Force) -> tuple[Vector, Vector]:
+        """Force and moment about the marker in body axes."""
+        if self._back:
+            return wrench.f, minus(wrench.n, cross(self._bending.bent.rho, wrench.f))
+        return times(self._R, wrench.f), times(self._R, wrench.n)
+
+    def _carried(self, one: _Shared, share: ca.SX, f: Vector, moment: Vector) -> Vector:
+        """Change of the moment in body axes: the wrench turns with the marker, or the marker moves along its force."""
+        own = negative(cross(one.shape, f)) if self._back else cross(self._bending.turned(one)[0], moment)
+        return scaled(share, own)
+
+
+def _nothing(values: Vector) -> bool:
+    return all(value.is_zero() for value in values)
+
+
+def has_force_changes(tree: FrameTree) -> bool:
+    """Are all moves of the kinds that are differentiated here: hinges, slides, markers of flexible bodies?"""
+    return all(isinstance(move, Turn | Slide | Fixed | Bend | Unbend) for frame in tree.frames for move in frame.moves)
+
+
+def force_changes(tree: FrameTree, n: int, base: Vector, rates: Row, accelerations: Row) -> tuple[list[Row], list[Row]]:
+    """(d/dq, d/dq') of `inverse_dynamics`, n rows by column."""
+    sweep = ForceSweep(n, rates, accelerations)
+    sweep.tree(tree, base)
+    return sweep.K, sweep.D
+
+
+@dataclass
+class Subtree:
+    """What a frame carries: by column, the changes of its wrench and the rows of forces."""
+
+    tangent: Tangent
+    wrench: Force = NOTHING
+    by_position: dict[int, Force] = field(default_factory=dict)
+    by_rate: dict[int, Force] = field(default_factory=dict)
+    rows: dict[int, RowChange] = field(default_factory=dict)
+
+    def add(self, other: Subtree) -> None:
+        """Of both."""
+        self.tangent = self.tangent.plus(other.tangent)
+        self.wrench = self.wrench.plus(other.wrench)
+        gather(self.by_position, other.by_position)
+        gather(self.by_rate, other.by_rate)
+        for column, row in other.rows.items():
+            self.rows[column] = self.rows[column].plus(row) if column in self.rows else row
+
+
+def gather(target: dict[int, Force], more: dict[int, Force]) -> None:
+    """Sums by column."""
+    for column, wrench in more.items():
+        target[column] = target[column].plus(wrench) if column in target else wrench
+
+
+def _no_subtree() -> Subtree:
+    return Subtree(Tangent(no_masses(), zeros(), [zeros() for _ in range(3)]))
+
+
+class ForceSweep:
+    """From the tips to the ground at some rates and accelerations; K and D, n rows by column, are the result."""
+
+    def __init__(self, n: int, rates: Row, accelerations: Row) -> None:
+        self.K: list[Row] = [{} for _ in range(n)]
+        self.D: list[Row] = [{} for _ in range(n)]
+        self._rates, self._accelerations = rates, accelerations
+
+    def tree(self, tree: FrameTree, base: Vector) -> None:
+        """All frames; base: acceleration of the ground."""
+        spots: list[list[MoveState]] = []
+        motions: list[FrameMotion] = []
+        for frame in tree.frames:
+            motion = FrameMotion(zeros(), zeros(), base) if frame.parent == GROUND else motions[frame.parent]
+            spots.append([])
+            for move in frame.moves:
+                before, motion = motion, move.motion(motion, self._rates, self._accelerations)
+                spots[-1].append(MoveState(before, motion, self._rates, self._accelerations))
+            motions.append(motion)
+        states = [_no_subtree() for _ in tree.frames]
+        for k in reversed(range(len(tree.frames))):
+            frame, state = tree.frames[k], states[k]
+            if frame.inertia is not None:
+                state.add(self.body(frame.inertia, motions[k]))
+            for move, spot in zip(reversed(frame.moves), reversed(spots[k]), strict=True):
+                self.through(move, spot, state)
+            if frame.parent != GROUND:
+                states[frame.parent].add(state)
+
+    def body(self, inertia: RigidNode | FlexibleNode, motion: FrameMotion) -> Subtree:
+        """A body at its frame."""
+        wrench, _ = inertia.inertia_force(motion, self._rates, self._accelerations)
+        places = by_modes(inertia, motion, self._rates, self._accelerations)
+        speeds = by_mode_rates(inertia, motion, self._rates)
+        for target, changes in ((self.K, places), (self.D, speeds)):
+            for column, change in changes.items():
+                for row, value in change.modes.items():
+                    add_to(target[row], column, value)
+        return Subtree(
+            tangent_of(inertia, motion, self._rates),
+            wrench,
+            {column: change.wrench for column, change in places.items()},
+            {column: change.wrench for column, change in speeds.items()},
+            mode_rows(inertia, motion, self._rates),
+        )
+
+    def through(self, move: Move, spot: MoveState, state: Subtree) -> None:
+        """All that is beyond a move, as seen before it, in place."""
+        bending = None
+        if isinstance(move, Bend | Unbend):
+            bending = BendChanges(move.deformation, spot, isinstance(move, Unbend))
+        parts = joint_parts(move, spot) if bending is None else bending.parts
+        carried: dict[int, Force] = {}
+        for part in parts:
+            by_position, by_rate = part.field.by_position(spot.after.a), part.field.by_rate
+            for row, form in state.rows.items():
+                self._shared(self.K, row, part, form.of(by_position))
+                self._shared(self.D, row, part, form.of(by_rate))
+            gather(state.by_position, _shares(part, state.tangent.wrench(by_position)))
+            gather(state.by_rate, _shares(part, state.tangent.wrench(by_rate)))
+            gather(carried, _shares(part, turned(part.field.twist, state.wrench)))
+        for column, wrench in state.by_position.items():
+            own = bending is not None and column in carried
+            powers = bending.powers(column, state.wrench, wrench) if bending and own else move.powers(wrench)
+            for row, value in powers.items():
+                add_to(self.K[row], column, value)
+            state.by_position[column] = move.wrench(wrench.plus(carried.get(column, NOTHING)))
+        for column, wrench in state.by_rate.items():
+            for row, value in move.powers(wrench).items():
+                add_to(self.D[row], column, value)
+            state.by_rate[column] = move.wrench(wrench)
+        self._before(move, spot, state, parts)
+
+    def _shared(self, target: list[Row], row: int, part: FieldPart, value: ca.SX) -> None:
+        for column, share in part.shares.items():
+            add_to(target[row], column, mul(share, value))
+
+    def _before(self, move: Move, spot: MoveState, state: Subtree, parts: list[FieldPart]) -> None:
+        """Rows, inertia and wrench as seen before a move."""
+        for part in parts:
+            row = state.tangent.row(part.field.twist)
+            for column, share in part.shares.items():
+                own = row.scaled(share)
+                state.rows[column] = state.rows[column].plus(own) if column in state.rows else own
+        velocity = _twice_velocity(move, spot)
+        state.rows = {column: _row_before(move, row, velocity) for column, row in state.rows.items()}
+        state.tangent = _tangent_before(move, velocity, state.tangent)
+        state.wrench = move.wrench(state.wrench)
+
+
+def _shares(part: FieldPart, wrench: Force) -> dict[int, Force]:
+    """Of a wrench, by column."""
+    return {column: Force(scaled(share, wrench.f), scaled(share, wrench.n)) for column, share in part.shares.items()}
+
+
+def _twice_velocity(move: Move, spot: MoveState) -> Vector:
+    """Of the origin after a move, seen from the frame before it, in the axes there; for `Unbend`, in those after it."""
+    twice, arm, speed = scaled(TWO, spot.before.omega), zeros(), zeros()
+    if isinstance(move, Slide):
+        arm[move.axis] = move.amount
+        if move.column is not None:
+            speed[move.axis] = mul(move.factor, spot.rates.get(move.column, ZERO))
+    elif isinstance(move, Fixed):
+        arm = move.r
+    elif isinstance(move, Bend | Unbend):
+        bent = move.deformation.at(spot.rates)
+        arm, speed = bent.rho, bent.rho_dot
+        if isinstance(move, Unbend):
+            twice = scaled(neg(TWO), spot.after.omega)
+            return plus(cross(twice, arm), scaled(neg(TWO), speed))
+    return plus(cross(twice, arm), scaled(TWO, speed))
+
+
+def _row_before(move: Move, row: RowChange, velocity: Vector) -> RowChange:
+    """Seen before a move."""
+    r = plus(row.r, cross(velocity, row.phi)) if isinstance(move, Unbend) else row.r
+    seen, r = move.wrench(Force(row.phi, row.nu)), move.wrench(Force(r, zeros())).f
+    return RowChange(seen.n, seen.f, r if isinstance(move, Unbend) else plus(r, cross(velocity, seen.f)))
+
+
+def _tangent_before(move: Move, velocity: Vector, tangent: Tangent) -> Tangent:
+    """Seen before a move."""
+    if isinstance(move, Turn):
+        return tangent.about(move.axis, move.cosine, move.sine)
+    if isinstance(move, Slide):
+        arm = zeros()
+        arm[move.axis] = move.amount
+        return tangent.shifted(arm, velocity)
+    if isinstance(move, Fixed):
+        return tangent.turned(move.R).shifted(move.r, velocity)
+    assert isinstance(move, Bend | Unbend)
+    bent = move.deformation.at({})
+    if isinstance(move, Bend):
+        return tangent.turned(bent.R).shifted(bent.rho, velocity)
+    back = [list(column) for column in zip(*bent.R, strict=True)]
+    return tangent.shifted(negative(bent.rho), velocity).turned(back)
