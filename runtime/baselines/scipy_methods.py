@@ -93,6 +93,7 @@ def in_pieces(
             own = times[(times >= piece.start) & ((times < piece.end) | (after is None))]
             own = own if after is None else np.append(own, piece.end)
         found = solve_ivp(piece.within(slope), (piece.start, piece.end), y, t_eval=own, **settings)
+        found.y = np.reshape(found.y, (len(y), -1))  # of a piece in which no time is asked for it is empty
         results.append(found)
         if not found.success or after is None:
             break

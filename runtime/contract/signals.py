@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Mapping, Sequence
+from math import isnan
 from typing import Any
 
 import casadi as ca
@@ -23,6 +24,7 @@ from runtime.contract.errors import ArgumentError
 from runtime.contract.records import InputRecord, Parameter
 
 SINCE = "inputs.since"
+TRIED = (0.37, 1.9)  # s, at which a traced function is compared with the function itself
 SUFFIXES = ("", "_dot", "_ddot", "_dddot")
 
 
@@ -162,7 +164,20 @@ def traced(function: Callable[[Any], Any], name: str) -> ca.Function:
         ) from error
     if found.numel_out(0) != 1:
         raise ArgumentError(f"the function for input {name!r} must give one number, not {found.numel_out(0)}")
+    if any(isnan(float(found(time))) and _is_number(function, time) for time in TRIED):
+        raise ArgumentError(
+            f"the function for input {name!r} cannot take a symbol: it makes a number of it, as math.sin and float do. "
+            "Write np.sin for math.sin, casadi.if_else for a choice, or give (times, values)"
+        )
     return found
+
+
+def _is_number(function: Callable[[Any], Any], time: float) -> bool:
+    """Does a function of a user give a number at a time [s]?"""
+    try:
+        return not isnan(float(function(time)))
+    except Exception:  # whatever it raises, it is no number
+        return False
 
 
 def with_signals(kernel: ca.Function, signals: Signals, c_size: int) -> ca.Function:

@@ -26,7 +26,7 @@ class Campbell:
 
     over: what changes, is_speed: is it a rate; values (N,); frequencies (N, n) [rad/s]; damping_ratios (N, n);
     eigenvalues (N, n) [1/s]; shapes (N, n_x, n): [value, coordinate, mode]; names: the modes' where they are met
-    first; coordinates (n_x); remarks: each with the first value that it was made at. Real modes of controllers come
+    first; coordinates (n_x); remarked: what `remarks()` gives. Real modes of controllers come
     and go, two of them for an oscillating one: NaN where a mode is not there.
     """
 
@@ -39,7 +39,7 @@ class Campbell:
     shapes: np.ndarray
     names: list[str]
     coordinates: list[str]
-    remarks: list[str]
+    remarked: list[str]
     is_speed: bool
 
     def crossings(self, order: float = 1.0) -> list[tuple[int, float]]:
@@ -51,6 +51,10 @@ class Campbell:
                 share = gap[k] / (gap[k] - gap[k + 1])
                 found.append((mode, float(self.values[k] + share * (self.values[k + 1] - self.values[k]))))
         return found
+
+    def remarks(self) -> list[str]:
+        """What to know about these modes, each with the first value that it was made at; see `Linearisation`."""
+        return list(self.remarked)
 
     def write_csv(self, path: str | Path) -> None:
         """One row a value: the value, all frequencies [rad/s], all damping ratios. Raises OutputError."""

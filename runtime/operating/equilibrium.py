@@ -18,6 +18,7 @@ from runtime.contract.coordinates import (
 )
 from runtime.contract.errors import NoResult
 from runtime.contract.euler_angles import angle_names, angles
+from runtime.contract.initial_values import Initial, named_values
 from runtime.contract.model import Model, ModelError
 from runtime.contract.signals import SUFFIXES
 from runtime.operating.all_coordinates import AllCoordinates
@@ -82,6 +83,10 @@ class Equilibrium:
                 return float(theta[angle_names(body).index(name)])
         raise ModelError(f"model {self.model.name} has no coordinate {name!r}; it has {_listed(self.model)}")
 
+    def initial_values(self) -> dict[str, float]:
+        """All coordinates and rates by name: what a run that begins here has as `initial`."""
+        return named_values(self.model, self.q, self.q_dot)
+
     @property
     def kind(self) -> str:
         """`equilibrium`, or `steady motion` if something has a rate."""
@@ -101,7 +106,7 @@ def equilibrium(
     inputs: Mapping[str, float | None] | None = None,
     *,
     parameters: Mapping[str, float] | None = None,
-    initial: Mapping[str, float] | None = None,
+    initial: Initial = None,
     t: float = 0.0,
     at_time: float | None = None,
 ) -> Equilibrium:
@@ -115,7 +120,7 @@ def equilibrium(
     name a rate of an input). Newton with exact derivatives, led away from unstable equilibria unless it starts in one.
     Raises NoEquilibrium, InitialStateError and ModelError.
     """
-    inputs = inputs or {}
+    inputs, initial = inputs or {}, _places(model, initial)
     held = {named(model, name): float(value) for name, value in (held or {}).items()}
     rates = {turning_name(model, name): float(value) for name, value in (rates or {}).items()}
     trim = [name for name, value in inputs.items() if value is None]
@@ -125,11 +130,11 @@ def equilibrium(
     _check_trim(model, trim, fixed)
     moving = at_time is not None or names_rates(model, {**(parameters or {}), **inputs})
     functions = PointFunctions(model, model.constants(p), moving)
-    clamped, q_i = _clamped(functions, p, t if at_time is None else at_time, held, rates, fixed, initial or {})
+    clamped, q_i = _clamped(functions, p, t if at_time is None else at_time, held, rates, fixed, initial)
     # a controller that wants something else than what is held has no balance before its inputs are solved for
     found = Found(q_i, True, np.zeros(0), 0) if trim and model.states else clamped.solve(q_i)
     if not found.converged:
-        found = _led_around(clamped, p, initial or {}, held) or found
+        found = _led_around(clamped, p, initial, held) or found
     if not found.converged:
         raise _failure(model, clamped, found)
     q_i, iterations = found.x, found.iterations
@@ -140,6 +145,13 @@ def equilibrium(
         q_i, p, iterations = trim_found.q_i, trim_found.p, iterations + trim_found.iterations
     values = dict(zip([parameter.name for parameter in model.parameters], p, strict=True))
     return _told(clamped, q_i, p, tuple(held), tuple(rates), {name: float(values[name]) for name in trim}, iterations)
+
+
+def _places(model: Model, initial: Initial) -> Mapping[str, float]:
+    """Changes by name; of what has a state its coordinates, since `rates` says what moves."""
+    if initial is None or isinstance(initial, Mapping):
+        return initial or {}
+    return {name: value for name, value in initial.initial_values().items() if name in model.coordinates}
 
 
 def named(model: Model, name: str) -> str:

@@ -23,6 +23,7 @@ from runtime.contract.coordinates import (
     parameter_columns,
 )
 from runtime.contract.euler_angles import angle_names
+from runtime.contract.initial_values import Initial, values_by_name
 from runtime.contract.model import Model
 from runtime.operating.assembly import closable, closed_state
 
@@ -45,15 +46,15 @@ def given_position(
     return independent_part(model, state.q), loop_part(model, state.q)
 
 
-def given_state(
-    model: Model, p: np.ndarray, c: np.ndarray, t0: float, changes: Mapping[str, float] | None
-) -> ConsistentState:
+def given_state(model: Model, p: np.ndarray, c: np.ndarray, t0: float, initial: Initial) -> ConsistentState:
     """Consistent q and q_dot for parameters p at t0 [s], keeping the model's q_i except for the changes.
 
-    changes: coordinate names, `<coordinate>_dot` rates, angular velocities `<body>.omega_x`, and Euler angles of bodies
-    described by them with their rates; they are kept exactly.
+    initial: what has a state (see runtime.contract.initial_values), or changes by name: coordinates,
+    `<coordinate>_dot` rates, angular velocities `<body>.omega_x`, and Euler angles of bodies described by them with
+    their rates; they are kept exactly.
     Raises InitialStateError.
     """
+    changes = values_by_name(initial)
     spins = {name: value for name, value in (changes or {}).items() if name in spin_names(model)}
     if spins:
         others = {name: value for name, value in (changes or {}).items() if name not in spins}

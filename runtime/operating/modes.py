@@ -67,6 +67,10 @@ class ModeTable:
             for k, name in enumerate(self.names)
         ]
 
+    def remarks(self) -> list[str]:
+        """What to know about these modes; see `Linearisation.remarks`."""
+        return self.system.remarks()
+
     def __len__(self) -> int:
         return len(self.eigenvalues)
 

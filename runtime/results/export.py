@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import zipfile
 from collections.abc import Sequence
 from dataclasses import asdict
 from importlib.util import find_spec
@@ -13,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from runtime.contract.coordinates import OMEGA, angular_velocities, euler_angles, parameter_columns
-from runtime.contract.files import replacing
+from runtime.contract.files import OutputError, replacing
 from runtime.contract.model import Model, ModelError
 from runtime.contract.records import as_plain, description
 from runtime.contract.status import Event, Status
@@ -60,7 +59,10 @@ def write_npz(solution: Samples, path: str | Path) -> None:
 
 
 def read_npz(path: str | Path, model: Model | None) -> dict[str, Any]:
-    """The fields of a Solution. Raises ModelError if the file is not one or belongs to another model."""
+    """The fields of a Solution.
+
+    Raises OutputError if the file is none or damaged, ModelError if it is of another format or model.
+    """
     try:
         with np.load(path, allow_pickle=False) as data:
             header = json.loads(str(data["header"]))
@@ -72,9 +74,9 @@ def read_npz(path: str | Path, model: Model | None) -> dict[str, Any]:
         fields |= read_run_header(header, path, model)
     except ModelError:
         raise
-    except (OSError, ValueError, KeyError, TypeError, EOFError, AttributeError, zipfile.BadZipFile) as error:
+    except Exception as error:  # whatever the bytes of a damaged archive lead its readers to
         reason = getattr(error, "strerror", None) or error
-        raise ModelError(f"{path} is not a saved solution ({reason})") from error
+        raise OutputError(f"{path} is not a saved solution, or damaged ({reason})") from error
     return fields
 
 

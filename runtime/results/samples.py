@@ -11,6 +11,7 @@ import numpy as np
 from runtime.contract.coordinates import OMEGA, angular_velocities, euler_angles, independent_rates
 from runtime.contract.errors import ArgumentError
 from runtime.contract.euler_angles import NAMES
+from runtime.contract.initial_values import named_values
 from runtime.contract.model import Model, ModelError
 from runtime.contract.status import Event, Status
 from runtime.results.energy_balance import STORED, EnergyBalance, energy_balance
@@ -180,6 +181,14 @@ class Samples:
     def energy_balance(self) -> np.ndarray:
         """(N,) total energy - initial energy - work [J]: zero for an exact solution sampled finely enough."""
         return self.balance.error
+
+    def initial_values(self, at: float | None = None) -> dict[str, float]:
+        """All coordinates and rates by name of the last sample, or of the one nearest to a time [s].
+
+        A run that begins there takes it as `initial`; for the last one the solution itself does.
+        """
+        k = -1 if at is None else int(np.abs(self.t - at).argmin())
+        return named_values(self.model, self.q[k], self.q_dot[k])
 
     def interpolate(self, t: float | np.ndarray, what: str = "q") -> np.ndarray:
         """Values between the saved samples at time(s) t [s].

@@ -36,8 +36,8 @@ class Solution(Samples):
     def load(cls, path: str | Path, model: Model | None = None) -> Solution:
         """Read what `save` wrote, or the folder of a stream. Without `model` there are names, but no functions.
 
-        A stream of chosen outputs is read by runtime.results.stream.read_blocks instead. Raises ModelError if the file
-        is not a saved solution or belongs to another model.
+        A stream of chosen outputs is read by runtime.results.stream.read_blocks instead. Raises OutputError if the
+        file is not a saved solution or is damaged, ModelError if it belongs to another model.
         """
 
         return cls(**(export.read_stream(path, model) if Path(path).is_dir() else export.read_npz(path, model)))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypedDict
 
+from runtime.contract.initial_values import Initial
 from runtime.running.checkpoint import CheckpointRule, claim
 from runtime.running.inputs import InputValue
 from runtime.running.plan import whole_number
@@ -35,7 +36,7 @@ class RunArguments(FurtherArguments, total=False):
     m: list[int] | None
     tolerance: float | None
     parameters: Mapping[str, float] | None
-    initial: Mapping[str, float] | None
+    initial: Initial
     options: Mapping[str, Any] | None
     t0: float
     start: str | None

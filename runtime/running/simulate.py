@@ -10,6 +10,7 @@ from typing import Any, Unpack
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.initial_values import Initial
 from runtime.contract.model import Model
 from runtime.contract.refused_events import refuse_events
 from runtime.contract.status import Event
@@ -49,7 +50,7 @@ def simulate(
     tolerance: float | None = None,
     options: Mapping[str, Any] | None = None,
     parameters: Mapping[str, float] | None = None,
-    initial: Mapping[str, float] | None = None,
+    initial: Initial = None,
     start: str | None = None,
     t0: float = 0.0,
     inputs: Mapping[str, InputValue] | None = None,
@@ -64,10 +65,12 @@ def simulate(
     coordinate is driven there is nothing to step: see runtime.running.driven.
 
     scheme: a name of runtime.schemes.catalogue.SCHEMES. options: changes to its Options by name. parameters
-    and initial change values by name (rates as `<coordinate>_dot`). start: `given`, `quasi_static` (elastic coordinates
-    in equilibrium) or `equilibrium` (all but those that turn). inputs: by name a number, a function of time (called
-    once with a symbol), (times, values) held in between, or a `Sampled` controller. calibration: what trials for the
-    tolerance told, where they were made already; advice: why this scheme, for the statistics. further: see `Further`.
+    and initial change values by name (rates as `<coordinate>_dot`); initial may also be an equilibrium, or a solution,
+    from whose last sample the run goes on (`run.initial_values(at=0.3)`: from another). start: `given`, `quasi_static`
+    (elastic coordinates in equilibrium) or `equilibrium` (all but those that turn). inputs: by name a number, a
+    function of time (called once with a symbol), (times, values) held in between, or a `Sampled` controller.
+    calibration: what trials for the tolerance told, where they were made already; advice: why this scheme, for the
+    statistics. further: see `Further`.
 
     Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError, InitialStateError,
     OutputError or CompilerError for arguments that cannot be used.
@@ -167,7 +170,7 @@ def _driven(
     t_end: float | None,
     dt: float | None,
     parameters: Mapping[str, float] | None,
-    initial: Mapping[str, float] | None,
+    initial: Initial,
     t0: float,
     more: Further,
     inputs: Mapping[str, InputValue] | None,

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from runtime.contract.errors import ArgumentError
+from runtime.contract.initial_values import Initial
 from runtime.contract.model import Model, ModelError
 from runtime.contract.signals import SINCE
 from runtime.contract.status import Event, Status
@@ -93,12 +94,12 @@ class ModelStepper:
 
     def reset(
         self,
-        state: Mapping[str, float] | Equilibrium | None = None,
+        state: Initial = None,
         *,
         t: float = 0.0,
         start: str | None = None,
     ) -> None:
-        """Go to a state: coordinates and rates (`_dot`) by name, an equilibrium, or None for the model's own start.
+        """Go to a state: coordinates and rates (`_dot`) by name, an equilibrium, a solution, or None for the start.
 
         An equilibrium brings its time; its parameters are taken over. Inputs are again what the parameters say.
         Raises InitialStateError and ModelError.

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
+from runtime.contract.initial_values import Initial, values_by_name
 from runtime.contract.model import Model
 from runtime.operating.equilibrium import NoEquilibrium, equilibrium
 from runtime.operating.functions import PointFunctions
@@ -19,16 +20,17 @@ STARTS = ("given", "quasi_static", "quasi_static_unstable", "equilibrium")
 
 
 def start_state(
-    model: Model, p: np.ndarray, c: np.ndarray, t0: float, changes: Mapping[str, float] | None, start: str | None = None
+    model: Model, p: np.ndarray, c: np.ndarray, t0: float, initial: Initial, start: str | None = None
 ) -> ConsistentState:
     """Consistent q and q_dot for parameters p at t0, keeping the model's q_i except for the user's changes.
 
-    changes: coordinate names and `<coordinate>_dot` rates; they are kept exactly. start: one of STARTS, the scene's
-    own by default; elastic coordinates that the user changed are `given`. Raises InitialStateError.
+    initial: what has a state, or coordinate names and `<coordinate>_dot` rates; they are kept exactly. start: one of
+    STARTS, the scene's own by default; elastic coordinates that the user changed are `given`. Raises InitialStateError.
     """
     chosen = start or str(model.simulation.get("start", "given"))
     if chosen not in STARTS:
         raise InitialStateError(f"start must be one of {', '.join(STARTS)}, not {chosen!r}")
+    changes = values_by_name(initial)
     state = given_state(model, p, c, t0, changes)
     if chosen == "given" or (start is None and _names_elastic(model, changes or {})):
         return state

@@ -78,7 +78,7 @@ def modes(arguments: argparse.Namespace) -> Outcome:
         path = Path(arguments.out) / f"mode{k + 1}.npz"
         mode_motion(found.system, k).save(path)
         files.append(str(path))
-    remarks = found.system.remarks()
+    remarks = found.remarks()
     data = {"scene": model.name, "equilibrium": equilibrium_data(point), "modes": found.table(), "remarks": remarks}
     head = f"{'mode':>4}  {'rad/s':>12}  {'Hz':>12}  {'damping':>10}  coordinate"
     rows = [
@@ -124,7 +124,7 @@ def campbell(arguments: argparse.Namespace) -> Outcome:
             for mode, frequencies, damping in zip(found.names, found.frequencies.T, found.damping_ratios.T, strict=True)
         ],
         "critical_speeds": speeds,
-        "remarks": found.remarks,
+        "remarks": found.remarks(),
         "files": files,
     }
     lines = [f"{model.name} along {name}", f"{'mode':>4}  {f'at {first:g}':>12}  {f'at {last:g}':>12}  [rad/s]"]
@@ -132,7 +132,7 @@ def campbell(arguments: argparse.Namespace) -> Outcome:
     lines += [f"{k:>4}  {_shown(one)}  {_shown(other)}  {mode}" for k, (mode, one, other) in enumerate(ends, 1)]
     if found.is_speed:
         lines += [f"critical speed {speed['value']:.6g} rad/s of mode {speed['mode']}" for speed in speeds]
-    return Outcome(data, [*lines, *found.remarks[-3:], *left(files)])
+    return Outcome(data, [*lines, *found.remarks()[-3:], *left(files)])
 
 
 def _shown(frequency: float) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime import campbell, unbalance_response
+from runtime import campbell, modes, unbalance_response
 from runtime.contract.model import Model, ModelError
 from symgen.scene import Scene, SceneBuilder
 from tests.support.rotor_scenes import gimbal, jeffcott
@@ -42,6 +42,7 @@ def test_modes_cross(model_of: Build) -> None:
     np.testing.assert_allclose(found.frequencies[:, 0], np.sqrt(values), rtol=1e-12)
     np.testing.assert_allclose(found.frequencies[:, 1], 10.0, rtol=1e-12)
     assert found.names == ["first.x", "second.x"]
+    assert found.remarks() == modes(model_of(two_sliders(0.0))).remarks() == []
 
 
 @pytest.mark.parametrize("points", [4, 41])

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from runtime import equilibrium, gradient, linearise, simulate
+from runtime import ensemble, equilibrium, gradient, linearise, simulate
+from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.gradients.objectives import End
 from symgen.scene import Scene, SceneBuilder
@@ -108,3 +110,39 @@ def test_drives_are_held_unless_a_time_is_asked(model_of: Build) -> None:
     assert moving.drives == "moving" and moving["trolley.x_dot"] == pytest.approx(0.2)
     assert abs(moving["load.theta"] - held["load.theta"]) > 0.05
     assert "drives" not in repr(equilibrium(model_of(cart()), held={"cart.x": 0.0}))
+
+
+def test_a_function_that_takes_numbers_only_is_refused(model_of: Build) -> None:
+    """math.sin makes NaN of a symbol: said with what to write, before a run of NaN."""
+    model = model_of(cart())
+    with pytest.raises(ArgumentError, match="cannot take a symbol.*np.sin"):
+        simulate(model, inputs={"force": lambda t: 2.0 * math.sin(3 * t) + t})
+    assert simulate(model, inputs={"force": lambda t: np.sin(t)}, scheme="rk4").status.ok
+
+
+def test_runs_begin_where_others_rest_or_end(model_of: Build) -> None:
+    """An equilibrium and a solution as `initial`: of runs, ensembles, steppers, equilibria; runs go on."""
+    model = model_of(accelerated("0.1 * t"))
+    rest = equilibrium(model, at_time=0.0)
+    still = simulate(model, initial=rest, t_end=0.5, dt=1e-3, scheme="dop853")
+    assert np.abs(still["load.theta"] - rest["load.theta"]).max() < 1e-9
+    free = model_of(accelerated("0.1"))
+    whole = simulate(free, initial={"load.theta": 0.4}, t_end=1.0, dt=1e-3, scheme="dop853")
+    half = simulate(free, initial=whole.initial_values(at=0.5), t_end=0.25, dt=1e-3, scheme="dop853")
+    rest_of_it = simulate(free, initial=half, t_end=0.25, dt=1e-3, scheme="dop853")
+    np.testing.assert_allclose(rest_of_it.q[-1], whole.q[-1], atol=1e-9)
+    table = ensemble(
+        free,
+        parameters={"load.mass": [1.0, 1.0]},
+        initial=half,
+        outputs=["load.theta"],
+        t_end=0.25,
+        dt=1e-3,
+        scheme="dop853",
+    )
+    np.testing.assert_allclose(table["load.theta"][:, -1], whole["load.theta"][-1], atol=1e-9)
+    stepper = free.stepper(scheme="dop853", dt=1e-3)
+    stepper.reset(half)
+    stepper.step(250)
+    assert stepper["load.theta"] == pytest.approx(whole["load.theta"][-1], abs=1e-9)
+    assert equilibrium(free, initial=half)["load.theta"] == pytest.approx(equilibrium(free)["load.theta"], abs=1e-9)

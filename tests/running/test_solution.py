@@ -213,13 +213,30 @@ def test_loading_refuses_what_is_not_a_solution(tmp_path) -> None:
     np.savez(tmp_path / "other.npz", a=np.arange(3))
     np.savez(tmp_path / "pickled.npz", header=np.array([{}], dtype=object))
     for name in ("text.npz", "other.npz", "pickled.npz", "missing.npz"):
-        with pytest.raises(ModelError, match="is not a saved solution"):
+        with pytest.raises(OutputError, match="is not a saved solution"):
             Solution.load(tmp_path / name)
     rod_solution().save(tmp_path / "run.npz")
     other = rod_model()
     other.coordinates[3] = "rod.q9"
     with pytest.raises(ModelError, match="belongs to model rod_on_hinge"):
         Solution.load(tmp_path / "run.npz", other)
+
+
+def test_a_damaged_file_is_refused_by_name(tmp_path) -> None:
+    """Of 400 files with a byte or more changed or cut off: each is refused as OutputError or ModelError, or reads."""
+    rod_solution().save(tmp_path / "run.npz")
+    good, rng = (tmp_path / "run.npz").read_bytes(), np.random.default_rng(3)
+    refused = 0
+    for _ in range(400):
+        bad = bytearray(good)
+        for at in rng.integers(len(bad), size=rng.integers(1, 9)):
+            bad[at] = rng.integers(256)
+        (tmp_path / "bad.npz").write_bytes(bad[: len(bad) if rng.random() < 0.8 else rng.integers(len(bad))])
+        try:
+            Solution.load(tmp_path / "bad.npz")
+        except (OutputError, ModelError):
+            refused += 1
+    assert refused > 300
 
 
 def test_csv_reads_back_exactly(tmp_path) -> None:

@@ -185,6 +185,17 @@ def test_an_unstable_chart_says_how_fast_it_grows(built_in: Load) -> None:
     assert row["growth_at_smallest_dt"] > 0
 
 
+def test_a_chart_of_one_state_across_the_end_of_a_load(built_in: Load) -> None:
+    """The torque on the hub ends at 2 s, behind which no state is asked for: the chart is that of the start."""
+    (row,) = stability_chart(
+        built_in("hub_beam"), "printed", m=[[10]], dt_range=(1e-3, 1e-3), points=1, states=1, t_end=5.0
+    ).table()
+    (short,) = stability_chart(
+        built_in("hub_beam"), "printed", m=[[10]], dt_range=(1e-3, 1e-3), points=1, states=1, t_end=1.0
+    ).table()
+    assert row == short
+
+
 def test_a_sweep_arrives_where_a_group_passes_through_zero(built_in: Load) -> None:
     """x_S and its acceleration vanish together while x_L pushes: rounding of the coupling is all that is left."""
     run = simulate(built_in("two_oscillators"), scheme="printed", m=[1], dt=0.01, t_end=200.0, save_every=2000)

@@ -19,7 +19,7 @@ def table_of(model: Model, parameters: Any, initial: Any) -> tuple[tuple[list[st
     columns (a DataFrame); ("a", "b"): array (cases, 2) gives several names the columns of an array, as scipy.stats.qmc
     makes them. Raises ArgumentError or ModelError.
     """
-    groups = [columns_by_name("parameters", parameters), columns_by_name("initial", initial)]
+    groups = [columns_by_name("parameters", parameters), columns_by_name("initial", _values(initial))]
     known = {parameter.name for parameter in model.parameters}
     for name in groups[0]:
         if name not in known:
@@ -60,6 +60,11 @@ def with_functions(model: Model, inputs: Mapping[str, Any] | None, travels: bool
             f"inputs[{next(iter(functions))!r}]", "is a function, and workers load the model", "run it in threads"
         )
     return bound(model, functions), constant
+
+
+def _values(initial: Any) -> Any:
+    """Of an equilibrium or a solution, in which all cases begin, values by name."""
+    return initial.initial_values() if hasattr(initial, "initial_values") else initial
 
 
 def columns_by_name(argument: str, given: Any) -> dict[str, np.ndarray]:
