@@ -28,7 +28,7 @@ def values_by_name(initial: Initial) -> Mapping[str, float] | None:
 
 def named_values(model: Model, q: np.ndarray, q_dot: np.ndarray) -> dict[str, float]:
     """Coordinates (n,) and rates (n,) by name; of the state of a controller its value alone, which is a rate."""
-    values = {}
+    values: dict[str, float] = {}
     for entry, place, rate in zip(model.description.coordinates, q.tolist(), q_dot.tolist(), strict=True):
         values |= {entry.owner: rate} if entry.kind == "state" else {entry.name: place, f"{entry.name}_dot": rate}
     return values

@@ -152,7 +152,7 @@ def as_function(name: str, tape: Tape) -> ca.Function:
 def _matrix(values: list[ca.SX], found: list[int], shape: tuple[int, int], nodes: list[Node]) -> ca.SX:
     """An output, its zeros left out."""
     kept = [place for place, entry in enumerate(found) if nodes[entry].op != ca.OP_CONST or nodes[entry].value != 0.0]
-    pattern = ca.Sparsity.nonzeros(*shape, kept)
+    pattern = ca.Sparsity.nonzeros(*shape, kept) if kept else ca.Sparsity(*shape)
     return ca.SX(pattern, ca.vertcat(*(values[found[place]] for place in kept)) if kept else ca.SX(0, 1))
 
 

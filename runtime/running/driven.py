@@ -7,19 +7,21 @@ q = f(t) (Eq. 31), q' and q'' follow (Eqs. 36, 35), and the multipliers from the
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import at_home, dependent_part, whole
 from runtime.contract.model import Model
-from runtime.contract.status import Status
+from runtime.contract.status import Event, Status
 from runtime.results.observe import assemble_solution
 from runtime.results.sampling import evaluate
 from runtime.results.solution import Solution
 from runtime.running.limits import with_limits
 from runtime.running.schedule import Schedule
+from runtime.schemes.switching.impulse import impulse_at, impulse_text
+from runtime.schemes.switching.times import switching_times
 
 SCHEME = "driven"
 CLOSED = 1e-14  # rad or m, times the largest coordinate: correction after which the loops count as closed
@@ -62,8 +64,24 @@ def driven_solution(
     none = np.zeros((len(times), 0))
     q, q_dot, q_ddot = (whole(model, none, own) for own in (q_d, values["q_d_dot"], q_d_ddot))
     status = Status("completed", float(times[-1])) if not lost else _lost(float(times[-1]))
+    events = _impulses(follower, t0, float(times[-1]), dependent_part(model, state.q))
     stats: dict[str, float | int | str] = {"seconds": time.perf_counter() - started, "closures": follower.closures}
-    return with_limits(assemble_solution(model, times, q, q_dot, q_ddot, p, c, SCHEME, dt, [], stats, status))
+    found = assemble_solution(model, times, q, q_dot, q_ddot, p, c, SCHEME, dt, [], stats, status)
+    return with_limits(replace(found, events=events))
+
+
+def _impulses(follower: _Follower, t0: float, t_end: float, q_d: np.ndarray) -> list[Event]:
+    """One for each time at which the velocity of a motion jumps: the forces of its motor have no finite value there."""
+    model, c = follower.model, np.atleast_2d(follower.c)[0]
+    events, none = [], np.zeros(0)
+    times = [one for one in switching_times(model, c, t0, t_end) if t0 < one.time < t_end]
+    for one, here in zip(times, follower.along(np.array([t0, *(one.time for one in times)]), q_d)[1:], strict=False):
+        at = {"q_i": none, "q_d": here, "q_i_dot": none, "t": one.before, "c": c}
+        q_d_dot = np.asarray(model.evaluate("velocities", **at)["q_d_dot"]).ravel()
+        impulse = impulse_at(model, c, whole(model, none, here), whole(model, none, q_d_dot), one.before, one.after)
+        if impulse is not None:
+            events.append(Event(one.time, "velocity_jump", impulse_text(model, impulse)))
+    return events
 
 
 def _lost(t: float) -> Status:

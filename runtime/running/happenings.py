@@ -14,6 +14,7 @@ from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.event_ends import ended_at_event, shown_at_end
 from runtime.schemes.switching.broken_steps import BrokenSteps
+from runtime.schemes.switching.impulse import impulse_text
 from runtime.schemes.switching.legs import Leg
 from runtime.schemes.switching.watched import action_values, begin_events, cool_down, event_slopes, event_values
 
@@ -154,10 +155,5 @@ def note_impulses(segment: Segment, step: int, events: list[Event]) -> None:
     until = segment.plan.time(step) + NEAR * segment.plan.grid.dt_L
     for at, impulse in sorted(segment.impulses.items()):
         if at <= until and at not in told and len(told) < MOST_TOLD:
-            k = int(np.abs(impulse.jumps).argmax())
-            text = (
-                f"the velocity of a prescribed motion jumps: its impulse changes the rate of "
-                f"{segment.model.coordinates[k]} by {impulse.jumps[k]:.6g}, the energy by {impulse.energy:.6g} J"
-            )
-            events.append(Event(at, "velocity_jump", text))
+            events.append(Event(at, "velocity_jump", impulse_text(segment.model, impulse)))
             told.add(at)

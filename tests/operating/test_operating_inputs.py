@@ -144,5 +144,5 @@ def test_runs_begin_where_others_rest_or_end(model_of: Build) -> None:
     stepper = free.stepper(scheme="dop853", dt=1e-3)
     stepper.reset(half)
     stepper.step(250)
-    assert stepper["load.theta"] == pytest.approx(whole["load.theta"][-1], abs=1e-9)
+    assert stepper.state["load.theta"] == pytest.approx(whole["load.theta"][-1], abs=1e-9)
     assert equilibrium(free, initial=half)["load.theta"] == pytest.approx(equilibrium(free)["load.theta"], abs=1e-9)

@@ -179,3 +179,23 @@ def test_samples_far_apart_stay_on_the_branch(model_of: Build) -> None:
 def test_samples_lie_save_every_steps_apart(model_of: Build) -> None:
     run = simulate(model_of(four_bar()), dt=0.01, t_end=0.2, save_every=4)
     assert run.t == pytest.approx(np.arange(6) * 0.04)
+
+
+MOTION = "abs(t - 0.005) + where(t > 0.007, t - 0.007, 0)"
+
+
+def test_a_driven_velocity_that_jumps_is_told_with_its_impulse(model_of: Callable[[Scene], Model]) -> None:
+    """A slider of 2 kg on |t - 0.005|: its velocity turns from -1 to 1 m/s, no energy is gained; then to 2 m/s: 3 J."""
+    scene = (
+        SceneBuilder("turned")
+        .rigid("slider", mass=2.0, inertia=0.1)
+        .prismatic("rail", "ground.origin", "slider.origin")
+        .prescribed_displacement("drive", "ground.origin", "slider.origin", motion=MOTION)
+        .simulation(t_end=0.01, dt=1e-3)
+        .build()
+    )
+    run = simulate(model_of(scene))
+    told = [(event.time, event.text) for event in run.events if event.kind == "velocity_jump"]
+    assert [time for time, _ in told] == pytest.approx([0.005, 0.007], abs=1e-9)
+    assert "rate of slider.x by 2, the energy by 0 J" in told[0][1]
+    assert "rate of slider.x by 1, the energy by 3 J" in told[1][1]

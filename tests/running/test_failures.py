@@ -112,6 +112,7 @@ def test_deflection_beyond_second_order_stiffening(model_of: Build) -> None:
     assert "stiffening" in solution.status.advice
 
 
+@pytest.mark.usefixtures("ctrl_c")
 def test_interrupted_run_keeps_what_it_has(built_in: Load) -> None:
     calls = 0
 

@@ -65,6 +65,7 @@ def test_a_motion_that_cannot_be_followed_ends_by_name(model_of: Build, monkeypa
     assert asked[0] <= 2 * tight_integrator.MOST_EVALUATIONS
 
 
+@pytest.mark.usefixtures("ctrl_c")
 def test_interrupt_is_heard_in_a_search(model_of: Build, monkeypatch: pytest.MonkeyPatch) -> None:
     """One Ctrl-C while the way to a singular position is followed: the run ends with its last good state."""
     honest = tight_integrator.TightIntegrator.slope

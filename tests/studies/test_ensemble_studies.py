@@ -92,6 +92,7 @@ def test_an_interrupted_study_goes_on(built_in: Load, tmp_path: Path, runs_made:
         pendula(model, 300, every=5, folder=tmp_path / "mine")
 
 
+@pytest.mark.usefixtures("ctrl_c")
 def test_ctrl_c_keeps_what_is_done(built_in: Load) -> None:
     """Cases that were not run are `interrupted`; those that were have their values."""
     told: list[float] = []

@@ -28,6 +28,15 @@ class Impulse:
     jumps: np.ndarray
 
 
+def impulse_text(model: Model, impulse: Impulse) -> str:
+    """What it did, in plain words."""
+    k = int(np.abs(impulse.jumps).argmax())
+    return (
+        f"the velocity of a prescribed motion jumps: its impulse changes the rate of "
+        f"{model.coordinates[k]} by {impulse.jumps[k]:.6g}, the energy by {impulse.energy:.6g} J"
+    )
+
+
 def moves_in_time(model: Model) -> bool:
     """Are there prescribed motions?"""
     return bool(model.constraints) and (not model.has("constraints") or "t" in model.kernel("constraints").name_in())
@@ -78,14 +87,30 @@ def impulse_at(
             f"the velocity of a prescribed motion jumps at t = {after:.6g} s, which takes the function energy",
             "regenerate the scene with that function",
         )
-    momentum = model.derived("momentum", lambda: _momentum(model))
-    projected = np.asarray(momentum(q, jump, q_i, q_d, after, c)).ravel()
-    M_hat = np.asarray(model.evaluate("condensed", **at, q_i_dot=q_i_dot, q_d_dot=rates[0], t=before)["M_hat"])
-    q_i_dot = q_i_dot - np.linalg.solve(M_hat, projected)
+    q_i_dot = q_i_dot - _pushed(model, c, (q, q_i, q_d), jump, (q_i_dot, rates[0]), before, after)
     q_d_dot = np.asarray(model.evaluate("velocities", **at, q_i_dot=q_i_dot, t=after)["q_d_dot"]).ravel()
     found = whole(model, q_i_dot, q_d_dot)
     kinetic = [float(model.evaluate("energy", q=q, q_dot=v, t=after, c=c)["kinetic"]) for v in (q_dot, found)]
     return Impulse(found, kinetic[1] - kinetic[0], found - q_dot)
+
+
+def _pushed(
+    model: Model,
+    c: np.ndarray,
+    place: tuple[np.ndarray, np.ndarray, np.ndarray],
+    jump: np.ndarray,
+    rates: tuple[np.ndarray, np.ndarray],
+    before: float,
+    after: float,
+) -> np.ndarray:
+    """(n_i,) by how much q_i_dot is less after; place: q, q_i, q_d; rates: q_i_dot and q_d_dot before."""
+    if not model.q_i:
+        return np.zeros(0)
+    q, q_i, q_d = place
+    momentum = model.derived("momentum", lambda: _momentum(model))
+    projected = np.asarray(momentum(q, jump, q_i, q_d, after, c)).ravel()
+    at = {"q_i": q_i, "q_d": q_d, "c": c, "q_i_dot": rates[0], "q_d_dot": rates[1], "t": before}
+    return np.linalg.solve(np.asarray(model.evaluate("condensed", **at)["M_hat"]), projected)
 
 
 def _momentum(model: Model) -> ca.Function:
