@@ -13,14 +13,16 @@ The system is put together from what these state, each as a SymPy template evalu
 
 algebra     templates, sparse rows, small systems, the parameter vector p
 bodies      points, moments and inertia of a body            (15)-(20)
-joints      constraint rows of a joint                       (21)-(27)
+joints      all that is known of a joint type, a file each   (21)
 loads       forces, springs, dampers                         Q_F of (20)
 
 Names and symbols of all of them, and of the state of a time stepping scheme:
 
 notation    the tables of names                               docs/theory/names.md
 
-Scenes come from elsewhere:
+Scenes are written in, and come from, elsewhere:
+
+schema      names, quantities, expressions, errors
 
 modes       shapes of beams, exact or with lumped masses     (15)-(19)
 fe          bodies from finite elements                      (15)-(20)

@@ -4,7 +4,7 @@ TOPICS: dict[str, list[str]] = {
     "Scenes and code": [
         "symgen.scene.builder.SceneBuilder",
         "symgen.scene.scene.Scene",
-        "symgen.scene.errors.SceneError",
+        "symgen.schema.errors.SceneError",
         "symgen.generate.generate",
         "symgen.fe.body.FlexibleBody",
     ],

@@ -129,7 +129,7 @@ class Model:
         return {
             **asdict(described.drawing),
             "joints": [
-                {key: getattr(joint, key) for key in ("name", "type", "marker_a", "marker_b")}
+                {key: getattr(joint, key) for key in ("name", "type", "marker_a", "marker_b", "drawing")}
                 for joint in described.joints
             ],
             "loads": [{"name": load.name, "type": load.type, **load.markers} for load in described.loads],

@@ -136,9 +136,15 @@ class BodyRecord:
     angles: list[str] = field(default_factory=list)
 
 
+JointDrawing = Literal["pivot", "slide", "rod", "weld", "drive"]
+
+
 @dataclass(frozen=True)
 class JointRecord:
-    """A joint between two markers "body.marker"; coordinates: names of those that it has itself."""
+    """A joint between two markers "body.marker"; coordinates: names of those that it has itself.
+
+    drawing: what pictures show; a drive prescribes a motion between markers at which another joint is drawn.
+    """
 
     name: str
     type: str
@@ -147,6 +153,7 @@ class JointRecord:
     body_a: str
     body_b: str
     coordinates: list[str] = field(default_factory=list)
+    drawing: JointDrawing = "pivot"
 
 
 @dataclass(frozen=True)
@@ -269,11 +276,17 @@ _MAY_LACK = ("inputs", "beams", "flexible", "switching", "events", "orientations
 
 
 def as_plain(description: Description) -> dict[str, Any]:
-    """The description as plain values for JSON; a model without shapes, inputs, beams, ... has no entry for them."""
+    """The description as plain values for JSON; a model without shapes, inputs, beams, ... has no entry for them.
+
+    Nor has a joint that is drawn as a pivot.
+    """
     plain = asdict(description)
     for looks in ("shapes", "surfaces"):
         if not plain["drawing"][looks]:
             del plain["drawing"][looks]
+    for joint in plain["joints"]:
+        if joint["drawing"] == "pivot":
+            del joint["drawing"]
     return {key: value for key, value in plain.items() if value or key not in _MAY_LACK}
 
 

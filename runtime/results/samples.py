@@ -21,7 +21,6 @@ FORCE_PARTS = {
     3: ("force_x", "force_y", "moment"),
     6: ("force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"),
 }  # planar, spatial
-PRESCRIBED = ("prescribed_angle", "prescribed_displacement")
 SERIES = (
     "q",
     "q_dot",
@@ -148,7 +147,7 @@ class Samples:
         -lam of its row (Eq. 22), so that motor times prescribed rate is the power of the drive. Raises ModelError for a
         joint that is not a prescribed motion.
         """
-        drives = [joint.name for joint in self.model.description.joints if joint.type in PRESCRIBED]
+        drives = [joint.name for joint in self.model.description.joints if joint.drawing == "drive"]
         if name not in drives:
             raise ModelError(
                 f"model {self.model.name} has no prescribed motion {name!r}; it has {', '.join(drives) or 'none'}"

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from runtime.contract.records import Coordinate
-from runtime.results.samples import PRESCRIBED
 from runtime.views.mechanism.scenery import scenery
 
 if TYPE_CHECKING:
@@ -123,10 +122,11 @@ def forces(solution: Solution) -> list[Curves]:
 
 def _motors(solution: Solution) -> list[Curves]:
     """Torques and forces of prescribed motions."""
-    drives = [joint for joint in solution.model.description.joints if joint.type in PRESCRIBED]
+    described = solution.model.description
+    drives = {joint.name for joint in described.joints if joint.drawing == "drive"}
     found = []
-    for type, title, unit in zip(PRESCRIBED, ("motor torques", "motor forces"), ("N m", "N"), strict=True):
-        names = [joint.name for joint in drives if joint.type == type]
+    for kind, title, unit in (("angle", "motor torques", "N m"), ("distance", "motor forces", "N")):
+        names = [row.joint for row in described.constraints if row.joint in drives and row.kind == kind]
         if names:
             found.append(Curves(title, unit, names, np.array([solution.motor(name) for name in names])))
     return found

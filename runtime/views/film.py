@@ -20,8 +20,7 @@ if TYPE_CHECKING:
 Kind = Literal["beam", "body", "outline", "ghost", "spring", "rod", "joint", "slide", "ground"]
 COILS = 6
 MAX_FRAMES = 2000
-KINDS: dict[str, Kind] = {"prismatic": "slide", "point_on_line": "slide", "distance": "rod"}
-HIDDEN = ("prescribed_angle", "prescribed_displacement", "weld")  # joints that stand where another is drawn
+KINDS: dict[str, Kind] = {"pivot": "joint", "slide": "slide", "rod": "rod"}  # welds and drives are not drawn
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,10 +144,10 @@ def _surface(scene: Scenery, body: Body, factor: float) -> np.ndarray:
 def _between(scene: Scenery, factor: float) -> list[Line]:
     found = []
     for joint in scene.joints:
-        if joint["type"] in HIDDEN:
+        kind = KINDS.get(joint["drawing"])
+        if kind is None:
             continue
         a, b = (_flat(scene, scene.place(joint[key], factor)[:, None]) for key in ("marker_a", "marker_b"))
-        kind = KINDS.get(joint["type"], "joint")
         found.append(Line(kind, joint["name"], -1, np.concatenate([a, b], axis=2) if kind == "rod" else b))
     for load in scene.loads:
         if load["type"] == "spring_damper":

@@ -43,7 +43,7 @@ def find_source(word: str, made_with: Mapping[str, float] = NOTHING) -> Source:
     made_with: arguments of a built-in scene's function. Raises SceneError.
     """
     from symgen.scene import Scene, SceneError
-    from symgen.scene.errors import did_you_mean
+    from symgen.schema.errors import did_you_mean
 
     path, name, folder = Path(word), builtin_name(word), is_folder(word)
     if name is not None:
@@ -76,7 +76,7 @@ def is_folder(word: str) -> bool:
 def _made(name: str, make: Callable[..., Scene], made_with: Mapping[str, float]) -> Scene:
     """The scene of a function called with arguments by name; whole numbers where it counts something."""
     from symgen.scene import SceneError
-    from symgen.scene.errors import did_you_mean
+    from symgen.schema.errors import did_you_mean
 
     known = inspect.signature(make).parameters
     values: dict[str, float | int] = {}

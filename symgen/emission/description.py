@@ -27,6 +27,7 @@ from runtime.contract.records import (
     StrutRecord,
     SurfaceRecord,
 )
+from symgen.joints.joint import Turn
 from symgen.pipeline import Derived
 from symgen.scene import GroundBody, RigidBody, Scene
 from symgen.scene.appearance import BoxShape, CylinderShape, MeshShape, SphereShape
@@ -115,6 +116,7 @@ def _joints(scene: Scene) -> list[JointRecord]:
             scene.marker(joint.marker_a)[0].name,
             scene.marker(joint.marker_b)[0].name,
             own.get(joint.name, []),
+            joint.drawing,
         )
         for joint in scene.joints
     ]
@@ -123,9 +125,9 @@ def _joints(scene: Scene) -> list[JointRecord]:
 def _load(scene: Scene, load: Load) -> LoadRecord:
     """An effort is the torque or the force that it is, on marker b of its joint."""
     if load.type == "effort":
-        joint, turning = scene.joint_of(load.coordinate), ".angle" in load.coordinate
+        joint, motion = scene.joint_of(load.coordinate)
         ends = {"marker": joint.marker_b, "reaction": joint.marker_a}
-        return LoadRecord(load.name, "torque" if turning else "force", ends)
+        return LoadRecord(load.name, "torque" if isinstance(motion, Turn) else "force", ends)
     named = {key: getattr(load, key, None) for key in ("marker", "marker_a", "marker_b", "reaction")}
     return LoadRecord(load.name, load.type, {key: name for key, name in named.items() if name})
 

@@ -6,16 +6,6 @@ from runtime.contract.records import Parameter
 from symgen.pipeline import Derived
 from symgen.scene import BeamBody, Joint, ModalBody, RigidBody, SpatialModalBody
 
-JOINT_EQUATIONS = {
-    "revolute": "r_b - r_a = 0",
-    "prismatic": "n_a . (r_b - r_a) = 0, phi_b - phi_a = 0",
-    "weld": "r_b - r_a = 0, phi_b - phi_a = 0",
-    "point_on_line": "n_a . (r_b - r_a) = 0",
-    "distance": "|r_b - r_a| - length = 0",
-    "prescribed_angle": "phi_b - phi_a - f(t) = 0",
-    "prescribed_displacement": "t_a . (r_b - r_a) - f(t) = 0",
-}
-
 
 def model_page(derived: Derived) -> str:
     """Markdown page of a derived model."""
@@ -100,23 +90,6 @@ def _joints(derived: Derived) -> str:
     return "\n".join(lines)
 
 
-SPATIAL_ROWS = {
-    "x": "(r_b - r_a)_x",
-    "y": "(r_b - r_a)_y",
-    "z": "(r_b - r_a)_z",
-    "parallel_x": "z_b.x_a",
-    "parallel_y": "z_b.y_a",
-    "twist": "x_b.y_a",
-    "cross": "x_b.z_a",
-    "across_x": "x_a.(r_b - r_a)",
-    "across_y": "y_a.(r_b - r_a)",
-    "normal": "z_a.(r_b - r_a)",
-    "length": "|r_b - r_a| - length",
-    "angle": "angle - f(t)",
-    "travel": "travel - f(t)",
-}
-
-
 def _joint_equations(derived: Derived, joint: Joint) -> str:
     """What the joint's rows say; a joint that places a body says which and by what."""
     placement = derived.topology.placements.get(joint.name)
@@ -124,9 +97,9 @@ def _joint_equations(derived: Derived, joint: Joint) -> str:
         own = ", ".join(f"`{name}`" for name in placement.coordinates)
         return f"places {placement.child}" + (f" by {own}" if own else "")
     if derived.scene.space == "planar":
-        return JOINT_EQUATIONS[joint.type]
-    rows = [row.row for row in derived.system.equations.constraints if row.joint == joint.name]
-    return ", ".join(SPATIAL_ROWS[row] for row in rows) + " = 0"
+        return joint.equation
+    rows = [row.text for row in derived.system.equations.constraints if row.joint == joint.name]
+    return ", ".join(rows) + " = 0"
 
 
 def _redundant(derived: Derived) -> str:

@@ -1,20 +1,32 @@
 """Distance: a massless rod of fixed length between two points."""
 
-from functools import cache
+from __future__ import annotations
 
-from symgen.joints.joint_type import JointType, f
-from symgen.joints.planar_template import d, joint_type
-from symgen.joints.spatial_template import d as spatial_d
-from symgen.joints.spatial_template import dot, spatial_joint_type
+from typing import Annotated, Literal
 
-
-@cache
-def planar() -> JointType:
-    """(d.d - f^2) / 2f = 0 with the length f, in metres."""
-    return joint_type([("length", (d[0] ** 2 + d[1] ** 2 - f**2) / (2 * f))])
+from symgen.joints.joint import Equation, InPlane, InSpace, Joint
+from symgen.schema.fields import Bound, Meaning, Quantity
 
 
-@cache
-def spatial() -> JointType:
-    """The same in space."""
-    return spatial_joint_type([("length", (dot(spatial_d, spatial_d) - f**2) / (2 * f))])
+class DistanceJoint(Joint):
+    """Row |r_b - r_a|^2 - length^2: a massless rod between two points. length [m]."""
+
+    type: Literal["distance"] = "distance"
+    length: Annotated[Quantity, Meaning("length of the rod", "m", Bound.POSITIVE)]
+
+    equation = "|r_b - r_a| - length = 0"
+    at_a = at_b = "force"
+    drawing = "rod"
+
+    @classmethod
+    def rows_in_plane(cls, m: InPlane) -> list[Equation]:
+        """(d.d - length^2) / (2 length) = 0, in metres."""
+        length = m.field("length")
+        return [Equation("length", "distance", (m.dot(m.d, m.d) - length**2) / (2 * length))]
+
+    @classmethod
+    def rows_in_space(cls, m: InSpace) -> list[Equation]:
+        """The same."""
+        length = m.field("length")
+        C = (m.dot(m.d, m.d) - length**2) / (2 * length)
+        return [Equation("length", "distance", C, "|r_b - r_a| - length")]

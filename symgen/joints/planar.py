@@ -1,12 +1,17 @@
 """Planar joint: b moves in the xy-plane of marker a and turns about its normal (space)."""
 
-from functools import cache
+from __future__ import annotations
 
-from symgen.joints.joint_type import JointType
-from symgen.joints.spatial_template import d, dot, parallel, spatial_joint_type, z_a
+from typing import Literal
+
+from symgen.joints.joint import PARALLEL, Joint, Slide, Turn, X, Y, Z
 
 
-@cache
-def spatial() -> JointType:
-    """z_a . (r_b - r_a) = 0 and z_b along z_a."""
-    return spatial_joint_type([("normal", dot(z_a, d)), *parallel()])
+class PlanarJoint(Joint):
+    """Moves in marker a's xy-plane and turns about its z-axis (spatial)."""
+
+    type: Literal["planar"] = "planar"
+
+    points = "in_plane"
+    perpendicular = PARALLEL
+    motions = (Slide(X, "x"), Slide(Y, "y"), Turn(Z, "angle"))

@@ -1,19 +1,23 @@
 """Point on line: b stays on the line of marker a and may turn."""
 
-from functools import cache
+from __future__ import annotations
 
-from symgen.joints.joint_type import JointType
-from symgen.joints.planar_template import cross_slide, joint_type
-from symgen.joints.spatial_template import on_axis, spatial_joint_type
+from typing import Literal
 
-
-@cache
-def planar() -> JointType:
-    """n_a . (r_b - r_a) = 0."""
-    return joint_type([("normal", cross_slide())])
+from symgen.joints.joint import Equation, InPlane, Joint
 
 
-@cache
-def spatial() -> JointType:
-    """Point b on the z-axis of marker a."""
-    return spatial_joint_type(on_axis())
+class PointOnLineJoint(Joint):
+    """Row n_a.(r_b - r_a): marker_b's point stays on marker_a's x-axis; in space two rows, on its z-axis."""
+
+    type: Literal["point_on_line"] = "point_on_line"
+
+    equation = "n_a . (r_b - r_a) = 0"
+    points = "on_axis"
+    at_b = "force"
+    drawing = "slide"
+
+    @classmethod
+    def rows_in_plane(cls, m: InPlane) -> list[Equation]:
+        """n_a . (r_b - r_a) = 0."""
+        return [Equation("normal", "distance", m.dot(m.n_a, m.d))]

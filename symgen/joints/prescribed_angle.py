@@ -1,21 +1,35 @@
 """Prescribed angle (rheonomic): the angle between two markers follows f(t)."""
 
-from functools import cache
+from __future__ import annotations
 
-import sympy as sp
+from typing import Annotated, Literal
 
-from symgen.joints.joint_type import JointType, f
-from symgen.joints.planar_template import joint_type, phi_a, phi_b
-from symgen.joints.spatial_template import dot, spatial_joint_type, x_a, x_b, y_a
-
-
-@cache
-def planar() -> JointType:
-    """phi_b - phi_a - f(t) = 0."""
-    return joint_type([("angle", phi_b - phi_a - f)])
+from symgen.joints.joint import Equation, InPlane, InSpace, Joint, X, Y
+from symgen.schema.fields import Meaning, Quantity, Scope
 
 
-@cache
-def spatial() -> JointType:
-    """sin(angle - f) = 0 for the angle of x_b in the xy-plane of marker a."""
-    return spatial_joint_type([("angle", dot(x_b, y_a) * sp.cos(f) - dot(x_b, x_a) * sp.sin(f))])
+class PrescribedAngle(Joint):
+    """Row phi_b - phi_a - f(t), f = motion [rad]; in space the angle about marker a's z-axis.
+
+    Between the markers of a joint with an angle of its own it prescribes that angle, over any number of turns.
+    """
+
+    type: Literal["prescribed_angle"] = "prescribed_angle"
+    motion: Annotated[Quantity, Meaning("angle as a function of t", "rad", scope=Scope.TIME)]
+
+    equation = "phi_b - phi_a - f(t) = 0"
+    drives = "angle"
+    at_a = at_b = "moment"
+    drawing = "drive"
+
+    @classmethod
+    def rows_in_plane(cls, m: InPlane) -> list[Equation]:
+        """phi_b - phi_a - f(t) = 0."""
+        return [Equation("angle", "angle", m.phi_b - m.phi_a - m.field("motion"))]
+
+    @classmethod
+    def rows_in_space(cls, m: InSpace) -> list[Equation]:
+        """sin(angle - f) = 0 for the angle of x_b in the xy-plane of marker a."""
+        cosine, sine = m.cos_sin(m.field("motion"))
+        C = m.dot(m.b[X], m.a[Y]) * cosine - m.dot(m.b[X], m.a[X]) * sine
+        return [Equation("angle", "angle", C, "angle - f(t)")]

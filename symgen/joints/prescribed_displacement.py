@@ -1,19 +1,30 @@
 """Prescribed displacement (rheonomic): the travel of b along the line of marker a follows f(t)."""
 
-from functools import cache
+from __future__ import annotations
 
-from symgen.joints.joint_type import JointType, f
-from symgen.joints.planar_template import along_slide, joint_type
-from symgen.joints.spatial_template import d, dot, spatial_joint_type, z_a
+from typing import Annotated, Literal
 
-
-@cache
-def planar() -> JointType:
-    """t_a . (r_b - r_a) - f(t) = 0."""
-    return joint_type([("travel", along_slide() - f)])
+from symgen.joints.joint import Equation, InPlane, InSpace, Joint, Z
+from symgen.schema.fields import Meaning, Quantity, Scope
 
 
-@cache
-def spatial() -> JointType:
-    """z_a . (r_b - r_a) - f(t) = 0."""
-    return spatial_joint_type([("travel", dot(z_a, d) - f)])
+class PrescribedDisplacement(Joint):
+    """Row t_a.(r_b - r_a) - f(t), f = motion [m], along marker_a's x-axis; in space along its z-axis."""
+
+    type: Literal["prescribed_displacement"] = "prescribed_displacement"
+    motion: Annotated[Quantity, Meaning("displacement as a function of t", "m", scope=Scope.TIME)]
+
+    equation = "t_a . (r_b - r_a) - f(t) = 0"
+    drives = "travel"
+    at_b = "force"
+    drawing = "drive"
+
+    @classmethod
+    def rows_in_plane(cls, m: InPlane) -> list[Equation]:
+        """t_a . (r_b - r_a) - f(t) = 0."""
+        return [Equation("travel", "distance", m.dot(m.t_a, m.d) - m.field("motion"))]
+
+    @classmethod
+    def rows_in_space(cls, m: InSpace) -> list[Equation]:
+        """z_a . (r_b - r_a) - f(t) = 0."""
+        return [Equation("travel", "distance", m.dot(m.a[Z], m.d) - m.field("motion"), "travel - f(t)")]

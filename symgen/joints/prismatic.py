@@ -1,19 +1,26 @@
-"""Prismatic (translational) joint: b slides on the line of marker a without turning."""
+"""Prismatic (translational) joint: b slides on a line of marker a without turning."""
 
-from functools import cache
+from __future__ import annotations
 
-from symgen.joints.joint_type import JointType
-from symgen.joints.planar_template import cross_slide, joint_type, phi_a, phi_b
-from symgen.joints.spatial_template import aligned, on_axis, spatial_joint_type
+from typing import Annotated, Literal
 
-
-@cache
-def planar() -> JointType:
-    """n_a . (r_b - r_a) = 0 and phi_b - phi_a = 0."""
-    return joint_type([("normal", cross_slide()), ("angle", phi_b - phi_a)])
+from symgen.joints.joint import ALIGNED, Equation, InPlane, Joint, Slide, Z
+from symgen.schema.fields import Bound, Meaning, Quantity
 
 
-@cache
-def spatial() -> JointType:
-    """b slides on the z-axis of marker a, axes along axes."""
-    return spatial_joint_type([*on_axis(), *aligned()])
+class PrismaticJoint(Joint):
+    """Rows n_a.(r_b - r_a), phi_b - phi_a: slides along marker_a's x-axis, in space its z-axis. damping [N s/m]."""
+
+    type: Literal["prismatic"] = "prismatic"
+    damping: Annotated[Quantity, Meaning("damping of the sliding", "N s/m", Bound.NON_NEGATIVE)] = 0.0
+
+    equation = "n_a . (r_b - r_a) = 0, phi_b - phi_a = 0"
+    points = "on_axis"
+    perpendicular = ALIGNED
+    motions = (Slide(Z, "travel", damping="damping"),)
+    drawing = "slide"
+
+    @classmethod
+    def rows_in_plane(cls, m: InPlane) -> list[Equation]:
+        """n_a . (r_b - r_a) = 0 and phi_b - phi_a = 0."""
+        return [Equation("normal", "distance", m.dot(m.n_a, m.d)), Equation("angle", "angle", m.phi_b - m.phi_a)]

@@ -1,19 +1,28 @@
 """Revolute joint: two points coincide; in space the z-axes too, a hinge."""
 
-from functools import cache
+from __future__ import annotations
 
-from symgen.joints.joint_type import JointType
-from symgen.joints.planar_template import d, joint_type
-from symgen.joints.spatial_template import parallel, placed, spatial_joint_type
+from typing import Annotated, Literal
 
-
-@cache
-def planar() -> JointType:
-    """r_b - r_a = 0."""
-    return joint_type([("x", d[0]), ("y", d[1])])
+from symgen.joints.joint import PARALLEL, Equation, InPlane, Joint, Turn, Z
+from symgen.schema.fields import Bound, Meaning, Quantity
 
 
-@cache
-def spatial() -> JointType:
-    """r_b - r_a = 0 and z_b along z_a."""
-    return spatial_joint_type([*placed(), *parallel()])
+class RevoluteJoint(Joint):
+    """Rows (r_b - r_a)_x, (r_b - r_a)_y; in space r_b - r_a and z_b parallel to z_a: a hinge about marker a's z-axis.
+
+    damping [N m s/rad] resists the relative rotation.
+    """
+
+    type: Literal["revolute"] = "revolute"
+    damping: Annotated[Quantity, Meaning("damping of the rotation", "N m s/rad", Bound.NON_NEGATIVE)] = 0.0
+
+    equation = "r_b - r_a = 0"
+    points = "together"
+    perpendicular = PARALLEL
+    motions = (Turn(Z, "angle", damping="damping"),)
+
+    @classmethod
+    def rows_in_plane(cls, m: InPlane) -> list[Equation]:
+        """r_b - r_a = 0."""
+        return [Equation("x", "distance", m.d[0]), Equation("y", "distance", m.d[1])]

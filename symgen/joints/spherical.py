@@ -1,12 +1,16 @@
 """Spherical joint: two points coincide (space)."""
 
-from functools import cache
+from __future__ import annotations
 
-from symgen.joints.joint_type import JointType
-from symgen.joints.spatial_template import placed, spatial_joint_type
+from typing import Literal
+
+from symgen.joints.joint import Joint
 
 
-@cache
-def spatial() -> JointType:
-    """r_b - r_a = 0."""
-    return spatial_joint_type(placed())
+class SphericalJoint(Joint):
+    """Rows r_b - r_a (spatial scenes)."""
+
+    type: Literal["spherical"] = "spherical"
+
+    points = "together"
+    at_a = at_b = "force"

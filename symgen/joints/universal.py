@@ -1,12 +1,17 @@
 """Universal joint: two points coincide, x_b stays perpendicular to z_a (space)."""
 
-from functools import cache
+from __future__ import annotations
 
-from symgen.joints.joint_type import JointType
-from symgen.joints.spatial_template import dot, placed, spatial_joint_type, x_b, z_a
+from typing import Literal
+
+from symgen.joints.joint import AxisPair, Joint, Turn, X, Z
 
 
-@cache
-def spatial() -> JointType:
-    """r_b - r_a = 0 and x_b . z_a = 0."""
-    return spatial_joint_type([*placed(), ("cross", dot(x_b, z_a))])
+class UniversalJoint(Joint):
+    """Rows r_b - r_a and x_b perpendicular to z_a (spatial): turns about marker a's z-axis, then about b's x-axis."""
+
+    type: Literal["universal"] = "universal"
+
+    points = "together"
+    perpendicular = (AxisPair("cross", Z, X),)
+    motions = (Turn(Z, "angle1"), Turn(X, "angle2"))

@@ -1,19 +1,28 @@
 """Weld: two markers coincide in position and angle."""
 
-from functools import cache
+from __future__ import annotations
 
-from symgen.joints.joint_type import JointType
-from symgen.joints.planar_template import d, joint_type, phi_a, phi_b
-from symgen.joints.spatial_template import aligned, placed, spatial_joint_type
+from typing import Literal
 
-
-@cache
-def planar() -> JointType:
-    """r_b - r_a = 0 and phi_b - phi_a = 0."""
-    return joint_type([("x", d[0]), ("y", d[1]), ("angle", phi_b - phi_a)])
+from symgen.joints.joint import ALIGNED, Equation, InPlane, Joint
 
 
-@cache
-def spatial() -> JointType:
-    """r_b - r_a = 0, axes along axes."""
-    return spatial_joint_type([*placed(), *aligned()])
+class WeldJoint(Joint):
+    """Rows (r_b - r_a)_x, (r_b - r_a)_y, phi_b - phi_a; in space r_b - r_a and axes along axes."""
+
+    type: Literal["weld"] = "weld"
+
+    equation = "r_b - r_a = 0, phi_b - phi_a = 0"
+    points = "together"
+    perpendicular = ALIGNED
+    motions = ()
+    drawing = "weld"
+
+    @classmethod
+    def rows_in_plane(cls, m: InPlane) -> list[Equation]:
+        """r_b - r_a = 0 and phi_b - phi_a = 0."""
+        return [
+            Equation("x", "distance", m.d[0]),
+            Equation("y", "distance", m.d[1]),
+            Equation("angle", "angle", m.phi_b - m.phi_a),
+        ]

@@ -10,8 +10,8 @@ from symgen.algebra.rows import Row, to_matrix
 from symgen.choice.elimination import constraint_jacobian
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.loops import solve_transposed
-from symgen.joints.instance import ConstraintRow
 from symgen.kernels.kernel import Kernel
+from symgen.system.constraint_rows import ConstraintRow
 from symgen.system.equations import Equations, matrix_times
 
 

@@ -63,22 +63,22 @@ def effort(row: Row, rate: ca.SX, value: ca.SX, axis: Vector, turning: bool) -> 
     return LoadEffect(force, applied=value * rate, action=acting)
 
 
-def relative_travel(a: SpatialMarker, b: SpatialMarker) -> tuple[Row, ca.SX]:
-    """Row and rate of the travel of b along marker a's z-axis, where b is on that axis."""
+def relative_travel(a: SpatialMarker, b: SpatialMarker, axis: Vector) -> tuple[Row, ca.SX]:
+    """Row and rate of the travel of b along an axis of marker a, where b is on that axis."""
     row: Row = {}
     for i in range(3):
-        add_scaled(row, a.axes[2][i], b.r_columns[i])
-        add_scaled(row, neg(a.axes[2][i]), a.r_columns[i])
-    return row, dot(a.axes[2], minus(b.r_dot, a.r_dot))
+        add_scaled(row, axis[i], b.r_columns[i])
+        add_scaled(row, neg(axis[i]), a.r_columns[i])
+    return row, dot(axis, minus(b.r_dot, a.r_dot))
 
 
-def relative_turn(a: SpatialMarker, b: SpatialMarker) -> tuple[Row, ca.SX]:
-    """Row and rate of the turn of b about marker a's z-axis."""
+def relative_turn(a: SpatialMarker, b: SpatialMarker, axis: Vector) -> tuple[Row, ca.SX]:
+    """Row and rate of the turn of b about an axis of marker a."""
     row: Row = {}
     for i in range(3):
-        add_scaled(row, a.axes[2][i], b.turn_rows[i])
-        add_scaled(row, neg(a.axes[2][i]), a.turn_rows[i])
-    return row, dot(a.axes[2], minus(b.omega, a.omega))
+        add_scaled(row, axis[i], b.turn_rows[i])
+        add_scaled(row, neg(axis[i]), a.turn_rows[i])
+    return row, dot(axis, minus(b.omega, a.omega))
 
 
 def spring_damper(
@@ -117,20 +117,20 @@ def angle_about_z(a: SpatialMarker, b: SpatialMarker, motion: StateVector) -> An
     return Angle(value, ca.jtimes(value, motion.q, motion.q_dot), gradient(value, motion.q))
 
 
-def hinge_friction(a: SpatialMarker, b: SpatialMarker, damping: ca.SX) -> LoadEffect:
-    """Viscous friction of the relative rotation about marker a's z-axis."""
-    rate = dot(a.axes[2], minus(b.omega, a.omega))
+def hinge_friction(a: SpatialMarker, b: SpatialMarker, damping: ca.SX, axis: Vector) -> LoadEffect:
+    """Viscous friction of the relative rotation about an axis."""
+    rate = dot(axis, minus(b.omega, a.omega))
     row: Row = {}
     for i in range(3):
-        moment = neg(mul(mul(damping, rate), a.axes[2][i]))
+        moment = neg(mul(mul(damping, rate), axis[i]))
         add_scaled(row, moment, b.turn_rows[i])
         add_scaled(row, neg(moment), a.turn_rows[i])
     return LoadEffect(row, dissipated=damping * rate**2)
 
 
-def slide_friction(a: SpatialMarker, b: SpatialMarker, damping: ca.SX, motion: StateVector) -> LoadEffect:
-    """Viscous friction of the travel of b along marker a's z-axis."""
-    travel = dot(a.axes[2], minus(b.r, a.r))
+def slide_friction(a: SpatialMarker, b: SpatialMarker, damping: ca.SX, axis: Vector, motion: StateVector) -> LoadEffect:
+    """Viscous friction of the travel of b along an axis."""
+    travel = dot(axis, minus(b.r, a.r))
     rate = ca.jtimes(travel, motion.q, motion.q_dot)
     row: Row = {}
     add_scaled(row, -damping * rate, gradient(travel, motion.q))

@@ -4,6 +4,7 @@ A `Scene` is immutable and checked: whatever is wrong in it surfaces as a `Scene
 and remedy.
 """
 
+from symgen.joints import JOINTS, Joint
 from symgen.scene.attachments import lateral_ends, with_ends
 from symgen.scene.bodies import (
     AxialModes,
@@ -17,27 +18,9 @@ from symgen.scene.bodies import (
     TorsionModes,
 )
 from symgen.scene.builder import SceneBuilder
-from symgen.scene.errors import SceneError
 from symgen.scene.events import DeclaredEvent
-from symgen.scene.expressions import Expression, parse_expression
-from symgen.scene.fields import Quantity
 from symgen.scene.flexible import FlexibleMarker, FlexibleStiffening, SpatialModalBody
 from symgen.scene.inputs import DeclaredInput
-from symgen.scene.joints import (
-    CylindricalJoint,
-    DistanceJoint,
-    Joint,
-    PlanarJoint,
-    PointOnLineJoint,
-    PrescribedAngle,
-    PrescribedDisplacement,
-    PrismaticJoint,
-    RevoluteJoint,
-    ScrewJoint,
-    SphericalJoint,
-    UniversalJoint,
-    WeldJoint,
-)
 from symgen.scene.loads import Bushing, Force, Load, RotationalSpringDamper, SpringDamper, Torque
 from symgen.scene.measures import (
     AngleMeasure,
@@ -60,20 +43,23 @@ from symgen.scene.simulation import Baumgarte, CoordinateGroup, Initial, Initial
 from symgen.scene.states import DeclaredState
 from symgen.scene.structure import Structure
 from symgen.scene.tables import CurveTable
+from symgen.schema.errors import SceneError
+from symgen.schema.expressions import Expression, parse_expression
+from symgen.schema.fields import Quantity
 
 __all__ = [
     "AngleMeasure", "AnyBody", "AnyMarker", "AxialModes", "Baumgarte", "BeamBody", "BeamMarker", "Body",
-    "Bushing", "CoordinateMeasure", "CurveTable", "CylindricalJoint",
-    "DistanceJoint", "DistanceMeasure", "Expression", "SpatialModalBody", "FlexibleMarker", "FlexibleStiffening",
+    "Bushing", "CoordinateMeasure", "CurveTable",
+    "DistanceMeasure", "Expression", "SpatialModalBody", "FlexibleMarker", "FlexibleStiffening",
     "Force", "Foreshortening", "CoordinateGroup", "GroundBody", "Initial",
     "InitialValue",
-    "Joint", "LateralModes", "Load", "MarkerDirections", "Measure", "ModalBody", "ModalMarker",
-    "DeclaredEvent", "DeclaredInput", "DeclaredParameter", "DeclaredState", "Partition", "Placement", "PlanarJoint",
-    "PointOnLineJoint", "PrescribedAngle", "PrescribedDisplacement", "PrismaticJoint", "Quantity",
-    "RevoluteJoint",
-    "RigidBody", "RigidMarker", "RotationalSpringDamper", "Scene", "SceneBuilder", "SceneError", "ScrewJoint",
+    "JOINTS", "Joint", "LateralModes", "Load", "MarkerDirections", "Measure", "ModalBody", "ModalMarker",
+    "DeclaredEvent", "DeclaredInput", "DeclaredParameter", "DeclaredState", "Partition", "Placement",
+    "Quantity",
+   
+    "RigidBody", "RigidMarker", "RotationalSpringDamper", "Scene", "SceneBuilder", "SceneError",
     "SectionForceMeasure",
-    "Simulation", "SphericalJoint", "SpringDamper", "StressMeasure", "Structure", "Torque", "TorsionModes",
-    "UniversalJoint", "WeldJoint", "XMeasure", "YMeasure", "ZMeasure", "lateral_ends", "parse_expression", "read_mesh",
+    "Simulation", "SpringDamper", "StressMeasure", "Structure", "Torque", "TorsionModes",
+    "XMeasure", "YMeasure", "ZMeasure", "lateral_ends", "parse_expression", "read_mesh",
     "with_ends",
 ]  # fmt: skip

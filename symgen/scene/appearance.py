@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import AfterValidator, BeforeValidator, Field
 
-from symgen.scene.fields import Number, StrictModel, refuse
+from symgen.schema.fields import Number, StrictModel, refuse
 
 MOST_TRIANGLES = 20_000
 Triple = tuple[Number, Number, Number]

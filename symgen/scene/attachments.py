@@ -10,8 +10,9 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from typing import NamedTuple, TypeVar
 
+from symgen.joints import Joint
+from symgen.joints.joint import Y
 from symgen.scene.bodies import BeamBody, BeamMarker, MarkerDirections
-from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.scene.parts import SceneParts
 
@@ -24,8 +25,8 @@ LATERAL = {
     ("free", "welded"): "free-clamped",
 }
 AXIAL = {(True, True): "fixed-loaded", (True, False): "fixed-free", (False, True): "free-fixed"}
-FREE_ROTATION = {"revolute": "z", "cylindrical": "z", "universal": "zx"}  # about the z of marker a, the x of marker b
-FORCES_ONLY = ("spherical", "distance", "spring_damper", "force")
+FORCES_ONLY = ("spring_damper", "force")
+MOMENTS_ONLY = ("torque", "rotational_spring_damper")
 
 
 class Carried(NamedTuple):
@@ -119,23 +120,33 @@ def _attached(scene: SceneParts) -> Iterator[tuple[str, Joint | Load, str]]:
 
 def _by(part: Joint | Load, side: str, scene: SceneParts, reference: str) -> Carried:
     """What a joint or load carries at the marker that is its `side`."""
-    kind = part.type
-    if kind in FORCES_ONLY or (kind in ("point_on_line", "prescribed_displacement") and side == "marker_b"):
+    if isinstance(part, Joint):
+        return _by_joint(part, side, scene, reference)
+    return Carried(part.type not in MOMENTS_ONLY, part.type not in FORCES_ONLY)
+
+
+def _by_joint(joint: Joint, side: str, scene: SceneParts, reference: str) -> Carried:
+    carried = joint.at_a if side == "marker_a" else joint.at_b
+    if carried != "force and moment":
+        return Carried(carried == "force", carried == "moment")
+    turn = joint.turn_at("marker_a" if side == "marker_a" else "marker_b")
+    if turn is None or turn.lead or getattr(joint, turn.damping, 0) != 0 or _driven(scene, f"{joint.name}.{turn.name}"):
+        return Carried(True, True)
+    if scene.space == "planar":
         return Carried(True, False)
-    if kind in ("torque", "rotational_spring_damper", "prescribed_angle"):
-        return Carried(False, True)
-    if kind in FREE_ROTATION:
-        driven = any(load.type == "effort" and load.coordinate.startswith(f"{part.name}.angle") for load in scene.loads)
-        damped = driven or getattr(part, "damping", 0) != 0
-        if scene.space == "planar":
-            return Carried(True, damped)
-        return Carried(True, True, None if damped else _free_axis(kind, side, scene, reference))
-    return Carried(True, True)
+    return Carried(True, True, _axis(turn.axis, scene, reference))
 
 
-def _free_axis(kind: str, side: str, scene: SceneParts, reference: str) -> tuple[float, ...] | None:
-    """Direction in the body about which the joint passes on no moment; None where it is not given."""
+def _driven(scene: SceneParts, coordinate: str) -> bool:
+    """Does an effort act on it?"""
+    return any(load.type == "effort" and load.coordinate == coordinate for load in scene.loads)
+
+
+def _axis(own: int, scene: SceneParts, reference: str) -> tuple[float, ...] | None:
+    """An axis of a marker in its body; None where it is not given."""
     marker = scene.marker(reference)[1]
     assert isinstance(marker, MarkerDirections)
-    own = FREE_ROTATION[kind][0 if side == "marker_a" else -1]
-    return marker.axis if own == "z" else marker.x_axis
+    z, x = marker.axis, marker.x_axis
+    if own == Y and x is not None:
+        return (z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0])
+    return (x, None, z)[own]

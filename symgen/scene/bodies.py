@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field, Strict
 
 from symgen.scene.appearance import Shapes
-from symgen.scene.fields import MARKER_ANGLE, Bound, Flag, Inertia, Meaning, Name, Number, Quantity, StrictModel
+from symgen.schema.fields import MARKER_ANGLE, Bound, Flag, Inertia, Meaning, Name, Number, Quantity, StrictModel
 
 LATERAL_ENDS = Literal[
     "pinned-pinned", "clamped-free", "free-free", "clamped-pinned", "clamped-clamped", "free-clamped", "pinned-free",

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any, Self
+from collections.abc import Callable
+from inspect import Parameter, Signature
+from typing import TYPE_CHECKING, Any, Self
 
-from symgen.scene.errors import SceneError, show
+from symgen.joints import JOINTS, Joint
 from symgen.scene.scene import Scene
 from symgen.scene.table_files import read_points
+from symgen.schema.errors import SceneError, show
 
 MAX_NESTING = 20
 
@@ -14,7 +17,8 @@ MAX_NESTING = 20
 class SceneBuilder:
     """Collects the entries of a scene; every method but `build` returns the builder.
 
-    The keyword arguments are the fields of the models of the same name (SI units), NumPy arrays included.
+    The keyword arguments are the fields of the models of the same name (SI units), NumPy arrays included. Each joint
+    type has a method of its name: `revolute(name, marker_a, marker_b, damping=0.1)`.
     `build` raises SceneError for everything that is wrong.
     """
 
@@ -90,58 +94,13 @@ class SceneBuilder:
         return self._add("bodies", "flexible", name, fields)
 
     def joint(self, type: str, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
-        """A joint of any type by its name in a scene file."""
+        """A joint of any type by its name in a scene file; each type has a method of that name, too."""
         return self._pair("joints", type, name, marker_a, marker_b, fields)
 
-    def revolute(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
-        """A `RevoluteJoint`."""
-        return self._pair("joints", "revolute", name, marker_a, marker_b, fields)
+    if TYPE_CHECKING:
 
-    def prismatic(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
-        """A `PrismaticJoint`."""
-        return self._pair("joints", "prismatic", name, marker_a, marker_b, fields)
-
-    def weld(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
-        """A `WeldJoint`."""
-        return self._pair("joints", "weld", name, marker_a, marker_b, fields)
-
-    def point_on_line(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
-        """A `PointOnLineJoint`."""
-        return self._pair("joints", "point_on_line", name, marker_a, marker_b, fields)
-
-    def spherical(self, name: str, marker_a: str, marker_b: str) -> Self:
-        """A `SphericalJoint`."""
-        return self._pair("joints", "spherical", name, marker_a, marker_b, {})
-
-    def universal(self, name: str, marker_a: str, marker_b: str) -> Self:
-        """A `UniversalJoint`."""
-        return self._pair("joints", "universal", name, marker_a, marker_b, {})
-
-    def cylindrical(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
-        """A `CylindricalJoint`."""
-        return self._pair("joints", "cylindrical", name, marker_a, marker_b, fields)
-
-    def screw(self, name: str, marker_a: str, marker_b: str, lead: float | str) -> Self:
-        """A `ScrewJoint`."""
-        return self._pair("joints", "screw", name, marker_a, marker_b, {"lead": lead})
-
-    def planar(self, name: str, marker_a: str, marker_b: str) -> Self:
-        """A `PlanarJoint`."""
-        return self._pair("joints", "planar", name, marker_a, marker_b, {})
-
-    def distance(self, name: str, marker_a: str, marker_b: str, length: float | str) -> Self:
-        """A `DistanceJoint`."""
-        return self._pair("joints", "distance", name, marker_a, marker_b, {"length": length})
-
-    def prescribed_angle(self, name: str, marker_a: str, marker_b: str, motion: float | str, **fields: Any) -> Self:
-        """A `PrescribedAngle`."""
-        return self._pair("joints", "prescribed_angle", name, marker_a, marker_b, {"motion": motion, **fields})
-
-    def prescribed_displacement(
-        self, name: str, marker_a: str, marker_b: str, motion: float | str, **fields: Any
-    ) -> Self:
-        """A `PrescribedDisplacement`."""
-        return self._pair("joints", "prescribed_displacement", name, marker_a, marker_b, {"motion": motion, **fields})
+        def __getattr__(self, joint_type: str) -> Callable[..., Self]:
+            """A method for each joint type, see below."""
 
     def force(self, name: str, marker: str, *components: float | str, **fields: Any) -> Self:
         """A `Force` with components x, y (and z) [N]."""
@@ -254,3 +213,23 @@ def _plain(value: Any, item: str, depth: int = 0) -> Any:
     if hasattr(value, "tolist"):
         return value.tolist()
     return value
+
+
+def _joint_method(type: str, record: type[Joint]) -> Callable[..., SceneBuilder]:
+    own = {key: field for key, field in record.model_fields.items() if key not in ("type", *Joint.model_fields)}
+    needed = [key for key, field in own.items() if field.is_required()]
+
+    def add(self: SceneBuilder, name: str, marker_a: str, marker_b: str, *values: Any, **fields: Any) -> SceneBuilder:
+        given = dict(zip(needed, values, strict=False))
+        return self.joint(type, name, marker_a, marker_b, **given, **fields)
+
+    either, named = Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY
+    known = [Parameter(key, either) for key in ("self", *Joint.model_fields, *needed)]
+    free = [Parameter(key, named, default=field.default) for key, field in own.items() if key not in needed]
+    add.__name__, add.__doc__ = type, record.__doc__
+    add.__signature__ = Signature([*known, *free])  # type: ignore[attr-defined]
+    return add
+
+
+for _type, _record in JOINTS.items():
+    setattr(SceneBuilder, _type, _joint_method(_type, _record))

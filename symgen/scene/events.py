@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field
 
-from symgen.scene.fields import Flag, Meaning, Name, Number, Quantity, Scope, StrictModel, Text, refuse
+from symgen.schema.fields import Flag, Meaning, Name, Number, Quantity, Scope, StrictModel, Text, refuse
 
 
 def _not_negative(value: float) -> float:

@@ -7,10 +7,10 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from symgen.scene.bodies import MarkerDirections, Orientation
-from symgen.scene.fields import Bound, Flag, Matrix, Meaning, Name, Number, Quantity, StrictModel
 from symgen.scene.gauges import StressGauge
 from symgen.scene.struts import FlexibleStrut
 from symgen.scene.surface import FlexibleSurface
+from symgen.schema.fields import Bound, Flag, Matrix, Meaning, Name, Number, Quantity, StrictModel
 
 Block = tuple[tuple[Number, Number, Number], tuple[Number, Number, Number], tuple[Number, Number, Number]]
 Point = Annotated[tuple[Quantity, Quantity, Quantity], Meaning("position in the body frame, (x, y, z)", "m")]

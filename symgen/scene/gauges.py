@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pydantic import Field
 
-from symgen.scene.fields import Name, Number, StrictModel
+from symgen.schema.fields import Name, Number, StrictModel
 
 Rows = tuple[tuple[Number, ...], ...]
 COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")  # rows of all arrays

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from pydantic import AfterValidator
 
-from symgen.scene.fields import Flag, Number, StrictModel, Text, refuse
+from symgen.schema.fields import Flag, Number, StrictModel, Text, refuse
 
 
 def _positive(value: float) -> float:

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from symgen.scene.fields import Bound, Coordinate, MarkerRef, Meaning, Name, Quantity, Scope, StrictModel
+from symgen.schema.fields import Bound, Coordinate, MarkerRef, Meaning, Name, Quantity, Scope, StrictModel
 
 Stiffness = Annotated[Quantity, Meaning("stiffness", "N/m", Bound.NON_NEGATIVE)]
 Damping = Annotated[Quantity, Meaning("damping", "N s/m", Bound.NON_NEGATIVE)]

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from symgen.scene.fields import Coordinate, GaugeRef, MarkerRef, Name, StrictModel
+from symgen.schema.fields import Coordinate, GaugeRef, MarkerRef, Name, StrictModel
 
 ALL_GAUGES = "all"
 

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationInfo, field_validator
 
 from symgen.scene.bodies import Position
-from symgen.scene.fields import MARKER_ANGLE, Bound, Flag, Matrix, Meaning, Name, Quantity, StrictModel, Vector
+from symgen.schema.fields import MARKER_ANGLE, Bound, Flag, Matrix, Meaning, Name, Quantity, StrictModel, Vector
 
 
 def _zeros(rows: int) -> Any:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symgen.scene.fields import Number, StrictModel, Text
+from symgen.schema.fields import Number, StrictModel, Text
 
 
 class DeclaredParameter(StrictModel):

@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from functools import reduce
+from operator import or_
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Field
 
 from runtime.contract.euler_angles import is_sequence
 from runtime.contract.records import UNITS, Coordinate, CoordinateKind
+from symgen.joints import JOINTS, Joint
+from symgen.joints.joint import Slide, Turn
 from symgen.scene.bodies import BeamBody, BeamMarker, GroundBody, RigidBody, RigidMarker
-from symgen.scene.errors import SceneError, did_you_mean
 from symgen.scene.events import DeclaredEvent
-from symgen.scene.expression_values import table_name
-from symgen.scene.expressions import Expression, parse_expression
-from symgen.scene.fields import Meaning, Name, Quantity, StrictModel, Text
 from symgen.scene.flexible import FlexibleMarker, SpatialModalBody
 from symgen.scene.inputs import DeclaredInput
-from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.scene.measures import Measure
 from symgen.scene.modal import ModalBody, ModalMarker
@@ -26,6 +25,10 @@ from symgen.scene.simulation import Baumgarte, Initial, Partition, Simulation
 from symgen.scene.states import DeclaredState
 from symgen.scene.structure import Structure
 from symgen.scene.tables import CurveTable
+from symgen.schema.errors import SceneError, did_you_mean
+from symgen.schema.expression_values import table_name
+from symgen.schema.expressions import Expression, parse_expression
+from symgen.schema.fields import Meaning, Name, Quantity, StrictModel, Text
 
 AnyBody = GroundBody | RigidBody | BeamBody | ModalBody | SpatialModalBody
 AnyMarker = RigidMarker | BeamMarker | ModalMarker | FlexibleMarker
@@ -35,6 +38,10 @@ ORIENTATIONS: dict[str, tuple[tuple[str, CoordinateKind], ...]] = {
     "parameters": tuple((f"e{k}", "euler_parameter") for k in range(4)),
 }
 Body = Annotated[AnyBody, Field(discriminator="type")]
+if TYPE_CHECKING:
+    AnyJoint = Joint
+else:
+    AnyJoint = Annotated[reduce(or_, JOINTS.values()), Field(discriminator="type")]
 
 
 class SceneParts(StrictModel):
@@ -54,7 +61,7 @@ class SceneParts(StrictModel):
     states: dict[Name, DeclaredState] = Field(default_factory=dict)
     events: dict[Name, DeclaredEvent] = Field(default_factory=dict)
     bodies: tuple[Body, ...] = ()
-    joints: tuple[Joint, ...] = ()
+    joints: tuple[AnyJoint, ...] = ()
     loads: tuple[Load, ...] = ()
     measures: tuple[Measure, ...] = ()
     structure: Structure | None = None
@@ -90,12 +97,12 @@ class SceneParts(StrictModel):
             raise SceneError(f"body '{name}'", f"it has no marker '{marker}'", did_you_mean(marker, markers))
         return body, markers[marker]
 
-    def joint_of(self, coordinate: str) -> Joint:
-        """The joint of "joint.angle"; raises SceneError."""
-        name = coordinate.partition(".")[0]
+    def joint_of(self, coordinate: str) -> tuple[Joint, Turn | Slide]:
+        """The joint and its motion behind "joint.angle"; raises SceneError."""
+        name, _, motion = coordinate.partition(".")
         for joint in self.joints:
             if joint.name == name:
-                return joint
+                return joint, joint.motion_of(motion)
         remedy = did_you_mean(name, [joint.name for joint in self.joints])
         raise SceneError("joints", f"there is no joint '{name}'", remedy)
 

@@ -11,8 +11,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from runtime.contract.records import UNITS, Coordinate, CoordinateKind
-from symgen.scene.joints import Joint
+from runtime.contract.records import UNITS, Coordinate
+from symgen.joints import Joint
 
 
 class Named(Protocol):
@@ -23,54 +23,23 @@ class Named(Protocol):
         """Of the body."""
 
 
-# joint type -> names of its coordinates
-PLACING: dict[str, tuple[str, ...]] = {
-    "revolute": ("angle",),
-    "prismatic": ("travel",),
-    "cylindrical": ("angle", "travel"),
-    "screw": ("angle",),
-    "universal": ("angle1", "angle2"),
-    "planar": ("x", "y", "angle"),
-    "weld": (),
-}
-KINDS: dict[str, CoordinateKind] = {
-    "angle": "angle",
-    "angle1": "angle",
-    "angle2": "angle",
-    "travel": "position",
-    "x": "position",
-    "y": "position",
-}
-# what an effort may act on between the markers of a joint that has no coordinates of its own
-RELATIVE: dict[str, tuple[str, ...]] = {
-    "revolute": ("angle",),
-    "prismatic": ("travel",),
-    "cylindrical": ("angle", "travel"),
-}
-
-
 @dataclass(frozen=True)
 class Placement:
-    """Joint `joint` places body `child` relative to body `parent`; forward: the child is the body of marker b."""
+    """Joint `joint` places body `child` relative to body `parent` by coordinates of its own, `records`.
+
+    forward: the child is the body of marker b.
+    """
 
     joint: str
-    type: str
     parent: str
     child: str
     forward: bool
+    records: tuple[Coordinate, ...]
 
     @property
     def coordinates(self) -> list[str]:
         """Names of the joint's coordinates."""
         return [entry.name for entry in self.records]
-
-    @property
-    def records(self) -> list[Coordinate]:
-        """The joint's coordinates."""
-        return [
-            Coordinate(f"{self.joint}.{name}", self.joint, KINDS[name], UNITS[KINDS[name]])
-            for name in PLACING[self.type]
-        ]
 
 
 def placements_of(bodies: Sequence[Named], joints: Sequence[Joint]) -> list[Placement]:
@@ -91,8 +60,15 @@ def placements_of(bodies: Sequence[Named], joints: Sequence[Joint]) -> list[Plac
             if child not in reached:
                 reached.add(child)
                 queue.append(child)
-                found[joint.name] = Placement(joint.name, joint.type, parent, child, forward)
+                found[joint.name] = Placement(joint.name, parent, child, forward, _coordinates(joint))
     return [found[joint.name] for joint in joints if joint.name in found]
+
+
+def _coordinates(joint: Joint) -> tuple[Coordinate, ...]:
+    return tuple(
+        Coordinate(f"{joint.name}.{motion.name}", joint.name, motion.kind, UNITS[motion.kind])
+        for motion in joint.motions or ()
+    )
 
 
 def _next_root(joints: Sequence[Joint], roots: list[str], reached: set[str]) -> str:
@@ -109,5 +85,5 @@ def _placing_from(joints: Sequence[Joint], body: str) -> Iterator[tuple[Joint, s
     """Placing joints of a body with the body at their other end."""
     for joint in joints:
         ends = (joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0])
-        if joint.type in PLACING and body in ends:
+        if joint.motions is not None and body in ends:
             yield joint, ends[1] if ends[0] == body else ends[0], ends[0] == body

@@ -9,12 +9,12 @@ from pydantic import ValidationError
 
 from symgen.scene import toml_io
 from symgen.scene.checks import check_scene
-from symgen.scene.errors import SceneError, raise_all, show
 from symgen.scene.parts import SceneParts
 from symgen.scene.scene_card import scene_card
 from symgen.scene.scene_files import with_files
 from symgen.scene.table_files import with_tables
 from symgen.scene.translate import scene_errors
+from symgen.schema.errors import SceneError, raise_all, show
 
 
 class Scene(SceneParts):

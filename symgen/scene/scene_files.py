@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from symgen.scene.errors import SceneError, show
 from symgen.scene.toml_io import MAX_BYTES
+from symgen.schema.errors import SceneError, show
 
 FORMATS = (".stl", ".obj", ".ply", ".off", ".glb")
 

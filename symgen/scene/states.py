@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from symgen.scene.fields import Meaning, Number, Quantity, Scope, StrictModel, Text
+from symgen.schema.fields import Meaning, Number, Quantity, Scope, StrictModel, Text
 
 
 class DeclaredState(StrictModel):

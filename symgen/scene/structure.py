@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from symgen.scene.fields import Matrix, Meaning, Name, Scope, StrictModel, Vector
+from symgen.schema.fields import Matrix, Meaning, Name, Scope, StrictModel, Vector
 
 
 class Structure(StrictModel):

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from pydantic import AfterValidator
 
-from symgen.scene.fields import Name, Number, StrictModel, refuse
+from symgen.schema.fields import Name, Number, StrictModel, refuse
 
 
 def _positive(value: float) -> float:

@@ -9,7 +9,7 @@ from pydantic import BeforeValidator
 
 from runtime.contract.packing import packed, unpacked
 from symgen.scene.appearance import MOST_TRIANGLES
-from symgen.scene.fields import StrictModel, refuse
+from symgen.schema.fields import StrictModel, refuse
 
 REMEDY = "take what FlexibleBody.surface gives"
 

@@ -8,9 +8,9 @@ from typing import Any
 
 import casadi as ca
 
-from symgen.scene.expression_nodes import Binary, Condition, FunctionCall, Negative, Node, TableValue, Where
-from symgen.scene.expression_values import casadi_value, points_name
 from symgen.scene.tables import CurveTable
+from symgen.schema.expression_nodes import Binary, Condition, FunctionCall, Negative, Node, TableValue, Where
+from symgen.schema.expression_values import casadi_value, points_name
 
 MOST_POINTS = 100  # of a table: one with more is taken to be smooth
 

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from symgen.scene.errors import SceneError, show
 from symgen.scene.tables import MAX_POINTS
+from symgen.schema.errors import SceneError, show
 
 MAX_BYTES = 1_000_000
 

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, Strict, model_validator
 
-from symgen.scene.fields import Number, StrictModel, Text, refuse
+from symgen.schema.fields import Number, StrictModel, Text, refuse
 
 MAX_POINTS = 1000  # each costs some ten operations in every evaluation
 

@@ -12,7 +12,7 @@ from typing import Any
 
 from pydantic import BaseModel
 
-from symgen.scene.errors import SceneError
+from symgen.schema.errors import SceneError
 
 MAX_BYTES = 50_000_000
 MAX_KEY_PARTS = 100

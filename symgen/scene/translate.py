@@ -8,7 +8,7 @@ from typing import Any
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from symgen.scene.errors import SceneError, did_you_mean, show
+from symgen.schema.errors import SceneError, did_you_mean, show
 
 SECTIONS = ("bodies", "joints", "loads", "measures")
 _EXAMPLES = {

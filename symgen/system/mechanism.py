@@ -5,7 +5,7 @@ What a body, a joint or a load *is* depends on the dimensions of the scene and s
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Generic, Protocol, TypeVar
 
 import casadi as ca
@@ -13,16 +13,18 @@ import casadi as ca
 from runtime.contract.euler_angles import NAMES
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_to
-from symgen.algebra.scalar import ONE, add
+from symgen.algebra.scalar import ONE, ZERO, add
 from symgen.bodies.gauge_stress import gauge_stress
 from symgen.bodies.outlines import Picture
 from symgen.bodies.spatial_orientation import euler_angle
-from symgen.joints.instance import ConstraintRow
+from symgen.joints import Joint
+from symgen.joints.joint import Slide, Turn
 from symgen.loads.effect import LoadEffect
 from symgen.scene import Scene, SpatialModalBody
-from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.scene.measures import Measure, SectionForceMeasure, StressMeasure
+from symgen.schema.fields import Scope
+from symgen.system.constraint_rows import ConstraintRow, Motion
 from symgen.system.equations import Equations
 from symgen.system.signals import motion_derivatives
 from symgen.system.switching import ExpressionReader
@@ -68,7 +70,7 @@ class Space(Protocol[Marker]):
     def marker(self, reference: str) -> Marker:
         """Motion of "body.marker"."""
 
-    def joint_rows(self, joint: Joint, motion: list[ca.SX]) -> list[ConstraintRow]:
+    def joint_rows(self, joint: Joint, motions: Mapping[str, Motion]) -> list[ConstraintRow]:
         """Constraint rows of a joint."""
 
     def body_rows(self) -> list[ConstraintRow]:
@@ -171,18 +173,19 @@ class Mechanism(Generic[Marker]):
 
     def _add_joint(self, joint: Joint) -> None:
         eq = self.equations
-        motion = [ca.SX(0)] * 3
-        text = getattr(joint, "motion", None)
-        if text is not None:
-            env: Mapping[str, Any] = {**self.table.environment(), "t": eq.t, **eq.u}
-            f = self.reader.read(text, f"joints.{joint.name}.motion", joint.name, env)
-            motion = [*motion_derivatives(self.scene, f, eq.t, eq.u, joint.name)]
-        length = getattr(joint, "length", None)
-        if length is not None:
-            motion[0] = self.table.of(joint, "length")
-        eq.constraints += self.space.joint_rows(joint, motion)
+        motions = {name: self._motion(joint, name) for name in joint.row_quantities()}
+        eq.constraints += self.space.joint_rows(joint, motions)
         for effect in self.space.joint_friction(joint):
             self._add_effect(joint.name, effect)
+
+    def _motion(self, joint: Joint, name: str) -> Motion:
+        """A quantity of a joint's rows with its first two derivatives in time."""
+        if joint.meaning(name).scope is not Scope.TIME:
+            return [self.table.of(joint, name), ZERO, ZERO]
+        eq, item = self.equations, f"joints.{joint.name}.{name}"
+        env: Mapping[str, Any] = {**self.table.environment(), "t": eq.t, **eq.u}
+        f = self.reader.read(getattr(joint, name), item, joint.name, env)
+        return motion_derivatives(self.scene, f, eq.t, eq.u, item)
 
     def _add_measures(self) -> None:
         eq = self.equations
@@ -271,10 +274,11 @@ def spring_values(load: Any, table: ParameterTable) -> list[ca.SX]:
     return [table.of(load, field) for field in fields]
 
 
-def friction(joint: Joint, key: str, table: ParameterTable) -> ca.SX | None:
-    """The damping `key` of a joint as SX; None where it has none."""
-    value = getattr(joint, key, 0)
-    return None if value == 0 else table.of(joint, key)
+def frictions(joint: Joint, table: ParameterTable) -> Iterator[tuple[Turn | Slide, ca.SX]]:
+    """The motions that a joint leaves free with their viscous damping, where they have any."""
+    for motion in joint.motions or ():
+        if motion.damping and getattr(joint, motion.damping) != 0:
+            yield motion, table.of(joint, motion.damping)
 
 
 def components(texts: Sequence[float | str], item: str, axes: str, value: Any) -> list[ca.SX]:

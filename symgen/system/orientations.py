@@ -22,8 +22,8 @@ from runtime.contract.records import Coordinate
 from symgen.algebra.rows import nonzero
 from symgen.algebra.scalar import ONE, ZERO, div, dot, mul, neg
 from symgen.algebra.vectors import Vector, identity, quaternion_product, scaled, zeros
-from symgen.joints.instance import ConstraintRow
 from symgen.scene import Scene
+from symgen.system.constraint_rows import ConstraintRow
 from symgen.system.topology import Topology
 
 AXES = "xyz"
@@ -88,12 +88,12 @@ class Turning:
             ConstraintRow(
                 f"{self.body}.turn{k}",
                 "",
+                "quaternion",
                 self.e[k] - reached[k],
                 nonzero({self.parameters[k]: ONE, **{c: neg(s[k]) for c, s in zip(self.columns, slopes, strict=True)}}),
                 ZERO,
                 neg(mul(fading, self.e[k])),
                 tuple(zeros(6)),
-                "quaternion",
             )
             for k in range(4)
         ]
@@ -127,7 +127,7 @@ def turn_coordinates(body: str) -> list[Coordinate]:
 def orientations_of(scene: Scene, topology: Topology) -> Orientations:
     """Those of a spatial scene."""
     described = {body.name: body for body in scene.moving_bodies}
-    spherical = {joint.name for joint in scene.joints if joint.type == "spherical"}
+    spherical = {joint.name for joint in scene.joints if joint.is_ball()}
     balls, _ = _tree(topology, list(described), spherical)
     held = set(_chosen(scene))
     free = [name for name in described if name not in topology.placed and name not in held]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import casadi as ca
@@ -21,14 +22,14 @@ from symgen.bodies.shape_integrals import (
     body_integrals,
     mesh_key,
 )
-from symgen.joints.instance import ConstraintRow
-from symgen.joints.planar_rows import planar_rows
+from symgen.joints import Joint
+from symgen.joints.joint import Slide
 from symgen.loads import planar_effects as effects
 from symgen.loads.effect import LoadEffect
 from symgen.scene import BeamBody, BeamMarker, Scene
-from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
-from symgen.system.mechanism import components, friction, spring_values
+from symgen.system.constraint_rows import ConstraintRow, Motion, planar_rows
+from symgen.system.mechanism import components, frictions, spring_values
 
 
 class PlanarSpace:
@@ -58,9 +59,9 @@ class PlanarSpace:
             self._markers[reference] = self.bodies[body].marker(shape)
         return self._markers[reference]
 
-    def joint_rows(self, joint: Joint, motion: list[ca.SX]) -> list[ConstraintRow]:
+    def joint_rows(self, joint: Joint, motions: Mapping[str, Motion]) -> list[ConstraintRow]:
         """Rows between the joint's markers."""
-        return planar_rows(joint.name, joint.type, self.marker(joint.marker_a), self.marker(joint.marker_b), motion)
+        return planar_rows(joint, self.marker(joint.marker_a), self.marker(joint.marker_b), motions)
 
     def body_rows(self) -> list[ConstraintRow]:
         """None: an angle needs no constraint."""
@@ -68,14 +69,12 @@ class PlanarSpace:
 
     def joint_friction(self, joint: Joint) -> list[LoadEffect]:
         """Of a slide along it, of a hinge about it."""
-        damping, zero = friction(joint, "damping", self.table), ca.SX(0)
-        if damping is None:
-            return []
-        a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
+        a, b, zero = self.marker(joint.marker_a), self.marker(joint.marker_b), ca.SX(0)
         return [
             effects.slide_friction(a, b, damping)
-            if joint.type == "prismatic"
+            if isinstance(motion, Slide)
             else effects.rotational_spring_damper(a, b, zero, damping, zero)
+            for motion, damping in frictions(joint, self.table)
         ]
 
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
@@ -103,9 +102,9 @@ class PlanarSpace:
             reaction = self.marker(load.reaction) if load.reaction else None
             return effects.torque(self.marker(load.marker), value(load.value, f"{load.name}.value"), reaction)
         if load.type == "effort":
-            joint, effort = self.scene.joint_of(load.coordinate), value(load.value, f"{load.name}.value")
+            (joint, motion), effort = self.scene.joint_of(load.coordinate), value(load.value, f"{load.name}.value")
             a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
-            return effects.torque(b, effort, a) if joint.type == "revolute" else effects.push(a, b, effort)
+            return effects.push(a, b, effort) if isinstance(motion, Slide) else effects.torque(b, effort, a)
         turning = load.type == "rotational_spring_damper"
         effect = effects.rotational_spring_damper if turning else effects.spring_damper
         return effect(self.marker(load.marker_a), self.marker(load.marker_b), *spring_values(load, self.table))

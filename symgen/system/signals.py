@@ -34,7 +34,7 @@ def input_symbols(scene: Scene) -> dict[str, ca.SX]:
 
 
 def motion_derivatives(
-    scene: Scene, f: ca.SX, t: ca.SX, u: Mapping[str, ca.SX], joint: str
+    scene: Scene, f: ca.SX, t: ca.SX, u: Mapping[str, ca.SX], item: str
 ) -> tuple[ca.SX, ca.SX, ca.SX]:
     """(f, f', f'') of a prescribed motion f(t, u(t)). Raises DerivationError for an input without rates in it."""
     for name, symbol in u.items():
@@ -42,13 +42,13 @@ def motion_derivatives(
             continue
         if name not in scene.all_inputs():
             raise DerivationError(
-                f"joints.{joint}.motion",
+                item,
                 f"uses '{name}', whose own rate and acceleration are not known",
                 "use the input itself: its rate and acceleration follow",
             )
         if not scene.all_inputs()[name].has_rates:
             raise DerivationError(
-                f"joints.{joint}.motion",
+                item,
                 f"uses the input '{name}', which may jump, and a motion needs a rate and an acceleration",
                 f"give inputs.{name} rates = true, or a filter = ... [rad/s]",
             )

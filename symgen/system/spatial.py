@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import casadi as ca
 
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import ONE, ZERO, dot
-from symgen.algebra.vectors import minus
+from symgen.algebra.vectors import Vector, minus
 from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_references, rectangle
 from symgen.bodies.section_shapes import section_force
 from symgen.bodies.shape_integrals import beam_section
@@ -19,17 +19,24 @@ from symgen.bodies.spatial_body import SpatialBody, SpatialCoordinates, SpatialM
 from symgen.bodies.spatial_integrals import spatial_integrals, spatial_point, three
 from symgen.bodies.spatial_moments import SpatialPoint
 from symgen.bodies.spatial_orientation import orientation
-from symgen.joints.instance import ConstraintRow
-from symgen.joints.spatial_rows import JointCoordinate, coordinate_row, placing_rows, spatial_rows, unit_length
+from symgen.joints import Joint
+from symgen.joints.joint import Slide, Turn
 from symgen.loads import spatial_effects as effects
 from symgen.loads.effect import LoadEffect
 from symgen.loads.spatial_effects import Angle, StateVector
 from symgen.scene import BeamBody, BeamMarker, Scene
-from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
-from symgen.scene.placing import PLACING
+from symgen.system.constraint_rows import (
+    ConstraintRow,
+    Motion,
+    coordinate_row,
+    placing_rows,
+    spatial_rows,
+    unit_length,
+)
 from symgen.system.equations import Equations
-from symgen.system.mechanism import components, friction, spring_values
+from symgen.system.joint_coordinates import JointCoordinate, JointCoordinates
+from symgen.system.mechanism import components, frictions, spring_values
 from symgen.system.topology import Topology
 
 
@@ -71,32 +78,31 @@ class SpatialSpace:
         """Two markers of which only the motion between them counts."""
         return self.marker(a), self.marker(b)
 
-    def joint_rows(self, joint: Joint, motion: list[ca.SX]) -> list[ConstraintRow]:
+    def joint_rows(self, joint: Joint, motions: Mapping[str, Motion]) -> list[ConstraintRow]:
         """Rows that place a body, prescribe a joint's coordinate, or stand between the markers."""
         a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
         placement = self.topology.placements.get(joint.name)
         if placement is not None:
-            own = {key: self._coordinates[f"{joint.name}.{key}"] for key in PLACING[joint.type]}
-            return placing_rows(
-                joint.name,
-                joint.type,
-                a,
-                b,
-                own,
-                self.bodies[placement.child],
-                self.bodies[placement.parent],
-                placement.forward,
-                self._lead(joint),
-            )
-        label = {"prescribed_angle": "angle", "prescribed_displacement": "travel"}.get(joint.type)
-        prescribed = None if label is None else self._between(joint.marker_a, joint.marker_b, label)
-        if label is not None and prescribed is not None:
-            return [coordinate_row(joint.name, label, prescribed, motion, a)]
-        return spatial_rows(joint.name, joint.type, a, b, motion)
+            child, parent = self.bodies[placement.child], self.bodies[placement.parent]
+            return placing_rows(joint, self._own(joint), (a, b), child, parent, placement.forward)
+        driven = self._driven(joint)
+        if driven is not None:
+            return [coordinate_row(joint, self._own(driven), next(iter(motions.values())), a)]
+        return spatial_rows(joint, a, b, motions)
 
-    def _lead(self, joint: Joint) -> ca.SX:
-        """Travel of a screw for an angle of one radian."""
-        return self.table.of(joint, "lead") / (2 * math.pi) if joint.type == "screw" else ZERO
+    def _own(self, joint: Joint) -> JointCoordinates:
+        """The coordinates of a joint that places a body."""
+        motions = joint.motions or ()
+        leads = [self.table.of(joint, motion.lead) / (2 * math.pi) if motion.lead else ZERO for motion in motions]
+        return JointCoordinates(motions, [self._coordinates[f"{joint.name}.{own.name}"] for own in motions], leads)
+
+    def _driven(self, drive: Joint) -> Joint | None:
+        """The placing joint between the same markers whose coordinate a prescribed motion gives."""
+        for joint in self.scene.joints:
+            same = (joint.marker_a, joint.marker_b) == (drive.marker_a, drive.marker_b)
+            if same and drive.drives and f"{joint.name}.{drive.drives}" in self._coordinates:
+                return joint
+        return None
 
     def _between(self, a: str, b: str, label: str) -> JointCoordinate | None:
         """The coordinate `label` of a placing joint between two markers."""
@@ -122,23 +128,18 @@ class SpatialSpace:
 
     def joint_friction(self, joint: Joint) -> list[LoadEffect]:
         """Of turning and of sliding."""
-        turning, sliding = friction(joint, "damping", self.table), friction(joint, "travel_damping", self.table)
-        if joint.type == "prismatic":
-            turning, sliding = None, turning
         found = []
-        if turning is not None:
-            own = self._coordinates.get(f"{joint.name}.angle")
+        for motion, damping in frictions(joint, self.table):
+            own = self._coordinates.get(f"{joint.name}.{motion.name}")
+            if own is not None:
+                found.append(effects.turning_spring_damper(_angle(own), ZERO, damping, ZERO))
+                continue
+            a, b = self.pair(joint.marker_a, joint.marker_b)
+            axis = _axis(joint, motion, a, b)
             found.append(
-                effects.hinge_friction(*self.pair(joint.marker_a, joint.marker_b), turning)
-                if own is None
-                else effects.turning_spring_damper(_angle(own), ZERO, turning, ZERO)
-            )
-        if sliding is not None:
-            own = self._coordinates.get(f"{joint.name}.travel")
-            found.append(
-                effects.slide_friction(*self.pair(joint.marker_a, joint.marker_b), sliding, self.motion)
-                if own is None
-                else effects.turning_spring_damper(_angle(own), ZERO, sliding, ZERO)
+                effects.hinge_friction(a, b, damping, axis)
+                if isinstance(motion, Turn)
+                else effects.slide_friction(a, b, damping, axis, self.motion)
             )
         return found
 
@@ -190,14 +191,13 @@ class SpatialSpace:
 
     def _effort(self, coordinate: str, value: ca.SX) -> LoadEffect:
         """On a joint's own coordinate, or between the markers of one that closes a loop."""
-        joint, part = self.scene.joint_of(coordinate), coordinate.partition(".")[2]
+        joint, motion = self.scene.joint_of(coordinate)
         a, b = self.pair(joint.marker_a, joint.marker_b)
-        own, turning = self._coordinates.get(coordinate), part.startswith("angle")
+        own, turning, axis = self._coordinates.get(coordinate), isinstance(motion, Turn), _axis(joint, motion, a, b)
         if own is not None:
             row, rate = {own.column: ONE}, own.rate
         else:
-            row, rate = (effects.relative_turn if turning else effects.relative_travel)(a, b)
-        axis = b.axes[0] if part == "angle2" else a.axes["xy".find(part)]  # z unless x or y
+            row, rate = (effects.relative_turn if turning else effects.relative_travel)(a, b, axis)
         return effects.effort(row, rate, value, axis, turning)
 
     def _triple(self, load: Load, key: str) -> list[ca.SX]:
@@ -231,3 +231,11 @@ def _drawn(body: str, name: str, point: SpatialPoint) -> DrawnPoint:
 
 def _angle(own: JointCoordinate) -> Angle:
     return Angle(own.value, own.rate, {own.column: ONE})
+
+
+def _axis(joint: Joint, motion: Turn | Slide, a: SpatialMarker, b: SpatialMarker) -> Vector:
+    """Of a motion: an axis of marker a, or of b where turns about another axis come before."""
+    motions = joint.motions or ()
+    before = motions[: motions.index(motion)]
+    turned = any(isinstance(one, Turn) and one.axis != motion.axis for one in before)
+    return (b if turned else a).axes[motion.axis]

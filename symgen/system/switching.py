@@ -10,8 +10,8 @@ import casadi as ca
 
 from symgen.algebra.parameters import ParameterTable
 from symgen.scene import Scene
-from symgen.scene.expression_values import points_name, table_name
 from symgen.scene.switching import switching_values
+from symgen.schema.expression_values import points_name, table_name
 from symgen.system.equations import Equations
 
 SAME_DEPTH = 20  # down to which two expressions are compared

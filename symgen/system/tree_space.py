@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cached_property, partial
 from typing import Any
 
@@ -15,12 +15,11 @@ from symgen.bodies.outlines import Picture
 from symgen.bodies.spatial_body import SpatialMarker
 from symgen.bodies.spatial_integrals import spatial_point
 from symgen.bodies.spatial_moments import SpatialPoint
-from symgen.joints.instance import ConstraintRow
+from symgen.joints import Joint
 from symgen.scene import Scene
-from symgen.scene.joints import Joint
-from symgen.scene.placing import PLACING
+from symgen.system.constraint_rows import ConstraintRow, Motion
 from symgen.system.equations import Equations
-from symgen.system.frames.curvature import COVERED, LoopCurvature
+from symgen.system.frames.curvature import LoopCurvature
 from symgen.system.frames.linkage import links_of
 from symgen.system.frames.loop_derivatives import LoopRates, MarkerWay
 from symgen.system.frames.moves import Ball, Bend
@@ -86,8 +85,7 @@ class TreeSpace(SpatialSpace):
             joint = joints[placement.joint]
             ends = [self._deformation(joint.marker_a), self._deformation(joint.marker_b)]
             near, far = ends if placement.forward else ends[::-1]
-            own = {key: self._coordinates[f"{joint.name}.{key}"] for key in PLACING[joint.type]}
-            links = partial(links_of, joint.type, own, forward=placement.forward, lead=self._lead(joint))
+            links = partial(links_of, self._own(joint), forward=placement.forward)
             skeleton.place(body, placement.parent, links, near, far)
         return skeleton.tree()
 
@@ -187,18 +185,18 @@ class TreeSpace(SpatialSpace):
             self._paths[base, frame] = path
         return self._paths[base, frame]
 
-    def joint_rows(self, joint: Joint, motion: list[ca.SX]) -> list[ConstraintRow]:
+    def joint_rows(self, joint: Joint, motions: Mapping[str, Motion]) -> list[ConstraintRow]:
         """Rows of a placing joint as in all coordinates, all others by the tree's coordinates."""
         if joint.name in self.topology.placements or joint.name in self.orientations.balls:
             return [row for row in self.whole.constraints if row.joint == joint.name]
-        if joint.type in COVERED:
+        if joint.points == "together":
             a, b = (self._way_to(GROUND, reference) for reference in (joint.marker_a, joint.marker_b))
-            self.curvatures[joint.name] = LoopCurvature(a, b, COVERED[joint.type])
-        if joint.type == "spherical":
+            self.curvatures[joint.name] = LoopCurvature(a, b, joint.perpendicular)
+        if joint.is_ball():
             base = self._common(joint.marker_a, joint.marker_b)
             one, other = (self._way(base, reference) for reference in (joint.marker_a, joint.marker_b))
             self.loop_rates[joint.name] = LoopRates(one, other, self._path(GROUND, base))
-        return super().joint_rows(joint, motion)
+        return super().joint_rows(joint, motions)
 
     def picture(self) -> Picture:
         """That of all coordinates."""

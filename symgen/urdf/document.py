@@ -9,7 +9,7 @@ from typing import NoReturn
 from xml.etree.ElementTree import Element, TreeBuilder
 from xml.parsers import expat
 
-from symgen.scene.errors import SceneError
+from symgen.schema.errors import SceneError
 
 MAX_BYTES = 50_000_000
 MAX_DEPTH = 100

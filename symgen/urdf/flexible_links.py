@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from symgen.scene import toml_io
-from symgen.scene.errors import SceneError
+from symgen.schema.errors import SceneError
 from symgen.urdf.robot import Pose, pose
 
 NEAR = 1e-6  # m: how far a joint of the URDF may be from the point of the body that takes it

@@ -10,7 +10,7 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
-from symgen.scene.errors import SceneError, did_you_mean, show
+from symgen.schema.errors import SceneError, did_you_mean, show
 
 JOINTS = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 NOISE = 1e-16  # m^2: moments of inertia a mass that come of a radius below 10 nm are a writer's rounding

@@ -10,9 +10,10 @@ from typing import Any, Literal
 
 import numpy as np
 
+from symgen.joints import JOINTS
+from symgen.joints.joint import Turn
 from symgen.scene.builder import SceneBuilder
-from symgen.scene.errors import did_you_mean
-from symgen.scene.placing import PLACING
+from symgen.schema.errors import did_you_mean
 from symgen.urdf.document import read_document
 from symgen.urdf.flexible_links import FlexibleLink, flexible_link
 from symgen.urdf.groups import groups_of, inertia_of
@@ -191,13 +192,13 @@ class _RobotScene:
             self._add_efforts(joint, name, kind)
 
     def _add_efforts(self, joint: RobotJoint, name: str, kind: str) -> None:
-        parts = PLACING[kind]
-        self.builder.coordinates[joint.name] = [f"{name}.{part}" for part in parts]
+        motions = JOINTS[kind].motions or ()
+        self.builder.coordinates[joint.name] = [f"{name}.{motion.name}" for motion in motions]
         self.builder.efforts[joint.name] = []
-        for part in parts:
-            suffix = name if len(parts) == 1 else f"{name}_{part}"
-            self.builder.input(f"tau_{suffix}", unit="N m" if "angle" in part else "N")
-            self.builder.effort(f"motor_{suffix}", f"{name}.{part}", f"tau_{suffix}")
+        for motion in motions:
+            suffix = name if len(motions) == 1 else f"{name}_{motion.name}"
+            self.builder.input(f"tau_{suffix}", unit="N m" if isinstance(motion, Turn) else "N")
+            self.builder.effort(f"motor_{suffix}", f"{name}.{motion.name}", f"tau_{suffix}")
             self.builder.efforts[joint.name].append(f"tau_{suffix}")
 
     def _float(self, body: str, start: Pose) -> None:

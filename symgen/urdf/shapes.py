@@ -9,8 +9,8 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from symgen.scene.appearance import MOST_TRIANGLES
-from symgen.scene.errors import SceneError
 from symgen.scene.scene_files import read_mesh
+from symgen.schema.errors import SceneError
 from symgen.urdf.robot import Dropped, Link, Pose, numbers, pose_of
 
 

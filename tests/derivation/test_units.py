@@ -1,18 +1,8 @@
-"""Units by record: every row label of a joint type has a kind, every coordinate and measure the unit of what it is."""
+"""Units by record: every coordinate and measure the unit of what it is."""
 
 from __future__ import annotations
 
-from runtime.contract.records import ROW_UNITS
-from symgen.joints.joint_type import ROW_KINDS
-from symgen.joints.planar_rows import TYPES as PLANAR
-from symgen.joints.spatial_rows import TYPES as SPATIAL
 from symgen.scene import SceneBuilder
-
-
-def test_every_row_of_a_joint_type_has_a_kind_and_a_unit() -> None:
-    labels = {label for types in (PLANAR, SPATIAL) for joint in types.values() for label in joint().labels}
-    assert labels <= set(ROW_KINDS)
-    assert set(ROW_KINDS.values()) <= set(ROW_UNITS)
 
 
 def test_units_do_not_depend_on_how_something_is_called(model_of) -> None:

@@ -42,27 +42,28 @@ SYMGEN_ROOMS = {
     "notation": "",
     "modes": "",
     "fe": "modes",
-    "scene": "",
+    "schema": "",
+    "joints": "schema",
+    "scene": "joints schema",
     "algebra": "",
     "bodies": "algebra modes scene",
-    "joints": "algebra bodies",
     "loads": "algebra bodies",
-    "system": "algebra bodies joints loads scene",
-    "urdf": "scene",
+    "system": "algebra bodies joints loads scene schema",
+    "urdf": "joints scene schema",
     "choice": "algebra system",
     "condensed": "algebra system choice",
-    "kernels": "notation algebra joints system choice condensed",
+    "kernels": "notation algebra system choice condensed",
     "tapes": "system kernels",
     "pipeline": "choice condensed kernels scene system tapes",
-    "emission": "notation pipeline scene",
+    "emission": "notation joints pipeline scene",
     "generate": "emission pipeline scene",
     "scenes": "scene",
     "variants": "emission pipeline scene",
-    "cli": "kernels emission generate pipeline scene scenes urdf",
+    "cli": "kernels emission generate pipeline scene scenes schema urdf",
     "": "cli",
 }
 ROOMS = {"runtime": RUNTIME_ROOMS, "symgen": SYMGEN_ROOMS}
-MOST_ROOMS = {"runtime": 13, "symgen": 21}
+MOST_ROOMS = {"runtime": 13, "symgen": 22}
 
 
 def files(*folders: str) -> list[Path]:

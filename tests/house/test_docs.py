@@ -18,7 +18,7 @@ from runtime.schemes.slow_interpolation import INTERPOLATIONS
 from symgen.cli import main
 from symgen.cli.table import COMMANDS
 from symgen.scene import Scene
-from symgen.scene.expression_values import ARITY
+from symgen.schema.expression_values import ARITY
 
 ROOT = Path(__file__).resolve().parents[2]
 README = ROOT / "README.md"

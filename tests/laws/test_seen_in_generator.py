@@ -18,11 +18,12 @@ from runtime.contract.tape import UNUSED
 from symgen.emission.write import compare_model
 from symgen.fe.report import body_report
 from symgen.fe.rigid_check import RigidCheck
-from symgen.joints.planar_template import along_slide, cross_slide, r_a, r_b, t_a
+from symgen.joints import JOINTS
 from symgen.modes import axial_modes, lateral_modes
 from symgen.modes.spatial_beam import spatial_beam
 from symgen.scene import Scene, SceneBuilder, SceneError
-from symgen.scene.expressions import parse_expression
+from symgen.schema.expressions import parse_expression
+from symgen.system.joint_templates import PlanarMarkers, r_a, r_b, t_a
 from symgen.tapes.graph import Graph
 from symgen.tapes.negations import without_negations
 from tests.support.model_values import evaluate, random_states
@@ -56,8 +57,11 @@ def test_a_slide_measures_across_and_along() -> None:
     t, n = (math.cos(phi), math.sin(phi)), (-math.sin(phi), math.cos(phi))
     values = dict(zip((*r_a, *t_a), (*a, *t), strict=True))
     values |= dict(zip(r_b, (a[k] + s * t[k] + w * n[k] for k in range(2)), strict=True))
-    assert float(sp.sympify(cross_slide()).subs(values)) == pytest.approx(w)
-    assert float(sp.sympify(along_slide()).subs(values)) == pytest.approx(s)
+    across, along = (
+        JOINTS[joint].rows_in_plane(PlanarMarkers(None))[0].C for joint in ("point_on_line", "prescribed_displacement")
+    )
+    assert float(across.subs(values)) == pytest.approx(w)
+    assert float(along.subs({**values, sp.Symbol("f"): 0.0})) == pytest.approx(s)
 
 
 def test_sections_of_a_beam_in_space_stay_across_it() -> None:

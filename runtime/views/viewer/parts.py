@@ -15,9 +15,7 @@ from runtime.views.projection import is_spatial
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
 
-SLIDING = ("prismatic", "cylindrical", "screw", "point_on_line")
 TURNING = ("torque", "rotational_spring_damper")
-UNNAMED = ("prescribed_angle", "prescribed_displacement")
 
 
 def parts(solution: Solution, shown: Scenery) -> dict[str, Any]:
@@ -47,9 +45,9 @@ def parts(solution: Solution, shown: Scenery) -> dict[str, Any]:
                 "a": at(joint["marker_a"]),
                 "b": at(joint["marker_b"]),
                 "axes": axes(joint["marker_a"]),
-                "rail": _rail(shown, joint) if joint["type"] in SLIDING else None,
+                "rail": _rail(shown, joint) if joint["drawing"] == "slide" else None,
                 "force": force,
-                "shown": joint["type"] not in UNNAMED,
+                "shown": joint["drawing"] != "drive",
             }
         )
     vectors = force_vectors(solution.load_forces) + moment_vectors(solution.load_forces)  # a load has one of them

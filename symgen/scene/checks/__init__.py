@@ -15,17 +15,17 @@ from symgen.scene.checks.references import reference_errors
 from symgen.scene.checks.section_measures import section_measure_errors
 from symgen.scene.checks.shapes import shape_errors
 from symgen.scene.checks.sizes import size_errors
-from symgen.scene.checks.space import screw_errors, space_errors
+from symgen.scene.checks.space import loop_errors, space_errors
 from symgen.scene.checks.stress_measures import stress_measure_errors
 from symgen.scene.checks.topology import topology_errors
 from symgen.scene.checks.values import value_errors
-from symgen.scene.errors import raise_all
 from symgen.scene.parts import SceneParts
+from symgen.schema.errors import raise_all
 
 STAGES = (
     (size_errors, name_errors, shape_errors, space_errors),
     (reference_errors, topology_errors, partition_errors, event_errors, value_errors),
-    (matrix_errors, screw_errors, end_shape_errors, section_measure_errors, stress_measure_errors),
+    (matrix_errors, loop_errors, end_shape_errors, section_measure_errors, stress_measure_errors),
 )
 
 

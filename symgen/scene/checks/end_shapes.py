@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 from symgen.scene.attachments import with_ends
 from symgen.scene.bodies import BeamBody
-from symgen.scene.errors import SceneError
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import item_path
+from symgen.schema.errors import SceneError
 
 STATIC_SHAPES = {"welded-welded": 2, "welded-heavy": 2}  # two are more than the one that every set has
 

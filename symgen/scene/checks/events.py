@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from symgen.scene.errors import SceneError, did_you_mean
 from symgen.scene.parts import SceneParts
+from symgen.schema.errors import SceneError, did_you_mean
 
 
 def event_errors(scene: SceneParts) -> Iterator[SceneError]:

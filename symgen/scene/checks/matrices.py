@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symgen.scene.bodies import RigidBody
-from symgen.scene.errors import SceneError
-from symgen.scene.fields import Matrix, Vector
 from symgen.scene.flexible import SpatialModalBody
 from symgen.scene.modal import ModalBody
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import item_path
+from symgen.schema.errors import SceneError
+from symgen.schema.fields import Matrix, Vector
 
 Array = NDArray[np.float64]
 TOLERANCE = 1e-9

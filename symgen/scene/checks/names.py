@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from symgen.scene.bodies import GroundBody
-from symgen.scene.errors import SceneError
-from symgen.scene.expressions import RESERVED
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import SECTIONS, item_path
+from symgen.schema.errors import SceneError
+from symgen.schema.expressions import RESERVED
 
 
 def name_errors(scene: SceneParts) -> Iterator[SceneError]:

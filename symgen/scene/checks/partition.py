@@ -7,10 +7,10 @@ from fnmatch import fnmatchcase
 
 from runtime.contract.euler_angles import angle_names
 from runtime.contract.scheme_names import GROUPED_SCHEMES
-from symgen.scene.errors import SceneError, did_you_mean
 from symgen.scene.parts import SceneParts
 from symgen.scene.simulation import MAX_STEPS
 from symgen.scene.translate import item_path
+from symgen.schema.errors import SceneError, did_you_mean
 
 
 def matching(pattern: str, names: Sequence[str]) -> list[str]:

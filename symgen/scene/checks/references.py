@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from symgen.scene.errors import SceneError, did_you_mean
 from symgen.scene.parts import SceneParts
-from symgen.scene.placing import PLACING, RELATIVE
 from symgen.scene.translate import item_path
+from symgen.schema.errors import SceneError, did_you_mean
 
 _REFERENCES = ("marker", "marker_a", "marker_b", "reaction")
 
@@ -28,16 +27,18 @@ def _efforts(scene: SceneParts) -> Iterator[SceneError]:
     """Efforts on what no joint has."""
     efforts = [(k, load) for k, load in enumerate(scene.loads) if load.type == "effort"]
     placing = {placement.joint for placement in scene.placements()} if efforts else set()
-    kinds = {joint.name: joint.type for joint in scene.joints}
+    joints = {joint.name: joint for joint in scene.joints}
     for index, load in efforts:
         path = f"{item_path('loads', index, load.name)}.coordinate"
         name, _, part = load.coordinate.partition(".")
-        kind = kinds.get(name)
-        if kind is None:
-            yield SceneError(path, f"there is no joint '{name}'", did_you_mean(name, kinds))
-        elif part not in (known := (PLACING if name in placing else RELATIVE).get(kind, ())):
+        joint = joints.get(name)
+        if joint is None:
+            yield SceneError(path, f"there is no joint '{name}'", did_you_mean(name, joints))
+            continue
+        known = [motion.name for motion in joint.motions or () if name in placing or joint.relative()]
+        if part not in known:
             has = did_you_mean(part, known) if known else "put a force or a torque on a marker instead"
-            yield SceneError(path, f"the {kind} joint '{name}' has no coordinate '{part}' here", has)
+            yield SceneError(path, f"the {joint.type} joint '{name}' has no coordinate '{part}' here", has)
 
 
 def _known_markers(scene: SceneParts) -> dict[str, list[str]]:

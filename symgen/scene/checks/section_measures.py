@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from symgen.scene.bodies import BeamBody
-from symgen.scene.errors import SceneError
 from symgen.scene.measures import SectionForceMeasure
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import item_path
+from symgen.schema.errors import SceneError
 
 SETS = {
     "normal_force": "axial",

@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from typing import Any
 
 from symgen.scene.bodies import BeamBody
-from symgen.scene.errors import SceneError, did_you_mean, show
 from symgen.scene.flexible import SpatialModalBody
 from symgen.scene.modal import ModalBody
 from symgen.scene.parts import SceneParts
 from symgen.scene.structure import Structure
 from symgen.scene.translate import item_path
+from symgen.schema.errors import SceneError, did_you_mean, show
 
 # n elements leave n + this many modes: the nodes that can move, less the rigid motions.
 _MODES_LESS_ELEMENTS = {

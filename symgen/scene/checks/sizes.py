@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from symgen.scene.errors import SceneError
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import item_path
+from symgen.schema.errors import SceneError
 
 MAX_COORDINATES = 2000  # 1,000 take 20 s to derive where nothing joins them; time grows with the square
 MAX_BODY_MODES = 150  # 100 take 6 s, the square of the modes in memory

@@ -6,13 +6,11 @@ from collections.abc import Iterator
 from typing import Any
 
 from symgen.scene.bodies import BeamBody, MarkerDirections, RigidBody
-from symgen.scene.errors import SceneError
 from symgen.scene.flexible import SpatialModalBody
 from symgen.scene.modal import ModalBody
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import item_path
-
-SPATIAL_JOINTS = ("spherical", "universal", "cylindrical", "screw", "planar")
+from symgen.schema.errors import SceneError
 
 
 def space_errors(scene: SceneParts) -> Iterator[SceneError]:
@@ -24,7 +22,7 @@ def space_errors(scene: SceneParts) -> Iterator[SceneError]:
         for name, marker in body.markers.items():
             yield from _marker(marker, f"{path}.markers.{name}", scene)
     for index, joint in enumerate(scene.joints):
-        if joint.type in SPATIAL_JOINTS and scene.space == "planar":
+        if scene.space == "planar" and not joint.planar():
             yield SceneError(
                 f"{item_path('joints', index, joint.name)}.type",
                 f"a {joint.type} joint needs three dimensions",
@@ -42,14 +40,14 @@ def space_errors(scene: SceneParts) -> Iterator[SceneError]:
     yield from _joint_names(scene)
 
 
-def screw_errors(scene: SceneParts) -> Iterator[SceneError]:
-    """A screw needs an angle of its own, which counts turns; so it must place a body."""
+def loop_errors(scene: SceneParts) -> Iterator[SceneError]:
+    """Joints that need coordinates of their own, such as the turns of a screw, and so must place a body."""
     placing = {placement.joint for placement in scene.placements()}
     for index, joint in enumerate(scene.joints):
-        if joint.type == "screw" and scene.space == "spatial" and joint.name not in placing:
+        if scene.space == "spatial" and not joint.closes_loops() and joint.name not in placing:
             yield SceneError(
                 item_path("joints", index, joint.name),
-                "a screw joint needs an angle of its own, which it has not where it closes a loop",
+                f"a {joint.type} joint needs an angle of its own, which it has not where it closes a loop",
                 "name the screw before the joint that could close the loop in its place",
             )
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from symgen.scene.errors import SceneError, did_you_mean
 from symgen.scene.flexible import SpatialModalBody
 from symgen.scene.gauges import COMPONENTS, Rows
 from symgen.scene.measures import ALL_GAUGES, StressMeasure
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import item_path
+from symgen.schema.errors import SceneError, did_you_mean
 
 REMEDY = "take what FlexibleBody.fields(gauges=...) gives for these modes"
 

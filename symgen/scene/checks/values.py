@@ -6,12 +6,12 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from symgen.scene.errors import SceneError
-from symgen.scene.expression_values import table_name
-from symgen.scene.expressions import parse_expression
-from symgen.scene.fields import Bound, Meaning, Scope, quantities
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import SECTIONS, item_path
+from symgen.schema.errors import SceneError
+from symgen.schema.expression_values import table_name
+from symgen.schema.expressions import parse_expression
+from symgen.schema.fields import Bound, Meaning, Scope, quantities
 
 
 def value_errors(scene: SceneParts) -> Iterator[SceneError]:

@@ -7,6 +7,7 @@ an axis n alike with dn/dq_k = t_k x n. Between modes of one body at one marker 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import casadi as ca
@@ -14,15 +15,8 @@ import casadi as ca
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ZERO, add, dot, mul, neg, sub
 from symgen.algebra.vectors import Vector, cross, plus, scaled, zeros
+from symgen.joints.joint import AxisPair
 from symgen.system.frames.paths import ModesOnWay, Path, PathColumn
-
-# after the rows of a point: axes of a and of b whose products vanish, of joints whose second derivatives are known
-COVERED: dict[str, tuple[tuple[int, int], ...]] = {
-    "spherical": (),
-    "universal": ((2, 0),),
-    "revolute": ((0, 2), (1, 2)),
-    "weld": ((0, 2), (1, 2), (1, 0)),
-}
 
 
 @dataclass(frozen=True)
@@ -31,7 +25,7 @@ class LoopCurvature:
 
     a: Path
     b: Path
-    products: tuple[tuple[int, int], ...]
+    products: Sequence[AxisPair]
 
     def weighted(self, multipliers: list[ca.SX]) -> dict[int, Row]:
         """Rows by column of sum lambda_r d^2 C_r / dq^2."""
@@ -52,7 +46,7 @@ class LoopCurvature:
     def _by_axis(self, multipliers: list[ca.SX]) -> list[tuple[Vector, list[Vector]]]:
         """Axes of b, each with what it is multiplied by: axes of a, weighted."""
         found: dict[int, list[Vector]] = {}
-        for (of_a, of_b), value in zip(self.products, multipliers, strict=True):
+        for (_, of_a, of_b), value in zip(self.products, multipliers, strict=True):
             found.setdefault(of_b, []).append(scaled(value, self.a.axes[of_a]))
         return [(self.b.axes[axis], weighted) for axis, weighted in found.items()]
 

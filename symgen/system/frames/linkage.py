@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import casadi as ca
 
 from symgen.algebra.scalar import ONE, ZERO, add, mul, neg
-from symgen.algebra.vectors import identity
-from symgen.joints.spatial_rows import JointCoordinate
+from symgen.joints.joint import Slide as SlideOf
+from symgen.joints.joint import Turn as TurnOf
 from symgen.system.frames.moves import Fixed, Move, Slide, Turn
 from symgen.system.frames.screws import BetweenHinges, FixedAngle, Screw
 from symgen.system.frames.spatial_algebra import SE3
+from symgen.system.joint_coordinates import JointCoordinate, JointCoordinates
 
-X_TO_Z = [[ZERO, ZERO, ONE], [ONE, ZERO, ZERO], [ZERO, ONE, ZERO]]  # columns y, z, x: its z-axis is the old x-axis
+TO_Z = (  # axes whose z-axis is the old x-axis (columns y, z, x), or the old y-axis (columns z, x, y)
+    SE3([[ZERO, ZERO, ONE], [ONE, ZERO, ZERO], [ZERO, ONE, ZERO]], [ZERO] * 3),
+    SE3([[ZERO, ONE, ZERO], [ZERO, ZERO, ONE], [ONE, ZERO, ZERO]], [ZERO] * 3),
+    None,
+)
 
 
 @dataclass(frozen=True)
@@ -91,24 +96,48 @@ def _constant(axis: int, screw: Screw, slide_first: bool = False) -> list[Move]:
     return [*slide, *turn] if slide_first else [*turn, *slide]
 
 
-def links_of(
-    kind: str, own: Mapping[str, JointCoordinate], before: SE3, forward: bool, lead: ca.SX
-) -> tuple[list[JointLink], SE3]:
+def links_of(own: JointCoordinates, before: SE3, forward: bool) -> tuple[list[JointLink], SE3]:
     """(links of a joint, constant displacement beyond the last one to the far marker).
 
     before: from the near frame to the near marker; forward: the near one is marker a.
     """
     sign = ONE if forward else neg(ONE)
-    if kind == "weld":
-        return [], before
-    if kind == "universal":
-        to_x = SE3(X_TO_Z, [ZERO] * 3)
-        about_z, about_x = own["angle1"], own["angle2"]
-        if forward:
-            return [JointLink(before, about_z), JointLink(to_x, about_x)], to_x.inverse()
-        first = JointLink(before * to_x, about_x, sign=sign)
-        return [first, JointLink(to_x.inverse(), about_z, sign=sign)], SE3.identity()
-    if kind == "planar":
-        return [JointLink(before, own["angle"], None, (own["x"], own["y"]), sign)], SE3.identity()
-    link = JointLink(before, own.get("angle"), own.get("travel"), None, sign, lead)
-    return [link], SE3(identity(), [ZERO] * 3)
+    links, place = [], before
+    groups = list(_groups(own))
+    for axis, turn, travel, crosswise, lead in groups if forward else reversed(groups):
+        aside = TO_Z[axis]
+        near = place if aside is None else place * aside
+        links.append(JointLink(near, turn, travel, crosswise, sign, lead))
+        place = SE3.identity() if aside is None else aside.inverse()
+    return links, place
+
+
+Pair = tuple[JointCoordinate, JointCoordinate]
+
+
+def _groups(
+    own: JointCoordinates,
+) -> Iterator[tuple[int, JointCoordinate | None, JointCoordinate | None, Pair | None, ca.SX]]:
+    """(axis, turn, travel, crosswise, lead) of the motions that one link makes.
+
+    A turn and a slide about one axis go together, and two slides across an axis with the turn about it after them.
+    """
+    motions, found, k = own.motions, own.coordinates, 0
+    while k < len(motions):
+        here, after = motions[k], motions[k + 1] if k + 1 < len(motions) else None
+        turns = isinstance(here, TurnOf)
+        if [(type(one), one.axis) for one in motions[k : k + 3]] == [(SlideOf, 0), (SlideOf, 1), (TurnOf, 2)]:
+            yield 2, found[k + 2], None, (found[k], found[k + 1]), ZERO
+            k += 3
+        elif (
+            after is not None
+            and after.axis == here.axis
+            and turns is not isinstance(after, TurnOf)
+            and not (here.lead or after.lead)
+        ):
+            turn, travel = (k, k + 1) if turns else (k + 1, k)
+            yield here.axis, found[turn], found[travel], None, ZERO
+            k += 2
+        else:
+            yield here.axis, found[k] if turns else None, None if turns else found[k], None, own.leads[k]
+            k += 1

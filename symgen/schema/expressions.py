@@ -18,8 +18,8 @@ from typing import Any
 
 import casadi as ca
 
-from symgen.scene.errors import SceneError, did_you_mean, show
-from symgen.scene.expression_nodes import (
+from symgen.schema.errors import SceneError, did_you_mean, show
+from symgen.schema.expression_nodes import (
     Binary,
     Condition,
     Constant,
@@ -30,7 +30,7 @@ from symgen.scene.expression_nodes import (
     TableValue,
     Where,
 )
-from symgen.scene.expression_values import ARITY, casadi_value, float_value, table_name
+from symgen.schema.expression_values import ARITY, casadi_value, float_value, table_name
 
 MAX_CHARACTERS = 10_000
 MAX_DEPTH = 100

@@ -14,7 +14,7 @@ from typing import Any
 
 import casadi as ca
 
-from symgen.scene.expression_nodes import (
+from symgen.schema.expression_nodes import (
     Binary,
     Condition,
     Constant,
