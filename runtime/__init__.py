@@ -141,6 +141,10 @@ def _dynamics(*arguments: Any) -> Any:
     return import_module("runtime.operating.dynamics").Dynamics(*arguments)
 
 
+def _ode(*arguments: Any, **settings: Any) -> Any:
+    return import_module("runtime.baselines.ode").ode(*arguments, **settings)
+
+
 def _sketch(*arguments: Any) -> Any:
     return import_module("runtime.views.model_sketch").model_sketch(*arguments)
 
@@ -148,6 +152,7 @@ def _sketch(*arguments: Any) -> Any:
 showing.SHOWS["page"] = _page
 doors.OPENS["stepper"] = _stepper
 doors.OPENS["dynamics"] = _dynamics
+doors.OPENS["ode"] = _ode
 doors.OPENS["sketch"] = _sketch
 
 

@@ -263,6 +263,10 @@ class Model:
         """
         return OPENS["stepper"](self, **settings)
 
+    def ode(self, loops: str = "states", **settings: Any) -> Any:
+        """The model as x' = f(x, u, p, t): see runtime.baselines.ode for the settings and the result."""
+        return OPENS["ode"](self, loops, **settings)
+
     def inverse_dynamics(self, q: Any, v: Any, a: Any, motors: Sequence[str] = (), **where: Any) -> np.ndarray:
         """tau for the motion q, v, a; see runtime.operating.dynamics.Dynamics for this and the next five."""
         found: np.ndarray = OPENS["dynamics"](self).inverse_dynamics(q, v, a, motors, **where)

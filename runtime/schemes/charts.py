@@ -42,6 +42,11 @@ class Charts:
         return [k for turns in self.turns for k in turns if k < self.n]
 
     @property
+    def loop_turns(self) -> list[list[int]]:
+        """Positions among the loop unknowns of the turns of each orientation."""
+        return [list(own.values()) for own in self._loops]
+
+    @property
     def parts(self) -> list[int]:
         """Positions in q_i of the turns of orientations that are split."""
         apart = [own for own in self.turns if min(own) < self.n <= max(own)]
