@@ -1,9 +1,10 @@
-"""A Solution as files and tables: .npz without pickle, CSV, xarray, NetCDF."""
+"""A Solution as files and tables: .npz without pickle, CSV, MATLAB, Parquet, xarray, NetCDF."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+import re
+from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from importlib.util import find_spec
 from pathlib import Path
@@ -40,6 +41,8 @@ ARRAYS = (
     "joint_forces",
     "load_forces",
 )
+MAT_CELLS = ("variables", "names", "units")
+LONGEST_VARIABLE = 58  # of the 63 characters that MATLAB reads, the rest tells names apart
 POWERS = ("power_dissipated", "power_applied", "power_driven")
 
 
@@ -191,19 +194,73 @@ def column_units(model: Model) -> dict[str, str]:
     return units
 
 
+def export(solution: Samples, path: str | Path) -> None:
+    """A file of the format that its name ends in: .csv, .mat, .parquet, .nc (see the functions of WRITERS).
+
+    Raises ModelError for another ending, ImportError naming the extra that a format needs, and OutputError.
+    """
+    suffix = Path(path).suffix.lower()
+    if suffix not in WRITERS:
+        raise ModelError(f"{path} ends in no known format: choose a name that ends in {', '.join(WRITERS)}")
+    WRITERS[suffix](solution, path)
+
+
+def _columns(solution: Samples) -> tuple[dict[str, np.ndarray], list[str]]:
+    """The columns, or the outputs if only those were kept, and their units."""
+    columns, units = solution.outputs or table(solution), column_units(solution.model)
+    return dict(columns), [units.get(name, "") for name in columns]
+
+
 def to_csv(solution: Samples, path: str | Path) -> None:
     """Comma-separated values that read back exactly (17 digits), `name [unit]` above each. Raises OutputError."""
-    columns, units = solution.outputs or table(solution), column_units(solution.model)
+    columns, units = _columns(solution)
     with replacing(path) as temporary:
         np.savetxt(
             temporary,
             np.column_stack(list(columns.values())),
             fmt="%.17g",
             delimiter=",",
-            header=",".join(f"{name} [{units[name]}]" if units.get(name) else name for name in columns),
+            header=",".join(f"{name} [{unit}]" if unit else name for name, unit in zip(columns, units, strict=True)),
             comments="",
             encoding="utf-8",
         )
+
+
+def to_mat(solution: Samples, path: str | Path) -> None:
+    """A MATLAB file: a variable a column, named with _ for other signs; cells `variables`, `names`, `units`."""
+    from scipy.io import savemat
+
+    columns, units = _columns(solution)
+    variables: dict[str, str] = {}
+    for name in columns:
+        plain, k = re.sub(r"\W", "_", name)[:LONGEST_VARIABLE], 2
+        own = plain
+        while own in variables or own in MAT_CELLS:
+            own, k = f"{plain}_{k}", k + 1
+        variables[own] = name
+    cells = (list(variables), list(variables.values()), units)
+    content: dict[str, Any] = {key: np.array(cell, dtype=object) for key, cell in zip(MAT_CELLS, cells, strict=True)}
+    content |= {own: columns[name] for own, name in variables.items()}
+    with replacing(path) as temporary:
+        savemat(temporary, content, do_compression=True, oned_as="column", long_field_names=True)
+
+
+def to_parquet(solution: Samples, path: str | Path) -> None:
+    """A Parquet file, the unit of each column in its metadata. Raises ImportError naming the extra, or OutputError."""
+    try:
+        import pyarrow
+        from pyarrow import parquet
+    except ImportError as error:
+        raise ImportError("pyarrow is not installed; install it with: pip install 'symgen[parquet]'") from error
+    columns, units = _columns(solution)
+    fields = [
+        pyarrow.field(name, pyarrow.float64(), nullable=False, metadata={"unit": unit})
+        for name, unit in zip(columns, units, strict=True)
+    ]
+    about = {"model": solution.model.name, "scheme": solution.scheme, "status": str(solution.status)}
+    arrays = [pyarrow.array(np.asarray(values, dtype=float)) for values in columns.values()]
+    with replacing(path) as temporary:
+        parquet.write_table(pyarrow.Table.from_arrays(arrays, schema=pyarrow.schema(fields, metadata=about)), temporary)
 
 
 def to_xarray(solution: Samples) -> xarray.Dataset:
@@ -267,3 +324,11 @@ def to_netcdf(solution: Samples, path: str | Path) -> None:
     empty = [name for name, values in dataset.variables.items() if values.size == 0]
     with replacing(path) as temporary:
         dataset.drop_vars(empty).to_netcdf(temporary, engine="h5netcdf")
+
+
+WRITERS: dict[str, Callable[[Samples, str | Path], None]] = {
+    ".csv": to_csv,
+    ".mat": to_mat,
+    ".parquet": to_parquet,
+    ".nc": to_netcdf,
+}

@@ -82,15 +82,15 @@ class Solution(Samples):
         """
         return body_motion(self, body)
 
-    def to_csv(self, path: str | Path) -> None:
-        """One row a sample, a header row of names; of the outputs if only those were kept. Raises OutputError."""
-        export.to_csv(self, path)
+    def export(self, path: str | Path) -> None:
+        """One row a sample with names and units, as .csv, .mat (MATLAB), .parquet or .nc (NetCDF) by the name's end.
+
+        Of the outputs if only those were kept. Raises ModelError for another ending, ImportError naming the extra that
+        is missing (`parquet`, `netcdf`), or OutputError.
+        """
+        export.export(self, path)
 
     def to_xarray(self) -> xarray.Dataset:
         """A labelled Dataset with units. Raises ImportError naming the extra `netcdf` if xarray is missing."""
 
         return export.to_xarray(self)
-
-    def to_netcdf(self, path: str | Path) -> None:
-        """A NetCDF file. Raises ImportError naming the extra `netcdf`, or OutputError."""
-        export.to_netcdf(self, path)

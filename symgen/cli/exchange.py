@@ -1,4 +1,4 @@
-"""`symgen import`: files of other programs."""
+"""`symgen import`, `symgen export`: files of other programs."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symgen.cli.outcome import Outcome
+from symgen.cli.words import UsageError
 
 if TYPE_CHECKING:
     from symgen.urdf import Dropped
@@ -33,6 +34,18 @@ def import_robot(arguments: argparse.Namespace) -> Outcome:
         {"scene": scene.name, "file": str(path), "dropped": dropped, "renamed": robot.renamed},
         [*lines, f"Next: symgen show {path}, then symgen view {path}"],
     )
+
+
+def export(arguments: argparse.Namespace) -> Outcome:
+    """Write what a results folder holds as a table with units: CSV, MATLAB, Parquet or NetCDF by the name's end."""
+    from symgen.cli.runs import results_of
+
+    solution = results_of(arguments.source)
+    try:
+        solution.export(arguments.out)
+    except ImportError as error:  # the message names the extra
+        raise UsageError(str(error)) from error
+    return Outcome({"file": str(arguments.out)}, [f"Wrote {arguments.out}: {len(solution.t)} samples."])
 
 
 def _lost(dropped: list[Dropped]) -> list[str]:

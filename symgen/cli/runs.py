@@ -175,7 +175,7 @@ def leave_results(solution: Solution, folder: Path, pictures: bool = True) -> di
     from runtime.views.report import run_report, write_report
 
     solution.save(folder / SOLUTION_FILE)
-    solution.to_csv(folder / "solution.csv")
+    solution.export(folder / "solution.csv")
     write_report(run_report(solution), folder, solution.model.title or solution.model.name)
     names = [SOLUTION_FILE, "solution.csv", "report.json", "report.md"]
     if pictures:

@@ -261,6 +261,14 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             Group("run", FROM_THE_SCENE, (DT, M, SCHEME, SCHEME_OPTION)),
         ),
     ),
+    "export": (
+        exchange.export,
+        (
+            opt("what results", "what is handed on", choices=("results",)),
+            opt("source RESULTS", "folder that `symgen simulate --out` left"),
+            opt("--out FILE", "a .csv, .mat, .parquet or .nc", required=True),
+        ),
+    ),
     "view": (
         pictures.view,
         (

@@ -173,7 +173,7 @@ def test_angles_wherever_values_have_names(model_of: Build, tmp_path: Any) -> No
     run = simulate(model, t_end=0.2)
     np.testing.assert_allclose(run["yaw"], run["body.theta1"], atol=1e-14)
     np.testing.assert_allclose(run["yaw_dot"], run["body.theta1_dot"], atol=1e-13)
-    run.to_csv(tmp_path / "run.csv")
+    run.export(tmp_path / "run.csv")
     header = (tmp_path / "run.csv").read_text().splitlines()[0]
     assert "body.theta2 [rad]" in header and "body.theta2_dot [rad/s]" in header
     run.save(tmp_path / "run.npz")

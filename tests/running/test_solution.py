@@ -5,6 +5,7 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 import pytest
+from scipy.io import loadmat
 
 from runtime.contract.files import OutputError, replacing, write_text
 from runtime.contract.model import Model, ModelError
@@ -241,7 +242,7 @@ def test_a_damaged_file_is_refused_by_name(tmp_path) -> None:
 
 def test_csv_reads_back_exactly(tmp_path) -> None:
     solution = rod_solution()
-    solution.to_csv(tmp_path / "run.csv")
+    solution.export(tmp_path / "run.csv")
     header = (tmp_path / "run.csv").read_text().partition("\n")[0].split(",")
     assert {"t [s]", "rod.theta_dot [rad/s]", "energy.kinetic [J]", "hinge.force_x [N]", "lam.hinge.x [N]"} <= set(
         header
@@ -258,16 +259,42 @@ def test_xarray_and_netcdf(tmp_path) -> None:
     pytest.importorskip("h5netcdf")
     pytest.importorskip("h5py")
     solution = rod_solution()
-    solution.to_netcdf(tmp_path / "run.nc")
+    solution.export(tmp_path / "run.nc")
     with xarray.open_dataset(tmp_path / "run.nc", engine="h5netcdf") as data:
         assert np.array_equal(data["q"].sel(coordinate="rod.theta"), solution["rod.theta"])
         assert data["t"].attrs["units"] == "s" and data.attrs["scheme"] == "printed"
 
 
+def test_matlab_files_hold_columns_names_and_units(tmp_path) -> None:
+    solution = rod_solution()
+    solution.export(tmp_path / "run.mat")
+    found = loadmat(tmp_path / "run.mat", squeeze_me=True)
+    names, variables, units = (list(found[key]) for key in ("names", "variables", "units"))
+    assert dict(zip(names, units, strict=True))["rod.theta_dot"] == "rad/s" and len(set(variables)) == len(names)
+    for name, variable in zip(names, variables, strict=True):
+        assert variable.isidentifier() and np.array_equal(found[variable], solution[name])
+
+
+def test_parquet_files_hold_columns_and_units(tmp_path) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    solution = rod_solution()
+    solution.export(tmp_path / "run.parquet")
+    found = parquet.read_table(tmp_path / "run.parquet")
+    assert found.schema.field("rod.theta_dot").metadata[b"unit"] == b"rad/s"
+    assert found.schema.metadata[b"model"] == solution.model.name.encode()
+    for name, column in table(solution).items():
+        assert np.array_equal(found[name].to_numpy(), column)
+
+
+def test_other_endings_are_refused(tmp_path) -> None:
+    with pytest.raises(ModelError, match=r"ends in no known format.*\.csv, \.mat"):
+        rod_solution().export(tmp_path / "run.xlsx")
+
+
 def test_missing_xarray_names_the_extra(monkeypatch, tmp_path) -> None:
     monkeypatch.setitem(__import__("sys").modules, "xarray", None)
     with pytest.raises(ImportError, match=r"symgen\[netcdf\]"):
-        rod_solution().to_netcdf(tmp_path / "run.nc")
+        rod_solution().export(tmp_path / "run.nc")
 
 
 def test_writing_is_all_or_nothing(tmp_path) -> None:
