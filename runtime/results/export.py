@@ -67,7 +67,7 @@ def read_npz(path: str | Path, model: Model | None) -> dict[str, Any]:
     Raises OutputError if the file is none or damaged, ModelError if it is of another format or model.
     """
     try:
-        with np.load(path, allow_pickle=False) as data:
+        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as data:  # of a path it leaves some open
             header = json.loads(str(data["header"]))
             if header["format"] != FORMAT:
                 raise ModelError(f"{path} is a saved solution in another format; simulate again")
