@@ -47,15 +47,20 @@ from runtime.contract.records import BoundedQuantity, FunctionSpec, Group, Param
 from runtime.contract.tape import Tape
 from symgen.choice.assembly import ConstraintNumbers, assembled
 from symgen.choice.deflections import deflections_of
-from symgen.choice.elimination import Elimination, choose_loops, dependent_rows, row_scales, structural_pivots
+from symgen.choice.elimination import (
+    Elimination,
+    choose_loops,
+    dependent_rows,
+    require_redundant,
+    row_scales,
+    structural_pivots,
+)
 from symgen.choice.groups import choose_groups
-from symgen.choice.redundancy import require_redundant
 from symgen.condensed.condensation import Condensed, condense
 from symgen.condensed.forward_dynamics import NoInertia
-from symgen.kernels.arguments import arguments_of
+from symgen.kernels.all_coordinates import geometry
 from symgen.kernels.catalogue import kernel_builders, known_kernels
-from symgen.kernels.drawing import geometry
-from symgen.kernels.kernel import Kernel
+from symgen.kernels.kernel import Kernel, arguments_of
 from symgen.kernels.specification import specification
 from symgen.scene import Scene, SceneError
 from symgen.system.build import System, build_system

@@ -24,8 +24,7 @@ from symgen.algebra.scalar import ONE, ZERO, dot, entries, mul, neg, vector
 from symgen.algebra.small_systems import solve_small
 from symgen.condensed.condensation import Condensed, Substitution
 from symgen.condensed.forward_dynamics import RowsLeft, Side, eliminate, force_side, forces_side
-from symgen.kernels.arguments import Arguments
-from symgen.kernels.kernel import Kernel
+from symgen.kernels.kernel import Arguments, Kernel
 from symgen.kernels.partition_kernels import LARGE_TREE
 from symgen.system.topology import Topology
 

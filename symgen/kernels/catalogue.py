@@ -25,14 +25,13 @@ from symgen.kernels.all_coordinates import (
     load_actions,
     load_forces,
     measures,
+    poses,
     reactions,
     switching,
 )
-from symgen.kernels.arguments import Arguments, arguments_of
 from symgen.kernels.branch_kernels import branch_kernels
-from symgen.kernels.drawing import poses
 from symgen.kernels.jacobians import jacobian_kernels
-from symgen.kernels.kernel import Kernel, shortest
+from symgen.kernels.kernel import Arguments, Kernel, arguments_of, shortest
 from symgen.kernels.partition_kernels import deflection_kernels, partition_kernels
 from symgen.kernels.shifted_kernels import shifted_kernels
 from symgen.kernels.specification import block_signals, substep_name

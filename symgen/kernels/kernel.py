@@ -1,4 +1,4 @@
-"""A function to be."""
+"""A function to be, and the SX arguments that the kernels of a system share, in the one order."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import casadi as ca
 
 from runtime.contract.tape import Tape, read_tape
 from symgen.algebra.scalar import length
+from symgen.condensed.condensation import Condensed
 
 MUCH_LONGER = 1.15  # a form that has this many times the operations of another is not simplified to compare
 
@@ -39,3 +40,40 @@ def shortest(inputs: dict[str, ca.SX], forms: Sequence[dict[str, ca.SX]]) -> Ker
         Kernel(inputs, form) for form, count in zip(forms, counts, strict=True) if count <= MUCH_LONGER * min(counts)
     ]
     return replace(kernels[0], others=tuple(kernels[1:]))
+
+
+@dataclass(frozen=True)
+class Arguments:
+    """The SX arguments of the kernels of one system."""
+
+    q_i: ca.SX
+    q_d: ca.SX
+    q_i_dot: ca.SX
+    q_d_dot: ca.SX
+    q_i_ddot: ca.SX
+    signals: dict[str, ca.SX]
+    dependent: list[int]
+
+    def select(self, *names: str, **extra: ca.SX) -> dict[str, ca.SX]:
+        """Named inputs in the common order, extras before t and u."""
+        inputs = {name: getattr(self, name) for name in names}
+        return {**inputs, **extra, **self.signals}
+
+
+def arguments_of(system: Condensed) -> Arguments:
+    """Arguments of a condensed system; q_d sorted by scene order."""
+    eq, independent = system.reduced, system.choice.independent
+    dependent = sorted(system.choice.dependent)
+
+    def stack(source: list[ca.SX], columns: list[int]) -> ca.SX:
+        return ca.vertcat(*(source[c] for c in columns)) if columns else ca.SX(0, 1)
+
+    return Arguments(
+        stack(eq.q, independent),
+        stack(eq.q, dependent),
+        stack(eq.q_dot, independent),
+        stack(eq.q_dot, dependent),
+        ca.SX.sym("q_i_ddot", len(independent)),
+        eq.signals,
+        dependent,
+    )

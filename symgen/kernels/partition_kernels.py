@@ -24,8 +24,7 @@ from symgen.condensed.forward_dynamics import (
     given_side,
     tree_solutions,
 )
-from symgen.kernels.arguments import Arguments
-from symgen.kernels.kernel import Kernel, shortest
+from symgen.kernels.kernel import Arguments, Kernel, shortest
 from symgen.system.equations import matrix_times
 from symgen.system.topology import Topology
 

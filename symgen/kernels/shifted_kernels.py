@@ -18,8 +18,7 @@ from symgen.algebra.scalar import ZERO, add, mul
 from symgen.choice.deflections import Deflections
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.forward_dynamics import eliminate, force_side
-from symgen.kernels.arguments import Arguments
-from symgen.kernels.kernel import Kernel
+from symgen.kernels.kernel import Arguments, Kernel
 from symgen.kernels.partition_kernels import LARGE_TREE
 from symgen.system.topology import Topology
 

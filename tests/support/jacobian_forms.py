@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from symgen.condensed.condensation import Condensed
-from symgen.kernels import held_multipliers, jacobians
+from symgen.kernels import jacobians
 from symgen.pipeline import derive
 from symgen.scene import Scene
 from symgen.system.build import build_system
@@ -18,7 +18,7 @@ from symgen.system.build import build_system
 def values_of_forms(scene: Scene, monkeypatch: pytest.MonkeyPatch, at_start: bool = False) -> list[list[np.ndarray]]:
     """[J_q, J_v] of each form at the scene's parameters and random values, or at its start and random accelerations."""
     forms: list[tuple[ca.SX, ca.SX]] = []
-    whole = held_multipliers.held_jacobians
+    whole = jacobians.held_jacobians
 
     def kept(system: Condensed, q_i_ddot: Sequence[ca.SX]) -> list[tuple[ca.SX, ca.SX]]:
         forms.extend(whole(system, q_i_ddot))
