@@ -46,9 +46,9 @@ if TYPE_CHECKING:
     from runtime.results.solution import Solution
     from runtime.running.quasi_static_motion import quasi_static_motion
     from runtime.running.resume import resume
+    from runtime.running.simulate import simulate
     from runtime.schemes.catalogue import SCHEMES
     from runtime.schemes.options import Options, SchemeError
-    from runtime.studies.advice.auto import simulate
     from runtime.studies.ensemble.ensemble import ensemble
     from runtime.views import animation, plots
 
@@ -122,7 +122,7 @@ _HOMES = {
     "SCHEMES": "schemes.catalogue",
     "Options": "schemes.options",
     "SchemeError": "schemes.options",
-    "simulate": "studies.advice.auto",
+    "simulate": "running.simulate",
     "ensemble": "studies.ensemble.ensemble",
     "plots": "views",
     "animation": "views",

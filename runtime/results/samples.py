@@ -15,6 +15,7 @@ from runtime.contract.initial_values import named_values
 from runtime.contract.model import Model, ModelError
 from runtime.contract.status import Event, Status
 from runtime.results.energy_balance import STORED, EnergyBalance, energy_balance
+from runtime.results.motion_error import MotionError
 from runtime.results.read_angles import read_angles
 
 FORCE_PARTS = {
@@ -48,7 +49,7 @@ class Samples:
     [N m] of each joint on its body b, at marker b; load_forces (N, loads, 3 or 6): those of each load on its marker or
     its marker b; parameters: the vector p that was used; m: ratio of each next
     group's step; events: what happened on the way; outputs: the columns that a run with `outputs` kept at every saved
-    sample, "t" first (all other arrays then hold the first and the last sample only).
+    sample, "t" first (all other arrays then hold the first and the last sample only); error: see MotionError.
     """
 
     model: Model
@@ -73,6 +74,7 @@ class Samples:
     events: list[Event] = field(default_factory=list)
     outputs: dict[str, np.ndarray] = field(default_factory=dict)
     stops: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))
+    error: MotionError = field(default_factory=lambda: MotionError(reason="it was not asked for"))
 
     def __repr__(self) -> str:
         return (

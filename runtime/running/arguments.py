@@ -1,4 +1,4 @@
-"""The arguments of a run besides the model: how it goes, and what is kept of it."""
+"""The arguments of a run besides the problem and the method: how it goes, and what is kept of it."""
 
 from __future__ import annotations
 
@@ -15,9 +15,20 @@ from runtime.running.run import Progress
 from runtime.schemes.options import SchemeError
 
 
-class FurtherArguments(TypedDict, total=False):
-    """How a run goes and what is kept of it; see `Further`."""
+class RunArguments(TypedDict, total=False):
+    """The arguments of `simulate` besides the model and the scheme, for those who pass them on."""
 
+    tolerance: float | None
+    t_end: float | None
+    dt: float | None
+    m: list[int] | None
+    options: Mapping[str, Any] | None
+    parameters: Mapping[str, float] | None
+    initial: Initial
+    start: str | None
+    t0: float
+    inputs: Mapping[str, InputValue] | None
+    error: str
     save_every: int | None
     engine: str
     progress: Progress | bool | None
@@ -28,34 +39,11 @@ class FurtherArguments(TypedDict, total=False):
     checkpoint_every: int | None
 
 
-class RunArguments(FurtherArguments, total=False):
-    """The arguments of `simulate` besides the model and the scheme, for those who pass them on."""
-
-    t_end: float | None
-    dt: float | None
-    m: list[int] | None
-    tolerance: float | None
-    parameters: Mapping[str, float] | None
-    initial: Initial
-    options: Mapping[str, Any] | None
-    t0: float
-    start: str | None
-    inputs: Mapping[str, InputValue] | None
-
-
 @dataclass(frozen=True)
 class Further:
-    """How a run goes, and what is kept of it.
-
-    save_every counts major steps. engine: `auto`, `compiled` or `interpreted`. progress(t, t_end) is called between
-    native calls. force: run although the step is above the stability limit at the start.
-    outputs: names of coordinates, rates, measures or energies; only these are kept of the saved samples, in
-    Solution.outputs. stream: a folder that takes the samples instead of memory (runtime.results.stream). checkpoint:
-    a file that `resume` goes on from, written every `checkpoint_every` major steps (None: every minute) and on Ctrl-C.
-    """
+    """How a run goes, and what is kept of it; see `simulate`."""
 
     save_every: int | None = None
-    engine: str = "auto"
     progress: Progress | bool | None = None
     force: bool = False
     outputs: Sequence[str] | None = None

@@ -14,7 +14,7 @@ from runtime.running.plan import Plan
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 
-FORMAT = "symgen checkpoint 6"
+FORMAT = "symgen checkpoint 7"
 
 
 @dataclass(frozen=True)
@@ -22,10 +22,9 @@ class CheckpointHeader:
     """The run: model (manifest, inputs, scene), plan. How far: steps done, rows streamed, what was kept.
 
     segments: q_i of each segment so far, in the order of the record; segment: the one under way. position: all
-    coordinates there, which tell a generator of variants where it is. monitor, guard, accuracy, carried: what checks
-    compare with, and errors so far. schedule: what drives it remembers. impulses: those of the segment, which may be
-    told later: time, energy, rates after them and their jumps. happened: latest times of each event [s]. told: what was
-    said of the run before it began, for its statistics.
+    coordinates there, which tell a generator of variants where it is. monitor, guard: what checks
+    compare with. schedule: what drives it remembers. impulses: those of the segment, which may be
+    told later: time, energy, rates after them and their jumps. happened: latest times of each event [s].
     """
 
     model: str
@@ -52,12 +51,9 @@ class CheckpointHeader:
     position: list[float]
     monitor: dict[str, list[float]]
     guard: list[list[float]]
-    accuracy: dict[str, list[float]]
-    carried: dict[str, list[float]]
     schedule: dict[str, list[float]]
     impulses: list[list[float]]
     happened: dict[str, list[float]]
-    told: dict[str, float | int | str]
 
     def to_json(self) -> str:
         """One JSON object with its format."""

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 
 from runtime.contract.status import Event
 from runtime.results.stream import StreamFile
-from runtime.running.accuracy import Accuracy
 from runtime.running.happenings import Happenings
 from runtime.running.header import CheckpointHeader
 from runtime.running.record import Record
@@ -23,15 +20,11 @@ def header_of(
     record: Record,
     events: list[Event],
     guard: Guard,
-    accuracy: Accuracy,
     schedule: Schedule | None,
     happenings: Happenings,
     initial_changes: str,
-    told: Mapping[str, float | int | str],
 ) -> CheckpointHeader:
-    """What a checkpoint says of a run whose `segment` is at z (n_z,). initial_changes: of the start, in words; told:
-    what was said of the run before it began.
-    """
+    """What a checkpoint says of a run whose `segment` is at z (n_z,). initial_changes: of the start, in words."""
     first = record.segments[0]
     model, plan, table = first.model, first.plan, record.table
     return CheckpointHeader(
@@ -59,10 +52,7 @@ def header_of(
         position=segment.observed([segment.state(z)]).q[0].tolist(),
         monitor=segment.monitor.memory(),
         guard=guard.memory(),
-        accuracy=accuracy.memory(),
-        carried=accuracy.carried.memory(),
         schedule={} if schedule is None else schedule.memory(),
         impulses=[one for each in record.segments for one in each.impulse_memory()],
         happened=happenings.memory(),
-        told=dict(told),
     )

@@ -3,36 +3,40 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 
-from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.files import OutputError
 from runtime.contract.status import Status
 from runtime.engine.choose import sub_step_operations
 from runtime.results.export import run_header
+from runtime.results.motion_error import MotionError
 from runtime.results.solution import Solution
 from runtime.results.stream import StreamFile
-from runtime.running.inaccurate import ADVICE, judged
 from runtime.running.limits import with_limits
 from runtime.running.run import Run
-from runtime.running.second_opinion import MISSED, doubted, finer_misses_load, measured_errors, misses_load
 from runtime.running.segment import Segment
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.evaluation import evaluation_operations
 
+LARGEST = 0.1  # of an amplitude: the error from which a run is not accurate
+WORTH_A_WORD = 0.03  # of an amplitude
+ADVICE = "Take a smaller step, or a tolerance instead of a step."
 
-def finished(run: Run, setup: float) -> Solution:
-    """Go to the end, and put the Solution together; setup: seconds that it took to come to the start."""
-    run.record.watch = run.accuracy.watch  # what is written and forgotten widens the ranges, too
+Measure = Callable[[Run, Solution], MotionError]
+
+
+def finished(run: Run, measure: Measure) -> Solution:
+    """Go to the end, measure the error of what came to it, and put the Solution together."""
     with run.record.closed_on_error():
-        solution = _ended(run, setup)
+        solution = _ended(run, measure)
     run.record.close()
     return solution
 
 
-def _ended(run: Run, setup: float) -> Solution:
+def _ended(run: Run, measure: Measure) -> Solution:
     began = time.perf_counter()
     status = run.status if run.step == 0 and run.status is not None else run.go()
     status = _explained(status, run)
@@ -40,18 +44,12 @@ def _ended(run: Run, setup: float) -> Solution:
     last = (run.record.segments.index(run.segment), run.segment.stepper.state(run.z))
     run.record.flush()
     solution = run.record.solution(last)
-    if status.name == "completed":
-        run.accuracy.look(run.segment, run.z, run.guard)
-    run.accuracy.watch(solution.q, solution.q_dot)
-    run.accuracy.widen(run.segment.model)
-    if status.name == "completed":
-        status = _measured(run, status, ConsistentState(solution.q[0], solution.q_dot[0], {}))
-    circumstances = {**_circumstances(run), **run.accuracy.stats(run.segment.model)}
-    stats = {**_statistics(run.segment, run.z, setup, wall), **solution.stats, **circumstances}
-    _tell(run, stats)
-    status = judged(status, run.accuracy, run.segment.model)
-    solution = replace(solution, status=status, stats=stats, events=run.events, parameters=run.segment.p)
-    solution = with_limits(replace(solution, stops=_stops(run)))
+    stats = {**_statistics(run.segment, run.z, run.set_up, wall), **solution.stats, **_circumstances(run)}
+    solution = replace(
+        solution, status=status, stats=stats, events=run.events, parameters=run.segment.p, stops=_stops(run)
+    )
+    solution = with_error(solution, measure(run, solution) if status.ok else MotionError(reason=f"it is {status.name}"))
+    solution = with_limits(solution)
     table = run.record.table
     if isinstance(table, StreamFile):
         outputs = list(run.segment.plan.outputs)
@@ -77,6 +75,31 @@ def _stops(run: Run) -> np.ndarray:
     return np.array(sorted(found.items())).reshape(-1, 2)
 
 
+def with_error(solution: Solution, error: MotionError) -> Solution:
+    """The solution with its error, which its status and statistics tell."""
+    stats: dict[str, float | int | str] = dict(solution.stats)
+    status = solution.status
+    if not error.measured:
+        stats["error_not_measured"] = error.reason
+        if error.reliable_until is not None and status.ok:
+            status = Status("inaccurate", status.time, None, error.reason, ADVICE)
+        return replace(solution, error=error, stats=stats, status=status)
+    stats |= {"error": error.largest, "error_of": error.of}
+    worst = max(error.judged, key=lambda name: error.judged[name])
+    if error.reliable_until is not None:
+        stats["reliable_until"] = error.reliable_until
+    if error.judged[worst] > LARGEST and status.ok:
+        cause = f"its error is {error.judged[worst]:.2g} of its amplitude"
+        if error.reliable_until is not None:
+            cause = f"{cause}; the motion is not to be relied on after t = {error.reliable_until:.4g} s"
+        status = Status("inaccurate", status.time, worst, cause, ADVICE)
+    elif error.largest > WORTH_A_WORD:
+        stats["remark"] = (
+            f"the error of {error.of} is {error.largest:.2g} of its amplitude: {ADVICE[0].lower()}{ADVICE[1:]}"
+        )
+    return replace(solution, error=error, stats=stats, status=status)
+
+
 def _explained(status: Status, run: Run) -> Status:
     """A breakdown where a load has no finite value, or acts between the steps, is its doing."""
     near = 2 * run.segment.plan.grid.dt_L
@@ -86,47 +109,6 @@ def _explained(status: Status, run: Run) -> Status:
         return status
     advice = "Let it be finite, or end the run before." if endless else "Give it a smaller step there."
     return Status(status.name, status.time, status.coordinate, (endless + missed)[0].text, advice)
-
-
-def _measured(run: Run, status: Status, state: ConsistentState) -> Status:
-    """Where the estimate of a run would condemn it, or is not believed: its error as the whole motion tells it.
-
-    `inaccurate` where the motion that would tell it does not show the load either that the run has missed. That may
-    take longer than the run, which is there already: Ctrl-C ends the measuring only.
-    """
-    model = run.segment.model
-    if judged(status, run.accuracy, model).ok and not doubted(run, run.accuracy):
-        return status
-    try:
-        found = measured_errors(run, state)
-        unseen = found is not None and misses_load(run) and finer_misses_load(run, state)
-    except KeyboardInterrupt:
-        return status  # it stays what it was judged
-    if unseen:
-        missed = next(event for event in run.events if event.kind == "load_missed")
-        return Status("inaccurate", status.time, None, f"{missed.text} (an eighth of it misses it, too)", ADVICE)
-    run.accuracy.measured |= found or {}
-    return status
-
-
-def _tell(run: Run, stats: dict[str, float | int | str]) -> None:
-    """What was said of the run before it began, beside its own statistics."""
-    stats |= run.told
-    if "expected_error" not in run.told:
-        return
-    passed = any(event.kind == "singular_position" for event in run.events)
-    if passed and "trials_pass" not in run.told:  # no trial came near it
-        del stats["expected_error"]
-    elif "estimated_error" in stats:  # errors that grow with time are seen by trials, and not by windows
-        expected, error = float(run.told["expected_error"]), float(stats["estimated_error"])
-        stats["estimated_error"] = max(expected, error)
-        asked = float(run.segment.plan.scheme.options.tolerance)  # type: ignore[attr-defined]
-        if error > MISSED * max(expected, asked):
-            stats["error_over_tolerance"] = error / asked
-            said = (
-                f"the error is estimated at {error:.2g} of an amplitude, where {asked:g} was asked and trials expected "
-            )
-            stats.setdefault("remark", f"{said}{expected:.2g}: take a smaller tolerance")
 
 
 def _circumstances(run: Run) -> dict[str, float | int | str]:

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import ceil
-from numbers import Real
 from operator import index
 from typing import Any
 
-import numpy as np
-
 from runtime.contract.model import Model
+from runtime.running.problem import span_of
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.grid import Grid
 from runtime.schemes.options import SchemeError
@@ -54,6 +52,12 @@ class Plan:
         """Time after the last step [s]."""
         return self.time(self.steps)
 
+    def with_steps(self, model: Model, dt: float, steps: int, options: Mapping[str, Any] | None = None) -> Plan:
+        """The same plan with so many steps of dt [s], and perhaps other options. Raises SchemeError."""
+        chosen = dict(self.options if options is None else options)
+        built = scheme_kind(self.name).build(self.name, model, dt, list(self.grid.m) or None, chosen)
+        return replace(self, scheme=built, options=chosen, steps=steps)
+
     def on(self, model: Model) -> Plan:
         """The same plan for a variant of the model with as many groups, on the way: its step is not judged again.
 
@@ -80,12 +84,7 @@ def make_plan(
     ratios = None if m is None else _whole_numbers(m)
     built = scheme_kind(name).build(name, model, float(defaults["dt"]) if dt is None else dt, ratios, options or {})
     grid = built.grid
-    if isinstance(t0, bool) or not isinstance(t0, int | float) or not np.isfinite(t0):
-        raise SchemeError(f"t0 must be a time in seconds, not {t0!r}")
-    end = float(defaults["t_end"]) if t_end is None else t_end
-    if isinstance(end, bool) or not isinstance(end, Real) or not np.isfinite(float(end)) or float(end) <= t0:
-        raise SchemeError(f"t_end must be a time after t0 = {t0:g} s, not {end!r}")
-    end = float(end)
+    t0, end = span_of(model, t0, t_end)
     every = whole_number(int(defaults["save_every"]) if save_every is None else save_every)
     if every is None or every < 1:
         raise SchemeError(f"save_every must be a whole number of major steps of at least 1, not {save_every!r}")

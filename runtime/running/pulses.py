@@ -1,8 +1,8 @@
-"""Loads that act for a short time only: where steps of a tolerance, as long as they like, would not see them.
+"""Loads that act for a short time only: where steps as long as they like would not see them.
 
-A smooth pulse has no condition that tells its time, and between two steps nothing shows it: neither estimates nor
-trials know of it. So loads are looked at as functions of time, everything else held, on parts of the motion: where five
-values of a part do not tell its impulse, something short happens there, and steps end at PARTS places within it.
+A smooth pulse has no condition that tells its time, and between two steps nothing shows it: a motion that is made
+twice misses it twice. So loads are looked at as functions of time, everything else held, on parts of the motion: where
+five values of a part do not tell its impulse, something short happens there, and steps end at PARTS places within it.
 """
 
 from __future__ import annotations
@@ -26,8 +26,10 @@ REACH = 8  # parts of the motion on each side
 Forces = Callable[[np.ndarray], np.ndarray]  # (n_Q, N) at times (1, N)
 
 
-def pulse_times(forces: Forces, t0: float, t_end: float, known: Sequence[SwitchTime]) -> list[SwitchTime]:
-    """Times within short pulses from t0 to t_end [s], rising; known: where steps end anyway."""
+def pulse_times(
+    forces: Forces, t0: float, t_end: float, known: Sequence[SwitchTime], step: float = np.inf
+) -> list[SwitchTime]:
+    """Times within short pulses from t0 to t_end [s], rising; known: where steps end anyway; step: the longest [s]."""
     times = np.linspace(t0, t_end, POINTS + 1)
     values = np.asarray(forces(times[None, :])).reshape(-1, POINTS + 1)
     if not (np.abs(values) < 1e290).all():
@@ -45,7 +47,7 @@ def pulse_times(forces: Forces, t0: float, t_end: float, known: Sequence[SwitchT
     found: set[float] = set()
     for first, last in spans:
         low, high = times[first], times[last]
-        if not ((jumps >= low) & (jumps <= high)).any():
+        if high - low < PARTS * step and not ((jumps >= low) & (jumps <= high)).any():
             found |= set(np.linspace(low, high, PARTS + 1).tolist())
     margins = [(t, MARGIN * max(abs(t), t_end - t0)) for t in sorted(found) if t0 < t < t_end]
     return [SwitchTime(t, t - margin, t + margin, ()) for t, margin in margins]

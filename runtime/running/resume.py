@@ -12,18 +12,18 @@ import numpy as np
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.model import Model, ModelError
 from runtime.results.solution import Solution
-from runtime.running.accuracy import Accuracy
 from runtime.running.arguments import Further
 from runtime.running.checkpoint import Checkpoint, read_checkpoint
-from runtime.running.inputs import InputValue, bound, scheduled
-from runtime.running.neighbour import seen_state
+from runtime.running.companion import marks_of, measured
+from runtime.running.inputs import InputValue, bound
 from runtime.running.outcome import finished
-from runtime.running.record import Record, record_of
+from runtime.running.problem import Problem
+from runtime.running.record import record_of
 from runtime.running.run import Progress, Run
 from runtime.running.segment import Segment
-from runtime.running.simulate import with_reads
 from runtime.running.singular.guard import Guard
 from runtime.running.singular.variants import variant_of
+from runtime.running.start_of_run import with_reads
 
 
 def resume(
@@ -55,7 +55,6 @@ def resume(
     rule = Further(checkpoint=checkpoint or path, checkpoint_every=checkpoint_every).rule()
     started = time.perf_counter()
     segments = _segments(model, kept, engine, path)
-    set_up = time.perf_counter() - started
     segment, z = segments[header.segment], kept.z.copy()
     segment.monitor.resume(segment.stepper.state(z), header.monitor)
     segment.resume_impulses(header.impulses)
@@ -64,10 +63,9 @@ def resume(
     record.segments[:] = segments
     with record.closed_on_error():
         record.restore(kept.arrays, header.rows, header.last_step)
-    _stop_as_before(segments, record)
-    accuracy = Accuracy(header.steps, segment.plan.scheme.adaptive)
-    accuracy.resume(header.accuracy)
-    accuracy.carried.resume(header.carried, kept.arrays)
+    plan = segments[0].plan
+    begin = ConsistentState(kept.arrays["start_q"], kept.arrays["start_q_dot"], {})
+    problem = Problem(model, kept.arrays["start_p"], begin, plan.t0, plan.t_end, dict(inputs or {}), engine)
     run = Run(
         segment,
         z,
@@ -78,25 +76,18 @@ def resume(
         list(header.events),
         engine=engine,
         guard=Guard.remembered(header.guard),
-        accuracy=accuracy,
-        told=header.told,
         earlier=kept.arrays.get("earlier"),
+        marks=marks_of(problem, plan),
+        start=(kept.arrays["start_p"], begin),
     )
+    if run.marks is not None and "mark_steps" in kept.arrays:
+        run.marks.restore(kept.arrays, segments)
     run.happenings.resume(header.happened)
-    schedule = scheduled(model, inputs, header.t0, header.dt)
+    schedule = problem.schedule(plan.grid.dt_L)
     schedule.resume(header.schedule)
     run.schedule = with_reads(schedule, run)
-    return finished(run, set_up)
-
-
-def _stop_as_before(segments: list[Segment], record: Record) -> None:
-    """Steps to a tolerance end within what loads do, as seen from the state in which the run began."""
-    if record.first is None or not segments[0].plan.scheme.adaptive:
-        return
-    begun = ConsistentState(*seen_state(segments[record.first[0]], record.first[1]), {})
-    for one in segments:
-        one.begun = begun
-        one.find_switches(one.plan.t0, one.plan.t_end)
+    run.set_up = time.perf_counter() - started
+    return finished(run, lambda run, solution: measured(problem, run, solution))
 
 
 def _segments(model: Model, kept: Checkpoint, engine: str, path: str | Path) -> list[Segment]:

@@ -8,13 +8,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.files import OutputError
 from runtime.contract.status import Event, Status
-from runtime.running.accuracy import Accuracy
 from runtime.running.checkpoint import Checkpoint, CheckpointRule
 from runtime.running.happenings import Happenings, note_impulses
 from runtime.running.header_of import header_of
 from runtime.running.interrupts import Interrupts, heard_interrupts
+from runtime.running.marks import Marks
 from runtime.running.pace import Pace
 from runtime.running.record import Record
 from runtime.running.schedule import EndlessInput, Schedule
@@ -40,10 +41,11 @@ class Run:
     status: Status | None = None
     engine: str = "auto"
     guard: Guard = field(default_factory=Guard)
-    accuracy: Accuracy = field(default_factory=lambda: Accuracy(0))
+    marks: Marks | None = None
     schedule: Schedule | None = None
     pace: Pace = field(default_factory=Pace)
-    told: dict[str, float | int | str] = field(default_factory=dict)  # said before it began, for its statistics
+    start: tuple[np.ndarray, ConsistentState] | None = None  # parameters (n_p,) and state where it began
+    set_up: float = 0.0  # seconds that it took to come to the start
     _happened: Happenings | None = None
     earlier: np.ndarray | None = None  # a state of this segment at least a step before z, if there is one
 
@@ -97,7 +99,6 @@ class Run:
     def _loop(self, interrupts: Interrupts) -> None:
         while self.status is None and self.step < self.segment.plan.steps and not interrupts.asked:
             self._take_inputs()
-            self.accuracy.look(self.segment, self.z, self.guard)
             n = self._batch()
             began = time.perf_counter()
             self._advance(n)
@@ -158,7 +159,6 @@ class Run:
             status = self.status or self._checked()
         else:
             self.guard.accept(*determinants)
-            self.accuracy.carried.follow(self.segment, before, self.z)
             self.earlier = before
             self.pace.went_well()
         for sample in saved:
@@ -173,7 +173,6 @@ class Run:
         w = self.happenings.step(self.z, self.segment.broken)
         if not self.happenings.told:
             return False
-        self.accuracy.carried.hold(self.segment, before)
         self._take_event(w)
         return True
 
@@ -183,7 +182,6 @@ class Run:
         if not happened:
             return False
         self.pace.steps = 1
-        self.accuracy.carried.drop()
         for sample in saved:
             self._keep(sample)
         while self.step < plan.steps and scheme.next_seen(self.z, plan.grid.dt_L) <= scheme.reached(self.z):
@@ -222,14 +220,12 @@ class Run:
         """The determinant of a loop block is small on the way from `before`: decide there how to go on."""
         self.z = before.copy()  # what Ctrl-C during the search leaves
         z, previous, alarm = locate(self.segment, self.guard, self.earlier, before, n)
-        self.accuracy.carried.follow(self.segment, before, z)
         if not alarm:
             self.z, self.earlier = z, before
             return
         if self.guard.threshold < FLOOR:
             self._step_unguarded(z)
             return
-        self.accuracy.carried.hold(self.segment, z)
         asked, happened = lambda: self._interrupts.asked, self.happenings
         passage = Passage(self.segment, self.guard, self.record.segments, self.engine, asked, happened)
         found = passage.go_on(z if previous is None else previous)
@@ -244,6 +240,8 @@ class Run:
             return
         if found.drop_from is not None:
             self.record.drop_from(found.drop_from)
+            if self.marks is not None:
+                self.marks.drop_from(found.drop_from)
         for sample in found.samples:
             self._keep(sample)
         self.status = found.status
@@ -251,7 +249,6 @@ class Run:
             self.segment, self.guard = found.segment, found.segment.new_guard()
             if found.segment not in self.record.segments:
                 self.record.segments.append(found.segment)
-        self.accuracy.carried.pass_on(self.segment, found.event)
         self.z, self.earlier = found.z, None
 
     def _step_unguarded(self, z: np.ndarray) -> None:
@@ -267,7 +264,8 @@ class Run:
     def _batch(self) -> int:
         plan, done = self.segment.plan, self.step
         n = min(self.pace.next_steps(done, plan.save_every), plan.steps - done)
-        n = min(n, self.accuracy.until_next(done) or n)
+        if self.marks is not None:
+            n = min(n, self.marks.until_next(done))
         if self.schedule is not None:
             n = min(n, self.schedule.until_next(done) or n)
         return n if self.rule.every is None else min(n, self.rule.every - done % self.rule.every)
@@ -277,19 +275,25 @@ class Run:
         step = self.segment.step_of(kept)
         if self.status is None and (step % plan.save_every == 0 or step == plan.steps):
             self.record.add(self._segment_number, kept)
+        if self.status is None and self.marks is not None:
+            self.marks.look(self.segment, kept)
 
     # ---- checkpoints ----------------------------------------------------------------------------------------
 
     def _write_checkpoint(self) -> None:
         if self.rule.path is None:
             return
-        arrays = self.record.arrays() | self.accuracy.carried.states
+        arrays = self.record.arrays()
+        if self.marks is not None:
+            arrays |= self.marks.arrays(self.record.segments)
+        if self.start is not None:
+            p, state = self.start
+            arrays |= {"start_p": p, "start_q": state.q, "start_q_dot": state.q_dot}
         if self.earlier is not None:
             arrays["earlier"] = self.earlier
         try:
-            watching = self.guard, self.accuracy, self.schedule, self.happenings
-            said = (*watching, self.initial_changes, self.told)
-            header = header_of(self.segment, self.z, self.record, self.events, *said)
+            watching = self.guard, self.schedule, self.happenings, self.initial_changes
+            header = header_of(self.segment, self.z, self.record, self.events, *watching)
             Checkpoint(header, self.z, self.segment.p, arrays).write(self.rule.path)
         except OutputError as error:  # what is in memory is worth more than its copy on the disk
             if not any(event.kind == "checkpoint_failed" for event in self.events):

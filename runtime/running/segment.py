@@ -6,12 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
-import casadi as ca
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.model import Model
-from runtime.running.checks.check import observed
 from runtime.running.monitor import Monitor
 from runtime.running.plan import Plan
 from runtime.running.singular.guard import Guard
@@ -19,9 +17,8 @@ from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import all_stops
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.impulses import run_across
-from runtime.schemes.switching.broken_steps import BrokenSteps
 from runtime.schemes.switching.impulse import Impulse, moves_in_time
-from runtime.schemes.switching.times import between, switches_by_inputs
+from runtime.schemes.switching.times import SwitchTime, switches_by_inputs
 from runtime.schemes.switching.watched import watch_events
 
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
@@ -33,9 +30,7 @@ class Segment(SteppedModel):
 
     monitor: Monitor
     given: dict[float, Impulse] = field(default_factory=dict)
-    tried: np.ndarray | None = None  # (S + 1, n_z) states of a trial with the very steps of the run
     begun: ConsistentState | None = None  # where the run starts; None: as the model does
-    _energies: ca.Function | None = None
 
     @classmethod
     def build(
@@ -50,10 +45,6 @@ class Segment(SteppedModel):
         found.find_switches(plan.t0, plan.t_end)
         return found
 
-    def broken_beside(self, t0: float, t_end: float, dt: float) -> BrokenSteps:
-        """Other steps dt [s] of the same motion, from one time to another [s]."""
-        return BrokenSteps(self.stepper, t0, dt, between(self.switches, t0 - dt, t_end + dt))
-
     def start(self, q: np.ndarray, q_dot: np.ndarray, step: int = 0, at: float | None = None) -> np.ndarray:
         """The whole z at a consistent state of all coordinates (n,) after so many steps of the run (Eqs. 68-71).
 
@@ -67,12 +58,12 @@ class Segment(SteppedModel):
         self.begin_events(z)
         return z
 
-    def find_switches(self, t0: float, t_end: float) -> None:
-        """As every stepped model; steps to a tolerance end within short pulses of loads, too. Raises ModelError."""
-        super().find_switches(t0, t_end)
-        if self.plan.scheme.adaptive:
-            begun = self.begun or ConsistentState(self.model.initial_q, self.model.initial_q_dot, {})
-            self.switches = all_stops(self.model, self.c, t0, t_end, begun)
+    def stops(self, t0: float, t_end: float) -> list[SwitchTime]:
+        """As of every stepped model, and places within short pulses of loads. Raises ModelError."""
+        begun = self.begun or ConsistentState(self.model.initial_q, self.model.initial_q_dot, {})
+        grid = self.plan.grid
+        step = np.inf if self.plan.scheme.adaptive else grid.h[-1]
+        return all_stops(self.model, self.c, t0, t_end, begun, step)
 
     def take_inputs(self, w: np.ndarray) -> None:
         """From now on p and c have these numbers (n_w,) of the inputs; z has its own."""
@@ -120,34 +111,10 @@ class Segment(SteppedModel):
             raise
 
     def _go_on(self, z: np.ndarray, steps: int) -> None:
-        if self._was_tried(z, steps):
-            return
         if self.plan.scheme.adaptive:
             self.run_varying(z, steps, self.ready, self.plan.grid.dt_L, self.given)
         else:
             self.advance(z, steps)
-
-    def _was_tried(self, z: np.ndarray, steps: int) -> bool:
-        """Has a trial made the very steps that come next? Then z is, in place, where they have led."""
-        k = self.step_of(z)
-        if self.tried is None or k + steps >= len(self.tried):
-            return False
-        if not (z == self.tried[k])[self._acting].all():
-            return False
-        low, high = (self.plan.scheme.layout.slice(name) for name in ("det_low", "det_high"))
-        passed = np.vstack([z, self.tried[k + 1 : k + steps + 1]])
-        z[:] = passed[-1]
-        z[low], z[high] = passed[:, low].min(axis=0), passed[:, high].max(axis=0)
-        return True
-
-    @cached_property
-    def _acting(self) -> np.ndarray:
-        """(n_z,) of a state: not what is only noted since someone looked."""
-        layout = self.plan.scheme.layout
-        found = np.ones(self.tried.shape[1] if self.tried is not None else layout.size, dtype=bool)
-        for name in ("det_low", "det_high", "before"):
-            found[layout.slice(name)] = False
-        return found
 
     def run_varying(
         self, z: np.ndarray, steps: int, ready: np.ndarray, dt: float, given: dict[float, Impulse] | None = None
@@ -187,14 +154,6 @@ class Segment(SteppedModel):
         scheme = self.plan.scheme
         if isinstance(scheme, AdaptiveSteps):
             scheme.land(z)
-
-    def energies(self, z: np.ndarray, c: np.ndarray) -> list[float]:
-        """Kinetic, elastic and potential energy [J] of the scheme's part of z; [0] if unknown. c as stages read it."""
-        if not self.model.has("energy"):
-            return [0.0]
-        if self._energies is None:
-            self._energies = observed(self.model, self.plan.scheme, "energy", ("kinetic", "elastic", "potential"))
-        return [float(value) for value in self._energies(z, c)]
 
     def new_guard(self) -> Guard:
         """For the determinants that the scheme keeps."""

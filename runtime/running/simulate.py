@@ -2,167 +2,159 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any, Unpack
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.initial_values import Initial
 from runtime.contract.model import Model
 from runtime.contract.refused_events import refuse_events
-from runtime.contract.status import Event
 from runtime.operating.given_state import given_state
+from runtime.results.meter import Meter
+from runtime.results.motion_error import MotionError
 from runtime.results.solution import Solution
-from runtime.running.accuracy import Accuracy
-from runtime.running.arguments import Further, FurtherArguments
-from runtime.running.calibration import Calibration
-from runtime.running.checkpoint import CheckpointRule
+from runtime.running.arguments import Further
+from runtime.running.companion import marks_of, measured
 from runtime.running.driven import driven_solution
 from runtime.running.inputs import InputValue, bound, scheduled, started
+from runtime.running.ladder import by_ladder, chosen_method
 from runtime.running.outcome import finished
-from runtime.running.plan import Plan, make_plan
-from runtime.running.record import record_of
-from runtime.running.run import Run
-from runtime.running.schedule import Schedule
-from runtime.running.segment import Segment
-from runtime.running.time_functions import check_time_functions
-from runtime.running.tolerance import with_tolerance
-from runtime.running.trials import trials_of
-from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
+from runtime.running.plan import make_plan, whole_number
+from runtime.running.problem import Problem, common_time, spacing_of, span_of
+from runtime.running.run import Progress
+from runtime.running.start_of_run import begun
+from runtime.running.tolerance import AUTO, tolerance_of
+from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
-from runtime.start.start_state import start_state
 
-ROUNDING = 1e-13  # m or rad: less is the dust of an assembly
+MEASURED, OFF = "measured", "off"  # what `error` may be
+GLOBAL, LOCAL = "motion", "step"  # what a tolerance may be of
 
-__all__ = ["Plan", "make_plan", "simulate"]
+__all__ = ["simulate"]
 
 
 def simulate(
     model: Model,
     *,
+    scheme: str | None = None,
+    tolerance: float | None = None,
     t_end: float | None = None,
     dt: float | None = None,
     m: list[int] | None = None,
-    scheme: str | None = None,
-    tolerance: float | None = None,
     options: Mapping[str, Any] | None = None,
     parameters: Mapping[str, float] | None = None,
     initial: Initial = None,
     start: str | None = None,
     t0: float = 0.0,
     inputs: Mapping[str, InputValue] | None = None,
-    calibration: Calibration | None = None,
-    advice: str = "",
-    **further: Unpack[FurtherArguments],
+    error: str = MEASURED,
+    save_every: int | None = None,
+    engine: str = "auto",
+    progress: Progress | bool | None = None,
+    force: bool = False,
+    outputs: Sequence[str] | None = None,
+    stream: str | Path | None = None,
+    checkpoint: str | Path | None = None,
+    checkpoint_every: int | None = None,
 ) -> Solution:
-    """Simulate from t0 with major step dt and ratios m until t_end is reached (None: the scene's own settings) [s].
+    """Simulate a model from t0 until t_end [s]; what is not given is the scene's own.
 
-    The steps are all dt long, so the run ends at t_end or less than one step after it. With a tolerance (relative to
-    the amplitudes) they vary: dt is then the time between states that are seen, and the run ends at t_end. Where every
-    coordinate is driven there is nothing to step: see runtime.running.driven.
-
-    scheme: a name of runtime.schemes.catalogue.SCHEMES. options: changes to its Options by name. parameters
-    and initial change values by name (rates as `<coordinate>_dot`); initial may also be an equilibrium, or a solution,
-    from whose last sample the run goes on (`run.initial_values(at=0.3)`: from another). start: `given`, `quasi_static`
-    (elastic coordinates in equilibrium) or `equilibrium` (all but those that turn). inputs: by name a number, a
-    function of time (called once with a symbol), (times, values) held in between, or a `Sampled` controller.
-    calibration: what trials for the tolerance told, where they were made already; advice: why this scheme, for the
-    statistics. further: see `Further`.
+    scheme: a name of runtime.SCHEMES with major step dt [s] and ratios m, or `auto`, which chooses a method and its
+    steps for a tolerance (1e-3). tolerance: of the error of the motion, RMS over its amplitudes; it replaces dt, and
+    dt then is the time between samples. options: changes to the scheme's Options by name.
+    parameters, initial: changes by name (rates as `<coordinate>_dot`); initial may also be an equilibrium, or a
+    solution, from whose last sample the run goes on (`run.initial_values(at=0.3)`: from another). start: `given`,
+    `quasi_static` (elastic coordinates in equilibrium) or `equilibrium` (all but those that turn). inputs: by name
+    a number, a function of time (called once with a symbol), (times, values) held in between, or a `Sampled`
+    controller. error: `measured` makes the motion twice and tells Solution.error, `off` makes it once. save_every:
+    major steps from sample to sample. engine: `auto`, `compiled`, `interpreted`. progress(t, t_end): called on the
+    way; True shows a line. force: run although the step is above the stability limit at the start. outputs: names
+    of coordinates, rates, measures or energies; only these are kept, in Solution.outputs. stream: a folder that
+    takes the samples instead of memory. checkpoint: a file that `resume` goes on from, written every
+    `checkpoint_every` major steps (None: every minute) and on Ctrl-C.
 
     Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError, InitialStateError,
     OutputError or CompilerError for arguments that cannot be used.
     """
-    more, model = Further(**further), bound(model, inputs)
+    if progress is True:
+        with Meter(model.name) as meter:
+            given = {name: value for name, value in locals().items() if name not in ("model", "meter", "progress")}
+            return simulate(model, progress=meter, **given)
+    if error not in (MEASURED, OFF):
+        raise SchemeError(f"error must be {MEASURED} or {OFF}, not {error!r}")
+    further = Further(save_every, progress, force, outputs, stream, checkpoint, checkpoint_every)
+    model = bound(model, inputs)
     if not model.q_i:
-        refuse_events(model, "a motion in which every coordinate is driven")
-        return _driven(model, t_end, dt, parameters, initial, t0, more, inputs)
-    options, dt, every = with_tolerance(model, scheme, tolerance, options, t_end, dt, more.save_every, t0)
-    plan = make_plan(model, t_end, dt, m, scheme, every, options, t0, more.bounded)
-    plan = replace(plan, force=more.force, outputs=tuple(more.outputs or ()))
-    rule = more.rule()
-    schedule = scheduled(model, inputs, t0, plan.grid.dt_L)
-    p = started(model, model.parameter_vector(parameters), schedule, t0)
-    state = start_state(model, p, model.constants(p), t0, initial, start)
-    steady = not (schedule.samples or schedule.controllers)  # else the motion cannot be tried
-
-    def calibrated(segment: Segment) -> Calibration | None:
-        if not steady or segment.watches_events:
-            return None
-        if calibration is not None and not calibration.alarmed:
-            return calibration
-        return trials_of(segment, state, more.engine)
-
-    run, set_up = _begun(model, plan, p, state, more, rule, calibrated)
-    run.schedule = with_reads(schedule, run)
-    run.told |= {"advice": advice} if advice else {}
-    return finished(run, set_up)
-
-
-def with_reads(schedule: Schedule, run: Run) -> Schedule | None:
-    """The schedule for a run, None if it changes nothing. Raises SchemeError for a checkpoint with an unkept memory."""
-    for controller in schedule.controllers:
-        if controller.memory is None and run.rule.path is not None:
-            raise SchemeError(
-                "checkpoint",
-                f"what the controller of {controller.name!r} remembers cannot be kept",
-                "give its numbers as Sampled(..., memory=[...]), memory=() if it has none, or leave the checkpoint out",
-            )
-        controller.read_from(run.segment.model, run.segment.plan.scheme, run.segment.c)
-    if not schedule.samples and not schedule.controllers:
-        return None
-    run.accuracy.carried.ended = True  # what a controller would do beside the run is not known
-    return schedule
+        return _driven(model, t_end, dt, parameters, initial, t0, further, inputs)
+    asked = tolerance_of(model, scheme, tolerance, dt)
+    wanted = scheme or (AUTO if tolerance is not None else str(model.simulation["scheme"]))
+    if wanted == AUTO and (m is not None or options):
+        raise SchemeError("auto chooses m and options itself; leave them out, or name a scheme")
+    local = (options or {}).get("error_of", GLOBAL) == LOCAL
+    if asked is not None and not local:
+        problem = Problem.of(model, t_end, parameters, initial, start, t0, inputs, engine)
+        if not problem.forgets:
+            wanted, options, local = _made_once(problem, wanted), {**(options or {}), "error_of": LOCAL}, True
+    if asked is not None and not local:
+        chosen = {name: value for name, value in (options or {}).items() if name != "error_of"}
+        return by_ladder(problem, asked, wanted, m, chosen, dt, further)
+    if local and asked is not None:
+        sampled = spacing_of(inputs or {}, t0)
+        options, dt, save_every = _seen_steps(model, asked, options, t_end, t0, dt, save_every, sampled)
+    begin, end = span_of(model, t0, t_end)
+    plan = make_plan(model, end, dt, m, wanted, save_every, options, begin, further.bounded)
+    plan = replace(plan, force=force, outputs=tuple(outputs or ()))
+    problem = Problem.of(model, end, parameters, initial, start, begin, inputs, engine, plan.grid.dt_L)
+    run = begun(problem, plan, marks_of(problem, plan) if error == MEASURED else None, further)
+    if error == OFF:
+        return finished(run, lambda run, solution: MotionError(reason="it was switched off"))
+    return finished(run, lambda run, solution: measured(problem, run, solution))
 
 
-def _begun(
-    model: Model,
-    plan: Plan,
-    p: np.ndarray,
-    state: ConsistentState,
-    more: Further,
-    rule: CheckpointRule,
-    calibrated: Callable[[Segment], Calibration | None],
-) -> tuple[Run, float]:
-    """(a run at its checked start with parameters p (n_p,), seconds that preparing it took)."""
-    started = time.perf_counter()
-    segment = Segment.build(model, plan, p, more.engine, state)
-    events = [Event(plan.t0, kind, text) for kind, text in state.told]
-    events += check_time_functions(model, segment.c, plan, state, segment.switches)
-    z = segment.start(state.q, state.q_dot)
-    known, plan = calibrated(segment), segment.plan
-    if known is None and isinstance(plan.scheme, AdaptiveSteps) and not plan.scheme.varies:
-        raise SchemeError(
-            "tolerance",
-            f"{plan.name} takes steps of one length that trials find, and this motion cannot be tried",
-            "take exponential_rk4, or a step dt",
-        )
-    if known is not None and isinstance(plan.scheme, AdaptiveSteps):
-        known.begin(plan.scheme, z)
-        segment.tried = known.states if known.stepper and known.stepper.program is segment.stepper.program else None
-    set_up = time.perf_counter() - started
-    changes = ", ".join(f"{key}: {a:.9g} -> {b:.9g}" for key, (a, b) in state.changed.items() if _differ(a, b))
-    progress = None if isinstance(more.progress, bool) else more.progress
-    record = record_of(segment, z, more.stream, keep_rows=more.bounded)
-    run = Run(
-        segment,
-        z,
-        record,
-        rule,
-        changes or "none",
-        progress,
-        events,
-        engine=more.engine,
-        guard=segment.new_guard(),
-        accuracy=Accuracy(plan.steps, plan.scheme.adaptive),
-        told=known.told() if known is not None else {},
+def _made_once(problem: Problem, wanted: str) -> str:
+    """The scheme for a tolerance where a controller cannot be set back, so that the motion is made but once.
+
+    Raises SchemeError where that scheme cannot tell its own steps' lengths.
+    """
+    name = chosen_method(problem)[0].scheme if wanted == AUTO else wanted
+    if scheme_kind(name).adaptive is not None:
+        return name
+    if wanted == AUTO:
+        return "dopri5"
+    raise SchemeError(
+        "inputs",
+        f"a controller may remember what cannot be set back, and {name} makes the motion several times for a tolerance",
+        "give its numbers as Sampled(..., memory=[...]), memory=() if it has none",
     )
-    with record.closed_on_error():
-        run.status = segment.monitor.first(segment.stepper.state(z))
-        record.add(0, z)
-    return run, set_up
+
+
+def _seen_steps(
+    model: Model,
+    tolerance: float,
+    options: Mapping[str, Any] | None,
+    t_end: float | None,
+    t0: float,
+    dt: float | None,
+    save_every: int | None,
+    sampled: float | None,
+) -> tuple[dict[str, Any], float, int]:
+    """(options, time from sample to sample [s], save_every) of steps whose length follows from their own error.
+
+    sampled: time from sample to sample of the inputs [s], if they have one.
+    """
+    begin, end = span_of(model, t0, t_end)
+    settings = model.simulation
+    spacing = dt if dt is not None else max(float(settings["dt"]) * int(settings["save_every"]), (end - begin) / 1000)
+    if not isinstance(spacing, int | float) or not 0 < spacing <= end - begin:
+        raise SchemeError(f"dt must be a positive number, of seconds between samples in the motion, not {dt!r}")
+    if sampled is not None:
+        spacing = common_time(sampled, spacing) if dt is not None else sampled / max(1, round(sampled / spacing))
+        return {**(options or {}), "tolerance": tolerance}, spacing, save_every or 1
+    steps = max(1, round(float(np.ceil((end - begin) / spacing - 1e-6))))
+    return {**(options or {}), "tolerance": tolerance}, (end - begin) / steps, save_every or 1
 
 
 def _driven(
@@ -172,31 +164,28 @@ def _driven(
     parameters: Mapping[str, float] | None,
     initial: Initial,
     t0: float,
-    more: Further,
+    further: Further,
     inputs: Mapping[str, InputValue] | None,
 ) -> Solution:
     """The motion of a model in which every coordinate is driven: nothing is stepped, whatever the scheme."""
-    if more.outputs is not None or more.stream is not None or more.checkpoint is not None:
+    refuse_events(model, "a motion in which every coordinate is driven")
+    if further.bounded or further.checkpoint is not None:
         raise SchemeError(
             "outputs, stream, checkpoint",
             f"belong to runs that step, and every coordinate of model {model.name} is driven",
             "leave them out",
         )
     settings = model.simulation
-    end, step = float(settings["t_end"] if t_end is None else t_end), float(settings["dt"] if dt is None else dt)
-    every = int(settings["save_every"] if more.save_every is None else more.save_every)
-    if not (np.isfinite([end, step]).all() and step > 0 and end > t0 and every >= 1):
-        raise SchemeError("t_end, dt, save_every", "do not make a motion", "take t_end > t0, dt > 0, save_every >= 1")
-    schedule = scheduled(model, inputs, t0, step)
+    step = settings["dt"] if dt is None else dt
+    every = whole_number(int(settings["save_every"]) if further.save_every is None else further.save_every)
+    begin, end = span_of(model, t0, t_end)
+    if isinstance(step, bool) or not isinstance(step, int | float | np.number) or not 0 < step < np.inf or not every:
+        raise SchemeError("dt, save_every", "do not make a motion", "take dt > 0 and save_every >= 1")
+    schedule = scheduled(model, inputs, begin, float(step))
     if schedule.controllers:
         raise SchemeError(
             "inputs", "a controller has nothing to act on where every coordinate is driven", "give samples"
         )
-    p = started(model, model.parameter_vector(parameters), schedule, t0)
-    state = given_state(model, p, model.constants(p), t0, initial)
-    return driven_solution(model, p, state, t0, end, step, every, schedule)
-
-
-def _differ(given: float, used: float) -> bool:
-    """Do two values differ in one of nine digits, and by more than rounding where one of them is zero?"""
-    return f"{given:.9g}" != f"{used:.9g}" and abs(given - used) > ROUNDING
+    p = started(model, model.parameter_vector(parameters), schedule, begin)
+    state = given_state(model, p, model.constants(p), begin, initial)
+    return driven_solution(model, p, state, begin, end, float(step), every, schedule)

@@ -98,13 +98,17 @@ class SteppedModel:
 
     def find_switches(self, t0: float, t_end: float) -> None:
         """Look where something jumps on the grid of steps from t0 on, for the inputs as they are. Raises ModelError."""
-        self.switches = switching_times(self.model, self.c, t0, t_end)
+        self.switches = self.stops(t0, t_end)
         scheme, length = self.plan.scheme, self.plan.grid.dt_L
         breaks = (
             bool(self.switches) or self.watches_events
         ) and not scheme.adaptive  # who chooses the ends of steps puts them there
         known = round((t_end - t0) / length)
         self.broken = BrokenSteps(self.stepper, t0, length, self.switches, known=known) if breaks else None
+
+    def stops(self, t0: float, t_end: float) -> list[SwitchTime]:
+        """Times at which steps end. Raises ModelError."""
+        return switching_times(self.model, self.c, t0, t_end)
 
     def begin_events(self, z: np.ndarray) -> None:
         """Look for events from a state z (n_z,) on as if none had happened yet."""

@@ -27,7 +27,6 @@ from runtime.schemes.switching.times import SwitchTime, switching_times
 
 INSIDE = 8  # points a step, where there are not too many steps
 MOST_POINTS = 200_000
-MOST_FINER = 6_000_000  # numbers, of a run that is known to miss a load
 MISSED, DRIFT = 0.02, 0.1  # of the whole impulse of a load: in a step, and summed up
 JUMP = 1e-6  # of the largest position or velocity of the prescribed motions
 SEEN, DUST = 200, 1e-12  # looks at the range of a motion; m or rad, and their rates
@@ -51,7 +50,7 @@ def check_time_functions(
         return []
     times = np.linspace(plan.t0, plan.t_end, steps * points + 1)
     ends = [one.time for one in switches or ()]
-    _refuse_jumps(model, c, state, times, ends)
+    _refuse_jumps(model, c, state, times, [one.time for one in switches or () if one.owners])  # not within pulses
     broken = np.unique([int((end - plan.t0) / plan.grid.dt_L * (1 - 1e-9)) for end in ends]).astype(int)
     sub_steps = np.repeat(np.isin(np.arange(plan.steps), broken), prod(plan.grid.m))
     found = _missed_loads(model, c, state, times, points, sub_steps)
@@ -151,14 +150,17 @@ def _ends_between(ends: Sequence[float], low: float, high: float) -> bool:
     return any(low <= end <= high for end in ends)
 
 
-def all_stops(model: Model, c: np.ndarray, t0: float, t_end: float, state: ConsistentState) -> list[SwitchTime]:
-    """Times that no step to a tolerance should cross: jumps and kinks, and places within short pulses of loads.
+def all_stops(
+    model: Model, c: np.ndarray, t0: float, t_end: float, state: ConsistentState, step: float = np.inf
+) -> list[SwitchTime]:
+    """Times that no step of a run should cross: jumps and kinks, and places within short pulses of loads.
 
-    state: at the start of the run.
+    state: at the start of the run. step [s]: no longer ones are made, so that those may stay out which lie farther
+    apart.
     """
     known = switching_times(model, c, t0, t_end)
     forces = _forces_nearby(model, c, state)
-    pulses = [] if forces is None else pulse_times(forces, t0, t_end, known)
+    pulses = [] if forces is None else pulse_times(forces, t0, t_end, known, step)
     return sorted([*known, *pulses], key=lambda one: one.time)
 
 
@@ -191,19 +193,6 @@ def _moved(model: Model, state: ConsistentState) -> ConsistentState:
     return ConsistentState(
         state.q + np.where(rigid, np.linspace(*TURNED, n), 0.0), state.q_dot + np.linspace(*RATES, n), {}
     )
-
-
-def missed_by_finer(
-    model: Model, c: np.ndarray, state: ConsistentState, plan: Plan, parts: int, stops: Sequence[SwitchTime]
-) -> bool:
-    """Do steps of a part of the plan's, which end at these stops, too, still not show what a load does?"""
-    steps = parts * plan.steps
-    if 2 * len(model.q_i) * steps * INSIDE > MOST_FINER:
-        return all(one.owners for one in stops)  # no place within a short pulse is known
-    times = np.linspace(plan.t0, plan.t_end, steps * INSIDE + 1)
-    broken = np.unique([int((one.time - plan.t0) * parts / plan.grid.dt_L * (1 - 1e-9)) for one in stops]).astype(int)
-    found = _missed_loads(model, c, state, times, INSIDE, np.isin(np.arange(steps), broken))
-    return any(event.kind == "load_missed" for event in found)
 
 
 def _missed_loads(

@@ -39,6 +39,7 @@ class RememberingStep(OneStep):
     """Field loop_third: third rates of the loop unknowns, as the last step found them."""
 
     options: ExponentialAdamsOptions
+    damps = True
 
     def further_fields(self) -> dict[str, StateField]:
         """See above."""

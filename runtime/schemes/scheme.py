@@ -40,6 +40,7 @@ class Scheme(ABC):
     order: int = 2
     closes: bool = True  # are all coordinates found from q_i by the closure, in every evaluation?
 
+    damps: bool = False  # do its steps damp vibrations that they do not resolve?
     adaptive: bool = False  # are its steps as long as a tolerance asks for, and dt the time between states to be seen?
     starts_from_last: bool = False  # do iterations begin with the last step's values, and its rate of convergence?
 

@@ -213,12 +213,10 @@ def summary(solution: Solution, judged: float | None = None) -> list[str]:
         )
     if judged is not None:
         lines.append(f"error: {judged:.2g} of the amplitudes, RMS over the motion, against the comparison's reference")
-    elif "estimated_error" in stats:
-        name = str(stats["estimated_error_of"])
-        lines.append(
-            f"estimated error: {float(stats['estimated_error']):.2g} of the amplitude of {name} "
-            f"(worst near t = {float(stats[f'worst_time.{name}']):.4g} s)"
-        )
+    elif "error" in stats:
+        lines.append(f"measured error: {float(stats['error']):.2g} of the amplitude of {stats['error_of']}")
+    elif "error_not_measured" in stats:
+        lines.append(f"error not measured: {stats['error_not_measured']}")
     if "remark" in stats and judged is None:
         lines.append(str(stats["remark"]))
     lines += [str(event) for event in solution.events]

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from runtime import simulate
 from runtime.contract.model import ModelError
 from runtime.schemes.options import SchemeError
-from runtime.studies.advice.auto import simulate
 from symgen.cli import main
 from symgen.cli.table import parser
 from symgen.scene import Scene, SceneError

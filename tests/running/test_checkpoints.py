@@ -107,19 +107,22 @@ def test_resumed_run_is_the_uninterrupted_run(
 
 
 @pytest.mark.parametrize("scheme", ["auto", "exponential_rk4"])
-def test_a_resumed_run_to_a_tolerance_tells_the_same(built_in: Load, tmp_path: Path, scheme: str) -> None:
-    """Also what trials told before it began, which an older format lacks: all of its statistics but times."""
+def test_a_resumed_run_to_a_tolerance_is_the_same(built_in: Load, tmp_path: Path, scheme: str) -> None:
+    """The checkpoint is of the run that is the answer; its error is measured by a companion then."""
     model, path = built_in("hub_beam"), tmp_path / "run.npz"
-    settings: dict[str, Any] = {"scheme": scheme, "tolerance": 1e-4, "dt": 0.01, "t_end": 0.6}
+    settings: dict[str, Any] = {"scheme": scheme, "tolerance": 1e-4, "t_end": 0.6}
     whole, stop = simulate(model, **settings), Break(0.3, path)
-    assert (
-        simulate(model, **settings, checkpoint=path, checkpoint_every=EVERY, progress=stop).status.name != "completed"
-    )
+
+    def late(t: float, t_end: float) -> None:
+        if path.exists():
+            stop(t, t_end)
+
+    broken = simulate(model, **settings, checkpoint=path, checkpoint_every=EVERY, progress=late)
+    assert broken.status.name == "interrupted"
     for kept in (path, stop.copy):
         resumed = resume(model, kept)
         assert_same(resumed, whole)
-        assert told(resumed) == told(whole)
-    assert {"trials", "expected_error"} < set(told(whole)) and ("advice" in told(whole)) == (scheme == "auto")
+        assert whole.error.largest / 10 < resumed.error.largest < 10 * whole.error.largest < 1e-3
 
 
 def test_checkpoints_do_not_change_a_run(built_in: Load, tmp_path: Path) -> None:

@@ -11,13 +11,14 @@ import numpy as np
 import pytest
 
 from runtime import Model, ModelError, simulate
-from runtime.running.accuracy import Accuracy, CoordinateError
+from runtime.results.motion_error import MotionError
 from runtime.running.checks.check import Check, Subject
 from runtime.running.checks.closure import Closure
 from runtime.running.checks.constraints import Constraints
 from runtime.running.checks.deflection import Deflection
 from runtime.running.checks.growth import Growth
 from runtime.running.checks.mass import Mass
+from runtime.running.outcome import with_error
 from runtime.running.plan import make_plan
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import start_vector
@@ -122,26 +123,17 @@ def test_deflection(built_in: Load, mode: int, share: float | None, turn: float 
         assert named(Deflection(subject, p), bent) == expected
 
 
-def remark(model: Model, error: CoordinateError, late: float = 0.0, lates: float = 0.0) -> bool:
-    accuracy = Accuracy(1000)
-    accuracy.errors, accuracy.late, accuracy.lates = {model.q_i[0]: error}, late, lates
-    return "remark" in accuracy.stats(model)
-
-
-def test_a_word_about_the_error(built_in: Load) -> None:
-    """3 % of an amplitude; a worst window counts as if all ten were like it."""
-    model = built_in("pendulum")
-    for factor, expected in ((INSIDE, False), (BEYOND, True)):
-        assert remark(model, CoordinateError(error=0.03 * factor, low=-1.0, high=1.0)) is expected
-        assert remark(model, CoordinateError(worst=0.03 * factor / 10, low=-1.0, high=1.0)) is expected
-
-
-def test_a_word_about_a_delay(built_in: Load) -> None:
-    """Of what has turned by more than a revolution, if three quarters of the delays are of one sign."""
-    model = built_in("pendulum")
-    for turns, share, expected in ((1.01, 0.76, True), (0.99, 0.76, False), (1.01, 0.74, False)):
-        one = CoordinateError(fastest=10.0, low=0.0, high=turns * 2 * np.pi)
-        assert remark(model, one, late=share, lates=1.0) is expected
+def test_a_word_about_the_error_and_a_status(built_in: Load) -> None:
+    """3 % of an amplitude is said, a tenth is no accurate run."""
+    run = simulate(built_in("pendulum"), scheme="rk4", dt=0.01, t_end=0.1, error="off")
+    for error, said, status in (
+        (0.0297, False, "completed"),
+        (0.0303, True, "completed"),
+        (0.101, False, "inaccurate"),
+    ):
+        own = {"rod.theta": error}
+        found = with_error(run, MotionError(own, own, own, own, own))
+        assert ("remark" in found.stats, found.status.name) == (said, status)
 
 
 def test_a_small_jump_of_a_prescribed_velocity_is_refused(model_of: Build) -> None:

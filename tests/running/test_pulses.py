@@ -1,4 +1,4 @@
-"""Smooth loads that act for a moment: with a tolerance steps end within them; with steps of one length runs say it."""
+"""Smooth loads that act for a moment: steps end within them; where they are too many, runs say it."""
 
 from __future__ import annotations
 
@@ -44,21 +44,20 @@ def turned(width: float, t: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize(
-    ("width", "settings", "off", "name"),
+    ("width", "settings", "off"),
     [
-        (1e-3, {"scheme": "dopri5", "tolerance": 1e-3}, 3e-3, "completed"),  # 0.26 off without stops, and completed
-        (3e-3, {"scheme": "exponential_rk4", "tolerance": 1e-3}, 3e-3, "completed"),
-        (0.1, {"scheme": "dopri5", "tolerance": 1e-3}, 3e-3, "completed"),
-        (1e-3, {"scheme": "single_rate", "dt": 0.01}, 2.0, "inaccurate"),  # completed
-        (1e-2, {"scheme": "rk4", "dt": 0.025}, 2.0, "inaccurate"),
+        (1e-3, {"scheme": "dopri5", "tolerance": 1e-3}, 1e-3),  # 0.26 off without stops
+        (3e-3, {"scheme": "exponential_rk4", "tolerance": 1e-3}, 1e-3),
+        (0.1, {"scheme": "dopri5", "tolerance": 1e-3}, 1e-3),
+        (1e-3, {"scheme": "single_rate", "dt": 0.01}, 0.02),  # 0.9 without
+        (1e-2, {"scheme": "rk4", "dt": 0.025}, 1e-3),
     ],
 )
-def test_short_pulses(model_of: Build, width: float, settings: dict[str, Any], off: float, name: str) -> None:
+def test_short_pulses(model_of: Build, width: float, settings: dict[str, Any], off: float) -> None:
     run = simulate(model_of(kicked()), parameters={"width": width}, **settings)
     exact = turned(width, run.t)
     true = math.sqrt(np.mean((run["rod.theta"] - exact) ** 2)) / exact.std()
-    assert run.status.name == name and true < off and (true > 0.05) == (name == "inaccurate")
-    assert [event.kind for event in run.events] == ["load_missed"] * (name == "inaccurate")
+    assert run.status.name == "completed" and true < off and true / 10 < run.error.largest < max(10 * true, 1e-6)
 
 
 def test_a_pulse_that_the_motion_makes_a_load(model_of: Build) -> None:
@@ -69,7 +68,7 @@ def test_a_pulse_that_the_motion_makes_a_load(model_of: Build) -> None:
     run = simulate(model, scheme="dopri5", tolerance=1e-2)
     assert run.status.ok and run.rate("rod.theta")[-1] == pytest.approx(left, rel=3e-3)
     run = simulate(model, scheme="rk4", dt=0.04)
-    assert run.status.name == "inaccurate" and run.events[0].kind == "load_missed"
+    assert run.status.ok and run.rate("rod.theta")[-1] == pytest.approx(left, rel=3e-3)
 
 
 def test_pulses_are_those_at_the_start_of_the_run(model_of: Build) -> None:
@@ -86,18 +85,17 @@ def test_pulses_are_those_at_the_start_of_the_run(model_of: Build) -> None:
 
 
 def test_a_pulse_that_an_eighth_of_the_step_misses_too(model_of: Build) -> None:
-    """It lies four widths from the nearest of those points: the finer motion ends steps within it."""
+    """It lies four widths from the nearest of those points; steps end within it."""
     run = simulate(model_of(rod(f"0.1 + 1000*exp(-(((t - {AT})/2.5e-4)**2))")), scheme="rk4", dt=0.048)
-    assert run.status.name == "inaccurate" and [event.kind for event in run.events] == ["load_missed"]
-    moved = 0.25 * math.sqrt(math.pi) / INERTIA * (run.t[-1] - AT)
-    assert run.stats["estimated_error.rod.theta"] == pytest.approx(moved, rel=0.05)
+    given = 0.25 * math.sqrt(math.pi) + 0.1 * run.t[-1]
+    assert run.status.ok and run.rate("rod.theta")[-1] == pytest.approx(given / INERTIA, rel=1e-3)
 
 
 def test_loads_that_no_finer_motion_shows(model_of: Build) -> None:
-    """Twenty pulses, too many to end steps within, too short for an eighth of the step: 1.3 off, estimated at 3e-10."""
+    """Twenty pulses, too many to end steps within, too short for an eighth of the step."""
     torque = "+".join(f"exp(-(((t - {0.2003 + 0.2309 * k})/2.5e-4)**2))" for k in range(20))
     run = simulate(model_of(rod(f"0.1 + 100*({torque})")), scheme="rk4", dt=0.048)
-    assert run.status.name == "inaccurate" and "an eighth" in str(run.status.cause)
+    assert run.status.name == "inaccurate" and "between the steps" in str(run.status.cause)
 
 
 def test_where_steps_end_within_a_pulse() -> None:

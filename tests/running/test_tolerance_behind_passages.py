@@ -1,4 +1,4 @@
-"""A tolerance holds behind singular positions and exchanges of coordinates, too: trials pass them as runs do."""
+"""A tolerance holds behind singular positions and exchanges of coordinates, too: all rungs pass them as runs do."""
 
 from __future__ import annotations
 
@@ -28,23 +28,22 @@ def generator() -> Iterator[None]:
 @pytest.mark.parametrize(
     ("name", "scheme", "tolerance", "t_end"),
     [
-        ("n_four_bar", "dopri5", 1e-6, 3.0),  # 16 times what was asked where trials stopped at the first position
-        ("driven", "exponential_rk4", 1e-6, 3.0),  # 13
-        ("exchange", "exponential_rk4", 1e-5, 2.0),  # 6
+        ("n_four_bar", "dopri5", 1e-6, 3.0),
+        ("driven", "exponential_rk4", 1e-6, 3.0),
+        ("exchange", "exponential_rk4", 1e-5, 2.0),
     ],
 )
 def test_a_tolerance_is_delivered_behind_singular_positions(
     built_in: Load, model_of: Build, name: str, scheme: str, tolerance: float, t_end: float
 ) -> None:
-    """RMS over the motion relative to the RMS amplitude: 0.1 to 3 of what is asked, and trials expect it."""
+    """RMS over the motion relative to the RMS amplitude: twice what is asked at most, and told."""
     scenes = {"driven": driven_slider_crank(), "exchange": loop(0.2, 0.5, "slider.x")}
     model = built_in(name) if name == "n_four_bar" else model_of(scenes[name].build())
     run = simulate(model, scheme=scheme, tolerance=tolerance, dt=0.01, t_end=t_end)
     exact = simulate(model, scheme="dop853", dt=1e-3, t_end=t_end, save_every=10)
     assert run.status.ok and len(run.events) == len(exact.events) > 0
     off = np.sqrt(np.mean((run.q_i - exact.q_i) ** 2)) / exact.q_i.std()
-    assert 0.1 * tolerance < off < 3 * tolerance
-    assert 0.1 * tolerance < float(run.stats["expected_error"]) < tolerance
+    assert off < 2 * tolerance and off / 10 < run.error.largest < 10 * off
 
 
 @pytest.mark.parametrize("scheme", ["dopri5", "exponential_rk4"])

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime import SchemeError, ensemble, load_model, output_jacobian, resume, simulate
+from runtime import SchemeError, ensemble, load_model, output_jacobian, reference_solution, resume, simulate
 from runtime.contract.model import Model
 from runtime.running.segment import Segment
 from runtime.running.simulate import make_plan
@@ -24,6 +24,7 @@ from tests.support.prepared_runs import PreparedRuns
 Load = Callable[[str], Model]
 Build = Callable[[Scene], Model]
 METHODS = ("dopri5", "exponential_rk4", "exponential")
+LOCAL = {"error_of": "step"}
 
 
 def rotor(torque: str, **simulation: object) -> Scene:
@@ -38,22 +39,35 @@ def rotor(torque: str, **simulation: object) -> Scene:
     )
 
 
-@pytest.mark.parametrize("scheme", (*METHODS, "linearised", "exponential_adams"))
+@pytest.mark.parametrize("scheme", (*METHODS, "rk4", "linearised", "exponential_adams", "single_rate", "radau"))
 def test_what_is_asked_is_delivered_and_told(built_in: Load, scheme: str) -> None:
-    """A pendulum against steps of one length that are far finer: error and estimate within what was asked."""
+    """A pendulum against order 8 in SciPy, RMS over the motion."""
     model = built_in("pendulum")
-    exact = simulate(model, scheme="dop853", dt=0.01, t_end=4.0, save_every=1)
-    for tolerance in (1e-3, 1e-5):
-        run = simulate(model, scheme=scheme, tolerance=tolerance, dt=0.02, t_end=4.0)
+    for tolerance in (1e-2, 1e-4):
+        run = simulate(model, scheme=scheme, tolerance=tolerance, t_end=4.0)
         assert run.status.ok and run.t[-1] == pytest.approx(4.0, abs=1e-12)
-        amplitude = np.ptp(exact.q_i) / 2
-        error = float(np.abs(run.q_i - exact.q_i[::2]).max()) / amplitude
-        assert 1e-3 * tolerance < error < 3 * tolerance
-        assert error / 8 < float(run.stats["expected_error"]) < 8 * error
-        assert error / 10 < float(run.stats["estimated_error"]) < 10 * max(error, tolerance / 10)
-        assert run.stats["rejected_steps"] <= 0.1 * run.stats["steps"]  # type: ignore[operator]
-        steady, least, largest = (float(run.stats[name]) for name in ("steady_step", "least_step", "largest_step"))
-        assert 0 < least == pytest.approx(largest, rel=1e-12) == pytest.approx(steady, rel=1e-12) or 0 < least < largest
+        exact = reference_solution(model, t_end=float(run.t[-1]), times=run.t).q_i
+        error = float(np.sqrt(np.mean((run.q_i - exact) ** 2)) / exact.std())
+        assert error < tolerance
+        assert error / 10 < run.error.largest < max(10 * error, 1e-9)
+        assert run.stats["tolerance"] == tolerance and run.stats["rungs"] >= 3
+
+
+@pytest.mark.parametrize("spacing", [0.02, 0.3])
+def test_samples_are_as_far_apart_as_asked(built_in: Load, spacing: float) -> None:
+    """dt with a tolerance is the time between samples; without one they are the steps, a thousand at most."""
+    model = built_in("pendulum")
+    run = simulate(model, scheme="dopri5", tolerance=1e-4, dt=spacing, t_end=3.0)
+    assert run.t == pytest.approx(np.arange(round(3.0 / spacing) + 1) * spacing, abs=1e-12)
+    free = simulate(model, scheme="single_rate", tolerance=1e-6, t_end=3.0)
+    assert 300 < len(free.t) - 1 <= 1000 < free.stats["steps"]
+
+
+def test_a_tolerance_that_rounding_does_not_allow_ends_in_time(built_in: Load) -> None:
+    """The error stays where it is, whatever the number of steps: said, and no ladder without end."""
+    run = simulate(built_in("pendulum"), scheme="dopri5", tolerance=1e-13, t_end=1.0)
+    assert run.status.ok and run.stats["rungs"] < 30 and run.error.largest < 1e-10
+    assert run.error.largest < 1e-13 or "do not bring it down" in str(run.stats["remark"])
 
 
 def seen_inside_a_step(model: Model, scheme: str, h: float, share: float) -> tuple[Array, Array, Array]:
@@ -168,7 +182,7 @@ def test_a_rejected_step_is_made_as_if_it_had_not_been_tried(built_in: Load, sch
 def test_the_least_step_ends_a_run_by_name(model_of: Build) -> None:
     """theta'' = (0.9876543 - t)^-3 has no motion beyond that time."""
     model = model_of(rotor("1/(0.9876543 - t)**3"))
-    run = simulate(model, tolerance=1e-4, scheme="dopri5", t_end=2.0)
+    run = simulate(model, tolerance=1e-4, scheme="dopri5", t_end=2.0, options=LOCAL)
     assert run.status.name == "step_too_short" and 0.95 < run.status.time < 0.99
     assert np.isfinite(run.q).all() and run.t[-1] == run.status.time
 
@@ -176,7 +190,7 @@ def test_the_least_step_ends_a_run_by_name(model_of: Build) -> None:
 @pytest.mark.parametrize("scheme", METHODS)
 def test_a_resumed_run_is_the_uninterrupted_one(built_in: Load, tmp_path: Path, scheme: str) -> None:
     model, path = built_in("slider_crank"), tmp_path / "run.npz"
-    settings = {"scheme": scheme, "tolerance": 1e-4, "dt": 1e-3, "t_end": 0.06}
+    settings = {"scheme": scheme, "tolerance": 1e-4, "dt": 1e-3, "t_end": 0.06, "options": LOCAL}
     whole = simulate(model, **settings)  # type: ignore[arg-type]
 
     def stop(t: float, t_end: float) -> None:
@@ -193,7 +207,7 @@ def test_a_resumed_run_is_the_uninterrupted_one(built_in: Load, tmp_path: Path, 
 
 
 def test_both_engines_give_the_same_bits(built_in: Load) -> None:
-    settings = {"scheme": "exponential_rk4", "tolerance": 1e-3, "dt": 0.05, "t_end": 0.5}
+    settings = {"scheme": "exponential_rk4", "tolerance": 1e-3, "dt": 0.05, "t_end": 0.5, "options": LOCAL}
     one, other = (
         simulate(built_in("hub_beam"), engine=name, **settings) for name in ("compiled-library", "interpreted")
     )  # type: ignore[arg-type]
@@ -201,13 +215,13 @@ def test_both_engines_give_the_same_bits(built_in: Load) -> None:
 
 
 def test_auto_takes_the_method_that_stiffness_asks_for(built_in: Load) -> None:
-    """A pendulum, and a damper that dies out in a thousandth of the motion."""
+    """A pendulum, a damper that dies out in a thousandth of the motion, and a stiff elastic rod."""
     plain, stiff = simulate(built_in("pendulum"), tolerance=1e-3), simulate(built_in("overdamped_joint"), scheme="auto")
     assert plain.scheme == "dopri5" and "not stiff" in str(plain.stats["advice"])
-    assert stiff.scheme == "exponential_rk4" and "times the operations" in str(stiff.stats["advice"])
-    assert plain.status.ok and stiff.status.ok
+    assert stiff.scheme == "exponential_rk4" and "is stiff" in str(stiff.stats["advice"])
+    assert plain.status.ok and stiff.status.ok and stiff.stats["tolerance"] == 1e-3
     rod = simulate(built_in("stiff_slider_crank"), scheme="auto", t_end=0.05)
-    assert rod.scheme == "exponential_rk4" and rod.status.ok and "times the operations" in str(rod.stats["advice"])
+    assert rod.scheme == "exponential_rk4" and rod.status.ok and "dopri5" in str(rod.stats["advice"])
 
 
 def test_modes_that_ring_are_seen_by_the_estimate(built_in: Load) -> None:
@@ -218,25 +232,23 @@ def test_modes_that_ring_are_seen_by_the_estimate(built_in: Load) -> None:
     for scheme in ("exponential_rk4", "exponential"):
         run = simulate(model, scheme=scheme, tolerance=1e-3, **settings)  # type: ignore[arg-type]
         assert np.abs(run["x_S"] - exact["x_S"]).max() < 3e-3 * np.ptp(exact["x_S"])
-        assert run.stats["largest_step"] > 0.01  # type: ignore[operator]  # h w = 0.92
+        assert run.stats["steps"] < 2000  # h w = 0.4
 
 
 def test_a_scene_may_ask_for_a_tolerance(model_of: Build) -> None:
     model = model_of(rotor("cos(6*t)", tolerance=1e-6))
     run = simulate(model)
-    assert run.stats["options"] == "closure_iterations = 2, tolerance = 1e-06, error_of = motion"
+    assert run.stats["tolerance"] == 1e-6
     theta = (1 - np.cos(6 * run.t)) / 36
-    assert 1e-7 * np.ptp(theta) < np.abs(run["rotor.theta"] - theta).max() < 1e-6 * np.ptp(theta)
+    assert np.abs(run["rotor.theta"] - theta).max() < 1e-6 * np.ptp(theta)
     fixed = simulate(model, scheme="rk4")  # another scheme takes the scene's step
     assert fixed.dt == 0.01 and fixed.stats["steps"] == 100
 
 
 def test_what_cannot_follow_a_tolerance_says_so(built_in: Load) -> None:
     model = built_in("pendulum")
-    with pytest.raises(
-        SchemeError, match="rk4 takes steps of one length dt; a tolerance goes with linearised, exponential, "
-    ):
-        simulate(model, scheme="rk4", tolerance=1e-3)
+    with pytest.raises(SchemeError, match="rk4 has no option 'error_of'"):
+        simulate(model, scheme="rk4", tolerance=1e-3, options=LOCAL)
     for wrong in (0.0, -1e-3, 0.5, True, float("nan"), "small"):
         with pytest.raises(SchemeError, match="tolerance must be between 0 and 0.1"):
             simulate(model, scheme="dopri5", tolerance=wrong)  # type: ignore[arg-type]
@@ -248,12 +260,10 @@ def test_what_cannot_follow_a_tolerance_says_so(built_in: Load) -> None:
     with pytest.raises(SchemeError, match="a derivative of a run needs steps of one length"):
         output_jacobian(model, ["rod.theta"], ["rod.mass"], t_end=0.1, dt=0.01, **adaptive)
     with pytest.raises(SchemeError, match="needs no corrections"):
-        simulate(model, scheme="linearised", tolerance=1e-3, options={"corrections": 1})
+        simulate(model, scheme="linearised", tolerance=1e-3, options={**LOCAL, "corrections": 1})
     with pytest.raises(SchemeError, match="does not go with linearised where bodies turn in space freely"):
-        simulate(built_in("heavy_top"), scheme="linearised", tolerance=1e-3)
-    with pytest.raises(SchemeError, match="goes to a tolerance where no body turns freely in space"):
-        simulate(built_in("heavy_top"), scheme="exponential_adams", tolerance=1e-3)
-    with pytest.raises(SchemeError, match="steps of one length, which trials find"):
-        simulate(model, scheme="exponential_adams", tolerance=1e-3, options={"error_of": "step"})
+        simulate(built_in("heavy_top"), scheme="linearised", tolerance=1e-3, options=LOCAL)
+    with pytest.raises(SchemeError, match="exponential_adams takes steps of one length"):
+        simulate(model, scheme="exponential_adams", tolerance=1e-3, options=LOCAL)
     with pytest.raises(SchemeError, match="auto chooses m and options itself"):
         simulate(model, scheme="auto", options={"closure_iterations": 3})

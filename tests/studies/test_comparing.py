@@ -126,7 +126,7 @@ def test_advice_in_words(advice: Advice) -> None:
     text = "\n".join(advice_lines(advice))
     assert advice.spec.scheme in text and "x_L" in text
     assert command(advice).startswith("symgen simulate two_oscillators --scheme ")
-    assert advice.varied is not None and f"--scheme auto --tolerance {advice.tolerance:g}" in text
+    assert advice.automatic is not None and f"--scheme auto --tolerance {advice.tolerance:g}" in text
     json.dumps(advice_data(advice), allow_nan=False)
 
 

@@ -57,7 +57,7 @@ class AdaptiveExponentialAdams(AdaptiveSteps):
             )
         if self.error_of == "step":
             raise SchemeError(
-                "error_of", "exponential_adams takes steps of one length, which trials find", "take exponential_rk4"
+                "error_of", "exponential_adams takes steps of one length", "leave it out, or take exponential_rk4"
             )
 
     def method_fields(self) -> dict[str, StateField]:

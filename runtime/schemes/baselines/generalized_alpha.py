@@ -48,6 +48,7 @@ class AlphaMethod(Scheme):
 
     options: AlphaMethodOptions
     closes = False
+    damps = True
 
     def __init__(self, model: Model, grid: Grid, options: AlphaMethodOptions) -> None:
         self.penalised = _singular_mass(model)

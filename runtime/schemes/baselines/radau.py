@@ -94,6 +94,7 @@ class Radau(OneStep):
     """Field K: the stage accelerations; loop_stages: the stages' loop unknowns; loop_last: those at the last start."""
 
     order = 5
+    damps = True
     starts_from_last = True
 
     options: RadauOptions

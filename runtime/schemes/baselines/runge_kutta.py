@@ -23,6 +23,7 @@ class ExplicitRungeKutta(Method):
 
     options: ClosureOptions
     stage_name, by_rates = "runge_kutta", False
+    damps = True
     reach: float  # the largest stable h w of an undamped mode w
     decay_reach: float  # the largest stable h d of a pure decay d
 

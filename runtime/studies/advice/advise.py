@@ -17,10 +17,10 @@ from runtime.contract.coordinates import followed, independent, loop_part, told_
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
-from runtime.running.arguments import RunArguments
+from runtime.running.ladder import chosen_method
+from runtime.running.problem import Problem as MotionProblem
 from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.options import LARGEST_TOLERANCE, SchemeError
-from runtime.studies.advice.auto import AutomaticChoice, choose
 from runtime.studies.advice.frequencies import Groups, ModeRange, mode_ranges, propose_groups
 from runtime.studies.stability.limits import StabilityStudy
 from runtime.studies.work_precision.dense_methods import ONE_OF_EACH, dense_methods
@@ -44,9 +44,9 @@ class Advice:
     """What to use, and why.
 
     spec, dt [s] and trial describe the advised method and its trial; limit is its largest stable step (None: no
-    limit); varied says what `auto` would take, with steps that follow from the tolerance (None: it is too loose for a
-    step); searches hold all trials of all candidates, ascending in time; gain is how many times faster it is than the
-    best method with one step for all coordinates; tried [s] is the length of the motion tried.
+    limit); automatic: the scheme that `auto` would take, and why (None: the tolerance is too loose for it);
+    searches hold all trials of all candidates, ascending in time; gain is how many times faster it is than the best
+    method with one step for all coordinates; tried [s] is the length of the motion tried.
     """
 
     model: Model
@@ -63,7 +63,7 @@ class Advice:
     limit: float | None
     gain: float
     reason: str
-    varied: AutomaticChoice | None
+    automatic: tuple[str, str] | None
 
     @property
     def seconds(self) -> float:
@@ -222,19 +222,14 @@ def _advice(
         limit,
         gain,
         _reason(spec, trial, limit, gain, best.seconds <= min(one.seconds for one in searches)),
-        choose(model, tolerance, _run_of(setting)) if tolerance <= LARGEST_TOLERANCE else None,
+        _automatic(setting) if tolerance <= LARGEST_TOLERANCE else None,
     )
 
 
-def _run_of(setting: Setting) -> RunArguments:
-    """The arguments of the run that the setting is of."""
-    given = setting.arguments
-    return {
-        "t_end": setting.t_end,
-        "parameters": given["parameters"],
-        "initial": given["initial"],
-        "start": given["start"],
-    }
+def _automatic(setting: Setting) -> tuple[str, str]:
+    """(scheme, reason) of `auto` for the motion of the setting."""
+    method, reason = chosen_method(MotionProblem(setting.model, setting.p, setting.state, 0.0, setting.t_end, {}))
+    return method.scheme, reason
 
 
 def _reason(spec: Spec, trial: Trial, limit: float | None, gain: float, fastest: bool) -> str:

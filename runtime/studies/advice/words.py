@@ -29,9 +29,9 @@ def advice_data(advice: Advice) -> dict[str, Any]:
         "gain": advice.gain if np.isfinite(advice.gain) else None,
         "reason": advice.reason,
         "left_out": left_out(advice.model),
-        "varied": None
-        if advice.varied is None
-        else {"scheme": advice.varied.scheme, "tolerance": advice.tolerance, "reason": advice.varied.reason},
+        "automatic": None
+        if advice.automatic is None
+        else {"scheme": advice.automatic[0], "tolerance": advice.tolerance, "reason": advice.automatic[1]},
         "modes": [
             {
                 "lowest": mode.lowest,
@@ -75,9 +75,9 @@ def advice_lines(advice: Advice, scene: str = "") -> list[str]:
                 f"error {one.best.error:.2g}"
             )
     lines += [one for one in (left_out(advice.model), advice.reason) if one]
-    if advice.varied is not None:
-        varied = f"symgen simulate {scene or advice.model.name} --scheme auto --tolerance {advice.tolerance:g}"
-        lines += [f"steps that vary ({advice.varied.reason}): {varied}"]
+    if advice.automatic is not None:
+        words = f"symgen simulate {scene or advice.model.name} --scheme auto --tolerance {advice.tolerance:g}"
+        lines += [f"to a tolerance ({advice.automatic[1]}): {words}"]
     return [*lines, f"run it with: {command(advice, scene)}"]
 
 

@@ -1,0 +1,95 @@
+"""The error of a motion, by coordinate: the difference of two ways to make the same motion, over its amplitudes.
+
+Everything that speaks of an error of a motion (runs, ladders, advice, comparisons) means the norms of this file.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from runtime.contract.coordinates import followed
+from runtime.contract.model import Model
+from runtime.results.amplitudes import floored
+
+TURN = np.pi / np.sqrt(3.0)  # rad: RMS about its mean of an angle that turns on and on, modulo a turn
+ROUND = 2 * np.pi  # rad: what has turned further turns on and on
+LOST = 0.03  # of an amplitude: the time at which a motion that is lost in the end can be relied on no more
+STATIONARY = 0.1  # of the largest amplitude of its kind and unit: what moves less is not judged by its own
+
+
+@dataclass(frozen=True)
+class MotionError:
+    """Errors of the coordinates that tell a motion (q_i, with Euler parameters in place of turns), by name.
+
+    over_motion, at_end: RMS over the motion and size at its end [m, rad or 1]; amplitude: RMS of the coordinate about
+    its mean, of an angle that turns on and on that of one turn. relative: over_motion over amplitude, none of which
+    counts as less than a millionth of the largest of its kind. reliable_until [s]: where the error grows beyond an
+    amplitude, the time at which it passed 3 % of it, or where the motion breaks down with any other steps, the time of
+    that. reason: why nothing was measured, "" where it was.
+    """
+
+    over_motion: dict[str, float] = field(default_factory=dict)
+    at_end: dict[str, float] = field(default_factory=dict)
+    amplitude: dict[str, float] = field(default_factory=dict)
+    relative: dict[str, float] = field(default_factory=dict)
+    judged: dict[str, float] = field(default_factory=dict, repr=False)  # relative, what hardly moves by what does
+    reliable_until: float | None = None
+    reason: str = ""
+
+    @property
+    def measured(self) -> bool:
+        """Is there anything to tell?"""
+        return not self.reason
+
+    @property
+    def of(self) -> str:
+        """The coordinate with the largest relative error."""
+        return max(self.relative, key=lambda name: self.relative[name], default="")
+
+    @property
+    def largest(self) -> float:
+        """The largest relative error; NaN where nothing was measured."""
+        return self.relative[self.of] if self.relative else np.nan
+
+    def scaled(self, factor: float) -> MotionError:
+        """With all errors multiplied."""
+
+        def by(values: dict[str, float]) -> dict[str, float]:
+            return {name: factor * value for name, value in values.items()}
+
+        return replace(
+            self,
+            over_motion=by(self.over_motion),
+            at_end=by(self.at_end),
+            relative=by(self.relative),
+            judged=by(self.judged),
+        )
+
+
+def amplitudes(model: Model, q: np.ndarray) -> np.ndarray:
+    """(n_told,) RMS about the mean of what tells a motion, from samples q (N, n_told); a turn's of what turns on."""
+    entries = {entry.name: entry for entry in model.description.coordinates}
+    own = [entries[name] for name in followed(model)[0]]
+    turns = np.array([entry.unit == "rad" and not entry.elastic for entry in own], dtype=bool)
+    found = np.sqrt(np.mean((q - q.mean(axis=0)) ** 2, axis=0))
+    return np.asarray(np.where(turns & (np.ptp(q, axis=0) > ROUND), np.minimum(found, TURN), found))
+
+
+def motion_error(model: Model, t: np.ndarray, q: np.ndarray, other: np.ndarray, sizes: np.ndarray) -> MotionError:
+    """The difference of two motions at times t (N,) [s]: q, other (N, n_told); sizes: amplitudes (n_told,)."""
+    names = followed(model)[0]
+    off = np.abs(q - other)
+    rms, least = np.sqrt(np.mean(off**2, axis=0)), floored(model, sizes)
+    judged = rms / floored(model, sizes, STATIONARY)
+    until = None
+    if len(t) and (off / least > 1.0).any():
+        until = float(t[int(np.argmax((off / least > LOST).any(axis=1)))])
+
+    def by_name(values: np.ndarray) -> dict[str, float]:
+        return dict(zip(names, values.tolist(), strict=True))
+
+    return MotionError(
+        by_name(rms), by_name(off[-1]), by_name(sizes), by_name(rms / least), by_name(judged), reliable_until=until
+    )

@@ -1,0 +1,322 @@
+"""A tolerance: a ladder of whole motions by one method, each rung with more steps, until two of them agree well enough.
+
+The error of a rung is measured as that of any run: by what it differs from the rung before. Which method climbs is
+decided by the operations that its first rung takes; `auto`, advice and comparisons read such ladders.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from math import ceil, gcd, inf
+from typing import Any
+
+import numpy as np
+
+from runtime.contract.coordinates import independent, loop_part
+from runtime.contract.model import Model
+from runtime.contract.status import Status
+from runtime.operating.mode_solver import ModeSolver, State
+from runtime.results.motion_error import MotionError, amplitudes, motion_error
+from runtime.results.solution import Solution
+from runtime.running.arguments import Further
+from runtime.running.companion import marks_of
+from runtime.running.load_steps import steps_that_see_loads
+from runtime.running.marks import Marks, told_by
+from runtime.running.outcome import finished
+from runtime.running.plan import MAX_SAMPLES, Plan, make_plan
+from runtime.running.problem import ROUNDING, Problem, common_time
+from runtime.running.run import Run
+from runtime.running.start_of_run import begun
+from runtime.running.tolerance import AUTO
+from runtime.schemes.kept_steppers import kept_stepper
+from runtime.schemes.options import LARGE_SYSTEM, SchemeError
+from runtime.schemes.scheme import Scheme
+from runtime.schemes.switching.times import switching_times
+
+FIRST = 20  # steps of a first rung, at least
+SAFETY = 0.9  # of a tolerance, and of a stability limit
+MOST = 2.5  # times the steps of the rung before
+AFTER_LOST = 3.0  # the same, where the motion was lost
+SHOWN = 0.8  # of the order of a method: where three rungs show that much, the error is half of the difference
+SEEN = 1000  # samples of a rung that is kept
+MOST_STEPS = 10**8
+MOST_OPERATIONS = 10**12  # of all rungs: some minutes
+STAGNANT = 0.5  # of an error: rungs that do not come below it any more will not
+AGREED = 0.02  # of the motion: two rungs that stop so near to each other for the same reason stop at the same event
+EXPLICIT = ("dopri5", "rk4")
+HANDICAP = {"rk4": 2}  # times the steps that a method of lower order is expected to take
+DENSE = 12  # operations of a step with dense matrices, over n^3
+MOST_DENSE = 400_000  # operations of such a step: some 30 s of the compiler
+
+
+@dataclass(frozen=True)
+class Method:
+    """A scheme with ratios m and options; first: steps of its first rung."""
+
+    scheme: str
+    m: tuple[int, ...] | None = None
+    options: Mapping[str, Any] = field(default_factory=dict)
+    first: int = FIRST
+
+
+@dataclass
+class Rung:
+    """A whole motion in so many steps.
+
+    differs: from the rung before, relative to the amplitudes, NaN where there is none; error: what is taken for its
+    error, on the safe side; told: what is most likely, by Richardson's extrapolation where the order shows.
+    """
+
+    steps: int
+    run: Run
+    marks: Marks
+    status: Status
+    differs: float = np.nan
+    error: float = np.nan
+    told: MotionError = field(default_factory=lambda: MotionError(reason="there is no rung before it"))
+
+    @property
+    def lost(self) -> bool:
+        """Did the motion not come to its end?"""
+        return not self.status.ok
+
+
+def by_ladder(
+    problem: Problem,
+    tolerance: float,
+    scheme: str,
+    m: list[int] | None,
+    options: Mapping[str, Any],
+    spacing: float | None,
+    further: Further,
+) -> Solution:
+    """The motion to a tolerance, as the last rung of a ladder. spacing [s]: of the samples; None: as the steps are.
+
+    Raises what `simulate` raises.
+    """
+    ladder = Ladder(problem, tolerance, spacing, further)
+    if scheme == AUTO:
+        method, reason = chosen_method(problem)
+    else:
+        method, reason = Method(scheme, None if m is None else tuple(m), options), ""
+        method = replace(method, first=_first(problem, ladder.plan(method, FIRST).scheme))
+    rungs, total = [], 0.0
+    for rung in ladder.climb(method):
+        rungs.append(rung)
+        total += rung.steps
+        if rung.status.name == "interrupted":
+            break
+    return ladder.solution(rungs, total, reason)
+
+
+@dataclass
+class Ladder:
+    """Makes rungs of a problem; unit: numbers of steps are multiples of it."""
+
+    problem: Problem
+    tolerance: float
+    spacing: float | None
+    further: Further
+
+    def __post_init__(self) -> None:
+        span = self.problem.t_end - self.problem.t0
+        sampled = self.problem.spacing
+        if self.spacing is not None and not 0 < self.spacing <= span * (1 + ROUNDING):
+            raise SchemeError(
+                f"dt must be a positive number, of seconds between samples in the motion, not {self.spacing!r}"
+            )
+        apart = sampled or self.spacing
+        if sampled is not None and self.spacing is not None:
+            apart = common_time(sampled, self.spacing)
+        self.unit = FIRST if apart is None else ceil(span / apart - ROUNDING)
+        self.span = self.unit * apart if apart is not None else span
+
+    def plan(self, method: Method, steps: int) -> Plan:
+        """So many steps of the method over the motion."""
+        every = 1 if self.spacing is None else max(1, round(self.spacing * steps / self.span))
+        if self.spacing is None and self.further.save_every is not None:
+            every = self.further.save_every
+        elif self.spacing is None:
+            every = ceil(steps / SEEN)
+        if steps / every > MAX_SAMPLES:
+            raise SchemeError(f"{steps // every:.3g} samples are too many; give a longer time between them")
+        m = None if method.m is None else list(method.m)
+        model, t0 = self.problem.model, self.problem.t0
+        plan = make_plan(
+            model, t0 + self.span, self.span / steps, m, method.scheme, every, method.options, t0, bounded=True
+        )
+        return replace(plan, steps=steps, force=True, outputs=tuple(self.further.outputs or ()))
+
+    def climb(self, method: Method) -> Iterator[Rung]:
+        """Rungs from the first to the one that meets the tolerance, or to the last that it is worth to make."""
+        count, rungs, spent = ceil(method.first / self.unit), list[Rung](), 0.0
+        while True:
+            plan = self.plan(method, count * self.unit)
+            rung = self.rung(plan)
+            order = plan.scheme.order
+            if rungs and not rung.lost and not rungs[-1].lost:
+                self.judge(rungs, rung, order)
+            rungs.append(rung)
+            yield rung
+            spent += plan.steps * rung.run.segment.stepper.operations
+            following = self.next_count(rungs, order)
+            if following is None or spent * following / count > MOST_OPERATIONS or following * self.unit > MOST_STEPS:
+                return
+            count = following
+
+    def rung(self, plan: Plan) -> Rung:
+        """A whole motion."""
+        marks = Marks(plan.steps // self.unit * max(1, self.unit // FIRST))
+        further = Further(progress=self.further.progress)
+        run = begun(self.problem, replace(plan, outputs=()), marks, further)
+        status = run.status if run.status is not None else run.go()
+        return Rung(plan.steps, run, marks, status)
+
+    def judge(self, before: list[Rung], rung: Rung, order: int) -> None:
+        """The error of a rung by the one before it, in place; half the difference where three rungs show the order."""
+        last = before[-1]
+        common = sorted(set(_at(last)) & set(_at(rung)))
+        if not common:
+            return
+        mine, theirs = (one.marks.told([_at(one)[k] for k in common]) for one in (rung, last))
+        segment = rung.run.segment
+        samples = [z for own, z in rung.run.record.samples if rung.run.record.segments[own] is segment]
+        seen = [mine, theirs, *([told_by(segment, np.array(samples))] if samples else [])]
+        t = np.array([rung.run.segment.plan.time(_at(rung)[k]) for k in common])
+        model = self.problem.model
+        rung.told = motion_error(model, t, mine, theirs, amplitudes(model, np.concatenate(seen)))
+        rung.error = rung.differs = rung.told.largest
+        if len(before) > 1 and 0 < rung.error < last.differs:
+            shown = np.log(last.differs / rung.differs) / np.log(rung.steps / last.steps)
+            if shown > SHOWN * order:
+                rung.error *= 0.5
+                richer = (rung.steps / last.steps) ** min(shown, order) - 1
+                rung.told = rung.told.scaled(1 / max(2.0, richer))
+
+    def next_count(self, rungs: list[Rung], order: int) -> int | None:
+        """Steps of the next rung, in units; None where the last one is the answer, or nothing would be won."""
+        last = rungs[-1]
+        count = last.steps // self.unit
+        if last.lost:
+            if len(rungs) > 1 and _same_end(rungs[-2].status, last.status, self.span):
+                return None
+            return ceil(AFTER_LOST * count)
+        if len(rungs) >= 3 and last.error <= self.tolerance:
+            return None
+        if len(rungs) >= 6 and not last.error < STAGNANT * np.nanmin([inf, *(one.error for one in rungs[-6:-3])]):
+            return None
+        least = 2 ** (1 / order)
+        factor = MOST if not np.isfinite(last.error) else (last.error / (SAFETY * self.tolerance)) ** (1 / order)
+        if len(rungs) < 3:
+            factor = min(factor, MOST)
+        wanted = max(count + 1, ceil(count * min(max(factor, least), MOST)))
+        return next(one for one in range(wanted, 2 * wanted + 2) if gcd(one, count) == 1 or one > wanted + 3)
+
+    def solution(self, rungs: list[Rung], total: float, reason: str) -> Solution:
+        """What the last whole rung is, with its error, and how the ladder ended."""
+        whole = [one for one in rungs if not one.lost]
+        if not whole:
+            return finished(rungs[-1].run, lambda run, solution: rungs[-1].told)
+        answer = whole[-1]
+        error = replace(answer.told)
+        run = answer.run
+        further, interrupted = self.further, rungs[-1].status.name == "interrupted"
+        if further.bounded or (further.checkpoint is not None and not interrupted):  # once more, to keep what it makes
+            plan = replace(run.record.segments[0].plan, outputs=tuple(further.outputs or ()))
+            run = begun(self.problem, plan, marks_of(self.problem, plan), further)
+        found = finished(run, lambda run, solution: error)
+        stats: dict[str, float | int | str] = dict(found.stats) | {
+            "tolerance": self.tolerance,
+            "rungs": len(rungs),
+            "steps_of_all_rungs": total,
+        }
+        status = found.status
+        if interrupted:
+            status = replace(rungs[-1].status, time=found.status.time, cause="stopped by the user on a finer rung")
+        elif status.name == "completed" and not answer.error <= self.tolerance:
+            stats["remark"] = (
+                f"the error is {answer.error:.2g} of an amplitude, where {self.tolerance:g} was asked: "
+                "more steps do not bring it down"
+            )
+        if reason:
+            stats["advice"] = reason
+        return replace(found, stats=stats, status=status)
+
+
+def _at(rung: Rung) -> dict[int, int]:
+    """Step of each mark, by its number."""
+    return {step // rung.marks.every: step for step in rung.marks.states}
+
+
+def _same_end(one: Status, other: Status, span: float) -> bool:
+    return one.name == other.name and abs(one.time - other.time) <= AGREED * span
+
+
+# ---- which method ------------------------------------------------------------------------------------------------
+
+
+def chosen_method(problem: Problem) -> tuple[Method, str]:
+    """The method whose first rung takes the fewest operations, and why."""
+    slopes = _slopes(problem)
+    seen = _seen_loads(problem)
+    prices: list[tuple[float, Method]] = []
+    for name in (*EXPLICIT, *_exponentials(problem.model)):
+        method, scheme = _begun(problem, name, slopes, seen)
+        operations = kept_stepper(scheme, problem.engine).operations
+        prices.append((method.first * HANDICAP.get(name, 1) * operations, method))
+        if name == EXPLICIT[0] and method.first <= max(FIRST, seen):
+            return method, f"{name}: the motion is not stiff"
+    price, best = min(prices, key=lambda one: one[0])
+    others = ", ".join(f"{one.scheme} {other / price:.3g}" for other, one in prices if one is not best)
+    return best, f"{best.scheme}: the motion is stiff; operations of a first rung, relative to it: {others}"
+
+
+def _begun(
+    problem: Problem, name: str, slopes: tuple[np.ndarray, np.ndarray] | None, seen: int
+) -> tuple[Method, Scheme]:
+    span = problem.t_end - problem.t0
+    plan = make_plan(problem.model, problem.t_end, span / FIRST, None, name, 1, {}, problem.t0, bounded=True)
+    return Method(name, first=max(seen, _stable_steps(plan.scheme, slopes, span))), plan.scheme
+
+
+def _first(problem: Problem, scheme: Scheme) -> int:
+    span = problem.t_end - problem.t0
+    return max(_seen_loads(problem), _stable_steps(scheme, _slopes(problem), span))
+
+
+def _stable_steps(scheme: Scheme, slopes: tuple[np.ndarray, np.ndarray] | None, span: float) -> int:
+    """Steps of a first rung: within the stability limit at the start."""
+    limit = scheme.step_limit(*slopes) if slopes is not None and scheme.limited(scheme.options) else None
+    if limit is None:
+        return FIRST
+    sub_steps = scheme.grid.h[0] / scheme.grid.h[-1]
+    return max(FIRST, ceil(span / (SAFETY * limit.h * sub_steps)))
+
+
+def _seen_loads(problem: Problem) -> int:
+    c = problem.model.constants(problem.p)
+    switches = switching_times(problem.model, c, problem.t0, problem.t_end)
+    return steps_that_see_loads(problem.model, c, problem.state, problem.t0, problem.t_end, switches)
+
+
+def _exponentials(model: Model) -> list[str]:
+    """Methods for stiff motion that the model can be stepped with, and that are not dear by its size."""
+    found = ["exponential_rk4"] if model.has("deflections") else []
+    n = len(model.q_i)
+    small = model.has("residual_jacobian") and (n <= LARGE_SYSTEM if found else DENSE * n**3 <= MOST_DENSE)
+    return [*found, "exponential"] if small else found
+
+
+def _slopes(problem: Problem) -> tuple[np.ndarray, np.ndarray] | None:
+    """A_q, A_v (n_i x n_i) of w'' = A_q w + A_v w' at the start; None where they are not known."""
+    model = problem.model
+    if not ModeSolver.possible(model):
+        return None
+    q_i, rates = independent(model, problem.state.q, problem.state.q_dot)
+    try:
+        state = State(problem.t0, q_i, rates, loop_part(model, problem.state.q))
+        found = ModeSolver(model, model.constants(problem.p)).slopes(state)
+    except np.linalg.LinAlgError:
+        return None
+    return found if all(np.isfinite(slope).all() for slope in found) else None
