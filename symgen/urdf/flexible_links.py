@@ -43,16 +43,25 @@ class FlexibleLink:
         return {"at": min(max(float(p[0]) / length, 0.0), 1.0)}
 
     def _on_mesh(self, name: str, p: np.ndarray) -> dict[str, Any]:
-        known = {key: np.array(one.get("position", (0, 0, 0))) for key, one in self.entry["markers"].items()}
+        markers: dict[str, Any] = {**self.entry["markers"], "origin": {}}  # which the body has by itself
+        known = {key: place for key, one in markers.items() if (place := _place(one)) is not None}
         away = {key: float(np.linalg.norm(place - p)) for key, place in known.items()}
-        near = min(away, key=lambda key: away[key], default="")
-        if not near or not away[near] <= NEAR:
-            nearest = f"; the nearest marker, '{near}', is {away[near]:.3g} m away" if near else ""
-            self._refuse(f"it has no marker at {_shown(p)}, where joint '{name}' is{nearest}", "attach a point there")
-        return dict(self.entry["markers"][near])
+        near = min(away, key=lambda key: away[key])
+        if not away[near] <= NEAR:
+            nearest = f"the nearest marker, '{near}', is {away[near]:.3g} m away"
+            self._refuse(f"it has no marker at {_shown(p)}, where joint '{name}' is; {nearest}", "attach a point there")
+        return dict(markers[near])
 
     def _refuse(self, problem: str, remedy: str) -> None:
         raise SceneError(f"flexible link '{self.link}'", problem, remedy)
+
+
+def _place(marker: Any) -> np.ndarray | None:
+    """Of a marker whose position is numbers; what else is wrong with others the scene will say."""
+    try:
+        return np.array(marker.get("position", (0, 0, 0)), dtype=float).reshape(3)
+    except (ValueError, TypeError, AttributeError):
+        return None
 
 
 def _shown(p: np.ndarray) -> str:

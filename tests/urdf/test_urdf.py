@@ -208,6 +208,41 @@ def test_a_link_as_a_beam(tmp_path: Path) -> None:
         reading(tmp_path, text, flexible={"rod": beam})
 
 
+MODAL = """
+[[bodies]]
+type = "flexible"
+name = "any"
+mass = 2.0
+first_moment = [1.0, 0.0, 0.0]
+inertia_moments = [[0.7, 0.0, 0.0], [0.0, 0.01, 0.0], [0.0, 0.0, 0.01]]
+M_ff = [[0.5]]
+K_ff = [[800.0]]
+markers.tip = { position = [1.0, 0.0, 0.0], shape = [[0.0], [0.0], [1.0]] }
+"""
+
+
+def test_a_link_as_a_finite_element_body(tmp_path: Path) -> None:
+    """A ball of 0.3 kg on its tip, on a hinge about y: the moment (int x dm + m L) g cos q, and the force m g cos q on
+    the mode, which moves the tip by 1 along z; K q_f beside them."""
+    path = tmp_path / "modal.toml"
+    path.write_text(MODAL, encoding="utf-8")
+    text = robot('<link name="base"/>', link("boom", 2.0, at="0.5 0 0"), link("ball", 0.3),
+                 joint("pivot", "revolute", "base", "boom", axis="0 -1 0"),
+                 joint("flange", "fixed", "boom", "ball", at="1 0 0"))  # fmt: skip
+    model = model_of(reading(tmp_path, text, flexible={"boom": path}).build())
+    assert set(model.q_i) == {"pivot.angle", "boom.q1"}
+    q = np.array([0.4 if name == "pivot.angle" else 0.001 for name in model.q_i])
+    found = dict(zip(model.q_i, model.gravity(q), strict=True))
+    arm = 1.0 + 0.3 * 1.0
+    assert found["pivot.angle"] == pytest.approx(G * (arm * math.cos(0.4) - 0.3 * 0.001 * math.sin(0.4)), rel=1e-12)
+    assert found["boom.q1"] == pytest.approx(800.0 * 0.001 + 0.3 * G * math.cos(0.4), rel=1e-12)
+    with pytest.raises(SceneError, match=r"no marker at \(1.1, 0, 0\), where joint 'flange' is; the nearest .*'tip'"):
+        reading(tmp_path, text.replace('1 0 0" rpy', '1.1 0 0" rpy'), flexible={"boom": path})
+    path.write_text(MODAL.replace('"flexible"', '"rigid"'), encoding="utf-8")
+    with pytest.raises(SceneError, match="does not hold one beam or flexible body"):
+        reading(tmp_path, text, flexible={"boom": path})
+
+
 BAD = {
     "no link": (robot(), "has no links"),
     "no joint": (robot(link("a")), "nothing moves on a fixed base"),
