@@ -15,6 +15,7 @@ from runtime.contract.doors import OPENS
 from runtime.contract.errors import ModelError as ModelError
 from runtime.contract.model_card import model_card
 from runtime.contract.orientations import Places, places_of
+from runtime.contract.parameter_list import ParameterList
 from runtime.contract.parameter_values import changed_vector, checked_inputs, require_bounds
 from runtime.contract.records import Coordinate, Description, Group, Parameter
 from runtime.contract.signals import Signals
@@ -137,8 +138,11 @@ class Model:
 
     @cached_property
     def parameters(self) -> list[Parameter]:
-        """Entries of p, and behind them the numbers that inputs are made of (kind `input`)."""
-        return [*self.description.parameters, *self.signals.parameters]
+        """Entries of p, and behind them the numbers that inputs are made of (kind `input`).
+
+        Printed, those that the scene has; numbers of shapes, tables and meshes (kind `data`) are counted.
+        """
+        return ParameterList([*self.description.parameters, *self.signals.parameters])
 
     @cached_property
     def inputs(self) -> list[str]:

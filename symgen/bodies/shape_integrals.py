@@ -162,7 +162,7 @@ def beam_shape_integrals(body: BeamBody, data: BeamIntegrals, table: ParameterTa
     D_ff = ca.SX(nf, nf)
     if not zeta.is_zero():
         for a in range(nf):
-            D_ff[a, a] = 2 * zeta * ca.sqrt(K_ff[a, a] * M_ff[a, a])
+            D_ff[a, a] = 2 * zeta * modal_impedance(body, table, K_ff[a, a], M_ff[a, a])
     on = 1.0 if body.stiffening else 0.0
     return ShapeIntegrals(
         mass=mass,
@@ -178,6 +178,13 @@ def beam_shape_integrals(body: BeamBody, data: BeamIntegrals, table: ParameterTa
         S_H=mass / length * matrix(on * data.H, "H"),
         G_H=mass * matrix(on * data.xH, "xH"),
     )
+
+
+def modal_impedance(body: BeamBody, table: ParameterTable, k: ca.SX, m: ca.SX) -> ca.SX:
+    """D / (2 zeta) of a mode: sqrt(k m) where each mode has the ratio, k / w with the ratio at one frequency w."""
+    if body.damping_frequency is None:
+        return ca.sqrt(k * m)
+    return k / table.of(body, "damping_frequency")
 
 
 def beam_point(body: BeamBody, data: BeamIntegrals, at: float, table: ParameterTable) -> PointShape:

@@ -17,6 +17,7 @@ from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import ZERO, add, entries, mul, neg
 from symgen.algebra.vectors import Vector, plus, scaled, zeros
 from symgen.bodies.beam_sets import ModeSets, mesh_name, mode_sets, set_choices
+from symgen.bodies.shape_integrals import modal_impedance
 from symgen.bodies.spatial_moments import Matrix, SpatialIntegrals, SpatialPoint
 from symgen.modes.spatial_beam import TORSION, SpatialBeam, spatial_beam
 from symgen.scene import BeamBody
@@ -67,7 +68,7 @@ def spatial_beam_integrals(body: BeamBody, table: ParameterTable) -> SpatialInte
         if axis == TORSION:
             M_ff[a][a] = mul(yy + zz, numbers[a][a])
         K_ff[a][a] = mul(stiffness[axis], K_ff[a][a])
-        D_ff[a][a] = mul(mul(ca.SX(2), zeta), ca.sqrt(K_ff[a][a] * M_ff[a][a]))
+        D_ff[a][a] = mul(mul(ca.SX(2), zeta), modal_impedance(body, table, K_ff[a][a], M_ff[a][a]))
     N, P = _first_order(beam)
     S_H, G_H = _second_order(beam)
     Sb = _by(mass, beam.numbers(data.phi.T, "phi"))

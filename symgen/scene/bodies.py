@@ -134,10 +134,12 @@ class BeamBody(StrictModel):
     mesh "exact": shapes in closed form, integrals to rounding; "lumped": the paper's mesh of `elements` elements with
     lumped nodal masses. Left out: "lumped" where elements are given, else "exact".
     length [m], density [kg/m^3], area [m^2], second_moment [m^4], youngs_modulus [Pa]; damping_ratio [1] of
-    all modes. The frame lies at the start with x along the undeformed beam. q_f holds the lateral modes, then
-    the axial ones. In a spatial scene second_moment and lateral are those of bending in the xy-plane; second_moment_z
-    and lateral_z those of bending in the xz-plane, whose modes come between the two. Torsion modes, the last ones, turn
-    the sections about x [rad], with the stiffness shear_modulus [Pa] times torsion_constant [m^4], without warping.
+    all modes; with damping_frequency [rad/s] it holds there, and damping is proportional to stiffness (Rayleigh), so
+    that welded pieces have the ratio of the whole. The frame lies at the start with x along the undeformed beam. q_f
+    holds the lateral modes, then the axial ones. In a spatial scene second_moment and lateral are those of bending in
+    the xy-plane; second_moment_z and lateral_z those of bending in the xz-plane, whose modes come between the two.
+    Torsion modes, the last ones, turn the sections about x [rad], with the stiffness shear_modulus [Pa] times
+    torsion_constant [m^4], without warping.
     ``stiffening`` keeps the foreshortening (geometric stiffening) terms.
     """
 
@@ -161,6 +163,9 @@ class BeamBody(StrictModel):
     torsion: TorsionModes | None = None
     stiffening: Flag = False
     damping_ratio: Annotated[Quantity, Meaning("damping ratio of all modes", "1", Bound.NON_NEGATIVE)] = 0.0
+    damping_frequency: Annotated[
+        Quantity | None, Meaning("frequency at which the damping ratio holds", "rad/s", Bound.POSITIVE)
+    ] = None
     orientation: Orientation = "euler_parameters"
     free: Flag = False
     markers: dict[Name, BeamMarker] = Field(default_factory=dict)

@@ -116,3 +116,27 @@ def test_frequencies_of_a_right_angled_frame(model_of: Build, speed: float) -> N
     for shapes, count, worst in ((3, 3, 5e-3), (2, 2, 5e-3)):
         found = modes(model_of(frame(shapes)), parameters={"omega": speed}).frequencies[:count]
         np.testing.assert_allclose(found, exact[:count], rtol=worst)
+
+
+def damped_pieces(count: int, **damping: float) -> Scene:
+    """A cantilever of 1 m welded of pieces."""
+    builder, last = SceneBuilder("pieces"), "ground.origin"
+    for k in range(count):
+        ends = "welded-heavy" if k == count - 1 else "welded-welded"
+        builder.beam(f"piece{k}", length=1.0 / count, **STEEL, lateral={"ends": ends, "modes": 3}, **damping)
+        builder.weld(f"weld{k}", last, f"piece{k}.start")
+        last = f"piece{k}.end"
+    return builder.build()
+
+
+def test_welded_pieces_have_the_damping_of_the_whole(model_of: Build) -> None:
+    """With the ratio 0.05 at the whole's first frequency; the second mode has 6.267 times as much, as w / w_1 says.
+
+    A ratio of 1 of each piece's own modes is no more than 0.03 of the whole's first.
+    """
+    own = modes(model_of(damped_pieces(5, damping_ratio=1.0)))
+    assert own.damping_ratios[0] == pytest.approx(0.030, abs=1e-3)
+    first = math.sqrt(2e11 * STEEL["second_moment"] / (STEEL["density"] * STEEL["area"])) * 1.8751041**2
+    found = modes(model_of(damped_pieces(5, damping_ratio=0.05, damping_frequency=first)))
+    assert found.damping_ratios[0] == pytest.approx(0.05, rel=2e-3)
+    assert found.damping_ratios[1] == pytest.approx(0.05 * 6.26689, rel=2e-3)

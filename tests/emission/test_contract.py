@@ -131,3 +131,12 @@ def test_evaluate_takes_what_it_needs_and_names_what_is_missing(model_of) -> Non
 )
 def test_conservative(name: str, conservative: bool) -> None:
     assert load_model(generated_folder(name)).conservative is conservative
+
+
+def test_parameters_print_what_one_would_change() -> None:
+    """Those of the scene, one a line; of the hundreds of numbers of shapes no more than how many there are."""
+    parameters = load_model(generated_folder("flexible_slider_crank_free")).parameters
+    own = [entry.name for entry in parameters if entry.kind != "data" and not entry.array]
+    lines = repr(parameters).splitlines()
+    assert [line.split()[0] for line in lines[: len(own)]] == own and len(own) < len(parameters) / 2
+    assert lines[-1] == f"and {len(parameters) - len(own)} numbers of shapes, tables and meshes (kind data)"

@@ -65,10 +65,13 @@ def test_the_page_shows_something_and_a_moment_of_its_own(tmp_path: Path) -> Non
     assert (np.abs(stage[0] - stage[1]).max(axis=2) > 60).sum() > 1000
 
 
-def test_a_notebook_gets_a_frame_that_may_run_scripts_only() -> None:
+def test_a_notebook_gets_a_frame_that_shows_something(tmp_path: Path) -> None:
     text = view(solution("flexible_slider_crank"))._repr_html_()
-    assert re.match(r'<iframe sandbox="allow-scripts allow-downloads" ', text)
+    assert re.match(r'<iframe sandbox="allow-scripts allow-same-origin allow-downloads" ', text)
     assert "<script" not in text
+    below = f"<html><body><div style='height:300px'>a cell</div>{text}</body></html>"
+    picture = np.asarray(screenshot(below, tmp_path, "", (1000, 900)), dtype=int)
+    assert len(np.unique(picture[360:800, :600].reshape(-1, 3), axis=0)) > 100
 
 
 def test_pages_are_small_and_ask_nothing_of_the_network() -> None:

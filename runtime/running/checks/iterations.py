@@ -24,7 +24,7 @@ class Iterations(Check):
         return self.subject.stop(
             "iteration_failed",
             f"the update of a step did not converge in {scheme.iteration_limit} iterations",
-            singular or "Use a smaller step, a larger eps, or (printed) common_update = direct.",
+            singular or scheme.if_not_converged,
         )
 
     def _singular(self) -> str:

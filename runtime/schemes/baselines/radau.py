@@ -96,6 +96,10 @@ class Radau(OneStep):
     order = 5
     damps = True
     starts_from_last = True
+    if_not_converged = (
+        "Newton's matrix is that of the start of a step, and a load bends within it, as friction that reverses does: "
+        "take a fifth of the step, or exponential with propagation = decaying, which iterates nothing."
+    )
 
     options: RadauOptions
 

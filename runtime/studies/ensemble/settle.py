@@ -25,7 +25,8 @@ Stage = Callable[[str, Callable[[Fields], Mapping[str, ca.SX]]], Call]
 
 def quasi_static(model: Model, start: str) -> bool:
     """Do runs with this start ("" for the scene's own) begin in elastic equilibrium, and can lanes find it?"""
-    return (start or str(model.simulation.get("start", "given"))).startswith("quasi_static") and settles(model)
+    chosen = start or str(model.simulation.get("start", "given"))
+    return chosen in ("quasi_static", "quasi_static_unstable") and settles(model)
 
 
 def settle_fields(model: Model) -> dict[str, int]:

@@ -27,7 +27,10 @@ HEIGHT = 560  # pixels of the frame in a notebook
 
 @dataclass(frozen=True, repr=False)
 class View:
-    """A page of a run; a notebook shows it in a frame that may run scripts and nothing else."""
+    """A page of a run; a notebook shows it in a frame of the notebook's own origin.
+
+    A frame of an origin of its own is another process of the browser, which exported notebooks show blank at times.
+    """
 
     title: str
     text: str
@@ -37,8 +40,8 @@ class View:
 
     def _repr_html_(self) -> str:
         return (
-            f'<iframe sandbox="allow-scripts allow-downloads" width="100%" height="{HEIGHT}" frameborder="0" '
-            f'srcdoc="{html.escape(self.text)}"></iframe>'
+            f'<iframe sandbox="allow-scripts allow-same-origin allow-downloads" width="100%" height="{HEIGHT}" '
+            f'frameborder="0" srcdoc="{html.escape(self.text)}"></iframe>'
         )
 
     def save(self, path: str | Path) -> None:
