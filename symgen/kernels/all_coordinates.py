@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import casadi as ca
 
 from symgen.algebra.rows import Row, to_matrix
+from symgen.algebra.scalar import ZERO, div, mul, sub
 from symgen.choice.elimination import constraint_jacobian
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.loops import solve_transposed
@@ -73,15 +74,20 @@ def reactions(system: Condensed) -> Kernel:
     lam = _loop_reactions(system, force) if choice.loop_rows else {}
     norms = {row.label: k for k, row in enumerate(eq.constraints)}
     norm_rows = {turning.body: norms[f"{turning.body}.norm"] for turning in system.reduced.turnings}
+    acting: dict[int, list[int]] = {}  # rows with known multipliers, by column
+    for row in lam:
+        for column in eq.constraints[row].C_q:
+            acting.setdefault(column, []).append(row)
     turned = {row for row in range(len(eq.constraints), len(system.reduced.constraints))}
     for row, column in reversed(choice.structural):
         if row in turned:
             continue
         rest = force[column]
-        for other, value in lam.items():
-            if column in eq.constraints[other].C_q:
-                rest = rest - eq.constraints[other].C_q[column] * value
-        lam[row] = rest / eq.constraints[row].C_q[column]
+        for other in acting.get(column, ()):
+            rest = sub(rest, mul(eq.constraints[other].C_q[column], lam[other]))
+        lam[row] = div(rest, eq.constraints[row].C_q[column])
+        for touched in eq.constraints[row].C_q:
+            acting.setdefault(touched, []).append(row)
     for turning in system.reduced.turnings:  # what is left of the force on e is along e, the row of its unit length
         left = [
             force[c]
@@ -92,16 +98,18 @@ def reactions(system: Condensed) -> Kernel:
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "q_ddot": q_ddot}
     inputs |= {"lam_R": lam_R, **eq.signals} if given else eq.signals
     lam |= given
-    forces = ca.SX(max((len(row.on_b) for row in eq.constraints), default=3), len(eq.joints))
-    for row, constraint in enumerate(eq.constraints):
-        if not constraint.joint:
-            continue
-        for axis, factor in enumerate(constraint.on_b):
-            column = eq.joints.index(constraint.joint)
-            forces[axis, column] = forces[axis, column] - factor * lam[row]
-    return Kernel(
-        inputs, {"lam": ca.vertcat(*(lam[row] for row in range(len(eq.constraints)))), "joint_forces": forces}
-    )
+    values = [lam[row] for row in range(len(eq.constraints))]
+    return Kernel(inputs, {"lam": ca.vertcat(*values), "joint_forces": _joint_forces(eq, values)})
+
+
+def _joint_forces(eq: Equations, lam: list[ca.SX]) -> ca.SX:
+    """Of each joint on its body b, by columns."""
+    size = max((len(row.on_b) for row in eq.constraints), default=3)
+    forces = {joint: [ZERO] * size for joint in eq.joints}
+    for row, value in zip(eq.constraints, lam, strict=True):
+        for axis, factor in enumerate(row.on_b if row.joint else ()):
+            forces[row.joint][axis] = sub(forces[row.joint][axis], mul(factor, value))
+    return ca.horzcat(*(ca.vertcat(*force) for force in forces.values())) if forces else ca.SX(size, 0)
 
 
 def _loop_reactions(system: Condensed, force: Row) -> dict[int, ca.SX]:

@@ -35,7 +35,8 @@ def posed(scene: Scene, planar: Model) -> Scene:
     for load in data.get("loads", []):
         if load["type"] == "force":
             load["components"] = [*load["components"], 0.0]
-    hinges = [place.joint for place in Scene.from_dict(data).placements() if place.type == "revolute"]
+    types = {joint["name"]: joint["type"] for joint in data["joints"]}
+    hinges = [place.joint for place in Scene.from_dict(data).placements() if types[place.joint] == "revolute"]
     start = {f"{hinge}.angle": _angle(scene, planar, planar.initial_q, hinge) for hinge in hinges}
     return Scene.from_dict({**data, "initial": {"coordinates": start}})
 
