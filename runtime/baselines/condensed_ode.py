@@ -19,6 +19,7 @@ from runtime.contract.coordinates import charts_in, independent, loop_part
 from runtime.contract.model import Model
 from runtime.contract.refused_events import refuse_events
 from runtime.contract.status import Status
+from runtime.contract.tape import shared
 from runtime.results.observe import assemble_solution, join
 from runtime.results.sampling import evaluate
 from runtime.results.solution import Solution
@@ -63,12 +64,12 @@ class CondensedOde:
 
     def right_hand_side(self) -> ca.Function:
         """(t, y, c) -> y_dot."""
-        return ca.Function("rhs", [self.t, self.y, self.c], ca.cse([self.slope(self.accelerations())]))
+        return ca.Function("rhs", [self.t, self.y, self.c], shared([self.slope(self.accelerations())]))
 
     def jacobian(self) -> ca.Function:
         """(t, y, c) -> d y_dot / dy."""
         found = ca.jacobian(self.slope(self.accelerations()), self.y)
-        return ca.Function("slope_jacobian", [self.t, self.y, self.c], ca.cse([ca.densify(found)]))
+        return ca.Function("slope_jacobian", [self.t, self.y, self.c], shared([ca.densify(found)]))
 
     def observe(self) -> ca.Function:
         """(t, y, c) -> OBSERVED."""
@@ -76,7 +77,7 @@ class CondensedOde:
         if self.model.q_d:
             a_d = self.equations.dependent_accelerations(self.motion, self.v, a)
         parts = [self.q_i, self.motion.q_d, self.v, self.v_d, a, a_d]
-        return ca.Function("observe", [self.t, self.y, self.c], ca.cse(parts), ["t", "y", "c"], list(OBSERVED))
+        return ca.Function("observe", [self.t, self.y, self.c], shared(parts), ["t", "y", "c"], list(OBSERVED))
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ import numpy as np
 
 from runtime.baselines.condensed_ode import CondensedOde, start_of
 from runtime.contract.model import Model, ModelError
+from runtime.contract.tape import shared
 
 CLOSING_STEPS = 1  # Newton steps of the closure: x and z are as good as a solver's own solution
 
@@ -48,7 +49,7 @@ class Ode:
             for function in functions
             for name in by
         }
-        return ca.Function("jacobian", list(given.values()), ca.cse(list(found.values())), list(given), list(found))
+        return ca.Function("jacobian", list(given.values()), shared(list(found.values())), list(given), list(found))
 
 
 def ode(
@@ -81,7 +82,7 @@ def ode(
     if algebraic:
         y[algebraic] = z
     c = model.kernel("constants")(ca.vertcat(p, u))
-    slope = ca.cse([ca.densify(system.right_hand_side()(t, y, c)[moving])])
+    slope = shared([ca.densify(system.right_hand_side()(t, y, c)[moving])])
     given = {"x": x, **({"z": z} if algebraic else {}), "u": u, "p": p, "t": t}
     f = ca.Function("f", list(given.values()), slope, list(given), ["x_dot"])
     g = None
@@ -89,7 +90,7 @@ def ode(
         q_d = ca.SX(len(model.q_d), 1)
         q_d[system.equations.loops] = z
         open_by = model.evaluate("closure", q_i=y[:n], q_d=q_d, t=t, c=c)["C_loop"]
-        g = ca.Function("g", list(given.values()), ca.cse([ca.densify(open_by)]), list(given), ["C_loop"])
+        g = ca.Function("g", list(given.values()), shared([ca.densify(open_by)]), list(given), ["C_loop"])
     entries = [entry.name for entry in model.parameters]
     return Ode(
         f,

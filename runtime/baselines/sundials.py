@@ -20,6 +20,7 @@ from runtime.baselines.sundials_equations import SundialsEquations, explicit, im
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.contract.status import Status
+from runtime.contract.tape import shared
 from runtime.engine.compiled import find_compiler
 from runtime.engine.external import External
 from runtime.engine.llvm_code import find_llvm
@@ -171,7 +172,7 @@ class Sundials:
         z = np.asarray(e.start(0.0, given.y, given.c)).ravel()
         arguments = {"x0": given.y, "z0": z}
         if self.native is None:
-            outputs = dict(zip(e.outputs, ca.cse([ca.densify(value) for value in e.outputs.values()]), strict=True))
+            outputs = dict(zip(e.outputs, shared([ca.densify(value) for value in e.outputs.values()]), strict=True))
             return {**e.inputs, **outputs, "p": e.c}, {**arguments, "p": given.c}
         symbols = {name: ca.MX.sym(name, value.numel()) for name, value in e.inputs.items()}
         found = self.native.function.call(list(symbols.values()))

@@ -19,6 +19,7 @@ import numpy as np
 from runtime.contract.left_out import left_out
 from runtime.contract.manifest import FORMAT, OLDER, described, manifest_digest
 from runtime.contract.model import Model, ModelError
+from runtime.contract.tables import table_from
 
 
 class _CheckedSource(InspectLoader):
@@ -112,6 +113,8 @@ def _model(path: Path, manifest: dict[str, Any], data: dict[str, Any], module: M
             f"{path} was generated when Euler angles were coordinates ({old[0]}), which they are no longer; "
             f"regenerate it with: symgen generate {path}"
         )
+    for name, plain in data.get("tables", {}).items():
+        module.TABLES[name] = table_from(plain).shared()
     return Model(
         description=found,
         initial_q=np.array([data["q"][name] for name in names]),

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import casadi as ca
 
+from runtime.contract.tables import any_tables, mark_of, marked
+
 
 class Node(NamedTuple):
-    """One value: an input entry (op OP_INPUT: a = argument, b = entry), a constant, or op(a[, b]) of nodes."""
+    """One value: an input entry (op OP_INPUT: a = argument, b = entry), a constant, or op(a[, b]) of nodes.
+
+    A table at a node (op OP_CALL) is the operation of one argument that `marked(value)` says.
+    """
 
     op: int
     a: int
@@ -30,8 +36,17 @@ class Tape:
 
     @property
     def operations(self) -> int:
-        """How many operations one evaluation takes: arithmetic, without reading inputs and writing outputs."""
-        return sum(node.op not in (ca.OP_INPUT, ca.OP_CONST) for node in self.nodes)
+        """How many operations one evaluation takes: arithmetic, without reading inputs and writing outputs.
+
+        A table counts as the instructions that its evaluation takes.
+        """
+        return sum(node.op not in (ca.OP_INPUT, ca.OP_CONST) for node in self.nodes) + self.inside_tables
+
+    @property
+    def inside_tables(self) -> int:
+        """What evaluations of tables take beyond one operation each."""
+        tables = (marked(node.value) for node in self.nodes if node.op == ca.OP_CALL)
+        return sum(table.instructions(order) - 1 for table, order in tables)
 
     @property
     def instructions(self) -> int:
@@ -62,6 +77,7 @@ BINARY = frozenset(
         ca.OP_HYPOT,
     )
 )
+COMMUTING = (ca.OP_ADD, ca.OP_MUL)
 UNUSED = -1
 
 
@@ -69,14 +85,16 @@ def read_tape(function: ca.Function) -> Tape:
     """The tape of an SX Function, structural zeros of its outputs as the number 0.
 
     Raises ValueError for any other kind of Function.
+
+    CasADi's derivatives of tables are written out as the tables' own.
     """
     if not function.is_a("SXFunction"):
         raise ValueError(f"{function.name()}: only a Function of SX expressions has a tape")
     shapes = [function.size_out(k) for k in range(function.n_out())]
     found = [[UNUSED] * function.nnz_out(k) for k in range(function.n_out())]
-    nodes = _read_nodes(function, found)
+    nodes, plain = _read_nodes(function, found)
     outputs = [_dense(function.sparsity_out(k), entries, nodes) for k, entries in enumerate(found)]
-    return Tape(
+    tape = Tape(
         function.name_in(),
         [function.nnz_in(k) for k in range(function.n_in())],
         function.name_out(),
@@ -84,6 +102,9 @@ def read_tape(function: ca.Function) -> Tape:
         nodes,
         outputs,
     )
+    if plain:
+        return tape
+    return without_repetitions(read_tape(as_function(function.name(), tape)))  # and without products with 0 and 1
 
 
 def _dense(pattern: ca.Sparsity, entries: list[int], nodes: list[Node]) -> list[int]:
@@ -99,10 +120,12 @@ def _dense(pattern: ca.Sparsity, entries: list[int], nodes: list[Node]) -> list[
     return result
 
 
-def _read_nodes(function: ca.Function, outputs: list[list[int]]) -> list[Node]:
+def _read_nodes(function: ca.Function, outputs: list[list[int]]) -> tuple[list[Node], bool]:
+    """(nodes, are all calls tables?); outputs get the nodes of their entries."""
     holder: dict[int, int] = {}  # work register -> node that it holds now
     nodes: list[Node] = []
     operation, inputs, result_of = function.instruction_id, function.instruction_input, function.instruction_output
+    called, plain = list[ca.SX](), True
     for k in range(function.n_instructions()):
         op = operation(k)
         if op in BINARY:  # most of them
@@ -117,11 +140,44 @@ def _read_nodes(function: ca.Function, outputs: list[list[int]]) -> list[Node]:
             result, entry = result_of(k)
             outputs[result][entry] = holder[inputs(k)[0]]
             continue
+        elif op == ca.OP_CALL:
+            called = called or ca.vertsplit(function.instructions_sx())
+            plain = plain and mark_of(called[k].which_function()) is not None
+            found = _called(called[k].which_function(), [holder[one] for one in inputs(k)], nodes)
+            holder.update(zip(result_of(k), found, strict=True))
+            continue
         else:
             node = Node(op, holder[inputs(k)[0]], UNUSED, 0.0)
         holder[result_of(k)[0]] = len(nodes)
         nodes.append(node)
-    return nodes
+    return nodes, plain
+
+
+def _called(function: ca.Function, arguments: Sequence[int], nodes: list[Node]) -> list[int]:
+    """The nodes of the entries that a call gives, put behind the others: a table, or CasADi's derivative of one."""
+    value = mark_of(function)
+    if value is not None:
+        nodes.append(Node(ca.OP_CALL, arguments[0], UNUSED, value))
+        return [len(nodes) - 1]
+    inner = read_tape(_written_out(function))
+    number: list[int] = []
+    for node in inner.nodes:
+        if node.op == ca.OP_INPUT:
+            number.append(arguments[node.b])
+            continue
+        if node.op != ca.OP_CONST:
+            node = node._replace(a=number[node.a], b=UNUSED if node.b == UNUSED else number[node.b])
+        number.append(len(nodes))
+        nodes.append(node)
+    return [number[k] for k in inner.outputs[0]]
+
+
+def _written_out(function: ca.Function) -> ca.Function:
+    """A derivative of a table as operations on tables: (entries of all arguments) -> entries of all results."""
+    inputs = [ca.SX.sym("x", function.sparsity_in(k)) for k in range(function.n_in())]
+    results = [ca.project(one, function.sparsity_out(k)) for k, one in enumerate(function.call(inputs, True, False))]
+    given, found = (ca.vertcat(*(ca.vec(one.nz[:]) for one in some if one.nnz())) for some in (inputs, results))
+    return ca.Function(function.name(), [given], [ca.densify(found)])
 
 
 def node_value(node: Node, values: list[ca.SX], entries: list[ca.SX]) -> ca.SX:
@@ -130,6 +186,9 @@ def node_value(node: Node, values: list[ca.SX], entries: list[ca.SX]) -> ca.SX:
         return ca.SX(node.value)
     if node.op == ca.OP_INPUT:
         return entries[node.b]
+    if node.op == ca.OP_CALL:
+        table, order = marked(node.value)
+        return table.function(order)(values[node.a])
     if node.b == UNUSED:
         return ca.SX.unary(node.op, values[node.a])
     return ca.SX.binary(node.op, values[node.a], values[node.b])
@@ -158,6 +217,8 @@ def _matrix(values: list[ca.SX], found: list[int], shape: tuple[int, int], nodes
 
 def arithmetic(function: ca.Function) -> int:
     """Operations of a Function: `Tape.operations` of its tape."""
+    if function.find_functions():
+        return read_tape(function).operations
     moves = (ca.OP_INPUT, ca.OP_OUTPUT, ca.OP_CONST, ca.OP_PARAMETER)
     return sum(function.instruction_id(k) not in moves for k in range(function.n_instructions()))
 
@@ -174,3 +235,46 @@ def uses(tape: Tape) -> list[int]:
         for entry in entries:
             count[entry] += 1
     return count
+
+
+def without_repetitions(tape: Tape) -> Tape:
+    """The tape with what stands twice once."""
+    nodes: list[Node] = []
+    number: list[int] = []
+    seen: dict[Node, int] = {}
+    for node in tape.nodes:
+        if node.op == ca.OP_CONST:  # 0 and -0 are equal, but not the same
+            number.append(len(nodes))
+            nodes.append(node)
+            continue
+        if node.op != ca.OP_INPUT:
+            a, b = number[node.a], UNUSED if node.b == UNUSED else number[node.b]
+            node = Node(node.op, b, a, 0.0) if node.op in COMMUTING and b < a else Node(node.op, a, b, node.value)
+        k = seen.setdefault(node, len(nodes))
+        if k == len(nodes):
+            nodes.append(node)
+        number.append(k)
+    return replace(tape, nodes=nodes, outputs=[[number[k] for k in entries] for entries in tape.outputs])
+
+
+def shared(expressions: Sequence[ca.SX]) -> list[ca.SX]:
+    """Expressions with what stands twice once. CasADi does that too, but writes out tables to compare them."""
+    if not any_tables():
+        return list(ca.cse(list(expressions)))
+    whole = ca.vertcat(ca.SX(0, 1), *(ca.vec(one.nz[:]) for one in expressions if one.nnz()))
+    symbols = ca.vertcat(ca.SX(0, 1), *ca.symvar(whole))
+    function = ca.Function("shared", [symbols], [ca.densify(whole)])
+    if not function.find_functions():
+        return list(ca.cse(list(expressions)))
+    tape = without_repetitions(read_tape(function))
+    values, entries = list[ca.SX](), ca.vertsplit(symbols)
+    for node in tape.nodes:
+        values.append(node_value(node, values, entries))
+    found = iter(values[k] for k in tape.outputs[0])
+    return [ca.SX(one.sparsity(), ca.vertcat(*(next(found) for _ in range(one.nnz())))) for one in expressions]
+
+
+def code_length(function: ca.Function) -> int:
+    """Instructions of an SX Function as CasADi counts them, a table by what its evaluation takes."""
+    inside = read_tape(function).inside_tables if function.find_functions() else 0
+    return int(function.n_instructions()) + inside

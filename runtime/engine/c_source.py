@@ -13,6 +13,7 @@ import casadi as ca
 
 from runtime.contract.tape import UNUSED, Node, Tape, read_tape
 from runtime.engine.program import Program, Repeat, Until
+from runtime.engine.table_code import table_c, table_name
 
 LONGEST = 4000  # statements of one function
 CHUNK = 100
@@ -79,7 +80,7 @@ _UNARY = {
 
 def program_source(program: Program) -> str:
     """C source with `void run(double *z, const double *c, long n)`, which applies the program n times."""
-    parts = [HEADER]
+    parts = [HEADER, *map(table_c, program_tables(program))]
     numbers: dict[str, int] = {}
     for position, stage in enumerate(program.stages()):
         numbers[stage.name()] = position
@@ -94,6 +95,12 @@ def program_source(program: Program) -> str:
         f"  memcpy(z_run, z, {size} * sizeof(double));\n}}\n"
     )
     return "\n".join(parts)
+
+
+def program_tables(program: Program) -> list[float]:
+    """The marks of its tables, each once."""
+    nodes = (node for stage in program.stages() if stage.find_functions() for node in read_tape(stage).nodes)
+    return list(dict.fromkeys(node.value for node in nodes if node.op == ca.OP_CALL))
 
 
 def _control(program: Program, numbers: dict[str, int]) -> list[str]:
@@ -167,6 +174,8 @@ class _Writer:
     def _expression(self, k: int, names: dict[int, str]) -> str:
         node = self.tape.nodes[k]
         a = self._operand(node.a, names)
+        if node.op == ca.OP_CALL:
+            return f"{table_name(node.value)}({a})"
         if node.b == UNUSED:
             return _UNARY[node.op].format(a=a)
         return _BINARY[node.op].format(a=a, b=self._operand(node.b, names))

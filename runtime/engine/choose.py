@@ -8,7 +8,7 @@ from typing import Protocol
 import numpy as np
 
 from runtime.contract.errors import ArgumentError
-from runtime.contract.tape import Tape, arithmetic
+from runtime.contract.tape import Tape, arithmetic, code_length
 from runtime.engine.compiled import CompiledProgram
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.llvm_code import find_llvm
@@ -39,7 +39,7 @@ def operations_per_step(program: Program) -> int:
     def again(body: int, node: Repeat | Until) -> int:
         return body * (node.count if isinstance(node, Repeat) else node.usual)
 
-    return program.fold(lambda stage: int(stage.n_instructions()), lambda parts: sum(parts), again)
+    return program.fold(code_length, lambda parts: sum(parts), again)
 
 
 def sub_step_operations(program: Program) -> int | None:

@@ -17,8 +17,9 @@ import numpy as np
 
 from runtime.contract.cache import cache_folder
 from runtime.contract.errors import SymgenError
-from runtime.engine.c_source import program_source
+from runtime.engine.c_source import program_source, program_tables
 from runtime.engine.program import Program
+from runtime.engine.table_code import bind_library
 
 # -ffp-contract=off keeps compiled code bit-identical to the CasADi virtual machine (no fused multiply-add)
 COMMON_FLAGS = ("-shared", "-fPIC", "-march=native", "-ffp-contract=off", "-fno-math-errno")
@@ -93,16 +94,22 @@ class CompiledProgram:
         large = self.source_lines > LARGE_SOURCE
         self.library = compile_source(source, large)
         try:
-            self._run = ctypes.CDLL(str(self.library)).run
+            loaded = self._loaded(program)
         except (OSError, AttributeError):  # a damaged file in the cache: build it again, once
             self.library.unlink(missing_ok=True)
             self.library = compile_source(source, large)
             try:
-                self._run = ctypes.CDLL(str(self.library)).run
+                loaded = self._loaded(program)
             except (OSError, AttributeError) as error:
                 raise CompilerError(f"the compiled program cannot be loaded: {error}") from error
+        self._run = loaded.run
         self._run.argtypes = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long)
         self._run.restype = None
+
+    def _loaded(self, program: Program) -> ctypes.CDLL:
+        library = ctypes.CDLL(str(self.library))
+        bind_library(library, program_tables(program))
+        return library
 
     def bound(self, z: np.ndarray, c: np.ndarray) -> Callable[[int], None]:
         """`run` with z and c fixed, which must stay where they are: only the number of steps is left to give."""

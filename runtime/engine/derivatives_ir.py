@@ -43,6 +43,7 @@ class _ReversalWriter:
     def __post_init__(self) -> None:
         self.exact = Operations(1, self.form.mathematics, self.form.inline)
         self.fused = Operations(1, self.form.mathematics, self.form.inline, fused=True)
+        self.fused.tables = self.exact.tables
 
     # ---- forward ------------------------------------------------------------------------------------------------
 

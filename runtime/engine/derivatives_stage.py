@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from runtime.contract.tape import read_tape
+from runtime.contract.tape import read_tape, shared
 from runtime.engine.program import Call, Program, Repeat
 
 
@@ -97,7 +97,7 @@ class StageDerivatives:
             pulled[columns] = 0
             pulled += self.active.spread(through, ca.SX.zeros(len(self.active.c)))
         before = ca.vertcat(pulled[list(self.active.z)], cbar + pulled[[self.active.z_size + k for k in self.active.c]])
-        before = ca.cse([ca.densify(before)])[0]
+        before = shared([ca.densify(before)])[0]
         read = {symbol.name() for symbol in ca.symvar(before)}
         entries = ca.vertsplit(self.z) if self.active.z_size else []
         saved = tuple(k for k, entry in enumerate(entries) if entry.name() in read)
@@ -135,6 +135,6 @@ def _passed_on(following: ca.SX, k: int, z: ca.SX) -> bool:
 
 
 def _function(name: str, inputs: list[ca.SX], output: ca.SX, names: list[str]) -> ca.Function:
-    function = ca.Function(name, inputs, ca.cse([ca.densify(output)]), names, ["z_next"])
+    function = ca.Function(name, inputs, shared([ca.densify(output)]), names, ["z_next"])
     read_tape(function)  # raises where an operation has none
     return function

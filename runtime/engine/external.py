@@ -18,6 +18,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from runtime.contract.tape import code_length, shared
 from runtime.engine.compiled import compile_source
 from runtime.engine.native import NativeProgram
 from runtime.engine.prepare import prepare
@@ -127,10 +128,10 @@ def _program(inputs: list[ca.SX], results: list[ca.SX], c: ca.SX, values: np.nda
     """[inputs, results] -> [inputs, results]."""
     given, result = ca.vertcat(*inputs), ca.vertcat(*results)
     z = ca.SX.sym("z", given.numel() + result.numel())
-    (result,) = ca.cse(ca.substitute([result], [given], [z[: given.numel()]]))
+    (result,) = shared(ca.substitute([result], [given], [z[: given.numel()]]))
     stage = ca.Function("external", [z, c], [ca.vertcat(z[: given.numel()], result)], ["z", "c"], ["z_next"])
     prepared = prepare(Call(stage), z.numel(), c.numel())
-    operations = sum(one.n_instructions() for one in prepared.program.stages())
+    operations = sum(code_length(one) for one in prepared.program.stages())
     engine = NativeProgram(prepared.program, wait=operations <= BEST, tapes=prepared.tapes)
     return BoundProgram(engine, operations, prepared.widened(np.zeros(z.numel())), prepared.ready(values))
 

@@ -19,8 +19,17 @@ from runtime.engine.compiled import CompilerError
 from runtime.engine.llvm_ir import Form, program_ir
 from runtime.engine.object_cache import ObjectCache
 from runtime.engine.program import Program, Repeat, Until
+from runtime.engine.table_code import bind_native
 
-PRINTER = ("llvm_ir", "llvm_stage", "llvm_operations", "mathematics", "angles", "llvm_code")  # files of this folder
+PRINTER = (
+    "llvm_ir",
+    "llvm_stage",
+    "llvm_operations",
+    "mathematics",
+    "angles",
+    "table_code",
+    "llvm_code",
+)  # files of this folder
 
 
 class Effort(NamedTuple):
@@ -151,6 +160,7 @@ def linked(code: bytes, processor: Processor) -> Any:
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine(processor, 0))
     engine.add_object_file(llvm.ObjectFileRef.from_data(code))
     engine.finalize_object()
+    bind_native(engine)
     return engine
 
 
@@ -189,5 +199,7 @@ def program_digest(program: Program, tapes: Mapping[str, Tape] | None = None) ->
     digest = hashlib.sha256(control.encode())
     for stage in program.stages():
         tape = (tapes or {}).get(stage.name())
+        if tape is None and stage.find_functions():  # with the numbers of tables it were long
+            tape = read_tape(stage)
         digest.update(stage.serialize().encode() if tape is None else _content(tape))
     return digest.digest()

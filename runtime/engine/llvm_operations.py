@@ -11,6 +11,7 @@ import casadi as ca
 
 from runtime.engine.angles import WIDTHS
 from runtime.engine.mathematics import LIBRARY_BINARY, LIBRARY_UNARY, PURE, REPLACED, Lanes, own_functions, sincos
+from runtime.engine.table_code import module_ir, table_name
 
 _ARITHMETIC = {ca.OP_ADD: "fadd", ca.OP_SUB: "fsub", ca.OP_MUL: "fmul", ca.OP_DIV: "fdiv"}
 _TESTS = {ca.OP_LT: "olt", ca.OP_LE: "ole", ca.OP_EQ: "oeq", ca.OP_NE: "une"}
@@ -68,6 +69,7 @@ class Operations:
         # the functions of a fused one are those of another, which is exact, so it has no vectors of angles
         self.takes_angles_together = self.own and width == 1 and not fused
         self._beside: set[int] = set()  # widths of these vectors
+        self.tables: dict[float, None] = {}  # marks of those that were asked for, in order
         lanes = self.lanes
         called = {name: self._name(name) for name in _FUNCTIONS.values()}
         fixed = {
@@ -99,6 +101,12 @@ class Operations:
         if op in self._arithmetic:  # most of all operations: without the price of a template
             return f"  {result} = {self._arithmetic[op]} {a}, {b}"
         return self._templates[op].format(r=result, a=a, b=b)
+
+    def table(self, value: float, result: str, a: str) -> str:
+        """The call of a table, by its mark."""
+        self.tables[value] = None
+        D = self.lanes.double
+        return f"  {result} = call {D} @{table_name(value)}({D} {a})"
 
     def sine_and_cosine(self, sine: str, cosine: str, a: str) -> str:
         """Both of one angle by one call."""
@@ -145,7 +153,8 @@ class Operations:
         for name, count in (("fma", 3), ("copysign", 2), ("sqrt", 1), ("fabs", 1), ("floor", 1), ("ceil", 1)):
             arguments = ", ".join([lanes.double] * count)
             parts.append(f"declare {lanes.double} @llvm.{name}.{lanes.suffix}({arguments})")
-        return "\n".join([*parts, *beside, own_functions(lanes, self._inline) if self.own else ""])
+        parts += [*beside, own_functions(lanes, self._inline) if self.own else ""]
+        return "\n".join([*parts, module_ir(list(self.tables), lanes, self._inline)])
 
     def _lane_by_lane(self, name: str, count: int) -> str:
         """A function of the library for all lanes."""

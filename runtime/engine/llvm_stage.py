@@ -159,6 +159,10 @@ class StageWriter:
             sine, cosine = (name, other) if node.op == ca.OP_SIN else (other, name)
             self.lines.append(self.operations.sine_and_cosine(sine, cosine, a))
             return
+        if node.op == ca.OP_CALL:
+            self.names[k] = f"%v{k}"
+            self.lines.append(self.operations.table(node.value, self.names[k], a))
+            return
         b = self._operand(node.b) if node.b >= 0 else ""
         name = self.names[k] = self._number() if node.op in self.operations.single else f"%v{k}"
         self.lines.append(self.operations.text(node.op, name, a, b))

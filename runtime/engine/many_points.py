@@ -8,6 +8,7 @@ from dataclasses import replace
 import casadi as ca
 import numpy as np
 
+from runtime.contract.tables import marked
 from runtime.contract.tape import UNUSED, as_function, read_tape
 from runtime.engine.direct import Direct
 
@@ -69,7 +70,7 @@ class ManyPoints:
         self._held = sorted(one for one in read if not moving[one])
         self._outputs = [(entry, k) for entry, k in enumerate(tape.outputs[0]) if moving[k]]
         self._size = len(tape.outputs[0])
-        self._by_calls = not all(node.op in {ca.OP_INPUT, *UNARY, *BINARY} for _, node in self._nodes)
+        self._by_calls = not all(node.op in {ca.OP_INPUT, ca.OP_CALL, *UNARY, *BINARY} for _, node in self._nodes)
         held = replace(tape, output_names=["held"], output_shapes=[(len(self._held), 1)], outputs=[self._held])
         self._known = Direct(as_function("held", held)) if self._held else None
         self._whole = Direct(function)
@@ -82,9 +83,12 @@ class ManyPoints:
         known = [] if self._known is None else self._known(start).tolist()
         values: dict[int, np.ndarray | float] = dict(zip(self._held, known, strict=True))
         with np.errstate(all="ignore"):
-            for k, (op, a, b, _) in self._nodes:
+            for k, (op, a, b, value) in self._nodes:
                 if op == ca.OP_INPUT:
                     values[k] = points[:, b - self._first]
+                elif op == ca.OP_CALL:
+                    table, order = marked(value)
+                    values[k] = table(np.asarray(values[a]), order)
                 elif b == UNUSED:
                     values[k] = UNARY[op](values[a])
                 else:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import casadi as ca
@@ -16,13 +16,11 @@ import numpy as np
 
 from runtime.contract.binding_time import Place, Time, binding_times, split
 from runtime.contract.collection import no_collection
-from runtime.contract.tape import UNUSED, Node, Tape, as_function, read_tape
+from runtime.contract.tape import UNUSED, Node, Tape, as_function, read_tape, without_repetitions
 from runtime.engine.direct import Direct
 from runtime.engine.invariants import hoist_invariants, widened
 from runtime.engine.many_points import ManyPoints
 from runtime.engine.program import LONG, Program
-
-COMMUTING = (ca.OP_ADD, ca.OP_MUL)
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,24 +91,7 @@ def _input_time(name: str, entry: int) -> Time:
 
 def _shared(tape: Tape) -> Tape:
     """What stands twice in a long stage once; short ones share it already (see make_stage)."""
-    if len(tape.nodes) <= LONG:
-        return tape
-    nodes: list[Node] = []
-    number: list[int] = []
-    seen: dict[Node, int] = {}
-    for node in tape.nodes:
-        if node.op == ca.OP_CONST:  # 0 and -0 are equal, but not the same
-            number.append(len(nodes))
-            nodes.append(node)
-            continue
-        if node.op != ca.OP_INPUT:
-            a, b = number[node.a], UNUSED if node.b == UNUSED else number[node.b]
-            node = Node(node.op, b, a, 0.0) if node.op in COMMUTING and b < a else Node(node.op, a, b, 0.0)
-        k = seen.setdefault(node, len(nodes))
-        if k == len(nodes):
-            nodes.append(node)
-        number.append(k)
-    return replace(tape, nodes=nodes, outputs=[[number[k] for k in entries] for entries in tape.outputs])
+    return tape if len(tape.nodes) <= LONG else without_repetitions(tape)
 
 
 def _with_reciprocals(tape: Tape) -> Tape:
@@ -140,6 +121,7 @@ def _with_reciprocals(tape: Tape) -> Tape:
         elif node.op in (ca.OP_CONST, ca.OP_INPUT):
             number.append(added(*node))
         else:
-            number.append(added(node.op, number[node.a], UNUSED if node.b == UNUSED else number[node.b]))
+            b = UNUSED if node.b == UNUSED else number[node.b]
+            number.append(added(node.op, number[node.a], b, node.value))
     outputs = [[number[k] for k in entries] for entries in tape.outputs]
     return Tape(tape.input_names, tape.input_sizes, tape.output_names, tape.output_shapes, nodes, outputs)

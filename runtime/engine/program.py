@@ -13,6 +13,8 @@ from typing import TypeVar
 import casadi as ca
 import numpy as np
 
+from runtime.contract.tape import shared
+
 T = TypeVar("T")
 LONG = 30_000  # nodes of a stage
 
@@ -127,5 +129,5 @@ def make_stage(name: str, layout: Layout, c_size: int, body: Callable[[Fields, c
     fields = layout.unpack(z)
     z_next = layout.pack({**fields, **body(fields, c)})
     if ca.n_nodes(z_next) <= LONG:
-        (z_next,) = ca.cse([z_next])
+        (z_next,) = shared([z_next])
     return Call(ca.Function(name, [z, c], [z_next], ["z", "c"], ["z_next"]))

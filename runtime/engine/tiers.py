@@ -11,7 +11,7 @@ import time
 from collections.abc import Callable, Mapping
 from typing import Generic, NamedTuple, TypeVar
 
-from runtime.contract.tape import Tape
+from runtime.contract.tape import Tape, code_length
 from runtime.engine.llvm_code import Code, Compiler, Effort
 from runtime.engine.llvm_ir import Form
 from runtime.engine.program import Program, Repeat, Until
@@ -50,7 +50,7 @@ def best_tier(program: Program, mathematics: str) -> Tier:
 
 def program_length(program: Program) -> int:
     """Operations of the distinct stages."""
-    return sum(stage.n_instructions() for stage in program.stages())
+    return sum(code_length(stage) for stage in program.stages())
 
 
 def written_out(program: Program) -> int:
@@ -59,7 +59,7 @@ def written_out(program: Program) -> int:
     def again(body: int, node: Repeat | Until) -> int:
         return 0 if isinstance(node, Until) and not node.usual else body
 
-    return int(program.fold(lambda stage: int(stage.n_instructions()), lambda parts: sum(parts), again))
+    return int(program.fold(code_length, lambda parts: sum(parts), again))
 
 
 class Tiers(Generic[T]):

@@ -15,6 +15,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import NoResult
+from runtime.contract.tape import shared
 from runtime.gradients.course import EventPassage
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.watched import values_at
@@ -108,7 +109,7 @@ class ActingEvents:
         forward = ca.densify(ca.jtimes(found, both, ca.vertcat(*along)))
         back = ca.vertsplit(ca.densify(ca.jtimes(found, both, bar, True)), [0, z.numel(), both.numel()])
         return (
-            ca.Function("event", [z, p, steps], ca.cse([ca.densify(one) for one in happens])),
-            ca.Function("event_tangent", [*given, *along], ca.cse([forward])),
-            ca.Function("event_adjoint", [*given, bar], ca.cse(back)),
+            ca.Function("event", [z, p, steps], shared([ca.densify(one) for one in happens])),
+            ca.Function("event_tangent", [*given, *along], shared([forward])),
+            ca.Function("event_adjoint", [*given, bar], shared(back)),
         )

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
+from runtime.contract.tape import shared
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.gradients.watch import Watch
 
@@ -52,8 +53,8 @@ class Beginning:
         along, back = ca.SX.sym("along", x.numel()), ca.SX.sym("back", found.numel())
         pushed = ca.densify(ca.jtimes(found, x, along))
         pulled = ca.densify(ca.jtimes(found, x, back, True))
-        self._tangent = ca.Function("beginning_tangent", [x, along], ca.cse([pushed]))
-        self._adjoint = ca.Function("beginning_adjoint", [x, back], ca.cse([pulled]))
+        self._tangent = ca.Function("beginning_tangent", [x, along], shared([pushed]))
+        self._adjoint = ca.Function("beginning_adjoint", [x, back], shared([pulled]))
 
     def tangents(self, x: np.ndarray, slopes: np.ndarray) -> np.ndarray:
         """(active entries of z and constants, k) along dx = slopes (n_x, k)."""

@@ -14,6 +14,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import ArgumentError
+from runtime.contract.tape import shared
 from runtime.engine.native import NativeProgram
 from runtime.gradients.acting_events import Acted, ActingEvents
 from runtime.gradients.beginning import Begun
@@ -272,8 +273,8 @@ class JumpCrossing:
         along, bar = ca.SX.sym("along", p.numel()), ca.SX.sym("bar", found.numel())
         forward, back = ca.jtimes(found, p, along), ca.jtimes(found, p, bar, True)
         return (
-            ca.Function("part_tangent", [p, steps, along], ca.cse([ca.densify(forward)])),
-            ca.Function("part_adjoint", [p, steps, bar], ca.cse([ca.densify(back)])),
+            ca.Function("part_tangent", [p, steps, along], shared([ca.densify(forward)])),
+            ca.Function("part_adjoint", [p, steps, bar], shared([ca.densify(back)])),
         )
 
     @property

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from runtime.contract.tape import shared
 from runtime.engine.derivatives_stage import Active
 from runtime.engine.prepare import Prepared, prepare
 from runtime.engine.program import Call, Program
@@ -43,7 +44,7 @@ def observed_program(scheme: Scheme, names: Sequence[str], parameters: Sequence[
     outputs = slice(first, first + len(names))
     z, c = ca.SX.sym("z", outputs.stop), ca.SX.sym("c", scheme.c_size)
     seen = ca.vertcat(z[:first], ca.densify(output_values(scheme, names, z[:first], c)))
-    observe = ca.Function("observe_outputs", [z, c], ca.cse([seen]), ["z", "c"], ["z_next"])
+    observe = ca.Function("observe_outputs", [z, c], shared([seen]), ["z", "c"], ["z_next"])
     step = scheme.program().map(lambda stage: _widened(stage, outputs.stop))
     prepared = prepare(InTurn((step, Call(observe))), outputs.stop, scheme.c_size)
     assert isinstance(prepared.program, InTurn)

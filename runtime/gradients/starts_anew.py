@@ -7,6 +7,7 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
+from runtime.contract.tape import shared
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.started_anew import loop_guess, started_anew
 
@@ -46,7 +47,7 @@ class StartsAnew:
         q_i, v, loop = self._seen(steps)
         equations = self._scheme.equations(ca.vertcat(c, steps), self._scheme.layout.unpack(z))
         a = [equations.accelerations(equations.close_well(q_i, loop, t), v) for t in (before, after)]
-        return ca.Function("gap", [z, p, steps, before, after], ca.cse([ca.densify(a[0] - a[1])]))
+        return ca.Function("gap", [z, p, steps, before, after], shared([ca.densify(a[0] - a[1])]))
 
     @cached_property
     def _restarts(self) -> tuple[ca.Function, ca.Function, ca.Function]:
@@ -66,9 +67,9 @@ class StartsAnew:
         back = ca.densify(ca.jtimes(found, inputs, bar, True))
         ends = np.cumsum([0, z.numel(), p.numel(), push.numel(), w.numel()]).tolist()
         return (
-            ca.Function("restart", given, ca.cse([ca.densify(found)])),
-            ca.Function("restart_tangent", [*given, *along], ca.cse([forward])),
-            ca.Function("restart_adjoint", [*given, bar], ca.cse(ca.vertsplit(back, ends))),
+            ca.Function("restart", given, shared([ca.densify(found)])),
+            ca.Function("restart_tangent", [*given, *along], shared([forward])),
+            ca.Function("restart_adjoint", [*given, bar], shared(ca.vertsplit(back, ends))),
         )
 
     @property

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import casadi as ca
 
-from runtime.contract.tape import arithmetic
+from runtime.contract.tape import arithmetic, shared
 from runtime.schemes.options import ClosureOptions
 from runtime.schemes.scheme import Scheme
 
@@ -17,4 +17,4 @@ def evaluation_operations(scheme: Scheme) -> int:
     equations = scheme.equations(c)
     assert isinstance(scheme.options, ClosureOptions)  # who takes sub-steps closes in each of them
     a = equations.accelerations(equations.close(q_i, loop, t, scheme.options.closure_iterations), v)
-    return arithmetic(ca.Function("evaluation", [q_i, v, t, loop, c], ca.cse([a])))
+    return arithmetic(ca.Function("evaluation", [q_i, v, t, loop, c], shared([a])))

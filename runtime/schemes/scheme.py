@@ -14,6 +14,7 @@ import numpy as np
 
 from runtime.contract.coordinates import charts_in
 from runtime.contract.model import Model
+from runtime.contract.tape import shared
 from runtime.engine.direct import Direct
 from runtime.engine.program import Call, Fields, Layout, Program, make_stage
 from runtime.schemes.charts import Charts
@@ -274,5 +275,5 @@ class Scheme(ABC):
         if self.model.q_d:
             a_d = equations.dependent_accelerations(motion, v, a)
         q_i, q_d = self.charts.zeroed(motion.q_i), self.charts.zeroed_dependent(motion.q_d)
-        outputs = ca.cse([motion.t, q_i, q_d, v, v_d, a, a_d])
+        outputs = shared([motion.t, q_i, q_d, v, v_d, a, a_d])
         return ca.Function("observe", [z, c], [ca.densify(output) for output in outputs], ["z", "c"], list(OBSERVED))

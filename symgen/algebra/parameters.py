@@ -9,16 +9,15 @@ and an expression that is taken for one must keep a positive value whatever its 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
-from functools import partial
 from typing import Any, Protocol
 
 import casadi as ca
 import numpy as np
 
 from runtime.contract.records import Bound, BoundedQuantity, Parameter
-from symgen.algebra.curves import curve
+from runtime.contract.tables import Table
 
 STRICTNESS: tuple[Bound, ...] = ("any", "not negative", "positive")
 
@@ -46,24 +45,12 @@ class Readable(Protocol):
         """Its value for values of the names in it."""
 
 
-class CurvePoints(Protocol):
+class Curve(Protocol):
     """A curve through points."""
 
     @property
-    def x(self) -> tuple[float, ...]:
-        """Rising."""
-
-    @property
-    def y(self) -> tuple[float, ...]:
-        """As many."""
-
-    @property
-    def interpolation(self) -> str:
-        """`linear` or `cubic`."""
-
-    @property
-    def outside(self) -> str:
-        """`hold` or `extend`."""
+    def curve(self) -> Table:
+        """What it is between and outside them."""
 
 
 class Declarations(Protocol):
@@ -73,7 +60,7 @@ class Declarations(Protocol):
         """Those that stay as they are during a run, by name."""
 
     @property
-    def tables(self) -> Mapping[str, CurvePoints]:
+    def tables(self) -> Mapping[str, Curve]:
         """By name."""
 
     def expression(self, text: str, item: str) -> Readable:
@@ -192,22 +179,8 @@ class ParameterTable:
 
     def environment(self) -> Mapping[str, Any]:
         """Declared parameters by name, and tables as functions, for expressions in the scene."""
-        tables = {f"table {name}": partial(self._curve, name) for name in self._declarations.tables}
+        tables = {f"table {name}": table.curve.function() for name, table in self._declarations.tables.items()}
         return {**{name: self._symbols[name] for name in self._declarations.fixed_parameters()}, **tables}
-
-    def points(self, table: str) -> list[ca.SX]:
-        """The x of a table's points."""
-        return self._column(table, "x", self._declarations.tables[table].x)
-
-    def _column(self, table: str, axis: str, values: Sequence[float]) -> list[ca.SX]:
-        data = self.data(np.array(values), f"table/{table}.{axis}", "SI", "point of a table")
-        return list(ca.horzsplit(ca.densify(data)))
-
-    def _curve(self, name: str, x: ca.SX) -> ca.SX:
-        """What a table gives at x; its points are data, which enter p where the table is used."""
-        table = self._declarations.tables[name]
-        points, values = self.points(name), self._column(name, "y", table.y)
-        return curve(x, points, values, table.interpolation == "cubic", table.outside == "extend")
 
     def vector(self) -> ca.SX:
         """p as one SX column."""

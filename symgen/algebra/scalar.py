@@ -12,6 +12,7 @@ from typing import cast
 
 import casadi as ca
 
+from runtime.contract.tape import shared
 from symgen.algebra.complex_scalar import ComplexScalar
 
 ZERO, ONE = ca.SX(0), ca.SX(1)
@@ -62,7 +63,7 @@ def total(terms: Iterable[ca.SX]) -> ca.SX:
 
 def length(expressions: Sequence[ca.SX]) -> int:
     """Number of distinct operations of expressions together."""
-    return int(ca.n_nodes(ca.cse(ca.densify(ca.vertcat(*(ca.vec(value) for value in expressions))))))
+    return int(ca.n_nodes(shared([ca.densify(ca.vertcat(*(ca.vec(value) for value in expressions)))])[0]))
 
 
 def dot(u: Sequence[ca.SX], v: Sequence[ca.SX]) -> ca.SX:

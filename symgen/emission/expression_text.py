@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 import casadi as ca
 
+from runtime.contract.tables import marked
 from runtime.contract.tape import UNUSED, Node, Tape, uses
 
 LONGEST_INLINE = 96
@@ -53,12 +54,12 @@ _CALL = {
 class TapeText:
     """Statements of one tape and the text of each output entry.
 
-    labels maps an input name to the local names of its entries.
+    labels maps an input name to the local names of its entries, tables the key of a table to its name.
     """
 
-    def __init__(self, tape: Tape, labels: Mapping[str, list[str]]) -> None:
+    def __init__(self, tape: Tape, labels: Mapping[str, list[str]], tables: Mapping[int, str]) -> None:
         self.tape = tape
-        self._labels = labels
+        self._labels, self._tables = labels, tables
         self._uses = uses(tape)
         self._text: list[tuple[str, int]] = []
         self.statements: list[str] = []
@@ -109,6 +110,10 @@ class TapeText:
             return f"{self._child(node.a, _ATOM)}**{self._child(node.b, _ATOM)}", _POWER
         if node.op == ca.OP_IF_ELSE_ZERO:
             return f"ca.if_else({self._text[node.a][0]}, {self._text[node.b][0]}, 0)", _ATOM
+        if node.op == ca.OP_CALL:
+            table, order = marked(node.value)
+            which = f'"{self._tables[table.key]}"' + (f", {order}" if order else "")
+            return f"table({which})({self._text[node.a][0]})", _ATOM
         if node.op == ca.OP_ASSIGN:
             return self._text[node.a]
         arguments = [node.a] if node.b == UNUSED else [node.a, node.b]

@@ -14,7 +14,7 @@ from symgen.pipeline import Derived
 
 # what the emitted functions call their own: temporaries, arguments, outputs
 RESERVED = re.compile(
-    r"^(w\d+|c\d*|p\d*|t|ca|lam_R\d*|crossing\d*|interface\d*|shift\d*|push\d*|q\w*|M\w*|C\w*|Q\w*|inputs|outputs)$"
+    r"^(w\d+|c\d*|p\d*|t|ca|table|lam_R\d*|crossing\d*|interface\d*|shift\d*|push\d*|q\w*|M\w*|C\w*|Q\w*|inputs|outputs)$"
 )
 
 
@@ -34,7 +34,7 @@ def local_names(names: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
 
 
 class Labels:
-    """Names of a model's entries: `arguments` by input name, rows of outputs by the symbol of their size."""
+    """Names of a model's entries: `arguments` by input name, `tables` by key, rows of outputs by symbol of size."""
 
     def __init__(self, derived: Derived) -> None:
         eq, choice = derived.system.equations, derived.system.choice
@@ -66,6 +66,7 @@ class Labels:
         moving = [f"{name}{end}" for name in names for end in ("", "_dot", "_ddot")]
         moving += [*omega.values(), *self.arguments["chart"]]
         self.arguments["p"] = local_names((entry.name for entry in derived.parameters), moving)
+        self.tables = {table.curve.key: name for name, table in derived.scene.tables.items()}
         self.arguments["u"] = local_names(eq.u, [*moving, *self.arguments["p"]])
         self.arguments["c"] = self._constants(derived.tapes["constants"])
         independent = [reduced.names[c] for c in choice.independent]

@@ -13,7 +13,7 @@ from symgen.pipeline import Derived
 
 
 def data_text(derived: Derived) -> str:
-    """Default parameters and the consistent initial state; floats by repr, one entry a line."""
+    """Default parameters, the consistent initial state, tables; floats by repr, one entry a line."""
     initial = derived.initial
     names = derived.system.equations.names
     data: dict[str, Any] = {
@@ -24,7 +24,13 @@ def data_text(derived: Derived) -> str:
     }
     if initial.told:
         data["assembled"] = [text for _, text in initial.told]
-    return json.dumps(data, indent=1) + "\n"
+    text = json.dumps(data, indent=1)
+    if derived.scene.tables:  # each on a line
+        tables = (
+            f"  {json.dumps(name)}: {json.dumps(table.curve.plain())}" for name, table in derived.scene.tables.items()
+        )
+        text = text[: -len("\n}")] + ',\n "tables": {\n' + ",\n".join(tables) + "\n }\n}"
+    return text + "\n"
 
 
 def clean(value: float) -> float:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import inspect
 import textwrap
 from collections.abc import Iterable, Sequence
 
+from runtime.contract import table_function
 from runtime.contract.records import FunctionSpec, Signal
 from runtime.contract.tape import Tape
 from symgen.emission.expression_text import TapeText
@@ -16,7 +18,7 @@ from symgen.pipeline import Derived
 def model_text(derived: Derived) -> str:
     """Text of model.py."""
     labels = Labels(derived)
-    parts = [_header(derived)]
+    parts = [_header(derived), *([_tables_text()] if derived.scene.tables else [])]
     parts += [_function_text(derived.functions[name], tape, labels) for name, tape in derived.tapes.items()]
     listing = "\n".join(f'    "{name}": {name},' for name in derived.tapes)
     parts.append(f"FUNCTIONS = {{\n{listing}\n}}\n")
@@ -36,6 +38,11 @@ def _header(derived: Derived) -> str:
             entries = (f"{k} {eq.names[c]} [{eq.coordinates[c].unit}]" for k, c in enumerate(columns))
             lines += ["", f"{name}, the {what} coordinates by index:", *_wrapped(entries)]
     return "\n".join([*lines, '"""', "", "import casadi as ca", ""])
+
+
+def _tables_text() -> str:
+    """How tables are read: the text of table_function.py behind its imports."""
+    return inspect.getsource(table_function).partition("import casadi as ca\n")[2].strip() + "\n"
 
 
 def _wrapped(entries: Iterable[str]) -> list[str]:
@@ -63,7 +70,7 @@ def _signal(signal: Signal) -> str:
 
 
 def _function_text(spec: FunctionSpec, tape: Tape, labels: Labels) -> str:
-    text = TapeText(tape, labels.arguments)
+    text = TapeText(tape, labels.arguments, labels.tables)
     body = _docstring(spec)
     for argument, size in zip(tape.input_names, tape.input_sizes, strict=True):
         body.append(f'{argument} = ca.SX.sym("{argument}", {size})')

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import casadi as ca
 
-from runtime.contract.tape import Tape, read_tape
+from runtime.contract.tape import Tape, read_tape, shared
 from symgen.algebra.scalar import length
 from symgen.condensed.condensation import Condensed
 
@@ -27,7 +27,7 @@ class Kernel:
 
     def tape(self) -> Tape:
         """The kernel as straight-line code, common subexpressions shared, outputs dense."""
-        outputs = ca.cse([ca.sparsify(value) for value in self.outputs.values()])
+        outputs = shared([ca.sparsify(value) for value in self.outputs.values()])
         return read_tape(
             ca.Function("kernel", list(self.inputs.values()), outputs, list(self.inputs), list(self.outputs))
         )

@@ -10,7 +10,7 @@ import casadi as ca
 
 from symgen.scene.tables import CurveTable
 from symgen.schema.expression_nodes import Binary, Condition, FunctionCall, Negative, Node, TableValue, Where
-from symgen.schema.expression_values import casadi_value, points_name
+from symgen.schema.expression_values import casadi_value
 
 MOST_POINTS = 100  # of a table: one with more is taken to be smooth
 
@@ -20,7 +20,7 @@ def switching_values(node: Node, env: Mapping[str, Any], tables: Mapping[str, Cu
 
     Of `where` the two sides of each comparison, of `step`, `sign` and `abs` the argument, of `min` and `max` the
     distance to the least and largest of those before, of a table its argument from its points.
-    env holds the points of each table besides what the expression needs. Raises KeyError for a name that is missing.
+    Raises KeyError for a name that env does not hold.
     """
     for part in _parts(node):
         yield from switching_values(part, env, tables)
@@ -36,8 +36,7 @@ def switching_values(node: Node, env: Mapping[str, Any], tables: Mapping[str, Cu
             yield from (values[k] - reduce(extreme, values[:k]) for k in range(1, len(values)))
         case TableValue(table, argument):
             x = casadi_value(argument, env)
-            points = env[points_name(table)]
-            yield from (x - points[k] for k in _kinks(tables[table]))
+            yield from (x - tables[table].x[k] for k in _kinks(tables[table]))
 
 
 def _parts(node: Node | Condition) -> tuple[Node, ...]:
@@ -56,7 +55,7 @@ def _parts(node: Node | Condition) -> tuple[Node, ...]:
 
 
 def _kinks(table: CurveTable) -> Sequence[int]:
-    """Points: all of lines; of a natural spline the ends, if it is held there."""
+    """Points: all of lines and of monotone pieces; of a natural spline the ends, if it is held there."""
     count = len(table.x)
     if table.interpolation == "cubic":
         return () if table.outside == "extend" else (0, count - 1)

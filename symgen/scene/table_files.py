@@ -10,7 +10,7 @@ from typing import Any
 from symgen.scene.tables import MAX_POINTS
 from symgen.schema.errors import SceneError, show
 
-MAX_BYTES = 1_000_000
+MAX_BYTES = 20_000_000
 
 
 def with_tables(data: dict[str, Any], folder: Path) -> dict[str, Any]:
@@ -45,7 +45,7 @@ def read_points(path: str | Path, columns: Sequence[int], item: str) -> dict[str
         reason = getattr(error, "strerror", None) or str(error)
         raise SceneError(f"{item}.file", f"'{path}' cannot be read ({reason})", "give the path of a CSV file") from None
     if len(text) > MAX_BYTES:
-        raise SceneError(f"{item}.file", f"'{path}' is larger than 1 MB", f"give at most {MAX_POINTS} points")
+        raise SceneError(f"{item}.file", f"'{path}' is larger than 20 MB", f"give at most {MAX_POINTS} points")
     rows = _rows(f"{item}.file", text)
     try:
         x, y = ([row[column] for row in rows] for column in columns)

@@ -2,25 +2,30 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+from itertools import pairwise
 from typing import Annotated, Literal
 
+import numpy as np
 from pydantic import Field, Strict, model_validator
 
+from runtime.contract.tables import Table, table_of
 from symgen.schema.fields import Number, StrictModel, Text, refuse
 
-MAX_POINTS = 1000  # each costs some ten operations in every evaluation
+MAX_POINTS = 200_000  # each is some hundred bytes of text; an evaluation costs the same whatever their number
 
 
 class CurveTable(StrictModel):
-    """y over rising x: straight lines between the points, or the natural cubic spline through them.
+    """y over rising x: straight lines between the points, or a curve of cubic pieces through them.
 
-    outside: `hold` stays at the first and last y, `extend` goes on straight. file: a CSV that gives x and y when the
-    scene is read, from these two columns (counted from 0); the scene holds its numbers from then on.
+    interpolation: `linear`; `cubic`, the natural spline; `monotone`, Fritsch and Carlson's pieces, which overshoot
+    nowhere (PCHIP). outside: `hold` stays at the first and last y, `extend` goes on straight. file: a CSV that gives x
+    and y when the scene is read, from these two columns (counted from 0); the scene holds its numbers from then on.
     """
 
     x: tuple[Number, ...] = ()
     y: tuple[Number, ...] = ()
-    interpolation: Literal["linear", "cubic"] = "linear"
+    interpolation: Literal["linear", "cubic", "monotone"] = "linear"
     outside: Literal["hold", "extend"] = "hold"
     file: Text = ""
     columns: tuple[Annotated[int, Strict(), Field(ge=0, le=1000)], Annotated[int, Strict(), Field(ge=0, le=1000)]] = (
@@ -37,33 +42,72 @@ class CurveTable(StrictModel):
             raise refuse(
                 f"it has {len(self.x)} x and {len(self.y)} y", f"give as many of both, from 2 to {MAX_POINTS} points"
             )
-        if any(after <= before for before, after in zip(self.x, self.x[1:], strict=False)):
-            raise refuse("its x do not rise from point to point", "sort the points, and give each x once")
+        for k, (before, after) in enumerate(pairwise(self.x), 1):
+            if after <= before:
+                raise refuse(
+                    f"its x do not rise from point to point: {after!r} (point {k}) comes after {before!r}",
+                    "sort the points, and give each x once",
+                )
+        if not np.isfinite(self.curve.powers).all():
+            raise refuse("its curve is too steep for floating-point numbers", "give points further apart in x")
         return self
+
+    @cached_property
+    def curve(self) -> Table:
+        """What it is between and outside its points."""
+        x, y = np.array(self.x), np.array(self.y)
+        with np.errstate(all="ignore"):
+            h = np.diff(x)
+            pieces = {"linear": _lines, "cubic": _natural_spline, "monotone": _monotone}[self.interpolation](h, y)
+            ends = np.zeros((2, len(pieces)))
+            ends[:, 0] = y[0], y[-1]
+            if self.outside == "extend":
+                bend = 2 * pieces[2, -1] + 3 * h[-1] * pieces[3, -1] if len(pieces) > 2 else 0.0
+                ends[:, 1] = pieces[1, 0], pieces[1, -1] + h[-1] * bend
+        return table_of(x, np.column_stack([ends[0], pieces, ends[1]]))
 
     def value(self, x: float) -> float:
         """y at x as a number."""
-        k = max(0, min(len(self.x) - 2, sum(known <= x for known in self.x) - 1))
-        bends = self._bends() if self.interpolation == "cubic" else [0.0] * len(self.x)
-        h, inside = self.x[k + 1] - self.x[k], min(max(x, self.x[0]), self.x[-1])
-        a, b = (self.x[k + 1] - inside) / h, (inside - self.x[k]) / h
-        y = a * self.y[k] + b * self.y[k + 1] + ((a**3 - a) * bends[k] + (b**3 - b) * bends[k + 1]) * h**2 / 6
-        if self.outside == "hold" or inside == x:
-            return y
-        slope = (self.y[k + 1] - self.y[k]) / h + ((1 - 3 * a**2) * bends[k] + (3 * b**2 - 1) * bends[k + 1]) * h / 6
-        return y + slope * (x - inside)
+        return float(self.curve(np.float64(x)))
 
-    def _bends(self) -> list[float]:
-        """Second derivatives at the points, zero at both ends: the tridiagonal system of the natural spline."""
-        n, x, y = len(self.x), self.x, self.y
-        diagonal, right = [1.0] * n, [0.0] * n
-        upper = [0.0] * n
-        for k in range(1, n - 1):
-            before, after = x[k] - x[k - 1], x[k + 1] - x[k]
-            kink = 6 * ((y[k + 1] - y[k]) / after - (y[k] - y[k - 1]) / before)
-            diagonal[k] = 2 * (before + after) - before * upper[k - 1]
-            upper[k] = after / diagonal[k]
-            right[k] = (kink - before * right[k - 1]) / diagonal[k]
-        for k in range(n - 2, 0, -1):
-            right[k] -= upper[k] * right[k + 1]
-        return right
+
+def _lines(h: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """(2, n - 1) powers of x - x_k on each interval of length h (n - 1,) between values y (n,)."""
+    return np.array([y[:-1], np.diff(y) / h])
+
+
+def _natural_spline(h: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """(4, n - 1) the same of the spline whose second derivative is zero at both ends: a tridiagonal system."""
+    slopes, n = np.diff(y) / h, len(y)
+    lengths, kinks = h.tolist(), (6 * np.diff(slopes)).tolist()
+    upper, bends = [0.0] * n, [0.0] * n
+    for k in range(1, n - 1):
+        pivot = 2 * (lengths[k - 1] + lengths[k]) - lengths[k - 1] * upper[k - 1]
+        upper[k] = lengths[k] / pivot
+        bends[k] = (kinks[k - 1] - lengths[k - 1] * bends[k - 1]) / pivot
+    for k in range(n - 2, 0, -1):
+        bends[k] -= upper[k] * bends[k + 1]
+    begin, end = np.array(bends[:-1]), np.array(bends[1:])
+    return np.array([y[:-1], slopes - h * (2 * begin + end) / 6, begin / 2, (end - begin) / (6 * h)])
+
+
+def _monotone(h: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """(4, n - 1) the same with slopes that keep each interval monotone (Fritsch and Butland 1984, PCHIP)."""
+    slopes = np.diff(y) / h
+    if len(y) == 2:
+        return np.array([y[:-1], slopes, 0 * h, 0 * h])
+    before, after = slopes[:-1], slopes[1:]
+    w, v = 2 * h[1:] + h[:-1], h[1:] + 2 * h[:-1]
+    inner = np.where(np.sign(before) * np.sign(after) > 0, (w + v) / (w / before + v / after), 0.0)
+    first, last = _end_slope(*h[:2], *slopes[:2]), _end_slope(*h[:-3:-1], *slopes[:-3:-1])
+    d = np.concatenate([[first], inner, [last]])
+    bend = (3 * slopes - 2 * d[:-1] - d[1:]) / h
+    return np.array([y[:-1], d[:-1], bend, (d[:-1] + d[1:] - 2 * slopes) / h**2])
+
+
+def _end_slope(h: float, next_h: float, slope: float, next_slope: float) -> float:
+    """Of the parabola through the last three points, so far as that keeps the curve monotone."""
+    found = ((2 * h + next_h) * slope - h * next_slope) / (h + next_h)
+    if np.sign(found) != np.sign(slope):
+        return 0.0
+    return 3 * slope if np.sign(slope) != np.sign(next_slope) and abs(found) > 3 * abs(slope) else found

@@ -80,11 +80,6 @@ def table_name(table: str) -> str:
     return f"table {table}"
 
 
-def points_name(table: str) -> str:
-    """The entry of an environment that holds the x of a table's points."""
-    return f"points {table}"
-
-
 def float_value(node: Node, env: Mapping[str, Any]) -> float:
     """The number ``node`` stands for; only the chosen branch of a ``where`` is evaluated.
 

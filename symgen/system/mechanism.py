@@ -99,7 +99,7 @@ class Mechanism(Generic[Marker]):
         self, scene: Scene, table: ParameterTable, space: Space[Marker], equations: Equations, topology: Topology
     ) -> None:
         self.scene, self.table, self.space, self.equations = scene, table, space, equations
-        self.topology, self.reader = topology, ExpressionReader(scene, table, equations)
+        self.topology, self.reader = topology, ExpressionReader(scene, equations)
         gravity = [*scene.gravity, 0.0][: len(space.axes)]
         self.gravity = equations.gravity = [
             table.quantity(g, f"gravity.{axis}", "m/s^2", "gravity")

@@ -19,7 +19,7 @@ def structure_equations(scene: Scene, table: ParameterTable) -> Equations:
     structure = scene.structure
     assert structure is not None
     eq = blank_equations(scene)
-    env, reader = {**table.environment(), "t": eq.t, **eq.u}, ExpressionReader(scene, table, eq)
+    env, reader = {**table.environment(), "t": eq.t, **eq.u}, ExpressionReader(scene, eq)
 
     def matrix(rows: Sequence[Sequence[float | str]] | None, label: str, unit: str) -> list[Row]:
         return [

@@ -8,10 +8,8 @@ from typing import Any
 
 import casadi as ca
 
-from symgen.algebra.parameters import ParameterTable
 from symgen.scene import Scene
 from symgen.scene.switching import switching_values
-from symgen.schema.expression_values import points_name, table_name
 from symgen.system.equations import Equations
 
 SAME_DEPTH = 20  # down to which two expressions are compared
@@ -22,7 +20,6 @@ class ExpressionReader:
     """Reads expressions of a scene; equations.switching gets what changes its sign where they jump or kink in time."""
 
     scene: Scene
-    table: ParameterTable
     equations: Equations
 
     def read(self, text: float | str, item: str, owner: str, environment: Mapping[str, Any], *names: str) -> ca.SX:
@@ -33,10 +30,8 @@ class ExpressionReader:
         eq = self.equations
         expression = self.scene.expression(text, item, ("t", *eq.u, *names))
         value = expression.to_casadi(environment)
-        used = [name for name in self.scene.tables if table_name(name) in expression.names]
-        points = {points_name(name): self.table.points(name) for name in used}
         time, motion = ca.vertcat(eq.t, *eq.u.values()), ca.vertcat(*eq.q, *eq.q_dot)
-        for found in switching_values(expression.node, {**environment, **points}, self.scene.tables):
+        for found in switching_values(expression.node, environment, self.scene.tables):
             if ca.depends_on(found, time) and not ca.depends_on(found, motion) and not self._known(found):
                 eq.switching.append((owner, found))
         return value

@@ -80,6 +80,10 @@ class Graph:
             return self._mul(a, self.constant(2.0)) if self._ends_in_p(a) else self._plain(op, a, UNUSED)
         return self._plain(op, a, b)
 
+    def table(self, a: int, value: float) -> int:
+        """Node of a table at a; value: which table."""
+        return self._add((ca.OP_CALL, a, UNUSED, value), self.of_p[a])
+
     def _with_zero(self, op: int, a: int, b: int) -> int | None:
         """What is left of a sum, difference or quotient where an operand is zero or both are the same, as in CasADi."""
         if op == ca.OP_SUB and a == b:

@@ -122,4 +122,6 @@ def _entered(node: Node, argument: int, graph: Graph, numbers: list[int]) -> int
         return graph.constant(node.value)
     if node.op == ca.OP_INPUT:
         return graph.entry(argument, node.b, argument == 0)
+    if node.op == ca.OP_CALL:
+        return graph.table(numbers[node.a], node.value)
     return graph.apply(node.op, numbers[node.a], UNUSED if node.b == UNUSED else numbers[node.b])

@@ -47,7 +47,9 @@ class _Signs:
                 self._new[k] = turned
                 return
         if node.op != ca.OP_INPUT and (node.a in self._new or node.b in self._new):
-            self._new[k] = self._graph.rebuilt(node.op, self.now(node.a), self.now(node.b))
+            a, b = self.now(node.a), self.now(node.b)
+            table = node.op == ca.OP_CALL
+            self._new[k] = self._graph.table(a, node.value) if table else self._graph.rebuilt(node.op, a, b)
 
     def _turned(self, k: int) -> int | None:
         """-k for no operation more than k; None where there is no such form."""

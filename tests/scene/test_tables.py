@@ -9,11 +9,10 @@ from typing import Any
 import casadi as ca
 import numpy as np
 import pytest
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import CubicSpline, PchipInterpolator
 
 from runtime import simulate
 from runtime.contract.model import Model
-from symgen.algebra.curves import curve
 from symgen.scene import CurveTable, Scene, SceneBuilder, SceneError
 
 Build = Callable[[Scene], Model]
@@ -37,8 +36,8 @@ def pushed(force: str, **table: Any) -> Scene:
 
 
 def reference(interpolation: str, outside: str) -> Callable[[np.ndarray], np.ndarray]:
-    """NumPy's lines and SciPy's natural spline; straight on from the ends, or held."""
-    spline = CubicSpline(X, Y, bc_type="natural")
+    """NumPy's lines, SciPy's natural spline and its monotone pieces; straight on from the ends, or held."""
+    spline = PchipInterpolator(X, Y) if interpolation == "monotone" else CubicSpline(X, Y, bc_type="natural")
 
     def value(x: np.ndarray) -> np.ndarray:
         inside = np.clip(x, X[0], X[-1])
@@ -53,14 +52,14 @@ def reference(interpolation: str, outside: str) -> Callable[[np.ndarray], np.nda
 
 
 @pytest.mark.parametrize("outside", ["hold", "extend"])
-@pytest.mark.parametrize("interpolation", ["linear", "cubic"])
+@pytest.mark.parametrize("interpolation", ["linear", "cubic", "monotone"])
 def test_values_and_slopes(interpolation: Any, outside: Any) -> None:
     """As a number and in code against NumPy and SciPy, everywhere; the slope against central differences."""
     expected, x = reference(interpolation, outside), np.sort(np.append(np.linspace(-3, 4, 57), X))
     table = CurveTable(x=tuple(X), y=tuple(Y), interpolation=interpolation, outside=outside)
     np.testing.assert_allclose([table.value(float(one)) for one in x], expected(x), atol=1e-14)
     s = ca.SX.sym("s")
-    y = curve(s, ca.vertsplit(ca.SX(X)), ca.vertsplit(ca.SX(Y)), interpolation == "cubic", outside == "extend")
+    y = table.curve.function()(s)
     value, slope = ca.Function("y", [s], [y, ca.jacobian(y, s)])(x[None, :])
     np.testing.assert_allclose(np.asarray(value).ravel(), expected(x), atol=1e-14)
     apart = np.abs(x[:, None] - X).min(axis=1) > 1e-3
@@ -68,12 +67,25 @@ def test_values_and_slopes(interpolation: Any, outside: Any) -> None:
     np.testing.assert_allclose(np.asarray(slope).ravel()[apart], difference[apart], atol=1e-8)
 
 
+@pytest.mark.parametrize("kind, scipy", [("cubic", CubicSpline), ("monotone", PchipInterpolator)])
+@pytest.mark.parametrize("points", [2, 3, 100_000])
+def test_few_and_many_points_equal_scipy(kind: Any, scipy: Any, points: int) -> None:
+    """Wild data on a scattered grid: value, slope and second derivative."""
+    random = np.random.default_rng(points)
+    x = np.cumsum(random.uniform(0.5, 1.5, points))
+    y = random.normal(size=points)
+    table = CurveTable(x=tuple(x), y=tuple(y), interpolation=kind)
+    expected = scipy(x, y, bc_type="natural") if kind == "cubic" else scipy(x, y)
+    at = random.uniform(x[0], x[-1], 1000)
+    for order in range(3):
+        np.testing.assert_allclose(table.curve(at, order), expected(at, order), rtol=1e-12, atol=1e-12)
+
+
 def test_a_cart_follows_the_table(model_of: Build) -> None:
-    """The force of a run is the table at its way; its points are data, which a run may change."""
+    """The force of a run is the table at its way."""
     model = model_of(pushed('table("curve", way)', x=X, y=Y, interpolation="cubic"))
     run = simulate(model)
     np.testing.assert_allclose(run["cart.x_ddot"], reference("cubic", "hold")(run["cart.x"]), atol=1e-13)
-    assert {q.kind for q in model.parameters if q.name.startswith("table/curve.y")} == {"data"}
 
 
 def test_a_spring_with_two_rates_has_the_exact_period(model_of: Build) -> None:
@@ -123,7 +135,9 @@ def test_files_are_read_with_the_scene(tmp_path: Path) -> None:
         ('table("curve")', {"x": [0, 1], "y": [0, 1]}, "name of a table"),
         ("'curve'", {"x": [0, 1], "y": [0, 1]}, "not allowed"),
         ("table", {"x": [0, 1], "y": [0, 1]}, "table"),
-        ("0", {"x": [0, 0], "y": [0, 1]}, "do not rise"),
+        ("0", {"x": [0, 0], "y": [0, 1]}, "tables.curve: its x do not rise from point to point: 0.0 .point 1. comes"),
+        ("0", {"x": [0, np.nan], "y": [0, 1]}, "tables.curve.x.*finite"),
+        ("0", {"x": [0, 5e-324], "y": [0, 1]}, "tables.curve: its curve is too steep"),
         ("0", {"x": [0], "y": [0]}, "from 2"),
         ("0", {"x": [0, 1], "y": [0]}, "as many"),
         ("0", {"file": "missing.csv"}, "cannot be read"),

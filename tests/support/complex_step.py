@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 import casadi as ca
 import numpy as np
 
+from runtime.contract.tables import marked
 from runtime.contract.tape import UNUSED, Tape, read_tape
 from runtime.engine.program import Call, Program, Repeat, Until
 from runtime.gradients.differentiable_run import DifferentiableRun
@@ -59,6 +60,9 @@ def evaluated(tape: Tape, *inputs: np.ndarray) -> np.ndarray:
             values.append(complex(value))
         elif op == ca.OP_INPUT:
             values.append(complex(inputs[a][b]))
+        elif op == ca.OP_CALL:
+            table, order = marked(value)
+            values.append(complex(table(values[a], order)))
         else:
             values.append(UNARY[op](values[a]) if b == UNUSED else BINARY[op](values[a], values[b]))
     return np.array([values[k] for k in tape.outputs[0]])

@@ -9,6 +9,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.model import Model
+from runtime.contract.tape import code_length
 from runtime.engine.program import Program
 from runtime.schemes.grid import Grid
 from runtime.schemes.method import Method
@@ -201,7 +202,7 @@ class AdaptiveState(Method):
 
     def _sizes(self, program: Program) -> Mapping[str, int]:
         if not self._operations:
-            self._operations |= {stage.name(): int(stage.n_instructions()) for stage in program.stages()}
+            self._operations |= {stage.name(): code_length(stage) for stage in program.stages()}
         return self._operations
 
     def look_ahead(self, z: np.ndarray, jumps: Sequence[SwitchTime], halts: bool = False) -> None:

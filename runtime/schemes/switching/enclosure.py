@@ -12,6 +12,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.tape import UNUSED, Tape, read_tape
+from runtime.schemes.switching.table_bounds import bounds_of
 
 Interval = tuple[np.ndarray, np.ndarray]
 SLACK = 8 * np.finfo(float).eps  # relative: rounding of one operation, several times
@@ -36,6 +37,9 @@ class Enclosure:
                 elif node.op in COMPARISONS:
                     found = COMPARISONS[node.op](values[node.a], values[node.b] if node.b != UNUSED else values[node.a])
                     jumps |= found[0] != found[1]
+                elif node.op == ca.OP_CALL:
+                    least, most, jump = bounds_of(node.value)(*values[node.a])
+                    found, jumps = (least, most), jumps | jump
                 elif node.op in UNARY and node.b == UNUSED:
                     found = UNARY[node.op](*values[node.a])
                 elif node.op in BINARY_BOUNDS:
