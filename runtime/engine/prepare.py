@@ -19,7 +19,6 @@ from runtime.contract.collection import no_collection
 from runtime.contract.tape import UNUSED, Node, Tape, as_function, read_tape, without_repetitions
 from runtime.engine.direct import Direct
 from runtime.engine.invariants import hoist_invariants, widened
-from runtime.engine.many_points import ManyPoints
 from runtime.engine.program import LONG, Program
 
 
@@ -42,19 +41,6 @@ class Prepared:
     def ready(self, c: np.ndarray) -> np.ndarray:
         """The constants as an array for an engine."""
         return self._constants(c)
-
-    def ready_for_many(self, c: np.ndarray, last: np.ndarray) -> np.ndarray:
-        """(N, size) the same for c (c_size - k,) followed by each row of `last` (N, k)."""
-        return self._many(len(c))(c, last)
-
-    def _many(self, first: int) -> ManyPoints:
-        if first not in self._kept_many:
-            self._kept_many[first] = ManyPoints(self.constants, first)
-        return self._kept_many[first]
-
-    @cached_property
-    def _kept_many(self) -> dict[int, ManyPoints]:
-        return {}
 
     @cached_property
     def _constants(self) -> Direct:

@@ -22,7 +22,7 @@ from runtime.gradients.course import Broken, EventPassage, Hold, Jump, Stop
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.gradients.starts_anew import StartsAnew
 from runtime.schemes.switching.breaks import within
-from runtime.schemes.switching.crossing import ListedCrossing
+from runtime.schemes.switching.restart import Restart
 
 
 @dataclass(frozen=True)
@@ -250,13 +250,12 @@ class JumpCrossing:
         """By the program that a run has for it, so that the bits are the same."""
         if taken.turn.lengths is None:
             return np.asarray(self._anew.restart(*self._arguments(taken, begun))).ravel()
-        return self._listed.restarted(
-            taken.z, self._scheme.model.constants(self._p(begun)), *taken.turn.lengths, taken.clock
-        )
+        c = self._scheme.model.constants(self._p(begun))
+        return self._restart(taken.z, c, *taken.turn.lengths, taken.clock)
 
     @cached_property
-    def _listed(self) -> ListedCrossing:
-        return ListedCrossing(self._scheme)
+    def _restart(self) -> Restart:
+        return Restart(self._scheme)
 
     def _p(self, begun: Begun) -> np.ndarray:
         return begun.x[: len(self._scheme.model.parameters)]

@@ -28,14 +28,14 @@ def test_all_passages_of_one_step_are_told_in_order(model_of: Build, scheme: str
     assert [event.time for event in run.events] == pytest.approx(exact, rel=0, abs=1e-9)
 
 
-@pytest.mark.parametrize("by_lists", [True, False])
+@pytest.mark.parametrize("by_program", [True, False])
 @pytest.mark.parametrize("scheme", ["rk4", "single_rate"])
 @pytest.mark.parametrize("at", [0.512, 0.5])
 def test_an_event_just_where_a_load_jumps(
-    model_of: Build, monkeypatch: pytest.MonkeyPatch, at: float, scheme: str, by_lists: bool
+    model_of: Build, monkeypatch: pytest.MonkeyPatch, at: float, scheme: str, by_program: bool
 ) -> None:
-    """The force of 2 N that ends at a time is 3 N from there on, by an event at that time; by lists and by Python."""
-    monkeypatch.setattr(BrokenSteps, "_listed", by_lists)
+    """The force of 2 N that ends at a time is 3 N from there on, by an event at that time; by program and by Python."""
+    monkeypatch.setattr(BrokenSteps, "_by_program", by_program)
     builder = SceneBuilder("relieved").input("own", 0.0, "N").rigid("mass", mass=1.0, inertia=0.1)
     builder.prismatic("rail", "ground.origin", "mass.origin")
     builder.force("push", "mass.origin", f"where(t < {at}, 2, own)", 0.0)

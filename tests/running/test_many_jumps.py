@@ -1,4 +1,4 @@
-"""Many jumps in time: lists of calls cross them without Python, as the parts of each step would be made one by one."""
+"""Many jumps in time: the step program crosses them without Python, as their parts would be made one by one."""
 
 from __future__ import annotations
 
@@ -9,13 +9,11 @@ import numpy as np
 import pytest
 
 from runtime import DifferentiableRun, Model, simulate
-from runtime.engine.call_list import CallList
 from runtime.engine.native import NativeProgram
 from runtime.schemes.catalogue import scheme_kind
-from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.broken_steps import BrokenSteps
-from runtime.schemes.switching.crossing import ListedCrossing
+from runtime.schemes.switching.steps_with_stops import KNOWN, StopProgram
 from runtime.schemes.switching.times import switching_times
 from symgen.generate import model_of as on_demand
 from symgen.scene import Scene, SceneBuilder
@@ -50,30 +48,35 @@ def by_hand(times: np.ndarray, t_end: float, v: float = 0.0) -> tuple[int, float
 
 
 @pytest.fixture
-def listed(monkeypatch: pytest.MonkeyPatch) -> list[int]:
-    """How many lists were run; no step may be broken by Python."""
-    runs, run = list[int](), CallList.run
+def calls(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """Applications of each native call across stops; no step may be made in parts by Python."""
+    found, bound = list[int](), NativeProgram.bound
 
-    def counted(self: CallList, first: int, last: int) -> None:
-        runs.append(last - first)
-        run(self, first, last)
+    def counted(self: NativeProgram, z: np.ndarray, c: np.ndarray) -> Callable[[int], None]:
+        go = bound(self, z, c)
+
+        def noted(n: int) -> None:
+            found.append(n)
+            go(n)
+
+        return noted
 
     def refused(*_: Any) -> None:
-        raise AssertionError("a step was broken by Python")
+        raise AssertionError("a step was made in parts by Python")
 
-    monkeypatch.setattr(CallList, "run", counted)
+    monkeypatch.setattr(NativeProgram, "bound", counted)
     monkeypatch.setattr(BrokenSteps, "_break", refused)
-    return runs
+    return found
 
 
 @pytest.mark.parametrize("dt", [0.002, 0.01])  # s; of steps of 10 ms often one alone is whole between two broken ones
 @pytest.mark.parametrize("scheme", ["rk4", "exponential_adams", "single_rate"])
-def test_a_square_wave_is_exact_without_python(model_of: Build, listed: list[int], scheme: str, dt: float) -> None:
-    """Constant forces between jumps: position and velocity to rounding, and some lists for all jumps."""
+def test_a_square_wave_is_exact_without_python(model_of: Build, calls: list[int], scheme: str, dt: float) -> None:
+    """Constant forces between jumps: position and velocity to rounding, and a native call for some of them."""
     model = model_of(pushed_mass())
     jumps, x, v = pushed_by_hand(3.9)
     run = simulate(model, scheme=scheme, dt=dt, save_every=1000, force=True)
-    assert jumps > 190 and len(listed) < jumps / 3 and run.t[-1] == pytest.approx(3.9)
+    assert jumps > 190 and len(calls) < jumps / 2 and run.t[-1] == pytest.approx(3.9)
     assert run["mass.x"][-1] == pytest.approx(x, rel=1e-10)
     assert run.rate("mass.x")[-1] == pytest.approx(v, rel=1e-10)
 
@@ -81,13 +84,13 @@ def test_a_square_wave_is_exact_without_python(model_of: Build, listed: list[int
 @pytest.mark.parametrize("scheme", ["exponential_adams", "single_rate"])
 def test_other_steps_cross_by_the_same_program(model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str) -> None:
     """Steps are data of it: it is made once, and runs with other steps are those by hand."""
-    model, made, init = model_of(pushed_mass()), list[str](), ListedCrossing.__init__
+    model, made, init = model_of(pushed_mass()), list[str](), StopProgram.__init__
 
-    def counted(self: ListedCrossing, scheme: Scheme, engine: str, wait: bool) -> None:
-        made.append(engine)
-        init(self, scheme, engine, wait)
+    def counted(self: StopProgram, stepper: Stepper) -> None:
+        made.append(stepper.requested)
+        init(self, stepper)
 
-    monkeypatch.setattr(ListedCrossing, "__init__", counted)
+    monkeypatch.setattr(StopProgram, "__init__", counted)
     model.steppers.clear()
     x, v = pushed_by_hand(3.9)[1:]
     for dt in (0.0025, 0.002):
@@ -97,24 +100,13 @@ def test_other_steps_cross_by_the_same_program(model_of: Build, monkeypatch: pyt
         assert found == pytest.approx((x, v), rel=1e-9)
 
 
-@pytest.mark.parametrize("by_lists", [True, False])  # or by Python
+@pytest.mark.parametrize("by_program", [True, False])  # or by Python
 @pytest.mark.parametrize("scheme", ["rk4", "exponential_adams"])
 def test_no_time_is_lost_at_jumps_far_from_zero(
-    model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str, by_lists: bool
+    model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str, by_program: bool
 ) -> None:
-    """A mass at 10 m/s past 1,000 jumps, ten in each step, from t = 1,000 s on, clocks 7 ps apart at each.
-
-    The memory of a list is bounded by what all parts of its steps take.
-    """
-    monkeypatch.setattr(BrokenSteps, "_listed", by_lists)
-    monkeypatch.setattr("runtime.schemes.switching.listed_breaks.MOST_NUMBERS", most := 4000)
-    sizes, begin = list[int](), CallList.__init__
-
-    def seen(self: CallList, memory: np.ndarray, *others: Any) -> None:
-        sizes.append(len(memory))
-        begin(self, memory, *others)
-
-    monkeypatch.setattr(CallList, "__init__", seen)
+    """A mass at 10 m/s past 1,000 jumps, ten in each step, from t = 1,000 s on, clocks 7 ps apart at each."""
+    monkeypatch.setattr(BrokenSteps, "_by_program", by_program)
     builder = SceneBuilder("passing").rigid("mass", mass=1.0, inertia=0.1).rates({"mass.x": 10.0})
     builder.prismatic("rail", "ground.origin", "mass.origin")
     builder.force("push", "mass.origin", f"where(sin(1000 * pi * t + 0.3) > {ABOVE}, {UP}, {DOWN})", 0.0)
@@ -123,25 +115,25 @@ def test_no_time_is_lost_at_jumps_far_from_zero(
     turns, up = 2 * np.pi * np.arange(501), np.arcsin(ABOVE)
     phases = np.sort(np.concatenate([up + turns, np.pi - up + turns]))
     jumps, x, v = by_hand((phases - 0.3) / (1000 * np.pi), 1.0, 10.0)
-    assert jumps == 1000 and bool(sizes) == by_lists and max(sizes, default=0) < 3 * most
+    assert jumps == 1000
     assert run["mass.x"][-1] == pytest.approx(x, rel=0, abs=1e-9)
     assert run.rate("mass.x")[-1] == pytest.approx(v, rel=0, abs=1e-9)
 
 
 @pytest.mark.parametrize("scheme", ["rk4", "exponential_adams"])
-def test_a_comparison_crosses_jumps_in_one_native_call(
-    model_of: Build, listed: list[int], monkeypatch: pytest.MonkeyPatch, scheme: str
+def test_jumps_are_crossed_by_a_native_call_for_as_many_as_it_knows(
+    model_of: Build, calls: list[int], scheme: str
 ) -> None:
     """Whole steps before, between and behind them, too: nothing else is called."""
     model, dt = model_of(pushed_mass()), 0.002
     own = Stepper(scheme_kind(scheme).build(scheme, model, dt, None, {}), wait=True)
     c, q = model.constants(model.parameter_vector(None)), np.zeros(len(model.coordinates))
     broken = BrokenSteps(own, 0.0, dt, switching_times(model, c, 0.0, 0.6))
-    monkeypatch.delattr(NativeProgram, "run")
-    z = own.start(0.0, q, q, c, dt)
-    broken.run(z, own.ready(c, dt), c, 300)
+    z, ready = own.start(0.0, q, q, c, dt), own.ready(c, dt)
+    calls.clear()
+    broken.run(z, ready, c, 300)
     jumps, x, v = pushed_by_hand(0.6)
-    assert jumps > 10 and len(listed) == 1
+    assert jumps > 10 and len(calls) <= 1 + -(-2 * jumps // KNOWN)  # two parts at each
     there = own.scheme.observer(z=own.state(z), c=own.scheme.constants(c))
     assert float(there["q_i"]) == pytest.approx(x, rel=1e-11)
     assert float(there["q_i_dot"]) == pytest.approx(v, rel=1e-11)
@@ -162,7 +154,9 @@ def two_waves(flexible: bool = True) -> Scene:
 
 
 @pytest.mark.parametrize("scheme", ["rk4", "exponential_adams", "single_rate", "hht", "decoupled"])
-def test_lists_do_what_is_done_one_by_one(model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str) -> None:
+def test_the_program_does_what_is_done_one_by_one(
+    model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str
+) -> None:
     """Jumps within steps, several in one, at their ends, and one step behind another, with damping."""
     model = model_of(two_waves())
 
@@ -172,7 +166,7 @@ def test_lists_do_what_is_done_one_by_one(model_of: Build, monkeypatch: pytest.M
         return np.column_stack([run.q, run.q_dot, run.work()])
 
     found = course()
-    monkeypatch.setattr(BrokenSteps, "_listed", False)
+    monkeypatch.setattr(BrokenSteps, "_by_program", False)
     one_by_one = course()
     assert np.abs(found - one_by_one).max() < 1e-11 * np.abs(one_by_one).max()
 
@@ -196,7 +190,7 @@ def test_only_jumps_of_a_velocity_are_left_to_python(model_of: Build, monkeypatc
     found = simulate(model)
     assert [event.kind for event in found.events] == ["velocity_jump"] and broken
     assert all(abs(t - 0.7) < 0.005 for t in broken)
-    monkeypatch.setattr(BrokenSteps, "_listed", False)
+    monkeypatch.setattr(BrokenSteps, "_by_program", False)
     one_by_one = simulate(model)
     assert len(broken) > 90 and np.abs(found.q_dot - one_by_one.q_dot).max() < 1e-12
     assert np.abs(found.work() - one_by_one.work()).max() < 1e-12
@@ -220,7 +214,7 @@ def test_events_among_many_jumps(model_of: Build, monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr(BrokenSteps, "_break", counted)
     found = simulate(model, scheme=scheme, force=True)
     assert len(found.events) > 4 and len(set(broken)) <= len(found.events) + 1
-    monkeypatch.setattr(BrokenSteps, "_listed", False)
+    monkeypatch.setattr(BrokenSteps, "_by_program", False)
     one_by_one = simulate(model, scheme=scheme, force=True)
     assert len(set(broken)) > 60
     assert [(one.name, one.direction) for one in found.events] == [

@@ -20,12 +20,11 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.breaks import ON_THE_GRID, Breaks
-from runtime.schemes.switching.crossing import crossing, needs_crossing
 from runtime.schemes.switching.dips import first_bracket, unsure
 from runtime.schemes.switching.event_search import first_passage
 from runtime.schemes.switching.impulse import Impulse, impulse_at, may_give_impulses, moves_in_time
 from runtime.schemes.switching.legs import Acts, Leg, Legs
-from runtime.schemes.switching.listed_breaks import ListedBreaks
+from runtime.schemes.switching.steps_with_stops import StepsWithStops
 from runtime.schemes.switching.times import SwitchTime
 from runtime.schemes.switching.watched import (
     NEVER,
@@ -36,8 +35,6 @@ from runtime.schemes.switching.watched import (
     quiet_until,
     watches,
 )
-
-FEW, MOST = 16, 256  # broken steps of a list
 
 
 class BrokenSteps:
@@ -54,10 +51,9 @@ class BrokenSteps:
         self.legs, self.grid = Legs(stepper), Breaks(t0, dt, switches, known)
         self.impulses: dict[float, Impulse] = {}
         self._moves, self._switches = moves_in_time(self.model), switches
-        self._list: ListedBreaks | None = None
         self._jolted: list[int] | None = None  # broken steps in which there may be impulses
-        if self.grid.broken and self._listed and needs_crossing(stepper.scheme):
-            crossing(stepper)  # compiled before anything is run
+        # compiled before anything is run
+        self._native = StepsWithStops(stepper, self.grid) if self.grid.broken and self._by_program else None
 
     @property
     def model(self) -> Model:
@@ -69,10 +65,10 @@ class BrokenSteps:
         end = int(z[1]) + steps
         while (step := int(z[1])) < end:
             broken = self.grid.next_broken(step)
-            if broken is not None and broken < end and self._listed:
+            if broken is not None and broken < end and self._native is not None:
                 jolted = self._next_jolted(step, c)
                 if jolted != broken:
-                    self._by_list(z, ready, c, end if jolted is None else min(end, jolted))
+                    self._native.run(z, ready, c, end if jolted is None else min(end, jolted))
                     continue
             if broken == step:
                 self._break(z, c)
@@ -91,18 +87,9 @@ class BrokenSteps:
         return self._jolted[k] if k < len(self._jolted) else None
 
     @cached_property
-    def _listed(self) -> bool:
-        """May broken steps be made by lists of calls? By the scheme and the model alone, and so the bits."""
+    def _by_program(self) -> bool:
+        """May broken steps be made by one program? By the scheme and the model alone, and so the bits."""
         return not (self.legs.remembers and self.stepper.scheme.charts.size)  # charts move at a start
-
-    def _by_list(self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, end: int) -> None:
-        """All that one list has before step `end`."""
-        number = self.grid.number(int(z[1]))
-        if self._list is None or not self._list.first <= number < self._list.last:
-            now = self.grid.number(end) - number
-            most = min(max(now, FEW), MOST) if self._list is None else MOST  # who goes on will go on further
-            self._list = ListedBreaks(self.stepper, self.grid, number, c, len(ready), most)
-        self._list.run(z, ready, number, end)
 
     def _break(self, z: np.ndarray, c: np.ndarray, acts: Acts | None = None) -> None:
         """One major step in parts; acts: what events do, where they are looked for."""

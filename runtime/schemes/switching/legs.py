@@ -16,7 +16,7 @@ from runtime.schemes.scheme import Scheme
 from runtime.schemes.state_fields import Lasting
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.breaks import within
-from runtime.schemes.switching.crossing import remembers
+from runtime.schemes.switching.restart import remembers
 
 MOST_KEPT = 64  # lengths
 
