@@ -13,7 +13,7 @@ import numpy as np
 from symgen.schema.errors import SceneError, did_you_mean, show
 
 JOINTS = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
-NOISE = 1e-16  # m^2: moments of inertia a mass that come of a radius below 10 nm are a writer's rounding
+NOISE = 1e-18  # m^2: moments of inertia a mass that come of a radius below 1 nm are a writer's rounding
 MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 
