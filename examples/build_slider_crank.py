@@ -26,7 +26,7 @@ def build():
         .prismatic("slide", "ground.origin", "slider.origin")
         .revolute("C", "rod.end", "slider.origin")
         .torque("motor", "crank.origin", "where(t < 0.1, torque, 0)")
-        .measure("stroke", "x", marker_b="slider.origin")
+        .measure("stroke", "x", of="slider.origin")
         .independent("crank.theta", "rod.q1", "rod.q2")
         .initial({"crank.theta": 0.5})
         .simulation(t_end=0.2, dt=2e-5, m=[1], scheme="single_rate", save_every=5)

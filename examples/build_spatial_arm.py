@@ -27,7 +27,7 @@ def arm() -> Scene:
         .joint("weld", "grip", "forearm.end", "load.origin")
         .torque("turn", "base.origin", "6 * sin(2 * pi * t)")
         .rotational_spring_damper("lift", "base.elbow", "forearm.elbow", stiffness=200.0, free_angle=0.4)
-        .measure("height", "z", marker_b="load.origin")
+        .measure("height", "z", of="load.origin")
         .simulation(t_end=1.0, dt=1e-4, scheme="rk4", save_every=2)
         .build()
     )

@@ -26,7 +26,7 @@ def build():
     builder.rigid("pole", mass=POLE, inertia=0.0, center_of_mass=(0, LENGTH),
                   markers={"tip": {"position": (0, LENGTH)}})
     builder.revolute("hinge", "cart.origin", "pole.origin").force("motor", "cart.origin", LAW, 0)
-    builder.measure("x", "x", marker_b="cart.origin").measure("angle", "angle", marker_b="pole.origin")
+    builder.measure("x", "x", of="cart.origin").measure("angle", "angle", of="pole.origin")
     return builder.independent("cart.x", "pole.theta").simulation(t_end=5.0, dt=2e-3, scheme="rk4").build()
 
 

@@ -24,7 +24,7 @@ def build():
         builder.parameter(f"{k}_height", HEIGHT * 1e-3, "m")
         builder.beam(k, length=0.1, density=7870.0, area=f"0.008 * {k}_height", damping_ratio=0.02, youngs_modulus=2e11,
                      second_moment=f"0.008 * {k}_height**3 / 12", lateral={"ends": "clamped-free", "modes": 1})
-        builder.measure(f"{k}_y", "y", marker_a="heel.start", marker_b=f"{k}.end")  # across the rod at the crank
+        builder.measure(f"{k}_y", "y", relative_to="heel.start", of=f"{k}.end")  # across the rod at the crank
     builder.revolute("A", "ground.origin", "crank.origin").prismatic("slide", "ground.origin", "slider.origin")
     builder.revolute("B", "crank.tip", "heel.start").weld("D", "heel.end", "middle.start")
     builder.weld("E", "middle.end", "toe.start").revolute("C", "toe.end", "slider.origin")

@@ -43,7 +43,7 @@ def build():
     builder.distance("tie_rod", "chassis.rack", "upright.arm", length=0.36)
     builder.spring_damper("strut", "chassis.strut", "lower.strut", stiffness=60e3, damping=1e4, free_length=0.58)
     tyre = f"max(0, 2e5 * ({BUMP} + {HUB[1]} - hub) - 500 * hub_dot)"
-    builder.measure("hub", "z", marker_b="upright.origin").force("tyre", "upright.origin", 0, 0, tyre)
+    builder.measure("hub", "z", of="upright.origin").force("tyre", "upright.origin", 0, 0, tyre)
     return builder.simulation(t_end=2.5, dt=1e-3, scheme="rk4", save_every=5).build()
 
 

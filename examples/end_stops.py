@@ -23,7 +23,7 @@ def build():
         .input("touches", 0.0)
         .rigid("flap", mass=2.0, inertia=INERTIA, markers={"tip": {"position": (0.5, 0)}})
         .revolute("hinge", "ground.origin", "flap.origin")
-        .measure_coordinate("angle", "flap.theta")
+        .measure("angle", "coordinate", "flap.theta")
         .torque("stops", "flap.origin", f"-{STIFFNESS} * (max(angle - {REACH}, 0) + min(angle + {REACH}, 0))")
         .event("upper", f"angle - {REACH}", direction="rising", **touch)
         .event("lower", f"angle + {REACH}", direction="falling", **touch)

@@ -31,7 +31,7 @@ damping = 0.05
 [[measures]]
 type = "y"
 name = "height"
-marker_b = "rod.tip"
+of = "rod.tip"
 
 [initial.coordinates]
 "rod.theta" = -0.3

@@ -22,7 +22,7 @@ def build():
         damping_ratio=0.02, lateral={"ends": "clamped-free", "modes": 2}, stiffening=True)
     builder.revolute("pivot", "ground.origin", "hub.origin").weld("clamp", "hub.origin", "beam.start")
     builder.torque("motor", "hub.origin", "where(t < 2, 10 * sin(pi * t), 0)")
-    builder.measure("tip_y", "y", marker_b="beam.end")
+    builder.measure("tip_y", "y", of="beam.end")
     return builder.simulation(t_end=8.0, dt=0.01, scheme="rk4", save_every=4).build()
 
 

@@ -102,7 +102,7 @@ class Chain:
                 center_of_mass=(length / 2, 0),
                 markers={"tip": {"position": (length, 0)}},
             )
-            builder.revolute(f"hinge{k}", parent, f"rod{k}.origin").measure_coordinate(f"a{k}", f"rod{k}.theta")
+            builder.revolute(f"hinge{k}", parent, f"rod{k}.origin").measure(f"a{k}", "coordinate", f"rod{k}.theta")
             torque = self.torques[k][0].format(a=f"a{k}", v=f"a{k}_dot")
             builder.torque(f"drive{k}", f"rod{k}.origin", torque)
             parent = f"rod{k}.tip"

@@ -23,15 +23,11 @@ from symgen.scene.flexible import FlexibleMarker, FlexibleStiffening, SpatialMod
 from symgen.scene.inputs import DeclaredInput
 from symgen.scene.loads import Bushing, Force, Load, RotationalSpringDamper, SpringDamper, Torque
 from symgen.scene.measures import (
-    AngleMeasure,
     CoordinateMeasure,
-    DistanceMeasure,
+    MarkerMeasure,
     Measure,
     SectionForceMeasure,
     StressMeasure,
-    XMeasure,
-    YMeasure,
-    ZMeasure,
 )
 from symgen.scene.modal import Foreshortening, ModalBody, ModalMarker
 from symgen.scene.parameters import DeclaredParameter
@@ -48,9 +44,9 @@ from symgen.schema.expressions import Expression, parse_expression
 from symgen.schema.fields import Quantity
 
 __all__ = [
-    "AngleMeasure", "AnyBody", "AnyMarker", "AxialModes", "Baumgarte", "BeamBody", "BeamMarker", "Body",
-    "Bushing", "CoordinateMeasure", "CurveTable",
-    "DistanceMeasure", "Expression", "SpatialModalBody", "FlexibleMarker", "FlexibleStiffening",
+    "AnyBody", "AnyMarker", "AxialModes", "Baumgarte", "BeamBody", "BeamMarker", "Body",
+    "Bushing", "CoordinateMeasure", "MarkerMeasure", "CurveTable",
+    "Expression", "SpatialModalBody", "FlexibleMarker", "FlexibleStiffening",
     "Force", "Foreshortening", "CoordinateGroup", "GroundBody", "Initial",
     "InitialValue",
     "JOINTS", "Joint", "LateralModes", "Load", "MarkerDirections", "Measure", "ModalBody", "ModalMarker",
@@ -60,6 +56,6 @@ __all__ = [
     "RigidBody", "RigidMarker", "RotationalSpringDamper", "Scene", "SceneBuilder", "SceneError",
     "SectionForceMeasure",
     "Simulation", "SpringDamper", "StressMeasure", "Structure", "Torque", "TorsionModes",
-    "XMeasure", "YMeasure", "ZMeasure", "lateral_ends", "parse_expression", "read_mesh",
+    "lateral_ends", "parse_expression", "read_mesh",
     "with_ends",
 ]  # fmt: skip

@@ -126,21 +126,13 @@ class SceneBuilder:
         """A `Bushing`."""
         return self._pair("loads", "bushing", name, marker_a, marker_b, fields)
 
-    def measure(self, name: str, type: str, marker_b: str, marker_a: str = "ground.origin") -> Self:
-        """A measure of ``type`` angle, distance, x, y or z from marker_a to marker_b."""
-        return self._pair("measures", type, name, marker_a, marker_b, {})
-
-    def measure_section(self, name: str, type: str, marker: str) -> Self:
-        """A measure of ``type`` normal_force, shear_force, bending_moment, ... of a beam at a marker."""
-        return self._add("measures", type, name, {"marker": marker})
-
-    def measure_stress(self, name: str, gauge: str, component: str = "von_mises") -> Self:
-        """A measure of the stress of a finite-element body at `body.gauge`, or `body.all` for the largest."""
-        return self._add("measures", "stress", name, {"gauge": gauge, "component": component})
-
-    def measure_coordinate(self, name: str, coordinate: str) -> Self:
-        """A measure of a coordinate itself."""
-        return self._add("measures", "coordinate", name, {"coordinate": coordinate})
+    def measure(self, name: str, type: str, of: str, relative_to: str = "ground.origin", **fields: Any) -> Self:
+        """A measure: angle, distance, x, y or z of a marker relative to another one, coordinate of a coordinate,
+        normal_force, shear_force, bending_moment, ... of a beam at a marker, or stress of a finite-element body at
+        `body.gauge` with its component.
+        """
+        base = {} if relative_to == "ground.origin" else {"relative_to": relative_to}
+        return self._add("measures", type, name, {"of": of, **base, **fields})
 
     def structure(self, **fields: Any) -> Self:
         """A `Structure`."""

@@ -2,7 +2,8 @@
 
 Along a spanning tree from the ground, a joint that fixes an orientation up to its own angles gives them as coordinates:
 body b then follows in closed form from body a and the joint, over any number of turns and without a singular angle.
-Joints that close loops stay equations between the bodies.
+Joints that close loops stay equations between the bodies; a joint that is none without its coordinates, a screw, comes
+before those that could.
 """
 
 from __future__ import annotations
@@ -47,6 +48,17 @@ def placements_of(bodies: Sequence[Named], joints: Sequence[Joint]) -> list[Plac
     found: dict[str, Placement] = {}
     reached, queue = {"ground"}, ["ground"]
     roots = [body.name for body in bodies]
+
+    def place(parent: str, needed: bool) -> None:
+        """Reach the bodies on the joints of one, at once those beyond joints that must place a body."""
+        for joint, child, forward in _placing_from(joints, parent):
+            if child not in reached and (not needed or not joint.closes_loops()):
+                reached.add(child)
+                queue.append(child)
+                found[joint.name] = Placement(joint.name, parent, child, forward, _coordinates(joint))
+                place(child, needed=True)
+
+    place("ground", needed=True)
     while queue or roots:
         if not queue:
             root = _next_root(joints, roots, reached)
@@ -54,13 +66,9 @@ def placements_of(bodies: Sequence[Named], joints: Sequence[Joint]) -> list[Plac
             if root not in reached:
                 reached.add(root)
                 queue.append(root)
+                place(root, needed=True)
             continue
-        parent = queue.pop(0)
-        for joint, child, forward in _placing_from(joints, parent):
-            if child not in reached:
-                reached.add(child)
-                queue.append(child)
-                found[joint.name] = Placement(joint.name, parent, child, forward, _coordinates(joint))
+        place(queue.pop(0), needed=False)
     return [found[joint.name] for joint in joints if joint.name in found]
 
 

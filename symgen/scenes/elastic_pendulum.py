@@ -14,7 +14,7 @@ def elastic_pendulum() -> Scene:
         .gravity(0, -9.81)
         .rigid("bob", mass=1.0, inertia=0.01, free=True)
         .spring_damper("spring", "ground.origin", "bob.origin", stiffness=1000.0, damping=0.5, free_length=1.0)
-        .measure("stretch", "distance", marker_b="bob.origin")
+        .measure("stretch", "distance", of="bob.origin")
         .initial({"bob.x": 0.6, "bob.y": -0.8})
         .simulation(t_end=10.0, dt=1e-3, scheme="single_rate", save_every=10)
         .build()

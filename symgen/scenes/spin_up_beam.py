@@ -25,8 +25,8 @@ def spin_up_beam(stiffening: bool = True, modes: int = 5) -> Scene:
         .prescribed_angle(
             "spin", "ground.origin", "beam.start", motion=f"where(t < ramp, {RAMP}, omega * (t - ramp / 2))"
         )
-        .measure("tip_x", "x", marker_b="beam.end")
-        .measure("tip_y", "y", marker_b="beam.end")
+        .measure("tip_x", "x", of="beam.end")
+        .measure("tip_y", "y", of="beam.end")
         .simulation(t_end=20.0, dt=1e-3, scheme="single_rate", save_every=20)
         .build()
     )

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Generic, Protocol, TypeVar
 
 import casadi as ca
+import numpy as np
 
 from runtime.contract.euler_angles import NAMES
 from symgen.algebra.parameters import ParameterTable
@@ -26,6 +27,7 @@ from symgen.scene.measures import Measure, SectionForceMeasure, StressMeasure
 from symgen.schema.fields import Scope
 from symgen.system.constraint_rows import ConstraintRow, Motion
 from symgen.system.equations import Equations
+from symgen.system.errors import DerivationError
 from symgen.system.signals import motion_derivatives
 from symgen.system.switching import ExpressionReader
 from symgen.system.topology import Topology
@@ -185,7 +187,22 @@ class Mechanism(Generic[Marker]):
         eq, item = self.equations, f"joints.{joint.name}.{name}"
         env: Mapping[str, Any] = {**self.table.environment(), "t": eq.t, **eq.u}
         f = self.reader.read(getattr(joint, name), item, joint.name, env)
-        return motion_derivatives(self.scene, f, eq.t, eq.u, item)
+        motion = motion_derivatives(self.scene, f, eq.t, eq.u, item)
+        self._check_start(motion, item)
+        return motion
+
+    def _check_start(self, motion: Motion, item: str) -> None:
+        """Raises DerivationError for a motion that has no value, rate or acceleration at t = 0."""
+        eq, table = self.equations, self.table
+        u, given = ca.vertcat(*eq.u.values()), [entry.default for entry in table.entries]
+        found = ca.Function("start", [table.vector(), eq.t, u], [ca.vertcat(*motion)])(given, 0.0, eq.input_defaults)
+        for what, value in zip(("value", "rate", "acceleration"), np.array(found).ravel(), strict=True):
+            if not np.isfinite(value):
+                raise DerivationError(
+                    item,
+                    f"has no finite {what} at t = 0 ({value})",
+                    "give a motion with two derivatives there: t**2 begins smoothly where sqrt(t) does not",
+                )
 
     def _add_measures(self) -> None:
         eq = self.equations
@@ -204,22 +221,22 @@ class Mechanism(Generic[Marker]):
 
     def _measured(self, measure: Measure) -> tuple[ca.SX, str]:
         """(value, SI unit) of a measure."""
-        if measure.type == "coordinate" and measure.coordinate not in self.equations.names:
-            return self._euler_angle(measure.coordinate), "rad"
+        if measure.type == "coordinate" and measure.of not in self.equations.names:
+            return self._euler_angle(measure.of), "rad"
         if measure.type == "coordinate":
-            column = self.equations.names.index(measure.coordinate)
+            column = self.equations.names.index(measure.of)
             return self.equations.q[column], self.equations.coordinates[column].unit
         if isinstance(measure, SectionForceMeasure):
             unit = "N m" if "moment" in measure.type else "N"
-            return self.space.section_force(measure.type, measure.marker), unit
+            return self.space.section_force(measure.type, measure.of), unit
         if isinstance(measure, StressMeasure):
             return self._stress(measure), "Pa"
-        value = self.space.measure(measure.type, measure.marker_a, measure.marker_b)
+        value = self.space.measure(measure.type, measure.relative_to, measure.of)
         return value, "rad" if measure.type == "angle" else "m"
 
     def _stress(self, measure: StressMeasure) -> ca.SX:
         """Of a finite-element body at a gauge, or the largest of all."""
-        eq, (name, _, gauge) = self.equations, measure.gauge.partition(".")
+        eq, (name, _, gauge) = self.equations, measure.of.partition(".")
         body = self.scene.body(name)
         assert isinstance(body, SpatialModalBody)
         q_f = [eq.q[column] for column in eq.body_columns[name] if eq.coordinates[column].elastic]

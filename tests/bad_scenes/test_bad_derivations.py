@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from runtime import InitialStateError, ModelError, SchemeError, load_model, simulate
+from runtime.contract.errors import SymgenError
 from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.pipeline import derive
@@ -259,3 +260,12 @@ def test_growing_sub_cycling_ends_with_its_cause(tmp_path: Path) -> None:
     solution = simulate(load_model(generate(pair.build(), tmp_path / "pair")), scheme="printed")
     assert solution.status.name == "diverged"
     assert "sub-cycling itself is unstable" in solution.status.advice
+
+
+def test_a_motion_without_a_rate_at_the_start_is_named() -> None:
+    builder = pendulum().prescribed_angle("drive", "ground.origin", "rod.origin", "0.1*sqrt(t)")
+    with pytest.raises(SymgenError) as caught:
+        derive(builder.build())
+    assert caught.value.item == "joints.drive.motion"
+    assert "no finite rate at t = 0" in caught.value.problem
+    assert "t**2" in caught.value.remedy

@@ -69,7 +69,7 @@ BAD: list[tuple[str, str, str, Any, str, str]] = [
      "three"),
     ("bushing in a plane", S, "loads/+", {"type": "bushing", "name": "b", "marker_a": "ground.origin",
                                           "marker_b": "crank.tip"}, "loads[2] 'b'.type", "three dimensions"),
-    ("z in a plane", S, "measures/+", {"type": "z", "name": "z", "marker_b": "crank.tip"}, "measures[1] 'z'.type",
+    ("z in a plane", S, "measures/+", {"type": "z", "name": "z", "of": "crank.tip"}, "measures[1] 'z'.type",
      "no z"),
     ("angles in a plane", S, "bodies/0/orientation", "zyx", "bodies[0] 'crank'.orientation", "angle theta"),
     ("axis in a plane", S, "bodies/0/markers/tip/axis", [0, 1, 0], "bodies[0] 'crank'.markers.tip.axis",
@@ -96,7 +96,7 @@ def test_the_good_scene_can_be_derived() -> None:
 
 def screw_in_a_loop() -> SceneBuilder:
     builder = SceneBuilder("loop", space="spatial").rigid("nut", mass=1.0, inertia=[1, 1, 1])
-    builder.joint("cylindrical", "slot", "ground.origin", "nut.origin")
+    builder.joint("screw", "slot", "ground.origin", "nut.origin", lead=0.2)
     return builder.joint("screw", "thread", "ground.origin", "nut.origin", lead=0.1)
 
 

@@ -38,7 +38,7 @@ def fast_slider_crank(pieces: int, shapes: int) -> Scene:
     builder.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "rod0.start")
     builder.prismatic("slide", "ground.origin", "slider.origin").revolute("C", last, "slider.origin")
     for name, marker in (("a", "rod0.start"), ("b", last), ("m", half)):
-        builder.measure(f"{name}_x", "x", marker_b=marker).measure(f"{name}_y", "y", marker_b=marker)
+        builder.measure(f"{name}_x", "x", of=marker).measure(f"{name}_y", "y", of=marker)
     start = {"crank.theta": 0.0} | {f"rod{k}.theta": 0.0 for k in range(pieces)}
     return builder.independent(*independent).initial(start).rates({"crank.theta": 150.0}).build()
 

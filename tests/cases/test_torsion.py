@@ -35,7 +35,7 @@ def l_shape(count: int) -> Scene:
     builder.beam("one", length=ARMS[0], **FIELDS, **sets, markers={"corner": corner})
     builder.beam("two", length=ARMS[1], **FIELDS, **sets)
     builder.weld("root", "ground.origin", "one.start").weld("corner", "one.corner", "two.start")
-    builder.force("load", "two.end", 0.0, 0.0, "F").measure("z", "z", marker_b="two.end")
+    builder.force("load", "two.end", 0.0, 0.0, "F").measure("z", "z", of="two.end")
     return builder.build()
 
 

@@ -29,8 +29,10 @@ def pulled(fields: dict[str, Any]) -> SceneBuilder:
     builder = SceneBuilder("bar", space="spatial").parameter("P", PULL, "N").parameter("M", TURN, "N m")
     builder.flexible("bar", **fields).weld("wall", "ground.origin", "bar.root")
     builder.force("pull", "bar.tip", "P", 0.0, 0.0, frame="body").torque("bend", "bar.tip", "M")
-    builder.measure_stress("most", "bar.all").measure_stress("above", "bar.top")
-    return builder.measure_stress("along", "bar.below", "xx").measure_stress("across", "bar.axis", "yy")
+    builder.measure("most", "stress", "bar.all").measure("above", "stress", "bar.top")
+    return builder.measure("along", "stress", "bar.below", component="xx").measure(
+        "across", "stress", "bar.axis", component="yy"
+    )
 
 
 def test_a_pulled_and_bent_bar() -> None:
@@ -113,13 +115,15 @@ def test_what_does_not_fit_is_named() -> None:
         gauges = {"node": fields["gauges"]["node"] | changes}
         builder = SceneBuilder("bar", space="spatial").flexible("bar", **{**fields, "gauges": gauges})
         builder.rigid("head", mass=1.0, inertia=[1.0] * 3).weld("tip", "bar.tip", "head.origin")
-        return builder.weld("wall", "ground.origin", "bar.root").measure_stress("s", gauge, component).build()
+        return (
+            builder.weld("wall", "ground.origin", "bar.root").measure("s", "stress", gauge, component=component).build()
+        )
 
     for arguments, changes, problem in (
-        (("head.node",), {}, "s'.gauge: there is no body 'head' with gauges"),
-        (("bar.nod",), {}, "s'.gauge: body 'bar' has no gauge 'nod'; did you mean 'node'"),
+        (("head.node",), {}, "s'.of: there is no body 'head' with gauges"),
+        (("bar.nod",), {}, "s'.of: body 'bar' has no gauge 'nod'; did you mean 'node'"),
         (("bar.all", "xx"), {}, "s'.component: the largest of all gauges has no sign"),
-        (("bar",), {}, "s'.gauge: 'bar' does not name a gauge"),
+        (("bar",), {}, "s'.of: 'bar' does not name a gauge"),
         (("bar.node",), {"shapes": [[1.0, 2.0]] * 6}, "gauges.node.shapes: is not 6 x 1"),
         (("bar.node",), {"fields": [[1.0]] * 6}, "gauges.node.fields: is not 6 x 18"),
         (("bar.node",), {"forces": {"toe": [[1.0] * 6] * 6}}, "gauges.node.forces: body 'bar' has no marker 'toe'"),

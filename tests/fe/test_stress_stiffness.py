@@ -155,7 +155,7 @@ def test_rod_of_a_fast_slider_crank_from_elements(build: Build) -> None:
     builder.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "rod.big")
     builder.prismatic("slide", "ground.rail", "slider.rail").spherical("C", "rod.small", "slider.origin")
     for name, marker in (("a", "rod.big"), ("b", "rod.small"), ("m", "rod.middle")):
-        builder.measure(f"{name}_x", "x", marker_b=marker).measure(f"{name}_y", "y", marker_b=marker)
+        builder.measure(f"{name}_x", "x", of=marker).measure(f"{name}_y", "y", of=marker)
     builder.initial({"A.angle": 0.0, "B.angle": 0.0, "slide.travel": 0.45}).rates({"A.angle": 150.0})
     needed = "condensed closure velocities accelerations constraints reactions energy measures"
     model = build(builder.build(), frozenset(needed.split()))

@@ -31,7 +31,7 @@ def sliding(force: str, **parameters: float) -> Scene:
     for name, value in parameters.items():
         builder.parameter(name, value)
     builder.rigid("mass", mass=1.0, inertia=1.0).prismatic("line", "ground.origin", "mass.origin")
-    builder.measure("place", "x", marker_b="mass.origin")
+    builder.measure("place", "x", of="mass.origin")
     return builder.force("push", "mass.origin", force, 0.0).simulation(t_end=1.0, dt=0.01, scheme="rk4").build()
 
 

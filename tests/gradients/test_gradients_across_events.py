@@ -111,7 +111,7 @@ def test_events_among_jumps_of_a_flexible_hub(model_of: Build) -> None:
     section = {"area": 7e-4, "second_moment": 8e-9, "youngs_modulus": 7e10}
     builder.beam("beam", length=1.0, density=2700.0, lateral={"ends": "clamped-free", "modes": 1}, **section)
     builder.revolute("pivot", "ground.origin", "hub.origin").weld("clamp", "hub.origin", "beam.start")
-    builder.input("brake", 0.0).measure_coordinate("angle", "hub.theta")
+    builder.input("brake", 0.0).measure("angle", "coordinate", "hub.theta")
     builder.torque("drive", "hub.origin", "where(sin(w * t) > -0.5, 30, 10) - brake * angle_dot")
     builder.event("on", "angle_dot - 2", direction="rising", action={"brake": "grip * angle"})
     model = model_of(builder.simulation(t_end=0.3, dt=2e-3, scheme="exponential_rk4").build())

@@ -168,7 +168,7 @@ def test_what_is_left_open_rests(model_of: Build) -> None:
 def test_angles_wherever_values_have_names(model_of: Build, tmp_path: Any) -> None:
     """Measures and their rates, saved tables, ensembles, other starts of a run, equilibria."""
     builder = free("zyx", {"body.theta1": 0.4}, {"body.theta1": 1.0, "body.theta2": 0.5})
-    builder.measure_coordinate("yaw", "body.theta1")
+    builder.measure("yaw", "coordinate", "body.theta1")
     model = model_of(builder.build())
     run = simulate(model, t_end=0.2)
     np.testing.assert_allclose(run["yaw"], run["body.theta1"], atol=1e-14)
@@ -204,7 +204,7 @@ def test_loads_that_follow_coordinates(
     builder.joint(joints[0], "first", "ground.origin", "base.hinge")
     builder.joint(joints[1], "second", "base.next", "arm.hinge")
     for name, coordinate in (("yaw", "arm.theta1"), ("pitch", "base.theta2"), ("x", "arm.x"), ("e", "arm.e1")):
-        builder.measure_coordinate(name, coordinate)
+        builder.measure(name, "coordinate", coordinate)
     builder.torque("held", "arm.hinge", "-5 * yaw - 0.3 * yaw_dot + 2 * e * x_dot", reaction="base.next")
     builder.torque("turned", "base.hinge", "3 * pitch + 0.2 * yaw * pitch_dot - 4 * x + e_dot")
     functions = {"condensed", "closure", "velocities", "residual_jacobian"}

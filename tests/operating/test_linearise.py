@@ -64,7 +64,7 @@ def oscillator(damping: float = 0.6) -> Scene:
         .parameter("F", 0.0, "N", "force")
         .rigid("mass", mass=1.5, inertia=1.0)
         .prismatic("guide", "ground.origin", "mass.origin", damping=damping)
-        .measure("out", "x", marker_b="mass.origin")
+        .measure("out", "x", of="mass.origin")
         .force("spring", "mass.origin", "F - 40 * out", 0.0)
         .build()
     )

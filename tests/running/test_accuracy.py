@@ -46,7 +46,7 @@ class Rod:
 
     def scene(self) -> Scene:
         builder = SceneBuilder("rod").rigid("rod", mass=1.0, inertia=1.0)
-        builder.revolute("pin", "ground.origin", "rod.origin").measure_coordinate("a", "rod.theta")
+        builder.revolute("pin", "ground.origin", "rod.origin").measure("a", "coordinate", "rod.theta")
         builder.torque("drive", "rod.origin", self.torque)
         builder.initial({"rod.theta": self.start[0]}).rates({"rod.theta": self.start[1]})
         return builder.simulation(t_end=self.t_end, dt=0.01, scheme="rk4").build()

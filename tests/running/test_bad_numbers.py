@@ -28,7 +28,7 @@ def rod(events: dict[str, Any], torque: str = "u") -> Scene:
             "joints": [{"type": "revolute", "name": "pin", "marker_a": "ground.origin", "marker_b": "rod.origin"}],
             "loads": [{"type": "torque", "name": "drive", "marker": "rod.origin", "value": torque}],
             "inputs": {"u": {"default": 0.0}},
-            "measures": [{"type": "coordinate", "name": "angle", "coordinate": "rod.theta"}],
+            "measures": [{"type": "coordinate", "name": "angle", "of": "rod.theta"}],
             "events": events,
             "simulation": {"t_end": 2.0, "dt": 0.01, "scheme": "rk4"},
         }

@@ -140,11 +140,11 @@ def test_a_mechanism_at_rest_on_a_load_stays_there(model_of: Build, load: str, s
     builder = SceneBuilder(f"{load}_at_rest").rigid("rod", mass=1.0, inertia=0.1)
     if load == "hinge":
         builder.revolute("hinge", "ground.origin", "rod.origin")
-        builder.measure_coordinate("q", "rod.theta").torque("spring", "rod.origin", "-300*(q - 0.1) - 3*q_dot")
+        builder.measure("q", "coordinate", "rod.theta").torque("spring", "rod.origin", "-300*(q - 0.1) - 3*q_dot")
         builder.initial({"rod.theta": 0.1})
     else:
         builder.prismatic("rail", "ground.origin", "rod.origin")
-        builder.measure_coordinate("q", "rod.x").force("spring", "rod.origin", "9.81 - 400*q - 2*q_dot", 0.0)
+        builder.measure("q", "coordinate", "rod.x").force("spring", "rod.origin", "9.81 - 400*q - 2*q_dot", 0.0)
         builder.initial({"rod.x": 9.81 / 400})
     model = model_of(builder.simulation(t_end=0.5, dt=1e-3, scheme="rk4").build())
     run = simulate(model, scheme=scheme)

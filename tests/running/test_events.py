@@ -215,7 +215,7 @@ def test_there_and_back_within_one_step(model_of: Build, scheme: str) -> None:
 def turning(**event: Any) -> Scene:
     """A wheel from rest under 1 N m: angle = 5 t^2, which a step of any length follows."""
     builder = SceneBuilder("turning_wheel").rigid("wheel", mass=1.0, inertia=0.1)
-    builder.revolute("axle", "ground.origin", "wheel.origin").measure_coordinate("angle", "wheel.theta")
+    builder.revolute("axle", "ground.origin", "wheel.origin").measure("angle", "coordinate", "wheel.theta")
     builder.torque("drive", "wheel.origin", "1.0").event("turn", **event)
     return builder.simulation(t_end=5.0, dt=2.5, scheme="dopri5").build()
 
@@ -244,7 +244,7 @@ def test_long_steps_of_a_tolerance_pass_nothing_over(
 def end_stop(event: bool) -> Scene:
     """A rod that falls onto a spring at -1 rad."""
     builder = SceneBuilder("end_stop").gravity(0, -G).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
-    builder.revolute("pin", "ground.origin", "rod.origin").measure_coordinate("angle", "rod.theta")
+    builder.revolute("pin", "ground.origin", "rod.origin").measure("angle", "coordinate", "rod.theta")
     builder.torque("stop", "rod.origin", "where(angle < -1, 400 * (-1 - angle), 0)")
     if event:
         builder.event("contact", "angle + 1")

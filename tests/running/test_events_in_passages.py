@@ -25,7 +25,7 @@ def watched() -> Scene:
     data["name"] = "n_four_bar_events"
     data["inputs"] = {"torque": {"default": 0.0, "unit": "N m"}}
     data["loads"] = [{"type": "torque", "name": "motor", "marker": "upright0.origin", "value": "torque"}]
-    data["measures"] = [{"type": "coordinate", "name": "angle", "coordinate": "upright0.theta"}]
+    data["measures"] = [{"type": "coordinate", "name": "angle", "of": "upright0.theta"}]
     data["events"] = {
         "before": {"when": "angle - 0.02", "action": {"torque": "push"}},
         "at": {"when": "angle"},

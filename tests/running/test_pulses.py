@@ -31,7 +31,7 @@ def kicked() -> Scene:
 def rod(torque: str) -> Scene:
     """A rod about a pin through its centre, at rest."""
     builder = SceneBuilder("rod").rigid("rod", mass=1.0, inertia=INERTIA)
-    builder.revolute("pin", "ground.origin", "rod.origin").measure_coordinate("turn", "rod.theta")
+    builder.revolute("pin", "ground.origin", "rod.origin").measure("turn", "coordinate", "rod.theta")
     return builder.torque("drive", "rod.origin", torque).simulation(t_end=5.0, dt=0.05, scheme="dopri5").build()
 
 

@@ -24,7 +24,7 @@ def swung_beam() -> Scene:
               lateral={"ends": "clamped-free", "modes": 8})
         .revolute("pivot", "ground.origin", "beam.start")
         .prescribed_angle("drive", "ground.origin", "beam.start", motion="a * t**2 / 2")
-        .measure("tip_y", "y", marker_b="beam.end")
+        .measure("tip_y", "y", of="beam.end")
         .simulation(t_end=0.02, dt=0.01)
         .build()
     )  # fmt: skip

@@ -118,7 +118,7 @@ def test_measures_of_a_section_are_the_sum_of_the_modes(model_of: Build) -> None
     )
     builder.weld("wall", "ground.origin", "b.start").force("tip", "b.end", 7.0, -3.0)
     for kind in ("normal_force", "shear_force", "bending_moment"):
-        builder.measure_section(kind[:5], kind, "b.m")
+        builder.measure(kind[:5], kind, "b.m")
     run = at_rest(model_of, builder)
     expected = run.section_forces("b", 0.2, "modes")
     for name, values in (("norma", expected.normal), ("shear", expected.shear), ("bendi", expected.moment)):
@@ -133,7 +133,7 @@ def test_what_a_measure_leaves_out_is_told(model_of: Build) -> None:
         builder = SceneBuilder("cantilever").gravity(0.0, -g)
         builder.beam("b", **STIFF, lateral={"modes": 2, "ends": "welded-welded"})
         builder.weld("wall", "ground.origin", "b.start").force("tip", "b.end", 0.0, push)
-        run = at_rest(model_of, builder.measure_section("root", "bending_moment", "b.start"))
+        run = at_rest(model_of, builder.measure("root", "bending_moment", "b.start"))
         assert run.stats["missing_force.root"] == pytest.approx(lacking, rel=1e-6, abs=1e-6)
         assert [event.kind for event in run.events] == ["sections_missing"] * (lacking > 0)
     assert run["root"][0] == pytest.approx(-3.0 * L, rel=1e-6)
@@ -202,7 +202,7 @@ def test_measures_of_what_has_no_section(marker: str, kind: str, beam: dict[str,
     builder = SceneBuilder("bad").rigid("r", mass=1.0, inertia=1.0, free=True)
     builder.beam("b", **STIFF, lateral={"ends": "clamped-free", "modes": 1}, free=True, **beam)
     with pytest.raises(SceneError, match=problem):
-        builder.measure_section("s", kind, marker).build()
+        builder.measure("s", kind, marker).build()
 
 
 def test_a_measure_that_no_shapes_know_is_refused_by_name() -> None:
@@ -210,4 +210,4 @@ def test_a_measure_that_no_shapes_know_is_refused_by_name() -> None:
     builder = SceneBuilder("bad", space="spatial")
     builder.beam("b", **STIFF, second_moment_z=1e-9, lateral=bending, free=True)
     with pytest.raises(SceneError, match="'b' has no torsion shapes, which would know its torsion moment"):
-        builder.measure_section("T", "torsion_moment", "b.end").build()
+        builder.measure("T", "torsion_moment", "b.end").build()

@@ -41,7 +41,7 @@ def test_cantilever_in_any_direction(model_of: Build) -> None:
     for axis, moment in zip("xyz", (2.0, 5.0, -6.0), strict=True):
         builder.torque(f"turn_{axis}", f"b.about_{axis}", moment)
     for name, kind in zip(NAMES, KINDS, strict=True):
-        builder.measure_section(name, kind, "b.m")
+        builder.measure(name, kind, "b.m")
     run = simulate(model_of(builder.build()), scheme="rk4", dt=1e-9, t_end=2e-9, start="quasi_static")
     expected = dict(zip(NAMES, (7.0, -3.0, 4.0, 2.0, 5.0 - 4.0 * (L - X), -6.0 - 3.0 * (L - X)), strict=True))
     for way in ("equilibrium", "modes"):

@@ -7,15 +7,18 @@ import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import casadi as ca
 import numpy as np
 import pytest
 
+from runtime import simulate
+from runtime.contract.model import Model
 from symgen.algebra.scalar import ZERO
 from symgen.joints import JOINTS
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene, SceneBuilder, SceneError
 from symgen.system.joint_coordinates import JointCoordinate, JointCoordinates
 
 PLACING = [name for name, joint in JOINTS.items() if joint.motions]
@@ -82,7 +85,7 @@ damping = 0.2
 [[measures]]
 type = "x"
 name = "way"
-marker_b = "rod.origin"
+of = "rod.origin"
 [[loads]]
 type = "force"
 name = "push"
@@ -105,3 +108,33 @@ def test_a_joint_is_one_file(tmp_path: Path) -> None:
         command, capture_output=True, text=True, cwd=tmp_path, env={**os.environ, "PYTHONPATH": f"{tmp_path}:{ROOT}"}
     )
     assert found.returncode == 0, found.stderr
+
+
+def gear(*ring: str) -> SceneBuilder:
+    """Two shafts that drive one nut by screws of different leads; ring: a further screw between the shafts."""
+    builder = SceneBuilder("gear", space="spatial").ground(markers={"second": {"position": [0.2, 0.0, 0.0]}})
+    for name, spin in (("one", 0.2), ("two", 0.3)):
+        builder.rigid(name, mass=1.0, inertia=[0.2, 0.2, spin])
+    builder.rigid("nut", mass=0.5, inertia=[0.1, 0.1, 0.1], markers={"second": {"position": [0.2, 0.0, 0.0]}})
+    builder.revolute("hinge1", "ground.origin", "one.origin").revolute("hinge2", "ground.second", "two.origin")
+    builder.prismatic("guide", "ground.origin", "nut.origin")
+    builder.screw("fine", "one.origin", "nut.origin", lead=0.1).screw("coarse", "two.origin", "nut.second", lead=0.25)
+    for name in ring:
+        builder.screw(name, "one.origin", "two.origin", lead=0.3)
+    return builder.torque("motor", "one.origin", 1.0, reaction="ground.origin")
+
+
+def test_two_screws_are_a_gear(model_of: Callable[[Scene], Model]) -> None:
+    """Turns go as the leads: the first shaft feels the second's inertia by the square of their ratio, and the nut's."""
+    run = simulate(model_of(gear().build()), t_end=2.0, dt=2e-3, scheme="rk4")
+    ratio, feed = 0.1 / 0.25, 0.1 / (2 * np.pi)
+    turned = 2.0**2 / 2 / (0.2 + 0.3 * ratio**2 + 0.5 * feed**2)
+    assert abs(run["fine.angle"][-1]) == pytest.approx(turned, rel=1e-10)
+    assert abs(run["coarse.angle"][-1]) == pytest.approx(ratio * turned, rel=1e-10)
+    assert abs(run["nut.z"][-1]) == pytest.approx(feed * turned, rel=1e-10)
+
+
+def test_a_loop_of_screws_alone_is_refused() -> None:
+    with pytest.raises(SceneError, match="closes a loop of such joints alone") as caught:
+        gear("third").build()
+    assert caught.value.item == "joints[5] 'third'"

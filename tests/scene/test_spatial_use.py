@@ -213,7 +213,7 @@ def test_a_measure_reads_a_coordinate(model_of: Callable[[Scene], Model]) -> Non
     """A controller on the second angle of a universal joint: the measure is that coordinate, its rate too."""
     builder = SceneBuilder("fork", space="spatial").gravity(0, 0, -9.81)
     builder.rigid("rod", mass=1.0, inertia=[0.1, 0.1, 0.02], center_of_mass=[0, 0, -0.5])
-    builder.universal("fork", "ground.origin", "rod.origin").measure_coordinate("tilt", "fork.angle2")
+    builder.universal("fork", "ground.origin", "rod.origin").measure("tilt", "coordinate", "fork.angle2")
     builder.force("hold", "rod.center", 0, "2 * tilt + 0.1 * tilt_dot", 0)
     scene = builder.initial({"fork.angle2": 0.3}).simulation(t_end=0.2, dt=1e-3, scheme="rk4").build()
     assert Scene.from_toml_text(scene.to_toml()) == scene
@@ -223,7 +223,7 @@ def test_a_measure_reads_a_coordinate(model_of: Callable[[Scene], Model]) -> Non
     with pytest.raises(SceneError, match="tilt.*no coordinate 'fork.angel2'.*fork.angle2"):
         SceneBuilder("bad", space="spatial").rigid("rod", mass=1, inertia=[1, 1, 1]).universal(
             "fork", "ground.origin", "rod.origin"
-        ).measure_coordinate("tilt", "fork.angel2").build()
+        ).measure("tilt", "coordinate", "fork.angel2").build()
 
 
 def test_a_straight_cardan_shaft_finds_a_way_to_bend() -> None:

@@ -21,7 +21,7 @@ def against_a_stop(angle: float) -> Scene:
     builder.rigid(
         "rod", mass=1.0, inertia=0.1, markers={"hinge": {"position": (-0.5, 0)}, "tip": {"position": (0.5, 0)}}
     )
-    builder.revolute("hinge", "ground.origin", "rod.hinge").measure("height", "y", marker_b="rod.tip")
+    builder.revolute("hinge", "ground.origin", "rod.hinge").measure("height", "y", of="rod.tip")
     builder.force("stop", "rod.tip", 0, "max(0, -60 * height)")
     builder.initial({"rod.theta": angle}).rates({"rod.theta": -2.0})
     return builder.simulation(t_end=T_END, dt=DT, scheme="rk4").build()

@@ -41,7 +41,7 @@ def pushed(name: str, *torques: str) -> Scene:
     """A hinged rod with torques, parameters `on` and `w`, an input and a measure."""
     builder = SceneBuilder(name).parameter("on", 0.25, "s").parameter("w", 10.0, "rad/s").input("held", 0.6)
     builder.rigid("rod", mass=1.0, inertia=0.1).revolute("hinge", "ground.origin", "rod.origin")
-    builder.measure_coordinate("angle", "rod.theta")
+    builder.measure("angle", "coordinate", "rod.theta")
     for number, torque in enumerate(torques):
         builder.torque(f"push{number}", "rod.origin", torque)
     for table, fields in TABLES.items():

@@ -41,8 +41,8 @@ def jeffcott(damping: float) -> Scene:
     return (
         SceneBuilder("jeffcott")
         .rigid("disk", mass=2.0, inertia=0.05, free=True)
-        .measure("x", "x", marker_b="disk.origin")
-        .measure("y", "y", marker_b="disk.origin")
+        .measure("x", "x", of="disk.origin")
+        .measure("y", "y", of="disk.origin")
         .force("shaft", "disk.origin", f"-800 * x - {damping} * x_dot", f"-800 * y - {damping} * y_dot")
         .build()
     )

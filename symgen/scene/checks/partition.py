@@ -30,8 +30,8 @@ def partition_errors(scene: SceneParts) -> Iterator[SceneError]:
                 yield _unknown(f"initial.{section}['{name}']", name, known)
     yield from _angles_twice(scene)
     for index, measure in enumerate(scene.measures):
-        if measure.type == "coordinate" and measure.coordinate not in [*names, *angles]:
-            yield _unknown(f"{item_path('measures', index, measure.name)}.coordinate", measure.coordinate, names)
+        if measure.type == "coordinate" and measure.of not in [*names, *angles]:
+            yield _unknown(f"{item_path('measures', index, measure.name)}.of", measure.of, names)
     names = [*names, *(f"{body}.turn_{axis}" for body in turning for axis in "xyz")]
     independent = scene.partition.independent
     for index, name in enumerate(independent or ()):

@@ -47,10 +47,7 @@ def _known_markers(scene: SceneParts) -> dict[str, list[str]]:
 
 
 def _unknown(path: str, entry: Any, known: dict[str, list[str]]) -> Iterator[SceneError]:
-    for key in _REFERENCES:
-        reference = getattr(entry, key, None)
-        if reference is None:
-            continue
+    for key, reference in _markers(entry).items():
         body, _, marker = reference.partition(".")
         if body not in known:
             yield SceneError(f"{path}.{key}", f"there is no body '{body}'", did_you_mean(body, known))
@@ -59,9 +56,16 @@ def _unknown(path: str, entry: Any, known: dict[str, list[str]]) -> Iterator[Sce
             yield SceneError(f"{path}.{key}", f"body '{body}' has no marker '{marker}'", remedy)
 
 
+def _markers(entry: Any) -> dict[str, str]:
+    """The markers that an entry names, by key, whatever its type."""
+    if hasattr(entry, "markers"):
+        return dict(entry.markers)
+    return {key: reference for key in _REFERENCES if (reference := getattr(entry, key, None)) is not None}
+
+
 def _pair(section: str, path: str, entry: Any) -> Iterator[SceneError]:
     """What is wrong with the one or two ends that an entry has, whatever its type."""
-    ends = [reference for key in _REFERENCES if (reference := getattr(entry, key, None)) is not None]
+    ends = list(_markers(entry).values())
     if len(ends) == 1 and section == "loads" and _body(ends[0]) == "ground":
         yield SceneError(f"{path}.marker", "a load on the ground has no effect", "name a marker of a moving body")
     if len(ends) != 2:

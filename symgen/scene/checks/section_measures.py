@@ -26,10 +26,10 @@ def section_measure_errors(scene: SceneParts) -> Iterator[SceneError]:
         if not isinstance(measure, SectionForceMeasure):
             continue
         path = item_path("measures", index, measure.name)
-        body = scene.marker(measure.marker)[0]
+        body = scene.marker(measure.of)[0]
         if not isinstance(body, BeamBody) or body.lumped_elements is not None:
             yield SceneError(
-                f"{path}.marker",
+                f"{path}.of",
                 f"'{body.name}' is no beam with exact shapes",
                 "name a marker of such a beam, without mesh and elements",
             )

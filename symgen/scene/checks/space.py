@@ -47,8 +47,8 @@ def loop_errors(scene: SceneParts) -> Iterator[SceneError]:
         if scene.space == "spatial" and not joint.closes_loops() and joint.name not in placing:
             yield SceneError(
                 item_path("joints", index, joint.name),
-                f"a {joint.type} joint needs an angle of its own, which it has not where it closes a loop",
-                "name the screw before the joint that could close the loop in its place",
+                f"a {joint.type} joint needs coordinates of its own, and closes a loop of such joints alone",
+                "put a joint of another type into the loop: only that can be an equation between two bodies",
             )
 
 

@@ -25,14 +25,14 @@ def stress_measure_errors(scene: SceneParts) -> Iterator[SceneError]:
         if not isinstance(measure, StressMeasure):
             continue
         path = f"{item_path('measures', index, measure.name)}"
-        body_name, _, gauge = measure.gauge.partition(".")
+        body_name, _, gauge = measure.of.partition(".")
         if not gauges.get(body_name):
             known = [name for name, own in gauges.items() if own]
             remedy = did_you_mean(body_name, known) if known else "give FlexibleBody.fields(gauges=...) to its body"
-            yield SceneError(f"{path}.gauge", f"there is no body '{body_name}' with gauges", remedy)
+            yield SceneError(f"{path}.of", f"there is no body '{body_name}' with gauges", remedy)
         elif gauge not in (*gauges[body_name], ALL_GAUGES):
             remedy = did_you_mean(gauge, [*gauges[body_name], ALL_GAUGES])
-            yield SceneError(f"{path}.gauge", f"body '{body_name}' has no gauge '{gauge}'", remedy)
+            yield SceneError(f"{path}.of", f"body '{body_name}' has no gauge '{gauge}'", remedy)
         elif gauge == ALL_GAUGES and measure.component != "von_mises":
             yield SceneError(
                 f"{path}.component", "the largest of all gauges has no sign", 'take "von_mises", or name one gauge'
