@@ -32,8 +32,8 @@ class Model:
     assembly: what else closing its loops did that may not be what was meant.
     digest: SHA-256 of the manifest; scene_toml: an opaque text that only the generator reads; folder: where it was
     loaded from, by which it is pickled; "" if not known. input_values, sources: constants and functions of time given
-    for inputs (see `with_inputs`); driven_by: hash of what else drives a run. steppers: see
-    runtime.schemes.kept_steppers. choices: options that schemes have found to fit, by name.
+    for inputs (see `with_inputs`); driven_by: hash of what else drives a run. steppers, schemes: see
+    runtime.schemes.kept_steppers and catalogue. choices: options that schemes have found to fit, by name.
     Kernels take the run's constants c = constants(p); `function(name)` gives the same function of p.
     """
 
@@ -54,6 +54,7 @@ class Model:
     _operations: dict[str, int] = field(default_factory=dict, repr=False)
     _zero_outputs: dict[str, frozenset[str]] = field(default_factory=dict, repr=False)
     steppers: dict[tuple[Any, ...], Any] = field(default_factory=dict, repr=False, compare=False)
+    schemes: dict[tuple[Any, ...], Any] = field(default_factory=dict, repr=False, compare=False)
     choices: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -170,6 +171,7 @@ class Model:
             _operations={},
             _zero_outputs={},
             steppers={},
+            schemes={},
             choices={},
         )
 

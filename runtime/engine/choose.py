@@ -29,6 +29,9 @@ class Engine(Protocol):
     def run(self, z: np.ndarray, c: np.ndarray, n: int) -> None:
         """Apply the program n times to z."""
 
+    def run_rows(self, z: np.ndarray, c: np.ndarray, counts: np.ndarray, rows: np.ndarray) -> None:
+        """Apply the program counts (N,) times, each count followed by a copy of z to the next of rows (N, z_size)."""
+
     def bound(self, z: np.ndarray, c: np.ndarray) -> Callable[[int], None]:
         """`run` with z and c fixed, which stay where they are."""
 

@@ -111,6 +111,12 @@ class CompiledProgram:
         bind_library(library, program_tables(program))
         return library
 
+    def run_rows(self, z: np.ndarray, c: np.ndarray, counts: np.ndarray, rows: np.ndarray) -> None:
+        """Apply the program counts (N,) times, each count followed by a copy of z to the next of rows (N, z_size)."""
+        for count, row in zip(counts, rows, strict=True):
+            self.run(z, c, int(count))
+            row[:] = z
+
     def bound(self, z: np.ndarray, c: np.ndarray) -> Callable[[int], None]:
         """`run` with z and c fixed, which must stay where they are: only the number of steps is left to give."""
         return partial(self._run, z.ctypes.data, c.ctypes.data)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import threading
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -10,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from runtime.contract.tape import Tape
+from runtime.engine.drive import drive
 from runtime.engine.llvm_code import Code
 from runtime.engine.program import Program
 from runtime.engine.tiers import best_tier, code_in_tiers, first_tier
@@ -50,6 +52,16 @@ class NativeProgram:
     def run(self, z: np.ndarray, c: np.ndarray, n: int) -> None:
         """Apply the program n times to z (z_size,) with constants c, in place."""
         self._advance(z.ctypes.data, c.ctypes.data, n)
+
+    def run_rows(self, z: np.ndarray, c: np.ndarray, counts: np.ndarray, rows: np.ndarray) -> None:
+        """Apply the program counts (N,) times, each count followed by a copy of z to the next of rows (N, z_size)."""
+
+        def call(code: Code) -> None:
+            address = ctypes.cast(code.run, ctypes.c_void_p).value  # type: ignore[arg-type]
+            assert address is not None
+            drive(address, z.ctypes.data, c.ctypes.data, self._work_array(code.work), counts, rows)
+
+        self.tiers.use(call)
 
     def bound(self, z: np.ndarray, c: np.ndarray) -> Callable[[int], None]:
         """`run` with z (z_size,) and c fixed, which must stay where they are: the number of steps is left to give.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
 from typing import Any
 
@@ -12,6 +12,7 @@ import numpy as np
 from runtime.contract.coordinates import at_home, independent_part, whole
 from runtime.contract.model import Model
 from runtime.contract.status import Status
+from runtime.results.later import Later
 from runtime.results.reactions import joint_reactions
 from runtime.results.sampling import evaluate
 from runtime.results.solution import Solution
@@ -83,27 +84,7 @@ def assemble_solution(
     c: the model's constants (c_size,), or those of each sample (N, c_size).
     """
     values = {"q": q, "q_dot": q_dot, "q_ddot": q_ddot, "t": t[:, None]}
-    energy = {key: column[:, 0] for key, column in evaluate(model.kernel("energy"), values, c).items()}
-    n = len(t)
-    lam, driven, measures = np.zeros((n, 0)), np.zeros(n), np.zeros((n, 0))
-    error, rate_error = np.zeros(n), np.zeros(n)
-    parts = 6 if model.description.drawing.space == "spatial" else 3
-    forces, loads = np.zeros((n, 0, parts)), np.zeros((n, len(model.description.loads), parts))
-    if model.constraints:
-        constraint = evaluate(model.derived("constraint_errors", lambda: _constraint_errors(model)), values, c)
-        C_q = evaluate(model.kernel("constraints"), values, c)["C_q"] if model.redundant else np.zeros((n, 0))
-        lam, forces = joint_reactions(model, values, C_q, c)
-        error = np.abs(constraint["C"]).max(axis=1)
-        rate_error = np.abs(constraint["C_dot"]).max(axis=1)
-        with np.errstate(all="ignore"):  # of states that are not finite
-            driven = np.sum(lam * constraint["C_t"], axis=1)
-    if model.has("load_actions"):
-        flat = evaluate(model.kernel("load_actions"), values, c)[
-            "load_actions"
-        ]  # column by column: one load after another
-        loads = flat.reshape(n, -1, parts)
-    if model.measures:
-        measures = evaluate(model.kernel("measures"), values, c)["measures"]
+    forces = Later(lambda: _constraint_forces(model, values, c))
     return Solution(
         model=model,
         scheme=name,
@@ -115,20 +96,60 @@ def assemble_solution(
         q=q,
         q_dot=q_dot,
         q_ddot=q_ddot,
-        lam=lam,
-        energy={**energy, "power_driven": driven},
-        constraint_error=error,
-        constraint_rate_error=rate_error,
-        measures=measures,
-        joint_forces=forces,
-        load_forces=loads,
+        lam=forces.part("lam"),  # type: ignore[arg-type]
+        energy=Later(lambda: {**_energies(model, values, c), "power_driven": forces()["power_driven"]}),  # type: ignore[arg-type]
+        constraint_error=forces.part("error"),  # type: ignore[arg-type]
+        constraint_rate_error=forces.part("rate_error"),  # type: ignore[arg-type]
+        measures=Later(lambda: _measures(model, values, c)),  # type: ignore[arg-type]
+        joint_forces=forces.part("joint_forces"),  # type: ignore[arg-type]
+        load_forces=Later(lambda: _load_forces(model, values, c)),  # type: ignore[arg-type]
         stats=stats,
         status=status,
     )
 
 
+def _energies(model: Model, values: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
+    return {key: column[:, 0] for key, column in evaluate(model.kernel("energy"), dict(values), c).items()}
+
+
+def _measures(model: Model, values: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
+    if not model.measures:
+        return np.zeros((len(values["t"]), 0))
+    return evaluate(model.kernel("measures"), dict(values), c)["measures"]
+
+
+def _load_forces(model: Model, values: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
+    n = len(values["t"])
+    if not model.has("load_actions"):
+        return np.zeros((n, len(model.description.loads), _parts(model)))
+    flat = evaluate(model.kernel("load_actions"), dict(values), c)["load_actions"]  # one load after another
+    return flat.reshape(n, -1, _parts(model))
+
+
+def _constraint_forces(model: Model, values: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
+    """Multipliers, joint forces, power of the drives and how well the constraints hold."""
+    n = len(values["t"])
+    if not model.constraints:
+        nothing, none = np.zeros(n), np.zeros((n, 0))
+        found = {"lam": none, "joint_forces": np.zeros((n, 0, _parts(model))), "power_driven": nothing}
+        return {**found, "error": nothing, "rate_error": nothing}
+    constraint = evaluate(model.derived("constraint_errors", lambda: _constraint_errors(model)), dict(values), c)
+    C_q = evaluate(model.kernel("constraints"), dict(values), c)["C_q"] if model.redundant else np.zeros((n, 0))
+    lam, forces = joint_reactions(model, values, C_q, c)
+    with np.errstate(all="ignore"):  # of states that are not finite
+        driven = np.sum(lam * constraint["C_t"], axis=1)
+    errors = {"error": np.abs(constraint["C"]).max(axis=1), "rate_error": np.abs(constraint["C_dot"]).max(axis=1)}
+    return {"lam": lam, "joint_forces": forces, "power_driven": driven, **errors}
+
+
+def _parts(model: Model) -> int:
+    return 6 if model.description.drawing.space == "spatial" else 3
+
+
 def concatenated(parts: Sequence[Solution], model: Model) -> Solution:
     """One Solution from parts that follow each other, perhaps with other q_i: q_i become those of `model`."""
+    if len(parts) == 1 and parts[0].model is model:
+        return parts[0]
     arrays: dict[str, Any] = {
         entry.name: np.concatenate([getattr(part, entry.name) for part in parts])
         for entry in fields(Solution)

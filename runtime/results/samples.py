@@ -15,6 +15,7 @@ from runtime.contract.initial_values import named_values
 from runtime.contract.model import Model, ModelError
 from runtime.contract.status import Event, Status
 from runtime.results.energy_balance import STORED, EnergyBalance, energy_balance
+from runtime.results.later import WithLater
 from runtime.results.motion_error import MotionError
 from runtime.results.read_angles import read_angles
 
@@ -37,7 +38,7 @@ SERIES = (
 
 
 @dataclass(repr=False)
-class Samples:
+class Samples(WithLater):
     """N saved samples of a model with n coordinates, n_i of them independent. SI units throughout.
 
     t (N,) [s]; q, q_dot, q_ddot (N, n) in the order of model.coordinates; q_i (N, n_i) in the order of model.q_i;

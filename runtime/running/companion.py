@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cache
 from itertools import count
 from math import ceil, gcd
 
@@ -32,6 +33,7 @@ REST = 3.0  # price of what lies behind the last mark, beside the distance of a 
 EARLY, FINER = 8, 4  # marks in the first stretch of a method that damps, and how much shorter steps there are
 
 
+@cache
 def steps_of_mark(steps: int, ratio: float, base: int | None = None) -> int:
     """a: so many steps of a run as have a number b of steps in the same time that has no divisor in common with it.
 
@@ -117,7 +119,9 @@ def _compared(
     if not shown:
         return MotionError(reason="the run is too short for it")
     own = Marks(every)
-    other = begun(problem, stepped_by(problem, plan, plan.grid.dt_L * a / b, every * shown, ratio), own)
+    other = begun(
+        problem, stepped_by(problem, plan, plan.grid.dt_L * a / b, every * shown, every, ratio), own, quiet=True
+    )
     if ratio == 1 / INSIDE and (missed := loads_missed(other)):
         return MotionError(reliable_until=missed[0].time, reason=missed[0].text)
     status = other.go()
@@ -145,9 +149,9 @@ def loads_missed(run: Run) -> list[Event]:
     return [event for event in found if event.kind == "load_missed"]
 
 
-def stepped_by(problem: Problem, plan: Plan, dt: float, steps: int, ratio: float) -> Plan:
+def stepped_by(problem: Problem, plan: Plan, dt: float, steps: int, every: int, ratio: float) -> Plan:
     """The plan of a companion."""
     options = dict(plan.options)
     if plan.scheme.adaptive:
         dt, options["tolerance"] = plan.grid.dt_L, min(options["tolerance"] * (2 if ratio > 1 else 0.5), 0.1)
-    return replace(plan.with_steps(problem.model, dt, steps, options), save_every=steps, outputs=(), force=True)
+    return replace(plan.with_steps(problem.model, dt, steps, options), save_every=every, outputs=(), force=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import cast
 
 import numpy as np
 
@@ -46,22 +47,19 @@ class Happenings:
 
         None may be. Nothing has happened yet: states before the event can still be seen.
         """
-        assert isinstance(self._scheme, AdaptiveSteps)
-        return ended_at_event(self._scheme, z, self._scheme.constants(self.own.c), self._once)
+        return ended_at_event(cast(AdaptiveSteps, self._scheme), z, self._scheme.constants(self.own.c), self._once)
 
     def lie_within(self, z: np.ndarray) -> bool:
         """Is the end of the last step of z (n_z,) not behind the end of the run?"""
-        assert isinstance(self._scheme, AdaptiveSteps)
         plan = self.own.plan
-        return int(z[1]) < plan.steps or self._scheme.reached(z) <= plan.t_end + AT_THE_END
+        return int(z[1]) < plan.steps or cast(AdaptiveSteps, self._scheme).reached(z) <= plan.t_end + AT_THE_END
 
     def happen(self, z: np.ndarray, happened: list[int]) -> np.ndarray | None:
         """These events at the end of the last step of z, in place; (n_w,) the inputs if they changed.
 
         Where one ends the run, the end of the step is seen.
         """
-        scheme, own = self._scheme, self.own
-        assert isinstance(scheme, AdaptiveSteps)
+        scheme, own = cast(AdaptiveSteps, self._scheme), self.own
         before, constants, seen = z[self._inputs].copy(), scheme.constants(own.c), scheme.at_end(z)
         values, values_now = action_values(scheme, seen, constants), event_values(scheme, seen, constants)
         self._happen(z, scheme.reached(z), happened, values, values_now)

@@ -20,7 +20,7 @@ from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.solution import Solution
 from runtime.running.arguments import Further
-from runtime.running.companion import marks_of
+from runtime.running.companion import loads_missed, marks_of
 from runtime.running.load_steps import steps_that_see_loads
 from runtime.running.marks import Marks, told_by
 from runtime.running.outcome import finished
@@ -153,7 +153,7 @@ class Ladder:
         count, rungs, spent = ceil(method.first / self.unit), list[Rung](), 0.0
         while True:
             plan = self.plan(method, count * self.unit)
-            rung = self.rung(plan)
+            rung = self.rung(plan, quiet=bool(rungs))
             order = plan.scheme.order
             if rungs and not rung.lost and not rungs[-1].lost:
                 self.judge(rungs, rung, order)
@@ -165,11 +165,11 @@ class Ladder:
                 return
             count = following
 
-    def rung(self, plan: Plan) -> Rung:
-        """A whole motion."""
+    def rung(self, plan: Plan, quiet: bool) -> Rung:
+        """A whole motion; quiet: nobody looks whether its steps see what loads do."""
         marks = Marks(plan.steps // self.unit * max(1, self.unit // FIRST))
         further = Further(progress=self.further.progress)
-        run = begun(self.problem, replace(plan, outputs=()), marks, further)
+        run = begun(self.problem, replace(plan, outputs=()), marks, further, quiet=quiet)
         status = run.status if run.status is not None else run.go()
         return Rung(plan.steps, run, marks, status)
 
@@ -181,8 +181,9 @@ class Ladder:
             return
         mine, theirs = (one.marks.told([_at(one)[k] for k in common]) for one in (rung, last))
         segment = rung.run.segment
-        samples = [z for own, z in rung.run.record.samples if rung.run.record.segments[own] is segment]
-        seen = [mine, theirs, *([told_by(segment, np.array(samples))] if samples else [])]
+        record = rung.run.record
+        samples = [rows for own, rows in record.samples if record.segments[own] is segment]
+        seen = [mine, theirs, *([told_by(segment, np.concatenate(samples))] if samples else [])]
         t = np.array([rung.run.segment.plan.time(_at(rung)[k]) for k in common])
         model = self.problem.model
         rung.told = motion_error(model, t, mine, theirs, amplitudes(model, np.concatenate(seen)))
@@ -225,6 +226,8 @@ class Ladder:
         if further.bounded or (further.checkpoint is not None and not interrupted):  # once more, to keep what it makes
             plan = replace(run.record.segments[0].plan, outputs=tuple(further.outputs or ()))
             run = begun(self.problem, plan, marks_of(self.problem, plan), further)
+        elif answer is not rungs[0]:
+            run.events[:] = [*loads_missed(run), *(one for one in run.events if one.kind != "load_missed")]
         found = finished(run, lambda run, solution: error)
         stats: dict[str, float | int | str] = dict(found.stats) | {
             "tolerance": self.tolerance,
@@ -241,7 +244,7 @@ class Ladder:
             )
         if reason:
             stats["advice"] = reason
-        return replace(found, stats=stats, status=status)
+        return found.but(stats=stats, status=status)
 
 
 def _at(rung: Rung) -> dict[int, int]:

@@ -6,13 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from runtime.results.missing_sections import missing_sections
-from runtime.results.missing_shapes import missing_shapes
-from runtime.results.missing_stresses import missing_stresses
+from runtime.results.missing import missing_sections, missing_shapes, missing_stresses
 from runtime.results.singular_angles import singular_angles
 from runtime.results.solution import Solution
 from runtime.running.buckling import ADVICE, buckling
-from runtime.running.checks.deflection import flexible_bodies
+from runtime.running.monitor import flexible_bodies
 
 AT_ONCE = 1024  # samples
 
@@ -31,7 +29,7 @@ def with_limits(solution: Solution) -> Solution:
     if beyond and status.ok:
         status = replace(status, cause=beyond[0].text, advice=ADVICE)
     stats = {**solution.stats, **limits(solution), **pushed, **shares, **left_out, **not_held, **counted}
-    return replace(solution, status=status, stats=stats, events=events)
+    return solution.but(status=status, stats=stats, events=events)
 
 
 def limits(solution: Solution) -> dict[str, float]:

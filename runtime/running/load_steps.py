@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import casadi as ca
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.model import Model
+from runtime.engine.many_points import ManyPoints
 from runtime.running.time_functions import force_of_time
 from runtime.schemes.switching.times import SwitchTime
 
@@ -33,14 +33,15 @@ def steps_that_see_loads(
     inside = [one for one in switches if t0 < one.time < t_end]
     legs = list(zip([t0, *(one.after for one in inside)], [*(one.before for one in inside), t_end], strict=True))
 
-    fine = _moved(function, legs, FINE)
+    forces = ManyPoints(function)
+    fine = _moved(forces, legs, FINE)
     varies = np.ptp(fine[2], axis=1) > VARIES * np.abs(fine[2]).max(axis=1)
     if not varies.any():
         return 0
     exact, size = fine[1][varies], fine[1][varies].std(axis=1)
     least, steps = FINE, FINE // 2
     while steps >= COARSE:
-        at, found, _ = _moved(function, legs, steps)
+        at, found, _ = _moved(forces, legs, steps)
         off = found[varies] - np.array([np.interp(at, fine[0], row) for row in exact])
         if not (np.sqrt(np.mean(off**2, axis=1)) <= SEES * size).all():
             break
@@ -49,7 +50,7 @@ def steps_that_see_loads(
 
 
 def _moved(
-    function: ca.Function, legs: Sequence[tuple[float, float]], steps: int
+    function: ManyPoints, legs: Sequence[tuple[float, float]], steps: int
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(times of ends of steps, what each force alone moves until then, forces that were seen), (n_i, .) each."""
     span = legs[-1][1] - legs[0][0]
@@ -57,7 +58,7 @@ def _moved(
     for begin, end in legs:
         count = max(1, round(steps * (end - begin) / span))
         t = np.linspace(begin, end, 2 * count + 1)
-        forces, h = np.asarray(function(t[None, :])).reshape(-1, len(t)), (end - begin) / count
+        forces, h = function(np.zeros(0), t[:, None]).T, (end - begin) / count
         first, middle, last = forces[:, 0:-1:2], forces[:, 1::2], forces[:, 2::2]
         rises.append(h / 6 * (first + 4 * middle + last))
         moves.append(h * h / 6 * (first + 2 * middle))

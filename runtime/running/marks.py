@@ -25,11 +25,13 @@ class Marks:
         left = self.every - step % self.every
         return min(left, self.early - step % self.early) if self.early and step < self.every else left
 
-    def look(self, segment: Segment, z: np.ndarray) -> None:
-        """Keep the state, if it is at a mark."""
-        step = segment.step_of(z)
-        if step and self.until_next(step - 1) == 1:
-            self.states[step] = (segment, segment.state(z).copy())
+    def look(self, segment: Segment, rows: np.ndarray) -> None:
+        """Keep those of the states (N, n_z) that are at a mark."""
+        size = segment.plan.scheme.layout.size
+        for row in rows:
+            step = segment.step_of(row)
+            if step and self.until_next(step - 1) == 1:
+                self.states[step] = (segment, row[:size].copy())
 
     def drop_from(self, step: int) -> None:
         """Forget the states of this step and of later ones."""

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 
 from runtime.contract.files import OutputError
 from runtime.contract.status import Status
-from runtime.engine.choose import sub_step_operations
 from runtime.results.export import run_header
 from runtime.results.motion_error import MotionError
 from runtime.results.solution import Solution
@@ -18,8 +16,6 @@ from runtime.results.stream import StreamFile
 from runtime.running.limits import with_limits
 from runtime.running.run import Run
 from runtime.running.segment import Segment
-from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
-from runtime.schemes.evaluation import evaluation_operations
 
 LARGEST = 0.1  # of an amplitude: the error from which a run is not accurate
 WORTH_A_WORD = 0.03  # of an amplitude
@@ -45,9 +41,7 @@ def _ended(run: Run, measure: Measure) -> Solution:
     run.record.flush()
     solution = run.record.solution(last)
     stats = {**_statistics(run.segment, run.z, run.set_up, wall), **solution.stats, **_circumstances(run)}
-    solution = replace(
-        solution, status=status, stats=stats, events=run.events, parameters=run.segment.p, stops=_stops(run)
-    )
+    solution = solution.but(status=status, stats=stats, events=run.events, parameters=run.segment.p, stops=_stops(run))
     solution = with_error(solution, measure(run, solution) if status.ok else MotionError(reason=f"it is {status.name}"))
     solution = with_limits(solution)
     table = run.record.table
@@ -56,7 +50,7 @@ def _ended(run: Run, measure: Measure) -> Solution:
         try:
             table.write_header({**run_header(solution), "parameters": run.segment.p.tolist(), "outputs": outputs})
         except OutputError as error:  # the header that is there says that the run did not come to its end
-            solution = replace(solution, status=Status("output_failed", status.time, None, str(error)))
+            solution = solution.but(status=Status("output_failed", status.time, None, str(error)))
     return solution
 
 
@@ -83,7 +77,7 @@ def with_error(solution: Solution, error: MotionError) -> Solution:
         stats["error_not_measured"] = error.reason
         if error.reliable_until is not None and status.ok:
             status = Status("inaccurate", status.time, None, error.reason, ADVICE)
-        return replace(solution, error=error, stats=stats, status=status)
+        return solution.but(error=error, stats=stats, status=status)
     stats |= {"error": error.largest, "error_of": error.of}
     worst = max(error.judged, key=lambda name: error.judged[name])
     if error.reliable_until is not None:
@@ -97,7 +91,7 @@ def with_error(solution: Solution, error: MotionError) -> Solution:
         stats["remark"] = (
             f"the error of {error.of} is {error.largest:.2g} of its amplitude: {ADVICE[0].lower()}{ADVICE[1:]}"
         )
-    return replace(solution, error=error, stats=stats, status=status)
+    return solution.but(error=error, stats=stats, status=status)
 
 
 def _explained(status: Status, run: Run) -> Status:
@@ -133,12 +127,11 @@ def _statistics(segment: Segment, z: np.ndarray, setup: float, wall: float) -> d
     full, partial = scheme.evaluations()
     full_evaluations, sub_steps = iterations or steps * full, steps * partial
     taken: dict[str, float | int | str] = {}
-    if isinstance(scheme, AdaptiveSteps):
-        taken = scheme.taken(z)
+    taken = scheme.taken(z)
+    if taken:
+        del taken["reached"]
         steps, full_evaluations = int(taken["steps"]), int(taken.pop("evaluations"))
-    repeated = sub_step_operations(stepper.program) if partial else None
-    whole = evaluation_operations(scheme) if repeated is not None else 0  # zero where all of it is constant
-    cost = {"sub_step_cost": repeated / whole} if repeated is not None and whole else {}
+    cost = {} if stepper.sub_step_cost is None else {"sub_step_cost": stepper.sub_step_cost}
     return {
         **cost,
         "steps": steps,

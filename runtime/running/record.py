@@ -6,7 +6,7 @@ blocks of them are observed on the way and forgotten; of the whole states the fi
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from itertools import groupby
@@ -19,12 +19,12 @@ from runtime.contract.model import ModelError
 from runtime.contract.status import Status
 from runtime.results import export
 from runtime.results.observe import concatenated
-from runtime.results.sampling import BLOCK
 from runtime.results.solution import Solution
 from runtime.results.stream import StreamFile, Table, split
 from runtime.running.segment import Segment
 
 Columns = list[tuple[str, tuple[int, ...]]]
+BLOCK = 256  # samples that wait to be written
 SERIES = tuple(key for key in export.ARRAYS if key not in ("parameters", "t"))
 
 
@@ -38,21 +38,21 @@ class Record:
         self, segments: list[Segment], save_every: int, table: Table | None = None, outputs: Sequence[str] = ()
     ) -> None:
         self.segments, self.every, self.table, self.outputs = segments, save_every, table, tuple(outputs)
-        self.samples: list[tuple[int, np.ndarray]] = []  # all of them, or those that wait to be written
+        self.samples: list[tuple[int, np.ndarray]] = []  # (segment, states (N, n_z)): all, or those that wait
         self.first: tuple[int, np.ndarray] | None = None
         self.last_step = -1
-        self.watch: Callable[[np.ndarray, np.ndarray], None] | None = None  # who sees coordinates and rates (N, n)
 
-    def add(self, segment: int, z: np.ndarray) -> None:
-        """Keep a state (a copy of the scheme's part of z), unless this step is kept already."""
-        step = self.segments[segment].step_of(z)
-        if step <= self.last_step:
+    def add(self, segment: int, rows: np.ndarray) -> None:
+        """Keep states (N, n_z) (copies of the scheme's part), unless their steps are kept already."""
+        steps = rows[:, 1].astype(int)
+        new = steps > self.last_step
+        if not new.any():
             return
-        self.last_step = step
-        sample = (segment, self.segments[segment].stepper.state(z).copy())
-        self.first = self.first or sample
-        self.samples.append(sample)
-        if self.table is not None and len(self.samples) >= BLOCK:
+        self.last_step = int(steps[-1])
+        kept = rows[new, : self.segments[segment].plan.scheme.layout.size].copy()
+        self.first = self.first or (segment, kept[0])
+        self.samples.append((segment, kept))
+        if self.table is not None and sum(len(part) for _, part in self.samples) >= BLOCK:
             self.flush()
 
     def flush(self) -> None:
@@ -61,8 +61,6 @@ class Record:
             return
         for segment, part in _by_segment(self.samples):
             seen = concatenated([self.segments[segment].observed(part)], self.segments[0].model)
-            if self.watch is not None:
-                self.watch(seen.q, seen.q_dot)
             self.table.append(rows_of(seen, self.outputs))
         self.samples = []
 
@@ -82,8 +80,9 @@ class Record:
 
     def drop_from(self, step: int) -> None:
         """Forget the samples of this step and of later ones."""
-        kept = [(segment, z) for segment, z in self.samples if self.segments[segment].step_of(z) < step]
-        if self.table is not None and len(kept) == 0:
+        kept = [(segment, rows[rows[:, 1].astype(int) < step]) for segment, rows in self.samples]
+        kept = [(segment, rows) for segment, rows in kept if len(rows)]
+        if self.table is not None and not kept:
             self.table.keep(min(self.table.rows, -(-step // self.every)))
         self.samples = kept
         self.last_step = min(self.last_step, step - 1)
@@ -97,9 +96,9 @@ class Record:
         found: dict[str, np.ndarray] = {}
         if self.table is not None and not isinstance(self.table, StreamFile):
             found["table"] = self.table.all_rows()
-        kept = self.samples if self.table is None else ([self.first] if self.first else [])
-        found["sample_segments"] = np.array([segment for segment, _ in kept], dtype=np.int64)
-        found["samples"] = np.concatenate([z for _, z in kept]) if kept else np.zeros(0)
+        kept = self.samples if self.table is None else self._ends()[:1]
+        found["sample_segments"] = np.array([segment for segment, rows in kept for _ in rows], dtype=np.int64)
+        found["samples"] = np.concatenate([np.zeros(0), *(rows.ravel() for _, rows in kept)])
         return found
 
     def restore(self, arrays: dict[str, np.ndarray], rows: int, last_step: int) -> None:
@@ -107,8 +106,9 @@ class Record:
         sizes = [segment.plan.scheme.layout.size for segment in self.segments]
         owners = [int(k) for k in arrays["sample_segments"]]
         ends = np.cumsum([sizes[k] for k in owners], dtype=np.int64)
-        kept = list(zip(owners, np.split(arrays["samples"], ends[:-1]), strict=True)) if owners else []
-        self.first, self.last_step = (kept[0] if kept else None), last_step
+        states = np.split(arrays["samples"], ends[:-1]) if owners else []
+        kept = [(owner, z[None]) for owner, z in zip(owners, states, strict=True)]
+        self.first, self.last_step = ((kept[0][0], kept[0][1][0]) if kept else None), last_step
         if self.table is None:
             self.samples = kept
             return
@@ -123,9 +123,7 @@ class Record:
 
     def solution(self, last: tuple[int, np.ndarray]) -> Solution:
         """Of all whole states that were kept, `last` the last one."""
-        kept = self.samples if self.table is None else [one for one in (self.first, last) if one is not None]
-        if self.table is not None and len(kept) == 2 and np.array_equal(kept[0][1][1], kept[1][1][1]):
-            kept = kept[:1]
+        kept = self.samples if self.table is None else self._ends(last)
         found = concatenated(
             [self.segments[segment].observed(part) for segment, part in _by_segment(kept)], self.segments[0].model
         )
@@ -134,9 +132,16 @@ class Record:
             found = replace(found, outputs={name: values for name, values in columns.items()})
         return found
 
+    def _ends(self, last: tuple[int, np.ndarray] | None = None) -> list[tuple[int, np.ndarray]]:
+        """The first and the last state, once where they are of one step."""
+        found = [(segment, z[None]) for segment, z in filter(None, (self.first, last))]
+        return found[:1] if len(found) == 2 and found[0][1][0, 1] == found[1][1][0, 1] else found
 
-def _by_segment(samples: Sequence[tuple[int, np.ndarray]]) -> list[tuple[int, list[np.ndarray]]]:
-    return [(segment, [z for _, z in part]) for segment, part in groupby(samples, key=lambda sample: sample[0])]
+
+def _by_segment(samples: Sequence[tuple[int, np.ndarray]]) -> list[tuple[int, np.ndarray]]:
+    """Consecutive states (N, n_z) of one segment together."""
+    parts = groupby(samples, key=lambda sample: sample[0])
+    return [(segment, np.concatenate([rows for _, rows in part])) for segment, part in parts]
 
 
 def columns_of(solution: Solution, outputs: Sequence[str]) -> Columns:

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+import signal
+import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
+from types import FrameType
+from typing import cast
 
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.files import OutputError
 from runtime.contract.status import Event, Status
-from runtime.running.checkpoint import Checkpoint, CheckpointRule
+from runtime.running.checkpoint import Checkpoint, CheckpointRule, header_of
 from runtime.running.happenings import Happenings, note_impulses
-from runtime.running.header_of import header_of
-from runtime.running.interrupts import Interrupts, heard_interrupts
 from runtime.running.marks import Marks
-from runtime.running.pace import Pace
 from runtime.running.record import Record
 from runtime.running.schedule import EndlessInput, Schedule
 from runtime.running.segment import Segment
@@ -25,6 +27,75 @@ from runtime.running.singular.passage import Passage, locate
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 
 Progress = Callable[[float, float], None]
+
+
+CALL_SECONDS = 0.25  # a call lasts about this long, so that progress and Ctrl-C stay responsive
+LONGEST_CALL = 1 << 20
+MOST_SAVED = 256  # states that are saved between two looks
+
+
+@dataclass
+class Pace:
+    """steps: most of a call; saves: the save at which it ends; slow_until: until then it ends at the next one.
+
+    Looks cost as much as some hundred steps of a small mechanism, so there are fewer of them while all is well.
+    """
+
+    steps: int = 64
+    saves: int = 32
+    slow_until: int = 0
+
+    def slow(self, step: int) -> bool:
+        """Is each saved state looked at closely here?"""
+        return step < self.slow_until
+
+    def next_steps(self, step: int, save_every: int) -> int:
+        """The length of the next call."""
+        saves = 1 if self.slow(step) else self.saves
+        return min(self.steps, saves * save_every - step % save_every)
+
+    def took(self, seconds: float) -> None:
+        """Double or halve: the interpreted engine builds one Function per batch length, so there should be few."""
+        if seconds < CALL_SECONDS / 4:
+            self.steps = min(self.steps * 2, LONGEST_CALL)
+        elif seconds > CALL_SECONDS:
+            self.steps = max(1, self.steps // 2)
+
+    def went_well(self) -> None:
+        """Nothing was found: look at twice as many saved states at once."""
+        self.saves = min(2 * self.saves, MOST_SAVED)
+
+    def went_wrong(self, until: int) -> None:
+        """Steps until there are made again, one save at a time."""
+        self.saves, self.slow_until = 1, until
+
+
+class Interrupts:
+    """asked: was Ctrl-C pressed? A second press stops at once."""
+
+    asked = False
+
+    def _heard(self, number: int, frame: FrameType | None) -> None:
+        if self.asked:
+            raise KeyboardInterrupt
+        self.asked = True
+
+
+@contextmanager
+def heard_interrupts() -> Iterator[Interrupts]:
+    """Hear Ctrl-C while inside. Outside the main thread, and where the caller has a handler, nothing changes."""
+    heard = Interrupts()
+    ours = (
+        threading.current_thread() is threading.main_thread()
+        and signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    )
+    if ours:
+        signal.signal(signal.SIGINT, heard._heard)
+    try:
+        yield heard
+    finally:
+        if ours:
+            signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @dataclass
@@ -75,7 +146,7 @@ class Run:
                 self._write_checkpoint()
         if self.status is not None:  # end with the last good state, which need not be one that was to be saved
             self.record.drop_from(self.step)
-            self.record.add(self._segment_number, self.z)
+            self.record.add(self._segment_number, self.z[None])
         try:
             self.record.flush()
         except OutputError as error:
@@ -91,6 +162,10 @@ class Run:
     @property
     def _segment_number(self) -> int:
         return self.record.segments.index(self.segment)
+
+    @property
+    def _until_mark(self) -> Callable[[int], int] | None:
+        return None if self.marks is None else self.marks.until_next
 
     @property
     def _state(self) -> np.ndarray:
@@ -130,14 +205,14 @@ class Run:
         Short ones follow then, so that the trouble is found where it begins.
         """
         before, known = self.z.copy(), self.segment.monitor.memory()
-        saved = self.segment.run_and_save(self.z, n)
+        saved = self.segment.run_and_save(self.z, n, self._until_mark)
         at = self.segment.first_event(self.z)
         determinants = self.segment.determinants(self.z)
         alarm = self.guard.alarm(*determinants)
         scheme = self.segment.plan.scheme
         if at is not None and not alarm:  # else the alarm comes first: what it is about is sought below
-            if isinstance(scheme, AdaptiveSteps):
-                if self._ends_at_event(scheme, saved):
+            if scheme.adaptive:
+                if self._ends_at_event(cast(AdaptiveSteps, scheme), saved):
                     return
             else:
                 self.pace.steps, self.z = 1, before.copy()
@@ -145,11 +220,11 @@ class Run:
                 if at == first and self._steps_with_events(before):
                     return
                 n = max(1, at - first)  # the step in which it happens comes next
-                saved = self.segment.run_and_save(self.z, n) if at > first else []
+                saved = self.segment.run_and_save(self.z, n, self._until_mark) if at > first else saved[:0]
             determinants = self.segment.determinants(self.z)
             alarm = self.guard.alarm(*determinants)
         status = None if alarm else self._checked(samples=len(saved) + 1)
-        if saved and (alarm or status is not None):
+        if len(saved) and (alarm or status is not None):
             self.pace.went_wrong(until=self.segment.step_of(before) + n)
             self.segment.monitor.recall(known)
             self.z = before
@@ -161,8 +236,7 @@ class Run:
             self.guard.accept(*determinants)
             self.earlier = before
             self.pace.went_well()
-        for sample in saved:
-            self._keep(sample)
+        self._keep(saved)
         note_impulses(self.segment, self.step, self.events)
         self.status = status
 
@@ -176,14 +250,13 @@ class Run:
         self._take_event(w)
         return True
 
-    def _ends_at_event(self, scheme: AdaptiveSteps, saved: list[np.ndarray]) -> bool:
+    def _ends_at_event(self, scheme: AdaptiveSteps, saved: np.ndarray) -> bool:
         """Does the last step end at an event? Then what lies before it is seen first."""
         happened, plan = self.happenings.end_step(self.z), self.segment.plan
         if not happened:
             return False
         self.pace.steps = 1
-        for sample in saved:
-            self._keep(sample)
+        self._keep(saved)
         while self.step < plan.steps and scheme.next_seen(self.z, plan.grid.dt_L) <= scheme.reached(self.z):
             if scheme.is_stuck(self.z):  # the check of the least step tells
                 break
@@ -243,7 +316,7 @@ class Run:
             if self.marks is not None:
                 self.marks.drop_from(found.drop_from)
         for sample in found.samples:
-            self._keep(sample)
+            self._keep(sample[None])
         self.status = found.status
         if found.segment is not self.segment:
             self.segment, self.guard = found.segment, found.segment.new_guard()
@@ -264,18 +337,22 @@ class Run:
     def _batch(self) -> int:
         plan, done = self.segment.plan, self.step
         n = min(self.pace.next_steps(done, plan.save_every), plan.steps - done)
-        if self.marks is not None:
+        if self.marks is not None and self.pace.slow(done):  # no state is kept on the way then
             n = min(n, self.marks.until_next(done))
         if self.schedule is not None:
             n = min(n, self.schedule.until_next(done) or n)
         return n if self.rule.every is None else min(n, self.rule.every - done % self.rule.every)
 
-    def _keep(self, z: np.ndarray | None = None) -> None:
-        plan, kept = self.segment.plan, self.z if z is None else z
-        step = self.segment.step_of(kept)
-        if self.status is None and (step % plan.save_every == 0 or step == plan.steps):
-            self.record.add(self._segment_number, kept)
-        if self.status is None and self.marks is not None:
+    def _keep(self, rows: np.ndarray | None = None) -> None:
+        """Of the states (N, n_z), or of z, those that are to be saved, or are at marks."""
+        if self.status is not None:
+            return
+        plan, kept = self.segment.plan, self.z[None] if rows is None else rows
+        steps = kept[:, 1].astype(int)
+        due = (steps % plan.save_every == 0) | (steps == plan.steps)
+        if due.any():
+            self.record.add(self._segment_number, kept[due])
+        if self.marks is not None:
             self.marks.look(self.segment, kept)
 
     # ---- checkpoints ----------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -15,7 +15,6 @@ from runtime.running.plan import Plan
 from runtime.running.singular.guard import Guard
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import all_stops
-from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.impulses import run_across
 from runtime.schemes.switching.impulse import Impulse, moves_in_time
 from runtime.schemes.switching.times import SwitchTime, switches_by_inputs
@@ -88,27 +87,45 @@ class Segment(SteppedModel):
         self.forget_determinants(z)
         self._go_on(z, steps)
 
-    def run_and_save(self, z: np.ndarray, steps: int) -> list[np.ndarray]:
-        """Advance z in place; whole states that are to be saved on the way, the last one left out.
+    def run_and_save(self, z: np.ndarray, steps: int, until_mark: Callable[[int], int] | None = None) -> np.ndarray:
+        """Advance z in place; (N, n_z) whole states to be saved, or at marks, on the way, the last one left out.
 
         Ctrl-C among the steps leaves z where it began, so that no saved state is missing before it.
         """
         self.forget_determinants(z)
-        begun = z.copy()
-        saved: list[np.ndarray] = []
+        counts, begun = self._counts(self.step_of(z), steps, until_mark), z.copy()
         try:
-            step, every = self.step_of(z), self.plan.save_every
-            end = step + steps
-            while True:
-                n = min(every - step % every, end - step)
-                self._go_on(z, n)
-                if self.step_of(z) < step + n or step + n == end:  # a step that cannot be made, or the end
-                    return saved
-                step += n
-                saved.append(z.copy())
+            if self.broken is None and not self.plan.scheme.adaptive:
+                rows = np.empty((len(counts), len(z)))
+                self.stepper.engine.run_rows(z, self.ready, counts, rows)
+                return rows[:-1]
+            return self._one_by_one(z, counts)
         except KeyboardInterrupt:
             z[:] = begun
             raise
+
+    def _one_by_one(self, z: np.ndarray, counts: np.ndarray) -> np.ndarray:
+        """The same where there may be steps that cannot be made whole."""
+        found, end = list[np.ndarray](), self.step_of(z)
+        for count in counts:
+            self._go_on(z, int(count))
+            end += int(count)
+            if self.step_of(z) < end:
+                break
+            found.append(z.copy())
+        whole = found if self.step_of(z) < end else found[:-1]
+        return np.array(whole) if whole else np.zeros((0, len(z)))
+
+    def _counts(self, step: int, steps: int, until_mark: Callable[[int], int] | None) -> np.ndarray:
+        """(N,) steps from one state that is kept to the next, until so many are made."""
+        every, end = self.plan.save_every, step + steps
+        stops = set(range(step + every - step % every, end, every)) | {end}
+        if until_mark is not None:
+            at = step + until_mark(step)
+            while at < end:
+                stops.add(at)
+                at += until_mark(at)
+        return np.diff(sorted({step, *stops})).astype(np.int64)
 
     def _go_on(self, z: np.ndarray, steps: int) -> None:
         if self.plan.scheme.adaptive:
@@ -151,9 +168,7 @@ class Segment(SteppedModel):
 
     def land(self, z: np.ndarray) -> None:
         """From z on every state that is seen is the end of a step: what comes from outside changes there."""
-        scheme = self.plan.scheme
-        if isinstance(scheme, AdaptiveSteps):
-            scheme.land(z)
+        self.plan.scheme.land(z)
 
     def new_guard(self) -> Guard:
         """For the determinants that the scheme keeps."""

@@ -19,12 +19,14 @@ from runtime.schemes.options import SchemeError
 ROUNDING = 1e-13  # m or rad: less is the dust of an assembly
 
 
-def begun(problem: Problem, plan: Plan, marks: Marks | None, further: Further | None = None) -> Run:
-    """The run of a plan at its checked start. further: None of a run that nobody is told of, a companion or a rung.
+def begun(
+    problem: Problem, plan: Plan, marks: Marks | None, further: Further | None = None, quiet: bool = False
+) -> Run:
+    """The run of a plan at its checked start. quiet: of a companion or a rung, whose steps may miss what loads do.
 
     Raises ModelError, OutputError or CompilerError.
     """
-    quiet, further = further is None, further or Further()
+    further = further or Further()
     started = time.perf_counter()
     state, rule = problem.state, further.rule()
     segment = Segment.build(problem.model, plan, problem.p, problem.engine, state)
@@ -49,7 +51,7 @@ def begun(problem: Problem, plan: Plan, marks: Marks | None, further: Further | 
     )
     with record.closed_on_error():
         run.status = segment.monitor.first(segment.stepper.state(z))
-        record.add(0, z)
+        record.add(0, z[None])
         run.schedule = with_reads(problem.schedule(plan.grid.dt_L), run)
     run.set_up = time.perf_counter() - started
     return run

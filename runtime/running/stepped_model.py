@@ -139,7 +139,7 @@ class SteppedModel:
         """The scheme's part of z, as a view."""
         return self.stepper.state(z)
 
-    def observed(self, samples: Sequence[np.ndarray], status: Status | None = None) -> Solution:
+    def observed(self, samples: Sequence[np.ndarray] | np.ndarray, status: Status | None = None) -> Solution:
         """Samples of the scheme's part of z as a Solution."""
         plan, status = self.plan, status or Status("completed", self.plan.t_end)
         return observe_samples(self.model, plan.scheme, np.array(samples), self.p, self.c, plan.name, {}, status)

@@ -63,7 +63,10 @@ class SchemeKind:
         return self.ratios != "none"
 
     def build(self, name: str, model: Model, dt: Any, m: list[Any] | None, changes: Mapping[str, Any]) -> Scheme:
-        """The scheme on a model. Raises SchemeError for a step, ratios or options that cannot be used."""
+        """The scheme on a model, which keeps what does not depend on the step for the next one who asks.
+
+        Raises SchemeError for a step, ratios or options that cannot be used.
+        """
         options = self.chosen(name, changes)
         if self.ratios == "none" and m:
             raise SchemeError(
@@ -79,7 +82,11 @@ class SchemeKind:
         grid = make_grid(
             groups, dt, m, 0 if self.ratios == "none" else 1 if self.ratios == "sub_steps" else len(groups) - 1, names
         )
-        return (adaptive or self.fitting or self.make)(model, grid, options)
+        key = (name, repr(groups), repr(grid.m), repr(options))
+        if key not in model.schemes:
+            model.schemes[key] = (adaptive or self.fitting or self.make)(model, grid, options)
+        found: Scheme = model.schemes[key]
+        return found.on(grid)
 
     def chosen(self, name: str, changes: Mapping[str, Any]) -> Options:
         """The options with some changed by name, their values not checked yet. Raises SchemeError for other names."""

@@ -32,6 +32,7 @@ def kept_stepper(scheme: Scheme, engine: str = "auto", wait: bool = False) -> St
             known[key] = found  # the youngest now
             return found if found.scheme.grid == scheme.grid else _with_steps(found, scheme.grid)
     stepper = Stepper(scheme, engine, wait)
+    _ = stepper.sub_step_cost  # counted once: copies with other steps take it along
     if isinstance(stepper.engine, NativeProgram | InterpretedProgram) and stepper.operations <= MOST_OPERATIONS:
         with _LOCK:
             known[key] = stepper

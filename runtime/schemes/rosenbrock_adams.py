@@ -84,6 +84,7 @@ class RosenbrockAdams(RememberingStep):
     """
 
     order = 4
+    takes_jacobian = True
 
     def __init__(self, model: Model, grid: Grid, options: ExponentialAdamsOptions) -> None:
         if not self.possible(model):

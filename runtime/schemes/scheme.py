@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
+from copy import copy
+from typing import Self
 
 import casadi as ca
 import numpy as np
@@ -41,6 +43,7 @@ class Scheme(ABC):
     order: int = 2
     closes: bool = True  # are all coordinates found from q_i by the closure, in every evaluation?
 
+    takes_jacobian: bool = False  # of all coordinates, in each step?
     damps: bool = False  # do its steps damp vibrations that they do not resolve?
     adaptive: bool = False  # are its steps as long as a tolerance asks for, and dt the time between states to be seen?
     if_not_converged: str = "Use a smaller step, a larger eps, or (printed) common_update = direct."
@@ -120,6 +123,18 @@ class Scheme(ABC):
         if self.adaptive:
             raise SchemeError("tolerance", f"{what} needs steps of one length", "leave the tolerance out and give dt")
 
+    def is_stuck(self, z: np.ndarray) -> bool:
+        """Was a step rejected that is as short as steps may be? Never one of a given length."""
+        return False
+
+    def taken(self, z: np.ndarray) -> dict[str, float | int | str]:
+        """What the steps that led to z say of themselves, where their lengths follow from their errors."""
+        return {}
+
+    def land(self, z: np.ndarray) -> None:
+        """From z on every state that is seen is the end of a step, as it always is of steps of a given length."""
+        return None
+
     @property
     def memory(self) -> list[str]:
         """The fields of z through which one major step acts on the next, in the order of z."""
@@ -143,6 +158,13 @@ class Scheme(ABC):
     def lasting(self, *kinds: Lasting) -> list[str]:
         """The fields of z that matter so long, in the order of z."""
         return [name for name, one in self._fields.items() if one.lasting in kinds]
+
+    def on(self, grid: Grid) -> Self:
+        """The same scheme with the steps of another grid with the same groups and ratios; nothing is built of it."""
+        found = copy(self)
+        found._derived, found.called = {}, {}
+        found.take_steps(grid)
+        return found
 
     def take_steps(self, grid: Grid) -> None:
         """From now on the steps of a grid with the same groups and ratios."""

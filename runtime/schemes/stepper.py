@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cached_property
 
 import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import charts_in, independent, loop_part
-from runtime.engine.choose import choose_engine, operations_per_step
+from runtime.engine.choose import choose_engine, operations_per_step, sub_step_operations
 from runtime.engine.prepare import prepare
 from runtime.schemes.direct import direct
+from runtime.schemes.evaluation import evaluation_operations
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.watched import with_events
 
@@ -55,10 +57,17 @@ class Stepper:
         self.engine = choose_engine(engine, self.program, prepared.z_size, c_size, wait, prepared.tapes)
         self.prepared = replace(prepared, tapes={})
 
-    @property
+    @cached_property
     def operations(self) -> int:
         """Of a major step."""
         return operations_per_step(self.program)
+
+    @cached_property
+    def sub_step_cost(self) -> float | None:
+        """Operations of a sub-step over those of a full evaluation; None where there are none, or all is constant."""
+        repeated = sub_step_operations(self.program) if self.scheme.evaluations()[1] else None
+        whole = evaluation_operations(self.scheme) if repeated is not None else 0
+        return repeated / whole if repeated is not None and whole else None
 
     def ready(self, c: np.ndarray, dt: float) -> np.ndarray:
         """What the program reads, for constants and a step."""

@@ -28,7 +28,7 @@ RUNTIME_ROOMS = {
     "contract": "",
     "engine": "contract",
     "schemes": "contract engine",
-    "results": "contract schemes",
+    "results": "contract engine schemes",
     "operating": "contract schemes results",
     "start": "contract schemes operating",
     "baselines": "contract engine schemes start results",

@@ -266,15 +266,15 @@ def test_a_step_too_long_is_said(built_in: Load) -> None:
 
 def test_the_price_is_less_than_that_of_the_run(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
     """Steps taken besides those of the run: 0.71 of them by order 2, 0.84 by order 4, and a fifth where it damps."""
-    from runtime.schemes.stepper import Stepper
+    from runtime.engine.native import NativeProgram
 
-    taken, honest = [0], Stepper.run
+    taken, honest = [0], NativeProgram.run_rows
 
-    def counted(self: Stepper, z: np.ndarray, ready: np.ndarray, steps: int) -> None:
-        taken[0] += steps
-        honest(self, z, ready, steps)
+    def counted(self: NativeProgram, z: np.ndarray, c: np.ndarray, counts: np.ndarray, rows: np.ndarray) -> None:
+        taken[0] += int(counts.sum())
+        honest(self, z, c, counts, rows)
 
-    monkeypatch.setattr(Stepper, "run", counted)
+    monkeypatch.setattr(NativeProgram, "run_rows", counted)
     for scheme, more in (("single_rate", 0.71), ("rk4", 0.84 + 0.2)):
         taken[0] = 0
         simulate(built_in("pendulum"), scheme=scheme, dt=1e-3, t_end=2.0)

@@ -18,7 +18,6 @@ from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.llvm_code import NoLlvm
 from runtime.engine.prepare import prepare
 from runtime.running.monitor import Monitor
-from runtime.running.segment import Segment
 from runtime.running.simulate import make_plan
 from runtime.schemes.stepper import start_vector
 from symgen.generate import generate
@@ -130,16 +129,17 @@ def test_interrupted_run_keeps_what_it_has(built_in: Load) -> None:
 
 def test_no_saved_state_is_missing_before_an_interruption(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
     """Ctrl-C that stops at once, in the middle of the states that are saved between two looks."""
-    advance, calls = Segment._go_on, [0]
+    advance, calls = InterpretedProgram.run, [0]
 
-    def interrupted(self: Segment, z: np.ndarray, steps: int) -> None:
+    def interrupted(self: InterpretedProgram, z: np.ndarray, c: np.ndarray, n: int) -> None:
         calls[0] += 1
         if calls[0] == 300:
             raise KeyboardInterrupt
-        advance(self, z, steps)
+        advance(self, z, c, n)
 
-    monkeypatch.setattr(Segment, "_go_on", interrupted)
-    run = simulate(built_in("pendulum"), scheme="single_rate", dt=1e-3, t_end=2.0, save_every=1)
+    monkeypatch.setattr(InterpretedProgram, "run", interrupted)
+    settings = {"scheme": "single_rate", "dt": 1e-3, "t_end": 2.0, "save_every": 1, "engine": "interpreted"}
+    run = simulate(built_in("pendulum"), **settings)
     assert run.status.name == "interrupted" and 20 < len(run.t) < 300
     np.testing.assert_allclose(np.diff(run.t), 1e-3, rtol=1e-9)
 

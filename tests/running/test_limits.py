@@ -12,12 +12,7 @@ import pytest
 
 from runtime import Model, ModelError, simulate
 from runtime.results.motion_error import MotionError
-from runtime.running.checks.check import Check, Subject
-from runtime.running.checks.closure import Closure
-from runtime.running.checks.constraints import Constraints
-from runtime.running.checks.deflection import Deflection
-from runtime.running.checks.growth import Growth
-from runtime.running.checks.mass import Mass
+from runtime.running.monitor import Monitor, observed
 from runtime.running.outcome import with_error
 from runtime.running.plan import make_plan
 from runtime.schemes.catalogue import scheme_kind
@@ -29,86 +24,73 @@ Build = Callable[[Scene], Model]
 INSIDE, BEYOND = 0.99, 1.01
 
 
-def watched(model: Model, scheme: str = "single_rate") -> tuple[Subject, np.ndarray]:
-    """A subject at the model's own start, and that state."""
+def watched(model: Model, scheme: str = "single_rate") -> tuple[Monitor, np.ndarray]:
+    """A monitor at the model's own start, and that state."""
     built = scheme_kind(scheme).build(scheme, model, 1e-3, None, {})
     c = model.constants(model.parameter_vector())
-    subject = Subject(model, built, c)
+    monitor = Monitor(model, built, c)
     z = start_vector(built, 0.0, model.initial_q, model.initial_q_dot, c)
-    subject.begin(z)
-    return subject, z
+    assert monitor.first(z) is None
+    return monitor, z
 
 
-def state(subject: Subject, rate: float, steps: int) -> np.ndarray:
-    """The model's start with another rate of all coordinates, after so many steps."""
-    model, scheme = subject.model, subject.scheme
-    c = subject.c[: model.c_size]
-    z = start_vector(scheme, 0.0, model.initial_q, np.full(len(model.coordinates), rate), c)
-    z[scheme.layout.slice("n")] = steps
-    return z
-
-
-def named(check: Check, z: np.ndarray) -> str | None:
-    status = check.after(z)
+def named(monitor: Monitor, z: np.ndarray) -> str | None:
+    status = monitor.after(z.copy(), last=True)
     return None if status is None else status.name
 
 
-def put(subject: Subject, z: np.ndarray, field: str, value: float) -> np.ndarray:
+def put(monitor: Monitor, z: np.ndarray, field: str, value: float) -> np.ndarray:
     changed = z.copy()
-    changed[subject.scheme.layout.slice(field)] = value
+    changed[monitor.scheme.layout.slice(field)] = value
     return changed
 
 
 def test_growth(built_in: Load) -> None:
-    subject, z = watched(built_in("pendulum"))
-    check = Growth(subject)
-    check.start(z)
+    monitor, z = watched(built_in("pendulum"))
     for factor, expected in ((INSIDE, None), (BEYOND, "diverged")):
-        assert named(check, put(subject, z, "d", factor * 1e6 * check.scale)) == expected
+        assert named(monitor, put(monitor, z, "d", factor * 1e6 * monitor.scale)) == expected
 
 
 def test_closure(built_in: Load) -> None:
-    subject, z = watched(built_in("four_bar"))
+    monitor, z = watched(built_in("four_bar"))
     for factor, expected in ((INSIDE, None), (BEYOND, "constraints_lost")):
-        assert named(Closure(subject), put(subject, z, "closure_error", factor * 1e-2 * subject.length)) == expected
+        assert named(monitor, put(monitor, z, "closure_error", factor * 1e-2 * monitor.length)) == expected
 
 
 def test_constraints(built_in: Load) -> None:
     """A scheme on all coordinates, whose dependent ones are moved; C is linear over so short a way."""
-    subject, z = watched(built_in("four_bar"), "hht")
-    assert subject.constraints is not None
-    place = subject.scheme.layout.slice("q").start + int(subject.model.dependent_columns[0])
+    model = built_in("four_bar")
+    monitor, z = watched(model, "hht")
+    place = monitor.scheme.layout.slice("q").start + int(model.dependent_columns[0])
+    constraints = observed(model, monitor.scheme, "constraints", ("C", "C_q"))
 
     def moved(way: float) -> np.ndarray:
         changed = z.copy()
         changed[place] += way
         return changed
 
-    probe = float(np.abs(np.asarray(subject.constraints(moved(1e-5), subject.c)[0])).max()) / 1e-5
-    limit = 1e-6 * subject.length / probe
+    probe = float(np.abs(np.asarray(constraints(moved(1e-5), monitor.c)[0])).max()) / 1e-5
+    limit = 1e-6 * monitor.length / probe
     for factor, expected in ((0.9, None), (1.1, "constraints_lost")):
-        assert named(Constraints(subject), moved(factor * limit)) == expected
+        assert named(monitor, moved(factor * limit)) == expected
 
 
 def test_mass_that_is_nearly_lost(model_of: Build) -> None:
     """A tenth of what M_hat was explains a breakdown of the numbers."""
     builder = SceneBuilder("lighter").parameter("inertia", default=1.0).rigid("wheel", mass=1.0, inertia="inertia")
     model = model_of(builder.revolute("axle", "ground.origin", "wheel.origin").build())
-    subject, z = watched(model)
-    check = Mass(subject)
-    check.start(z)
-    for factor, expected in ((INSIDE, "mass_not_positive"), (BEYOND, None)):
-        p = model.parameter_vector({"inertia": 0.1 * factor})
-        subject.c = subject.scheme.constants(model.constants(p))
-        status = check.explains(z)
-        assert (None if status is None else status.name) == expected
+    for factor, expected in ((INSIDE, "mass_not_positive"), (BEYOND, "diverged")):
+        monitor, z = watched(model)
+        monitor.c = monitor.scheme.constants(model.constants(model.parameter_vector({"inertia": 0.1 * factor})))
+        assert monitor.after(z) is None
+        assert named(monitor, put(monitor, z, "d", BEYOND * 1e6 * monitor.scale)) == expected
 
 
 @pytest.mark.parametrize("mode, share, turn", [(0, 0.4, None), (1, None, 1.0)])
 def test_deflection(built_in: Load, mode: int, share: float | None, turn: float | None) -> None:
     """The first mode of a clamped beam moves its end by 0.4 of its length first, the second turns it by a radian."""
     model = built_in("hub_beam")
-    subject, z = watched(model)
+    monitor, z = watched(model)
     p = model.parameter_vector()
     points = {key: np.asarray(value) for key, value in model.kernel("geometry")(p=p).items()}
     modes = sum(entry.elastic for entry in model.description.coordinates)
@@ -119,8 +101,8 @@ def test_deflection(built_in: Load, mode: int, share: float | None, turn: float 
     position = model.q_i.index(next(e.name for e in model.description.coordinates if e.elastic)) + mode
     for factor, expected in ((INSIDE, None), (BEYOND, "deflection_too_large")):
         bent = z.copy()
-        bent[subject.scheme.layout.slice("x")][position] = factor * limit
-        assert named(Deflection(subject, p), bent) == expected
+        bent[monitor.scheme.layout.slice("x")][position] = factor * limit
+        assert named(monitor, bent) == expected
 
 
 def test_a_word_about_the_error_and_a_status(built_in: Load) -> None:

@@ -15,7 +15,6 @@ from runtime.contract.coordinates import charts_in, dependent_part, independent,
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from runtime.running.segment import Segment
-from runtime.schemes.central_difference import CentralDifference
 
 COUNTERS = ("closure_error", "iterations", "failures")
 STEPS_MADE = ("accepted", "counted", "rejected", "h_least", "h_largest")  # those that follow from a tolerance
@@ -38,7 +37,7 @@ def carried(old: Segment, z: np.ndarray, new: Segment, seen: Solution) -> np.nda
     for name in RANGES:
         if name in after.sizes:
             result[after.slice(name)] = np.where(stays, z[before.slice(name)], result[after.slice(name)])
-    if isinstance(new.plan.scheme, CentralDifference):
+    if {"d", "a"} <= set(new.plan.scheme.history):  # it remembers the last step by increments
         for k in np.flatnonzero(~stays):
             d, a = _increment(old, z, seen, new.model.q_i[k], float(new.plan.scheme.step_sizes[k]))
             result[after.slice("d")][k], result[after.slice("a")][k] = d, a

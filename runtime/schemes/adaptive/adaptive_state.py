@@ -9,8 +9,6 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.model import Model
-from runtime.contract.tape import code_length
-from runtime.engine.program import Program
 from runtime.schemes.grid import Grid
 from runtime.schemes.method import Method
 from runtime.schemes.options import Options
@@ -168,42 +166,8 @@ class AdaptiveState(Method):
             "step_tolerance": 0.0 if steady else self.tolerance * float(z[self.layout.slice("per_step")][0]),
             "steady_step": steady,
             "evaluations": accepted * start + (accepted + rejected) * attempt,
+            "reached": self.reached(z),
         }
-
-    def with_errors(self, z: np.ndarray, share: float) -> None:
-        """Let the next steps of z (flat) take the length that a share of the tolerance asks for, all or the first."""
-        for name in ("steady", "h_next"):
-            z[self.layout.slice(name)] *= share ** (1 / self.error_order)
-
-    def longest(self, z: np.ndarray) -> float:
-        """The longest step of those that led to z (flat) [s]."""
-        return float(z[self.layout.slice("h_largest")][0])
-
-    def operations_taken(self, z: np.ndarray, program: Program) -> float:
-        """Of the steps so far, by its program as prepared; what is done to show states is left out."""
-        size = self._sizes(program)
-        if z[self.layout.slice("steady")][0] > 0:
-            return float(z[self.layout.slice("accepted")][0]) * size["plain"]
-        accepted, rejected = (float(z[self.layout.slice(name)][0]) for name in ("accepted", "rejected"))
-        start = self._operations_of_start(size)
-        return accepted * start + (accepted + rejected) * size["attempt"]
-
-    def operations_of_plain(self, program: Program) -> int:
-        """Of a step among steps of one length."""
-        return self._sizes(program)["plain"]
-
-    def price_of_varied(self, program: Program) -> float:
-        """Operations of a step of varied length over those of one among steps of one length."""
-        size = self._sizes(program)
-        return (self._operations_of_start(size) + size["attempt"]) / size["plain"]
-
-    def _operations_of_start(self, size: Mapping[str, int]) -> int:
-        return size["move"] + (0 if self.first_same_as_last else size["begin"])
-
-    def _sizes(self, program: Program) -> Mapping[str, int]:
-        if not self._operations:
-            self._operations |= {stage.name(): code_length(stage) for stage in program.stages()}
-        return self._operations
 
     def look_ahead(self, z: np.ndarray, jumps: Sequence[SwitchTime], halts: bool = False) -> None:
         """Write the next of all times, rising, that no step may cross to z (flat), and how near they are looked at.

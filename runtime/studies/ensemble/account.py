@@ -13,7 +13,7 @@ import numpy as np
 
 from runtime.contract.status import StatusName
 from runtime.engine.program import Fields
-from runtime.running.checks.closure import CLOSURE_LIMIT
+from runtime.running.monitor import CLOSURE_LIMIT
 from runtime.running.segment import HIGHEST, LOWEST
 from runtime.running.singular.guard import NEAR
 from runtime.schemes.scheme import Scheme

@@ -1,4 +1,4 @@
-"""Looks at the state of all lanes a few times a run: what steps do not notice, by the limits of runtime/running/checks.
+"""Looks at the state of all lanes a few times a run: what steps do not notice, by the limits of a run's monitor.
 
 constraint    largest C of the observed state, of its limit                        above 1: constraints_lost
 pivot         least pivot of M_hat = L D L^T                                       not above 0: mass_not_positive
@@ -17,10 +17,7 @@ from runtime.contract.coordinates import joined
 from runtime.contract.model import Model
 from runtime.contract.status import StatusName
 from runtime.contract.units import length_rows
-from runtime.running.checks.check import observed
-from runtime.running.checks.constraints import CONSTRAINT_LIMIT
-from runtime.running.checks.deflection import MOST_DEFLECTION, MOST_TURN
-from runtime.running.checks.growth import GROWTH_LIMIT
+from runtime.running.monitor import CONSTRAINT_LIMIT, GROWTH_LIMIT, MOST_DEFLECTION, MOST_TURN, observed
 from runtime.schemes.scheme import Scheme
 
 FIELDS = ("constraint", "pivot", "bent", "growth")

@@ -22,6 +22,6 @@ def _adams(model: Model) -> list[Spec]:
     """As it chooses itself by the price of a step; with the Jacobian, too, where that is dearer and may take fewer."""
     name = "exponential_adams"
     chosen = scheme_kind(name).build(name, model, 1.0, None, {})
-    if isinstance(chosen, RosenbrockAdams) or not RosenbrockAdams.possible(model):
+    if chosen.takes_jacobian or not RosenbrockAdams.possible(model):
         return [Spec(name)]
     return [Spec(name), Spec(name, None, {"linearisation": "jacobian"})]

@@ -1,0 +1,169 @@
+"""What the shapes of flexible bodies leave out of a motion: deflections, section forces, stresses.
+
+The bending moment from equilibrium less that of the shapes is what the shapes lack; both are integrated twice to
+deflections from the chord, w'' = M / EI. Asked only of beams whose shapes cannot carry what is attached to them.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from runtime.contract.model import ModelError
+from runtime.contract.status import Event
+from runtime.results.beam_shapes import beam_of
+from runtime.results.section_forces import STATIONS, section_forces
+from runtime.results.stresses import stresses, von_mises
+
+if TYPE_CHECKING:
+    from runtime.results.samples import Samples
+
+LOOKS = 100  # samples at most
+WORTH_OF_SHAPES = 1e-3  # of a deflection
+WORTH_A_WORD = 0.05  # of a stress or a force
+
+
+def missing_shapes(solution: Samples) -> tuple[dict[str, float], list[Event]]:
+    """Share of the largest deflection that the shapes of a beam leave out, by `missing_shapes.body`; and in words."""
+    shares, events = {}, []
+    for record in solution.model.description.beams:
+        if record.missing == 0.0 or not record.sets:
+            continue
+        try:
+            share, time = missing_deflection(solution, record.body)
+        except ModelError:  # a model without the functions, or loads that cannot be told apart
+            continue
+        shares[f"missing_shapes.{record.body}"] = share
+        if share > WORTH_OF_SHAPES:
+            text = (
+                f"the shapes of {record.body} leave out up to {100 * share:.2g} % of its deflection, since they do not "
+                "hold what its ends carry; leave `ends` out of its mode set, or give more modes"
+            )
+            events.append(Event(time, "shapes_missing", text))
+    return shares, events
+
+
+def missing_deflection(solution: Samples, body: str) -> tuple[float, float]:
+    """(largest deflection from the chord that the shapes lack over the largest one, its time [s])."""
+    rows = np.unique(np.linspace(0, len(solution.t) - 1, LOOKS).astype(int))
+    series = {key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam")}
+    some = solution.but(**series)
+    whole, shapes = (section_forces(some, body, way=way) for way in ("equilibrium", "modes"))
+    radii = beam_of(solution.model, body, solution.parameters).radii
+    pairs = [(whole.moment, shapes.moment, radii[0]), (whole.moment_y, shapes.moment_y, radii[1])]
+    known = [(all_, found, radius) for all_, found, radius in pairs if np.isfinite(found).all()]
+    lacking, bent = (
+        np.sqrt(sum(np.square(_deflections(moment) / radius) for moment, radius in of))
+        for of in ([(all_ - found, radius) for all_, found, radius in known], [(a, radius) for a, _, radius in known])
+    )
+    worst = lacking.max(axis=1)
+    largest = float(bent.max())
+    if not (np.isfinite(worst).all() and largest > 0.0):
+        return 0.0, float(some.t[0])
+    return float(worst.max()) / largest, float(some.t[int(worst.argmax())])
+
+
+def _deflections(moment: np.ndarray) -> np.ndarray:
+    """(N, n) w with w'' = moment (N, n) at equidistant stations, by finite differences; zero at both ends."""
+    n, h = len(STATIONS), STATIONS[1] - STATIONS[0]
+    second = (np.diag(np.full(n - 3, 1.0), 1) + np.diag(np.full(n - 3, 1.0), -1) - 2.0 * np.eye(n - 2)) / h**2
+    return np.asarray(np.linalg.solve(second, moment[:, 1:-1].T).T)
+
+
+if TYPE_CHECKING:
+    from runtime.results.samples import Samples
+
+SAME = 1e-9  # of its largest value: the sum over shapes that a measure is
+WORDS = {
+    "normal": "normal force",
+    "shear": "shear force",
+    "shear_z": "shear force along z",
+    "moment": "bending moment",
+    "moment_y": "bending moment about y",
+    "torsion": "torsion",
+}
+PARTS = {"N": ("normal", "shear", "shear_z"), "N m": ("moment", "moment_y", "torsion")}
+
+
+def missing_sections(solution: Samples) -> tuple[dict[str, float], list[Event]]:
+    """`missing_force.measure`: the largest difference to equilibrium over the largest value there; and in words."""
+    described = solution.model.description
+    others = {one.name for one in described.inputs} | {one.owner for one in described.coordinates}  # states, too
+    wanted = {one.name: PARTS[one.unit] for one in described.measures if one.unit in PARTS and one.name not in others}
+    if not wanted or not described.beams:
+        return {}, []
+    shares: dict[str, float] = {}
+    events = []
+    rows = np.unique(np.linspace(0, len(solution.t) - 1, LOOKS).astype(int))
+    series = {key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam", "measures")}
+    some = solution.but(**series)
+    for record in described.beams:
+        try:
+            at = _markers(solution, record.body)
+            whole, shapes = (section_forces(some, record.body, at, way) for way in ("equilibrium", "modes"))
+        except ModelError:  # loads whose place on the beam is not known
+            continue
+        for name, parts in wanted.items():
+            measured = some[name]
+            size = float(np.abs(measured).max())
+            for part in parts if size > 0.0 else ():
+                apart = np.abs(getattr(shapes, part) - measured[:, None]).max(axis=0)
+                for place in np.flatnonzero(apart <= SAME * size)[:1]:
+                    exact = getattr(whole, part)[:, place]
+                    lacking = np.abs(exact - measured)
+                    shares[f"missing_force.{name}"] = share = float(lacking.max() / max(np.abs(exact).max(), size))
+                    if share > WORTH_A_WORD:
+                        text = (
+                            f"measure {name} leaves out up to {100 * share:.2g} % of the {WORDS[part]} of "
+                            f"{record.body} there, which its shapes do not hold; give more modes, or take "
+                            f"solution.section_forces('{record.body}')"
+                        )
+                        events.append(Event(float(some.t[int(lacking.argmax())]), "sections_missing", text))
+    return shares, events
+
+
+def _markers(solution: Samples, body: str) -> list[float]:
+    """Fractions of the length at which the beam has markers."""
+    geometry = np.asarray(solution.model.kernel("geometry")(p=solution.parameters)["positions"])
+    own = [k for k, one in enumerate(solution.model.description.drawing.points) if one.body == body]
+    points = [solution.model.description.drawing.points[k] for k in own]
+    length = float(geometry[0, own].max())
+    return sorted({float(geometry[0, k]) / length for k, one in zip(own, points, strict=True) if one.name})
+
+
+if TYPE_CHECKING:
+    from runtime.results.samples import Samples
+
+
+def missing_stresses(solution: Samples) -> tuple[dict[str, float], list[Event]]:
+    """`missing_stress.body`: largest von Mises stress of what the modes leave out over the largest one.
+
+    In words where the scene measures stresses.
+    """
+    shares: dict[str, float] = {}
+    events: list[Event] = []
+    if not solution.model.description.gauges:
+        return shares, events
+    rows = np.unique(np.linspace(0, len(solution.t) - 1, LOOKS).astype(int))
+    series = {key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam")}
+    for body in dict.fromkeys(one.body for one in solution.model.description.gauges):
+        try:
+            some = solution.but(**series)
+            whole, modal = stresses(some, body), stresses(some, body, way="modes")
+        except ModelError:  # gauges without the causes, or loads whose place on the body is not known
+            continue
+        lacking, largest = von_mises(whole.components - modal.components), whole.largest()
+        if not (np.isfinite(lacking).all() and largest.value > 0.0):
+            continue
+        share = float(lacking.max()) / largest.value
+        shares[f"missing_stress.{body}"] = share
+        if share > WORTH_A_WORD and any(one.unit == "Pa" for one in solution.model.description.measures):
+            sample, place = np.unravel_index(int(lacking.argmax()), lacking.shape)
+            text = (
+                f"measures of stress at {whole.gauges[int(place)]} of {body} leave out up to {100 * share:.2g} % of "
+                f"its largest stress, which its modes do not hold; solution.stresses('{body}') has it, or give it "
+                "the static shapes of its loads, static=[...] of FlexibleBody"
+            )
+            events.append(Event(float(whole.t[int(sample)]), "stresses_missing", text))
+    return shares, events
