@@ -24,7 +24,7 @@ from runtime.running.companion import loads_missed, marks_of
 from runtime.running.load_steps import steps_that_see_loads
 from runtime.running.marks import Marks, told_by
 from runtime.running.outcome import finished
-from runtime.running.plan import MAX_SAMPLES, Plan, make_plan
+from runtime.running.plan import MAX_SAMPLES, Plan, make_plan, whole_number
 from runtime.running.problem import ROUNDING, Problem, common_time
 from runtime.running.run import Run
 from runtime.running.start_of_run import begun
@@ -126,9 +126,14 @@ class Ladder:
             raise SchemeError(
                 f"dt must be a positive number, of seconds between samples in the motion, not {self.spacing!r}"
             )
+        every = self.further.save_every
+        if every is not None and not (whole_number(every) or 0) >= 1:
+            raise SchemeError(f"save_every must be a whole number of major steps of at least 1, not {every!r}")
         apart = sampled or self.spacing
         if sampled is not None and self.spacing is not None:
             apart = common_time(sampled, self.spacing)
+        if apart is not None and span / apart > MOST_STEPS:
+            raise SchemeError(f"dt = {apart:g} s needs more than {MOST_STEPS:.0e} steps; raise dt or lower t_end")
         self.unit = FIRST if apart is None else ceil(span / apart - ROUNDING)
         self.span = self.unit * apart if apart is not None else span
 

@@ -20,6 +20,8 @@ MAX_STEPS = 1e15
 TOLD_APART = 2.0**-49  # dt over a time, at least
 STEP_ROUNDING = 1e-6  # of a step: t_end / dt is a whole number up to this
 
+NAME_ONE = 'name a scheme with its step, such as scheme="rk4", dt=1e-3'
+
 
 @dataclass(frozen=True)
 class Plan:
@@ -81,6 +83,8 @@ def make_plan(
     """Resolve defaults and check every number of a run. bounded: samples do not stay in memory. Raises SchemeError."""
     defaults = model.simulation
     name = scheme or str(defaults["scheme"])
+    if name == "auto":
+        raise SchemeError("scheme", f"model {model.name} names none, and steps of one length are needed here", NAME_ONE)
     ratios = None if m is None else _whole_numbers(m)
     built = scheme_kind(name).build(name, model, float(defaults["dt"]) if dt is None else dt, ratios, options or {})
     grid = built.grid

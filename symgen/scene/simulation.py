@@ -62,10 +62,10 @@ class Baumgarte(StrictModel):
 
 
 class Simulation(StrictModel):
-    """t_end [s]; dt [s]: the major step dt_L; m: step ratio of each next group; scheme: a stepper's name.
+    """t_end [s]; dt [s]: the major step dt_L of a scheme that is named; m: step ratio of each next group.
 
-    tolerance: of the error of a step, relative to the amplitudes; steps then take the length that it asks for, and
-    scheme is `auto` where it is left out.
+    scheme: a stepper's name; left out it is `auto`, which chooses a method and its steps for a tolerance.
+    tolerance: of the error of the motion, relative to its amplitudes, in place of dt; of `auto` 1e-3 where left out.
     start: `given` takes the initial state as it is, `quasi_static` puts elastic coordinates into stable equilibrium
     with it, `quasi_static_unstable` into any; `equilibrium`: every coordinate settles but those that turn.
     """
@@ -73,13 +73,13 @@ class Simulation(StrictModel):
     t_end: Number = 1.0
     dt: Number = 1e-3
     m: tuple[Annotated[int, Strict(), Field(ge=1, le=10_000)], ...] = ()
-    scheme: SchemeName = "printed"
+    scheme: SchemeName = "auto"
     tolerance: Annotated[float, Strict(), Field(gt=0, le=0.1)] | None = None
     save_every: Annotated[int, Strict(), Field(ge=1, le=MAX_STEPS)] = 1
     start: Literal["given", "quasi_static", "quasi_static_unstable", "equilibrium"] = "given"
 
-    @model_validator(mode="before")
-    @classmethod
-    def _scheme_of_a_tolerance(cls, fields: Any) -> Any:
-        left_out = isinstance(fields, dict) and fields.get("tolerance") is not None and "scheme" not in fields
-        return {**fields, "scheme": "auto"} if left_out else fields
+    @model_validator(mode="after")
+    def _ratios_of_a_scheme(self) -> Simulation:
+        if self.m and self.scheme == "auto":
+            raise ValueError('ratios m belong to a scheme: name it, such as scheme = "printed", or leave m out')
+        return self

@@ -120,16 +120,16 @@ def uncovered_group() -> SceneBuilder:
         .revolute("p", "ground.origin", "a.origin")
         .revolute("q", "a.origin", "b.origin")
         .groups(L=["a.theta"])
-        .simulation(t_end=1.0, dt=0.1)
+        .simulation(t_end=1.0, dt=0.1, scheme="printed")
     )
 
 
 def dependent_group() -> SceneBuilder:
-    return pendulum().groups(L=["rod.theta"], S=["rod.x"]).simulation(t_end=1.0, dt=0.1, m=[2])
+    return pendulum().groups(L=["rod.theta"], S=["rod.x"]).simulation(t_end=1.0, dt=0.1, m=[2], scheme="printed")
 
 
 def ratios_without_groups() -> SceneBuilder:
-    return pendulum().simulation(t_end=1.0, dt=0.1, m=[2, 3])
+    return pendulum().simulation(t_end=1.0, dt=0.1, m=[2, 3], scheme="printed")
 
 
 def point_that_may_turn() -> SceneBuilder:
@@ -202,23 +202,25 @@ def swing(tmp_path_factory: pytest.TempPathFactory) -> Model:
         ({"scheme": "runge"}, SchemeError, "no scheme 'runge'"),
         ({"scheme": "printed", "m": [2]}, SchemeError, "it has no ratio; leave m out"),
         ({"scheme": "single_rate", "m": [2]}, SchemeError, "leave m"),
+        ({"m": [2]}, SchemeError, "auto chooses m and options itself"),
+        ({"options": {"eps": (1e-6,)}}, SchemeError, "auto chooses m and options itself"),
         ({"engine": "fast"}, ValueError, "engine must be"),
         ({"parameters": {"rod.weight": 1.0}}, ModelError, "no parameter 'rod.weight'"),
         ({"parameters": {"rod.mass": float("nan")}}, ModelError, "must be a finite number"),
         ({"parameters": {"rod.mass": "x"}}, ModelError, "must be a finite number"),
         ({"parameters": {"rod.mass": -1.0}}, ModelError, "must be positive"),
         ({"parameters": {"rod.inertia": -1.0}}, ModelError, "at least zero"),
-        ({"m": 3}, SchemeError, "m must be a list"),
+        ({"scheme": "printed", "m": 3}, SchemeError, "m must be a list"),
         ({"t0": float("nan")}, SchemeError, "t0 must be a time"),
         ({"t0": "a"}, SchemeError, "t0 must be a time"),
         ({"t_end": 1e300, "dt": 1e-300}, SchemeError, "raise dt"),
-        ({"options": {"eps": "a"}}, SchemeError, "eps"),
+        ({"scheme": "printed", "options": {"eps": "a"}}, SchemeError, "eps"),
         ({"initial": {"rod.phi": 1.0}}, InitialStateError, "no coordinate 'rod.phi'"),
         ({"initial": {"rod.theta": float("inf")}}, InitialStateError, "must be a finite number"),
         ({"initial": {"rod.x": 1.0}}, InitialStateError, "cannot all be satisfied"),
-        ({"options": {"eps": (0.0,)}}, SchemeError, "eps"),
-        ({"options": {"guess": "magic"}}, SchemeError, "guess must be one of"),
-        ({"options": {"tolerance": 1.0}}, SchemeError, "no option 'tolerance'"),
+        ({"scheme": "printed", "options": {"eps": (0.0,)}}, SchemeError, "eps"),
+        ({"scheme": "printed", "options": {"guess": "magic"}}, SchemeError, "guess must be one of"),
+        ({"scheme": "printed", "options": {"tolerance": 1.0}}, SchemeError, "no option 'tolerance'"),
     ],
 )
 def test_bad_arguments_of_a_run(swing: Model, arguments: dict[str, Any], error: type[Exception], phrase: str) -> None:
@@ -231,7 +233,7 @@ def test_ratios_must_be_whole_numbers(ratio: Any, tmp_path: Path) -> None:
     scene = SceneBuilder("pair").structure(
         coordinates=["a", "b"], mass=[[1.0, 0.5], [0.5, 1.0]], stiffness=[[1.0, 0.0], [0.0, 100.0]]
     )
-    scene.groups(L=["a"], S=["b"]).simulation(t_end=1.0, dt=0.01, m=[2])
+    scene.groups(L=["a"], S=["b"]).simulation(t_end=1.0, dt=0.01, m=[2], scheme="printed")
     model = load_model(generate(scene.build(), tmp_path / "pair"))
     with pytest.raises(SchemeError, match="whole numbers"):
         simulate(model, scheme="printed", m=[ratio])
@@ -256,7 +258,9 @@ def test_growing_sub_cycling_ends_with_its_cause(tmp_path: Path) -> None:
     pair = SceneBuilder("pair").structure(
         coordinates=["a", "b"], mass=[[1.0, 0.5], [0.5, 1.0]], stiffness=[[1.0, 0.0], [0.0, 400.0]]
     )
-    pair.groups(L=["a"], S=["b"]).initial({"a": 1.0, "b": 0.1}).simulation(t_end=200.0, dt=0.01, m=[4])
+    pair.groups(L=["a"], S=["b"]).initial({"a": 1.0, "b": 0.1}).simulation(
+        t_end=200.0, dt=0.01, m=[4], scheme="printed"
+    )
     solution = simulate(load_model(generate(pair.build(), tmp_path / "pair")), scheme="printed")
     assert solution.status.name == "diverged"
     assert "sub-cycling itself is unstable" in solution.status.advice

@@ -91,7 +91,7 @@ def test_weight_is_the_slope_of_its_potential(model_of: Build, space: str) -> No
     builder.rigid("m", mass=2.0, inertia=moments, center_of_mass=off, free=True)
     for axis in "xyz"[: 2 + three]:
         builder.measure(axis, axis, "m.center")
-    model = model_of(builder.simulation(t_end=0.1, dt=0.01).build())
+    model = model_of(builder.simulation(t_end=0.1, dt=0.01, scheme="printed").build())
     c = model.constants(model.parameter_vector())
     at = random_states(model, 1, rate=0.0)[0]
 
@@ -113,7 +113,9 @@ def test_weight_is_the_slope_of_its_potential(model_of: Build, space: str) -> No
 def test_the_distance_between_two_points_of_a_plane(model_of: Build) -> None:
     """3 along x and 4 along y: 5."""
     builder = SceneBuilder("apart").rigid("m", mass=1.0, inertia=1.0, free=True).initial({"m.x": 3.0, "m.y": 4.0})
-    model = model_of(builder.measure("gap", "distance", "m.origin").simulation(t_end=0.1, dt=0.01).build())
+    model = model_of(
+        builder.measure("gap", "distance", "m.origin").simulation(t_end=0.1, dt=0.01, scheme="printed").build()
+    )
     at = random_states(model, 1, rigid=0.0, rate=0.0)[0]
     c = model.constants(model.parameter_vector())
     found = model.evaluate("measures", q=at.q, q_dot=at.q_dot, t=0.0, c=c)

@@ -42,7 +42,7 @@ def test_a_rate_of_what_depends_takes_the_place_of_the_rates_of_the_scene(model_
         builder.rigid(name, mass=1.0, inertia=0.1, markers={"tip": {"position": (1.0, 0.0)}})
     builder.revolute("a", "ground.origin", "upper.origin").revolute("b", "upper.tip", "lower.origin")
     builder.initial({"upper.theta": 0.3, "lower.theta": 0.8}).rates({"upper.theta": 1.0, "lower.theta": 2.0})
-    model = model_of(builder.simulation(t_end=0.1, dt=0.01).build())
+    model = model_of(builder.simulation(t_end=0.1, dt=0.01, scheme="printed").build())
     p = model.parameter_vector()
     found = given_state(model, p, model.constants(p), 0.0, {"lower.x_dot": -0.5})
     rate = dict(zip(model.coordinates, found.q_dot, strict=True))
@@ -73,7 +73,11 @@ def test_the_order_of_a_method_takes_a_decade_of_errors(built_in: Load, monkeypa
 
 
 def test_what_rests_has_no_drift_of_energy(model_of: Build) -> None:
-    builder = SceneBuilder("rest").rigid("m", mass=1.0, inertia=1.0, free=True).simulation(t_end=1.0, dt=0.1)
+    builder = (
+        SceneBuilder("rest")
+        .rigid("m", mass=1.0, inertia=1.0, free=True)
+        .simulation(t_end=1.0, dt=0.1, scheme="printed")
+    )
     problem = Problem(make_setting(model_of(builder.build()), t_end=1.0), 1.0, lambda t: np.ones((len(t), 3)), 1e-12)
     assert energy_drift(PreparedMethod(Spec("rk4"), problem, engine="interpreted"), 4) is None
 
@@ -121,7 +125,9 @@ def test_usual_ratios_of_three_groups_sub_cycle_the_last(model_of: Build) -> Non
     builder = SceneBuilder("three").structure(
         coordinates=["a", "b", "c"], mass=np.eye(3), stiffness=np.diag([1.0, 9.0, 100.0])
     )
-    builder.groups(A=["a"], B=["b"], C=["c"]).initial({"a": 1.0}).simulation(t_end=0.2, dt=0.1, m=[1, 2])
+    builder.groups(A=["a"], B=["b"], C=["c"]).initial({"a": 1.0}).simulation(
+        t_end=0.2, dt=0.1, m=[1, 2], scheme="printed"
+    )
     chart = stability_chart(model_of(builder.build()), "coupled", points=2, states=1, dt_range=(1e-3, 2e-3))
     assert [curve.m for curve in chart.curves] == [[1, ratio] for ratio in USUAL_RATIOS]
 
@@ -137,7 +143,7 @@ def test_a_small_jump_of_a_slow_motion_is_a_jump(model_of: Build) -> None:
     builder = SceneBuilder("slow").rigid("a", mass=1.0, inertia=0.1).rigid("b", mass=1.0, inertia=0.1)
     builder.revolute("h", "ground.origin", "a.origin").revolute("k", "a.origin", "b.origin")
     builder.prescribed_angle("drive", "ground.origin", "a.origin", motion="1e-5 * sqrt((t - 0.503)**2)")
-    model = model_of(builder.simulation(t_end=1.0, dt=0.05).build())
+    model = model_of(builder.simulation(t_end=1.0, dt=0.05, scheme="printed").build())
     with pytest.raises(ModelError, match="velocity jumps"):
         simulate(model, scheme="rk4", engine="interpreted")
 

@@ -130,7 +130,7 @@ def test_driven_mechanisms_follow_samples(model_of: Build) -> None:
         .rigid("cart", mass=2.0, inertia=0.1)
         .prismatic("rail", "ground.origin", "cart.origin")
         .prescribed_displacement("drive", "ground.origin", "cart.origin", motion="way")
-        .simulation(t_end=1.0, dt=0.01)
+        .simulation(t_end=1.0, dt=0.01, scheme="printed")
         .build()
     )
     model = model_of(scene)

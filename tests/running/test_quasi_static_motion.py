@@ -25,7 +25,7 @@ def swung_beam() -> Scene:
         .revolute("pivot", "ground.origin", "beam.start")
         .prescribed_angle("drive", "ground.origin", "beam.start", motion="a * t**2 / 2")
         .measure("tip_y", "y", of="beam.end")
-        .simulation(t_end=0.02, dt=0.01)
+        .simulation(t_end=0.02, dt=0.01, scheme="printed")
         .build()
     )  # fmt: skip
 

@@ -36,7 +36,7 @@ def flexible_slider_crank() -> Scene:
         .groups(slow=["crank.theta"], fast=["rod.q*"])
         .initial({"crank.theta": {"value": 0.1, "fixed": True}, "rod.q1": 1e-5})
         .rates({"crank.theta": 150})
-        .simulation(t_end=0.1, dt=1e-4, m=[10])
+        .simulation(t_end=0.1, dt=1e-4, m=[10], scheme="printed")
         .build()
     )
 

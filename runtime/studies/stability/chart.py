@@ -16,6 +16,7 @@ from runtime.contract.files import write_text
 from runtime.contract.model import Model, ModelError
 from runtime.operating.mode_solver import State
 from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.options import SchemeError
 from runtime.studies.stability.along import states_along
 from runtime.studies.stability.limits import StabilityCurve, StabilityStudy, usual_steps
 from runtime.studies.stability.spectrum import ExactMotion
@@ -104,6 +105,8 @@ def stability_chart(
             f"every coordinate of model {model.name} is driven: nothing is stepped, so nothing is unstable"
         )
     name = scheme or str(model.simulation["scheme"])
+    if name == "auto":
+        raise SchemeError("scheme", f"model {model.name} names none", "name the scheme whose stability is asked for")
     if not model.has("residual_jacobian"):
         raise ModelError(f"model {model.name} was generated without its Jacobians; regenerate it with all functions")
     end = float(model.simulation["t_end"]) if t_end is None else float(t_end)
