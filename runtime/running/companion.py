@@ -135,7 +135,7 @@ def _compared(
         reason = f"made again with steps of {other.segment.plan.grid.dt_L:.3g} s the motion ends as {status.name}"
         return MotionError(reliable_until=status.time, reason=f"{reason} at t = {status.time:.4g} s")
     model = problem.model
-    mine, theirs = marks.told([k * step for k in common]), own.told([k * every for k in common])
+    mine, theirs = marks.told([k * step for k in common], model), own.told([k * every for k in common], model)
     t = np.array([plan.time(k * step) for k in common])
     seen = np.concatenate([mine, theirs, solution.q[:, followed(model)[1]]])
     return motion_error(model, t, mine, theirs, amplitudes(model, seen))

@@ -184,11 +184,11 @@ class Ladder:
         common = sorted(set(_at(last)) & set(_at(rung)))
         if not common:
             return
-        mine, theirs = (one.marks.told([_at(one)[k] for k in common]) for one in (rung, last))
+        mine, theirs = (one.marks.told([_at(one)[k] for k in common], self.problem.model) for one in (rung, last))
         segment = rung.run.segment
         record = rung.run.record
         samples = [rows for own, rows in record.samples if record.segments[own] is segment]
-        seen = [mine, theirs, *([told_by(segment, np.concatenate(samples))] if samples else [])]
+        seen = [mine, theirs, *([told_by(segment, np.concatenate(samples), self.problem.model)] if samples else [])]
         t = np.array([rung.run.segment.plan.time(_at(rung)[k]) for k in common])
         model = self.problem.model
         rung.told = motion_error(model, t, mine, theirs, amplitudes(model, np.concatenate(seen)))

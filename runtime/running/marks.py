@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from runtime.contract.coordinates import followed, whole
+from runtime.contract.model import Model
 from runtime.results.sampling import evaluate
 from runtime.running.segment import Segment
 
@@ -55,18 +56,20 @@ class Marks:
             self.states[int(step)] = (segment, arrays["mark_states"][first:last])
             first = last
 
-    def told(self, steps: Sequence[int]) -> np.ndarray:
-        """(N, n_told) what tells the motion at these steps."""
+    def told(self, steps: Sequence[int], model: Model) -> np.ndarray:
+        """(N, n_told) what tells the motion of a model at these steps, whatever q_i they were stepped with."""
         rows: dict[int, np.ndarray] = {}
         for segment in {id(self.states[step][0]): self.states[step][0] for step in steps}.values():
             own = [step for step in steps if self.states[step][0] is segment]
-            rows |= dict(zip(own, told_by(segment, np.array([self.states[step][1] for step in own])), strict=True))
+            rows |= dict(
+                zip(own, told_by(segment, np.array([self.states[step][1] for step in own]), model), strict=True)
+            )
         return np.array([rows[step] for step in steps])
 
 
-def told_by(segment: Segment, states: np.ndarray) -> np.ndarray:
-    """(N, n_told) what tells the motion, of states (N, n_z) of a segment."""
+def told_by(segment: Segment, states: np.ndarray, model: Model) -> np.ndarray:
+    """(N, n_told) what tells the motion of a model, of states (N, n_z) of a segment, which may have other q_i."""
     scheme = segment.plan.scheme
     seen = evaluate(scheme.observer, {"z": states}, scheme.constants(segment.c))
     q = whole(segment.model, seen["q_i"], seen["q_d"])
-    return q[:, followed(segment.model)[1]]
+    return q[:, followed(model)[1]]
