@@ -108,7 +108,7 @@ def _compared(
 ) -> MotionError:
     """The difference to a companion whose steps are about `ratio` times as long; or why there is none."""
     if plan.scheme.adaptive:
-        a = b = marks.every
+        a = b = marks.early if early else marks.every
     elif early:
         a, b = marks.early, marks.early * FINER
     else:

@@ -245,6 +245,17 @@ def test_numbers_of_steps_without_a_common_divisor(steps: int, order: int) -> No
         assert a / b == pytest.approx(ratio, rel=0.1) and steps % a <= 0.1 * steps
 
 
+@pytest.mark.parametrize(("dt", "t_end"), [(0.1, 0.2), (0.1, 4.0), (0.02, 4.0)])
+def test_steps_that_vary_are_measured_by_another_tolerance(built_in: Load, dt: float, t_end: float) -> None:
+    """Whatever the number of samples, which are not the steps."""
+    model = built_in("pendulum")
+    run = simulate(
+        model, scheme="dopri5", tolerance=1e-5, dt=dt, t_end=t_end, save_every=1, options={"error_of": "step"}
+    )
+    true = relative_error(run, reference_solution(model, t_end=t_end, times=run.t).q[:, followed(model)[1]])
+    assert run.status.ok and true / WITHIN < run.error.largest < max(WITHIN * true, 1e-8)
+
+
 def test_a_measured_error_does_not_depend_on_what_is_kept(built_in: Load, tmp_path: Any) -> None:
     model, settings = built_in("pendulum"), {"scheme": "single_rate", "dt": 0.01, "t_end": 3.0}
     whole = simulate(model, **settings, save_every=1)
