@@ -69,13 +69,13 @@ def test_radau_tableau() -> None:
 def test_implicit_opponents_are_stable_for_any_step(built_in: Load, scheme: str) -> None:
     """Far above the limit of an explicit scheme, energy does not grow and the crank turns as it should.
 
-    Modes that no step resolves are off by an amplitude, and the run says so.
+    Modes that no step resolves are off by a fifth of an amplitude and more, and the run says so.
     """
     model = built_in("flexible_slider_crank_free")
     limit = simulate(model, scheme="single_rate", t_end=1e-5, dt=1e-5).stats["step_limit_at_start"]
     dt = 8 * float(limit)
     solution = simulate(model, scheme=scheme, dt=dt, t_end=0.05)
-    assert solution.status.name == "inaccurate" and solution.error.relative["rod.q4"] > 0.5
+    assert solution.status.name == "inaccurate" and solution.error.largest > 0.2
     energy = solution.total_energy
     assert np.max(energy) < energy[0] + 0.02 * np.max(solution.energy["kinetic"])
     exact = reference_solution(model, t_end=float(solution.t[-1]))
