@@ -171,9 +171,9 @@ class Dynamics:
     def _point(self, marker: str, parameters: Mapping[str, float] | None) -> tuple[str, Any, Any, Any, Any]:
         """Body, position (3,), shapes and turns (3, nf) and H (nf, nf) of a marker, in axes of its body."""
         points = self.model.description.drawing.points
-        known = [f"{point.body}.{point.name}" for point in points]
-        if marker not in known or marker.endswith("."):
-            used = ", ".join(name for name in known if not name.endswith("."))
+        known = [f"{point.body}.{point.name}" if point.name else "" for point in points]
+        if marker not in known or not marker:
+            used = ", ".join(filter(None, known))
             raise ModelError(f"model {self.model.name} has no marker {marker!r} in use; it has {used}")
         p = self.model.parameter_vector(parameters)
         values = {key: np.asarray(value) for key, value in self.model.kernel("geometry")(p=p).items()}

@@ -23,6 +23,9 @@ MOST_BARE_NUMBERS = 0.05
 TAKING_APART = {"partition", "rpartition", "split", "rsplit", "startswith", "endswith", "removesuffix", "removeprefix"}
 # text that is no name of a coordinate, row or parameter: commands, file endings, module names, keys of arrays, methods
 READERS_OF_TEXT = {
+    "runtime/contract/files.py",  # names of temporary files
+    "runtime/contract/tables.py",  # names of functions in emitted code
+    "runtime/results/stream.py",
     "runtime/engine/compiled.py",
     "runtime/results/export.py",
     "runtime/results/samples.py",  # columns of the CSV
