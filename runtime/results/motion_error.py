@@ -16,6 +16,7 @@ from runtime.results.amplitudes import floored
 TURN = np.pi / np.sqrt(3.0)  # rad: RMS about its mean of an angle that turns on and on, modulo a turn
 ROUND = 2 * np.pi  # rad: what has turned further turns on and on
 LOST = 0.03  # of an amplitude: the time at which a motion that is lost in the end can be relied on no more
+DUST = 1e-10  # m or rad, or of a coordinate's size: an amplitude counts as that at least
 STATIONARY = 0.1  # of the largest amplitude of its kind and unit: what moves less is not judged by its own
 
 
@@ -81,8 +82,9 @@ def motion_error(model: Model, t: np.ndarray, q: np.ndarray, other: np.ndarray, 
     """The difference of two motions at times t (N,) [s]: q, other (N, n_told); sizes: amplitudes (n_told,)."""
     names = followed(model)[0]
     off = np.abs(q - other)
-    rms, least = np.sqrt(np.mean(off**2, axis=0)), floored(model, sizes)
-    judged = rms / floored(model, sizes, STATIONARY)
+    dust = DUST * np.maximum(1.0, np.abs(q).max(axis=0))  # what stays where it is has an amplitude of rounding
+    rms, least = np.sqrt(np.mean(off**2, axis=0)), np.maximum(floored(model, sizes), dust)
+    judged = rms / np.maximum(floored(model, sizes, STATIONARY), dust)
     until = None
     if len(t) and (off / least > 1.0).any():
         until = float(t[int(np.argmax((off / least > LOST).any(axis=1)))])

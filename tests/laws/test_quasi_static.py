@@ -150,7 +150,7 @@ def test_stiff_gears_settle_with_the_rest(model_of: Callable[[Scene], Model]) ->
     assert len(told) == 1 and "rotor.theta" in told[0].text and "start = equilibrium" in told[0].text
     run = simulate(model, start="equilibrium")
     np.testing.assert_allclose(run.q[0], equilibrium(model).q, atol=1e-9)
-    assert np.abs(run.q - run.q[0]).max() < 1e-9
+    assert np.abs(run.q - run.q[0]).max() < 1e-9 and run.status.name == "completed", run.status
 
 
 def test_a_start_in_equilibrium_keeps_what_turns_and_what_drives(model_of: Callable[[Scene], Model]) -> None:
