@@ -37,7 +37,8 @@ class RowFunction:
         points = np.empty((n, sum(self._sizes)))
         first = 0
         for name, size in zip(self._names, self._sizes, strict=True):
-            points[:, first : first + size] = c if name == CONSTANTS else np.reshape(values[name], (n, size))
+            given = (c if c.ndim == 1 else c[:n]) if name == CONSTANTS else np.reshape(values[name], (n, size))
+            points[:, first : first + size] = given
             first += size
         found = self._by_native(points) if self._worth(n) else self._by_calls(points)
         ends = np.cumsum([0, *self._outputs.values()]).tolist()

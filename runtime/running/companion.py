@@ -122,7 +122,7 @@ def _compared(
     other = begun(
         problem, stepped_by(problem, plan, plan.grid.dt_L * a / b, every * shown, every, ratio), own, quiet=True
     )
-    if ratio == 1 / INSIDE and (missed := loads_missed(other)):
+    if ratio == 1 / INSIDE and (missed := [one for one in loads_missed(other) if one.kind == "load_missed"]):
         return MotionError(reliable_until=missed[0].time, reason=missed[0].text)
     status = other.go()
     if status.name == "interrupted":
@@ -142,11 +142,10 @@ def _compared(
 
 
 def loads_missed(run: Run) -> list[Event]:
-    """What the steps of a run at its start do not see of loads."""
+    """What the steps of a run do not see of loads, and loads without a finite value."""
     assert run.start is not None
     segment, state = run.segment, run.start[1]
-    found = check_time_functions(segment.model, segment.c, segment.plan, state, segment.switches)
-    return [event for event in found if event.kind == "load_missed"]
+    return check_time_functions(segment.model, segment.c, segment.plan, state, segment.switches)
 
 
 def stepped_by(problem: Problem, plan: Plan, dt: float, steps: int, every: int, ratio: float) -> Plan:

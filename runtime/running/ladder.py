@@ -223,6 +223,7 @@ class Ladder:
         """What the last whole rung is, with its error, and how the ladder ended."""
         whole = [one for one in rungs if not one.lost]
         if not whole:
+            rungs[-1].run.events += loads_missed(rungs[-1].run) if len(rungs) > 1 else []
             return finished(rungs[-1].run, lambda run, solution: rungs[-1].told)
         answer = whole[-1]
         error = replace(answer.told)
@@ -232,7 +233,10 @@ class Ladder:
             plan = replace(run.record.segments[0].plan, outputs=tuple(further.outputs or ()))
             run = begun(self.problem, plan, marks_of(self.problem, plan), further)
         elif answer is not rungs[0]:
-            run.events[:] = [*loads_missed(run), *(one for one in run.events if one.kind != "load_missed")]
+            run.events[:] = [
+                *loads_missed(run),
+                *(one for one in run.events if one.kind not in ("load_missed", "load_not_finite")),
+            ]
         found = finished(run, lambda run, solution: error)
         stats: dict[str, float | int | str] = dict(found.stats) | {
             "tolerance": self.tolerance,

@@ -147,7 +147,7 @@ class Scheme(ABC):
 
     def keep_account(self, sizes: Mapping[str, int]) -> None:
         """Further fields of z that no step reads. Before anything of the scheme is built."""
-        self._fields |= {name: account(size) for name, size in sizes.items()}
+        self._fields = {**self._fields, **{name: account(size) for name, size in sizes.items()}}
         self.layout = Layout({name: one.size for name, one in self._fields.items()})
 
     @property
@@ -162,7 +162,7 @@ class Scheme(ABC):
     def on(self, grid: Grid) -> Self:
         """The same scheme with the steps of another grid with the same groups and ratios; nothing is built of it."""
         found = copy(self)
-        found._derived, found.called = {}, {}
+        found._derived, found.called, found._fields = {}, {}, dict(self._fields)
         found.take_steps(grid)
         return found
 

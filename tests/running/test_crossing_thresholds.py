@@ -190,7 +190,7 @@ def test_a_motion_that_turns_before_a_singular_position_is_no_passage(built_in: 
     """
     start = {"upright0.theta": -0.025, "upright0.theta_dot": 0.0}
     run = simulate(built_in("n_four_bar"), initial=start, t_end=2.0, dt=1e-3)
-    assert run.status.ok and run.events == []
+    assert run.status.ok and {event.kind for event in run.events} <= {"assembled"}
     assert run["upright0.theta"].min() == pytest.approx(-np.pi + 0.025, abs=1e-4)
 
 

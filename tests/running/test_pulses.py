@@ -57,7 +57,8 @@ def test_short_pulses(model_of: Build, width: float, settings: dict[str, Any], o
     run = simulate(model_of(kicked()), parameters={"width": width}, **settings)
     exact = turned(width, run.t)
     true = math.sqrt(np.mean((run["rod.theta"] - exact) ** 2)) / exact.std()
-    assert run.status.name == "completed" and true < off and true / 10 < run.error.largest < max(10 * true, 1e-6)
+    assert run.status.name == "completed" and true < off
+    assert (true < 1e-6 or true / 10 < run.error.largest) and run.error.largest < max(10 * true, 1e-6)
 
 
 def test_a_pulse_that_the_motion_makes_a_load(model_of: Build) -> None:

@@ -69,8 +69,9 @@ def test_strong_damping_is_right_or_named(model_of: Build, scheme: str, damping:
     )
     if run.status.name == "inaccurate":
         assert rate or (scheme in ("single_rate", "generalized_alpha") and np.ptp(run.q_i) < 1e-3)
-    elif run.balance.resolved and run.balance.largest > damping / 100:  # a decay too fast for any step to see
-        assert rate and scheme == "single_rate"
+    elif run.balance.resolved and run.balance.largest > damping / 100:
+        # a decay too fast for any step to see leaves a rate that does not die out: the balance of energy tells it
+        assert rate and scheme in ("single_rate", "exponential", "linearised")
     elif run.status.ok:
         assert run.q_i[-1, 0] == pytest.approx(creep(damping, rate), abs=1e-4)
         assert abs(run.q_dot[-1, run.model.independent_columns[0]]) < 1e-2
