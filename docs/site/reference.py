@@ -11,7 +11,7 @@ TOPICS: dict[str, list[str]] = {
     "Models and runs": [
         "runtime.contract.loading.load_model",
         "runtime.contract.model.Model",
-        "runtime.studies.advice.auto.simulate",
+        "runtime.running.simulate.simulate",
         "runtime.running.resume.resume",
         "runtime.results.solution.Solution",
         "runtime.results.samples.Samples",
