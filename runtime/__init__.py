@@ -27,10 +27,10 @@ if TYPE_CHECKING:
     from runtime.baselines.augmented import augmented_solution
     from runtime.baselines.reference import reference_solution
     from runtime.contract.consistent_state import InitialStateError
-    from runtime.contract.errors import SymgenError
+    from runtime.contract.errors import ModelError, SymgenError
     from runtime.contract.files import OutputError
     from runtime.contract.loading import load_model
-    from runtime.contract.model import Model, ModelError
+    from runtime.contract.model import Model
     from runtime.contract.records import Group
     from runtime.contract.status import Status
     from runtime.gradients.differentiable_run import DifferentiableRun
@@ -99,7 +99,7 @@ _HOMES = {
     "load_model": "contract.loading",
     "Group": "contract.model",
     "Model": "contract.model",
-    "ModelError": "contract.model",
+    "ModelError": "contract.errors",
     "Status": "contract.status",
     "DifferentiableRun": "gradients.differentiable_run",
     "fit": "gradients.fit",

@@ -17,7 +17,8 @@ from pathlib import Path
 import casadi as ca
 import numpy as np
 
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.contract.tape import as_function
 from symgen.emission.description import describe
 from symgen.emission.manifest import clean

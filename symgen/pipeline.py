@@ -41,10 +41,9 @@ from functools import cached_property, partial
 import casadi as ca
 import numpy as np
 
-from runtime.contract.collection import no_collection
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.records import BoundedQuantity, FunctionSpec, Group, Parameter
-from runtime.contract.tape import Tape
+from runtime.contract.tape import Tape, no_collection
 from symgen.choice.assembly import ConstraintNumbers, assembled
 from symgen.choice.deflections import deflections_of
 from symgen.choice.elimination import (

@@ -22,7 +22,7 @@ import casadi as ca
 import numpy as np
 
 from benchmarks.harness.result import Skipped
-from runtime.contract.cache import cache_folder
+from runtime.contract.files import cache_folder
 
 SOURCE = Path(__file__).with_name("pinocchio_tree.cpp")
 FLAGS = (

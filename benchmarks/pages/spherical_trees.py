@@ -14,7 +14,7 @@ import numpy as np
 
 from benchmarks.harness.models import workplace
 from runtime import load_model
-from runtime.contract.angular import exponential, product, rotation
+from runtime.contract.orientations import exponential, product, rotation
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder
 

@@ -14,7 +14,7 @@ import numpy as np
 import skfem
 
 from runtime import load_model, simulate
-from runtime.contract.body_motion import BodyMotion
+from runtime.contract.flexible import BodyMotion
 from symgen.fe import STEEL, FlexibleBody, LineMesh, Material, Section
 from symgen.generate import generate
 from symgen.scene import SceneBuilder

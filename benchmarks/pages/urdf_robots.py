@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.angular import rotation
 from runtime.contract.model import Model
+from runtime.contract.orientations import rotation
 from symgen.generate import model_of
 from symgen.scene import SceneError
 from symgen.urdf import RobotBuilder, read

@@ -16,8 +16,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import charts_in, independent, loop_part
-from runtime.contract.model import Model
-from runtime.contract.refused_events import refuse_events
+from runtime.contract.model import Model, refuse_events
 from runtime.contract.status import Status
 from runtime.contract.tape import shared
 from runtime.results.observe import assemble_solution, join

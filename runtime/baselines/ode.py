@@ -11,7 +11,8 @@ import casadi as ca
 import numpy as np
 
 from runtime.baselines.condensed_ode import CondensedOde, start_of
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.contract.tape import shared
 
 CLOSING_STEPS = 1  # Newton steps of the closure: x and z are as good as a solver's own solution

@@ -10,7 +10,8 @@ import numpy as np
 
 from runtime.baselines.condensed_ode import TO_ROUNDING, CondensedOde
 from runtime.contract.coordinates import independent_rates, whole
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.schemes.switching.impulse import impulse_at, moves_in_time
 from runtime.schemes.switching.times import SwitchTime, switching_times
 

@@ -7,15 +7,81 @@ Elastic coordinates move last, being small; those left open count as given zeros
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import NoReturn
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass, field, replace
+from functools import cache, cached_property
+from threading import Lock
+from typing import Any, NoReturn
 
 import numpy as np
 
 from runtime.contract.errors import SymgenError
-from runtime.contract.one_thread import one_thread
+from runtime.contract.orientations import (
+    angle_names,
+    angle_rates,
+    angles,
+    angular_velocity,
+    parameter_slopes,
+    quaternion,
+)
+from runtime.contract.records import Coordinate
 from runtime.contract.status import EventKind
+
+# Dense linear algebra by one thread of BLAS: several wait for each other longer than some hundred rows take.
+#
+# On two cores that other work shares, eigenvalues of a 600 x 600 matrix take 0.18 s of CPU by one thread, 2.7 s by
+# two.
+
+SMALL = 64  # rows up to which BLAS takes one thread anyway
+
+
+class _OneThread:
+    """A limit that lasts from the first who asks for it to the last, in whatever threads they are."""
+
+    def __init__(self) -> None:
+        self._lock, self._asked = Lock(), 0
+        self._limit: Any = None
+
+    def __enter__(self) -> None:
+        with self._lock:
+            if self._asked == 0:
+                self._limit = _libraries().limit(limits=1, user_api="blas")
+            self._asked += 1
+
+    def __exit__(self, *raised: object) -> None:
+        with self._lock:
+            self._asked -= 1
+            if self._asked == 0:
+                self._limit.restore_original_limits()
+
+
+_LIMITED = _OneThread()
+
+
+def one_thread(rows: int) -> AbstractContextManager[None]:
+    """While it lasts, BLAS takes one thread for matrices of so many rows; small ones are left alone."""
+    return nullcontext() if rows <= SMALL else _LIMITED
+
+
+def dense_eigenvalues(A: np.ndarray) -> np.ndarray:
+    """(n,) of a matrix (n, n). Raises LinAlgError if it is not finite."""
+    with one_thread(len(A)):
+        return np.asarray(np.linalg.eigvals(A))
+
+
+@cache
+def _libraries() -> Any:
+    from threadpoolctl import ThreadpoolController  # only where matrices are large
+
+    return ThreadpoolController()
+
+
+# Consistent initial state: positions and velocities that satisfy the constraints (Eqs. 21, 24).
+#
+# What the user fixed or gave stays exactly as long as what was left open can satisfy the constraints. Only if it
+# cannot do given values move, as little as possible in the least-squares sense (case F1 violates one by 2e-10).
+# Elastic coordinates move last, being small; those left open count as given zeros.
 
 MAX_ITERATIONS = 100
 LARGEST_STEP = 0.5  # rad or m per iteration: keeps Newton on the branch the user started
@@ -257,3 +323,191 @@ def _refuse(
         f"no consistent initial state at {level} level: {', '.join(joints)} cannot all be satisfied "
         f"(largest error {np.abs(residual).max():.3g}){reason}; {REMEDY[level]}"
     )
+
+
+# Consistent starts that are given by Euler angles: `consistent_state` with these in place of Euler parameters.
+#
+# What was given or fixed of the angles stays as any other coordinate does, one by one; what comes back has Euler
+# parameters.
+
+
+@dataclass(frozen=True)
+class AngleForm:
+    """names: all coordinates; sequences: by body, of those whose angles stand for e0 ... e3."""
+
+    names: list[str]
+    sequences: Mapping[str, str]
+
+    @cached_property
+    def parameters(self) -> dict[str, list[int]]:
+        """Columns of the Euler parameters, by body."""
+        return {body: [self.names.index(f"{body}.e{k}") for k in range(4)] for body in self.sequences}
+
+    @cached_property
+    def plain(self) -> list[int]:
+        """Columns that are the same in both."""
+        turning = {column for columns in self.parameters.values() for column in columns}
+        return [column for column in range(len(self.names)) if column not in turning]
+
+    @cached_property
+    def own(self) -> list[str]:
+        """Names here: what is the same, then the angles."""
+        turning = [name for body in self.sequences for name in angle_names(body)]
+        return [*(self.names[column] for column in self.plain), *turning]
+
+    def columns(self, body: str) -> list[int]:
+        """Of a body's angles here."""
+        return [self.own.index(name) for name in angle_names(body)]
+
+    def chosen(self, columns: frozenset[int]) -> frozenset[int]:
+        """Columns here of those of all coordinates; of a body's angles if its parameters are among them."""
+        found = {k for k, column in enumerate(self.plain) if column in columns}
+        for body, own in self.parameters.items():
+            found |= set(self.columns(body)) if columns & set(own) else set()
+        return frozenset(found)
+
+    def seen(self, q: np.ndarray) -> np.ndarray:
+        """Coordinates here of all coordinates (n,)."""
+        turning = [angles(kind, q[self.parameters[body]]) for body, kind in self.sequences.items()]
+        return np.concatenate([q[self.plain], *turning])
+
+    def seen_rates(self, q: np.ndarray, q_dot: np.ndarray) -> np.ndarray:
+        """Rates here of all coordinates and rates (n,)."""
+        turning = []
+        for body, kind in self.sequences.items():
+            e = q[self.parameters[body]]
+            turning.append(angle_rates(kind, angles(kind, e), angular_velocity(e, q_dot[self.parameters[body]])))
+        return np.concatenate([q_dot[self.plain], *turning])
+
+    def whole(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(all coordinates (n,), their slopes (n x n')) at x (n',)."""
+        q, slope = np.zeros(len(self.names)), np.zeros((len(self.names), len(x)))
+        q[self.plain] = x[: len(self.plain)]
+        slope[self.plain, range(len(self.plain))] = 1.0
+        for body, kind in self.sequences.items():
+            own, columns = self.parameters[body], self.columns(body)
+            q[own] = quaternion(kind, x[columns])
+            slope[np.ix_(own, columns)] = parameter_slopes(kind, x[columns])
+        return q, slope
+
+    def fitting(self, x: np.ndarray, position: Residual) -> tuple[np.ndarray, np.ndarray]:
+        """`whole`; of e and -e, which are one orientation, what fits better to the joints that place the body."""
+        q, slope = self.whole(x)
+        off = float(np.abs(position(q)[0]).max(initial=0.0))
+        for own in self.parameters.values():
+            other = q.copy()
+            other[own] *= -1.0
+            found = float(np.abs(position(other)[0]).max(initial=0.0))
+            if found < off:
+                q, off = other, found
+                slope[own] *= -1.0
+        return q, slope
+
+
+def consistent_state_by_angles(
+    sequences: Mapping[str, str],
+    names: list[str],
+    elastic: frozenset[int],
+    owners: list[str],
+    position: Residual,
+    velocity: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
+    coordinates: GivenValues,
+    rates: GivenValues,
+    guess: np.ndarray,
+    reluctant: frozenset[int] = frozenset(),
+    first: Sequence[int] = (),
+    following: frozenset[int] = frozenset(),
+    origins: frozenset[int] = frozenset(),
+) -> ConsistentState:
+    """`consistent_state` where angles of the bodies of `sequences` are given; columns are those of `names`.
+
+    Raises InitialStateError.
+    """
+    if not sequences:
+        return consistent_state(
+            names, elastic, owners, position, velocity, coordinates, rates, guess, reluctant, first, following, origins
+        )
+    form = AngleForm(names, sequences)
+
+    def position_by(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        q, slope = form.fitting(x, position)
+        C, C_q = position(q)
+        return C, C_q @ slope
+
+    def velocity_by(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        q, slope = form.fitting(x, position)
+        C_q, nu = velocity(q)
+        return C_q @ slope, nu
+
+    found = consistent_state(
+        form.own,
+        form.chosen(elastic),
+        owners,
+        position_by,
+        velocity_by,
+        coordinates,
+        rates,
+        form.seen(guess),
+        form.chosen(reluctant),
+        first,
+        form.chosen(following),
+        form.chosen(origins),
+    )
+    q, slope = form.fitting(found.q, position)
+    placed, other = (None if x is None else form.whole(x)[0] for x in (found.placed, found.other))
+    return replace(found, q=q, q_dot=slope @ found.q_dot, placed=placed, other=other)
+
+
+def angle_bodies(names: Mapping[str, object], sequences: Mapping[str, str]) -> dict[str, str]:
+    """Those of the sequences (by body) whose angles are among the names."""
+    return {body: kind for body, kind in sequences.items() if not names.keys().isdisjoint(angle_names(body))}
+
+
+# What assembly did to coordinates that nobody gave: told where it moved them far, or might have gone elsewhere.
+
+ASSEMBLED: EventKind = "assembled"
+QUARTER = np.pi / 2
+SHOWN = 4  # coordinates that a text names
+
+
+def with_words(state: ConsistentState, coordinates: Sequence[Coordinate], given: Collection[str]) -> ConsistentState:
+    """The state with `told` of what assembly did; given: names of coordinates that were."""
+    told: list[str] = []
+    if state.placed is not None:
+        far = [k for k in _left_open(coordinates, given) if _is_far(coordinates, k, state.placed, state.q)]
+        moves = [f"{coordinates[k].name} {state.placed[k]:.4g} -> {state.q[k]:.4g}" for k in far]
+        if moves:
+            told.append(
+                f"closing the loops moved far what was not given: {_shown(moves)}. Give them to choose the branch"
+            )
+    if state.other is not None:
+        other = state.other
+        apart = [k for k in _left_open(coordinates, given) if abs(less_turns(other[k] - state.q[k])) > SAME]
+        places = [f"{coordinates[k].name} = {other[k]:.4g}, not {state.q[k]:.4g}" for k in apart]
+        if places:
+            told.append(f"another branch lies about as near: {_shown(places)}. Give one of them to choose it")
+    return replace(state, told=(*state.told, *((ASSEMBLED, text) for text in told)))
+
+
+def _left_open(coordinates: Sequence[Coordinate], given: Collection[str]) -> list[int]:
+    """Angles first, which say more than places."""
+    columns = [k for k, one in enumerate(coordinates) if one.name not in given and one.kind not in ("modal", "state")]
+    return sorted(columns, key=lambda k: not coordinates[k].turns)
+
+
+def _is_far(coordinates: Sequence[Coordinate], k: int, placed: np.ndarray, q: np.ndarray) -> bool:
+    """More than a quarter turn, or than the extent of the mechanism?"""
+    if coordinates[k].kind == "angle":
+        return abs(float(q[k] - placed[k])) > QUARTER
+    if coordinates[k].kind == "euler_parameter":
+        own = [
+            j for j, one in enumerate(coordinates) if (one.owner, one.kind) == (coordinates[k].owner, "euler_parameter")
+        ]
+        return k == own[0] and abs(float(q[own] @ placed[own])) < np.cos(QUARTER / 2)
+    origins = [j for j, one in enumerate(coordinates) if one.kind == "position"]
+    extent = float(np.ptp(q[origins]))
+    return 0 < extent < abs(float(q[k] - placed[k]))
+
+
+def _shown(parts: list[str]) -> str:
+    return ", ".join(parts[:SHOWN]) + (", ..." if len(parts) > SHOWN else "")

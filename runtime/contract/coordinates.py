@@ -1,14 +1,23 @@
-"""Vectors of q_i and q_d from those of all coordinates and back; angular velocities stand for the rates of turns."""
+"""q from q_i and q_d and back, with the rates of turns as angular velocities; which coordinates are lengths, which
+angles; initial values by name.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Protocol
 
 import casadi as ca
 import numpy as np
 
-from runtime.contract.angular import angular_velocity, chart_rates, exponential, product, rotation_vector
 from runtime.contract.model import Model
+from runtime.contract.orientations import angular_velocity, chart_rates, exponential, product, rotation_vector
+
+if TYPE_CHECKING:
+    from runtime.contract.model import Model
+
+
+# Vectors of q_i and q_d from those of all coordinates and back; angular velocities stand for the rates of turns.
 
 OMEGA = ("omega_x", "omega_y", "omega_z")
 
@@ -171,3 +180,51 @@ def independent_slopes(
         di[turns] = chart_rates(rotation_vector(q[e])) @ angular_velocity(q[e], dq[e].T).T
         dv[turns] = (angular_velocity(q[e], dq_dot[e].T) + angular_velocity(dq[e].T, q_dot[e])).T
     return di[: at.n_i], dv[: at.n_i], di[at.n_i :][at.loops]
+
+
+# Lengths and angles in one measure: which rows are distances, and the size of a mechanism.
+
+SMALLEST_ARM = 1e-9  # m: less is the rounding dust of an arm that is zero
+
+
+def length_rows(model: Model) -> np.ndarray:
+    """(n_c,) which constraint rows are distances [m]."""
+    return np.array([row.unit == "m" for row in model.description.constraints], dtype=bool)
+
+
+def turning_columns(model: Model) -> np.ndarray:
+    """(n,) which coordinates are angles or Euler parameters."""
+    return np.array([coordinate.turns for coordinate in model.description.coordinates], dtype=bool)
+
+
+def mechanism_length(model: Model, C_q: np.ndarray) -> float:
+    """The largest lever arm in C_q (n_c x n) [m], 1 if there is none."""
+    arms = np.abs(np.asarray(C_q)[np.ix_(length_rows(model), turning_columns(model))])
+    longest = float(arms.max(initial=0.0))
+    return longest if longest > SMALLEST_ARM else 1.0
+
+
+# Initial values as a run takes them: by name, or from what has a state, an equilibrium or a solution.
+
+
+class HasState(Protocol):
+    """An equilibrium, or a solution, of which it is the last sample."""
+
+    def initial_values(self) -> dict[str, float]:
+        """All coordinates and rates by name."""
+
+
+Initial = Mapping[str, float] | HasState | None
+
+
+def values_by_name(initial: Initial) -> Mapping[str, float] | None:
+    """Initial values by name."""
+    return initial if initial is None or isinstance(initial, Mapping) else initial.initial_values()
+
+
+def named_values(model: Model, q: np.ndarray, q_dot: np.ndarray) -> dict[str, float]:
+    """Coordinates (n,) and rates (n,) by name; of the state of a controller its value alone, which is a rate."""
+    values: dict[str, float] = {}
+    for entry, place, rate in zip(model.description.coordinates, q.tolist(), q_dot.tolist(), strict=True):
+        values |= {entry.owner: rate} if entry.kind == "state" else {entry.name: place, f"{entry.name}_dot": rate}
+    return values

@@ -1,4 +1,4 @@
-"""Writing files so that a reader never sees half of one: to a temporary name first, then renamed."""
+"""Writing files so that a reader never sees half of one: to a temporary name first, then renamed. The cache folder."""
 
 from __future__ import annotations
 
@@ -13,6 +13,19 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from runtime.contract.errors import SymgenError
+
+# Where compiled programs and models made on demand are kept.
+
+
+def cache_folder() -> Path:
+    """$SYMGEN_CACHE, else the user's cache folder."""
+    chosen = os.environ.get("SYMGEN_CACHE")
+    if chosen:
+        return Path(chosen)
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "symgen"
+
+
+# Writing files so that a reader never sees half of one: to a temporary name first, then renamed.
 
 WRITING = ".writing-"  # what temporary files begin with; then the machine and the process that writes
 STALE = 3600.0  # s: a temporary file of another machine this old was left by a process that is gone

@@ -1,12 +1,15 @@
-"""Load a generated folder: check its hashes, then run exactly the text that was checked."""
+"""A generated folder: its manifest with the hashes of its files, loaded so that exactly the text that was checked runs,
+and the functions that it leaves out, derived from its scene when they are asked for.
+"""
 
 from __future__ import annotations
 
 import copyreg
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
+from functools import cache, partial
 from importlib.abc import InspectLoader
 from importlib.util import module_from_spec, spec_from_loader
 from pathlib import Path
@@ -16,10 +19,110 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from runtime.contract.left_out import left_out
-from runtime.contract.manifest import FORMAT, OLDER, described, manifest_digest
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError, SymgenError
+from runtime.contract.model import Model
+from runtime.contract.records import Description, as_plain, description
 from runtime.contract.tables import table_from
+
+# manifest.json: the description of a model with the hashes of its files, and what guards it against edits.
+
+FORMAT = 3
+# What an old folder is told, by its format.
+OLDER = {1: "symgen 0.3 or older", 2: "a version between 0.3 and 0.4"}
+
+
+def manifest_text(
+    described: Description, files: Mapping[str, str], versions: Mapping[str, str], more: Mapping[str, Any]
+) -> str:
+    """The manifest as text, one record a line; files: name -> contents; more: what else is kept.
+
+    Default values of parameters are data, so they are left to data.json.
+    """
+    plain = as_plain(described)
+    for entry in plain["parameters"]:
+        del entry["default"]
+    manifest = {
+        "format": FORMAT,
+        **plain,
+        **more,
+        "files": {name: sha256(text) for name, text in files.items()},
+        "versions": dict(versions),
+    }
+    manifest["sha256"] = manifest_digest(manifest)
+    return "{\n" + ",\n".join(f" {json.dumps(key)}: {_value(value)}" for key, value in manifest.items()) + "\n}\n"
+
+
+def _value(value: Any) -> str:
+    """A list of records with each on a line of its own, everything else on one line."""
+    if isinstance(value, list) and value and isinstance(value[0], dict):
+        return "[\n" + ",\n".join(f"  {json.dumps(entry)}" for entry in value) + "\n ]"
+    return json.dumps(value)
+
+
+def described(manifest: Mapping[str, Any], defaults: Mapping[str, float]) -> Description:
+    """The description in a manifest, with the default values of its parameters by name."""
+    parameters = [{**entry, "default": defaults[entry["name"]]} for entry in manifest["parameters"]]
+    return description({**manifest, "parameters": parameters})
+
+
+def manifest_digest(manifest: Mapping[str, Any]) -> str:
+    """SHA-256 of a manifest without its versions and its own hash."""
+    kept = {key: value for key, value in manifest.items() if key not in ("versions", "sha256")}
+    return hashlib.sha256(json.dumps(kept, sort_keys=True).encode()).hexdigest()
+
+
+def sha256(text: str) -> str:
+    """Hexadecimal SHA-256 of a text in UTF-8."""
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+# Functions that a folder leaves out: derived from its scene when they are asked for.
+#
+# Deriving needs the generator, which this package does not have: it is found by its entry point `symgen.functions`.
+
+ENTRY_POINTS = "symgen.functions"
+Builders = Mapping[str, Callable[[], ca.Function]]
+SAME = ("coordinates", "q_i", "q_d", "groups", "constraints", "redundant", "bounded", "inputs")
+
+
+def left_out(folder: Path, names: Iterable[str], described: Description, scene_toml: str) -> Builders:
+    """What builds each function of these names, with the arguments of the emitted ones, c = p among them.
+
+    A builder raises ModelError where no generator is installed, where it refuses the scene, and where the installed
+    one chooses other coordinates or parameters than the folder has.
+    """
+
+    @cache
+    def builders() -> Builders:
+        from importlib.metadata import entry_points  # takes as long to import as a short run
+
+        found = next(iter(entry_points(group=ENTRY_POINTS)), None)
+        if found is None:
+            raise _refused(folder, "no generator is installed", "install symgen beside the runtime")
+        try:
+            model = found.load()(scene_toml)
+        except SymgenError as error:
+            raise _refused(folder, str(error), "generate the folder anew") from error
+        own = [entry.name for entry in described.parameters]
+        if own != [entry.name for entry in model.description.parameters] or any(
+            getattr(model.description, what) != getattr(described, what) for what in SAME
+        ):
+            raise _refused(folder, "the installed version derives another model of its scene", "generate it anew")
+        derived: Builders = model.builders
+        return derived
+
+    def build(name: str) -> ca.Function:
+        return builders()[name]()
+
+    return {name: partial(build, name) for name in names}
+
+
+def _refused(folder: Path, problem: str, remedy: str) -> ModelError:
+    item = f"{folder} leaves out functions that it was not asked for when it was written"
+    return ModelError(item, problem, f"{remedy}, or write all with: symgen generate {folder} --complete")
+
+
+# Load a generated folder: check its hashes, then run exactly the text that was checked.
 
 
 class _CheckedSource(InspectLoader):

@@ -1,4 +1,6 @@
-"""A model in memory: names, partition, parameters, and its CasADi Functions (built on demand)."""
+"""A model in memory: names, partition, parameters, inputs as functions of time, and its CasADi Functions (built on
+demand).
+"""
 
 from __future__ import annotations
 
@@ -10,16 +12,160 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from runtime.contract.called import as_called, of_parameters
 from runtime.contract.doors import OPENS
-from runtime.contract.errors import ModelError as ModelError
-from runtime.contract.model_card import model_card
-from runtime.contract.orientations import Places, places_of
-from runtime.contract.parameter_list import ParameterList
-from runtime.contract.parameter_values import changed_vector, checked_inputs, require_bounds
-from runtime.contract.records import Coordinate, Description, Group, Parameter
-from runtime.contract.signals import Signals
+from runtime.contract.errors import ModelError
+from runtime.contract.orientations import Places, places_of, with_charts
+from runtime.contract.records import Bound, BoundedQuantity, Coordinate, Description, Group, InputRecord, Parameter
+from runtime.contract.signals import Signals, traced, with_signals
+from runtime.contract.status import card, fold, table
 from runtime.contract.tape import arithmetic
+
+# Values of parameters and inputs given by name, checked.
+
+WORDS = {"positive": "positive", "not negative": "at least zero"}
+
+
+def changed_vector(model: str, parameters: Sequence[Parameter], changes: Mapping[str, float]) -> np.ndarray:
+    """(n_p,) defaults of the parameters, some changed by name. Raises ModelError for a name or value that cannot be."""
+    p = np.array([parameter.default for parameter in parameters])
+    index = {parameter.name: k for k, parameter in enumerate(parameters)}
+    for name, value in changes.items():
+        if name not in index:
+            known = ", ".join(q.name for q in parameters if q.kind != "data")
+            zero = (
+                "; a number that is zero in the scene is left out of the code: to keep it, declare it in "
+                "[parameters] with default 0 and write its name there"
+                if "." in name
+                else ""
+            )
+            raise ModelError(f"model {model} has no parameter {name!r}; it has {known}{zero}")
+        p[index[name]] = checked_value(parameters[index[name]], value)
+    return p
+
+
+def require_bounds(quantities: Sequence[BoundedQuantity], values: np.ndarray) -> None:
+    """Raises ModelError if an expression of the scene has lost the sign that its use asks for; values (k,)."""
+    for quantity, value in zip(quantities, values, strict=True):
+        if not _within(quantity.bound, value):
+            raise ModelError(
+                f"{quantity.item} = {quantity.expression!r} would be {value:.6g} but must be "
+                f"{WORDS[quantity.bound]}: choose other values of its parameters"
+            )
+
+
+def checked_value(parameter: Parameter, value: float) -> float:
+    """The value as a float. Raises ModelError if it is not finite or has the wrong sign."""
+    what = "input" if parameter.kind == "input" else "parameter"
+    if isinstance(value, bool) or not isinstance(value, int | float | np.number) or not np.isfinite(value):
+        raise ModelError(f"{what} {parameter.name!r} must be a finite number, not {value!r}")
+    if not _within(parameter.bound, float(value)):
+        raise ModelError(f"{what} {parameter.name!r} must be {WORDS[parameter.bound]}, not {value}")
+    return float(value)
+
+
+def checked_inputs(
+    model: str,
+    inputs: Sequence[InputRecord],
+    held: Sequence[Parameter],
+    values: Mapping[str, float | Callable[..., Any]],
+) -> tuple[dict[str, float], dict[str, ca.Function]]:
+    """(numbers, functions of time) by name. Raises ModelError or ArgumentError for what cannot be an input."""
+    numbers: dict[str, float] = {}
+    functions: dict[str, ca.Function] = {}
+    records, slots = {entry.name: entry for entry in inputs}, {parameter.name: parameter for parameter in held}
+    for name, value in values.items():
+        if name not in slots or (callable(value) and name not in records):
+            raise ModelError(f"model {model} has no input {name!r}; it has {', '.join(records) or 'none'}")
+        if not callable(value):
+            numbers[name] = checked_value(slots[name], value)
+        elif records[name].filter:
+            raise ModelError(
+                f"input {name!r} has a filter, which takes constants and held values: declare it with rates = true, "
+                "the rate and acceleration of a function are exact"
+            )
+        else:
+            functions[name] = traced(value, name)
+    return numbers, functions
+
+
+def _within(bound: Bound, value: float) -> bool:
+    """Has a value the sign that a bound asks for?"""
+    return bool({"any": True, "positive": value > 0, "not negative": value >= 0}[bound])
+
+
+# The parameters of a model as a list that prints those which somebody would change.
+
+
+class ParameterList(list[Parameter]):
+    """In the order of p; printed without the numbers of shapes, tables and meshes."""
+
+    def __repr__(self) -> str:
+        own = [one for one in self if one.kind != "data" and not one.array]
+        width = max((len(one.name) for one in own), default=0)
+        lines = [f"{one.name:<{width}}  {one.default:<12.9g} {one.unit:<8} {one.meaning}".rstrip() for one in own]
+        hidden = len(self) - len(own)
+        return "\n".join(
+            [*lines, *([f"and {hidden} numbers of shapes, tables and meshes (kind data)"] if hidden else [])]
+        )
+
+
+# The emitted functions as the runtime calls them: with [c, charts, numbers of inputs] for c, or with p.
+
+
+def as_called(kernel: ca.Function, charts: int, signals: Signals, c_size: int) -> ca.Function:
+    """An emitted Function with its charts and its inputs behind c (of c_size), where there are any."""
+    if charts:
+        kernel = with_charts(kernel, charts, c_size)
+    if signals.inputs:
+        kernel = with_signals(kernel, signals, c_size + 4 * charts)
+    return kernel
+
+
+def of_parameters(kernel: ca.Function, constants: ca.Function) -> ca.Function:
+    """A Function of the parameters p instead of c."""
+    names = [argument for argument in kernel.name_in() if argument != "c"]
+    inputs = {argument: ca.SX.sym(argument, *kernel.size_in(argument)) for argument in names}
+    p = ca.SX.sym("p", constants.numel_in(0))
+    call: dict[str, Any] = dict(inputs)
+    if "c" in kernel.name_in():
+        call["c"] = constants(p)
+    outputs = kernel(**call)
+    values = [outputs[key] for key in kernel.name_out()]
+    return ca.Function(kernel.name(), [*inputs.values(), p], values, [*names, "p"], kernel.name_out())
+
+
+# A model in a notebook: coordinates, partition, joints, measures, constraints, operations, parameters.
+
+
+def model_card(described: Description, sketch: str = "") -> str:
+    """HTML of a model's description; sketch: a drawing of it, as SVG."""
+    elastic = sum(entry.elastic for entry in described.coordinates)
+    about = (
+        f"{described.name}: {len(described.coordinates)} coordinates, {elastic} elastic, "
+        f"{len(described.q_i)} independent, {len(described.constraints)} constraints"
+    )
+    rows = [("bodies", ", ".join(f"{body.name} ({body.type})" for body in described.bodies))]
+    rows += [("joints", ", ".join(f"{joint.name} ({joint.type})" for joint in described.joints))]
+    rows += [("loads", ", ".join(f"{load.name} ({load.type})" for load in described.loads))]
+    rows += [("measures", ", ".join(f"{entry.name} [{entry.unit}]" for entry in described.measures))]
+    rows += [
+        (f"group {group.name}", ", ".join(described.q_i[k] for k in group.positions)) for group in described.groups
+    ]
+    rows += [("solved by Newton", ", ".join(described.loop_unknowns))]
+    operations = [(f.name, str(f.operations), f.meaning) for f in described.functions]
+    shown = [entry for entry in described.parameters if entry.kind != "data"]
+    parameters = [(entry.name, f"{entry.default:.6g}", entry.unit, entry.meaning) for entry in shown]
+    return card(
+        described.title or described.name,
+        about,
+        sketch,
+        table([row for row in rows if row[1]]),
+        fold(f"{len(parameters)} parameters", table(parameters, ("name", "default", "unit", "meaning"))),
+        fold(f"{len(operations)} functions", table(operations, ("function", "operations", "what it gives"))),
+    )
+
+
+# A model in memory: names, partition, parameters, and its CasADi Functions (built on demand).
 
 
 @dataclass(frozen=True, repr=False)
@@ -352,3 +498,17 @@ class Model:
         if not np.all(np.isfinite(c)):
             raise ModelError(f"model {self.name}: a parameter makes the constants infinite (division by zero?)")
         return c
+
+
+# Who does not look for events refuses models that have them.
+
+
+def refuse_events(model: Model, who: str) -> None:
+    """Raises ModelError for a model with events."""
+    names = [event.name for event in model.description.events]
+    if names:
+        raise ModelError(
+            f"events {', '.join(names)} of model {model.name}",
+            f"are not looked for by {who}",
+            "take simulate with steps of one length, or a scene without events",
+        )

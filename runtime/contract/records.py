@@ -1,24 +1,261 @@
-"""What a model is made of, as records: the generator writes them into the manifest, the runtime reads them there.
-
-Nothing reads physics out of the spelling of a name: what a coordinate measures or what sign a parameter must have is
-said here. Files of the two halves exchange these records only, as JSON (`as_plain`, `description`).
-"""
+"""What a model is made of, as records: the generator writes them into the manifest, the runtime reads them there."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import base64
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, field
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
-from runtime.contract.beams.records import BeamRecord, beam_records
-from runtime.contract.drawing_records import Drawing as Drawing
-from runtime.contract.drawing_records import PointRecord as PointRecord
-from runtime.contract.drawing_records import ShapeRecord as ShapeRecord
-from runtime.contract.drawing_records import SurfaceRecord as SurfaceRecord
-from runtime.contract.event_records import EventRecord as EventRecord
+import numpy as np
+
 from runtime.contract.orientations import OrientationRecord
-from runtime.contract.stress_records import GaugeRecord as GaugeRecord
-from runtime.contract.stress_records import StrutRecord as StrutRecord
+
+# Arrays as text: base64 of the numbers in little-endian order.
+
+
+def packed(values: np.ndarray, kind: str = "<f4") -> str:
+    """The text of an array, whatever its shape."""
+    return base64.b64encode(np.ascontiguousarray(values, dtype=kind).tobytes()).decode("ascii")
+
+
+def unpacked(text: str, kind: str = "<f4") -> np.ndarray:
+    """The numbers of `packed`, flat. Raises ValueError for another text."""
+    return np.frombuffer(base64.b64decode(text, validate=True), dtype=kind)
+
+
+# The names of the time stepping schemes: a scene may ask for one, the runtime has them.
+
+SchemeName = Literal[
+    "auto",
+    "single_rate",
+    "printed",
+    "coupled",
+    "decoupled",
+    "linearised",
+    "exponential",
+    "exponential_rk4",
+    "exponential_adams",
+    "exponential_midpoint",
+    "rk4",
+    "dopri5",
+    "dop853",
+    "radau",
+    "generalized_alpha",
+    "hht",
+]
+SCHEME_NAMES: tuple[str, ...] = get_args(SchemeName)
+# schemes with a step of its own for each group: only they need the ratios m between groups
+GROUPED_SCHEMES: tuple[SchemeName, ...] = ("printed", "coupled", "decoupled")
+
+
+# The fields of z of steps that follow from a tolerance: code, shape, unit, meaning; see symgen/notation/fields.py.
+
+FIELDS_OF_TOLERANCE = (
+    ("q_from", "n_i", "mixed", "q_i at the start of a step whose length follows from a tolerance"),
+    ("v_from", "n_i", "mixed", "q_i_dot there"),
+    ("loop_from", "loops", "mixed", "loop unknowns there"),
+    ("t_from", "1", "s", "time there"),
+    ("a_from", "n_i", "mixed", "q_i_ddot there"),
+    ("q_to", "n_i", "mixed", "q_i at its end"),
+    ("v_to", "n_i", "mixed", "q_i_dot there"),
+    ("loop_to", "loops", "mixed", "loop unknowns there"),
+    ("t_to", "1", "s", "time there"),
+    ("a_to", "n_i", "mixed", "q_i_ddot there"),
+    ("loop_dot_to", "loops", "mixed", "rates of the loop unknowns there"),
+    ("X", "n_i x n_s", "SI", "M_hat^-1 B at the start of the step"),
+    ("A", "n_i x n_s", "SI", "derivatives of q_i_ddot by q_i along X Lambda^-1 there"),
+    ("A_v", "n_i x n_s", "SI", "derivatives of q_i_ddot by q_i_dot along X Lambda^-1 there"),
+    ("b1", "n_i", "mixed", "accelerations beside the stiff part: a_from + b1 tau + b2 tau^2 / 2"),
+    ("b2", "n_i", "mixed", "their second derivative"),
+    ("q_base", "n_i", "mixed", "position from which the linear system of the last step counts"),
+    ("q_low", "n_i", "mixed", "smallest q_i so far, at the ends of steps"),
+    ("q_high", "n_i", "mixed", "largest q_i so far"),
+    ("ranging", "1", "1", "positive where ranges widen with the motion, not where they are known"),
+    ("per_step", "1", "1", "tolerance of a step over that of the motion"),
+    ("steady", "1", "s", "length of all steps where they are of one length, else 0"),
+    ("straight", "1", "1", "steps of one length that are made before one is looked at"),
+    ("q_seen", "n_i", "mixed", "q_i that ranges are told of, at the end of the last step, where turns have charts"),
+    ("weight", "n_i", "mixed", "what squares of estimated errors are multiplied by"),
+    ("width", "1", "1", "weighted squares of the ranges from which on weights are formed anew"),
+    ("wider", "1", "1", "positive where the ranges have come so far"),
+    ("q_error", "n_i", "mixed", "estimated error of q_to"),
+    ("v_error", "n_i", "mixed", "estimated error of v_to"),
+    ("h_next", "1", "s", "step that the error allows"),
+    ("h_try", "1", "s", "step to try, shorter before a time of `stops`"),
+    ("t_try", "1", "s", "time at its end"),
+    ("end", "1", "s", "time that it must not cross"),
+    ("peak", "1", "1", "square of the largest estimated error over the tolerance lately"),
+    ("odd", "1", "1", "positive where the last attempt has to be judged"),
+    ("before", "mixed", "mixed", "closure_error and determinants before the last attempt"),
+    ("fresh", "1", "1", "positive where the next step begins at the end of the last one"),
+    ("cold", "1", "1", "positive where its start is not evaluated yet"),
+    ("going", "1", "s", "way to the time that is to be seen, while steps can be made"),
+    ("stops", "4", "s", "next times that no step crosses"),
+    ("beside", "1", "s", "how far from them forces are evaluated"),
+    ("lands", "1", "1", "positive where states that are seen are ends of steps"),
+    ("stuck", "1", "1", "positive where the least step did not meet the tolerance"),
+    ("accepted", "1", "1", "accepted steps so far"),
+    ("counted", "1", "1", "those that h_least and h_largest tell of"),
+    ("rejected", "1", "1", "rejected steps so far"),
+    ("h_least", "1", "s", "shortest accepted step so far"),
+    ("h_largest", "1", "s", "longest accepted step so far"),
+    ("det_now", "loop blocks", "SI", "det_loop of the last accepted evaluation"),
+)
+
+
+# Places of a flexible body whose stress is known, with what it follows from; and loads under which it buckles.
+
+
+@dataclass(frozen=True)
+class GaugeRecord:
+    """A place of `body` at `position` [m] in its axes; stresses in the order xx yy zz yz xz xy [Pa].
+
+    shapes (6, nf): per unit of q_f. fields (6, 9 + 9 nf), forces (6, 6) by marker: per unit of each cause of
+    runtime.contract.flexible; empty where they are not known.
+    """
+
+    body: str
+    name: str
+    position: list[float]
+    shapes: list[list[float]]
+    fields: list[list[float]] = field(default_factory=list)
+    forces: dict[str, list[list[float]]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class StrutRecord:
+    """Critical loads [N] of `body` along the line between two of its markers, 0 where there is none.
+
+    held: both markers are held in place; first, second: this one is clamped, the other free.
+    """
+
+    body: str
+    markers: list[str]
+    held: float = 0.0
+    first: float = 0.0
+    second: float = 0.0
+
+
+# What a scene says of its events, as records.
+
+
+@dataclass(frozen=True)
+class EventRecord:
+    """An event: rising, falling or either; terminal: does it end a run?; inputs that its action sets, in order.
+
+    cool_down: for how long [s] it is not looked for once it has happened.
+    """
+
+    name: str
+    direction: str
+    terminal: bool = False
+    sets: list[str] = field(default_factory=list)
+    cool_down: float = 0.0
+
+
+# A beam as the manifest names it; its shapes follow from the names.
+
+
+@dataclass(frozen=True)
+class ModeSetRecord:
+    """Shapes of a beam by name (runtime.contract.flexible): their ends and number.
+
+    axis: direction of the displacements, 0 = x (stretching), 1 = y, 2 = z; 3 = torsion about x.
+    """
+
+    axis: int
+    ends: str
+    modes: int
+
+
+@dataclass(frozen=True)
+class BeamRecord:
+    """A beam with exact shapes: its mode sets in the order of its coordinates, and the loads that act on it.
+
+    loads: names of loads and of joints with friction, in the order of their columns in `load_forces`. missing: share of
+    the static bending energy of what its ends carry that the shapes miss, 0 if they carry it.
+    """
+
+    body: str
+    sets: list[ModeSetRecord]
+    loads: list[str] = field(default_factory=list)
+    missing: float = 0.0
+
+
+def beam_records(plain: Iterable[Mapping[str, Any]]) -> list[BeamRecord]:
+    """The records from plain values. Raises KeyError or TypeError for anything else."""
+    return [BeamRecord(**{**entry, "sets": [ModeSetRecord(**one) for one in entry["sets"]]}) for entry in plain]
+
+
+# What pictures of a model are made of, as records.
+
+
+@dataclass(frozen=True)
+class PointRecord:
+    """A column of `positions`: a marker of a body, or a station of a beam (name ""), with its modes; has it an H?"""
+
+    body: str
+    name: str
+    modes: int
+    stiffened: bool = False
+
+
+@dataclass(frozen=True)
+class ShapeRecord:
+    """How a rigid body looks, in its axes: a box, cylinder, sphere or mesh at `position` [m] turned by `axes` (3 x 3).
+
+    size [m]: three lengths; radius and length; radius. A mesh has vertices [m] and triangles, places of vertices.
+    """
+
+    body: str
+    type: str
+    position: list[float]
+    axes: list[list[float]]
+    size: list[float] = field(default_factory=list)
+    vertices: list[list[float]] = field(default_factory=list)
+    triangles: list[list[int]] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class SurfaceRecord:
+    """The surface of a flexible body as packed arrays (runtime.contract.records), float32 and int32.
+
+    vertices (n, 3) [m] in its axes, triangles (m, 3), shapes (n, 3, nf) per unit of q_f; stresses (n, 6, nf) [Pa] per
+    unit of q_f in the order xx yy zz yz xz xy, "" if not known.
+    """
+
+    body: str
+    vertices: str
+    triangles: str
+    shapes: str
+    stresses: str = ""
+
+    def arrays(self) -> dict[str, np.ndarray]:
+        """vertices, triangles, shapes, and stresses if they are known. Raises ValueError if they do not fit."""
+        vertices = unpacked(self.vertices).reshape(-1, 3)
+        found: dict[str, np.ndarray] = {"vertices": vertices}
+        found["triangles"] = unpacked(self.triangles, "<i4").reshape(-1, 3)
+        found["shapes"] = unpacked(self.shapes).reshape(len(vertices), 3, -1)
+        return found | ({"stresses": unpacked(self.stresses).reshape(len(vertices), 6, -1)} if self.stresses else {})
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """What the columns of `poses` (bodies), of `geometry` (points) and of its sections (beams) belong to; looks."""
+
+    space: str
+    poses: list[str]
+    points: list[PointRecord]
+    sections: list[str]
+    shapes: list[ShapeRecord] = field(default_factory=list)
+    surfaces: list[SurfaceRecord] = field(default_factory=list)
+
+
+# What a model is made of, as records: the generator writes them into the manifest, the runtime reads them there.
+#
+# Nothing reads physics out of the spelling of a name: what a coordinate measures or what sign a parameter must have is
+# said here. Files of the two halves exchange these records only, as JSON (`as_plain`, `description`).
 
 CoordinateKind = Literal["position", "angle", "euler_parameter", "modal", "state"]
 ConstraintKind = Literal["distance", "angle", "direction", "quaternion", "norm"]

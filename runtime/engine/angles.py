@@ -10,8 +10,7 @@ from collections.abc import Sequence
 
 import casadi as ca
 
-from runtime.contract.binding_time import below
-from runtime.contract.tape import UNUSED, Node
+from runtime.contract.tape import UNUSED, Node, below
 
 WIDTHS = (8, 4, 2)  # of vectors; filled to more than half
 TRIGONOMETRIC = (ca.OP_SIN, ca.OP_COS)

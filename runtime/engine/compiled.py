@@ -15,8 +15,8 @@ from pathlib import Path
 
 import numpy as np
 
-from runtime.contract.cache import cache_folder
 from runtime.contract.errors import SymgenError
+from runtime.contract.files import cache_folder
 from runtime.engine.c_source import program_source, program_tables
 from runtime.engine.program import Program
 from runtime.engine.table_code import bind_library

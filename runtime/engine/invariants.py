@@ -11,8 +11,7 @@ from dataclasses import replace
 
 import casadi as ca
 
-from runtime.contract.binding_time import Place, Time, split
-from runtime.contract.tape import Node, Tape, as_function, read_tape
+from runtime.contract.tape import Node, Place, Tape, Time, as_function, read_tape, split
 from runtime.engine.program import Call, Program, Repeat, Sequence, Until
 
 

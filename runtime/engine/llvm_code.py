@@ -13,8 +13,7 @@ from typing import Any, NamedTuple
 
 import casadi as ca
 
-from runtime.contract.collection import no_collection
-from runtime.contract.tape import Tape, read_tape
+from runtime.contract.tape import Tape, no_collection, read_tape
 from runtime.engine.compiled import CompilerError
 from runtime.engine.llvm_ir import Form, program_ir
 from runtime.engine.object_cache import ObjectCache

@@ -9,8 +9,7 @@ from __future__ import annotations
 
 import casadi as ca
 
-from runtime.contract.binding_time import below
-from runtime.contract.tape import Tape
+from runtime.contract.tape import Tape, below
 from runtime.engine.angles import Group, side_by_side
 from runtime.engine.llvm_operations import Operations
 

@@ -13,7 +13,7 @@ import stat
 import tempfile
 from pathlib import Path
 
-from runtime.contract.cache import cache_folder
+from runtime.contract.files import cache_folder
 
 MOST_BYTES = 256 * 2**20
 _HEAD = 32 + 8

@@ -14,9 +14,19 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from runtime.contract.binding_time import Place, Time, binding_times, split
-from runtime.contract.collection import no_collection
-from runtime.contract.tape import UNUSED, Node, Tape, as_function, read_tape, without_repetitions
+from runtime.contract.tape import (
+    UNUSED,
+    Node,
+    Place,
+    Tape,
+    Time,
+    as_function,
+    binding_times,
+    no_collection,
+    read_tape,
+    split,
+    without_repetitions,
+)
 from runtime.engine.direct import Direct
 from runtime.engine.invariants import hoist_invariants, widened
 from runtime.engine.program import LONG, Program

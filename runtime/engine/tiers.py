@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 from typing import Generic, NamedTuple, TypeVar
 
 from runtime.contract.tape import Tape, code_length
+from runtime.engine.compiled import CompilerError
 from runtime.engine.llvm_code import Code, Compiler, Effort
 from runtime.engine.llvm_ir import Form
 from runtime.engine.program import Program, Repeat, Until
@@ -103,7 +104,10 @@ class Tiers(Generic[T]):
             self._improve()
 
     def _improve(self) -> None:
-        self.code = self._build(self._best)
+        try:
+            self.code = self._build(self._best)
+        except CompilerError:
+            pass  # the first code is right, only slower: it stays
         self.final = True
 
 

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.errors import ArgumentError, NoResult
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ArgumentError, ModelError, NoResult
+from runtime.contract.model import Model
 from runtime.engine.derivatives_code import Recorder, TangentCode, most_lanes
 from runtime.engine.native import NativeProgram
 from runtime.gradients.beginning import Beginning, Begun

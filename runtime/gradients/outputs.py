@@ -8,7 +8,8 @@ from difflib import get_close_matches
 import casadi as ca
 
 from runtime.contract.coordinates import joined
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.results.samples import FORCE_PARTS
 from runtime.schemes.scheme import Scheme
 

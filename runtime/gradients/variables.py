@@ -8,8 +8,8 @@ from difflib import get_close_matches
 
 import numpy as np
 
-from runtime.contract.errors import ArgumentError
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ArgumentError, ModelError
+from runtime.contract.model import Model
 from runtime.gradients.driving import HeldSample
 
 

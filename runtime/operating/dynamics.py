@@ -15,7 +15,8 @@ import numpy as np
 
 from runtime.contract.consistent_state import MAX_ITERATIONS, InitialStateError
 from runtime.contract.coordinates import at_home, dependent_part, whole
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.operating.assembly import closing
 
 POSSIBLE = 1e-9  # of the largest force: what motors may leave over

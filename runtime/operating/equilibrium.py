@@ -9,17 +9,18 @@ import numpy as np
 
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import (
+    Initial,
     euler_angles,
     followed,
     independent_part,
     independent_rates,
     loop_part,
+    named_values,
     parameter_columns,
 )
-from runtime.contract.errors import NoResult
-from runtime.contract.euler_angles import angle_names, angles
-from runtime.contract.initial_values import Initial, named_values
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError, NoResult
+from runtime.contract.model import Model
+from runtime.contract.orientations import angle_names, angles
 from runtime.contract.signals import SUFFIXES
 from runtime.operating.all_coordinates import AllCoordinates
 from runtime.operating.balance import Clamped, clamped_directions, steady_rates

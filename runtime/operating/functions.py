@@ -8,7 +8,8 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import joined
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.operating.mode_solver import State
 from runtime.operating.moving_axes import axes_turning, in_moving_axes
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations

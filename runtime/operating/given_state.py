@@ -7,12 +7,19 @@ from dataclasses import replace
 
 import numpy as np
 
-from runtime.contract.angle_start import AngleForm, angle_bodies, consistent_state_by_angles
-from runtime.contract.angular import parameter_rates
-from runtime.contract.assembled import ASSEMBLED, with_words
-from runtime.contract.consistent_state import ConsistentState, GivenValues, InitialStateError
+from runtime.contract.consistent_state import (
+    ASSEMBLED,
+    AngleForm,
+    ConsistentState,
+    GivenValues,
+    InitialStateError,
+    angle_bodies,
+    consistent_state_by_angles,
+    with_words,
+)
 from runtime.contract.coordinates import (
     OMEGA,
+    Initial,
     angular_velocities,
     dependent_part,
     euler_angles,
@@ -21,10 +28,10 @@ from runtime.contract.coordinates import (
     independent_part,
     loop_part,
     parameter_columns,
+    values_by_name,
 )
-from runtime.contract.euler_angles import angle_names
-from runtime.contract.initial_values import Initial, values_by_name
 from runtime.contract.model import Model
+from runtime.contract.orientations import angle_names, parameter_rates
 from runtime.operating.assembly import closable, closed_state
 
 
@@ -49,7 +56,7 @@ def given_position(
 def given_state(model: Model, p: np.ndarray, c: np.ndarray, t0: float, initial: Initial) -> ConsistentState:
     """Consistent q and q_dot for parameters p at t0 [s], keeping the model's q_i except for the changes.
 
-    initial: what has a state (see runtime.contract.initial_values), or changes by name: coordinates,
+    initial: what has a state (see runtime.contract.coordinates), or changes by name: coordinates,
     `<coordinate>_dot` rates, angular velocities `<body>.omega_x`, and Euler angles of bodies described by them with
     their rates; they are kept exactly.
     Raises InitialStateError.

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.contract.coordinates import independent, independent_rates, loop_part
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.operating.balance import clamped_directions
 from runtime.operating.equilibrium import (
     Equilibrium,

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from runtime.contract.errors import ArgumentError
-from runtime.contract.model import ModelError
+from runtime.contract.coordinates import mechanism_length, turning_columns
+from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.status import Status
-from runtime.contract.units import mechanism_length, turning_columns
 from runtime.operating.linearisation import Linearisation
 from runtime.results.observe import assemble_solution
 from runtime.results.solution import Solution

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
+from runtime.contract.consistent_state import dense_eigenvalues, one_thread
 from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
-from runtime.contract.one_thread import dense_eigenvalues, one_thread
 from runtime.operating.moving_axes import axes_turning, in_moving_axes
 from runtime.results.solution import Solution
 from runtime.schemes.stage_equations import StageEquations, is_long_tree

@@ -5,8 +5,8 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 
-from runtime.contract.angular import tilde
 from runtime.contract.model import Model
+from runtime.contract.orientations import tilde
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.turned_axes import turning_and_rate
 

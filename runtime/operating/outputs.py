@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import casadi as ca
 
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.operating.functions import ALREADY_CLOSED, all_coordinates, dependent_rates
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.turned_axes import along_rotations, turning

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from runtime.contract.beams import ShapeFunctions, bending_shapes, gauss_points, panels_for, stretching_shapes
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.flexible import ShapeFunctions, bending_shapes, gauss_points, panels_for, stretching_shapes
+from runtime.contract.model import Model
 from runtime.results.attached_forces import attached_markers
 
 STRETCHING, ALONG_Y, ALONG_Z, TORSION = range(4)

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from runtime.contract.body_motion import BodyMotion, MarkerForce
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.flexible import BodyMotion, MarkerForce
+from runtime.contract.model import Model
 from runtime.results.attached_forces import attached_forces, attached_markers, into_body, wrench
 from runtime.results.frame_motion import frame_motion
 

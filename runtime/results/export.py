@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from runtime.contract.coordinates import OMEGA, angular_velocities, euler_angles, parameter_columns
+from runtime.contract.errors import ModelError
 from runtime.contract.files import OutputError, replacing
-from runtime.contract.model import Model, ModelError
+from runtime.contract.model import Model
 from runtime.contract.records import as_plain, description
 from runtime.contract.status import Event, Status
 from runtime.results.read_angles import read_angles

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from runtime.contract.body_motion import cross_matrix
+from runtime.contract.flexible import cross_matrix
 
 
 class FrameMotion(NamedTuple):

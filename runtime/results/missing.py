@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from runtime.contract.model import ModelError
+from runtime.contract.errors import ModelError
 from runtime.contract.status import Event
 from runtime.results.beam_shapes import beam_of
 from runtime.results.section_forces import STATIONS, section_forces

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from runtime.contract.coordinates import euler_angles, parameter_columns
-from runtime.contract.euler_angles import angle_motion, angle_names
 from runtime.contract.model import Model
+from runtime.contract.orientations import angle_motion, angle_names
 
 
 def read_angles(model: Model, q: np.ndarray, q_dot: np.ndarray, q_ddot: np.ndarray, body: str) -> dict[str, np.ndarray]:

@@ -8,11 +8,10 @@ from difflib import get_close_matches
 
 import numpy as np
 
-from runtime.contract.coordinates import OMEGA, angular_velocities, euler_angles, independent_rates
-from runtime.contract.errors import ArgumentError
-from runtime.contract.euler_angles import NAMES
-from runtime.contract.initial_values import named_values
-from runtime.contract.model import Model, ModelError
+from runtime.contract.coordinates import OMEGA, angular_velocities, euler_angles, independent_rates, named_values
+from runtime.contract.errors import ArgumentError, ModelError
+from runtime.contract.model import Model
+from runtime.contract.orientations import NAMES
 from runtime.contract.status import Event, Status
 from runtime.results.energy_balance import STORED, EnergyBalance, energy_balance
 from runtime.results.later import WithLater

@@ -6,8 +6,7 @@ import math
 
 import numpy as np
 
-from runtime.contract.beams import gauss_points, panels_for
-from runtime.contract.body_motion import cross_matrix
+from runtime.contract.flexible import cross_matrix, gauss_points, panels_for
 from runtime.results.beam_shapes import ALONG_Y, ALONG_Z, STRETCHING, TORSION, Beam
 from runtime.results.frame_motion import FrameMotion
 

@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 
-from runtime.contract.errors import ArgumentError
-from runtime.contract.model import ModelError
+from runtime.contract.errors import ArgumentError, ModelError
 from runtime.results.attached_forces import LONGEST, attached_forces, into_body, vectors, wrench
 from runtime.results.beam_shapes import Beam, beam_of
 from runtime.results.frame_motion import frame_motion

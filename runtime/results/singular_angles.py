@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from runtime.contract.coordinates import euler_angles, parameter_columns
-from runtime.contract.euler_angles import NEAR_SINGULAR, angles, regularity
+from runtime.contract.orientations import NEAR_SINGULAR, angles, regularity
 from runtime.contract.status import Event
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from runtime.contract.body_motion import BodyMotion
+from runtime.contract.flexible import BodyMotion
 from runtime.contract.model import Model
 from runtime.results import export
 from runtime.results.body_motion import body_motion

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from runtime.contract.cards import badge, card, line, sparkline, table
 from runtime.contract.coordinates import followed
+from runtime.contract.status import badge, card, line, sparkline, table
 from runtime.results.samples import Samples
 
 MOST = 10

@@ -19,8 +19,8 @@ try:
 except ImportError:  # Windows
     fcntl = None  # type: ignore[assignment]
 
+from runtime.contract.errors import ModelError
 from runtime.contract.files import WRITING, OutputError, write_text
-from runtime.contract.model import ModelError
 
 FORMAT = "symgen stream 1"
 HEADER, ROWS = "header.json", "samples.bin"

@@ -2,7 +2,7 @@
 
 Two ways, as of section forces. The sum of modal stresses needs the static shapes of all loads among the modes.
 Equilibrium takes them from the forces on the body and its inertia forces (mode acceleration with inertia relief,
-runtime/contract/stress_causes.py): the modes enter through the motion only.
+runtime/contract/flexible.py): the modes enter through the motion only.
 """
 
 from __future__ import annotations
@@ -12,10 +12,9 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 
-from runtime.contract.errors import ArgumentError
-from runtime.contract.model import ModelError
-from runtime.contract.stress_causes import UnknownInterface, causes
-from runtime.contract.stress_records import GaugeRecord
+from runtime.contract.errors import ArgumentError, ModelError
+from runtime.contract.flexible import UnknownInterface, causes
+from runtime.contract.records import GaugeRecord
 from runtime.results.body_motion import body_motion
 
 if TYPE_CHECKING:

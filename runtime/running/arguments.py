@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypedDict
 
-from runtime.contract.initial_values import Initial
+from runtime.contract.coordinates import Initial
 from runtime.running.checkpoint import CheckpointRule, claim
 from runtime.running.inputs import InputValue
 from runtime.running.plan import whole_number

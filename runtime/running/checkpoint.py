@@ -17,8 +17,9 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.errors import ModelError
 from runtime.contract.files import OutputError, replacing, try_writing
-from runtime.contract.model import Model, ModelError
+from runtime.contract.model import Model
 from runtime.contract.status import Event
 from runtime.results.stream import StreamFile
 from runtime.running.happenings import Happenings

@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.contract.signals import SINCE, SUFFIXES
 from runtime.running.schedule import Controller, Schedule
 

@@ -14,11 +14,10 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from runtime.contract.coordinates import independent_part, joined, loop_part, whole
+from runtime.contract.consistent_state import one_thread
+from runtime.contract.coordinates import independent_part, joined, length_rows, loop_part, mechanism_length, whole
 from runtime.contract.model import Model
-from runtime.contract.one_thread import one_thread
 from runtime.contract.status import Status, StatusName
-from runtime.contract.units import length_rows, mechanism_length
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.schemes.direct import direct
 from runtime.schemes.scheme import Scheme

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
-from runtime.contract.initial_values import Initial
+from runtime.contract.coordinates import Initial
 from runtime.contract.model import Model
 from runtime.running.inputs import InputValue, Sampled, scheduled, started
 from runtime.running.schedule import Schedule

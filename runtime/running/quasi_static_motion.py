@@ -12,7 +12,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from runtime.contract.coordinates import parts
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.operating.balance import Clamped
 from runtime.operating.equilibrium import NoEquilibrium

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import casadi as ca
 
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.schemes.scheme import Scheme
 
 

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.model import ModelError
+from runtime.contract.errors import ModelError
 from runtime.contract.status import Status
 from runtime.results import export
 from runtime.results.observe import concatenated

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from runtime.running.arguments import Further
 from runtime.running.checkpoint import Checkpoint, read_checkpoint

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.errors import ArgumentError
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ArgumentError, ModelError
+from runtime.contract.model import Model
 from runtime.contract.signals import Signals
 from runtime.contract.status import Status
 from runtime.running.reading import reading

@@ -9,9 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.initial_values import Initial
-from runtime.contract.model import Model
-from runtime.contract.refused_events import refuse_events
+from runtime.contract.coordinates import Initial
+from runtime.contract.model import Model, refuse_events
 from runtime.operating.given_state import given_state
 from runtime.results.meter import Meter
 from runtime.results.motion_error import MotionError

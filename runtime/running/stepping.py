@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.errors import ArgumentError
-from runtime.contract.initial_values import Initial
-from runtime.contract.model import Model, ModelError
+from runtime.contract.coordinates import Initial
+from runtime.contract.errors import ArgumentError, ModelError
+from runtime.contract.model import Model
 from runtime.contract.signals import SINCE
 from runtime.contract.status import Event, Status
 from runtime.operating.equilibrium import Equilibrium

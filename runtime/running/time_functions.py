@@ -18,7 +18,8 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import parts, rate_parts
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.contract.status import Event
 from runtime.running.plan import Plan
 from runtime.running.pulses import Forces, pulse_times

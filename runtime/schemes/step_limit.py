@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from runtime.contract.one_thread import dense_eigenvalues
+from runtime.contract.consistent_state import dense_eigenvalues
 
 # Central difference with velocities predicted by the last acceleration: for a pure decay d with x = h d the recursion
 # mu^2 - (1 - 3/2 x) mu - x/2 = 0 reaches mu = -1 at x = 1.

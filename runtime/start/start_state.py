@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
-from runtime.contract.initial_values import Initial, values_by_name
+from runtime.contract.coordinates import Initial, values_by_name
 from runtime.contract.model import Model
 from runtime.operating.equilibrium import NoEquilibrium, equilibrium
 from runtime.operating.functions import PointFunctions

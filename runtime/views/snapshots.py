@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from runtime.contract.errors import ArgumentError
-from runtime.contract.model import ModelError
+from runtime.contract.errors import ArgumentError, ModelError
 from runtime.views.animation import STYLES
 from runtime.views.figure import finish, grid, owner, title
 from runtime.views.film import MAX_FRAMES, Film, Line, film_at

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.figure import Figure
 
-from runtime.contract.model import ModelError
+from runtime.contract.errors import ModelError
 from runtime.results.stresses import stresses as stresses_at
 from runtime.views.figure import finish, grid, legend, prefixed, title
 from runtime.views.style import COLOURS

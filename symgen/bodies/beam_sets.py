@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import NamedTuple
 
-from runtime.contract.beams.records import ModeSetRecord
+from runtime.contract.records import ModeSetRecord
 from symgen.modes import (
     BarModes,
     BeamModes,

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from runtime.contract.euler_angles import angles_of
+from runtime.contract.orientations import angles_of
 from symgen.algebra.scalar import ONE, ZERO
 from symgen.algebra.vectors import Vector, combination, cross, plus, times
 from symgen.bodies import orientation_template as template

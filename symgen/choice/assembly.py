@@ -8,11 +8,15 @@ from dataclasses import replace
 import casadi as ca
 import numpy as np
 
-from runtime.contract.angle_start import angle_bodies, consistent_state_by_angles
-from runtime.contract.angular import parameter_rates
-from runtime.contract.assembled import with_words
-from runtime.contract.consistent_state import ConsistentState, GivenValues, InitialStateError
-from runtime.contract.euler_angles import angle_names
+from runtime.contract.consistent_state import (
+    ConsistentState,
+    GivenValues,
+    InitialStateError,
+    angle_bodies,
+    consistent_state_by_angles,
+    with_words,
+)
+from runtime.contract.orientations import angle_names, parameter_rates
 from symgen.algebra.parameters import ParameterTable
 from symgen.choice.elimination import constraint_jacobian
 from symgen.system.build import System

@@ -108,7 +108,7 @@ def _combined(given: list[tuple[str, list[float]]]) -> dict[str, Any]:
 
 def _refuse_unknown(model: Any, starts: dict[str, Any]) -> None:
     """Raises ModelError for a name that is neither a parameter nor a coordinate or rate."""
-    from runtime.contract.model import ModelError
+    from runtime.contract.errors import ModelError
 
     for name in starts:
         if name.removesuffix("_dot") not in model.coordinates and name not in model.coordinates:

@@ -8,10 +8,9 @@ from dataclasses import replace
 import casadi as ca
 import numpy as np
 
-from runtime.contract.beams.records import BeamRecord
-from runtime.contract.euler_angles import angle_names
-from runtime.contract.orientations import OrientationRecord
+from runtime.contract.orientations import OrientationRecord, angle_names
 from runtime.contract.records import (
+    BeamRecord,
     BodyRecord,
     Description,
     Drawing,

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from importlib.metadata import version
 from typing import Any
 
-from runtime.contract import manifest as contract
+from runtime.contract import loading as contract
 from symgen.emission.description import describe
 from symgen.pipeline import Derived
 

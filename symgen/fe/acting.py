@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from runtime.contract.body_motion import BodyMotion
-from runtime.contract.stress_causes import UnknownInterface, causes
+from runtime.contract.flexible import BodyMotion, UnknownInterface, causes
 from symgen.fe.errors import FiniteElementError
 from symgen.modes.cleaning import Array
 

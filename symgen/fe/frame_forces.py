@@ -1,7 +1,7 @@
 """Section forces of a frame by the forces that act on it: mode acceleration with inertia relief.
 
 As of solids (mode_acceleration.py): the free frame is solved statically for each unit cause
-(runtime/contract/stress_causes.py), and what its beams carry is known from K u and their own inertia M a. Accelerations
+(runtime/contract/flexible.py), and what its beams carry is known from K u and their own inertia M a. Accelerations
 vary along a beam as its shape functions do, so that weight, linear fields and modes are held exactly.
 """
 
@@ -15,7 +15,7 @@ import numpy as np
 import scipy.linalg as la
 from numpy.typing import ArrayLike
 
-from runtime.contract.body_motion import BodyMotion
+from runtime.contract.flexible import BodyMotion
 from symgen.fe.acting import acting
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.frame_elements import FrameElements, frame_elements

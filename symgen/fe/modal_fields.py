@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.packing import packed
+from runtime.contract.records import packed
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.inertia import InertiaIntegrals
 from symgen.fe.stress_stiffness import StressStiffening

@@ -1,7 +1,7 @@
 """Stresses of a solid body by the forces that act on it: mode acceleration with inertia relief.
 
 The sum of modal stresses needs the static shapes of all loads among its modes. Here the body is solved statically for
-what loads it at each moment. That is linear in its causes (runtime/contract/stress_causes.py), so that one static
+what loads it at each moment. That is linear in its causes (runtime/contract/flexible.py), so that one static
 solution of the free body (balanced by its rigid acceleration) for each unit cause suffices.
 """
 
@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from runtime.contract.body_motion import BodyMotion
+from runtime.contract.flexible import BodyMotion
 from symgen.fe.acting import acting
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.interfaces import Interface

@@ -8,7 +8,7 @@ Two ways to them: shapes in closed form with exact integrals (`exact_bending`, `
 mesh with lumped nodal masses (`lateral_modes`, `axial_modes`).
 """
 
-from runtime.contract.beams import BENDING, STRETCHING, panels_for
+from runtime.contract.flexible import BENDING, STRETCHING, panels_for
 from symgen.modes.axial import AXIAL_ENDS, BarModes, axial_modes
 from symgen.modes.cleaning import clean
 from symgen.modes.exact import ExactBarModes, ExactBeamModes, exact_bending, exact_stretching

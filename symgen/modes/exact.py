@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from runtime.contract.beams import (
+from runtime.contract.flexible import (
     ShapeFunctions,
     bending_shapes,
     gauss_points,

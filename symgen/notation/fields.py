@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from runtime.contract.tolerance_fields import FIELDS_OF_TOLERANCE
+from runtime.contract.records import FIELDS_OF_TOLERANCE
 from symgen.notation.symbols import Notation
 
 FIELDS: tuple[Notation, ...] = (

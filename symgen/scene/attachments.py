@@ -1,7 +1,7 @@
 """What a beam's ends carry, seen from the joints and loads at them, and the mode sets that follow from it.
 
 An end carries a force, a moment, both or nothing, in each plane of bending. That decides which shapes the beam needs
-(runtime/contract/beams/end_shapes.py), unless the scene names `ends` itself.
+(runtime/contract/flexible.py), unless the scene names `ends` itself.
 """
 
 from __future__ import annotations

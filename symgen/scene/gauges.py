@@ -14,7 +14,7 @@ class StressGauge(StrictModel):
     """Stress at a place of a flexible body, in its axes, as FlexibleBody.fields(gauges=...) gives it.
 
     position [m]; shapes (6 x nf): xx yy zz yz xz xy [Pa] per unit of q_f; fields (6 x (9 + 9 nf)) and forces (6 x 6 for
-    each interface, by its marker): per unit of each cause of runtime.contract.stress_causes, or left out.
+    each interface, by its marker): per unit of each cause of runtime.contract.flexible, or left out.
     """
 
     position: tuple[Number, Number, Number] = (0.0, 0.0, 0.0)

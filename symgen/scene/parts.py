@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Field
 
-from runtime.contract.euler_angles import is_sequence
+from runtime.contract.orientations import is_sequence
 from runtime.contract.records import UNITS, Coordinate, CoordinateKind
 from symgen.joints import JOINTS, Joint
 from symgen.joints.joint import Slide, Turn

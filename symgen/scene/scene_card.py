@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from runtime.contract.cards import card, fold, table
+from runtime.contract.status import card, fold, table
 from symgen.scene.parts import SceneParts
 from symgen.scene.scene_sketch import scene_sketch
 

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, Strict, model_validator
 
-from runtime.contract.scheme_names import SchemeName
+from runtime.contract.records import SchemeName
 from symgen.schema.fields import Coordinate, Flag, Name, Number, StrictModel
 
 MAX_STEPS = 10**9

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BeforeValidator
 
-from runtime.contract.packing import packed, unpacked
+from runtime.contract.records import packed, unpacked
 from symgen.scene.appearance import MOST_TRIANGLES
 from symgen.schema.fields import StrictModel, refuse
 

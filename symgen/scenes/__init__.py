@@ -14,8 +14,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from runtime.contract.cache import cache_folder
-from runtime.contract.files import OutputError, write_text
+from runtime.contract.files import OutputError, cache_folder, write_text
 
 if TYPE_CHECKING:
     from symgen.scene import Scene

@@ -12,8 +12,7 @@ from typing import Protocol
 
 import casadi as ca
 
-from runtime.contract.beams.records import ModeSetRecord
-from runtime.contract.records import Coordinate, InputRecord
+from runtime.contract.records import Coordinate, InputRecord, ModeSetRecord
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
 from symgen.bodies.outlines import Picture

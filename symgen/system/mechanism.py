@@ -11,7 +11,7 @@ from typing import Any, Generic, Protocol, TypeVar
 import casadi as ca
 import numpy as np
 
-from runtime.contract.euler_angles import NAMES
+from runtime.contract.orientations import NAMES
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, ZERO, add

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import casadi as ca
 
-from runtime.contract.binding_time import below
+from runtime.contract.tape import below
 from symgen.tapes.graph import Graph
 
 LARGEST_KERNEL = 100  # nodes

@@ -12,8 +12,19 @@ from math import isfinite
 
 import casadi as ca
 
-from runtime.contract.binding_time import Place, Time, below, renumbered, split
-from runtime.contract.tape import UNUSED, Node, Tape, as_function, read_tape, uses
+from runtime.contract.tape import (
+    UNUSED,
+    Node,
+    Place,
+    Tape,
+    Time,
+    as_function,
+    below,
+    read_tape,
+    renumbered,
+    split,
+    uses,
+)
 from symgen.kernels.kernel import Kernel
 from symgen.system.errors import DerivationError
 from symgen.tapes.expansion import shorter_form

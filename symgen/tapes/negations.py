@@ -10,8 +10,7 @@ from collections.abc import Sequence
 
 import casadi as ca
 
-from runtime.contract.binding_time import below
-from runtime.contract.tape import UNUSED
+from runtime.contract.tape import UNUSED, below
 from symgen.tapes.graph import Graph
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from runtime import simulate
-from runtime.contract.model import ModelError
+from runtime.contract.errors import ModelError
 from runtime.schemes.options import SchemeError
 from symgen.cli import main
 from symgen.cli.table import parser

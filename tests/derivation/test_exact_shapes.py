@@ -11,7 +11,7 @@ from scipy.integrate import quad_vec
 from scipy.linalg import block_diag, eigh, null_space
 from scipy.optimize import brentq
 
-from runtime.contract.beams import gauss_points, panels_for
+from runtime.contract.flexible import gauss_points, panels_for
 from symgen.modes import BENDING, STRETCHING, beam_integrals, exact_bending, exact_stretching, lateral_modes
 from symgen.modes.cleaning import Array
 from tests.derivation.test_modes import WAVE_NUMBERS

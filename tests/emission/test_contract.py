@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from runtime import ModelError, load_model
-from runtime.contract.manifest import FORMAT, described
+from runtime.contract.loading import FORMAT, described
 from runtime.contract.records import STAGES, as_plain, description
 from symgen.scene import SceneBuilder
 from symgen.scenes import SCENES, generated_folder

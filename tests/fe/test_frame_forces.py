@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from runtime import Solution, simulate
-from runtime.contract.body_motion import BodyMotion, MarkerForce
+from runtime.contract.flexible import BodyMotion, MarkerForce
 from symgen.fe import FiniteElementError, FlexibleBody, LineMesh, Material, Section
 from symgen.fe.frame_elements import FrameElements
 from symgen.generate import model_of

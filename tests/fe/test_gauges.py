@@ -9,8 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from runtime import ensemble, plots, simulate
-from runtime.contract.errors import ArgumentError
-from runtime.contract.model import ModelError
+from runtime.contract.errors import ArgumentError, ModelError
 from symgen.fe import FiniteElementError, FlexibleBody, LineMesh, Section
 from symgen.fe.connecting_rod import connecting_rod
 from symgen.fe.gauges import gauge_places

@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from runtime import Solution, simulate
-from runtime.contract.body_motion import BodyMotion, MarkerForce
+from runtime.contract.flexible import BodyMotion, MarkerForce
 from runtime.contract.model import Model
 from symgen.fe import FiniteElementError, FlexibleBody, Material
 from symgen.scene import Scene, SceneBuilder

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runtime.contract.packing import unpacked
+from runtime.contract.records import unpacked
 from tests.support.printed_numbers import line, numbers
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"

@@ -11,7 +11,7 @@ import pytest
 
 from runtime import load_model, simulate
 from runtime.contract.errors import LONGEST_MESSAGE, SymgenError
-from runtime.contract.scheme_names import GROUPED_SCHEMES, SCHEME_NAMES
+from runtime.contract.records import GROUPED_SCHEMES, SCHEME_NAMES
 from runtime.schemes.catalogue import SCHEMES
 from symgen.cli import main
 from symgen.generate import generate

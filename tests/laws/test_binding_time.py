@@ -6,8 +6,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime.contract.binding_time import Place, Time, below, binding_times, split
-from runtime.contract.tape import Tape, as_function, read_tape
+from runtime.contract.tape import Place, Tape, Time, as_function, below, binding_times, read_tape, split
 
 SIZES = {"known": 3, "later": 4}
 OPERATIONS = (

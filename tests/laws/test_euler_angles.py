@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from runtime import Model, ModelError, Solution, ensemble, equilibrium, load_model, simulate
 from runtime.contract.consistent_state import InitialStateError
-from runtime.contract.euler_angles import (
+from runtime.contract.orientations import (
     angle_motion,
     angle_rates,
     angles,

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 from runtime import Model, ModelError, simulate
+from runtime.contract.coordinates import mechanism_length
 from runtime.contract.files import write_text
 from runtime.contract.orientations import places_of
-from runtime.contract.units import mechanism_length
 from runtime.operating.given_state import given_state
 from runtime.operating.linearise import linearise
 from runtime.running.singular.tight_integrator import MOST_EVALUATIONS, BranchLost, TightIntegrator

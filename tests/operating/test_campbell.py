@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from runtime import campbell, modes, unbalance_response
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
 from tests.support.rotor_scenes import gimbal, jeffcott
 

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from runtime import InitialStateError, ModelError
-from runtime.contract.angular import rotation
 from runtime.contract.coordinates import independent
 from runtime.contract.model import Model
+from runtime.contract.orientations import rotation
 from symgen.scene import Scene, SceneBuilder
 from tests.support.model_values import evaluate, random_states
 

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from runtime import equilibrium, linearise, mode_motion
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.hub_beam import hub_beam
 from tests.support.model_values import condensed_accelerations, evaluate, make_state

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from runtime import SchemeError, simulate
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.studies.stability.chart import stability_chart
 from symgen.cli import main
 from symgen.scene import Scene, SceneBuilder

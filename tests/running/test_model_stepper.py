@@ -9,8 +9,8 @@ import pytest
 from scipy.linalg import expm
 
 from runtime import SchemeError, equilibrium, simulate
-from runtime.contract.errors import ArgumentError
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ArgumentError, ModelError
+from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
 
 Build = Callable[[Scene], Model]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from threadpoolctl import threadpool_info, threadpool_limits
 
-from runtime.contract.one_thread import SMALL, dense_eigenvalues, one_thread
+from runtime.contract.consistent_state import SMALL, dense_eigenvalues, one_thread
 
 
 def threads() -> list[int]:

@@ -13,7 +13,8 @@ import pytest
 
 from runtime import load_model, simulate
 from runtime.contract import loading
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder
 

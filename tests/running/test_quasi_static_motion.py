@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from runtime import SchemeError, quasi_static_motion
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
 
 Build = Callable[[Scene], Model]

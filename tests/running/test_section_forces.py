@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from runtime import Solution, simulate
-from runtime.contract.errors import ArgumentError
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ArgumentError, ModelError
+from runtime.contract.model import Model
 from symgen.bodies.static_residual import missing_share
 from symgen.cli import main
 from symgen.modes import exact_bending

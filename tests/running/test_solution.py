@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 from scipy.io import loadmat
 
+from runtime.contract.errors import ModelError
 from runtime.contract.files import OutputError, replacing, write_text
-from runtime.contract.model import Model, ModelError
+from runtime.contract.model import Model
 from runtime.contract.records import (
     BodyRecord,
     Constraint,

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from runtime import Model, SchemeError, simulate
-from runtime.contract.model import ModelError
+from runtime.contract.errors import ModelError
 from runtime.studies.advice.advise import Advice, NoAdvice, advise, candidates
 from runtime.studies.advice.words import advice_data, advice_lines, command
 from runtime.studies.work_precision import dense_methods, prepared_method

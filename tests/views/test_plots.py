@@ -11,9 +11,8 @@ import pytest
 from matplotlib.figure import Figure
 from PIL import Image
 
-from runtime.contract.errors import ArgumentError
+from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.files import OutputError
-from runtime.contract.model import ModelError
 from runtime.contract.records import Coordinate
 from runtime.contract.status import Status
 from runtime.results.solution import Solution

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from runtime import load_model, simulate
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.views.viewer import view
 from runtime.views.viewer.record import view_record
 from runtime.views.viewer.section_stress import torsion_factors

@@ -15,8 +15,8 @@ import pytest
 
 import runtime.views.viewer as viewer
 from runtime import Solution, load_model, simulate
+from runtime.contract.errors import ModelError
 from runtime.contract.files import OutputError
-from runtime.contract.model import ModelError
 from runtime.views.mechanism.scenery import scenery
 from runtime.views.viewer import view
 from runtime.views.viewer.record import view_record

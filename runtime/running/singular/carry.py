@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.angular import product, rotation_vector
 from runtime.contract.coordinates import charts_in, dependent_part, independent, independent_rates, rate_parts
 from runtime.contract.model import Model
+from runtime.contract.orientations import product, rotation_vector
 from runtime.results.solution import Solution
 from runtime.running.segment import Segment
 

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from runtime.contract.angular import parameter_rates
+from runtime.contract.coordinates import mechanism_length, turning_columns
 from runtime.contract.model import Model
-from runtime.contract.units import mechanism_length, turning_columns
+from runtime.contract.orientations import parameter_rates
 
 CLEARLY = 3.0  # times larger determinant that is worth an exchange
 LIKELY = 0.5  # of the largest gain: a loop unknown with that much is preferred, as closed forms stay closed forms

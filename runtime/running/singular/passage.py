@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from runtime.contract.coordinates import mechanism_length
 from runtime.contract.status import Event, Status, StatusName
-from runtime.contract.units import mechanism_length
 from runtime.results.solution import Solution
 from runtime.running.happenings import Happenings
 from runtime.running.segment import Segment

@@ -17,10 +17,10 @@ from pathlib import Path
 
 import numpy as np
 
-from runtime.contract.cache import cache_folder
-from runtime.contract.errors import SymgenError
+from runtime.contract.errors import ModelError, SymgenError
+from runtime.contract.files import cache_folder
 from runtime.contract.loading import load_model
-from runtime.contract.model import Model, ModelError
+from runtime.contract.model import Model
 
 ENTRY_POINTS = "symgen.variants"
 Generate = Callable[..., Path]

@@ -13,7 +13,8 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import parts, rate_parts, whole
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.schemes.switching.times import SwitchTime
 
 DUST = 1e-12  # of the largest rate: less is rounding of a rate that does not jump

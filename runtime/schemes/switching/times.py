@@ -14,7 +14,8 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.contract.tape import node_value, read_tape
 from runtime.engine.many_points import ManyPoints
 from runtime.schemes.switching.enclosure import Enclosure

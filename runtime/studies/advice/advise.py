@@ -12,10 +12,10 @@ from html import escape
 
 import numpy as np
 
-from runtime.contract.cards import card, line, table
 from runtime.contract.coordinates import followed, independent, loop_part, told_state
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
+from runtime.contract.status import card, line, table
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.running.ladder import chosen_method
 from runtime.running.problem import Problem as MotionProblem

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from runtime.contract.consistent_state import InitialStateError
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from runtime.running.simulate import simulate
 from runtime.studies.ensemble.lane_runs import finished

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.errors import ArgumentError
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ArgumentError, ModelError
+from runtime.contract.model import Model
 from runtime.results.meter import Meter
 from runtime.running.plan import whole_number
 from runtime.running.time_functions import check_time_functions

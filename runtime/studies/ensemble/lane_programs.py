@@ -11,8 +11,8 @@ from typing import NamedTuple
 import casadi as ca
 import numpy as np
 
+from runtime.contract.coordinates import mechanism_length
 from runtime.contract.model import Model
-from runtime.contract.units import mechanism_length
 from runtime.engine.ensemble_code import LaneCode, lane_form, lane_width, once_form, program_size
 from runtime.engine.prepare import prepare
 from runtime.engine.program import Fields, Layout, Program, Sequence, make_stage

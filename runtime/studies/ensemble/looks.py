@@ -13,10 +13,9 @@ from collections.abc import Mapping
 import casadi as ca
 import numpy as np
 
-from runtime.contract.coordinates import joined
+from runtime.contract.coordinates import joined, length_rows
 from runtime.contract.model import Model
 from runtime.contract.status import StatusName
-from runtime.contract.units import length_rows
 from runtime.running.monitor import CONSTRAINT_LIMIT, GROWTH_LIMIT, MOST_DEFLECTION, MOST_TURN, observed
 from runtime.schemes.scheme import Scheme
 

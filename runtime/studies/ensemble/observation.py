@@ -12,8 +12,9 @@ from dataclasses import dataclass
 import casadi as ca
 
 from runtime.contract.coordinates import charts_in, euler_angles, joined, parameter_columns
-from runtime.contract.euler_angles import angle_names, angles_of
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
+from runtime.contract.orientations import angle_names, angles_of
 from runtime.engine.program import Call, Fields, Layout, Program, Until, make_stage
 from runtime.engine.program import Sequence as InSequence
 from runtime.results.observe import CLOSED, MOST_CLOSURES
@@ -202,7 +203,7 @@ class Observation:
 
 
 def _spin(e: Sequence[ca.SX], e_dot: Sequence[ca.SX], axis: int) -> ca.SX:
-    """Component of 2 conj(e) o e', added up as runtime/contract/angular.py does."""
+    """Component of 2 conj(e) o e', added up as runtime/contract/orientations.py does."""
     i, j = 1 + (axis + 1) % 3, 1 + (axis + 2) % 3
     a = [e[0], *(-part for part in e[1:])]
     return 2 * ((a[0] * e_dot[1 + axis] + e_dot[0] * a[1 + axis]) + (a[i] * e_dot[j] - a[j] * e_dot[i]))

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.errors import ArgumentError
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ArgumentError, ModelError
+from runtime.contract.model import Model
 from runtime.running.inputs import Sampled, bound
 
 

@@ -8,7 +8,8 @@ import numpy as np
 
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import dependent_part, independent
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.operating.assembly import closable
 from runtime.operating.given_state import angle_starts, keeps_independent, spin_names
 from runtime.running.inputs import started

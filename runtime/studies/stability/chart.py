@@ -12,8 +12,9 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.errors import ModelError
 from runtime.contract.files import write_text
-from runtime.contract.model import Model, ModelError
+from runtime.contract.model import Model
 from runtime.operating.mode_solver import State
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError

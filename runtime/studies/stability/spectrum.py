@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from runtime.contract.consistent_state import dense_eigenvalues
 from runtime.contract.model import Model
-from runtime.contract.one_thread import dense_eigenvalues
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme

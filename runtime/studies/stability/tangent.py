@@ -16,7 +16,7 @@ import casadi as ca
 import numpy as np
 from scipy.sparse import csc_array
 
-from runtime.contract.angular import angular_velocity, chart_rates, parameter_rates, rotation
+from runtime.contract.orientations import angular_velocity, chart_rates, parameter_rates, rotation
 from runtime.engine.program import Repeat, Until
 from runtime.schemes.scheme import Scheme
 

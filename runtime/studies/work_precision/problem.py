@@ -11,8 +11,8 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import followed
-from runtime.contract.model import Model, ModelError
-from runtime.contract.refused_events import refuse_events
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model, refuse_events
 from runtime.results.amplitudes import floored
 from runtime.start.start_state import start_state
 from runtime.studies.work_precision.reference_path import reference_path

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from runtime.contract.model import Model, ModelError
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
 from runtime.views.mechanism.solids import Solid, solid
 
 GROUND = "ground"

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.model import ModelError
+from runtime.contract.errors import ModelError
 from runtime.views.mechanism.points import Body, Points
 from runtime.views.mechanism.solids import Solid
 from runtime.views.viewer.section_stress import RIM

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from runtime.contract.packing import packed
+from runtime.contract.records import packed
 from runtime.views.curves import force_vectors, moment_vectors
 from runtime.views.mechanism.scenery import Scenery
 from runtime.views.projection import is_spatial

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from runtime.contract.model import ModelError
-from runtime.contract.packing import packed
+from runtime.contract.errors import ModelError
+from runtime.contract.records import packed
 from runtime.views import curves
 from runtime.views.curves import Curves
 from runtime.views.mechanism.points import GROUND, Body, Points

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from runtime.contract.model import ModelError
-from runtime.contract.packing import packed
+from runtime.contract.errors import ModelError
+from runtime.contract.records import packed
 from runtime.results.section_forces import section_forces
 from runtime.views.mechanism.points import Body
 from runtime.views.mechanism.scenery import Scenery

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fnmatch import fnmatchcase
 
-from runtime.contract.euler_angles import angle_names
-from runtime.contract.scheme_names import GROUPED_SCHEMES
+from runtime.contract.orientations import angle_names
+from runtime.contract.records import GROUPED_SCHEMES
 from symgen.scene.parts import SceneParts
 from symgen.scene.simulation import MAX_STEPS
 from symgen.scene.translate import item_path
