@@ -66,8 +66,7 @@ from symgen.system.build import System, build_system
 from symgen.system.equations import Equations
 from symgen.system.errors import DerivationError
 from symgen.system.topology import Topology
-from symgen.tapes.hoisting import hoist, unhoisted
-from symgen.tapes.on_demand import TapesOnDemand
+from symgen.tapes.hoisting import TapesOnDemand, hoist, unhoisted
 
 
 @dataclass(frozen=True)

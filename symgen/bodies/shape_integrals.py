@@ -1,4 +1,7 @@
-"""Inertia shape integrals of a planar body in its own frame, from each body type of the scene (Eqs. 15-20)."""
+"""Inertia shape integrals of a planar body in its own frame, from each body type of the scene (Eqs. 15-20).
+
+Markers of the scene as point shapes, implicit ones included.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +16,7 @@ from symgen.algebra.parameters import ParameterTable
 from symgen.bodies.beam_sets import ModeSets, mesh_name, mode_sets, set_choices
 from symgen.modes import BarModes, BeamModes, beam_integrals
 from symgen.modes.integrals import BeamIntegrals, BeamPoint
-from symgen.scene import BeamBody, ModalBody, RigidBody, Scene
+from symgen.scene import BeamBody, BeamMarker, ModalBody, ModalMarker, RigidBody, Scene
 
 Table = Sequence[Sequence[float | str]]
 
@@ -245,3 +248,34 @@ def _matrix(values: Table | None, name: str, unit: str, table: ParameterTable, s
             if not quantity.is_zero():
                 result[row, column] = quantity
     return result
+
+
+def marker_shape(scene: Scene, reference: str, table: ParameterTable) -> tuple[str, PointShape]:
+    """(body name, shape) of the marker "body.marker"."""
+    body, marker = scene.marker(reference)
+    angle = table.quantity(marker.angle, f"{reference}.angle", "rad", "marker angle")
+    if isinstance(marker, BeamMarker):
+        assert isinstance(body, BeamBody)
+        point = beam_point(body, beam_integrals_of(body), float(marker.at), table)
+        return body.name, PointShape(point.position, angle, point.Phi, point.slope, point.H)
+    position = ca.vertcat(
+        *(
+            table.quantity(value, f"{reference}.{axis}", "m", "marker position")
+            for axis, value in zip("xy", marker.position, strict=True)
+        )
+    )
+    nf = body.nf
+    Phi, slope, H = ca.SX(2, nf), ca.SX(nf, 1), ca.SX(nf, nf)
+    if isinstance(marker, ModalMarker):
+        _fill(Phi, [marker.shape_x or (), marker.shape_y or ()], f"{reference}.shape", table)
+        _fill(slope, [[value] for value in marker.slope or ()], f"{reference}.slope", table)
+        _fill(H, marker.foreshortening or (), f"{reference}.foreshortening", table)
+    return body.name, PointShape(position, angle, Phi, slope, H)
+
+
+def _fill(target: ca.SX, rows: Sequence[Sequence[float | str]], name: str, table: ParameterTable) -> None:
+    for row, entries in enumerate(rows):
+        for column, value in enumerate(entries):
+            quantity = table.quantity(value, f"{name}[{row},{column}]", "1", "modal data at a marker", array=name)
+            if not quantity.is_zero():
+                target[row, column] = quantity

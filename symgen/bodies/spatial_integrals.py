@@ -1,4 +1,7 @@
-"""Shape integrals and markers of the bodies of a spatial scene, as SX over the parameters p (Eqs. 18-20)."""
+"""Shape integrals and markers of the bodies of a spatial scene, as SX over the parameters p (Eqs. 18-20).
+
+The constant axes of a spatial marker in its body: rotation matrix and quaternion as numbers.
+"""
 
 from __future__ import annotations
 
@@ -11,10 +14,48 @@ from runtime.contract.records import Bound
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import add, entries, mul, neg
 from symgen.algebra.vectors import Vector, scaled, zeros
-from symgen.bodies.marker_axes import marker_rotation, quaternion_of
 from symgen.bodies.spatial_beam_body import beam_spatial_point, spatial_beam_integrals, square
 from symgen.bodies.spatial_moments import Matrix, SpatialIntegrals, SpatialPoint
 from symgen.scene import BeamBody, BeamMarker, FlexibleMarker, MarkerDirections, RigidBody, Scene, SpatialModalBody
+
+ALONG = 1.0 - 1e-9  # an axis this much along the body's x-axis takes the body's z-axis for its x-axis
+
+
+def marker_rotation(marker: MarkerDirections) -> np.ndarray:
+    """Columns: the marker's x-, y- and z-axis in the body frame (3 x 3, a rotation)."""
+    z = _unit(np.array(marker.axis))
+    if marker.x_axis is not None:
+        x = np.array(marker.x_axis)
+    else:
+        x = np.array([1.0, 0.0, 0.0]) if abs(z[0]) < ALONG else np.array([0.0, 0.0, 1.0])
+    x = _unit(x - (x @ z) * z)
+    rotation = np.column_stack([x, np.cross(z, x), z])
+    rotation[np.abs(rotation) < 1e-15] = 0.0
+    return rotation
+
+
+def quaternion_of(rotation: np.ndarray) -> np.ndarray:
+    """Unit quaternion (scalar first, not negative) of a rotation matrix."""
+    trace = float(np.trace(rotation))
+    squares = np.array([1 + trace, *(1 - trace + 2 * rotation[k, k] for k in range(3))]) / 4
+    largest = int(np.argmax(squares))
+    r = rotation
+    numerators = np.array(
+        [
+            [4 * squares[0], r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]],
+            [r[2, 1] - r[1, 2], 4 * squares[1], r[0, 1] + r[1, 0], r[0, 2] + r[2, 0]],
+            [r[0, 2] - r[2, 0], r[0, 1] + r[1, 0], 4 * squares[2], r[1, 2] + r[2, 1]],
+            [r[1, 0] - r[0, 1], r[0, 2] + r[2, 0], r[1, 2] + r[2, 1], 4 * squares[3]],
+        ]
+    )
+    quaternion = numerators[largest] / (4 * np.sqrt(squares[largest]))
+    quaternion[np.abs(quaternion) < 1e-15] = 0.0
+    return np.asarray(quaternion if quaternion[0] >= 0 else -quaternion)
+
+
+def _unit(vector: np.ndarray) -> np.ndarray:
+    scaled = vector / np.abs(vector).max()
+    return np.asarray(scaled / np.linalg.norm(scaled))
 
 
 def spatial_integrals(scene: Scene, name: str, table: ParameterTable) -> SpatialIntegrals:

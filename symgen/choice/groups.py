@@ -6,10 +6,9 @@ from collections.abc import Sequence
 from fnmatch import fnmatchcase
 
 from runtime.contract.records import Group
-from symgen.system.build import System
+from symgen.system.build import RequestedGroup, System
 from symgen.system.equations import Equations
 from symgen.system.errors import DerivationError
-from symgen.system.requested import RequestedGroup
 
 
 def choose_groups(system: System, independent: list[int]) -> list[Group]:

@@ -157,8 +157,7 @@ def _scene_text(folder: Path) -> str | None:
 def try_leaving_model(folder: Path) -> None:
     """See that `leave_model` can write, before something long is begun. Raises SceneError or OutputError."""
     from runtime.contract.files import try_writing
-    from symgen.emission.ownership import MANIFEST, refuse_foreign_files
-    from symgen.emission.write import FILES
+    from symgen.emission.write import FILES, MANIFEST, refuse_foreign_files
 
     refuse_foreign_files(FILES, folder)
     try_writing(folder / MANIFEST)

@@ -1,19 +1,49 @@
-"""Write a model's files, or compare them with what is there: one code path for `generate` and its `--check`."""
+"""Write a model's files, or compare them with what is there: one code path for `generate` and its `--check`.
+
+Only what the generator wrote may be replaced by it: the manifest of a folder says what that is.
+"""
 
 from __future__ import annotations
 
 import difflib
 import json
 import math
+import os
+from collections.abc import Iterable
 from pathlib import Path
 
 from runtime.contract.files import OutputError, write_text
-from symgen.emission.manifest import data_text, manifest_text
+from symgen.emission.description import data_text, manifest_text
 from symgen.emission.model_page import model_page
 from symgen.emission.model_text import model_text
-from symgen.emission.ownership import refuse_foreign_files
 from symgen.pipeline import Derived
 from symgen.scene import SceneError
+
+MANIFEST = "manifest.json"
+
+
+def refuse_foreign_files(names: Iterable[str], folder: Path) -> None:
+    """Raises SceneError if one of the files would take the place of one that the folder's manifest does not list."""
+    own = _listed(folder / MANIFEST)
+    foreign = [name for name in names if name not in own and os.path.lexists(folder / name)]
+    if foreign:
+        raise SceneError(
+            str(folder / foreign[0]),
+            "is there and was not written by symgen generate",
+            "choose another output folder (--out), or move the file away",
+        )
+
+
+def _listed(manifest: Path) -> set[str]:
+    """The files that a manifest says were generated, itself included; none where there is no manifest of ours."""
+    try:
+        content = json.loads(manifest.read_bytes())
+    except (OSError, ValueError, RecursionError):
+        return set()
+    if not isinstance(content, dict) or not isinstance(content.get("files"), dict) or "sha256" not in content:
+        return set()
+    return {MANIFEST, *content["files"]}
+
 
 FILES = ("model.py", "data.json", "model.md", "scene.toml", "manifest.json")
 DATA_TOLERANCE = 1e-9  # eigenvectors and assembled states differ in the last digits between machines

@@ -5,10 +5,8 @@ module each: reading or assembling a `FEStructure`, checking that it is one free
 """
 
 from symgen.fe.body import FlexibleBody
-from symgen.fe.errors import FiniteElementError
 from symgen.fe.frame import LineMesh, Section
-from symgen.fe.material import STEEL, Material
-from symgen.fe.modal_fields import Marker
-from symgen.fe.structure import FEStructure
+from symgen.fe.inertia import Marker
+from symgen.fe.structure import STEEL, FEStructure, FiniteElementError, Material
 
 __all__ = ["STEEL", "FiniteElementError", "FlexibleBody", "LineMesh", "Marker", "Material", "Section", "FEStructure"]

@@ -1,4 +1,7 @@
-"""A flexible body from a finite-element model: modes, markers and inertia shape integrals."""
+"""A flexible body from a finite-element model: modes, markers and inertia shape integrals.
+
+Choices that a flexible body is made with, checked: interfaces, markers, origin.
+"""
 
 from __future__ import annotations
 
@@ -11,30 +14,100 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symgen.fe.choices import check_choices, interfaces_of, known_choice, marker_of, origin_of
 from symgen.fe.frame import LineMesh, frame_structure
-from symgen.fe.frame_forces import EquilibriumForces, equilibrium_forces
-from symgen.fe.gauges import Gauges, gauge_fields
-from symgen.fe.inertia import InertiaIntegrals, inertia_integrals
-from symgen.fe.interfaces import Interface, NodeSet
-from symgen.fe.losses import FlexibilityLoss, effective_masses, flexibility_losses
-from symgen.fe.lumping import lumped
-from symgen.fe.material import Material
-from symgen.fe.modal_fields import Marker, modal_fields
-from symgen.fe.mode_acceleration import EquilibriumStresses, equilibrium_stresses
-from symgen.fe.mode_sets import ModeSet, fixed_interface_modes, free_modes, mixed_modes
-from symgen.fe.nastran import BULK, nastran_matrices, nastran_nodes
-from symgen.fe.reading import MatrixSource, TableSource, read_dofs, read_matrix, read_nodes
-from symgen.fe.report import body_report
-from symgen.fe.rigid_check import RigidCheck, check_free_body
-from symgen.fe.solids import solid_structure
-from symgen.fe.static_shapes import with_static_shapes
-from symgen.fe.stress_stiffness import StressStiffening, stress_stiffening
-from symgen.fe.stresses import ModalStresses, SolidStress, modal_stresses
-from symgen.fe.structure import AXES, FEStructure, structure
-from symgen.fe.struts import struts
-from symgen.fe.surface import surface_data
-from symgen.modes.cleaning import Array
+from symgen.fe.frame_forces import EquilibriumForces, equilibrium_forces, struts
+from symgen.fe.inertia import (
+    InertiaIntegrals,
+    Marker,
+    StressStiffening,
+    dusted,
+    inertia_integrals,
+    lumped,
+    modal_fields,
+    stress_stiffening,
+)
+from symgen.fe.interfaces import Interface, NodeSet, interface
+from symgen.fe.mode_acceleration import EquilibriumStresses, Gauges, equilibrium_stresses, gauge_fields
+from symgen.fe.mode_sets import MODE_SETS, ModeSet, fixed_interface_modes, free_modes, mixed_modes, with_static_shapes
+from symgen.fe.reading import (
+    BULK,
+    MatrixSource,
+    TableSource,
+    nastran_matrices,
+    nastran_nodes,
+    read_dofs,
+    read_matrix,
+    read_nodes,
+)
+from symgen.fe.report import (
+    FlexibilityLoss,
+    RigidCheck,
+    body_report,
+    check_free_body,
+    effective_masses,
+    flexibility_losses,
+)
+from symgen.fe.stresses import ModalStresses, SolidStress, modal_stresses, solid_structure, surface_data
+from symgen.fe.structure import AXES, FEStructure, FiniteElementError, Material, structure
+from symgen.modes.cleaning import Array, fixed
+
+MASSES = ("consistent", "lumped")
+
+
+def known_choice(item: str, value: str, choices: tuple[str, ...]) -> None:
+    """Raises FiniteElementError for a value that is none of the choices."""
+    if value not in choices:
+        raise FiniteElementError(item, f"{value!r} is not known", f"choose one of {list(choices)}")
+
+
+def check_choices(mode_set: str, mass: str, fixed: Sequence[str]) -> None:
+    """Raises FiniteElementError for sets of modes and masses that are not known."""
+    known_choice("mode_set", mode_set, MODE_SETS)
+    known_choice("mass", mass, MASSES)
+    if fixed and mode_set != "mixed":
+        raise FiniteElementError(
+            "fixed",
+            f"interfaces are held in a mixed set, not in '{mode_set}'",
+            "take mode_set='mixed', or leave fixed out",
+        )
+
+
+def interfaces_of(body: FEStructure, sets: Mapping[str, NodeSet], at: Mapping[str, ArrayLike]) -> dict[str, Interface]:
+    """By name; at: where their markers are [m], if not at the mean of the nodes."""
+    if not sets:
+        raise FiniteElementError("interface", "no interface is named", "name the node sets where joints and loads act")
+    for name in at:
+        known_choice("marker_positions", name, tuple(sets))
+    return {
+        name: interface(body, name, nodes, _point(f"marker_positions['{name}']", at[name]) if name in at else None)
+        for name, nodes in sets.items()
+    }
+
+
+def origin_of(origin: str | ArrayLike, parts: Mapping[str, Interface]) -> Array:
+    """(3,) [m]: a point, or the place of an interface."""
+    if isinstance(origin, str):
+        known_choice("origin", origin, tuple(parts))
+        return fixed(parts[origin].position)
+    return fixed(_point("origin", origin))
+
+
+def _point(item: str, value: ArrayLike) -> Array:
+    point = np.asarray(value, dtype=np.float64)
+    if point.shape != (AXES,) or not np.all(np.isfinite(point)):
+        raise FiniteElementError(item, f"{value!r} is not a point", "give x, y, z in metres")
+    return point
+
+
+def marker_of(part: Interface, shapes: Array, origin: Array) -> Marker:
+    """The marker of an interface: how the shapes (n_dof, nf) move and turn it."""
+    moved = part.average @ shapes
+    position = part.position - origin
+    return Marker(
+        fixed(dusted(position, float(np.linalg.norm(position)))),
+        fixed(dusted(moved[:AXES], float(np.max(np.abs(shapes), initial=0.0)))),
+        fixed(dusted(moved[AXES:], float(np.max(np.abs(moved[AXES:]), initial=0.0)))),
+    )
 
 
 @dataclass(frozen=True, eq=False)

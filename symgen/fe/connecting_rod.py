@@ -7,9 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from symgen.fe.body import FlexibleBody
-from symgen.fe.errors import FiniteElementError
-from symgen.fe.material import STEEL, Material
-from symgen.fe.structure import Flags, Integers
+from symgen.fe.structure import STEEL, FiniteElementError, Flags, Integers, Material
 from symgen.modes.cleaning import Array
 
 if TYPE_CHECKING:

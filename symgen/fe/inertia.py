@@ -1,15 +1,32 @@
-"""Inertia shape integrals of a finite-element body in its frame (the numbers of Eq. 20 for a body in space)."""
+"""Inertia shape integrals of a finite-element body in its frame (the numbers of Eq. 20 for a body in space).
+
+A consistent mass matrix as masses at the nodes.
+
+Geometric stiffness of a finite-element body from the stresses of unit loads, reduced to its modes (Eqs. 15-20).
+
+A stress field s gives the energy q^T K_s q / 2 with K_s = int (grad phi_a)^T s (grad phi_b) dV. The stress of a load is
+linear in it, so K_s of any motion is a sum over loads: of unit accelerations of the frame, of the fields x_i e_j that
+angular velocities and accelerations make, and of unit forces at the interfaces. Each K_s is the work of its load on a
+displacement of second order, -q^T H(x) q / 2: the body template takes int H_i dm, int x_i H_j dm and H at markers.
+Loads in a motion balance, inertia forces among them, so that the supports of the single solutions drop out of the sum.
+
+What a scene is told of a finite-element body: numbers and lists.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import scipy.linalg as la
 import scipy.sparse as sp
 
-from symgen.fe.errors import FiniteElementError
-from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure
+from runtime.contract.records import packed
+from symgen.fe.interfaces import Interface
+from symgen.fe.static import Solve, held_solve
+from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, FiniteElementError
 from symgen.modes.cleaning import RELATIVE_ZERO, Array, clean, fixed, symmetric
 
 DUST = 1e-9  # entries below this share of what they could be are round-off of the mode shapes
@@ -167,3 +184,144 @@ def _with_skew_part(rho_phi: Array, turning: Array) -> Array:
 def dusted(values: Array, scale: float) -> Array:
     """Copy with entries below 1e-9 of `scale` (in their unit) as exact zeros."""
     return clean(values, DUST / RELATIVE_ZERO * float(scale))
+
+
+def lumped(body: FEStructure) -> FEStructure:
+    """The same structure with its mass at the nodes; total mass and, for straight-sided elements, its centre stay.
+
+    The rows of M are summed. Quadratic elements whose row sums are not positive (tetrahedra) take their diagonal
+    instead, scaled to the mass; that is right for meshes of one element type. Nodes with rotations keep the
+    rotary inertia that their rows sum up to; what M says of masses away from their node is dropped.
+    Raises FiniteElementError for other sums that are not positive.
+    """
+    scalar = scalar_mass(body)
+    mass, _, inertia = nodal_inertia(body)
+    if scalar is not None and mass.min() <= 0.0:
+        mass = scalar.diagonal() * scalar.sum() / scalar.diagonal().sum()
+    if mass.min() < 0.0:
+        raise FiniteElementError(
+            "mass", f"lumping gives node {body.ids[mass.argmin()]} a negative mass", "take mass='consistent'"
+        )
+    diagonal = np.where(body.component < AXES, mass[body.node], 0.0)
+    blocks = sp.lil_matrix(sp.diags(diagonal))
+    turning = body.rows[:, AXES:]
+    for i in range(AXES):
+        for j in range(AXES):
+            both = (turning[:, i] >= 0) & (turning[:, j] >= 0) & (inertia[:, i, j] != 0.0)
+            blocks[turning[both, i], turning[both, j]] = inertia[both, i, j]
+    return replace(body, M=sp.csr_matrix(blocks))
+
+
+@dataclass(frozen=True, eq=False)
+class StressStiffening:
+    """Displacements of second order -q^T H_i q / 2 along axis i, mass-orthonormal shapes [1/m per kg].
+
+    H (3, nf, nf): int H_i dm.  xH (3, 3, nf, nf): [i][j] = int x_i H_j dm.  at: (3, nf, nf) at each interface, by name.
+    """
+
+    H: Array
+    xH: Array
+    at: dict[str, Array]
+
+
+def stress_stiffening(
+    body: FEStructure, shapes: Array, origin: Array, parts: Sequence[Interface], held: Solve | None
+) -> StressStiffening:
+    """For shapes (n_dof, nf) about `origin` (3,) [m]; held: solver of the held body, None for six plain supports.
+
+    Raises FiniteElementError where the elements that carry the stresses are not known.
+    """
+    if body.stress is None:
+        raise FiniteElementError(
+            "stiffening",
+            "the stresses of a body from matrices are not known",
+            "make it from a mesh (from_mesh), or leave stiffening out",
+        )
+    loads = [linear_fields(body, origin), *(np.asarray(part.average[:AXES].todense()).T for part in parts)]
+    solve = held if held is not None else _supported(body)
+    stiffness = symmetric(body.stress(solve(np.hstack(loads)), shapes))
+    nf = shapes.shape[1]
+    inertial, forces = stiffness[: AXES + AXES**2], stiffness[AXES + AXES**2 :].reshape(len(parts), AXES, nf, nf)
+    xH = inertial[AXES:].reshape(AXES, AXES, nf, nf)
+    return StressStiffening(
+        fixed(_dusted(inertial[:AXES])),
+        fixed(_dusted(xH)),
+        {part.name: fixed(_dusted(force)) for part, force in zip(parts, forces, strict=True)},
+    )
+
+
+def linear_fields(body: FEStructure, origin: Array) -> Array:
+    """M v (n_dof, 12) of the displacement fields v = e_j, then x_i e_j with i slowest, which turn by e_i x e_j / 2."""
+    fields = np.zeros((body.n_dof, AXES + AXES**2))
+    arms = (body.positions - origin)[body.node]
+    for j in range(AXES):
+        along = body.component == j
+        fields[along, j] = 1.0
+        for i in range(AXES):
+            column = AXES + AXES * i + j
+            fields[along, column] = arms[along, i]
+            turn = 0.5 * np.cross(np.eye(AXES)[i], np.eye(AXES)[j])
+            for axis in range(AXES):
+                fields[body.component == AXES + axis, column] = turn[axis]
+    return np.asarray(body.M @ fields)
+
+
+def _supported(body: FEStructure) -> Solve:
+    """Held at six rows that restrain the rigid motions."""
+    rigid = body.rigid(body.positions.mean(axis=0))
+    support = la.qr((rigid / np.linalg.norm(rigid, axis=0)).T, mode="r", pivoting=True)[1][:RIGID_MOTIONS]
+    return held_solve(body.K, support)
+
+
+def _dusted(values: Array) -> Array:
+    return dusted(values, float(np.abs(values).max(initial=0.0)))
+
+
+@dataclass(frozen=True, eq=False)
+class Marker:
+    """An interface on the body: position (3,) [m] from the origin; shape, rotation (3, nf): per unit of q_f."""
+
+    position: Array
+    shape: Array
+    rotation: Array
+
+
+def modal_fields(
+    these: InertiaIntegrals,
+    eigenvalues: Array,
+    markers: Mapping[str, Marker],
+    stiffening: StressStiffening | None,
+    damping_ratio: float | Sequence[float],
+    surface: Mapping[str, Array],
+) -> dict[str, Any]:
+    """See `FlexibleBody.fields`; surface: its arrays, none for no surface. Raises FiniteElementError."""
+    ratios = np.asarray(damping_ratio, dtype=np.float64)
+    if ratios.shape not in ((), eigenvalues.shape) or not np.all(np.isfinite(ratios)) or np.any(ratios < 0.0):
+        raise FiniteElementError(
+            "damping_ratio",
+            f"{damping_ratio!r} is not a ratio of 0 or more, or one per mode",
+            f"give one number or {len(eigenvalues)}",
+        )
+    arrays = {
+        "first_moment": these.first_moment,
+        "inertia_moments": these.moments,
+        "M_ff": these.M_ff,
+        "K_ff": np.diag(eigenvalues),
+        "D_ff": np.diag(2.0 * ratios * np.sqrt(eigenvalues)),
+        "phi_integral": these.phi_integral,
+        "rho_phi": these.rho_phi,
+        "phi_phi": these.phi_phi,
+    }
+    places: dict[str, dict[str, Any]] = {
+        name: {"position": one.position.tolist(), "shape": one.shape.tolist(), "rotation": one.rotation.tolist()}
+        for name, one in markers.items()
+    }
+    fields = {"mass": these.mass, **{key: array.tolist() for key, array in arrays.items()}, "markers": places}
+    if stiffening is not None:
+        fields["stiffening"] = {"H": stiffening.H.tolist(), "xH": stiffening.xH.tolist()}
+        for name, marker in places.items():
+            marker["foreshortening"] = stiffening.at[name].tolist()
+    if surface:
+        kinds = {key: "<i4" if key == "triangles" else "<f4" for key in surface}
+        fields["surface"] = {key: packed(array, kinds[key]) for key, array in surface.items()}
+    return fields

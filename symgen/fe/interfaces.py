@@ -8,8 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.sparse as sp
 
-from symgen.fe.errors import FiniteElementError
-from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, Flags, Integers
+from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, FiniteElementError, Flags, Integers
 from symgen.modes.cleaning import Array
 
 NodeSet = Sequence[int] | Callable[[Array], Flags]

@@ -1,17 +1,21 @@
-"""Stresses of solids for given displacements, and their geometric stiffness."""
+"""Stresses of solids for given displacements, and their geometric stiffness.
+
+The surface of a finite-element body as triangles with its modes, for pictures; thinned where there are many.
+
+Solid meshes of tetrahedra and hexahedra, assembled by scikit-fem.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
+import scipy.sparse as sp
 from numpy.typing import ArrayLike
 
-from symgen.fe.errors import FiniteElementError
-from symgen.fe.material import Material
-from symgen.fe.structure import AXES, FEStructure, Integers
+from symgen.fe.structure import AXES, FEStructure, FiniteElementError, Integers, Material, structure
 from symgen.modes.cleaning import Array, fixed
 
 VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
@@ -115,3 +119,147 @@ def solid_stress(body: FEStructure) -> SolidStress:
         return body.stress
     remedy = "make it with from_mesh from tetrahedra or hexahedra"
     raise FiniteElementError("stresses", "the body is not made from a solid mesh", remedy)
+
+
+ROUNDS = ((0, 1, 2, 3), (0, 1, 3, 2), (0, 2, 1, 3))  # the three ways around four corners
+GROWTH = 1.25  # of the cells in which vertices are made one
+
+
+def boundary_triangles(mesh: Any) -> Integers:
+    """Triangles (m, 3) of vertices on the boundary of a scikit-fem mesh; a quadrilateral gives two."""
+    facets = np.asarray(mesh.facets[:, mesh.boundary_facets()], dtype=np.int64).T
+    if facets.shape[1] == AXES:
+        return facets
+    corners = np.asarray(mesh.p).T[facets]  # (m, 4, 3); scikit-fem sorts the corners of a facet by number
+    around = [np.linalg.norm(corners[:, order] - corners[:, np.roll(order, 1)], axis=2).sum(axis=1) for order in ROUNDS]
+    ordered = np.take_along_axis(facets, np.array(ROUNDS)[np.argmin(around, axis=0)], axis=1)
+    return np.concatenate([ordered[:, [0, 1, 2]], ordered[:, [0, 2, 3]]])
+
+
+def thinned(positions: Array, triangles: Integers, most: int) -> tuple[Integers, Integers]:
+    """(places of the vertices that are kept, triangles of them), at most so many.
+
+    Vertices in the same cell of a grid become the first of them; the grid is made coarser until it suffices.
+    """
+    used, triangles = np.unique(triangles, return_inverse=True)
+    triangles = triangles.reshape(-1, AXES)
+    kept, coarse = np.arange(len(used)), triangles
+    size = float(np.ptp(positions[used], axis=0).max()) * most**-0.5 / 2.0
+    while len(coarse) > most:
+        size *= GROWTH
+        cells = np.floor((positions[used] - positions[used].min(axis=0)) / size).astype(np.int64)
+        _, kept, which = np.unique(cells, axis=0, return_index=True, return_inverse=True)
+        coarse = which.reshape(-1)[triangles]
+        whole = (coarse[:, 0] != coarse[:, 1]) & (coarse[:, 1] != coarse[:, 2]) & (coarse[:, 2] != coarse[:, 0])
+        coarse = coarse[whole]
+        coarse = coarse[np.unique(np.sort(coarse, axis=1), axis=0, return_index=True)[1]]
+    return used[kept], coarse
+
+
+def surface_data(positions: Array, nodal: Array, triangles: Integers, origin: Array, most: int) -> dict[str, Array]:
+    """vertices (n, 3) [m] from `origin`, triangles (m, 3), shapes (n, 3, nf) of the nodes' positions and shapes.
+
+    Raises FiniteElementError without triangles, and for fewer than 4 of them.
+    """
+    if not len(triangles):
+        raise FiniteElementError(
+            "surface",
+            "matrices and beams have no faces",
+            "give triangles: places of three nodes each, (m, 3), or make the body from a solid mesh",
+        )
+    if most < 4:
+        raise FiniteElementError("max_triangles", f"is {most}", "give at least 4")
+    if triangles.min() < 0 or triangles.max() >= len(positions):
+        raise FiniteElementError(
+            "triangles", "name nodes that are not there", f"give places from 0 to {len(positions) - 1}"
+        )
+    kept, found = thinned(positions, triangles, most)
+    return {
+        "vertices": np.array(positions[kept] - origin, dtype=np.float32),
+        "triangles": found.astype(np.int32),
+        "shapes": np.array(nodal[kept], dtype=np.float32),
+    }
+
+
+# Quadrature of this degree integrates the mass of each element exactly (per direction for hexahedra).
+DEGREE = {"P1": 2, "P2": 4, "Q1": 3, "Q2": 5}
+
+
+def solid_structure(mesh: Any, material: Material, order: int = 2) -> FEStructure:
+    """Stiffness and consistent mass of a scikit-fem MeshTet or MeshHex; elements P1/Q1 (order 1) or P2/Q2 (order 2).
+
+    The first node ids are the mesh's vertices 0, 1, ...; order 2 adds nodes on edges, faces and in cells.
+    Linear hexahedra bend too stiffly; take them for compact parts only.
+    Raises FiniteElementError without scikit-fem, for other meshes and orders, and for cells turned inside out.
+    """
+    skfem, scalar = _checked_basis(mesh, order)
+    gradients = _gradient_products(skfem, scalar)
+    mass = material.rho * skfem.BilinearForm(lambda u, v, _: u * v).assemble(scalar)
+    K = _elastic(gradients, material)
+    n = scalar.N
+    # Rows so far: all x, all y, all z. Sort them node by node.
+    order_rows = np.arange(AXES * n).reshape(AXES, n).T.ravel()
+    K = sp.csr_matrix(K)[order_rows][:, order_rows]
+    M = sp.kron(mass, sp.eye(AXES), format="csr")
+    body = structure(
+        K,
+        M,
+        np.arange(n),
+        np.array(scalar.doflocs.T, dtype=np.float64),
+        np.repeat(np.arange(n), AXES),
+        np.tile(np.arange(AXES), n),
+    )
+    return replace(body, facets=boundary_triangles(mesh), stress=SolidStress(scalar, material))
+
+
+def _checked_basis(mesh: Any, order: int) -> tuple[Any, Any]:
+    """(scikit-fem, the scalar basis of the mesh with its quadrature); raises FiniteElementError."""
+    try:
+        import skfem
+    except ImportError as error:
+        raise FiniteElementError("scikit-fem", "it is not installed", "pip install 'symgen[fe]'") from error
+    kinds = {
+        (skfem.MeshTet, 1): ("P1", skfem.ElementTetP1),
+        (skfem.MeshTet, 2): ("P2", skfem.ElementTetP2),
+        (skfem.MeshHex, 1): ("Q1", skfem.ElementHex1),
+        (skfem.MeshHex, 2): ("Q2", skfem.ElementHex2),
+    }
+    found = [kind for (shape, degree), kind in kinds.items() if isinstance(mesh, shape) and degree == order]
+    if not found:
+        raise FiniteElementError(
+            "mesh",
+            f"a {type(mesh).__name__} with elements of order {order}",
+            "give a scikit-fem MeshTet or MeshHex and order 1 or 2, or a LineMesh",
+        )
+    name, element = found[0]
+    with np.errstate(divide="ignore", invalid="ignore"):  # flat cells are refused below
+        basis = skfem.Basis(mesh, element(), intorder=DEGREE[name])
+    volume = np.asarray(basis.mapping.detDF(basis.X))
+    bad = np.flatnonzero(volume.min(axis=-1) * volume.max(axis=-1) <= 0.0)
+    if bad.size:
+        raise FiniteElementError(
+            "mesh",
+            f"{bad.size} cells have no volume or are turned inside out, the first is {bad[0]}",
+            "repair the mesh",
+        )
+    return skfem, basis
+
+
+def _gradient_products(skfem: Any, basis: Any) -> list[list[sp.csr_matrix]]:
+    """[i][j]: int d_i v d_j u dV, (n, n) each; the lower half by transposition."""
+    products: list[list[Any]] = [[None] * AXES for _ in range(AXES)]
+    for i in range(AXES):
+        for j in range(i, AXES):
+            form = skfem.BilinearForm(lambda u, v, _, i=i, j=j: v.grad[i] * u.grad[j])
+            products[i][j] = form.assemble(basis)
+            products[j][i] = products[i][j].T
+    return products
+
+
+def _elastic(products: list[list[sp.csr_matrix]], material: Material) -> sp.csr_matrix:
+    """int lame div u div v + 2 G eps(u) : eps(v) dV from the products of gradients; rows x, then y, then z."""
+    diffusion = products[0][0] + products[1][1] + products[2][2]
+    blocks = [[material.lame * products[i][j] + material.G * products[j][i] for j in range(AXES)] for i in range(AXES)]
+    for i in range(AXES):
+        blocks[i][i] = blocks[i][i] + material.G * diffusion
+    return sp.csr_matrix(sp.bmat(blocks))

@@ -1,7 +1,13 @@
-"""A finite-element model as numbers: stiffness, mass, nodes, and which row is which motion of which node."""
+"""A finite-element model as numbers: stiffness, mass, nodes, and which row is which motion of which node.
+
+The one error that finite-element data can raise.
+
+An isotropic linear elastic material.
+"""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -10,8 +16,19 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from symgen.fe.errors import FiniteElementError
+from runtime.contract.errors import SymgenError
 from symgen.modes.cleaning import Array
+
+
+class FiniteElementError(SymgenError, ValueError):
+    """Something in finite-element data is wrong; says where, what, and what to do.
+
+    Args:
+        item: what is wrong, such as ``stiffness`` or ``interface 'pin'``.
+        problem: what is wrong with it.
+        remedy: what to do about it.
+    """
+
 
 Integers = NDArray[np.int64]
 Flags = NDArray[np.bool_]
@@ -158,3 +175,36 @@ def _checked(item: str, matrix: sp.spmatrix, n: int) -> sp.csr_matrix:
             "check the units and the export; a matrix of inertia or stiffness has none",
         )
     return sp.csr_matrix(0.5 * (values + values.T))
+
+
+@dataclass(frozen=True)
+class Material:
+    """Young's modulus E [Pa], Poisson's ratio nu, density rho [kg/m^3].
+
+    Raises FiniteElementError for values that no material has.
+    """
+
+    E: float
+    nu: float
+    rho: float
+
+    def __post_init__(self) -> None:
+        for name in ("E", "rho"):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and value > 0.0):
+                raise FiniteElementError(f"material.{name}", f"{value!r} is not a positive number", "use SI units")
+        if not -1.0 < self.nu < 0.5:
+            raise FiniteElementError("material.nu", f"{self.nu!r} is not between -1 and 0.5", "steel has 0.3")
+
+    @property
+    def G(self) -> float:
+        """Shear modulus [Pa]."""
+        return self.E / (2.0 * (1.0 + self.nu))
+
+    @property
+    def lame(self) -> float:
+        """Lame's first constant [Pa]."""
+        return self.E * self.nu / ((1.0 + self.nu) * (1.0 - 2.0 * self.nu))
+
+
+STEEL = Material(E=2.1e11, nu=0.3, rho=7850.0)

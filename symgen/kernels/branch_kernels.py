@@ -18,10 +18,9 @@ from functools import cached_property
 
 import casadi as ca
 
-from symgen.algebra.collected import collected
 from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ONE, ZERO, dot, entries, mul, neg, vector
-from symgen.algebra.small_systems import solve_small
+from symgen.algebra.small_systems import collected, solve_small
 from symgen.condensed.condensation import Condensed, Substitution
 from symgen.condensed.forward_dynamics import RowsLeft, Side, eliminate, force_side, forces_side
 from symgen.kernels.kernel import Arguments, Kernel

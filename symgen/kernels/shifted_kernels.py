@@ -12,9 +12,8 @@ from collections.abc import Callable
 
 import casadi as ca
 
-from symgen.algebra.complex_scalar import ComplexScalar, complex_number
 from symgen.algebra.rows import Row, add_scaled
-from symgen.algebra.scalar import ZERO, add, mul
+from symgen.algebra.scalar import ZERO, ComplexScalar, add, complex_number, mul
 from symgen.choice.deflections import Deflections
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.forward_dynamics import eliminate, force_side

@@ -9,11 +9,21 @@ mesh with lumped nodal masses (`lateral_modes`, `axial_modes`).
 """
 
 from runtime.contract.flexible import BENDING, STRETCHING, panels_for
-from symgen.modes.axial import AXIAL_ENDS, BarModes, axial_modes
 from symgen.modes.cleaning import clean
-from symgen.modes.exact import ExactBarModes, ExactBeamModes, exact_bending, exact_stretching
+from symgen.modes.exact import (
+    AXIAL_ENDS,
+    LATERAL_ENDS,
+    BarModes,
+    BeamModes,
+    ExactBarModes,
+    ExactBeamModes,
+    LateralPoint,
+    axial_modes,
+    exact_bending,
+    exact_stretching,
+    lateral_modes,
+)
 from symgen.modes.integrals import BeamIntegrals, BeamPoint, beam_integrals
-from symgen.modes.lateral import LATERAL_ENDS, BeamModes, LateralPoint, lateral_modes
 
 __all__ = [
     "AXIAL_ENDS",

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from symgen.modes.axial import BarModes
 from symgen.modes.cleaning import Array, clean, fixed
-from symgen.modes.lateral import BeamModes
+from symgen.modes.exact import BarModes, BeamModes
 from symgen.modes.mesh import check_fraction
 
 

@@ -9,9 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from symgen.modes.axial import BarModes
 from symgen.modes.cleaning import Array, clean, fixed
-from symgen.modes.lateral import BeamModes
+from symgen.modes.exact import BarModes, BeamModes
 
 ALONG, TORSION = 0, 3
 TURN = {1: (2, 1.0), 2: (1, -1.0)}  # deflection along y turns about z, along z about -y

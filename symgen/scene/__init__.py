@@ -18,9 +18,7 @@ from symgen.scene.bodies import (
     TorsionModes,
 )
 from symgen.scene.builder import SceneBuilder
-from symgen.scene.events import DeclaredEvent
-from symgen.scene.flexible import FlexibleMarker, FlexibleStiffening, SpatialModalBody
-from symgen.scene.inputs import DeclaredInput
+from symgen.scene.flexible import FlexibleMarker, FlexibleStiffening, SpatialModalBody, Structure
 from symgen.scene.loads import Bushing, Force, Load, RotationalSpringDamper, SpringDamper, Torque
 from symgen.scene.measures import (
     CoordinateMeasure,
@@ -30,14 +28,20 @@ from symgen.scene.measures import (
     StressMeasure,
 )
 from symgen.scene.modal import Foreshortening, ModalBody, ModalMarker
-from symgen.scene.parameters import DeclaredParameter
+from symgen.scene.parameters import DeclaredInput, DeclaredParameter, DeclaredState
 from symgen.scene.parts import AnyBody, AnyMarker, Body
 from symgen.scene.placing import Placement
 from symgen.scene.scene import Scene
 from symgen.scene.scene_files import read_mesh
-from symgen.scene.simulation import Baumgarte, CoordinateGroup, Initial, InitialValue, Partition, Simulation
-from symgen.scene.states import DeclaredState
-from symgen.scene.structure import Structure
+from symgen.scene.simulation import (
+    Baumgarte,
+    CoordinateGroup,
+    DeclaredEvent,
+    Initial,
+    InitialValue,
+    Partition,
+    Simulation,
+)
 from symgen.scene.tables import CurveTable
 from symgen.schema.errors import SceneError
 from symgen.schema.expressions import Expression, parse_expression

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Self
 
 from symgen.joints import JOINTS, Joint
 from symgen.scene.scene import Scene
-from symgen.scene.table_files import read_points
+from symgen.scene.tables import read_points
 from symgen.schema.errors import SceneError, show
 
 MAX_NESTING = 20

@@ -1,16 +1,134 @@
-"""A spatial flexible body given by its modal matrices and shape integrals, as symgen.fe gives it (Eqs. 15-20)."""
+"""A spatial flexible body given by its modal matrices and shape integrals, as symgen.fe gives it (Eqs. 15-20).
+
+What a finite-element body bears between two of its markers before it buckles.
+
+Gauges: places of a finite-element body whose stress is known.
+
+The surface of a flexible body for pictures: triangles that move with the modes, and their stresses.
+
+A linear structure without bodies: M x'' + D x' + K x = F(t) (Eq. 3-14).
+"""
 
 from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import Field
+import numpy as np
+from pydantic import AfterValidator, BeforeValidator, Field
 
+from runtime.contract.records import packed, unpacked
+from symgen.scene.appearance import MOST_TRIANGLES
 from symgen.scene.bodies import MarkerDirections, Orientation
-from symgen.scene.gauges import StressGauge
-from symgen.scene.struts import FlexibleStrut
-from symgen.scene.surface import FlexibleSurface
-from symgen.schema.fields import Bound, Flag, Matrix, Meaning, Name, Number, Quantity, StrictModel
+from symgen.schema.fields import (
+    Bound,
+    Flag,
+    Matrix,
+    Meaning,
+    Name,
+    Number,
+    Quantity,
+    Scope,
+    StrictModel,
+    Vector,
+    refuse,
+)
+
+
+def _positive(value: float) -> float:
+    if value <= 0.0:
+        raise refuse(f"{value:g} is not positive", "leave it out where the body does not buckle")
+    return value
+
+
+Load = Annotated[Number, AfterValidator(_positive)]
+
+
+class FlexibleStrut(StrictModel):
+    """Critical loads [N] along the line between two markers, as FlexibleBody.fields gives them.
+
+    held: both markers are held in place; first, second: this one is clamped, the other free. Left out: no such load.
+    """
+
+    markers: tuple[Name, Name]
+    held: Load | None = None
+    first: Load | None = None
+    second: Load | None = None
+
+
+Rows = tuple[tuple[Number, ...], ...]
+COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")  # rows of all arrays
+
+
+class StressGauge(StrictModel):
+    """Stress at a place of a flexible body, in its axes, as FlexibleBody.fields(gauges=...) gives it.
+
+    position [m]; shapes (6 x nf): xx yy zz yz xz xy [Pa] per unit of q_f; fields (6 x (9 + 9 nf)) and forces (6 x 6 for
+    each interface, by its marker): per unit of each cause of runtime.contract.flexible, or left out.
+    """
+
+    position: tuple[Number, Number, Number] = (0.0, 0.0, 0.0)
+    shapes: Rows
+    fields: Rows = ()
+    forces: dict[Name, Rows] = Field(default_factory=dict)
+
+
+REMEDY = "take what FlexibleBody.surface gives"
+
+
+def _as_text(kind: str) -> Any:
+    """Arrays and lists of numbers as packed text, as a scene file holds them; text is seen to hold numbers."""
+
+    def text(value: object) -> str:
+        try:
+            numbers = unpacked(value, kind) if isinstance(value, str) else np.asarray(value, dtype=kind)
+        except (TypeError, ValueError, OverflowError):
+            raise refuse("is neither numbers nor their packed text", REMEDY) from None
+        if not np.isfinite(numbers).all():
+            raise refuse("holds numbers that are not finite", REMEDY)
+        return packed(numbers, kind)
+
+    return BeforeValidator(text)
+
+
+Numbers = Annotated[str, _as_text("<f4")]
+Places = Annotated[str, _as_text("<i4")]
+
+
+class FlexibleSurface(StrictModel):
+    """Arrays, kept as text (base64 of float32 and int32): vertices (n, 3) [m] in the body frame; triangles (m, 3),
+    places of vertices; shapes (n, 3, nf) per unit of q_f; stresses (n, 6, nf), xx yy zz yz xz xy [Pa] per unit of
+    q_f, or left out where they are not known.
+    """
+
+    vertices: Numbers
+    triangles: Places
+    shapes: Numbers
+    stresses: Numbers = ""
+
+    def fault(self, nf: int) -> str:
+        """What does not fit a body with nf modes; "" if all does."""
+        sizes = {key: len(unpacked(getattr(self, key))) for key in ("vertices", "shapes", "stresses")}
+        places, n = unpacked(self.triangles, "<i4"), sizes["vertices"] // 3
+        if sizes["vertices"] != 3 * n or sizes["shapes"] != 3 * n * nf or sizes["stresses"] not in (0, 6 * n * nf):
+            return f"vertices, shapes and stresses hold {list(sizes.values())} numbers, for {nf} modes"
+        if n > 3 * MOST_TRIANGLES:
+            return f"vertices are {n}, more than the corners of {MOST_TRIANGLES} triangles"
+        if len(places) % 3 or not 3 <= len(places) <= 3 * MOST_TRIANGLES:
+            return f"triangles hold {len(places)} places: three for each, of 1 to {MOST_TRIANGLES} triangles"
+        if places.min() < 0 or places.max() >= n:
+            return f"triangles name vertices from {places.min()} to {places.max()} of {n}"
+        return ""
+
+
+class Structure(StrictModel):
+    """Coordinates x (n names) and the matrices mass, damping, stiffness (n x n); force: n entries."""
+
+    coordinates: tuple[Name, ...]
+    mass: Annotated[Matrix, Meaning("mass matrix", "kg")]
+    damping: Annotated[Matrix | None, Meaning("damping matrix", "N s/m")] = None
+    stiffness: Annotated[Matrix, Meaning("stiffness matrix", "N/m")]
+    force: Annotated[Vector | None, Meaning("force", "N", scope=Scope.TIME)] = None
+
 
 Block = tuple[tuple[Number, Number, Number], tuple[Number, Number, Number], tuple[Number, Number, Number]]
 Point = Annotated[tuple[Quantity, Quantity, Quantity], Meaning("position in the body frame, (x, y, z)", "m")]

@@ -13,17 +13,13 @@ from runtime.contract.records import UNITS, Coordinate, CoordinateKind
 from symgen.joints import JOINTS, Joint
 from symgen.joints.joint import Slide, Turn
 from symgen.scene.bodies import BeamBody, BeamMarker, GroundBody, RigidBody, RigidMarker
-from symgen.scene.events import DeclaredEvent
-from symgen.scene.flexible import FlexibleMarker, SpatialModalBody
-from symgen.scene.inputs import DeclaredInput
+from symgen.scene.flexible import FlexibleMarker, SpatialModalBody, Structure
 from symgen.scene.loads import Load
 from symgen.scene.measures import Measure
 from symgen.scene.modal import ModalBody, ModalMarker
-from symgen.scene.parameters import DeclaredParameter
+from symgen.scene.parameters import DeclaredInput, DeclaredParameter, DeclaredState
 from symgen.scene.placing import Placement, placements_of
-from symgen.scene.simulation import Baumgarte, Initial, Partition, Simulation
-from symgen.scene.states import DeclaredState
-from symgen.scene.structure import Structure
+from symgen.scene.simulation import Baumgarte, DeclaredEvent, Initial, Partition, Simulation
 from symgen.scene.tables import CurveTable
 from symgen.schema.errors import SceneError, did_you_mean
 from symgen.schema.expression_values import table_name

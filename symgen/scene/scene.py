@@ -12,7 +12,7 @@ from symgen.scene.checks import check_scene
 from symgen.scene.parts import SceneParts
 from symgen.scene.scene_card import scene_card
 from symgen.scene.scene_files import with_files
-from symgen.scene.table_files import with_tables
+from symgen.scene.tables import with_tables
 from symgen.scene.translate import scene_errors
 from symgen.schema.errors import SceneError, raise_all, show
 

@@ -1,13 +1,16 @@
-"""Partition into groups, initial state, and how the scene is stepped."""
+"""Partition into groups, initial state, and how the scene is stepped.
+
+Events: what happens when a value of the motion passes zero.
+"""
 
 from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, Strict, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, Strict, model_validator
 
 from runtime.contract.records import SchemeName
-from symgen.schema.fields import Coordinate, Flag, Name, Number, StrictModel
+from symgen.schema.fields import Coordinate, Flag, Meaning, Name, Number, Quantity, Scope, StrictModel, Text, refuse
 
 MAX_STEPS = 10**9
 
@@ -83,3 +86,29 @@ class Simulation(StrictModel):
         if self.m and self.scheme == "auto":
             raise ValueError('ratios m belong to a scheme: name it, such as scheme = "printed", or leave m out')
         return self
+
+
+def _not_negative(value: float) -> float:
+    if value < 0:
+        raise refuse(f"a time of {value:g} s is negative", "give 0 or more seconds")
+    return value
+
+
+Duration = Annotated[Number, AfterValidator(_not_negative)]
+
+
+class DeclaredEvent(StrictModel):
+    """A time at which ``when`` passes zero, rising, falling or either way; a step ends there.
+
+    ``terminal`` ends the run. ``action`` gives inputs and parameters other values from then on, by name. For
+    ``cool_down`` seconds after it has happened it is not looked for.
+    """
+
+    when: Annotated[Quantity, Meaning("value that passes zero", "any", scope=Scope.MEASURES)]
+    direction: Literal["rising", "falling", "either"] = "either"
+    terminal: Flag = False
+    action: Annotated[dict[Name, Quantity], Meaning("value of an input", "its unit", scope=Scope.MEASURES)] = Field(
+        default_factory=dict
+    )
+    cool_down: Duration = 0.0
+    description: Text = ""

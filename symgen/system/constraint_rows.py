@@ -13,12 +13,18 @@ from symgen.algebra.rows import Row, add_scaled, nonzero
 from symgen.algebra.scalar import ONE, ZERO, dot, mul, neg, sub
 from symgen.algebra.vectors import Vector, cross, minus, quaternion_product, scaled, zeros
 from symgen.bodies.planar_body import MarkerMotion
-from symgen.bodies.quaternion_motion import fixed_quaternion, minus_rows, turn_about
-from symgen.bodies.spatial_body import SpatialBody, SpatialMarker
+from symgen.bodies.spatial_body import SpatialBody, SpatialMarker, fixed_quaternion, minus_rows, turn_about
 from symgen.joints.joint import Joint, Turn
 from symgen.system import joint_templates as s
-from symgen.system.joint_coordinates import JointCoordinates, Travel, in_world
-from symgen.system.joint_templates import JointTemplate, placing_template, planar_template, spatial_template
+from symgen.system.joint_templates import (
+    JointCoordinates,
+    JointTemplate,
+    Travel,
+    in_world,
+    placing_template,
+    planar_template,
+    spatial_template,
+)
 
 Motion = Sequence[ca.SX]  # f, f', f'' of a quantity of a joint
 ON_B = tuple(f"{part}_{axis}" for part in ("r_b", "turn_b") for axis in "xyz")

@@ -29,7 +29,7 @@ from symgen.system.constraint_rows import ConstraintRow, Motion
 from symgen.system.equations import Equations
 from symgen.system.errors import DerivationError
 from symgen.system.signals import motion_derivatives
-from symgen.system.switching import ExpressionReader
+from symgen.system.structure import ExpressionReader
 from symgen.system.topology import Topology
 
 

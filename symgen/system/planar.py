@@ -9,17 +9,16 @@ import casadi as ca
 
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import ONE, ZERO, entries
+from symgen.bodies.beam_sets import section_force
 from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_references, rectangle
-from symgen.bodies.planar_body import MarkerMotion, PlanarBody
-from symgen.bodies.planar_coordinates import BodyCoordinates
-from symgen.bodies.points import marker_shape
-from symgen.bodies.section_shapes import section_force
+from symgen.bodies.planar_body import BodyCoordinates, MarkerMotion, PlanarBody
 from symgen.bodies.shape_integrals import (
     PointShape,
     beam_integrals_of,
     beam_point,
     beam_section,
     body_integrals,
+    marker_shape,
     mesh_key,
 )
 from symgen.joints import Joint

@@ -11,8 +11,8 @@ import casadi as ca
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import ONE, ZERO, dot
 from symgen.algebra.vectors import Vector, minus
+from symgen.bodies.beam_sets import section_force
 from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_references, rectangle
-from symgen.bodies.section_shapes import section_force
 from symgen.bodies.shape_integrals import beam_section
 from symgen.bodies.spatial_beam_body import beam_spatial_point, spatial_mesh_key
 from symgen.bodies.spatial_body import SpatialBody, SpatialCoordinates, SpatialMarker
@@ -35,7 +35,7 @@ from symgen.system.constraint_rows import (
     unit_length,
 )
 from symgen.system.equations import Equations
-from symgen.system.joint_coordinates import JointCoordinate, JointCoordinates
+from symgen.system.joint_templates import JointCoordinate, JointCoordinates
 from symgen.system.mechanism import components, frictions, spring_values
 from symgen.system.topology import Topology
 

@@ -1,4 +1,7 @@
-"""Joints, loads and measures of a spatial mechanism by the coordinates of its tree: markers along ways of frames."""
+"""Joints, loads and measures of a spatial mechanism by the coordinates of its tree: markers along ways of frames.
+
+A body of a tree of frames, as the scene's equations see it.
+"""
 
 from __future__ import annotations
 
@@ -10,27 +13,51 @@ import casadi as ca
 import numpy as np
 
 from symgen.algebra.parameters import ParameterTable
-from symgen.bodies.deformation import Deformation
+from symgen.algebra.rows import Row
+from symgen.algebra.scalar import ZERO
 from symgen.bodies.outlines import Picture
-from symgen.bodies.spatial_body import SpatialMarker
+from symgen.bodies.spatial_body import SpatialBody, SpatialMarker
 from symgen.bodies.spatial_integrals import spatial_point
-from symgen.bodies.spatial_moments import SpatialPoint
+from symgen.bodies.spatial_moments import Deformation, SpatialPoint
 from symgen.joints import Joint
 from symgen.scene import Scene
 from symgen.system.constraint_rows import ConstraintRow, Motion
 from symgen.system.equations import Equations
-from symgen.system.frames.curvature import LoopCurvature
 from symgen.system.frames.linkage import links_of
 from symgen.system.frames.loop_derivatives import LoopRates, MarkerWay
 from symgen.system.frames.moves import Ball, Bend
 from symgen.system.frames.paths import Path
+from symgen.system.frames.rnea_derivatives import LoopCurvature
 from symgen.system.frames.skeleton import Skeleton
 from symgen.system.frames.spatial_algebra import Matrix
 from symgen.system.frames.tree import GROUND, FrameTree
 from symgen.system.orientations import Orientations, Turning
-from symgen.system.reduced_body import ReducedBody
 from symgen.system.spatial import SpatialSpace
 from symgen.system.topology import Topology
+
+
+class ReducedBody:
+    """A body's modal stiffness and damping; its inertia and weight are in the recursions."""
+
+    def __init__(self, body: SpatialBody) -> None:
+        self.stiffness_entries, self.damping_force = body.stiffness_entries, body.damping_force
+        self.elastic_energy = body.elastic_energy
+
+    def mass_entries(self) -> list[tuple[int, int, ca.SX]]:
+        """None here."""
+        return []
+
+    def quadratic_velocity_force(self) -> Row:
+        """None here."""
+        return {}
+
+    def gravity_force(self, gravity: list[ca.SX]) -> Row:
+        """None here."""
+        return {}
+
+    def gravity_potential(self, gravity: list[ca.SX]) -> ca.SX:
+        """None here."""
+        return ZERO
 
 
 class TreeSpace(SpatialSpace):

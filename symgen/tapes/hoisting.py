@@ -2,11 +2,13 @@
 
 A run evaluates `constants` once; the kernels of a step read c. Products such as rho A L mu or composite masses
 then cost nothing per step, although every physical number stays a run-time input.
+
+Tapes that are made when they are first looked at.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 from math import isfinite
 
@@ -28,8 +30,7 @@ from runtime.contract.tape import (
 from symgen.kernels.kernel import Kernel
 from symgen.system.errors import DerivationError
 from symgen.tapes.expansion import shorter_form
-from symgen.tapes.graph import Graph
-from symgen.tapes.negations import without_negations
+from symgen.tapes.graph import Graph, without_negations
 
 
 def hoist(kernels: Mapping[str, Kernel], p: ca.SX) -> dict[str, Tape]:
@@ -136,3 +137,29 @@ def _entered(node: Node, argument: int, graph: Graph, numbers: list[int]) -> int
     if node.op == ca.OP_CALL:
         return graph.table(numbers[node.a], node.value)
     return graph.apply(node.op, numbers[node.a], UNUSED if node.b == UNUSED else numbers[node.b])
+
+
+class TapesOnDemand(Mapping[str, Tape]):
+    """By name, from what makes each; made once."""
+
+    def __init__(self, makers: Mapping[str, Callable[[], Tape]]) -> None:
+        self._makers = makers
+        self._made: dict[str, Tape] = {}
+
+    def __getitem__(self, name: str) -> Tape:
+        if name not in self._made:
+            self._made[name] = self._makers[name]()
+        return self._made[name]
+
+    def made(self, always: Collection[str] = ()) -> dict[str, Tape]:
+        """Those that were looked at and those of these names, in the order of all."""
+        return {name: self[name] for name in self._makers if name in self._made or name in always}
+
+    def __contains__(self, name: object) -> bool:  # without making it
+        return name in self._makers
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._makers)
+
+    def __len__(self) -> int:
+        return len(self._makers)

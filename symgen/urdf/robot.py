@@ -1,12 +1,21 @@
-"""What a URDF file says of links and joints, as records; what a scene cannot hold is kept by name."""
+"""What a URDF file says of links and joints, as records; what a scene cannot hold is kept by name.
+
+The elements of an XML file of unknown origin: no entities, no DOCTYPE, bounded size and depth.
+
+Links that fixed joints hold together are one rigid body, in the frame of the link that comes first.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+import os
+import stat
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import NoReturn
-from xml.etree.ElementTree import Element
+from xml.etree.ElementTree import Element, TreeBuilder
+from xml.parsers import expat
 
 import numpy as np
 
@@ -250,3 +259,102 @@ def _number(element: Element, key: str, item: str, default: float | None = None)
     if default is None and key not in element.attrib:
         refuse(item, f"its {element.tag} has no {key}", "give the number")
     return float(numbers(element, key, item, str(default), 1)[0])
+
+
+MAX_BYTES = 50_000_000
+MAX_DEPTH = 100
+
+
+def read_document(path: str | Path) -> Element:
+    """The root element of a file. Raises SceneError for what is no ordinary file, no XML, too large or hostile."""
+    item = f"file '{path}'"
+    try:
+        if not stat.S_ISREG(os.stat(path).st_mode):  # a pipe or a device may never end
+            raise SceneError(item, "is not an ordinary file", "give the path of a URDF file")
+        with open(path, "rb") as file:
+            content = file.read(MAX_BYTES + 1)
+    except (OSError, ValueError, TypeError) as error:
+        raise SceneError(item, f"cannot be read ({error})", "give the path of a URDF file") from None
+    if len(content) > MAX_BYTES:
+        raise SceneError(item, "is larger than 50 MB", "give a URDF file")
+    return parse_document(content, item)
+
+
+def parse_document(content: bytes, item: str) -> Element:
+    """The root element of XML text."""
+    builder, depth = TreeBuilder(), 0
+
+    def begin(tag: str, attributes: dict[str, str]) -> None:
+        nonlocal depth
+        depth += 1
+        if depth > MAX_DEPTH:
+            raise SceneError(item, f"nests elements more than {MAX_DEPTH} deep", "give a URDF file")
+        builder.start(tag, attributes)
+
+    def end(tag: str) -> None:
+        nonlocal depth
+        depth -= 1
+        builder.end(tag)
+
+    def refuse(*_: object) -> NoReturn:
+        raise SceneError(item, "declares a document type or an entity, which URDF does not need", "remove it")
+
+    parser = expat.ParserCreate()
+    parser.StartElementHandler, parser.EndElementHandler = begin, end
+    parser.StartDoctypeDeclHandler = parser.EntityDeclHandler = parser.ExternalEntityRefHandler = refuse
+    try:
+        parser.Parse(content, True)
+    except (expat.ExpatError, ValueError, LookupError) as error:
+        raise SceneError(item, f"is not XML ({error})", "give a URDF file; a xacro file is expanded first") from None
+    return builder.close()
+
+
+@dataclass(frozen=True)
+class Seat:
+    """Where a link is: in the group of which link, and at which pose in its frame."""
+
+    group: str
+    pose: Pose
+
+
+@dataclass(frozen=True)
+class Groups:
+    """members: links of each group, its first link first; seats of all links; joints between groups, parents first."""
+
+    members: Mapping[str, list[str]]
+    seats: Mapping[str, Seat]
+    joints: list[RobotJoint]
+
+
+def groups_of(robot: Robot, alone: Collection[str]) -> Groups:
+    """The groups of a robot; links in `alone` are groups of their own."""
+    children: dict[str, list[RobotJoint]] = {}
+    for joint in robot.joints:
+        children.setdefault(joint.parent, []).append(joint)
+    seats, members = {robot.root: Seat(robot.root, Pose())}, {robot.root: [robot.root]}
+    between, waiting = [], [robot.root]
+    for link in waiting:  # it grows
+        for joint in children.get(link, []):
+            waiting.append(joint.child)
+            if joint.type == "fixed" and not {joint.parent, joint.child} & set(alone):
+                seat = seats[link]
+                seats[joint.child] = Seat(seat.group, seat.pose.then(joint.pose))
+                members[seat.group].append(joint.child)
+            else:
+                between.append(joint)
+                seats[joint.child], members[joint.child] = Seat(joint.child, Pose()), [joint.child]
+    return Groups(members, seats, between)
+
+
+def inertia_of(robot: Robot, groups: Groups, group: str) -> Inertia:
+    """Of all links of a group together, by Steiner's theorem."""
+    parts = [robot.links[link].inertia.seen(groups.seats[link].pose) for link in groups.members[group]]
+    if len(parts) == 1:
+        return parts[0]
+    mass = sum(part.mass for part in parts)
+    center = sum((part.mass * part.center for part in parts), np.zeros(3)) / (mass or 1.0)
+    tensor = np.zeros((3, 3))
+    for part in parts:
+        d = part.center - center
+        tensor += part.tensor + part.mass * (d @ d * np.eye(3) - np.outer(d, d))
+    return Inertia(mass, center, tensor)

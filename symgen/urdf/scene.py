@@ -1,24 +1,204 @@
-"""The scene of a robot: a body for each group of links, a joint for each that moves, an input for each motor."""
+"""The scene of a robot: a body for each group of links, a joint for each that moves, an input for each motor.
+
+A link as a beam or a finite-element body: the body of a scene file, whose frame stands somewhere in the link's.
+
+How the links look: boxes, cylinders, balls, and meshes of files that the URDF names.
+"""
 
 from __future__ import annotations
 
 import keyword
 import re
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
+from xml.etree.ElementTree import Element
 
 import numpy as np
 
 from symgen.joints import JOINTS
 from symgen.joints.joint import Turn
+from symgen.scene import toml_io
+from symgen.scene.appearance import MOST_TRIANGLES
 from symgen.scene.builder import SceneBuilder
-from symgen.schema.errors import did_you_mean
-from symgen.urdf.document import read_document
-from symgen.urdf.flexible_links import FlexibleLink, flexible_link
-from symgen.urdf.groups import groups_of, inertia_of
-from symgen.urdf.robot import Dropped, Inertia, Pose, Robot, RobotJoint, refuse, robot_of
-from symgen.urdf.shapes import shapes_of
+from symgen.scene.scene_files import read_mesh
+from symgen.schema.errors import SceneError, did_you_mean
+from symgen.urdf.robot import (
+    Dropped,
+    Inertia,
+    Link,
+    Pose,
+    Robot,
+    RobotJoint,
+    groups_of,
+    inertia_of,
+    numbers,
+    pose,
+    pose_of,
+    read_document,
+    refuse,
+    robot_of,
+)
+
+NEAR = 1e-6  # m: how far a joint of the URDF may be from the point of the body that takes it
+
+
+@dataclass
+class FlexibleLink:
+    """entry: the body as a scene holds it, to which markers are added; at: the pose of its frame in the link's."""
+
+    link: str
+    entry: dict[str, Any]
+    at: Pose
+
+    def marker(self, name: str, place: Pose) -> None:
+        """Add a marker at a pose in the link's frame. Raises SceneError where the body has no point there."""
+        own = self.at.inverse().then(place)
+        markers = self.entry.setdefault("markers", {})
+        turned = {"axis": own.R[:, 2].tolist(), "x_axis": own.R[:, 0].tolist()}
+        markers[name] = {**(self._on_beam if self.entry["type"] == "beam" else self._on_mesh)(name, own.p), **turned}
+
+    def _on_beam(self, name: str, p: np.ndarray) -> dict[str, Any]:
+        given = self.entry.get("length")
+        length = float(given) if isinstance(given, int | float) else 0.0
+        if not length > 0:
+            self._refuse("its length is no positive number", "give it in m")
+        if abs(p[1]) > NEAR or abs(p[2]) > NEAR or not -NEAR <= p[0] <= length + NEAR:
+            self._refuse(
+                f"joint '{name}' is at {_shown(p)} of it, off its line of {length:g} m",
+                "set xyz and rpy of [frame], or the length",
+            )
+        return {"at": min(max(float(p[0]) / length, 0.0), 1.0)}
+
+    def _on_mesh(self, name: str, p: np.ndarray) -> dict[str, Any]:
+        markers: dict[str, Any] = {**self.entry["markers"], "origin": {}}  # which the body has by itself
+        known = {key: place for key, one in markers.items() if (place := _place(one)) is not None}
+        away = {key: float(np.linalg.norm(place - p)) for key, place in known.items()}
+        near = min(away, key=lambda key: away[key])
+        if not away[near] <= NEAR:
+            nearest = f"the nearest marker, '{near}', is {away[near]:.3g} m away"
+            self._refuse(f"it has no marker at {_shown(p)}, where joint '{name}' is; {nearest}", "attach a point there")
+        return dict(markers[near])
+
+    def _refuse(self, problem: str, remedy: str) -> None:
+        raise SceneError(f"flexible link '{self.link}'", problem, remedy)
+
+
+def _place(marker: Any) -> np.ndarray | None:
+    """Of a marker whose position is numbers; what else is wrong with others the scene will say."""
+    try:
+        return np.array(marker.get("position", (0, 0, 0)), dtype=float).reshape(3)
+    except (ValueError, TypeError, AttributeError):
+        return None
+
+
+def _shown(p: np.ndarray) -> str:
+    return f"({', '.join(f'{value:.6g}' for value in p)})"
+
+
+def flexible_link(link: str, name: str, path: str | Path) -> FlexibleLink:
+    """From a file with one beam or flexible body in `[[bodies]]` and, if need be, `[frame]` with xyz [m] and rpy [rad].
+
+    name: of the body in the scene. Raises SceneError.
+    """
+    data = toml_io.read(path)
+    bodies, frame = data.get("bodies"), data.get("frame", {})
+    body = bodies[0] if isinstance(bodies, list) and len(bodies) == 1 else None
+    if not isinstance(body, dict) or body.get("type") not in ("beam", "flexible"):
+        raise SceneError(f"file '{path}'", "does not hold one beam or flexible body", "give one entry [[bodies]]")
+    try:
+        xyz, rpy = (np.array(frame.get(key, (0.0, 0.0, 0.0)), dtype=float).reshape(3) for key in ("xyz", "rpy"))
+    except (ValueError, TypeError, AttributeError):
+        raise SceneError(f"file '{path}'", "[frame] has no three numbers", "give xyz = [...] and rpy = [...]") from None
+    if not np.all(np.isfinite([xyz, rpy])) or not isinstance(body.get("markers", {}), dict):
+        raise SceneError(f"file '{path}'", "has numbers that are not finite, or markers that are no table", "mend it")
+    return FlexibleLink(link, {**body, "name": name, "markers": dict(body.get("markers", {}))}, pose(xyz, rpy))
+
+
+def shapes_of(link: Link, seat: Pose, folder: Path, meshes: bool, dropped: list[Dropped]) -> list[dict[str, Any]]:
+    """Entries of a body's `shape`; seat: the link's pose in the body.
+
+    Where a visual cannot be had the collision geometry stands for all visuals of the link, if it can be had.
+    """
+    shapes, lost = _shapes(link.name, link.visuals, seat, folder, meshes)
+    dropped += lost
+    solid, missing = _shapes(link.name, link.collisions, seat, folder, meshes) if lost else ([], [])
+    if solid and not missing:
+        return solid
+    if link.collisions:
+        dropped.append(Dropped("collision", link.name))
+    return shapes
+
+
+def _shapes(
+    name: str, elements: list[Element], seat: Pose, folder: Path, meshes: bool
+) -> tuple[list[dict[str, Any]], list[Dropped]]:
+    found, lost = [], []
+    for element in elements:
+        geometry = element.find("geometry")
+        kind = geometry[0] if geometry is not None and len(geometry) else None
+        try:
+            if kind is None:
+                raise SceneError(f"link '{name}'", "its geometry is empty", "give a shape")
+            if kind.tag == "mesh" and not meshes:
+                raise SceneError(f"link '{name}'", "meshes were not asked for", "ask for them")
+            own = seat.then(pose_of(element, f"link '{name}'"))
+            place = {"position": own.p.tolist(), "axis": own.R[:, 2].tolist(), "x_axis": own.R[:, 0].tolist()}
+            found.append({**_geometry(kind, f"link '{name}'", folder), **place})
+        except SceneError as error:
+            lost.append(Dropped(element.tag, name, f"{kind.get('filename', '') if kind is not None else ''} "
+                                f"{error.problem}".strip()))  # fmt: skip
+    return found, lost
+
+
+def _geometry(kind: Element, item: str, folder: Path) -> dict[str, Any]:
+    if kind.tag == "box":
+        return {"type": "box", "size": _lengths(kind, "size", item, 3)}
+    if kind.tag == "sphere":
+        return {"type": "sphere", "radius": _lengths(kind, "radius", item)[0]}
+    if kind.tag == "cylinder":
+        return {
+            "type": "cylinder",
+            "radius": _lengths(kind, "radius", item)[0],
+            "length": _lengths(kind, "length", item)[0],
+        }
+    if kind.tag != "mesh":
+        raise SceneError(item, f"a {kind.tag} is not drawn", "give a box, a sphere, a cylinder or a mesh")
+    mesh = read_mesh(located(kind.get("filename", ""), folder, item), item)
+    if len(mesh["triangles"]) > MOST_TRIANGLES:
+        problem = f"{len(mesh['triangles'])} triangles are more than {MOST_TRIANGLES}"
+        raise SceneError(item, problem, "coarsen the mesh")
+    vertices = np.array(mesh["vertices"]) * numbers(kind, "scale", item, "1 1 1")
+    return {**mesh, "vertices": vertices.tolist()}
+
+
+def _lengths(kind: Element, key: str, item: str, count: int = 1) -> list[float]:
+    found = numbers(kind, key, item, "", count)
+    if np.any(found <= 0):
+        raise SceneError(item, f"{key} of a {kind.tag} is not positive", "give lengths above 0")
+    return [float(value) for value in found]
+
+
+def located(name: str, folder: Path, item: str) -> Path:
+    """The file behind `package://package/rest`, `file:///...` or a path beside the URDF.
+
+    A package is looked for in the URDF's folder and in those above it, by its name or, as where the folder is the
+    package, without. Raises SceneError where there is none.
+    """
+    scheme, colon, rest = name.partition("://")
+    if not colon:
+        return folder / name
+    if scheme == "file":
+        return Path(rest)
+    if scheme == "package" and "\0" not in rest and ".." not in Path(rest).parts:
+        package, _, inner = rest.lstrip("/").partition("/")
+        for above in (folder.resolve(), *folder.resolve().parents):
+            for place in (above / package / inner, *([above / inner] if above.name == package else [])):
+                if place.is_file():
+                    return place
+    raise SceneError(item, "is in no folder above the URDF", "put the package there")
+
 
 TYPES = {"continuous": "revolute", "fixed": "weld"}  # of a scene, where they are called otherwise
 # of bodies, joints and markers that are there without being named

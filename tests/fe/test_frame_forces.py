@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 from runtime import Solution, simulate
 from runtime.contract.flexible import BodyMotion, MarkerForce
 from symgen.fe import FiniteElementError, FlexibleBody, LineMesh, Material, Section
-from symgen.fe.frame_elements import FrameElements
+from symgen.fe.frame import FrameElements
 from symgen.generate import model_of
 from symgen.scene import SceneBuilder
 from tests.fe.test_mode_acceleration import bar

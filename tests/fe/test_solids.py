@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 
 from symgen.fe import FlexibleBody, Material
 from symgen.fe.inertia import inertia_integrals, nodal_inertia, scalar_mass
-from symgen.fe.solids import solid_structure
+from symgen.fe.stresses import solid_structure
 from symgen.fe.structure import FEStructure, structure
 
 SIZE = np.array([0.3, 0.024, 0.012])

@@ -12,8 +12,8 @@ from numpy.testing import assert_allclose
 from runtime import modes, simulate
 from runtime.contract.model import Model
 from symgen.fe import FiniteElementError, FlexibleBody, LineMesh, Material, Section
+from symgen.fe.inertia import stress_stiffening
 from symgen.fe.static import held_solve
-from symgen.fe.stress_stiffness import stress_stiffening
 from symgen.scene import Scene, SceneBuilder, SceneError
 from tests.cases.test_beams_of_pieces import fast_slider_crank
 from tests.operating.test_exact_modes import ROTATING

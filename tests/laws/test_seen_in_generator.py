@@ -16,16 +16,14 @@ import sympy as sp
 from runtime.contract.model import Model
 from runtime.contract.tape import UNUSED
 from symgen.emission.write import compare_model
-from symgen.fe.report import body_report
-from symgen.fe.rigid_check import RigidCheck
+from symgen.fe.report import RigidCheck, body_report
 from symgen.joints import JOINTS
 from symgen.modes import axial_modes, lateral_modes
 from symgen.modes.spatial_beam import spatial_beam
 from symgen.scene import Scene, SceneBuilder, SceneError
 from symgen.schema.expressions import parse_expression
 from symgen.system.joint_templates import PlanarMarkers, r_a, r_b, t_a
-from symgen.tapes.graph import Graph
-from symgen.tapes.negations import without_negations
+from symgen.tapes.graph import Graph, without_negations
 from tests.support.model_values import evaluate, random_states
 
 Build = Callable[[Scene], Model]

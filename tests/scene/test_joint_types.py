@@ -19,7 +19,7 @@ from runtime.contract.model import Model
 from symgen.algebra.scalar import ZERO
 from symgen.joints import JOINTS
 from symgen.scene import Scene, SceneBuilder, SceneError
-from symgen.system.joint_coordinates import JointCoordinate, JointCoordinates
+from symgen.system.joint_templates import JointCoordinate, JointCoordinates
 
 PLACING = [name for name, joint in JOINTS.items() if joint.motions]
 

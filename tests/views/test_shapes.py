@@ -15,7 +15,7 @@ from runtime.views.mechanism.solids import AROUND, RINGS, Solid, solid
 from runtime.views.viewer.record import view_record
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder, SceneError, read_mesh
-from symgen.scene.surface import FlexibleSurface
+from symgen.scene.flexible import FlexibleSurface
 
 UPRIGHT = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
 LYING = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]

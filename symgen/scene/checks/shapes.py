@@ -6,10 +6,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from symgen.scene.bodies import BeamBody
-from symgen.scene.flexible import SpatialModalBody
+from symgen.scene.flexible import SpatialModalBody, Structure
 from symgen.scene.modal import ModalBody
 from symgen.scene.parts import SceneParts
-from symgen.scene.structure import Structure
 from symgen.scene.translate import item_path
 from symgen.schema.errors import SceneError, did_you_mean, show
 

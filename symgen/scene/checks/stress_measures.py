@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from symgen.scene.flexible import SpatialModalBody
-from symgen.scene.gauges import COMPONENTS, Rows
+from symgen.scene.flexible import COMPONENTS, Rows, SpatialModalBody
 from symgen.scene.measures import ALL_GAUGES, StressMeasure
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import item_path

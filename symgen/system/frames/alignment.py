@@ -18,12 +18,10 @@ import casadi as ca
 
 from symgen.algebra.scalar import ZERO
 from symgen.algebra.vectors import zeros
-from symgen.system.frames.linkage import JointLink
+from symgen.system.frames.linkage import STRAIGHT, JointLink, Screw, between_hinges
 from symgen.system.frames.moves import Ball, Fixed, Move, Orient, Slide, Turn
-from symgen.system.frames.nodes import FlexibleNode, RigidNode
-from symgen.system.frames.screws import STRAIGHT, Screw, between_hinges
 from symgen.system.frames.spatial_algebra import SE3, Inertia
-from symgen.system.frames.tree import GROUND, BodyFrame, Frame, FrameTree
+from symgen.system.frames.tree import GROUND, BodyFrame, FlexibleNode, Frame, FrameTree, RigidNode
 
 Numbers = Callable[[ca.SX], float]
 

@@ -31,15 +31,14 @@ import casadi as ca
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg
 from symgen.algebra.vectors import Vector, cross, identity, negative, plus, times, zeros
-from symgen.bodies.deformation import Deformation
+from symgen.bodies.spatial_moments import Deformation
 from symgen.system.frames.fields import Change, Direction, Field, FieldPart, MoveState, joint_parts, share_of, turned
 from symgen.system.frames.moves import Bend, Fixed, Move, Unbend
-from symgen.system.frames.nodes import FlexibleNode
 from symgen.system.frames.paths import Path
 from symgen.system.frames.rnea_derivatives import BendChanges, ForceSweep, Subtree, parts_of
 from symgen.system.frames.skeleton import place_of
 from symgen.system.frames.spatial_algebra import NOTHING, Force, FrameMotion, Motion
-from symgen.system.frames.tree import GROUND, BodyFrame, FrameTree
+from symgen.system.frames.tree import GROUND, BodyFrame, FlexibleNode, FrameTree
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ import casadi as ca
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg
 from symgen.algebra.vectors import Vector, combination, cross, minus, plus, scaled, times, transposed_times, zeros
-from symgen.bodies.deformation import Deformation
+from symgen.bodies.spatial_moments import Deformation
 from symgen.bodies.spatial_orientation import Orientation, orientation
 from symgen.system.frames.paths import Path
 from symgen.system.frames.spatial_algebra import (

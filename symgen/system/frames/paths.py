@@ -13,9 +13,8 @@ import casadi as ca
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, ZERO, neg
 from symgen.algebra.vectors import Vector, combination, cross, plus, scaled, zeros
-from symgen.bodies.deformation import Bent
-from symgen.bodies.quaternion_motion import fixed_quaternion
-from symgen.bodies.spatial_body import SpatialMarker
+from symgen.bodies.spatial_body import SpatialMarker, fixed_quaternion
+from symgen.bodies.spatial_moments import Bent
 from symgen.bodies.spatial_orientation import Orientation
 
 Matrix = list[Vector]
