@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from copy import copy
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -19,7 +21,7 @@ from runtime.gradients.derivatives_of_run import Gradient, OutputJacobian
 from runtime.gradients.driving import Inputs, driven_by, held_samples, holds_of
 from runtime.gradients.moving_jumps import MovingJumps
 from runtime.gradients.objectives import Objective
-from runtime.gradients.observed_program import observed_program
+from runtime.gradients.observed_program import ObservedProgram, observed_program
 from runtime.gradients.outputs import check_outputs
 from runtime.gradients.passages import Passages
 from runtime.gradients.passes import Backward, Weigh, forward
@@ -30,6 +32,32 @@ from runtime.running.plan import make_plan
 
 Values = Sequence[float] | np.ndarray | Mapping[str, float] | None
 MODES = ("auto", "forward", "reverse")
+
+
+class RunCode:
+    """A step and its outputs, compiled when they are asked for: plain, along `count` directions, and recorded."""
+
+    def __init__(self, program: ObservedProgram, count: int, wait: bool) -> None:
+        self._program, self._count, self._wait = program, count, wait
+
+    @cached_property
+    def plain(self) -> tuple[NativeProgram, NativeProgram]:
+        """Values."""
+        step, observe = self._program.step, self._program.observe
+        return NativeProgram(step, wait=self._wait), NativeProgram(observe, wait=self._wait)
+
+    @cached_property
+    def tangents(self) -> tuple[TangentCode, TangentCode]:
+        """Values and slopes, a direction a lane."""
+        width = min(most_lanes(), 1 << (self._count - 1).bit_length())
+        active, step, observe = self._program.active, self._program.step, self._program.observe
+        return TangentCode(step, active, width, self._wait), TangentCode(observe, active, width, self._wait)
+
+    @cached_property
+    def recorders(self) -> tuple[Recorder, Recorder]:
+        """Values, and the way back."""
+        active, wait = self._program.active, self._wait
+        return Recorder(self._program.step, active, wait), Recorder(self._program.observe, active, wait)
 
 
 class DifferentiableRun:
@@ -62,7 +90,7 @@ class DifferentiableRun:
         model = driven_by(model, inputs)
         if not model.q_i:
             raise ModelError(f"every coordinate of model {model.name} is driven: there is nothing to step")
-        self.model, self.outputs, self._wait = model, check_outputs(model, outputs), wait
+        self.model, self.outputs = model, check_outputs(model, outputs)
         self.plan, plan = (make_plan(model, t_end, dt, m, scheme, save_every, options, t0) for _ in range(2))
         self._passages = Passages(model, plan)
         held = held_samples(model, inputs, self.plan)
@@ -70,6 +98,7 @@ class DifferentiableRun:
         self.variables = variables_of(model, by, held)
         entries = [entry for _, entry, _ in self.variables.parameters]
         self.program = observed_program(self.plan.scheme, self.outputs, entries)
+        self._codes = RunCode(self.program, len(self.by), wait)
         self._refuse_idle()
         self.course = course(self.plan.steps, self.plan.save_every, holds_of(self.plan, held, self.by))
         self.t = self.plan.t0 + np.array(self.course.times) * self.plan.grid.dt_L
@@ -88,13 +117,34 @@ class DifferentiableRun:
         """Names of what is differentiated by."""
         return self.variables.names
 
+    def over(self, t0: float, length: float, steps: int | None = None) -> DifferentiableRun:
+        """The same run from t0 over so long [s], with as many steps or with `steps`; what is compiled is shared.
+
+        Outputs are then at its start and its end, if the number of steps is another.
+        """
+        other, count = copy(self), self.plan.steps if steps is None else steps
+        for name in ("_backward", "_crossing", "_beginning"):
+            other.__dict__.pop(name, None)
+        dt = length / count
+        scheme = self.plan.scheme.on(self.plan.grid.scaled(dt))
+        every = self.plan.save_every if steps is None else count
+        other.plan = replace(self.plan, scheme=scheme, t0=t0, steps=count, save_every=every)
+        other.program = replace(self.program, scheme=scheme)
+        if steps is not None:
+            other.course = course(count, count, ())
+        other.t = t0 + np.array(other.course.times) * dt
+        other._passages = self._passages.over(t0, dt, count)
+        other._jumps = self._jumps.over(t0, dt, count)
+        other._start = self._start.on(other.program, other.plan)
+        return other
+
     # ---- what is asked for ----------------------------------------------------------------------------------
 
     def values(self, x: Values = None) -> np.ndarray:
         """Outputs (N, n_y). Raises NoResult for a run that does not come to its end."""
         begun = self._begun(x, slopes=False)
         z, y = begun.z.copy(), np.zeros((len(self.t), len(self.outputs)))
-        stepping, observing = self._plain
+        stepping, observing = self._codes.plain
         course, crossing = self._across(begun)
         for stop in course.stops:
             if stop.broken is not None and crossing is not None:
@@ -112,7 +162,7 @@ class DifferentiableRun:
         begun = self._begun(x)
         directions = self._beginning.tangents(begun.x, begun.slopes)
         course, crossing = self._across(begun)
-        y, slopes, last = forward(self.program, self._tangents, course, begun, directions, crossing)
+        y, slopes, last = forward(self.program, self._codes.tangents, course, begun, directions, crossing)
         begun.watch.end(last)
         self._switches.check(begun, course, crossing)
         self._require_finite(slopes)
@@ -151,7 +201,9 @@ class DifferentiableRun:
     def _reverse(self, x: Values, weigh: Weigh) -> tuple[np.ndarray, np.ndarray]:
         begun = self._begun(x)
         course, crossing = self._across(begun)
-        backward = self._backward if crossing is None else Backward(self.program, self._recorders, course, crossing)
+        backward = (
+            self._backward if crossing is None else Backward(self.program, self._codes.recorders, course, crossing)
+        )
         y, adjoint, held, of_parameters, last = backward.run(begun, weigh)
         begun.watch.end(last)
         self._switches.check(begun, course, crossing)
@@ -172,25 +224,8 @@ class DifferentiableRun:
         return self._start.begun(self.x0 if x is None else self.variables.checked(x), slopes)
 
     @cached_property
-    def _plain(self) -> tuple[NativeProgram, NativeProgram]:
-        return NativeProgram(self.program.step, wait=self._wait), NativeProgram(self.program.observe, wait=self._wait)
-
-    @cached_property
-    def _tangents(self) -> tuple[TangentCode, TangentCode]:
-        width = min(most_lanes(), 1 << (len(self.by) - 1).bit_length())
-        active, wait = self.program.active, self._wait
-        programs = (self.program.step, self.program.observe)
-        stepping, observing = (TangentCode(one, active, width, wait) for one in programs)
-        return stepping, observing
-
-    @cached_property
-    def _recorders(self) -> tuple[Recorder, Recorder]:
-        active, wait = self.program.active, self._wait
-        return Recorder(self.program.step, active, wait), Recorder(self.program.observe, active, wait)
-
-    @cached_property
     def _backward(self) -> Backward:
-        return Backward(self.program, self._recorders, self.course)
+        return Backward(self.program, self._codes.recorders, self.course)
 
     @cached_property
     def _crossing(self) -> JumpCrossing:

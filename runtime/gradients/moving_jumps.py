@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from copy import copy
 
 import casadi as ca
 import numpy as np
@@ -29,6 +30,12 @@ class MovingJumps:
             g = ca.densify(model.evaluate("switching", t=t, c=model.kernel("constants")(p))["switching"])
             slopes = ca.densify(ca.jacobian(g, p)) if self._by else ca.SX.zeros(g.numel(), p.numel())
             self._of = ca.Function("conditions", [t, p], [g, ca.densify(ca.jacobian(g, t)), slopes])
+
+    def over(self, t0: float, dt: float, steps: int) -> MovingJumps:
+        """The same of a run with so many steps of dt from t0 on [s]."""
+        other = copy(self)
+        other._t0, other._dt, other._end = t0, dt, t0 + steps * dt
+        return other
 
     @property
     def reads_inputs(self) -> bool:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
+from dataclasses import replace
 
 import numpy as np
 
@@ -28,6 +30,12 @@ class Passages:
         self._model, self._plan = model, plan
         watch_events(plan.scheme)
         self._names = [event.name for event in model.description.events]
+
+    def over(self, t0: float, dt: float, steps: int) -> Passages:
+        """The same with so many steps of dt from t0 on [s]."""
+        other, scheme = copy(self), self._plan.scheme
+        other._plan = replace(self._plan, scheme=scheme.on(scheme.grid.scaled(dt)), t0=t0, steps=steps)
+        return other
 
     def refuse(self, samples: bool) -> None:
         """Raises ArgumentError for events that are not differentiated; samples: do inputs change in the run?"""

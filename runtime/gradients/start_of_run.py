@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from copy import copy
 
 import numpy as np
 
@@ -40,6 +41,12 @@ class StartOfRun:
         self._model = plan.scheme.model
         self._parameters, self._initial = dict(parameters), dict(initial)
         self._kind = self._kind_of(start)
+
+    def on(self, program: ObservedProgram, plan: Plan) -> StartOfRun:
+        """The same start of a program and plan with other steps and another time."""
+        other = copy(self)
+        other._program, other._plan = program, plan
+        return other
 
     def values(self) -> np.ndarray:
         """(n,) x of the start: what was given, else what the model says. Raises ModelError for a motion that jumps."""

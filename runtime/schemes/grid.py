@@ -27,6 +27,10 @@ class Grid:
         """The major step."""
         return self.h[0]
 
+    def scaled(self, dt: float) -> Grid:
+        """The same groups and ratios with a major step of dt [s]."""
+        return Grid(self.groups, [h * (dt / self.h[0]) for h in self.h], self.m)
+
     def first_of(self, level: int) -> list[int]:
         """Positions in q_i of the groups slower than `level`."""
         return [k for group in self.groups[:level] for k in group]

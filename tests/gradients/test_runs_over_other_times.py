@@ -1,0 +1,26 @@
+"""A differentiated run over another time is the run that is prepared there, with nothing compiled again."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from runtime import DifferentiableRun, Model
+
+SETTINGS = {"scheme": "exponential_rk4", "save_every": 20}
+
+
+def test_over_another_time_and_number_of_steps(built_in: Callable[[str], Model]) -> None:
+    model, names = built_in("hub_beam"), ["hub.theta", "hub.theta_dot"]  # its torque stops at 2 s
+    by = ["hub.theta", "hub.inertia"]
+    run = DifferentiableRun(model, names, by, t_end=1.0, dt=0.01, **SETTINGS)
+    moved = run.over(1.5, 0.8)
+    own = DifferentiableRun(model, names, by, t0=1.5, t_end=2.3, dt=0.008, **SETTINGS)
+    assert np.allclose(moved.t, own.t, rtol=1e-14)
+    assert np.array_equal(moved.values(), own.values())
+    assert np.array_equal(moved.jacobian().derivatives, own.jacobian().derivatives)
+    finer = run.over(1.5, 0.8, steps=200)
+    own = DifferentiableRun(model, names, by, t0=1.5, t_end=2.3, dt=0.004, scheme="exponential_rk4", save_every=200)
+    assert np.array_equal(finer.jacobian().derivatives, own.jacobian().derivatives)
+    assert np.array_equal(run.over(0.0, 1.0).values(), run.values())
