@@ -13,7 +13,7 @@ import numpy as np
 from dask.distributed import Client, LocalCluster
 
 from runtime import ensemble, load_model
-from runtime.views.ensemble_picture import ensemble_picture
+from runtime.views.plots import ensemble_picture
 from symgen.scenes import generated_folder
 
 CASES = 6000

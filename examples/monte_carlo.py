@@ -12,7 +12,7 @@ import numpy as np
 from scipy.stats import norm, qmc
 
 from runtime import ensemble, load_model
-from runtime.views.ensemble_picture import ensemble_picture
+from runtime.views.plots import ensemble_picture
 from symgen.scenes import generated_folder
 
 NAMES = ("crank speed [rad/s]", "crank angle [rad]", "slider mass [kg]")

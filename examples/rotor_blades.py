@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from runtime import campbell, equilibrium, load_model
-from runtime.views.campbell_picture import campbell_picture
+from runtime.views.plots import campbell_picture
 from symgen.generate import generate
 from symgen.scene import SceneBuilder
 

@@ -21,11 +21,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from runtime.contract import doors
-from runtime.results import showing
 
 if TYPE_CHECKING:
     from runtime.baselines.augmented import augmented_solution
-    from runtime.baselines.reference import reference_solution
+    from runtime.baselines.scipy_methods import reference_solution
     from runtime.contract.consistent_state import InitialStateError
     from runtime.contract.errors import ModelError, SymgenError
     from runtime.contract.files import OutputError
@@ -36,13 +35,11 @@ if TYPE_CHECKING:
     from runtime.gradients.differentiable_run import DifferentiableRun
     from runtime.gradients.fit import fit
     from runtime.gradients.gradient import gradient, output_jacobian
-    from runtime.operating.campbell import campbell
+    from runtime.operating.campbell import campbell, unbalance_response
     from runtime.operating.equilibrium import Equilibrium, NoEquilibrium, equilibrium
     from runtime.operating.linearisation import Linearisation
     from runtime.operating.linearise import linearise
-    from runtime.operating.mode_motion import mode_motion
-    from runtime.operating.modes import modes
-    from runtime.operating.unbalance import unbalance_response
+    from runtime.operating.modes import mode_motion, modes
     from runtime.results.solution import Solution
     from runtime.running.quasi_static_motion import quasi_static_motion
     from runtime.running.resume import resume
@@ -130,7 +127,7 @@ _HOMES = {
 
 
 def _page(*arguments: Any) -> Any:
-    return import_module("runtime.views.viewer").show(*arguments)
+    return import_module("runtime.views.viewer.page").show(*arguments)
 
 
 def _stepper(*arguments: Any, **settings: Any) -> Any:
@@ -149,7 +146,7 @@ def _sketch(*arguments: Any) -> Any:
     return import_module("runtime.views.model_sketch").model_sketch(*arguments)
 
 
-showing.SHOWS["page"] = _page
+doors.OPENS["page"] = _page
 doors.OPENS["stepper"] = _stepper
 doors.OPENS["dynamics"] = _dynamics
 doors.OPENS["ode"] = _ode

@@ -10,7 +10,7 @@ from benchmarks.harness.result import Line, Result
 from benchmarks.harness.timing import Timing, interleave
 from runtime import DifferentiableRun, load_model
 from runtime.contract.model import Model
-from runtime.engine.derivatives_code import LaneArrays, Recorder, TangentCode, most_lanes
+from runtime.engine.derivatives import LaneArrays, Recorder, TangentCode, most_lanes
 from runtime.engine.native import NativeProgram
 from runtime.gradients.objectives import End
 from symgen.scenes import generated_folder

@@ -12,11 +12,11 @@ import numpy as np
 
 from benchmarks.harness.matched import Attempt, Matched, match
 from runtime.baselines.condensed_ode import TO_ROUNDING, CondensedOde, start_of
-from runtime.baselines.pieces import refuse_impulses
+from runtime.baselines.scipy_methods import refuse_impulses
 from runtime.baselines.sundials import Sundials
 from runtime.contract.coordinates import followed, whole
 from runtime.engine.external import SLOPES, VALUES
-from runtime.results.sampling import evaluate
+from runtime.engine.rows import evaluate
 from runtime.studies.work_precision.problem import Problem
 
 SAMPLES = 100

@@ -10,9 +10,9 @@ import numpy as np
 
 from runtime.contract.coordinates import followed, independent, loop_part, whole
 from runtime.contract.model import Model
+from runtime.engine.rows import evaluate
 from runtime.operating.mode_solver import ModeSolver, State
-from runtime.results.amplitudes import floored
-from runtime.results.sampling import evaluate
+from runtime.results.motion_error import floored
 from runtime.running.arguments import Further, RunArguments
 from runtime.running.ladder import FIRST, Ladder, Method, Rung
 from runtime.running.problem import Problem

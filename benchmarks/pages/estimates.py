@@ -24,8 +24,7 @@ from runtime import Solution, SymgenError, reference_solution, simulate
 from runtime.contract.coordinates import followed
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import modes_at
-from runtime.results.amplitudes import floored
-from runtime.results.motion_error import amplitudes
+from runtime.results.motion_error import amplitudes, floored
 from symgen.generate import model_of
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.hard_suite import HARD_SUITE

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from runtime import load_model
-from runtime.baselines.reference import reference_solution
+from runtime.baselines.scipy_methods import reference_solution
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import modes_at
 from runtime.results.solution import Solution

@@ -25,20 +25,20 @@ TOPICS: dict[str, list[str]] = {
         "runtime.operating.linearisation.Linearisation",
         "runtime.operating.modes.modes",
         "runtime.operating.campbell.campbell",
-        "runtime.operating.unbalance.unbalance_response",
-        "runtime.operating.mode_motion.mode_motion",
+        "runtime.operating.campbell.unbalance_response",
+        "runtime.operating.modes.mode_motion",
         "runtime.running.quasi_static_motion.quasi_static_motion",
     ],
     "Judging": [
         "runtime.studies.advice.advise.advise",
-        "runtime.baselines.reference.reference_solution",
+        "runtime.baselines.scipy_methods.reference_solution",
         "runtime.baselines.augmented.augmented_solution",
     ],
     "Pictures": [
         "runtime.views.plots",
-        "runtime.views.snapshots.snapshots",
+        "runtime.views.animation.snapshots",
         "runtime.views.animation.animate",
-        "runtime.views.campbell_picture.campbell_picture",
+        "runtime.views.plots.campbell_picture",
     ],
 }
 HEAD = """# {topic}

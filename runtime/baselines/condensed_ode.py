@@ -19,8 +19,8 @@ from runtime.contract.coordinates import charts_in, independent, loop_part
 from runtime.contract.model import Model, refuse_events
 from runtime.contract.status import Status
 from runtime.contract.tape import shared
+from runtime.engine.rows import evaluate
 from runtime.results.observe import assemble_solution, join
-from runtime.results.sampling import evaluate
 from runtime.results.solution import Solution
 from runtime.schemes.charts import Charts
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations

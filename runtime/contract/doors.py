@@ -1,8 +1,10 @@
-"""Methods of a model that rooms above it give: they put themselves in here, so that nothing imports upward."""
+"""Methods of a model or solution that rooms above it give; `runtime` puts them in here, so nothing imports upward."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Any
 
-OPENS: dict[str, Callable[..., Any]] = {}  # "stepper": (model, settings) -> a stepper; "sketch": model -> SVG
+# "stepper": (model, settings) -> a stepper; "sketch": model -> SVG
+# "page": (solution, path, surfaces, beside) -> a page
+OPENS: dict[str, Callable[..., Any]] = {}

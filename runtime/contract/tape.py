@@ -309,7 +309,7 @@ def code_length(function: ca.Function) -> int:
 #     known               computed             by
 #     parameters p        once a run           symgen/tapes/hoisting.py: constants(p) -> c
 #     c and steps h       once a run           runtime/engine/prepare.py: c -> [c, more]
-#     z that is held      once a repetition    runtime/engine/invariants.py: a stage before the repetition
+#     z that is held      once a repetition    runtime/engine/prepare.py: a stage before the repetition
 
 
 class Time(IntEnum):

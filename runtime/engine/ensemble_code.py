@@ -10,10 +10,9 @@ import threading
 import numpy as np
 
 from runtime.contract.tape import arithmetic
-from runtime.engine.llvm_code import Compiler, Effort, host
+from runtime.engine.llvm_code import BEST, FIRST, INLINED, Compiler, Effort, host
 from runtime.engine.llvm_ir import Form
 from runtime.engine.program import Program
-from runtime.engine.tiers import BEST, FIRST, INLINED
 
 SHORT = 2_000  # operations: below, two vector registers a value hide the latency of one
 LONG = 20_000  # operations: above, passes over code in lanes cost more than they save

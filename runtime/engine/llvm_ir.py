@@ -11,16 +11,453 @@ long ones.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import casadi as ca
 
-from runtime.contract.tape import Tape
-from runtime.engine.llvm_operations import Operations
-from runtime.engine.llvm_stage import StageWriter
-from runtime.engine.mathematics import Lanes
+from runtime.contract.tape import UNUSED, Node, Tape, below
+from runtime.engine.mathematics import LIBRARY_BINARY, LIBRARY_UNARY, PURE, REPLACED, Lanes, own_functions, sincos
 from runtime.engine.program import Program, Repeat, Until
+from runtime.engine.table_code import module_ir, table_name
+
+# ---- Sines and cosines of angles that do not wait for each other, side by side in the lanes of one vector.
+#
+# A sine with its cosine is some 45 instructions, more than all that is done with them on a planar link. In lanes they
+# have the same bits.
+
+WIDTHS = (8, 4, 2)  # of vectors; filled to more than half
+TRIGONOMETRIC = (ca.OP_SIN, ca.OP_COS)
+Group = tuple[int, ...]  # nodes of angles
+
+
+def side_by_side(nodes: Sequence[Node], order: Sequence[int]) -> tuple[list[int], dict[int, Group]]:
+    """(an order in which all angles of a group are known before the first use, {sine or cosine: its group})."""
+    groups = _groups(nodes, order)
+    if not groups:
+        return list(order), {}
+    members: dict[Group, list[int]] = {}
+    for k in order:
+        if k in groups:
+            members.setdefault(groups[k], []).append(k)
+    inside, placed, found = set(order), set[int](), list[int]()
+
+    def place(wanted: Sequence[int]) -> None:
+        for k in wanted:
+            if k in placed or k not in inside:
+                continue
+            if k in groups:
+                place(below(list(nodes), groups[k], lambda one: one in placed))
+            together = members[groups[k]] if k in groups else [k]
+            found.extend(together)
+            placed.update(together)
+
+    place(order)
+    return found, groups
+
+
+def _groups(nodes: Sequence[Node], order: Sequence[int]) -> dict[int, Group]:
+    """Groups of angles that wait for equally many sines and cosines, one after another."""
+    level: dict[int, int] = {}
+    angles: dict[int, list[int]] = {}
+    for k in order:
+        node = nodes[k]
+        used = [one for one in (node.a, node.b) if one != UNUSED and one in level]
+        level[k] = max((level[one] + (nodes[one].op in TRIGONOMETRIC) for one in used), default=0)
+        if node.op in TRIGONOMETRIC:
+            known = angles.setdefault(level[k], [])
+            if node.a not in known:
+                known.append(node.a)
+    group_of: dict[int, Group] = {}
+    for known in angles.values():
+        while len(known) > 1:
+            width = next(one for one in WIDTHS if one < 2 * len(known))
+            group, known = tuple(known[:width]), known[width:]
+            group_of |= dict.fromkeys(group, group)
+    found = ((k, group_of.get(nodes[k].a)) for k in order if nodes[k].op in TRIGONOMETRIC)
+    return {k: group for k, group in found if group is not None}
+
+
+# ---- Each operation of a tape in LLVM IR, for any number of lanes. No fast-math flag: nothing is contracted or
+# reordered.
+#
+# Every text is a template of {r} (the result), {a} and {b} (operands); {D} is the type of a value, {B} that of its
+# tests.
+
+_ARITHMETIC = {ca.OP_ADD: "fadd", ca.OP_SUB: "fsub", ca.OP_MUL: "fmul", ca.OP_DIV: "fdiv"}
+_TESTS = {ca.OP_LT: "olt", ca.OP_LE: "ole", ca.OP_EQ: "oeq", ca.OP_NE: "une"}
+_TRUTH = "  {r} = select {B} {r}c, {D} {one}, {D} {zero}"
+_BOTH = "  {r}a = fcmp une {D} {a}, {zero}\n  {r}b = fcmp une {D} {b}, {zero}\n"
+# fmax and fmin as the C printer writes them, a > b || b != b ? a : b; the inner choice is one instruction of x86
+_EXTREME = (
+    "  {{r}}c = fcmp {test} {{D}} {{a}}, {{b}}\n  {{r}}m = select {{B}} {{r}}c, {{D}} {{a}}, {{D}} {{b}}\n"
+    "  {{r}}n = fcmp uno {{D}} {{b}}, {{b}}\n  {{r}} = select {{B}} {{r}}n, {{D}} {{a}}, {{D}} {{r}}m"
+)
+_INTRINSICS = {ca.OP_SQRT: "sqrt", ca.OP_FABS: "fabs", ca.OP_FLOOR: "floor", ca.OP_CEIL: "ceil"}
+_FUNCTIONS = {getattr(ca, f"OP_{name.upper()}"): name for name in (*LIBRARY_UNARY, *LIBRARY_BINARY, *REPLACED)}
+_FUNCTIONS[ca.OP_CONSTPOW] = "pow"
+
+TEMPLATES = {
+    **{op: f"  {{r}} = {name} {{D}} {{a}}, {{b}}" for op, name in _ARITHMETIC.items()},
+    **{op: f"  {{r}}c = fcmp {test} {{D}} {{a}}, {{b}}\n{_TRUTH}" for op, test in _TESTS.items()},
+    ca.OP_AND: f"{_BOTH}  {{r}}c = and {{B}} {{r}}a, {{r}}b\n{_TRUTH}",
+    ca.OP_OR: f"{_BOTH}  {{r}}c = or {{B}} {{r}}a, {{r}}b\n{_TRUTH}",
+    ca.OP_NOT: f"  {{r}}c = fcmp oeq {{D}} {{a}}, {{zero}}\n{_TRUTH}",
+    ca.OP_FMAX: _EXTREME.format(test="ogt"),
+    ca.OP_FMIN: _EXTREME.format(test="olt"),
+    ca.OP_IF_ELSE_ZERO: "  {r}c = fcmp une {D} {a}, {zero}\n  {r} = select {B} {r}c, {D} {b}, {D} {zero}",
+    ca.OP_SIGN: "  {r}p = fcmp ogt {D} {a}, {zero}\n  {r}m = fcmp olt {D} {a}, {zero}\n"
+    "  {r}s = select {B} {r}m, {D} {minus_one}, {D} {a}\n  {r} = select {B} {r}p, {D} {one}, {D} {r}s",
+    ca.OP_NEG: "  {r} = fneg {D} {a}",
+    ca.OP_SQ: "  {r} = fmul {D} {a}, {a}",
+    ca.OP_TWICE: "  {r} = fadd {D} {a}, {a}",
+    ca.OP_INV: "  {r} = fdiv {D} {one}, {a}",
+    ca.OP_COPYSIGN: "  {r} = call {D} @llvm.copysign.{S}({D} {a}, {D} {b})",
+    **{op: f"  {{r}} = call {{D}} @llvm.{name}.{{S}}({{D}} {{a}})" for op, name in _INTRINSICS.items()},
+    **{
+        op: f"  {{r}} = call {{D}} @{{{name}}}({{D}} {{a}}" + (", {D} {b})" if name in LIBRARY_BINARY else ")")
+        for op, name in _FUNCTIONS.items()
+    },
+}
+
+
+class Beside(NamedTuple):
+    """Instructions, and the names of sines and cosines that they define."""
+
+    text: str
+    sines: list[str]
+    cosines: list[str]
+
+
+class Operations:
+    """Text of operations on values of `width` lanes, with mathematics `own` or `library`.
+
+    fused: a product and the sum that takes it may be rounded once. Other bits then, so for derivatives only.
+    """
+
+    def __init__(self, width: int, mathematics: str, inline: bool, fused: bool = False) -> None:
+        self.lanes, self.own, self._inline = Lanes(width), mathematics == "own", inline
+        # the functions of a fused one are those of another, which is exact, so it has no vectors of angles
+        self.takes_angles_together = self.own and width == 1 and not fused
+        self._beside: set[int] = set()  # widths of these vectors
+        self.tables: dict[float, None] = {}  # marks of those that were asked for, in order
+        lanes = self.lanes
+        called = {name: self._name(name) for name in _FUNCTIONS.values()}
+        fixed = {
+            "D": lanes.double,
+            "B": lanes.bit,
+            "S": lanes.suffix,
+            "zero": lanes.number(0.0),
+            "one": lanes.number(1.0),
+            "minus_one": lanes.number(-1.0),
+            **called,
+        }
+        operands = {"r": "{r}", "a": "{a}", "b": "{b}"}
+        flag = " contract" if fused else ""
+        self._templates = {
+            op: text.format(**fixed, **operands).replace("fmul ", f"fmul{flag} ").replace("fadd ", f"fadd{flag} ")
+            for op, text in TEMPLATES.items()
+        }
+        self._arithmetic = {op: f"{name}{flag} {lanes.double}" for op, name in _ARITHMETIC.items()}
+        # operations of one instruction, so that the result can have a number for a name
+        self.single = frozenset(op for op, text in TEMPLATES.items() if text.count("{r}") == 1)
+
+    def _name(self, function: str) -> str:
+        if self.own and function in REPLACED:
+            return f"own_{function}"
+        return function if self.lanes.width == 1 else f"{function}_in_lanes"
+
+    def text(self, op: int, result: str, a: str, b: str) -> str:
+        """Instructions that define `result`. Raises KeyError for an operation that no tape of ours has."""
+        if op in self._arithmetic:  # most of all operations: without the price of a template
+            return f"  {result} = {self._arithmetic[op]} {a}, {b}"
+        return self._templates[op].format(r=result, a=a, b=b)
+
+    def table(self, value: float, result: str, a: str) -> str:
+        """The call of a table, by its mark."""
+        self.tables[value] = None
+        D = self.lanes.double
+        return f"  {result} = call {D} @{table_name(value)}({D} {a})"
+
+    def sine_and_cosine(self, sine: str, cosine: str, a: str) -> str:
+        """Both of one angle by one call."""
+        D = self.lanes.double
+        pair = f"{{ {D}, {D} }}"
+        return (
+            f"  {sine}p = call {pair} @own_sincos({D} {a})\n"
+            f"  {sine} = extractvalue {pair} {sine}p, 0\n  {cosine} = extractvalue {pair} {sine}p, 1"
+        )
+
+    def sines_and_cosines(self, name: str, angles: list[str]) -> Beside:
+        """Of several angles by one call; more lanes than angles repeat the last."""
+        width = next(one for one in sorted(WIDTHS) if one >= len(angles))
+        self._beside.add(width)
+        D, lines, vector = Lanes(width).double, [], "poison"
+        for lane in range(width):
+            angle = angles[min(lane, len(angles) - 1)]
+            lines.append(f"  {name}i{lane} = insertelement {D} {vector}, double {angle}, i64 {lane}")
+            vector = f"{name}i{lane}"
+        lines.append(f"  {name}p = call {{ {D}, {D} }} @own_sincos_{width}({D} {vector})")
+        names: list[list[str]] = []
+        for part, letter in enumerate("sc"):
+            lines.append(f"  {name}{letter} = extractvalue {{ {D}, {D} }} {name}p, {part}")
+            names.append([f"{name}{letter}{lane}" for lane in range(len(angles))])
+            lines += [f"  {one} = extractelement {D} {name}{letter}, i64 {k}" for k, one in enumerate(names[-1])]
+        return Beside("\n".join(lines), *names)
+
+    def functions(self) -> str:
+        """Declarations and definitions that a module needs."""
+        lanes = self.lanes
+        beside = [sincos(Lanes(width), f"own_sincos_{width}", self._inline) for width in sorted(self._beside)]
+        for width in self._beside:
+            kind = Lanes(width)
+            for name, count in (("fma", 3), ("fabs", 1)):
+                arguments = ", ".join([kind.double] * count)
+                beside.append(f"declare {kind.double} @llvm.{name}.{kind.suffix}({arguments})")
+        parts = [f"attributes #0 = {{ {PURE} nobuiltin }}"]  # nobuiltin: LLVM must not replace pow(x, 2) by x x
+        library = (*LIBRARY_UNARY, *LIBRARY_BINARY, *(() if self.own else REPLACED))
+        for name in library:
+            count = 2 if name in LIBRARY_BINARY else 1
+            parts.append(f"declare double @{name}({', '.join(['double'] * count)}) #0")
+            if lanes.width > 1:
+                parts.append(self._lane_by_lane(name, count))
+        for name, count in (("fma", 3), ("copysign", 2), ("sqrt", 1), ("fabs", 1), ("floor", 1), ("ceil", 1)):
+            arguments = ", ".join([lanes.double] * count)
+            parts.append(f"declare {lanes.double} @llvm.{name}.{lanes.suffix}({arguments})")
+        parts += [*beside, own_functions(lanes, self._inline) if self.own else ""]
+        return "\n".join([*parts, module_ir(list(self.tables), lanes, self._inline)])
+
+    def _lane_by_lane(self, name: str, count: int) -> str:
+        """A function of the library for all lanes."""
+        D, letters = self.lanes.double, "xy"[:count]
+        head = f"define internal {D} @{name}_in_lanes({', '.join(f'{D} %{letter}' for letter in letters)}) {PURE} {{"
+        lines, result = [], "poison"
+        for lane in range(self.lanes.width):
+            lines += [f"  %{letter}{lane} = extractelement {D} %{letter}, i64 {lane}" for letter in letters]
+            arguments = ", ".join(f"double %{letter}{lane}" for letter in letters)
+            lines.append(f"  %f{lane} = call double @{name}({arguments}) #0")
+            lines.append(f"  %r{lane} = insertelement {D} {result}, double %f{lane}, i64 {lane}")
+            result = f"%r{lane}"
+        return "\n".join([head, *lines, f"  ret {D} {result}", "}"])
+
+
+# ---- A stage of a step program as LLVM IR: one function, or several that pass values through a work array.
+#
+# A function is `void name(ptr z, ptr c, ptr w[, further arrays][, mask])`. Entry e of lane l is at [e * width + l]
+# of each array. All loads of z come before its stores, so z is updated in place, changed entries only; with a mask only
+# lanes where it is set. Most values have numbers for names, which LLVM reads in two thirds of the time.
+
+ARGUMENTS = "ptr noalias %z, ptr noalias readonly %c, ptr noalias %w"
+PARTNER = {ca.OP_SIN: ca.OP_COS, ca.OP_COS: ca.OP_SIN}
+
+
+class StageWriter:
+    """Functions of one stage; chunk: statements of a function, 0 for all in one; arrays: names of further inputs."""
+
+    def __init__(
+        self,
+        name: str,
+        tape: Tape,
+        operations: Operations,
+        chunk: int,
+        masked: bool,
+        inline: bool,
+        arrays: tuple[str, ...] = (),
+    ) -> None:
+        self.name, self.tape, self.operations, self.masked = name, tape, operations, masked
+        self.stores = [
+            (entry, k) for entry, k in enumerate(tape.outputs[0]) if tape.nodes[k][:3] != (ca.OP_INPUT, 0, entry)
+        ]
+        live = below(tape.nodes, [k for _, k in self.stores])
+        self.order = [k for k in live if tape.nodes[k].op not in (ca.OP_INPUT, ca.OP_CONST)]
+        self.partner = self._partners() if operations.own else {}
+        self.chunk = chunk if 0 < chunk < len(self.order) else max(1, len(self.order))
+        self.beside: dict[int, Group] = {}
+        if operations.takes_angles_together and chunk == 0:
+            self.order, self.beside = side_by_side(tape.nodes, self.order)
+        self.kind = "alwaysinline" if inline else "noinline"
+        self.arguments = ARGUMENTS + "".join(f", ptr noalias readonly %{array}" for array in arrays)
+        self.passed = "".join(f", ptr %{array}" for array in arrays)
+        lanes = operations.lanes
+        self.double, self.ending = lanes.double, f", align {lanes.align}" if lanes.width > 1 else ""
+        self._begin()
+
+    def _begin(self) -> None:
+        """A new function: its lines, names of values in it, the next number."""
+        self.lines: list[str] = []
+        self.names: dict[int, str] = {}
+        self.next = 0
+
+    def _partners(self) -> dict[int, int]:
+        """{sine or cosine: the other one of the same angle}."""
+        found: dict[tuple[int, int], int] = {}
+        for k in self.order:
+            node = self.tape.nodes[k]
+            if node.op in PARTNER:
+                found[node.op, node.a] = k
+        pairs = {k: found.get((PARTNER[op], angle)) for (op, angle), k in found.items()}
+        return {k: other for k, other in pairs.items() if other is not None}
+
+    def functions(self) -> tuple[list[str], int]:
+        """(IR of the functions, entries of the work array)."""
+        chunk_of: dict[int, int] = {}
+        for position, k in enumerate(self.order):
+            chunk_of.setdefault(k, position // self.chunk)
+            if k in self.partner:  # a sine and its cosine come from one call, where the first of them stands
+                chunk_of.setdefault(self.partner[k], position // self.chunk)
+        slots = self._slots(chunk_of)
+        count = (len(self.order) - 1) // self.chunk + 1 if self.order else 0
+        if count <= 1:
+            return ["\n".join(self._whole())], 0
+        chunks: list[list[int]] = [[] for _ in range(count)]
+        for k in self.order:
+            chunks[chunk_of[k]].append(k)
+        parts = [self._chunk(n, members, chunk_of, slots) for n, members in enumerate(chunks)]
+        groups = [self.stores[k : k + self.chunk] for k in range(0, len(self.stores), self.chunk)]
+        parts += [self._store_chunk(n, group, slots) for n, group in enumerate(groups)]
+        head, ending = self._head(self.name, "noinline")
+        called = [f"{self.name}_{n}" for n in range(count)] + [f"{self.name}_store_{n}" for n in range(len(groups))]
+        mask = f", {self.operations.lanes.bit} %mask" if self.masked else ""
+        calls = [f"  call void @{name}(ptr %z, ptr %c, ptr %w{self.passed}{mask})" for name in called]
+        return [*parts, "\n".join([head, *calls, *ending])], len(slots)
+
+    def _slots(self, chunk_of: dict[int, int]) -> dict[int, int]:
+        """{node that is used outside its chunk: its place in the work array}."""
+        slots: dict[int, int] = {}
+        nodes = self.tape.nodes
+        for k in self.order:
+            for argument in nodes[k][1:3]:
+                if argument in chunk_of and chunk_of[argument] != chunk_of[k]:
+                    slots.setdefault(argument, len(slots))
+        for _, k in self.stores:  # an entry of z that moves to another place is copied before anything is stored
+            if k in chunk_of or nodes[k].op == ca.OP_INPUT:
+                slots.setdefault(k, len(slots))
+        return slots
+
+    def _head(self, name: str, kind: str) -> tuple[str, list[str]]:
+        mask = f", {self.operations.lanes.bit} %mask" if self.masked else ""
+        return f"define internal void @{name}({self.arguments}{mask}) nounwind {kind} {{\nbegin:", ["  ret void", "}"]
+
+    def _whole(self) -> list[str]:
+        self._begin()
+        for k in self.order:
+            self._define(k)
+        for _, k in self.stores:
+            self._operand(k)  # loads what moves
+        self._store_all(self.stores)
+        head, ending = self._head(self.name, self.kind)
+        return [head, *self.lines, *ending]
+
+    def _chunk(self, n: int, members: list[int], chunk_of: dict[int, int], slots: dict[int, int]) -> str:
+        self._begin()
+        for k in members:
+            for argument in self.tape.nodes[k][1:3]:
+                if argument not in self.names and chunk_of.get(argument, n) != n:
+                    self._load(argument, "w", slots[argument])
+            self._define(k)
+        for k in members:
+            if k in slots:
+                self._store("w", slots[k], self.names[k])
+        if n == 0:
+            for k, slot in slots.items():
+                if k not in chunk_of:
+                    self._store("w", slot, self._operand(k))
+        head, ending = self._head(f"{self.name}_{n}", "noinline")
+        return "\n".join([head, *self.lines, *ending])
+
+    def _store_chunk(self, n: int, group: list[tuple[int, int]], slots: dict[int, int]) -> str:
+        self._begin()
+        for _, k in group:
+            if k in slots and k not in self.names:
+                self._load(k, "w", slots[k])
+        self._store_all(group)
+        head, ending = self._head(f"{self.name}_store_{n}", "noinline")
+        return "\n".join([head, *self.lines, *ending])
+
+    # ---- instructions -------------------------------------------------------------------------------------
+
+    def _define(self, k: int) -> None:
+        if k in self.names:
+            return
+        node = self.tape.nodes[k]
+        a = self._operand(node.a)
+        if node.op == ca.OP_ASSIGN:
+            self.names[k] = a
+            return
+        if k in self.beside:
+            self._define_beside(self.beside[k])
+            return
+        if k in self.partner:
+            name, other = (self.names.setdefault(one, f"%v{one}") for one in (k, self.partner[k]))
+            sine, cosine = (name, other) if node.op == ca.OP_SIN else (other, name)
+            self.lines.append(self.operations.sine_and_cosine(sine, cosine, a))
+            return
+        if node.op == ca.OP_CALL:
+            self.names[k] = f"%v{k}"
+            self.lines.append(self.operations.table(node.value, self.names[k], a))
+            return
+        b = self._operand(node.b) if node.b >= 0 else ""
+        name = self.names[k] = self._number() if node.op in self.operations.single else f"%v{k}"
+        self.lines.append(self.operations.text(node.op, name, a, b))
+
+    def _define_beside(self, group: Group) -> None:
+        """Sines and cosines of a group of angles, in lanes."""
+        angles = [self._operand(k) for k in group]
+        found = self.operations.sines_and_cosines(f"%g{group[0]}", angles)
+        self.lines.append(found.text)
+        names = {ca.OP_SIN: dict(zip(group, found.sines, strict=True))}
+        names[ca.OP_COS] = dict(zip(group, found.cosines, strict=True))
+        for k, other in self.beside.items():
+            if other == group:
+                node = self.tape.nodes[k]
+                self.names[k] = names[node.op][node.a]
+
+    def _number(self) -> str:
+        name = f"%{self.next}"
+        self.next += 1
+        return name
+
+    def _operand(self, k: int) -> str:
+        """Name of a node's value in this function; inputs are loaded at their first use."""
+        known = self.names.get(k)
+        if known is not None:
+            return known
+        node = self.tape.nodes[k]
+        if node.op == ca.OP_CONST:
+            self.names[k] = self.operations.lanes.number(node.value)
+        else:
+            assert node.op == ca.OP_INPUT, f"node {k} is used before it is defined"
+            self._load(k, self.tape.input_names[node.a], node.b)
+        return self.names[k]
+
+    def _load(self, k: int, array: str, entry: int) -> None:
+        place, value = self.next, self.next + 1
+        self.next += 2
+        self.lines.append(
+            f"  %{place} = getelementptr {self.double}, ptr %{array}, i64 {entry}\n"
+            f"  %{value} = load {self.double}, ptr %{place}{self.ending}"
+        )
+        self.names[k] = f"%{value}"
+
+    def _store(self, array: str, entry: int, value: str) -> None:
+        place = self._number()
+        self.lines.append(
+            f"  {place} = getelementptr {self.double}, ptr %{array}, i64 {entry}\n"
+            f"  store {self.double} {value}, ptr {place}{self.ending}"
+        )
+
+    def _store_all(self, group: list[tuple[int, int]]) -> None:
+        values = [self._operand(k) for _, k in group]
+        bit = self.operations.lanes.bit
+        for (entry, _), value in zip(group, values, strict=True):
+            if self.masked:
+                self.lines.append(
+                    f"  %o{entry}p = getelementptr {self.double}, ptr %z, i64 {entry}\n"
+                    f"  %o{entry} = load {self.double}, ptr %o{entry}p{self.ending}\n"
+                    f"  %m{entry} = select {bit} %mask, {self.double} {value}, {self.double} %o{entry}"
+                )
+                value = f"%m{entry}"
+            self._store("z", entry, value)
 
 
 class Form(NamedTuple):

@@ -1,20 +1,18 @@
-"""A program as native code without a C compiler, in two tiers; see tiers.py."""
+"""A program as native code without a C compiler, in two tiers; see `llvm_code`."""
 
 from __future__ import annotations
 
 import ctypes
 import threading
 from collections.abc import Callable, Mapping
-from functools import partial
+from functools import cache, partial
 from typing import NamedTuple
 
 import numpy as np
 
 from runtime.contract.tape import Tape
-from runtime.engine.drive import drive
-from runtime.engine.llvm_code import Code
+from runtime.engine.llvm_code import Code, Effort, best_tier, code_in_tiers, first_tier, host, linked, machine_code
 from runtime.engine.program import Program
-from runtime.engine.tiers import best_tier, code_in_tiers, first_tier
 
 
 class _Bound(NamedTuple):
@@ -83,3 +81,51 @@ class NativeProgram:
         if array is None or len(array) < size:
             array = self._work.array = np.zeros(size + 1)
         return int(array.ctypes.data)
+
+
+# ---- Many calls of a step in one: states are written to rows on the way, without Python in between.
+
+IR = """
+declare void @llvm.memcpy.p0i8.p0i8.i64(i8*, i8*, i64, i1)
+
+define void @drive(void (double*, double*, double*, i64)* %step, double* %z, double* %c, double* %w,
+                   i64* %counts, i64 %rows, i8* %out, i64 %bytes) {
+entry:
+  %none = icmp eq i64 %rows, 0
+  br i1 %none, label %done, label %next
+next:
+  %k = phi i64 [ 0, %entry ], [ %more, %next ]
+  %place = phi i8* [ %out, %entry ], [ %after, %next ]
+  %address = getelementptr i64, i64* %counts, i64 %k
+  %count = load i64, i64* %address
+  call void %step(double* %z, double* %c, double* %w, i64 %count)
+  %state = bitcast double* %z to i8*
+  call void @llvm.memcpy.p0i8.p0i8.i64(i8* %place, i8* %state, i64 %bytes, i1 false)
+  %after = getelementptr i8, i8* %place, i64 %bytes
+  %more = add i64 %k, 1
+  %going = icmp ult i64 %more, %rows
+  br i1 %going, label %next, label %done
+done:
+  ret void
+}
+"""
+Drive = Callable[[int, int, int, int, int, int, int, int], None]
+
+
+@cache
+def _drive() -> tuple[Drive, object]:
+    """(the function, what keeps it alive)."""
+    engine = linked(machine_code(IR, Effort(passes=False, level=1), host()), host())
+    pointers, numbers = ctypes.c_void_p, ctypes.c_int64
+    kind = ctypes.CFUNCTYPE(None, *[pointers] * 5, numbers, pointers, numbers)
+    return kind(engine.get_function_address("drive")), engine
+
+
+def drive(step: int, z: int, c: int, work: int, counts: np.ndarray, rows: np.ndarray) -> None:
+    """Call step(z, c, work, n) for each n of counts (N,) int64, and copy z to the next of rows (N, size) after each.
+
+    step, z, c, work: addresses.
+    """
+    _drive()[0](
+        step, z, c, work, counts.ctypes.data, len(counts), rows.ctypes.data, rows.strides[0] if len(rows) else 0
+    )

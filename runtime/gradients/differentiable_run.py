@@ -12,7 +12,7 @@ import numpy as np
 
 from runtime.contract.errors import ArgumentError, ModelError, NoResult
 from runtime.contract.model import Model
-from runtime.engine.derivatives_code import Recorder, TangentCode, most_lanes
+from runtime.engine.derivatives import Recorder, TangentCode, most_lanes
 from runtime.engine.native import NativeProgram
 from runtime.gradients.beginning import Beginning, Begun
 from runtime.gradients.course import Course, course

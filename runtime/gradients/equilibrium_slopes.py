@@ -13,9 +13,7 @@ from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import independent, joined, loop_part
 from runtime.contract.model import Model
 from runtime.schemes.stage_equations import StageEquations
-from runtime.start.elastic_residual import CLOSURE_ITERATIONS, elastic_residual
-from runtime.start.quasi_static import ElasticEquilibrium, small_motion
-from runtime.start.settling import PASSES
+from runtime.start.quasi_static import CLOSURE_ITERATIONS, PASSES, ElasticEquilibrium, elastic_residual, small_motion
 
 
 def settled_slopes(

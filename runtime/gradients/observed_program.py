@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from runtime.contract.tape import shared
-from runtime.engine.derivatives_stage import Active
+from runtime.engine.derivatives import Active
 from runtime.engine.prepare import Prepared, prepare
 from runtime.engine.program import Call, Program
 from runtime.engine.program import Sequence as InTurn

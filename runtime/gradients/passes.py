@@ -13,7 +13,7 @@ from math import ceil, sqrt
 
 import numpy as np
 
-from runtime.engine.derivatives_code import LaneArrays, Recorder, TangentCode
+from runtime.engine.derivatives import LaneArrays, Recorder, TangentCode
 from runtime.gradients.beginning import Begun
 from runtime.gradients.course import Broken, Course, Hold, Stop
 from runtime.gradients.crossing import JumpCrossing, Taken

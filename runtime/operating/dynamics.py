@@ -17,7 +17,7 @@ from runtime.contract.consistent_state import MAX_ITERATIONS, InitialStateError
 from runtime.contract.coordinates import at_home, dependent_part, whole
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
-from runtime.operating.assembly import closing
+from runtime.operating.given_state import closing
 
 POSSIBLE = 1e-9  # of the largest force: what motors may leave over
 

@@ -10,8 +10,7 @@ import numpy as np
 from runtime.contract.coordinates import joined
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
-from runtime.operating.mode_solver import State
-from runtime.operating.moving_axes import axes_turning, in_moving_axes
+from runtime.operating.mode_solver import State, axes_turning, in_moving_axes
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.turned_axes import along_rotations
 

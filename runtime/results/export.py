@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
+import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from importlib.util import find_spec
 from pathlib import Path
@@ -18,14 +19,14 @@ from runtime.contract.files import OutputError, replacing
 from runtime.contract.model import Model
 from runtime.contract.records import as_plain, description
 from runtime.contract.status import Event, Status
-from runtime.results.read_angles import read_angles
-from runtime.results.samples import FORCE_PARTS
+from runtime.results.samples import FORCE_PARTS, read_angles
 from runtime.results.stream import read_blocks, read_header
 
 if TYPE_CHECKING:
     import xarray
 
     from runtime.results.samples import Samples
+
 
 FORMAT = "symgen solution 5"
 ARRAYS = (
@@ -333,3 +334,22 @@ WRITERS: dict[str, Callable[[Samples, str | Path], None]] = {
     ".parquet": to_parquet,
     ".nc": to_netcdf,
 }
+
+
+# ---- Results as strict JSON: no NaN, no infinity.
+
+
+def as_json(report: Mapping[str, Any]) -> str:
+    """Indented JSON text; NaN and infinity become null, which every JSON reader accepts."""
+    return json.dumps(finite(report), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def finite(value: Any) -> Any:
+    """The same values with null for numbers that are not finite."""
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    if isinstance(value, Mapping):
+        return {str(key): finite(part) for key, part in value.items()}
+    if isinstance(value, list | tuple):
+        return [finite(part) for part in value]
+    return value

@@ -10,14 +10,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from runtime.contract.coordinates import euler_angles, parameter_columns
 from runtime.contract.errors import ModelError
+from runtime.contract.orientations import NEAR_SINGULAR, angles, regularity
 from runtime.contract.status import Event
-from runtime.results.beam_shapes import beam_of
-from runtime.results.section_forces import STATIONS, section_forces
+from runtime.results.section_forces import STATIONS, beam_of, section_forces
 from runtime.results.stresses import stresses, von_mises
 
 if TYPE_CHECKING:
     from runtime.results.samples import Samples
+
 
 LOOKS = 100  # samples at most
 WORTH_OF_SHAPES = 1e-3  # of a deflection
@@ -167,3 +169,23 @@ def missing_stresses(solution: Samples) -> tuple[dict[str, float], list[Event]]:
             )
             events.append(Event(float(whole.t[int(sample)]), "stresses_missing", text))
     return shares, events
+
+
+# ---- Events of Euler angles that are read off near their singular orientation; the motion knows nothing of it.
+
+
+def singular_angles(solution: Samples) -> list[Event]:
+    """An event for each body that came so near in a saved sample, at the nearest one."""
+    events, columns = [], parameter_columns(solution.model)
+    for body, kind in euler_angles(solution.model).items():
+        theta = angles(kind, solution.q[:, columns[body]])
+        off = regularity(kind, theta)
+        k = int(off.argmin())
+        if off[k] < NEAR_SINGULAR:
+            text = (
+                f"the Euler angles {kind} of {body} are near their singular orientation (theta2 = {theta[k, 1]:.4g} "
+                "rad), where theta1, theta3 and the rates are not determined; the motion is not touched: read "
+                f"{body}.e0 ... e3 and {body}.omega_x, _y, _z, or give the body another sequence"
+            )
+            events.append(Event(float(solution.t[k]), "angles_singular", text))
+    return events

@@ -2,21 +2,192 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import get_close_matches
+from threading import Lock
+from typing import Any, Self
 
 import numpy as np
 
-from runtime.contract.coordinates import OMEGA, angular_velocities, euler_angles, independent_rates, named_values
+from runtime.contract.coordinates import (
+    OMEGA,
+    angular_velocities,
+    euler_angles,
+    independent_rates,
+    named_values,
+    parameter_columns,
+)
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
-from runtime.contract.orientations import NAMES
+from runtime.contract.orientations import NAMES, angle_motion, angle_names
 from runtime.contract.status import Event, Status
-from runtime.results.energy_balance import STORED, EnergyBalance, energy_balance
-from runtime.results.later import WithLater
 from runtime.results.motion_error import MotionError
-from runtime.results.read_angles import read_angles
+
+# ---- Fields of a record that are computed when somebody asks for them.
+
+
+class Later:
+    """A value that is computed once, at the first call."""
+
+    def __init__(self, compute: Callable[[], Any]) -> None:
+        self._compute: Callable[[], Any] | None = compute
+        self._value: Any = None
+        self._lock = Lock()
+
+    def __call__(self) -> Any:
+        with self._lock:
+            if self._compute is not None:
+                self._value, self._compute = self._compute(), None
+        return self._value
+
+    def part(self, key: Any) -> Later:
+        """An entry of the value."""
+        return Later(lambda: self()[key])
+
+
+class WithLater:
+    """A dataclass some of whose fields may be given as `Later`: they are computed when they are read."""
+
+    def __post_init__(self) -> None:
+        own = vars(self)
+        own["_later"] = {name: value for name, value in own.items() if isinstance(value, Later)}
+        for name in own["_later"]:
+            del own[name]
+
+    def __getattr__(self, name: str) -> Any:
+        later = vars(self).get("_later", {})
+        if name not in later:
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+        value = later[name]()
+        vars(self)[name] = value
+        return value
+
+    def __getstate__(self) -> dict[str, Any]:
+        for name in vars(self).get("_later", {}):
+            getattr(self, name)
+        return {**vars(self), "_later": {}}
+
+    def but(self, **changes: Any) -> Self:
+        """A copy with other values of some fields; what is computed later stays so."""
+        found = object.__new__(type(self))
+        vars(found).update(vars(self))
+        vars(found)["_later"] = {name: one for name, one in vars(self)["_later"].items() if name not in changes}
+        vars(found).update(changes)
+        return found
+
+
+# ---- Euler angles of a body over the saved samples, read off its Euler parameters.
+
+
+def read_angles(model: Model, q: np.ndarray, q_dot: np.ndarray, q_ddot: np.ndarray, body: str) -> dict[str, np.ndarray]:
+    """(N,) angles [rad] by name, from -pi to pi and the middle one in half of it, with their `_dot` and `_ddot`."""
+    e = parameter_columns(model)[body]
+    moved = angle_motion(euler_angles(model)[body], q[:, e], q_dot[:, e], q_ddot[:, e])
+    return {
+        f"{name}{suffix}": values[:, k]
+        for suffix, values in zip(("", "_dot", "_ddot"), moved, strict=True)
+        for k, name in enumerate(angle_names(body))
+    }
+
+
+# ---- The balance of energy and work of a motion, from its saved samples: energy - energy at the start - work.
+#
+# The work is the integral of P = power_applied + power_driven - power_dissipated: cubics through four samples next
+# to one another, none of them across a stop, where power may jump; there those of both sides are continued to it.
+# It is of order 4 where power is smooth. By how much it may be wrong is told by the work over every other sample.
+
+STORED = ("kinetic", "elastic", "potential")
+WINDOW = 4  # samples that a polynomial passes through
+GAUSS = (1 - 3**-0.5) / 2, (1 + 3**-0.5) / 2  # of an interval: two points take cubics exactly
+
+
+@dataclass(frozen=True)
+class EnergyBalance:
+    """Of N samples [J]: work (N,) since the first one, error (N,), and uncertainty (N,) of the work, which rises."""
+
+    work: np.ndarray
+    error: np.ndarray
+    uncertainty: np.ndarray
+
+    @property
+    def largest(self) -> float:
+        """Largest error [J]."""
+        return float(np.abs(self.error).max(initial=0.0))
+
+    @property
+    def resolved(self) -> bool:
+        """Do the samples tell the error, or is it within what they leave open?"""
+        return len(self.work) > 2 and bool(self.uncertainty[-1] <= self.largest)
+
+    def __str__(self) -> str:
+        known = f"{self.largest:.3g} J"
+        if self.resolved:
+            return known
+        return f"{known}, not resolved by the samples (their work is known to {self.uncertainty[-1]:.2g} J)"
+
+
+def energy_balance(t: np.ndarray, energy: Mapping[str, np.ndarray], stops: np.ndarray) -> EnergyBalance:
+    """Of samples at t (N,) [s]; stops (S, 2): times [s], and the energy that an impulse put in there [J].
+
+    A sample at the very time of a stop shows what is before it.
+    """
+    total = np.sum([energy[name] for name in STORED], axis=0)
+    P = energy["power_applied"] + energy["power_driven"] - energy["power_dissipated"]
+    inside = stops[(stops[:, 0] >= t[0]) & (stops[:, 0] < t[-1])]
+    times, put_in = inside[np.argsort(inside[:, 0], kind="stable")].T
+    with np.errstate(all="ignore"):  # of samples that are not finite
+        work = _integrals(t, P, times)
+        off = _difference_to_half(t, P, times, work)
+        work = work + np.append(0.0, np.cumsum(put_in))[np.searchsorted(times, t, side="left")]
+        return EnergyBalance(work, total - total[0] - work, off)
+
+
+def _difference_to_half(t: np.ndarray, P: np.ndarray, stops: np.ndarray, work: np.ndarray) -> np.ndarray:
+    """(N,) largest difference until each sample to the integral over every other one."""
+    n = len(t)
+    if n < 3:
+        return np.append(0.0, np.abs(np.diff(t) * np.diff(P) / 2))
+    half = np.unique(np.append(np.arange(0, n, 2), n - 1))
+    off = np.maximum.accumulate(np.abs(_integrals(t[half], P[half], stops) - work[half]))
+    return np.asarray(off[np.searchsorted(half, np.arange(n))])
+
+
+def _integrals(t: np.ndarray, P: np.ndarray, stops: np.ndarray) -> np.ndarray:
+    """(N,) integrals of P (N,) from the first sample on; stops (S,), rising, lie among the samples."""
+    if len(t) < 2:
+        return np.zeros(len(t))
+    piece = np.searchsorted(stops, t, side="left")  # of each sample: how many stops are before it
+    ends = np.sort(np.concatenate([t, stops]))
+    start, length = ends[:-1], np.diff(ends)
+    own = np.searchsorted(stops, start, side="right")  # piece of each interval
+    own = np.where(length > 0, own, piece[-1])
+    sample = np.clip(np.searchsorted(t, start, side="right") - 1, 0, len(t) - 2)
+    first, last = np.searchsorted(piece, own, side="left"), np.searchsorted(piece, own, side="right")
+    alone = first == last  # no sample between two stops: a line through those beside them
+    first, last = np.where(alone, sample, first), np.where(alone, sample + 2, last)
+    count = np.minimum(last - first, WINDOW)
+    begin = np.clip(sample - 1, first, last - count)
+    done = np.zeros(len(start))
+    for n in range(1, WINDOW + 1):
+        of = np.flatnonzero(count == n)
+        window = begin[of, None] + np.arange(n)
+        for share in GAUSS:
+            done[of] += length[of] / 2 * _interpolated(t[window], P[window], start[of] + share * length[of])
+    return np.append(0.0, np.cumsum(np.bincount(sample, done, minlength=len(t) - 1)))
+
+
+def _interpolated(t: np.ndarray, P: np.ndarray, at: np.ndarray) -> np.ndarray:
+    """(K,) values at times (K,) of the polynomials through P (K, n) at t (K, n)."""
+    found = np.zeros(len(at))
+    for a in range(t.shape[1]):
+        factor = P[:, a].copy()
+        for b in range(t.shape[1]):
+            if b != a:
+                factor *= (at - t[:, b]) / (t[:, a] - t[:, b])
+        found += factor
+    return found
+
 
 FORCE_PARTS = {
     3: ("force_x", "force_y", "moment"),

@@ -7,18 +7,58 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from runtime.contract.coordinates import followed
+from runtime.contract.doors import OPENS
 from runtime.contract.flexible import BodyMotion
 from runtime.contract.model import Model
+from runtime.contract.status import badge, card, line, sparkline, table
 from runtime.results import export
 from runtime.results.body_motion import body_motion
 from runtime.results.samples import Samples
 from runtime.results.section_forces import SectionForces, Way, section_forces
-from runtime.results.showing import SHOWS
-from runtime.results.solution_card import solution_card
 from runtime.results.stresses import Stresses, StressWay, stresses
 
 if TYPE_CHECKING:
     import xarray
+
+
+# ---- A solution in a notebook: how it ended, what it cost, how exact it is, and its coordinates as small
+# curves.
+
+MOST = 10
+
+
+def solution_card(solution: Samples) -> str:
+    """HTML of a solution."""
+    model, stats, status = solution.model, solution.stats, solution.status
+    m = ",".join(map(str, solution.m)) or "-"
+    wall = stats.get("wall_seconds")
+    cost = f", {float(wall):.3g} s" if isinstance(wall, int | float) else ""
+    balance = f", energy balance {solution.balance}" if len(solution.t) > 2 else ""
+    about = f"{solution.scheme}, dt = {solution.dt:g} s, m = {m}"
+    rates = {f"{name}_dot" for name in model.measures}
+    names = [*followed(model)[0], *(name for name in model.measures if name not in rates)][:MOST]
+    rows = [
+        (
+            name,
+            sparkline(solution[name]),
+            f"{solution[name].min():.4g} to {solution[name].max():.4g}",
+            f"{solution[name][-1]:.6g}",
+        )
+        for name in names
+    ]
+    return card(
+        model.title or model.name,
+        about,
+        line(status._repr_html_())
+        if not status.ok
+        else line(badge(status.name, True) + f" at t = {status.time:.6g} s"),
+        line(
+            f"{len(solution.t)} samples, {stats.get('steps', '?')} steps{cost}; largest constraint error "
+            f"{float(solution.constraint_error.max(initial=0.0)):.2g}{balance}"
+        ),
+        table(rows, ("", "", "range", "at the end")),
+    )
 
 
 @dataclass(repr=False)
@@ -55,7 +95,7 @@ class Solution(Samples):
         beside: a second run, shown pale in the same page.
         Raises ModelError if there is nothing to draw or a surface does not fit, and OutputError.
         """
-        return SHOWS["page"](self, path, surfaces, beside)
+        return OPENS["page"](self, path, surfaces, beside)
 
     def section_forces(
         self, body: str, at: float | Sequence[float] | None = None, way: Way = "equilibrium"

@@ -16,7 +16,7 @@ import numpy as np
 
 from runtime.contract.records import Description
 from runtime.contract.status import Event
-from runtime.results.frame_motion import frame_motion
+from runtime.results.body_motion import frame_motion
 from runtime.results.solution import Solution
 
 END = 1e-9  # of the length: a marker this near to an end is there

@@ -15,8 +15,8 @@ from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import at_home, dependent_part, whole
 from runtime.contract.model import Model
 from runtime.contract.status import Event, Status
+from runtime.engine.rows import evaluate
 from runtime.results.observe import assemble_solution
-from runtime.results.sampling import evaluate
 from runtime.results.solution import Solution
 from runtime.running.limits import with_limits
 from runtime.running.schedule import Schedule

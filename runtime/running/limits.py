@@ -6,8 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from runtime.results.missing import missing_sections, missing_shapes, missing_stresses
-from runtime.results.singular_angles import singular_angles
+from runtime.results.missing import missing_sections, missing_shapes, missing_stresses, singular_angles
 from runtime.results.solution import Solution
 from runtime.running.buckling import ADVICE, buckling
 from runtime.running.monitor import flexible_bodies

@@ -13,7 +13,7 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.model import Model
-from runtime.engine.many_points import ManyPoints
+from runtime.engine.rows import ManyPoints
 from runtime.running.time_functions import force_of_time
 from runtime.schemes.switching.times import SwitchTime
 

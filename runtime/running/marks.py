@@ -9,7 +9,7 @@ import numpy as np
 
 from runtime.contract.coordinates import followed, whole
 from runtime.contract.model import Model
-from runtime.results.sampling import evaluate
+from runtime.engine.rows import evaluate
 from runtime.running.segment import Segment
 
 

@@ -15,12 +15,12 @@ from runtime.contract.coordinates import parts
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.contract.status import Status
+from runtime.engine.rows import evaluate
 from runtime.operating.balance import Clamped
 from runtime.operating.equilibrium import NoEquilibrium
 from runtime.operating.functions import PointFunctions
 from runtime.operating.given_state import given_position
 from runtime.results.observe import assemble_solution, join
-from runtime.results.sampling import evaluate
 from runtime.results.solution import Solution
 from runtime.running.limits import with_limits
 from runtime.schemes.options import SchemeError

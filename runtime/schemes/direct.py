@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import casadi as ca
 
-from runtime.engine.direct import Direct
+from runtime.engine.rows import Direct
 from runtime.schemes.scheme import Scheme
 
 

@@ -1,7 +1,7 @@
 """Sub-steps on held slow coordinates: what `coupled` and `decoupled` share.
 
 In a major step the equations see the slow coordinates q_L where they will be at the middle of the sub-steps; so what
-depends on them only is computed once (runtime/engine/invariants.py takes it out of the sub-step). All coordinates are
+depends on them only is computed once (runtime/engine/prepare.py takes it out of the sub-step). All coordinates are
 advanced by every sub-step with its own acceleration:
 
     v_half = v + h a / 2,   x = x + h v_half,   a = accelerations(held q_L, x_S, v_half + h a_last / 2),

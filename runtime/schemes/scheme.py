@@ -17,8 +17,8 @@ import numpy as np
 from runtime.contract.coordinates import charts_in
 from runtime.contract.model import Model
 from runtime.contract.tape import shared
-from runtime.engine.direct import Direct
 from runtime.engine.program import Call, Fields, Layout, Program, make_stage
+from runtime.engine.rows import Direct
 from runtime.schemes.charts import Charts
 from runtime.schemes.grid import Grid
 from runtime.schemes.options import ClosureOptions, Options, SchemeError

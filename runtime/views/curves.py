@@ -8,13 +8,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from runtime.contract.records import Coordinate
-from runtime.views.mechanism.scenery import scenery
+from runtime.views.mechanism import scenery
 
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
 
 STILL = 1e-12  # m or rad: what moves less than this against its own size has nothing to show
 SAME = 1e-9  # of a curve's size, by which it differs from one that covers it
+# colours of Okabe and Ito, told apart with every usual kind of colour vision; black is kept for totals
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6a4c93")
 SMALL = 1e-3  # of the largest modal coordinate of a body: what stays below is left out
 
 

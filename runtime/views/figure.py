@@ -13,13 +13,13 @@ from matplotlib.ticker import MaxNLocator
 
 from runtime.contract.files import OutputError, replacing
 from runtime.results.notebook_figure import NotebookFigure
-from runtime.views.curves import Curves
-from runtime.views.style import COLOURS
+from runtime.views.curves import COLOURS, Curves
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from runtime.results.solution import Solution
+
 
 PREFIXED = {"m": "m", "N": "N", "N m": "N m", "Pa": "Pa", "J": "J", "W": "W"}
 PREFIXES = ((1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1.0, ""), (1e3, "k"), (1e6, "M"), (1e9, "G"))

@@ -8,14 +8,72 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from runtime.contract.errors import ArgumentError
-from runtime.views.mechanism.points import GROUND, Body
-from runtime.views.mechanism.scenery import Scenery, scenery
-from runtime.views.mechanism.solids import sharp_edges
-from runtime.views.mechanism.tree import shortest_tree
-from runtime.views.projection import axis_labels, projected
+from runtime.contract.model import Model
+from runtime.views.mechanism import GROUND, Body, Scenery, scenery, sharp_edges
 
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
+
+
+# ---- From which side a spatial mechanism is looked at: the direction against gravity is up, seen a little from
+# above.
+
+AZIMUTH, ELEVATION = np.radians(-60.0), np.radians(22.0)
+
+
+def is_spatial(model: Model) -> bool:
+    """Does the mechanism move in three dimensions?"""
+    return bool(model.drawing.get("space") == "spatial")
+
+
+def projected(model: Model, points: np.ndarray) -> np.ndarray:
+    """Picture coordinates (2, ...) of world points (3, ...)."""
+    if not is_spatial(model):
+        return points[:2]
+    return np.tensordot(view_axes(up_axis(model)), points, axes=1)
+
+
+def axis_labels(model: Model) -> tuple[str, str]:
+    """Labels of the picture's axes."""
+    return ("across [m]", f"{'xyz'[up_axis(model)]}, seen from above [m]") if is_spatial(model) else ("x [m]", "y [m]")
+
+
+def up_axis(model: Model) -> int:
+    """The world axis that gravity is along; without gravity z, y in a planar mechanism."""
+    if not is_spatial(model):
+        return 1
+    weights = np.abs(model.description.gravity)
+    return int(np.argmax(weights)) if weights.any() else 2
+
+
+def view_axes(up: int) -> np.ndarray:
+    """Rows: the picture's horizontal and vertical direction in world axes (2 x 3)."""
+    first, second = (up + 1) % 3, (up + 2) % 3
+    axes = np.zeros((2, 3))
+    axes[0, first], axes[0, second] = -np.sin(AZIMUTH), np.cos(AZIMUTH)
+    axes[1, first], axes[1, second] = -np.sin(ELEVATION) * np.cos(AZIMUTH), -np.sin(ELEVATION) * np.sin(AZIMUTH)
+    axes[1, up] = np.cos(ELEVATION)
+    return axes
+
+
+# ---- Which markers of a body are joined by rods: the shortest tree through them, whatever their order in the
+# scene.
+
+
+def shortest_tree(points: np.ndarray) -> list[tuple[int, int]]:
+    """Edges (from, to) of the shortest tree through points (n, 3), those at the same place left out (Prim)."""
+    size = float(np.ptp(points, axis=0).max()) if len(points) else 0.0
+    distance = np.linalg.norm(points[:, None] - points[None], axis=2)
+    inside, edges = [0], []
+    while len(inside) < len(points):
+        outside = [k for k in range(len(points)) if k not in inside]
+        near = distance[np.ix_(inside, outside)]
+        a, b = np.unravel_index(int(near.argmin()), near.shape)
+        if near[a, b] > 1e-9 * size:
+            edges.append((inside[a], outside[b]))
+        inside.append(outside[b])
+    return edges
+
 
 Kind = Literal["beam", "body", "outline", "ghost", "spring", "rod", "joint", "slide", "ground"]
 COILS = 6
@@ -37,7 +95,7 @@ class Line:
 class Film:
     """Lines at the times t (frames,) [s], the exaggeration used, labels of the picture's axes.
 
-    A spatial mechanism is shown from a fixed direction, see projection.py; axes are the world's in a planar one.
+    A spatial mechanism is shown from a fixed direction, see `projected`; axes are the world's in a planar one.
     """
 
     t: np.ndarray

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from runtime.contract.model import Model
+from runtime.views.curves import COLOURS
 from runtime.views.film import Line, lines_of
-from runtime.views.mechanism.scenery import still
-from runtime.views.style import COLOURS
+from runtime.views.mechanism import still
 
 WIDTH, HIGHEST, MARGIN = 300.0, 200.0, 14.0  # pixels
 WIDTHS = {"beam": 3.0, "body": 4.0, "outline": 1.2, "spring": 1.2, "rod": 1.5}

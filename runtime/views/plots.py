@@ -7,29 +7,36 @@ no global state: safe in threads and without a display. `ax`: draw into these ax
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import LineCollection
+from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
 
 from runtime.contract.coordinates import followed
-from runtime.contract.errors import ArgumentError
+from runtime.contract.errors import ArgumentError, ModelError
+from runtime.contract.files import replacing
+from runtime.operating.campbell import Campbell, frequencies_along
+from runtime.results.notebook_figure import NotebookFigure
 from runtime.results.samples import Samples
+from runtime.results.section_forces import Which
+from runtime.results.section_forces import section_forces as forces_along
+from runtime.results.stresses import stresses as stresses_at
 from runtime.views import curves
-from runtime.views.curves import Curves
+from runtime.views.animation import snapshots as snapshots
+from runtime.views.curves import COLOURS, Curves
 from runtime.views.figure import finish, grid, legend, owner, panel, prefixed, title
-from runtime.views.frequencies_picture import frequencies as frequencies
-from runtime.views.section_picture import section_forces as section_forces
-from runtime.views.snapshots import snapshots as snapshots
-from runtime.views.stress_picture import stresses as stresses
-from runtime.views.style import COLOURS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from runtime.results.solution import Solution
+
 
 MAX_PANELS = 12
 MOST_FORCES = 6  # joints in a panel, the largest first
@@ -241,3 +248,213 @@ def _unit(solution: Solution, name: str) -> str:
 def _written(value: float, unit: str) -> str:
     factor, shown = prefixed(np.array([value]), unit)
     return f"{factor * value:.3g} {shown}"
+
+
+# ---- The picture of the frequencies along a motion.
+
+LOWEST = 1e-6  # of the largest frequency: what is slower does not show on the logarithmic axis
+FAINTEST = 0.25  # of a mode that is damped critically or more
+
+
+def frequencies(
+    solution: Solution, path: str | Path | None = None, samples: int = 60, ax: Axes | None = None
+) -> Figure:
+    """Frequencies |lambda| of the linearised equations over time, fainter the more a mode is damped.
+
+    The right axis is the step at which central differences become unstable for an undamped mode, h = 2 / w. Raises
+    ModelError where the model lacks its Jacobians, OutputError.
+    """
+    found = frequencies_along(solution, samples)
+    figure: Figure
+    if ax is None:
+        figure, (own,) = grid(1, title(solution, "frequencies along the motion"))
+    else:
+        figure, own = owner(ax), ax
+    lowest = LOWEST * max(float(found.frequencies.max(initial=0.0)), 1e-300)
+    seen = np.maximum(found.frequencies, lowest)
+    for k, name in enumerate(found.names):
+        points = np.column_stack([found.t, seen[:, k]])
+        colour = np.tile(to_rgba(COLOURS[k % len(COLOURS)]), (len(points) - 1, 1))
+        colour[:, 3] = 1.0 - (1.0 - FAINTEST) * np.clip(np.abs(found.damping_ratios[:-1, k]), 0.0, 1.0)
+        strokes = list(np.stack([points[:-1], points[1:]], axis=1))
+        own.add_collection(LineCollection(strokes, colors=list(map(tuple, colour)), linewidths=1.6))
+        own.plot([], [], color=COLOURS[k % len(COLOURS)], lw=1.6, label=name)
+    own.set_yscale("log")
+    own.set_ylim(0.5 * float(np.min(seen[seen > lowest], initial=seen.max())), 2.0 * float(seen.max()))
+    own.set_xlim(found.t[0], found.t[-1])
+    own.set_xlabel("time [s]", fontsize=9)
+    own.set_ylabel("frequency [rad/s]", fontsize=9)
+    limit = own.secondary_yaxis("right", functions=(_step_limit, _step_limit))
+    limit.set_ylabel("largest step of central differences [s]", fontsize=8)
+    limit.tick_params(labelsize=8)
+    legend(own)
+    if own.get_legend() is not None:
+        own.get_legend().set_bbox_to_anchor((1.2, 0.5))  # beyond the right axis and its words
+    return finish(figure, path)
+
+
+def _step_limit(w: np.ndarray) -> np.ndarray:
+    """h = 2 / w, which is its own inverse."""
+    return np.asarray(2.0 / np.maximum(np.asarray(w, dtype=float), 1e-300))
+
+
+# ---- Section forces along a beam: what every section has to bear, and the instant at which the beam bears most.
+
+PARTS: dict[Which, tuple[str, str]] = {
+    "normal": ("normal force", "N"),
+    "shear": ("shear force along y", "N"),
+    "shear_z": ("shear force along z", "N"),
+    "torsion": ("torsion", "N m"),
+    "moment_y": ("bending moment about y", "N m"),
+    "moment": ("bending moment about z", "N m"),
+}
+NOTHING = 1e-9  # of the largest force or moment of the beam: what stays below is not drawn
+
+
+def section_forces(solution: Solution, body: str, path: str | Path | None = None) -> Figure:
+    """Normal and shear forces, torsion and bending moments along the beam `body`, those that there are.
+
+    Grey: between the least and the largest value of each section over the run; the line is the instant at which the
+    largest magnitude is met. Raises ModelError for a body whose section forces are not known, OutputError.
+    """
+    found = forces_along(solution, body)
+    values = {name: np.nan_to_num(np.asarray(getattr(found, name))) for name in PARTS}
+    sizes = {
+        unit: max(float(np.abs(values[k]).max()) for k, part in PARTS.items() if part[1] == unit)
+        for unit in ("N", "N m")
+    }
+    drawn = [k for k, (_, unit) in PARTS.items() if np.abs(values[k]).max() > NOTHING * max(sizes[unit], 1e-300)]
+    figure, axes = grid(max(len(drawn), 1), title(solution, f"section forces of {body}"), shared=False)
+    for k, (ax, name) in enumerate(zip(axes, drawn, strict=False)):
+        what, own = PARTS[name]
+        factor, unit = prefixed(values[name], own)
+        largest = found.largest(name)
+        sample = int(np.argmin(np.abs(found.t - largest.t)))
+        low, high = factor * values[name].min(axis=0), factor * values[name].max(axis=0)
+        ax.fill_between(found.at, low, high, color="0.85", lw=0, label="over the run")
+        ax.plot(found.at, factor * values[name][sample], color=COLOURS[0], lw=1.4, label=f"t = {largest.t:.4g} s")
+        ax.axhline(0.0, color="0.6", lw=0.7)
+        ax.set_xlim(0.0, 1.0)
+        about = f"{what}, at most {factor * abs(largest.value):.3g} {unit}"
+        ax.set_title(about, fontsize=9.5, loc="left", fontweight="bold")
+        ax.set_ylabel(f"[{unit}]", fontsize=9)
+        ax.set_xlabel("" if k < len(drawn) - 2 else "part of the length", fontsize=9)
+        legend(ax)
+    return finish(figure, path)
+
+
+# ---- Von Mises stress at the gauges of a finite-element body over time, by equilibrium and as the sum of modes.
+
+MOST_GAUGES = 8
+
+
+def stresses(solution: Solution, body: str, path: str | Path | None = None) -> Figure:
+    """The gauges of `body` that bear most, the most loaded first; dashed: what the modes say.
+
+    Raises ModelError for a body without gauges, OutputError.
+    """
+    modal = stresses_at(solution, body, way="modes")
+    try:
+        found, ways = stresses_at(solution, body), [("-", "equilibrium"), ("--", "modes")]
+    except ModelError:  # gauges that know modal stresses only
+        found, ways = modal, [("--", "modes")]
+    shown = np.argsort(-found.von_mises.max(axis=0))[:MOST_GAUGES]
+    figure, (ax,) = grid(1, title(solution, f"von Mises stress of {body}"))
+    factor, unit = prefixed(found.von_mises[:, shown], "Pa")
+    for k, gauge in enumerate(shown):
+        for style, way in ways:
+            values = (found if way == "equilibrium" else modal).von_mises[:, gauge]
+            name = f"{found.gauges[gauge]}, {way}"
+            ax.plot(found.t, factor * values, style, color=COLOURS[k % len(COLOURS)], lw=1.2, label=name)
+    largest = found.largest()
+    about = f"at most {factor * largest.value:.3g} {unit}, {largest.gauge} at {largest.t:.4g} s"
+    ax.set_title(about, fontsize=9.5, loc="left", fontweight="bold")
+    ax.set_ylabel(f"[{unit}]", fontsize=9)
+    ax.set_xlabel("t [s]", fontsize=9)
+    legend(ax)
+    return finish(figure, path)
+
+
+# ---- The picture of a Campbell diagram.
+
+MOST_NAMED = 12  # modes in the legend
+
+
+def campbell_picture(found: Campbell, path: str | Path | None = None) -> Figure:
+    """Frequencies of the followed modes over the speed or parameter; with a path it also writes the file.
+
+    Along a speed, frequency = speed is drawn too. Raises OutputError if the file cannot be written.
+    """
+    figure = NotebookFigure(figsize=(8, 5), layout="constrained")
+    FigureCanvasAgg(figure)
+    ax = figure.add_subplot()
+    for k, name in enumerate(found.names):
+        label = f"{k + 1} {name}" if k < MOST_NAMED else None
+        ax.plot(found.values, found.frequencies[:, k], color=COLOURS[k % len(COLOURS)], label=label)
+    if found.is_speed:
+        ax.plot(found.values, abs(found.values), color="0.4", lw=0.9, ls="--", label="frequency = speed")
+    ax.set_xlabel(f"{found.over} [rad/s]" if found.is_speed else found.over)
+    ax.set_ylabel("frequency [rad/s]")
+    ax.set_ylim(bottom=0.0)
+    ax.set_title(found.model.title or found.model.name, fontsize=10, loc="left")
+    figure.legend(*ax.get_legend_handles_labels(), fontsize=8, frameon=False, loc="outside right center")
+    ax.grid(True, color="0.92")
+    if path is not None:
+        with replacing(path) as temporary:
+            figure.savefig(temporary, dpi=130)
+    return figure
+
+
+# ---- The picture of an ensemble: values of whole runs over what was varied, or the bundle of all histories.
+
+MOST_PANELS, MOST_CURVES = 8, 100
+BAND = (5, 50, 95)  # percent
+
+
+def ensemble_picture(
+    title: str,
+    varied: Mapping[str, np.ndarray],
+    values: Mapping[str, np.ndarray],
+    time: np.ndarray | None = None,
+    path: str | Path | None = None,
+) -> NotebookFigure:
+    """Panels of the first values (cases,), or (cases, times) over `time`; with a path it also writes the file.
+
+    varied: parameters and initial values by name (cases,). The second of them is the colour. Raises OutputError.
+    """
+    shown = dict(list(values.items())[:MOST_PANELS])
+    figure, axes = grid(len(shown), title, shared=time is not None)
+    for ax, (name, found) in zip(axes, shown.items(), strict=True):
+        if time is not None:
+            _bundle(ax, time, found)
+        else:
+            _over(figure, ax, varied, found)
+        ax.set_ylabel(name)
+    for ax in axes[-2:]:
+        ax.set_xlabel("time [s]" if time is not None else next(iter(varied)))
+    if path is not None:
+        with replacing(path) as temporary:
+            figure.savefig(temporary)
+    return figure
+
+
+def _bundle(ax: Axes, time: np.ndarray, found: np.ndarray) -> None:
+    """Some histories, and between which values most of them are."""
+    chosen = np.unique(np.linspace(0, len(found) - 1, MOST_CURVES).astype(int))
+    ax.plot(time, found[chosen].T, color="0.75", lw=0.4)
+    good = found[np.isfinite(found).all(axis=1)]
+    if len(good):
+        low, middle, high = np.percentile(good, BAND, axis=0)
+        ax.fill_between(time, low, high, color=COLOURS[0], alpha=0.25, lw=0)
+        ax.plot(time, middle, color=COLOURS[0], lw=1.2)
+
+
+def _over(figure: NotebookFigure, ax: Axes, varied: Mapping[str, np.ndarray], found: np.ndarray) -> None:
+    """Points over the first of what was varied, a line where nothing else was."""
+    names: Sequence[str] = list(varied)
+    if len(names) == 1:
+        order = np.argsort(varied[names[0]])
+        ax.plot(varied[names[0]][order], found[order], color=COLOURS[0], marker=".", ms=3, lw=0.8)
+        return
+    points = ax.scatter(varied[names[0]], found, c=varied[names[1]], s=8, cmap="viridis", linewidths=0, zorder=3)
+    figure.colorbar(points, ax=ax, label=names[1], pad=0.01)

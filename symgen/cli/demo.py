@@ -59,7 +59,7 @@ def demo(arguments: argparse.Namespace) -> Outcome:
 def _moving(solution: Solution, folder: Path) -> dict[str, str]:
     """A film and a page; nothing for a scene without bodies to draw."""
     from runtime.views.animation import animate
-    from runtime.views.viewer import write_view
+    from runtime.views.viewer.page import write_view
 
     if not solution.model.has("geometry"):
         return {}

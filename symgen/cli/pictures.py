@@ -17,7 +17,7 @@ def view(arguments: argparse.Namespace) -> Outcome:
     One HTML file that works from a double click, without network: turn, zoom, play, exaggerate, curves. RESULTS is
     a folder left by `simulate --out` or `demo`; a SCENE is simulated first.
     """
-    from runtime.views.viewer import write_view
+    from runtime.views.viewer.page import write_view
 
     solution, folder = loaded_or_run(arguments)
     default = folder / "view.html" if folder else Path(f"{solution.model.name}.html")

@@ -67,8 +67,7 @@ def modes(arguments: argparse.Namespace) -> Outcome:
     Damping, gyroscopic and geometric terms included; rigid-body modes are named. With --out each mode leaves a
     period of its motion as a solution, mode1.npz and so on.
     """
-    from runtime.operating.mode_motion import mode_motion
-    from runtime.operating.modes import modes
+    from runtime.operating.modes import mode_motion, modes
 
     model = opened_model(arguments.scene, arguments.made_with)
     point = found_equilibrium(model, arguments)
@@ -99,7 +98,7 @@ def campbell(arguments: argparse.Namespace) -> Outcome:
     import numpy as np
 
     from runtime.operating.campbell import campbell
-    from runtime.views.campbell_picture import campbell_picture
+    from runtime.views.plots import campbell_picture
 
     if arguments.points < 2:
         raise UsageError("--points must be at least 2")
@@ -197,7 +196,7 @@ def _unbalance(arguments: argparse.Namespace) -> Any:
     """The same of a rotor at each speed."""
     import numpy as np
 
-    from runtime.operating.unbalance import unbalance_response
+    from runtime.operating.campbell import unbalance_response
 
     if not arguments.over or not arguments.at or len(arguments.at) != 2 or arguments.input or arguments.frequencies:
         raise UsageError("--unbalance needs --over NAME=FROM:TO and --at X,Y, and neither --input nor --frequencies")

@@ -34,7 +34,7 @@ def sweep(arguments: argparse.Namespace) -> Outcome:
 
     from runtime.contract.files import try_writing
     from runtime.studies.ensemble.answer_files import check_suffix, variables, write_answer
-    from runtime.views.ensemble_picture import ensemble_picture
+    from runtime.views.plots import ensemble_picture
 
     if arguments.out:
         check_suffix(arguments.out)

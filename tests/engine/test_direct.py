@@ -5,7 +5,7 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 
-from runtime.engine.direct import Direct
+from runtime.engine.rows import Direct
 
 
 def test_all_outputs_come_as_one_vector_that_stays() -> None:

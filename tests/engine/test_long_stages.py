@@ -7,7 +7,7 @@ import pytest
 
 from runtime import load_model, simulate
 from runtime.engine import prepare, program
-from runtime.engine.tiers import program_length
+from runtime.engine.llvm_code import program_length
 from runtime.results.solution import Solution
 from runtime.schemes import stored_system
 from runtime.schemes.catalogue import scheme_kind

@@ -13,9 +13,9 @@ import pytest
 
 from runtime.contract.model import Model
 from runtime.engine import llvm_code, object_cache
+from runtime.engine.llvm_code import BEST, FIRST
 from runtime.engine.llvm_ir import Form
 from runtime.engine.object_cache import ObjectCache
-from runtime.engine.tiers import BEST, FIRST
 from symgen.cli import main
 from tests.support.step_programs import step_program
 

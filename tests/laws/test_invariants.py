@@ -12,8 +12,7 @@ import pytest
 from runtime.contract.model import Model
 from runtime.contract.tape import as_function, read_tape
 from runtime.engine.interpreted import InterpretedProgram
-from runtime.engine.invariants import hoist_invariants, widened
-from runtime.engine.prepare import prepare
+from runtime.engine.prepare import hoist_invariants, prepare, widened
 from runtime.engine.program import Program, Repeat, Sequence
 from runtime.running.simulate import make_plan
 from runtime.schemes.stepper import start_vector

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from runtime import Solution, reference_solution, simulate
-from runtime.baselines import scipy_solution, sundials_solution
+from runtime.baselines.scipy_methods import scipy_solution
+from runtime.baselines.sundials import sundials_solution
 from runtime.contract.model import Model
 from runtime.engine.compiled import find_compiler
 from runtime.engine.llvm_code import find_llvm

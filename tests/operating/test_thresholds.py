@@ -10,14 +10,12 @@ import numpy as np
 import pytest
 
 from runtime import Model
-from runtime.operating.balance import Clamped
+from runtime.operating.balance import Balance, Clamped, balanced, trimmed
+from runtime.operating.campbell import ModeState, tracked
 from runtime.operating.equilibrium import NoEquilibrium, equilibrium, is_steady
 from runtime.operating.functions import PointFunctions, PointValues
 from runtime.operating.linearise import linearise
 from runtime.operating.modal import modal_analysis
-from runtime.operating.newton import Balance, balanced
-from runtime.operating.tracking import ModeState, tracked
-from runtime.operating.trim import trimmed
 from symgen.scene import Scene, SceneBuilder
 
 UNIT = np.eye(2)

@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 
 from runtime import Model, ModelError, Sampled, Solution, reference_solution, simulate
 from runtime.contract.coordinates import followed
-from runtime.results.amplitudes import floored
+from runtime.results.motion_error import floored
 from runtime.running.companion import coprime, steps_of_mark
 from symgen.scene import Scene, SceneBuilder
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from runtime import Model, Sampled, Solution, resume, simulate
-from runtime.results.energy_balance import energy_balance
+from runtime.results.samples import energy_balance
 from symgen.scene import Scene, SceneBuilder
 
 Load = Callable[[str], Model]

@@ -10,7 +10,7 @@ import pytest
 
 from runtime import Solution, simulate
 from runtime.contract.model import Model
-from runtime.results.frame_motion import frame_motion
+from runtime.results.body_motion import frame_motion
 from symgen.scene import Scene, SceneBuilder
 from tests.hand_derived.spatial.twin_spatial import euler_A
 from tests.support.spatial_motion import frames

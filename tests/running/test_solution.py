@@ -23,9 +23,9 @@ from runtime.contract.records import (
     PointRecord,
 )
 from runtime.contract.status import Status
-from runtime.results.export import table
+from runtime.results.export import as_json, table
 from runtime.results.solution import Solution
-from runtime.views.report import as_json, as_markdown, run_report, write_report
+from runtime.views.report import as_markdown, run_report, write_report
 
 
 def rod_model() -> Model:

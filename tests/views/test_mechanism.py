@@ -9,10 +9,8 @@ import numpy as np
 import pytest
 
 from runtime import Solution, load_model, simulate
-from runtime.views.mechanism.exaggeration import exaggerated, following
-from runtime.views.mechanism.points import Points, bodies
-from runtime.views.mechanism.scenery import scenery
-from runtime.views.mechanism.tree import shortest_tree
+from runtime.views.film import shortest_tree
+from runtime.views.mechanism import Points, bodies, exaggerated, following, scenery
 from symgen.scenes import generated_folder
 
 MEETING = ("revolute", "spherical", "universal", "weld")  # joints that hold two points together

@@ -11,7 +11,7 @@ import pytest
 from runtime import load_model, simulate
 from runtime.contract.records import ShapeRecord
 from runtime.views.film import film
-from runtime.views.mechanism.solids import AROUND, RINGS, Solid, solid
+from runtime.views.mechanism import AROUND, RINGS, Solid, solid
 from runtime.views.viewer.record import view_record
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder, SceneError, read_mesh

@@ -13,9 +13,8 @@ import pytest
 from runtime import load_model, simulate
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
-from runtime.views.viewer import view
-from runtime.views.viewer.record import view_record
-from runtime.views.viewer.section_stress import torsion_factors
+from runtime.views.viewer.page import view
+from runtime.views.viewer.record import torsion_factors, view_record
 from symgen.scene import Scene, SceneBuilder, SceneError
 from symgen.scenes import SCENES, generated_folder
 from tests.support.browser import used

@@ -13,12 +13,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import runtime.views.viewer as viewer
+import runtime.views.viewer.page as viewer
 from runtime import Solution, load_model, simulate
 from runtime.contract.errors import ModelError
 from runtime.contract.files import OutputError
-from runtime.views.mechanism.scenery import scenery
-from runtime.views.viewer import view
+from runtime.views.mechanism import scenery
+from runtime.views.viewer.page import view
 from runtime.views.viewer.record import view_record
 from symgen.scenes import generated_folder
 from tests.support.browser import screenshot, used

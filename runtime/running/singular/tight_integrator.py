@@ -11,8 +11,8 @@ import numpy as np
 from runtime.baselines.condensed_ode import CondensedOde, integrated
 from runtime.contract.model import Model
 from runtime.contract.status import Status
+from runtime.engine.rows import evaluate
 from runtime.results.observe import assemble_solution, join
-from runtime.results.sampling import evaluate
 from runtime.results.solution import Solution
 from runtime.running.singular.loop_determinants import LoopDeterminants
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from runtime.results.sampling import evaluate
+from runtime.engine.rows import evaluate
 from runtime.running.segment import Segment
 from runtime.running.singular.crossing import Crossing, between
 from runtime.running.singular.tight_integrator import TightIntegrator

@@ -17,7 +17,7 @@ import numpy as np
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.contract.tape import node_value, read_tape
-from runtime.engine.many_points import ManyPoints
+from runtime.engine.rows import ManyPoints
 from runtime.schemes.switching.enclosure import Enclosure
 
 MOST_TIMES = 100_000

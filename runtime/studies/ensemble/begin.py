@@ -17,7 +17,7 @@ from runtime.contract.consistent_state import MAX_ITERATIONS
 from runtime.contract.model import Model
 from runtime.engine.prepare import Prepared
 from runtime.engine.program import Call, Fields, Layout, Program, Repeat, Sequence, Until, make_stage
-from runtime.operating.assembly import closable, closing, fitting
+from runtime.operating.given_state import closable, closing, fitting
 from runtime.running.segment import HIGHEST, LOWEST
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import start_there

@@ -1,4 +1,4 @@
-"""Quasi-static starts of lanes: the steps of runtime/start/settling.py, on the fields of a row.
+"""Quasi-static starts of lanes: the steps of runtime/start/quasi_static.py, on the fields of a row.
 
 settle       is the lane to be settled?                                   given
 settled      did it stay in its valley until now?                         else the case is run by itself
@@ -16,8 +16,7 @@ import casadi as ca
 from runtime.contract.model import Model
 from runtime.engine.program import Call, Fields, Layout, Program, Repeat, Sequence, Until
 from runtime.schemes.scheme import LARGEST
-from runtime.start.elastic_residual import elastic_residual, positions
-from runtime.start.settling import MAX_STEPS, PASSES, leading, settles, settling
+from runtime.start.quasi_static import MAX_STEPS, PASSES, elastic_residual, leading, positions, settles, settling
 
 USUAL_STEPS = 4
 Stage = Callable[[str, Callable[[Fields], Mapping[str, ca.SX]]], Call]

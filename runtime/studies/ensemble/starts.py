@@ -10,8 +10,7 @@ from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import dependent_part, independent
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
-from runtime.operating.assembly import closable
-from runtime.operating.given_state import angle_starts, keeps_independent, spin_names
+from runtime.operating.given_state import angle_starts, closable, keeps_independent, spin_names
 from runtime.running.inputs import started
 from runtime.running.schedule import Schedule
 from runtime.start.start_state import start_state

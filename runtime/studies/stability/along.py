@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from runtime.baselines.reference import reference_solution
+from runtime.baselines.scipy_methods import reference_solution
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import State, state_at
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from runtime.contract.coordinates import followed
 from runtime.contract.files import write_text
-from runtime.results.as_json import as_json
+from runtime.results.export import as_json
 from runtime.studies.work_precision.comparison import Comparison, WorkCurve
 from runtime.studies.work_precision.comparison_page import comparison_page
 from runtime.studies.work_precision.comparison_pictures import picture_evaluations, picture_times

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
+from runtime.engine.rows import evaluate
 from runtime.results.observe import join
-from runtime.results.sampling import evaluate
 from runtime.studies.work_precision.prepared_method import PreparedMethod
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from runtime.contract.coordinates import followed, whole
-from runtime.results.sampling import evaluate
+from runtime.engine.rows import evaluate
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.broken_steps import BrokenSteps

@@ -13,7 +13,7 @@ from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model, refuse_events
-from runtime.results.amplitudes import floored
+from runtime.results.motion_error import floored
 from runtime.start.start_state import start_state
 from runtime.studies.work_precision.reference_path import reference_path
 from runtime.studies.work_precision.self_reference import MARGIN, TooLong, self_reference

@@ -11,7 +11,7 @@ from runtime.baselines.scipy_methods import counted, in_pieces
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
-from runtime.engine.functions import evaluator
+from runtime.engine.rows import evaluator
 
 
 class NoReference(NoResult):

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from runtime.contract.files import write_text
-from runtime.results.as_json import as_json
+from runtime.results.export import as_json
 from runtime.studies.advice.advise import Advice
 from runtime.studies.work_precision.comparison import Comparison
 from runtime.studies.work_precision.comparison_files import STYLE

@@ -3,25 +3,292 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from runtime.contract.errors import ModelError
 from runtime.contract.records import packed
+from runtime.results.section_forces import SectionForces, section_forces
 from runtime.views import curves
-from runtime.views.curves import Curves
-from runtime.views.mechanism.points import GROUND, Body, Points
-from runtime.views.mechanism.scenery import Scenery, scenery
-from runtime.views.mechanism.tree import shortest_tree
-from runtime.views.projection import is_spatial, up_axis
-from runtime.views.style import COLOURS
-from runtime.views.viewer.meshes import SurfaceMesh, beam_mesh, solid_mesh, surface_mesh
-from runtime.views.viewer.parts import parts
-from runtime.views.viewer.stress import stress_records
+from runtime.views.curves import COLOURS, Curves, force_vectors, moment_vectors
+from runtime.views.film import is_spatial, shortest_tree, up_axis
+from runtime.views.mechanism import GROUND, Body, Points, Scenery, Solid, scenery
 
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
+
+
+# ---- Von Mises stress at the rim of a beam's section, which is drawn as the rectangle of its area and second
+# moments.
+#
+# sigma = N / A - M y / I_z + M_y z / I_y;  tau of shear forces by Zhuravskii, 3 Q / (2 A) at the middles of the
+# sides along Q and none at the others, tau of torsion by Saint-Venant's series for a rectangle; sqrt(sigma^2 + 3
+# tau^2). Corners carry no shear stress.
+
+# corners and middles of the sides of a section, around it, in halves of its height (along y) and width (along z)
+RIM = ((-1, -1), (0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0))
+TERMS = np.arange(1, 60, 2)
+
+
+def rim_stress(forces: SectionForces, height: float, width: float) -> np.ndarray:
+    """(N, sections, 8) [Pa] at the places of RIM; height, width [m] of the rectangle. NaN forces count as none."""
+    N, Q, Q_z, T, M_y, M = (
+        np.nan_to_num(values)
+        for values in (forces.normal, forces.shear, forces.shear_z, forces.torsion, forces.moment_y, forces.moment)
+    )
+    area = height * width
+    bent, aside = 6 * M / (width * height**2), 6 * M_y / (height * width**2)
+    at_y, at_z = torsion_factors(height, width)
+    found = []
+    for y, z in RIM:
+        # torsion about x: along z where y > 0, against y where z > 0
+        along_y = z * z * (1 - y * y) * (1.5 * Q / area - z * T * at_z)
+        along_z = y * y * (1 - z * z) * (1.5 * Q_z / area + y * T * at_y)
+        found.append(np.sqrt((N / area - y * bent + z * aside) ** 2 + 3 * (along_y**2 + along_z**2)))
+    return np.stack(found, axis=2)
+
+
+def torsion_factors(height: float, width: float) -> tuple[float, float]:
+    """Shear stress over torque [1/m^3] in the middle of the sides y = +-height / 2, then of z = +-width / 2."""
+    long, short = max(height, width), min(height, width)
+    ratio = long / short
+    thin = np.tanh(TERMS * np.pi * ratio / 2)
+    constant = long * short**3 * (1 / 3 - 64 / (np.pi**5 * ratio) * float(np.sum(thin / TERMS**5)))
+    middle = 1 - 8 / np.pi**2 * float(np.sum(1 / (TERMS**2 * np.cosh(np.minimum(TERMS * np.pi * ratio / 2, 300.0)))))
+    end = 8 / np.pi**2 * float(np.sum((-1.0) ** ((TERMS - 1) // 2) * thin / TERMS**2))
+    of_long, of_short = middle * short / constant, end * short / constant
+    return (of_short, of_long) if height >= width else (of_long, of_short)
+
+
+# ---- Surfaces that move with a body's modes: prisms along beams, and given triangles.
+
+MOST_TRIANGLES = 200_000
+KEYS = ("vertices", "triangles", "shapes")
+
+
+@dataclass(frozen=True, eq=False)
+class SurfaceMesh:
+    """points: the vertices; triangles (m, 3): three vertices each; H of every `per` vertices in turn is the same.
+
+    stresses (n, 6, nf): xx yy zz yz xz xy [Pa] of each vertex per unit of q_f, where they are known.
+    """
+
+    points: Points
+    triangles: np.ndarray
+    per: int = 1
+    stresses: np.ndarray | None = None
+    von_mises: np.ndarray | None = None
+
+
+def beam_mesh(body: Body) -> SurfaceMesh:
+    """A prism with the beam's own section: eight vertices a station, turned with it by the deformation."""
+    assert body.section is not None
+    stations, (height, width) = body.stations, body.section
+    n, nf, rim = len(stations.names), stations.shapes.shape[2], len(RIM)
+    places = np.array([[0.0, y * height, z * width] for y, z in RIM]) / 2.0
+    position = (stations.position[:, None] + places[None]).reshape(-1, 3)
+    arm = np.broadcast_to(places[None, :, :, None], (n, rim, 3, nf))
+    turned = np.cross(np.broadcast_to(stations.turns[:, None], (n, rim, 3, nf)), arm, axis=2)
+    shapes = (stations.shapes[:, None] + turned).reshape(-1, 3, nf)
+    sides = [
+        (first + i, first + (i + 1) % rim, first + rim + i, first + rim + (i + 1) % rim)
+        for first in range(0, rim * (n - 1), rim)
+        for i in range(rim)
+    ]
+    triangles = [part for a, b, c, d in sides for part in ((a, b, d), (a, d, c))]
+    last = rim * (n - 1)
+    fan = [(i, (i + 1) % rim) for i in range(2, rim)]  # about the middle of a side
+    triangles += [part for i, j in fan for part in ((1, j, i), (last + 1, last + i, last + j))]
+    return SurfaceMesh(_points(position, shapes, stations.H), np.array(triangles), per=rim)
+
+
+def solid_mesh(solid: Solid) -> SurfaceMesh:
+    """The shapes of a rigid body, which has no modes."""
+    return SurfaceMesh(
+        _points(solid.vertices, np.zeros((len(solid.vertices), 3, 0)), np.zeros((0, 0, 0))), solid.triangles
+    )
+
+
+def surface_mesh(body: Body, surface: Mapping[str, Any]) -> SurfaceMesh:
+    """Given triangles: vertices (n, 3) [m] in the axes of the body, triangles (m, 3), shapes and stresses per mode.
+
+    von_mises, if given: (samples, n) [Pa] of the motion, which goes before the stresses of the modes.
+    Raises ModelError for other sizes, for numbers that are not finite, and for vertices that are not there.
+    """
+    missing = [key for key in KEYS if key not in surface]
+    if missing:
+        raise ModelError(f"the surface of {body.name} has no {missing[0]}; it needs {', '.join(KEYS)}")
+    position, shapes = (np.asarray(surface[key], dtype=float) for key in ("vertices", "shapes"))
+    triangles = np.asarray(surface["triangles"])
+    n, nf = len(position), len(body.elastic)
+    if position.shape != (n, 3) or shapes.shape != (n, 3, nf) or triangles.ndim != 2 or triangles.shape[1:] != (3,):
+        raise ModelError(
+            f"the surface of {body.name} must have vertices (n, 3), triangles (m, 3) and shapes (n, 3, {nf}), not "
+            f"{position.shape}, {triangles.shape} and {shapes.shape}"
+        )
+    if not (np.all(np.isfinite(position)) and np.all(np.isfinite(shapes))):
+        raise ModelError(f"the surface of {body.name} holds numbers that are not finite")
+    if triangles.dtype.kind not in "iu" or (triangles.size and not 0 <= triangles.min() <= triangles.max() < n):
+        raise ModelError(f"the triangles of {body.name} must be whole numbers from 0 to {n - 1}: places of vertices")
+    if len(triangles) > MOST_TRIANGLES:
+        raise ModelError(
+            f"the surface of {body.name} has {len(triangles)} triangles; at most {MOST_TRIANGLES} are shown"
+        )
+    stresses = np.asarray(surface["stresses"], dtype=float) if "stresses" in surface else None
+    if stresses is not None and (stresses.shape != (n, 6, nf) or not np.all(np.isfinite(stresses))):
+        raise ModelError(f"the stresses of {body.name} must be finite and (n, 6, nf) = {(n, 6, nf)}")
+    mises = np.asarray(surface["von_mises"], dtype=float) if "von_mises" in surface else None
+    if mises is not None and (mises.shape[1:] != (n,) or not np.all(np.isfinite(mises))):
+        raise ModelError(f"von_mises of {body.name} must be finite and (samples, {n}), not {mises.shape}")
+    return SurfaceMesh(_points(position, shapes, np.zeros((0, nf, nf))), triangles, stresses=stresses, von_mises=mises)
+
+
+def _points(position: np.ndarray, shapes: np.ndarray, H: np.ndarray) -> Points:
+    n, nf = len(position), shapes.shape[2]
+    return Points([""] * n, position, np.zeros((0, 3, 3)), shapes, np.zeros((0, 3, nf)), H)
+
+
+# ---- Von Mises stresses that colour a page: of finite-element surfaces, and at the rims of the sections of
+# beams.
+
+STRESS_SAMPLES = 300
+PER_SIDE = ("t", "q", "q_dot", "q_ddot", "lam")
+
+
+def stress_records(
+    solution: Solution, shown: Scenery, meshes: Mapping[str, SurfaceMesh | None]
+) -> tuple[dict[str, dict[str, str]], float]:
+    """({body: what the page needs of its stress}, the largest stress [Pa]); bodies of unknown stress are left out.
+
+    `modes` (n, 6, nf): xx yy zz yz xz xy of each vertex per unit of q_f; or `vertices` (frames, vertices), those of
+    a beam eight a station.
+    """
+    found: dict[str, dict[str, str]] = {}
+    largest = 0.0
+    for body in shown.bodies:
+        mesh = meshes[body.name]
+        if mesh is None or not body.elastic:
+            continue
+        if mesh.von_mises is not None:
+            values = _between(solution, body, mesh.von_mises, shown.t)
+            found[body.name] = {"vertices": packed(values)}
+            largest = max(largest, float(values.max(initial=0.0)))
+        elif mesh.stresses is not None:
+            found[body.name] = {"modes": packed(mesh.stresses)}
+            largest = max(largest, _von_mises(mesh.stresses, shown.q_f(body)))
+        elif body.section is not None and (rims := _rims(solution, body, shown.t)) is not None:
+            found[body.name] = {"vertices": packed(rims)}
+            largest = max(largest, float(rims.max()))
+    return found, largest
+
+
+def _von_mises(stresses: np.ndarray, q_f: np.ndarray) -> float:
+    """The largest of all vertices and frames."""
+    most = 0.0
+    for row in q_f:
+        xx, yy, zz, yz, xz, xy = (stresses @ row).T
+        square = ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (yz**2 + xz**2 + xy**2)
+        most = max(most, float(square.max()))
+    return float(np.sqrt(most))
+
+
+def _between(solution: Solution, body: Body, values: np.ndarray, t: np.ndarray) -> np.ndarray:
+    """(frames, n) of values (samples, n). Raises ModelError for other samples than those of the run."""
+    if len(values) != len(solution.t):
+        raise ModelError(f"von_mises of {body.name} has {len(values)} samples; the run has {len(solution.t)}")
+    return np.stack([np.interp(t, solution.t, column) for column in values.T], axis=1)
+
+
+def _rims(solution: Solution, body: Body, t: np.ndarray) -> np.ndarray | None:
+    """(frames, stations, 8), vertices as `beam_mesh` has them; None for a beam whose section forces are not known."""
+    assert body.section is not None
+    height, width = body.section
+    x = body.stations.position[:, 0]
+    kept = np.unique(np.linspace(0, len(solution.t) - 1, min(len(solution.t), STRESS_SAMPLES)).round().astype(int))
+    few: Any = replace(solution, **{key: getattr(solution, key)[kept] for key in PER_SIDE})
+    try:
+        forces = section_forces(few, body.name, list((x - x[0]) / (x[-1] - x[0])))
+    except ModelError:
+        return None
+    rims = rim_stress(forces, height, width).reshape(len(kept), -1)
+    at = np.stack([np.interp(t, few.t, column) for column in rims.T], axis=1)
+    return at.reshape(len(t), len(x), len(RIM))
+
+
+# ---- Joints, springs and loads of the page: their markers, and forces over time.
+
+TURNING = ("torque", "rotational_spring_damper")
+
+
+def parts(solution: Solution, shown: Scenery) -> dict[str, Any]:
+    """Joints and loads at their markers; forces of the joints on their body b."""
+    place = {body.name: k for k, body in enumerate(shown.bodies)}
+
+    def at(reference: str) -> list[int]:
+        body, k = shown.marker(reference)
+        return [place[body.name], k]
+
+    def axes(reference: str) -> list[float]:
+        body, k = shown.marker(reference)
+        return list(map(float, body.markers.axes[k].ravel()))
+
+    forces = force_vectors(solution.joint_forces) if solution.joint_forces.size else None
+    largest = 0.0 if forces is None else float(np.linalg.norm(forces, axis=2).max())
+    joints = []
+    for joint in shown.joints:
+        force = None
+        if forces is not None and joint["name"] in solution.model.joints and largest > 0.0:
+            column = forces[:, solution.model.joints.index(joint["name"])]
+            force = packed(np.stack([np.interp(shown.t, solution.t, part) for part in column.T], axis=1))
+        joints.append(
+            {
+                "name": joint["name"],
+                "type": joint["type"],
+                "a": at(joint["marker_a"]),
+                "b": at(joint["marker_b"]),
+                "axes": axes(joint["marker_a"]),
+                "rail": _rail(shown, joint) if joint["drawing"] == "slide" else None,
+                "force": force,
+                "shown": joint["drawing"] != "drive",
+            }
+        )
+    vectors = force_vectors(solution.load_forces) + moment_vectors(solution.load_forces)  # a load has one of them
+    kinds = {load["name"]: load["type"] for load in shown.loads}
+    loads = []
+    for k, record in enumerate(solution.model.description.loads):
+        load = next(one for one in shown.loads if one["name"] == record.name)
+        first = load.get("marker_a") or load["marker"]
+        vector = np.stack([np.interp(shown.t, solution.t, part) for part in vectors[:, k].T], axis=1)
+        part = {
+            "name": load["name"],
+            "type": load["type"],
+            "a": at(first),
+            "axes": axes(first),
+            "vector": packed(vector),
+        }
+        loads.append({**part, "b": at(load["marker_b"])} if load.get("marker_b") else part)
+    sizes = np.linalg.norm(vectors, axis=2).max(axis=0, initial=0.0)
+    pulling = [size for name, size in zip(kinds, sizes, strict=True) if kinds[name] == "force"]
+    turning = [size for name, size in zip(kinds, sizes, strict=True) if kinds[name] in TURNING]
+    return {
+        "joints": joints,
+        "loads": loads,
+        "largest_force": largest,
+        "largest_load": float(max(pulling, default=0.0)),
+        "largest_torque": float(max(turning, default=0.0)),
+    }
+
+
+def _rail(shown: Scenery, joint: Mapping[str, Any]) -> list[float]:
+    """Where the rail of a slide begins and ends along marker a's axis [m]: the travel, and a little more."""
+    axis = shown.axes(joint["marker_a"])[:, :, 2 if is_spatial(shown.model) else 0]
+    way = shown.place(joint["marker_b"], 1.0) - shown.place(joint["marker_a"], 1.0)
+    travel = np.einsum("fi,fi->f", way, axis)
+    more = 0.08 * shown.size()
+    return [float(travel.min()) - more, float(travel.max()) + more]
+
 
 MOST_FRAMES, MOST_SAMPLES, MOST_CURVES = 500, 800, 8
 

@@ -1,1 +1,0 @@
-"""The mechanism as pictures need it: bodies with their points, poses over time, exaggeration without gaps."""
