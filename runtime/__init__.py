@@ -10,6 +10,7 @@ The rooms, from what everything stands on to what stands on everything:
     start       where a motion starts
     baselines   established integrators on the same equations
     running     a run: its loop, its checks, singular positions, checkpoints
+    export      a model handed on: plain C, FMUs
     gradients   derivatives of a run, and fits by them
     studies     many runs: ensembles, stability, work-precision, advice
     views       what people look at
@@ -89,7 +90,7 @@ __all__ = [
 
 _HOMES = {
     "augmented_solution": "baselines.augmented",
-    "reference_solution": "baselines.scipy_methods",
+    "reference_solution": "baselines.reference",
     "InitialStateError": "contract.consistent_state",
     "SymgenError": "contract.errors",
     "OutputError": "contract.files",
@@ -109,8 +110,8 @@ _HOMES = {
     "linearise": "operating.linearise",
     "modes": "operating.modes",
     "campbell": "operating.campbell",
-    "mode_motion": "operating.modes",
-    "unbalance_response": "operating.campbell",
+    "mode_motion": "operating.mode_motion",
+    "unbalance_response": "operating.unbalance",
     "Solution": "results.solution",
     "quasi_static_motion": "running.quasi_static_motion",
     "Environment": "running.environment",

@@ -1,29 +1,53 @@
-"""C source of a step program: stages as straight-line code, split into chunks when long.
+"""C source of straight-line code: one function a tape, split into chunks when long; and of a step program.
 
 One function with tens of thousands of locals makes a compiler slow and greedy (20,000 statements: 13 s); chunks of
 CHUNK statements that pass values through a work array compile in linear time and cost nothing at run time. A
 compiler's passes take quadratic time in the loads and stores of a function, hence small chunks.
+
+A value that is used once stands where it is used: C evaluates what is in parentheses as it is written, so the bits are
+those of one statement an operation, in half the text.
 """
 
 from __future__ import annotations
 
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
 from math import isinf, isnan
 
 import casadi as ca
 
-from runtime.contract.tape import UNUSED, Node, Tape, read_tape
+from runtime.contract.tape import UNUSED, Tape, below, read_tape
 from runtime.engine.program import Program, Repeat, Until
 from runtime.engine.table_code import table_c, table_name
 
 LONGEST = 4000  # statements of one function
 CHUNK = 100
+WIDEST = 160  # characters of a value that stands where it is used
 
 # the library's fmax and fmin are calls; these give the same values, NaN included (but either zero of +0 and -0)
-HEADER = """#include <math.h>
+_CHOICES = {
+    "larger": "static inline double {0}larger(double a, double b) {{ return a > b || b != b ? a : b; }}\n",
+    "smaller": "static inline double {0}smaller(double a, double b) {{ return a < b || b != b ? a : b; }}\n",
+}
+# bits are those of operations one by one: no product is joined with a sum (gcc does so outside of ISO C)
+HEAD = """#include <math.h>
+#include <stdint.h>
 #include <string.h>
 
-static inline double larger(double a, double b) { return a > b || b != b ? a : b; }
-static inline double smaller(double a, double b) { return a < b || b != b ? a : b; }
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(__GNUC__) && !defined(__STRICT_ANSI__)
+#pragma GCC optimize ("fp-contract=off")
+#elif defined(_MSC_VER)
+#pragma fp_contract(off)
+#endif
+
+#if defined(__GNUC__)
+#define APART __attribute__((noinline))
+#else
+#define APART
+#endif
 """
 
 _BINARY = {
@@ -39,8 +63,8 @@ _BINARY = {
     ca.OP_NE: "{a} != {b}",
     ca.OP_AND: "{a} && {b}",
     ca.OP_OR: "{a} || {b}",
-    ca.OP_FMIN: "smaller({a}, {b})",
-    ca.OP_FMAX: "larger({a}, {b})",
+    ca.OP_FMIN: "{p}smaller({a}, {b})",
+    ca.OP_FMAX: "{p}larger({a}, {b})",
     ca.OP_ATAN2: "atan2({a}, {b})",
     ca.OP_FMOD: "fmod({a}, {b})",
     ca.OP_COPYSIGN: "copysign({a}, {b})",
@@ -56,54 +80,87 @@ _UNARY = {
     ca.OP_SIGN: "{a} > 0 ? 1 : {a} < 0 ? -1 : {a}",
     ca.OP_ASSIGN: "{a}",
     **{
-        op: name + "({a})"
-        for op, name in (
-            (ca.OP_SQRT, "sqrt"),
-            (ca.OP_EXP, "exp"),
-            (ca.OP_LOG, "log"),
-            (ca.OP_SIN, "sin"),
-            (ca.OP_COS, "cos"),
-            (ca.OP_TAN, "tan"),
-            (ca.OP_ASIN, "asin"),
-            (ca.OP_ACOS, "acos"),
-            (ca.OP_ATAN, "atan"),
-            (ca.OP_SINH, "sinh"),
-            (ca.OP_COSH, "cosh"),
-            (ca.OP_TANH, "tanh"),
-            (ca.OP_FABS, "fabs"),
-            (ca.OP_FLOOR, "floor"),
-            (ca.OP_CEIL, "ceil"),
-        )
+        getattr(ca, f"OP_{name.upper()}"): name + "({a})"
+        for name in "sqrt log tan asin acos atan sinh cosh tanh fabs floor ceil".split()
     },
+    **{getattr(ca, f"OP_{name.upper()}"): "{m}" + name + "({a})" for name in ("sin", "cos", "exp")},
 }
+_CALLED = frozenset(op for op, text in (*_UNARY.items(), *_BINARY.items()) if text.endswith(")"))
+_REPEATING = (ca.OP_SQ, ca.OP_SIGN)  # whose argument stands twice
+_PARTNER = {ca.OP_SIN: ca.OP_COS, ca.OP_COS: ca.OP_SIN}
+
+
+@dataclass(frozen=True)
+class Style:
+    """How code is called and computes: prefix of its names; own: sin, cos and exp of runtime/engine/mathematics.py.
+
+    tables: are their numbers written out, or are they arrays of this process?
+    """
+
+    prefix: str = ""
+    own: bool = False
+    tables: bool = False
+
+
+@dataclass(frozen=True)
+class Code:
+    """C functions, how many entries of the work array w they take, and the marks of the tables that they call."""
+
+    text: str
+    work: int = 0
+    tables: tuple[float, ...] = ()
 
 
 def program_source(program: Program) -> str:
-    """C source with `void run(double *z, const double *c, long n)`, which applies the program n times."""
-    parts = [HEADER, *map(table_c, program_tables(program))]
+    """C source with `void run(double *z, const double *c, double *w, long n)`, which applies the program n times.
+
+    w: of `work_size` entries, for one call at a time.
+    """
+    code = program_code("run", program, Style())
+    return source([code], Style()) + f"const long work_size = {code.work};\n"
+
+
+def source(parts: Sequence[Code], style: Style, between: str = "") -> str:
+    """The text of a file: includes, what the parts call, something between, the parts."""
+    marks = dict.fromkeys(mark for part in parts for mark in part.tables)
+    text = "\n".join([*(table_c(mark, style.prefix, style.tables) for mark in marks), *(part.text for part in parts)])
+    called = [one.format(style.prefix) for name, one in _CHOICES.items() if f"{style.prefix}{name}(" in text]
+    return "\n".join([HEAD, *called, between, text])
+
+
+def program_code(name: str, program: Program, style: Style, kept: str = "") -> Code:
+    """`void name(double *z, const double *c, double *w, long n)`; kept: how it is declared, such as "static "."""
     numbers: dict[str, int] = {}
+    parts, work = list[str](), 0
     for position, stage in enumerate(program.stages()):
         numbers[stage.name()] = position
-        parts.append(stage_source(f"stage_{position}", read_tape(stage)))
-    body = "\n".join(_indented(_indented(_control(program, numbers))))
+        found = stage_code(f"{name}_{position}", read_tape(stage), style)
+        parts.append(found.text)
+        work = max(work, found.work)
+    body = "\n".join(_indented(_indented(_control(program, name, numbers))))
     size = program.stages()[0].size1_in(0)
     copy = f"  memcpy(z, z_run, {size} * sizeof(double));\n"
     # a local z can stay in registers over a step; the caller's may alias anything
     parts.append(
-        f"void run(double *z_run, const double *c, long n) {{\n  double z[{size}];\n{copy}"
-        "  for (long k = 0; k < n; ++k) {\n" + body + "\n  }\n"
+        f"{kept}void {name}(double *z_run, const double *c, double *w, long n) {{\n  double z[{size}];\n{copy}"
+        "  (void)c, (void)w;\n  for (long k = 0; k < n; ++k) {\n" + body + "\n  }\n"
         f"  memcpy(z_run, z, {size} * sizeof(double));\n}}\n"
     )
-    return "\n".join(parts)
+    return Code("\n".join(parts), work, tuple(program_tables(program)))
 
 
 def program_tables(program: Program) -> list[float]:
     """The marks of its tables, each once."""
-    nodes = (node for stage in program.stages() if stage.find_functions() for node in read_tape(stage).nodes)
-    return list(dict.fromkeys(node.value for node in nodes if node.op == ca.OP_CALL))
+    stages = (read_tape(stage) for stage in program.stages() if stage.find_functions())
+    return list(dict.fromkeys(value for tape in stages for value in tape_tables(tape)))
 
 
-def _control(program: Program, numbers: dict[str, int]) -> list[str]:
+def tape_tables(tape: Tape) -> list[float]:
+    """The marks of the tables of a tape, each once."""
+    return list(dict.fromkeys(node.value for node in tape.nodes if node.op == ca.OP_CALL))
+
+
+def _control(program: Program, name: str, numbers: dict[str, int]) -> list[str]:
     """Calls and loops; each loop has a j of its own scope."""
 
     def again(body: list[str], node: Repeat | Until) -> list[str]:
@@ -111,7 +168,7 @@ def _control(program: Program, numbers: dict[str, int]) -> list[str]:
         return [f"for (long j = 0; {test}; ++j) {{", *_indented(body), "}"]
 
     return program.fold(
-        lambda stage: [f"stage_{numbers[stage.name()]}(z, c);"],
+        lambda stage: [f"{name}_{numbers[stage.name()]}(z, c, w);"],
         lambda parts: [line for lines in parts for line in lines],
         again,
     )
@@ -121,32 +178,32 @@ def _indented(lines: list[str]) -> list[str]:
     return ["  " + line for line in lines]
 
 
-def stage_source(name: str, tape: Tape) -> str:
-    """C source of `static void name(double *z, const double *c)`: z is updated in place, changed entries only."""
+def stage_code(name: str, tape: Tape, style: Style, kept: str = "static ") -> Code:
+    """`void name(double *z, const double *c, double *w)`, by the names of the tape's inputs.
+
+    The first is updated in place by the output, changed entries only.
+    """
+    first, *others = (one for one, size in zip(tape.input_names, tape.input_sizes, strict=True) if size)
     stores = [
-        (entry, node) for entry, node in enumerate(tape.outputs[0]) if not _is_same_entry(tape.nodes[node], entry)
+        (f"{first}[{entry}]", node)
+        for entry, node in enumerate(tape.outputs[0])
+        if tape.nodes[node][:3] != (ca.OP_INPUT, 0, entry)
     ]
-    needed = _needed(tape, [node for _, node in stores])
-    order = [k for k in range(len(tape.nodes)) if needed[k] and tape.nodes[k].op not in (ca.OP_INPUT, ca.OP_CONST)]
-    writer = _Writer(tape, order, stores)
-    return writer.chunked(name) if len(order) > LONGEST else writer.single(name)
+    declared = [f"double *{first}", *(f"const double *{one}" for one in others)]
+    return _Writer(name, tape, stores, declared, [first, *others], style, kept).code()
 
 
-def _is_same_entry(node: Node, entry: int) -> bool:
-    return node.op == ca.OP_INPUT and node.a == 0 and node.b == entry
+def tape_code(name: str, tape: Tape, outputs: Sequence[str], style: Style, kept: str = "static ") -> Code:
+    """`void name(double *output, ..., const double *input, ..., double *w)`, inputs by the names that the tape has.
 
-
-def _needed(tape: Tape, roots: list[int]) -> list[bool]:
-    needed = [False] * len(tape.nodes)
-    for root in roots:
-        needed[root] = True
-    for k in range(len(tape.nodes) - 1, -1, -1):
-        node = tape.nodes[k]
-        if needed[k] and node.op not in (ca.OP_INPUT, ca.OP_CONST):
-            needed[node.a] = True
-            if node.b != UNUSED:
-                needed[node.b] = True
-    return needed
+    Outputs are dense, column by column, and must not overlap inputs; inputs without entries are left out.
+    """
+    stores = [
+        (f"{out}[{k}]", node) for out, one in zip(outputs, tape.outputs, strict=True) for k, node in enumerate(one)
+    ]
+    inputs = [one for one, size in zip(tape.input_names, tape.input_sizes, strict=True) if size]
+    declared = [*(f"double *{one}" for one in outputs), *(f"const double *{one}" for one in inputs)]
+    return _Writer(name, tape, stores, declared, [*outputs, *inputs], style, kept).code()
 
 
 def _number(value: float) -> str:
@@ -154,14 +211,63 @@ def _number(value: float) -> str:
         return "NAN"
     if isinf(value):
         return "INFINITY" if value > 0 else "(-INFINITY)"
-    return f"({value!r})" if value < 0 else repr(value)
+    return f"({value!r})" if value < 0 or (value == 0 and str(value)[0] == "-") else repr(value)
 
 
 class _Writer:
-    """Statements of one stage. All loads of z precede its stores, so the update can be in place."""
+    """Statements of one tape. All loads precede the stores (targets with their nodes), which may be in place."""
 
-    def __init__(self, tape: Tape, order: list[int], stores: list[tuple[int, int]]) -> None:
-        self.tape, self.order, self.stores = tape, order, stores
+    def __init__(
+        self,
+        name: str,
+        tape: Tape,
+        stores: list[tuple[str, int]],
+        declared: list[str],
+        arguments: list[str],
+        style: Style,
+        kept: str,
+    ) -> None:
+        self.name, self.tape, self.stores, self.style, self.kept = name, tape, stores, style, kept
+        self.declared = ", ".join([*declared, "double *w"])
+        self.arguments = [*arguments, "w"]
+        live = below(tape.nodes, [node for _, node in stores])
+        order = [k for k in live if tape.nodes[k].op not in (ca.OP_INPUT, ca.OP_CONST)]
+        self.partner = self._partners(order) if style.own else {}
+        self.order = self._paired(order)
+        self.uses = self._uses()
+
+    def _partners(self, order: list[int]) -> dict[int, int]:
+        """{sine or cosine: the other one of the same angle}."""
+        found = {(self.tape.nodes[k].op, self.tape.nodes[k].a): k for k in order if self.tape.nodes[k].op in _PARTNER}
+        pairs = {k: found.get((_PARTNER[op], angle)) for (op, angle), k in found.items()}
+        return {k: other for k, other in pairs.items() if other is not None}
+
+    def _paired(self, order: list[int]) -> list[int]:
+        """The second of a pair right behind the first."""
+        found: dict[int, None] = {}
+        for k in order:
+            found[k] = None
+            if k in self.partner:
+                found[self.partner[k]] = None
+        return list(found)
+
+    def _uses(self) -> dict[int, int]:
+        """How often each value is read; what is stored counts as read twice, for it needs a name."""
+        count = dict.fromkeys(self.order, 0)
+        for k in self.order:
+            node = self.tape.nodes[k]
+            for argument in (node.a, node.b):
+                if argument in count:
+                    count[argument] += 2 if node.op in _REPEATING or node.op in _PARTNER else 1
+        for _, k in self.stores:
+            if k in count:
+                count[k] += 2
+        return count
+
+    def code(self) -> Code:
+        """One function, or several."""
+        text, work = self._chunked() if len(self.order) > LONGEST else (self._single(), 0)
+        return Code(text, work, tuple(tape_tables(self.tape)))
 
     def _operand(self, k: int, names: dict[int, str]) -> str:
         node = self.tape.nodes[k]
@@ -175,63 +281,96 @@ class _Writer:
         node = self.tape.nodes[k]
         a = self._operand(node.a, names)
         if node.op == ca.OP_CALL:
-            return f"{table_name(node.value)}({a})"
+            return f"{self.style.prefix}{table_name(node.value)}({a})"
         if node.b == UNUSED:
-            return _UNARY[node.op].format(a=a)
-        return _BINARY[node.op].format(a=a, b=self._operand(node.b, names))
+            return _UNARY[node.op].format(a=a, m=f"{self.style.prefix}own_" if self.style.own else "")
+        return _BINARY[node.op].format(a=a, b=self._operand(node.b, names), p=self.style.prefix)
 
-    def single(self, name: str) -> str:
-        """One function."""
-        names = {k: f"v{k}" for k in self.order}
-        lines = [f"static void {name}(double *z, const double *c) {{"]
-        lines += [f"  const double v{k} = {self._expression(k, names)};" for k in self.order]
-        return "\n".join([*lines, *self._store(names), "}\n"])
+    def _statements(self, members: list[int], names: dict[int, str], kept: set[int]) -> list[str]:
+        """Of these values, which get names; kept: those that need one, for others read them."""
+        lines, done = list[str](), set[int]()
+        for k in members:
+            if k in done:
+                continue
+            if k in self.partner:
+                other = self.partner[k]
+                done |= {k, other}
+                names[k], names[other] = f"v{k}", f"v{other}"
+                sine, cosine = (k, other) if self.tape.nodes[k].op == ca.OP_SIN else (other, k)
+                angle = self._operand(self.tape.nodes[k].a, names)
+                lines.append(f"  double v{k}, v{other};")
+                lines.append(f"  {self.style.prefix}own_sincos({angle}, &v{sine}, &v{cosine});")
+                continue
+            text = self._expression(k, names)
+            if self.uses[k] == 1 and k not in kept and len(text) <= WIDEST:
+                names[k] = text if self.tape.nodes[k].op in _CALLED else f"({text})"
+                continue
+            lines.append(f"  const double v{k} = {text};")
+            names[k] = f"v{k}"
+        return lines
 
-    def _store(self, names: dict[int, str]) -> list[str]:
-        """Stores at the end; an entry of z that another store reads is copied first."""
-        lines = [f"  const double s{entry} = {self._operand(node, names)};" for entry, node in self.stores]
-        return lines + [f"  z[{entry}] = s{entry};" for entry, _ in self.stores]
+    def _function(self, name: str, lines: list[str], kept: str, declared: str = "") -> str:
+        text = "\n".join(lines)
+        unused = [f"(void){one}" for one in self.arguments if not re.search(rf"\b{one}\b", text)]
+        head = f"{kept}void {name}({declared or self.declared}) {{"
+        return "\n".join([head, *([f"  {', '.join(unused)};"] if unused else []), *lines, "}\n"])
 
-    def chunked(self, name: str) -> str:
-        """Functions of CHUNK statements; values that outlive their chunk live in a work array, stores come last."""
-        chunk_of = {k: position // CHUNK for position, k in enumerate(self.order)}
+    def _single(self) -> str:
+        """One function. An entry that another store reads is copied first."""
+        names: dict[int, str] = {}
+        lines = self._statements(self.order, names, set())
+        moved = {}
+        for place, (_, node) in enumerate(self.stores):
+            if self.tape.nodes[node].op == ca.OP_INPUT:
+                moved[place] = f"s{place}"
+                lines.append(f"  const double s{place} = {self._operand(node, names)};")
+        lines += [
+            f"  {target} = {moved.get(place) or self._operand(node, names)};"
+            for place, (target, node) in enumerate(self.stores)
+        ]
+        return self._function(self.name, lines, self.kept)
+
+    def _chunked(self) -> tuple[str, int]:
+        """Functions of CHUNK operations; values that outlive their chunk live in the work array, stores come last."""
+        chunk_of: dict[int, int] = {}
+        for position, k in enumerate(self.order):
+            chunk_of.setdefault(k, position // CHUNK)
+            if k in self.partner:
+                chunk_of.setdefault(self.partner[k], position // CHUNK)
         slots: dict[int, int] = {}
         for k in self.order:
             node = self.tape.nodes[k]
             for argument in (node.a, node.b):
                 if argument in chunk_of and chunk_of[argument] != chunk_of[k]:
                     slots.setdefault(argument, len(slots))
-        for _, k in self.stores:  # an entry of z that moves to another place is copied before anything is stored
+        for _, k in self.stores:  # an entry that moves to another place is copied before anything is stored
             if k in chunk_of or self.tape.nodes[k].op == ca.OP_INPUT:
                 slots.setdefault(k, len(slots))
-        chunks = range((len(self.order) - 1) // CHUNK + 1)
-        parts = [f"static _Thread_local double {name}_w[{max(1, len(slots))}];"]
-        parts += [self._chunk(name, chunk, chunk_of, slots) for chunk in chunks]
+        members: list[list[int]] = [[] for _ in range((len(self.order) - 1) // CHUNK + 1)]
+        for k in self.order:
+            members[chunk_of[k]].append(k)
+        parts = [self._chunk(n, own, chunk_of, slots) for n, own in enumerate(members)]
         stores = [self.stores[k : k + CHUNK] for k in range(0, len(self.stores), CHUNK)]
-        parts += [self._store_chunk(name, k, part, slots) for k, part in enumerate(stores)]
-        calls = [f"  {name}_{chunk}(z, c, {name}_w);" for chunk in chunks]
-        calls += [f"  {name}_store_{k}(z, {name}_w);" for k in range(len(stores))]
-        parts.append("\n".join([f"static void {name}(double *z, const double *c) {{", *calls, "}\n"]))
-        return "\n".join(parts)
+        parts += [self._store_chunk(n, part, slots) for n, part in enumerate(stores)]
+        called = [f"{self.name}_{n}" for n in range(len(members))]
+        called += [f"{self.name}_store_{n}" for n in range(len(stores))]
+        passed = ", ".join(self.arguments)
+        parts.append(self._function(self.name, [f"  {name}({passed});" for name in called], self.kept))
+        return "\n".join(parts), len(slots)
 
-    def _store_chunk(self, name: str, k: int, part: list[tuple[int, int]], slots: dict[int, int]) -> str:
-        lines = [f"static __attribute__((noinline)) void {name}_store_{k}(double *restrict z, const double *w) {{"]
-        for entry, node in part:
-            source = f"w[{slots[node]}]" if node in slots else self._operand(node, {})
-            lines.append(f"  z[{entry}] = {source};")
-        return "\n".join([*lines, "}\n"])
-
-    def _chunk(self, name: str, chunk: int, chunk_of: dict[int, int], slots: dict[int, int]) -> str:
-        members = self.order[chunk * CHUNK : (chunk + 1) * CHUNK]
-        names = {k: f"w[{slot}]" for k, slot in slots.items() if chunk_of.get(k, chunk) != chunk}
+    def _store_chunk(self, n: int, part: list[tuple[str, int]], slots: dict[int, int]) -> str:
         lines = [
-            f"static __attribute__((noinline)) void {name}_{chunk}"
-            "(const double *z, const double *c, double *restrict w) {"
+            f"  {target} = {f'w[{slots[node]}]' if node in slots else self._operand(node, {})};"
+            for target, node in part
         ]
-        for k in members:
-            names[k] = f"v{k}"
-            lines.append(f"  const double v{k} = {self._expression(k, names)};")
-        lines += [f"  w[{slots[k]}] = v{k};" for k in members if k in slots]
-        if chunk == 0:
+        return self._function(f"{self.name}_store_{n}", lines, "static APART ")
+
+    def _chunk(self, n: int, members: list[int], chunk_of: dict[int, int], slots: dict[int, int]) -> str:
+        names = {k: f"w[{slot}]" for k, slot in slots.items() if chunk_of.get(k, n) != n}
+        lines = self._statements(members, names, set(slots))
+        lines += [f"  w[{slots[k]}] = {names[k]};" for k in members if k in slots]
+        if n == 0:
             lines += [f"  w[{slot}] = {self._operand(k, {})};" for k, slot in slots.items() if k not in chunk_of]
-        return "\n".join([*lines, "}\n"])
+        # nothing is read where it is written: loads of w need not wait for stores
+        apart = self.declared.replace("double *w", "double *restrict w")
+        return self._function(f"{self.name}_{n}", lines, "static APART ", apart)

@@ -10,7 +10,7 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Callable
-from functools import cache, partial
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -102,8 +102,8 @@ class CompiledProgram:
                 loaded = self._loaded(program)
             except (OSError, AttributeError) as error:
                 raise CompilerError(f"the compiled program cannot be loaded: {error}") from error
-        self._run = loaded.run
-        self._run.argtypes = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long)
+        self._run, self._work = loaded.run, ctypes.c_long.in_dll(loaded, "work_size").value
+        self._run.argtypes = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long)
         self._run.restype = None
 
     def _loaded(self, program: Program) -> ctypes.CDLL:
@@ -119,8 +119,14 @@ class CompiledProgram:
 
     def bound(self, z: np.ndarray, c: np.ndarray) -> Callable[[int], None]:
         """`run` with z and c fixed, which must stay where they are: only the number of steps is left to give."""
-        return partial(self._run, z.ctypes.data, c.ctypes.data)
+        work = np.empty(self._work + 1)
+
+        def go(n: int) -> None:
+            self._run(z.ctypes.data, c.ctypes.data, work.ctypes.data, n)
+
+        return go
 
     def run(self, z: np.ndarray, c: np.ndarray, n: int) -> None:
         """Apply the program n times to z, in place."""
-        self._run(z.ctypes.data, c.ctypes.data, n)
+        work = np.empty(self._work + 1)  # of this call: threads may run one program at once
+        self._run(z.ctypes.data, c.ctypes.data, work.ctypes.data, n)

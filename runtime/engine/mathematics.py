@@ -71,28 +71,38 @@ class Lanes:
         return "<" + ", ".join([f"{kind} {text}"] * self.width) + ">"
 
 
-class _Body:
-    """Lines of one function; every method appends an instruction and returns the name of its result."""
+class Body:
+    """Lines of one function of x; every method appends an instruction and returns the name of its result."""
+
+    x = "%x"
 
     def __init__(self, lanes: Lanes) -> None:
         self.lanes, self.lines = lanes, list[str]()
 
     def line(self, text: str) -> str:
+        """An instruction."""
         name = f"%t{len(self.lines)}"
         self.lines.append(f"  {name} = {text}")
         return name
 
     def op(self, name: str, a: str, b: str | float) -> str:
+        """An operation of two doubles, by LLVM's name."""
         second = b if isinstance(b, str) else self.lanes.number(b)
         return self.line(f"{name} {self.lanes.double} {a}, {second}")
 
     def fma(self, a: str, b: str | float, c: str | float) -> str:
+        """a b + c, rounded once."""
         kind = self.lanes.double
         b, c = (value if isinstance(value, str) else self.lanes.number(value) for value in (b, c))
         return self.line(f"call {kind} @llvm.fma.{self.lanes.suffix}({kind} {a}, {kind} {b}, {kind} {c})")
 
     def negative(self, a: str) -> str:
+        """-a."""
         return self.line(f"fneg {self.lanes.double} {a}")
+
+    def magnitude(self, a: str) -> str:
+        """abs(a)."""
+        return self.line(f"call {self.lanes.double} @llvm.fabs.{self.lanes.suffix}({self.lanes.double} {a})")
 
     def polynomial(self, coefficients: tuple[float, ...], x: str, xx: str) -> str:
         """By Estrin's scheme, the highest coefficient first; xx is the square of x."""
@@ -101,32 +111,38 @@ class _Body:
         while len(terms) > 1:
             pairs = [self.fma(terms[k + 1], power, terms[k]) for k in range(0, len(terms) - 1, 2)]
             terms = pairs + terms[2 * len(pairs) :]
-            power = xx if power == x else self.op("fmul", power, power)
+            if len(terms) > 1:
+                power = xx if power == x else self.op("fmul", power, power)
         return terms[0]
 
     def bits(self, a: str) -> str:
+        """A double as a 64-bit word."""
         return self.line(f"bitcast {self.lanes.double} {a} to {self.lanes.integer}")
 
     def double(self, a: str) -> str:
+        """A 64-bit word as a double."""
         return self.line(f"bitcast {self.lanes.integer} {a} to {self.lanes.double}")
 
     def whole(self, name: str, a: str, b: str | int) -> str:
+        """An operation of two 64-bit words, by LLVM's name."""
         second = b if isinstance(b, str) else self.lanes.whole(b)
         return self.line(f"{name} {self.lanes.integer} {a}, {second}")
 
     def select(self, condition: str, a: str | float, b: str | float) -> str:
+        """a where the condition holds, else b."""
         kind = self.lanes.double
         a, b = (value if isinstance(value, str) else self.lanes.number(value) for value in (a, b))
         return self.line(f"select {self.lanes.bit} {condition}, {kind} {a}, {kind} {b}")
 
     def compare(self, test: str, a: str, b: float) -> str:
+        """A test of a double, by LLVM's name."""
         return self.line(f"fcmp {test} {self.lanes.double} {a}, {self.lanes.number(b)}")
 
 
 def sincos(lanes: Lanes, name: str, inline: bool) -> str:
     """A definition of sine and cosine (a pair) under a name of its own."""
-    body, pair = _Body(lanes), f"{{ {lanes.double}, {lanes.double} }}"
-    sine, cosine = _sincos(body)
+    body, pair = Body(lanes), f"{{ {lanes.double}, {lanes.double} }}"
+    sine, cosine = sincos_of(body)
     first = body.line(f"insertvalue {pair} poison, {lanes.double} {sine}, 0")
     end = body.line(f"insertvalue {pair} {first}, {lanes.double} {cosine}, 1")
     return _defined(name, pair, body, end, f"{PURE} {'alwaysinline' if inline else 'noinline'}")
@@ -138,25 +154,25 @@ def own_functions(lanes: Lanes, inline: bool) -> str:
     attributes = f"{PURE} {'alwaysinline' if inline else 'noinline'}"
     parts = []
     for name in ("sin", "cos"):
-        body = _Body(lanes)
-        sine, cosine = _sincos(body)
+        body = Body(lanes)
+        sine, cosine = sincos_of(body)
         parts.append(_defined(f"own_{name}", kind, body, sine if name == "sin" else cosine, attributes))
     parts.append(sincos(lanes, "own_sincos", inline))
-    body = _Body(lanes)
-    parts.append(_defined("own_exp", kind, body, _exp(body), attributes))
+    body = Body(lanes)
+    parts.append(_defined("own_exp", kind, body, exp_of(body), attributes))
     return "\n".join(parts)
 
 
-def _defined(name: str, result: str, body: _Body, end: str, attributes: str) -> str:
+def _defined(name: str, result: str, body: Body, end: str, attributes: str) -> str:
     head = f"define internal {result} @{name}({body.lanes.double} %x) {attributes} {{"
     return "\n".join([head, *body.lines, f"  ret {result} {end}", "}", ""])
 
 
-def _sincos(f: _Body) -> tuple[str, str]:
-    """(sine, cosine) of %x. Latency is what counts: signs, remainder and tests are computed beside the main path."""
-    near = f.fma("%x", TWO_OVER_PI, MAGIC)
+def sincos_of(f: Body) -> tuple[str, str]:
+    """(sine, cosine) of x. Latency is what counts: signs, remainder and tests are computed beside the main path."""
+    near = f.fma(f.x, TWO_OVER_PI, MAGIC)
     minus_j, quadrant = f.op("fsub", f.lanes.number(MAGIC), near), f.bits(near)
-    first = f.fma(minus_j, HALF_PI[0], "%x")  # exact: a multiple of 2^-53 below 2
+    first = f.fma(minus_j, HALF_PI[0], f.x)  # exact: a multiple of 2^-53 below 2
     p = f.op("fmul", minus_j, HALF_PI[1])
     r = f.op("fadd", first, p)
 
@@ -165,8 +181,7 @@ def _sincos(f: _Body) -> tuple[str, str]:
     p_error = f.fma(minus_j, HALF_PI[1], f.negative(p))
     low = f.fma(minus_j, HALF_PI[2], f.op("fadd", error, p_error))
 
-    size = f.line(f"call {f.lanes.double} @llvm.fabs.{f.lanes.suffix}({f.lanes.double} %x)")
-    known = f.compare("olt", size, LARGEST_ANGLE)
+    known = f.compare("olt", f.magnitude(f.x), LARGEST_ANGLE)
     sign_of_sine = f.select(known, _sign(f, f.whole("add", quadrant, 1)), float("nan"))
     sign_of_cosine = f.select(known, _sign(f, quadrant), float("nan"))
 
@@ -186,19 +201,19 @@ def _sincos(f: _Body) -> tuple[str, str]:
 
     # odd quadrants swap the two; a comparison of doubles (2 or 0) is a blend on every processor, not a branch
     odd = f.compare("une", f.double(f.whole("shl", f.whole("and", quadrant, 1), 62)), 0.0)
-    zero = f.compare("oeq", "%x", 0.0)  # sin(-0.0) is -0.0
-    return f.select(zero, "%x", f.select(odd, cosine, sine)), f.select(odd, sine, cosine)
+    zero = f.compare("oeq", f.x, 0.0)  # sin(-0.0) is -0.0
+    return f.select(zero, f.x, f.select(odd, cosine, sine)), f.select(odd, sine, cosine)
 
 
-def _sign(f: _Body, quadrant: str) -> str:
+def _sign(f: Body, quadrant: str) -> str:
     """1 or -1, the latter where the second bit is set."""
     bit = f.whole("and", f.whole("shl", quadrant, 62), -(2**63))
     return f.double(f.whole("or", bit, 0x3FF0000000000000))
 
 
-def _exp(f: _Body) -> str:
-    """exp of %x."""
-    x = f.select(f.compare("ogt", "%x", EXP_RANGE[1]), EXP_RANGE[1], "%x")
+def exp_of(f: Body) -> str:
+    """exp of x."""
+    x = f.select(f.compare("ogt", f.x, EXP_RANGE[1]), EXP_RANGE[1], f.x)
     x = f.select(f.compare("olt", x, EXP_RANGE[0]), EXP_RANGE[0], x)
     near = f.fma(x, LOG2_E, MAGIC)
     n = f.whole("sub", f.bits(near), struct.unpack("<q", struct.pack("<d", MAGIC))[0])

@@ -129,19 +129,24 @@ class _Lines:
         return self.line(f"{gather}({kind} {places}, i32 8, {self.lanes.bit} {self.lanes.true}, {D} poison)")
 
 
-def table_c(value: float) -> str:
-    """C of the function of a table, and of the place of its arrays."""
-    (table, order), name = marked(value), table_name(value)
-    degree = len(table.coefficients(order))
+def table_c(value: float, prefix: str = "", written: bool = False) -> str:
+    """C of the function of a table, and of its arrays: their place, or written out."""
+    (table, order), name = marked(value), prefix + table_name(value)
+    degree, places = len(table.coefficients(order)), [f"{prefix}{ARRAYS}_{int(value)}[{k}]" for k in range(PLACES)]
+    if written:
+        places = [f"{name}_{what}" for what in ("knots", "powers", "starts")]
+        arrays = [_written(*one) for one in zip(places, _arrays(value), strict=True) if one[1].size]
+    else:
+        arrays = [f"const double *{ARRAYS}_{int(value)}[{PLACES}];"]
     lines = [
-        f"const double *{ARRAYS}_{int(value)}[{PLACES}];",
+        *arrays,
         f"static double {name}(double x) {{",
-        f"  const double *knots = {ARRAYS}_{int(value)}[0], *powers = {ARRAYS}_{int(value)}[1];",
-        f"  const double inside = smaller(x, {table.last!r});",
-        f"  long row = (long)larger((inside - ({table.left!r})) * {table.scale!r}, 0);",
+        f"  const double *knots = {places[0]}, *powers = {places[1]};",
+        f"  const double inside = {prefix}smaller(x, {table.last!r});",
+        f"  long row = (long){prefix}larger((inside - ({table.left!r})) * {table.scale!r}, 0);",
     ]
     if table.starts.size:
-        lines.append(f"  row = (long){ARRAYS}_{int(value)}[2][row];")
+        lines.append(f"  row = (long){places[2]}[row];")
     for level in reversed(range(table.levels)):
         lines.append(f"  if (inside >= knots[row + {1 << level}]) row += {1 << level};")
     lines += ["  const double beyond = x - knots[row];", f"  powers += {degree} * row;"]
@@ -149,3 +154,14 @@ def table_c(value: float) -> str:
     for power in reversed(range(degree - 1)):
         y = f"powers[{power}] + beyond * ({y})"
     return "\n".join([*lines, f"  return {y};", "}\n"])
+
+
+def _written(name: str, values: np.ndarray) -> str:
+    """A constant array; numbers are read back as they are."""
+    flat = values.ravel().tolist()
+    rows = ["  " + ", ".join(map(_number, flat[k : k + 8])) for k in range(0, len(flat), 8)]
+    return f"static const double {name}[{len(flat)}] = {{\n" + ",\n".join(rows) + "};"
+
+
+def _number(value: float) -> str:
+    return repr(value) if np.isfinite(value) else "NAN" if value != value else f"{'-' * (value < 0)}INFINITY"

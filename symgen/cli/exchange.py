@@ -7,9 +7,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symgen.cli.outcome import Outcome
-from symgen.cli.words import UsageError
+from symgen.cli.sources import opened_model
+from symgen.cli.words import UsageError, settings
 
 if TYPE_CHECKING:
+    from runtime.export.c_bundle import Exported
     from symgen.urdf import Dropped
 
 SHOWN = 6  # names of a kind that a line of the list has
@@ -37,7 +39,16 @@ def import_robot(arguments: argparse.Namespace) -> Outcome:
 
 
 def export(arguments: argparse.Namespace) -> Outcome:
-    """Write what a results folder holds as a table with units: CSV, MATLAB, Parquet or NetCDF by the name's end."""
+    """Hand something on: a model as C or as an FMU, functions of a model as C, the results of a run as a table.
+
+    `c` and `fmu` hold the time stepping scheme, whose bits are those of a run here; both need no Python.
+    """
+    known = {"results": _results, "c": _c, "functions": _functions}
+    return known[arguments.what](arguments)
+
+
+def _results(arguments: argparse.Namespace) -> Outcome:
+    """What a results folder holds as a table with units: CSV, MATLAB, Parquet or NetCDF by the name's end."""
     from symgen.cli.runs import results_of
 
     solution = results_of(arguments.source)
@@ -46,6 +57,31 @@ def export(arguments: argparse.Namespace) -> Outcome:
     except ImportError as error:  # the message names the extra
         raise UsageError(str(error)) from error
     return Outcome({"file": str(arguments.out)}, [f"Wrote {arguments.out}: {len(solution.t)} samples."])
+
+
+def _c(arguments: argparse.Namespace) -> Outcome:
+    from runtime.export.c_bundle import write_c
+
+    return _written(write_c(_exported(arguments), arguments.out))
+
+
+def _functions(arguments: argparse.Namespace) -> Outcome:
+    from runtime.export.c_bundle import write_all
+    from runtime.export.c_functions import function_files
+
+    model = opened_model(arguments.source, arguments.made_with)
+    return _written(write_all(function_files(model, arguments.functions, arguments.name), arguments.out))
+
+
+def _exported(arguments: argparse.Namespace) -> Exported:
+    from runtime.export.c_bundle import exported
+
+    how = settings(arguments, ("scheme", "dt", "m", "options", "parameters", "name"))
+    return exported(opened_model(arguments.source, arguments.made_with), **how)
+
+
+def _written(files: list[Path]) -> Outcome:
+    return Outcome({"files": [str(path) for path in files]}, [f"Wrote {', '.join(map(str, files))}."])
 
 
 def _lost(dropped: list[Dropped]) -> list[str]:

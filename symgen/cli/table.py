@@ -264,9 +264,16 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
     "export": (
         exchange.export,
         (
-            opt("what results", "what is handed on", choices=("results",)),
-            opt("source RESULTS", "folder that `symgen simulate --out` left"),
-            opt("--out FILE", "a .csv, .mat, .parquet or .nc", required=True),
+            opt("what WHAT", "what is handed on: %(choices)s", choices=("results", "c", "functions")),
+            opt("source SOURCE", "results: folder that `symgen simulate --out` left; else a scene or generated folder"),
+            opt("--out PATH", "results: a .csv, .mat, .parquet or .nc; c and functions: a folder", required=True),
+            WITH,
+            Group(
+                "of c",
+                FROM_THE_SCENE,
+                (DT, M, SCHEME, SCHEME_OPTION, SET, opt("--name NAME", "in the code (default: the scene's)")),
+            ),
+            opt("--functions A,B", "functions: only these (default: what a simulation elsewhere needs)", names),
         ),
     ),
     "view": (

@@ -32,7 +32,7 @@ class HeldChange:
         self._go: Callable[[int], None] | None = None
         if self._native:
             z_size = self._size + stepper.scheme.model.signals.size
-            self._prepared = prepare(Call(_started_anew(stepper.scheme)), z_size, stepper.scheme.c_size)
+            self._prepared = prepare(Call(started_with_inputs(stepper.scheme)), z_size, stepper.scheme.c_size)
             c_size = int(self._prepared.constants.size1_out(0))
             self._engine = choose_engine(stepper.requested, self._prepared.program, self._prepared.z_size, c_size)
             self._z = np.zeros(self._prepared.z_size)
@@ -65,7 +65,7 @@ class HeldChange:
         z[:2] = clock
 
 
-def _started_anew(scheme: Scheme) -> ca.Function:
+def started_with_inputs(scheme: Scheme) -> ca.Function:
     """([z, w], c) -> [z, w] with the inputs w."""
     model, size, n_w = scheme.model, scheme.layout.size, scheme.model.signals.size
     both, c = ca.SX.sym("z", size + n_w), ca.SX.sym("c", scheme.c_size)

@@ -1,0 +1,1 @@
+"""Handing a model on: C code, and functional mock-up units."""

@@ -1,0 +1,484 @@
+"""A scheme on a model as C99 that needs nothing but the C library: NAME.h, NAME.c, an example and a CMake file.
+
+A step is the step program that the runtime compiles, with the same mathematics, so its bits are the runtime's. What the
+runtime evaluates once (constants, a start, what states show) takes sin, cos and exp of the C library there and here.
+Nothing is allocated, nothing is global: all memory is the caller's, so any number of instances run side by side.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.coordinates import independent, loop_part
+from runtime.contract.errors import ModelError
+from runtime.contract.files import write_text
+from runtime.contract.model import Model
+from runtime.contract.tape import Tape, read_tape, shared
+from runtime.engine.c_source import Code, Style, program_code, source, stage_code, tape_code
+from runtime.engine.prepare import Prepared, prepare
+from runtime.engine.program import Call
+from runtime.export.c_mathematics import own_c
+from runtime.running.plan import make_plan
+from runtime.running.reading import reading
+from runtime.running.unending import may_break
+from runtime.schemes.scheme import Scheme
+from runtime.schemes.stepper import start_there, start_vector
+from runtime.schemes.switching.held_change import started_with_inputs
+from runtime.schemes.switching.restart import remembers, restarted
+from runtime.start.start_state import start_state
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A number that is given or seen, as C's tables name it."""
+
+    name: str
+    unit: str
+    meaning: str
+    start: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class Exported:
+    """A scheme on a model as it is handed on; p (n_p,), z (z_size,): its parameters and start."""
+
+    model: Model
+    name: str
+    scheme: Scheme
+    prepared: Prepared
+    p: np.ndarray
+    z: np.ndarray
+    x: list[Quantity]
+
+    @property
+    def prefix(self) -> str:
+        """Of every name in the code."""
+        return re.sub(r"\W", "_", self.name) + "_"
+
+    @property
+    def ready(self) -> int:
+        """Length of what the step program reads."""
+        return int(self.prepared.constants.size1_out(0))
+
+    @property
+    def inputs(self) -> list[Quantity]:
+        """The numbers that inputs are made of, the last entries of p."""
+        return _parameters(self.model, self.p)[len(self.p) - self.model.signals.size :]
+
+    @property
+    def parameters(self) -> list[Quantity]:
+        """The other entries of p."""
+        return _parameters(self.model, self.p)[: len(self.p) - self.model.signals.size]
+
+    @property
+    def outputs(self) -> list[Quantity]:
+        """Coordinates, rates, measures."""
+        found = [Quantity(one.name, one.unit, one.kind) for one in self.model.description.coordinates]
+        found += [
+            Quantity(f"{one.name}_dot", one.unit_of(1), f"rate, {one.kind}")
+            for one in self.model.description.coordinates
+        ]
+        return found + [Quantity(one.name, one.unit, "measure") for one in self.model.description.measures]
+
+
+def exported(
+    model: Model,
+    scheme: str | None = None,
+    dt: float | None = None,
+    m: list[int] | None = None,
+    options: Mapping[str, Any] | None = None,
+    parameters: Mapping[str, float] | None = None,
+    name: str | None = None,
+) -> Exported:
+    """Prepare a model and a scheme, by default the scene's. Raises ModelError or SchemeError for what cannot leave."""
+    if not model.q_i:
+        raise ModelError(f"model {model.name}", "has no step: every coordinate is driven", "simulate it")
+    refuse_breaks(model)
+    length = float(model.simulation["dt"]) if dt is None else dt
+    plan = make_plan(model, 1e9 * length, dt, m, scheme, None, options, 0.0, bounded=True)
+    plan.scheme.of_one_length("exported code")
+    built = plan.scheme
+    p = model.parameter_vector(parameters)
+    c = model.constants(p)
+    state = start_state(model, p, c, 0.0, None)
+    prepared = prepare(built.program(), built.layout.size, built.c_size)
+    z = prepared.widened(start_vector(built, 0.0, state.q, state.q_dot, c))
+    return Exported(model, name or model.name, built, prepared, p, z, _start_values(model, state.q, state.q_dot))
+
+
+def refuse_breaks(model: Model) -> None:
+    """Raises ModelError for models whose steps end at events or where loads jump in time."""
+    if not may_break(model):
+        return
+    events = [event.name for event in model.description.events]
+    what = f"events {', '.join(events)}" if events else f"jumps in time of {', '.join(model.description.switching)}"
+    raise ModelError(
+        f"{what} of model {model.name}", "are not part of exported code", "export a scene without them, or simulate it"
+    )
+
+
+def write_c(one: Exported, folder: str | Path) -> list[Path]:
+    """NAME.h, NAME.c, main.c and CMakeLists.txt in a folder. Raises OutputError."""
+    files = {**c_files(one), "main.c": _main(one), "CMakeLists.txt": _cmake(one.prefix[:-1])}
+    return write_all(files, folder)
+
+
+def write_all(files: Mapping[str, str], folder: str | Path) -> list[Path]:
+    """Texts by name into a folder that is made. Raises OutputError."""
+    for name, text in files.items():
+        write_text(Path(folder) / name, text)
+    return [Path(folder) / name for name in files]
+
+
+def c_files(one: Exported) -> dict[str, str]:
+    """NAME.h and NAME.c."""
+    stem, style = one.prefix[:-1], Style(one.prefix, own=True, tables=True)
+    code = _functions(one)
+    head = f'#include "{stem}.h"\n\n'
+    own = own_c("".join(part.text for part in code.values()), one.prefix)
+    body = source(list(code.values()), style, own + _constant_tables(one))
+    return {f"{stem}.h": _header(one, _work(one, code)), f"{stem}.c": f"{head}{body}\n{_doors(one, code)}"}
+
+
+def named(function: ca.Function, *names: str) -> Tape:
+    """The tape of a Function, its inputs by other names."""
+    return replace(read_tape(function), input_names=list(names))
+
+
+# ---- functions ------------------------------------------------------------------------------------------------
+
+
+def _functions(one: Exported) -> dict[str, Code]:
+    """What stands behind the doors by name, static functions but for `step`."""
+    p, scheme = one.prefix, one.scheme
+    own = Style(p, own=True, tables=True)
+    library = replace(own, own=False)
+    starter, arguments = _starter(scheme)
+    names = [quantity.name for quantity in one.outputs]
+    observer = reading(one.model, scheme, len(one.z), names)
+    found = {
+        "model_constants": tape_code(f"{p}model_constants", named(one.model.kernel("constants"), "p"), ["c"], library),
+        "prepare": stage_code(f"{p}prepare", named(one.prepared.constants, "c"), library),
+        "begin": tape_code(f"{p}begin", named(starter, *arguments), ["z"], library),
+        "observe": tape_code(f"{p}observe", named(observer, "z", "c"), ["y"], library, kept=""),
+        "step": program_code(f"{p}step", one.prepared.program, own),
+        "again": stage_code(f"{p}again", named(_restart(scheme), "z", "c"), own),
+    }
+    if _starts_anew(one):
+        held = _held(scheme)
+        found["hold_prepare"] = stage_code(f"{p}hold_prepare", named(held.constants, "c"), library)
+        found["hold_step"] = program_code(f"{p}hold_step", held.program, own, "static ")
+    return found
+
+
+def _starter(scheme: Scheme) -> tuple[ca.Function, list[str]]:
+    """(the start of a scheme, names of its arguments)."""
+    if scheme.model.places.all_independent:
+        return scheme.starter, ["t", "q_i", "q_i_dot", "loop", "c"]
+    return start_there(scheme), ["t", "q", "q_dot", "c"]
+
+
+def _restart(scheme: Scheme) -> ca.Function:
+    """([state, dt before, dt, clock], c) -> the same with the state as the start of steps dt [s]."""
+    size = scheme.layout.size
+    z, c = ca.SX.sym("z", size + 3), ca.SX.sym("c", scheme.c_size)
+    found = restarted(scheme, z[:size], c, z[size], z[size + 1], z[size + 2])
+    return ca.Function("again", [z, c], shared([ca.densify(ca.vertcat(found, z[size:]))]))
+
+
+def _starts_anew(one: Exported) -> bool:
+    """Where inputs change?"""
+    if not one.model.inputs or not remembers(one.scheme):
+        return False
+    if one.scheme.charts.size:
+        raise ModelError(
+            f"model {one.model.name}: inputs of bodies that turn freely",
+            "change between steps, and its scheme remembers earlier steps",
+            'export it with a scheme that does not, such as "rk4"',
+        )
+    return True
+
+
+def _held(scheme: Scheme) -> Prepared:
+    """Of [z, w]: what `hold` does, as a run does it."""
+    size = scheme.layout.size + scheme.model.signals.size
+    return prepare(Call(started_with_inputs(scheme)), size, scheme.c_size)
+
+
+def _work(one: Exported, code: Mapping[str, Code]) -> int:
+    """Entries of w: of the longest function, and what stands before its own."""
+    before = {"again": one.scheme.layout.size + 3}
+    if "hold_step" in code:
+        held = _held(one.scheme)
+        before["hold_step"] = before["hold_prepare"] = held.z_size + int(held.constants.size1_out(0))
+    return max([1, *(part.work + before.get(name, 0) for name, part in code.items())])
+
+
+# ---- text -----------------------------------------------------------------------------------------------------
+
+
+def quoted(text: str) -> str:
+    """A C string of UTF-8."""
+    plain = {34: '\\"', 92: "\\\\", 63: "\\?"}
+    return '"' + "".join(plain.get(b) or (chr(b) if 32 <= b < 127 else f"\\{b:03o}") for b in text.encode()) + '"'
+
+
+def _constant_tables(one: Exported) -> str:
+    """Names, units, meanings and start values; the first state."""
+    p, lines = one.prefix, list[str]()
+    tables = {"parameters": one.parameters, "inputs": one.inputs, "starts": one.x, "outputs": one.outputs}
+    for name, entries in tables.items():
+        rows = [f"  {{{', '.join(map(quoted, (e.name, e.unit, e.meaning)))}, {e.start!r}}}," for e in entries]
+        lines += [f"const {p}quantity {p}{name}[] = {{", *rows, "  {NULL, NULL, NULL, 0.0}};", ""]
+    return "\n".join([*lines, constant_array(f"{p}z0", one.z), ""])
+
+
+def constant_array(name: str, values: np.ndarray) -> str:
+    """A static table of doubles, read back as they are."""
+    flat = [repr(float(value)) for value in values]
+    rows = ["  " + ", ".join(flat[k : k + 6]) for k in range(0, len(flat), 6)]
+    return f"static const double {name}[{len(flat)}] = {{\n" + ",\n".join(rows) + "};"
+
+
+def _header(one: Exported, work: int) -> str:
+    p, sizes = one.prefix, [len(entries) for entries in (one.parameters, one.inputs, one.x, one.outputs)]
+    numbers = dict(zip(("PARAMETERS", "INPUTS", "STARTS", "OUTPUTS"), sizes, strict=True))
+    numbers |= {"P": len(one.p), "Z": len(one.z), "C": one.ready, "W": work}
+    defined = "\n".join(f"#define {p}{name} {value}" for name, value in numbers.items())
+    return _HEADER.format(
+        p=p, guard=f"{p}H", title=one.model.title or one.name, defined=defined, dt=one.scheme.grid.dt_L
+    )
+
+
+_HEADER = """/* {title}: steps of a mechanism. All numbers in SI units.
+
+   Memory is the caller's: p[{p}P] parameters and behind them inputs, c[{p}C] what follows
+   from p, z[{p}Z] the state, y[{p}OUTPUTS] what it shows, w[{p}W] for work (nothing in it
+   lasts from call to call; one for each thread). For the bits of the runtime compile without
+   contraction (-ffp-contract=off); fma must round once. */
+#ifndef {guard}
+#define {guard}
+
+{defined}
+#define {p}DT {dt!r} /* the step that it was made for */
+
+typedef struct {{
+  const char *name, *unit, *meaning;
+  double start;
+}} {p}quantity;
+
+/* each ends with an entry whose name is NULL */
+extern const {p}quantity {p}parameters[], {p}inputs[], {p}starts[], {p}outputs[];
+
+#ifdef __cplusplus
+extern "C" {{
+#endif
+
+/* place of a name in one of these tables, -1 where it is not */
+int {p}find(const {p}quantity *table, const char *name);
+
+/* parameters and inputs as they were when this was written */
+void {p}defaults(double *p);
+
+/* what steps of dt seconds read; again after p or dt has changed */
+void {p}constants(double *c, const double *p, double dt, double *w);
+
+/* the state at t = 0 for p of `defaults` and dt of {p}DT */
+void {p}first(double *z);
+
+/* the state at t from values in the order of `starts`; loops are closed near those given */
+void {p}start(double *z, const double *c, double t, const double *x, double *w);
+
+/* n steps */
+void {p}step(double *z, const double *c, double *w, long n);
+
+/* other inputs u[{p}INPUTS] from here on; c stays as it is */
+void {p}hold(double *z, const double *c, const double *u, double *w);
+
+/* go on from z, which steps of dt_before led to, with steps of dt; then `constants` for dt */
+void {p}restart(double *z, const double *c, double dt_before, double dt, double *w);
+
+double {p}time(const double *z, const double *c);
+void {p}observe(double *y, const double *z, const double *c, double *w);
+
+/* are all numbers of the state finite? */
+int {p}finite(const double *z);
+
+#ifdef __cplusplus
+}}
+#endif
+#endif
+"""
+
+
+def _doors(one: Exported, code: Mapping[str, Code]) -> str:
+    scheme, model, p = one.scheme, one.model, one.prefix
+    starter, names = _starter(scheme)
+    given, at = list[str](), 0
+    for k, name in enumerate(names):
+        size = starter.numel_in(k)
+        if name not in ("t", "c") and size:
+            given.append(f"x + {at}")
+            at += size
+        elif size:
+            given.append({"t": "&t", "c": "c"}[name])
+    hold = _hold_restarting(one) if "hold_step" in code else ""
+    inputs = scheme.layout.slice("inputs") if model.inputs else slice(0, 0)
+    plain = f"  memcpy(z + {inputs.start}, u, {inputs.stop - inputs.start} * sizeof(double));\n" if model.inputs else ""
+    return _DOORS.format(
+        p=p,
+        steps=constant_array("steps", np.array(scheme.grid.h)),
+        count=len(scheme.grid.h),
+        end=model.c_size,
+        given=", ".join(given),
+        hold=hold or plain or "  (void)z, (void)u;\n",
+        unused="" if hold else "  (void)c, (void)w;\n",
+        used="" if at else "  (void)x;\n",
+        size=scheme.layout.size,
+    )
+
+
+def _hold_restarting(one: Exported) -> str:
+    inputs, held, p = one.scheme.layout.slice("inputs"), _held(one.scheme), one.prefix
+    n, size, ready = inputs.stop - inputs.start, one.scheme.layout.size, int(held.constants.size1_out(0))
+    return (
+        f"  double *state = w, *read = w + {held.z_size}, *own = w + {held.z_size + ready};\n"
+        f"  long k, same = 1;\n  for (k = 0; k < {n}; ++k) same = same && z[{inputs.start} + k] == u[k];\n"
+        f"  if (same) return;\n  memset(state, 0, {held.z_size} * sizeof(double));\n"
+        f"  memcpy(state, z, {size} * sizeof(double));\n  memcpy(state + {size}, u, {n} * sizeof(double));\n"
+        f"  memcpy(read, c, {one.scheme.c_size} * sizeof(double));\n  {p}hold_prepare(read, own);\n"
+        f"  {p}hold_step(state, read, own, 1);\n  memcpy(z, state, {size} * sizeof(double));\n"
+    )
+
+
+_DOORS = """
+int {p}find(const {p}quantity *table, const char *name) {{
+  int k;
+  for (k = 0; table[k].name != NULL; ++k) {{
+    if (strcmp(table[k].name, name) == 0) return k;
+  }}
+  return -1;
+}}
+
+void {p}defaults(double *p) {{
+  long k;
+  for (k = 0; {p}parameters[k].name != NULL; ++k) p[k] = {p}parameters[k].start;
+  for (p += k, k = 0; {p}inputs[k].name != NULL; ++k) p[k] = {p}inputs[k].start;
+}}
+
+void {p}constants(double *c, const double *p, double dt, double *w) {{
+  {steps}
+  long k;
+  {p}model_constants(c, p, w);
+  for (k = 0; k < {count}; ++k) c[{end} + k] = steps[k] * (dt / steps[0]);
+  {p}prepare(c, w);
+}}
+
+void {p}first(double *z) {{ memcpy(z, {p}z0, sizeof {p}z0); }}
+
+void {p}start(double *z, const double *c, double t, const double *x, double *w) {{
+{used}  memset(z, 0, sizeof {p}z0);
+  {p}begin(z, {given}, w);
+}}
+
+void {p}hold(double *z, const double *c, const double *u, double *w) {{
+{unused}{hold}}}
+
+double {p}time(const double *z, const double *c) {{ return z[0] + z[1] * c[{end}]; }}
+
+void {p}restart(double *z, const double *c, double dt_before, double dt, double *w) {{
+  memcpy(w, z, {size} * sizeof(double));
+  w[{size}] = dt_before, w[{size} + 1] = dt, w[{size} + 2] = z[0] + z[1] * dt_before;
+  {p}again(w, c, w + {size} + 3);
+  memcpy(z, w, {size} * sizeof(double));
+}}
+
+int {p}finite(const double *z) {{
+  long k;
+  for (k = 0; k < {size}; ++k) {{
+    if (!(z[k] - z[k] == 0.0)) return 0;
+  }}
+  return 1;
+}}
+"""
+
+
+def _start_values(model: Model, q: np.ndarray, q_dot: np.ndarray) -> list[Quantity]:
+    """What `start` takes, at a consistent state of all coordinates (n,)."""
+    records = {record.name: record for record in model.description.coordinates}
+    names, values, rates = list(model.coordinates), q, q_dot
+    if model.places.all_independent:
+        names, (values, rates) = list(model.q_i), independent(model, q, q_dot)
+    units = [records[name].unit if name in records else "" for name in names]
+    per_second = [records[name].unit_of(1) if name in records else "1/s" for name in names]
+    found = [Quantity(*one) for one in zip(names, units, ["start"] * len(names), map(float, values), strict=True)]
+    slow = zip((f"{name}_dot" for name in names), per_second, ["start"] * len(names), map(float, rates), strict=True)
+    found += [Quantity(*one) for one in slow]
+    if model.places.all_independent:
+        guess = zip(model.loop_unknowns, map(float, loop_part(model, q)), strict=True)
+        found += [Quantity(name, records[name].unit, "about, closes a loop", value) for name, value in guess]
+    return found
+
+
+def _parameters(model: Model, p: np.ndarray) -> list[Quantity]:
+    return [Quantity(e.name, e.unit, e.meaning, float(v)) for e, v in zip(model.parameters, p, strict=True)]
+
+
+def _main(one: Exported) -> str:
+    settings = one.model.simulation
+    blocks = max(1, round(float(settings["t_end"]) / one.scheme.grid.dt_L / 100))
+    return _MAIN.format(p=one.prefix, stem=one.prefix[:-1], blocks=blocks)
+
+
+_MAIN = """/* Runs {stem} and writes what it shows as CSV. */
+#include <stdio.h>
+
+#include "{stem}.h"
+
+int main(void) {{
+  double p[{p}P + 1], c[{p}C], z[{p}Z], y[{p}OUTPUTS];
+  static double w[{p}W];
+  int k, row;
+  {p}defaults(p);
+  {p}constants(c, p, {p}DT, w);
+  {p}first(z);
+  printf("t");
+  for (k = 0; k < {p}OUTPUTS; ++k) printf(",%s", {p}outputs[k].name);
+  for (row = 0; row <= 100 && {p}finite(z); ++row) {{
+    {p}observe(y, z, c, w);
+    printf("\\n%.17g", {p}time(z, c));
+    for (k = 0; k < {p}OUTPUTS; ++k) printf(",%.17g", y[k]);
+    {p}step(z, c, w, {blocks});
+  }}
+  printf("\\n");
+  return {p}finite(z) ? 0 : 1;
+}}
+"""
+
+
+def _cmake(stem: str) -> str:
+    return f"""cmake_minimum_required(VERSION 3.10)
+project({stem} C)
+set(CMAKE_C_STANDARD 99)
+set(CMAKE_C_STANDARD_REQUIRED ON)
+set(CMAKE_C_EXTENSIONS OFF)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+if(NOT MSVC)
+  add_compile_options(-ffp-contract=off)
+  set(MATHEMATICS m)
+endif()
+add_library({stem} STATIC {stem}.c)
+target_include_directories({stem} PUBLIC ${{CMAKE_CURRENT_SOURCE_DIR}})
+target_link_libraries({stem} PUBLIC ${{MATHEMATICS}})
+add_executable({stem}_example main.c)
+target_link_libraries({stem}_example {stem})
+"""

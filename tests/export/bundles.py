@@ -1,0 +1,70 @@
+"""Exported C built by the machine's compiler and called through ctypes."""
+
+from __future__ import annotations
+
+import ctypes
+import re
+import shlex
+import subprocess
+from pathlib import Path
+
+import numpy as np
+
+from runtime.contract.model import Model
+from runtime.engine.compiled import find_compiler
+from runtime.export.c_bundle import Exported, exported, write_c
+
+STRICT = ("-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror")
+
+
+def compiled(folder: Path, stem: str, *flags: str) -> Path:
+    """A shared library of folder/stem.c."""
+    library = folder / f"{stem}{abs(hash(flags))}.so"
+    command = [
+        *shlex.split(find_compiler() or "cc"),
+        *flags,
+        "-shared",
+        "-fPIC",
+        f"{stem}.c",
+        "-o",
+        str(library),
+        "-lm",
+    ]
+    subprocess.run(command, cwd=folder, check=True, capture_output=True, text=True)
+    return library
+
+
+class Bundle:
+    """NAME.c with the memory of one instance."""
+
+    def __init__(self, one: Exported, library: Path, header: str) -> None:
+        self.one, self._library = one, ctypes.CDLL(str(library))
+        found = re.findall(rf"#define {one.prefix}(\w+) (\d+)\n", header)
+        size = {name: int(value) for name, value in found}
+        self.p, self.c, self.z = np.zeros(size["P"]), np.zeros(size["C"]), np.zeros(size["Z"])
+        self.y, self.w = np.zeros(size["OUTPUTS"]), np.zeros(size["W"])
+        self.dt = one.scheme.grid.dt_L
+        self.call("defaults", self.p)
+        self.call("constants", self.c, self.p, self.dt, self.w)
+        self.call("first", self.z)
+
+    def call(self, name: str, *arguments: np.ndarray | float | int) -> None:
+        """A function of the bundle; whole numbers are counts."""
+        kinds = {float: ctypes.c_double, int: ctypes.c_long}
+        given = [kinds[type(a)](a) if type(a) in kinds else ctypes.c_void_p(a.ctypes.data) for a in arguments]
+        getattr(self._library, self.one.prefix + name)(*given)
+
+    def step(self, n: int = 1) -> None:
+        self.call("step", self.z, self.c, self.w, n)
+
+    def observe(self) -> np.ndarray:
+        self.call("observe", self.y, self.z, self.c, self.w)
+        return self.y
+
+
+def bundle(model: Model, folder: Path, *flags: str, **how: object) -> Bundle:
+    """A model exported into a folder, built and loaded."""
+    one = exported(model, **how)  # type: ignore[arg-type]
+    write_c(one, folder)
+    stem = one.prefix[:-1]
+    return Bundle(one, compiled(folder, stem, *(flags or (*STRICT, "-O1"))), (folder / f"{stem}.h").read_text())
