@@ -90,7 +90,7 @@ __all__ = [
 
 _HOMES = {
     "augmented_solution": "baselines.augmented",
-    "reference_solution": "baselines.reference",
+    "reference_solution": "baselines.scipy_methods",
     "InitialStateError": "contract.consistent_state",
     "SymgenError": "contract.errors",
     "OutputError": "contract.files",
@@ -110,8 +110,8 @@ _HOMES = {
     "linearise": "operating.linearise",
     "modes": "operating.modes",
     "campbell": "operating.campbell",
-    "mode_motion": "operating.mode_motion",
-    "unbalance_response": "operating.unbalance",
+    "mode_motion": "operating.modes",
+    "unbalance_response": "operating.campbell",
     "Solution": "results.solution",
     "quasi_static_motion": "running.quasi_static_motion",
     "Environment": "running.environment",

@@ -48,12 +48,8 @@ class Picture:
 
 def drawn_references(scene: Scene) -> Iterator[str]:
     """References "body.marker": what joints, loads and measures use, and what the scene declares; origins first."""
-    used = [
-        getattr(part, key)
-        for part in (*scene.joints, *scene.loads)
-        for key in ("marker_a", "marker_b", "marker", "reaction")
-        if getattr(part, key, None)
-    ]
+    used = [reference for joint in scene.joints for reference in joint.markers.values()]
+    used += [reference for load in scene.loads for reference in load.markers.values()]
     used += [reference for measure in scene.measures for reference in measure.markers.values()]
     for body in (scene.ground, *scene.moving_bodies):
         named = [reference for reference in used if reference.partition(".")[0] == body.name]

@@ -33,12 +33,10 @@ from runtime.contract.records import (
     StrutRecord,
     SurfaceRecord,
 )
-from symgen.joints.joint import Turn
 from symgen.pipeline import Derived
 from symgen.scene import GroundBody, RigidBody, Scene
 from symgen.scene.appearance import BoxShape, CylinderShape, MeshShape, SphereShape
 from symgen.scene.flexible import SpatialModalBody
-from symgen.scene.loads import Load
 
 
 def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) -> Description:
@@ -60,7 +58,7 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
         redundant=[eq.constraints[row].label for row in derived.redundant],
         bodies=_bodies(derived),
         joints=_joints(scene),
-        loads=[_load(scene, load) for load in scene.loads],
+        loads=[LoadRecord(load.name, *load.record(scene)) for load in scene.loads],
         measures=[Measure(name, eq.measure_units[name]) for name in eq.measures],
         drawing=_drawing(derived),
         gravity=_gravity(derived),
@@ -126,16 +124,6 @@ def _joints(scene: Scene) -> list[JointRecord]:
         )
         for joint in scene.joints
     ]
-
-
-def _load(scene: Scene, load: Load) -> LoadRecord:
-    """An effort is the torque or the force that it is, on marker b of its joint."""
-    if load.type == "effort":
-        joint, motion = scene.joint_of(load.coordinate)
-        ends = {"marker": joint.marker_b, "reaction": joint.marker_a}
-        return LoadRecord(load.name, "torque" if isinstance(motion, Turn) else "force", ends)
-    named = {key: getattr(load, key, None) for key in ("marker", "marker_a", "marker_b", "reaction")}
-    return LoadRecord(load.name, load.type, {key: name for key, name in named.items() if name})
 
 
 def _drawing(derived: Derived) -> Drawing:

@@ -131,6 +131,11 @@ class Joint(StrictModel):
     at_b: ClassVar[Reaction] = "force and moment"
     drawing: ClassVar[JointDrawing] = "pivot"
 
+    @property
+    def markers(self) -> dict[str, str]:
+        """The markers that it names, by field."""
+        return {"marker_a": self.marker_a, "marker_b": self.marker_b}
+
     @classmethod
     def rows_in_plane(cls, m: InPlane) -> list[Equation]:
         """Rows between two planar markers; none: the joint exists in space only."""

@@ -5,6 +5,7 @@ and remedy.
 """
 
 from symgen.joints import JOINTS, Joint
+from symgen.loads import LOADS, Load
 from symgen.scene.attachments import lateral_ends, with_ends
 from symgen.scene.bodies import (
     AxialModes,
@@ -19,7 +20,6 @@ from symgen.scene.bodies import (
 )
 from symgen.scene.builder import SceneBuilder
 from symgen.scene.flexible import FlexibleMarker, FlexibleStiffening, SpatialModalBody, Structure
-from symgen.scene.loads import Bushing, Force, Load, RotationalSpringDamper, SpringDamper, Torque
 from symgen.scene.measures import (
     CoordinateMeasure,
     MarkerMeasure,
@@ -49,17 +49,17 @@ from symgen.schema.fields import Quantity
 
 __all__ = [
     "AnyBody", "AnyMarker", "AxialModes", "Baumgarte", "BeamBody", "BeamMarker", "Body",
-    "Bushing", "CoordinateMeasure", "MarkerMeasure", "CurveTable",
+    "CoordinateMeasure", "MarkerMeasure", "CurveTable",
     "Expression", "SpatialModalBody", "FlexibleMarker", "FlexibleStiffening",
-    "Force", "Foreshortening", "CoordinateGroup", "GroundBody", "Initial",
+    "Foreshortening", "CoordinateGroup", "GroundBody", "Initial",
     "InitialValue",
-    "JOINTS", "Joint", "LateralModes", "Load", "MarkerDirections", "Measure", "ModalBody", "ModalMarker",
+    "JOINTS", "Joint", "LOADS", "LateralModes", "Load", "MarkerDirections", "Measure", "ModalBody", "ModalMarker",
     "DeclaredEvent", "DeclaredInput", "DeclaredParameter", "DeclaredState", "Partition", "Placement",
     "Quantity",
    
-    "RigidBody", "RigidMarker", "RotationalSpringDamper", "Scene", "SceneBuilder", "SceneError",
+    "RigidBody", "RigidMarker", "Scene", "SceneBuilder", "SceneError",
     "SectionForceMeasure",
-    "Simulation", "SpringDamper", "StressMeasure", "Structure", "Torque", "TorsionModes",
+    "Simulation", "StressMeasure", "Structure", "TorsionModes",
     "lateral_ends", "parse_expression", "read_mesh",
     "with_ends",
 ]  # fmt: skip

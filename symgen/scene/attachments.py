@@ -11,9 +11,9 @@ from functools import partial
 from typing import NamedTuple, TypeVar
 
 from symgen.joints import Joint
-from symgen.joints.joint import Y
+from symgen.joints.joint import Reaction, Y
+from symgen.loads import Load
 from symgen.scene.bodies import BeamBody, BeamMarker, MarkerDirections
-from symgen.scene.loads import Load
 from symgen.scene.parts import SceneParts
 
 AnyScene = TypeVar("AnyScene", bound=SceneParts)
@@ -25,8 +25,6 @@ LATERAL = {
     ("free", "welded"): "free-clamped",
 }
 AXIAL = {(True, True): "fixed-loaded", (True, False): "fixed-free", (False, True): "free-fixed"}
-FORCES_ONLY = ("spring_damper", "force")
-MOMENTS_ONLY = ("torque", "rotational_spring_damper")
 
 
 class Carried(NamedTuple):
@@ -111,24 +109,27 @@ def _at(scene: SceneParts, beam: BeamBody, at: float) -> list[Carried]:
 
 def _attached(scene: SceneParts) -> Iterator[tuple[str, Joint | Load, str]]:
     """(marker, joint or load, the side of it that is there)."""
-    for part in (*scene.joints, *scene.loads):
-        for side in ("marker_a", "marker_b", "marker", "reaction"):
-            reference = getattr(part, side, None)
-            if reference is not None:
-                yield reference, part, side
+    parts: tuple[Joint | Load, ...] = (*scene.joints, *scene.loads)
+    for part in parts:
+        for side, reference in part.markers.items():
+            yield reference, part, side
 
 
 def _by(part: Joint | Load, side: str, scene: SceneParts, reference: str) -> Carried:
     """What a joint or load carries at the marker that is its `side`."""
     if isinstance(part, Joint):
         return _by_joint(part, side, scene, reference)
-    return Carried(part.type not in MOMENTS_ONLY, part.type not in FORCES_ONLY)
+    return _both(part.carries)
+
+
+def _both(carried: Reaction) -> Carried:
+    return Carried("force" in carried, "moment" in carried)
 
 
 def _by_joint(joint: Joint, side: str, scene: SceneParts, reference: str) -> Carried:
     carried = joint.at_a if side == "marker_a" else joint.at_b
     if carried != "force and moment":
-        return Carried(carried == "force", carried == "moment")
+        return _both(carried)
     turn = joint.turn_at("marker_a" if side == "marker_a" else "marker_b")
     if turn is None or turn.lead or getattr(joint, turn.damping, 0) != 0 or _driven(scene, f"{joint.name}.{turn.name}"):
         return Carried(True, True)
@@ -139,7 +140,7 @@ def _by_joint(joint: Joint, side: str, scene: SceneParts, reference: str) -> Car
 
 def _driven(scene: SceneParts, coordinate: str) -> bool:
     """Does an effort act on it?"""
-    return any(load.type == "effort" and load.coordinate == coordinate for load in scene.loads)
+    return any(load.drives(coordinate) for load in scene.loads)
 
 
 def _axis(own: int, scene: SceneParts, reference: str) -> tuple[float, ...] | None:

@@ -6,10 +6,12 @@ from collections.abc import Callable
 from inspect import Parameter, Signature
 from typing import TYPE_CHECKING, Any, Self
 
-from symgen.joints import JOINTS, Joint
+from symgen.joints import JOINTS
+from symgen.loads import LOADS
 from symgen.scene.scene import Scene
 from symgen.scene.tables import read_points
 from symgen.schema.errors import SceneError, show
+from symgen.schema.fields import StrictModel
 
 MAX_NESTING = 20
 
@@ -17,8 +19,8 @@ MAX_NESTING = 20
 class SceneBuilder:
     """Collects the entries of a scene; every method but `build` returns the builder.
 
-    The keyword arguments are the fields of the models of the same name (SI units), NumPy arrays included. Each joint
-    type has a method of its name: `revolute(name, marker_a, marker_b, damping=0.1)`.
+    The keyword arguments are the fields of the models of the same name (SI units), NumPy arrays included. Each type of
+    joint and load has a method of its name: `revolute(name, marker_a, marker_b, damping=0.1)`.
     `build` raises SceneError for everything that is wrong.
     """
 
@@ -95,36 +97,20 @@ class SceneBuilder:
 
     def joint(self, type: str, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
         """A joint of any type by its name in a scene file; each type has a method of that name, too."""
-        return self._pair("joints", type, name, marker_a, marker_b, fields)
+        return self._add("joints", type, name, {"marker_a": marker_a, "marker_b": marker_b, **fields})
 
     if TYPE_CHECKING:
 
-        def __getattr__(self, joint_type: str) -> Callable[..., Self]:
-            """A method for each joint type, see below."""
+        def __getattr__(self, type: str) -> Callable[..., Self]:
+            """A method for each type of joint and load, see below."""
 
     def force(self, name: str, marker: str, *components: float | str, **fields: Any) -> Self:
         """A `Force` with components x, y (and z) [N]."""
         return self._add("loads", "force", name, {"marker": marker, "components": list(components), **fields})
 
-    def torque(self, name: str, marker: str, value: float | str, **fields: Any) -> Self:
-        """A `Torque` [N m]."""
-        return self._add("loads", "torque", name, {"marker": marker, "value": value, **fields})
-
-    def effort(self, name: str, coordinate: str, value: float | str) -> Self:
-        """An `Effort` on a joint's coordinate [N m or N]."""
-        return self._add("loads", "effort", name, {"coordinate": coordinate, "value": value})
-
-    def spring_damper(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
-        """A `SpringDamper`."""
-        return self._pair("loads", "spring_damper", name, marker_a, marker_b, fields)
-
-    def rotational_spring_damper(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
-        """A `RotationalSpringDamper`."""
-        return self._pair("loads", "rotational_spring_damper", name, marker_a, marker_b, fields)
-
-    def bushing(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
-        """A `Bushing`."""
-        return self._pair("loads", "bushing", name, marker_a, marker_b, fields)
+    def load(self, type: str, name: str, **fields: Any) -> Self:
+        """A load of any type by its name in a scene file; each type has a method of that name, too."""
+        return self._add("loads", type, name, fields)
 
     def measure(self, name: str, type: str, of: str, relative_to: str = "ground.origin", **fields: Any) -> Self:
         """A measure: angle, distance, x, y or z of a marker relative to another one, coordinate of a coordinate,
@@ -188,9 +174,6 @@ class SceneBuilder:
         self._data.setdefault(section, []).append(_plain({"type": type, "name": name, **fields}, section))
         return self
 
-    def _pair(self, section: str, type: str, name: str, a: str, b: str, fields: dict[str, Any]) -> Self:
-        return self._add(section, type, name, {"marker_a": a, "marker_b": b, **fields})
-
 
 def _plain(value: Any, item: str, depth: int = 0) -> Any:
     """NumPy arrays and scalars, and tuples, as the lists and numbers a TOML file would give."""
@@ -207,21 +190,23 @@ def _plain(value: Any, item: str, depth: int = 0) -> Any:
     return value
 
 
-def _joint_method(type: str, record: type[Joint]) -> Callable[..., SceneBuilder]:
-    own = {key: field for key, field in record.model_fields.items() if key not in ("type", *Joint.model_fields)}
+def _method(section: str, type: str, record: type[StrictModel]) -> Callable[..., SceneBuilder]:
+    """Adds an entry of this type: what it needs by place or by name, the rest by name."""
+    own = {key: field for key, field in record.model_fields.items() if key not in ("type", "name")}
     needed = [key for key, field in own.items() if field.is_required()]
 
-    def add(self: SceneBuilder, name: str, marker_a: str, marker_b: str, *values: Any, **fields: Any) -> SceneBuilder:
-        given = dict(zip(needed, values, strict=False))
-        return self.joint(type, name, marker_a, marker_b, **given, **fields)
+    def add(self: SceneBuilder, name: str, *values: Any, **fields: Any) -> SceneBuilder:
+        return self._add(section, type, name, {**dict(zip(needed, values, strict=False)), **fields})
 
     either, named = Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY
-    known = [Parameter(key, either) for key in ("self", *Joint.model_fields, *needed)]
+    known = [Parameter(key, either) for key in ("self", "name", *needed)]
     free = [Parameter(key, named, default=field.default) for key, field in own.items() if key not in needed]
     add.__name__, add.__doc__ = type, record.__doc__
     add.__signature__ = Signature([*known, *free])  # type: ignore[attr-defined]
     return add
 
 
-for _type, _record in JOINTS.items():
-    setattr(SceneBuilder, _type, _joint_method(_type, _record))
+for _section, _records in (("joints", JOINTS), ("loads", LOADS)):
+    for _type, _record in _records.items():
+        if not hasattr(SceneBuilder, _type):
+            setattr(SceneBuilder, _type, _method(_section, _type, _record))

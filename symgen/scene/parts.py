@@ -12,9 +12,9 @@ from runtime.contract.orientations import is_sequence
 from runtime.contract.records import UNITS, Coordinate, CoordinateKind
 from symgen.joints import JOINTS, Joint
 from symgen.joints.joint import Slide, Turn
+from symgen.loads import LOADS, Load
 from symgen.scene.bodies import BeamBody, BeamMarker, GroundBody, RigidBody, RigidMarker
 from symgen.scene.flexible import FlexibleMarker, SpatialModalBody, Structure
-from symgen.scene.loads import Load
 from symgen.scene.measures import Measure
 from symgen.scene.modal import ModalBody, ModalMarker
 from symgen.scene.parameters import DeclaredInput, DeclaredParameter, DeclaredState
@@ -36,8 +36,10 @@ ORIENTATIONS: dict[str, tuple[tuple[str, CoordinateKind], ...]] = {
 Body = Annotated[AnyBody, Field(discriminator="type")]
 if TYPE_CHECKING:
     AnyJoint = Joint
+    AnyLoad = Load
 else:
     AnyJoint = Annotated[reduce(or_, JOINTS.values()), Field(discriminator="type")]
+    AnyLoad = Annotated[reduce(or_, LOADS.values()), Field(discriminator="type")]
 
 
 class SceneParts(StrictModel):
@@ -58,7 +60,7 @@ class SceneParts(StrictModel):
     events: dict[Name, DeclaredEvent] = Field(default_factory=dict)
     bodies: tuple[Body, ...] = ()
     joints: tuple[AnyJoint, ...] = ()
-    loads: tuple[Load, ...] = ()
+    loads: tuple[AnyLoad, ...] = ()
     measures: tuple[Measure, ...] = ()
     structure: Structure | None = None
     partition: Partition = Partition()
@@ -147,6 +149,10 @@ class SceneParts(StrictModel):
     def placements(self) -> list[Placement]:
         """The joints that place a body by coordinates of their own, in scene order (spatial scenes)."""
         return placements_of(self.moving_bodies, self.joints) if self.space == "spatial" else []
+
+    def placing(self) -> set[str]:
+        """Names of those joints."""
+        return {placement.joint for placement in self.placements()}
 
     def switched_parameters(self) -> set[str]:
         """Parameters that actions of events set: they are held as inputs are, and stand where inputs may."""

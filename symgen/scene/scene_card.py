@@ -25,9 +25,8 @@ def scene_sketch(scene: SceneParts) -> str:
     height = max(y for _, y in at.values()) + HIGH + 16
     joined = [(joint.marker_a, joint.marker_b, f"{joint.name}: {joint.type}", INK, "") for joint in scene.joints]
     for load in scene.loads:
-        ends = [getattr(load, role, None) for role in ("marker_a", "marker_b")]
-        if all(ends):
-            joined.append((str(ends[0]), str(ends[1]), load.name, RED, "4 3"))
+        if {"marker_a", "marker_b"} <= load.markers.keys():
+            joined.append((load.markers["marker_a"], load.markers["marker_b"], load.name, RED, "4 3"))
     ended: dict[str, int] = {}  # lines that end at a body so far
     lines = []
     for first, second, text, colour, dash in joined:
@@ -96,11 +95,7 @@ def scene_card(scene: SceneParts) -> str:
         for body in (scene.ground, *scene.moving_bodies)
     ]
     joints = [(joint.name, joint.type, f"{joint.marker_a} - {joint.marker_b}") for joint in scene.joints]
-    roles = ("marker", "marker_a", "marker_b", "reaction", "coordinate")
-    loads = [
-        (load.name, load.type, " - ".join(getattr(load, role) for role in roles if getattr(load, role, None)))
-        for load in scene.loads
-    ]
+    loads = [(load.name, load.type, " - ".join(load.acts_at)) for load in scene.loads]
     measures = [(measure.name, measure.type) for measure in scene.measures]
     parameters = [
         (name, f"{entry.default:.6g}", entry.unit, entry.description) for name, entry in scene.parameters.items()

@@ -17,7 +17,7 @@ from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
 from symgen.bodies.outlines import Picture
 from symgen.bodies.static_residual import StaticResidual
-from symgen.loads.effect import LinearSpring
+from symgen.loads.load import LinearSpring
 from symgen.scene import Scene
 from symgen.system.constraint_rows import ConstraintRow
 from symgen.system.frames.fields import Direction

@@ -5,7 +5,7 @@ What a body, a joint or a load *is* depends on the dimensions of the scene and s
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import Any, Generic, Protocol, TypeVar
 
 import casadi as ca
@@ -20,11 +20,12 @@ from symgen.bodies.outlines import Picture
 from symgen.bodies.spatial_orientation import euler_angle
 from symgen.joints import Joint
 from symgen.joints.joint import Slide, Turn
-from symgen.loads.effect import LoadEffect
+from symgen.loads import Load
+from symgen.loads.load import LoadEffect
 from symgen.scene import Scene, SpatialModalBody
-from symgen.scene.loads import Load
 from symgen.scene.measures import Measure, SectionForceMeasure, StressMeasure
 from symgen.schema.fields import Scope
+from symgen.system.acting import Read
 from symgen.system.constraint_rows import ConstraintRow, Motion
 from symgen.system.equations import Equations
 from symgen.system.errors import DerivationError
@@ -87,8 +88,8 @@ class Space(Protocol[Marker]):
     def section_force(self, kind: str, reference: str) -> ca.SX:
         """Normal force, shear force or bending moment of a beam at a marker."""
 
-    def load(self, load: Load, value: Any) -> LoadEffect:
-        """Effect of a load; value(text, item) reads an expression."""
+    def load(self, load: Load, read: Read, q: ca.SX, q_dot: ca.SX) -> LoadEffect:
+        """Effect of a load; read: its expressions."""
 
     def picture(self) -> Picture:
         """What shows the bodies."""
@@ -114,8 +115,9 @@ class Mechanism(Generic[Marker]):
         self.environment: Mapping[str, Any] = {**table.environment(), "t": equations.t, **equations.u}
         self._add_measures()
         self._add_states()
+        q, q_dot = ca.vertcat(*equations.q), ca.vertcat(*equations.q_dot)
         for load in scene.loads:
-            effect = space.load(load, self._expression)
+            effect = space.load(load, self._expression, q, q_dot)
             self._add_effect(load.name, effect)
             equations.load_actions[load.name] = effect.action
         self._add_events()
@@ -278,17 +280,11 @@ class Mechanism(Generic[Marker]):
         names = ("t", *self.equations.u, *self.equations.measures)
         return self.scene.expression(text, item, names).to_casadi(self.environment)
 
-    def _expression(self, text: float | str, item: str) -> ca.SX:
+    def _expression(self, text: float | str, item: str, local: Mapping[str, ca.SX]) -> ca.SX:
         if not isinstance(text, str):
             return self.table.quantity(text, item, "N or N m")
-        return self.reader.read(text, item, item.partition(".")[0], self.environment, *self.equations.measures)
-
-
-def spring_values(load: Any, table: ParameterTable) -> list[ca.SX]:
-    """Stiffness, damping and free length or angle of a spring-damper."""
-    turning = load.type == "rotational_spring_damper"
-    fields = ("stiffness", "damping", "free_angle" if turning else "free_length")
-    return [table.of(load, field) for field in fields]
+        names = (*self.equations.measures, *local)
+        return self.reader.read(text, item, item.partition(".")[0], {**self.environment, **local}, *names)
 
 
 def frictions(joint: Joint, table: ParameterTable) -> Iterator[tuple[Turn | Slide, ca.SX]]:
@@ -296,10 +292,3 @@ def frictions(joint: Joint, table: ParameterTable) -> Iterator[tuple[Turn | Slid
     for motion in joint.motions or ():
         if motion.damping and getattr(joint, motion.damping) != 0:
             yield motion, table.of(joint, motion.damping)
-
-
-def components(texts: Sequence[float | str], item: str, axes: str, value: Any) -> list[ca.SX]:
-    """Components of a force; a z left out is zero."""
-    return [
-        value(text, f"{item}.components.{axis}") for axis, text in zip(axes, [*texts, 0.0][: len(axes)], strict=True)
-    ]

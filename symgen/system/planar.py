@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import casadi as ca
 
 from symgen.algebra.parameters import ParameterTable
+from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ONE, ZERO, entries
 from symgen.bodies.beam_sets import section_force
 from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_references, rectangle
@@ -23,12 +23,12 @@ from symgen.bodies.shape_integrals import (
 )
 from symgen.joints import Joint
 from symgen.joints.joint import Slide
-from symgen.loads import planar_effects as effects
-from symgen.loads.effect import LoadEffect
+from symgen.loads import Load
+from symgen.loads.load import LinearSpring, LoadEffect
 from symgen.scene import BeamBody, BeamMarker, Scene
-from symgen.scene.loads import Load
+from symgen.system.acting import PlanarActing, Read, turn_between
 from symgen.system.constraint_rows import ConstraintRow, Motion, planar_rows
-from symgen.system.mechanism import components, frictions, spring_values
+from symgen.system.mechanism import frictions
 
 
 class PlanarSpace:
@@ -68,11 +68,9 @@ class PlanarSpace:
 
     def joint_friction(self, joint: Joint) -> list[LoadEffect]:
         """Of a slide along it, of a hinge about it."""
-        a, b, zero = self.marker(joint.marker_a), self.marker(joint.marker_b), ca.SX(0)
+        a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
         return [
-            effects.slide_friction(a, b, damping)
-            if isinstance(motion, Slide)
-            else effects.rotational_spring_damper(a, b, zero, damping, zero)
+            slide_friction(a, b, damping) if isinstance(motion, Slide) else hinge_friction(a, b, damping)
             for motion, damping in frictions(joint, self.table)
         ]
 
@@ -91,22 +89,9 @@ class PlanarSpace:
             body, mesh_key(body), kind, float(marker.at), self.bodies[body.name].coordinates.q_f, self.table
         )
 
-    def load(self, load: Load, value: Any) -> LoadEffect:
-        """Force, torque, effort or spring-damper."""
-        if load.type == "force":
-            return effects.point_force(
-                self.marker(load.marker), components(load.components, load.name, "xy", value), load.frame
-            )
-        if load.type == "torque":
-            reaction = self.marker(load.reaction) if load.reaction else None
-            return effects.torque(self.marker(load.marker), value(load.value, f"{load.name}.value"), reaction)
-        if load.type == "effort":
-            (joint, motion), effort = self.scene.joint_of(load.coordinate), value(load.value, f"{load.name}.value")
-            a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
-            return effects.push(a, b, effort) if isinstance(motion, Slide) else effects.torque(b, effort, a)
-        turning = load.type == "rotational_spring_damper"
-        effect = effects.rotational_spring_damper if turning else effects.spring_damper
-        return effect(self.marker(load.marker_a), self.marker(load.marker_b), *spring_values(load, self.table))
+    def load(self, load: Load, read: Read, q: ca.SX, q_dot: ca.SX) -> LoadEffect:
+        """As its record says."""
+        return load.effect(PlanarActing(self.marker, load, self.scene, self.table, read, q, q_dot))
 
     def picture(self) -> Picture:
         """Stations of beams, markers, poses."""
@@ -144,3 +129,22 @@ def _drawn(body: str, name: str, shape: PointShape) -> DrawnPoint:
         [[ZERO, ZERO, shape.slope[a]] for a in modes],
         [] if shape.H.nnz() == 0 else entries(shape.H),
     )
+
+
+def slide_friction(a: MarkerMotion, b: MarkerMotion, damping: ca.SX) -> LoadEffect:
+    """Viscous friction along the line of marker a (prismatic joint)."""
+    t_x, t_y = a.direction
+    rate = t_x * (b.r_dot[0] - a.r_dot[0]) + t_y * (b.r_dot[1] - a.r_dot[1])
+    row: Row = {}
+    for axis, component in enumerate((t_x, t_y)):
+        add_scaled(row, -damping * rate * component, b.r_columns[axis])
+        add_scaled(row, damping * rate * component, a.r_columns[axis])
+    return LoadEffect(row, dissipated=damping * rate**2)
+
+
+def hinge_friction(a: MarkerMotion, b: MarkerMotion, damping: ca.SX) -> LoadEffect:
+    """Viscous friction of the relative rotation."""
+    turn = turn_between(a, b)
+    row: Row = {}
+    add_scaled(row, -damping * turn.rate, turn.row)
+    return LoadEffect(row, dissipated=damping * turn.rate**2, spring=LinearSpring(turn.row, ca.SX(0), damping))

@@ -3,29 +3,28 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping
 
 import casadi as ca
 
 from symgen.algebra.parameters import ParameterTable
-from symgen.algebra.scalar import ONE, ZERO, dot
+from symgen.algebra.rows import Row, add_scaled
+from symgen.algebra.scalar import ONE, ZERO, dot, mul, neg
 from symgen.algebra.vectors import Vector, minus
 from symgen.bodies.beam_sets import section_force
 from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_references, rectangle
 from symgen.bodies.shape_integrals import beam_section
 from symgen.bodies.spatial_beam_body import beam_spatial_point, spatial_mesh_key
 from symgen.bodies.spatial_body import SpatialBody, SpatialCoordinates, SpatialMarker
-from symgen.bodies.spatial_integrals import spatial_integrals, spatial_point, three
+from symgen.bodies.spatial_integrals import spatial_integrals, spatial_point
 from symgen.bodies.spatial_moments import SpatialPoint
 from symgen.bodies.spatial_orientation import orientation
 from symgen.joints import Joint
-from symgen.joints.joint import Slide, Turn
-from symgen.loads import spatial_effects as effects
-from symgen.loads.effect import LoadEffect
-from symgen.loads.spatial_effects import Angle, StateVector
+from symgen.joints.joint import Turn
+from symgen.loads import Load
+from symgen.loads.load import LinearSpring, LoadEffect, Scalar
 from symgen.scene import BeamBody, BeamMarker, Scene
-from symgen.scene.loads import Load
+from symgen.system.acting import Read, SpatialActing, angle_about_z, axis_of, gradient
 from symgen.system.constraint_rows import (
     ConstraintRow,
     Motion,
@@ -36,7 +35,7 @@ from symgen.system.constraint_rows import (
 )
 from symgen.system.equations import Equations
 from symgen.system.joint_templates import JointCoordinate, JointCoordinates
-from symgen.system.mechanism import components, frictions, spring_values
+from symgen.system.mechanism import frictions
 from symgen.system.topology import Topology
 
 
@@ -47,7 +46,7 @@ class SpatialSpace:
 
     def __init__(self, scene: Scene, table: ParameterTable, equations: Equations, topology: Topology) -> None:
         self.scene, self.table, self.topology = scene, table, topology
-        self.motion = StateVector(ca.vertcat(*equations.q), ca.vertcat(*equations.q_dot))
+        self.motion = ca.vertcat(*equations.q), ca.vertcat(*equations.q_dot)
         self.bodies = {"ground": SpatialBody.ground()}
         self._markers: dict[str, SpatialMarker] = {}
         self._coordinates: dict[str, JointCoordinate] = {}
@@ -111,12 +110,12 @@ class SpatialSpace:
                 return self._coordinates[f"{joint.name}.{label}"]
         return None
 
-    def _joint_angle(self, a: str, b: str) -> Angle | None:
+    def _joint_angle(self, a: str, b: str) -> Scalar | None:
         """The angle of a placing joint between two markers, its negative where the joint names them the other way."""
         own, opposite = self._between(a, b, "angle"), self._between(b, a, "angle")
         if own is not None or opposite is None:
-            return None if own is None else _angle(own)
-        return Angle(-opposite.value, -opposite.rate, {opposite.column: -ONE})
+            return None if own is None else _scalar(own)
+        return Scalar(-opposite.value, -opposite.rate, {opposite.column: -ONE}, (), turning=True)
 
     def body_rows(self) -> list[ConstraintRow]:
         """Unit length of Euler parameters that no joint gives."""
@@ -132,15 +131,17 @@ class SpatialSpace:
         for motion, damping in frictions(joint, self.table):
             own = self._coordinates.get(f"{joint.name}.{motion.name}")
             if own is not None:
-                found.append(effects.turning_spring_damper(_angle(own), ZERO, damping, ZERO))
+                found.append(coordinate_friction(_scalar(own), damping))
                 continue
             a, b = self.pair(joint.marker_a, joint.marker_b)
-            axis = _axis(joint, motion, a, b)
-            found.append(
-                effects.hinge_friction(a, b, damping, axis)
-                if isinstance(motion, Turn)
-                else effects.slide_friction(a, b, damping, axis, self.motion)
-            )
+            axis = axis_of(joint, motion, a, b)
+            if isinstance(motion, Turn):
+                found.append(hinge_friction(a, b, damping, axis))
+                continue
+            travel = dot(axis, minus(b.r, a.r))
+            rate = ca.jtimes(travel, *self.motion)
+            along = Scalar(travel, rate, gradient(travel, self.motion[0]), axis, turning=False)
+            found.append(coordinate_friction(along, damping))
         return found
 
     def section_force(self, kind: str, reference: str) -> ca.SX:
@@ -154,57 +155,15 @@ class SpatialSpace:
         """Angle about marker a's z-axis (that of the joint between the markers, if it has one), x, y, z or distance."""
         if kind == "angle":
             own = self._joint_angle(a, b)
-            return effects.angle_about_z(*self.pair(a, b), self.motion).value if own is None else own.value
+            return angle_about_z(*self.pair(a, b)) if own is None else own.value
         first, second = self.pair(a, b) if kind == "distance" else (self.marker(a), self.marker(b))
         d = minus(second.r, first.r)
         return ca.sqrt(dot(d, d)) if kind == "distance" else d["xyz".index(kind)]
 
-    def load(self, load: Load, value: Any) -> LoadEffect:
-        """Force, torque, effort, spring-damper or bushing."""
-        if load.type == "force":
-            return effects.point_force(
-                self.marker(load.marker), components(load.components, load.name, "xyz", value), load.frame
-            )
-        if load.type == "torque":
-            moment = value(load.value, f"{load.name}.value")
-            if not load.reaction:
-                return effects.torque(self.marker(load.marker), moment, None)
-            acted, reaction = self.pair(load.marker, load.reaction)
-            return effects.torque(acted, moment, reaction)
-        if load.type == "effort":
-            return self._effort(load.coordinate, value(load.value, f"{load.name}.value"))
-        a, b = self.pair(load.marker_a, load.marker_b)
-        if load.type == "bushing":
-            return effects.bushing(
-                a,
-                b,
-                (self._triple(load, "stiffness"), self._triple(load, "rotational_stiffness")),
-                (self._triple(load, "damping"), self._triple(load, "rotational_damping")),
-                self.motion,
-            )
-        values = spring_values(load, self.table)
-        if load.type == "spring_damper":
-            return effects.spring_damper(a, b, *values)
-        angle = self._joint_angle(load.marker_a, load.marker_b) or effects.angle_about_z(a, b, self.motion)
-        stiffness, damping, free_angle = values
-        return effects.turning_spring_damper(angle, stiffness, damping, free_angle, a.axes[2])
-
-    def _effort(self, coordinate: str, value: ca.SX) -> LoadEffect:
-        """On a joint's own coordinate, or between the markers of one that closes a loop."""
-        joint, motion = self.scene.joint_of(coordinate)
-        a, b = self.pair(joint.marker_a, joint.marker_b)
-        own, turning, axis = self._coordinates.get(coordinate), isinstance(motion, Turn), _axis(joint, motion, a, b)
-        if own is not None:
-            row, rate = {own.column: ONE}, own.rate
-        else:
-            row, rate = (effects.relative_turn if turning else effects.relative_travel)(a, b, axis)
-        return effects.effort(row, rate, value, axis, turning)
-
-    def _triple(self, load: Load, key: str) -> list[ca.SX]:
-        values: Sequence[float | str] = getattr(load, key)
-        meaning = load.meaning(key)
-        what = key.replace("_", " ")
-        return three(values, f"{load.name}.{key}", meaning.unit, self.table, what, meaning.bound.value)
+    def load(self, load: Load, read: Read, q: ca.SX, q_dot: ca.SX) -> LoadEffect:
+        """As its record says."""
+        markers = self.marker, self.pair, self._coordinates, self._joint_angle
+        return load.effect(SpatialActing(*markers, load, self.scene, self.table, read, q, q_dot))
 
     def picture(self) -> Picture:
         """Stations of beams, markers, poses."""
@@ -229,13 +188,24 @@ def _drawn(body: str, name: str, point: SpatialPoint) -> DrawnPoint:
     return DrawnPoint(body, name, point.position, point.axes, point.shapes, point.turns, point.H[0] if point.H else [])
 
 
-def _angle(own: JointCoordinate) -> Angle:
-    return Angle(own.value, own.rate, {own.column: ONE})
+def _scalar(own: JointCoordinate) -> Scalar:
+    return Scalar(own.value, own.rate, {own.column: ONE}, (), turning=True)
 
 
-def _axis(joint: Joint, motion: Turn | Slide, a: SpatialMarker, b: SpatialMarker) -> Vector:
-    """Of a motion: an axis of marker a, or of b where turns about another axis come before."""
-    motions = joint.motions or ()
-    before = motions[: motions.index(motion)]
-    turned = any(isinstance(one, Turn) and one.axis != motion.axis for one in before)
-    return (b if turned else a).axes[motion.axis]
+def hinge_friction(a: SpatialMarker, b: SpatialMarker, damping: ca.SX, axis: Vector) -> LoadEffect:
+    """Viscous friction of the relative rotation about an axis."""
+    rate = dot(axis, minus(b.omega, a.omega))
+    row: Row = {}
+    for i in range(3):
+        moment = neg(mul(mul(damping, rate), axis[i]))
+        add_scaled(row, moment, b.turn_rows[i])
+        add_scaled(row, neg(moment), a.turn_rows[i])
+    return LoadEffect(row, dissipated=damping * rate**2)
+
+
+def coordinate_friction(scalar: Scalar, damping: ca.SX) -> LoadEffect:
+    """Viscous friction on a coordinate, or on the travel of b along an axis."""
+    row: Row = {}
+    add_scaled(row, -damping * scalar.rate, scalar.row)
+    spring = LinearSpring(scalar.row, ZERO, damping) if scalar.turning else None
+    return LoadEffect(row, dissipated=damping * scalar.rate**2, spring=spring)

@@ -11,7 +11,7 @@ from symgen.scene.checks.events import event_errors
 from symgen.scene.checks.matrices import matrix_errors
 from symgen.scene.checks.names import name_errors
 from symgen.scene.checks.partition import partition_errors
-from symgen.scene.checks.references import reference_errors
+from symgen.scene.checks.references import load_faults, reference_errors
 from symgen.scene.checks.section_measures import section_measure_errors
 from symgen.scene.checks.shapes import shape_errors
 from symgen.scene.checks.sizes import size_errors
@@ -24,7 +24,7 @@ from symgen.schema.errors import raise_all
 
 STAGES = (
     (size_errors, name_errors, shape_errors, space_errors),
-    (reference_errors, topology_errors, partition_errors, event_errors, value_errors),
+    (reference_errors, load_faults, topology_errors, partition_errors, event_errors, value_errors),
     (matrix_errors, loop_errors, end_shape_errors, section_measure_errors, stress_measure_errors),
 )
 

@@ -9,8 +9,6 @@ from symgen.scene.parts import SceneParts
 from symgen.scene.translate import item_path
 from symgen.schema.errors import SceneError, did_you_mean
 
-_REFERENCES = ("marker", "marker_a", "marker_b", "reaction")
-
 
 def reference_errors(scene: SceneParts) -> Iterator[SceneError]:
     """Unknown markers, and connections from something to itself."""
@@ -20,25 +18,14 @@ def reference_errors(scene: SceneParts) -> Iterator[SceneError]:
             path = item_path(section, index, entry.name)
             unknown = list(_unknown(path, entry, known))
             yield from unknown or _pair(section, path, entry)
-    yield from _efforts(scene)
 
 
-def _efforts(scene: SceneParts) -> Iterator[SceneError]:
-    """Efforts on what no joint has."""
-    efforts = [(k, load) for k, load in enumerate(scene.loads) if load.type == "effort"]
-    placing = {placement.joint for placement in scene.placements()} if efforts else set()
-    joints = {joint.name: joint for joint in scene.joints}
-    for index, load in efforts:
-        path = f"{item_path('loads', index, load.name)}.coordinate"
-        name, _, part = load.coordinate.partition(".")
-        joint = joints.get(name)
-        if joint is None:
-            yield SceneError(path, f"there is no joint '{name}'", did_you_mean(name, joints))
-            continue
-        known = [motion.name for motion in joint.motions or () if name in placing or joint.relative()]
-        if part not in known:
-            has = did_you_mean(part, known) if known else "put a force or a torque on a marker instead"
-            yield SceneError(path, f"the {joint.type} joint '{name}' has no coordinate '{part}' here", has)
+def load_faults(scene: SceneParts) -> Iterator[SceneError]:
+    """What loads find wrong with themselves in this scene."""
+    for index, load in enumerate(scene.loads):
+        path = item_path("loads", index, load.name)
+        for key, problem, remedy in load.faults(scene):
+            yield SceneError(f"{path}.{key}" if key else path, problem, remedy)
 
 
 def _known_markers(scene: SceneParts) -> dict[str, list[str]]:
@@ -47,7 +34,7 @@ def _known_markers(scene: SceneParts) -> dict[str, list[str]]:
 
 
 def _unknown(path: str, entry: Any, known: dict[str, list[str]]) -> Iterator[SceneError]:
-    for key, reference in _markers(entry).items():
+    for key, reference in entry.markers.items():
         body, _, marker = reference.partition(".")
         if body not in known:
             yield SceneError(f"{path}.{key}", f"there is no body '{body}'", did_you_mean(body, known))
@@ -56,16 +43,9 @@ def _unknown(path: str, entry: Any, known: dict[str, list[str]]) -> Iterator[Sce
             yield SceneError(f"{path}.{key}", f"body '{body}' has no marker '{marker}'", remedy)
 
 
-def _markers(entry: Any) -> dict[str, str]:
-    """The markers that an entry names, by key, whatever its type."""
-    if hasattr(entry, "markers"):
-        return dict(entry.markers)
-    return {key: reference for key in _REFERENCES if (reference := getattr(entry, key, None)) is not None}
-
-
 def _pair(section: str, path: str, entry: Any) -> Iterator[SceneError]:
     """What is wrong with the one or two ends that an entry has, whatever its type."""
-    ends = list(_markers(entry).values())
+    ends = list(entry.markers.values())
     if len(ends) == 1 and section == "loads" and _body(ends[0]) == "ground":
         yield SceneError(f"{path}.marker", "a load on the ground has no effect", "name a marker of a moving body")
     if len(ends) != 2:

@@ -28,12 +28,6 @@ def space_errors(scene: SceneParts) -> Iterator[SceneError]:
                 f"a {joint.type} joint needs three dimensions",
                 _SPATIAL,
             )
-    for index, load in enumerate(scene.loads):
-        path = item_path("loads", index, load.name)
-        if load.type == "force":
-            yield from _components(f"{path}.components", load.components, scene)
-        elif load.type == "bushing":
-            yield from _bushing(load, path, scene)
     for index, measure in enumerate(scene.measures):
         if measure.type == "z" and scene.space == "planar":
             yield SceneError(f"{item_path('measures', index, measure.name)}.type", "a planar scene has no z", _SPATIAL)
@@ -135,16 +129,6 @@ def _directions(marker: MarkerDirections, path: str) -> Iterator[SceneError]:
         size = max(abs(entry) for entry in z) * max(abs(entry) for entry in x)
         if max(abs(entry) for entry in cross) <= 1e-9 * size:
             yield SceneError(f"{path}.x_axis", "is along the axis, or zero", "give a direction across it")
-
-
-def _bushing(load: Any, path: str, scene: SceneParts) -> Iterator[SceneError]:
-    if scene.space == "planar":
-        yield SceneError(
-            f"{path}.type", "a bushing needs three dimensions", "use a spring_damper and a rotational_spring_damper"
-        )
-    for key in ("stiffness", "damping", "rotational_stiffness", "rotational_damping"):
-        if len(getattr(load, key)) != 3:
-            yield SceneError(f"{path}.{key}", f"has {len(getattr(load, key))} entries", "give three, for x, y and z")
 
 
 def _joint_names(scene: SceneParts) -> Iterator[SceneError]:

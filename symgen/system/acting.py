@@ -1,0 +1,222 @@
+"""What loads are written in (`symgen.loads.load.Acting`), in the plane and in space: markers and quantities as SX."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import casadi as ca
+
+from symgen.algebra.parameters import ParameterTable
+from symgen.algebra.rows import Row, add_scaled, nonzero
+from symgen.algebra.scalar import ONE, ZERO, dot, neg
+from symgen.algebra.vectors import Vector, combination, minus, zeros
+from symgen.bodies.planar_body import MarkerMotion
+from symgen.bodies.spatial_body import SpatialMarker
+from symgen.bodies.spatial_integrals import three
+from symgen.joints.joint import Joint, Slide, Turn
+from symgen.loads import Load
+from symgen.loads.load import Scalar
+from symgen.scene import Scene
+from symgen.system.joint_templates import JointCoordinate
+from symgen.system.spring_template import SpringForce, evaluate
+
+Read = Callable[[float | str, str, Mapping[str, ca.SX]], ca.SX]  # an expression, its item, its local names
+
+
+class _Acting:
+    """Of one load; read: its expressions; q, q_dot: what potentials are differentiated by."""
+
+    axes: str
+
+    def __init__(self, load: Load, scene: Scene, table: ParameterTable, read: Read, q: ca.SX, q_dot: ca.SX) -> None:
+        self.load, self.scene, self.table, self._read = load, scene, table, read
+        self.q, self.q_dot = q, q_dot
+
+    def value(self, key: str, **local: ca.SX) -> Any:
+        """An expression, or the components of a vector; a z left out is zero."""
+        given, item = getattr(self.load, key), f"{self.load.name}.{key}"
+        if not isinstance(given, tuple):
+            return self._read(given, item, local)
+        padded = [*given, 0.0][: len(self.axes)]
+        return [self._read(text, f"{item}.{axis}", local) for text, axis in zip(padded, self.axes, strict=True)]
+
+    def constant(self, key: str) -> Any:
+        """A quantity, or three."""
+        given, meaning = getattr(self.load, key), self.load.meaning(key)
+        if not isinstance(given, tuple):
+            return self.table.of(self.load, key)
+        what, item = key.replace("_", " "), f"{self.load.name}.{key}"
+        return three(given, item, meaning.unit, self.table, what, meaning.bound.value)
+
+    def dot(self, u: Sequence[ca.SX], v: Sequence[ca.SX]) -> ca.SX:
+        """u . v."""
+        return dot(u, v)
+
+    def spring(self, a: Any, b: Any, stiffness: ca.SX, damping: ca.SX, free_length: ca.SX) -> SpringForce:
+        """Along the line from a to b."""
+        return evaluate(minus(b.r, a.r), minus(b.r_dot, a.r_dot), stiffness, damping, free_length)
+
+    def rate(self, value: ca.SX) -> ca.SX:
+        """Along the motion."""
+        return ca.jtimes(value, self.q, self.q_dot)
+
+    def by_q(self, value: ca.SX) -> Row:
+        """Non-zero partial derivatives by column."""
+        return gradient(value, self.q)
+
+    def by_rates(self, value: ca.SX) -> Row:
+        """The same by the rates."""
+        return gradient(value, self.q_dot)
+
+
+class PlanarActing(_Acting):
+    """In the plane: forces have two components, moments one."""
+
+    axes = "xy"
+
+    def __init__(self, marker: Callable[[str], MarkerMotion], *given: Any) -> None:
+        super().__init__(*given)
+        self.marker = marker
+
+    def pair(self, a: str, b: str) -> tuple[MarkerMotion, MarkerMotion]:
+        """Both markers."""
+        return self.marker(a), self.marker(b)
+
+    def along(self, marker: MarkerMotion, components: Sequence[ca.SX]) -> Vector:
+        """(cos, -sin; sin, cos) (x, y)."""
+        (cosine, sine), (x, y) = marker.direction, components
+        return [cosine * x - sine * y, sine * x + cosine * y]
+
+    def z(self, marker: MarkerMotion) -> Vector:
+        """The plane's normal."""
+        return [ONE]
+
+    def spin(self, marker: MarkerMotion) -> Vector:
+        """Rate of its angle."""
+        return [marker.phi_dot]
+
+    def generalised(self, *acting: tuple[MarkerMotion, Sequence[ca.SX], Sequence[ca.SX]]) -> Row:
+        """F . dr/dq + M dphi/dq."""
+        row: Row = {}
+        for marker, force, moment in acting:
+            for component, columns in zip(force, marker.r_columns, strict=False):
+                add_scaled(row, component, columns)
+            for component in moment:
+                add_scaled(row, component, marker.phi_row)
+        return row
+
+    def action(self, force: Sequence[ca.SX] = (), moment: Sequence[ca.SX] = ()) -> list[ca.SX]:
+        """x, y and about z."""
+        return [*(force or zeros(2)), *(moment or zeros(1))]
+
+    def coordinate(self, name: str) -> Scalar:
+        """The angle between a joint's markers, or the travel along the x-axis of marker a."""
+        joint, motion = self.scene.joint_of(name)
+        if isinstance(motion, Turn):
+            return self.angle(joint.marker_a, joint.marker_b)
+        a, b = self.pair(joint.marker_a, joint.marker_b)
+        row: Row = {}
+        for axis, component in enumerate(a.direction):
+            add_scaled(row, component, b.r_columns[axis])
+            add_scaled(row, neg(component), a.r_columns[axis])
+        value, rate = dot(a.direction, minus(b.r, a.r)), dot(a.direction, minus(b.r_dot, a.r_dot))
+        return Scalar(value, rate, row, a.direction, turning=False)
+
+    def angle(self, a: str, b: str) -> Scalar:
+        """phi_b - phi_a."""
+        return turn_between(self.marker(a), self.marker(b))
+
+
+def turn_between(a: MarkerMotion, b: MarkerMotion) -> Scalar:
+    """phi_b - phi_a of two planar markers."""
+    row: Row = {}
+    add_scaled(row, ONE, b.phi_row)
+    add_scaled(row, neg(ONE), a.phi_row)
+    return Scalar(b.phi - a.phi, b.phi_dot - a.phi_dot, nonzero(row), [ONE], turning=True)
+
+
+class SpatialActing(_Acting):
+    """In space; own: coordinates of joints in q by name, joint_angle: of a joint between two markers that has one."""
+
+    axes = "xyz"
+
+    def __init__(
+        self,
+        marker: Callable[[str], SpatialMarker],
+        pair: Callable[[str, str], tuple[SpatialMarker, SpatialMarker]],
+        own: Mapping[str, JointCoordinate],
+        joint_angle: Callable[[str, str], Scalar | None],
+        *given: Any,
+    ) -> None:
+        super().__init__(*given)
+        self.marker, self.pair, self._own, self._joint_angle = marker, pair, own, joint_angle
+
+    def along(self, marker: SpatialMarker, components: Sequence[ca.SX]) -> Vector:
+        """Sum of components times axes."""
+        return combination(marker.axes, components)
+
+    def z(self, marker: SpatialMarker) -> Vector:
+        """The third of its axes."""
+        return marker.axes[2]
+
+    def spin(self, marker: SpatialMarker) -> Vector:
+        """omega."""
+        return marker.omega
+
+    def generalised(self, *acting: tuple[SpatialMarker, Sequence[ca.SX], Sequence[ca.SX]]) -> Row:
+        """F . dr/dq + M . (virtual turn)/dq."""
+        row: Row = {}
+        for marker, force, moment in acting:
+            for components, rows in ((force, marker.r_columns), (moment, marker.turn_rows)):
+                for component, columns in zip(components, rows, strict=False):
+                    add_scaled(row, component, columns)
+        return row
+
+    def action(self, force: Sequence[ca.SX] = (), moment: Sequence[ca.SX] = ()) -> list[ca.SX]:
+        """Three and three."""
+        return [*(force or zeros()), *(moment or zeros())]
+
+    def coordinate(self, name: str) -> Scalar:
+        """A coordinate of q, or the turn or travel between the markers of a joint that closes a loop."""
+        joint, motion = self.scene.joint_of(name)
+        a, b = self.pair(joint.marker_a, joint.marker_b)
+        own, turning, axis = self._own.get(name), isinstance(motion, Turn), axis_of(joint, motion, a, b)
+        if own is not None:
+            return Scalar(own.value, own.rate, {own.column: ONE}, axis, turning)
+        rows = (a.turn_rows, b.turn_rows) if turning else (a.r_columns, b.r_columns)
+        rate = minus(b.omega, a.omega) if turning else minus(b.r_dot, a.r_dot)
+        row: Row = {}
+        for i in range(3):
+            add_scaled(row, axis[i], rows[1][i])
+            add_scaled(row, neg(axis[i]), rows[0][i])
+        value = angle_about_z(a, b) if turning else dot(axis, minus(b.r, a.r))
+        return Scalar(value, dot(axis, rate), row, axis, turning)
+
+    def angle(self, a: str, b: str) -> Scalar:
+        """Of the joint between the markers, or of b's x-axis in the xy-plane of marker a, between -pi and pi."""
+        first, second = self.pair(a, b)
+        own = self._joint_angle(a, b)
+        if own is not None:
+            return Scalar(own.value, own.rate, own.row, first.axes[2], turning=True)
+        value = angle_about_z(first, second)
+        return Scalar(value, self.rate(value), self.by_q(value), first.axes[2], turning=True)
+
+
+def angle_about_z(a: SpatialMarker, b: SpatialMarker) -> ca.SX:
+    """Angle of b's x-axis in the xy-plane of marker a, between -pi and pi."""
+    return ca.atan2(dot(b.axes[0], a.axes[1]), dot(b.axes[0], a.axes[0]))
+
+
+def axis_of(joint: Joint, motion: Turn | Slide, a: SpatialMarker, b: SpatialMarker) -> Vector:
+    """Of a motion: an axis of marker a, or of b where turns about another axis come before."""
+    motions = joint.motions or ()
+    before = motions[: motions.index(motion)]
+    turned = any(isinstance(one, Turn) and one.axis != motion.axis for one in before)
+    return (b if turned else a).axes[motion.axis]
+
+
+def gradient(value: ca.SX, variables: ca.SX) -> Row:
+    """Non-zero partial derivatives by position in `variables`."""
+    slope = ca.jacobian(value, variables)
+    return {column: slope[0, column] + ZERO for column in range(variables.numel()) if not slope[0, column].is_zero()}
