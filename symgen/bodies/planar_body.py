@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import casadi as ca
 import sympy as sp
@@ -39,9 +38,6 @@ class BodyCoordinates:
         """Coordinates of the ground: constant zero, no columns."""
         return BodyCoordinates([], [ZERO, ZERO], ZERO, [], [ZERO, ZERO], ZERO, [])
 
-
-if TYPE_CHECKING:
-    from symgen.bodies.planar_body import BodyCoordinates
 
 HALF = ca.SX(0.5)
 Rotation = Callable[[ca.SX, ca.SX], tuple[ca.SX, ca.SX]]

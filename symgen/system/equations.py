@@ -90,7 +90,8 @@ class CarriedForces(Protocol):
 class Equations:
     """What stands in M q_ddot + K q + C_q^T lam = Q_F + Q_v, C = 0: (1)-(2), which are (22)-(23), of a whole scene.
 
-    Columns follow `coordinates`; M is symmetric with both triangles stored.
+    Columns follow `coordinates`; M is symmetric with both triangles stored. masses, velocity_forces: what M and Q_v are
+    derived by when they are first asked for.
 
     Q_F holds loads, gravity and damping; Q_star = Q_v - K q + Q_F. inertia_forces, where the bodies are a tree of
     frames: accelerations -> M q_ddot - Q_v; Q_v holds the weight too there, not Q_F.
@@ -116,9 +117,7 @@ class Equations:
     q: list[ca.SX]
     q_dot: list[ca.SX]
     t: ca.SX
-    M: list[Row]
     K: list[Row]
-    Q_v: list[ca.SX]
     Q_F: list[ca.SX]
     constraints: list[ConstraintRow]
     elastic: ca.SX = field(default_factory=lambda: ca.SX(0))
@@ -152,6 +151,18 @@ class Equations:
     placed_columns: frozenset[int] = frozenset()
     felt_columns: frozenset[int] = frozenset()
     turnings: list[Turning] = field(default_factory=list)
+    masses: Callable[[], list[Row]] = list
+    velocity_forces: Callable[[], list[ca.SX]] = list
+
+    @cached_property
+    def M(self) -> list[Row]:
+        """The mass matrix [kg, kg m, kg m^2], rows by column."""
+        return self.masses()
+
+    @cached_property
+    def Q_v(self) -> list[ca.SX]:
+        """Forces quadratic in velocities, by column."""
+        return self.velocity_forces()
 
     @cached_property
     def names(self) -> list[str]:
@@ -243,8 +254,6 @@ def blank_equations(scene: Scene) -> Equations:
         q_dot,
         ca.SX.sym("t"),
         [{} for _ in q],
-        [{} for _ in q],
-        [ZERO] * n,
         [ZERO] * n,
         [],
         u=input_symbols(scene),

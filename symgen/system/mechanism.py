@@ -5,7 +5,8 @@ What a body, a joint or a load *is* depends on the dimensions of the scene and s
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from typing import Any, Generic, Protocol, TypeVar
 
 import casadi as ca
@@ -134,26 +135,23 @@ class Mechanism(Generic[Marker]):
 
     def _add_bodies(self) -> None:
         eq, first = self.equations, 0
+        bodies: list[MovingBody] = []
         for description in self.scene.moving_bodies:
             columns = list(range(first, len(eq.names)))
             body, size = self.space.add_body(description.name, columns, eq.q[first:], eq.q_dot[first:])
             columns, first = columns[:size], first + size
             eq.body_columns[description.name] = columns
-            self._add_inertia(body)
+            bodies.append(body)
+            self._add_body(body)
+        eq.masses, eq.velocity_forces = partial(_masses, eq, bodies), partial(_velocity_forces, eq, bodies)
         for placement in self.topology.placements.values():
             eq.body_columns[placement.child] += [eq.names.index(name) for name in placement.coordinates]
         eq.joint_columns = frozenset(range(first, len(eq.names))) - set(eq.states.values()) - eq.turn_columns
 
-    def _add_inertia(self, body: MovingBody) -> None:
+    def _add_body(self, body: MovingBody) -> None:
         eq = self.equations
-        for row, column, value in body.mass_entries():
-            add_to(eq.M[row], column, value)
-            if row != column:
-                add_to(eq.M[column], row, value)
         for row, column, value in body.stiffness_entries():
             add_to(eq.K[row], column, value)
-        for column, value in body.quadratic_velocity_force().items():
-            eq.Q_v[column] = add(eq.Q_v[column], value)
         self._add_force(body.damping_force())
         self._add_force(body.gravity_force(self.gravity))
         elastic, dissipated = body.elastic_energy()
@@ -259,7 +257,6 @@ class Mechanism(Generic[Marker]):
                 rates[name] = self.reader.read(state.rate, item, name, self.environment, *names)
             else:
                 rates[name] = self.table.quantity(state.rate, item, f"{state.unit or '1'}/s")
-            eq.M[column] = {column: ONE}
             eq.Q_F[column] = rates[name]
         for name, column in eq.states.items():
             unit = self.scene.states[name].unit
@@ -285,6 +282,32 @@ class Mechanism(Generic[Marker]):
             return self.table.quantity(text, item, "N or N m")
         names = (*self.equations.measures, *local)
         return self.reader.read(text, item, item.partition(".")[0], {**self.environment, **local}, *names)
+
+
+def _masses(eq: Equations, bodies: Sequence[MovingBody]) -> list[Row]:
+    """M of bodies, and a unit for each state of controllers, which no body knows of."""
+    M: list[Row] = [{} for _ in eq.q]
+    for body in bodies:
+        for row, column, value in body.mass_entries():
+            add_to(M[row], column, value)
+            if row != column:
+                add_to(M[column], row, value)
+    return with_states(M, eq)
+
+
+def with_states(M: list[Row], eq: Equations) -> list[Row]:
+    """M with a unit for each state of controllers, which no body knows of."""
+    for column in eq.states.values():
+        M[column] = {column: ONE}
+    return M
+
+
+def _velocity_forces(eq: Equations, bodies: Sequence[MovingBody]) -> list[ca.SX]:
+    Q_v = [ZERO] * len(eq.q)
+    for body in bodies:
+        for column, value in body.quadratic_velocity_force().items():
+            Q_v[column] = add(Q_v[column], value)
+    return Q_v
 
 
 def frictions(joint: Joint, table: ParameterTable) -> Iterator[tuple[Turn | Slide, ca.SX]]:

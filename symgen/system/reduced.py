@@ -29,7 +29,7 @@ from symgen.system.frames.loop_derivatives import LoopForce, LoopRates, tied_cha
 from symgen.system.frames.rnea import CarriedFrames, floating_forces, inverse_dynamics, lone_hinges, own_wrenches
 from symgen.system.frames.rnea_derivatives import force_changes, has_force_changes
 from symgen.system.frames.tree import GROUND, FrameTree
-from symgen.system.mechanism import Mechanism
+from symgen.system.mechanism import Mechanism, with_states
 from symgen.system.orientations import Orientations, Turning, turn_coordinates
 from symgen.system.topology import Topology
 from symgen.system.tree_space import TreeSpace
@@ -115,9 +115,7 @@ def reduced_equations(
         q=q,
         q_dot=q_dot,
         turnings=[_turning(whole, body, n + 3 * k, q_dot) for k, body in enumerate(orientations.bodies)],
-        M=[{} for _ in range(size)],
         K=[{} for _ in range(size)],
-        Q_v=[ZERO] * size,
         Q_F=[ZERO] * size,
         constraints=[],
         elastic=ca.SX(0),
@@ -148,9 +146,7 @@ def reduced_equations(
     for turning in equations.turnings:
         equations.body_columns[turning.body] += turning.columns
         equations.constraints += turning.rows([q[column] for column in turning.columns])
-    equations.M = mass_rows(space.tree, len(equations.q))
-    for column in equations.states.values():  # of controllers, which no body knows of
-        equations.M[column] = {column: ONE}
+    equations.masses = lambda: with_states(mass_rows(space.tree, size), equations)
     forces = TreeForces(space.tree, equations)
     equations.inertia_forces = forces.inertia_forces
     if has_force_changes(space.tree):
@@ -163,10 +159,13 @@ def reduced_equations(
         equations.free_joints = forces.free_joints
         if not equations.turnings and not equations.states:
             equations.carried = forces.carried
-    for column, value in equations.inertia_forces({}).items():
-        equations.Q_v[column] = neg(value)
+    equations.velocity_forces = lambda: _negated(forces.inertia_forces({}), size)
     equations.felt_columns = _felt(equations, topology, orientations)
     return equations
+
+
+def _negated(row: Row, n: int) -> list[ca.SX]:
+    return [neg(row[column]) if column in row else ZERO for column in range(n)]
 
 
 def _felt(equations: Equations, topology: Topology, orientations: Orientations) -> frozenset[int]:

@@ -13,7 +13,7 @@ import casadi as ca
 
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row
-from symgen.algebra.scalar import mul, total
+from symgen.algebra.scalar import ZERO, mul, total
 from symgen.scene import Scene
 from symgen.scene.switching import switching_values
 from symgen.system.equations import Equations, blank_equations
@@ -65,7 +65,8 @@ def structure_equations(scene: Scene, table: ParameterTable) -> Equations:
             for row in range(len(eq.names))
         ]
 
-    eq.M = matrix(structure.mass, "M", "kg")
+    M = matrix(structure.mass, "M", "kg")
+    eq.masses, eq.velocity_forces = lambda: M, lambda: [ZERO] * len(eq.q)
     eq.K = matrix(structure.stiffness, "K", "N/m")
     D = matrix(structure.damping, "D", "N s/m")
     for row in range(len(eq.names)):
