@@ -200,7 +200,10 @@ def _first_closed(
 
 def _other_branch(start: np.ndarray, q: np.ndarray, moving: np.ndarray, position: Residual) -> np.ndarray | None:
     """The branch on the other side of the start, if it lies about as near as q."""
-    if np.abs(q - start).max(initial=0.0) <= SAME or not _is_isolated(position(q)[1][:, moving]):
+    if np.abs(q - start).max(initial=0.0) <= SAME:
+        return None
+    slope = position(q)[1][:, moving]
+    if np.array_equal(slope, position(start)[1][:, moving]) or not _is_isolated(slope):  # a plane has one side
         return None
     found = _positions(2 * start - q, moving, position)
     if found is None or np.abs(less_turns(found - q)).max() <= SAME:
@@ -301,7 +304,7 @@ def _least_dear_change(C_q: np.ndarray, side: np.ndarray, free: np.ndarray, chea
 def _least_change(C_q: np.ndarray, side: np.ndarray, free: np.ndarray) -> np.ndarray:
     """Smallest step with C_q step = side on the free coordinates (least squares if there is none)."""
     step = np.zeros(C_q.shape[1])
-    if C_q.shape[0] and free.any():
+    if side.any() and free.any():
         with one_thread(len(free)):
             step[free] = np.linalg.lstsq(C_q[:, free], side, rcond=1e-13)[0]
     return step

@@ -335,9 +335,15 @@ class Model:
     def operations(self) -> dict[str, int]:
         """Operations of each function; where they are derived on demand, of those that were asked for until now."""
         emitted = {spec.name: spec.operations for spec in self.description.functions}
-        for name in self._kernels.keys() - emitted.keys() - self._operations.keys():
-            self._operations[name] = arithmetic(self._kernels[name])
-        return self._operations | emitted
+        return {name: self.operations_of(name) for name in self._kernels} | emitted
+
+    def operations_of(self, name: str) -> int:
+        """Operations of a function, which is built where the description does not say."""
+        if name not in self._operations:
+            emitted = (spec.operations for spec in self.description.functions if spec.name == name)
+            counted = next(emitted, None)
+            self._operations[name] = arithmetic(self.kernel(name)) if counted is None else counted
+        return self._operations[name]
 
     def coordinate(self, name: str) -> Coordinate:
         """The record of a coordinate. Raises ModelError for an unknown name."""

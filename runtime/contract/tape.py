@@ -383,17 +383,18 @@ def _read_later(tape: Tape, times: list[Time], at: Time) -> set[int]:
 
 def below(nodes: list[Node], roots: Collection[int], stop: Callable[[int], bool] = lambda k: False) -> list[int]:
     """Nodes that the roots need, themselves included, in ascending order; not below nodes that `stop`."""
-    seen: set[int] = set()
-    stack = list(roots)
-    while stack:
-        k = stack.pop()
-        if k in seen:
+    needed = bytearray(max(roots, default=-1) + 1)
+    for k in roots:
+        needed[k] = True
+    for k in range(len(needed) - 1, -1, -1):  # arguments stand before what uses them
+        if not needed[k]:
             continue
-        seen.add(k)
-        node = nodes[k]
-        if node.op not in (ca.OP_INPUT, ca.OP_CONST) and not stop(k):
-            stack += [node.a] if node.b == UNUSED else [node.a, node.b]
-    return sorted(seen)
+        op, a, b, _ = nodes[k]
+        if op not in (ca.OP_INPUT, ca.OP_CONST) and not stop(k):
+            needed[a] = True
+            if b != UNUSED:
+                needed[b] = True
+    return [k for k, wanted in enumerate(needed) if wanted]
 
 
 def renumbered(node: Node, number: Mapping[int, int], argument: Mapping[int, int]) -> Node:

@@ -246,21 +246,14 @@ def tree_is_shorter(model: Model) -> bool:
     """
     if not model.has("forward_dynamics") or not model.has("condensed"):
         return model.has("forward_dynamics")
-    n, tree = len(model.q_i), _operations(model, "forward_dynamics")
+    n, tree = len(model.q_i), model.operations_of("forward_dynamics")
     factorisation = n**3 / 6 + n**2
-    return tree < factorisation or tree < _operations(model, "condensed") + factorisation
+    return tree < factorisation or tree < model.operations_of("condensed") + factorisation
 
 
 def is_long_tree(model: Model) -> bool:
     """Is the model a tree for which M_hat and the Jacobians are too long to be derived without need?"""
     return len(model.q_i) > LONG_TREE and tree_is_shorter(model)
-
-
-def _operations(model: Model, name: str) -> int:
-    """Of a function, which is built where the description does not say."""
-    if name not in model.operations:
-        model.kernel(name)
-    return model.operations[name]
 
 
 def velocity_dependent(model: Model) -> bool:

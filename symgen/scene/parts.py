@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import reduce
+from functools import cached_property, reduce
 from operator import or_
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -73,18 +73,20 @@ class SceneParts(StrictModel):
         """The ground, also when the scene does not mention it."""
         return next((body for body in self.bodies if isinstance(body, GroundBody)), GroundBody())
 
-    @property
+    @cached_property
     def moving_bodies(self) -> tuple[RigidBody | BeamBody | ModalBody | SpatialModalBody, ...]:
         """All bodies but the ground, in the scene's order."""
         return tuple(body for body in self.bodies if not isinstance(body, GroundBody))
 
     def body(self, name: str) -> AnyBody:
         """The body of that name ("ground" included); raises SceneError."""
-        for body in (self.ground, *self.moving_bodies):
-            if body.name == name:
-                return body
-        known = ["ground", *(body.name for body in self.moving_bodies)]
-        raise SceneError("bodies", f"there is no body '{name}'", did_you_mean(name, known))
+        if name not in self._bodies:
+            raise SceneError("bodies", f"there is no body '{name}'", did_you_mean(name, self._bodies))
+        return self._bodies[name]
+
+    @cached_property
+    def _bodies(self) -> dict[str, AnyBody]:
+        return {body.name: body for body in (self.ground, *self.moving_bodies)}
 
     def marker(self, reference: str) -> tuple[AnyBody, AnyMarker]:
         """The body and the marker behind "body.marker", implicit markers included; raises SceneError."""
