@@ -8,14 +8,15 @@ from dataclasses import replace
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from benchmarks.harness.fewest import Timed, fewest
 from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.tolerance_runs import KEPT, Case
 from runtime.contract.model import Model
-from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
-from runtime.studies.work_precision.problem import Problem, make_setting
-from runtime.studies.work_precision.search import search_steps
-from runtime.studies.work_precision.stiff_methods import stiff_methods
+from runtime.running.ladder import Method
+from runtime.studies.work_precision.methods import stiff_methods
+from runtime.studies.work_precision.reference import Reference
+from runtime.studies.work_precision.trial import Trial
 from symgen.scenes.hard_suite import CASES, HardCase
 
 TOLERANCE, MOST = 1e-3, 200_000
@@ -24,7 +25,7 @@ DENSE = 13  # independent coordinates up to which schemes that factorise M_hat t
 STIFF = ("exponential_adams", "exponential_rk4")
 FIVE = {"order": 5}
 OWN = ("exponential", "linearised")
-EXPLICIT = (Spec("dop853"), Spec("rk4"), Spec("single_rate", None, {"common_velocity": "predictor"}))
+EXPLICIT = (Method("dop853"), Method("rk4"), Method("single_rate", None, {"common_velocity": "predictor"}))
 REMARK = """\
 CPU time of one native call for the whole motion, at the fewest steps that bring every graded coordinate below 1e-3 of
 its RMS amplitude; the lower quartile of at least five calls, of five such by turns the median. `exponential_rk4 / best`
@@ -50,50 +51,42 @@ def run() -> Result:
 
 def best_trials(hard: HardCase, model: Model) -> dict[str, Trial]:
     """The best run of every scheme that meets the tolerance, by label."""
-    return best_of(contenders(model, hard.large), problem_of(hard, model))
+    return best_of(contenders(model, hard.large), reference_of(hard, model))
 
 
-def best_of(specs: list[Spec], problem: Problem) -> dict[str, Trial]:
+def best_of(methods: list[Method], reference: Reference) -> dict[str, Trial]:
     """The best run to the tolerance of each of these methods that meets it, by label; timed again by turns."""
     found: dict[str, Trial] = {}
-    prepared: dict[str, PreparedMethod] = {}
+    timed: dict[str, Timed] = {}
     quickest = np.inf
-    for spec in specs:
-        method = PreparedMethod(spec, problem)
-        best = search_steps(method, TOLERANCE, most=MOST, seconds_to_beat=5 * quickest).best
+    for method in methods:
+        one = Timed(method, reference)
+        best = fewest(one, TOLERANCE, most=MOST, seconds_to_beat=5 * quickest)
         if best is not None:
-            found[spec.label], prepared[spec.label] = best, method
+            found[method.label], timed[method.label] = best, one
             quickest = min(quickest, best.seconds)
     times = {label: [best.seconds] for label, best in found.items()}
     for _ in range(TURNS):
         for label, best in found.items():
-            times[label].append(prepared[label].run(best.steps).seconds)
+            times[label].append(timed[label].run(best.steps).seconds)
     return {label: replace(best, seconds=float(np.median(times[label]))) for label, best in found.items()}
 
 
-def problem_of(hard: HardCase, model: Model) -> Problem:
-    """With the reference of the case's own making: order 8, steps that resolve every mode."""
+def reference_of(hard: HardCase, model: Model) -> Reference:
+    """Of the case's own making: order 8, steps that resolve every mode."""
     case = Case(hard, model)
-    setting = make_setting(
-        model,
-        t_end=hard.t_end,
-        parameters=hard.parameters,
-        initial=hard.initial,
-        start=hard.start,
-        graded=list(hard.graded),
-    )
     path = CubicSpline(np.linspace(0.0, hard.t_end, KEPT + 1), case.reference)
-    return Problem(setting, hard.t_end, path, 1e-7)
+    return Reference(case.problem, path, list(hard.graded), 1e-7, case.arguments)
 
 
-def contenders(model: Model, large: bool) -> list[Spec]:
+def contenders(model: Model, large: bool) -> list[Method]:
     """The likeliest first; of those that factorise M_hat one where the case is large."""
     found = stiff_methods(model)
     if len(model.q_i) <= DENSE and model.has("residual_jacobian"):
         if large:
-            return [*found, Spec("exponential", (1,)), *EXPLICIT]
-        orders = [Spec("exponential", (m,), options) for options in ({}, FIVE) for m in (1, 2)]
-        found += [*orders, Spec("linearised", (2,)), Spec("radau", None, {"eps": (1e-6,)})]
+            return [*found, Method("exponential", (1,)), *EXPLICIT]
+        orders = [Method("exponential", (m,), options) for options in ({}, FIVE) for m in (1, 2)]
+        found += [*orders, Method("linearised", (2,)), Method("radau", None, {"eps": (1e-6,)})]
     return [*found, *EXPLICIT]
 
 

@@ -15,11 +15,11 @@ from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.results.observe import observe_samples
 from runtime.results.solution import Solution
+from runtime.running.ladder import Method
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import Stepper
 from runtime.start.start_state import start_state
-from runtime.studies.work_precision.prepared_method import Spec
 from symgen.scene import Scene
 from symgen.scenes.bricard import bricard
 from symgen.scenes.flyball_governor import flyball_governor
@@ -34,14 +34,14 @@ RATIO, MOST = 1.19, 100_000  # of neighbouring numbers of steps tried; most step
 HOPELESS = 5.0  # times the CPU time of the fastest method so far: a method that is slower still is given up
 SAMPLES, REPEATS, ROUNDS = 1000, 3, 30
 METHODS = (
-    Spec("rk4"),
-    Spec("dop853"),
-    Spec("single_rate"),
-    Spec("radau", None, {"eps": (1e-6,)}),
-    Spec("radau"),
-    Spec("linearised", (2,)),
-    Spec("exponential", (1,)),
-    Spec("exponential", (2,)),
+    Method("rk4"),
+    Method("dop853"),
+    Method("single_rate"),
+    Method("radau", None, {"eps": (1e-6,)}),
+    Method("radau"),
+    Method("linearised", (2,)),
+    Method("exponential", (1,)),
+    Method("exponential", (2,)),
 )
 REMARK = """\
 Each row is the fastest of
@@ -160,7 +160,7 @@ class Found:
 class Runs:
     """A method on a case, compiled once for all steps."""
 
-    def __init__(self, case: Case, model: Model, spec: Spec) -> None:
+    def __init__(self, case: Case, model: Model, spec: Method) -> None:
         self.case, self.model, self.spec = case, model, spec
         self._stepper = Stepper(self._scheme(1.0), "compiled", wait=True)
         self._p = model.parameter_vector()

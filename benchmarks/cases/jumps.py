@@ -5,30 +5,30 @@ from __future__ import annotations
 import sys
 import time
 
-from benchmarks.cases.hard_steps import MOST, TOLERANCE, problem_of
+from benchmarks.cases.hard_steps import MOST, TOLERANCE, reference_of
+from benchmarks.harness.fewest import Timed, fewest
 from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from runtime import simulate
 from runtime.contract.model import Model
-from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec
-from runtime.studies.work_precision.problem import Problem
-from runtime.studies.work_precision.search import search_steps
+from runtime.running.ladder import Method
+from runtime.studies.work_precision.reference import Reference
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.hard_suite import HARD_SUITE
 
 NAMES = ("slider_crank_torque", "f2_heavy_hub", "f2_light_hub")
 METHODS = (
-    Spec("exponential_rk4"),
-    Spec("exponential_adams"),
-    Spec("exponential", (1,)),
-    Spec("exponential", (2,)),
-    Spec("exponential", (1,), {"order": 5}),
-    Spec("linearised", (2,)),
-    Spec("radau", None, {"eps": (1e-6,)}),
-    Spec("dop853"),
-    Spec("rk4"),
-    Spec("coupled", (4,)),
-    Spec("single_rate"),
+    Method("exponential_rk4"),
+    Method("exponential_adams"),
+    Method("exponential", (1,)),
+    Method("exponential", (2,)),
+    Method("exponential", (1,), {"order": 5}),
+    Method("linearised", (2,)),
+    Method("radau", None, {"eps": (1e-6,)}),
+    Method("dop853"),
+    Method("rk4"),
+    Method("coupled", (4,)),
+    Method("single_rate"),
 )
 # before steps ended at jumps, at revision 90b52f6~1 on the machine of the published table [ms]
 BEFORE = {
@@ -83,7 +83,7 @@ def run() -> Result:
         for name in NAMES:
             print(f"  {name} ...", file=sys.stderr, flush=True)
             hard = HARD_SUITE[name]
-            lines += _times(name, problem_of(hard, model_of(hard.make(), folder)))
+            lines += _times(name, reference_of(hard, model_of(hard.make(), folder)))
         waves = [model_of(hub_under(name, load), folder) for name, load in LOADS.items()]
     for scheme, m in RUNS.items():
         with_jumps, without = (_seconds(model, scheme, m) for model in waves)
@@ -91,12 +91,12 @@ def run() -> Result:
     return Result("jumps", "Jumps of loads in time", lines, {}, REMARK)
 
 
-def _times(name: str, problem: Problem) -> list[Line]:
+def _times(name: str, reference: Reference) -> list[Line]:
     found = {}
-    for spec in METHODS:
-        best = search_steps(PreparedMethod(spec, problem), TOLERANCE, most=MOST).best
+    for method in METHODS:
+        best = fewest(Timed(method, reference), TOLERANCE, most=MOST)
         if best is not None:
-            found[spec.label] = best
+            found[method.label] = best
     before = BEFORE[name]
     least = min(found.values(), key=lambda one: one.seconds)
     lines = [Line(f"{name}: the best", least.seconds * 1e3, "ms", min(before.values()) / 2, least.label)]

@@ -13,7 +13,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from benchmarks.cases.hard_steps import DENSE, TOLERANCE, best_of, problem_of
+from benchmarks.cases.hard_steps import DENSE, TOLERANCE, best_of, reference_of
 from benchmarks.cases.rhs_pinocchio import planar_chain
 from benchmarks.contenders.explicit_stepper import ExplicitStepper
 from benchmarks.contenders.exudyn_arm import ExudynArm
@@ -29,10 +29,11 @@ from benchmarks.harness.timing import interleave
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import SymgenError
 from runtime.contract.model import Model
+from runtime.running.ladder import Method
 from runtime.schemes.stage_equations import StageEquations
-from runtime.studies.work_precision.prepared_method import Spec, Trial
-from runtime.studies.work_precision.problem import Problem
-from runtime.studies.work_precision.stiff_methods import stiff_methods
+from runtime.studies.work_precision.methods import stiff_methods
+from runtime.studies.work_precision.reference import Reference
+from runtime.studies.work_precision.trial import Trial
 from symgen.scenes.hard_suite import CASES, HardCase
 
 SHORTER = {"oscillators_10000": 1.0, "arm_40": 0.25}  # s of motion, where all of it takes SUNDIALS many seconds
@@ -74,12 +75,12 @@ def run() -> Result:
         for hard in CASES:
             print(f"  {hard.name} ...", file=sys.stderr, flush=True)
             case = replace(hard, t_end=SHORTER.get(hard.name, hard.t_end))
-            problem = problem_of(case, model_of(case.make(), folder))
-            best = ours(case, problem)
-            details["suite"][case.name], found = against_sundials(case.name, problem, best)
+            reference = reference_of(case, model_of(case.make(), folder))
+            best = ours(case, reference)
+            details["suite"][case.name], found = against_sundials(case.name, reference, best)
             lines += found
             if case.name == LONG_ARM:
-                details["exudyn"], found = against_exudyn(problem, best)
+                details["exudyn"], found = against_exudyn(reference, best)
                 lines += found
     theirs = library()
     with workplace() as folder:
@@ -90,27 +91,29 @@ def run() -> Result:
     return Result("others", "Against other programs, in one run", lines, details, REMARK.format(**given))
 
 
-def ours(case: HardCase, problem: Problem) -> Trial:
+def ours(case: HardCase, reference: Reference) -> Trial:
     """The fastest of the likeliest schemes."""
-    model = problem.model
-    specs = stiff_methods(model)
+    model = reference.problem.model
+    methods = stiff_methods(model)
     if len(model.q_i) <= DENSE and model.has("residual_jacobian"):
         orders = ({},) if case.large else ({}, {"order": 5})
-        specs += [Spec("exponential", (m,), options) for options in orders for m in ((1,) if case.large else (1, 2))]
-    found = best_of([*specs, Spec("dop853"), Spec("rk4")], problem)
+        methods += [
+            Method("exponential", (m,), options) for options in orders for m in ((1,) if case.large else (1, 2))
+        ]
+    found = best_of([*methods, Method("dop853"), Method("rk4")], reference)
     return min(found.values(), key=lambda trial: trial.seconds)
 
 
-def against_sundials(name: str, problem: Problem, best: Trial) -> tuple[dict[str, Any], list[Line]]:
+def against_sundials(name: str, reference: Reference, best: Trial) -> tuple[dict[str, Any], list[Line]]:
     """Figures of one case of the hard suite: ours, and of each integrator its ratio, and that if it were alone."""
-    t_end = problem.t_end
+    t_end = reference.problem.t_end
     told = f"{best.label}, {best.error:.1e} in {best.steps} steps, {t_end:g} s of motion"
     lines = [Line(f"{name}: this project", best.seconds / t_end * 1e3, "ms/s", note=told)]
     figures: dict[str, Any] = {"label": best.label, "steps": best.steps, "ms_a_second": best.seconds / t_end * 1e3}
     for method in ("cvodes", "idas"):
         figures[method] = nan, nan
         try:
-            way, found = SundialsRuns(method, problem).best(TOLERANCE, PATIENCE)
+            way, found = SundialsRuns(method, reference).best(TOLERANCE, PATIENCE)
         except SymgenError as refused:
             lines.append(Line(f"{name}: {method.upper()} / this project", nan, "", note=str(refused)))
             continue
@@ -129,11 +132,12 @@ def _share(found: Matched) -> float:
     return found.fine.own / found.fine.seconds if found.fine is not None and isfinite(found.fine.own) else nan
 
 
-def against_exudyn(problem: Problem, best: Trial) -> tuple[dict[str, Any], list[Line]]:
+def against_exudyn(reference: Reference, best: Trial) -> tuple[dict[str, Any], list[Line]]:
     """The arm of 20 links: ours, and (label, ratio, what is told) of each model by its kind."""
     angles = tuple(-1.2 + 0.5 * sin(k) for k in range(1, 21))
-    places = [followed(problem.model)[0].index(f"link{k}.theta") for k in range(1, 20)]
-    motion = problem.path(np.linspace(0.0, problem.t_end, EXUDYN_SAMPLES + 1))[:, places]
+    places = [followed(reference.problem.model)[0].index(f"link{k}.theta") for k in range(1, 20)]
+    problem = reference.problem
+    motion = reference.path(np.linspace(0.0, problem.t_end, EXUDYN_SAMPLES + 1))[:, places]
     finest = {
         elements: ExudynArm(angles, 100.0, elements, 0.9).run(problem.t_end, EXUDYN_FINEST, EXUDYN_SAMPLES)[1]
         for elements in {way[0] for way in ANCF}

@@ -17,7 +17,7 @@ from runtime.baselines.sundials import Sundials
 from runtime.contract.coordinates import followed, whole
 from runtime.engine.external import SLOPES, VALUES
 from runtime.engine.rows import evaluate
-from runtime.studies.work_precision.problem import Problem
+from runtime.studies.work_precision.reference import Reference
 
 SAMPLES = 100
 MOST_STEPS = 10_000  # between two samples
@@ -35,12 +35,12 @@ class SundialsRuns:
     """`cvodes` or `idas` on a problem: native right-hand side and exact Jacobian, made once for all runs."""
 
     method: str
-    problem: Problem
+    reference: Reference
     sundials: Sundials = field(init=False)
 
     def __post_init__(self) -> None:
-        problem, model = self.problem, self.problem.model
-        given = start_of(model, **problem.setting.arguments)
+        problem, model = self.reference.problem, self.reference.problem.model
+        given = start_of(model, **self.reference.arguments)
         refuse_impulses(model, given.c, problem.t_end, given.y, self.method)
         self.sundials = Sundials(model, self.method, given)
         observe = CondensedOde(model, TO_ROUNDING).observe()
@@ -51,8 +51,8 @@ class SundialsRuns:
 
     def best(self, tolerance: float, longest: float) -> tuple[str, Matched]:
         """(the way that takes least time to the tolerance, what it takes); `longest` [s] as for `match`."""
-        amplitudes = self.problem.amplitudes
-        weights = {"": float(amplitudes.min()), ", coarse atol": float(amplitudes.max())}
+        amplitudes = self.reference.amplitudes.values()
+        weights = {"": min(amplitudes), ", coarse atol": max(amplitudes)}
         found: dict[str, Matched] = {}
         for way, (multistep, order) in WAYS[self.method].items():
             for word, weight in weights.items():
@@ -69,11 +69,11 @@ class SundialsRuns:
         if done.refused:
             return Attempt(rtol, inf, seconds, steps, done.refused)
         seen = evaluate(self._observe, {"t": self._times[:, None], "y": done.y}, self.sundials.given.c)
-        model = self.problem.model
+        model = self.reference.problem.model
         told = whole(model, seen["q_i"], seen["q_d"])[:, followed(model)[1]]
-        error = float(self.problem.errors(self._times, told)[0].max())
+        error = self.reference.worst(self.reference.error(self._times, told))
         own = self._evaluations(int(done.stats["evaluations"]), int(done.stats["factorisations"]))
-        return Attempt(rtol, error if error == error else inf, seconds, steps, own=own)
+        return Attempt(rtol, error, seconds, steps, own=own)
 
     def _evaluations(self, values: int, slopes: int) -> float:
         """CPU seconds of so many evaluations of the equations and of their Jacobian."""

@@ -7,20 +7,19 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from runtime.schemeself.catalogue import scheme_kind
 
 from runtime.contract.coordinates import followed, independent, loop_part, whole
 from runtime.contract.model import Model
 from runtime.engine.rows import evaluate
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import floored
-from runtime.running.arguments import Further, RunArguments
+from runtime.running.arguments import Further
 from runtime.running.ladder import FIRST, Ladder, Method, Rung
 from runtime.running.problem import Problem
-from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.times import SwitchTime, switching_times
-from runtime.studies.work_precision.problem import Setting, make_setting
 from symgen.scenes.hard_suite import HardCase
 
 KEPT = 4000  # states of a reference
@@ -54,32 +53,27 @@ class Case:
 
     def __init__(self, case: HardCase, model: Model) -> None:
         self.case, self.model, self.t_end = case, model, case.t_end
-        self.arguments: RunArguments = {
-            "parameters": case.parameters,
-            "initial": case.initial,
-            "start": case.start,
-            "t_end": case.t_end,
-        }
-        self.setting: Setting = make_setting(model, **self.arguments)  # type: ignore[arg-type]
+        self.arguments = {"parameters": case.parameters, "initial": case.initial, "start": case.start}
         self.problem = Problem.of(model, case.t_end, case.parameters, case.initial, case.start)
+        self.c = model.constants(self.problem.p)
         self.graded = [followed(model)[0].index(name) for name in case.graded]
-        self.jumps: list[SwitchTime] = switching_times(model, self.setting.c, 0.0, case.t_end)
+        self.jumps: list[SwitchTime] = switching_times(model, self.c, 0.0, case.t_end)
 
     @cached_property
     def reference(self) -> np.ndarray:
         """q (KEPT + 1, n) of what tells the motion, at equal distances in time."""
-        s, every = self.setting, -(-max(LEAST_STEPS, int(self.t_end * self._fastest() / REACH)) // KEPT)
+        state, every = self.problem.state, -(-max(LEAST_STEPS, int(self.t_end * self._fastest() / REACH)) // KEPT)
         dt = self.t_end / (every * KEPT)
         scheme = scheme_kind("dop853").build("dop853", self.model, dt, None, {})
         if self.jumps:
             return self._with_jumps(every * KEPT, every)
         stepper = Stepper(scheme, wait=True)
-        z = stepper.start(0.0, s.state.q, s.state.q_dot, s.c, dt)
-        ready, states = stepper.ready(s.c, dt), [stepper.state(z).copy()]
+        z = stepper.start(0.0, state.q, state.q_dot, self.c, dt)
+        ready, states = stepper.ready(self.c, dt), [stepper.state(z).copy()]
         for _ in range(KEPT):
             stepper.run(z, ready, every)
             states.append(stepper.state(z).copy())
-        found = evaluate(scheme.observer, {"z": np.array(states)}, scheme.constants(s.c, dt))
+        found = evaluate(scheme.observer, {"z": np.array(states)}, scheme.constants(self.c, dt))
         return whole(self.model, found["q_i"], found["q_d"])[:, followed(self.model)[1]]
 
     def _with_jumps(self, steps: int, every: int) -> np.ndarray:
@@ -89,11 +83,11 @@ class Case:
 
     def _fastest(self) -> float:
         """The largest frequency or decay at the start [rad/s]."""
-        s, model = self.setting, self.model
+        state, model = self.problem.state, self.model
         if not ModeSolver.possible(model):
             return 0.0
-        q, v = s.state.q, s.state.q_dot
-        A_q, A_v = ModeSolver(model, s.c).slopes(State(0.0, *independent(model, q, v), loop_part(model, q)))
+        q, v = state.q, state.q_dot
+        A_q, A_v = ModeSolver(model, self.c).slopes(State(0.0, *independent(model, q, v), loop_part(model, q)))
         n = len(A_q)
         return float(np.abs(np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [A_q, A_v]]))).max())
 

@@ -13,10 +13,11 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 
-from benchmarks.cases.arms import EXPLICIT_REACH, FASTEST, T_END, TOLERANCE, arm_problem
+from benchmarks.cases.arms import EXPLICIT_REACH, FASTEST, T_END, TOLERANCE, arm_reference
+from benchmarks.harness.fewest import Timed, fewest
 from benchmarks.harness.models import model_of, workplace
-from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec
-from runtime.studies.work_precision.search import search_steps
+from runtime.running.ladder import Method
+from runtime.studies.work_precision.reference import Reference
 from symgen.scenes.arm import arm
 
 PICTURE = Path(__file__).resolve().parents[2] / "docs" / "images" / "sub_steps.png"
@@ -33,13 +34,13 @@ def gains(links: int, stiffening: float, lively: float) -> Gains:
     """Time of `single_rate` over that of each scheme, at its best ratio."""
     fastest = FASTEST * stiffening**0.5
     with workplace() as folder:
-        problem = arm_problem(model_of(arm(links, stiffening=stiffening, lively=lively), folder), fastest)
-        single = _milliseconds(Spec("single_rate", None, {"common_velocity": "predictor"}), problem)
+        reference = arm_reference(model_of(arm(links, stiffening=stiffening, lively=lively), folder), fastest)
+        single = _milliseconds(Method("single_rate", None, {"common_velocity": "predictor"}), reference)
         ratios = sorted({max(2, ceil(T_END * fastest / EXPLICIT_REACH / steps)) for steps in HOLDS})
-        specs = {name: [Spec(name, (m,)) for m in ratios] for name in ("decoupled", "coupled")}
-        specs["decoupled, held"] = [Spec("decoupled", (m,), HELD) for m in ratios]
-        specs["exponential_rk4"] = [Spec("exponential_rk4")]
-        best = {name: min(_milliseconds(spec, problem) for spec in ones) for name, ones in specs.items()}
+        methods = {name: [Method(name, (m,)) for m in ratios] for name in ("decoupled", "coupled")}
+        methods["decoupled, held"] = [Method("decoupled", (m,), HELD) for m in ratios]
+        methods["exponential_rk4"] = [Method("exponential_rk4")]
+        best = {name: min(_milliseconds(one, reference) for one in ones) for name, ones in methods.items()}
     found = {name: single / time for name, time in best.items()}
     print(
         links, stiffening, lively, f"single_rate {single:.3g} ms", {name: round(one, 2) for name, one in found.items()}
@@ -47,8 +48,8 @@ def gains(links: int, stiffening: float, lively: float) -> Gains:
     return found
 
 
-def _milliseconds(spec: Spec, problem: object) -> float:
-    best = search_steps(PreparedMethod(spec, problem), TOLERANCE, most=40_000).best  # type: ignore[arg-type]
+def _milliseconds(method: Method, reference: Reference) -> float:
+    best = fewest(Timed(method, reference), TOLERANCE, most=40_000)
     return best.seconds * 1e3 if best else float("inf")
 
 

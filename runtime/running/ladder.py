@@ -6,7 +6,8 @@ decided by the operations that its first rung takes; `auto`, advice and comparis
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import time
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import ceil, gcd, inf
 from typing import Any
@@ -23,13 +24,14 @@ from runtime.running.arguments import Further
 from runtime.running.companion import loads_missed, marks_of
 from runtime.running.load_steps import steps_that_see_loads
 from runtime.running.marks import Marks, told_by
-from runtime.running.outcome import finished
+from runtime.running.outcome import LARGEST, finished
 from runtime.running.plan import MAX_SAMPLES, Plan, make_plan, whole_number
 from runtime.running.problem import ROUNDING, Problem, common_time
 from runtime.running.run import Run
 from runtime.running.start_of_run import begun
 from runtime.running.tolerance import AUTO
-from runtime.schemes.kept_steppers import kept_stepper
+from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.evaluation import evaluation_operations
 from runtime.schemes.options import LARGE_SYSTEM, SchemeError
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.times import switching_times
@@ -43,35 +45,53 @@ SEEN = 1000  # samples of a rung that is kept
 MOST_STEPS = 10**8
 MOST_OPERATIONS = 10**12  # of all rungs: some minutes
 STAGNANT = 0.5  # of an error: rungs that do not come below it any more will not
+ACCURATE = 0.5  # of the error from which a run is not accurate: what nobody has graded stays below
 AGREED = 0.02  # of the motion: two rungs that stop so near to each other for the same reason stop at the same event
 EXPLICIT = ("dopri5", "rk4")
 HANDICAP = {"rk4": 2}  # times the steps that a method of lower order is expected to take
-DENSE = 12  # operations of a step with dense matrices, over n^3
-MOST_DENSE = 400_000  # operations of such a step: some 30 s of the compiler
+# operations of a step: evaluations, and times n, n^2, n^3 of n coordinates; counted on the hard suite, to a factor 1.6
+PRICES = {
+    "dopri5": (6.5, 0, 0, 0),
+    "rk4": (4.0, 0, 0, 0),
+    "exponential_rk4": (4.5, 300, 20, 0),
+    "exponential": (4.0, 500, 300, 10),
+}
 
 
 @dataclass(frozen=True)
 class Method:
-    """A scheme with ratios m and options; first: steps of its first rung."""
+    """A scheme with ratios m and options; first: steps of its first rung, 0 for as many as it needs."""
 
     scheme: str
     m: tuple[int, ...] | None = None
     options: Mapping[str, Any] = field(default_factory=dict)
-    first: int = FIRST
+    first: int = 0
+
+    @property
+    def label(self) -> str:
+        """The name, with m and options where they were chosen."""
+        ratios = f" m={','.join(map(str, self.m))}" if self.m else ""
+        return self.scheme + ratios + "".join(f" {_word(name, value)}" for name, value in self.options.items())
+
+
+def _word(name: str, value: Any) -> str:
+    return value if isinstance(value, str) else f"{name}={value[0] if isinstance(value, tuple) else value}"
 
 
 @dataclass
 class Rung:
     """A whole motion in so many steps.
 
-    differs: from the rung before, relative to the amplitudes, NaN where there is none; error: what is taken for its
-    error, on the safe side; told: what is most likely, by Richardson's extrapolation where the order shows.
+    seconds: of CPU from its start to its end. differs: from the rung before, relative to the amplitudes, NaN where
+    there is none; error: what is taken for its error, on the safe side; told: what is most likely, by Richardson's
+    extrapolation where the order shows.
     """
 
     steps: int
     run: Run
     marks: Marks
     status: Status
+    seconds: float = 0.0
     differs: float = np.nan
     error: float = np.nan
     told: MotionError = field(default_factory=lambda: MotionError(reason="there is no rung before it"))
@@ -100,7 +120,6 @@ def by_ladder(
         method, reason = chosen_method(problem)
     else:
         method, reason = Method(scheme, None if m is None else tuple(m), options), ""
-        method = replace(method, first=_first(problem, ladder.plan(method, FIRST).scheme))
     rungs, total = [], 0.0
     for rung in ladder.climb(method):
         rungs.append(rung)
@@ -112,12 +131,17 @@ def by_ladder(
 
 @dataclass
 class Ladder:
-    """Makes rungs of a problem; unit: numbers of steps are multiples of it."""
+    """Makes rungs of a problem; unit: numbers of steps are multiples of it.
+
+    graded: whose errors are to be within the tolerance, () for those of all coordinates that tell the motion; of the
+    others a run has to be accurate.
+    """
 
     problem: Problem
     tolerance: float
-    spacing: float | None
-    further: Further
+    spacing: float | None = None
+    further: Further = field(default_factory=Further)
+    graded: Sequence[str] = ()
 
     def __post_init__(self) -> None:
         span = self.problem.t_end - self.problem.t0
@@ -155,7 +179,7 @@ class Ladder:
 
     def climb(self, method: Method) -> Iterator[Rung]:
         """Rungs from the first to the one that meets the tolerance, or to the last that it is worth to make."""
-        count, rungs, spent = ceil(method.first / self.unit), list[Rung](), 0.0
+        count, rungs, spent = ceil((method.first or self.first(method)) / self.unit), list[Rung](), 0.0
         while True:
             plan = self.plan(method, count * self.unit)
             rung = self.rung(plan, quiet=bool(rungs))
@@ -170,13 +194,19 @@ class Ladder:
                 return
             count = following
 
-    def rung(self, plan: Plan, quiet: bool) -> Rung:
+    def first(self, method: Method) -> int:
+        """Steps of a first rung: such as see what loads do, within the stability limit at the start."""
+        scheme = self.plan(method, FIRST).scheme
+        return max(_seen_loads(self.problem), _stable_steps(scheme, _slopes(self.problem), self.span))
+
+    def rung(self, plan: Plan, quiet: bool = False) -> Rung:
         """A whole motion; quiet: nobody looks whether its steps see what loads do."""
         marks = Marks(plan.steps // self.unit * max(1, self.unit // FIRST))
         further = Further(progress=self.further.progress)
         run = begun(self.problem, replace(plan, outputs=()), marks, further, quiet=quiet)
+        began = time.process_time()
         status = run.status if run.status is not None else run.go()
-        return Rung(plan.steps, run, marks, status)
+        return Rung(plan.steps, run, marks, status, time.process_time() - began)
 
     def judge(self, before: list[Rung], rung: Rung, order: int) -> None:
         """The error of a rung by the one before it, in place; half the difference where three rungs show the order."""
@@ -192,13 +222,20 @@ class Ladder:
         t = np.array([rung.run.segment.plan.time(_at(rung)[k]) for k in common])
         model = self.problem.model
         rung.told = motion_error(model, t, mine, theirs, amplitudes(model, np.concatenate(seen)))
-        rung.error = rung.differs = rung.told.largest
+        rung.error = rung.differs = self._asked(rung.told)
         if len(before) > 1 and 0 < rung.error < last.differs:
             shown = np.log(last.differs / rung.differs) / np.log(rung.steps / last.steps)
             if shown > SHOWN * order:
                 rung.error *= 0.5
                 richer = (rung.steps / last.steps) ** min(shown, order) - 1
                 rung.told = rung.told.scaled(1 / max(2.0, richer))
+
+    def _asked(self, error: MotionError) -> float:
+        """What is compared with the tolerance."""
+        if not self.graded:
+            return error.largest
+        others = max(error.judged.values()) * self.tolerance / (ACCURATE * LARGEST)
+        return float(max(others, *(error.relative[name] for name in self.graded)))
 
     def next_count(self, rungs: list[Rung], order: int) -> int | None:
         """Steps of the next rung, in units; None where the last one is the answer, or nothing would be won."""
@@ -269,32 +306,30 @@ def _same_end(one: Status, other: Status, span: float) -> bool:
 
 
 def chosen_method(problem: Problem) -> tuple[Method, str]:
-    """The method whose first rung takes the fewest operations, and why."""
-    slopes = _slopes(problem)
-    seen = _seen_loads(problem)
+    """The method whose first rung takes the fewest operations, and why; nothing is compiled for it."""
+    slopes, seen = _slopes(problem), _seen_loads(problem)
     prices: list[tuple[float, Method]] = []
+    evaluation = 0
     for name in (*EXPLICIT, *_exponentials(problem.model)):
-        method, scheme = _begun(problem, name, slopes, seen)
-        operations = kept_stepper(scheme, problem.engine).operations
-        prices.append((method.first * HANDICAP.get(name, 1) * operations, method))
-        if name == EXPLICIT[0] and method.first <= max(FIRST, seen):
+        kind, steps = scheme_kind(name), max(FIRST, seen)
+        if kind.make.limited(kind.options()):
+            span = problem.t_end - problem.t0
+            scheme = kind.build(name, problem.model, span / FIRST, None, {})
+            steps = max(steps, _stable_steps(scheme, slopes, span))
+            evaluation = evaluation or evaluation_operations(scheme)
+        method = Method(name, first=steps)
+        if name == EXPLICIT[0] and steps <= max(FIRST, seen):
             return method, f"{name}: the motion is not stiff"
+        prices.append((steps * HANDICAP.get(name, 1) * _price(name, evaluation, len(problem.model.q_i)), method))
     price, best = min(prices, key=lambda one: one[0])
     others = ", ".join(f"{one.scheme} {other / price:.3g}" for other, one in prices if one is not best)
     return best, f"{best.scheme}: the motion is stiff; operations of a first rung, relative to it: {others}"
 
 
-def _begun(
-    problem: Problem, name: str, slopes: tuple[np.ndarray, np.ndarray] | None, seen: int
-) -> tuple[Method, Scheme]:
-    span = problem.t_end - problem.t0
-    plan = make_plan(problem.model, problem.t_end, span / FIRST, None, name, 1, {}, problem.t0, bounded=True)
-    return Method(name, first=max(seen, _stable_steps(plan.scheme, slopes, span))), plan.scheme
-
-
-def _first(problem: Problem, scheme: Scheme) -> int:
-    span = problem.t_end - problem.t0
-    return max(_seen_loads(problem), _stable_steps(scheme, _slopes(problem), span))
+def _price(name: str, evaluation: int, n: int) -> float:
+    """Operations of a step with n coordinates, about."""
+    evaluations, *of_size = PRICES[name]
+    return float(evaluations * evaluation + sum(factor * n**power for power, factor in enumerate(of_size, start=1)))
 
 
 def _stable_steps(scheme: Scheme, slopes: tuple[np.ndarray, np.ndarray] | None, span: float) -> int:
@@ -316,8 +351,17 @@ def _exponentials(model: Model) -> list[str]:
     """Methods for stiff motion that the model can be stepped with, and that are not dear by its size."""
     found = ["exponential_rk4"] if model.has("deflections") else []
     n = len(model.q_i)
-    small = model.has("residual_jacobian") and (n <= LARGE_SYSTEM if found else DENSE * n**3 <= MOST_DENSE)
+    small = model.has("residual_jacobian") and (n <= LARGE_SYSTEM if found else affordable(model))
     return [*found, "exponential"] if small else found
+
+
+DENSE = 12  # operations of a step with dense matrices, over n^3
+MOST_DENSE = 400_000  # operations of such a step: some 30 s of the compiler
+
+
+def affordable(model: Model) -> bool:
+    """Is a step with dense matrices short enough to be compiled?"""
+    return DENSE * len(model.q_i) ** 3 <= MOST_DENSE
 
 
 def _slopes(problem: Problem) -> tuple[np.ndarray, np.ndarray] | None:

@@ -40,7 +40,7 @@ def _ended(run: Run, measure: Measure) -> Solution:
     last = (run.record.segments.index(run.segment), run.segment.stepper.state(run.z))
     run.record.flush()
     solution = run.record.solution(last)
-    stats = {**_statistics(run.segment, run.z, run.set_up, wall), **solution.stats, **_circumstances(run)}
+    stats = {**statistics(run.segment, run.z, run.set_up, wall), **solution.stats, **_circumstances(run)}
     solution = solution.but(status=status, stats=stats, events=run.events, parameters=run.segment.p, stops=_stops(run))
     solution = with_error(solution, measure(run, solution) if status.ok else MotionError(reason=f"it is {status.name}"))
     solution = with_limits(solution)
@@ -119,7 +119,7 @@ def _circumstances(run: Run) -> dict[str, float | int | str]:
     return found
 
 
-def _statistics(segment: Segment, z: np.ndarray, setup: float, wall: float) -> dict[str, float | int | str]:
+def statistics(segment: Segment, z: np.ndarray, setup: float, wall: float) -> dict[str, float | int | str]:
     """Counts of evaluations, times [s] and operations of a run that has come to z (flat)."""
     layout, scheme, stepper = segment.plan.scheme.layout, segment.plan.scheme, segment.stepper
     steps = segment.step_of(z)

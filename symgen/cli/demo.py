@@ -77,13 +77,13 @@ def _compared(
     from runtime.studies.work_precision.comparison import work_precision
     from runtime.studies.work_precision.comparison_files import write_comparison
     from runtime.studies.work_precision.methods import methods_named
-    from runtime.studies.work_precision.problem import make_setting
 
     if not model.has("dQ_hat_dq_i"):
         return {}, None, None
-    setting = make_setting(model, **settings(arguments, MOTION))
     names = METHODS + (["coupled:4", "printed:4"] if len(model.groups) == 2 else [])
-    comparison = work_precision(setting, methods_named(model, names), longest=LONGEST, note=progress.note)
+    comparison = work_precision(
+        model, methods_named(model, names), longest=LONGEST, note=progress.note, **settings(arguments, MOTION)
+    )
     files = write_comparison(comparison, folder, motion_words(arguments, DEMOS.get(arguments.scene, "")))
     return files, *_recommended(comparison)
 
@@ -91,15 +91,15 @@ def _compared(
 def _recommended(comparison: Comparison) -> tuple[dict[str, Any] | None, float | None]:
     """Scheme, m, options and the coarsest step from which on all runs kept the tolerance, and the error of that run."""
     first = comparison.ranked()[0]
-    spec, trials = first.method.spec, first.trials
+    method, trials = first.method, first.trials
     fine = [k for k in range(len(trials)) if all(one.error <= comparison.tolerance for one in trials[k:])]
-    if spec is None or not fine:
+    if method is None or not fine:
         return None, None
     trial = trials[fine[0]]
     arguments = {
-        "scheme": spec.scheme,
-        "m": list(spec.m) if spec.m else None,
-        "options": dict(spec.options),
+        "scheme": method.scheme,
+        "m": list(method.m) if method.m else None,
+        "options": dict(method.options),
         "dt": trial.setting,
         "save_every": max(1, trial.steps // SAMPLES),
     }

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from runtime.studies.advice.advise import Advice
     from runtime.studies.stability.chart import StabilityChart
     from runtime.studies.work_precision.comparison import Comparison
-    from runtime.studies.work_precision.problem import Setting
     from runtime.studies.work_precision.suite import SuiteResult
 
 MOST_CASES = 10_000_000
@@ -181,11 +180,10 @@ def _limits(chart: StabilityChart) -> list[str]:
 def advise(arguments: argparse.Namespace) -> Outcome:
     """Find the method and step that suit a scene.
 
-    Frequencies and damping over the motion, groups by the widest gap, then every method is tried on the motion
-    until it meets the tolerance; the fastest that keeps its stability limit is advised.
+    Every method makes the whole motion with ever more steps until its error meets the tolerance; the one with the
+    fewest operations is advised, beside frequencies and damping over the motion and groups by the widest gap.
     """
-    from runtime.studies.advice.advise import advise
-    from runtime.studies.advice.words import advice_data, advice_lines
+    from runtime.studies.advice.advise import advice_data, advice_lines, advise
 
     model = opened_model(arguments.scene, arguments.made_with)
     with Progress(f"symgen {model.name}") as progress:
@@ -197,7 +195,7 @@ def advise(arguments: argparse.Namespace) -> Outcome:
 def report(arguments: argparse.Namespace) -> Outcome:
     """Compare methods on a scene: error against CPU time and evaluations.
 
-    Every method runs the motion with ever finer steps, judged by an independent reference. Leaves comparison.json,
+    All rungs of the ladder of every method, judged by an independent reference. Leaves comparison.json,
     .csv, .md, .html, error_time.png and error_evaluations.png in --out.
     """
     if (arguments.suite is None) == (arguments.scene is None):
@@ -209,35 +207,32 @@ def report(arguments: argparse.Namespace) -> Outcome:
 
 def _scene(arguments: argparse.Namespace) -> Outcome:
     from runtime.studies.work_precision.comparison_files import comparison_data, write_comparison
-    from runtime.studies.work_precision.dense_methods import left_out
-    from runtime.studies.work_precision.problem import make_setting
+    from runtime.studies.work_precision.methods import left_out
 
     model = opened_model(arguments.scene, arguments.made_with)
-    setting = make_setting(model, graded=arguments.graded, **settings(arguments, MOTION))
+    motion = {"graded": arguments.graded, **settings(arguments, MOTION)}
     folder = Path(arguments.out) if arguments.out else Path("out") / "report" / model.name
-    comparison = _compared(model, setting, arguments, folder)
+    comparison = _compared(model, motion, arguments, folder)
     files = write_comparison(comparison, folder, motion_words(arguments))
     said = [] if arguments.methods else [one for one in [left_out(model)] if one]
     data = {"comparison": comparison_data(comparison), "files": files}
     return Outcome(data, [*table(comparison), *said, f"in {folder}"])
 
 
-def _compared(model: Model, setting: Setting, arguments: argparse.Namespace, folder: Path) -> Comparison:
+def _compared(model: Model, motion: dict[str, Any], arguments: argparse.Namespace, folder: Path) -> Comparison:
     """Its tables are in the folder after each method: an interrupted report keeps what it has."""
     from runtime.studies.work_precision.comparison import work_precision
     from runtime.studies.work_precision.comparison_files import write_tables
-    from runtime.studies.work_precision.methods import methods_named, usual_methods
+    from runtime.studies.work_precision.methods import methods_named, usual_adaptive, usual_methods
 
-    methods = methods_named(model, arguments.methods) if arguments.methods else usual_methods(model)
+    if arguments.methods:
+        methods = methods_named(model, arguments.methods)
+    else:
+        methods = [*usual_methods(model), *usual_adaptive(model)]
     with Progress(f"symgen {model.name}") as progress:
-        return work_precision(
-            setting,
-            methods,
-            arguments.tolerance,
-            arguments.longest,
-            progress.note,
-            partial(write_tables, folder=folder),
-        )
+        keep = partial(write_tables, folder=folder)
+        how = arguments.tolerance, arguments.longest, progress.note, keep
+        return work_precision(model, methods, *how, **motion)
 
 
 def table(comparison: Comparison) -> list[str]:
@@ -247,7 +242,7 @@ def table(comparison: Comparison) -> list[str]:
         seconds, count = curve.seconds_to(comparison.tolerance), curve.evaluations_to(comparison.tolerance)
         reached = f"{seconds * 1e3:9.3g} {count:12.4g}" if seconds < float("inf") else f"{'-':>9} {'-':>12}"
         order = f"{curve.order:6.2f}" if curve.order == curve.order else f"{'-':>6}"
-        lines.append(f"{curve.method.label:36} {reached} {order}   {curve.failure}".rstrip())
+        lines.append(f"{curve.label:36} {reached} {order}   {curve.failure}".rstrip())
     return [*lines, f"recommended: {comparison.recommendation()}"]
 
 
@@ -273,7 +268,6 @@ def _case(name: str, folder: Path, arguments: argparse.Namespace) -> SuiteResult
     from runtime.contract.loading import load_model
     from runtime.studies.advice.advise import advise
     from runtime.studies.work_precision.comparison_files import write_comparison
-    from runtime.studies.work_precision.problem import make_setting
     from runtime.studies.work_precision.suite import SuiteResult
     from symgen.generate import generate
     from symgen.scenes.hard_suite import HARD_SUITE
@@ -289,7 +283,7 @@ def _case(name: str, folder: Path, arguments: argparse.Namespace) -> SuiteResult
     with tempfile.TemporaryDirectory() as place:
         model = load_model(generate(case.make(), Path(place) / "model"))
     try:
-        comparison = _compared(model, make_setting(model, **motion), arguments, folder)
+        comparison = _compared(model, motion, arguments, folder)
     except NoResult as error:
         return SuiteResult(name, None, None, str(error))
     write_comparison(comparison, folder)

@@ -91,7 +91,7 @@ def test_advice_on_a_turning_body(capsys: pytest.CaptureFixture[str]) -> None:
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["--tolerance", "2"], "tolerance must be between 0 and 1"),
+        (["--tolerance", "2"], "tolerance must be between 0 and 0.1"),
         (["--graded", "x_Q"], "'x_Q' cannot be graded"),
         (["--graded", ","], "at least one name"),
     ],
@@ -123,7 +123,7 @@ def test_an_interrupted_report_keeps_what_it_has(
     """Stopped in the second of two methods: the tables of the first are there."""
     from runtime.studies.work_precision import comparison
 
-    honest, begun = comparison.run_method, []
+    honest, begun = comparison.curve_of, []
 
     def interrupted(*arguments: Any) -> Any:
         begun.append(arguments)
@@ -131,7 +131,7 @@ def test_an_interrupted_report_keeps_what_it_has(
             raise KeyboardInterrupt
         return honest(*arguments)
 
-    monkeypatch.setattr(comparison, "run_method", interrupted)
+    monkeypatch.setattr(comparison, "curve_of", interrupted)
     words = ["--methods", "exponential:1,rk4", "--longest", "0.002", "--out", str(tmp_path)]
     assert said(capsys, "report", *MOTION, *words)[0] == 130
     kept = json.loads((tmp_path / "comparison.json").read_text())

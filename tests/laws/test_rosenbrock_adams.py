@@ -17,7 +17,7 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 from runtime.schemes.scheme import Scheme
 from runtime.studies.stability.tangent import TangentStep
-from runtime.studies.work_precision.stiff_methods import stiff_methods
+from runtime.studies.work_precision.methods import stiff_methods
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes import generated_folder
 from symgen.scenes.arm import arm

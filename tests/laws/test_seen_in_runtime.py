@@ -14,21 +14,19 @@ import pytest
 from runtime import Model, ModelError, simulate
 from runtime.contract.coordinates import mechanism_length
 from runtime.contract.files import write_text
-from runtime.contract.orientations import places_of
 from runtime.operating.given_state import given_state
 from runtime.operating.linearise import linearise
+from runtime.running.ladder import Ladder, Method, affordable
+from runtime.running.problem import Problem
 from runtime.running.singular.tight_integrator import MOST_EVALUATIONS, BranchLost, TightIntegrator
 from runtime.schemes.baselines.radau import lagrange
 from runtime.schemes.catalogue import scheme_kind
-from runtime.studies.advice.advise import candidates
 from runtime.studies.stability.chart import USUAL_RATIOS, stability_chart
-from runtime.studies.work_precision import comparison
+from runtime.studies.work_precision.comparison import Comparison, WorkCurve, energy_drift, order_of
 from runtime.studies.work_precision.comparison_files import comparison_data
 from runtime.studies.work_precision.comparison_page import comparison_page
-from runtime.studies.work_precision.energy_drift import energy_drift
-from runtime.studies.work_precision.methods import Method
-from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
-from runtime.studies.work_precision.problem import Problem, make_setting
+from runtime.studies.work_precision.reference import Reference
+from runtime.studies.work_precision.trial import Trial
 from symgen.scene import Scene, SceneBuilder
 
 Build = Callable[[Scene], Model]
@@ -51,25 +49,19 @@ def test_a_rate_of_what_depends_takes_the_place_of_the_rates_of_the_scene(model_
 
 
 def test_what_is_not_as_the_scene_has_it_stands_on_the_page_of_a_comparison(built_in: Load) -> None:
-    setting = make_setting(built_in("two_oscillators"), t_end=1.0, parameters={"M[0,0]": 2.5, "w": 30.0})
-    problem = Problem(setting, 1.0, lambda t: np.ones((len(t), 2)), 1e-12)
-    curve = comparison.WorkCurve(Method("rk4", Spec("rk4")), [], 4.0, None)
-    found = comparison.Comparison(problem, 1e-3, [curve])
+    problem = Problem.of(built_in("two_oscillators"), 1.0, {"M[0,0]": 2.5, "w": 30.0})
+    reference = Reference(problem, lambda t: np.ones((len(t), 2)), ["x_L", "x_S"])
+    found = Comparison(reference, 1e-3, [WorkCurve("rk4", Method("rk4"), [], 4.0, None)])
     page = comparison_page(found, comparison_data(found))
     assert "w = 30 rad/s" in page and "M[0,0] = 2.5 kg" in page and "M[1,1] =" not in page
 
 
-def test_the_order_of_a_method_takes_a_decade_of_errors(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_order_of_a_method_takes_a_decade_of_errors() -> None:
     """Errors 2 dt^2 down to a twelfth of the first: order 2. Down to a ninth: none."""
-    setting = make_setting(built_in("two_oscillators"), t_end=1.0)
     for steps, order in (((0.1, 0.05, 0.1 / math.sqrt(12)), 2.0), ((0.1, 0.05, 0.1 / 3), np.nan)):
         errors = [(dt, 2 * dt * dt) for dt in steps] + [(1e-5, 1e-8)]
-        trials = [Trial("x", dt, 10, 1.0, 10, error, error, np.array([error])) for dt, error in errors]
-        monkeypatch.setattr(comparison, "run_method", lambda *_, trials=trials: (trials, None))
-        problem = Problem(setting, 1.0, lambda t: np.ones((len(t), 2)), 1e-12)
-        monkeypatch.setattr(type(setting), "judged", lambda self, problem=problem: problem)
-        found = comparison.work_precision(setting, [Method("x", Spec("rk4"))]).curves[0].order
-        assert found == pytest.approx(order, nan_ok=True)
+        trials = [Trial("x", dt, 10, 1.0, 10, error) for dt, error in errors]
+        assert order_of(trials) == pytest.approx(order, nan_ok=True)
 
 
 def test_what_rests_has_no_drift_of_energy(model_of: Build) -> None:
@@ -78,17 +70,15 @@ def test_what_rests_has_no_drift_of_energy(model_of: Build) -> None:
         .rigid("m", mass=1.0, inertia=1.0, free=True)
         .simulation(t_end=1.0, dt=0.1, scheme="printed")
     )
-    problem = Problem(make_setting(model_of(builder.build()), t_end=1.0), 1.0, lambda t: np.ones((len(t), 3)), 1e-12)
-    assert energy_drift(PreparedMethod(Spec("rk4"), problem, engine="interpreted"), 4) is None
+    ladder = Ladder(Problem.of(model_of(builder.build())), 1e-3)
+    assert energy_drift(ladder.rung(ladder.plan(Method("rk4"), 20))) is None
 
 
 @pytest.mark.parametrize("n, dense", [(32, True), (33, False)])
 def test_methods_with_dense_systems_are_tried_up_to_their_price(n: int, dense: bool) -> None:
     """12 n^3 operations: 393,216 for 32 coordinates, 431,244 for 33, where 400,000 are too many."""
-    names = [f"x{k}" for k in range(n)]
-    places = places_of(names, names, [], [], [])
-    model: Any = SimpleNamespace(q_i=names, has=lambda name: True, operations={}, groups=["all"], places=places)
-    assert any(spec.scheme == "exponential" for spec in candidates(model)) == dense
+    model: Any = SimpleNamespace(q_i=[f"x{k}" for k in range(n)])
+    assert affordable(model) == dense
 
 
 def test_a_question_may_take_so_many_evaluations_and_no_more(built_in: Load) -> None:

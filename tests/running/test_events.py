@@ -13,7 +13,7 @@ from runtime import Environment, Model, ModelError, ensemble, resume, simulate
 from runtime.contract.errors import ArgumentError
 from runtime.running.checkpoint import read_checkpoint
 from runtime.schemes.catalogue import SCHEMES
-from runtime.studies.work_precision.problem import make_setting
+from runtime.studies.work_precision.reference import independent_reference
 from symgen.scene import Scene, SceneBuilder, SceneError
 
 Build = Callable[[Scene], Model]
@@ -272,4 +272,4 @@ def test_wrong_events_and_those_who_do_not_look_are_named(model_of: Build) -> No
         falling(wrong={"when": "x", "action": {"pushh": 1.0}})
     model = model_of(falling(floor={"when": "x - height"}))
     with pytest.raises(ModelError, match="events floor of model falling_mass.*comparisons of methods"):
-        make_setting(model)
+        independent_reference(model)

@@ -13,18 +13,16 @@ import pytest
 
 from runtime import Model, SchemeError, simulate
 from runtime.contract.errors import ModelError
-from runtime.studies.advice.advise import Advice, NoAdvice, advise, candidates
-from runtime.studies.advice.words import advice_data, advice_lines, command
-from runtime.studies.work_precision import dense_methods, prepared_method
+from runtime.results.motion_error import amplitudes
+from runtime.running.ladder import Ladder, Method
+from runtime.studies.advice.advise import Advice, NoAdvice, advice_data, advice_lines, advise, advised_command
+from runtime.studies.work_precision import methods, trial
 from runtime.studies.work_precision.comparison import Comparison, WorkCurve, work_precision
 from runtime.studies.work_precision.comparison_files import write_comparison
-from runtime.studies.work_precision.dense_methods import left_out
-from runtime.studies.work_precision.methods import Method, methods_named, usual_methods
-from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
-from runtime.studies.work_precision.problem import Problem, make_setting
-from runtime.studies.work_precision.reference_path import NoReference
-from runtime.studies.work_precision.search import search_steps
+from runtime.studies.work_precision.methods import candidates, left_out, methods_named, usual_adaptive, usual_methods
+from runtime.studies.work_precision.reference import NoReference, Reference, independent_reference
 from runtime.studies.work_precision.suite import SuiteResult, write_suite
+from runtime.studies.work_precision.trial import Trial, seconds_of, trial_of
 from symgen.generate import model_of as derived
 from symgen.scenes.arm import arm
 
@@ -43,8 +41,8 @@ def oscillators() -> Model:
 
 
 @pytest.fixture(scope="module")
-def problem(oscillators: Model) -> Problem:
-    return make_setting(oscillators, t_end=T_END, parameters=PLAIN, initial=START, graded=["x_L"]).judged()
+def reference(oscillators: Model) -> Reference:
+    return independent_reference(oscillators, t_end=T_END, parameters=PLAIN, initial=START, graded=["x_L"])
 
 
 @pytest.fixture(scope="module")
@@ -54,10 +52,8 @@ def advice(oscillators: Model) -> Advice:
 
 @pytest.fixture(scope="module")
 def comparison(oscillators: Model) -> Comparison:
-    setting = make_setting(oscillators, t_end=T_END, parameters=PLAIN, initial=START)
-    return work_precision(
-        setting, methods_named(oscillators, ["exponential:2", "rk4", "printed:4", "cvodes_bdf"]), longest=0.003
-    )
+    named = methods_named(oscillators, ["exponential:2", "rk4", "printed:4", "cvodes_bdf"])
+    return work_precision(oscillators, named, longest=0.01, t_end=T_END, parameters=PLAIN, initial=START)
 
 
 def exact(t: np.ndarray) -> np.ndarray:
@@ -68,55 +64,60 @@ def exact(t: np.ndarray) -> np.ndarray:
     return np.asarray((vectors * share) @ np.cos(np.sqrt(values)[:, None] * t[None, :])).T
 
 
-def test_the_reference_is_the_exact_motion(problem: Problem) -> None:
+def test_the_reference_is_the_exact_motion(reference: Reference) -> None:
     times = np.linspace(0, T_END, 57)
-    assert np.abs(problem.path(times) - exact(times)).max() < 1e-9
-    assert problem.reference_error < 1e-7
+    assert np.abs(reference.path(times) - exact(times)).max() < 1e-9
+    assert reference.off < 1e-7
 
 
-def test_errors_are_those_of_the_exact_motion(problem: Problem) -> None:
+def test_errors_are_those_of_the_exact_motion(reference: Reference) -> None:
     """RMS over the motion relative to the amplitude about the mean, from an own formula."""
-    trial = PreparedMethod(Spec("rk4"), problem, engine="interpreted").run(150)
-    run = simulate(
-        problem.model, t_end=T_END, dt=T_END / 150, scheme="rk4", parameters=PLAIN, initial=START, save_every=1
-    )
+    ladder = Ladder(reference.problem, 1e-3)
+    made = trial_of("rk4", ladder.rung(ladder.plan(Method("rk4"), 160)), reference)
+    how = {"scheme": "rk4", "dt": T_END / 160, "save_every": 1}
+    run = simulate(reference.problem.model, t_end=T_END, parameters=PLAIN, initial=START, **how)
     truth = exact(run.t)[:, 0]
     wanted = np.sqrt(np.mean((run["x_L"] - truth) ** 2)) / exact(np.linspace(0, T_END, 2001))[:, 0].std()
-    assert trial.error == pytest.approx(wanted, rel=0.02)
-    assert trial.evaluations == 600
+    assert made.error == pytest.approx(wanted, rel=0.02)
+    assert made.evaluations == 640 and made.steps == 160
 
 
-def test_unstable_runs_are_failures(problem: Problem) -> None:
-    trial = PreparedMethod(Spec("single_rate"), problem, engine="interpreted").run(30)
-    assert trial.failure
-    assert not trial.error < 1
-
-
-def test_search_finds_the_fewest_steps(problem: Problem) -> None:
-    prepared = PreparedMethod(Spec("single_rate"), problem, engine="interpreted")
-    found = search_steps(prepared, 1e-3)
-    assert found.best is not None and found.best.error <= 1e-3
-    assert prepared.run(int(found.best.steps * 0.8)).error > 1e-3
-
-
-def trial(seconds: float, error: float, failure: str = "") -> Trial:
-    return Trial("x", 1.0, 10, seconds, 100, error, error, np.array([error]), failure)
+def test_unstable_runs_are_failures(reference: Reference) -> None:
+    ladder = Ladder(reference.problem, 1e-3)
+    made = trial_of("single_rate", ladder.rung(ladder.plan(Method("single_rate"), 20)), reference)
+    assert made.failure and not made.error < 1
 
 
 def test_time_to_a_tolerance_is_interpolated() -> None:
     """Between (1 s, 1e-2) and (4 s, 1e-4): 1e-3 takes 2 s; a failure before it cannot be interpolated from."""
-    curve = WorkCurve(Method("x"), [trial(1.0, 1e-2), trial(4.0, 1e-4)], np.nan, None)
+
+    def made(seconds: float, error: float, failure: str = "") -> Trial:
+        return Trial("x", 1.0, 10, seconds, 100, error, failure=failure)
+
+    curve = WorkCurve("x", None, [made(1.0, 1e-2), made(4.0, 1e-4)], np.nan, None)
     assert curve.seconds_to(1e-3) == pytest.approx(2.0)
     assert curve.seconds_to(1e-5) == np.inf
-    failed = WorkCurve(Method("x"), [trial(1.0, np.inf, "not finite"), trial(4.0, 1e-4)], np.nan, None)
+    failed = WorkCurve("x", None, [made(1.0, np.inf, "not finite"), made(4.0, 1e-4)], np.nan, None)
     assert failed.seconds_to(1e-3) == pytest.approx(4.0)
 
 
-def test_advice_meets_its_tolerance(advice: Advice, problem: Problem) -> None:
-    """The advised method and step, judged by the independent reference."""
-    steps = round(T_END / advice.dt)
-    assert PreparedMethod(advice.spec, problem, engine="interpreted").run(steps).error <= advice.tolerance
-    assert advice.gain > 0
+def test_a_run_as_advised_delivers(advice: Advice, oscillators: Model) -> None:
+    """What is graded within the tolerance, the rest as a run needs it to be called accurate."""
+    method = advice.method
+    run = simulate(
+        oscillators,
+        scheme=method.scheme,
+        m=list(method.m) if method.m else None,
+        options=method.options,
+        dt=advice.dt,
+        save_every=1,
+        t_end=T_END,
+        parameters=PLAIN,
+        initial=START,
+    )
+    off = np.sqrt(np.mean((run.q - exact(run.t)) ** 2, axis=0)) / amplitudes(oscillators, exact(run.t))
+    assert run.status.ok and off[0] < advice.tolerance
+    assert advice.best.operations == min(one.operations for one in advice.climbed) and advice.gain >= 1
     assert advice.groups is not None
     assert advice.groups.slow == ["x_L"]
     assert advice.modes[1].highest == pytest.approx(20 / np.sqrt(0.75), rel=0.01)
@@ -124,9 +125,9 @@ def test_advice_meets_its_tolerance(advice: Advice, problem: Problem) -> None:
 
 def test_advice_in_words(advice: Advice) -> None:
     text = "\n".join(advice_lines(advice))
-    assert advice.spec.scheme in text and "x_L" in text
-    assert command(advice).startswith("symgen simulate two_oscillators --scheme ")
-    assert advice.automatic is not None and f"--scheme auto --tolerance {advice.tolerance:g}" in text
+    assert advice.method.scheme in text and "x_L" in text
+    assert advised_command(advice).startswith("symgen simulate two_oscillators --scheme ")
+    assert f"--scheme auto --tolerance {advice.tolerance:g}" in text
     json.dumps(advice_data(advice), allow_nan=False)
 
 
@@ -152,8 +153,9 @@ def test_auto_refuses_what_it_cannot_use(oscillators: Model, arguments: dict, me
 
 
 def test_unknown_grades_and_methods_are_named(oscillators: Model) -> None:
-    with pytest.raises(ModelError, match="'nothing' cannot be graded"):
-        make_setting(oscillators, graded=["nothing"])
+    for ask in (independent_reference, advise):
+        with pytest.raises(ModelError, match="'nothing' cannot be graded"):
+            ask(oscillators, graded=["nothing"])
     with pytest.raises(SchemeError, match="no method 'leapfrog'"):
         methods_named(oscillators, ["leapfrog"])
     with pytest.raises(SchemeError, match="whole numbers"):
@@ -161,32 +163,24 @@ def test_unknown_grades_and_methods_are_named(oscillators: Model) -> None:
 
 
 def test_no_advice_says_what_was_tried(oscillators: Model, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("runtime.studies.advice.advise.candidates", lambda model: [Spec("printed", (4,))])
-    monkeypatch.setattr("runtime.studies.work_precision.search.CHEAP", 0.0)
-    monkeypatch.setattr("runtime.studies.work_precision.search.HOPELESSLY_SLOW", 0.0)
+    monkeypatch.setattr("runtime.studies.advice.advise.candidates", lambda model: [Method("printed", (4,))])
+    monkeypatch.setattr("runtime.running.ladder.MOST_OPERATIONS", 1e3)
     with pytest.raises(NoAdvice, match=r"printed m=4"):
-        advise(
-            oscillators,
-            t_end=T_END,
-            parameters={"c": 0.9, "w": 50.0, "k_L": 1.0, "zeta": 0.0},
-            initial=START,
-            tolerance=1e-9,
-        )
+        advise(oscillators, t_end=1.0, parameters=PLAIN, initial=START, tolerance=1e-9)
 
 
 def test_a_motion_without_reference_is_said_so(oscillators: Model) -> None:
     """A spring of negative stiffness: the motion leaves the range of floating point numbers."""
-    setting = make_setting(oscillators, t_end=T_END, parameters={**PLAIN, "k_L": -1e6}, initial=START)
+    given = {"t_end": T_END, "parameters": {**PLAIN, "k_L": -1e6}, "initial": START}
     with pytest.raises(NoReference, match="the reference stopped at"):
-        setting.judged()
-    with pytest.raises(NoReference):
-        setting.quick(1e-3, 0.2)
+        independent_reference(oscillators, **given)
+    with pytest.raises(NoAdvice):
+        advise(oscillators, **given)
 
 
 def test_comparison_shows_order_failures_and_a_reason(comparison: Comparison) -> None:
-    by_name = {curve.method.label: curve for curve in comparison.curves}
+    by_name = {curve.label: curve for curve in comparison.curves}
     assert by_name["rk4"].order == pytest.approx(4.0, abs=0.4)
-    assert any(one.failure for one in by_name["rk4"].trials)
     assert by_name["CVODES BDF"].seconds_to(1e-2) < np.inf
     assert by_name["exponential m=2"].energy is not None
     assert comparison.recommendation().startswith(comparison.ranked()[0].method.label)
@@ -202,8 +196,8 @@ def test_comparison_files_agree_with_each_other(comparison: Comparison, tmp_path
     page = Path(files["comparison.html"]).read_text()
     assert not re.search(r'(src|href)="(?!data:)', page)  # opens without a network
     for curve in comparison.curves:
-        assert curve.method.label in page
-        assert curve.method.label in Path(files["comparison.md"]).read_text()
+        assert curve.label in page
+        assert curve.label in Path(files["comparison.md"]).read_text()
 
 
 def test_suite_page_lists_every_case(comparison: Comparison, advice: Advice, tmp_path: Path) -> None:
@@ -214,32 +208,29 @@ def test_suite_page_lists_every_case(comparison: Comparison, advice: Advice, tmp
     assert results[0].advised_over_best() > 0
 
 
-def test_usual_methods_leave_dense_ones_out_for_large_models(built_in: Load) -> None:
-    labels = {method.label for method in usual_methods(built_in("flexible_slider_crank_free"))}
-    assert {"exponential m=1", "coupled m=4", "IDAS", "radau eps=1e-06"} <= labels
-    compiled = {method.label for method in methods_named(built_in("flexible_slider_crank_free"), ["compiled"])}
-    assert compiled < labels and "IDAS" not in compiled
-
-
-def test_an_arm_of_twenty_links_is_compared_with_dense_methods_too(
-    built_in: Load, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_usual_methods_leave_dense_ones_out_for_large_models(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
     """In reports and in advice alike; those that are not tried are named with the command that tries them."""
-    model = derived(arm(20))
+    small, model = built_in("flexible_slider_crank_free"), derived(arm(20))
+    labels = {one.label for one in usual_methods(small)}
+    assert {"exponential m=1", "coupled m=4", "radau eps=1e-06"} <= labels and "IDAS" in usual_adaptive(small)
+    assert methods_named(small, ["compiled"]) == usual_methods(small)
     dense = {"exponential_rk4", "exponential m=1", "radau eps=1e-06"}
-    assert dense | {"CVODES BDF", "IDAS"} <= {one.label for one in usual_methods(model)}
+    assert dense <= {one.label for one in usual_methods(model)} and {"CVODES BDF", "IDAS"} <= {*usual_adaptive(model)}
     assert dense <= {one.label for one in candidates(model)}
     assert "beside exponential, radau" in left_out(model) and "--methods" in left_out(model)
     assert left_out(built_in("pendulum")) == ""
-    monkeypatch.setattr(dense_methods, "MOST_OPERATIONS", 100_000)
+    monkeypatch.setattr(methods, "affordable", lambda model: False)
     assert "exponential, radau and other dense methods, 0.1 million operations a step" in left_out(model)
     assert "radau eps=1e-06" not in {one.label for one in candidates(model)}
-    assert "IDAS" not in {one.label for one in usual_methods(model)}
+    assert "IDAS" not in usual_adaptive(model)
 
 
-def test_a_clock_that_misses_most_of_a_call_is_not_believed(problem: Problem, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_clock_that_misses_most_of_a_call_is_not_believed(
+    reference: Reference, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Calls of 2 ms of which it sees 1 us in one, as clocks of CPU time may where others run: 2 ms."""
-    prepared, seen, asked = PreparedMethod(Spec("rk4"), problem), 0.0, 0
+    ladder = Ladder(reference.problem, 1e-3)
+    rung, seen, asked = ladder.rung(ladder.plan(Method("rk4"), 400)), 0.0, 0
 
     def clock() -> float:
         nonlocal seen, asked
@@ -248,7 +239,6 @@ def test_a_clock_that_misses_most_of_a_call_is_not_believed(problem: Problem, mo
             seen += 1e-6 if asked == 8 else 2e-3
         return seen
 
-    monkeypatch.setattr(prepared_method, "SAMPLES", 1)  # the first call is for the error, the others for the time
-    monkeypatch.setattr(prepared_method.time, "process_time", clock)
-    assert prepared.run(400).seconds == pytest.approx(2e-3)
+    monkeypatch.setattr(trial.time, "process_time", clock)
+    assert seconds_of(rung) == pytest.approx(2e-3)
     assert asked > 8

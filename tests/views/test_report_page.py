@@ -8,12 +8,13 @@ import numpy as np
 import pytest
 
 from runtime import load_model
+from runtime.running.ladder import Method
+from runtime.running.problem import Problem
 from runtime.studies.work_precision.comparison import Comparison, WorkCurve
 from runtime.studies.work_precision.comparison_files import comparison_data
 from runtime.studies.work_precision.comparison_page import comparison_page
-from runtime.studies.work_precision.methods import Method
-from runtime.studies.work_precision.prepared_method import Spec, Trial
-from runtime.studies.work_precision.problem import Problem, make_setting
+from runtime.studies.work_precision.reference import Reference
+from runtime.studies.work_precision.trial import Trial
 from symgen.scenes import generated_folder
 from tests.support.browser import screenshot, used
 
@@ -34,7 +35,7 @@ document.documentElement.dataset.probe = JSON.stringify(seen);
 
 def trial(label: str, dt: float, seconds: float, error: float, failure: str = "") -> Trial:
     steps = round(1.0 / dt)
-    return Trial(label, dt, steps, seconds, 2 * steps, error, error, np.array([error]), failure)
+    return Trial(label, dt, steps, seconds, 2 * steps, error, error, failure=failure)
 
 
 @pytest.fixture(scope="module")
@@ -43,18 +44,17 @@ def page() -> str:
 
     To 1e-3: coupled 1 ms (dt 1e-3), rk4 562 us (dt = 10^-0.75). To 1e-5: coupled 100 ms, rk4 10^1.25 steps, 1.78 ms.
     """
-    setting = make_setting(load_model(generated_folder("two_oscillators")), t_end=1.0)
-    problem = Problem(setting, 1.0, lambda t: np.ones((len(t), len(setting.model.q_i))), 1e-12)
+    problem = Problem.of(load_model(generated_folder("two_oscillators")), 1.0)
+    reference = Reference(problem, lambda t: np.ones((len(t), 2)), ["x_L", "x_S"])
     steps = [10.0**-k for k in (1, 2, 3, 4, 5)]
-    coupled, rk4, radau = Spec("coupled", (4,)), Spec("rk4"), Spec("radau")
+    coupled, rk4, radau = Method("coupled", (4,)), Method("rk4"), Method("radau")
+    failed = [trial("radau", 0.1, 1e-3, np.inf, "diverged")]
     curves = [
-        WorkCurve(Method(coupled.label, coupled), [trial(coupled.label, dt, 1e-7 / dt, dt) for dt in steps], 1.0, None),
-        WorkCurve(Method(rk4.label, rk4), [trial(rk4.label, dt, 1e-4 / dt, dt**4) for dt in steps[:2]], 4.0, None),
-        WorkCurve(
-            Method(radau.label, radau), [trial("radau", 0.1, 1e-3, np.inf, "diverged")], np.nan, None, "diverged"
-        ),
+        WorkCurve(coupled.label, coupled, [trial(coupled.label, dt, 1e-7 / dt, dt) for dt in steps], 1.0, None),
+        WorkCurve(rk4.label, rk4, [trial(rk4.label, dt, 1e-4 / dt, dt**4) for dt in steps[:2]], 4.0, None),
+        WorkCurve(radau.label, radau, failed, np.nan, None, "diverged"),
     ]
-    comparison = Comparison(problem, 1e-3, curves)
+    comparison = Comparison(reference, 1e-3, curves)
     return comparison_page(comparison, comparison_data(comparison), "springs.toml")
 
 

@@ -1,244 +1,280 @@
-"""Choose a method and its steps for a model by trying the candidates on its own motion.
+"""Choose a method and its step for a model: several methods climb their ladders, and the cheapest answer is named.
 
-Frequencies say which steps are stable; how large an error a step makes, and what it costs, is measured: every candidate
-runs (a part of) the motion with ever more steps until it meets the tolerance, against a path that is finer still.
+What is advised was made: a whole motion with that step, whose error is told as that of any run.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
+from math import floor, isfinite, log10
+from typing import Any
 
 import numpy as np
 
-from runtime.contract.coordinates import followed, independent, loop_part, told_state
-from runtime.contract.errors import NoResult
+from runtime.contract.coordinates import Initial, independent, loop_part
+from runtime.contract.errors import NoResult, SymgenError
 from runtime.contract.model import Model
 from runtime.contract.status import card, line, table
 from runtime.operating.mode_solver import ModeSolver, State
-from runtime.running.ladder import chosen_method
-from runtime.running.problem import Problem as MotionProblem
-from runtime.schemes.catalogue import SCHEMES
-from runtime.schemes.options import LARGEST_TOLERANCE, SchemeError
+from runtime.running.ladder import Ladder, Method, Rung, chosen_method
+from runtime.running.problem import Problem
+from runtime.running.tolerance import AUTO, tolerance_of
 from runtime.studies.advice.frequencies import Groups, ModeRange, mode_ranges, propose_groups
-from runtime.studies.stability.limits import StabilityStudy
-from runtime.studies.work_precision.dense_methods import ONE_OF_EACH, dense_methods
-from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
-from runtime.studies.work_precision.problem import Problem, Setting, make_setting
-from runtime.studies.work_precision.search import Search, search_steps
-from runtime.studies.work_precision.stiff_methods import stiff_methods
+from runtime.studies.work_precision.comparison_page import command
+from runtime.studies.work_precision.methods import candidates, left_out, multirate
+from runtime.studies.work_precision.reference import checked_grades
+from runtime.studies.work_precision.trial import seconds_of
 
-PILOT_SECONDS = 2.0
-STATES = 12
-MARGIN = 0.9  # of a stability limit
-STUDIED = 20  # independent coordinates up to which a step's stability is computed; beyond, the trial has to do
-LONG_JACOBIANS = 40_000  # operations: each further method with them takes the compiler a minute
-FEW_STEPS = 20  # in the motion tried: what grows over so few steps is in their error already
-SAFETY = 0.85  # of the tolerance, so that a slightly different motion meets it too
+STATES = 12  # at which frequencies are looked at
+HOPELESS = 2.0  # times the operations of the best answer so far: a ladder that needs more is given up
+DIGITS = 3  # of an advised step, which is rounded down
 Note = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Climbed:
+    """What the ladder of a method came to: the coarsest rung that meets the tolerance, by the next finer one.
+
+    answer: None where none met it in useful time; error: of it, as compared with the tolerance; operations: of its
+    steps.
+    """
+
+    method: Method
+    answer: Rung | None = None
+    error: float = np.nan
+    operations: float = np.inf
+    failure: str = ""
+
+    @property
+    def label(self) -> str:
+        """What reports call the method."""
+        return self.method.label
+
+    @property
+    def dt(self) -> float:
+        """Step of the answer [s], in few digits and not longer; NaN where there is none."""
+        if self.answer is None:
+            return float("nan")
+        exact = self.answer.run.segment.plan.grid.dt_L
+        unit = 10.0 ** (floor(log10(exact)) + 1 - DIGITS)
+        return float(f"{floor(exact / unit * (1 + 1e-9)) * unit:.{DIGITS}g}")
 
 
 @dataclass(frozen=True)
 class Advice:
     """What to use, and why.
 
-    spec, dt [s] and trial describe the advised method and its trial; limit is its largest stable step (None: no
-    limit); automatic: the scheme that `auto` would take, and why (None: the tolerance is too loose for it);
-    searches hold all trials of all candidates, ascending in time; gain is how many times faster it is than the best
-    method with one step for all coordinates; tried [s] is the length of the motion tried.
+    best: the ladder whose answer takes the fewest operations; climbed: all of them, the cheapest first; seconds: CPU
+    of its steps; gain: how many times the operations of the best method with one step for all coordinates are those of
+    the best (1 where it is such a one, inf where none got there); automatic: the scheme that `auto` would take, and
+    why.
     """
 
     model: Model
     tolerance: float
     graded: list[str]
-    tried: float
     t_end: float
     modes: list[ModeRange]
     groups: Groups | None
-    searches: list[Search]
-    spec: Spec
-    dt: float
-    trial: Trial
-    limit: float | None
+    climbed: list[Climbed]
+    seconds: float
     gain: float
-    reason: str
-    automatic: tuple[str, str] | None
+    automatic: tuple[str, str]
 
     @property
-    def seconds(self) -> float:
-        """Expected CPU time of the whole motion [s]."""
-        return self.trial.seconds * self.t_end / self.tried
+    def best(self) -> Climbed:
+        """The cheapest."""
+        return self.climbed[0]
+
+    @property
+    def method(self) -> Method:
+        """The one that is advised."""
+        return self.best.method
+
+    @property
+    def dt(self) -> float:
+        """Its step [s]."""
+        return self.best.dt
+
+    @property
+    def reason(self) -> str:
+        """Why it is advised, in a sentence."""
+        step = f"step {self.dt:.3g} s, error {self.best.error:.2g}"
+        if not multirate(self.method):
+            return f"use one step for all coordinates: {self.best.label} takes the fewest operations here ({step})"
+        if not isfinite(self.gain):
+            return f"{self.best.label}: {step}; no method with one step for all coordinates got there in useful time"
+        few = f"{self.gain:.2g} times fewer operations than" if self.gain >= 1.05 else "as many operations as"
+        return f"{self.best.label} takes {few} the best method with one step for all coordinates ({step})"
 
     def _repr_html_(self) -> str:
         rows = [
-            (one.label, f"{one.best.setting:.4g} s", f"{one.best.seconds * 1e3:.4g} ms", f"{one.best.error:.2g}")
-            if one.best
-            else (one.label, "not reached in useful time")
-            for one in self.searches
+            (one.label, f"{one.dt:.4g} s", f"{one.operations:.3g}", f"{one.error:.2g}")
+            if one.answer
+            else (one.label, one.failure)
+            for one in self.climbed
         ]
-        about = f"an error of {self.tolerance:g} in {', '.join(self.graded)}, tried on {self.tried:g} s"
-        wanted = f"{self.spec.label}, dt = {self.dt:.6g} s"
-        return card(wanted, about, line(escape(self.reason)), table(rows, ("method", "step", "time", "error")))
+        about = f"an error of {self.tolerance:g} in {', '.join(self.graded)} over {self.t_end:g} s"
+        wanted = f"{self.best.label}, dt = {self.dt:g} s"
+        return card(wanted, about, line(escape(self.reason)), table(rows, ("method", "step", "operations", "error")))
 
 
 class NoAdvice(NoResult):
     """No method met the tolerance; the message says what was tried."""
 
 
-def candidates(model: Model) -> list[Spec]:
-    """Methods worth trying, the likeliest first."""
-    found = stiff_methods(model)
-    dense = [
-        Spec("exponential", (1,)),
-        Spec("exponential", (2,)),
-        Spec("exponential", (1,), {"order": 5}),
-        Spec("exponential", (2,), {"order": 5}),
-        Spec("linearised", (2,)),
-        Spec("linearised", (2,), {"corrections": 1}),
-        Spec("radau", None, {"eps": (1e-6,)}),
-    ]
-    if model.operations.get("residual_jacobian", 0) >= LONG_JACOBIANS:
-        dense = list(ONE_OF_EACH)
-    found += dense_methods(model, dense)
-    found += [Spec("single_rate", None, {"common_velocity": "predictor"}), Spec("rk4"), Spec("dop853")]
-    if len(model.groups) > 1:
-        inner = (1,) * (len(model.groups) - 2)
-        found += [Spec("coupled", (*inner, ratio)) for ratio in (2, 5, 10)]
-        if len(model.groups) == 2:
-            found += [Spec("decoupled", (ratio,)) for ratio in (2, 5, 10)]
-    return found
-
-
 def advise(
     model: Model,
     *,
     tolerance: float = 1e-3,
-    graded: list[str] | None = None,
+    graded: Sequence[str] | None = None,
     t_end: float | None = None,
     parameters: Mapping[str, float] | None = None,
-    initial: Mapping[str, float] | None = None,
+    initial: Initial = None,
     start: str | None = None,
     note: Note = lambda text: None,
 ) -> Advice:
     """Advice for a motion of t_end [s].
 
     tolerance: on the RMS error over the motion of every graded coordinate, relative to its amplitude. graded: names
-    in q_i (all by default). note is told what is being done. Raises SchemeError, ModelError, InitialStateError,
-    NoReference or NoAdvice.
+    in q_i (all by default); of the others the motion is accurate to a tenth of an amplitude. note is told what is being
+    done. Raises SchemeError, ModelError, InitialStateError or NoAdvice.
     """
-    if isinstance(tolerance, bool) or not isinstance(tolerance, int | float) or not 0 < tolerance < 1:
-        raise SchemeError(f"the tolerance must be between 0 and 1, not {tolerance!r}")
-    setting = make_setting(model, t_end=t_end, parameters=parameters, initial=initial, start=start, graded=graded)
-    note("finding a reference path")
-    problem, allowed = setting.quick(tolerance, PILOT_SECONDS)
-    searches = _searched(problem, SAFETY * allowed, note)
-    done = sorted((one for one in searches if one.best), key=lambda one: one.seconds)
-    if not done:
+    tolerance_of(model, AUTO, tolerance)
+    names = checked_grades(model, graded)
+    problem = Problem.of(model, t_end, parameters, initial, start)
+    ladder = Ladder(problem, tolerance, graded=tuple(graded or ()))
+    chosen, reason = chosen_method(problem)
+    climbed: list[Climbed] = []
+    tried = [chosen, *(one for one in candidates(model) if one.label != chosen.label)]
+    for method in tried:
+        note(f"trying {method.label}")
+        climbed.append(_climbed(ladder, method, min((one.operations for one in climbed), default=np.inf)))
+    climbed.sort(key=lambda one: one.operations)
+    best = climbed[0]
+    if best.answer is None:
         raise NoAdvice(
-            f"none of {', '.join(one.label for one in searches)} reached {tolerance:g} on {model.name}; "
+            f"none of {', '.join(one.label for one in climbed)} reached {tolerance:g} on {model.name}; "
             "loosen the tolerance or grade fewer coordinates"
         )
-    solver = ModeSolver(model, setting.c) if model.has("residual_jacobian") else None
-    states = _states(problem) if solver else []
-    note("computing frequencies and stability")
-    best, limit = _within_limit(problem, done, states)
-    return _advice(setting, problem, tolerance, searches, best, limit, solver, states)
-
-
-def _searched(problem: Problem, tolerance: float, note: Note) -> list[Search]:
-    searches: list[Search] = []
-    fastest = np.inf
-    for spec in candidates(problem.model):
-        note(f"trying {spec.label}")
-        prepared = PreparedMethod(spec, problem)
-        searches.append(search_steps(prepared, tolerance, seconds_to_beat=fastest))
-        fastest = min(fastest, searches[-1].seconds)
-    return searches
-
-
-def _states(problem: Problem) -> list[State]:
-    """States along the reference path, rates by differences."""
-    times = (np.arange(STATES) + 0.5 * np.sin(np.arange(STATES)) ** 2) / STATES * problem.t_end
-    step = 1e-4 * problem.t_end / STATES
-    now, ahead = (told_state(problem.model, problem.path(at)) for at in (times, times + step))
-    loop = loop_part(problem.model, problem.state.q)
-    q_i, v = independent(problem.model, now, (ahead - now) / step)
-    return [State(float(t), q, rate, loop) for t, q, rate in zip(times, q_i, v, strict=True)]
-
-
-def _within_limit(problem: Problem, done: list[Search], states: list[State]) -> tuple[Search, float | None]:
-    """The fastest search whose step keeps the margin to its stability limit, and that limit."""
-    for one in done:
-        assert one.best is not None
-        spec = one.spec
-        kind = SCHEMES[spec.scheme]
-        scheme = kind.build(spec.scheme, problem.model, 1.0, list(spec.m) if spec.m else None, spec.options)
-        limited = scheme.limited(scheme.options)
-        if not limited or not states or len(problem.model.q_i) > STUDIED:
-            return one, None
-        if problem.t_end < FEW_STEPS * one.best.setting:
-            return one, None
-        study = StabilityStudy(
-            problem.model, spec.scheme, list(spec.m) if spec.m else None, spec.options, problem.c, states, problem.t_end
-        )
-        curve = study.curve(np.geomspace(one.best.setting / 4, 4 * one.best.setting, 9))
-        if curve.limit is None:
-            continue
-        if not curve.beyond and one.best.setting > MARGIN * curve.limit:
-            prepared = PreparedMethod(spec, problem)
-            one.best = prepared.run(int(np.ceil(problem.t_end / (MARGIN * curve.limit))))
-        return one, None if curve.beyond else curve.limit
-    return done[0], None
-
-
-def _advice(
-    setting: Setting,
-    problem: Problem,
-    tolerance: float,
-    searches: list[Search],
-    best: Search,
-    limit: float | None,
-    solver: ModeSolver | None,
-    states: list[State],
-) -> Advice:
-    model, trial = setting.model, best.best
-    assert trial is not None
-    single = min((one.seconds for one in searches if not SCHEMES[one.spec.scheme].multirate), default=np.inf)
-    gain = single / best.seconds
-    spec = best.spec
+    note("computing frequencies")
+    solver = ModeSolver(model, model.constants(problem.p)) if ModeSolver.possible(model) else None
+    states = _states(best.answer) if solver else []
+    single = min((one.operations for one in climbed if not multirate(one.method)), default=np.inf)
     return Advice(
         model,
         tolerance,
-        [followed(model)[0][k] for k in setting.graded],
+        names,
         problem.t_end,
-        setting.t_end,
         mode_ranges(model, solver, states) if solver else [],
         propose_groups(model, solver, states) if solver else None,
-        sorted(searches, key=lambda one: one.seconds),
-        spec,
-        trial.setting,
-        trial,
-        limit,
-        gain,
-        _reason(spec, trial, limit, gain, best.seconds <= min(one.seconds for one in searches)),
-        _automatic(setting) if tolerance <= LARGEST_TOLERANCE else None,
+        climbed,
+        seconds_of(best.answer),
+        single / best.operations,
+        (chosen.scheme, reason),
     )
 
 
-def _automatic(setting: Setting) -> tuple[str, str]:
-    """(scheme, reason) of `auto` for the motion of the setting."""
-    method, reason = chosen_method(MotionProblem(setting.model, setting.p, setting.state, 0.0, setting.t_end, {}))
-    return method.scheme, reason
+def _climbed(ladder: Ladder, method: Method, best: float) -> Climbed:
+    """The ladder of a method, given up where a rung is far dearer than the best answer so far."""
+    rungs: list[Rung] = []
+    try:
+        for rung in ladder.climb(method):
+            rungs.append(rung)
+            if rung.status.name == "interrupted":
+                raise KeyboardInterrupt
+            if _operations(rung) > HOPELESS * best:
+                break
+    except SymgenError as error:  # a scheme that this model does not allow
+        return Climbed(method, failure=str(error).splitlines()[0])
+    found = Climbed(method, failure="not reached in useful time")
+    for rung, finer in zip(rungs[-2::-1], rungs[:0:-1], strict=True):
+        if not finer.differs <= ladder.tolerance:
+            break
+        found = Climbed(method, rung, finer.differs, _operations(rung))
+    return found
 
 
-def _reason(spec: Spec, trial: Trial, limit: float | None, gain: float, fastest: bool) -> str:
-    step = f"step {trial.setting:.3g} s, error {trial.error:.2g}"
-    bound = f"; stable up to {limit:.3g} s" if limit else "; no stability limit near that step"
-    if not SCHEMES[spec.scheme].multirate:
-        which = "the fastest here" if fastest else "the fastest here that is stable at its step"
-        return f"use one step for all coordinates: {spec.label} is {which} ({step}{bound})"
-    if not np.isfinite(gain):
-        return f"{spec.label}: {step}{bound}; no method with one step for all coordinates got there in useful time"
-    faster = f"{gain:.2g} times as fast" if abs(gain - 1.0) >= 0.05 else "as fast"
-    return f"{spec.label} is {faster} as the best method with one step for all coordinates ({step}{bound})"
+def _operations(rung: Rung) -> float:
+    return float(rung.steps) * rung.run.segment.stepper.operations
+
+
+def _states(rung: Rung) -> list[State]:
+    """States along a motion."""
+    run = rung.run
+    seen = run.record.solution((run.record.segments.index(run.segment), run.segment.stepper.state(run.z)))
+    model = seen.model
+    places = np.linspace(0, len(seen.t) - 1, min(STATES, len(seen.t))).round().astype(int)
+    q_i, v = independent(model, seen.q[places], seen.q_dot[places])
+    return [
+        State(float(seen.t[k]), q, rate, loop_part(model, seen.q[k])) for k, q, rate in zip(places, q_i, v, strict=True)
+    ]
+
+
+# ---- in words ----------------------------------------------------------------------------------------------------
+
+
+def advice_data(advice: Advice) -> dict[str, Any]:
+    """Plain values, SI units."""
+    method, groups = advice.method, advice.groups
+    return {
+        "model": advice.model.name,
+        "tolerance": advice.tolerance,
+        "graded": advice.graded,
+        "t_end": advice.t_end,
+        "scheme": method.scheme,
+        "m": list(method.m or ()),
+        "options": dict(method.options),
+        "dt": advice.dt,
+        "error": advice.best.error,
+        "operations": advice.best.operations,
+        "seconds": advice.seconds,
+        "gain": advice.gain if isfinite(advice.gain) else None,
+        "reason": advice.reason,
+        "left_out": left_out(advice.model),
+        "automatic": {"scheme": advice.automatic[0], "tolerance": advice.tolerance, "reason": advice.automatic[1]},
+        "modes": [
+            {
+                "lowest": mode.lowest,
+                "highest": mode.highest,
+                "least_damping": mode.least_damping,
+                "coordinates": mode.coordinates,
+            }
+            for mode in advice.modes
+        ],
+        "groups": None if groups is None else {"slow": groups.slow, "fast": groups.fast, "gap": groups.gap},
+        "candidates": [
+            {"method": one.label, "dt": one.dt, "operations": one.operations, "error": one.error}
+            if one.answer
+            else {"method": one.label, "dt": None, "operations": None, "error": None, "failure": one.failure}
+            for one in advice.climbed
+        ],
+    }
+
+
+def advice_lines(advice: Advice, scene: str = "") -> list[str]:
+    """For a person: frequencies, groups, candidates, advice, the command; scene: the words that it was given by."""
+    lines = [f"{advice.model.name}: coupled frequencies over {advice.t_end:g} s [rad/s]"]
+    for mode in advice.modes:
+        damped = f", damping {mode.least_damping:.2g}" if mode.least_damping > 1e-3 else ""
+        lines.append(f"  {mode.lowest:10.5g} to {mode.highest:<10.5g} {', '.join(mode.coordinates)}{damped}")
+    if advice.groups is not None:
+        lines.append(
+            f"widest gap {advice.groups.gap:.3g}: slow {', '.join(advice.groups.slow)}; "
+            f"fast {', '.join(advice.groups.fast)}"
+        )
+    lines.append(f"to reach {advice.tolerance:g} in {', '.join(advice.graded)}:")
+    for one in advice.climbed:
+        came = f"dt = {one.dt:<8g} s  {one.operations:9.3g} operations  error {one.error:.2g}"
+        lines.append(f"  {one.label:34} {came if one.answer else one.failure}")
+    lines += [one for one in (left_out(advice.model), f"{advice.reason}, {advice.seconds * 1e3:.3g} ms") if one]
+    words = f"symgen simulate {scene or advice.model.name} --scheme auto --tolerance {advice.tolerance:g}"
+    lines += [f"to a tolerance ({advice.automatic[1]}): {words}"]
+    return [*lines, f"run it with: {advised_command(advice, scene)}"]
+
+
+def advised_command(advice: Advice, scene: str = "") -> str:
+    """The words for `symgen simulate`; scene: what it calls the scene (the model's name by default)."""
+    return f"{command(advice.method, scene or advice.model.name)} --dt {advice.dt:g}"

@@ -1,32 +1,52 @@
-"""Error against time for many methods on one motion: trials, orders, energy, and a recommendation with its reason."""
+"""Error against time for many methods on one motion: rungs of ladders, orders, energy, and a recommendation."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from runtime.contract.errors import NoResult, SymgenError
-from runtime.studies.work_precision.energy_drift import EnergyDrift, energy_drift
-from runtime.studies.work_precision.methods import Method, run_method
-from runtime.studies.work_precision.prepared_method import PreparedMethod, Trial
-from runtime.studies.work_precision.problem import Problem, Setting
+from runtime.contract.model import Model
+from runtime.running.ladder import Ladder, Method, Rung
+from runtime.studies.work_precision.methods import multirate
+from runtime.studies.work_precision.reference import Reference, independent_reference
+from runtime.studies.work_precision.trial import FINEST, Trial, adaptive_trials, trial_of
 
 LONGEST = 0.3  # s: a method's curve ends with a run this long
 ASYMPTOTIC = 3e-2  # errors below this take part in the order
+ACCURATE = 1e-3  # error of the run whose energy is looked at
+NEAR = 3.0  # times the error of the reference: nothing finer is judged
 Note = Callable[[str], None]
 
 
 @dataclass(frozen=True)
-class WorkCurve:
-    """One method: its trials, its order by the slope of error over step (NaN: not enough trials), energy drift."""
+class EnergyDrift:
+    """Relative to the largest kinetic and elastic energy: largest error, and slope of a linear fit times duration."""
 
-    method: Method
+    largest: float
+    trend: float
+
+
+@dataclass(frozen=True)
+class WorkCurve:
+    """One method: its trials, its order by the slope of error over step (NaN: not enough trials), energy drift.
+
+    method: None for an established integrator.
+    """
+
+    label: str
+    method: Method | None
     trials: list[Trial]
     order: float
     energy: EnergyDrift | None
     failure: str = ""
+
+    @property
+    def multirate(self) -> bool:
+        """Does it take sub-steps?"""
+        return self.method is not None and multirate(self.method)
 
     def seconds_to(self, tolerance: float) -> float:
         """CPU time [s] to a tolerance, between trials by interpolation in logarithms; inf if it was not reached."""
@@ -52,9 +72,9 @@ class WorkCurve:
 
 @dataclass(frozen=True)
 class Comparison:
-    """All curves on one problem. tolerance: at which methods are ranked."""
+    """All curves on one motion. tolerance: at which methods are ranked."""
 
-    problem: Problem
+    reference: Reference
     tolerance: float
     curves: list[WorkCurve]
 
@@ -66,7 +86,7 @@ class Comparison:
         """Time of the best method with one step for all coordinates over that of the best one with sub-steps."""
         best = {
             multirate: min(
-                (curve.seconds_to(self.tolerance) for curve in self.curves if curve.method.multirate == multirate),
+                (curve.seconds_to(self.tolerance) for curve in self.curves if curve.multirate == multirate),
                 default=np.inf,
             )
             for multirate in (True, False)
@@ -80,62 +100,99 @@ class Comparison:
             return f"no method reached {self.tolerance:g}: allow more time, or loosen the tolerance"
         time = f"{first.seconds_to(self.tolerance) * 1e3:.3g} ms to an error of {self.tolerance:g}"
         gain = self.gain()
-        if not first.method.multirate:
+        if not first.multirate:
             loss = f"; the best method with sub-steps takes {1 / gain:.2g} times as long" if gain > 0 else ""
-            return f"{first.method.label}, one step for all coordinates: {time}{loss}"
+            return f"{first.label}, one step for all coordinates: {time}{loss}"
         if not np.isfinite(gain):
-            return f"{first.method.label}: {time}; no method with one step for all coordinates reached it"
-        return (
-            f"{first.method.label}: {time}, {gain:.2g} times as fast as the best method with one step for all "
-            "coordinates"
-        )
+            return f"{first.label}: {time}; no method with one step for all coordinates reached it"
+        return f"{first.label}: {time}, {gain:.2g} times as fast as the best method with one step for all coordinates"
 
 
 def work_precision(
-    setting: Setting,
-    methods: list[Method],
+    model: Model,
+    methods: Sequence[Method | str],
+    tolerance: float = 1e-3,
+    longest: float = LONGEST,
+    note: Note = lambda text: None,
+    keep: Callable[[Comparison], object] = lambda comparison: None,
+    *,
+    t_end: float | None = None,
+    parameters: Mapping[str, float] | None = None,
+    initial: Mapping[str, float] | None = None,
+    start: str | None = None,
+    graded: Sequence[str] | None = None,
+) -> Comparison:
+    """All rungs of the ladders of all methods on a motion, judged by an independent reference.
+
+    methods: schemes, and established integrators by name. keep: called with what there is after each method; graded:
+    names of what is judged; the others are those of `simulate`. Raises NoReference, and what `simulate` raises.
+    """
+    note("computing the reference")
+    reference = independent_reference(
+        model, t_end=t_end, parameters=parameters, initial=initial, start=start, graded=graded
+    )
+    return compared(reference, methods, tolerance, longest, note, keep)
+
+
+def compared(
+    reference: Reference,
+    methods: Sequence[Method | str],
     tolerance: float = 1e-3,
     longest: float = LONGEST,
     note: Note = lambda text: None,
     keep: Callable[[Comparison], object] = lambda comparison: None,
 ) -> Comparison:
-    """Run all methods on a setting, judged by an independent reference. Raises NoReference.
-
-    keep: called with what there is after each method.
-    """
-    note("computing the reference")
-    problem = setting.judged()
-    curves = []
+    """The same by a reference that is there."""
+    curves: list[WorkCurve] = []
     for method in methods:
-        note(f"running {method.label}")
-        curves.append(_curve(method, problem, longest))
-        keep(Comparison(problem, tolerance, list(curves)))
-    return Comparison(problem, tolerance, curves)
+        label = method if isinstance(method, str) else method.label
+        note(f"running {label}")
+        try:
+            curves.append(curve_of(method, reference, longest))
+        except NoResult:
+            raise
+        except SymgenError as error:  # a scheme that this model does not allow, for instance
+            given = None if isinstance(method, str) else method
+            curves.append(WorkCurve(label, given, [], np.nan, None, str(error).splitlines()[0]))
+        keep(Comparison(reference, tolerance, list(curves)))
+    return Comparison(reference, tolerance, curves)
 
 
-def _curve(method: Method, problem: Problem, longest: float) -> WorkCurve:
-    try:
-        trials, prepared = run_method(method, problem, longest)
-    except NoResult:
-        raise
-    except SymgenError as error:  # a scheme that this model does not allow, for instance
-        return WorkCurve(method, [], np.nan, None, str(error).splitlines()[0])
+def curve_of(method: Method | str, reference: Reference, longest: float) -> WorkCurve:
+    """The ladder of a method until it is fine enough or a run takes longer than `longest` [s]."""
+    if isinstance(method, str):
+        trials, drift, order, given = adaptive_trials(method, reference, longest), None, np.nan, None
+    else:
+        trials, drift, given = [], None, method
+        for rung in Ladder(reference.problem, FINEST).climb(method):
+            trials.append(trial_of(method.label, rung, reference))
+            if drift is None and trials[-1].error < ACCURATE:
+                drift = energy_drift(rung)
+            if rung.seconds > longest or trials[-1].error < max(FINEST, NEAR * reference.off):
+                break
+        order = order_of(trials)
     failure = "" if any(not trial.failure for trial in trials) else trials[-1].failure
-    return WorkCurve(method, trials, _order(method, trials), _drift(prepared, trials), failure)
+    return WorkCurve(method if isinstance(method, str) else method.label, given, trials, order, drift, failure)
 
 
-def _order(method: Method, trials: list[Trial]) -> float:
-    """Slope over the trials that are neither coarse nor near the finest error seen."""
-    if method.spec is None:
-        return np.nan
+def order_of(trials: Sequence[Trial]) -> float:
+    """Slope over the trials that are neither coarse nor near the finest error seen; NaN without a decade of these."""
     finest = min((trial.error for trial in trials), default=np.inf)
     used = [trial for trial in trials if 5 * finest < trial.error < ASYMPTOTIC]
-    if len(used) < 3 or used[0].error < 10 * used[-1].error:
+    if len(used) < 2 or used[0].error < 10 * used[-1].error:
         return np.nan
     return float(np.polyfit(np.log([trial.setting for trial in used]), np.log([trial.error for trial in used]), 1)[0])
 
 
-def _drift(prepared: PreparedMethod | None, trials: list[Trial]) -> EnergyDrift | None:
-    """At the coarsest trial that is good to a tenth of a per cent."""
-    good = [trial for trial in trials if trial.error < 1e-3]
-    return energy_drift(prepared, good[0].steps) if prepared is not None and good else None
+def energy_drift(rung: Rung) -> EnergyDrift | None:
+    """Of a whole motion; None where the mechanism is fed or damped on purpose, or rests."""
+    run = rung.run
+    if not run.segment.model.conservative:
+        return None
+    seen = run.record.solution((run.record.segments.index(run.segment), run.segment.stepper.state(run.z)))
+    total, scale = seen.total_energy, float((seen.energy["kinetic"] + seen.energy["elastic"]).max())
+    if not np.isfinite(total).all() or scale <= 0:
+        return None
+    error = (total - total[0]) / scale
+    trend = float(np.polyfit((seen.t - seen.t[0]) / np.ptp(seen.t), error, 1)[0])
+    return EnergyDrift(float(np.abs(error).max()), trend)

@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.coordinates import followed
 from runtime.contract.files import write_text
 from runtime.results.export import as_json
 from runtime.studies.work_precision.comparison import Comparison, WorkCurve
@@ -23,6 +22,7 @@ STYLE = (
     "text-align:right}td:first-child,th:first-child{text-align:left}img{max-width:100%}"
     "tr.failed td{color:#9ca3af}code{background:#f3f4f6;padding:0 .2em}"
 )
+ERRORS = ("error", "end_error", "told_error")
 HEADER = [
     "method",
     "time to tolerance [ms]",
@@ -37,17 +37,14 @@ HEADER = [
 
 def comparison_data(comparison: Comparison) -> dict[str, Any]:
     """Plain values, SI units; errors are relative to each coordinate's amplitude."""
-    problem = comparison.problem
+    reference, problem = comparison.reference, comparison.reference.problem
     return {
         "model": problem.model.name,
         "title": problem.model.title,
         "t_end": problem.t_end,
         "tolerance": comparison.tolerance,
-        "reference_error": problem.reference_error,
-        "graded": {
-            followed(problem.model)[0][k]: float(size)
-            for k, size in zip(problem.graded, problem.amplitudes, strict=True)
-        },
+        "reference_error": reference.off,
+        "graded": reference.amplitudes,
         "recommendation": comparison.recommendation(),
         "gain": _finite(comparison.gain()),
         "methods": [_curve_data(curve, comparison.tolerance) for curve in comparison.ranked()],
@@ -56,8 +53,8 @@ def comparison_data(comparison: Comparison) -> dict[str, Any]:
 
 def _curve_data(curve: WorkCurve, tolerance: float) -> dict[str, Any]:
     return {
-        "method": curve.method.label,
-        "sub_steps": curve.method.multirate,
+        "method": curve.label,
+        "sub_steps": curve.multirate,
         "seconds_to_tolerance": _finite(curve.seconds_to(tolerance)),
         "evaluations_to_tolerance": _finite(curve.evaluations_to(tolerance)),
         "order": _finite(curve.order),
@@ -72,6 +69,7 @@ def _curve_data(curve: WorkCurve, tolerance: float) -> dict[str, Any]:
                 "evaluations": trial.evaluations,
                 "error": _finite(trial.error),
                 "end_error": _finite(trial.end_error),
+                "told_error": _finite(trial.told),
                 "failure": trial.failure,
             }
             for trial in curve.trials
@@ -113,11 +111,19 @@ def write_comparison(comparison: Comparison, folder: str | Path, scene: str = ""
 
 
 def _csv(comparison: Comparison) -> str:
-    known = followed(comparison.problem.model)[0]
-    text, names = io.StringIO(), [known[k] for k in comparison.problem.graded]
+    text, names = io.StringIO(), comparison.reference.graded
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(
-        ["method", "dt_or_rtol", "steps", "cpu_seconds", "evaluations", "error", "end_error", "failure", *names]
+        [
+            "method",
+            "dt_or_rtol",
+            "steps",
+            "cpu_seconds",
+            "evaluations",
+            *ERRORS,
+            "failure",
+            *names,
+        ]
     )
     for curve in comparison.curves:
         for trial in curve.trials:
@@ -130,8 +136,9 @@ def _csv(comparison: Comparison) -> str:
                     trial.evaluations,
                     repr(trial.error),
                     repr(trial.end_error),
+                    repr(trial.told),
                     trial.failure,
-                    *(repr(float(error)) for error in trial.errors),
+                    *(repr(trial.errors.get(name, float("nan"))) for name in names),
                 ]
             )
     return text.getvalue()

@@ -14,8 +14,8 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from runtime.studies.work_precision.comparison import Comparison
-from runtime.studies.work_precision.methods import Method
+from runtime.running.ladder import Method
+from runtime.studies.work_precision.comparison import Comparison, WorkCurve
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6a4c93", "#8c564b", "#4b5563", "#b3261e")
 SHOWN_PARAMETERS = 40
@@ -23,8 +23,7 @@ SHOWN_PARAMETERS = 40
 
 def comparison_page(comparison: Comparison, data: Mapping[str, Any], scene: str = "") -> str:
     """The page. data: `comparison_data` of it; scene: what a command calls the scene (the model's name by default)."""
-    problem = comparison.problem
-    by_label = {curve.method.label: curve.method for curve in comparison.curves}
+    by_label = {curve.label: curve for curve in comparison.curves}
     methods = [
         {**entry, "kind": _kind(by_label[entry["method"]]), "command": _command(by_label[entry["method"]], scene, data)}
         for entry in data["methods"]
@@ -42,35 +41,38 @@ def comparison_page(comparison: Comparison, data: Mapping[str, Any], scene: str 
         "script": _text("report.js"),
         "data": json.dumps(record, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c"),
     }
-    assert problem.model.name == data["model"]
     pieces = re.split("@@([a-z]+)@@", _text("report.html"))
     return "".join(parts[piece] if k % 2 else piece for k, piece in enumerate(pieces))
 
 
-def _kind(method: Method) -> str:
-    if method.spec is None:
+def _kind(curve: WorkCurve) -> str:
+    if curve.method is None:
         return "adaptive"
-    return "sub" if method.multirate else "one"
+    return "sub" if curve.multirate else "one"
 
 
-def _command(method: Method, scene: str, data: Mapping[str, Any]) -> str:
+def _command(curve: WorkCurve, scene: str, data: Mapping[str, Any]) -> str:
     """What runs a scheme, without its step; "" for an adaptive integrator, which is here to compare with only."""
-    if method.spec is None:
-        return ""
-    words = ["symgen simulate", scene or str(data["model"]), f"--scheme {method.spec.scheme}"]
-    words += [f"--m {','.join(map(str, method.spec.m))}"] if method.spec.m else []
-    for name, value in method.spec.options.items():
+    return "" if curve.method is None else command(curve.method, scene or str(data["model"]))
+
+
+def command(method: Method, scene: str) -> str:
+    """The words for `symgen simulate`, without a step."""
+    words = ["symgen simulate", scene, f"--scheme {method.scheme}"]
+    words += [f"--m {','.join(map(str, method.m))}"] if method.m else []
+    for name, value in method.options.items():
         words.append(f"--option {name}={','.join(map(str, value)) if isinstance(value, tuple) else value}")
     return " ".join(words)
 
 
 def _measured(comparison: Comparison, data: Mapping[str, Any]) -> dict[str, str]:
     """Scene, error, time, reference, machine, versions, parameters: texts by name."""
-    model = comparison.problem.model
+    problem = comparison.reference.problem
+    model = problem.model
     graded = ", ".join(f"{name} ({size:.3g})" for name, size in data["graded"].items())
     changed = [
         f"{entry.name} = {value:.6g} {entry.unit}".rstrip()
-        for entry, value in zip(model.parameters, comparison.problem.setting.p, strict=True)
+        for entry, value in zip(model.parameters, problem.p, strict=True)
         if entry.kind == "declared" or (entry.kind == "scene" and value != entry.default)
     ]
     return {

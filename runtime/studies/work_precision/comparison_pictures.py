@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from runtime.contract.files import replacing
 from runtime.results.notebook_figure import NotebookFigure
 from runtime.studies.work_precision.comparison import Comparison
-from runtime.studies.work_precision.prepared_method import Trial
+from runtime.studies.work_precision.trial import Trial
 
 TOP = 2.0  # where failures are drawn
 MARKERS = "osD^vP*X<>hp"
@@ -39,7 +39,7 @@ def _picture(comparison: Comparison, price: Callable[[Trial], float], label: str
     palette = colormaps["tab20"](np.linspace(0, 1, max(1, len(shown))))
     for k, curve in enumerate(shown):
         good = [trial for trial in curve.trials if not trial.failure]
-        style = "-" if curve.method.multirate else ("--" if curve.method.spec is not None else ":")
+        style = "-" if curve.multirate else ("--" if curve.method is not None else ":")
         ax.plot(
             [max(price(trial), 1e-9) for trial in good],
             [max(trial.error, 1e-16) for trial in good],
@@ -48,7 +48,7 @@ def _picture(comparison: Comparison, price: Callable[[Trial], float], label: str
             markersize=4.5,
             linewidth=1.4,
             color=palette[k],
-            label=curve.method.label,
+            label=curve.label,
         )
         bad = [price(trial) for trial in curve.trials if trial.failure and price(trial) > 0]
         ax.plot(bad, [TOP] * len(bad), "x", color=palette[k], markersize=5)
@@ -58,7 +58,7 @@ def _picture(comparison: Comparison, price: Callable[[Trial], float], label: str
     ax.set_ylim(top=3 * TOP)
     ax.set_xlabel(label)
     ax.set_ylabel("RMS error / amplitude, worst graded coordinate")
-    problem = comparison.problem
+    problem = comparison.reference.problem
     ax.set_title(
         f"{problem.model.title or problem.model.name}, {problem.t_end:g} s (solid: with sub-steps; dashed: "
         "one step; dotted: adaptive; crosses: failed)",

@@ -1,30 +1,36 @@
-"""What a comparison runs: fixed-step schemes by step, adaptive integrators by tolerance."""
+"""Which methods are compared: schemes with usual ratios and options, and established adaptive integrators.
+
+A step with dense matrices takes about 12 n^3 operations with n independent coordinates (measured on arms of 20 and 40
+links), and some 60 us of the compiler for each of them. Beyond LARGE coordinates one such method of each kind stands
+for the others, beyond what can be compiled there is none. Methods whose work is in proportion to n are always tried.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
-from math import ceil
-
-import numpy as np
 
 from runtime.baselines.scipy_methods import scipy_solution
 from runtime.baselines.sundials import sundials_solution
-from runtime.contract.coordinates import followed
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
-from runtime.schemes.catalogue import SCHEMES
+from runtime.running.ladder import DENSE, Method, affordable
+from runtime.schemes.catalogue import SCHEMES, scheme_kind
 from runtime.schemes.options import SchemeError
-from runtime.studies.work_precision.dense_methods import LARGE, affordable, dense_methods
-from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
-from runtime.studies.work_precision.problem import Problem
-from runtime.studies.work_precision.stiff_methods import stiff_methods
+from runtime.schemes.rosenbrock_adams import RosenbrockAdams
 
-TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9)
-SAMPLES = 101
-FEWEST, FACTOR = 10, 2**0.5  # steps: the first trial, and the ratio of one trial to the next
-FINEST = 3e-8  # relative error at which a curve has gone far enough
+LARGE = 20  # independent coordinates
+RADAU = Method("radau", None, {"eps": (1e-6,)})
+ONE_OF_EACH = (Method("exponential", (1,)), RADAU)
+ALL_DENSE = (
+    *(Method("exponential", (m,)) for m in (1, 2, 4)),
+    *(Method("exponential", (m,), {"order": 5}) for m in (1, 2)),
+    Method("linearised", (2,)),
+    Method("linearised", (8,), {"propagation": "central_difference"}),
+    *(RADAU, Method("generalized_alpha"), Method("hht")),
+)
+WORTH_TRYING = (*ALL_DENSE[:2], *ALL_DENSE[3:6], Method("linearised", (2,), {"corrections": 1}), RADAU)
+PREDICTED = Method("single_rate", None, {"common_velocity": "predictor"})
 ADAPTIVE: dict[str, Callable[..., Solution]] = {
     "DOP853 adaptive": partial(scipy_solution, method="DOP853"),
     "Radau adaptive": partial(scipy_solution, method="Radau"),
@@ -36,65 +42,91 @@ FOR_LARGE = ("DOP853 adaptive", "CVODES BDF", "CVODES Adams", "IDAS")
 FOR_LONGEST = ("DOP853 adaptive",)  # the others need derivatives of hundreds of thousands of operations
 
 
-@dataclass(frozen=True)
-class Method:
-    """One curve of a comparison: a fixed-step scheme, or the name of an adaptive integrator."""
-
-    label: str
-    spec: Spec | None = None
-
-    @property
-    def multirate(self) -> bool:
-        """Does it take sub-steps?"""
-        return self.spec is not None and SCHEMES[self.spec.scheme].multirate
+def multirate(method: Method) -> bool:
+    """Does it take sub-steps?"""
+    return SCHEMES[method.scheme].multirate
 
 
 def usual_methods(model: Model) -> list[Method]:
-    """Every scheme with a usual m, and the adaptive integrators; of dense ones fewer for large models: `left_out`."""
-    dense = [
-        Spec("exponential", (1,)),
-        Spec("exponential", (2,)),
-        Spec("exponential", (4,)),
-        Spec("exponential", (1,), {"order": 5}),
-        Spec("exponential", (2,), {"order": 5}),
-        Spec("linearised", (2,)),
-        Spec("linearised", (8,), {"propagation": "central_difference"}),
-    ]
-    dense += [Spec("radau", None, {"eps": (1e-6,)}), Spec("generalized_alpha"), Spec("hht")]
-    specs = dense_methods(model, dense)
-    specs = [*stiff_methods(model), *specs]
+    """Every scheme with a usual m; of dense ones fewer for large models: `left_out`."""
+    found = [*stiff_methods(model), *_dense(model, ALL_DENSE)]
     if len(model.groups) > 1:
         inner = (1,) * (len(model.groups) - 2)
-        specs += [Spec("coupled", (*inner, 4)), Spec("printed", (*inner, 4), {"common_update": "direct"})]
+        found += [Method("coupled", (*inner, 4)), Method("printed", (*inner, 4), {"common_update": "direct"})]
         if len(model.groups) == 2:
-            specs += [Spec("decoupled", (4,))]
-    specs += [
-        Spec("single_rate"),
-        Spec("single_rate", None, {"common_velocity": "predictor"}),
-        Spec("rk4"),
-        Spec("dop853"),
-    ]
-    return [Method(spec.label, spec) for spec in specs] + [Method(name) for name in _usual_adaptive(model)]
+            found += [Method("decoupled", (4,))]
+    return [*found, Method("single_rate"), PREDICTED, Method("rk4"), Method("dop853")]
 
 
-def _usual_adaptive(model: Model) -> tuple[str, ...]:
+def candidates(model: Model) -> list[Method]:
+    """Methods worth trying for advice, the likeliest first."""
+    found = [*stiff_methods(model), *_dense(model, WORTH_TRYING), PREDICTED, Method("rk4"), Method("dop853")]
+    if len(model.groups) > 1:
+        inner = (1,) * (len(model.groups) - 2)
+        found += [Method("coupled", (*inner, ratio)) for ratio in (2, 5, 10)]
+        if len(model.groups) == 2:
+            found += [Method("decoupled", (ratio,)) for ratio in (2, 5, 10)]
+    return found
+
+
+def stiff_methods(model: Model) -> list[Method]:
+    """Those for stiff deflections, the likeliest first; `exponential_adams` not where these are many along a tree.
+
+    It chooses its linearisation by the price of a step; with the Jacobian, too, where that is dearer, as it may take
+    fewer steps.
+    """
+    if not model.has("deflections"):
+        return []
+    found, name = [Method("exponential_rk4")], "exponential_adams"
+    if model.has("shifted_solution"):
+        return found
+    chosen = scheme_kind(name).build(name, model, 1.0, None, {})
+    also = not chosen.takes_jacobian and RosenbrockAdams.possible(model)
+    return [Method(name), *([Method(name, None, {"linearisation": "jacobian"})] if also else []), *found]
+
+
+def _dense(model: Model, all_of_them: tuple[Method, ...]) -> list[Method]:
+    if not model.has("residual_jacobian"):
+        return []
     if len(model.q_i) <= LARGE:
-        return tuple(ADAPTIVE)
-    return FOR_LARGE if affordable(model) and model.has("residual_jacobian") else FOR_LONGEST
+        return list(all_of_them)
+    return list(ONE_OF_EACH) if affordable(model) else []
 
 
-def methods_named(model: Model, names: list[str]) -> list[Method]:
+def left_out(model: Model) -> str:
+    """What is not tried on a model, and how to have it tried; "" where all of them are."""
+    n = len(model.q_i)
+    if n <= LARGE:
+        return ""
+    if not model.has("residual_jacobian"):
+        return f"not tried with {n} coordinates: methods with a Jacobian, which the model is too large to have"
+    names = ", ".join(one.scheme for one in ONE_OF_EACH)
+    ask = "symgen report SCENE --methods exponential:2,linearised:2"
+    if affordable(model):
+        return f"not tried with {n} coordinates: dense methods beside {names}; {ask} tries some"
+    price = f"{DENSE * n**3 / 1e6:.1f} million operations a step"
+    return f"not tried with {n} coordinates: {names} and other dense methods, {price}; {ask}"
+
+
+def usual_adaptive(model: Model) -> list[str]:
+    """Names of the established integrators that a model is compared with."""
+    if len(model.q_i) <= LARGE:
+        return list(ADAPTIVE)
+    return list(FOR_LARGE if affordable(model) and model.has("residual_jacobian") else FOR_LONGEST)
+
+
+def methods_named(model: Model, names: list[str]) -> list[Method | str]:
     """Methods by name: `exponential`, `coupled:4` (m after a colon, ratios with +), or an adaptive one's name.
 
-    `compiled` alone stands for all usual ones but the adaptive. Raises SchemeError.
+    `compiled` alone stands for all usual schemes. Raises SchemeError.
     """
     if names == ["compiled"]:
-        return [method for method in usual_methods(model) if method.spec is not None]
-    found = []
+        return list(usual_methods(model))
+    found: list[Method | str] = []
     for name in names:
         adaptive = next((one for one in ADAPTIVE if one.lower().replace(" ", "_") == name.lower()), None)
         if adaptive is not None:
-            found.append(Method(adaptive))
+            found.append(adaptive)
             continue
         scheme, _, ratios = name.partition(":")
         if scheme not in SCHEMES:
@@ -104,39 +136,5 @@ def methods_named(model: Model, names: list[str]) -> list[Method]:
             m = tuple(int(part) for part in ratios.split("+")) if ratios else None
         except ValueError:
             raise SchemeError(f"{name!r}: what follows the colon must be whole numbers, such as {scheme}:4") from None
-        found.append(Method(Spec(scheme, m).label, Spec(scheme, m)))
+        found.append(Method(scheme, m))
     return found
-
-
-def run_method(method: Method, problem: Problem, seconds: float) -> tuple[list[Trial], PreparedMethod | None]:
-    """Trials of a method, coarse to fine, until it is fine enough or a run takes longer than `seconds`."""
-    if method.spec is None:
-        return _adaptive(method.label, problem, seconds), None
-    prepared = PreparedMethod(method.spec, problem)
-    trials: list[Trial] = []
-    steps = float(FEWEST)
-    while True:
-        trial = prepared.run(ceil(steps))
-        trials.append(trial)
-        if trial.seconds > seconds or trial.error < max(FINEST, 3 * problem.reference_error):
-            return trials, prepared
-        steps *= FACTOR if not trial.failure else 2.0
-
-
-def _adaptive(label: str, problem: Problem, seconds: float) -> list[Trial]:
-    trials: list[Trial] = []
-    times = np.linspace(0.0, problem.t_end, SAMPLES)
-    for tolerance in TOLERANCES:
-        solution = problem.solved(ADAPTIVE[label], times, tolerance)
-        spent = float(solution.stats["wall_seconds"])
-        evaluations = int(solution.stats["evaluations"])
-        failed = "" if solution.status.whole and len(solution.t) == SAMPLES else solution.status.cause or "failed"
-        if failed:
-            nothing = np.full(len(problem.graded), np.nan)
-            trials.append(Trial(label, tolerance, evaluations, spent, evaluations, np.inf, np.inf, nothing, failed))
-            continue
-        rms, end = problem.errors(times, solution.q[:, followed(problem.model)[1]])
-        trials.append(Trial(label, tolerance, evaluations, spent, evaluations, float(rms.max()), float(end.max()), rms))
-        if spent > 10 * seconds or rms.max() < FINEST:
-            break
-    return trials

@@ -49,15 +49,15 @@ class SuiteResult:
         if self.comparison is None:
             return [self.name, self.failure, *["-"] * (len(HEADER) - 2)]
         tolerance, ranked = self.comparison.tolerance, self.comparison.ranked()
-        single = next((curve for curve in ranked if not curve.method.multirate), None)
+        single = next((curve for curve in ranked if not curve.multirate), None)
         return [
             self.name,
-            ranked[0].method.label,
+            ranked[0].label,
             _milliseconds(ranked[0].seconds_to(tolerance)),
-            single.method.label if single else "-",
+            single.label if single else "-",
             _milliseconds(single.seconds_to(tolerance)) if single else "-",
             _ratio(self.comparison.gain()),
-            self.advice.spec.label if self.advice else "none",
+            self.advice.method.label if self.advice else "none",
             _ratio(self.advised_over_best()),
         ]
 
