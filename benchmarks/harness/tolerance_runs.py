@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from runtime.schemeself.catalogue import scheme_kind
+from runtime.schemes.catalogue import scheme_kind
 
 from runtime.contract.coordinates import followed, independent, loop_part, whole
 from runtime.contract.model import Model

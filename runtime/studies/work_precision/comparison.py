@@ -168,7 +168,7 @@ def curve_of(method: Method | str, reference: Reference, longest: float) -> Work
             trials.append(trial_of(method.label, rung, reference))
             if drift is None and trials[-1].error < ACCURATE:
                 drift = energy_drift(rung)
-            if rung.seconds > longest or trials[-1].error < max(FINEST, NEAR * reference.off):
+            if trials[-1].seconds > longest or trials[-1].error < max(FINEST, NEAR * reference.off):
                 break
         order = order_of(trials)
     failure = "" if any(not trial.failure for trial in trials) else trials[-1].failure
