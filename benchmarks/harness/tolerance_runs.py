@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from runtime.schemes.catalogue import scheme_kind
 
 from runtime.contract.coordinates import followed, independent, loop_part, whole
 from runtime.contract.model import Model
@@ -17,6 +16,7 @@ from runtime.results.motion_error import floored
 from runtime.running.arguments import Further
 from runtime.running.ladder import FIRST, Ladder, Method, Rung
 from runtime.running.problem import Problem
+from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.times import SwitchTime, switching_times

@@ -14,7 +14,7 @@ from runtime.baselines.scipy_methods import counted, in_pieces
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import ModelError, NoResult
 from runtime.contract.model import Model, refuse_events
-from runtime.engine.functions import evaluator
+from runtime.engine.rows import evaluator
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.running.problem import Problem
 
