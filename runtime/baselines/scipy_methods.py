@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from runtime.baselines.condensed_ode import TO_ROUNDING, CondensedOde, observed_solution, start_of
-from runtime.contract.coordinates import independent_rates, whole
+from runtime.contract.coordinates import whole
 from runtime.contract.errors import ArgumentError, ModelError, NoResult
 from runtime.contract.model import Model
 from runtime.contract.status import Status
@@ -62,12 +62,12 @@ class Impulses:
             return y
         model, seen = self.model, self._observe(t=before, y=y, c=self.c)
         parts = {name: np.asarray(value).ravel() for name, value in seen.items()}
-        q, q_dot = (whole(model, parts[f"q_i{rate}"], parts[f"q_d{rate}"]) for rate in ("", "_dot"))
-        found = impulse_at(model, self.c, q, q_dot, before, after)
+        q = whole(model, parts["q_i"], parts["q_d"])
+        found = impulse_at(model, self.c, q, parts["q_i_dot"], before, after)
         if found is None:
             return y
         n = len(model.q_i)
-        return np.concatenate([y[:n], independent_rates(model, q, found.q_dot), y[2 * n :]])
+        return np.concatenate([y[:n], y[n : 2 * n] + found[0], y[2 * n :]])
 
 
 def refuse_impulses(model: Model, c: np.ndarray, t_end: float, y: np.ndarray, who: str) -> None:

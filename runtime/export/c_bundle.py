@@ -30,8 +30,7 @@ from runtime.running.reading import reading
 from runtime.running.unending import may_break
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import start_there, start_vector
-from runtime.schemes.switching.held_change import started_with_inputs
-from runtime.schemes.switching.restart import remembers, restarted
+from runtime.schemes.switching.restart import remembers, restarted, started_with_inputs
 from runtime.start.start_state import start_state
 
 

@@ -22,7 +22,7 @@ from runtime.gradients.course import Broken, EventPassage, Hold, Jump, Stop
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.gradients.starts_anew import StartsAnew
 from runtime.schemes.switching.breaks import within
-from runtime.schemes.switching.restart import Restart
+from runtime.schemes.switching.restart import Restart, remembers
 
 
 @dataclass(frozen=True)
@@ -71,8 +71,7 @@ class JumpCrossing:
         self._v = self._scheme.layout.slice("v") if "v" in self._scheme.layout.sizes else slice(0, 0)
         self._w = self._scheme.layout.slice("inputs") if self._scheme.model.inputs else slice(0, 0)
         self._events = ActingEvents(self._scheme)
-        remembered = set(self._scheme.memory) - {"x", "v", "loop", "chart"}
-        self.remembers = bool(remembered) or self._scheme.starts_from_last
+        self.remembers = remembers(self._scheme)
         self._anew = StartsAnew(self._scheme, self.remembers)
         if self.remembers and self._scheme.charts.size:
             raise ArgumentError(
@@ -251,7 +250,7 @@ class JumpCrossing:
         if taken.turn.lengths is None:
             return np.asarray(self._anew.restart(*self._arguments(taken, begun))).ravel()
         c = self._scheme.model.constants(self._p(begun))
-        return self._restart(taken.z, c, *taken.turn.lengths, taken.clock)
+        return self._restart(taken.z, self._scheme.constants(c), *taken.turn.lengths, taken.clock)
 
     @cached_property
     def _restart(self) -> Restart:

@@ -9,7 +9,7 @@ import numpy as np
 
 from runtime.contract.tape import shared
 from runtime.schemes.scheme import Scheme
-from runtime.schemes.switching.started_anew import loop_guess, started_anew
+from runtime.schemes.switching.restart import loop_guess, started_anew
 
 
 class StartsAnew:

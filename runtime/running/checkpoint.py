@@ -145,7 +145,7 @@ class CheckpointHeader:
     segments: q_i of each segment so far, in the order of the record; segment: the one under way. position: all
     coordinates there, which tell a generator of variants where it is. monitor, guard: what checks
     compare with. schedule: what drives it remembers. impulses: those of the segment, which may be
-    told later: time, energy, rates after them and their jumps. happened: latest times of each event [s].
+    told later: time, energy, jumps of the rates. happened: latest times of each event [s].
     """
 
     model: str

@@ -76,11 +76,9 @@ def _impulses(follower: _Follower, t0: float, t_end: float, q_d: np.ndarray) -> 
     events, none = [], np.zeros(0)
     times = [one for one in switching_times(model, c, t0, t_end) if t0 < one.time < t_end]
     for one, here in zip(times, follower.along(np.array([t0, *(one.time for one in times)]), q_d)[1:], strict=False):
-        at = {"q_i": none, "q_d": here, "q_i_dot": none, "t": one.before, "c": c}
-        q_d_dot = np.asarray(model.evaluate("velocities", **at)["q_d_dot"]).ravel()
-        impulse = impulse_at(model, c, whole(model, none, here), whole(model, none, q_d_dot), one.before, one.after)
+        impulse = impulse_at(model, c, whole(model, none, here), none, one.before, one.after)
         if impulse is not None:
-            events.append(Event(one.time, "velocity_jump", impulse_text(model, impulse)))
+            events.append(Event(one.time, "velocity_jump", impulse_text(model, impulse[1])))
     return events
 
 

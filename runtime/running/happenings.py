@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import cast
 
 import numpy as np
@@ -14,9 +13,8 @@ from runtime.running.segment import Segment
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.event_ends import ended_at_event, shown_at_end
-from runtime.schemes.switching.broken_steps import BrokenSteps
 from runtime.schemes.switching.impulse import impulse_text
-from runtime.schemes.switching.legs import Leg
+from runtime.schemes.switching.steps_with_stops import StepsWithStops
 from runtime.schemes.switching.watched import action_values, begin_events, cool_down, event_slopes, event_values
 
 MOST_IN_A_STEP = 50  # events of one name
@@ -35,7 +33,7 @@ class Happenings:
         self._scheme, self._events = own.plan.scheme, own.model.description.events
         self._recent: dict[str, list[float]] = {}
 
-    def step(self, z: np.ndarray, broken: BrokenSteps) -> np.ndarray | None:
+    def step(self, z: np.ndarray, broken: StepsWithStops) -> np.ndarray | None:
         """Advance z in place, to the end of the step or to a terminal event; (n_w,) the inputs if they changed."""
         self._recent.clear()
         before = z[self._inputs].copy()
@@ -92,12 +90,12 @@ class Happenings:
     def _inputs(self) -> slice:
         return self._scheme.layout.slice("inputs") if self.own.model.inputs else slice(0, 0)
 
-    def _acts(self, leg: Leg, happened: list[int]) -> Leg:
-        """A leg at whose end these events happen, with what they do."""
-        constants = self._scheme.constants(self.own.c, leg.dt)
-        z, values = leg.z.copy(), action_values(self._scheme, leg.z, constants)
-        self._happen(z, float(leg.reached), happened, values, event_values(self._scheme, leg.z, constants))
-        return replace(leg, z=z, ends=self.status is not None)
+    def _acts(self, z: np.ndarray, dt: float, t: float, happened: list[int]) -> bool:
+        """These events at t [s], in a state z that steps dt show, in place; does one end the run?"""
+        constants = self._scheme.constants(self.own.c, dt)
+        values = action_values(self._scheme, z, constants)
+        self._happen(z, t, happened, values, event_values(self._scheme, z, constants))
+        return self.status is not None
 
     def _happen(self, z: np.ndarray, t: float, happened: list[int], values: np.ndarray, values_now: np.ndarray) -> None:
         """These events at t [s]: they are told and judged, and z gets the inputs that they set.

@@ -158,13 +158,12 @@ class Segment(SteppedModel):
     def impulse_memory(self) -> list[list[float]]:
         """`impulses` in plain numbers."""
         found = sorted(self.impulses.items())
-        return [[at, one.energy, *one.q_dot.tolist(), *one.jumps.tolist()] for at, one in found]
+        return [[at, one.energy, *one.jumps.tolist()] for at, one in found]
 
     def resume_impulses(self, memory: Sequence[Sequence[float]]) -> None:
         """From `impulse_memory`."""
-        for at, energy, *rates in memory:
-            q_dot, jumps = np.array(rates).reshape(2, -1)
-            self.impulses[at] = Impulse(q_dot, energy, jumps)
+        for at, energy, *jumps in memory:
+            self.impulses[at] = Impulse(energy, np.array(jumps))
 
     def land(self, z: np.ndarray) -> None:
         """From z on every state that is seen is the end of a step: what comes from outside changes there."""

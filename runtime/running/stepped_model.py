@@ -16,9 +16,8 @@ from runtime.results.solution import Solution
 from runtime.running.plan import Plan
 from runtime.schemes.kept_steppers import kept_stepper
 from runtime.schemes.stepper import Stepper
-from runtime.schemes.switching.broken_steps import BrokenSteps
-from runtime.schemes.switching.held_change import HeldChange
-from runtime.schemes.switching.legs import Legs
+from runtime.schemes.switching.restart import remembers
+from runtime.schemes.switching.steps_with_stops import StepsWithStops, restart_of
 from runtime.schemes.switching.times import SwitchTime, switching_times
 from runtime.schemes.switching.watched import NEVER, all_awake, begin_events, watches
 
@@ -39,9 +38,7 @@ class SteppedModel:
     c: np.ndarray
     ready: np.ndarray
     switches: list[SwitchTime] = field(default_factory=list, init=False)
-    broken: BrokenSteps | None = field(default=None, init=False)
-
-    _change: HeldChange | None = field(default=None, init=False)
+    broken: StepsWithStops | None = field(default=None, init=False)
 
     @classmethod
     def prepared(cls, model: Model, plan: Plan, p: np.ndarray, engine: str, wait: bool = False) -> Self:
@@ -55,8 +52,6 @@ class SteppedModel:
         """From now on these parameters (n_p,)."""
         self.p[:], self.c[:] = p, self.model.constants(p)
         self.ready[:] = self.stepper.ready(self.c, self.plan.grid.dt_L)
-        if self._change is not None:
-            self._change.forget()
 
     def begin(self, t: float, q: np.ndarray, q_dot: np.ndarray) -> np.ndarray:
         """The whole z at a consistent state of all coordinates (n,) at time t [s] (Eqs. 68-71)."""
@@ -75,9 +70,10 @@ class SteppedModel:
         if not self.remembers or (now == w).all():
             now[:] = w
             return
-        if self._change is None:
-            self._change = HeldChange(self.stepper, self.plan.grid.dt_L)
-        self._change.make(z, w, self.c)
+        clock, dt, size = z[:2].copy(), self.plan.grid.dt_L, self.plan.scheme.layout.size
+        t = float(clock[0] + clock[1] * dt)
+        z[:size] = restart_of(self.stepper)(z[:size], self.plan.scheme.constants(self.c), dt, dt, t, inputs=w)
+        z[:2] = clock
 
     @cached_property
     def _inputs(self) -> slice:
@@ -86,7 +82,7 @@ class SteppedModel:
     @cached_property
     def remembers(self) -> bool:
         """Is the scheme started anew where forces jump?"""
-        return not self.plan.scheme.adaptive and Legs(self.stepper).remembers
+        return not self.plan.scheme.adaptive and remembers(self.plan.scheme)
 
     def with_inputs(self, z: np.ndarray) -> np.ndarray:
         """(c_size,) the constants with the inputs that z holds."""
@@ -104,7 +100,7 @@ class SteppedModel:
             bool(self.switches) or self.watches_events
         ) and not scheme.adaptive  # who chooses the ends of steps puts them there
         known = round((t_end - t0) / length)
-        self.broken = BrokenSteps(self.stepper, t0, length, self.switches, known=known) if breaks else None
+        self.broken = StepsWithStops(self.stepper, t0, length, self.switches, self.c, known) if breaks else None
 
     def stops(self, t0: float, t_end: float) -> list[SwitchTime]:
         """Times at which steps end. Raises ModelError."""

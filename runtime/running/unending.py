@@ -14,8 +14,8 @@ from runtime.contract.status import Event, Status
 from runtime.running.happenings import Happenings
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import refuse_position_jumps
-from runtime.schemes.switching.broken_steps import BrokenSteps
 from runtime.schemes.switching.impulse import moves_in_time
+from runtime.schemes.switching.steps_with_stops import StepsWithStops
 from runtime.schemes.switching.times import has_switching_times, switches_by_inputs, switching_times
 
 STRETCH = 4096  # steps over which jumps are looked for at a time: the same in one call or in many
@@ -44,7 +44,7 @@ class UnendingSteps:
 
     def __init__(self, own: SteppedModel, z: np.ndarray) -> None:
         self._own, self._z, self.t0 = own, z, float(z[0])
-        self._first, self._broken = -1, BrokenSteps(own.stepper, self.t0, own.plan.grid.dt_L, [])
+        self._first, self._broken = -1, StepsWithStops(own.stepper, self.t0, own.plan.grid.dt_L, [], own.c)
         self._jumps, self.happenings = may_jump(own.model), Happenings(own)
         self._by_inputs = self._jumps and (switches_by_inputs(own.model) or moves_in_time(own.model))
 
@@ -115,4 +115,4 @@ class UnendingSteps:
         if found and moves_in_time(own.model):
             seen = own.observed([own.state(self._z)])
             refuse_position_jumps(own.model, c, ConsistentState(seen.q[0], seen.q_dot[0], {}), found, *ends)
-        self._broken = BrokenSteps(own.stepper, self.t0, h, found)
+        self._broken = StepsWithStops(own.stepper, self.t0, h, found, c)

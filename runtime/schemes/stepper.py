@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cached_property
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -57,6 +58,7 @@ class Stepper:
         self.program, c_size = prepared.program, int(prepared.constants.size1_out(0))
         self.engine = choose_engine(engine, self.program, prepared.z_size, c_size, wait, prepared.tapes)
         self.prepared = replace(prepared, tapes={})
+        self.across: dict[Any, Any] = {}  # programs that are made of the step's, of steppers with other steps, too
 
     @cached_property
     def operations(self) -> int:

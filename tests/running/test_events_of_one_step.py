@@ -7,7 +7,6 @@ from collections.abc import Callable
 import pytest
 
 from runtime import Model, simulate
-from runtime.schemes.switching.broken_steps import BrokenSteps
 from symgen.scene import Scene, SceneBuilder
 
 Build = Callable[[Scene], Model]
@@ -28,14 +27,10 @@ def test_all_passages_of_one_step_are_told_in_order(model_of: Build, scheme: str
     assert [event.time for event in run.events] == pytest.approx(exact, rel=0, abs=1e-9)
 
 
-@pytest.mark.parametrize("by_program", [True, False])
 @pytest.mark.parametrize("scheme", ["rk4", "single_rate"])
 @pytest.mark.parametrize("at", [0.512, 0.5])
-def test_an_event_just_where_a_load_jumps(
-    model_of: Build, monkeypatch: pytest.MonkeyPatch, at: float, scheme: str, by_program: bool
-) -> None:
-    """The force of 2 N that ends at a time is 3 N from there on, by an event at that time; by program and by Python."""
-    monkeypatch.setattr(BrokenSteps, "_by_program", by_program)
+def test_an_event_just_where_a_load_jumps(model_of: Build, at: float, scheme: str) -> None:
+    """The force of 2 N that ends at a time is 3 N from there on, by an event at that time."""
     builder = SceneBuilder("relieved").input("own", 0.0, "N").rigid("mass", mass=1.0, inertia=0.1)
     builder.prismatic("rail", "ground.origin", "mass.origin")
     builder.force("push", "mass.origin", f"where(t < {at}, 2, own)", 0.0)

@@ -10,10 +10,12 @@ import pytest
 
 from runtime import DifferentiableRun, Model, simulate
 from runtime.engine.native import NativeProgram
+from runtime.engine.prepare import Prepared
 from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import Stepper
-from runtime.schemes.switching.broken_steps import BrokenSteps
-from runtime.schemes.switching.steps_with_stops import KNOWN, StopProgram
+from runtime.schemes.switching.steps_with_stops import StepsWithStops
+from runtime.schemes.switching.stop_program import KNOWN, StopProgram
 from runtime.schemes.switching.times import switching_times
 from symgen.generate import model_of as on_demand
 from symgen.scene import Scene, SceneBuilder
@@ -49,7 +51,7 @@ def by_hand(times: np.ndarray, t_end: float, v: float = 0.0) -> tuple[int, float
 
 @pytest.fixture
 def calls(monkeypatch: pytest.MonkeyPatch) -> list[int]:
-    """Applications of each native call across stops; no step may be made in parts by Python."""
+    """Applications of each native call across stops."""
     found, bound = list[int](), NativeProgram.bound
 
     def counted(self: NativeProgram, z: np.ndarray, c: np.ndarray) -> Callable[[int], None]:
@@ -61,11 +63,7 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
         return noted
 
-    def refused(*_: Any) -> None:
-        raise AssertionError("a step was made in parts by Python")
-
     monkeypatch.setattr(NativeProgram, "bound", counted)
-    monkeypatch.setattr(BrokenSteps, "_break", refused)
     return found
 
 
@@ -86,9 +84,9 @@ def test_other_steps_cross_by_the_same_program(model_of: Build, monkeypatch: pyt
     """Steps are data of it: it is made once, and runs with other steps are those by hand."""
     model, made, init = model_of(pushed_mass()), list[str](), StopProgram.__init__
 
-    def counted(self: StopProgram, stepper: Stepper) -> None:
-        made.append(stepper.requested)
-        init(self, stepper)
+    def counted(self: StopProgram, of: Scheme, prepared: Prepared, impulses: bool = False) -> None:
+        made.append(type(of).__name__)
+        init(self, of, prepared, impulses)
 
     monkeypatch.setattr(StopProgram, "__init__", counted)
     model.steppers.clear()
@@ -100,13 +98,9 @@ def test_other_steps_cross_by_the_same_program(model_of: Build, monkeypatch: pyt
         assert found == pytest.approx((x, v), rel=1e-9)
 
 
-@pytest.mark.parametrize("by_program", [True, False])  # or by Python
 @pytest.mark.parametrize("scheme", ["rk4", "exponential_adams"])
-def test_no_time_is_lost_at_jumps_far_from_zero(
-    model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str, by_program: bool
-) -> None:
+def test_no_time_is_lost_at_jumps_far_from_zero(model_of: Build, scheme: str) -> None:
     """A mass at 10 m/s past 1,000 jumps, ten in each step, from t = 1,000 s on, clocks 7 ps apart at each."""
-    monkeypatch.setattr(BrokenSteps, "_by_program", by_program)
     builder = SceneBuilder("passing").rigid("mass", mass=1.0, inertia=0.1).rates({"mass.x": 10.0})
     builder.prismatic("rail", "ground.origin", "mass.origin")
     builder.force("push", "mass.origin", f"where(sin(1000 * pi * t + 0.3) > {ABOVE}, {UP}, {DOWN})", 0.0)
@@ -128,7 +122,7 @@ def test_jumps_are_crossed_by_a_native_call_for_as_many_as_it_knows(
     model, dt = model_of(pushed_mass()), 0.002
     own = Stepper(scheme_kind(scheme).build(scheme, model, dt, None, {}), wait=True)
     c, q = model.constants(model.parameter_vector(None)), np.zeros(len(model.coordinates))
-    broken = BrokenSteps(own, 0.0, dt, switching_times(model, c, 0.0, 0.6))
+    broken = StepsWithStops(own, 0.0, dt, switching_times(model, c, 0.0, 0.6), c)
     z, ready = own.start(0.0, q, q, c, dt), own.ready(c, dt)
     calls.clear()
     broken.run(z, ready, c, 300)
@@ -153,26 +147,8 @@ def two_waves(flexible: bool = True) -> Scene:
     return builder.simulation(t_end=1.0, dt=0.0125, scheme="rk4").build()
 
 
-@pytest.mark.parametrize("scheme", ["rk4", "exponential_adams", "single_rate", "hht", "decoupled"])
-def test_the_program_does_what_is_done_one_by_one(
-    model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str
-) -> None:
-    """Jumps within steps, several in one, at their ends, and one step behind another, with damping."""
-    model = model_of(two_waves())
-
-    def course() -> np.ndarray:
-        run = simulate(model, scheme=scheme, m=[2] if scheme == "decoupled" else None, save_every=1, force=True)
-        assert len(run.t) == 81
-        return np.column_stack([run.q, run.q_dot, run.work()])
-
-    found = course()
-    monkeypatch.setattr(BrokenSteps, "_by_program", False)
-    one_by_one = course()
-    assert np.abs(found - one_by_one).max() < 1e-11 * np.abs(one_by_one).max()
-
-
-def test_only_jumps_of_a_velocity_are_left_to_python(model_of: Build, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A drive turns smoothly, then at once; a bob on it is pushed by a wave. Its impulse is that of single steps."""
+def test_an_impulse_among_many_jumps(model_of: Build, calls: list[int]) -> None:
+    """A drive turns smoothly, then at once; a bob on it is pushed by a wave: momentum about its hinge stays."""
     builder = SceneBuilder("driven_bob").rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
     builder.rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
     builder.revolute("pin", "ground.origin", "crank.origin").revolute("hinge", "crank.tip", "bob.origin")
@@ -180,49 +156,36 @@ def test_only_jumps_of_a_velocity_are_left_to_python(model_of: Build, monkeypatc
     builder.prescribed_angle("drive", "ground.origin", "crank.origin", motion=motion)
     builder.torque("push", "bob.origin", "where(sin(300 * t) > 0, 1, -1)")
     model = model_of(builder.simulation(t_end=1.0, dt=0.004, scheme="rk4").build())
-    broken, break_ = list[float](), BrokenSteps._break
+    assert len([event for event in simulate(model, error="off", save_every=250).events]) == 1
+    assert len(calls) < 20  # some for all of the steps
+    found = simulate(model, error="off", save_every=1)
+    (event,) = found.events
+    k = int(np.searchsorted(found.t, 0.7 - 1e-9))
+    angle = found["bob.theta"][k] - found["crank.theta"][k]
+    omega, drive = float(found.rate("bob.theta")[k]), (0.6, 1.6)  # J omega + m a l Omega cos(angle) stays
+    rates = omega, omega - 0.25 * np.cos(angle) / 0.35
 
-    def counted(self: BrokenSteps, z: np.ndarray, c: np.ndarray, acts: Any = None) -> None:
-        broken.append(float(z[0] + z[1] * self.dt))
-        break_(self, z, c, acts)
+    def kinetic(crank: float, bob: float) -> float:
+        return 0.005 * crank**2 + 0.175 * bob**2 + 0.125 * crank**2 + 0.25 * crank * bob * np.cos(angle)
 
-    monkeypatch.setattr(BrokenSteps, "_break", counted)
-    found = simulate(model)
-    assert [event.kind for event in found.events] == ["velocity_jump"] and broken
-    assert all(abs(t - 0.7) < 0.005 for t in broken)
-    monkeypatch.setattr(BrokenSteps, "_by_program", False)
-    one_by_one = simulate(model)
-    assert len(broken) > 90 and np.abs(found.q_dot - one_by_one.q_dot).max() < 1e-12
-    assert np.abs(found.work() - one_by_one.work()).max() < 1e-12
+    assert event.kind == "velocity_jump" and event.time == pytest.approx(0.7, abs=1e-9)
+    energy = kinetic(drive[1], rates[1]) - kinetic(drive[0], rates[0])
+    assert float(event.text.split("energy by ")[1].split()[0]) == pytest.approx(energy, rel=1e-5)
 
 
-@pytest.mark.parametrize("scheme", ["rk4", "single_rate"])
-def test_events_among_many_jumps(model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str) -> None:
-    """A mass on a spring under a wave, which an action doubles: told as by single steps; Python makes theirs only."""
+@pytest.mark.parametrize("scheme, near", [("rk4", 1e-5), ("single_rate", 2e-3)])  # s
+def test_events_among_many_jumps(model_of: Build, scheme: str, near: float) -> None:
+    """A mass on a spring under a wave, which an action doubles: told as by a fifth of the steps."""
     builder = SceneBuilder("shaken").input("force", 1.0, "N").rigid("mass", mass=1.0, inertia=0.1)
     builder.prismatic("rail", "ground.origin", "mass.origin").measure("x", "x", "mass.origin")
     builder.force("push", "mass.origin", "where(sin(250 * t + 10 * sin(9 * t)) > 0.4, force, -force) - 900 * x", 0.0)
     builder.event("through", "x", direction="rising", cool_down=0.1).initial({"mass.x": 0.01})
     builder.event("later", "t - 0.6", action={"force": "2 * force"})
     model = model_of(builder.simulation(t_end=1.0, dt=0.004, scheme="rk4").build())
-    broken, break_ = list[int](), BrokenSteps._break
-
-    def counted(self: BrokenSteps, z: np.ndarray, c: np.ndarray, acts: Any = None) -> None:
-        broken.append(int(z[1]))
-        break_(self, z, c, acts)
-
-    monkeypatch.setattr(BrokenSteps, "_break", counted)
-    found = simulate(model, scheme=scheme, force=True, error="off")
-    assert len(found.events) > 4 and len(set(broken)) <= len(found.events) + 1
-    monkeypatch.setattr(BrokenSteps, "_by_program", False)
-    one_by_one = simulate(model, scheme=scheme, force=True, error="off")
-    assert len(set(broken)) > 60
-    assert [(one.name, one.direction) for one in found.events] == [
-        (one.name, one.direction) for one in one_by_one.events
-    ]
-    times = [[event.time for event in run.events] for run in (found, one_by_one)]
-    assert times[0] == pytest.approx(times[1], rel=0, abs=1e-10)
-    assert np.abs(found.q - one_by_one.q).max() < 1e-10 * np.abs(found.q).max()
+    found, finer = (simulate(model, scheme=scheme, dt=dt, force=True, error="off") for dt in (0.004, 0.0008))
+    told = [[(one.name, one.direction) for one in run.events] for run in (found, finer)]
+    assert len(told[0]) > 4 and told[0] == told[1]
+    assert [one.time for one in found.events] == pytest.approx([one.time for one in finer.events], rel=0, abs=near)
 
 
 def test_the_bits_do_not_depend_on_calls_or_engines(model_of: Build) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from runtime.contract.coordinates import independent_rates, whole
+from runtime.contract.coordinates import whole
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.breaks import ON_THE_GRID
@@ -72,19 +72,12 @@ def give_impulse(
     shown = scheme.observer(z=scheme.at_end(z)[: scheme.layout.size], c=constants)
     parts = {name: np.asarray(value).ravel() for name, value in shown.items()}
     q = whole(model, parts["q_i"], parts["q_d"])
-    q_dot = whole(model, parts["q_i_dot"], _rates_before(scheme, parts, c, there.before))
-    found = impulse_at(model, c, q, q_dot, there.before, there.after)
+    found = impulse_at(model, c, q, parts["q_i_dot"], there.before, there.after)
     if found is None:
         return {}
-    z[own("v_to")] = independent_rates(model, q, found.q_dot)
+    z[own("v_to")] += found[0]
     seen_at = float(z[own("t0")][0] + z[own("n")][0] * dt)
     if abs(seen_at - reached) <= ON_THE_GRID * dt:  # what is seen there is after the jump
         z[own("t0")] += max(0.0, there.after - seen_at)
         z[own("v")] = z[own("v_to")]
-    return {there.time: found}
-
-
-def _rates_before(scheme: AdaptiveSteps, parts: dict[str, np.ndarray], c: np.ndarray, before: float) -> np.ndarray:
-    """(n_d,) rates of the dependent coordinates on the clock before a jump."""
-    arguments = {name: parts[name] for name in ("q_i", "q_d", "q_i_dot")}
-    return np.asarray(scheme.model.evaluate("velocities", **arguments, t=before, c=c)["q_d_dot"]).ravel()
+    return {there.time: found[1]}

@@ -6,15 +6,17 @@ that S^T M (q'+ - q'-) = 0 with S = [1; B] in the order (q_i, q_d): M_hat (q_i'+
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
 
-from runtime.contract.coordinates import parts, rate_parts, whole
+from runtime.contract.coordinates import joined, parts
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
+from runtime.contract.tape import shared
+from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.switching.times import SwitchTime
 
 DUST = 1e-12  # of the largest rate: less is rounding of a rate that does not jump
@@ -22,9 +24,8 @@ DUST = 1e-12  # of the largest rate: less is rounding of a rate that does not ju
 
 @dataclass(frozen=True)
 class Impulse:
-    """q_dot (n,) just after; energy [J]: what the motion's impulse did; jumps (n,): by what each rate changed."""
+    """energy [J]: what the motion's impulse did; jumps (n,): by what each rate changed."""
 
-    q_dot: np.ndarray
     energy: float
     jumps: np.ndarray
 
@@ -66,64 +67,66 @@ def may_give_impulses(model: Model, c: np.ndarray, switches: Sequence[SwitchTime
 
 
 def impulse_at(
-    model: Model, c: np.ndarray, q: np.ndarray, q_dot: np.ndarray, before: float, after: float
-) -> Impulse | None:
-    """What the prescribed motions do at a time with a clock on each side [s]; None if no velocity jumps there.
+    model: Model, c: np.ndarray, q: np.ndarray, q_i_dot: np.ndarray, before: float, after: float
+) -> tuple[np.ndarray, Impulse] | None:
+    """(what is added to q_i_dot (n_i,), the impulse) at a time with a clock on each side [s], by the rates before it.
 
-    q, q_dot (n,): all coordinates and rates before. Raises ModelError for a model without the function `energy`.
+    q (n,): all coordinates. None if none jumps there. Raises ModelError for a model without the function `energy`.
     """
-    (q_i, q_d), (q_i_dot, _) = parts(model, q), rate_parts(model, q, q_dot)
+    q_i, q_d = parts(model, q)
     if not len(q_d):
         return None
-    at = {"q_i": q_i, "q_d": q_d, "c": c}
-    rates = [
-        np.asarray(model.evaluate("velocities", **at, q_i_dot=q_i_dot, t=t)["q_d_dot"]).ravel() for t in (before, after)
-    ]
-    jump = whole(model, np.zeros(len(q_i)), rates[1] - rates[0])
-    if np.abs(jump).max() <= DUST * max(1e-300, float(np.abs(q_dot).max()), float(np.abs(rates).max())):
-        return None
+    found = impulse_of(model)(q_i, q_d, q_i_dot, c, before, after)
+    push, energy, jumps = (np.asarray(one).ravel() for one in found)
+    return (push, Impulse(float(energy[0]), jumps)) if jumps.any() else None
+
+
+def impulse_of(model: Model) -> ca.Function:
+    """(q_i, q_d, q_i_dot, c, clock before, clock after) -> what is added to q_i_dot (n_i,), energy, jumps (n,), see
+    Impulse; zero where no velocity jumps. Raises ModelError for a model without the function `energy`.
+    """
+    return model.derived("impulse", lambda: _impulse(model))
+
+
+def _impulse(model: Model) -> ca.Function:
     if not model.has("energy"):
         raise ModelError(
             f"model {model.name}",
-            f"the velocity of a prescribed motion jumps at t = {after:.6g} s, which takes the function energy",
+            "the velocity of a prescribed motion may jump, which takes the function energy",
             "regenerate the scene with that function",
         )
-    q_i_dot = q_i_dot - _pushed(model, c, (q, q_i, q_d), jump, (q_i_dot, rates[0]), before, after)
-    q_d_dot = np.asarray(model.evaluate("velocities", **at, q_i_dot=q_i_dot, t=after)["q_d_dot"]).ravel()
-    found = whole(model, q_i_dot, q_d_dot)
-    kinetic = [float(model.evaluate("energy", q=q, q_dot=v, t=after, c=c)["kinetic"]) for v in (q_dot, found)]
-    return Impulse(found, kinetic[1] - kinetic[0], found - q_dot)
-
-
-def _pushed(
-    model: Model,
-    c: np.ndarray,
-    place: tuple[np.ndarray, np.ndarray, np.ndarray],
-    jump: np.ndarray,
-    rates: tuple[np.ndarray, np.ndarray],
-    before: float,
-    after: float,
-) -> np.ndarray:
-    """(n_i,) by how much q_i_dot is less after; place: q, q_i, q_d; rates: q_i_dot and q_d_dot before."""
-    if not model.q_i:
-        return np.zeros(0)
-    q, q_i, q_d = place
-    momentum = model.derived("momentum", lambda: _momentum(model))
-    projected = np.asarray(momentum(q, jump, q_i, q_d, after, c)).ravel()
-    at = {"q_i": q_i, "q_d": q_d, "c": c, "q_i_dot": rates[0], "q_d_dot": rates[1], "t": before}
-    return np.linalg.solve(np.asarray(model.evaluate("condensed", **at)["M_hat"]), projected)
-
-
-def _momentum(model: Model) -> ca.Function:
-    """(q, v, q_i, q_d, t, c) -> S^T M v; the kinetic energy is v^T M v / 2."""
-    n, n_i, n_d = len(model.coordinates), len(model.q_i), len(model.q_d)
-    q, v, c, t = ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("c", model.c_size), ca.SX.sym("t")
+    n_i, n_d = len(model.q_i), len(model.q_d)
     q_i, q_d, q_i_dot = ca.SX.sym("q_i", n_i), ca.SX.sym("q_d", n_d), ca.SX.sym("q_i_dot", n_i)
-    momentum = ca.gradient(model.evaluate("energy", q=q, q_dot=v, t=t, c=c)["kinetic"], v)
-    q_d_dot = model.evaluate("velocities", q_i=q_i, q_d=q_d, q_i_dot=q_i_dot, t=t, c=c)["q_d_dot"]
-    B = ca.jacobian(q_d_dot, q_i_dot)
-    at = model.places
-    projected = ca.mtimes(B[at.dependent_plain.tolist(), :].T, momentum[at.dependent.tolist()])
-    for k, column in zip(model.places.plain, model.places.columns, strict=True):
+    c, before, after = ca.SX.sym("c", model.c_size), ca.SX.sym("before"), ca.SX.sym("after")
+    at, q = {"q_i": q_i, "q_d": q_d, "c": c}, joined(model, q_i, q_d)
+
+    def dependent(rates: ca.SX, t: ca.SX) -> ca.SX:
+        found: ca.SX = model.evaluate("velocities", **at, q_i_dot=rates, t=t)["q_d_dot"]
+        return found
+
+    rates = [dependent(q_i_dot, t) for t in (before, after)]
+    q_dot, jump = joined(model, q_i_dot, rates[0]), joined(model, ca.SX.zeros(n_i), rates[1] - rates[0])
+    largest = ca.fmax(ca.fmax(ca.norm_inf(q_dot), ca.norm_inf(rates[1])), 1e-300)
+    jumps = ca.norm_inf(jump) > DUST * largest
+    push = ca.SX(0, 1)
+    if n_i:
+        M_hat = model.evaluate("condensed", **at, q_i_dot=q_i_dot, q_d_dot=rates[0], t=before)["M_hat"]
+        push = ca.if_else(jumps, -solve_symmetric(M_hat, _momentum(model, q, jump, at, q_i_dot, after)), 0)
+    found = joined(model, q_i_dot + push, dependent(q_i_dot + push, after))
+    kinetic = [model.evaluate("energy", q=q, q_dot=v, t=after, c=c)["kinetic"] for v in (q_dot, found)]
+    outputs = [push, ca.if_else(jumps, kinetic[1] - kinetic[0], 0), ca.if_else(jumps, found - q_dot, 0)]
+    return ca.Function("impulse", [q_i, q_d, q_i_dot, c, before, after], shared([ca.densify(one) for one in outputs]))
+
+
+def _momentum(model: Model, q: ca.SX, v: ca.SX, at: Mapping[str, ca.SX], q_i_dot: ca.SX, t: ca.SX) -> ca.SX:
+    """(n_i,) S^T M v; the kinetic energy is v^T M v / 2."""
+    rates = ca.SX.sym("rates", v.numel())
+    kinetic = model.evaluate("energy", q=q, q_dot=rates, t=t, c=at["c"])["kinetic"]
+    momentum = ca.substitute(ca.gradient(kinetic, rates), rates, v)
+    own = ca.SX.sym("own", q_i_dot.numel())
+    B = ca.jacobian(model.evaluate("velocities", **at, q_i_dot=own, t=t)["q_d_dot"], own)
+    B, places = ca.substitute(B, own, q_i_dot), model.places
+    projected = ca.densify(ca.mtimes(B[places.dependent_plain.tolist(), :].T, momentum[places.dependent.tolist()]))
+    for k, column in zip(places.plain, places.columns, strict=True):
         projected[int(k)] = projected[int(k)] + momentum[int(column)]
-    return ca.Function("momentum", [q, v, q_i, q_d, t, c], [ca.densify(projected)])
+    return projected

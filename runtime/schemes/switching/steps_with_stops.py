@@ -1,208 +1,143 @@
-"""Steps with stops on the way, as one program: whole steps, and steps that are made in parts, which are data of z.
-
-An application is one major step. One without stops is the scheme's own step. One with stops is made of parts, each from
-its clock by a step of its own length: a restart, what the step program reads for that length, the step. Behind the last
-part the state is restarted on the grid, where events are looked for. z knows the next KNOWN parts; where they run out
-within a step, an application ends there, and goes on when whoever runs it has given more.
-"""
+"""Steps of a grid with its stops: parts of steps are handed to the step program, events are searched between them."""
 
 from __future__ import annotations
 
 import sys
 from bisect import bisect_left
-from collections.abc import Mapping
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from threading import Lock
-from weakref import WeakKeyDictionary
+from typing import NamedTuple
 
 import casadi as ca
 import numpy as np
 
-from runtime.engine.choose import choose_engine
-from runtime.engine.prepare import Prepared
-from runtime.engine.program import Call, Fields, Layout, Program, Sequence, Until, make_stage
+from runtime.engine.choose import Engine, choose_engine
+from runtime.schemes.direct import direct
 from runtime.schemes.stepper import Stepper
-from runtime.schemes.switching.breaks import Breaks, within
-from runtime.schemes.switching.restart import restarted, with_steps
-from runtime.schemes.switching.watched import NEVER, flagged, values_at, watches
+from runtime.schemes.switching.breaks import ON_THE_GRID, Breaks, within
+from runtime.schemes.switching.dips import first_bracket, unsure
+from runtime.schemes.switching.event_search import first_passage
+from runtime.schemes.switching.impulse import Impulse, may_give_impulses
+from runtime.schemes.switching.restart import Restart
+from runtime.schemes.switching.stop_program import KNOWN, StopProgram, impulse_there
+from runtime.schemes.switching.times import SwitchTime
+from runtime.schemes.switching.watched import NEVER, event_slopes, event_values, passed, quiet_until
 
-KNOWN = 16  # parts
 FAR = 128  # whole steps that are worth a call of the step program alone
 CHUNK = 256  # steps with stops whose parts are looked up at once
-# of a part: the step that it is in, its clock [s] and length [s], the same over a major step, is it the last one of the
-# step?, and of that one the clock from which steps go on [s], and t0 for it
-PART = ("step", "start", "length", "share", "last", "clock", "origin")
 _LOCK = Lock()
-_KEPT: WeakKeyDictionary[Prepared, StopProgram] = WeakKeyDictionary()  # shared by steppers of other steps
+
+# what events (positions) do to a state shown by steps dt at a time [s], in place; do they end the run?
+Acts = Callable[[np.ndarray, float, float, list[int]], bool]
 
 
-class StopProgram:
-    """The program of a stepper, compiled. Fields of its z besides `state`, the stepper's, and the parts (KNOWN each):
-
-    waiting: how many are known; t0: of the grid [s]; whole, parts, back: what is to be done; inside: are parts of the
-    step made already?; number: of the step; dt_seen: steps that show the state; ready: what the step program reads for
-    a part; event_before: in which step an event was seen until now.
-    """
-
-    def __init__(self, stepper: Stepper) -> None:
-        self.scheme, self._prepared = stepper.scheme, stepper.prepared
-        self.n_ready = int(stepper.prepared.constants.size1_out(0))
-        flags = ("waiting", "t0", "whole", "parts", "back", "inside", "number", "dt_seen", "event_before")
-        sizes = {"state": stepper.prepared.z_size, **dict.fromkeys(flags, 1), **dict.fromkeys(PART, KNOWN)}
-        self.layout = Layout({**sizes, "ready": self.n_ready})
-        self.c_size = self.n_ready + self.scheme.c_size
-        program = self._program(stepper.program)
-        self.engine = choose_engine(stepper.requested, program, self.layout.size, self.c_size, stepper.waits)
-
-    def constants(self, c: np.ndarray, ready: np.ndarray, dt: float) -> np.ndarray:
-        """What it reads: `ready` of whole steps dt [s], and the constants of the scheme for c (c_size,)."""
-        return np.concatenate([ready, self.scheme.constants(c, dt)])
-
-    def _program(self, step: Program) -> Program:
-        flag = {name: self.layout.slice(name).start for name in ("whole", "parts", "back")}
-        whole = Sequence((self._applied("whole_", step, None), self._stage("counted", self._counted)))
-        part = (
-            self._stage("set_out", self._set_out),
-            self._applied("part_", step, "ready"),
-            self._stage("next", _next),
-        )
-        back = Until(self._stage("to_grid", self._to_grid), flag["back"], 1, usual=1)
-        parts = Until(Sequence((*part, back)), flag["parts"], KNOWN, usual=1)
-        return Sequence((self._stage("plan", self._plan), Until(whole, flag["whole"], 1, usual=1), parts))
-
-    def _stage(self, name: str, body) -> Call:  # type: ignore[no-untyped-def]
-        return make_stage(name, self.layout, self.c_size, body)
-
-    def _applied(self, prefix: str, program: Program, ready: str | None) -> Program:
-        """A program of the stepper on `state`, with what it reads in a field, or among the constants."""
-
-        def changed(stage: ca.Function) -> ca.Function:
-            def body(z: Fields, c: ca.SX) -> dict[str, ca.SX]:
-                return {"state": stage(z["state"], c[: self.n_ready] if ready is None else z[ready])}
-
-            return self._stage(prefix + stage.name(), body).stage
-
-        return program.map(changed)  # `state` comes first, so flags are where they were
-
-    def _own(self, z: Fields) -> tuple[ca.SX, Fields]:
-        """The scheme's part of the state, whole and by fields."""
-        state = z["state"][: self.scheme.layout.size]
-        return state, self.scheme.layout.unpack(state)
-
-    def _changed(self, z: Fields, state: ca.SX) -> ca.SX:
-        return ca.vertcat(state, z["state"][state.numel() :])
-
-    def _plan(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
-        """Is there a stop in this step?"""
-        state, fields = self._own(z)
-        inside = z["inside"] > 0
-        known = ca.logic_and(z["waiting"] > 0, ca.logic_or(inside, z["step"][0] <= fields["n"]))
-        begins = ca.logic_and(known, ca.logic_not(inside))
-        found = {
-            "parts": known,
-            "whole": ca.logic_not(ca.logic_or(known, inside)),
-            "number": ca.if_else(inside, z["number"], fields["n"]),
-            "dt_seen": ca.if_else(inside, z["dt_seen"], self._dt(c)),
-        }
-        if watches(self.scheme):
-            found["event_before"] = ca.if_else(begins, fields["event_step"], z["event_before"])
-            event_step = ca.if_else(begins, NEVER, fields["event_step"])
-            found["state"] = self._changed(z, self.scheme.layout.pack({**fields, "event_step": event_step}))
-        return found
-
-    def _dt(self, c: ca.SX) -> ca.SX:
-        return c[self.n_ready + self.scheme.model.c_size]
-
-    def _counted(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
-        """Behind a stop the first step runs on the clock that it was given; the next ones on the grid."""
-        state, fields = self._own(z)
-        return {"whole": ca.SX(0), "state": self._changed(z, self.scheme.layout.pack({**fields, "t0": z["t0"]}))}
-
-    def _set_out(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
-        state, _ = self._own(z)
-        c, length = c[self.n_ready :], z["length"][0]
-        end = self.scheme.model.c_size
-        ready = self._prepared.constants(ca.vertcat(c[:end], c[end:] * z["share"][0]))
-        start = restarted(self.scheme, state, c, z["dt_seen"], length, z["start"][0])
-        return {"state": self._changed(z, start), "ready": ready}
-
-    def _to_grid(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
-        """The state on the grid; the part behind it is gone from z, its clock and t0 are in the last places."""
-        state, _ = self._own(z)
-        dt, c = self._dt(c), c[self.n_ready :]
-        fields = self.scheme.layout.unpack(restarted(self.scheme, state, c, z["dt_seen"], dt, z["clock"][KNOWN - 1]))
-        fields |= {"t0": z["origin"][KNOWN - 1], "n": z["number"] + 1}
-        if watches(self.scheme):
-            fields = self._looked(fields, z["event_before"], c, dt)
-        return {"state": self._changed(z, self.scheme.layout.pack(fields)), "back": ca.SX(0)}
-
-    def _looked(self, fields: Fields, event_before: ca.SX, c: ca.SX, dt: ca.SX) -> Fields:
-        """Events are looked for from here on; event_step is the first step in which one was seen."""
-        state = self.scheme.layout.pack(fields)
-        seen = values_at(self.scheme, state, self.scheme.equations(with_steps(self.scheme, state, c, dt), fields))
-        by_jump = flagged(self.scheme, fields, fields["event_values"], seen["events"], seen["t"])
-        sooner = ca.logic_or(fields["event_step"] < NEVER, by_jump)
-        return {
-            **fields,
-            "event_values": seen["events"],
-            "event_change": ca.SX.ones(seen["events"].numel()) * NEVER,
-            "event_slopes": seen["slopes"],
-            "event_step": ca.if_else(sooner, ca.fmin(event_before, fields["n"]), event_before),
-        }
+class _Compiled(NamedTuple):
+    program: StopProgram
+    engine: Engine
+    restart: Restart
 
 
-def _next(z: Fields, c: ca.SX) -> Mapping[str, ca.SX]:
-    """A part is made: the next ones move up, and it comes last."""
-    closed, waiting = z["last"][0], z["waiting"] - 1
-    return {
-        **{name: ca.vertcat(z[name][1:], z[name][0]) for name in PART},
-        "dt_seen": z["length"][0],
-        "waiting": waiting,
-        "back": closed,
-        "inside": 1 - closed,
-        "parts": ca.logic_and(waiting > 0, closed <= 0),
-    }
-
-
-def stop_program(stepper: Stepper) -> StopProgram:
+def compiled(stepper: Stepper, impulses: bool) -> _Compiled:
     """Made once for a stepper and those of the same programs with other steps, which are data."""
     with _LOCK:
-        if stepper.prepared not in _KEPT:
-            _KEPT[stepper.prepared] = StopProgram(stepper)
-        return _KEPT[stepper.prepared]
+        if impulses not in stepper.across:
+            made = StopProgram(stepper.scheme, stepper.prepared, impulses)
+            engine = choose_engine(stepper.requested, made.program(), made.layout.size, made.c_size, stepper.waits)
+            stepper.across[impulses] = _Compiled(made, engine, restart_of(stepper))
+        found: _Compiled = stepper.across[impulses]
+        return found
+
+
+def restart_of(stepper: Stepper) -> Restart:
+    """Made once, as `compiled`."""
+    if "restart" not in stepper.across:
+        stepper.across["restart"] = Restart(stepper.scheme, stepper.requested)
+    found: Restart = stepper.across["restart"]
+    return found
 
 
 class StepsWithStops:
-    """Runs major steps of a grid, with its stops."""
+    """Runs major steps dt [s] of a stepper from t0 on, with stops within them or at their ends.
 
-    def __init__(self, stepper: Stepper, grid: Breaks) -> None:
-        self._stepper, self._grid, self._program = stepper, grid, stop_program(stepper)
-        layout = self._program.layout
-        self._z, at = np.zeros(layout.size), layout.slice
-        self._state = self._z[at("state")]
-        self._inside, self._waiting, self._number = (at(name).start for name in ("inside", "waiting", "number"))
-        self._z[at("t0")] = grid.t0
-        self._known = self._z[at(PART[0]).start : at(PART[-1]).stop].reshape(len(PART), KNOWN)
-        self._parts, self._steps = np.zeros((len(PART), 0)), list[int]()  # and the step that each is in
+    c (c_size,): the model's constants; known: of how many steps all stops are given. impulses: of prescribed motions
+    whose velocity has jumped so far, by time.
+    """
+
+    def __init__(
+        self,
+        stepper: Stepper,
+        t0: float,
+        dt: float,
+        switches: Sequence[SwitchTime],
+        c: np.ndarray,
+        known: int = sys.maxsize,
+    ) -> None:
+        self.stepper, self.t0, self.dt = stepper, t0, dt
+        self.grid, self.impulses = Breaks(t0, dt, switches, known), dict[float, Impulse]()
+        self._jolts = np.array([one.time for one in may_give_impulses(stepper.scheme.model, c, switches)])
+        self._parts, self._steps = np.zeros((0, 0)), list[int]()  # and the step that each is in
         self._numbers, self._first, self._behind = [0], 0, 0  # of the broken ones; the next one that is not looked up
         self._far = list[int]()  # broken steps with so many whole ones behind them
-        self._constants, self._read = np.zeros(self._program.c_size), b""
+        self._jolted = list[int]()  # parts at whose end an impulse may be
+        self._read = b""
+        if self.grid.broken:
+            _ = self._made  # compiled before anything is run
 
-    def run(self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, end: int) -> None:
-        """Advance z (n_z,) in place to step `end`; ready, c (c_size,): of the stepper and of the model."""
+    @cached_property
+    def _made(self) -> _Compiled:
+        found = compiled(self.stepper, bool(len(self._jolts)))
+        layout = found.program.layout
+        self._z, self._constants, at = np.zeros(layout.size), np.zeros(found.program.c_size), layout.slice
+        self._state, self._inputs = self._z[at("state")], self._z[at("inputs")]
+        self._inside, self._waiting, self._number = (at(name).start for name in ("inside", "waiting", "number"))
+        self._z[at("t0")] = self.t0
+        part = found.program.part
+        self._known = self._z[at(part[0]).start : at(part[-1]).stop].reshape(len(part), KNOWN)
+        return found
+
+    def run(self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, steps: int) -> None:
+        """Advance z (whole, flat) in place; ready, c (c_size,): what the stepper reads, and the model's constants."""
+        step = int(z[1])
+        end, broken = step + steps, self.grid.next_broken(step)
+        if broken is not None and broken < end:
+            self._across(z, ready, c, end)
+            return
+        if z[0] != self.t0 and steps:  # the clock was set after a jump at the start of this step
+            self.stepper.run(z, ready, 1)
+            z[0], step = self.t0, step + 1
+        self.stepper.run(z, ready, end - step)
+
+    def _load(self, z: np.ndarray, ready: np.ndarray, c: np.ndarray) -> None:
+        """A state of the stepper, and what is read with it."""
+        made = self._made
         if (read := c.tobytes() + ready.tobytes()) != self._read:
-            self._constants[:], self._read = self._program.constants(c, ready, self._grid.dt), read
-            self._go = self._program.engine.bound(self._z, self._constants)
+            self._constants[:] = np.concatenate([ready, self.stepper.scheme.constants(c, self.dt)])
+            self._go, self._read = made.engine.bound(self._z, self._constants), read
+        self._state[:], self._z[self._inside], self._z[self._waiting] = z, 0.0, 0.0
+        self._inputs[:] = self._state[self._own_inputs]
+
+    @cached_property
+    def _own_inputs(self) -> slice:
+        layout = self.stepper.scheme.layout
+        return layout.slice("inputs") if "inputs" in layout.sizes else slice(0, 0)
+
+    def _across(self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, end: int) -> None:
+        """To step `end`, with stops on the way."""
+        self._load(z, ready, c)
         whole, step, cursor = self._z, int(z[1]), -1
-        self._state[:], whole[self._inside] = z, 0.0
         while step < end:
             if whole[self._inside] <= 0 and not 0 <= cursor < len(self._steps):
                 cursor = self._place(step)
             behind = min(cursor + KNOWN, len(self._steps))
             ahead = (self._steps[cursor] if cursor < behind else self._behind) - step
-            if min(ahead, end - step) >= FAR and self._state[0] == self._grid.t0:
-                self._stepper.run(self._state, ready, min(ahead, end - step))
+            if min(ahead, end - step) >= FAR and self._state[0] == self.t0:
+                self.stepper.run(self._state, ready, min(ahead, end - step))
                 step = int(self._state[1])
                 continue
+            if self._jolted and (next_one := bisect_left(self._jolted, cursor)) < len(self._jolted):
+                behind = min(behind, self._jolted[next_one] + 1)  # what it did is told before the next one
             self._known[:, : behind - cursor] = self._parts[:, cursor:behind]
             whole[self._waiting] = behind - cursor
             # what is not known is not passed: a step of which some parts are known ends by itself where they run out
@@ -212,12 +147,20 @@ class StepsWithStops:
             until = min(until + partly, self._far[far] + 2 if far < len(self._far) else end, end)
             self._go(max(1, until - step))
             cursor = behind - int(whole[self._waiting])
+            if cursor - 1 in self._jolted:
+                self._note(*self._parts[-2:, cursor - 1])
             step = int(whole[self._number] if whole[self._inside] > 0 else self._state[1])
         z[:] = self._state
 
+    def _note(self, before: float, after: float) -> None:
+        """An impulse that was given last."""
+        at = self._made.program.layout.slice
+        if (jumps := self._z[at("jumps")]).any():
+            self.impulses[float(before + after) / 2] = Impulse(float(self._z[at("energy")][0]), jumps.copy())
+
     def _place(self, step: int) -> int:
         """Where the parts of the first broken step from this one on are among those that were looked up."""
-        grid, number = self._grid, self._grid.number(step)
+        grid, number = self.grid, self.grid.number(step)
         if number == len(grid.broken) and self._behind == sys.maxsize:  # none follows
             return len(self._steps)
         if not self._first <= number < self._first + len(self._numbers) - 1:
@@ -229,17 +172,217 @@ class StepsWithStops:
             self._behind = grid.broken[following] if following < len(grid.broken) else sys.maxsize
             gaps = np.diff(self._steps, append=self._behind)
             self._far = [step for step, gap in zip(self._steps, gaps.tolist(), strict=True) if gap > FAR]
+            self._jolted = np.flatnonzero(self._parts[-3]).tolist() if len(self._jolts) else []
         return self._numbers[number - self._first]
 
     def _looked_up(self, steps: np.ndarray) -> np.ndarray:
-        """(len(PART), N) of broken steps (S,)."""
-        if not len(steps):
-            return np.zeros((len(PART), 0))
-        grid, parts = self._grid, self._grid.parts(steps)
-        length = within(parts.length, self._stepper.scheme.grid.m)
-        last = np.zeros(len(length))
-        last[np.cumsum(parts.counts) - 1] = 1.0
-        clocks, origin = (
-            np.repeat(one, parts.counts) for one in (parts.clocks, grid.t0 + (parts.clocks - grid.times(steps + 1)))
+        """(fields of a part, N) of broken steps (S,)."""
+        return parts_of(self.grid, steps, self.stepper.scheme.grid.m, self._jolts)
+
+    # ---- a step with events ---------------------------------------------------------------------------------
+
+    def step_with_events(self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, acts: Acts) -> bool:
+        """One major step in which events may happen, in place; where one ends the run, z is the state there.
+
+        Does one? Else it is the step that it would have been.
+        """
+        scheme, start, made = self.stepper.scheme, z.copy(), list[int]()
+        own = scheme.layout.slice
+        start[own("event_step")] = NEVER
+
+        def noted(state: np.ndarray, dt: float, t: float, happened: list[int]) -> bool:
+            made.extend(happened)
+            return acts(state, dt, t, happened)
+
+        self._load(start, ready, c)
+        z[:] = _EventStep(self, c, noted).made(int(start[1]))
+        z[own("event_step")] = NEVER
+        if made:
+            return True
+        self.run(start, ready, c, 1)
+        if not passed(scheme, z[own("event_values")], start[own("event_values")]):  # not by a rounding of the end
+            z[:] = start
+            z[own("event_step")] = NEVER
+        return False
+
+
+def parts_of(grid: Breaks, steps: np.ndarray, m: Sequence[int], jolts: np.ndarray) -> np.ndarray:
+    """(fields of a part, N) of broken steps (S,); m: ratios of groups; jolts: times that may give impulses."""
+    parts = grid.parts(steps)
+    length = within(parts.length, m)
+    last = np.zeros(len(length))
+    last[np.cumsum(parts.counts) - 1] = 1.0
+    clocks, origin = (
+        np.repeat(one, parts.counts) for one in (parts.clocks, grid.t0 + (parts.clocks - grid.times(steps + 1)))
+    )
+    found = [np.repeat(steps, parts.counts), parts.start, length, length / grid.dt, last, clocks, origin]
+    if len(jolts):
+        jolted = np.searchsorted(jolts, parts.before) < np.searchsorted(jolts, parts.after, side="right")
+        found += [jolted, parts.before, parts.after]
+    return np.array(found, dtype=float)
+
+
+@dataclass
+class _EventStep:
+    """A major step whose parts end where events happen, on copies of the program's z: so every look is such a step."""
+
+    steps: StepsWithStops
+    c: np.ndarray
+    acts: Acts
+
+    def made(self, step: int) -> np.ndarray:
+        """The state (whole, flat) behind the step that is loaded, or where an event ends the run."""
+        own = self.steps
+        z, clock, ends = own._z.copy(), 0.0, False
+        self._put(z, number=step, dt_seen=own.dt, event_before=NEVER)
+        for start, length, before, after in own.grid.parts(np.array([step])).each():
+            z, clock, ends = self._reached(z, start, length)
+            if before is not None and not ends:
+                ends = self._jumped(z, before, after)
+            if ends:
+                break
+        clock = clock if ends else own.grid.clock(step + 1)
+        origin = own.t0 + (clock - own.grid.time(step + 1))
+        z[self._at("clock").stop - 1], z[self._at("origin").stop - 1] = clock, origin
+        self._put(z, back=1.0, inside=1.0, waiting=0.0)
+        return self._applied(z)[self._at("state")]
+
+    def _at(self, name: str) -> slice:
+        return self.steps._made.program.layout.slice(name)
+
+    def _put(self, z: np.ndarray, **values: float) -> None:
+        """Into the first places of fields."""
+        for name, value in values.items():
+            z[self._at(name).start] = value
+
+    def _applied(self, z: np.ndarray) -> np.ndarray:
+        self.steps._z[:] = z
+        self.steps._go(1)
+        return self.steps._z.copy()
+
+    def _part(self, z: np.ndarray, start: float, length: float) -> np.ndarray:
+        """A part so long [s] from a clock on [s]."""
+        found, length = z.copy(), within(length, self.steps.stepper.scheme.grid.m)
+        self._put(found, start=start, length=length, share=length / self.steps.dt, last=0.0, inside=1.0, waiting=1.0)
+        return self._applied(found)
+
+    def _shown(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The scheme's state, and the constants that show it."""
+        scheme = self.steps.stepper.scheme
+        return z[: scheme.layout.size], scheme.constants(self.c, float(z[self._at("dt_seen")][0]))
+
+    def _set_out(self, z: np.ndarray, dt: float, clock: float) -> tuple[np.ndarray, np.ndarray]:
+        """The same behind a restart."""
+        made, scheme = self.steps._made, self.steps.stepper.scheme
+        state, push = z[: scheme.layout.size], z[self._at("push")] if "push" in made.program.layout.sizes else 0.0
+        inputs = z[self._at("inputs")]
+        seen = float(z[self._at("dt_seen")][0])
+        found = made.restart(state, scheme.constants(self.c), seen, dt, clock, push, inputs)
+        return found, scheme.constants(self.c, dt)
+
+    def _act(self, z: np.ndarray, t: float, happened: list[int]) -> bool:
+        """What events do at t [s]; inputs change at the next restart."""
+        scheme, own = self.steps.stepper.scheme, self.steps._own_inputs
+        state = z[: scheme.layout.size].copy()
+        state[own] = z[self._at("inputs")]
+        ends = self.acts(state, float(z[self._at("dt_seen")][0]), t, happened)
+        z[self._at("inputs")], state[own] = state[own], z[: scheme.layout.size][own]
+        z[: scheme.layout.size] = state
+        return ends
+
+    def _reached(self, z: np.ndarray, start: float, length: float) -> tuple[np.ndarray, float, bool]:
+        """(z, clock, does an event end the run?) so far [s] from a clock on, through the events on the way; a part ends
+        where a cool-down is over.
+        """
+        scheme, end = self.steps.stepper.scheme, start + length
+        while True:
+            quiet = quiet_until(scheme, z).copy()
+            asleep = quiet > start
+            nearly = end - ON_THE_GRID * self.steps.dt
+            wakes = min((float(one) for one in quiet[asleep] if one < nearly), default=None)
+            goal = length if wakes is None else wakes - start
+            found = self._part(z, start, goal)
+            at = self._looks(z, start, goal, found)
+            bracket = self._bracket(z, start, goal, found, asleep, at)
+            if bracket is None:
+                if wakes is None:
+                    return found, end, False
+                z, start, length = found, wakes, end - wakes
+                continue
+
+            def ask(old: np.ndarray, new: np.ndarray, asleep: np.ndarray = asleep) -> list[int]:
+                return passed(scheme, old, new, asleep)
+
+            low, high = ((s, at(s)) for s in bracket)
+            s, before = first_passage(ask, at, low, high, goal)
+            clock = start + s
+            z, happened = self._part(z, start, clock - start), ask(before, at(s))
+            ends, start, length = self._act(z, clock, happened), clock, end - clock
+            if ends or length <= ON_THE_GRID * self.steps.dt:
+                return z, clock, ends
+
+    def _looks(self, z: np.ndarray, start: float, length: float, found: np.ndarray) -> Callable[[float], np.ndarray]:
+        """s [s] -> values of events (n_e,) on the way to `found`, so far away [s]: by a step that ends there."""
+        scheme = self.steps.stepper.scheme
+        known = {
+            0.0: event_values(scheme, *self._set_out(z, length, start)),
+            length: event_values(scheme, *self._shown(found)),
+        }
+
+        def at(s: float) -> np.ndarray:
+            if s not in known:
+                known[s] = event_values(scheme, *self._shown(self._part(z, start, s)))
+            return known[s]
+
+        return at
+
+    def _bracket(
+        self,
+        z: np.ndarray,
+        start: float,
+        length: float,
+        found: np.ndarray,
+        asleep: np.ndarray,
+        at: Callable[[float], np.ndarray],
+    ) -> tuple[float, float] | None:
+        """Where on the way to `found`, so far away [s], an event that is not asleep happens first [s]."""
+        scheme = self.steps.stepper.scheme
+        slopes = event_slopes(scheme, *self._set_out(z, length, start))
+        end = event_slopes(scheme, *self._shown(found))
+        open_ = unsure(ca.DM(at(0.0)), ca.DM(slopes), ca.DM(at(length)), ca.DM(end), length)
+        if not (np.asarray(open_).ravel() * ~asleep).any():
+            return (0.0, length) if passed(scheme, at(0.0), at(length), asleep) else None
+        return first_bracket(
+            lambda a, b: bool(passed(scheme, a, b, asleep)),
+            lambda s: np.array([at(float(one)) for one in s]),
+            0.0,
+            length,
+            seen=1,
         )
-        return np.array([np.repeat(steps, parts.counts), parts.start, length, length / grid.dt, last, clocks, origin])
+
+    def _jumped(self, z: np.ndarray, before: float, after: float) -> bool:
+        """What jumps between two clocks [s]: an impulse, and events that pass zero just there. Does one end the run?"""
+        scheme, steps = self.steps.stepper.scheme, self.steps
+        state, constants = self._shown(z)
+        if len(steps._jolts) and ((steps._jolts >= before) & (steps._jolts <= after)).any():
+            n = len(scheme.model.q_i)
+            dt = float(z[self._at("dt_seen")][0])
+            found = _impulse(steps.stepper)(state, scheme.constants(self.c), dt, before, after)
+            z[self._at("push")] = found[:n]
+            if found[n + 1 :].any():
+                steps.impulses[(before + after) / 2] = Impulse(float(found[n]), found[n + 1 :])
+        there = event_values(scheme, *self._set_out(z, float(z[self._at("dt_seen")][0]), after))
+        happened = passed(scheme, event_values(scheme, state, constants), there, quiet_until(scheme, z) > before)
+        return bool(happened) and self._act(z, (before + after) / 2, happened)
+
+
+def _impulse(stepper: Stepper) -> Callable[..., np.ndarray]:
+    scheme = stepper.scheme
+
+    def build() -> ca.Function:
+        z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
+        dt, before, after = (ca.SX.sym(name) for name in ("dt", "before", "after"))
+        found = impulse_there(scheme, z, c, dt, before, after)
+        return ca.Function("impulse_there", [z, c, dt, before, after], [ca.densify(one) for one in found])
+
+    return direct(scheme, "impulse_there", build)
