@@ -373,7 +373,7 @@ class BodyRecord:
     angles: list[str] = field(default_factory=list)
 
 
-JointDrawing = Literal["pivot", "slide", "rod", "weld", "drive"]
+JointDrawing = Literal["pivot", "slide", "rod", "weld", "drive", "coupling"]
 
 
 @dataclass(frozen=True)

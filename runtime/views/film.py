@@ -78,7 +78,12 @@ def shortest_tree(points: np.ndarray) -> list[tuple[int, int]]:
 Kind = Literal["beam", "body", "outline", "ghost", "spring", "rod", "joint", "slide", "ground"]
 COILS = 6
 MAX_FRAMES = 2000
-KINDS: dict[str, Kind] = {"pivot": "joint", "slide": "slide", "rod": "rod"}  # welds and drives are not drawn
+KINDS: dict[str, Kind] = {
+    "pivot": "joint",
+    "slide": "slide",
+    "rod": "rod",
+    "coupling": "rod",
+}  # welds and drives are not drawn
 
 
 @dataclass(frozen=True, eq=False)

@@ -24,6 +24,7 @@ from runtime.contract.records import (
     EventRecord,
     FunctionSpec,
     GaugeRecord,
+    JointDrawing,
     JointRecord,
     LoadedBody,
     LoadRecord,
@@ -111,19 +112,16 @@ def _bodies(derived: Derived) -> list[BodyRecord]:
 
 def _joints(scene: Scene) -> list[JointRecord]:
     own = {placement.joint: placement.coordinates for placement in scene.placements()}
-    return [
-        JointRecord(
-            joint.name,
-            joint.type,
-            joint.marker_a,
-            joint.marker_b,
-            scene.marker(joint.marker_a)[0].name,
-            scene.marker(joint.marker_b)[0].name,
-            own.get(joint.name, []),
-            joint.drawing,
-        )
-        for joint in scene.joints
-    ]
+
+    def record(name: str, type: str, a: str, b: str, drawing: JointDrawing) -> JointRecord:
+        bodies = scene.marker(a)[0].name, scene.marker(b)[0].name
+        return JointRecord(name, type, a, b, *bodies, own.get(name, []), drawing)
+
+    found = [record(one.name, one.type, one.marker_a, one.marker_b, one.drawing) for one in scene.joints]
+    for coupling in scene.couplings:  # from the last wheel to the first, which follows
+        first, last = (scene.joint_of(coupling.named[k])[0].marker_b for k in (0, -1))
+        found.append(record(coupling.name, coupling.type, last, first, "coupling"))
+    return found
 
 
 def _drawing(derived: Derived) -> Drawing:

@@ -87,6 +87,8 @@ def _joints(derived: Derived) -> str:
         motion = getattr(joint, "motion", None)
         equations = _joint_equations(derived, joint) + (f", f(t) = `{motion}`" if motion else "")
         lines.append(f"| {joint.name} | {joint.type} | {joint.marker_a} - {joint.marker_b} | {equations} |")
+    for coupling in derived.scene.couplings:
+        lines.append(f"| {coupling.name} | {coupling.type} | {', '.join(coupling.named)} | constant ratio |")
     return "\n".join(lines)
 
 

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, Protocol
 
 from runtime.contract.records import ConstraintKind, CoordinateKind, JointDrawing
-from symgen.schema.fields import MarkerRef, Meaning, Name, StrictModel
+from symgen.schema.fields import Bound, MarkerRef, Meaning, Name, Quantity, StrictModel
 
 X, Y, Z = 0, 1, 2
 
@@ -42,6 +42,14 @@ class Slide:
     damping: str = ""
     lead: ClassVar[str] = ""
     kind: ClassVar[CoordinateKind] = "position"
+
+
+class Motor(StrictModel):
+    """A rotor on the body of marker a, about the axis of the joint: its inertia [kg m^2] and the turns of it, against
+    that body, for a turn of the joint (for a slide: radians a metre). The body's own inertia is without it."""
+
+    inertia: Annotated[Quantity, Meaning("inertia of the rotor about its axis", "kg m^2", Bound.NON_NEGATIVE)]
+    ratio: Annotated[Quantity, Meaning("turns of the rotor for a turn of the joint", "1 or rad/m")] = 1.0
 
 
 class Equation(NamedTuple):

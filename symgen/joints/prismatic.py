@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from symgen.joints.joint import ALIGNED, Equation, InPlane, Joint, Slide, Z
+from symgen.joints.joint import ALIGNED, Equation, InPlane, Joint, Motor, Slide, Z
 from symgen.schema.fields import Bound, Meaning, Quantity
 
 
@@ -13,6 +13,7 @@ class PrismaticJoint(Joint):
 
     type: Literal["prismatic"] = "prismatic"
     damping: Annotated[Quantity, Meaning("damping of the sliding", "N s/m", Bound.NON_NEGATIVE)] = 0.0
+    motor: Motor | None = None
 
     equation = "n_a . (r_b - r_a) = 0, phi_b - phi_a = 0"
     points = "on_axis"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from symgen.joints.joint import PARALLEL, Equation, InPlane, Joint, Turn, Z
+from symgen.joints.joint import PARALLEL, Equation, InPlane, Joint, Motor, Turn, Z
 from symgen.schema.fields import Bound, Meaning, Quantity
 
 
@@ -16,6 +16,7 @@ class RevoluteJoint(Joint):
 
     type: Literal["revolute"] = "revolute"
     damping: Annotated[Quantity, Meaning("damping of the rotation", "N m s/rad", Bound.NON_NEGATIVE)] = 0.0
+    motor: Motor | None = None
 
     equation = "r_b - r_a = 0"
     points = "together"

@@ -92,6 +92,9 @@ class Acting(Protocol):
     def dot(self, u: Vector, v: Vector) -> Any:
         """u . v."""
 
+    def larger(self, a: Any, b: float) -> Any:
+        """The larger of two."""
+
     def generalised(self, *acting: tuple[At, Vector, Vector]) -> Row:
         """By column: of forces and of moments at markers, each empty where there is none."""
 

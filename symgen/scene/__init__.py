@@ -4,6 +4,7 @@ A `Scene` is immutable and checked: whatever is wrong in it surfaces as a `Scene
 and remedy.
 """
 
+from symgen.couplings import COUPLINGS, Coupling
 from symgen.joints import JOINTS, Joint
 from symgen.loads import LOADS, Load
 from symgen.scene.attachments import lateral_ends, with_ends
@@ -49,7 +50,7 @@ from symgen.schema.fields import Quantity
 
 __all__ = [
     "AnyBody", "AnyMarker", "AxialModes", "Baumgarte", "BeamBody", "BeamMarker", "Body",
-    "CoordinateMeasure", "MarkerMeasure", "CurveTable",
+    "CoordinateMeasure", "MarkerMeasure", "CurveTable", "COUPLINGS", "Coupling",
     "Expression", "SpatialModalBody", "FlexibleMarker", "FlexibleStiffening",
     "Foreshortening", "CoordinateGroup", "GroundBody", "Initial",
     "InitialValue",

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from inspect import Parameter, Signature
 from typing import TYPE_CHECKING, Any, Self
 
+from symgen.couplings import COUPLINGS
 from symgen.joints import JOINTS
 from symgen.loads import LOADS
 from symgen.scene.scene import Scene
@@ -20,7 +21,7 @@ class SceneBuilder:
     """Collects the entries of a scene; every method but `build` returns the builder.
 
     The keyword arguments are the fields of the models of the same name (SI units), NumPy arrays included. Each type of
-    joint and load has a method of its name: `revolute(name, marker_a, marker_b, damping=0.1)`.
+    joint, coupling and load has a method of its name: `revolute(name, marker_a, marker_b, damping=0.1)`.
     `build` raises SceneError for everything that is wrong.
     """
 
@@ -102,7 +103,7 @@ class SceneBuilder:
     if TYPE_CHECKING:
 
         def __getattr__(self, type: str) -> Callable[..., Self]:
-            """A method for each type of joint and load, see below."""
+            """A method for each type of joint, coupling and load, see below."""
 
     def force(self, name: str, marker: str, *components: float | str, **fields: Any) -> Self:
         """A `Force` with components x, y (and z) [N]."""
@@ -206,7 +207,7 @@ def _method(section: str, type: str, record: type[StrictModel]) -> Callable[...,
     return add
 
 
-for _section, _records in (("joints", JOINTS), ("loads", LOADS)):
+for _section, _records in (("joints", JOINTS), ("couplings", COUPLINGS), ("loads", LOADS)):
     for _type, _record in _records.items():
         if not hasattr(SceneBuilder, _type):
             setattr(SceneBuilder, _type, _method(_section, _type, _record))

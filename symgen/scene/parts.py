@@ -10,6 +10,7 @@ from pydantic import Field
 
 from runtime.contract.orientations import is_sequence
 from runtime.contract.records import UNITS, Coordinate, CoordinateKind
+from symgen.couplings import COUPLINGS, Coupling
 from symgen.joints import JOINTS, Joint
 from symgen.joints.joint import Slide, Turn
 from symgen.loads import LOADS, Load
@@ -37,8 +38,10 @@ Body = Annotated[AnyBody, Field(discriminator="type")]
 if TYPE_CHECKING:
     AnyJoint = Joint
     AnyLoad = Load
+    AnyCoupling = Coupling
 else:
     AnyJoint = Annotated[reduce(or_, JOINTS.values()), Field(discriminator="type")]
+    AnyCoupling = Annotated[reduce(or_, COUPLINGS.values()), Field(discriminator="type")]
     AnyLoad = Annotated[reduce(or_, LOADS.values()), Field(discriminator="type")]
 
 
@@ -60,6 +63,7 @@ class SceneParts(StrictModel):
     events: dict[Name, DeclaredEvent] = Field(default_factory=dict)
     bodies: tuple[Body, ...] = ()
     joints: tuple[AnyJoint, ...] = ()
+    couplings: tuple[AnyCoupling, ...] = ()
     loads: tuple[AnyLoad, ...] = ()
     measures: tuple[Measure, ...] = ()
     structure: Structure | None = None
@@ -150,7 +154,10 @@ class SceneParts(StrictModel):
 
     def placements(self) -> list[Placement]:
         """The joints that place a body by coordinates of their own, in scene order (spatial scenes)."""
-        return placements_of(self.moving_bodies, self.joints) if self.space == "spatial" else []
+        if self.space == "planar":
+            return []
+        coupled = {name.partition(".")[0] for coupling in self.couplings for name in coupling.named}
+        return placements_of(self.moving_bodies, self.joints, coupled)
 
     def placing(self) -> set[str]:
         """Names of those joints."""

@@ -8,7 +8,7 @@ before those that could.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -43,8 +43,11 @@ class Placement:
         return [entry.name for entry in self.records]
 
 
-def placements_of(bodies: Sequence[Named], joints: Sequence[Joint]) -> list[Placement]:
-    """The placing joints, in scene order. What placing joints do not reach from the ground is oriented by itself."""
+def placements_of(bodies: Sequence[Named], joints: Sequence[Joint], coupled: Collection[str] = ()) -> list[Placement]:
+    """The placing joints, in scene order; those coupled by their coordinates are taken first.
+
+    What placing joints do not reach from the ground is oriented by itself.
+    """
     found: dict[str, Placement] = {}
     reached, queue = {"ground"}, ["ground"]
     roots = [body.name for body in bodies]
@@ -52,7 +55,7 @@ def placements_of(bodies: Sequence[Named], joints: Sequence[Joint]) -> list[Plac
     def place(parent: str, needed: bool) -> None:
         """Reach the bodies on the joints of one, at once those beyond joints that must place a body."""
         for joint, child, forward in _placing_from(joints, parent):
-            if child not in reached and (not needed or not joint.closes_loops()):
+            if child not in reached and (not needed or not joint.closes_loops() or joint.name in coupled):
                 reached.add(child)
                 queue.append(child)
                 found[joint.name] = Placement(joint.name, parent, child, forward, _coordinates(joint))

@@ -95,6 +95,7 @@ def scene_card(scene: SceneParts) -> str:
         for body in (scene.ground, *scene.moving_bodies)
     ]
     joints = [(joint.name, joint.type, f"{joint.marker_a} - {joint.marker_b}") for joint in scene.joints]
+    joints += [(coupling.name, coupling.type, " - ".join(coupling.named)) for coupling in scene.couplings]
     loads = [(load.name, load.type, " - ".join(load.acts_at)) for load in scene.loads]
     measures = [(measure.name, measure.type) for measure in scene.measures]
     parameters = [

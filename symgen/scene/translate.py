@@ -10,10 +10,11 @@ from pydantic_core import ErrorDetails
 
 from symgen.schema.errors import SceneError, did_you_mean, show
 
-SECTIONS = ("bodies", "joints", "loads", "measures")
+SECTIONS = ("bodies", "joints", "couplings", "loads", "measures")
 _EXAMPLES = {
     "bodies": 'say what it is, for instance type = "rigid"',
     "joints": 'say what it is, for instance type = "revolute"',
+    "couplings": 'say what it is, for instance type = "gear"',
     "loads": 'say what it is, for instance type = "force"',
     "measures": 'say what it is, for instance type = "angle"',
 }

@@ -67,6 +67,7 @@ class Scope(Enum):
     PARAMETERS = "parameters"
     TIME = "parameters, inputs and t"
     MEASURES = "parameters, inputs, t, measures, states and their rates"
+    LINE = "parameters, inputs, t, measures, states and their rates, and length and rate of the line"
     STATES = "parameters, inputs, t, measures, their rates and states"
 
 

@@ -53,6 +53,10 @@ class _Acting:
         """u . v."""
         return dot(u, v)
 
+    def larger(self, a: ca.SX, b: float) -> ca.SX:
+        """The larger of two."""
+        return ca.fmax(a, b)
+
     def spring(self, a: Any, b: Any, stiffness: ca.SX, damping: ca.SX, free_length: ca.SX) -> SpringForce:
         """Along the line from a to b."""
         return evaluate(minus(b.r, a.r), minus(b.r_dot, a.r_dot), stiffness, damping, free_length)

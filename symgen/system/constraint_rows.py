@@ -14,7 +14,8 @@ from symgen.algebra.scalar import ONE, ZERO, dot, mul, neg, sub
 from symgen.algebra.vectors import Vector, cross, minus, quaternion_product, scaled, zeros
 from symgen.bodies.planar_body import MarkerMotion
 from symgen.bodies.spatial_body import SpatialBody, SpatialMarker, fixed_quaternion, minus_rows, turn_about
-from symgen.joints.joint import Joint, Turn
+from symgen.joints import JOINTS
+from symgen.joints.joint import Joint, Slide, Turn
 from symgen.system import joint_templates as s
 from symgen.system.joint_templates import (
     JointCoordinates,
@@ -27,6 +28,7 @@ from symgen.system.joint_templates import (
 )
 
 Motion = Sequence[ca.SX]  # f, f', f'' of a quantity of a joint
+STILL: Motion = (ZERO, ZERO, ZERO)
 ON_B = tuple(f"{part}_{axis}" for part in ("r_b", "turn_b") for axis in "xyz")
 
 
@@ -115,14 +117,14 @@ def placing_rows(
     return [_without_own_axes(row, slides, turns) for row in rows]
 
 
-def coordinate_row(joint: Joint, own: JointCoordinates, motion: Motion, a: SpatialMarker) -> ConstraintRow:
-    """A prescribed motion of the coordinate that `joint` drives, about or along an axis of marker a."""
-    k, label = own.place(joint.drives), joint.drives
+def coordinate_row(name: str, label: str, own: JointCoordinates, motion: Motion, a: SpatialMarker) -> ConstraintRow:
+    """A prescribed motion of the coordinate `label` of a joint, about or along an axis of marker a; name: whose row."""
+    k = own.place(label)
     found, turning = own.coordinates[k], isinstance(own.motions[k], Turn)
     axis = in_world(a, own.subspace[k][0 if turning else 1])
     return ConstraintRow(
-        f"{joint.name}.{label}",
-        joint.name,
+        f"{name}.{label}",
+        name,
         "angle" if turning else "distance",
         found.value - motion[0],
         {found.column: ONE},
@@ -130,6 +132,30 @@ def coordinate_row(joint: Joint, own: JointCoordinates, motion: Motion, a: Spati
         motion[2],
         (*zeros(), *axis) if turning else (*axis, *zeros()),
         f"{label} - f(t)",
+    )
+
+
+def holding(joint: Joint, motion: Turn | Slide) -> Joint:
+    """The prescribed motion that would hold a motion of a joint where it is zero."""
+    record = JOINTS["prescribed_angle" if isinstance(motion, Turn) else "prescribed_displacement"]
+    return record.model_validate({**joint.markers, "name": joint.name, "motion": 0.0})
+
+
+def combined(name: str, rows: Sequence[ConstraintRow], factors: Sequence[ca.SX], constant: ca.SX) -> ConstraintRow:
+    """The row sum of factors times rows = constant, of the coupling `name`; it acts on marker b of the first."""
+    C_q: Row = {}
+    for row, factor in zip(rows, factors, strict=True):
+        add_scaled(C_q, factor, row.C_q)
+    return ConstraintRow(
+        f"{name}.ratio",
+        name,
+        rows[0].kind,
+        sub(dot(factors, [row.C for row in rows]), constant),
+        nonzero(C_q),
+        ZERO,
+        dot(factors, [row.gamma for row in rows]),
+        tuple(mul(factors[0], value) for value in rows[0].on_b),
+        " + ".join(f"a_{k} {row.label}" for k, row in enumerate(rows, start=1)) + " = constant",
     )
 
 

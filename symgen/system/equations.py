@@ -13,7 +13,7 @@ from typing import Protocol
 import casadi as ca
 
 from runtime.contract.records import Coordinate, InputRecord, ModeSetRecord
-from symgen.algebra.rows import Row, add_to
+from symgen.algebra.rows import Row, add_scaled, add_to
 from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
 from symgen.bodies.outlines import Picture
 from symgen.bodies.static_residual import StaticResidual
@@ -23,6 +23,29 @@ from symgen.system.constraint_rows import ConstraintRow
 from symgen.system.frames.fields import Direction
 from symgen.system.orientations import Turning
 from symgen.system.signals import input_records, input_symbols
+
+
+@dataclass(frozen=True)
+class Rotor:
+    """A rotor that turns with a joint: inertia J, its turning rate s = row . q', what the row leaves of s', and the
+    generalised force of the gyroscopic moment of its carrier."""
+
+    inertia: ca.SX
+    row: Row
+    bias: ca.SX
+    gyroscopic: Row
+
+    def force(self, accelerations: Row) -> Row:
+        """J row s' and the gyroscopic moment."""
+        turning = add(self.bias, total(mul(self.row[c], x) for c, x in accelerations.items() if c in self.row))
+        found = dict(self.gyroscopic)
+        add_scaled(found, mul(self.inertia, turning), self.row)
+        return found
+
+    def add_to(self, M: list[Row]) -> None:
+        """J row row^T."""
+        for column, value in self.row.items():
+            add_scaled(M[column], mul(self.inertia, value), self.row)
 
 
 class InertiaForces(Protocol):
@@ -102,6 +125,7 @@ class Equations:
     placed_columns: coordinates of the frames of placed bodies, which no mass and no other constraint knows of;
     felt_columns: those of them that forces depend on, by measures of coordinates, with those that they follow from.
     Energies [J] and powers [W] are scalars.
+    rotors: of motors, which M and Q_v hold.
     springs: loads that are linear springs, by name. joint_columns: coordinates of joints; gravity: its components
     [m/s^2]; measure_units: SI unit of each measure. u: the entries of the inputs by name, each a symbol.
     load_forces: generalised force of each load and each joint's friction, by its name. beams: mode sets of the
@@ -125,6 +149,7 @@ class Equations:
     dissipated: ca.SX = field(default_factory=lambda: ca.SX(0))
     applied: ca.SX = field(default_factory=lambda: ca.SX(0))
     springs: dict[str, LinearSpring] = field(default_factory=dict)
+    rotors: list[Rotor] = field(default_factory=list)
     measures: dict[str, ca.SX] = field(default_factory=dict)
     body_columns: dict[str, list[int]] = field(default_factory=dict)
     joint_columns: frozenset[int] = frozenset()

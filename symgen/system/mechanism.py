@@ -6,6 +6,7 @@ What a body, a joint or a load *is* depends on the dimensions of the scene and s
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import Any, Generic, Protocol, TypeVar
 
@@ -14,21 +15,22 @@ import numpy as np
 
 from runtime.contract.orientations import NAMES
 from symgen.algebra.parameters import ParameterTable
-from symgen.algebra.rows import Row, add_to
-from symgen.algebra.scalar import ONE, ZERO, add
+from symgen.algebra.rows import Row, add_scaled, add_to, nonzero
+from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, sub, total
 from symgen.bodies.gauge_stress import gauge_stress
 from symgen.bodies.outlines import Picture
 from symgen.bodies.spatial_orientation import euler_angle
+from symgen.couplings import Coupling
 from symgen.joints import Joint
-from symgen.joints.joint import Slide, Turn
+from symgen.joints.joint import Motor, Slide, Turn
 from symgen.loads import Load
 from symgen.loads.load import LoadEffect
 from symgen.scene import Scene, SpatialModalBody
 from symgen.scene.measures import Measure, SectionForceMeasure, StressMeasure
 from symgen.schema.fields import Scope
 from symgen.system.acting import Read
-from symgen.system.constraint_rows import ConstraintRow, Motion
-from symgen.system.equations import Equations
+from symgen.system.constraint_rows import ConstraintRow, Motion, combined
+from symgen.system.equations import Equations, Rotor
 from symgen.system.errors import DerivationError
 from symgen.system.signals import motion_derivatives
 from symgen.system.structure import ExpressionReader
@@ -60,6 +62,19 @@ class MovingBody(Protocol):
         """(stored energy, power lost)."""
 
 
+@dataclass(frozen=True)
+class Spin:
+    """A turning rate about an axis: row . q', and what the row leaves of its derivative.
+
+    gyroscopic: generalised force of a unit of angular momentum about the axis for the turning of the axis itself.
+    """
+
+    row: Row
+    rate: ca.SX
+    bias: ca.SX
+    gyroscopic: Row
+
+
 Marker = TypeVar("Marker", covariant=True)
 
 
@@ -76,6 +91,12 @@ class Space(Protocol[Marker]):
 
     def joint_rows(self, joint: Joint, motions: Mapping[str, Motion]) -> list[ConstraintRow]:
         """Constraint rows of a joint."""
+
+    def coordinate_row(self, name: str) -> ConstraintRow:
+        """The coordinate "joint.angle" of a joint as a row that would hold it at zero."""
+
+    def carrier_spin(self, joint: Joint) -> Spin:
+        """How the body of marker a turns about the joint's axis."""
 
     def body_rows(self) -> list[ConstraintRow]:
         """Constraint rows of the bodies' own coordinates."""
@@ -112,6 +133,8 @@ class Mechanism(Generic[Marker]):
         self._add_bodies()
         for joint in scene.joints:
             self._add_joint(joint)
+        for coupling in scene.couplings:
+            self._add_coupling(coupling)
         equations.constraints += space.body_rows()
         self.environment: Mapping[str, Any] = {**table.environment(), "t": equations.t, **equations.u}
         self._add_measures()
@@ -179,6 +202,53 @@ class Mechanism(Generic[Marker]):
         eq.constraints += self.space.joint_rows(joint, motions)
         for effect in self.space.joint_friction(joint):
             self._add_effect(joint.name, effect)
+        if (motor := getattr(joint, "motor", None)) is not None:
+            self._add_rotor(joint, motor)
+
+    def _add_rotor(self, joint: Joint, motor: Motor) -> None:
+        """T = J s^2 / 2 of a rotor at the rate s = (turn of the body of marker a) + ratio (rate of the joint)."""
+        eq, motions = self.equations, joint.motions or ()
+        own = self.space.coordinate_row(f"{joint.name}.{motions[0].name}")
+        spin, values = self.space.carrier_spin(joint), []
+        for key in ("inertia", "ratio"):
+            meaning, item = motor.meaning(key), f"{joint.name}.motor.{key}"
+            given = getattr(motor, key)
+            values.append(self.table.quantity(given, item, meaning.unit, meaning.description, meaning.bound.value))
+        inertia, ratio = values
+        row = dict(spin.row)
+        add_scaled(row, ratio, own.C_q)
+        rate = add(spin.rate, mul(ratio, total(mul(value, eq.q_dot[c]) for c, value in own.C_q.items())))
+        turning: Row = {}
+        add_scaled(turning, mul(inertia, rate), spin.gyroscopic)
+        rotor = Rotor(inertia, nonzero(row), sub(spin.bias, mul(ratio, own.gamma)), turning)
+        eq.rotors.append(rotor)
+
+    def _add_coupling(self, coupling: Coupling) -> None:
+        """x_1 + a_2 x_2 + ... = constant; divided by a_2 where x_1 is to be independent, so that x_2 follows."""
+        eq, table = self.equations, self.table
+        rows = [self.space.coordinate_row(name) for name in coupling.named]
+        factors = [ONE, *coupling.coefficients(lambda key: table.of(coupling, key))]
+        constant = coupling.constant(lambda key: table.of(coupling, key)) + ZERO
+        if coupling.from_start:
+            values = [
+                table.quantity(value, f"{coupling.name}.start.{name}", "rad or m", "value at the start")
+                for name, value in zip(coupling.named, self._at_start([row.C for row in rows]), strict=True)
+            ]
+            constant = dot(factors, values)
+        chosen = {eq.names.index(name) for name in self.scene.partition.independent or () if name in eq.names}
+        free = [k for k, row in enumerate(rows) if not chosen & row.C_q.keys()]
+        if free and free[0] != 0:
+            pivot = factors[free[0]]
+            factors = [ONE if k == free[0] else div(factor, pivot) for k, factor in enumerate(factors)]
+            constant = div(constant, pivot)
+        eq.constraints.append(combined(coupling.name, rows, factors, constant))
+
+    def _at_start(self, values: list[ca.SX]) -> list[float]:
+        """At the coordinates that the scene gives for the start, the others at rest, at default parameters."""
+        eq, given = self.equations, self.scene.initial.coordinates
+        q = [float(given[one.name].value) if one.name in given else one.at_rest for one in eq.coordinates]
+        of = ca.Function("start", [self.table.vector(), ca.vertcat(*eq.q)], [ca.vertcat(*values)])
+        return [float(value) for value in np.array(of([entry.default for entry in self.table.entries], q)).ravel()]
 
     def _motion(self, joint: Joint, name: str) -> Motion:
         """A quantity of a joint's rows with its first two derivatives in time."""
@@ -292,7 +362,14 @@ def _masses(eq: Equations, bodies: Sequence[MovingBody]) -> list[Row]:
             add_to(M[row], column, value)
             if row != column:
                 add_to(M[column], row, value)
-    return with_states(M, eq)
+    return with_rotors(with_states(M, eq), eq)
+
+
+def with_rotors(M: list[Row], eq: Equations) -> list[Row]:
+    """M with the rank-one terms of the rotors of motors."""
+    for rotor in eq.rotors:
+        rotor.add_to(M)
+    return M
 
 
 def with_states(M: list[Row], eq: Equations) -> list[Row]:
@@ -307,6 +384,9 @@ def _velocity_forces(eq: Equations, bodies: Sequence[MovingBody]) -> list[ca.SX]
     for body in bodies:
         for column, value in body.quadratic_velocity_force().items():
             Q_v[column] = add(Q_v[column], value)
+    for rotor in eq.rotors:
+        for column, value in rotor.force({}).items():
+            Q_v[column] = sub(Q_v[column], value)
     return Q_v
 
 

@@ -27,8 +27,8 @@ from symgen.loads import Load
 from symgen.loads.load import LinearSpring, LoadEffect
 from symgen.scene import BeamBody, BeamMarker, Scene
 from symgen.system.acting import PlanarActing, Read, turn_between
-from symgen.system.constraint_rows import ConstraintRow, Motion, planar_rows
-from symgen.system.mechanism import frictions
+from symgen.system.constraint_rows import STILL, ConstraintRow, Motion, holding, planar_rows
+from symgen.system.mechanism import Spin, frictions
 
 
 class PlanarSpace:
@@ -61,6 +61,17 @@ class PlanarSpace:
     def joint_rows(self, joint: Joint, motions: Mapping[str, Motion]) -> list[ConstraintRow]:
         """Rows between the joint's markers."""
         return planar_rows(joint, self.marker(joint.marker_a), self.marker(joint.marker_b), motions)
+
+    def coordinate_row(self, name: str) -> ConstraintRow:
+        """The coordinate "joint.angle" of a joint as a row that would hold it at zero."""
+        joint, motion = self.scene.joint_of(name)
+        a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
+        return planar_rows(holding(joint, motion), a, b, {"motion": STILL})[0]
+
+    def carrier_spin(self, joint: Joint) -> Spin:
+        """Of the body of marker a."""
+        a = self.marker(joint.marker_a)
+        return Spin(a.phi_row, a.phi_dot, ZERO, {})
 
     def body_rows(self) -> list[ConstraintRow]:
         """None: an angle needs no constraint."""

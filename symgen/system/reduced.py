@@ -21,7 +21,7 @@ from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ONE, ZERO, add, neg
 from symgen.algebra.vectors import Vector
 from symgen.scene import Scene
-from symgen.system.equations import Equations
+from symgen.system.equations import Equations, Rotor
 from symgen.system.frames.aba import floats, free_joint_accelerations
 from symgen.system.frames.crba import mass_rows
 from symgen.system.frames.fields import Direction
@@ -29,7 +29,7 @@ from symgen.system.frames.loop_derivatives import LoopForce, LoopRates, tied_cha
 from symgen.system.frames.rnea import CarriedFrames, floating_forces, inverse_dynamics, lone_hinges, own_wrenches
 from symgen.system.frames.rnea_derivatives import force_changes, has_force_changes
 from symgen.system.frames.tree import GROUND, FrameTree
-from symgen.system.mechanism import Mechanism, with_states
+from symgen.system.mechanism import Mechanism, with_rotors, with_states
 from symgen.system.orientations import Orientations, Turning, turn_coordinates
 from symgen.system.topology import Topology
 from symgen.system.tree_space import TreeSpace
@@ -118,6 +118,7 @@ def reduced_equations(
         K=[{} for _ in range(size)],
         Q_F=[ZERO] * size,
         constraints=[],
+        rotors=[],
         elastic=ca.SX(0),
         potential=ca.SX(0),
         dissipated=ca.SX(0),
@@ -147,25 +148,37 @@ def reduced_equations(
         equations.body_columns[turning.body] += turning.columns
         equations.constraints += turning.rows([q[column] for column in turning.columns])
     equations.masses = lambda: with_states(mass_rows(space.tree, size), equations)
-    forces = TreeForces(space.tree, equations)
+    forces = TreeForces(space.tree, replace(equations) if equations.rotors else equations)
     equations.inertia_forces = forces.inertia_forces
-    if has_force_changes(space.tree):
+    if equations.rotors:
+        equations.masses = lambda: with_rotors(with_states(mass_rows(space.tree, size), equations), equations)
+        equations.inertia_forces = partial(_inertia_with_rotors, forces, equations.rotors)
+    elif has_force_changes(space.tree):
         equations.force_changes, equations.tied_changes = (
             forces.force_changes,
             partial(forces.tied_changes, space.loop_rates),
         )
         equations.curvatures, equations.loop_rates = space.curvatures, space.loop_rates
-    if not floats(space.tree):
+    if not floats(space.tree) and not equations.rotors:
         equations.free_joints = forces.free_joints
         if not equations.turnings and not equations.states:
             equations.carried = forces.carried
-    equations.velocity_forces = lambda: _negated(forces.inertia_forces({}), size)
+    inertia_forces = equations.inertia_forces
+    equations.velocity_forces = lambda: _negated(inertia_forces({}), size)
     equations.felt_columns = _felt(equations, topology, orientations)
     return equations
 
 
 def _negated(row: Row, n: int) -> list[ca.SX]:
     return [neg(row[column]) if column in row else ZERO for column in range(n)]
+
+
+def _inertia_with_rotors(forces: TreeForces, rotors: list[Rotor], accelerations: Row) -> Row:
+    """Inertia forces of the bodies and of the rotors of motors, which no recursion along the frames knows of."""
+    found = forces.inertia_forces(accelerations)
+    for rotor in rotors:
+        add_scaled(found, ONE, rotor.force(accelerations))
+    return found
 
 
 def _felt(equations: Equations, topology: Topology, orientations: Orientations) -> frozenset[int]:

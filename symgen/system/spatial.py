@@ -10,7 +10,7 @@ import casadi as ca
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ONE, ZERO, dot, mul, neg
-from symgen.algebra.vectors import Vector, minus
+from symgen.algebra.vectors import Vector, cross, minus
 from symgen.bodies.beam_sets import section_force
 from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_references, rectangle
 from symgen.bodies.shape_integrals import beam_section
@@ -26,16 +26,18 @@ from symgen.loads.load import LinearSpring, LoadEffect, Scalar
 from symgen.scene import BeamBody, BeamMarker, Scene
 from symgen.system.acting import Read, SpatialActing, angle_about_z, axis_of, gradient
 from symgen.system.constraint_rows import (
+    STILL,
     ConstraintRow,
     Motion,
     coordinate_row,
+    holding,
     placing_rows,
     spatial_rows,
     unit_length,
 )
 from symgen.system.equations import Equations
 from symgen.system.joint_templates import JointCoordinate, JointCoordinates
-from symgen.system.mechanism import frictions
+from symgen.system.mechanism import Spin, frictions
 from symgen.system.topology import Topology
 
 
@@ -86,8 +88,29 @@ class SpatialSpace:
             return placing_rows(joint, self._own(joint), (a, b), child, parent, placement.forward)
         driven = self._driven(joint)
         if driven is not None:
-            return [coordinate_row(joint, self._own(driven), next(iter(motions.values())), a)]
+            motion = next(iter(motions.values()))
+            return [coordinate_row(joint.name, joint.drives, self._own(driven), motion, a)]
         return spatial_rows(joint, a, b, motions)
+
+    def coordinate_row(self, name: str) -> ConstraintRow:
+        """The coordinate "joint.angle" of a joint as a row that would hold it at zero."""
+        joint, motion = self.scene.joint_of(name)
+        a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
+        if name in self._coordinates:
+            return coordinate_row(joint.name, motion.name, self._own(joint), STILL, a)
+        return spatial_rows(holding(joint, motion), a, b, {"motion": STILL})[0]
+
+    def carrier_spin(self, joint: Joint) -> Spin:
+        """Of the body of marker a about the axis of the joint's first motion."""
+        motions, a = joint.motions or (), self.marker(joint.marker_a)
+        axis = a.axes[motions[0].axis]
+        row: Row = {}
+        for component, turns in zip(axis, a.turn_rows, strict=True):
+            add_scaled(row, component, turns)
+        turning: Row = {}
+        for component, turns in zip(cross(a.omega, axis), a.turn_rows, strict=True):
+            add_scaled(turning, component, turns)
+        return Spin(row, dot(axis, a.omega), dot(axis, a.turn_bias), turning)
 
     def _own(self, joint: Joint) -> JointCoordinates:
         """The coordinates of a joint that places a body."""

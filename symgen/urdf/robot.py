@@ -13,7 +13,7 @@ import stat
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import NoReturn
+from typing import NamedTuple, NoReturn
 from xml.etree.ElementTree import Element, TreeBuilder
 from xml.parsers import expat
 
@@ -21,6 +21,7 @@ import numpy as np
 
 from symgen.schema.errors import SceneError, did_you_mean, show
 
+TURNS_OR_SLIDES = ("revolute", "continuous", "prismatic")
 JOINTS = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 NOISE = 1e-18  # m^2: moments of inertia a mass that come of a radius below 1 nm are a writer's rounding
 MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
@@ -77,6 +78,14 @@ class Link:
     collisions: list[Element]
 
 
+class Mimic(NamedTuple):
+    """A joint follows another one: multiplier times it, plus offset [rad, m]."""
+
+    joint: str
+    multiplier: float
+    offset: float
+
+
 @dataclass(frozen=True)
 class RobotJoint:
     """A joint of a type of JOINTS: the child's frame stands at `pose` in the parent's where the joint is at zero."""
@@ -88,6 +97,7 @@ class RobotJoint:
     pose: Pose
     axis: np.ndarray
     damping: float
+    mimic: Mimic | None = None
 
 
 @dataclass
@@ -204,7 +214,7 @@ def _joint(element: Element, item: str, dropped: list[Dropped]) -> RobotJoint:
     name, kind = element.get("name", ""), element.get("type", "")
     if kind not in JOINTS:
         refuse(item, f"is of the type {show(kind)}", did_you_mean(kind, JOINTS))
-    parts = _parts(element, name, ("origin", "parent", "child", "axis", "dynamics"), dropped)
+    parts = _parts(element, name, ("origin", "parent", "child", "axis", "dynamics", "mimic"), dropped)
     ends = [parts[tag][0].get("link", "") if parts[tag] else "" for tag in ("parent", "child")]
     axis = np.array([1.0, 0.0, 0.0])
     damping = 0.0
@@ -223,7 +233,17 @@ def _joint(element: Element, item: str, dropped: list[Dropped]) -> RobotJoint:
             dropped.append(Dropped("friction", name, f"{friction:g}"))
     if damping < 0:
         refuse(item, f"has the damping {damping:g}", "give one that is not negative")
-    return RobotJoint(name, kind, ends[0], ends[1], pose_of(element, item), axis, damping)
+    mimic = _mimic(parts["mimic"][0], item) if parts["mimic"] else None
+    if mimic is not None and kind not in TURNS_OR_SLIDES:
+        refuse(item, f"mimics '{mimic.joint}', which a {kind} joint cannot", "remove mimic")
+    return RobotJoint(name, kind, ends[0], ends[1], pose_of(element, item), axis, damping, mimic)
+
+
+def _mimic(element: Element, item: str) -> Mimic:
+    multiplier, offset = _number(element, "multiplier", item, 1.0), _number(element, "offset", item, 0.0)
+    if multiplier == 0:
+        refuse(item, "mimics with the multiplier 0", "give another one, or a fixed joint")
+    return Mimic(element.get("joint", ""), multiplier, offset)
 
 
 def pose_of(element: Element, item: str) -> Pose:

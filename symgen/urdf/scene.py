@@ -25,9 +25,11 @@ from symgen.scene.builder import SceneBuilder
 from symgen.scene.scene_files import read_mesh
 from symgen.schema.errors import SceneError, did_you_mean
 from symgen.urdf.robot import (
+    TURNS_OR_SLIDES,
     Dropped,
     Inertia,
     Link,
+    Mimic,
     Pose,
     Robot,
     RobotJoint,
@@ -370,11 +372,27 @@ class _RobotScene:
             damping = {"damping": joint.damping} if joint.damping else {}
             self.builder.joint(kind, name, a, f"{child}.{name}", **damping)
             self._add_efforts(joint, name, kind)
+        for joint in self.groups.joints:
+            if joint.mimic is not None:
+                self._add_mimic(joint, joint.mimic)
+
+    def _add_mimic(self, joint: RobotJoint, mimic: Mimic) -> None:
+        leaders = [one for one in self.groups.joints if one.name == mimic.joint and one.type in TURNS_OR_SLIDES]
+        if not leaders or leaders[0] is joint:
+            item = f"{self.file}: joint '{joint.name}'"
+            refuse(item, f"mimics '{mimic.joint}', which is no other joint that turns or slides", "name one")
+        own, other = (self.builder.coordinates[one.name][0] for one in (joint, leaders[0]))
+        if mimic.offset:
+            self.builder.initial({own: mimic.offset})
+        ratio = {"multiplier": mimic.multiplier, "offset": mimic.offset}
+        self.builder.mimic(f"mimic_{self.joints[joint.name]}", own, other, **ratio)
 
     def _add_efforts(self, joint: RobotJoint, name: str, kind: str) -> None:
         motions = JOINTS[kind].motions or ()
         self.builder.coordinates[joint.name] = [f"{name}.{motion.name}" for motion in motions]
         self.builder.efforts[joint.name] = []
+        if joint.mimic is not None:  # what drives it is the motor of the one that it follows
+            return
         for motion in motions:
             suffix = name if len(motions) == 1 else f"{name}_{motion.name}"
             self.builder.input(f"tau_{suffix}", unit="N m" if isinstance(motion, Turn) else "N")

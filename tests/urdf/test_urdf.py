@@ -108,13 +108,21 @@ def test_a_planar_joint_by_hand(tmp_path: Path) -> None:
     assert a == pytest.approx([0.5, -G, 2.0], abs=1e-12)
 
 
-def test_mimic_is_listed_and_the_joint_stays_free(tmp_path: Path) -> None:
-    more = '<mimic joint="left" multiplier="2"/>'
+def test_a_mimic_follows(tmp_path: Path) -> None:
+    """right = 2 left + 0.1: (I + 4 I) left'' = tau; of itself, of nothing: refused by name."""
+    more = '<mimic joint="left" multiplier="2" offset="0.1"/>'
     text = robot('<link name="palm"/>', link("a"), link("b"), joint("left", "revolute", "palm", "a"),
                  joint("right", "revolute", "palm", "b", more=more))  # fmt: skip
     builder = reading(tmp_path, text)
-    assert [str(one) for one in builder.dropped] == ["mimic of right: joint left, multiplier 2"]
-    assert model_of(builder.build()).q_i == ["left.angle", "right.angle"]
+    assert builder.dropped == [] and builder.efforts == {"left": ["tau_left"], "right": []}
+    model = model_of(builder.build())
+    assert model.q_i == ["left.angle"]
+    run = simulate(model, t_end=1.0, dt=0.01, scheme="rk4", parameters={"tau_left": 0.3})
+    assert run["left.angle"] == pytest.approx(0.5 * 0.3 / (5 * 0.15) * run.t**2, abs=1e-12)
+    assert run["right.angle"] == pytest.approx(2 * run["left.angle"] + 0.1, abs=1e-14)
+    for other in ("right", "nobody"):
+        with pytest.raises(SceneError, match=f"mimics '{other}', which is no other joint"):
+            reading(tmp_path, text.replace('mimic joint="left"', f'mimic joint="{other}"'))
 
 
 def test_shapes_and_meshes(tmp_path: Path) -> None:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
+from symgen.couplings import Coupling
+from symgen.loads import Load
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import item_path
 from symgen.schema.errors import SceneError, did_you_mean
@@ -21,11 +23,13 @@ def reference_errors(scene: SceneParts) -> Iterator[SceneError]:
 
 
 def load_faults(scene: SceneParts) -> Iterator[SceneError]:
-    """What loads find wrong with themselves in this scene."""
-    for index, load in enumerate(scene.loads):
-        path = item_path("loads", index, load.name)
-        for key, problem, remedy in load.faults(scene):
-            yield SceneError(f"{path}.{key}" if key else path, problem, remedy)
+    """What loads and couplings find wrong with themselves in this scene."""
+    sections: dict[str, Sequence[Load | Coupling]] = {"loads": scene.loads, "couplings": scene.couplings}
+    for section, parts in sections.items():
+        for index, part in enumerate(parts):
+            path = item_path(section, index, part.name)
+            for key, problem, remedy in part.faults(scene):
+                yield SceneError(f"{path}.{key}" if key else path, problem, remedy)
 
 
 def _known_markers(scene: SceneParts) -> dict[str, list[str]]:

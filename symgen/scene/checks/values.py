@@ -49,6 +49,7 @@ class _QuantityCheck:
             Scope.PARAMETERS: frozenset((*self.defaults, *tables)),
             Scope.TIME: frozenset((*self.defaults, *inputs, *tables, "t")),
             Scope.MEASURES: frozenset((*self.defaults, *inputs, *tables, "t", *measured, *states)),
+            Scope.LINE: frozenset((*self.defaults, *inputs, *tables, "t", *measured, *states, "length", "rate")),
             Scope.STATES: frozenset((*self.defaults, *inputs, *tables, "t", *measured, *scene.states)),
         }
 

@@ -1,0 +1,30 @@
+"""Mimic: a coordinate that follows another one, as in robot descriptions."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from symgen.couplings.coupling import Coupling, Read
+from symgen.schema.fields import Coordinate, Meaning, Quantity
+
+
+class Mimic(Coupling):
+    """coordinate = multiplier times the one it follows + offset [rad or m]."""
+
+    type: Literal["mimic"] = "mimic"
+    coordinate: Coordinate
+    follows: Coordinate
+    multiplier: Annotated[Quantity, Meaning("what the coordinate does for a unit of the one that it follows")] = 1.0
+    offset: Annotated[Quantity, Meaning("value where the one that it follows is zero", "rad or m")] = 0.0
+
+    coordinates = ("coordinate", "follows")
+    not_zero = ("multiplier",)
+    from_start = False
+
+    def coefficients(self, of: Read) -> list[Any]:
+        """x - multiplier y."""
+        return [-of("multiplier")]
+
+    def constant(self, of: Read) -> Any:
+        """The offset."""
+        return of("offset")

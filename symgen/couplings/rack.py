@@ -1,0 +1,25 @@
+"""Rack and pinion: a travel in a fixed ratio to an angle."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from symgen.couplings.coupling import Coupling, Read
+from symgen.schema.fields import Coordinate, Meaning, Quantity
+
+
+class Rack(Coupling):
+    """travel of the rack = radius times angle of the pinion; radius [m] negative where the rack runs against it."""
+
+    type: Literal["rack"] = "rack"
+    rack: Coordinate
+    pinion: Coordinate
+    radius: Annotated[Quantity, Meaning("pitch radius of the pinion", "m")]
+
+    coordinates = ("rack", "pinion")
+    kinds = {"rack": "position", "pinion": "angle"}
+    not_zero = ("radius",)
+
+    def coefficients(self, of: Read) -> list[Any]:
+        """travel - radius angle."""
+        return [-of("radius")]
