@@ -14,7 +14,8 @@ The system is put together from what these state, each as a SymPy template evalu
 algebra     templates, sparse rows, small systems, the parameter vector p
 bodies      points, moments and inertia of a body            (15)-(20)
 joints      all that is known of a joint type, a file each   (21)
-loads       forces, springs, dampers                         Q_F of (20)
+couplings   gears, belts, racks: rows between coordinates   (21), a file each
+loads       all that is known of a load type, a file each    Q_F of (20)
 
 Names and symbols of all of them, and of the state of a time stepping scheme:
 

@@ -22,4 +22,4 @@ def test_the_pipeline_names_its_stages_as_the_folders() -> None:
 
 def test_the_package_says_its_map() -> None:
     assert symgen.__doc__ is not None
-    assert set(re.findall(r"`([a-z]+)`", symgen.__doc__)) >= folders() - {"bodies", "joints", "loads"}
+    assert set(re.findall(r"`([a-z]+)`", symgen.__doc__)) >= folders() - {"bodies", "couplings", "joints", "loads"}
