@@ -42,9 +42,8 @@ if TYPE_CHECKING:
     from runtime.operating.linearise import linearise
     from runtime.operating.modes import mode_motion, modes
     from runtime.results.solution import Solution
-    from runtime.running.quasi_static_motion import quasi_static_motion
-    from runtime.running.resume import resume
-    from runtime.running.simulate import simulate
+    from runtime.running.driven import quasi_static_motion
+    from runtime.running.simulate import resume, simulate
     from runtime.schemes.catalogue import SCHEMES
     from runtime.schemes.options import Options, SchemeError
     from runtime.studies.ensemble.ensemble import ensemble
@@ -113,10 +112,10 @@ _HOMES = {
     "mode_motion": "operating.modes",
     "unbalance_response": "operating.campbell",
     "Solution": "results.solution",
-    "quasi_static_motion": "running.quasi_static_motion",
+    "quasi_static_motion": "running.driven",
     "Environment": "running.environment",
     "Sampled": "running.inputs",
-    "resume": "running.resume",
+    "resume": "running.simulate",
     "SCHEMES": "schemes.catalogue",
     "Options": "schemes.options",
     "SchemeError": "schemes.options",

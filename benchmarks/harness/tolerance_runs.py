@@ -13,9 +13,9 @@ from runtime.contract.model import Model
 from runtime.engine.rows import evaluate
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import floored
-from runtime.running.arguments import Further
 from runtime.running.ladder import FIRST, Ladder, Method, Rung
 from runtime.running.problem import Problem
+from runtime.running.run import Further
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 from runtime.schemes.stepper import Stepper

@@ -12,7 +12,7 @@ TOPICS: dict[str, list[str]] = {
         "runtime.contract.loading.load_model",
         "runtime.contract.model.Model",
         "runtime.running.simulate.simulate",
-        "runtime.running.resume.resume",
+        "runtime.running.simulate.resume",
         "runtime.results.solution.Solution",
         "runtime.results.samples.Samples",
         "runtime.contract.status.Status",
@@ -27,7 +27,7 @@ TOPICS: dict[str, list[str]] = {
         "runtime.operating.campbell.campbell",
         "runtime.operating.campbell.unbalance_response",
         "runtime.operating.modes.mode_motion",
-        "runtime.running.quasi_static_motion.quasi_static_motion",
+        "runtime.running.driven.quasi_static_motion",
     ],
     "Judging": [
         "runtime.studies.advice.advise.advise",

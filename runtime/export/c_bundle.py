@@ -25,9 +25,9 @@ from runtime.engine.c_source import Code, Style, program_code, source, stage_cod
 from runtime.engine.prepare import Prepared, prepare
 from runtime.engine.program import Call
 from runtime.export.c_mathematics import own_c
+from runtime.running.inputs import reading
 from runtime.running.plan import make_plan
-from runtime.running.reading import reading
-from runtime.running.unending import may_break
+from runtime.running.stepping import may_break
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import start_there, start_vector
 from runtime.schemes.switching.restart import remembers, restarted, started_with_inputs

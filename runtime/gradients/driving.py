@@ -10,9 +10,8 @@ import numpy as np
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.gradients.course import Hold
-from runtime.running.inputs import InputValue, Sampled, bound, scheduled, started
+from runtime.running.inputs import InputValue, Sampled, Schedule, bound, scheduled, started
 from runtime.running.plan import Plan
-from runtime.running.schedule import Schedule
 
 Inputs = Mapping[str, InputValue]
 

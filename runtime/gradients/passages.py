@@ -14,7 +14,7 @@ from runtime.contract.signals import SINCE
 from runtime.contract.status import Event
 from runtime.gradients.beginning import Begun
 from runtime.gradients.course import EventPassage
-from runtime.running.happenings import Happenings
+from runtime.running.events import EventActions
 from runtime.running.plan import Plan
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.switching.watched import watch_events, watches
@@ -65,22 +65,13 @@ class Passages:
         assert own.broken is not None
         z = own.begin(own.broken.grid.clock(0), *begun.state)
         own.begin_events(z)
-        happenings, passages = Happenings(own), dict[int, list[EventPassage]]()
-        while (step := int(z[1])) < plan.steps:
-            before = z.copy()
-            own.broken.run(z, own.ready, own.c, min(BATCH, plan.steps - step))
-            at = own.first_event(z)
-            if at is None:
-                continue
-            z[:] = before
-            if at - 1 > step:
-                own.broken.run(z, own.ready, own.c, at - 1 - step)
-            start = z.copy()
-            happenings.step(z, own.broken)
+        happenings, passages = EventActions(own), dict[int, list[EventPassage]]()
+        while int(z[1]) < plan.steps:
+            happenings.advance(z, min(BATCH, plan.steps - int(z[1])))
             if happenings.status is not None:
                 raise NoResult(f"model {self._model.name}", f"the run has no derivative, it ends: {happenings.status}")
             if happenings.told:
-                passages[at - 1] = self._told(own, start, happenings.told)
+                passages[int(z[1]) - 1] = self._told(own, happenings.start, happenings.told)
                 happenings.told.clear()
         return passages
 

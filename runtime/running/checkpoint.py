@@ -22,12 +22,12 @@ from runtime.contract.files import OutputError, replacing, try_writing
 from runtime.contract.model import Model
 from runtime.contract.status import Event
 from runtime.results.stream import StreamFile
-from runtime.running.happenings import Happenings
+from runtime.running.events import EventActions
+from runtime.running.inputs import Schedule
 from runtime.running.plan import Plan
 from runtime.running.record import Record
-from runtime.running.schedule import Schedule
-from runtime.running.segment import Segment
 from runtime.running.singular.guard import Guard
+from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 
@@ -235,13 +235,13 @@ class CheckpointHeader:
 
 
 def header_of(
-    segment: Segment,
+    segment: SteppedModel,
     z: np.ndarray,
     record: Record,
     events: list[Event],
     guard: Guard,
     schedule: Schedule | None,
-    happenings: Happenings,
+    happenings: EventActions,
     initial_changes: str,
 ) -> CheckpointHeader:
     """What a checkpoint says of a run whose `segment` is at z (n_z,). initial_changes: of the start, in words."""

@@ -19,12 +19,10 @@ from runtime.contract.coordinates import followed
 from runtime.contract.status import Event
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.solution import Solution
-from runtime.running.marks import Marks
 from runtime.running.outcome import LARGEST
 from runtime.running.plan import Plan
 from runtime.running.problem import Problem
-from runtime.running.run import Run
-from runtime.running.start_of_run import begun
+from runtime.running.run import Marks, Run, begun
 from runtime.running.time_functions import INSIDE, check_time_functions
 
 MARKS = 20  # times at which two motions are compared, about

@@ -20,15 +20,12 @@ from runtime.contract.status import Status
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.solution import Solution
-from runtime.running.arguments import Further
 from runtime.running.companion import loads_missed, marks_of
 from runtime.running.load_steps import steps_that_see_loads
-from runtime.running.marks import Marks, told_by
 from runtime.running.outcome import LARGEST, finished
 from runtime.running.plan import MAX_SAMPLES, Plan, make_plan, whole_number
 from runtime.running.problem import ROUNDING, Problem, common_time
-from runtime.running.run import Run
-from runtime.running.start_of_run import begun
+from runtime.running.run import Further, Marks, Run, begun, told_by
 from runtime.running.tolerance import AUTO
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.evaluation import evaluation_operations

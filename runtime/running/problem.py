@@ -12,8 +12,7 @@ import numpy as np
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import Initial
 from runtime.contract.model import Model
-from runtime.running.inputs import InputValue, Sampled, scheduled, started
-from runtime.running.schedule import Schedule
+from runtime.running.inputs import InputValue, Sampled, Schedule, scheduled, started
 from runtime.schemes.options import SchemeError
 from runtime.start.start_state import start_state
 

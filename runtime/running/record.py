@@ -21,7 +21,7 @@ from runtime.results import export
 from runtime.results.observe import concatenated
 from runtime.results.solution import Solution
 from runtime.results.stream import StreamFile, Table, split
-from runtime.running.segment import Segment
+from runtime.running.stepped_model import SteppedModel
 
 Columns = list[tuple[str, tuple[int, ...]]]
 BLOCK = 256  # samples that wait to be written
@@ -35,7 +35,7 @@ class Record:
     """
 
     def __init__(
-        self, segments: list[Segment], save_every: int, table: Table | None = None, outputs: Sequence[str] = ()
+        self, segments: list[SteppedModel], save_every: int, table: Table | None = None, outputs: Sequence[str] = ()
     ) -> None:
         self.segments, self.every, self.table, self.outputs = segments, save_every, table, tuple(outputs)
         self.samples: list[tuple[int, np.ndarray]] = []  # (segment, states (N, n_z)): all, or those that wait
@@ -187,7 +187,7 @@ def rows_of(solution: Solution, outputs: Sequence[str]) -> np.ndarray:
 
 
 def record_of(
-    segment: Segment, z: np.ndarray, stream: str | Path | None, keep_rows: bool, resumed: bool = False
+    segment: SteppedModel, z: np.ndarray, stream: str | Path | None, keep_rows: bool, resumed: bool = False
 ) -> Record:
     """Of a run from z (flat) on: whole states in memory, columns in memory, or a stream.
 

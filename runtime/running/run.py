@@ -5,26 +5,33 @@ from __future__ import annotations
 import signal
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from pathlib import Path
 from types import FrameType
-from typing import cast
+from typing import Any, TypedDict, cast
 
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.coordinates import Initial, followed, whole
 from runtime.contract.files import OutputError
+from runtime.contract.model import Model
 from runtime.contract.status import Event, Status
-from runtime.running.checkpoint import Checkpoint, CheckpointRule, header_of
-from runtime.running.happenings import Happenings, note_impulses
-from runtime.running.marks import Marks
-from runtime.running.record import Record
-from runtime.running.schedule import EndlessInput, Schedule
-from runtime.running.segment import Segment
+from runtime.engine.rows import evaluate
+from runtime.running.checkpoint import Checkpoint, CheckpointRule, claim, header_of
+from runtime.running.events import EventActions, note_impulses
+from runtime.running.inputs import EndlessInput, InputValue, Schedule
+from runtime.running.plan import Plan, whole_number
+from runtime.running.problem import Problem
+from runtime.running.record import Record, record_of
 from runtime.running.singular.guard import FLOOR, Guard, lost_unguarded
 from runtime.running.singular.passage import Passage, locate
+from runtime.running.stepped_model import SteppedModel
+from runtime.running.time_functions import check_time_functions
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
+from runtime.schemes.options import SchemeError
 
 Progress = Callable[[float, float], None]
 
@@ -102,7 +109,7 @@ def heard_interrupts() -> Iterator[Interrupts]:
 class Run:
     """A run under way: z (flat) belongs to `segment`. initial_changes: what of the start was corrected."""
 
-    segment: Segment
+    segment: SteppedModel
     z: np.ndarray
     record: Record
     rule: CheckpointRule
@@ -117,7 +124,7 @@ class Run:
     pace: Pace = field(default_factory=Pace)
     start: tuple[np.ndarray, ConsistentState] | None = None  # parameters (n_p,) and state where it began
     set_up: float = 0.0  # seconds that it took to come to the start
-    _happened: Happenings | None = None
+    _happened: EventActions | None = None
     earlier: np.ndarray | None = None  # a state of this segment at least a step before z, if there is one
 
     @property
@@ -267,10 +274,10 @@ class Run:
         return True
 
     @property
-    def happenings(self) -> Happenings:
+    def happenings(self) -> EventActions:
         """Of the segment that is stepped."""
         if self._happened is None or self._happened.own is not self.segment:
-            self._happened = Happenings(self.segment)
+            self._happened = EventActions(self.segment)
         return self._happened
 
     def _take_event(self, w: np.ndarray | None) -> None:
@@ -376,3 +383,189 @@ class Run:
             if not any(event.kind == "checkpoint_failed" for event in self.events):
                 self.events.append(Event(self.segment.plan.time(self.step), "checkpoint_failed", str(error)))
         self._written = time.monotonic()
+
+
+# A run at its start: prepared, compiled, checked, and ready to go.
+
+ROUNDING = 1e-13  # m or rad: less is the dust of an assembly
+
+
+def begun(
+    problem: Problem, plan: Plan, marks: Marks | None, further: Further | None = None, quiet: bool = False
+) -> Run:
+    """The run of a plan at its checked start. quiet: of a companion or a rung, whose steps may miss what loads do.
+
+    Raises ModelError, OutputError or CompilerError.
+    """
+    further = further or Further()
+    started = time.perf_counter()
+    state, rule = problem.state, further.rule()
+    segment = SteppedModel.of_run(problem.model, plan, problem.p, problem.engine, state)
+    events = [Event(plan.t0, kind, text) for kind, text in state.told]
+    if not quiet:
+        events += check_time_functions(problem.model, segment.c, plan, state, segment.switches)
+    z = segment.start(state.q, state.q_dot)
+    changes = ", ".join(f"{key}: {a:.9g} -> {b:.9g}" for key, (a, b) in state.changed.items() if _differ(a, b))
+    record = record_of(segment, z, further.stream, keep_rows=further.bounded)
+    run = Run(
+        segment,
+        z,
+        record,
+        rule,
+        changes or "none",
+        None if isinstance(further.progress, bool) else further.progress,
+        events,
+        engine=problem.engine,
+        guard=segment.new_guard(),
+        marks=marks,
+        start=(problem.p, state),
+    )
+    with record.closed_on_error():
+        run.status = segment.monitor.first(segment.stepper.state(z))
+        record.add(0, z[None])
+        run.schedule = with_reads(problem.schedule(plan.grid.dt_L), run)
+    run.set_up = time.perf_counter() - started
+    return run
+
+
+def with_reads(schedule: Schedule, run: Run) -> Schedule | None:
+    """The schedule for a run, None if it changes nothing. Raises SchemeError for a checkpoint with an unkept memory."""
+    for controller in schedule.controllers:
+        if controller.memory is None and run.rule.path is not None:
+            raise SchemeError(
+                "checkpoint",
+                f"what the controller of {controller.name!r} remembers cannot be kept",
+                "give its numbers as Sampled(..., memory=[...]), memory=() if it has none, or leave the checkpoint out",
+            )
+        controller.read_from(run.segment.model, run.segment.plan.scheme, run.segment.c)
+    return schedule if schedule.samples or schedule.controllers else None
+
+
+def _differ(given: float, used: float) -> bool:
+    """Do two values differ in one of nine digits, and by more than rounding where one of them is zero?"""
+    return f"{given:.9g}" != f"{used:.9g}" and abs(given - used) > ROUNDING
+
+
+# States of a run at marks: times at which two ways to make one motion are compared.
+
+
+@dataclass
+class Marks:
+    """States of a run at marks: every so many steps, and every `early` ones until the first of them (0: none)."""
+
+    every: int
+    early: int = 0
+    states: dict[int, tuple[SteppedModel, np.ndarray]] = field(default_factory=dict)
+
+    def until_next(self, step: int) -> int:
+        """Steps from this one to the next mark."""
+        left = self.every - step % self.every
+        return min(left, self.early - step % self.early) if self.early and step < self.every else left
+
+    def look(self, segment: SteppedModel, rows: np.ndarray) -> None:
+        """Keep those of the states (N, n_z) that are at a mark."""
+        size = segment.plan.scheme.layout.size
+        for row in rows:
+            step = segment.step_of(row)
+            if step and self.until_next(step - 1) == 1:
+                self.states[step] = (segment, row[:size].copy())
+
+    def drop_from(self, step: int) -> None:
+        """Forget the states of this step and of later ones."""
+        self.states = {at: one for at, one in self.states.items() if at < step}
+
+    def arrays(self, segments: Sequence[SteppedModel]) -> dict[str, np.ndarray]:
+        """What a checkpoint keeps of it: steps, places of the segments, and states one after another."""
+        found = sorted(self.states.items())
+        return {
+            "mark_steps": np.array([step for step, _ in found], dtype=np.int64),
+            "mark_segments": np.array([segments.index(segment) for _, (segment, _) in found], dtype=np.int64),
+            "mark_states": np.concatenate([np.zeros(0), *(z for _, (_, z) in found)]),
+        }
+
+    def restore(self, arrays: Mapping[str, np.ndarray], segments: Sequence[SteppedModel]) -> None:
+        """From `arrays`."""
+        first = 0
+        for step, k in zip(arrays["mark_steps"], arrays["mark_segments"], strict=True):
+            segment = segments[int(k)]
+            last = first + segment.plan.scheme.layout.size
+            self.states[int(step)] = (segment, arrays["mark_states"][first:last])
+            first = last
+
+    def told(self, steps: Sequence[int], model: Model) -> np.ndarray:
+        """(N, n_told) what tells the motion of a model at these steps, whatever q_i they were stepped with."""
+        rows: dict[int, np.ndarray] = {}
+        for segment in {id(self.states[step][0]): self.states[step][0] for step in steps}.values():
+            own = [step for step in steps if self.states[step][0] is segment]
+            rows |= dict(
+                zip(own, told_by(segment, np.array([self.states[step][1] for step in own]), model), strict=True)
+            )
+        return np.array([rows[step] for step in steps])
+
+
+def told_by(segment: SteppedModel, states: np.ndarray, model: Model) -> np.ndarray:
+    """(N, n_told) what tells the motion of a model, of states (N, n_z) of a segment, which may have other q_i."""
+    scheme = segment.plan.scheme
+    seen = evaluate(scheme.observer, {"z": states}, scheme.constants(segment.c))
+    q = whole(segment.model, seen["q_i"], seen["q_d"])
+    return q[:, followed(model)[1]]
+
+
+# The arguments of a run besides the problem and the method: how it goes, and what is kept of it.
+
+
+class RunArguments(TypedDict, total=False):
+    """The arguments of `simulate` besides the model and the scheme, for those who pass them on."""
+
+    tolerance: float | None
+    t_end: float | None
+    dt: float | None
+    m: list[int] | None
+    options: Mapping[str, Any] | None
+    parameters: Mapping[str, float] | None
+    initial: Initial
+    start: str | None
+    t0: float
+    inputs: Mapping[str, InputValue] | None
+    error: str
+    save_every: int | None
+    engine: str
+    progress: Progress | bool | None
+    force: bool
+    outputs: Sequence[str] | None
+    stream: str | Path | None
+    checkpoint: str | Path | None
+    checkpoint_every: int | None
+
+
+@dataclass(frozen=True)
+class Further:
+    """How a run goes, and what is kept of it; see `simulate`."""
+
+    save_every: int | None = None
+    progress: Progress | bool | None = None
+    force: bool = False
+    outputs: Sequence[str] | None = None
+    stream: str | Path | None = None
+    checkpoint: str | Path | None = None
+    checkpoint_every: int | None = None
+
+    @property
+    def bounded(self) -> bool:
+        """Do whole states not stay in memory?"""
+        return self.outputs is not None or self.stream is not None
+
+    def rule(self) -> CheckpointRule:
+        """When checkpoints are written, and that they can be. Raises SchemeError or OutputError."""
+        every = None if self.checkpoint_every is None else whole_number(self.checkpoint_every)
+        if self.checkpoint_every is not None and (every is None or every < 1):
+            raise SchemeError(
+                "checkpoint_every",
+                f"must be a whole number of major steps of at least 1, not {self.checkpoint_every!r}",
+                "leave it out for a checkpoint every minute",
+            )
+        if every is not None and self.checkpoint is None:
+            raise SchemeError("checkpoint_every", "needs a file", "give checkpoint = ...")
+        if self.checkpoint is not None:
+            claim(self.checkpoint)
+        return CheckpointRule(None if self.checkpoint is None else Path(self.checkpoint), every)

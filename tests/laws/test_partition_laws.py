@@ -15,10 +15,9 @@ import pytest
 from runtime import simulate
 from runtime.contract.model import Model
 from runtime.running.plan import make_plan
-from runtime.running.segment import Segment
 from runtime.running.singular import variants
-from runtime.running.singular.carry import carried
-from runtime.running.singular.variants import use_generator, variant_of
+from runtime.running.singular.exchange import carried, use_generator, variant_of
+from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.catalogue import SCHEMES
 from symgen.scene import Scene, SceneBuilder
 from symgen.variants import generate_variant
@@ -72,12 +71,12 @@ class Switched:
     scheme: str
     dt: float
     m: list[int] | None = None
-    _built: dict[int, Segment] = field(default_factory=dict)
+    _built: dict[int, SteppedModel] = field(default_factory=dict)
 
-    def segment(self, model: Model) -> Segment:
+    def segment(self, model: Model) -> SteppedModel:
         if id(model) not in self._built:
             plan = make_plan(model, 1.0, self.dt, self.m, self.scheme, 1, None, 0.0)
-            self._built[id(model)] = Segment.build(model, plan, model.parameter_vector(), "auto")
+            self._built[id(model)] = SteppedModel.of_run(model, plan, model.parameter_vector(), "auto")
         return self._built[id(model)]
 
     def run(self, parts: list[tuple[Model, int]]) -> np.ndarray:

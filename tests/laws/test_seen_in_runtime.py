@@ -18,7 +18,7 @@ from runtime.operating.given_state import given_state
 from runtime.operating.linearise import linearise
 from runtime.running.ladder import Ladder, Method, affordable
 from runtime.running.problem import Problem
-from runtime.running.singular.tight_integrator import MOST_EVALUATIONS, BranchLost, TightIntegrator
+from runtime.running.singular.crossing import MOST_EVALUATIONS, BranchLost, TightIntegrator
 from runtime.schemes.baselines.radau import lagrange
 from runtime.schemes.catalogue import scheme_kind
 from runtime.studies.stability.chart import USUAL_RATIOS, stability_chart

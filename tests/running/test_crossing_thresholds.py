@@ -13,10 +13,9 @@ import numpy as np
 import pytest
 
 from runtime import Model, simulate
-from runtime.running.singular.crossing import Crossing, cross
+from runtime.running.singular.crossing import BranchLost, Crossing, TightIntegrator, cross
 from runtime.running.singular.exchange import best_exchange
 from runtime.running.singular.guard import Guard
-from runtime.running.singular.tight_integrator import BranchLost, TightIntegrator
 
 Course = Callable[[float], tuple[float, float]]
 

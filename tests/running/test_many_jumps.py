@@ -237,7 +237,7 @@ def test_inputs_of_a_stepper_and_the_search_for_jumps(
         seen.append(t_end)
         return switching_times(model, c, t0, t_end)
 
-    monkeypatch.setattr("runtime.running.unending.switching_times", counted)
+    monkeypatch.setattr("runtime.running.stepping.switching_times", counted)
     one.reset()
     for force in (1.0, 3.0):
         one.step({"force": force, "until": 0.25}, 2)

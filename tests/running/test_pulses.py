@@ -11,8 +11,7 @@ import pytest
 
 from runtime import Model, simulate
 from runtime.contract.consistent_state import ConsistentState
-from runtime.running.pulses import PARTS, pulse_times
-from runtime.running.time_functions import all_stops
+from runtime.running.time_functions import PARTS, all_stops, pulse_times
 from runtime.schemes.switching.times import SwitchTime
 from symgen.scene import Scene, SceneBuilder
 

@@ -15,7 +15,7 @@ from runtime import Solution, resume, simulate
 from runtime.contract.model import Model
 from runtime.running.singular import crossing, passage
 from runtime.running.singular.crossing import BranchLost
-from runtime.running.singular.variants import use_generator
+from runtime.running.singular.exchange import use_generator
 from symgen.generate import model_of as model_of_scene
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.tumbling_body import tumbling_body

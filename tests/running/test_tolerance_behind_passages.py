@@ -9,7 +9,7 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
-from runtime.running.singular.variants import use_generator
+from runtime.running.singular.exchange import use_generator
 from symgen.scene import Scene
 from symgen.variants import generate_variant
 from tests.support.slider_cranks import driven_slider_crank, loop

@@ -11,8 +11,8 @@ import pytest
 
 from runtime import SchemeError, ensemble, load_model, output_jacobian, reference_solution, resume, simulate
 from runtime.contract.model import Model
-from runtime.running.segment import Segment
 from runtime.running.simulate import make_plan
+from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.scheme import LARGEST
 from runtime.schemes.switching.times import SwitchTime
@@ -135,7 +135,7 @@ def test_no_step_crosses_a_stop(built_in: Load, scheme: str) -> None:
     model = built_in("pendulum")
     stops = (0.1, 0.103, 0.5, 0.77, 0.78, 0.79, 0.8, 0.81, 1.0, 1.25, 1.5, 1.75, 1.7500001)
     plan = make_plan(model, 2.0, 1e-3, None, scheme, None, {"tolerance": 1e-4}, 0.0)
-    segment = Segment.build(model, plan, model.parameter_vector(), "auto")
+    segment = SteppedModel.of_run(model, plan, model.parameter_vector(), "auto")
     segment.switches = [SwitchTime(stop, stop, stop, ()) for stop in stops]
     z, layout = segment.start(model.initial_q, model.initial_q_dot), plan.scheme.layout
     ends = set()
@@ -154,7 +154,7 @@ def test_steps_end_where_a_load_jumps(model_of: Build) -> None:
     model = model_of(rotor("where(t < 0.4, 1.0, -2.0)"))
     plan = make_plan(model, 1.0, 0.1, None, "dopri5", None, {"tolerance": 1e-3}, 0.0)
     for found, most in ((True, 1e-13), (False, 0.1)):
-        segment = Segment.build(model, plan, model.parameter_vector(), "auto")
+        segment = SteppedModel.of_run(model, plan, model.parameter_vector(), "auto")
         segment.switches = segment.switches if found else []
         z = segment.start(model.initial_q, model.initial_q_dot)
         segment.run(z, 10)

@@ -6,13 +6,34 @@ compared as lengths: angles count times the mechanism's length.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import hashlib
+import inspect
+import json
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from importlib.metadata import entry_points
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from runtime.contract.coordinates import mechanism_length, turning_columns
+from runtime.contract.coordinates import (
+    charts_in,
+    dependent_part,
+    independent,
+    independent_rates,
+    mechanism_length,
+    rate_parts,
+    turning_columns,
+)
+from runtime.contract.errors import ModelError, SymgenError
+from runtime.contract.files import cache_folder
+from runtime.contract.loading import load_model
 from runtime.contract.model import Model
-from runtime.contract.orientations import parameter_rates
+from runtime.contract.orientations import parameter_rates, product, rotation_vector
+from runtime.results.solution import Solution
+from runtime.running.stepped_model import SteppedModel
 
 CLEARLY = 3.0  # times larger determinant that is worth an exchange
 LIKELY = 0.5  # of the largest gain: a loop unknown with that much is preferred, as closed forms stay closed forms
@@ -72,3 +93,199 @@ def by_velocities(
         columns.append(C_q[:, e] @ parameter_rates(np.tile(q[e], (3, 1)), np.eye(3)).T)
         scales.append(np.full(3, length))
     return names, np.hstack(columns), np.concatenate(scales)
+
+
+# A scheme's state from one q_i to another: positions and rates exactly, and what the scheme remembers of the past.
+#
+# Central difference remembers q(t - h) by its increments d = q(t) - q(t - h). A coordinate that takes another's place
+# gets the increment that the closure gives for the old increments: exactly the same two positions of the mechanism.
+
+COUNTERS = ("closure_error", "iterations", "failures")
+STEPS_MADE = ("accepted", "counted", "rejected", "h_least", "h_largest")  # those that follow from a tolerance
+OF_TOLERANCE = (*STEPS_MADE, "h_next", "per_step", "steady", "lands", "ranging")
+RANGES = ("q_low", "q_high")  # what errors are measured by
+CLOSURES = 6
+CONJUGATE = np.array([1.0, -1.0, -1.0, -1.0])
+
+
+def carried(old: SteppedModel, z: np.ndarray, new: SteppedModel, seen: Solution) -> np.ndarray:
+    """z of the new segment at the state of the old one; seen: that state observed, one sample."""
+    result = new.start(seen.q[0], seen.q_dot[0], old.step_of(z))
+    before, after = old.plan.scheme.layout, new.plan.scheme.layout
+    for name in (*COUNTERS, *(name for name in OF_TOLERANCE if name in after.sizes)):
+        result[after.slice(name)] = z[before.slice(name)]
+    stays = np.array([a == b for a, b in zip(old.model.q_i, new.model.q_i, strict=True)])
+    for name in new.plan.scheme.history:
+        values = result[after.slice(name)]
+        result[after.slice(name)] = np.where(stays, z[before.slice(name)], values)
+    for name in RANGES:
+        if name in after.sizes:
+            result[after.slice(name)] = np.where(stays, z[before.slice(name)], result[after.slice(name)])
+    if {"d", "a"} <= set(new.plan.scheme.history):  # it remembers the last step by increments
+        for k in np.flatnonzero(~stays):
+            d, a = _increment(old, z, seen, new.model.q_i[k], float(new.plan.scheme.step_sizes[k]))
+            result[after.slice("d")][k], result[after.slice("a")][k] = d, a
+    return result
+
+
+def _increment(old: SteppedModel, z: np.ndarray, seen: Solution, name: str, h: float) -> tuple[float, float]:
+    """(q(t) - q(t - h), q_ddot(t - h)) of a dependent coordinate of the old segment.
+
+    Coordinates with another step than h are not remembered at t - h; they are taken along their acceleration.
+    """
+    model, layout, scheme = old.model, old.plan.scheme.layout, old.plan.scheme
+    d, a = z[layout.slice("d")], z[layout.slice("a")]
+    same = np.isclose(scheme.step_sizes, h, rtol=1e-12)
+    now = seen.q_ddot[0]
+    q_i, v_i = independent(model, seen.q[0], seen.q_dot[0])
+    a_i = independent_rates(model, seen.q[0], now)
+    x, c = z[layout.slice("x")], old.c
+    guess = dependent_part(model, seen.q[0] - h * seen.q_dot[0] + h**2 / 2 * now)
+    turns, omega = model.places.turns, np.concatenate(rate_parts(model, seen.q[0], seen.q_dot[0]))
+    if len(turns):  # all from the charts of z
+        c = c.copy()
+        c[charts_in(model)] = z[layout.slice("chart")]
+        for own, theta in zip(turns, _thetas(model, seen.q[0], c), strict=True):
+            turned = np.concatenate([q_i, guess])
+            turned[own] = theta
+            turned[own[own >= len(q_i)]] -= h * omega[own[own >= len(q_i)]]
+            q_i, guess = turned[: len(q_i)], turned[len(q_i) :]
+    earlier = np.where(same, x - d, q_i - h * v_i + h**2 / 2 * a_i)
+    earlier_v = np.where(same, d / h - h / 2 * a, v_i - h * a_i)
+    t = float(seen.t[0]) - h
+    q_d = closed(model, c, t, earlier, guess)
+    values: dict[str, Any] = {"q_i": earlier, "q_d": q_d, "q_i_dot": earlier_v, "t": t, "c": c, "q_i_ddot": a}
+    values["q_d_dot"] = model.evaluate("velocities", **values)["q_d_dot"]
+    q_d_ddot = np.asarray(model.evaluate("accelerations", **values)["q_d_ddot"]).ravel()
+    position = model.q_d.index(name)
+    return _turned(model, seen.q[0], q_d, name), float(q_d_ddot[position])
+
+
+def _thetas(model: Model, q: np.ndarray, c: np.ndarray) -> list[np.ndarray]:
+    """Rotation vectors from the charts in c to where the bodies are."""
+    charts = c[charts_in(model)].reshape(-1, 4)
+    return [
+        rotation_vector(product(chart * CONJUGATE, q[e]))
+        for chart, e in zip(charts, model.places.parameters, strict=True)
+    ]
+
+
+def _turned(model: Model, q: np.ndarray, before: np.ndarray, name: str) -> float:
+    """By how much a dependent coordinate changed to q (n,) from q_d before; of a turn, in the axes of its body."""
+    if name in model.coordinates:
+        return float(q[model.coordinates.index(name)] - before[model.q_d.index(name)])
+    record, e = next(
+        (record, e)
+        for record, e in zip(model.description.orientations, model.places.parameters, strict=True)
+        if name in record.turns
+    )
+    earlier = before[[model.q_d.index(one) for one in record.parameters]]
+    return float(rotation_vector(product(earlier * CONJUGATE, q[e]))[record.turns.index(name)])
+
+
+def closed(model: Model, c: np.ndarray, t: float, q_i: np.ndarray, q_d: np.ndarray) -> np.ndarray:
+    """q_d at q_i from a near guess, by Newton until it no longer moves."""
+    for _ in range(CLOSURES):
+        q_d = np.asarray(model.evaluate("closure", q_i=q_i, q_d=q_d, t=t, c=c)["q_d_next"]).ravel()
+    return q_d
+
+
+# ---- variants of a model: by the entry point `symgen.variants`, or handed over with `use_generator` --------------
+
+ENTRY_POINTS = "symgen.variants"
+Generate = Callable[..., Path]
+_handed: list[Generate] = []
+
+
+class NoVariant(ModelError):
+    """A variant that cannot be had; the message says why and what to do."""
+
+
+def use_generator(generate: Generate | None) -> None:
+    """Take this function for the one of the entry point; None: take the entry point again.
+
+    generate(scene_toml_text, independent, groups, folder, state=..., redundant=...) writes a model into the folder.
+    """
+    _handed[:] = [] if generate is None else [generate]
+
+
+def variant_of(model: Model, q_i: Sequence[str], q: np.ndarray) -> Model:
+    """The model of the same scene with other q_i, group by group in the same places; q: coordinates where it is needed.
+
+    Raises NoVariant.
+    """
+    groups = [(group.name, [q_i[k] for k in group.positions]) for group in model.groups]
+    generate = _generator()
+    if generate is None or not model.scene_toml:
+        raise NoVariant(
+            f"no generator of variants is installed; set partition.independent = {list(q_i)} in the scene, "
+            "or install symgen beside the runtime, and run again"
+        )
+    key = json.dumps([model.digest, list(q_i), groups, made_by(generate)])
+    folder = cache_folder() / "variants" / hashlib.sha256(key.encode()).hexdigest()[:32]
+    found = _loaded(folder)
+    if found is None:
+        _generate(generate, model, q_i, groups, q, folder)
+        found = load_model(folder)
+    same = ("coordinates", "constraints", "elastic", "measures", "joints")
+    if (
+        any(getattr(found, name) != getattr(model, name) for name in same)
+        or list(found.q_i) != list(q_i)
+        or [entry.name for entry in found.parameters] != [entry.name for entry in model.parameters]
+    ):
+        raise NoVariant(
+            f"the variant of {model.name} with q_i = {', '.join(q_i)} does not match the model; "
+            "regenerate the model with the installed version"
+        )
+    return replace(found, input_values=model.input_values, sources=model.sources)
+
+
+def _loaded(folder: Path) -> Model | None:
+    try:
+        return load_model(folder)
+    except ModelError:
+        return None
+
+
+def made_by(generate: Generate) -> str:
+    """SHA-256 of the sources beside a generator: what another version made is not taken for its own."""
+    found = hashlib.sha256()
+    try:
+        root = Path(inspect.getfile(generate)).parent
+        for path in sorted(root.rglob("*.py")):
+            found.update(f"{path.relative_to(root)} ".encode() + path.read_bytes())
+    except (OSError, TypeError):  # no sources to be had: by its name alone
+        found.update(repr(getattr(generate, "__qualname__", "")).encode())
+    return found.hexdigest()
+
+
+def _generate(
+    generate: Generate,
+    model: Model,
+    q_i: Sequence[str],
+    groups: Sequence[tuple[str, Sequence[str]]],
+    q: np.ndarray,
+    folder: Path,
+) -> None:
+    state: Mapping[str, float] = dict(zip(model.coordinates, map(float, q), strict=True))
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=folder.parent) as work:
+            made = generate(
+                model.scene_toml, list(q_i), groups, Path(work) / "model", state=state, redundant=list(model.redundant)
+            )
+            folder.mkdir(exist_ok=True)
+            files = sorted(Path(made).iterdir(), key=lambda path: path.name == "manifest.json")  # the manifest last
+            for path in files:
+                path.replace(folder / path.name)
+    except (OSError, SymgenError) as error:
+        raise NoVariant(f"a variant with q_i = {', '.join(q_i)} cannot be generated: {error}") from error
+
+
+def _generator() -> Generate | None:
+    if _handed:
+        return _handed[0]
+    for entry in entry_points(group=ENTRY_POINTS):
+        found: Generate = entry.load()
+        return found
+    return None

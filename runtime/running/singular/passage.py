@@ -14,17 +14,12 @@ import numpy as np
 from runtime.contract.coordinates import mechanism_length
 from runtime.contract.status import Event, Status, StatusName
 from runtime.results.solution import Solution
-from runtime.running.happenings import Happenings
-from runtime.running.segment import Segment
-from runtime.running.singular.carry import carried
-from runtime.running.singular.crossing import approach, cross
-from runtime.running.singular.exchange import CLEARLY, Exchange, best_exchange
-from runtime.running.singular.guard import LAST, Guard
-from runtime.running.singular.loop_determinants import LoopDeterminants
-from runtime.running.singular.over import Over
-from runtime.running.singular.tight_integrator import BranchLost, TightIntegrator
-from runtime.running.singular.variants import NoVariant, variant_of
-from runtime.running.singular.way import Way
+from runtime.running.events import EventActions
+from runtime.running.singular.crossing import BranchLost, TightIntegrator, approach, cross
+from runtime.running.singular.exchange import CLEARLY, Exchange, NoVariant, best_exchange, carried, variant_of
+from runtime.running.singular.guard import LAST, Guard, LoopDeterminants
+from runtime.running.singular.over import Over, Way
+from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.options import SchemeError
 
 FOLLOWED = 0.02  # of the largest determinant: how far a motion is followed to see where it leads
@@ -37,7 +32,7 @@ class Continuation:
     drop_from: the first step whose earlier samples do not hold; None: all hold.
     """
 
-    segment: Segment
+    segment: SteppedModel
     z: np.ndarray
     samples: list[np.ndarray]
     drop_from: int | None = None
@@ -46,7 +41,7 @@ class Continuation:
 
 
 def locate(
-    segment: Segment, guard: Guard, earlier: np.ndarray | None, before: np.ndarray, steps: int
+    segment: SteppedModel, guard: Guard, earlier: np.ndarray | None, before: np.ndarray, steps: int
 ) -> tuple[np.ndarray, np.ndarray | None, bool]:
     """(z before the first step that raises the alarm, z one step earlier if there is one, was there an alarm at all?).
 
@@ -83,12 +78,12 @@ class Passage:
 
     def __init__(
         self,
-        segment: Segment,
+        segment: SteppedModel,
         guard: Guard,
-        segments: list[Segment],
+        segments: list[SteppedModel],
         engine: str,
         asked: Callable[[], bool],
-        happenings: Happenings,
+        happenings: EventActions,
     ) -> None:
         self.segment, self.guard, self.segments, self.engine = segment, guard, segments, engine
         self.asked, self.happenings = asked, happenings
@@ -167,14 +162,14 @@ class Passage:
         )
         return Continuation(segment, new, [], segment.step_of(new) + 1, event)
 
-    def _segment_with(self, names: list[str], q: np.ndarray) -> Segment:
+    def _segment_with(self, names: list[str], q: np.ndarray) -> SteppedModel:
         """One that the run has had, or a new one. Raises NoVariant or SchemeError."""
         known = next((segment for segment in self.segments if list(segment.model.q_i) == names), None)
         if known is not None:
             return known
         model = variant_of(self.segments[0].model, names, q)
         own = self.segment
-        return Segment.build(model, own.plan.on(model), own.p, self.engine, own.begun)
+        return SteppedModel.of_run(model, own.plan.on(model), own.p, self.engine, own.begun)
 
     # ---- neither --------------------------------------------------------------------------------------------
 

@@ -14,8 +14,8 @@ import numpy as np
 from runtime.contract.status import StatusName
 from runtime.engine.program import Fields
 from runtime.running.monitor import CLOSURE_LIMIT
-from runtime.running.segment import HIGHEST, LOWEST
 from runtime.running.singular.guard import NEAR
+from runtime.running.stepped_model import HIGHEST, LOWEST
 from runtime.schemes.scheme import Scheme
 
 # in the order in which they are looked for; `singular` is no end: that case is run by itself

@@ -18,7 +18,7 @@ from runtime.contract.model import Model
 from runtime.engine.prepare import Prepared
 from runtime.engine.program import Call, Fields, Layout, Program, Repeat, Sequence, Until, make_stage
 from runtime.operating.given_state import closable, closing, fitting
-from runtime.running.segment import HIGHEST, LOWEST
+from runtime.running.stepped_model import HIGHEST, LOWEST
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import start_there
 from runtime.studies.ensemble.settle import settle_fields, settle_program

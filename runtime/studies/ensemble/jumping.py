@@ -8,7 +8,7 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.contract.tape import read_tape
 from runtime.running.plan import Plan
-from runtime.running.unending import may_jump
+from runtime.running.stepping import may_jump
 from runtime.schemes.switching.times import switching_times
 from runtime.studies.ensemble.starts import Starts
 

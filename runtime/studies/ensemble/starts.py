@@ -11,8 +11,7 @@ from runtime.contract.coordinates import dependent_part, independent
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.operating.given_state import angle_starts, closable, keeps_independent, spin_names
-from runtime.running.inputs import started
-from runtime.running.schedule import Schedule
+from runtime.running.inputs import Schedule, started
 from runtime.start.start_state import start_state
 from runtime.studies.ensemble.samples import vectors
 from runtime.studies.ensemble.settle import quasi_static

@@ -9,7 +9,6 @@ import numpy as np
 
 from runtime.contract.records import EventRecord
 from runtime.contract.status import Event, Status
-from runtime.running.segment import Segment
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.event_ends import ended_at_event, shown_at_end
@@ -24,7 +23,7 @@ AT_THE_END = 1e-10  # s
 NEAR = 1e-6  # of a step: what happens at its end
 
 
-class Happenings:
+class EventActions:
     """Steps of a model in which events happen: told (of one step, or of a run) and status say what happened."""
 
     def __init__(self, own: SteppedModel) -> None:
@@ -32,6 +31,7 @@ class Happenings:
         self.status: Status | None = None
         self._scheme, self._events = own.plan.scheme, own.model.description.events
         self._recent: dict[str, list[float]] = {}
+        self.start = np.zeros(0)  # the state before the step that `advance` made last
 
     def step(self, z: np.ndarray, broken: StepsWithStops) -> np.ndarray | None:
         """Advance z in place, to the end of the step or to a terminal event; (n_w,) the inputs if they changed."""
@@ -39,6 +39,20 @@ class Happenings:
         before = z[self._inputs].copy()
         broken.step_with_events(z, self.own.ready, self.own.c, self._acts)
         return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
+
+    def advance(self, z: np.ndarray, steps: int) -> np.ndarray | None:
+        """So many steps in place, or up to the end of the first with events; (n_w,) the inputs if they changed."""
+        own, before = self.own, z.copy() if self.own.watches_events else z
+        own.advance(z, steps)
+        at = own.first_event(z)
+        if at is None:
+            return None
+        z[:] = before
+        if at - 1 > int(z[1]):
+            own.advance(z, at - 1 - int(z[1]))
+        assert own.broken is not None
+        self.start = z.copy()
+        return self.step(z, own.broken)
 
     def end_step(self, z: np.ndarray) -> list[int]:
         """Where steps follow from a tolerance: end that of z (n_z,) in which an event is flagged there; which ones are.
@@ -145,7 +159,7 @@ def _text(event: EventRecord, direction: str, changes: dict[str, float]) -> str:
     return f"event {event.name}, {direction}" + (f": {action}" if action else "") + (", ends" if event.terminal else "")
 
 
-def note_impulses(segment: Segment, step: int, events: list[Event]) -> None:
+def note_impulses(segment: SteppedModel, step: int, events: list[Event]) -> None:
     """Append an event for each impulse of a prescribed motion until the end of a step, unless it is told already."""
     told = {event.time for event in events if event.kind == "velocity_jump"}
     until = segment.plan.time(step) + NEAR * segment.plan.grid.dt_L
