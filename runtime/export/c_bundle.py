@@ -8,7 +8,7 @@ Nothing is allocated, nothing is global: all memory is the caller's, so any numb
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -78,12 +78,12 @@ class Exported:
 
     @property
     def outputs(self) -> list[Quantity]:
-        """Coordinates, rates, measures."""
-        found = [Quantity(one.name, one.unit, one.kind) for one in self.model.description.coordinates]
-        found += [
-            Quantity(f"{one.name}_dot", one.unit_of(1), f"rate, {one.kind}")
-            for one in self.model.description.coordinates
-        ]
+        """Coordinates, rates, accelerations of q_i, measures."""
+        entries = self.model.description.coordinates
+        found = [Quantity(one.name, one.unit, one.kind) for one in entries]
+        found += [Quantity(f"{one.name}_dot", one.unit_of(1), f"rate, {one.kind}") for one in entries]
+        moving = [one for one in entries if one.name in self.model.q_i]
+        found += [Quantity(f"{one.name}_ddot", one.unit_of(2), f"acceleration, {one.kind}") for one in moving]
         return found + [Quantity(one.name, one.unit, "measure") for one in self.model.description.measures]
 
 
@@ -239,7 +239,7 @@ def _constant_tables(one: Exported) -> str:
     return "\n".join([*lines, constant_array(f"{p}z0", one.z), ""])
 
 
-def constant_array(name: str, values: np.ndarray) -> str:
+def constant_array(name: str, values: Sequence[float] | np.ndarray) -> str:
     """A static table of doubles, read back as they are."""
     flat = [repr(float(value)) for value in values]
     rows = ["  " + ", ".join(flat[k : k + 6]) for k in range(0, len(flat), 6)]

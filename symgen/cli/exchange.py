@@ -43,7 +43,7 @@ def export(arguments: argparse.Namespace) -> Outcome:
 
     `c` and `fmu` hold the time stepping scheme, whose bits are those of a run here; both need no Python.
     """
-    known = {"results": _results, "c": _c, "functions": _functions}
+    known = {"results": _results, "c": _c, "fmu": _fmu, "functions": _functions}
     return known[arguments.what](arguments)
 
 
@@ -63,6 +63,15 @@ def _c(arguments: argparse.Namespace) -> Outcome:
     from runtime.export.c_bundle import write_c
 
     return _written(write_c(_exported(arguments), arguments.out))
+
+
+def _fmu(arguments: argparse.Namespace) -> Outcome:
+    from runtime.export.fmu import write_fmu
+
+    done = write_fmu(_exported(arguments), arguments.out, int(arguments.fmi), arguments.platforms)
+    runs_on = f"for {', '.join(done.platforms)}" if done.platforms else "sources only"
+    lines = [f"Wrote {done.path}, {runs_on}.", *(f"Nothing for {name}: {why}." for name, why in done.missing.items())]
+    return Outcome({"file": str(done.path), "platforms": done.platforms, "missing": done.missing}, lines)
 
 
 def _functions(arguments: argparse.Namespace) -> Outcome:

@@ -264,14 +264,27 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
     "export": (
         exchange.export,
         (
-            opt("what WHAT", "what is handed on: %(choices)s", choices=("results", "c", "functions")),
+            opt("what WHAT", "what is handed on: %(choices)s", choices=("results", "c", "fmu", "functions")),
             opt("source SOURCE", "results: folder that `symgen simulate --out` left; else a scene or generated folder"),
-            opt("--out PATH", "results: a .csv, .mat, .parquet or .nc; c and functions: a folder", required=True),
+            opt(
+                "--out PATH",
+                "results: a .csv, .mat, .parquet or .nc; fmu: a .fmu; c and functions: a folder",
+                required=True,
+            ),
             WITH,
             Group(
-                "of c",
+                "of c and fmu",
                 FROM_THE_SCENE,
                 (DT, M, SCHEME, SCHEME_OPTION, SET, opt("--name NAME", "in the code (default: the scene's)")),
+            ),
+            opt(
+                "--fmi VERSION", "fmu: version of the standard (default: %(default)s)", choices=("2", "3"), default="2"
+            ),
+            opt(
+                "--platform A,B",
+                "fmu: binaries for these of linux64, win64, darwin64, aarch64, aarch64-darwin (default: this machine)",
+                names,
+                dest="platforms",
             ),
             opt("--functions A,B", "functions: only these (default: what a simulation elsewhere needs)", names),
         ),

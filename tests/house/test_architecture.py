@@ -33,7 +33,7 @@ RUNTIME_ROOMS = {
     "start": "contract schemes operating",
     "baselines": "contract engine schemes start results",
     "running": "contract engine schemes start results operating baselines",
-    "export": "contract engine schemes start running",
+    "export": "contract engine schemes start baselines running",
     "gradients": "contract engine schemes start results operating running",
     "studies": "contract engine schemes start results operating baselines running",
     "views": "contract results operating",

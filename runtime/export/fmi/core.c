@@ -1,0 +1,319 @@
+/* What both versions of the standard do. M(name) are the functions of the bundle, N(NAME) its numbers. Value references
+   count time, then p (parameters and inputs), then y (what the model shows). */
+#include <stdio.h>
+#include <stdlib.h>
+
+#define NP N(P)
+#define NPAR N(PARAMETERS)
+#define NU N(INPUTS)
+#define NY N(OUTPUTS)
+#define VR_P 1u
+#define VR_Y (VR_P + NP)
+#define VR_END (VR_Y + NY)
+
+enum { OK, WARNING, DISCARD, ERROR };                             /* as in both versions */
+enum { INSTANTIATED, INITIALISING, EVENT, CONTINUOUS, STEPPING, ENDED }; /* modes */
+
+/* all that lasts; two instances with equal states go on alike */
+typedef struct {
+  int mode, fresh, stale, changed, moved, seen; /* at the start?; is it, are c, inputs, y to be made? */
+  double t, h, started;                         /* time, step [s], time of the start */
+  double p[NP + 1], slope[NU + 1], starts[N(STARTS) + 1], c[N(C)], z[N(Z)], y[NY], x[NX + 1];
+} State;
+
+typedef struct {
+  State s, before;
+  int exchange; /* model exchange? else co-simulation */
+  char name[64];
+  void *environment;
+  void *logger;
+  double w[WORK];
+} Instance;
+
+static int say(Instance *I, int status, const char *message);
+
+static int said(Instance *I, int status, const char *what, double value) {
+  char text[200];
+  (void)snprintf(text, sizeof text, "%s (%.17g)", what, value);
+  return say(I, status, text);
+}
+
+static void defaults(Instance *I) {
+  State *s = &I->s;
+  int k;
+  memset(s, 0, sizeof *s);
+  M(defaults)(s->p);
+  for (k = 0; k < N(STARTS); ++k) s->starts[k] = M(starts)[k].start;
+  s->mode = INSTANTIATED, s->h = N(DT), s->fresh = s->stale = s->changed = 1;
+}
+
+/* the constants for what p and h are now */
+static void prepare(Instance *I) {
+  if (I->s.changed) M(constants)(I->s.c, I->s.p, I->s.h, I->w);
+  I->s.changed = 0;
+}
+
+/* the state of the start, once what it follows from is known */
+static void begin(Instance *I) {
+  State *s = &I->s;
+  int k;
+  prepare(I);
+  if (!s->stale) return;
+  M(start)(s->z, s->c, s->started, s->starts, I->w);
+  M(observe)(s->y, s->z, s->c, I->w);
+  for (k = 0; k < NX; ++k) s->x[k] = s->y[state_of[k]];
+  s->t = s->started, s->stale = s->moved = 0, s->seen = 1;
+}
+
+static void look(Instance *I) {
+  State *s = &I->s;
+  if (s->stale) begin(I);
+  prepare(I);
+  if (s->seen) return;
+  s->seen = 1;
+#if NX > 0
+  if (I->exchange) {
+    memcpy(s->c + INPUTS_IN_C, s->p + NPAR, NU * sizeof(double));
+    M(ode)(s->y, s->x, &s->t, s->c, I->w);
+    return;
+  }
+#endif
+  M(observe)(s->y, s->z, s->c, I->w);
+}
+
+static int get(Instance *I, const unsigned int *vr, size_t n, double *value) {
+  size_t k;
+  if (n > 0 && (vr == NULL || value == NULL)) return say(I, ERROR, "no place to read from or to write to");
+  for (k = 0; k < n; ++k) {
+    if (vr[k] >= VR_END) return said(I, ERROR, "there is no variable with this value reference", (double)vr[k]);
+    if (vr[k] >= VR_Y) look(I);
+    value[k] = vr[k] == 0 ? (I->s.stale ? I->s.started : I->s.t) : vr[k] < VR_Y ? I->s.p[vr[k] - VR_P] : I->s.y[vr[k] - VR_Y];
+  }
+  return OK;
+}
+
+static int set_start(Instance *I, unsigned int at, double value) {
+  int k;
+  for (k = 0; k < N(STARTS); ++k) {
+    if (start_of[k] == (int)at) {
+      I->s.starts[k] = value, I->s.stale = 1, I->s.seen = 0;
+      return OK;
+    }
+  }
+  return said(I, ERROR, "this variable follows from others and cannot be set", (double)(at + VR_Y));
+}
+
+static int set(Instance *I, const unsigned int *vr, size_t n, const double *value) {
+  State *s = &I->s;
+  const int before = s->mode == INSTANTIATED || s->mode == INITIALISING;
+  size_t k;
+  if (n > 0 && (vr == NULL || value == NULL)) return say(I, ERROR, "no place to read from or to write to");
+  for (k = 0; k < n; ++k) {
+    const unsigned int at = vr[k] - VR_P;
+    if (vr[k] == 0 || vr[k] >= VR_END) return said(I, ERROR, "nothing with this value reference can be set", (double)vr[k]);
+    if (!(value[k] - value[k] == 0.0)) return said(I, ERROR, "a value must be finite", value[k]);
+    if (vr[k] >= VR_Y) {
+      if (!before) return say(I, ERROR, "start values are set before the initialisation is left");
+      if (set_start(I, vr[k] - VR_Y, value[k]) != OK) return ERROR;
+      continue;
+    }
+    if ((bound_of[at] == 2 && value[k] <= 0) || (bound_of[at] == 1 && value[k] < 0)) {
+      return said(I, ERROR, "a parameter has a value of the wrong sign", value[k]);
+    }
+    if (s->p[at] == value[k]) continue;
+    s->p[at] = value[k], s->seen = 0;
+    if ((int)at >= NPAR) {
+      s->moved = 1;
+      if (SINCE >= 0) s->p[NPAR + SINCE] = s->t;
+    } else {
+      s->changed = 1;
+    }
+    if (before) s->changed = s->stale = 1;
+  }
+  return OK;
+}
+
+/* directions: dy along the seeds of states and inputs */
+static int derivatives(Instance *I, const unsigned int *unknown, size_t n, const unsigned int *known, size_t m,
+                       const double *seed, double *found) {
+  const State *s = &I->s;
+  double dx[NX + 1] = {0}, du[NU + 1] = {0}, dy[NY], x[NX + 1];
+  size_t k;
+  int j, hit;
+  if (unknown == NULL || known == NULL || seed == NULL || found == NULL) return say(I, ERROR, "no place to read from or to write to");
+  look(I);
+  for (k = 0; k < m; ++k) {
+    for (hit = j = 0; j < NX; ++j) {
+      if (known[k] == VR_Y + (unsigned int)state_of[j]) dx[j] += seed[k], hit = 1;
+    }
+    if (known[k] >= VR_P + NPAR && known[k] < VR_Y) du[known[k] - VR_P - NPAR] += seed[k], hit = 1;
+    if (!hit) return said(I, ERROR, "derivatives are by states and inputs only, not by this value reference", (double)known[k]);
+  }
+#if NX > 0
+  for (j = 0; j < NX; ++j) x[j] = s->y[state_of[j]];
+  memcpy(I->s.c + INPUTS_IN_C, s->p + NPAR, NU * sizeof(double));
+  M(ode_along)(dy, x, &s->t, s->c, dx, du, I->w);
+  for (k = 0; k < n; ++k) {
+    if (unknown[k] < VR_Y || unknown[k] >= VR_END) return said(I, ERROR, "this variable has no derivatives", (double)unknown[k]);
+    found[k] = dy[unknown[k] - VR_Y];
+  }
+  return OK;
+#else
+  (void)s, (void)dy, (void)x, (void)n, (void)unknown, (void)dx, (void)du;
+  return say(I, ERROR, "this unit has no derivatives");
+#endif
+}
+
+/* ---- co-simulation ---- */
+
+/* from here on steps of h */
+static void take_step(Instance *I, double h) {
+  State *s = &I->s;
+  if (h == s->h && !s->changed) return;
+  if (h != s->h && !s->fresh) M(restart)(s->z, s->c, s->h, h, I->w);
+  s->h = h, s->changed = 1;
+  prepare(I);
+  if (s->fresh) M(start)(s->z, s->c, s->started, s->starts, I->w);
+}
+
+static int do_step(Instance *I, double t, double H) {
+  State *s = &I->s;
+  double n, h, u[NU + 1];
+  int sloping = 0, k;
+  long step;
+  if (s->mode != STEPPING) return say(I, ERROR, "a step is made behind the initialisation, in co-simulation");
+  if (!(H > 0.0) || H - H != 0.0) return said(I, ERROR, "the length of a step must be positive and finite", H);
+  if (!(fabs(t - s->t) <= 1e-6 * H)) return said(I, ERROR, "the unit is at another time than the step begins at", s->t);
+  n = ceil(H / N(DT) - 1e-6);
+  n = n < 1.0 ? 1.0 : n;
+  if (n > 1e9) return said(I, DISCARD, "the step is longer than a thousand million steps of the scheme", H);
+  h = fabs(H / n - N(DT)) <= 1e-9 * N(DT) ? N(DT) : fabs(H / n - s->h) <= 1e-9 * s->h ? s->h : H / n;
+  I->before = *s;
+  take_step(I, h);
+  for (k = 0; k < NU; ++k) sloping = sloping || s->slope[k] != 0.0;
+  if (sloping) { /* each step with the values at its middle */
+    for (step = 0; step < (long)n; ++step) {
+      for (k = 0; k < NU; ++k) u[k] = s->p[NPAR + k] + s->slope[k] * ((double)step + 0.5) * h;
+      M(hold)(s->z, s->c, u, I->w);
+      M(step)(s->z, s->c, I->w, 1);
+    }
+    s->moved = 1;
+  } else {
+    if (s->moved) M(hold)(s->z, s->c, s->p + NPAR, I->w);
+    s->moved = 0;
+    M(step)(s->z, s->c, I->w, (long)n);
+  }
+  s->fresh = s->seen = 0;
+  s->t = t + H;
+  if (!M(finite)(s->z)) {
+    *s = I->before;
+    return said(I, DISCARD, "the motion is lost in this step: take shorter ones", H);
+  }
+  return OK;
+}
+
+/* ---- model exchange ---- */
+
+static int set_states(Instance *I, const double *x, size_t n) {
+  size_t k;
+  if (x == NULL || n != NX || !I->exchange) return said(I, ERROR, "another number of states", (double)n);
+  for (k = 0; k < n; ++k) {
+    if (!(x[k] - x[k] == 0.0)) return said(I, DISCARD, "a state must be finite", x[k]);
+  }
+  memcpy(I->s.x, x, NX * sizeof(double));
+  I->s.seen = 0;
+  return OK;
+}
+
+static int get_states(Instance *I, double *x, size_t n, int what) { /* 0: states, 1: derivatives, 2: nominal values */
+  size_t k;
+  if (x == NULL || n != NX) return said(I, ERROR, "another number of states", (double)n);
+  if (what != 2) look(I);
+  for (k = 0; k < n; ++k) {
+    x[k] = what == 0 ? I->s.x[k] : what == 1 ? I->s.y[derivative_of[k]] : nominal_of[k];
+    if (!(x[k] - x[k] == 0.0)) return said(I, DISCARD, "a derivative is not finite", x[k]);
+  }
+  return OK;
+}
+
+static int set_time(Instance *I, double t) {
+  if (!(t - t == 0.0)) return said(I, ERROR, "time must be finite", t);
+  if (I->s.t != t) I->s.seen = 0;
+  I->s.t = t;
+  return OK;
+}
+
+/* ---- modes ---- */
+
+static int initialise(Instance *I, double t) {
+  if (I->s.mode != INSTANTIATED) return say(I, ERROR, "an instance is initialised once");
+  if (!(t - t == 0.0)) return said(I, ERROR, "the start time must be finite", t);
+  I->s.started = I->s.t = t, I->s.stale = 1, I->s.mode = INITIALISING;
+  return OK;
+}
+
+static int leave_initialisation(Instance *I) {
+  if (I->s.mode != INITIALISING) return say(I, ERROR, "the initialisation was not entered");
+  begin(I);
+  if (!M(finite)(I->s.z)) return say(I, ERROR, "the start values make no start: are the loops closed?");
+  I->s.mode = I->exchange ? EVENT : STEPPING;
+  return OK;
+}
+
+static int go_to(Instance *I, int from, int mode) {
+  if (!I->exchange || (I->s.mode != from && I->s.mode != mode)) return say(I, ERROR, "this mode cannot be entered from here");
+  I->s.mode = mode;
+  return OK;
+}
+
+/* ---- states kept ---- */
+
+static int keep(Instance *I, void **state) {
+  if (state == NULL) return say(I, ERROR, "no place for the state");
+  if (*state == NULL) *state = malloc(sizeof(State));
+  if (*state == NULL) return say(I, ERROR, "no memory");
+  memcpy(*state, &I->s, sizeof(State));
+  return OK;
+}
+
+static int go_back(Instance *I, const void *state) {
+  if (state == NULL) return say(I, ERROR, "there is no such state");
+  memcpy(&I->s, state, sizeof(State));
+  return OK;
+}
+
+static int let_go(void **state) {
+  if (state != NULL) {
+    free(*state);
+    *state = NULL;
+  }
+  return OK;
+}
+
+static int as_bytes(Instance *I, const void *state, void *bytes, size_t size) {
+  if (state == NULL || bytes == NULL || size < sizeof(State)) return said(I, ERROR, "the state needs more room than bytes", (double)size);
+  memcpy(bytes, state, sizeof(State));
+  return OK;
+}
+
+static int from_bytes(Instance *I, const void *bytes, size_t size, void **state) {
+  if (bytes == NULL || state == NULL || size != sizeof(State)) return said(I, ERROR, "these bytes are no state of this unit", (double)size);
+  if (*state == NULL) *state = malloc(sizeof(State));
+  if (*state == NULL) return say(I, ERROR, "no memory");
+  memcpy(*state, bytes, sizeof(State));
+  return OK;
+}
+
+static Instance *made(const char *name, const char *token, int exchange, void *environment, void *logger) {
+  Instance *I = calloc(1, sizeof *I);
+  if (I == NULL) return NULL;
+  I->exchange = exchange, I->environment = environment, I->logger = logger;
+  if (name != NULL) strncpy(I->name, name, sizeof I->name - 1);
+  defaults(I);
+  if (token == NULL || strcmp(token, TOKEN) != 0) {
+    (void)say(I, ERROR, "the token is not that of this unit: description and binary do not fit");
+    free(I);
+    return NULL;
+  }
+  return I;
+}

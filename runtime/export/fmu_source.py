@@ -1,0 +1,120 @@
+"""The C of an FMU: what `fmi/core.c` and `fmi/fmiN.c` need to know of a model, in front of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from importlib.resources import files
+
+import casadi as ca
+
+from runtime.baselines.condensed_ode import CondensedOde
+from runtime.contract.coordinates import joined
+from runtime.contract.model import Model
+from runtime.contract.tape import Tape, shared
+from runtime.engine.c_source import Style, source, tape_code
+from runtime.export.c_bundle import Exported, constant_array, named, quoted
+
+_BOUNDS = {"any": 0, "not negative": 1, "positive": 2}
+SINCE = "inputs.since"
+_HEAD = """
+#include "{stem}.h"
+
+#if defined(__GNUC__) /* the standard has arguments that this unit has no use for */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
+#define M(name) {p}##name
+#define N(name) {p}##name
+#define TOKEN {token}
+#define NX {nx} /* states of model exchange; 0: it is not offered */
+#define WORK ({p}W > {work} ? {p}W : {work})
+#define INPUTS_IN_C {inputs}
+#define SINCE {since} /* which input is the time that inputs with rates count from */
+#if defined(_WIN32)
+#define DOOR __declspec(dllexport)
+#elif defined(__GNUC__)
+#define DOOR __attribute__((visibility("default")))
+#else
+#define DOOR
+#endif
+"""
+
+
+def state_names(model: Model) -> list[str]:
+    """Coordinates, rates and loop unknowns that are the states of model exchange; none where bodies turn freely."""
+    if model.places.turns.size:
+        return []
+    return [*model.q_i, *(f"{name}_dot" for name in model.q_i), *model.loop_unknowns]
+
+
+def fmu_source(one: Exported, fmi: int, token: str) -> str:
+    """The file beside NAME.c that makes it an FMU; fmi: 2 or 3."""
+    model, p = one.model, one.prefix
+    states, shown = state_names(model), [quantity.name for quantity in one.outputs]
+    rates = [name.removesuffix("_dot") + ("_ddot" if name.endswith("_dot") else "_dot") for name in states]
+    inputs = [quantity.name for quantity in one.inputs]
+    style, code = Style(p, tables=True), []
+    if states:
+        ode, along = equations(one)
+        code = [
+            tape_code(f"{p}ode", named(ode, "x", "t", "c"), ["y"], style),
+            tape_code(f"{p}ode_along", _with_all_arguments(named(along, "x", "t", "c", "dx", "du")), ["dy"], style),
+        ]
+    head = _HEAD.format(
+        stem=p[:-1],
+        work=max([1, *(part.work for part in code)]),
+        p=p,
+        token=quoted(token),
+        nx=len(states),
+        inputs=model.c_size - model.signals.size,
+        since=inputs.index(SINCE) if SINCE in inputs else -1,
+    )
+    places = {name: k for k, name in enumerate(shown)}
+    modal = {entry.name for entry in model.description.coordinates if entry.elastic}
+    tables = [
+        _whole("state_of", [places[name] for name in states]),
+        _whole("derivative_of", [places[name] for name in rates]),
+        _whole("start_of", [places.get(quantity.name, -1) for quantity in one.x]),
+        _whole("bound_of", [_BOUNDS[parameter.bound] for parameter in model.parameters]),
+        constant_array("nominal_of", [nominal(name, modal) for name in states] or [1.0]),
+    ]
+    body = [
+        files("runtime.export.fmi").joinpath(name).read_text(encoding="utf-8") for name in ("core.c", f"fmi{fmi}.c")
+    ]
+    return "\n".join([source(code, style, head), *tables, *body])
+
+
+def nominal(name: str, modal: set[str]) -> float:
+    """Of what size a state is, for the tolerances of integrators: deflections are small."""
+    return 1e-3 if name in modal else 1.0
+
+
+def equations(one: Exported) -> tuple[ca.Function, ca.Function]:
+    """((x, t, c) -> y, (x, t, c, dx, du) -> dy along directions of the states and of the inputs)."""
+    model, system = one.model, CondensedOde(one.model, 1)
+    a, a_d = system.accelerations(), ca.SX(0, 1)
+    if model.q_d:
+        a_d = system.equations.dependent_accelerations(system.motion, system.v, a)
+    q = joined(model, system.q_i, system.motion.q_d)
+    q_dot, q_ddot = joined(model, system.v, system.v_d), joined(model, a, a_d)
+    seen = [q, q_dot, ca.vertcat(*(q_ddot[model.coordinates.index(name)] for name in model.q_i))]
+    if model.measures:
+        seen.append(model.evaluate("measures", q=q, q_dot=q_dot, t=system.t, c=system.c)["measures"])
+    (y,) = shared([ca.densify(ca.vertcat(*seen))])
+    first = model.c_size - model.signals.size
+    u = system.c[first:]
+    dx, du = ca.SX.sym("dx", system.y.numel()), ca.SX.sym("du", u.numel())
+    dy = ca.jtimes(y, system.y, dx) + (ca.jtimes(y, u, du) if u.numel() else 0)
+    arguments = [system.y, system.t, system.c]
+    along = shared([ca.densify(dy)])
+    return ca.Function("ode", arguments, [y]), ca.Function("along", [*arguments, dx, du], along)
+
+
+def _with_all_arguments(tape: Tape) -> Tape:
+    """C declares those without entries, too."""
+    return replace(tape, input_sizes=[max(1, size) for size in tape.input_sizes])
+
+
+def _whole(name: str, values: Sequence[int]) -> str:
+    return f"static const int {name}[{len(values) + 1}] = {{{', '.join(map(str, [*values, 0]))}}};"
