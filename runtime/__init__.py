@@ -21,7 +21,7 @@ The names below are the doors; each room is imported when a name of it is first 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from runtime.contract import doors
+from runtime.contract.doors import opened
 
 if TYPE_CHECKING:
     from runtime.baselines.augmented import augmented_solution
@@ -43,7 +43,8 @@ if TYPE_CHECKING:
     from runtime.operating.modes import mode_motion, modes
     from runtime.results.solution import Solution
     from runtime.running.driven import quasi_static_motion
-    from runtime.running.simulate import resume, simulate
+    from runtime.running.checkpoint import resume
+    from runtime.running.simulate import simulate
     from runtime.schemes.catalogue import SCHEMES
     from runtime.schemes.options import Options, SchemeError
     from runtime.studies.ensemble.ensemble import ensemble
@@ -115,7 +116,7 @@ _HOMES = {
     "quasi_static_motion": "running.driven",
     "Environment": "running.environment",
     "Sampled": "running.inputs",
-    "resume": "running.simulate",
+    "resume": "running.checkpoint",
     "SCHEMES": "schemes.catalogue",
     "Options": "schemes.options",
     "SchemeError": "schemes.options",
@@ -126,38 +127,12 @@ _HOMES = {
 }
 
 
-def _page(*arguments: Any) -> Any:
-    return import_module("runtime.views.viewer.page").show(*arguments)
-
-
-def _stepper(*arguments: Any, **settings: Any) -> Any:
-    return import_module("runtime.running.stepping").ModelStepper(*arguments, **settings)
-
-
-def _dynamics(*arguments: Any) -> Any:
-    return import_module("runtime.operating.dynamics").Dynamics(*arguments)
-
-
-def _ode(*arguments: Any, **settings: Any) -> Any:
-    return import_module("runtime.baselines.ode").ode(*arguments, **settings)
-
-
-def _sketch(*arguments: Any) -> Any:
-    return import_module("runtime.views.model_sketch").model_sketch(*arguments)
-
-
-doors.OPENS["page"] = _page
-doors.OPENS["stepper"] = _stepper
-doors.OPENS["dynamics"] = _dynamics
-doors.OPENS["ode"] = _ode
-doors.OPENS["sketch"] = _sketch
-
-
 def __getattr__(name: str) -> Any:
     if name not in _HOMES:
         raise AttributeError(f"module 'runtime' has no attribute {name!r}")
-    home = import_module(f"runtime.{_HOMES[name]}")
-    return import_module(f"runtime.views.{name}") if _HOMES[name] == "views" else getattr(home, name)
+    if _HOMES[name] == "views":
+        return import_module(f"runtime.views.{name}")
+    return opened(f"runtime.{_HOMES[name]}:{name}")
 
 
 def __dir__() -> list[str]:

@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from symgen.emission.write import emit, write_model
+from symgen.emission.emit import emit
+from symgen.emission.write import write_model
 from symgen.pipeline import Configuration, derive
 from symgen.scene import Scene, SceneError
 

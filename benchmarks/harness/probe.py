@@ -20,7 +20,8 @@ from runtime.contract.loading import load_model  # noqa: E402
 from runtime.contract.model import Model  # noqa: E402
 from runtime.engine.compiled import CompiledProgram  # noqa: E402
 from runtime.schemes.catalogue import scheme_kind  # noqa: E402
-from symgen.emission.write import emit, write_model  # noqa: E402
+from symgen.emission.emit import emit  # noqa: E402
+from symgen.emission.write import write_model  # noqa: E402
 from symgen.pipeline import derive  # noqa: E402
 from symgen.scene import Scene  # noqa: E402
 from symgen.scenes.chain import chain  # noqa: E402

@@ -46,5 +46,9 @@ class ModelError(SymgenError, ValueError):
     """A generated model that cannot be used: missing, edited, stale, or asked for something it does not have."""
 
 
+class CompilerError(SymgenError, RuntimeError):
+    """What compiles a program is missing or failed."""
+
+
 class NoResult(SymgenError, RuntimeError):
     """A study that came to no result, for a numerical reason that the message names."""

@@ -12,7 +12,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from runtime.contract.doors import OPENS
+from runtime.contract.doors import opened
 from runtime.contract.errors import ModelError
 from runtime.contract.orientations import Places, places_of, with_charts
 from runtime.contract.records import Bound, BoundedQuantity, Coordinate, Description, Group, InputRecord, Parameter
@@ -358,7 +358,7 @@ class Model:
         )
 
     def _repr_html_(self) -> str:
-        return model_card(self.description, OPENS["sketch"](self) if "sketch" in OPENS else "")
+        return model_card(self.description, opened("runtime.views.model_sketch:model_sketch")(self))
 
     def kernel(self, name: str) -> ca.Function:
         """The emitted Function `name`, with c as its last argument. Raises ModelError if it was not generated."""
@@ -419,40 +419,42 @@ class Model:
 
         scheme, dt [s], m, options, parameters, engine; what is not given comes from the scene.
         """
-        return OPENS["stepper"](self, **settings)
+        return opened("runtime.running.stepping:ModelStepper")(self, **settings)
 
     def ode(self, loops: str = "states", **settings: Any) -> Any:
         """The model as x' = f(x, u, p, t): see runtime.baselines.ode for the settings and the result."""
-        return OPENS["ode"](self, loops, **settings)
+        return opened("runtime.baselines.ode:ode")(self, loops, **settings)
 
     def inverse_dynamics(self, q: Any, v: Any, a: Any, motors: Sequence[str] = (), **where: Any) -> np.ndarray:
         """tau for the motion q, v, a; see runtime.operating.dynamics.Dynamics for this and the next five."""
-        found: np.ndarray = OPENS["dynamics"](self).inverse_dynamics(q, v, a, motors, **where)
+        found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).inverse_dynamics(
+            q, v, a, motors, **where
+        )
         return found
 
     def forward_dynamics(self, q: Any, v: Any, tau: Any = None, **where: Any) -> np.ndarray:
         """Accelerations under the loads of the scene and tau."""
-        found: np.ndarray = OPENS["dynamics"](self).forward_dynamics(q, v, tau, **where)
+        found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).forward_dynamics(q, v, tau, **where)
         return found
 
     def mass_matrix(self, q: Any, **where: Any) -> np.ndarray:
         """M(q)."""
-        found: np.ndarray = OPENS["dynamics"](self).mass_matrix(q, **where)
+        found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).mass_matrix(q, **where)
         return found
 
     def gravity(self, q: Any, **where: Any) -> np.ndarray:
         """tau that holds the mechanism still at q."""
-        found: np.ndarray = OPENS["dynamics"](self).gravity(q, **where)
+        found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).gravity(q, **where)
         return found
 
     def coriolis(self, q: Any, v: Any, **where: Any) -> np.ndarray:
         """C(q, v) v."""
-        found: np.ndarray = OPENS["dynamics"](self).coriolis(q, v, **where)
+        found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).coriolis(q, v, **where)
         return found
 
     def jacobian(self, marker: str, q: Any, **where: Any) -> np.ndarray:
         """Velocity and angular velocity of "body.marker" by v."""
-        found: np.ndarray = OPENS["dynamics"](self).jacobian(marker, q, **where)
+        found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).jacobian(marker, q, **where)
         return found
 
     @cached_property

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Protocol
+from typing import Protocol, cast
 
 import numpy as np
 
+from runtime.contract.doors import opened
 from runtime.contract.errors import ArgumentError
 from runtime.contract.tape import Tape, arithmetic, code_length
-from runtime.engine.compiled import CompiledProgram
-from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.llvm_code import find_llvm
 from runtime.engine.native import NativeProgram
 from runtime.engine.program import Program, Repeat, Until
@@ -75,10 +74,10 @@ def choose_engine(
     if requested not in ENGINES:
         raise ArgumentError(f"engine must be one of {', '.join(ENGINES)}, not {requested!r}")
     if requested == "c":
-        return CompiledProgram(program)
+        return cast(Engine, opened("runtime.engine.compiled:CompiledProgram")(program))
     missing = find_llvm() if requested == "auto" else ""
     if requested == "interpreted" or missing:
-        engine = InterpretedProgram(program, z_size, c_size)
+        engine: Engine = opened("runtime.engine.interpreted:InterpretedProgram")(program, z_size, c_size)
         engine.note = f"the run was interpreted: {missing}" if missing else ""
         return engine
     return NativeProgram(program, "library" if requested == "compiled-library" else "own", wait, tapes)

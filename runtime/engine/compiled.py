@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from runtime.contract.errors import SymgenError
+from runtime.contract.errors import CompilerError
 from runtime.contract.files import cache_folder
 from runtime.engine.c_source import program_source, program_tables
 from runtime.engine.program import Program
@@ -27,10 +27,6 @@ LARGE_SOURCE = 10_000  # lines
 SMALL_FLAGS = ("-O3",)
 # of -O1, without the passes that take quadratic time on long straight-line code (a third of the time, same speed)
 LARGE_FLAGS = ("-O1", "-fno-dse", "-fno-tree-dse", "-fno-tree-pta", "-fno-ivopts", "-fno-schedule-insns2")
-
-
-class CompilerError(SymgenError, RuntimeError):
-    """The C compiler is missing or failed."""
 
 
 def find_compiler() -> str | None:

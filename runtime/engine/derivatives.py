@@ -38,9 +38,9 @@ from runtime.engine.llvm_code import (
     tools,
     written_out,
 )
-from runtime.engine.llvm_ir import Form, Operations, StageWriter
+from runtime.engine.llvm_ir import Operations, StageWriter
 from runtime.engine.object_cache import ObjectCache
-from runtime.engine.program import Call, Program, Repeat, Sequence, Until
+from runtime.engine.program import Call, Form, Program, Repeat, Sequence, Until
 
 # ---- Derivatives of one stage of a step program, and of an iteration at what it has converged to.
 #

@@ -11,8 +11,7 @@ import numpy as np
 
 from runtime.contract.tape import arithmetic
 from runtime.engine.llvm_code import BEST, FIRST, INLINED, Compiler, Effort, host
-from runtime.engine.llvm_ir import Form
-from runtime.engine.program import Program
+from runtime.engine.program import Form, Program
 
 SHORT = 2_000  # operations: below, two vector registers a value hide the latency of one
 LONG = 20_000  # operations: above, passes over code in lanes cost more than they save

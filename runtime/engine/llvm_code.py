@@ -15,11 +15,11 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 import casadi as ca
 
+from runtime.contract.doors import opened
+from runtime.contract.errors import CompilerError
 from runtime.contract.tape import Tape, code_length, no_collection, read_tape
-from runtime.engine.compiled import CompilerError
-from runtime.engine.llvm_ir import Form, program_ir
 from runtime.engine.object_cache import ObjectCache
-from runtime.engine.program import Program, Repeat, Until
+from runtime.engine.program import Form, Program, Repeat, Until
 from runtime.engine.table_code import bind_native
 
 PRINTER = ("llvm_ir", "mathematics", "table_code", "llvm_code")  # files of this folder
@@ -123,7 +123,7 @@ def compiled(
     """(object file, entries of the work array); tapes: of stages that need not be read."""
     with no_collection():
         known = {stage.name(): tapes.get(stage.name()) or read_tape(stage) for stage in program.stages()}
-        text, work = program_ir(program, known, form)
+        text, work = opened("runtime.engine.llvm_ir:program_ir")(program, known, form)
         del known
     return machine_code(text, effort, processor), work
 

@@ -18,7 +18,7 @@ import casadi as ca
 
 from runtime.contract.tape import UNUSED, Node, Tape, below
 from runtime.engine.mathematics import LIBRARY_BINARY, LIBRARY_UNARY, PURE, REPLACED, Lanes, own_functions, sincos
-from runtime.engine.program import Program, Repeat, Until
+from runtime.engine.program import Form, Program, Repeat, Until
 from runtime.engine.table_code import module_ir, table_name
 
 # ---- Sines and cosines of angles that do not wait for each other, side by side in the lanes of one vector.
@@ -458,15 +458,6 @@ class StageWriter:
                 )
                 value = f"%m{entry}"
             self._store("z", entry, value)
-
-
-class Form(NamedTuple):
-    """How a program is printed: lanes, mathematics (own or library), statements a function, stages inlined or not."""
-
-    width: int = 1
-    mathematics: str = "own"
-    chunk: int = 0
-    inline: bool = True
 
 
 RUN_BLOCKS = """

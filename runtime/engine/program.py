@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 import casadi as ca
 import numpy as np
@@ -131,3 +131,12 @@ def make_stage(name: str, layout: Layout, c_size: int, body: Callable[[Fields, c
     if ca.n_nodes(z_next) <= LONG:
         (z_next,) = shared([z_next])
     return Call(ca.Function(name, [z, c], [z_next], ["z", "c"], ["z_next"]))
+
+
+class Form(NamedTuple):
+    """How a program is printed: lanes, mathematics (own or library), statements a function, stages inlined or not."""
+
+    width: int = 1
+    mathematics: str = "own"
+    chunk: int = 0
+    inline: bool = True

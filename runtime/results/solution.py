@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from runtime.contract.coordinates import followed
-from runtime.contract.doors import OPENS
+from runtime.contract.doors import opened
 from runtime.contract.flexible import BodyMotion
 from runtime.contract.model import Model
 from runtime.contract.status import badge, card, line, sparkline, table
@@ -95,7 +95,7 @@ class Solution(Samples):
         beside: a second run, shown pale in the same page.
         Raises ModelError if there is nothing to draw or a surface does not fit, and OutputError.
         """
-        return OPENS["page"](self, path, surfaces, beside)
+        return opened("runtime.views.viewer.page:show")(self, path, surfaces, beside)
 
     def section_forces(
         self, body: str, at: float | Sequence[float] | None = None, way: Way = "equilibrium"

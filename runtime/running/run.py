@@ -16,18 +16,17 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import Initial, followed, whole
+from runtime.contract.doors import opened
 from runtime.contract.files import OutputError
 from runtime.contract.model import Model
 from runtime.contract.status import Event, Status
 from runtime.engine.rows import evaluate
-from runtime.running.checkpoint import Checkpoint, CheckpointRule, claim, header_of
 from runtime.running.events import EventActions, note_impulses
 from runtime.running.inputs import EndlessInput, InputValue, Schedule
 from runtime.running.plan import Plan, whole_number
 from runtime.running.problem import Problem
 from runtime.running.record import Record, record_of
 from runtime.running.singular.guard import FLOOR, Guard, lost_unguarded
-from runtime.running.singular.passage import Passage, locate
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
@@ -39,6 +38,21 @@ Progress = Callable[[float, float], None]
 CALL_SECONDS = 0.25  # a call lasts about this long, so that progress and Ctrl-C stay responsive
 LONGEST_CALL = 1 << 20
 MOST_SAVED = 256  # states that are saved between two looks
+CHECKPOINT_SECONDS = 60.0
+
+
+@dataclass
+class CheckpointRule:
+    """Where checkpoints go, and after how many major steps; None: after CHECKPOINT_SECONDS."""
+
+    path: Path | None = None
+    every: int | None = None
+
+    def is_due(self, step: int, written: float) -> bool:
+        """After a major step; written [s]: when the last one was, by the clock of `time.monotonic`."""
+        if self.path is None:
+            return False
+        return time.monotonic() - written > CHECKPOINT_SECONDS if self.every is None else step % self.every == 0
 
 
 @dataclass
@@ -299,6 +313,7 @@ class Run:
     def _pass(self, before: np.ndarray, n: int) -> None:
         """The determinant of a loop block is small on the way from `before`: decide there how to go on."""
         self.z = before.copy()  # what Ctrl-C during the search leaves
+        locate = opened("runtime.running.singular.passage:locate")
         z, previous, alarm = locate(self.segment, self.guard, self.earlier, before, n)
         if not alarm:
             self.z, self.earlier = z, before
@@ -307,8 +322,9 @@ class Run:
             self._step_unguarded(z)
             return
         asked, happened = lambda: self._interrupts.asked, self.happenings
-        passage = Passage(self.segment, self.guard, self.record.segments, self.engine, asked, happened)
-        found = passage.go_on(z if previous is None else previous)
+        passage = opened("runtime.running.singular.passage:Passage")
+        way = passage(self.segment, self.guard, self.record.segments, self.engine, asked, happened)
+        found = way.go_on(z if previous is None else previous)
         if found.event is not None and (
             found.event.kind != "no_variant" or not any(event.text == found.event.text for event in self.events)
         ):  # said once
@@ -377,8 +393,10 @@ class Run:
             arrays["earlier"] = self.earlier
         try:
             watching = self.guard, self.schedule, self.happenings, self.initial_changes
+            header_of = opened("runtime.running.checkpoint:header_of")
             header = header_of(self.segment, self.z, self.record, self.events, *watching)
-            Checkpoint(header, self.z, self.segment.p, arrays).write(self.rule.path)
+            written = opened("runtime.running.checkpoint:Checkpoint")(header, self.z, self.segment.p, arrays)
+            written.write(self.rule.path)
         except OutputError as error:  # what is in memory is worth more than its copy on the disk
             if not any(event.kind == "checkpoint_failed" for event in self.events):
                 self.events.append(Event(self.segment.plan.time(self.step), "checkpoint_failed", str(error)))
@@ -567,5 +585,5 @@ class Further:
         if every is not None and self.checkpoint is None:
             raise SchemeError("checkpoint_every", "needs a file", "give checkpoint = ...")
         if self.checkpoint is not None:
-            claim(self.checkpoint)
+            opened("runtime.running.checkpoint:claim")(self.checkpoint)
         return CheckpointRule(None if self.checkpoint is None else Path(self.checkpoint), every)

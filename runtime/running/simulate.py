@@ -2,35 +2,26 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
-from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import Initial
-from runtime.contract.errors import ModelError
+from runtime.contract.doors import opened
 from runtime.contract.model import Model, refuse_events
 from runtime.operating.given_state import given_state
 from runtime.results.meter import Meter
 from runtime.results.motion_error import MotionError
 from runtime.results.solution import Solution
-from runtime.running.checkpoint import Checkpoint, read_checkpoint
 from runtime.running.companion import marks_of, measured
-from runtime.running.driven import driven_solution
 from runtime.running.inputs import InputValue, bound, scheduled, started
-from runtime.running.ladder import by_ladder, chosen_method
 from runtime.running.outcome import finished
 from runtime.running.plan import make_plan, whole_number
 from runtime.running.problem import Problem, common_time, spacing_of, span_of
-from runtime.running.record import record_of
-from runtime.running.run import Further, Progress, Run, begun, with_reads
-from runtime.running.singular.exchange import variant_of
-from runtime.running.singular.guard import Guard
-from runtime.running.stepped_model import SteppedModel
+from runtime.running.run import Further, Progress, begun
 from runtime.running.tolerance import AUTO, tolerance_of
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
@@ -105,7 +96,8 @@ def simulate(
             wanted, options, local = _made_once(problem, wanted), {**(options or {}), "error_of": LOCAL}, True
     if asked is not None and not local:
         chosen = {name: value for name, value in (options or {}).items() if name != "error_of"}
-        return by_ladder(problem, asked, wanted, m, chosen, dt, further)
+        climbed: Solution = opened("runtime.running.ladder:by_ladder")(problem, asked, wanted, m, chosen, dt, further)
+        return climbed
     if local and asked is not None:
         sampled = spacing_of(inputs or {}, t0)
         options, dt, save_every = _seen_steps(model, asked, options, t_end, t0, dt, save_every, sampled)
@@ -124,7 +116,7 @@ def _made_once(problem: Problem, wanted: str) -> str:
 
     Raises SchemeError where that scheme cannot tell its own steps' lengths.
     """
-    name = chosen_method(problem)[0].scheme if wanted == AUTO else wanted
+    name = str(opened("runtime.running.ladder:chosen_method")(problem)[0].scheme if wanted == AUTO else wanted)
     if scheme_kind(name).adaptive is not None:
         return name
     if wanted == AUTO:
@@ -193,91 +185,5 @@ def _driven(
         )
     p = started(model, model.parameter_vector(parameters), schedule, begin)
     state = given_state(model, p, model.constants(p), begin, initial)
-    return driven_solution(model, p, state, begin, end, float(step), every, schedule)
-
-
-# Go on with a run from a checkpoint.
-
-
-def resume(
-    model: Model,
-    path: str | Path,
-    *,
-    stream: str | Path | None = None,
-    engine: str = "auto",
-    progress: Progress | None = None,
-    checkpoint: str | Path | None = None,
-    checkpoint_every: int | None = None,
-    scheme: str | None = None,
-    dt: float | None = None,
-    m: list[int] | None = None,
-    options: Mapping[str, Any] | None = None,
-    inputs: Mapping[str, InputValue] | None = None,
-) -> Solution:
-    """Go on with the run of a checkpoint to its end; the Solution is that of an uninterrupted run, bit for bit.
-
-    stream: the run's own folder where it has moved. checkpoint: where further ones go (the same file by default).
-    inputs: those of the run, where they are functions of time, samples or controllers.
-    scheme, dt [s], m and options need not be said again; they are compared with the run's own. Raises ModelError for a
-    checkpoint of another model or a damaged file, SchemeError for other settings, and what `simulate` raises.
-    """
-    kept, model = read_checkpoint(path), bound(model, inputs)
-    header = kept.header
-    header.check_model(model, path)
-    header.check_settings({"scheme": scheme, "dt": dt, "m": m, "options": options}, path)
-    rule = Further(checkpoint=checkpoint or path, checkpoint_every=checkpoint_every).rule()
-    started = time.perf_counter()
-    segments = _segments(model, kept, engine, path)
-    segment, z = segments[header.segment], kept.z.copy()
-    segment.monitor.resume(segment.stepper.state(z), header.monitor)
-    segment.resume_impulses(header.impulses)
-    keep_rows = bool(header.outputs) or header.stream is not None
-    record = record_of(segment, z, stream or header.stream, keep_rows, resumed=True)
-    record.segments[:] = segments
-    with record.closed_on_error():
-        record.restore(kept.arrays, header.rows, header.last_step)
-    plan = segments[0].plan
-    begin = ConsistentState(kept.arrays["start_q"], kept.arrays["start_q_dot"], {})
-    problem = Problem(model, kept.arrays["start_p"], begin, plan.t0, plan.t_end, dict(inputs or {}), engine)
-    run = Run(
-        segment,
-        z,
-        record,
-        rule,
-        header.initial_changes,
-        progress,
-        list(header.events),
-        engine=engine,
-        guard=Guard.remembered(header.guard),
-        earlier=kept.arrays.get("earlier"),
-        marks=marks_of(problem, plan),
-        start=(kept.arrays["start_p"], begin),
-    )
-    if run.marks is not None and "mark_steps" in kept.arrays:
-        run.marks.restore(kept.arrays, segments)
-    run.happenings.resume(header.happened)
-    schedule = problem.schedule(plan.grid.dt_L)
-    schedule.resume(header.schedule)
-    run.schedule = with_reads(schedule, run)
-    run.set_up = time.perf_counter() - started
-    return finished(run, lambda run, solution: measured(problem, run, solution))
-
-
-def _segments(model: Model, kept: Checkpoint, engine: str, path: str | Path) -> list[SteppedModel]:
-    """Those that the run has had, built again. Raises ModelError if z does not fit the one under way."""
-    header = kept.header
-    plan = header.plan(model)
-    segments = [SteppedModel.of_run(model, plan, kept.p, engine)]
-    for q_i in header.segments[1:]:
-        variant = model if q_i == model.q_i else variant_of(model, q_i, np.array(header.position))
-        segments.append(SteppedModel.of_run(variant, plan.on(variant), kept.p, engine))
-    current = segments[header.segment]
-    fitting = current.stepper.start(0.0, model.initial_q, model.initial_q_dot, current.c, plan.grid.dt_L)
-    if len(fitting) != len(kept.z):
-        raise ModelError(
-            f"checkpoint {path}",
-            f"it holds a state of {len(kept.z)} numbers, where the steps of its scheme {plan.name} prepared here have "
-            f"{len(fitting)}: they were prepared otherwise when it was written, as another version does",
-            "go on with the version that wrote it, or start again",
-        )
-    return segments
+    driven = opened("runtime.running.driven:driven_solution")
+    return cast(Solution, driven(model, p, state, begin, end, float(step), every, schedule))

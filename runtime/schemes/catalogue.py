@@ -1,40 +1,17 @@
-"""The schemes by name: class, options, what m means, order."""
+"""The schemes by name: class, options, what m means. A scheme is imported when a run takes it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
-from typing import Any, Literal
+from typing import Any, Literal, cast
 
+from runtime.contract.doors import opened
 from runtime.contract.model import Model
-from runtime.schemes.adaptive.exponential_adams import AdaptiveExponentialAdams
-from runtime.schemes.adaptive.linearised import AdaptiveLinearised
-from runtime.schemes.adaptive.methods import (
-    AdaptiveDormandPrince,
-    AdaptiveExponential,
-    AdaptiveExponentialRungeKutta,
-)
-from runtime.schemes.baselines.alpha_options import GeneralizedAlphaOptions, HilberHughesTaylorOptions
-from runtime.schemes.baselines.dormand_prince import DormandPrince5
-from runtime.schemes.baselines.generalized_alpha import GeneralizedAlpha, HilberHughesTaylor
-from runtime.schemes.baselines.radau import Radau, RadauOptions
-from runtime.schemes.baselines.runge_kutta import ClassicalRungeKutta, DormandPrince8
-from runtime.schemes.central_difference import CentralDifferenceOptions
-from runtime.schemes.coupled import Coupled, CoupledOptions
-from runtime.schemes.decoupled import Decoupled, DecoupledOptions
-from runtime.schemes.exponential import Exponential, ExponentialOptions
-from runtime.schemes.exponential_adams import ExponentialAdams, fitting
-from runtime.schemes.exponential_midpoint import ExponentialMidpoint, ExponentialMidpointOptions
-from runtime.schemes.exponential_rk4 import ExponentialRungeKutta, ExponentialRungeKuttaOptions
 from runtime.schemes.grid import Grid, make_grid
-from runtime.schemes.linear_sub_steps import HALVES
-from runtime.schemes.linearised import Linearised, LinearisedOptions
-from runtime.schemes.options import AdaptiveOptions, Options, SchemeError, SingleClosureOptions
-from runtime.schemes.printed import Printed, PrintedOptions
-from runtime.schemes.remembering_step import ExponentialAdamsOptions
+from runtime.schemes.options import HALVES, Options, SchemeError
 from runtime.schemes.scheme import Scheme
-from runtime.schemes.single_rate import SingleRate
 
 Ratios = Literal["none", "groups", "sub_steps"]
 
@@ -44,18 +21,38 @@ class SchemeKind:
     """A scheme that can be asked for by name.
 
     ratios: what m is. `groups`: one ratio between each two groups of the partition; `sub_steps`: one number of
-    sub-steps for all coordinates; `none`: no m. options: the record of its options, defaults in it.
-    default_m: m where neither the user nor the scene gives one that fits. adaptive: the class for a tolerance.
-    fitting: who makes it, where there are several of a kind, among which `make` is one.
+    sub-steps for all coordinates; `none`: no m. default_m: m where neither the user nor the scene gives one that fits.
+    By their places, `file:name` of this folder: the class, the record of its options, the class for a tolerance, and
+    who makes it where there are several of a kind, among which the class is one.
     """
 
-    make: type[Scheme]
+    class_at: str
     title: str
     ratios: Ratios
-    options: type[Options]
+    options_at: str
     default_m: int = 1
-    adaptive: type[Scheme] | None = None
-    fitting: Callable[[Model, Grid, Options], Scheme] | None = None
+    adaptive_at: str = ""
+    fitting_at: str = ""
+
+    @property
+    def make(self) -> type[Scheme]:
+        """The class."""
+        return cast(type[Scheme], opened(f"runtime.schemes.{self.class_at}"))
+
+    @property
+    def options(self) -> type[Options]:
+        """The record of its options, defaults in it."""
+        return cast(type[Options], opened(f"runtime.schemes.{self.options_at}"))
+
+    @property
+    def adaptive(self) -> type[Scheme] | None:
+        """The class for a tolerance, if there is one."""
+        return opened(f"runtime.schemes.{self.adaptive_at}") if self.adaptive_at else None
+
+    @property
+    def fitting(self) -> Callable[[Model, Grid, Options], Scheme]:
+        """Who makes it."""
+        return opened(f"runtime.schemes.{self.fitting_at}") if self.fitting_at else self.make
 
     @property
     def multirate(self) -> bool:
@@ -84,7 +81,7 @@ class SchemeKind:
         )
         key = (name, repr(groups), repr(grid.m), repr(options))
         if key not in model.schemes:
-            model.schemes[key] = (adaptive or self.fitting or self.make)(model, grid, options)
+            model.schemes[key] = (adaptive or self.fitting)(model, grid, options)
         found: Scheme = model.schemes[key]
         return found.on(grid)
 
@@ -109,61 +106,91 @@ class SchemeKind:
 
 SCHEMES: dict[str, SchemeKind] = {
     "single_rate": SchemeKind(
-        SingleRate, "central difference, one step for all coordinates", "none", CentralDifferenceOptions
+        "single_rate:SingleRate",
+        "central difference, one step for all coordinates",
+        "none",
+        "central_difference:CentralDifferenceOptions",
     ),
-    "printed": SchemeKind(Printed, "the paper's sub-cycling", "groups", PrintedOptions),
-    "coupled": SchemeKind(Coupled, "sub-steps that solve the coupled system", "groups", CoupledOptions),
+    "printed": SchemeKind("printed:Printed", "the paper's sub-cycling", "groups", "printed:PrintedOptions"),
+    "coupled": SchemeKind(
+        "coupled:Coupled", "sub-steps that solve the coupled system", "groups", "coupled:CoupledOptions"
+    ),
     "decoupled": SchemeKind(
-        Decoupled, "sub-steps on an inertially decoupled slow coordinate", "groups", DecoupledOptions
+        "decoupled:Decoupled",
+        "sub-steps on an inertially decoupled slow coordinate",
+        "groups",
+        "decoupled:DecoupledOptions",
     ),
     "linearised": SchemeKind(
-        Linearised,
+        "linearised:Linearised",
         "sub-steps of the system linearised at the midpoint",
         "sub_steps",
-        LinearisedOptions,
+        "linearised:LinearisedOptions",
         default_m=4,
-        adaptive=AdaptiveLinearised,
+        adaptive_at="adaptive.linearised:AdaptiveLinearised",
     ),
     "exponential": SchemeKind(
-        Exponential,
+        "exponential:Exponential",
         "exponential Rosenbrock, order 4 or 5",
         "sub_steps",
-        ExponentialOptions,
+        "exponential:ExponentialOptions",
         default_m=4,
-        adaptive=AdaptiveExponential,
+        adaptive_at="adaptive.methods:AdaptiveExponential",
     ),
     "exponential_rk4": SchemeKind(
-        ExponentialRungeKutta,
+        "exponential_rk4:ExponentialRungeKutta",
         "exponential Runge-Kutta on the stiff deflections, order 4",
         "none",
-        ExponentialRungeKuttaOptions,
-        adaptive=AdaptiveExponentialRungeKutta,
+        "exponential_rk4:ExponentialRungeKuttaOptions",
+        adaptive_at="adaptive.methods:AdaptiveExponentialRungeKutta",
     ),
     "exponential_adams": SchemeKind(
-        ExponentialAdams,
+        "exponential_adams:ExponentialAdams",
         "exponential Adams on the stiff deflections or all coordinates with a point inside the step, order 4",
         "none",
-        ExponentialAdamsOptions,
-        fitting=fitting,
-        adaptive=AdaptiveExponentialAdams,
+        "remembering_step:ExponentialAdamsOptions",
+        fitting_at="exponential_adams:fitting",
+        adaptive_at="adaptive.exponential_adams:AdaptiveExponentialAdams",
     ),
     "exponential_midpoint": SchemeKind(
-        ExponentialMidpoint,
+        "exponential_midpoint:ExponentialMidpoint",
         "symmetric exponential midpoint on the stiff deflections, order 2",
         "none",
-        ExponentialMidpointOptions,
+        "exponential_midpoint:ExponentialMidpointOptions",
     ),
-    "rk4": SchemeKind(ClassicalRungeKutta, "classical Runge-Kutta, order 4", "none", SingleClosureOptions),
+    "rk4": SchemeKind(
+        "baselines.runge_kutta:ClassicalRungeKutta",
+        "classical Runge-Kutta, order 4",
+        "none",
+        "options:SingleClosureOptions",
+    ),
     "dopri5": SchemeKind(
-        DormandPrince5, "Dormand-Prince, order 5(4)", "none", AdaptiveOptions, adaptive=AdaptiveDormandPrince
+        "baselines.dormand_prince:DormandPrince5",
+        "Dormand-Prince, order 5(4)",
+        "none",
+        "options:AdaptiveOptions",
+        adaptive_at="adaptive.methods:AdaptiveDormandPrince",
     ),
-    "dop853": SchemeKind(DormandPrince8, "Dormand-Prince, order 8, fixed step", "none", SingleClosureOptions),
-    "radau": SchemeKind(Radau, "Radau IIA, order 5, fixed step", "none", RadauOptions),
+    "dop853": SchemeKind(
+        "baselines.runge_kutta:DormandPrince8",
+        "Dormand-Prince, order 8, fixed step",
+        "none",
+        "options:SingleClosureOptions",
+    ),
+    "radau": SchemeKind(
+        "baselines.radau:Radau", "Radau IIA, order 5, fixed step", "none", "baselines.radau:RadauOptions"
+    ),
     "generalized_alpha": SchemeKind(
-        GeneralizedAlpha, "generalized-alpha on all coordinates, order 2", "none", GeneralizedAlphaOptions
+        "baselines.generalized_alpha:GeneralizedAlpha",
+        "generalized-alpha on all coordinates, order 2",
+        "none",
+        "baselines.alpha_options:GeneralizedAlphaOptions",
     ),
     "hht": SchemeKind(
-        HilberHughesTaylor, "Hilber-Hughes-Taylor on all coordinates, order 2", "none", HilberHughesTaylorOptions
+        "baselines.generalized_alpha:HilberHughesTaylor",
+        "Hilber-Hughes-Taylor on all coordinates, order 2",
+        "none",
+        "baselines.alpha_options:HilberHughesTaylorOptions",
     ),
 }
 

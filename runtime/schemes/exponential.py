@@ -33,9 +33,18 @@ from runtime.engine.program import Fields, Program, Repeat, Sequence
 from runtime.schemes.grid import Grid
 from runtime.schemes.linear_propagation import LinearSystem, factors_of, polynomial, propagate
 from runtime.schemes.linear_solve import solve_symmetric
-from runtime.schemes.linear_sub_steps import HALVES, LinearSubStepOptions, LinearSubSteps, refuse_varying
+from runtime.schemes.linear_sub_steps import LinearSubStepOptions, LinearSubSteps, refuse_varying
 from runtime.schemes.method import Attempt, Method
-from runtime.schemes.options import LARGEST_TOLERANCE, MOST_UNROLLED, Options, SchemeError, one_of, share, whole_number
+from runtime.schemes.options import (
+    HALVES,
+    LARGEST_TOLERANCE,
+    MOST_UNROLLED,
+    Options,
+    SchemeError,
+    one_of,
+    share,
+    whole_number,
+)
 from runtime.schemes.partial_fractions import poles
 from runtime.schemes.stage_equations import LONG_TREE, ClosedConfiguration, LinearisedEquations, StageEquations
 from runtime.schemes.state_fields import StateField, state, work

@@ -19,7 +19,7 @@ from runtime.schemes.grid import Grid
 from runtime.schemes.linear_propagation import LinearSystem, factors_of, polynomial, propagate
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.one_step import OneStep
-from runtime.schemes.options import ClosureOptions, Options, SchemeError, one_of
+from runtime.schemes.options import HALVES, ClosureOptions, Options, SchemeError, one_of
 from runtime.schemes.partial_fractions import poles
 from runtime.schemes.stage_equations import LinearisedEquations, StageEquations
 from runtime.schemes.state_fields import StateField, work
@@ -37,9 +37,6 @@ class LinearSubStepOptions(ClosureOptions):
     """
 
     propagation: str = one_of("rational", "decaying", "central_difference")
-
-
-HALVES = 2  # sub-steps of a step that follows an estimate
 
 
 def refuse_varying(grid: Grid, options: LinearSubStepOptions) -> None:

@@ -19,6 +19,9 @@ from runtime.contract.consistent_state import ConsistentState, InitialStateError
 from runtime.contract.coordinates import dependent_part, independent, joined, loop_part, whole
 from runtime.contract.model import Model
 from runtime.operating.balance import LARGEST_STEP, LEAST_SCALE, NO_STIFFNESS, STAGNANT, TOLERANCE, Balance, balanced
+from runtime.operating.equilibrium import NoEquilibrium, equilibrium
+from runtime.operating.functions import PointFunctions
+from runtime.operating.linearise import rigid_rates
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.scheme import LARGEST
 from runtime.schemes.sparse_lu import Number, factor, solve
@@ -300,3 +303,24 @@ def _curvatures(at: Balance) -> np.ndarray:
 def _soft(at: Balance) -> bool:
     """Is there an elastic coordinate without stiffness?"""
     return bool(np.linalg.matrix_rank(at[1]) < len(at[1]))
+
+
+def equilibrium_state(model: Model, p: np.ndarray, c: np.ndarray, t0: float, state: ConsistentState) -> ConsistentState:
+    """The equilibrium reached from a state: all coordinates settle but those that turn, which keep their rates.
+
+    Prescribed motions are held while it is sought, and begin with their rates. Raises InitialStateError.
+    """
+    rates = rigid_rates(model, state.q, state.q_dot)
+    values = {one.name: float(value) for one, value in zip(model.parameters, p, strict=True) if value != one.default}
+    place = {name: float(state.q[k]) for k, name in enumerate(model.coordinates)}
+    try:
+        found = equilibrium(model, rates=rates, parameters=values, initial=place, t=t0)
+    except NoEquilibrium as error:
+        raise InitialStateError(f"start = equilibrium: {error}") from error
+    q, q_dot = found.q, PointFunctions(model, c)(found.state).q_dot
+    changed = {
+        name: (float(before), float(after))
+        for name, before, after in zip(model.coordinates, state.q, q, strict=True)
+        if before != after
+    }
+    return replace(state, q=q, q_dot=q_dot, changed={**state.changed, **changed})

@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
+from typing import cast
 
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
 from runtime.contract.coordinates import Initial, values_by_name
+from runtime.contract.doors import opened
 from runtime.contract.model import Model
-from runtime.operating.equilibrium import NoEquilibrium, equilibrium
-from runtime.operating.functions import PointFunctions
 from runtime.operating.given_state import given_state
-from runtime.operating.linearise import rigid_rates
-from runtime.start.quasi_static import quasi_static_state
 
 STARTS = ("given", "quasi_static", "quasi_static_unstable", "equilibrium")
 
@@ -35,29 +32,9 @@ def start_state(
     if chosen == "given" or (start is None and _names_elastic(model, changes or {})):
         return state
     if chosen == "equilibrium":
-        return equilibrium_state(model, p, c, t0, state)
-    return quasi_static_state(model, c, t0, state, unstable=chosen == "quasi_static_unstable")
-
-
-def equilibrium_state(model: Model, p: np.ndarray, c: np.ndarray, t0: float, state: ConsistentState) -> ConsistentState:
-    """The equilibrium reached from a state: all coordinates settle but those that turn, which keep their rates.
-
-    Prescribed motions are held while it is sought, and begin with their rates. Raises InitialStateError.
-    """
-    rates = rigid_rates(model, state.q, state.q_dot)
-    values = {one.name: float(value) for one, value in zip(model.parameters, p, strict=True) if value != one.default}
-    place = {name: float(state.q[k]) for k, name in enumerate(model.coordinates)}
-    try:
-        found = equilibrium(model, rates=rates, parameters=values, initial=place, t=t0)
-    except NoEquilibrium as error:
-        raise InitialStateError(f"start = equilibrium: {error}") from error
-    q, q_dot = found.q, PointFunctions(model, c)(found.state).q_dot
-    changed = {
-        name: (float(before), float(after))
-        for name, before, after in zip(model.coordinates, state.q, q, strict=True)
-        if before != after
-    }
-    return replace(state, q=q, q_dot=q_dot, changed={**state.changed, **changed})
+        return cast(ConsistentState, opened("runtime.start.quasi_static:equilibrium_state")(model, p, c, t0, state))
+    settled = opened("runtime.start.quasi_static:quasi_static_state")
+    return cast(ConsistentState, settled(model, c, t0, state, unstable=chosen == "quasi_static_unstable"))
 
 
 def _names_elastic(model: Model, changes: Mapping[str, float]) -> bool:

@@ -122,7 +122,7 @@ def run_model(model: Model, arguments: argparse.Namespace, **kept: Any) -> Solut
     Raises UsageError, and what `simulate` raises.
     """
     from runtime import simulate
-    from runtime.engine.compiled import CompilerError
+    from runtime.contract.errors import CompilerError
 
     try:
         with Progress(f"symgen {model.name}") as progress:

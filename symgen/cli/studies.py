@@ -71,7 +71,7 @@ def sweep(arguments: argparse.Namespace) -> Outcome:
 def _swept(model: Model, columns: dict[str, Any], hows: list[str], arguments: argparse.Namespace) -> Any:
     """The answer of the ensemble of these columns. Raises UsageError, and what `ensemble` raises."""
     from runtime import ensemble
-    from runtime.engine.compiled import CompilerError
+    from runtime.contract.errors import CompilerError
 
     known = {parameter.name for parameter in model.parameters}
     starts = {name: values for name, values in columns.items() if name not in known}

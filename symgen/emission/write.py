@@ -1,6 +1,7 @@
 """Write a model's files, or compare them with what is there: one code path for `generate` and its `--check`.
 
-Only what the generator wrote may be replaced by it: the manifest of a folder says what that is.
+Only what the generator wrote may be replaced by it: the manifest of a folder says what that is. Nothing is derived
+here, so the files of a model that was loaded are copied without the generator.
 """
 
 from __future__ import annotations
@@ -13,11 +14,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from runtime.contract.files import OutputError, write_text
-from symgen.emission.description import data_text, manifest_text
-from symgen.emission.model_page import model_page
-from symgen.emission.model_text import model_text
-from symgen.pipeline import Derived
-from symgen.scene import SceneError
+from symgen.schema.errors import SceneError
 
 MANIFEST = "manifest.json"
 
@@ -47,17 +44,6 @@ def _listed(manifest: Path) -> set[str]:
 
 FILES = ("model.py", "data.json", "model.md", "scene.toml", "manifest.json")
 DATA_TOLERANCE = 1e-9  # eigenvectors and assembled states differ in the last digits between machines
-
-
-def emit(derived: Derived) -> dict[str, str]:
-    """All files of the model by name."""
-    files = {
-        "model.py": model_text(derived),
-        "data.json": data_text(derived),
-        "model.md": model_page(derived),
-        "scene.toml": derived.scene.to_toml(),
-    }
-    return {**files, "manifest.json": manifest_text(derived, files)}
 
 
 def write_model(files: dict[str, str], folder: Path) -> None:

@@ -11,9 +11,9 @@ import pytest
 
 from runtime.contract.tape import UNUSED, Node, Tape, as_function, read_tape
 from runtime.engine.llvm_code import BEST, FIRST
-from runtime.engine.llvm_ir import Form, program_ir, side_by_side
+from runtime.engine.llvm_ir import program_ir, side_by_side
 from runtime.engine.native import NativeProgram
-from runtime.engine.program import Call
+from runtime.engine.program import Call, Form
 from tests.support.step_programs import StepProgram
 
 MOST_ULP = 0.8

@@ -12,8 +12,8 @@ from runtime import ensemble, gradient, simulate
 from runtime.contract.model import Model
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.llvm_code import BEST, FIRST, Effort, Processor, host
-from runtime.engine.llvm_ir import Form
 from runtime.engine.native import NativeProgram
+from runtime.engine.program import Form
 from runtime.gradients.objectives import End
 from tests.support.step_programs import StepProgram, step_program
 

@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 from runtime.contract.model import Model
-from runtime.engine import llvm_code, object_cache
+from runtime.engine import object_cache
 from runtime.engine.llvm_code import BEST, FIRST
-from runtime.engine.llvm_ir import Form
 from runtime.engine.object_cache import ObjectCache
+from runtime.engine.program import Form
 from symgen.cli import main
 from tests.support.step_programs import step_program
 
@@ -89,7 +89,7 @@ def test_a_program_is_compiled_once(cache: ObjectCache, built_in: Load, monkeypa
     given = step_program(built_in("pendulum"), "single_rate", None)
     expected = given.run(5, Form(), BEST)
     (kept,) = cache.entries()
-    monkeypatch.setattr(llvm_code, "program_ir", None)  # not to be called
+    monkeypatch.setattr("runtime.engine.llvm_ir.program_ir", None)  # not to be called
     np.testing.assert_array_equal(given.run(5, Form(), BEST), expected)
     kept[0].write_bytes(b"damaged")
     with pytest.raises(TypeError):

@@ -20,8 +20,7 @@ from runtime.engine.choose import choose_engine, operations_per_step
 from runtime.engine.compiled import find_compiler
 from runtime.engine.ensemble_code import LaneCode, blocks_of
 from runtime.engine.llvm_code import BEST, FIRST
-from runtime.engine.llvm_ir import Form
-from runtime.engine.program import Call
+from runtime.engine.program import Call, Form
 from runtime.engine.rows import ManyPoints
 from runtime.gradients.objectives import End
 from runtime.schemes.switching.table_bounds import TableBounds

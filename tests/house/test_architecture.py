@@ -57,7 +57,7 @@ SYMGEN_ROOMS = {
     "kernels": "notation algebra system choice condensed",
     "tapes": "system kernels",
     "pipeline": "choice condensed kernels scene system tapes",
-    "emission": "notation pipeline scene",
+    "emission": "notation pipeline scene schema",
     "generate": "emission pipeline scene",
     "scenes": "scene",
     "variants": "emission pipeline scene",

@@ -14,11 +14,14 @@ PAGE = ROOT / "docs" / "inside" / "decisions" / "budgets.md"
 OWN = ("runtime", "symgen")
 ANONYMOUS = ("<module>", "<genexpr>", "<listcomp>", "<dictcomp>", "<lambda>", "<setcomp>")
 WALKS = """
-import json, sys
+import importlib, json, pkgutil, sys
+import runtime
 from runtime import load_model, simulate
 from symgen.scenes import generated_folder
 
 root = sys.argv[1] + "/"
+for found in pkgutil.walk_packages(runtime.__path__, "runtime."):  # what a module does when it is imported is no step
+    importlib.import_module(found.name)
 runs = {
     "steps of one length": ("flexible_slider_crank_free", {"scheme": "exponential", "dt": 2e-4, "t_end": 0.05}),
     "a tolerance": ("flexible_joint_arm", {"tolerance": 1e-4}),

@@ -11,9 +11,10 @@ import numpy as np
 import pytest
 
 from runtime import load_model, simulate
+from runtime.contract.errors import CompilerError
 from runtime.contract.model import Model
 from runtime.engine import c_source, llvm_code
-from runtime.engine.compiled import CompiledProgram, CompilerError, compile_source, find_compiler
+from runtime.engine.compiled import CompiledProgram, compile_source, find_compiler
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.llvm_code import NoLlvm
 from runtime.engine.prepare import prepare

@@ -8,9 +8,8 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.engine.llvm_code import Compiler, Effort, Processor
-from runtime.engine.llvm_ir import Form
 from runtime.engine.prepare import prepare
-from runtime.engine.program import Program
+from runtime.engine.program import Form, Program
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import start_vector
 from tests.support.model_values import Array

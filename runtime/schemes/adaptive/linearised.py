@@ -17,10 +17,10 @@ from runtime.engine.program import Fields
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.grid import Grid
 from runtime.schemes.linear_propagation import LinearSystem, factors_of, propagate
-from runtime.schemes.linear_sub_steps import HALVES, refuse_varying
+from runtime.schemes.linear_sub_steps import refuse_varying
 from runtime.schemes.linearised import LinearisedOptions
 from runtime.schemes.method import Attempt
-from runtime.schemes.options import SchemeError
+from runtime.schemes.options import HALVES, SchemeError
 from runtime.schemes.partial_fractions import poles
 from runtime.schemes.stage_equations import ClosedConfiguration, LinearisedEquations, StageEquations
 from runtime.schemes.state_fields import StateField, state
