@@ -6,8 +6,6 @@ from copy import copy
 from threading import Lock
 from typing import Any
 
-from runtime.engine.interpreted import InterpretedProgram
-from runtime.engine.native import NativeProgram
 from runtime.schemes.grid import Grid
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import Stepper
@@ -33,7 +31,7 @@ def kept_stepper(scheme: Scheme, engine: str = "auto", wait: bool = False) -> St
             return found if found.scheme.grid == scheme.grid else _with_steps(found, scheme.grid)
     stepper = Stepper(scheme, engine, wait)
     _ = stepper.sub_step_cost  # counted once: copies with other steps take it along
-    if isinstance(stepper.engine, NativeProgram | InterpretedProgram) and stepper.operations <= MOST_OPERATIONS:
+    if stepper.engine.name != "c" and stepper.operations <= MOST_OPERATIONS:
         with _LOCK:
             known[key] = stepper
             while sum(one.operations for one in known.values()) > MOST_OPERATIONS:

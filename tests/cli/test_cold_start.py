@@ -14,17 +14,36 @@ import symgen.scenes as scenes
 from symgen.scenes.pendulum import pendulum
 
 HEAVY = {"sympy", "pydantic", "matplotlib", "scipy", "symgen.scene", "symgen.pipeline", "symgen.generate"}
+MOST = 135  # modules of this project that a run brings in
+METHODS = {"printed", "coupled", "decoupled", "single_rate", "exponential_rk4", "exponential_adams", "linearised"}
+SELDOM = {  # what only some runs ask for, and what prints code that the cache has
+    "runtime.baselines",
+    "runtime.engine.compiled",
+    "runtime.engine.interpreted",
+    "runtime.engine.llvm_ir",
+    "runtime.operating.equilibrium",
+    "runtime.running.checkpoint",
+    "runtime.running.driven",
+    "runtime.running.ladder",
+    "runtime.running.singular.passage",
+    "runtime.start.quasi_static",
+}
 
 
 def imported_by(words: list[str], folder: Path) -> set[str]:
     """Modules of HEAVY that a command brings into a fresh interpreter."""
+    return HEAVY & all_imported_by(words, folder)
+
+
+def all_imported_by(words: list[str], folder: Path) -> set[str]:
+    """Modules that a command brings into a fresh interpreter."""
     program = (
         "import sys; from symgen.cli import main; assert main(sys.argv[1:]) == 0; "
         "print(*sys.modules, file=open('modules', 'w'))"
     )
     done = subprocess.run([sys.executable, "-c", program, *words], cwd=folder, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
-    return HEAVY & set((folder / "modules").read_text().split())
+    return set((folder / "modules").read_text().split())
 
 
 @pytest.mark.parametrize("name", ["pendulum", "flexible_slider_crank_free"])
@@ -33,7 +52,22 @@ def test_a_built_in_scene_runs_without_the_generator(name: str, tmp_path: Path, 
     words = ["simulate", name, "--t-end", "0.001"]
     assert "symgen.scene" in imported_by(words, tmp_path)  # the first time it is compared
     assert imported_by(words, tmp_path) == set()
+    assert imported_by([*words, "--out", "results", "--no-plots"], tmp_path) == set()
     assert imported_by(["list"], tmp_path) == set()
+
+
+def test_a_run_imports_the_method_that_it_takes(tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path / "cache"))
+    words = ["simulate", "flexible_slider_crank_free", "--t-end", "0.001"]
+    first = all_imported_by(words, tmp_path)
+    assert "runtime.engine.llvm_ir" in first  # the first time code is printed
+    found = all_imported_by(words, tmp_path)
+    assert "runtime.schemes.exponential" in found
+    assert not {f"runtime.schemes.{name}" for name in METHODS} & found
+    assert not [name for name in found if name.startswith("runtime.schemes.baselines")]
+    assert not SELDOM & found
+    own = {name for name in found if name.split(".")[0] in ("runtime", "symgen")}
+    assert len(own) <= MOST, len(own)
 
 
 def test_a_model_that_is_kept_runs_without_the_generator(tmp_path: Path) -> None:

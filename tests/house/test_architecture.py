@@ -16,6 +16,8 @@ import pytest
 import generated
 import runtime
 import symgen
+from runtime.contract.doors import opened
+from runtime.schemes.catalogue import SCHEMES
 
 ROOT = Path(__file__).resolve().parents[2]
 OWN = ("symgen", "runtime", "tests", "benchmarks", "examples")
@@ -195,6 +197,22 @@ def test_no_room_on_the_map_is_imported_in_vain(package: str) -> None:
         own = room(module_name(path), package)
         seen[own] |= {room(name, package) for name in imports(path) if within(name, package)} & set(seen) - {own, ""}
     assert {name: set(uses.split()) for name, uses in ROOMS[package].items()} == seen
+
+
+def test_paths_that_are_opened_lead_somewhere() -> None:
+    """Those that are written out; of the catalogue of schemes, all that it names."""
+    found = [
+        node.args[0].value
+        for path in files("runtime", "symgen")
+        for node in ast.walk(tree(path))
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "opened"
+        if isinstance(node.args[0], ast.Constant)
+    ]
+    assert len(found) > 10
+    assert all(opened(str(place)) is not None for place in found)
+    assert all(
+        kind.make and kind.options and kind.fitting and kind.adaptive is not kind.make for kind in SCHEMES.values()
+    )
 
 
 @pytest.mark.parametrize("package", ROOMS)
