@@ -42,8 +42,8 @@ if TYPE_CHECKING:
     from runtime.operating.linearise import linearise
     from runtime.operating.modes import mode_motion, modes
     from runtime.results.solution import Solution
-    from runtime.running.driven import quasi_static_motion
     from runtime.running.checkpoint import resume
+    from runtime.running.driven import quasi_static_motion
     from runtime.running.simulate import simulate
     from runtime.schemes.catalogue import SCHEMES
     from runtime.schemes.options import Options, SchemeError

@@ -52,7 +52,7 @@ class SchemeKind:
     @property
     def fitting(self) -> Callable[[Model, Grid, Options], Scheme]:
         """Who makes it."""
-        return opened(f"runtime.schemes.{self.fitting_at}") if self.fitting_at else self.make
+        return cast(Callable[..., Scheme], opened(f"runtime.schemes.{self.fitting_at or self.class_at}"))
 
     @property
     def multirate(self) -> bool:
