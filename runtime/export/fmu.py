@@ -15,9 +15,9 @@ from dataclasses import dataclass, field
 from importlib.util import find_spec
 from pathlib import Path
 
-from runtime.contract.errors import ModelError
+from runtime.contract.errors import CompilerError, ModelError
 from runtime.contract.files import replacing
-from runtime.engine.compiled import CompilerError, find_compiler
+from runtime.engine.compiled import find_compiler
 from runtime.export.c_bundle import Exported, c_files
 from runtime.export.fmu_description import description
 from runtime.export.fmu_source import fmu_source
