@@ -23,14 +23,13 @@ from runtime.contract.model import Model
 from runtime.contract.tape import Tape, read_tape, shared
 from runtime.engine.c_source import Code, Style, program_code, source, stage_code, tape_code
 from runtime.engine.prepare import Prepared, prepare
-from runtime.engine.program import Call
 from runtime.export.c_mathematics import own_c
 from runtime.running.inputs import reading
 from runtime.running.plan import make_plan
 from runtime.running.stepping import may_break
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import start_there, start_vector
-from runtime.schemes.switching.restart import remembers, restarted, started_with_inputs
+from runtime.schemes.switching.restart import remembers, restarted
 from runtime.start.start_state import start_state
 
 
@@ -170,10 +169,6 @@ def _functions(one: Exported) -> dict[str, Code]:
         "step": program_code(f"{p}step", one.prepared.program, own),
         "again": stage_code(f"{p}again", named(_restart(scheme), "z", "c"), own),
     }
-    if _starts_anew(one):
-        held = _held(scheme)
-        found["hold_prepare"] = stage_code(f"{p}hold_prepare", named(held.constants, "c"), library)
-        found["hold_step"] = program_code(f"{p}hold_step", held.program, own, "static ")
     return found
 
 
@@ -185,38 +180,22 @@ def _starter(scheme: Scheme) -> tuple[ca.Function, list[str]]:
 
 
 def _restart(scheme: Scheme) -> ca.Function:
-    """([state, dt before, dt, clock], c) -> the same with the state as the start of steps dt [s]."""
-    size = scheme.layout.size
-    z, c = ca.SX.sym("z", size + 3), ca.SX.sym("c", scheme.c_size)
-    found = restarted(scheme, z[:size], c, z[size], z[size + 1], z[size + 2])
+    """([state, dt before, dt, clock, inputs], c) -> the same with the state as the start of steps dt [s]."""
+    size, n_w = scheme.layout.size, _inputs(scheme)
+    z, c = ca.SX.sym("z", size + 3 + n_w), ca.SX.sym("c", scheme.c_size)
+    inputs = z[size + 3 :] if n_w else None
+    found = restarted(scheme, z[:size], c, z[size], z[size + 1], z[size + 2], inputs=inputs)
     return ca.Function("again", [z, c], shared([ca.densify(ca.vertcat(found, z[size:]))]))
 
 
-def _starts_anew(one: Exported) -> bool:
-    """Where inputs change?"""
-    if not one.model.inputs or not remembers(one.scheme):
-        return False
-    if one.scheme.charts.size:
-        raise ModelError(
-            f"model {one.model.name}: inputs of bodies that turn freely",
-            "change between steps, and its scheme remembers earlier steps",
-            'export it with a scheme that does not, such as "rk4"',
-        )
-    return True
-
-
-def _held(scheme: Scheme) -> Prepared:
-    """Of [z, w]: what `hold` does, as a run does it."""
-    size = scheme.layout.size + scheme.model.signals.size
-    return prepare(Call(started_with_inputs(scheme)), size, scheme.c_size)
+def _inputs(scheme: Scheme) -> int:
+    """How many numbers z has for inputs."""
+    return scheme.layout.sizes.get("inputs", 0)
 
 
 def _work(one: Exported, code: Mapping[str, Code]) -> int:
     """Entries of w: of the longest function, and what stands before its own."""
-    before = {"again": one.scheme.layout.size + 3}
-    if "hold_step" in code:
-        held = _held(one.scheme)
-        before["hold_step"] = before["hold_prepare"] = held.z_size + int(held.constants.size1_out(0))
+    before = {"again": one.scheme.layout.size + 3 + _inputs(one.scheme)}
     return max([1, *(part.work + before.get(name, 0) for name, part in code.items())])
 
 
@@ -328,32 +307,19 @@ def _doors(one: Exported, code: Mapping[str, Code]) -> str:
             at += size
         elif size:
             given.append({"t": "&t", "c": "c"}[name])
-    hold = _hold_restarting(one) if "hold_step" in code else ""
-    inputs = scheme.layout.slice("inputs") if model.inputs else slice(0, 0)
-    plain = f"  memcpy(z + {inputs.start}, u, {inputs.stop - inputs.start} * sizeof(double));\n" if model.inputs else ""
+    n_w = _inputs(scheme)
+    first = scheme.layout.slice("inputs").start if n_w else 0
     return _DOORS.format(
         p=p,
         steps=constant_array("steps", np.array(scheme.grid.h)),
         count=len(scheme.grid.h),
         end=model.c_size,
         given=", ".join(given),
-        hold=hold or plain or "  (void)z, (void)u;\n",
-        unused="" if hold else "  (void)c, (void)w;\n",
         used="" if at else "  (void)x;\n",
         size=scheme.layout.size,
-    )
-
-
-def _hold_restarting(one: Exported) -> str:
-    inputs, held, p = one.scheme.layout.slice("inputs"), _held(one.scheme), one.prefix
-    n, size, ready = inputs.stop - inputs.start, one.scheme.layout.size, int(held.constants.size1_out(0))
-    return (
-        f"  double *state = w, *read = w + {held.z_size}, *own = w + {held.z_size + ready};\n"
-        f"  long k, same = 1;\n  for (k = 0; k < {n}; ++k) same = same && z[{inputs.start} + k] == u[k];\n"
-        f"  if (same) return;\n  memset(state, 0, {held.z_size} * sizeof(double));\n"
-        f"  memcpy(state, z, {size} * sizeof(double));\n  memcpy(state + {size}, u, {n} * sizeof(double));\n"
-        f"  memcpy(read, c, {one.scheme.c_size} * sizeof(double));\n  {p}hold_prepare(read, own);\n"
-        f"  {p}hold_step(state, read, own, 1);\n  memcpy(z, state, {size} * sizeof(double));\n"
+        inputs=n_w,
+        first=first,
+        anew=int(remembers(scheme)),
     )
 
 
@@ -387,16 +353,29 @@ void {p}start(double *z, const double *c, double t, const double *x, double *w) 
   {p}begin(z, {given}, w);
 }}
 
+static void {p}go_on(double *z, const double *c, double dt_before, double dt, const double *u, double *w) {{
+  memcpy(w, z, {size} * sizeof(double));
+  w[{size}] = dt_before, w[{size} + 1] = dt, w[{size} + 2] = z[0] + z[1] * dt_before;
+  memcpy(w + {size} + 3, u, {inputs} * sizeof(double));
+  {p}again(w, c, w + {size} + 3 + {inputs});
+  memcpy(z, w, {size} * sizeof(double));
+}}
+
 void {p}hold(double *z, const double *c, const double *u, double *w) {{
-{unused}{hold}}}
+  const double t0 = z[0], n = z[1];
+  if ({anew}) {{ /* the scheme remembers earlier steps */
+    long k = 0;
+    while (k < {inputs} && z[{first} + k] == u[k]) ++k;
+    if (k < {inputs}) {p}go_on(z, c, c[{end}], c[{end}], u, w);
+    z[0] = t0, z[1] = n;
+  }}
+  memcpy(z + {first}, u, {inputs} * sizeof(double));
+}}
 
 double {p}time(const double *z, const double *c) {{ return z[0] + z[1] * c[{end}]; }}
 
 void {p}restart(double *z, const double *c, double dt_before, double dt, double *w) {{
-  memcpy(w, z, {size} * sizeof(double));
-  w[{size}] = dt_before, w[{size} + 1] = dt, w[{size} + 2] = z[0] + z[1] * dt_before;
-  {p}again(w, c, w + {size} + 3);
-  memcpy(z, w, {size} * sizeof(double));
+  {p}go_on(z, c, dt_before, dt, z + {first}, w);
 }}
 
 int {p}finite(const double *z) {{

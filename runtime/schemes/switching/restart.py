@@ -115,14 +115,3 @@ class Restart:
     def _body(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
         inputs = z["inputs"] if z["inputs"].numel() else None
         return {"state": restarted(self.scheme, z["state"], c, z["dt_before"], z["dt"], z["clock"], z["push"], inputs)}
-
-
-def started_with_inputs(scheme: Scheme) -> ca.Function:
-    """([z, w], c) -> [z, w] of a scheme that remembers, with the inputs w from there on, on the clock of z."""
-    size, n_w = scheme.layout.size, scheme.model.signals.size
-    both, c = ca.SX.sym("z", size + n_w), ca.SX.sym("c", scheme.c_size)
-    z, w, fields, dt = both[:size], both[size:], scheme.layout.unpack(both[:size]), c[scheme.model.c_size]
-    found = restarted(scheme, z, c, dt, dt, fields["t0"] + fields["n"] * dt, inputs=w)
-    for name in ("t0", "n"):
-        found[scheme.layout.slice(name)] = fields[name]
-    return ca.Function("started_anew", [both, c], [ca.densify(ca.vertcat(found, w))], ["z", "c"], ["z_next"])
