@@ -8,8 +8,7 @@ import numpy as np
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import total
 from symgen.scene import SpatialModalBody
-from symgen.scene.flexible import COMPONENTS
-from symgen.scene.measures import ALL_GAUGES
+from symgen.scene.flexible import ALL_GAUGES, COMPONENTS
 
 SMALLEST = 1e-300  # [Pa^2]: keeps the rate of a von Mises stress finite where there is no stress
 

@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 from symgen.loads.effort import coordinate_faults
-from symgen.loads.load import Fault, Surroundings
-from symgen.schema.fields import Name, StrictModel
+from symgen.loads.load import Surroundings
+from symgen.schema.fields import Fault, Name, StrictModel
 
 Read = Callable[[str], Any]  # SX of a quantity of the coupling by its field
 

@@ -5,12 +5,12 @@ All who treat joints ask this record; none asks for a joint's type.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, Protocol
 
 from runtime.contract.records import ConstraintKind, CoordinateKind, JointDrawing
-from symgen.schema.fields import Bound, MarkerRef, Meaning, Name, Quantity, StrictModel
+from symgen.schema.fields import SPATIAL, Bound, Fault, MarkerRef, Meaning, Name, Quantity, StrictModel
 
 X, Y, Z = 0, 1, 2
 
@@ -164,6 +164,14 @@ class Joint(StrictModel):
             Equation(label, "direction", m.dot(m.b[j], m.a[i]), f"{'xyz'[j]}_b.{'xyz'[i]}_a")
             for label, i, j in cls.perpendicular
         ]
+
+    def faults(self, scene: Any) -> Iterator[Fault]:
+        """A type that the plane does not have, a name that coordinates of a body have."""
+        if scene.space == "planar" and not self.planar():
+            yield Fault("type", f"a {self.type} joint needs three dimensions", SPATIAL)
+        if scene.space == "spatial" and any(body.name == self.name for body in scene.bodies):
+            remedy = "rename one of them: joints of a spatial scene have coordinates too"
+            yield Fault("", "has the name of a body", remedy)
 
     @classmethod
     def planar(cls) -> bool:

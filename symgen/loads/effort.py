@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from typing import Annotated, Literal
 
 from symgen.joints.joint import Turn
-from symgen.loads.load import Acting, Fault, Load, LoadEffect, Surroundings, on
+from symgen.loads.load import Acting, Load, LoadEffect, Surroundings, on
 from symgen.schema.errors import did_you_mean
-from symgen.schema.fields import Coordinate, Meaning, Quantity, Scope
+from symgen.schema.fields import Coordinate, Fault, Meaning, Quantity, Scope
 
 
 class Effort(Load):

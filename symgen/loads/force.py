@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, Literal
 
-from symgen.loads.load import Acting, Fault, Load, LoadEffect, Surroundings, components_fault
-from symgen.schema.fields import MarkerRef, Meaning, Quantity, Scope
+from symgen.loads.load import Acting, Load, LoadEffect, Surroundings
+from symgen.schema.fields import Fault, MarkerRef, Meaning, Quantity, Scope, components_fault
 
 
 class Force(Load):

@@ -5,9 +5,9 @@ All who treat loads ask this record; none asks for a load's type.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 from symgen.joints.joint import Joint, Reaction, Slide, Turn
 from symgen.schema.fields import Name, StrictModel
@@ -15,14 +15,6 @@ from symgen.schema.fields import Name, StrictModel
 Row = dict[int, Any]  # by column of q
 At = Any  # a marker's motion in the plane or in space: r, r_dot in world axes, and what `Acting` knows to read
 Vector = Sequence[Any]  # two or three components in world axes, or one moment in the plane and three in space
-
-
-class Fault(NamedTuple):
-    """What is wrong with a load: at which of its fields, what, and what to do."""
-
-    key: str
-    problem: str
-    remedy: str
 
 
 @dataclass(frozen=True)
@@ -171,22 +163,9 @@ class Load(StrictModel):
         """As which type it is shown, and at which markers."""
         return self.shown_as or self.type, self.markers
 
-    def faults(self, scene: Surroundings) -> Iterator[Fault]:
-        """What is wrong with it in this scene, besides markers that do not exist and quantities that are no numbers."""
-        yield from ()
-
     def drives(self, coordinate: str) -> bool:
         """Does it act on this coordinate of a joint, about which that joint is then not free?"""
         return False
-
-
-def components_fault(key: str, values: tuple[Any, ...], scene: Surroundings) -> Iterator[Fault]:
-    """Of a vector with more or fewer components than the scene has axes."""
-    if scene.space == "planar" and len(values) != 2:
-        remedy = "give (x, y)" + ("" if len(values) < 2 else ', or set space = "spatial"')
-        yield Fault(key, f"has {len(values)} components in a planar scene", remedy)
-    elif scene.space == "spatial" and len(values) not in (2, 3):
-        yield Fault(key, f"has {len(values)} components", "give (x, y, z); a z left out is zero")
 
 
 def on(scalar: Scalar, m: Acting, value: Any, **powers: Any) -> LoadEffect:

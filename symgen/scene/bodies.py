@@ -2,12 +2,26 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from collections.abc import Iterator
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, Strict
 
 from symgen.scene.appearance import Shapes
-from symgen.schema.fields import MARKER_ANGLE, Bound, Flag, Inertia, Meaning, Name, Number, Quantity, StrictModel
+from symgen.schema.fields import (
+    MARKER_ANGLE,
+    SPATIAL,
+    Bound,
+    Fault,
+    Flag,
+    Inertia,
+    Meaning,
+    Name,
+    Number,
+    Quantity,
+    StrictModel,
+    components_fault,
+)
 
 LATERAL_ENDS = Literal[
     "pinned-pinned", "clamped-free", "free-free", "clamped-pinned", "clamped-clamped", "free-clamped", "pinned-free",
@@ -19,6 +33,14 @@ Modes = Annotated[int, Strict(), Field(ge=1, le=500)]
 Position = Annotated[tuple[Quantity, ...], Meaning("position in the body frame, (x, y) or (x, y, z)", "m")]
 Products = Annotated[tuple[Quantity, ...], Meaning("entries xy, xz, yz of the inertia tensor", "kg m^2")]
 Direction = tuple[Number, Number, Number]
+TWISTING = {
+    "shear_modulus": "give the shear modulus, E / (2 (1 + nu)) of an isotropic material",
+    "torsion_constant": "give the torsion constant of the section",
+}
+MODES_LESS_ELEMENTS = {  # n elements leave n + this many: the nodes that can move, less the rigid motions
+    "lateral": {"pinned-pinned": -1, "clamped-free": 0, "free-free": -1, "clamped-pinned": -1, "clamped-clamped": -1},
+    "axial": {"fixed-free": 0, "free-free": 0, "fixed-fixed": -1},
+}
 Orientation = Literal[
     "euler_parameters", "xyz", "xzy", "yxz", "yzx", "zxy", "zyx", "xyx", "xzx", "yxy", "yzy", "zxz", "zyz"
 ]
@@ -35,11 +57,37 @@ class MarkerDirections(StrictModel):
     axis: Direction = (0.0, 0.0, 1.0)
     x_axis: Direction | None = None
 
+    def faults(self, scene: Any) -> Iterator[Fault]:
+        """Components of its position, and directions that its space does not have or that are none."""
+        if (position := getattr(self, "position", None)) is not None:
+            yield from components_fault("position", position, scene)
+        z, x = self.axis, self.x_axis
+        if scene.space == "planar":
+            if z != (0.0, 0.0, 1.0) or x is not None:
+                remedy = 'give angle, or set space = "spatial"'
+                yield Fault("axis", "a planar marker is turned by its angle", remedy)
+            return
+        if self.angle != 0:
+            yield Fault("angle", "a spatial marker is turned by its axes", "give axis and x_axis")
+        if all(entry == 0 for entry in z):
+            yield Fault("axis", "has no direction", "give a vector that is not zero")
+        elif x is not None:
+            cross = (z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0])
+            size = max(abs(entry) for entry in z) * max(abs(entry) for entry in x)
+            if max(abs(entry) for entry in cross) <= 1e-9 * size:
+                yield Fault("x_axis", "is along the axis, or zero", "give a direction across it")
+
 
 class RigidMarker(MarkerDirections):
     """A point and directions on the ground or on a rigid body. position [m]."""
 
     position: Position = (0.0, 0.0)
+
+
+def orientation_fault(orientation: str, scene: Any) -> Iterator[Fault]:
+    """Angles of a body in the plane, which has one."""
+    if scene.space == "planar" and orientation != "euler_parameters":
+        yield Fault("orientation", "a planar body is oriented by its angle theta", "remove it")
 
 
 class GroundBody(StrictModel):
@@ -79,6 +127,20 @@ class RigidBody(StrictModel):
     free: Flag = False
     markers: dict[Name, RigidMarker] = Field(default_factory=dict)
     shape: Shapes = ()
+
+    def faults(self, scene: Any) -> Iterator[Fault]:
+        """Moments of inertia and components of the other space."""
+        three = isinstance(self.inertia, tuple)
+        if three != (scene.space == "spatial"):
+            problem = f"a {scene.space} body has {'one moment' if three else 'three moments'} of inertia"
+            remedy = "give one number" if three else "give the moments about x, y, z: [xx, yy, zz]"
+            yield Fault("inertia", problem, remedy)
+        if len(self.products) != 3:
+            yield Fault("products", f"has {len(self.products)} entries", "give the entries xy, xz, yz")
+        elif scene.space == "planar" and any(value != 0 for value in self.products):
+            yield Fault("products", "a planar body has no products of inertia", "remove it")
+        yield from components_fault("center_of_mass", self.center_of_mass, scene)
+        yield from orientation_fault(self.orientation, scene)
 
     @property
     def nf(self) -> int:
@@ -127,6 +189,12 @@ class BeamMarker(MarkerDirections):
 
     at: Number
 
+    def faults(self, scene: Any) -> Iterator[Fault]:
+        """A place outside the beam, besides."""
+        if not 0 <= self.at <= 1:
+            yield Fault("at", f"{self.at} lies outside the beam", "give a fraction from 0 to 1")
+        yield from super().faults(scene)
+
 
 class BeamBody(StrictModel):
     """A uniform beam (Eq. 15-20).
@@ -169,6 +237,43 @@ class BeamBody(StrictModel):
     orientation: Orientation = "euler_parameters"
     free: Flag = False
     markers: dict[Name, BeamMarker] = Field(default_factory=dict)
+
+    def faults(self, scene: Any) -> Iterator[Fault]:
+        """Modes that are none or too many, and shapes of the other space."""
+        spatial = scene.space == "spatial"
+        if self.nf == 0:
+            yield Fault("", "the beam has no modes", "give lateral or axial modes, or describe it as a rigid body")
+        if self.stiffening and self.lateral is None and self.lateral_z is None:
+            yield Fault("stiffening", "only bending shortens a beam", "give lateral modes, or remove it")
+        if self.elements is not None and self.mesh == "exact":
+            yield Fault("elements", "exact shapes have no elements", 'remove it, or take mesh = "lumped"')
+        if self.lumped_elements is not None:
+            yield from self._lumped(self.lumped_elements)
+        yield from orientation_fault(self.orientation, scene)
+        if not spatial and (self.lateral_z is not None or self.second_moment_z != 0):
+            yield Fault("lateral_z", "a planar beam bends in its plane only", SPATIAL)
+        if spatial and self.second_moment_z == 0:
+            yield Fault("second_moment_z", "is missing", "give the second moment of area for the xz-plane")
+        if self.torsion is not None and not spatial:
+            yield Fault("torsion", "a planar beam does not twist", SPATIAL)
+        for key, remedy in TWISTING.items():
+            if self.torsion is not None and spatial and getattr(self, key) == 0:
+                yield Fault(key, "is missing, which torsion needs", remedy)
+
+    def _lumped(self, elements: int) -> Iterator[Fault]:
+        """A lumped mesh has the modes of free vibration that its nodes allow, and no end shapes."""
+        for kind in ("lateral", "lateral_z", "axial", "torsion"):
+            chosen, known = getattr(self, kind), MODES_LESS_ELEMENTS["lateral" if "lateral" in kind else "axial"]
+            if chosen is None:
+                continue
+            if chosen.ends not in known:
+                problem = f"a lumped mesh has no shapes for {chosen.ends or 'ends that are left out'}"
+                remedy = f"name one of {', '.join(known)}, or take exact shapes: leave mesh and elements out"
+                yield Fault(f"{kind}.ends", problem, remedy)
+            elif chosen.modes > (most := elements + known[chosen.ends]):
+                problem = f"{elements} elements with {chosen.ends} ends have {most} modes, not {chosen.modes}"
+                remedy = "ask for fewer modes, give more elements, or leave elements out"
+                yield Fault(f"{kind}.modes", problem, remedy)
 
     @property
     def nf(self) -> int:

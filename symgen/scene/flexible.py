@@ -11,19 +11,25 @@ A linear structure without bodies: M x'' + D x' + K x = F(t) (Eq. 3-14).
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from typing import Annotated, Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import AfterValidator, BeforeValidator, Field
 
 from runtime.contract.records import packed, unpacked
 from symgen.scene.appearance import MOST_TRIANGLES
-from symgen.scene.bodies import MarkerDirections, Orientation
+from symgen.scene.bodies import MarkerDirections, Orientation, orientation_fault
+from symgen.scene.modal import NO_MODES, POSITIVE, SEMIDEFINITE, SYMMETRIC
+from symgen.schema.errors import did_you_mean
 from symgen.schema.fields import (
     Bound,
+    Fault,
     Flag,
     Matrix,
     Meaning,
+    N,
     Name,
     Number,
     Quantity,
@@ -31,6 +37,8 @@ from symgen.schema.fields import (
     StrictModel,
     Vector,
     refuse,
+    size,
+    size_faults,
 )
 
 
@@ -56,6 +64,7 @@ class FlexibleStrut(StrictModel):
 
 
 Rows = tuple[tuple[Number, ...], ...]
+ALL_GAUGES = "all"
 COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")  # rows of all arrays
 
 
@@ -70,6 +79,26 @@ class StressGauge(StrictModel):
     shapes: Rows
     fields: Rows = ()
     forces: dict[Name, Rows] = Field(default_factory=dict)
+
+    def misfits(self, name: str, body: SpatialModalBody) -> Iterator[Fault]:
+        """What does not fit its body; name: its own."""
+        nf, markers = body.nf, list(body.markers)
+        remedy = "take what FlexibleBody.fields(gauges=...) gives for these modes"
+        if name == ALL_GAUGES:
+            yield Fault("", f"'{name}' stands for all gauges", "give it another name")
+        wide = {".shapes": (self.shapes, nf), ".fields": (self.fields, 9 + 9 * nf)}
+        for key, (rows, columns) in wide.items():
+            if (rows or key == ".shapes") and not _six_rows(rows, columns):
+                yield Fault(key, f"is not 6 x {columns}, for {nf} modes", remedy)
+        for marker, rows in self.forces.items():
+            if marker not in markers:
+                yield Fault(".forces", f"body '{body.name}' has no marker '{marker}'", did_you_mean(marker, markers))
+            if not _six_rows(rows, len(COMPONENTS)):
+                yield Fault(f".forces.{marker}", "is not 6 x 6", remedy)
+
+
+def _six_rows(rows: Rows, columns: int) -> bool:
+    return len(rows) == len(COMPONENTS) and all(len(row) == columns for row in rows)
 
 
 REMEDY = "take what FlexibleBody.surface gives"
@@ -124,10 +153,20 @@ class Structure(StrictModel):
     """Coordinates x (n names) and the matrices mass, damping, stiffness (n x n); force: n entries."""
 
     coordinates: tuple[Name, ...]
-    mass: Annotated[Matrix, Meaning("mass matrix", "kg")]
-    damping: Annotated[Matrix | None, Meaning("damping matrix", "N s/m")] = None
-    stiffness: Annotated[Matrix, Meaning("stiffness matrix", "N/m")]
-    force: Annotated[Vector | None, Meaning("force", "N", scope=Scope.TIME)] = None
+    mass: Annotated[Matrix, Meaning("mass matrix", "kg"), POSITIVE]
+    damping: Annotated[Matrix | None, Meaning("damping matrix", "N s/m"), size(N, N)] = None
+    stiffness: Annotated[Matrix, Meaning("stiffness matrix", "N/m"), SYMMETRIC]
+    force: Annotated[Vector | None, Meaning("force", "N", scope=Scope.TIME), size(N)] = None
+
+    def faults(self, scene: Any) -> Iterator[Fault]:
+        """Sizes that do not fit its coordinates."""
+        names = self.coordinates
+        if not names:
+            yield Fault("coordinates", "is empty", "name at least one coordinate")
+        for index, name in enumerate(names):
+            if name in names[:index]:
+                yield Fault(f"coordinates[{index}]", f"'{name}' is there twice", "rename one of them")
+        yield from size_faults(self, len(names))
 
 
 Block = tuple[tuple[Number, Number, Number], tuple[Number, Number, Number], tuple[Number, Number, Number]]
@@ -142,9 +181,9 @@ class FlexibleMarker(MarkerDirections):
     """
 
     position: Point = (0.0, 0.0, 0.0)
-    shape: Annotated[Matrix, Meaning("shape functions at the point, 3 x nf", "m per unit of q_f")] = ()
-    rotation: Annotated[Matrix, Meaning("rotation of the point, 3 x nf", "rad per unit of q_f")] = ()
-    foreshortening: tuple[tuple[tuple[Number, ...], ...], ...] = ()
+    shape: Annotated[Matrix, Meaning("shape functions at the point, 3 x nf", "m per unit of q_f"), size(3, N)] = ()
+    rotation: Annotated[Matrix, Meaning("rotation of the point, 3 x nf", "rad per unit of q_f"), size(3, N)] = ()
+    foreshortening: Annotated[tuple[tuple[tuple[Number, ...], ...], ...], size(3, N, N)] = ()
 
 
 class FlexibleStiffening(StrictModel):
@@ -153,8 +192,8 @@ class FlexibleStiffening(StrictModel):
     They give centrifugal and other geometric stiffness.
     """
 
-    H: tuple[tuple[tuple[Number, ...], ...], ...] = ()
-    xH: tuple[tuple[tuple[tuple[Number, ...], ...], ...], ...] = ()
+    H: Annotated[tuple[tuple[tuple[Number, ...], ...], ...], size(3, N, N)] = ()
+    xH: Annotated[tuple[tuple[tuple[tuple[Number, ...], ...], ...], ...], size(3, 3, N, N)] = ()
 
 
 class SpatialModalBody(StrictModel):
@@ -170,13 +209,13 @@ class SpatialModalBody(StrictModel):
     name: Name
     mass: Annotated[Quantity, Meaning("mass", "kg", Bound.POSITIVE)]
     first_moment: Annotated[tuple[Quantity, Quantity, Quantity], Meaning("int rho0 dm", "kg m")] = (0.0, 0.0, 0.0)
-    inertia_moments: Annotated[Matrix, Meaning("int rho0_i rho0_j dm", "kg m^2")]
-    M_ff: Annotated[Matrix, Meaning("modal mass matrix", "kg m^2 per unit of q_f^2")]
-    K_ff: Annotated[Matrix, Meaning("modal stiffness matrix", "N m per unit of q_f^2")]
-    D_ff: Annotated[Matrix | None, Meaning("modal damping matrix", "N m s per unit of q_f^2")] = None
-    phi_integral: Annotated[Matrix, Meaning("int Phi dm, 3 x nf", "kg m per unit of q_f")] = ()
-    rho_phi: tuple[Block, ...] = ()
-    phi_phi: tuple[tuple[Block, ...], ...] = ()
+    inertia_moments: Annotated[Matrix, Meaning("int rho0_i rho0_j dm", "kg m^2"), size(3, 3, form="symmetric")]
+    M_ff: Annotated[Matrix, Meaning("modal mass matrix", "kg m^2 per unit of q_f^2"), POSITIVE]
+    K_ff: Annotated[Matrix, Meaning("modal stiffness matrix", "N m per unit of q_f^2"), SEMIDEFINITE]
+    D_ff: Annotated[Matrix | None, Meaning("modal damping matrix", "N m s per unit of q_f^2"), SEMIDEFINITE] = None
+    phi_integral: Annotated[Matrix, Meaning("int Phi dm, 3 x nf", "kg m per unit of q_f"), size(3, N)] = ()
+    rho_phi: Annotated[tuple[Block, ...], size(N)] = ()
+    phi_phi: Annotated[tuple[tuple[Block, ...], ...], size(N, N)] = ()
     stiffening: FlexibleStiffening | None = None
     orientation: Orientation = "euler_parameters"
     free: Flag = False
@@ -184,6 +223,40 @@ class SpatialModalBody(StrictModel):
     gauges: dict[Name, StressGauge] = Field(default_factory=dict)
     struts: tuple[FlexibleStrut, ...] = ()
     markers: dict[Name, FlexibleMarker] = Field(default_factory=dict)
+
+    def faults(self, scene: Any) -> Iterator[Fault]:
+        """Sizes that do not fit its modes, and struts between markers that it does not have."""
+        if scene.space == "planar":
+            yield Fault("type", "a flexible body needs three dimensions", 'use type = "modal" or "beam"')
+        if self.nf == 0:
+            yield NO_MODES
+        yield from size_faults(self, self.nf)
+        yield from orientation_fault(self.orientation, scene)
+        if self.surface is not None and (fault := self.surface.fault(self.nf)):
+            yield Fault("surface", fault, "take what FlexibleBody.surface gives for these modes")
+        for index, strut in enumerate(self.struts):
+            for name in strut.markers:
+                if name not in self.markers:
+                    remedy = did_you_mean(name, list(self.markers))
+                    yield Fault(f"struts[{index}].markers", f"there is no marker '{name}'", remedy)
+        for name, gauge in self.gauges.items():
+            for key, problem, remedy in gauge.misfits(name, self):
+                yield Fault(f"gauges.{name}{key}", problem, remedy)
+
+    def mass_matrix(self, number: Callable[[Any], NDArray[np.float64]]) -> NDArray[np.float64]:
+        """The (6 + nf) x (6 + nf) mass matrix of Eq. 20 at q_f = 0, in body axes; number: of quantities."""
+        matrix = np.zeros((6 + self.nf, 6 + self.nf))
+        (x, y, z), moments = number(self.first_moment), number(self.inertia_moments)
+        matrix[:3, :3] = number((self.mass,))[0] * np.eye(3)
+        matrix[:3, 3:6] = -np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+        matrix[3:6, 3:6] = np.trace(moments) * np.eye(3) - moments
+        if self.phi_integral:
+            matrix[:3, 6:] = number(self.phi_integral)
+        for a, block in enumerate(np.array(self.rho_phi, dtype=float)):
+            matrix[3:6, 6 + a] = [block[1, 2] - block[2, 1], block[2, 0] - block[0, 2], block[0, 1] - block[1, 0]]
+        matrix[3:, :3], matrix[6:, 3:6] = matrix[:3, 3:].T, matrix[3:6, 6:].T
+        matrix[6:, 6:] = number(self.M_ff)
+        return matrix
 
     @property
     def nf(self) -> int:

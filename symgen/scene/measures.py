@@ -2,13 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from symgen.schema.fields import Coordinate, GaugeRef, MarkerRef, Name, StrictModel, refuse
+from symgen.scene.bodies import BeamBody
+from symgen.scene.flexible import ALL_GAUGES, SpatialModalBody
+from symgen.scene.simulation import unknown_coordinate
+from symgen.schema.errors import did_you_mean
+from symgen.schema.fields import SPATIAL, Coordinate, Fault, GaugeRef, MarkerRef, Name, StrictModel, refuse
 
-ALL_GAUGES = "all"
+KNOWN_BY = {  # which shapes of a beam know a section force
+    "normal_force": "axial",
+    "shear_force": "lateral",
+    "bending_moment": "lateral",
+    "shear_force_z": "lateral_z",
+    "bending_moment_y": "lateral_z",
+    "torsion_moment": "torsion",
+}
 OLDER = {"marker_b": "of", "marker": "of", "coordinate": "of", "gauge": "of", "marker_a": "relative_to"}
 
 
@@ -46,12 +58,23 @@ class MarkerMeasure(_Measure):
         """From and to."""
         return {"relative_to": self.relative_to, "of": self.of}
 
+    def faults(self, scene: Any) -> Iterator[Fault]:
+        """A height in the plane."""
+        if self.type == "z" and scene.space == "planar":
+            yield Fault("type", "a planar scene has no z", SPATIAL)
+
 
 class CoordinateMeasure(_Measure):
     """A coordinate itself [m, rad], for instance a mode or the second angle of a universal joint."""
 
     type: Literal["coordinate"] = "coordinate"
     of: Coordinate
+
+    def faults(self, scene: Any) -> Iterator[Fault]:
+        """A coordinate that is not there."""
+        names = scene.coordinates()
+        if self.of not in [*names, *scene.angles()]:
+            yield unknown_coordinate("of", self.of, names)
 
 
 class SectionForceMeasure(_Measure):
@@ -72,6 +95,16 @@ class SectionForceMeasure(_Measure):
         """On the beam."""
         return {"of": self.of}
 
+    def faults(self, scene: Any) -> Iterator[Fault]:
+        """A marker that is on no beam with exact shapes of the kind that is asked for."""
+        body, kind = scene.marker(self.of)[0], KNOWN_BY[self.type]
+        if not isinstance(body, BeamBody) or body.lumped_elements is not None:
+            remedy = "name a marker of such a beam, without mesh and elements"
+            yield Fault("of", f"'{body.name}' is no beam with exact shapes", remedy)
+        elif getattr(body, kind) is None:
+            problem = f"'{body.name}' has no {kind} shapes, which would know its {self.type.replace('_', ' ')}"
+            yield Fault("type", problem, f"give it {kind} modes, or take Solution.section_forces")
+
 
 class StressMeasure(_Measure):
     """Stress [Pa] of a finite-element body at a gauge `body.gauge` by its modes, in the body's axes.
@@ -83,6 +116,20 @@ class StressMeasure(_Measure):
     type: Literal["stress"] = "stress"
     of: GaugeRef
     component: Literal["von_mises", "xx", "yy", "zz", "yz", "xz", "xy"] = "von_mises"
+
+    def faults(self, scene: Any) -> Iterator[Fault]:
+        """A gauge that is not there."""
+        gauges = {body.name: [*body.gauges] for body in scene.bodies if isinstance(body, SpatialModalBody)}
+        name, _, gauge = self.of.partition(".")
+        if not gauges.get(name):
+            known = [name for name, own in gauges.items() if own]
+            remedy = did_you_mean(name, known) if known else "give FlexibleBody.fields(gauges=...) to its body"
+            yield Fault("of", f"there is no body '{name}' with gauges", remedy)
+        elif gauge not in (*gauges[name], ALL_GAUGES):
+            remedy = did_you_mean(gauge, [*gauges[name], ALL_GAUGES])
+            yield Fault("of", f"body '{name}' has no gauge '{gauge}'", remedy)
+        elif gauge == ALL_GAUGES and self.component != "von_mises":
+            yield Fault("component", "the largest of all gauges has no sign", 'take "von_mises", or name one gauge')
 
 
 Measure = Annotated[

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cached_property, reduce
 from operator import or_
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 from pydantic import Field
 
-from runtime.contract.orientations import is_sequence
+from runtime.contract.orientations import angle_names, is_sequence
 from runtime.contract.records import UNITS, Coordinate, CoordinateKind
 from symgen.couplings import COUPLINGS, Coupling
 from symgen.joints import JOINTS, Joint
@@ -76,6 +77,13 @@ class SceneParts(StrictModel):
     def ground(self) -> GroundBody:
         """The ground, also when the scene does not mention it."""
         return next((body for body in self.bodies if isinstance(body, GroundBody)), GroundBody())
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """A copy with other parts, which looks for its bodies anew."""
+        copied = super().model_copy(update=update, deep=deep)
+        for known in ("moving_bodies", "_bodies"):
+            copied.__dict__.pop(known, None)
+        return copied
 
     @cached_property
     def moving_bodies(self) -> tuple[RigidBody | BeamBody | ModalBody | SpatialModalBody, ...]:
@@ -151,6 +159,10 @@ class SceneParts(StrictModel):
         """Sequence of axes of each body of a spatial scene that is described by Euler angles."""
         kinds = {body.name: str(getattr(body, "orientation", "")) for body in self.moving_bodies}
         return {name: kind for name, kind in kinds.items() if self.space == "spatial" and is_sequence(kind)}
+
+    def angles(self) -> list[str]:
+        """Names of all Euler angles, which are input and output only."""
+        return [name for body in self.euler_angles() for name in angle_names(body)]
 
     def placements(self) -> list[Placement]:
         """The joints that place a body by coordinates of their own, in scene order (spatial scenes)."""

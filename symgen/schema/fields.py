@@ -13,7 +13,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import BaseModel, ConfigDict, Field, PlainValidator, Strict, model_validator
 from pydantic_core import PydanticCustomError
@@ -27,6 +27,14 @@ MAX_TEXT = 10_000
 def refuse(problem: str, remedy: str, key: str = "") -> PydanticCustomError:
     """An error that `translate.scene_errors` turns into a `SceneError` without changing its words."""
     return PydanticCustomError("scene", "{problem}; {remedy}", {"problem": problem, "remedy": remedy, "key": key})
+
+
+class Fault(NamedTuple):
+    """What a record finds wrong with itself: at which of its fields ("": all of it), what it is, what to do."""
+
+    key: str
+    problem: str
+    remedy: str
 
 
 class StrictModel(BaseModel):
@@ -45,6 +53,10 @@ class StrictModel(BaseModel):
                 if isinstance(value, set | frozenset):
                     raise refuse(f"{show(value)} has no order", "give a list instead of a set", key)
         return data
+
+    def faults(self, scene: Any) -> Iterator[Fault]:
+        """What its fields alone do not show; scene: the parts around it."""
+        return iter(())
 
     @classmethod
     def meaning(cls, key: str) -> Meaning:
@@ -86,6 +98,61 @@ class Meaning:
         if self.bound is not Bound.ANY:
             schema["description"] += f"; {self.bound.value}"
         return schema
+
+
+N = -1  # in a `Size`: as many as the flexible body has modes, or the structure coordinates
+
+
+@dataclass(frozen=True)
+class Size:
+    """Lengths of a field's lists, from the outer one to the inner one. form: what a matrix is, as mechanics demands."""
+
+    lengths: tuple[int, ...]
+    form: Literal["", "symmetric", "positive", "semidefinite", "skew"] = ""
+
+
+def size(*lengths: int, form: Literal["", "symmetric", "positive", "semidefinite", "skew"] = "") -> Size:
+    """`Size` of these lengths."""
+    return Size(lengths, form)
+
+
+def sized(model: BaseModel, path: str = "") -> Iterator[tuple[str, Any, Size]]:
+    """Every field with a size in a record and in those inside it, if it is given: (path, value, size)."""
+    for key, field in type(model).model_fields.items():
+        value, where = getattr(model, key), f"{path}{key}"
+        found = next((entry for entry in field.metadata if isinstance(entry, Size)), None)
+        if found is not None and value is not None and not value == () == field.default:
+            yield where, value, found
+        elif isinstance(value, BaseModel):
+            yield from sized(value, f"{where}.")
+        elif isinstance(value, dict):
+            for name, part in value.items():
+                if isinstance(part, BaseModel):
+                    yield from sized(part, f"{where}.{name}.")
+
+
+def size_faults(model: BaseModel, n: int) -> Iterator[Fault]:
+    """Lists whose length is not that of their `Size`, of which N is n."""
+    for path, value, wanted in sized(model):
+        yield from _length_faults(path, value, [n if length == N else length for length in wanted.lengths])
+
+
+def _length_faults(path: str, value: Any, lengths: list[int], inside: str = "") -> Iterator[Fault]:
+    kind = "rows" if len(lengths) > 1 else "entries"
+    if len(value) != lengths[0]:
+        yield Fault(path, f"has {len(value)} {kind} instead of {lengths[0]}", f"give {lengths[0]} {kind}{inside}")
+    elif len(lengths) > 1:
+        for index, entry in enumerate(value):
+            yield from _length_faults(f"{path}[{index}]", entry, lengths[1:], " a row")
+
+
+def components_fault(key: str, values: tuple[Any, ...], scene: Any) -> Iterator[Fault]:
+    """Of a vector with more or fewer components than the scene has axes."""
+    if scene.space == "planar" and len(values) != 2:
+        remedy = "give (x, y)" + ("" if len(values) < 2 else ', or set space = "spatial"')
+        yield Fault(key, f"has {len(values)} components in a planar scene", remedy)
+    elif scene.space == "spatial" and len(values) not in (2, 3):
+        yield Fault(key, f"has {len(values)} components", "give (x, y, z); a z left out is zero")
 
 
 def _name(value: object) -> str:
@@ -181,6 +248,7 @@ Vector = tuple[Quantity, ...]
 Matrix = tuple[tuple[Quantity, ...], ...]
 
 
+SPATIAL = 'set space = "spatial", or use what a planar scene has'
 MARKER_ANGLE = Meaning("angle of the marker's x-axis against the body's x-axis, counter-clockwise", "rad")
 
 

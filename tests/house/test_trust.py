@@ -16,7 +16,7 @@ from runtime.schemes.catalogue import SCHEMES
 from symgen.cli import main
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder, SceneError
-from symgen.scene.checks.sizes import MAX_BODY_MODES, MAX_COORDINATES
+from symgen.scene.checks import MAX_BODY_MODES, MAX_COORDINATES
 from symgen.scenes import generated_folder
 from symgen.scenes.pendulum import pendulum
 
