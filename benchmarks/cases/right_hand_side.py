@@ -11,7 +11,7 @@ from benchmarks.harness.models import constants_size
 from runtime.contract.model import Model
 from runtime.engine.compiled import CompiledProgram
 from runtime.engine.program import Call, Fields, Layout, make_stage
-from runtime.schemes.linear_solve import solve_symmetric
+from runtime.schemes.sparse_lu import solve_symmetric
 from runtime.schemes.stage_equations import StageEquations
 
 FUNCTIONS = frozenset({"condensed", "closure", "velocities", "forward_dynamics"})

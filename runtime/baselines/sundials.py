@@ -24,8 +24,7 @@ from runtime.engine.compiled import find_compiler
 from runtime.engine.external import External
 from runtime.engine.llvm_code import find_llvm
 from runtime.results.solution import Solution
-from runtime.schemes.linear_solve import solve_symmetric
-from runtime.schemes.sparse_lu import Number, factor, solve
+from runtime.schemes.sparse_lu import Number, factor, solve, solve_symmetric
 
 # ---- What SUNDIALS integrates, with exact derivatives: y' = f(t, y) for CVODES, and M_hat a = Q_hat beside it
 # for IDAS.

@@ -179,7 +179,7 @@ class Model:
     digest: SHA-256 of the manifest; scene_toml: an opaque text that only the generator reads; folder: where it was
     loaded from, by which it is pickled; "" if not known. input_values, sources: constants and functions of time given
     for inputs (see `with_inputs`); driven_by: hash of what else drives a run. steppers, schemes: see
-    runtime.schemes.kept_steppers and catalogue. choices: options that schemes have found to fit, by name.
+    runtime.schemes.stepper and catalogue. choices: options that schemes have found to fit, by name.
     Kernels take the run's constants c = constants(p); `function(name)` gives the same function of p.
     """
 

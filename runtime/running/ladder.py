@@ -28,9 +28,8 @@ from runtime.running.problem import ROUNDING, Problem, common_time
 from runtime.running.run import Further, Marks, Run, begun, told_by
 from runtime.running.tolerance import AUTO
 from runtime.schemes.catalogue import scheme_kind
-from runtime.schemes.evaluation import evaluation_operations
 from runtime.schemes.options import LARGE_SYSTEM, SchemeError
-from runtime.schemes.scheme import Scheme
+from runtime.schemes.scheme import Scheme, evaluation_operations
 from runtime.schemes.switching.times import switching_times
 
 FIRST = 20  # steps of a first rung, at least

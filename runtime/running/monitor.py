@@ -19,11 +19,9 @@ from runtime.contract.coordinates import independent_part, joined, length_rows, 
 from runtime.contract.model import Model
 from runtime.contract.status import Status, StatusName
 from runtime.operating.mode_solver import ModeSolver, State
-from runtime.schemes.direct import direct
-from runtime.schemes.scheme import Scheme
+from runtime.schemes.scheme import Scheme, direct, verdict
 from runtime.schemes.stage_equations import StageEquations, is_long_tree
 from runtime.schemes.step_limit import StepLimit, eigenvalues
-from runtime.schemes.verdict import verdict
 
 FULL_CHECKS = 16  # saved states that are looked at closely, the first ones and then one in so many
 GROWTH_LIMIT = 1e6  # times the scale of the mechanism: far beyond anything a bounded motion reaches in a call

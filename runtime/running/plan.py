@@ -11,8 +11,7 @@ from typing import Any
 from runtime.contract.model import Model
 from runtime.running.problem import span_of
 from runtime.schemes.catalogue import scheme_kind
-from runtime.schemes.grid import Grid
-from runtime.schemes.options import SchemeError
+from runtime.schemes.options import Grid, SchemeError
 from runtime.schemes.scheme import Scheme
 
 MAX_SAMPLES = 10_000_000

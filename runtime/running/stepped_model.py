@@ -23,8 +23,7 @@ from runtime.running.plan import Plan
 from runtime.running.singular.guard import Guard
 from runtime.running.time_functions import all_stops
 from runtime.schemes.adaptive.impulses import run_across
-from runtime.schemes.kept_steppers import kept_stepper
-from runtime.schemes.stepper import Stepper
+from runtime.schemes.stepper import Stepper, kept_stepper
 from runtime.schemes.switching.impulse import Impulse, moves_in_time
 from runtime.schemes.switching.restart import remembers
 from runtime.schemes.switching.steps_with_stops import StepsWithStops, restart_of

@@ -9,8 +9,7 @@ from typing import Any, Literal, cast
 
 from runtime.contract.doors import opened
 from runtime.contract.model import Model
-from runtime.schemes.grid import Grid, make_grid
-from runtime.schemes.options import HALVES, Options, SchemeError
+from runtime.schemes.options import HALVES, Grid, Options, SchemeError, make_grid
 from runtime.schemes.scheme import Scheme
 
 Ratios = Literal["none", "groups", "sub_steps"]
@@ -106,7 +105,7 @@ class SchemeKind:
 
 SCHEMES: dict[str, SchemeKind] = {
     "single_rate": SchemeKind(
-        "single_rate:SingleRate",
+        "central_difference:SingleRate",
         "central difference, one step for all coordinates",
         "none",
         "central_difference:CentralDifferenceOptions",
@@ -127,7 +126,6 @@ SCHEMES: dict[str, SchemeKind] = {
         "sub_steps",
         "linearised:LinearisedOptions",
         default_m=4,
-        adaptive_at="adaptive.linearised:AdaptiveLinearised",
     ),
     "exponential": SchemeKind(
         "exponential:Exponential",
@@ -148,9 +146,8 @@ SCHEMES: dict[str, SchemeKind] = {
         "exponential_adams:ExponentialAdams",
         "exponential Adams on the stiff deflections or all coordinates with a point inside the step, order 4",
         "none",
-        "remembering_step:ExponentialAdamsOptions",
+        "exponential_adams:ExponentialAdamsOptions",
         fitting_at="exponential_adams:fitting",
-        adaptive_at="adaptive.exponential_adams:AdaptiveExponentialAdams",
     ),
     "exponential_midpoint": SchemeKind(
         "exponential_midpoint:ExponentialMidpoint",
@@ -165,7 +162,7 @@ SCHEMES: dict[str, SchemeKind] = {
         "options:SingleClosureOptions",
     ),
     "dopri5": SchemeKind(
-        "baselines.dormand_prince:DormandPrince5",
+        "baselines.runge_kutta:DormandPrince5",
         "Dormand-Prince, order 5(4)",
         "none",
         "options:AdaptiveOptions",
@@ -184,13 +181,13 @@ SCHEMES: dict[str, SchemeKind] = {
         "baselines.generalized_alpha:GeneralizedAlpha",
         "generalized-alpha on all coordinates, order 2",
         "none",
-        "baselines.alpha_options:GeneralizedAlphaOptions",
+        "baselines.generalized_alpha:GeneralizedAlphaOptions",
     ),
     "hht": SchemeKind(
         "baselines.generalized_alpha:HilberHughesTaylor",
         "Hilber-Hughes-Taylor on all coordinates, order 2",
         "none",
-        "baselines.alpha_options:HilberHughesTaylorOptions",
+        "baselines.generalized_alpha:HilberHughesTaylorOptions",
     ),
 }
 

@@ -6,19 +6,17 @@ loop_old and loop_dot, the loop unknowns a step of the fastest group ago and the
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
 
-from runtime.engine.program import Fields
-from runtime.schemes.common_update import newton_step, solved_at_once
-from runtime.schemes.differences import next_increment, replaced, velocity
+from runtime.engine.program import Fields, Program
 from runtime.schemes.options import LARGE_SYSTEM, MOST_UNROLLED, ClosureOptions, Options, one_of, whole_number
-from runtime.schemes.scheme import Scheme
+from runtime.schemes.scheme import ROUNDING, Scheme, StateField, history, state
+from runtime.schemes.sparse_lu import solve_general, solve_symmetric
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, velocity_dependent
-from runtime.schemes.start_up import initial_acceleration, initial_increment
-from runtime.schemes.state_fields import StateField, history, state
 from runtime.schemes.step_limit import StepLimit, central_difference_limit
 
 OBSERVE_ITERATIONS = 2  # Newton steps, or sweeps from the predictor
@@ -157,3 +155,155 @@ class CentralDifference(Scheme):
         for _ in range(OBSERVE_ITERATIONS if velocity_dependent(self.model) else 1):
             a = self._accelerations(equations, motion, velocity(half, a, h), a, self.solves_velocity)
         return motion, velocity(half, a, h), a
+
+
+# The central differences (40)-(43), on increments.
+#
+# With d = q(t) - q(t - h) and d_next = q(t + h) - q(t) they read
+#
+#     q_ddot(t) = (d_next - d) / h^2                                  (40), (42)
+#     q_dot(t) = (d_next + d) / (2 h) = d / h + h q_ddot(t) / 2        (41), (43)
+#
+# Keeping d instead of q(t - h) is the same algorithm with less rounding. Every argument is a vector of coordinates
+# [m or rad] or their rates; h [s] is a vector too, the step of each coordinate, or one step for all.
+
+
+def velocity(half: ca.SX, q_ddot: ca.SX, h: ca.SX) -> ca.SX:
+    """q_dot(t) of (41), (43), and of (5), (7), from `half` = d / h, the velocity at t - h / 2."""
+    return half + h / 2 * q_ddot
+
+
+def next_increment(d: ca.SX, q_ddot: ca.SX, h: ca.SX) -> ca.SX:
+    """d_next = d + h^2 q_ddot(t): (40) and (42), as (4) and (6), solved for q(t + h)."""
+    return d + h**2 * q_ddot
+
+
+def replaced(vector: ca.SX, positions: list[int], values: ca.SX) -> ca.SX:
+    """The vector with other values at some positions."""
+    changed = ca.SX(vector)
+    for position, k in enumerate(positions):
+        changed[k] = values[position]
+    return changed
+
+
+# Step (6) of Fig. 5: start-up, Eqs. (68)-(71).
+
+
+def initial_acceleration(M_hat: ca.SX, Q_hat: ca.SX) -> ca.SX:
+    """q_i_ddot = M_hat^-1 Q_hat (68), of the state that a motion starts from.
+
+    M_hat: n_i x n_i, Q_hat: n_i [SI]. Result: n_i [m/s^2 or rad/s^2].
+    """
+    return solve_symmetric(M_hat, Q_hat)
+
+
+def initial_increment(q_i_dot: ca.SX, q_i_ddot: ca.SX, h: ca.SX) -> ca.SX:
+    """d = q_i(t) - q_i(t - h) = h q_i_dot - h^2 / 2 q_i_ddot: (69), each group with its own step as (70), (71) say.
+
+    q_i_dot, q_i_ddot: n_i; h: n_i [s], the step of each coordinate. Result: n_i [m or rad].
+    """
+    return h * q_i_dot - h**2 / 2 * q_i_ddot
+
+
+# Step (7) of Fig. 5: the common update of all groups at time t, Eqs. (44)-(57).
+#
+# Unknown is q_i_ddot(t) instead of q_i(t + h); by (40), (42) that is the same. So (44)-(45) read
+#
+#     M_hat_LL q_L_ddot + M_hat_LS q_S_ddot = Q_hat_L,    M_hat_SL q_L_ddot + M_hat_SS q_S_ddot = Q_hat_S,
+#
+# which is (39). The paper solves it by a sweep between the groups, (46)-(57); `solved_at_once` and `newton_step` give
+# what the sweep converges to. Vectors are n_i long [m/s^2 or rad/s^2] unless something else is said.
+
+STALLED = 16  # a sweep wanders about by so many roundings of its terms
+
+
+def starting_guess(reading: str, d: ca.SX, q_ddot: ca.SX, h: ca.SX) -> ca.SX:
+    """What the sweep starts from, as an acceleration.
+
+    `previous`: q(t + h) = q(t), (48)-(49), is q_ddot = -d / h^2. `taylor`: q(t + h) by (50)-(51) from q, q_dot and the
+    last q_ddot. d: last increment [m or rad]; h: step of each coordinate [s].
+    """
+    return q_ddot if reading == "taylor" else -d / h**2
+
+
+def sweep(M_hat: ca.SX, Q_hat: ca.SX, q_ddot: ca.SX, groups: list[list[int]]) -> ca.SX:
+    """One sweep of (46)-(47): each group from the last iterate of the others, (52)-(53).
+
+    The difference to q_ddot, times h^2, is the increment of the iterate, (54)-(55). M_hat: n_i x n_i, Q_hat: n_i [SI];
+    groups: positions in q_i, slow to fast.
+    """
+    new = ca.SX(q_ddot)
+    for group in groups:
+        others = [k for k in range(q_ddot.numel()) if k not in group]
+        force = Q_hat[group] - ca.mtimes(M_hat[group, others], q_ddot[others]) if others else Q_hat
+        solved = solve_symmetric(M_hat[group, group], force)
+        for position, k in enumerate(group):
+            new[k] = solved[position]
+    return new
+
+
+def allowed_change(new: ca.SX, d: ca.SX, h: ca.SX, eps: float, stopping: str) -> ca.SX:
+    """The change of q_ddot of a group by a sweep below which (56) or (57) stops; h^2 times it is that of q(t + h).
+
+    new, d: the group's accelerations and last increments; h: its step [s]. stopping: `absolute` compares
+    |q(t + h)_new - q(t + h)_old| with eps [m or rad] as printed, `relative` with eps h^2 |q_ddot|.
+    """
+    if stopping == "relative":
+        # rounding of the increment d is below what a position can show
+        return eps * ca.norm_inf(new) + ROUNDING / h**2 * ca.norm_inf(d)
+    return ca.SX(eps / h**2)
+
+
+def rounding_of_sweep(M_hat: ca.SX, q_ddot: ca.SX, q: ca.SX, h: ca.SX, group: list[int]) -> ca.SX:
+    """What rounding of the coupling in (46)-(47), and of the positions, can leave of q_ddot of a group.
+
+    A group whose accelerations pass through zero while the others' do not never meets a test relative to its own; once
+    its change no longer falls and is below this, the sweep has arrived. q: n_i; h: the group's step [s].
+    """
+    others = [k for k in range(q_ddot.numel()) if k not in group]
+    seen = ca.norm_inf(q[group]) / h**2
+    if others:
+        seen = seen + ca.norm_inf(ca.mtimes(M_hat[group, others], q_ddot[others]) / ca.diag(M_hat[group, group]))
+    return STALLED * ROUNDING * seen
+
+
+def solved_at_once(M_hat: ca.SX, force: ca.SX) -> ca.SX:
+    """q_ddot of (44)-(45), forces known: the limit of the sweep. M_hat: n x n, force: n [SI].
+
+    Without inertia coupling that is (10)-(11), and for one group (39) itself.
+    """
+    return solve_symmetric(M_hat, force)
+
+
+def newton_step(M_hat: ca.SX, force: ca.SX, J: ca.SX, q_ddot: ca.SX, h: ca.SX) -> ca.SX:
+    """q_ddot of (44)-(45) with the force at q_dot of (41), (43), which depends on q_ddot; one Newton step.
+
+        (M_hat - J diag(h / 2)) q_ddot_new = Q_hat - J diag(h / 2) q_ddot,    J = dQ_hat/dq_i_dot
+
+    M_hat, J: n x n, force: Q_hat at the last iterate, n [SI]; q_ddot: the last iterate, n; h: n [s].
+    """
+    half = ca.diag(h / 2)
+    return solve_general(M_hat - ca.mtimes(J, half), force - ca.mtimes(J, ca.mtimes(half, q_ddot)))
+
+
+# Central difference with one step for all coordinates: the paper's scheme without sub-steps, Eqs. (40)-(45).
+
+
+class SingleRate(CentralDifference):
+    """One stage: (44)-(45) solved at once, then all coordinates move."""
+
+    def program(self) -> Program:
+        """One step."""
+        return self.stage("common_update", self._step)
+
+    def evaluations(self) -> tuple[int, int]:
+        """One, or its Newton steps."""
+        return self.options.newton_iterations if self.solves_velocity else 1, 0
+
+    def _step(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        motion, v, a = self.solved(z, equations)
+        everyone = list(range(len(self.model.q_i)))
+        return {
+            **self.moved(z, equations, motion, v, a, everyone),
+            "n": z["n"] + 1,
+        }

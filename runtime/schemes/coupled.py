@@ -23,12 +23,12 @@ import casadi as ca
 import numpy as np
 
 from runtime.engine.program import Fields
-from runtime.schemes.differences import replaced
+from runtime.schemes.central_difference import replaced
 from runtime.schemes.held_slow import HeldSlow
-from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.options import ClosureOptions, one_of
+from runtime.schemes.scheme import StateField, work
+from runtime.schemes.sparse_lu import solve_symmetric
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
-from runtime.schemes.state_fields import StateField, work
 from runtime.schemes.step_limit import StepLimit, shorter, slow_decay_limit
 
 

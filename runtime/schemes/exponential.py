@@ -30,15 +30,14 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Repeat, Sequence
-from runtime.schemes.grid import Grid
 from runtime.schemes.linear_propagation import LinearSystem, factors_of, polynomial, propagate
-from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.linear_sub_steps import LinearSubStepOptions, LinearSubSteps, refuse_varying
-from runtime.schemes.method import Attempt, Method
+from runtime.schemes.one_step import Attempt, Method
 from runtime.schemes.options import (
     HALVES,
     LARGEST_TOLERANCE,
     MOST_UNROLLED,
+    Grid,
     Options,
     SchemeError,
     one_of,
@@ -46,8 +45,9 @@ from runtime.schemes.options import (
     whole_number,
 )
 from runtime.schemes.partial_fractions import poles
+from runtime.schemes.scheme import StateField, state, work
+from runtime.schemes.sparse_lu import solve_symmetric
 from runtime.schemes.stage_equations import LONG_TREE, ClosedConfiguration, LinearisedEquations, StageEquations
-from runtime.schemes.state_fields import StateField, state, work
 
 NODES = {4: (0.75,), 5: (0.5, 0.9)}
 ECHO = 1.08  # the echo is the motion from rest, up to the first node, under this many times G2

@@ -23,15 +23,11 @@ import numpy as np
 from runtime.engine.program import Fields, Program, Sequence, Until
 from runtime.schemes.one_step import OneStep
 from runtime.schemes.options import MOST_ITERATIONS, ClosureOptions, Options, tolerances, whole_number
-from runtime.schemes.rounding import ROUNDING
-from runtime.schemes.scheme import LARGEST
+from runtime.schemes.scheme import LARGEST, ROUNDING, StateField, control, work
 from runtime.schemes.sparse_lu import Number
-from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
-from runtime.schemes.state_fields import StateField, control, work
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, StiffResponse
 from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
-from runtime.schemes.stiff_deflections import StiffResponse
-from runtime.schemes.stiff_motion import StiffMotion
-from runtime.schemes.stiff_tree_motion import StiffTreeMotion
+from runtime.schemes.stiff_motion import StiffMotion, StiffTreeMotion
 
 USUAL_ITERATIONS = 6
 STALLED = 512  # roundings of the state below which a change that no longer falls is what rounding leaves

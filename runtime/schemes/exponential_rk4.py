@@ -31,14 +31,12 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.engine.program import Fields
 from runtime.schemes.linear_propagation import polynomial
-from runtime.schemes.method import Attempt, Method
+from runtime.schemes.one_step import Attempt, Method
 from runtime.schemes.options import MOST_UNROLLED, AdaptiveOptions, Options, one_of, whole_number
-from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
-from runtime.schemes.state_fields import StateField, state
+from runtime.schemes.scheme import StateField, state
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, StiffResponse
 from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
-from runtime.schemes.stiff_deflections import StiffResponse
-from runtime.schemes.stiff_motion import Along, MotionStage, StiffMotion
-from runtime.schemes.stiff_tree_motion import StiffTreeMotion
+from runtime.schemes.stiff_motion import Along, MotionStage, StiffMotion, StiffTreeMotion
 
 # h w and h d up to which the explicit part is stable: above sqrt(2) a mode grows by 1e-3 a step at 1.6, by 2 % at 2
 IMAGINARY_REACH, REAL_REACH = 2**0.5, 2.785

@@ -26,8 +26,8 @@ import numpy as np
 from runtime.engine.program import Fields, Program, Repeat, Sequence
 from runtime.schemes.one_step import OneStep
 from runtime.schemes.options import ClosureOptions, Options
+from runtime.schemes.scheme import StateField, history, state, work
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
-from runtime.schemes.state_fields import StateField, history, state, work
 from runtime.schemes.step_limit import StepLimit, central_difference_limit
 
 

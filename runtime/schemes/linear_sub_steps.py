@@ -15,16 +15,14 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.engine.program import Call, Fields
-from runtime.schemes.grid import Grid
-from runtime.schemes.linear_propagation import LinearSystem, factors_of, polynomial, propagate
-from runtime.schemes.linear_solve import solve_symmetric
+from runtime.schemes.linear_propagation import LinearSystem, StoredSystem, factors_of, polynomial, propagate
 from runtime.schemes.one_step import OneStep
-from runtime.schemes.options import HALVES, ClosureOptions, Options, SchemeError, one_of
+from runtime.schemes.options import HALVES, ClosureOptions, Grid, Options, SchemeError, one_of
 from runtime.schemes.partial_fractions import poles
+from runtime.schemes.scheme import StateField, work
+from runtime.schemes.sparse_lu import solve_symmetric
 from runtime.schemes.stage_equations import LinearisedEquations, StageEquations
-from runtime.schemes.state_fields import StateField, work
 from runtime.schemes.step_limit import StepLimit, central_difference_limit
-from runtime.schemes.stored_system import StoredSystem
 
 
 @dataclass(frozen=True)

@@ -15,23 +15,20 @@ import casadi as ca
 
 from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Repeat, Sequence
-from runtime.schemes.grid import Grid
 from runtime.schemes.linear_sub_steps import LinearSubStepOptions, LinearSubSteps
-from runtime.schemes.options import LARGEST_TOLERANCE, SchemeError, one_of, share, whole_number
+from runtime.schemes.options import Grid, SchemeError, whole_number
+from runtime.schemes.scheme import StateField, history, work
 from runtime.schemes.stage_equations import StageEquations
-from runtime.schemes.state_fields import StateField, history, work
 
 
 @dataclass(frozen=True)
 class LinearisedOptions(LinearSubStepOptions):
-    """closure_iterations, propagation: see LinearSubStepOptions; tolerance, error_of: see AdaptiveOptions.
+    """closure_iterations, propagation: see LinearSubStepOptions.
 
     corrections: how often a step is linearised again at the better midpoint that its own linear system leads to.
     """
 
     corrections: int = whole_number(0, least=0, most=100)
-    tolerance: float = share(0.0, LARGEST_TOLERANCE)
-    error_of: str = one_of("motion", "step")
 
 
 class Linearised(LinearSubSteps):

@@ -1,10 +1,10 @@
 """The paper's sub-cycling: Fig. 5 in its order, for any number of nested groups (72).
 
     step of Fig. 5               Eqs.        here                        its equations in
-    (6) start-up                 (68)-(71)   CentralDifference.start     start_up.py
-    (7) common update            (44)-(57)   Printed._common_update      common_update.py
-    (8) sub-steps                (58)-(67)   Printed._sub_step           sub_step.py, slow_interpolation.py
-    (9) next cycle               (40)-(43)   Printed._next_cycle         differences.py
+    (6) start-up                 (68)-(71)   CentralDifference.start     central_difference.py
+    (7) common update            (44)-(57)   Printed._common_update      central_difference.py
+    (8) sub-steps                (58)-(67)   Printed._sub_step           printed.py
+    (9) next cycle               (40)-(43)   Printed._next_cycle         central_difference.py
 
 Fields of z besides those of central_difference.py: s, time since the start of the running major step; q_L, q_L_dot,
 q_L_ddot and t_L, state of each slow coordinate and time since the start of the major step when its group's running
@@ -14,30 +14,32 @@ largest change of q_ddot of each group by the last sweep.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import casadi as ca
 
 from runtime.engine.program import Fields, Program, Repeat, Sequence, Until
-from runtime.schemes.central_difference import CentralDifference, CentralDifferenceOptions
-from runtime.schemes.common_update import (
+from runtime.schemes.central_difference import (
+    CentralDifference,
+    CentralDifferenceOptions,
     allowed_change,
     newton_step,
+    replaced,
     rounding_of_sweep,
     solved_at_once,
     starting_guess,
     sweep,
+    velocity,
 )
-from runtime.schemes.differences import replaced, velocity
-from runtime.schemes.options import MOST_ITERATIONS, one_of, tolerances, whole_number
-from runtime.schemes.scheme import LARGEST
-from runtime.schemes.slow_interpolation import INTERPOLATIONS
+from runtime.schemes.options import MOST_ITERATIONS, Grid, one_of, tolerances, whole_number
+from runtime.schemes.scheme import LARGEST, StateField, control, work
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, velocity_dependent
-from runtime.schemes.state_fields import StateField, control, work
-from runtime.schemes.sub_step import Known, at_sub_step, rows
 
 RUN_AWAY = 1e6  # increments [m or rad] of a step that were out of hand before the sweep
+
+
+NAMES_OF_INTERPOLATIONS = ("end_point_sum", "constant_acceleration", "chord_ahead", "chord", "held_at_the_middle")
 
 
 @dataclass(frozen=True)
@@ -47,7 +49,7 @@ class PrintedOptions(CentralDifferenceOptions):
     common_update: `fixed_point` is the sweep (52)-(55) with the test (56)-(57); `direct` solves (39) at once, with
         Newton on dQ_hat/dq_i_dot where forces depend on velocity.
     guess: `taylor` (50)-(51) or `previous` (48)-(49).
-    slow_interpolation: how slow variables move during sub-steps, see slow_interpolation.py.
+    slow_interpolation: how slow variables move during sub-steps, see INTERPOLATIONS.
     sub_step_velocity: `predictor` takes q_S_dot with the last acceleration (explicit, second order); `newton` solves
         (43) with the emitted Jacobian.
     eps: one tolerance per group, slow to fast (eps_L, eps_S); a single one serves all.
@@ -58,7 +60,7 @@ class PrintedOptions(CentralDifferenceOptions):
 
     common_update: str = one_of("fixed_point", "direct")
     guess: str = one_of("taylor", "previous")
-    slow_interpolation: str = one_of(*INTERPOLATIONS)
+    slow_interpolation: str = one_of(*NAMES_OF_INTERPOLATIONS)
     sub_step_velocity: str = one_of("predictor", "newton")
     eps: tuple[float, ...] = tolerances(1e-13)
     stopping: str = one_of("relative", "absolute")
@@ -212,3 +214,100 @@ class Printed(CentralDifference):
             "s": s + equations.h[-1],
         }
         return out if level > 0 else {**out, "n": z["n"] + 1}
+
+
+# Step (8) of Fig. 5: the sub-steps j = 2 ... m of the fast coordinates, Eqs. (58)-(67).
+#
+# At a sub-step the slow coordinates are between their own steps. Their values there, (59)-(63), are readings of the
+# paper (INTERPOLATIONS); with them (58) and (62) are (64),
+#
+#     M_hat_SS q_S_ddot = Q_hat_S - M_hat_SL q_L_ddot,
+#
+# the matrices being evaluated where (65)-(67) say: at the sub-step's own time, with the interpolated slow values.
+
+
+@dataclass(frozen=True)
+class Known:
+    """What is known at the time of an update, n_i each: q_i, its rates (d / h of the fast ones) and accelerations."""
+
+    q: ca.SX
+    half: ca.SX
+    q_ddot: ca.SX
+
+
+def at_sub_step(z: Fields, h: ca.SX, known: Known, grid: Grid, level: int, interpolate: Interpolation) -> Known:
+    """The values at a sub-step: slow coordinates by (59) and a reading of (60)-(61), (63), fast ones as known.
+
+    z: fields q_L, q_L_dot, q_L_ddot (at the start of the running step of each group), t_L (when that was) and s (time
+    since the start of the major step [s]). h: steps of the groups [s]. level: the first group that takes the sub-step.
+    """
+    q, v, a = ca.SX(known.q), ca.SX(known.half), ca.SX(known.q_ddot)
+    for g in range(level):
+        s = z["s"] - z["t_L"][g] if g else z["s"]  # the slowest group's step is the major step
+        for k in grid.groups[g]:
+            q[k], v[k] = interpolate(z["q_L"][k], z["q_L_dot"][k], z["q_L_ddot"][k], s, h[level], h[g], z["x"][k])
+            a[k] = z["q_L_ddot"][k]  # (59)
+    return Known(q, v, a)
+
+
+def rows(
+    equations: StageEquations, level: int, motion: ClosedConfiguration, q_i_dot: ca.SX, q_L_ddot: ca.SX
+) -> tuple[ca.SX, ca.SX]:
+    """(M_hat_SS, Q_hat_S - M_hat_SL q_L_ddot) of (58), (62), (64), evaluated as (65)-(67) say.
+
+    For a linear structure that is (12), and (14) with the readings of (13).
+
+    level: the first group of S, 0 the slowest. q_i_dot: n_i, q_L_ddot: n_L, known. Result: n_S x n_S and n_S [SI].
+    """
+    return equations.substep(level, motion, q_i_dot, q_L_ddot)
+
+
+# Readings of how slow variables move inside their step (Eqs. 13, 59-63). Each is one named function.
+#
+# Arguments: the slow variable's q, q_dot, q_ddot at the start of its step, the time s since then, the sub-step h, its
+# own step H and its value at the end of its step. Result: (q, q_dot) at s.
+
+Interpolation = Callable[..., tuple[ca.SX, ca.SX]]
+
+
+def end_point_sum(q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX, q_next: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """(60)-(61), (63) as printed: the velocity is summed at the end of each sub-step.
+
+    At sub-step k this overshoots constant acceleration by k h^2 a / 2. q_L_dot(t + dt_L) is q_L_dot + dt_L q_L_ddot.
+    """
+    return q + s * v + (s * s + s * h) / 2 * a, v + s * a
+
+
+def constant_acceleration(
+    q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX, q_next: ca.SX
+) -> tuple[ca.SX, ca.SX]:
+    """Exact polynomial of (59): q + s v + s^2 a / 2."""
+    return q + s * v + s * s / 2 * a, v + s * a
+
+
+def chord_ahead(q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX, q_next: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """(13) as printed: linear in time, weighted j/m at time (j - 1) h, so one sub-step ahead."""
+    weight = (s + h) / H
+    return (1 - weight) * q + weight * q_next, (q_next - q) / H
+
+
+def chord(q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX, q_next: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """(13) at the right time: linear between the two known values."""
+    weight = s / H
+    return (1 - weight) * q + weight * q_next, (q_next - q) / H
+
+
+def held_at_the_middle(
+    q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX, q_next: ca.SX
+) -> tuple[ca.SX, ca.SX]:
+    """At the middle of the slow step: what depends on slow variables only is then the same in all sub-steps."""
+    return q + H / 2 * v + H * H / 8 * a, v + H / 2 * a
+
+
+INTERPOLATIONS: dict[str, Interpolation] = dict(
+    zip(
+        NAMES_OF_INTERPOLATIONS,
+        (end_point_sum, constant_acceleration, chord_ahead, chord, held_at_the_middle),
+        strict=True,
+    )
+)

@@ -9,6 +9,8 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from copy import copy
+from dataclasses import dataclass
+from enum import Enum
 from typing import Self
 
 import casadi as ca
@@ -16,14 +18,13 @@ import numpy as np
 
 from runtime.contract.coordinates import charts_in
 from runtime.contract.model import Model
-from runtime.contract.tape import shared
+from runtime.contract.status import StatusName
+from runtime.contract.tape import arithmetic, shared
 from runtime.engine.program import Call, Fields, Layout, Program, make_stage
 from runtime.engine.rows import Direct
 from runtime.schemes.charts import Charts
-from runtime.schemes.grid import Grid
-from runtime.schemes.options import ClosureOptions, Options, SchemeError
+from runtime.schemes.options import ClosureOptions, Grid, Options, SchemeError
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, loop_blocks
-from runtime.schemes.state_fields import Lasting, StateField, account, given, state
 from runtime.schemes.step_limit import StepLimit
 
 LARGEST = 1e300  # more than any number of a motion
@@ -53,7 +54,7 @@ class Scheme(ABC):
         self.model = model
         self.take_steps(grid)
         self._derived: dict[str, ca.Function] = {}
-        self.called: dict[str, Direct] = {}  # by direct.py
+        self.called: dict[str, Direct] = {}  # by `direct`
         self.options = options.checked(len(grid.groups))
         blocks = loop_blocks(model) if self.closes else 0
         common = {
@@ -299,3 +300,102 @@ class Scheme(ABC):
         q_i, q_d = self.charts.zeroed(motion.q_i), self.charts.zeroed_dependent(motion.q_d)
         outputs = shared([motion.t, q_i, q_d, v, v_d, a, a_d])
         return ca.Function("observe", [z, c], [ca.densify(output) for output in outputs], ["z", "c"], list(OBSERVED))
+
+
+# The fields of z, the state of a scheme as one vector, by how long they matter. docs/names.md says what each is.
+
+
+class Lasting(Enum):
+    """How long a field of z matters."""
+
+    STEP = "within a major step"
+    STATE = "one major step acts on the next through it"
+    HISTORY = "state, too: what each coordinate of q_i remembers of earlier steps"
+    CONTROL = "steers an iteration; what it converges to does not depend on it"
+    GIVEN = "from outside: steps read it and leave it as it is"
+    ACCOUNT = "for whoever runs the scheme; no step reads it"
+
+
+@dataclass(frozen=True)
+class StateField:
+    """A field of z: how many numbers, and how long they matter."""
+
+    size: int
+    lasting: Lasting
+
+
+def state(size: int) -> StateField:
+    """A field through which one major step acts on the next."""
+    return StateField(size, Lasting.STATE)
+
+
+def history(size: int) -> StateField:
+    """A field of what each coordinate of q_i remembers of earlier steps."""
+    return StateField(size, Lasting.HISTORY)
+
+
+def work(size: int) -> StateField:
+    """A field that passes values between the stages of one major step."""
+    return StateField(size, Lasting.STEP)
+
+
+def account(size: int) -> StateField:
+    """A field for whoever runs the scheme."""
+    return StateField(size, Lasting.ACCOUNT)
+
+
+def given(size: int) -> StateField:
+    """A field of numbers from outside."""
+    return StateField(size, Lasting.GIVEN)
+
+
+def control(size: int) -> StateField:
+    """A field that steers an iteration."""
+    return StateField(size, Lasting.CONTROL)
+
+
+# What a state z says by itself about how its steps went: one answer for runs, studies and references.
+
+
+def verdict(scheme: Scheme, z: np.ndarray) -> StatusName | None:
+    """Why steps that led to z (at least the scheme's part, flat) are worth nothing; None if z does not say so.
+
+    `iteration_failed` where an update did not converge, whatever it left behind; `not_finite` for NaN or infinity.
+    """
+    if z[scheme.layout.slice("failures")][0] > 0:
+        return "iteration_failed"
+    return None if np.isfinite(z).all() else "not_finite"
+
+
+# What an iteration can reach in double precision.
+
+ROUNDING = 4e-16  # relative, of the sums of a step
+
+
+def unseen_acceleration(position: ca.SX, velocity: ca.SX, h: ca.SX) -> ca.SX:
+    """The acceleration [m/s^2 or rad/s^2] that rounding of positions and velocities (vectors) hides in a step h [s]."""
+    return ROUNDING * (ca.norm_inf(position) / h + ca.norm_inf(velocity)) / h
+
+
+# Functions of a scheme's states, called on arrays between steps.
+
+
+def direct(scheme: Scheme, name: str, build: Callable[[], ca.Function]) -> Direct:
+    """A Function made of the scheme's, built once; all its outputs as one vector."""
+    if name not in scheme.called:
+        scheme.called[name] = Direct(scheme.derived(name, build))
+    return scheme.called[name]
+
+
+# The price of one evaluation of a scheme's equations.
+
+
+def evaluation_operations(scheme: Scheme) -> int:
+    """Arithmetic operations of a full evaluation: closure, velocities, M_hat, Q_hat and the solution for q_i_ddot."""
+    model = scheme.model
+    q_i, v, t = ca.SX.sym("q_i", len(model.q_i)), ca.SX.sym("v", len(model.q_i)), ca.SX.sym("t")
+    loop, c = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", scheme.c_size)
+    equations = scheme.equations(c)
+    assert isinstance(scheme.options, ClosureOptions)  # who takes sub-steps closes in each of them
+    a = equations.accelerations(equations.close(q_i, loop, t, scheme.options.closure_iterations), v)
+    return arithmetic(ca.Function("evaluation", [q_i, v, t, loop, c], shared([a])))

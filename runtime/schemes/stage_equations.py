@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import casadi as ca
 
 from runtime.contract.coordinates import joined
 from runtime.contract.model import Model
 from runtime.schemes.charts import Charts
-from runtime.schemes.linear_solve import solve_symmetric
-from runtime.schemes.sparse_lu import Number, factor, solve
-from runtime.schemes.stage_records import ClosedConfiguration as ClosedConfiguration
-from runtime.schemes.stage_records import LinearisedEquations as LinearisedEquations
-from runtime.schemes.stiff_deflections import StiffDeflections, StiffResponse
-from runtime.schemes.turned_axes import in_chart
-from runtime.schemes.turns_in_loops import rates_of, second_rates_from, second_rates_of, velocities_of
+from runtime.schemes.sparse_lu import Number, factor, solve, solve_symmetric
+from runtime.schemes.turned_axes import ClosedConfiguration as ClosedConfiguration
+from runtime.schemes.turned_axes import LinearisedEquations as LinearisedEquations
+from runtime.schemes.turned_axes import in_chart, rates_of, second_rates_from, second_rates_of, velocities_of
 
 START_CLOSURE_ITERATIONS = 4  # Newton steps on the loop unknowns where a scheme starts or is observed
 LONG_TREE = 12  # independent coordinates beyond which M_hat and the Jacobians of a tree are left alone
@@ -267,3 +265,38 @@ def _largest(vector: ca.SX) -> ca.SX:
     for k in range(1, vector.numel()):
         total = ca.fmax(total, ca.fabs(vector[k]))
     return total
+
+
+# Stiff deflections s = B^T q_i of a model, and what it does at a state when forces act along them.
+
+
+@dataclass(frozen=True)
+class StiffDeflections:
+    """s = B^T q_i (B n_i x n_s, constant) with stiffness K and damping D, n_s x n_s [SI]."""
+
+    B: ca.SX
+    K: ca.SX
+    D: ca.SX
+
+    def force(self, q_i: ca.SX, q_i_dot: ca.SX) -> ca.SX:
+        """K s + D s' of positions and rates, or of changes of them (n_i)."""
+        return ca.mtimes(self.K, ca.mtimes(self.B.T, q_i)) + ca.mtimes(self.D, ca.mtimes(self.B.T, q_i_dot))
+
+
+@dataclass(frozen=True)
+class StiffResponse(StiffDeflections):
+    """And q_i_ddot = a (n_i) at a state, and X = M_hat^-1 B (n_i x n_s) there."""
+
+    a: ca.SX
+    X: ca.SX
+
+    @cached_property
+    def Lambda(self) -> ca.SX:
+        """B^T X (n_s x n_s)."""
+        return ca.mtimes(self.B.T, self.X)
+
+    def along(self, change: ca.SX) -> ca.SX:
+        """X Lambda^-1 change: what q_i does when the deflections change so and nothing else is pushed; n_s x any."""
+        factors = factor(Number(self.Lambda), symmetric=True)
+        columns = [solve(factors, Number(ca.densify(column))).re for column in ca.horzsplit(change)]
+        return ca.mtimes(self.X, ca.horzcat(*columns))

@@ -12,12 +12,12 @@ W are those of omega~ S that belong to independent turns.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Protocol
 
 import casadi as ca
 
-from runtime.schemes.rotation_vectors import chart_rate
-from runtime.schemes.stage_records import ClosedConfiguration
-from runtime.schemes.turns_in_loops import TurningEquations
+from runtime.schemes.charts import Charts, chart_rate
+from runtime.schemes.sparse_lu import solve_general
 
 
 @dataclass(frozen=True)
@@ -112,3 +112,98 @@ def along_rotations(equations: TurningEquations, motion: ClosedConfiguration, sl
         rates = ca.horzcat(*(chart_rate(theta[body.own], column) for column in ca.horzsplit(ca.densify(body.S))))
         P[body.positions, :] = rates[body.axes, :]
     return ca.mtimes(slope, P)
+
+
+# Rates of rotation vectors and angular velocities where closed loops split an orientation.
+#
+# Some turns of such a body are independent, the others follow: omega_d = B q_i' + b. In a chart
+# theta_i' = (T^-1(theta) omega)_i takes all of omega, so that velocities follow from rates by a small linear system.
+
+
+class TurningEquations(Protocol):
+    """What is asked of a model's equations here."""
+
+    charts: Charts
+
+    def rates(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> ca.SX:
+        """q_d_dot."""
+
+    def dependent_accelerations(self, motion: ClosedConfiguration, q_i_dot: ca.SX, q_i_ddot: ca.SX) -> ca.SX:
+        """q_d_ddot."""
+
+
+def rates_of(equations: TurningEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
+    """Rates of q_i (with those of rotation vectors) of velocities (with angular velocities)."""
+    charts = equations.charts
+    if not charts.split:
+        return charts.rates(motion.q_i, v)
+    whole = ca.vertcat(motion.q_i, motion.q_d)
+    return charts.rates(whole, ca.vertcat(v, equations.rates(motion, v)))[: charts.n]
+
+
+def velocities_of(equations: TurningEquations, motion: ClosedConfiguration, rate: ca.SX) -> ca.SX:
+    """Velocities (with angular velocities) of rates of q_i (with those of rotation vectors)."""
+    found, parts = equations.charts.velocities(motion.q_i, rate), equations.charts.parts
+    if not parts:
+        return found
+    v, known = ca.SX.sym("v", rate.numel()), ca.SX(found)
+    turning = rates_of(equations, motion, v)[parts]
+    for k in parts:
+        known[k] = 0
+    P, turned = ca.substitute([ca.jacobian(turning, v)[:, parts], turning], [v], [known])
+    solved = solve_general(P, rate[parts] - turned)
+    for position, k in enumerate(parts):
+        found[k] = solved[position]
+    return found
+
+
+def second_rates_of(equations: TurningEquations, motion: ClosedConfiguration, rate: ca.SX, v: ca.SX, a: ca.SX) -> ca.SX:
+    """Second rates of q_i of its rates, its velocities v and accelerations a."""
+    charts = equations.charts
+    if not charts.split:
+        return charts.accelerations(motion.q_i, rate, v, a)
+    whole, w = ca.vertcat(motion.q_i, motion.q_d), ca.vertcat(v, equations.rates(motion, v))
+    b = ca.vertcat(a, equations.dependent_accelerations(motion, v, a))
+    return charts.accelerations(whole, charts.rates(whole, w), w, b)[: charts.n]
+
+
+def second_rates_from(
+    equations: TurningEquations, end: ClosedConfiguration, motion: ClosedConfiguration, v: ca.SX, a: ca.SX
+) -> ca.SX:
+    """Second rates of q_i of velocities and accelerations of a motion, in the charts at an end of it."""
+    charts = equations.charts
+    if not charts.split:
+        return charts.accelerations_from(end.q_i, motion.q_i, v, a)
+    there, w = ca.vertcat(motion.q_i, motion.q_d), ca.vertcat(v, equations.rates(motion, v))
+    b = ca.vertcat(a, equations.dependent_accelerations(motion, v, a))
+    return charts.accelerations_from(ca.vertcat(end.q_i, end.q_d), there, w, b)[: charts.n]
+
+
+# What the equations of a stage give: closed configurations, linear systems.
+
+
+@dataclass(frozen=True)
+class ClosedConfiguration:
+    """A configuration with consistent q_d; C_loop is the largest error before the last Newton step, det_loop the
+    determinants of the loop blocks there.
+    """
+
+    q_i: ca.SX
+    q_d: ca.SX
+    t: ca.SX
+    C_loop: ca.SX
+    det_loop: ca.SX
+
+
+@dataclass(frozen=True)
+class LinearisedEquations:
+    """M_hat dv' = Q_hat - M_hat a + J_q dq + J_v dv about a state with q_i_ddot = a; J_q is d(Q_hat - M_hat a)/dq_i.
+
+    Turns are at theta = 0 of their charts, and dq, dv of them rotation vectors there and their rates.
+    """
+
+    M_hat: ca.SX
+    Q_hat: ca.SX
+    a: ca.SX
+    J_q: ca.SX
+    J_v: ca.SX

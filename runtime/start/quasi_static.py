@@ -22,9 +22,8 @@ from runtime.operating.balance import LARGEST_STEP, LEAST_SCALE, NO_STIFFNESS, S
 from runtime.operating.equilibrium import NoEquilibrium, equilibrium
 from runtime.operating.functions import PointFunctions
 from runtime.operating.linearise import rigid_rates
-from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.scheme import LARGEST
-from runtime.schemes.sparse_lu import Number, factor, solve
+from runtime.schemes.sparse_lu import Number, factor, solve, solve_symmetric
 from runtime.schemes.stage_equations import StageEquations
 
 # ---- What is left of the equations of motion where elastic coordinates have no acceleration.

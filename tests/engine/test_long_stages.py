@@ -9,7 +9,7 @@ from runtime import load_model, simulate
 from runtime.engine import prepare, program
 from runtime.engine.llvm_code import program_length
 from runtime.results.solution import Solution
-from runtime.schemes import stored_system
+from runtime.schemes import linear_propagation
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 from runtime.schemes.stepper import Stepper
@@ -35,6 +35,6 @@ def test_what_stands_twice_is_shared_with_the_same_bits(scheme: str, monkeypatch
 
 @pytest.mark.parametrize("scheme", ["linearised", "exponential", "radau"])
 def test_factors_too_long_to_be_written_out_are_refused(scheme: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(stored_system, "MOST_OPERATIONS", 20)
+    monkeypatch.setattr(linear_propagation, "MOST_OPERATIONS", 20)
     with pytest.raises(SchemeError, match="4 independent coordinates.*operations a step.*take .*single_rate"):
         simulate(load_model(generated_folder("hub_beam")), t_end=0.01, dt=1e-3, scheme=scheme, m=None)

@@ -14,7 +14,7 @@ import pytest
 
 from runtime.contract.status import StatusName
 from runtime.schemes.catalogue import SCHEMES
-from runtime.schemes.slow_interpolation import INTERPOLATIONS
+from runtime.schemes.printed import INTERPOLATIONS
 from symgen.cli import main
 from symgen.cli.table import COMMANDS
 from symgen.scene import Scene

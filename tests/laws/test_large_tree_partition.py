@@ -13,7 +13,7 @@ from numpy.polynomial import Polynomial
 from runtime.contract.model import Model
 from runtime.contract.tape import arithmetic
 from runtime.engine.prepare import prepare
-from runtime.schemes import slow_polynomial
+from runtime.schemes import decoupled
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.step_limit import slow_decay_limit
 from symgen.generate import model_of as on_demand
@@ -224,7 +224,7 @@ def test_values_in_middles_move_polynomials_exactly(count: int) -> None:
     for first, end in ((0, 0.5), (-1, 0.0)):
         for power in range(count):
             values = [ca.SX(float(first - k) ** power) for k in range(count)]
-            x, v = (float(one) for one in slow_polynomial.moved(values, first, end, ca.SX(2.0)))
+            x, v = (float(one) for one in decoupled.moved(values, first, end, ca.SX(2.0)))
             rate = Polynomial([0.0] * power + [1.0]).integ(lbnd=-0.5)
             assert v == pytest.approx(2 * rate(end), abs=1e-13)
             assert x == pytest.approx(4 * rate.integ(lbnd=-0.5)(end), abs=1e-13)

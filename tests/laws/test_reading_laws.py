@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from runtime.schemes.slow_interpolation import INTERPOLATIONS
+from runtime.schemes.printed import INTERPOLATIONS
 
 Q, V, A, H, M, Q_NEXT = 0.3, -1.2, 5.0, 0.08, 8, 0.11
 h = H / M

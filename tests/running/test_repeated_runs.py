@@ -12,9 +12,9 @@ import pytest
 
 from runtime import load_model, simulate
 from runtime.contract.model import Model
-from runtime.schemes import kept_steppers, stepper
+from runtime.schemes import stepper
 from runtime.schemes.catalogue import scheme_kind
-from runtime.schemes.kept_steppers import kept_stepper
+from runtime.schemes.stepper import kept_stepper
 from symgen.scenes import generated_folder
 
 NAME = "flexible_slider_crank"
@@ -98,10 +98,10 @@ def test_what_is_kept_is_bounded_and_the_oldest_goes(model: Model, monkeypatch: 
     third = of("dopri5").operations
     model.steppers.popitem()
     assert of("rk4") is first  # now the younger one
-    monkeypatch.setattr(kept_steppers, "MOST_OPERATIONS", first.operations + third)
+    monkeypatch.setattr(stepper, "MOST_OPERATIONS", first.operations + third)
     of("dopri5")
     assert list(model.steppers.values())[0] is first and second not in model.steppers.values()
-    monkeypatch.setattr(kept_steppers, "MOST_OPERATIONS", first.operations - 1)
+    monkeypatch.setattr(stepper, "MOST_OPERATIONS", first.operations - 1)
     assert of("radau") not in model.steppers.values()
 
 

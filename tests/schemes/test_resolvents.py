@@ -6,8 +6,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime.schemes.partial_fractions import poles
-from runtime.schemes.resolvents import Adjugate, Resolvents
+from runtime.schemes.partial_fractions import Adjugate, Resolvents, poles
 
 
 @pytest.mark.parametrize("n", [1, 2, 3])

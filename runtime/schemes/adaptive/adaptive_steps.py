@@ -4,8 +4,7 @@ What `dt` is elsewhere is here the time between two states that can be seen: t0 
 end there; a state in between is had from the method's own interpolant. An application of the program is
 
     aim             the time that is to be reached
-    until reached:  where all steps are of one length: as many as need no look, each in one stage
-                    from an accepted step on: move to its end, evaluate there what does not depend on h
+    until reached:  from an accepted step on: move to its end, evaluate there what does not depend on h
                     attempt a step as long as the last one
                     where its error or the time asks for it: judge the step, refuse it or not, choose the next length
     show            the interpolant at the time that was to be reached
@@ -16,22 +15,409 @@ No step crosses a time of `stops`; the controller begins anew there.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from bisect import bisect_right
+from collections.abc import Mapping, Sequence
 
 import casadi as ca
+import numpy as np
 
-from runtime.engine.program import Fields, Program, Sequence, Until
-from runtime.schemes.adaptive.adaptive_state import RESTORED
-from runtime.schemes.adaptive.controller import FORGET, in_band
-from runtime.schemes.adaptive.error_norm import mean_square
-from runtime.schemes.adaptive.step_control import StepControl
-from runtime.schemes.method import Attempt
-from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
+from runtime.contract.model import Model
+from runtime.engine.program import Fields, Program, Until
+from runtime.engine.program import Sequence as InTurn
+from runtime.schemes.one_step import Attempt, Method
+from runtime.schemes.options import Grid, Options
+from runtime.schemes.scheme import LARGEST, StateField, account, given, state
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, loop_blocks
+from runtime.schemes.step_limit import StepLimit
 from runtime.schemes.switching.dips import NODES, ValuesInStep
+from runtime.schemes.switching.times import SwitchTime
 from runtime.schemes.switching.watched import NEVER, event_outputs, flagged, next_values
 
+# The length of the next step: kept while the estimated error stays in a band, set anew where it leaves it.
+#
+# With the size e of the estimated error over the tolerance of a step and an estimate of h^p,
+#
+#     e > REFUSED             the step is thrown away, and tried again with h (AIM / e)^(1/p)
+#     e > 1                   the step is kept, the next one takes h (AIM / e)^(1/p)
+#     peak of e below LOW     the next one takes h (AIM / peak)^(1/p)
+#
+# where the peak forgets by the factor FORGET a step, so that an estimate that passes through zero, as that of a
+# vibration does twice a period, does not ask for longer steps. In between h stays as it is. Then nothing of the next
+# step waits for the estimate: processors begin it while e is still being computed, and a test that comes out the same
+# nearly every time costs nothing. A controller that follows every e makes the next step wait for all of it, 50 to 100
+# ns.
+
+REFUSED, AIM, LOW = 2.0, 0.5, 0.2  # of e
+FORGET, RESUMED = 0.8, 0.3  # what is left of the peak after a step, and where it begins after longer steps
+SHRINK, GROW = 0.1, 5.0  # at most, from one step to the next
+SMALLEST = 1e-5  # e is taken for at least this: an error of zero says nothing about longer steps
+
+
+def in_band(square: ca.SX, peak: ca.SX) -> ca.SX:
+    """May h stay as it is? From e^2 and the square of its peak; not where the error is no number."""
+    return ca.logic_and(square <= 1, peak >= LOW**2)
+
+
+def step_factor(square: ca.SX, peak: ca.SX, order: int) -> ca.SX:
+    """h_next / h, from e^2 and the square of its peak; SHRINK where e is not finite."""
+    worst = ca.if_else(square <= 1, ca.if_else(peak < LOW**2, peak, AIM**2), ca.fmin(square, 1 / SMALLEST**2))
+    factor = ca.exp((2 * ca.log(AIM) - ca.log(ca.fmax(worst, SMALLEST**2))) / (2 * order))
+    known = ca.if_else(square >= 0, factor, SHRINK)
+    return ca.fmin(GROW, ca.fmax(SHRINK, known))
+
+
+def peak_after(square: ca.SX, peak: ca.SX, factor: ca.SX, order: int) -> ca.SX:
+    """The square of the peak, after h was changed by a factor: what e would have been with the new length.
+
+    Where it was remembered rather than seen, from e and RESUMED: so steps grow on until e is large again.
+    """
+    change = factor ** (2 * order)
+    expected = ca.fmin(square * change, 1.0)
+    return ca.if_else(
+        ca.logic_and(peak > square, factor > 1), ca.fmax(expected, RESUMED**2), ca.fmin(peak * change, 1.0)
+    )
+
+
+def not_across(h: ca.SX, left: ca.SX) -> ca.SX:
+    """The step to make where h is wanted and nothing may cross what is `left` away [s]: no tiny step is left over."""
+    halved = ca.if_else(left < 2 * h, left / 2, h)
+    return ca.if_else(left <= 1.1 * h, left, halved)
+
+
+# The size of an estimated error: root mean square of (dq, h dv) relative to the amplitudes of the coordinates.
+#
+# Velocities are weighted by h: without them what is delivered is many times what was asked. The amplitude of a
+# coordinate is half the range that it has been seen in, the end of the step in question included, so that the first
+# steps of a motion from rest are measured by how far they go; at least FLOOR of the largest of its kind and unit, and
+# LEAST; of an angle of a body at most TURN.
+
+FLOOR = 1e-3  # so that small vibrations, far below what moves, need not be resolved
+TURN = np.pi  # rad: what turns on and on is not measured by how far it has come
+LEAST = 1e-10  # m or rad: a motion that begins as a power of time is as large as its error for ever
+
+
+def weights(model: Model, low: ca.SX, high: ca.SX) -> ca.SX:
+    """(n_i) what squares of errors are multiplied by, of coordinates seen between low and high."""
+    scale = amplitudes(model, (high - low) / 2)
+    return 1 / (2 * len(model.q_i) * scale * scale)
+
+
+def mean_square(weight: ca.SX, dq: ca.SX, h_dv: ca.SX) -> ca.SX:
+    """The square of the size of errors dq and h dv (n_i each)."""
+    return ca.dot(weight, dq * dq + h_dv * h_dv)
+
+
+def amplitudes(model: Model, half_ranges: ca.SX) -> ca.SX:
+    """(n_i) what errors are measured by."""
+    entries = {entry.name: entry for entry in model.description.coordinates}
+    of_bodies = {name: ("angle", "rad") for record in model.description.orientations for name in record.turns}
+    kinds = [of_bodies.get(name) or (entries[name].kind, entries[name].unit) for name in model.q_i]
+    turns = [kind[1] == "rad" and kind[0] != "modal" for kind in kinds]
+    seen = [ca.fmin(half_ranges[k], TURN) if turns[k] else half_ranges[k] for k in range(len(kinds))]
+    for own in model.places.turns:  # an orientation as a whole
+        widest = ca.SX(0)
+        for k in own:
+            widest = ca.fmax(widest, seen[k]) if k < len(seen) else widest
+        seen = [widest if k in own else one for k, one in enumerate(seen)]
+    largest = {kind: ca.SX(LEAST) for kind in kinds}
+    for kind, one in zip(kinds, seen, strict=True):
+        largest[kind] = ca.fmax(largest[kind], one)
+    return ca.vertcat(
+        *(ca.fmax(ca.fmax(one, LEAST), FLOOR * largest[kind]) for kind, one in zip(kinds, seen, strict=True))
+    )
+
+
+# What z and the constants hold of steps whose length follows from a tolerance, and what a run asks of it.
+
+STOPS = 4  # times ahead that z knows; whoever runs the scheme fills in the next ones
+FIRST = 0.1  # of dt: the first step that is tried
+# what an attempt changes although it may be refused: `before` keeps it
+RESTORED = ("closure_error", "det_now", "det_low", "det_high")
+
+
+class AdaptiveState(Method):
+    """Start and end of the running step, the controller's memory, and what is counted."""
+
+    adaptive = True
+
+    def __init__(self, model: Model, grid: Grid, options: Options) -> None:
+        self.refuse_varying(grid, options)
+        super().__init__(model, grid, options)
+        self.c_size += 1
+        self._operations: dict[str, int] = {}
+
+    @classmethod
+    def limited(cls, options: Options) -> bool:
+        """No: where a step is too long its estimate tells."""
+        return False
+
+    def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
+        """None."""
+        return None
+
+    @property
+    def tolerance(self) -> float:
+        """Of a step's estimated error."""
+        return float(self.options.tolerance)  # type: ignore[attr-defined]
+
+    def constants(self, c: np.ndarray, dt: float | None = None, tolerance: float | None = None) -> np.ndarray:
+        """The model's c, the time between states that are seen [s], and the tolerance."""
+        return np.append(super().constants(c, dt), self.tolerance if tolerance is None else tolerance)
+
+    def further_fields(self) -> dict[str, StateField]:
+        """Start and end of the running step, its method's fields, the controller's, and what is counted."""
+        n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
+        return {
+            "q_from": state(n),
+            "v_from": state(n),
+            "loop_from": state(loops),
+            "t_from": state(1),
+            "q_to": state(n),
+            "v_to": state(n),
+            "loop_to": state(loops),
+            "t_to": state(1),
+            "a_from": state(n),
+            **self.method_fields(),
+            "q_seen": state(n if self.model.description.orientations else 0),
+            "q_error": state(n),
+            "v_error": state(n),
+            "q_low": state(n),
+            "q_high": state(n),
+            "weight": state(n),
+            "width": state(1),
+            "wider": state(1),
+            "h_next": state(1),
+            "h_try": state(1),
+            "t_try": state(1),
+            "end": state(1),
+            "peak": state(1),
+            "odd": state(1),
+            "fresh": state(1),
+            "cold": state(1),
+            "det_now": account(loop_blocks(self.model)),
+            "before": account(1 + 3 * loop_blocks(self.model)),
+            "going": account(1),
+            "stops": given(STOPS),
+            "beside": given(1),
+            "lands": given(1),
+            "stuck": account(1),
+            "accepted": account(1),
+            "counted": account(1),
+            "rejected": account(1),
+            "h_least": account(1),
+            "h_largest": account(1),
+        }
+
+    def started(
+        self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, equations: StageEquations
+    ) -> Mapping[str, ca.SX]:
+        """Fields of z at the start: the end of no step."""
+        fields = dict(super().started(t0, q_i, q_i_dot, loop, equations))
+        start = equations.close_well(q_i, loop, t0)
+        for end in ("from", "to"):
+            fields |= {f"q_{end}": q_i, f"v_{end}": q_i_dot, f"loop_{end}": fields["loop"], f"t_{end}": t0}
+        seen = self.ranged(q_i, start)
+        return {
+            **fields,
+            "q_seen": seen if self.model.description.orientations else ca.SX(0, 1),
+            "q_low": seen,
+            "q_high": seen,
+            "h_next": FIRST * equations.h[0],
+            "fresh": ca.SX(1),
+            "cold": ca.SX(1),
+            "det_now": start.det_loop,
+            "stops": ca.SX.ones(STOPS) * LARGEST,
+            "h_least": ca.SX(LARGEST),
+        }
+
+    def ranged(self, q: ca.SX, motion: ClosedConfiguration) -> ca.SX:
+        """q_i of which ranges are told: twice the vector of Euler parameters for turns, which a step counts anew."""
+        found = ca.SX(q)
+        for record, own in zip(self.model.description.orientations, self.charts.turns, strict=True):
+            for name, k in zip(record.parameters[1:], own, strict=True):
+                if k >= q.numel():
+                    continue
+                found[k] = 2 * motion.q_d[self.model.q_d.index(name)]
+        return found
+
+    def evaluations(self) -> tuple[int, int]:
+        """Not to be told from the number of states that are seen; see `taken`."""
+        return 0, 0
+
+    def taken(self, z: np.ndarray) -> dict[str, float | int | str]:
+        """For the statistics of a run that has come to z (flat): accepted and rejected steps, least and largest [s]."""
+        seen = {name: z[self.layout.slice(name)][0] for name in ("accepted", "rejected", "h_least", "h_largest")}
+        accepted, rejected = int(seen["accepted"]), int(seen["rejected"])
+        start, attempt = self.counted_evaluations
+        return {
+            "steps": accepted,
+            "rejected_steps": rejected,
+            "least_step": float(seen["h_least"]) if accepted else 0.0,
+            "largest_step": float(seen["h_largest"]),
+            "evaluations": accepted * start + (accepted + rejected) * attempt,
+            "reached": self.reached(z),
+        }
+
+    def look_ahead(self, z: np.ndarray, jumps: Sequence[SwitchTime], halts: bool = False) -> None:
+        """Write the next of all times, rising, that no step may cross to z (flat), and how near they are looked at.
+
+        halts: nothing goes on from the next of them by itself, see `has_halted`.
+        """
+        stops, beside = self.layout.slice("stops"), self.layout.slice("beside")
+        cool_downs = "event_quiet" in self.layout.sizes
+        if not jumps and not cool_downs:
+            z[stops], z[beside] = LARGEST, 0.0
+            return
+        reached = float(z[self.layout.slice("t_to")][0])
+        first = bisect_right(jumps, reached, key=lambda one: one.time)
+        ahead = [one.time for one in jumps[first : first + STOPS]]
+        if cool_downs:  # where a cool-down is over, events are looked for again
+            over = {one for one in z[self.layout.slice("event_quiet")].tolist() if one > reached}
+            ahead = sorted({*ahead, *over})[:STOPS]
+        near = jumps[max(0, first - 1) : first + STOPS]
+        z[stops] = ahead[0] if halts and ahead else [*ahead, *[LARGEST] * (STOPS - len(ahead))]
+        z[beside] = max((max(one.after - one.time, one.time - one.before) for one in near), default=0)
+
+    def has_halted(self, z: np.ndarray) -> bool:
+        """Is z (n_z,) at the last time that it knows of?"""
+        return bool(z[self.layout.slice("stops")][-1] <= z[self.layout.slice("t_to")][0])
+
+    def land(self, z: np.ndarray) -> None:
+        """From z (flat) on, end a step at every state that is seen."""
+        z[self.layout.slice("lands")] = 1.0
+
+    def at_end(self, z: np.ndarray) -> np.ndarray:
+        """A copy of z (n_z,) that is seen at the end of its last step."""
+        found = z.copy()
+        self.begin_anew(found)
+        return found
+
+    def begin_anew(self, z: np.ndarray) -> float:
+        """Let z (flat) be seen at the end of its last step, time counted from there; the step wanted next [s]."""
+        for name, end in (("t0", "t_to"), ("x", "q_to"), ("v", "v_to"), ("loop", "loop_to")):
+            z[self.layout.slice(name)] = z[self.layout.slice(end)]
+        z[self.layout.slice("n")] = 0
+        return float(z[self.layout.slice("h_next")][0])
+
+    def is_stuck(self, z: np.ndarray) -> bool:
+        """Did the least step not meet the tolerance?"""
+        return bool(z[self.layout.slice("stuck")][0] > 0)
+
+    def next_seen(self, z: np.ndarray, dt: float) -> float:
+        """Time of the next state after z (n_z,) that is seen [s], dt apart."""
+        return float(z[self.layout.slice("t0")][0] + (z[self.layout.slice("n")][0] + 1) * dt)
+
+    def reached(self, z: np.ndarray) -> float:
+        """Time at the end of the last accepted step [s]."""
+        return float(z[self.layout.slice("t_to")][0])
+
+
+# Which step is tried next: the stages of a step of a tolerance that are needed once in a while.
+#
+# `aim` begins every application of the program. `judge` comes where an attempt was not as usual: its error left the
+# band of controller.py, its end is near a time that no step crosses, or ranges have grown.
+
+WIDER = 1.5  # ranges whose squares, weighted, add up to so much more than before make the weights be formed anew
+SHORTEST, SHORTEST_OF_TIME = 1e-12, 1e-14  # of dt and of t: shorter steps are not made
+
+
+class StepControl(AdaptiveState):
+    """The controller, as stages."""
+
+    def _goal(self, z: Fields, equations: StageEquations) -> ca.SX:
+        return z["t0"] + (z["n"] + 1) * equations.h[0]
+
+    def _aim(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        low, high = ca.fmin(z["det_low"], z["det_now"]), ca.fmax(z["det_high"], z["det_now"])
+        way = self._left(z, self._goal(z, equations) - z["t_to"], z["t_to"])
+        now = self._seen(z)
+        low_now, high_now = ca.fmin(z["q_low"], now), ca.fmax(z["q_high"], now)
+        weight = self._weight(low_now, high_now, equations)
+        width = WIDER * ca.dot(weight, (high_now - low_now) ** 2)
+        plan = self.planned(z, equations, z["t_to"], z["h_next"])
+        counted = self._lengths(z, z["accepted"])
+        return {**counted, "going": way, "det_low": low, "det_high": high, "weight": weight, "width": width, **plan}
+
+    @staticmethod
+    def _seen(z: Fields) -> ca.SX:
+        """What ranges are told of at the end of the last step."""
+        return z["q_seen"] if z["q_seen"].numel() else z["q_to"]
+
+    @staticmethod
+    def _before(z: Fields) -> dict[str, ca.SX]:
+        """What the fields of RESTORED were before the last attempt."""
+        names, ends = [name for name in RESTORED], [0]
+        for name in names:
+            ends.append(ends[-1] + z[name].numel())
+        return dict(zip(names, ca.vertsplit(z["before"], ends), strict=True))
+
+    def _weight(self, low: ca.SX, high: ca.SX, equations: StageEquations) -> ca.SX:
+        """(n_i) what makes e^2 of squares of estimated errors, of coordinates seen between low and high."""
+        asked = equations.h[-1] / self.strictness
+        return weights(self.model, low, high) / (asked * asked)
+
+    @staticmethod
+    def _left(z: Fields, way: ca.SX, t: ca.SX) -> ca.SX:
+        """What is left to go [s], not positive where nothing can be done: stuck, or no further stop is known."""
+        blind = z["stops"][STOPS - 1] <= t
+        return ca.if_else(ca.logic_or(z["stuck"] > 0, blind), 0.0, way)
+
+    def planned(self, z: Fields, equations: StageEquations, t: ca.SX, wanted: ca.SX) -> dict[str, ca.SX]:
+        """The step to try from t on, where one of `wanted` [s] would be right: its length, its end, what limits it.
+
+        The one place where the end of a step is chosen. Nothing crosses the next of `stops`, nor, where z `lands`, the
+        time that is to be reached.
+        """
+        end, goal = ca.SX(LARGEST), self._goal(z, equations)
+        for stop in [*ca.vertsplit(z["stops"]), ca.if_else(z["lands"] > 0, goal, LARGEST)]:
+            end = ca.fmin(end, ca.if_else(stop > t, stop, LARGEST))
+        h = not_across(wanted, end - t)
+        return {"h_try": h, "t_try": ca.if_else(h >= end - t, end, t + h), "end": end, "h_next": wanted}
+
+    def _judge(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        """Of a step that was not as usual: is it accepted, and what comes next?"""
+        h, now = z["h_try"], self._seen(z)
+        low, high = ca.fmin(z["q_low"], now), ca.fmax(z["q_high"], now)
+        weight = self._weight(low, high, equations)
+        square = mean_square(weight, z["q_error"], h * z["v_error"])
+        # the errors before were measured as this one was
+        peak = z["peak"] * square / ca.fmax(mean_square(z["weight"], z["q_error"], h * z["v_error"]), SMALLEST**2)
+        accepted = square <= REFUSED**2
+        factor = step_factor(square, peak, self.error_order)
+        wanted = h * factor
+        wanted = ca.if_else(accepted, ca.fmax(wanted, ca.if_else(h < z["h_next"], z["h_next"], 0.0)), wanted)
+        t = ca.if_else(accepted, z["t_to"], z["t_from"])
+        plan = self.planned(z, equations, t, wanted)
+        stuck = ca.logic_or(z["stuck"] > 0, wanted < SHORTEST * equations.h[0] + SHORTEST_OF_TIME * ca.fabs(t))
+        landed = ca.logic_and(accepted, z["t_to"] >= z["end"])
+        restored = {name: ca.if_else(accepted, z[name], old) for name, old in self._before(z).items()}
+        return {
+            **restored,
+            **plan,
+            **{"weight": weight, "width": WIDER * ca.dot(weight, (high - low) ** 2), "wider": ca.SX(0)},
+            "peak": peak_after(square, peak, factor, self.error_order),
+            "t_to": t,
+            **self._lengths(z, z["accepted"] - ca.if_else(accepted, 0.0, 1.0)),
+            "rejected": z["rejected"] + ca.if_else(accepted, 0.0, 1.0),
+            "fresh": ca.if_else(accepted, 1.0, 0.0),
+            "cold": landed,
+            "stuck": stuck,
+            "going": self._left({**z, "stuck": stuck}, self._goal(z, equations) - t, t),
+        }
+
+    @staticmethod
+    def _lengths(z: Fields, accepted: ca.SX) -> dict[str, ca.SX]:
+        """So many steps are accepted; the least and the largest of them, where any were made since the last time."""
+        made = accepted > z["counted"]
+        least, largest = ca.fmin(z["h_least"], z["h_try"]), ca.fmax(z["h_largest"], z["h_try"])
+        return {
+            "h_least": ca.if_else(made, least, z["h_least"]),
+            "h_largest": ca.if_else(made, largest, z["h_largest"]),
+            **{"accepted": accepted, "counted": accepted},
+        }
+
+
 NOTHING = 1e-12  # of a step: an interpolant is not asked for less
-STARTS = ("q_from", "v_from", "loop_from", "t_from", "a_from", "before")  # what a step sets anew that is looked at
 ATTEMPTS = 1 << 13  # in one application of the program; the next one goes on
 
 
@@ -42,26 +428,20 @@ class AdaptiveSteps(StepControl):
 
     def program(self) -> Program:
         """To the next time that is to be seen."""
-        flag = {name: self.layout.slice(name).start for name in ("fresh", "cold", "odd", "going", "ranging")}
+        flag = {name: self.layout.slice(name).start for name in ("fresh", "cold", "odd", "going")}
         begin = Until(self.stage("begin", self._begin), flag["cold"], 1, usual=int(not self.first_same_as_last))
-        widen = Until(self.stage("range", self._range), flag["ranging"], 1, usual=1)
-        moved: tuple[Program, ...] = (widen, self.stage("move", self._move))
-        start = Sequence((Until(Sequence(moved), flag["fresh"], 1, usual=1), begin, *self.after_begin()))
+        moved: tuple[Program, ...] = (self.stage("range", self._range), self.stage("move", self._move))
+        start = InTurn((Until(InTurn(moved), flag["fresh"], 1, usual=1), begin))
         judge = Until(self.stage("judge", self._judge), flag["odd"], 1, usual=0)
         step: tuple[Program, ...] = (start, self.stage("attempt", self._attempt), judge)
-        if self.may_be_steady:
-            step = (
-                Until(self.stage("plain", self._plain), self.layout.slice("straight").start, ATTEMPTS, usual=0),
-                *step,
-            )
         if "event_step" in self.layout.sizes:
             inside = Until(
                 self.stage("look_inside", self._look_inside), self.layout.slice("event_near").start, 1, usual=0
             )
-            look = Sequence((self.stage("look", self._look), inside))
+            look = InTurn((self.stage("look", self._look), inside))
             step = (*step, Until(look, flag["fresh"], 1, usual=1))
-        reach = Until(Sequence(step), flag["going"], ATTEMPTS, usual=1)
-        return Sequence((self.stage("aim", self._aim), reach, self.stage("show", self._show)))
+        reach = Until(InTurn(step), flag["going"], ATTEMPTS, usual=1)
+        return InTurn((self.stage("aim", self._aim), reach, self.stage("show", self._show)))
 
     def _move(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """The end of a step becomes a start, that of turns their charts."""
@@ -94,7 +474,6 @@ class AdaptiveSteps(StepControl):
         peak = ca.fmax(square, FORGET**2 * z["peak"])
         # so far from an end another step and a half would not reach it
         usual = ca.logic_and(ca.logic_and(in_band(square, peak), t + 2 * h < z["end"]), z["wider"] <= 0)
-        usual = ca.logic_and(usual, z["steady"] <= 0)
         return {
             **self._ended(z, equations, tried),
             **{"q_error": tried.dq, "v_error": tried.dv, "odd": ca.if_else(usual, 0.0, 1.0)},
@@ -119,18 +498,6 @@ class AdaptiveSteps(StepControl):
             "fresh": ca.SX(1),
             "cold": ca.SX(0),
         }
-
-    def _plain(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        """A step of one length among others, at once and without an estimate: what it begins with is not kept."""
-        found = dict(self._move(z, equations))
-        if self.charts.size:  # all that follows counts from the new charts
-            equations = self.equations(ca.vertcat(equations.c, equations.h), {**z, **found})
-        if not self.first_same_as_last:
-            found |= self._begin({**z, **found}, equations)
-        at = {**z, **found}
-        found |= self._ended(at, equations, self.attempted(at, equations, z["h_try"]))
-        gone = {*STARTS, *(() if self.first_same_as_last else self.method_fields())} - {*self.carried}
-        return {**{name: one for name, one in found.items() if name not in gone}, "straight": z["straight"] - 1}
 
     def _look(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """Where z watches for events: their values after an accepted step; one that happens ends the loop."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
-from runtime.schemes.baselines.dormand_prince import DormandPrince5
+from runtime.schemes.baselines.runge_kutta import DormandPrince5
 from runtime.schemes.exponential import Exponential
 from runtime.schemes.exponential_rk4 import ExponentialRungeKutta
 

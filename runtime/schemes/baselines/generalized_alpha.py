@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
@@ -23,18 +24,10 @@ import numpy as np
 from runtime.contract.coordinates import independent_rates
 from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Sequence, Until
-from runtime.schemes.baselines.alpha_options import (
-    AlphaMethodOptions,
-    GeneralizedAlphaOptions,
-    HilberHughesTaylorOptions,
-    Weights,
-)
-from runtime.schemes.grid import Grid
-from runtime.schemes.rounding import unseen_acceleration
-from runtime.schemes.scheme import OBSERVED, Scheme
+from runtime.schemes.options import MOST_ITERATIONS, Grid, Options, share, tolerances, whole_number
+from runtime.schemes.scheme import OBSERVED, Scheme, StateField, account, control, state, unseen_acceleration, work
 from runtime.schemes.sparse_lu import Number, factor, solve
 from runtime.schemes.stage_equations import StageEquations
-from runtime.schemes.state_fields import StateField, account, control, state, work
 
 USUAL_ITERATIONS = 2
 SINGULAR = 1e-10  # smallest over largest pivot of M beyond which M counts as singular
@@ -227,3 +220,49 @@ def _singular_mass(model: Model) -> bool:
     M = np.asarray(model.evaluate("augmented", q=model.initial_q, q_dot=model.initial_q_dot, t=0.0, c=c)["M"])
     scale = 1 / np.sqrt(np.maximum(np.diag(M), 1e-300))
     return bool(np.diag(M).min() <= 0 or np.linalg.eigvalsh(M * np.outer(scale, scale))[0] < SINGULAR)
+
+
+# Options of generalized-alpha and of the method of Hilber, Hughes and Taylor, and the weights that they lead to.
+
+
+@dataclass(frozen=True)
+class Weights:
+    """alpha_m and alpha_f; the others make the method of order 2 with the strongest damping of fast modes."""
+
+    alpha_m: float
+    alpha_f: float
+
+    @property
+    def gamma(self) -> float:
+        """Newmark's gamma."""
+        return 0.5 + self.alpha_f - self.alpha_m
+
+    @property
+    def beta(self) -> float:
+        """Newmark's beta."""
+        return (self.gamma + 0.5) ** 2 / 4
+
+
+@dataclass(frozen=True)
+class AlphaMethodOptions(Options):
+    """eps: relative correction after which the iteration stops. max_iterations: the most iterations of a step."""
+
+    eps: tuple[float, ...] = tolerances(1e-7)
+    max_iterations: int = whole_number(15, most=MOST_ITERATIONS)
+
+
+@dataclass(frozen=True)
+class GeneralizedAlphaOptions(AlphaMethodOptions):
+    """eps, max_iterations: see AlphaMethodOptions.
+
+    rho_inf: the amplitude that a step leaves of an infinitely fast mode; 1 is without dissipation.
+    """
+
+    rho_inf: float = share(0.9, most=1.0)
+
+
+@dataclass(frozen=True)
+class HilberHughesTaylorOptions(AlphaMethodOptions):
+    """eps, max_iterations: see AlphaMethodOptions. alpha: the dissipation; 0 is the trapezoidal rule."""
+
+    alpha: float = share(0.05, most=1 / 3)

@@ -28,14 +28,11 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Sequence, Until
-from runtime.schemes.grid import Grid
-from runtime.schemes.linear_propagation import LinearSystem, factors_of, solve_shifted
+from runtime.schemes.linear_propagation import LinearSystem, StoredSystem, factors_of, solve_shifted
 from runtime.schemes.one_step import OneStep
-from runtime.schemes.options import MOST_ITERATIONS, SingleClosureOptions, tolerances, whole_number
-from runtime.schemes.rounding import ROUNDING, unseen_acceleration
+from runtime.schemes.options import MOST_ITERATIONS, Grid, SingleClosureOptions, tolerances, whole_number
+from runtime.schemes.scheme import ROUNDING, StateField, control, unseen_acceleration, work
 from runtime.schemes.stage_equations import StageEquations
-from runtime.schemes.state_fields import StateField, control, work
-from runtime.schemes.stored_system import StoredSystem
 
 S = np.sqrt(6.0)
 NODES = np.array([(4 - S) / 10, (4 + S) / 10, 1.0])

@@ -12,8 +12,9 @@ import casadi as ca
 import numpy as np
 
 from runtime.engine.program import Fields
-from runtime.schemes.method import Attempt, Method
-from runtime.schemes.options import ClosureOptions, Options
+from runtime.schemes.one_step import Attempt, Method
+from runtime.schemes.options import AdaptiveOptions, ClosureOptions, Options
+from runtime.schemes.scheme import StateField, state
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.step_limit import StepLimit, limit_between_the_axes
 
@@ -114,3 +115,82 @@ def combined(weights: np.ndarray, slopes: list[ca.SX]) -> ca.SX:
         if weight:
             total = total + float(weight) * slope
     return total
+
+
+# Dormand and Prince's explicit pair of orders 5 and 4, by fixed steps or by steps as long as a tolerance asks for.
+#
+# For motion without stiffness. The last evaluation of a step is the first of the next one, and all that a rejected step
+# keeps. Between the ends q_i is the polynomial of degree 5 through q_i, q_i_dot and q_i_ddot at both: order 5.
+
+A = np.array(
+    [
+        [0, 0, 0, 0, 0, 0],
+        [1 / 5, 0, 0, 0, 0, 0],
+        [3 / 40, 9 / 40, 0, 0, 0, 0],
+        [44 / 45, -56 / 15, 32 / 9, 0, 0, 0],
+        [19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729, 0, 0],
+        [9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656, 0],
+    ]
+)
+WEIGHTS = np.array([35 / 384, 0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84])
+NODES = np.array([0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1])
+ERROR = np.array([71 / 57600, 0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40])  # orders 5 less 4
+
+
+class DormandPrince5(ExplicitRungeKutta):
+    """Order 5, six evaluations; an undamped mode is stable to h w = 0.997, a decay to h d = 3.306."""
+
+    options: AdaptiveOptions
+    reach, decay_reach, order = 0.997, 3.306, 5
+    error_order, counted_evaluations = 5, (0, 6)
+    strictness = 300.0  # its estimate is much nearer to the error than that of a method whose last stage is of order 2
+    first_same_as_last = True
+
+    @staticmethod
+    def tableau() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Dormand and Prince (1980)."""
+        return A, WEIGHTS, NODES
+
+    def method_fields(self) -> dict[str, StateField]:
+        """Rates of the loop unknowns at the start, and accelerations and these rates at the end."""
+        n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
+        return {"a_to": state(n), "loop_dot": state(loops), "loop_dot_to": state(loops)}
+
+    def moved(self, z: Fields) -> Mapping[str, ca.SX]:
+        """What was evaluated at the end of the last step."""
+        return {"a_from": z["a_to"], "loop_dot": z["loop_dot_to"]}
+
+    def attempted(self, z: Fields, equations: StageEquations, h: ca.SX) -> Attempt:
+        """And the slope at the end, with which the step of order 4 is estimated."""
+        n = len(self.model.q_i)
+        y, slopes, seen = self.slopes(z, equations, h)
+        end, last = self.slope(z, equations, y, self.time_in_step(z, h, 1.0))
+        error = h * combined(ERROR, [*slopes, last])
+        kept = {"a_to": last[n : 2 * n], "loop_dot_to": last[2 * n :]}
+        return Attempt(y[:n], y[n : 2 * n], y[2 * n :], error[:n], error[n : 2 * n], kept, seen, end)
+
+    def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
+        """The polynomial of degree 5 and its derivative."""
+        h = z["t_to"] - z["t_from"] if h is None else h
+        q, v, a = (z[f"{name}_to"] for name in "qva")
+        to = ClosedConfiguration(q, ca.SX(0, 1), z["t_to"], ca.SX(0), ca.SX(0, 1))
+        if self.charts.split:
+            to = equations.close(q, z["loop_to"], z["t_to"], self.options.closure_iterations)
+        rate = equations.turning(to, v)
+        end = equations.bent(to, rate, v, a)
+        place, rate = quintic(tau, h, z["q_from"], z["v_from"], z["a_from"], q, rate, end)
+        return place, self.velocities_at(z, equations, tau, place, rate)
+
+
+def quintic(
+    tau: ca.SX, h: ca.SX, q0: ca.SX, v0: ca.SX, a0: ca.SX, q1: ca.SX, v1: ca.SX, a1: ca.SX
+) -> tuple[ca.SX, ca.SX]:
+    """(q, q') at tau of the polynomial of degree 5 with these values and derivatives at 0 and h."""
+    x = tau / h
+    bent, turned = q1 - q0 - h * (v0 + h / 2 * a0), h * (v1 - v0 - h * a0)
+    curved = h * h * (a1 - a0)
+    c3 = 10 * bent - 4 * turned + curved / 2
+    c4 = -15 * bent + 7 * turned - curved
+    c5 = 6 * bent - 3 * turned + curved / 2
+    q = q0 + tau * (v0 + tau / 2 * a0) + x**3 * (c3 + x * (c4 + x * c5))
+    return q, v0 + tau * a0 + x * x / h * (3 * c3 + x * (4 * c4 + x * 5 * c5))

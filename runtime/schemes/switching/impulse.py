@@ -16,7 +16,7 @@ from runtime.contract.coordinates import joined, parts
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.contract.tape import shared
-from runtime.schemes.linear_solve import solve_symmetric
+from runtime.schemes.sparse_lu import solve_symmetric
 from runtime.schemes.switching.times import SwitchTime
 
 DUST = 1e-12  # of the largest rate: less is rounding of a rate that does not jump

@@ -14,8 +14,7 @@ import numpy as np
 from runtime.contract.coordinates import charts_in, joined
 from runtime.engine.choose import choose_engine
 from runtime.engine.program import Call, Fields, Layout, make_stage
-from runtime.schemes.scheme import Scheme
-from runtime.schemes.state_fields import Lasting
+from runtime.schemes.scheme import Lasting, Scheme
 
 
 def remembers(scheme: Scheme) -> bool:

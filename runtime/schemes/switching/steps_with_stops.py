@@ -14,7 +14,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.engine.choose import Engine, choose_engine
-from runtime.schemes.direct import direct
+from runtime.schemes.scheme import direct
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.breaks import ON_THE_GRID, Breaks, within
 from runtime.schemes.switching.dips import first_bracket, unsure

@@ -12,8 +12,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.engine.program import Fields, Program, Sequence, Until
-from runtime.schemes.direct import direct
-from runtime.schemes.scheme import Scheme
+from runtime.schemes.scheme import Scheme, direct
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.switching.dips import dips
 

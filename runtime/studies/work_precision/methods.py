@@ -16,8 +16,8 @@ from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from runtime.running.ladder import DENSE, Method, affordable
 from runtime.schemes.catalogue import SCHEMES, scheme_kind
+from runtime.schemes.exponential_adams import RosenbrockAdams
 from runtime.schemes.options import SchemeError
-from runtime.schemes.rosenbrock_adams import RosenbrockAdams
 
 LARGE = 20  # independent coordinates
 RADAU = Method("radau", None, {"eps": (1e-6,)})
