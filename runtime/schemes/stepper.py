@@ -13,8 +13,6 @@ import numpy as np
 
 from runtime.contract.coordinates import charts_in, independent, loop_part
 from runtime.engine.choose import choose_engine, operations_per_step, sub_step_operations
-from runtime.engine.interpreted import InterpretedProgram
-from runtime.engine.native import NativeProgram
 from runtime.engine.prepare import prepare
 from runtime.schemes.options import Grid
 from runtime.schemes.scheme import Scheme, direct, evaluation_operations
@@ -96,8 +94,9 @@ class Stepper:
 
     def finish(self) -> None:
         """Change to the best code now, as who measures time does."""
-        if isinstance(self.engine, NativeProgram):
-            self.engine.tiers.finish()
+        tiers = getattr(self.engine, "tiers", None)  # of native code only
+        if tiers is not None:
+            tiers.finish()
 
 
 # Steppers that a model keeps: who runs it again need not prepare its steps again.
@@ -123,7 +122,7 @@ def kept_stepper(scheme: Scheme, engine: str = "auto", wait: bool = False) -> St
             return found if found.scheme.grid == scheme.grid else _with_steps(found, scheme.grid)
     stepper = Stepper(scheme, engine, wait)
     _ = stepper.sub_step_cost  # counted once: copies with other steps take it along
-    if isinstance(stepper.engine, NativeProgram | InterpretedProgram) and stepper.operations <= MOST_OPERATIONS:
+    if stepper.engine.name != "c" and stepper.operations <= MOST_OPERATIONS:
         with _LOCK:
             known[key] = stepper
             while sum(one.operations for one in known.values()) > MOST_OPERATIONS:
