@@ -194,12 +194,17 @@ def test_a_stepper_gives_the_run(model_of: Build) -> None:
         late.step(5100)
 
 
-def test_cases_of_an_ensemble_have_their_own_jumps(model_of: Build) -> None:
-    """Each is the run by itself; a case without a jump stays in its lane."""
-    model, jumps = model_of(kicked_crank("where(t < jump, 0, 2 * (t - jump))")), [0.3, 0.4567, 2.0]
-    found = ensemble(model, {"jump": jumps}, outputs=["bob.theta", "bob.theta_dot"], every=100)
+@pytest.mark.parametrize("scheme", ["rk4", "single_rate", "exponential_adams"])
+@pytest.mark.parametrize("motion", ["where(t < jump, 0, 2 * (t - jump))", "0.02 * abs(sin(30 * t / jump))"])
+def test_cases_of_an_ensemble_have_their_own_jumps(
+    model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str, motion: str
+) -> None:
+    """Each is the run by itself, to the last bit, and yet in its lane: one impulse, or more than a lane knows."""
+    monkeypatch.setattr("runtime.studies.ensemble.rows.run_alone", None)
+    model, jumps = model_of(kicked_crank(motion)), [0.3, 0.4567, 2.0]
+    found = ensemble(model, {"jump": jumps}, outputs=["bob.theta", "bob.theta_dot"], every=100, scheme=scheme)
     for k, jump in enumerate(jumps):
-        alone = simulate(model, parameters={"jump": jump})
+        alone = simulate(model, parameters={"jump": jump}, scheme=scheme, error="off", force=True)
         assert float(found["bob.theta"][k, -1]) == alone["bob.theta"][-1]
         assert float(found["bob.theta_dot"][k, -1]) == alone.rate("bob.theta")[-1]
 

@@ -27,11 +27,16 @@ NO_CONSTANTS = 1  # the begin reads none: its c is whatever stands first in the 
 Stage = Callable[[Fields], Mapping[str, ca.SX]]
 
 
-def row_layout(model: Model, scheme: Scheme, ready: int, lane: Layout, looks: int, settle: bool) -> Layout:
-    """Fields of a lane's row; settle: may lanes be brought into elastic equilibrium?"""
+def row_layout(
+    model: Model, scheme: Scheme, ready: int, constants: int, lane: Layout, looks: int, settle: bool
+) -> Layout:
+    """Fields of a lane's row; constants: of the scheme that steps with stops read behind `ready`, if there are any.
+
+    settle: may lanes be brought into elastic equilibrium?
+    """
     n_i = len(model.q_i)
     given = {"p": len(model.parameters), "t": 1, "h": len(scheme.grid.h), "q_i": n_i, "q_i_dot": n_i}
-    given |= {"q_d": len(model.q_d), "close": 1, "settle": 1}
+    given |= {"q_d": len(model.q_d), "close": 1, "settle": 1, "clock": 1}
     if not model.places.all_independent:
         given |= {"asked": 1, "q": len(model.coordinates), "q_dot": len(model.coordinates)}
     found = {
@@ -39,6 +44,7 @@ def row_layout(model: Model, scheme: Scheme, ready: int, lane: Layout, looks: in
         "fits": 1,
         **(settle_fields(model) if settle else {}),
         "ready": ready,
+        "constants": constants,
         "lane": lane.size,
     }
     return Layout({**given, **found, "look": looks})
@@ -72,6 +78,8 @@ def begin_program(
     if "settled" in row.sizes:
         parts.append(settle_program(model, row, stage))
     parts.append(stage("begin_ready", lambda z: {"ready": prepared.constants(ca.vertcat(z["c"], z["h"]))}))
+    if row.sizes["constants"]:
+        parts.append(stage("begin_constants_of_stops", lambda z: {"constants": ca.vertcat(z["c"], z["h"])}))
     parts.append(stage("begin_state", lambda z: {"lane": _started(model, scheme, lane, z)}))
     parts.append(moved(outputs, row, "begin_"))
 
@@ -109,12 +117,14 @@ def _started(model: Model, scheme: Scheme, lane: Layout, z: Fields) -> ca.SX:
     loop = z["q_d"][loops] if loops else ca.SX(0, 1)
     c = ca.vertcat(z["c"], z["h"])
     if "asked" in z:
-        state = start_there(scheme)(z["t"], z["q"], z["q_dot"], c)
+        state = start_there(scheme)(z["clock"], z["q"], z["q_dot"], c)
     else:
-        state = scheme.starter(z["t"], z["q_i"], z["q_i_dot"], loop, c)
+        state = scheme.starter(z["clock"], z["q_i"], z["q_i_dot"], loop, c)
     fields = scheme.layout.unpack(state)
     blocks = scheme.layout.sizes["det_low"]
-    fields |= {"t0": z["t"], "n": ca.SX(0)}
+    fields |= {"t0": z["t"] + (z["clock"] - z["t"]), "n": ca.SX(0)}
     fields |= {"det_low": LOWEST * ca.SX.ones(blocks), "det_high": HIGHEST * ca.SX.ones(blocks)}
     empty = {name: ca.SX.zeros(size) for name, size in lane.sizes.items()}
+    if "stop_t0" in lane.sizes:
+        empty |= {"stop_t0": z["t"], "stop_inputs": fields.get("inputs", ca.SX(0, 1))}
     return lane.pack({**empty, "scheme": scheme.layout.pack(fields)})

@@ -16,6 +16,9 @@ from runtime.contract.model import Model
 from runtime.engine.ensemble_code import LaneCode, lane_form, lane_width, once_form, program_size
 from runtime.engine.prepare import prepare
 from runtime.engine.program import Fields, Layout, Program, Sequence, make_stage
+from runtime.running.stepping import may_jump
+from runtime.schemes.switching.impulse import moves_in_time
+from runtime.schemes.switching.stop_program import StopProgram
 from runtime.studies.ensemble.account import LaneAccount
 from runtime.studies.ensemble.begin import NO_CONSTANTS, begin_program, moved, row_layout
 from runtime.studies.ensemble.looks import FIELDS, looked
@@ -41,11 +44,17 @@ class LanePrograms:
         self._observation = Observation(model, scheme, question.outputs)
         self._account = LaneAccount(scheme, reduced, self._length)
         extra = self._prepared.z_size - scheme.layout.size
-        fields = {"scheme": scheme.layout.size, "more": extra, **self._observation.fields, **self._account.fields}
-        self.lane = Layout(fields)
+        stops = may_jump(model) and not model.description.events  # whose cases are run by themselves
+        impulses = bool(moves_in_time(model) and model.q_d and model.has("energy"))
+        self.stops = StopProgram(scheme, self._prepared, impulses) if stops else None
+        sizes = {} if self.stops is None else {f"stop_{name}": n for name, n in self.stops.layout.sizes.items()}
+        sizes.pop("stop_state", 0)
+        fields = {"scheme": scheme.layout.size, "more": extra, **sizes}
+        self.lane = Layout({**fields, **self._observation.fields, **self._account.fields})
         self._ready = int(self._prepared.constants.size1_out(0))
+        self._read = self._ready if self.stops is None else self.stops.c_size
         settle = quasi_static(model, question.start)
-        self.row = row_layout(model, scheme, self._ready, self.lane, len(FIELDS), settle)
+        self.row = row_layout(model, scheme, self._ready, self._read - self._ready, self.lane, len(FIELDS), settle)
         self.program = self._program()
         self.width = width or lane_width(self.program)
         self.operations = program_size(self.program)
@@ -54,7 +63,8 @@ class LanePrograms:
         """A major step with its account; outputs at every step only where they are reduced."""
         after = make_stage("lane_account", self.lane, self._ready, self._account.step)
         outputs = (self._observing,) if self.question.reduced else ()
-        return Sequence((self._prepared.program.map(self._widened), *outputs, after))
+        step = self._prepared.program if self.stops is None else self.stops.program()
+        return Sequence((step.map(self._widened), *outputs, after))
 
     @cached_property
     def _observing(self) -> Program:
@@ -62,7 +72,7 @@ class LanePrograms:
 
     def _widened(self, stage: ca.Function) -> ca.Function:
         """A stage on the scheme's z and what the program keeps, on all of a lane's."""
-        z, c = ca.SX.sym("z", self.lane.size), ca.SX.sym("c", self._ready)
+        z, c = ca.SX.sym("z", self.lane.size), ca.SX.sym("c", self._read)
         size = stage.size1_in(0)
         z_next = ca.vertcat(stage(z[:size], c), z[size:])
         return ca.Function(stage.name(), [z, c], [z_next], ["z", "c"], ["z_next"])

@@ -11,8 +11,8 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.engine.ensemble_code import blocks_of
 from runtime.studies.ensemble.account import cause_of
-from runtime.studies.ensemble.jumping import jumping
 from runtime.studies.ensemble.lane_programs import programs_of
+from runtime.studies.ensemble.lane_stops import LaneStops
 from runtime.studies.ensemble.looks import FOUND, judged
 from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.starts import Starts
@@ -54,11 +54,13 @@ class LaneRuns:
 
     def run(self, starts: Starts, stopped: Callable[[], bool] = lambda: False) -> LaneResults | None:
         """All runs of these cases; None if `stopped` said so on the way."""
-        blocks, cases = self.begun(starts), len(starts.close)
+        program = self.programs.stops
+        stops, known = LaneStops(self.programs.plan, starts, () if program is None else program.part), 0
+        blocks, cases = self.begun(starts, stops.clocks), len(starts.close)
         alone = starts.close & ~(self.values(blocks, cases, "fits")[:, 0] > 0)
         if "settled" in self.programs.row.sizes:
             alone |= starts.settle & ~(self.values(blocks, cases, "settled")[:, 0] > 0)
-        alone |= jumping(self.programs.plan, starts)
+        alone |= stops.alone
         watch = _Watch(self._looked(blocks, cases))
         samples, done = self._first_samples(blocks, cases), 0
         for step, looking, sampled in self._stations():
@@ -66,6 +68,9 @@ class LaneRuns:
                 if stopped():
                     return None
                 n = min(step - done, self._longest(len(blocks)))
+                if program is not None:
+                    known = self._give(blocks, stops, done) if done == known else known
+                    n = min(n, known - done)
                 self.advance(blocks, n)
                 done += n
             if sampled >= 0:
@@ -74,26 +79,36 @@ class LaneRuns:
                 watch.look(self._looked(blocks, cases), step)
         return self._found(blocks, samples, watch, alone, starts.impossible)
 
-    def begun(self, starts: Starts) -> np.ndarray:
-        """Blocks of rows at step 0, case after case; lanes left over repeat the last case."""
+    def _put(self, blocks: np.ndarray, name: str, values: np.ndarray, first: int = 0) -> None:
+        """Values (cases, ...) into a field; lanes left over repeat the last case."""
+        width = self.programs.width
+        place, rows = self.programs.rows_of(name).start + first, np.arange(len(blocks) * width)
+        table = values[np.minimum(rows, len(values) - 1)].reshape(len(blocks), width, -1)
+        blocks[:, place : place + table.shape[2], :] = table.transpose(0, 2, 1)
+
+    def _give(self, blocks: np.ndarray, stops: LaneStops, step: int) -> int:
+        """The next parts that each lane knows; the step until which they suffice."""
+        parts, counts, until = stops.ahead(step)
+        for k, name in enumerate(stops.part):
+            self._put(blocks, f"stop_{name}", parts[:, k])
+        self._put(blocks, "stop_waiting", counts.astype(float))
+        return until
+
+    def begun(self, starts: Starts, clocks: np.ndarray | None = None) -> np.ndarray:
+        """Blocks of rows at step 0, case after case; clocks (cases,): at which steps begin [s]."""
         programs, cases = self.programs, len(starts.close)
         blocks = blocks_of(-(-cases // programs.width), programs.row.size, programs.width)
-        rows = np.minimum(np.arange(len(blocks) * programs.width), cases - 1)
-
-        def put(name: str, values: np.ndarray, first: int = 0) -> None:
-            place = programs.row.slice(name).start + first
-            table = values.reshape(len(blocks), programs.width, -1)
-            blocks[:, place : place + table.shape[2], :] = table.transpose(0, 2, 1)
 
         blocks[:, programs.row.slice("p"), :] = starts.p[:, None]
         blocks[:, programs.row.slice("t"), :] = programs.plan.t0
         blocks[:, programs.row.slice("h"), :] = np.array(programs.plan.grid.h)[:, None]
         for position, values in starts.varied.items():
-            put("p", values[rows], position)
+            self._put(blocks, "p", values, position)
+        self._put(blocks, "clock", np.full(cases, programs.plan.t0) if clocks is None else clocks)
         given = {name: getattr(starts, name) for name in ("q_i", "q_i_dot", "q_d", "close", "settle", "q", "q_dot")}
         for name, table in {**given, "asked": starts.close}.items():
             if name in programs.row.sizes:
-                put(name, table[rows])
+                self._put(blocks, name, table)
         programs.begin.run(blocks, 0, 0, 1)
         return blocks
 
