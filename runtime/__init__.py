@@ -33,9 +33,8 @@ if TYPE_CHECKING:
     from runtime.contract.model import Model
     from runtime.contract.records import Group
     from runtime.contract.status import Status
-    from runtime.gradients.differentiable_run import DifferentiableRun
+    from runtime.gradients.differentiable_run import DifferentiableRun, gradient, output_jacobian
     from runtime.gradients.fit import fit
-    from runtime.gradients.gradient import gradient, output_jacobian
     from runtime.operating.campbell import campbell, unbalance_response
     from runtime.operating.equilibrium import Equilibrium, NoEquilibrium, equilibrium
     from runtime.operating.linearisation import Linearisation
@@ -101,8 +100,8 @@ _HOMES = {
     "Status": "contract.status",
     "DifferentiableRun": "gradients.differentiable_run",
     "fit": "gradients.fit",
-    "gradient": "gradients.gradient",
-    "output_jacobian": "gradients.gradient",
+    "gradient": "gradients.differentiable_run",
+    "output_jacobian": "gradients.differentiable_run",
     "Equilibrium": "operating.equilibrium",
     "NoEquilibrium": "operating.equilibrium",
     "equilibrium": "operating.equilibrium",

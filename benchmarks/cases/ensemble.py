@@ -21,8 +21,7 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import start_vector
 from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.rows import Rows
-from runtime.studies.ensemble.samples import table_of
-from runtime.studies.ensemble.starts import CaseStarts
+from runtime.studies.ensemble.starts import CaseStarts, table_of
 from symgen.scenes import generated_folder
 
 STEPS, DT, ROUNDS = 250, 2e-5, 15

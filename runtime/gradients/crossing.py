@@ -13,16 +13,16 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from runtime.contract.errors import ArgumentError
+from runtime.contract.errors import ArgumentError, NoResult
 from runtime.contract.tape import shared
 from runtime.engine.native import NativeProgram
-from runtime.gradients.acting_events import Acted, ActingEvents
-from runtime.gradients.beginning import Begun
 from runtime.gradients.course import Broken, EventPassage, Hold, Jump, Stop
 from runtime.gradients.observed_program import ObservedProgram
-from runtime.gradients.starts_anew import StartsAnew
+from runtime.gradients.start_of_run import Begun
+from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.breaks import within
-from runtime.schemes.switching.restart import Restart, remembers
+from runtime.schemes.switching.restart import Restart, loop_guess, remembers, started_anew
+from runtime.schemes.switching.watched import values_at
 
 
 @dataclass(frozen=True)
@@ -291,3 +291,185 @@ def hold_inputs(z: np.ndarray, stop: Stop, begun: Begun, crossing: JumpCrossing 
         return
     for one in stop.holds:
         z[one.row] = one.number(begun.values)
+
+
+# A state of a differentiated run behind a jump, for schemes that start anew there, with its derivatives.
+
+
+class StartsAnew:
+    """Of a scheme; remembers: does it act through more than positions and rates?"""
+
+    def __init__(self, scheme: Scheme, remembers: bool) -> None:
+        self._scheme, self._remembers = scheme, remembers
+        self._n_s, self._groups = scheme.layout.size, len(scheme.grid.h)
+        self._w = scheme.layout.slice("inputs") if scheme.model.inputs else slice(0, 0)
+
+    @cached_property
+    def _symbols(self) -> tuple[ca.SX, ca.SX, ca.SX]:
+        """z, p, and c with the inputs that z holds."""
+        model = self._scheme.model
+        z, p = ca.SX.sym("z", self._n_s), ca.SX.sym("p", len(model.parameters))
+        c, fields = ca.SX(model.kernel("constants")(p)), self._scheme.layout.unpack(z)
+        if "inputs" in fields:
+            c = ca.vertcat(c[: model.c_size - model.signals.size], fields["inputs"])
+        return z, p, c
+
+    def _seen(self, steps: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
+        """q_i, q_i_dot and the loop unknowns of z."""
+        z, _, c = self._symbols
+        fields = self._scheme.layout.unpack(z)
+        if not self._remembers:
+            return fields["x"], fields["v"], fields["loop"]
+        seen = self._scheme.observer(z=z, c=ca.vertcat(c, steps))
+        return seen["q_i"], seen["q_i_dot"], loop_guess(self._scheme, seen["q_d"])
+
+    @cached_property
+    def gap(self) -> ca.Function:
+        """(z, p, steps, before, after) -> accelerations before less those after."""
+        z, p, c = self._symbols
+        steps, before, after = ca.SX.sym("h", self._groups), ca.SX.sym("before"), ca.SX.sym("after")
+        q_i, v, loop = self._seen(steps)
+        equations = self._scheme.equations(ca.vertcat(c, steps), self._scheme.layout.unpack(z))
+        a = [equations.accelerations(equations.close_well(q_i, loop, t), v) for t in (before, after)]
+        return ca.Function("gap", [z, p, steps, before, after], shared([ca.densify(a[0] - a[1])]))
+
+    @cached_property
+    def _restarts(self) -> tuple[ca.Function, ca.Function, ca.Function]:
+        """(z, p, t, steps before, after, push, w) -> z; push: what is added to q_i_dot; its tangent and adjoint."""
+        z, p, c = self._symbols
+        scheme, t = self._scheme, ca.SX.sym("t")
+        before, after = (ca.SX.sym(name, self._groups) for name in ("before", "after"))
+        push = ca.SX.sym("push", len(scheme.model.q_i))
+        w = ca.SX.sym("w", self._w.stop - self._w.start)
+        there = ca.vertcat(c[: c.numel() - w.numel()], w, after)
+        found = started_anew(scheme, z, t, ca.vertcat(c, before), there, push)
+        given = [z, p, t, before, after, push, w]
+        along = [ca.SX.sym(f"along_{k}", one.numel()) for k, one in enumerate((z, p, push, w))]
+        bar = ca.SX.sym("bar", found.numel())
+        inputs = ca.vertcat(z, p, push, w)
+        forward = ca.densify(ca.jtimes(found, inputs, ca.vertcat(*along)))
+        back = ca.densify(ca.jtimes(found, inputs, bar, True))
+        ends = np.cumsum([0, z.numel(), p.numel(), push.numel(), w.numel()]).tolist()
+        return (
+            ca.Function("restart", given, shared([ca.densify(found)])),
+            ca.Function("restart_tangent", [*given, *along], shared([forward])),
+            ca.Function("restart_adjoint", [*given, bar], shared(ca.vertsplit(back, ends))),
+        )
+
+    @property
+    def restart(self) -> ca.Function:
+        """(z, p, t, steps before, after, push, w) -> z."""
+        return self._restarts[0]
+
+    @property
+    def tangent(self) -> ca.Function:
+        """The same, and directions of z, p, push and w -> direction of z."""
+        return self._restarts[1]
+
+    @property
+    def adjoint(self) -> ca.Function:
+        """The same, and an adjoint of z -> those of z, p, push and w."""
+        return self._restarts[2]
+
+
+# What an event does to the derivatives of a run: its time follows the motion, and so does what it sets.
+#
+# An event happens where g(q, q', t, p) = 0. With dz, the derivative of the state at that time, and g' along the motion,
+#
+#     dT = -(g_z dz + g_p dp) / g',    dv+ = dv- + (a- - a+) dT,    dw+ = A_z dz + A_p dp + A' dT
+#
+# for an action w = A(z, p) on inputs; positions and velocities are continuous. It is the saltation matrix of the event.
+
+
+@dataclass(frozen=True)
+class Acted:
+    """At a state (n_s,): the event, its value and rate, accelerations before less those after (n_i,), inputs (n_w,)."""
+
+    event: int
+    value: float
+    rate: float
+    gap: np.ndarray
+    w: np.ndarray
+
+    @property
+    def numbers(self) -> tuple[np.ndarray | float, ...]:
+        """As the derivatives take them."""
+        return self.value, self.rate, self.gap
+
+
+class ActingEvents:
+    """Of a scheme without fields of events. z (n_s,), p (n_p,) and steps (groups,) [s] are those before an event."""
+
+    def __init__(self, scheme: Scheme) -> None:
+        self._scheme, self._made = scheme, dict[int, tuple[ca.Function, ...]]()
+
+    def act(self, passage: EventPassage, z: np.ndarray, p: np.ndarray, steps: np.ndarray) -> Acted:
+        """What happens. Raises NoResult for an event that only grazes zero."""
+        value, rate, gap, w = (np.asarray(one).ravel() for one in self._of(passage.event)[0](z, p, steps))
+        if abs(float(rate[0])) <= passage.least:
+            event = self._scheme.model.description.events[passage.event]
+            raise NoResult(
+                f"event {event.name} of model {self._scheme.model.name}",
+                f"grazes zero at t = {passage.clock:.6g} s (rate {float(rate[0]):.3g} 1/s): its time has no derivative",
+                "let it pass zero faster, or leave out of `by` what moves it",
+            )
+        return Acted(passage.event, float(value[0]), float(rate[0]), gap, w)
+
+    def moved(
+        self, acted: Acted, z: np.ndarray, p: np.ndarray, steps: np.ndarray, dz: np.ndarray, dp: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """(what is added to the derivative of q_i_dot (n_i,), the derivative of the inputs behind the event (n_w,))."""
+        found = np.asarray(self._of(acted.event)[1](z, p, steps, *acted.numbers, dz, dp)).ravel()
+        return found[: len(acted.gap)], found[len(acted.gap) :]
+
+    def pulled_back(
+        self, acted: Acted, z: np.ndarray, p: np.ndarray, steps: np.ndarray, pushed: np.ndarray, w: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """(adjoint of z (n_s,), of p (n_p,)) from those of what `moved` gives."""
+        back = self._of(acted.event)[2](z, p, steps, *acted.numbers, np.concatenate([pushed, w]))
+        return np.asarray(back[0]).ravel(), np.asarray(back[1]).ravel()
+
+    def _of(self, k: int) -> tuple[ca.Function, ...]:
+        """Of event k: what happens, and the tangent and the adjoint of it."""
+        if k not in self._made:
+            self._made[k] = self._functions(k)
+        return self._made[k]
+
+    def _functions(self, k: int) -> tuple[ca.Function, ...]:
+        scheme, model = self._scheme, self._scheme.model
+        z, p = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("p", len(model.parameters))
+        steps, fields = ca.SX.sym("h", len(scheme.grid.h)), scheme.layout.unpack(z)
+        first = model.c_size - model.signals.size
+        w, known = fields["inputs"], ca.SX(model.kernel("constants")(p))[:first]
+        equations = scheme.equations(ca.vertcat(known, w, steps), fields)
+        seen = values_at(scheme, z, equations)
+        value, rate, gap = ca.SX.sym("value"), ca.SX.sym("rate"), ca.SX.sym("gap", len(model.q_i))
+        moves = -(seen["events"][k] - value) / rate  # zero, with the derivative of the time
+        behind, at = ca.SX(w), sum(len(event.sets) for event in model.description.events[:k])
+        plain = ca.SX(w)
+        for j, name in enumerate(model.description.events[k].sets, at):
+            place = model.signals.names.index(name)
+            plain[place] = seen["actions"][j]
+            behind[place] = seen["actions"][j] + seen["drifts"][j] * moves
+        state = scheme.observer(z=z, c=ca.vertcat(known, w, steps))
+        loop = [state["q_d"][model.q_d.index(name)] for name in model.loop_unknowns]
+        guess = ca.vertcat(*loop) if loop else ca.SX(0, 1)
+        sides = []
+        for inputs in (w, plain):
+            own = scheme.equations(ca.vertcat(known, inputs, steps))
+            motion = own.close_well(state["q_i"], guess, state["t"])
+            sides.append(own.accelerations(motion, state["q_i_dot"]))
+        happens = [seen["events"][k], seen["slopes"][k], sides[0] - sides[1], plain]
+        given, found = [z, p, steps, value, rate, gap], ca.vertcat(gap * moves, behind)
+        both, along, bar = (
+            ca.vertcat(z, p),
+            [ca.SX.sym("dz", z.numel()), ca.SX.sym("dp", p.numel())],
+            ca.SX.sym("bar", found.numel()),
+        )
+        forward = ca.densify(ca.jtimes(found, both, ca.vertcat(*along)))
+        back = ca.vertsplit(ca.densify(ca.jtimes(found, both, bar, True)), [0, z.numel(), both.numel()])
+        return (
+            ca.Function("event", [z, p, steps], shared([ca.densify(one) for one in happens])),
+            ca.Function("event_tangent", [*given, *along], shared([forward])),
+            ca.Function("event_adjoint", [*given, bar], shared(back)),
+        )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from copy import copy
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -14,20 +14,15 @@ from runtime.contract.errors import ArgumentError, ModelError, NoResult
 from runtime.contract.model import Model
 from runtime.engine.derivatives import Recorder, TangentCode, most_lanes
 from runtime.engine.native import NativeProgram
-from runtime.gradients.beginning import Beginning, Begun
-from runtime.gradients.course import Course, course
+from runtime.gradients.course import Course, MovingJumps, course
 from runtime.gradients.crossing import JumpCrossing, hold_inputs
-from runtime.gradients.derivatives_of_run import Gradient, OutputJacobian
-from runtime.gradients.driving import Inputs, driven_by, held_samples, holds_of
-from runtime.gradients.moving_jumps import MovingJumps
 from runtime.gradients.objectives import Objective
-from runtime.gradients.observed_program import ObservedProgram, observed_program
-from runtime.gradients.outputs import check_outputs
+from runtime.gradients.observed_program import ObservedProgram, check_outputs, observed_program
 from runtime.gradients.passages import Passages
 from runtime.gradients.passes import Backward, Weigh, forward
-from runtime.gradients.start_of_run import StartOfRun
+from runtime.gradients.start_of_run import Beginning, Begun, StartOfRun
 from runtime.gradients.switches import Switches
-from runtime.gradients.variables import variables_of
+from runtime.gradients.variables import Inputs, driven_by, held_samples, holds_of, variables_of
 from runtime.running.plan import make_plan
 
 Values = Sequence[float] | np.ndarray | Mapping[str, float] | None
@@ -265,3 +260,63 @@ class DifferentiableRun:
                 "is not finite: the run passes a point where a function has none (a root at zero, a division)",
                 "start a little beside that point",
             )
+
+
+# What a differentiated run gives: derivatives by name.
+
+
+@dataclass(frozen=True)
+class OutputJacobian:
+    """Outputs (N, n_y) at times t (N,) [s], and their derivatives (N, n_y, n) by the names `by`, in SI units."""
+
+    t: np.ndarray
+    outputs: tuple[str, ...]
+    by: tuple[str, ...]
+    values: np.ndarray
+    derivatives: np.ndarray
+
+    def __getitem__(self, names: tuple[str, str]) -> np.ndarray:
+        """(N,) the derivative of an output by a parameter or initial value. Raises ArgumentError for other names."""
+        if len(names) != 2 or names[0] not in self.outputs or names[1] not in self.by:
+            known = f"{', '.join(self.outputs)} and {', '.join(self.by)}"
+            raise ArgumentError(f"derivative {names!r}", "is not here", f"give a pair of {known}")
+        return self.derivatives[:, self.outputs.index(names[0]), self.by.index(names[1])]
+
+
+@dataclass(frozen=True)
+class Gradient:
+    """value of an objective and its derivatives (n,) by the names `by`.
+
+    mode: how they were found; t (N,) [s] and outputs (N,) by name: of the run.
+    """
+
+    value: float
+    by: tuple[str, ...]
+    derivatives: np.ndarray
+    mode: str
+    t: np.ndarray
+    outputs: Mapping[str, np.ndarray]
+
+    def __getitem__(self, name: str) -> float:
+        """The derivative by one of them. Raises ArgumentError for another name."""
+        if name not in self.by:
+            raise ArgumentError(f"derivative by {name!r}", "is not here", f"give one of {', '.join(self.by)}")
+        return float(self.derivatives[self.by.index(name)])
+
+
+# The gradient of a number that a run leads to, and the Jacobian of its outputs: the doors.
+
+
+def gradient(model: Model, of: Objective, by: Sequence[str], *, mode: str = "auto", **run: Any) -> Gradient:
+    """d(of)/d(by) of a run: `of` an objective of outputs at saved times, `by` parameters and initial values by name.
+
+    mode: `forward` (one direction a lane), `reverse` (one way back for all), or by what costs less. run: the arguments
+    of DifferentiableRun, those of `simulate`. Who asks again and again keeps a DifferentiableRun. Raises ModelError,
+    SchemeError, InitialStateError, ArgumentError for what cannot be used, NoResult for a run without a derivative.
+    """
+    return DifferentiableRun(model, of.outputs, by, **run).gradient(of, mode=mode)
+
+
+def output_jacobian(model: Model, outputs: Sequence[str], by: Sequence[str], **run: Any) -> OutputJacobian:
+    """d(outputs at every saved time)/d(by) of a run; the arguments and errors of `gradient`."""
+    return DifferentiableRun(model, outputs, by, **run).jacobian()

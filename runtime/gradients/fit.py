@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from dataclasses import dataclass
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy import stats
 from scipy.optimize import least_squares
 
 from runtime.contract.errors import ArgumentError, NoResult
+from runtime.contract.files import replacing
 from runtime.contract.model import Model
-from runtime.gradients.derivatives_of_run import OutputJacobian
-from runtime.gradients.differentiable_run import DifferentiableRun
-from runtime.gradients.fitted import Fit
-from runtime.gradients.measured import Measured, measured
+from runtime.gradients.differentiable_run import DifferentiableRun, OutputJacobian
 
 TOLERANCE = 1e-10
 UNTOLD = 1e-9  # of the largest singular value of the scaled Jacobian: a direction that the data do not see
@@ -166,3 +168,211 @@ def _limits(model: Model, names: Sequence[str], bounds: Bounds, x: np.ndarray) -
                 "let the guess lie between them",
             )
     return low, high
+
+
+# What a fit found: values, how sure they are, and what is left over.
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+@dataclass(frozen=True)
+class Fit:
+    """x (n,) of the names with their covariance (n, n), in SI units; freedom: of the estimated deviation (inf: given).
+
+    t (N,) [s], data and fitted {output: (N,)}; evaluations: runs of the search; converged, message: how it ended. The
+    covariance is that of the linear theory: right where the residuals are independent and the model is nearly linear
+    over it.
+    """
+
+    names: tuple[str, ...]
+    x: np.ndarray
+    covariance: np.ndarray
+    freedom: float
+    t: np.ndarray
+    data: Mapping[str, np.ndarray]
+    fitted: Mapping[str, np.ndarray]
+    evaluations: int
+    converged: bool
+    message: str
+
+    def __getitem__(self, name: str) -> float:
+        """The value of one. Raises ArgumentError for another name."""
+        return float(self.x[self._index(name)])
+
+    @property
+    def residuals(self) -> dict[str, np.ndarray]:
+        """fitted - data of every output, (N,)."""
+        return {name: self.fitted[name] - values for name, values in self.data.items()}
+
+    @property
+    def standard_errors(self) -> np.ndarray:
+        """(n,) square roots of the variances."""
+        return np.sqrt(np.diag(self.covariance))
+
+    @property
+    def correlation(self) -> np.ndarray:
+        """(n, n): near 1 or -1 where the data hardly tell two apart."""
+        return np.asarray(self.covariance / np.outer(self.standard_errors, self.standard_errors))
+
+    def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
+        """In which the truth lies with this confidence, whatever the others are. Raises ArgumentError."""
+        k = self._index(name)
+        half = float(stats.t.ppf(0.5 + _share(confidence) / 2, self.freedom)) * self.standard_errors[k]
+        return float(self.x[k] - half), float(self.x[k] + half)
+
+    def contains(self, values: Mapping[str, float], confidence: float = 0.95) -> bool:
+        """Do values of all names lie in the ellipsoid that holds the truth with this confidence?"""
+        missing = [name for name in self.names if name not in values]
+        if missing:
+            raise ArgumentError(f"value of {missing[0]}", "is missing", f"give {', '.join(self.names)}")
+        away = np.array([values[name] for name in self.names]) - self.x
+        scale = self.standard_errors
+        distance = float((away / scale) @ np.linalg.solve(self.correlation, away / scale))
+        n = len(self.names)
+        if np.isinf(self.freedom):
+            return bool(distance <= stats.chi2.ppf(_share(confidence), n))
+        return bool(distance <= n * stats.f.ppf(_share(confidence), n, self.freedom))
+
+    def picture(self, path: str | Path | None = None) -> Figure:
+        """Data, fitted outputs and residuals over time; with a path it also writes the file."""
+        title = "\n".join(f"{name} = {value:.4g} ± {error:.1g}" for name, value, error in self._rows())
+        return fit_picture(self.t, self.data, self.fitted, title, path)
+
+    def __str__(self) -> str:
+        rows = [f"{name} = {value:.6g} +- {error:.2g}" for name, value, error in self._rows()]
+        return "\n".join([*rows, f"{self.evaluations} runs; {self.message}"])
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><td>{escape(name)}</td><td>{value:.6g}</td><td>{error:.2g}</td></tr>"
+            for name, value, error in self._rows()
+        )
+        return f"<table><tr><th>name</th><th>value</th><th>standard error</th></tr>{rows}</table>{escape(self.message)}"
+
+    def _rows(self) -> list[tuple[str, float, float]]:
+        return list(zip(self.names, map(float, self.x), map(float, self.standard_errors), strict=True))
+
+    def _index(self, name: str) -> int:
+        if name not in self.names:
+            raise ArgumentError(f"{name!r}", "was not fitted", f"take one of {', '.join(self.names)}")
+        return self.names.index(name)
+
+
+def _share(confidence: float) -> float:
+    if not 0 < confidence < 1:
+        raise ArgumentError("confidence", f"is {confidence}", "give a share between 0 and 1, such as 0.95")
+    return confidence
+
+
+# The picture of a fit: data and fitted outputs over time, and what is left over.
+
+DATA, LINE = "#8fb9c9", "#8a1c3b"
+Columns = Mapping[str, np.ndarray]
+
+
+def fit_picture(t: np.ndarray, data: Columns, fitted: Columns, title: str, path: str | Path | None = None) -> Figure:
+    """Of each output (N,) over t (N,) [s] data (points), fit (line), residuals; with a path it also writes the file."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure  # when it is needed: importing it takes long
+
+    figure = Figure(figsize=(2.0 + 5.5 * len(data), 4.4), layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.subplots(2, len(data), sharex=True, squeeze=False, height_ratios=[3, 1])
+    for column, (name, values) in enumerate(data.items()):
+        above, below = axes[0, column], axes[1, column]
+        above.plot(t, values, ".", markersize=3, color=DATA, label="data")
+        above.plot(t, fitted[name], color=LINE, linewidth=1.2, label="fit")
+        above.set_ylabel(name)
+        above.legend(frameon=False)
+        below.plot(t, fitted[name] - values, ".", markersize=2, color=LINE)
+        below.axhline(0.0, color="#111827", linewidth=0.6)
+        below.set_ylabel("residual")
+        below.set_xlabel("t [s]")
+    figure.suptitle(title, fontsize="medium")
+    if path is not None:
+        with replacing(Path(path)) as temporary:
+            figure.savefig(temporary, dpi=130, format=Path(path).suffix[1:] or "png")
+    return figure
+
+
+# Measured outputs at the saved times of a run, checked, with their standard deviations.
+
+SAME_TIME = 1e-6  # of a step
+
+
+@dataclass(frozen=True)
+class Measured:
+    """values (N, n_y), weights (N, n_y) = 1 / deviation; known: were deviations given?"""
+
+    values: np.ndarray
+    weights: np.ndarray
+    known: bool
+
+    @property
+    def count(self) -> int:
+        """How many numbers were measured."""
+        return int(np.count_nonzero(self.weights))
+
+    def residuals(self, outputs: np.ndarray) -> np.ndarray:
+        """(outputs - values) / deviation, flat."""
+        return np.asarray(((outputs - self.values) * self.weights).ravel())
+
+
+def measured(run: DifferentiableRun, data: Mapping[str, Any], deviation: float | Mapping[str, Any] | None) -> Measured:
+    """Raises ArgumentError for data of another length, at other times, with NaN, or too few of them."""
+    samples, names = len(run.t), run.outputs
+    missing = [name for name in names if name not in data]
+    if missing:
+        raise ArgumentError(f"data of {missing[0]}", "are missing", f"give {', '.join(names)}")
+    if "t" in data:
+        times = _column(data["t"], "t", samples)
+        off = float(np.abs(times - run.t).max())
+        if not off <= SAME_TIME * run.plan.grid.dt_L:
+            raise ArgumentError(
+                "data of t",
+                f"differ from the saved times by up to {off:.3g} s",
+                f"every {run.plan.save_every} steps of {run.plan.grid.dt_L:g} s gives {run.t[0]:g} to {run.t[-1]:g} s: "
+                "interpolate the data, or choose dt, save_every and t_end to fit them",
+            )
+    if deviation is None and len(names) > 1:
+        raise ArgumentError("deviation", "is missing", "with more than one output say how exact each of them is")
+    given = (
+        deviation
+        if isinstance(deviation, Mapping)
+        else {name: 1.0 if deviation is None else deviation for name in names}
+    )
+    for name in names:
+        if name not in given:
+            raise ArgumentError(f"deviation of {name}", "is missing", f"give one for each of {', '.join(names)}")
+    spread = np.column_stack(
+        [_column(np.broadcast_to(given[name], samples), f"{name} (deviation)", samples) for name in names]
+    )
+    if not (spread > 0).all():
+        raise ArgumentError("deviation", "must be positive", "let it be infinite where nothing was measured")
+    values = np.column_stack([_column(data[name], name, samples) for name in names])
+    there = np.isfinite(spread)
+    for k, name in enumerate(names):
+        bad = np.flatnonzero(there[:, k] & ~np.isfinite(values[:, k]))
+        if len(bad):
+            raise ArgumentError(
+                f"data of {name}",
+                f"is {values[bad[0], k]} at t = {run.t[bad[0]]:.6g} s",
+                "leave it out by an infinite deviation there",
+            )
+    found = Measured(np.where(there, values, 0.0), np.where(there, 1.0 / spread, 0.0), deviation is not None)
+    if found.count <= len(run.by):
+        raise ArgumentError("data", f"are {found.count} numbers for {len(run.by)} unknowns", "measure more of them")
+    return found
+
+
+def _column(values: Any, name: str, samples: int) -> np.ndarray:
+    try:
+        column = np.asarray(values, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise ArgumentError(f"data of {name}", f"are no numbers ({error})", "give an array of them") from error
+    if column.shape != (samples,):
+        raise ArgumentError(
+            f"data of {name}", f"have shape {column.shape}", f"give one value for each of the {samples} saved times"
+        )
+    return column

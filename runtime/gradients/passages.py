@@ -12,8 +12,8 @@ from runtime.contract.errors import ArgumentError, NoResult
 from runtime.contract.model import Model
 from runtime.contract.signals import SINCE
 from runtime.contract.status import Event
-from runtime.gradients.beginning import Begun
 from runtime.gradients.course import EventPassage
+from runtime.gradients.start_of_run import Begun
 from runtime.running.events import EventActions
 from runtime.running.plan import Plan
 from runtime.running.stepped_model import SteppedModel

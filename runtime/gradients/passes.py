@@ -14,10 +14,10 @@ from math import ceil, sqrt
 import numpy as np
 
 from runtime.engine.derivatives import LaneArrays, Recorder, TangentCode
-from runtime.gradients.beginning import Begun
 from runtime.gradients.course import Broken, Course, Hold, Stop
 from runtime.gradients.crossing import JumpCrossing, Taken
 from runtime.gradients.observed_program import ObservedProgram
+from runtime.gradients.start_of_run import Begun
 
 TAPE_NUMBERS = 500_000  # a run whose tape is shorter is recorded whole; about what a second-level cache holds
 

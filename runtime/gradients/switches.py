@@ -19,10 +19,10 @@ from runtime.contract.coordinates import independent_part, loop_part, whole
 from runtime.contract.errors import NoResult
 from runtime.contract.tape import UNUSED, Tape, node_value, read_tape
 from runtime.engine.native import NativeProgram
-from runtime.gradients.beginning import Begun
 from runtime.gradients.course import Course
 from runtime.gradients.crossing import JumpCrossing, hold_inputs
 from runtime.gradients.observed_program import ObservedProgram
+from runtime.gradients.start_of_run import Begun
 from runtime.running.plan import Plan
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.switching.times import has_switching_times

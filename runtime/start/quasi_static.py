@@ -142,7 +142,7 @@ def settled(
 ) -> tuple[np.ndarray, np.ndarray] | None:
     """(q, q_dot) with the elastic coordinates in equilibrium; None where they leave their valley.
 
-    q_i, v (n_i,) and q_d (n_d,): a state that fits. The steps are those of runtime/studies/ensemble/settle.py.
+    q_i, v (n_i,) and q_d (n_d,): a state that fits. The steps are those of runtime/studies/ensemble/lane_programs.py.
     """
     if not settles(model):
         return None

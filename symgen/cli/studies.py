@@ -32,7 +32,7 @@ def sweep(arguments: argparse.Namespace) -> Outcome:
     import numpy as np
 
     from runtime.contract.files import try_writing
-    from runtime.studies.ensemble.answer_files import check_suffix, variables, write_answer
+    from runtime.studies.ensemble.parts import check_suffix, variables, write_answer
     from runtime.views.plots import ensemble_picture
 
     if arguments.out:

@@ -15,7 +15,7 @@ import pytest
 from runtime import simulate
 from runtime.contract.model import Model
 from runtime.running.plan import make_plan
-from runtime.running.singular import variants
+from runtime.running.singular import exchange
 from runtime.running.singular.exchange import carried, use_generator, variant_of
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.catalogue import SCHEMES
@@ -182,7 +182,7 @@ def test_without_a_generator_the_run_says_what_to_do(
     model_of: Build, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     use_generator(None)
-    monkeypatch.setattr(variants, "entry_points", lambda group: [])
+    monkeypatch.setattr(exchange, "entry_points", lambda group: [])
     monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path))
     run = simulate(model_of(slider_crank(0.3, 1.0, "slider.x")), scheme="rk4")
     assert run.status.name == "partition_lost"
@@ -206,7 +206,7 @@ def test_a_variant_of_another_generator_is_not_taken(
 
     use_generator(counted)
     for version in ("one", "one", "two"):
-        monkeypatch.setattr(variants, "made_by", lambda generate, version=version: version)
+        monkeypatch.setattr(exchange, "made_by", lambda generate, version=version: version)
         variant_of(model, ["slider.x"], model.initial_q)
     assert len(asked) == 2
 
@@ -219,5 +219,5 @@ def test_the_sources_of_a_generator_are_its_version(tmp_path: Path) -> None:
         assert spec is not None and spec.loader is not None
         module = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(module)
-        found.append(variants.made_by(module.f))
+        found.append(exchange.made_by(module.f))
     assert found[0] == found[1] != found[2]

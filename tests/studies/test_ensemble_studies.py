@@ -16,7 +16,7 @@ from scipy.stats import qmc
 from runtime import ensemble
 from runtime.contract.errors import ArgumentError, NoResult, SymgenError
 from runtime.contract.model import Model
-from runtime.studies.ensemble import dataset, question
+from runtime.studies.ensemble import parts, question
 from runtime.studies.ensemble.rows import Rows
 from tests.support.pendula import SHORT, pendula
 
@@ -145,7 +145,7 @@ def test_samples_and_tables_go_straight_in(built_in: Load, monkeypatch: pytest.M
     by_tuple = ensemble(model, {(mass, "length"): points}, **settings)
     assert by_tuple.identical(ensemble(model, Table(columns), **settings))
     np.testing.assert_array_equal(by_tuple["length"], points[:, 1])
-    monkeypatch.setattr(dataset, "find_spec", lambda name: None)
+    monkeypatch.setattr(parts, "find_spec", lambda name: None)
     plain = ensemble(model, columns, **settings)
     assert isinstance(plain, dict) and set(plain) == {
         "case",

@@ -17,8 +17,7 @@ from runtime.schemes.catalogue import SCHEMES
 from runtime.studies.ensemble.lane_programs import LanePrograms, programs_of
 from runtime.studies.ensemble.lane_runs import LaneRuns
 from runtime.studies.ensemble.question import Question
-from runtime.studies.ensemble.samples import table_of
-from runtime.studies.ensemble.starts import CaseStarts
+from runtime.studies.ensemble.starts import CaseStarts, table_of
 from symgen.generate import generate
 from symgen.scene import SceneBuilder
 from tests.support.pendula import SHORT, pendula

@@ -15,9 +15,8 @@ from runtime.contract.errors import NoResult, SymgenError
 from runtime.contract.model import Model
 from runtime.running.run import Interrupts, heard_interrupts
 from runtime.studies.ensemble.parts import StudyFolder
-from runtime.studies.ensemble.question import Question
-from runtime.studies.ensemble.rows import NAMES, Rows
-from runtime.studies.ensemble.worker import work_on
+from runtime.studies.ensemble.question import NAMES, Question
+from runtime.studies.ensemble.rows import Rows, work_on
 
 Progress = Callable[[float, float], None]
 POLL = 0.2  # s between two looks at whether Ctrl-C was pressed

@@ -18,9 +18,9 @@ from runtime.running.time_functions import check_time_functions
 from runtime.schemes.switching.times import switching_times
 from runtime.start.start_state import start_state
 from runtime.studies.ensemble.conduct import Means, Progress, answered
-from runtime.studies.ensemble.dataset import dataset
+from runtime.studies.ensemble.parts import dataset
 from runtime.studies.ensemble.question import Question
-from runtime.studies.ensemble.samples import columns_by_name, table_of, with_functions
+from runtime.studies.ensemble.starts import columns_by_name, table_of, with_functions
 
 
 def ensemble(

@@ -4,27 +4,30 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cached_property
 from typing import NamedTuple
 
 import casadi as ca
 import numpy as np
 
+from runtime.contract.consistent_state import MAX_ITERATIONS
 from runtime.contract.coordinates import mechanism_length
 from runtime.contract.model import Model
 from runtime.engine.ensemble_code import LaneCode, lane_form, lane_width, once_form, program_size
-from runtime.engine.prepare import prepare
-from runtime.engine.program import Fields, Layout, Program, Sequence, make_stage
+from runtime.engine.prepare import Prepared, prepare
+from runtime.engine.program import Call, Fields, Layout, Program, Repeat, Sequence, Until, make_stage
+from runtime.operating.given_state import closable, closing, fitting
+from runtime.running.stepped_model import HIGHEST, LOWEST
 from runtime.running.stepping import may_jump
+from runtime.schemes.scheme import LARGEST, Scheme
+from runtime.schemes.stepper import start_there
 from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.stop_program import StopProgram
-from runtime.studies.ensemble.account import LaneAccount
-from runtime.studies.ensemble.begin import NO_CONSTANTS, begin_program, moved, row_layout
-from runtime.studies.ensemble.looks import FIELDS, looked
+from runtime.start.quasi_static import MAX_STEPS, PASSES, elastic_residual, leading, positions, settles, settling
+from runtime.studies.ensemble.account import FIELDS, LaneAccount, looked
 from runtime.studies.ensemble.observation import Observation
 from runtime.studies.ensemble.question import Question
-from runtime.studies.ensemble.settle import quasi_static
 
 
 class LanePrograms:
@@ -154,3 +157,195 @@ def _length(model: Model) -> float:
     at = {"q": model.initial_q, "q_dot": model.initial_q_dot, "t": 0.0, "c": c}
     shape = (len(model.constraints), len(model.coordinates))
     return mechanism_length(model, np.asarray(model.evaluate("constraints", **at)["C_q"]).reshape(shape))
+
+
+# The start of runs in lanes as one program: parameters to constants, assembly, preparation, the scheme's own start.
+#
+# A lane's row begins with what it is given (p, t, h, q_i, q_i_dot, a guess of q_d, whether that is to be closed, and
+# whether elastic coordinates are to be brought into equilibrium;
+# where turns follow from loops, whether it was to be closed, and all coordinates and rates);
+# c, what the step program reads and its z follow. Functions are called on entries of the row only, each a stage of its
+# own, so that a lane has the bits of a run by itself.
+
+NO_CONSTANTS = 1  # the begin reads none: its c is whatever stands first in the row
+Stage = Callable[[Fields], Mapping[str, ca.SX]]
+
+
+def row_layout(
+    model: Model, scheme: Scheme, ready: int, constants: int, lane: Layout, looks: int, settle: bool
+) -> Layout:
+    """Fields of a lane's row; constants: of the scheme that steps with stops read behind `ready`, if there are any.
+
+    settle: may lanes be brought into elastic equilibrium?
+    """
+    n_i = len(model.q_i)
+    given = {"p": len(model.parameters), "t": 1, "h": len(scheme.grid.h), "q_i": n_i, "q_i_dot": n_i}
+    given |= {"q_d": len(model.q_d), "close": 1, "settle": 1, "clock": 1}
+    if not model.places.all_independent:
+        given |= {"asked": 1, "q": len(model.coordinates), "q_dot": len(model.coordinates)}
+    found = {
+        "c": model.c_size,
+        "fits": 1,
+        **(settle_fields(model) if settle else {}),
+        "ready": ready,
+        "constants": constants,
+        "lane": lane.size,
+    }
+    return Layout({**given, **found, "look": looks})
+
+
+def begin_program(
+    model: Model, scheme: Scheme, prepared: Prepared, row: Layout, lane: Layout, outputs: Program, begin: Stage
+) -> Program:
+    """From what is given to z at step 0, outputs included; outputs, begin: on the fields of `lane`."""
+
+    def stage(name: str, body: Stage) -> Call:
+        return make_stage(name, row, NO_CONSTANTS, lambda z, c: body(z))
+
+    parts: list[Program] = [stage("begin_constants", lambda z: {"c": model.kernel("constants")(z["p"])})]
+    if closable(model):
+        flag = row.slice("close").start
+
+        def close(z: Fields) -> Mapping[str, ca.SX]:
+            q_d, open_ = closing(model)(z["q_i"], z["q_d"], z["t"], z["c"])
+            return {"q_d": q_d, "close": open_}
+
+        def fit(z: Fields) -> Mapping[str, ca.SX]:
+            q, q_dot, fits = fitting(model)(z["q_i"], z["q_i_dot"], z["q_d"], z["t"], z["c"])
+            found = {"fits": ca.logic_and(fits, z["close"] <= 0)}
+            if "asked" not in z:
+                return found
+            told = (("q", q), ("q_dot", q_dot))
+            return found | {name: ca.if_else(z["asked"] > 0, value, z[name]) for name, value in told}
+
+        parts += [Until(stage("begin_close", close), flag, MAX_ITERATIONS, 4), stage("begin_fit", fit)]
+    if "settled" in row.sizes:
+        parts.append(settle_program(model, row, stage))
+    parts.append(stage("begin_ready", lambda z: {"ready": prepared.constants(ca.vertcat(z["c"], z["h"]))}))
+    if row.sizes["constants"]:
+        parts.append(stage("begin_constants_of_stops", lambda z: {"constants": ca.vertcat(z["c"], z["h"])}))
+    parts.append(stage("begin_state", lambda z: {"lane": _started(model, scheme, lane, z)}))
+    parts.append(moved(outputs, row, "begin_"))
+
+    def account(z: Fields) -> Mapping[str, ca.SX]:
+        fields = lane.unpack(z["lane"])
+        return {"lane": lane.pack({**fields, **begin(fields)})}
+
+    return Sequence((*parts, stage("begin_account", account)))
+
+
+def moved(program: Program, row: Layout, prefix: str) -> Program:
+    """A program on (lane, ready) as one on whole rows."""
+    first = row.slice("lane").start
+    done: dict[str, Call] = {}
+
+    def call(stage: ca.Function) -> Program:
+        def body(z: Fields, c: ca.SX) -> Mapping[str, ca.SX]:
+            return {"lane": stage(z["lane"], z["ready"])}
+
+        if stage.name() not in done:
+            done[stage.name()] = make_stage(prefix + stage.name(), row, NO_CONSTANTS, body)
+        return done[stage.name()]
+
+    def again(body: Program, node: Repeat | Until) -> Program:
+        if isinstance(node, Repeat):
+            return Repeat(body, node.count)
+        return Until(body, first + node.flag, node.limit, node.usual)
+
+    return program.fold(call, lambda parts: Sequence(tuple(parts)), again)
+
+
+def _started(model: Model, scheme: Scheme, lane: Layout, z: Fields) -> ca.SX:
+    """The lane's z at step 0 (Eqs. 68-71); the account of a run begins."""
+    loops = [model.q_d.index(name) for name in model.loop_unknowns]
+    loop = z["q_d"][loops] if loops else ca.SX(0, 1)
+    c = ca.vertcat(z["c"], z["h"])
+    if "asked" in z:
+        state = start_there(scheme)(z["clock"], z["q"], z["q_dot"], c)
+    else:
+        state = scheme.starter(z["clock"], z["q_i"], z["q_i_dot"], loop, c)
+    fields = scheme.layout.unpack(state)
+    blocks = scheme.layout.sizes["det_low"]
+    fields |= {"t0": z["t"] + (z["clock"] - z["t"]), "n": ca.SX(0)}
+    fields |= {"det_low": LOWEST * ca.SX.ones(blocks), "det_high": HIGHEST * ca.SX.ones(blocks)}
+    empty = {name: ca.SX.zeros(size) for name, size in lane.sizes.items()}
+    if "stop_t0" in lane.sizes:
+        empty |= {"stop_t0": z["t"], "stop_inputs": fields.get("inputs", ca.SX(0, 1))}
+    return lane.pack({**empty, "scheme": scheme.layout.pack(fields)})
+
+
+# Quasi-static starts of lanes: the steps of runtime/start/quasi_static.py, on the fields of a row.
+#
+# settle       is the lane to be settled?                                   given
+# settled      did it stay in its valley until now?                         else the case is run by itself
+# settle_q, settle_t    the state that is being settled: at the start, and a little before and behind it
+# settle_open, settle_work    is it open, and the work of its last step
+# settle_lead, settle_ahead    the time between these, and q_e at the later one
+
+USUAL_STEPS = 4
+StageMaker = Callable[[str, Callable[[Fields], Mapping[str, ca.SX]]], Call]
+
+
+def quasi_static(model: Model, start: str) -> bool:
+    """Do runs with this start ("" for the scene's own) begin in elastic equilibrium, and can lanes find it?"""
+    chosen = start or str(model.simulation.get("start", "given"))
+    return chosen in ("quasi_static", "quasi_static_unstable") and settles(model)
+
+
+def settle_fields(model: Model) -> dict[str, int]:
+    """What of a row this works on, `settle` left out."""
+    single = ("settled", "settle_t", "settle_open", "settle_work", "settle_lead")
+    return {**dict.fromkeys(single, 1), "settle_q": len(model.q_i), "settle_ahead": len(positions(model))}
+
+
+def settle_program(model: Model, row: Layout, stage: StageMaker) -> Program:
+    """From a state that fits to one in elastic equilibrium; stage(name, body): on the fields of the row."""
+    elastic = positions(model)
+    rigid = [k for k in range(len(model.q_i)) if k not in elastic]
+    loops = [model.q_d.index(name) for name in model.loop_unknowns]
+
+    def loop(z: Fields) -> ca.SX:
+        return z["q_d"][loops] if loops else ca.SX(0, 1)
+
+    def placed(z: Fields, q_i: ca.SX, at: int) -> dict[str, ca.SX]:
+        """To be settled: the state `at` leads away from its time."""
+        q, lead = ca.SX(q_i), at * z["settle_lead"]
+        if at and rigid:
+            q[rigid] = q[rigid] + lead * z["q_i_dot"][rigid]
+        open_ = z["settle"] * (z["settle_lead"] > 0 if at else 1)
+        return {"settle_q": q, "settle_t": z["t"] + lead, "settle_open": open_, "settle_work": ca.SX(LARGEST)}
+
+    def begin(z: Fields) -> Mapping[str, ca.SX]:
+        return {"settled": ca.SX(1), "settle_lead": leading(model)(z["q_i"], z["q_i_dot"], z["q_d"], z["t"], z["c"])}
+
+    def step(z: Fields) -> Mapping[str, ca.SX]:
+        given = (z["settle_t"], z["settle_q"], z["q_i_dot"], loop(z), z["c"], z["settle_work"])
+        q, open_, valley, work = settling(model)(*given)
+        settled = ca.logic_and(z["settled"], valley)
+        return {"settle_q": q, "settle_open": ca.logic_and(open_, valley), "settle_work": work, "settled": settled}
+
+    def kept(z: Fields) -> dict[str, ca.SX]:
+        """Still settled? Not where steps ran out."""
+        return {"settled": ca.logic_and(z["settled"], z["settle_open"] <= 0)}
+
+    def ahead(z: Fields) -> Mapping[str, ca.SX]:
+        q_i = ca.if_else(z["settle"] > 0, z["settle_q"], z["q_i"])
+        return {**kept(z), "q_i": q_i, **placed(z, q_i, 1)}
+
+    def behind(z: Fields) -> Mapping[str, ca.SX]:
+        return {**kept(z), "settle_ahead": z["settle_q"][elastic], **placed(z, z["q_i"], -1)}
+
+    def rate(z: Fields) -> Mapping[str, ca.SX]:
+        v, moving = ca.SX(z["q_i_dot"]), ca.logic_and(z["settle"] > 0, z["settle_lead"] > 0)
+        found = (z["settle_ahead"] - z["settle_q"][elastic]) / (2 * z["settle_lead"])
+        v[elastic] = ca.if_else(moving, found, v[elastic])
+        return {**kept(z), "q_i_dot": v}
+
+    def end(z: Fields) -> Mapping[str, ca.SX]:
+        q_d = elastic_residual(model)(z["t"], z["q_i"], z["q_i_dot"], loop(z), z["c"])[3]
+        return {"q_d": ca.if_else(z["settle"] > 0, q_d, z["q_d"])}
+
+    solve = Until(stage("settle_step", step), row.slice("settle_open").start, MAX_STEPS, USUAL_STEPS)
+    parts = [stage("settle_here", lambda z: placed(z, z["q_i"], 0)), solve, stage("settle_ahead", ahead), solve]
+    parts += [stage("settle_behind", behind), solve, stage("settle_rate", rate)]
+    return Sequence((stage("settle_begin", begin), Repeat(Sequence(tuple(parts)), PASSES), stage("settle_end", end)))

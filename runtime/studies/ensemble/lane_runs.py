@@ -10,10 +10,9 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.engine.ensemble_code import blocks_of
-from runtime.studies.ensemble.account import cause_of
+from runtime.studies.ensemble.account import FOUND, cause_of, judged
 from runtime.studies.ensemble.lane_programs import programs_of
 from runtime.studies.ensemble.lane_stops import LaneStops
-from runtime.studies.ensemble.looks import FOUND, judged
 from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.starts import Starts
 

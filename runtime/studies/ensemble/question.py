@@ -7,14 +7,17 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from math import ceil
-from typing import Any
+from typing import Any, get_args
 
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
+from runtime.contract.status import StatusName
 from runtime.running.plan import Plan, make_plan, whole_number
 from runtime.studies.ensemble.account import REDUCTIONS
 from runtime.studies.ensemble.observation import column
 
+NAMES: tuple[str, ...] = get_args(StatusName)
+CODES = {name: code for code, name in enumerate(NAMES)}  # completed is 0
 FORMAT = "symgen ensemble 1"
 LOOK_STEPS, MOST_LOOKS = 250, 16  # a run is looked at about every so many steps, at most so often
 PART_STEPS = 1 << 20  # scenario-steps of a part, about
