@@ -391,11 +391,16 @@ class JointRecord:
 
 @dataclass(frozen=True)
 class LoadRecord:
-    """A load: its type and the markers that it acts at by their role (marker, marker_a, marker_b, reaction)."""
+    """A load: its type and the markers that it acts at by their role (marker, marker_a, marker_b, reaction).
+
+    along: of a load along a beam where it begins and ends, in fractions of the length, and its power of the place; -1
+    for a force at one place that moves.
+    """
 
     name: str
     type: str
     markers: dict[str, str]
+    along: list[float] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
@@ -511,12 +516,15 @@ _MAY_LACK = ("inputs", "beams", "flexible", "switching", "events", "orientations
 def as_plain(description: Description) -> dict[str, Any]:
     """The description as plain values for JSON; a model without shapes, inputs, beams, ... has no entry for them.
 
-    Nor has a joint that is drawn as a pivot.
+    Nor has a joint that is drawn as a pivot, nor a load at markers.
     """
     plain = asdict(description)
     for looks in ("shapes", "surfaces"):
         if not plain["drawing"][looks]:
             del plain["drawing"][looks]
+    for load in plain["loads"]:
+        if not load["along"]:
+            del load["along"]
     for joint in plain["joints"]:
         if joint["drawing"] == "pivot":
             del joint["drawing"]

@@ -64,6 +64,7 @@ class Beam:
 
     length [m], mass [kg]; radii (2,): I / A [m^2] of the section along y and z; sets: shapes by axis (x, y, z, 3 for
     torsion). stiffened: are bent beams shorter? attached: its joints and loads, with the places xi of their markers.
+    spread: its loads along the beam, with `along` of `LoadRecord`.
     """
 
     name: str
@@ -75,6 +76,7 @@ class Beam:
     sets: dict[int, BeamShapes]
     stiffened: bool
     attached: dict[str, list[float]]
+    spread: dict[str, list[float]]
 
     @property
     def planar(self) -> bool:
@@ -128,6 +130,7 @@ def beam_of(model: Model, name: str, p: np.ndarray) -> Beam:
         sets,
         any(point.stiffened for point, _ in points),
         {load: [places[marker] for marker in own] for load, own in attached_markers(model, name).items()},
+        {one.name: one.along for one in described.loads if one.along and (name, one.name) in described.load_columns},
     )
 
 
@@ -170,12 +173,18 @@ class SectionField:
         return H
 
     def forces(
-        self, moved: Rates, frame: FrameMotion, a_o: np.ndarray, loads: list[tuple[float, np.ndarray]]
+        self,
+        moved: Rates,
+        frame: FrameMotion,
+        a_o: np.ndarray,
+        loads: list[tuple[float, np.ndarray]],
+        spread: Sequence[tuple[Sequence[float], np.ndarray]],
     ) -> np.ndarray:
         """(6, N, n): N, Q_y, Q_z, T, M_y, M_z along the axes of the sections.
 
         moved: q, q_dot, q_ddot (N, .); a_o (N, 3): acceleration of the frame less gravity, body axes; loads: place, and
-        force and moment about the frame origin (N, 6) of each, body axes.
+        force and moment about the frame origin (N, 6) of each, body axes; spread: `along` of a load along the beam, and
+        the same.
         """
         rho, a, spin = self._motion(moved, frame, a_o)
         n = len(self.sections)
@@ -192,6 +201,9 @@ class SectionField:
             beyond = (place > self.sections) | ((place == 1.0) & (self.sections == 1.0))
             force += load.T[:3, :, None] * beyond
             moment += load.T[3:, :, None] * beyond
+        for along, load in spread:
+            parts = _beyond(along, load, self.beam.length, self.sections)
+            force, moment = force + parts[0], moment + parts[1]
         moment -= np.cross(rho[:, :, :n], force, axis=0)
         R = self._axes(moved[0])
         return np.concatenate([np.einsum("snij,isn->jsn", R, vector) for vector in (force, moment)])
@@ -334,6 +346,12 @@ def section_forces(
 
 def _by_equilibrium(solution: Samples, beam: Beam, field: SectionField) -> np.ndarray:
     """(6, N, n) from the forces on the part beyond each section."""
+    for name, along in beam.spread.items():
+        if along[2] > 1:
+            raise ModelError(
+                f"{name} is more than linear along {beam.name}, so that its part beyond a section is not told apart; "
+                'take way="modes", or loads on parts of the beam that are linear there'
+            )
     gravity = np.resize([*solution.model.description.gravity, 0.0, 0.0, 0.0], 3)
     found = np.empty((6, len(solution.t), len(field.sections)))
     places = {name: _one_place(name, where, beam) for name, where in beam.attached.items()}
@@ -343,9 +361,40 @@ def _by_equilibrium(solution: Samples, beam: Beam, field: SectionField) -> np.nd
         moved = solution.q[rows], solution.q_dot[rows], solution.q_ddot[rows]
         frame = frame_motion(*(values[:, beam.turning] for values in moved))
         a_o = into_body(frame, vectors(moved[2][:, beam.place]) - gravity)
-        loads = [(places[name], wrench(force[rows], len(beam.place), frame)) for name, force in parts]
-        found[:, rows] = field.forces(moved, frame, a_o, loads)
+        acting = [(name, wrench(force[rows], len(beam.place), frame)) for name, force in parts]
+        loads = [(places[name], load) for name, load in acting if name in places]
+        spread = [(beam.spread[name], load) for name, load in acting if name in beam.spread]
+        found[:, rows] = field.forces(moved, frame, a_o, loads, spread)
     return found
+
+
+def _beyond(along: Sequence[float], load: np.ndarray, length: float, xi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Force and moment about the frame origin (3, N, n) of the part of a load along the beam beyond sections.
+
+    Force and moment say where one force is, and p_0 + p_1 x of a linear load; what is left of the moment, of the
+    deflection, is shared as the force is.
+    """
+    start, end, power = along[0] * length, along[1] * length, along[2]
+    F, M = load.T[:3, :, None], load.T[3:, :, None]
+    first = np.stack([F[0] * (start + end) / 2, M[2], -M[1]])  # int x p dx of a straight beam
+    if power < 0:
+        size = F[1] ** 2 + F[2] ** 2
+        place = np.divide(first[1] * F[1] + first[2] * F[2], size, out=np.zeros_like(size), where=size > 0)
+        beyond = place > xi * length
+        return F * beyond, M * beyond
+    A, B, C = end - start, (end**2 - start**2) / 2, (end**3 - start**3) / 3
+    p_1 = (A * first - B * F) / (A * C - B * B) if power else np.zeros_like(F)
+    p_0 = (F - B * p_1) / A
+    low = np.clip(xi * length, start, end)
+
+    def integrals(low: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        a, b, c = end - low, (end**2 - low**2) / 2, (end**3 - low**3) / 3
+        moved = p_0 * b + p_1 * c
+        return p_0 * a + p_1 * b, np.stack([np.zeros_like(moved[0]), -moved[2], moved[1]])
+
+    force, moment = integrals(low)
+    _, straight = integrals(np.array([start]))
+    return force, moment + (M - straight) * (end - low) / A
 
 
 def _one_place(name: str, where: Sequence[float], beam: Beam) -> float:

@@ -192,9 +192,12 @@ def modal_impedance(body: BeamBody, table: ParameterTable, k: ca.SX, m: ca.SX) -
 
 def beam_point(body: BeamBody, data: BeamIntegrals, at: float, table: ParameterTable) -> PointShape:
     """Shapes of a beam at the fraction `at` of its length."""
-    key = f"{mesh_key(body)}@{at!r}"
+    return shape_of(body, _mesh_point(data, at), at, f"{mesh_key(body)}@{at!r}", table)
+
+
+def shape_of(body: BeamBody, point: BeamPoint, at: float, key: str, table: ParameterTable) -> PointShape:
+    """Of a point with these shapes at the fraction `at`, or of a mean of points; key: of its numbers in p."""
     length = table.of(body, "length")
-    point = _mesh_point(data, at)
     on = 1.0 if body.stiffening else 0.0
     rows = np.vstack([point.shape_x, point.shape_y])
     fraction = table.data(np.array([[at if at != 1.0 else 0.0]]), f"{key}.at", "1", "marker position")

@@ -19,7 +19,7 @@ from symgen.algebra.vectors import Vector, plus, scaled, zeros
 from symgen.bodies.beam_sets import ModeSets, mesh_name, mode_sets, set_choices
 from symgen.bodies.shape_integrals import modal_impedance
 from symgen.bodies.spatial_moments import Matrix, SpatialIntegrals, SpatialPoint
-from symgen.modes.spatial_beam import TORSION, SpatialBeam, spatial_beam
+from symgen.modes.spatial_beam import TORSION, SpatialBeam, SpatialBeamPoint, spatial_beam
 from symgen.scene import BeamBody
 
 
@@ -141,8 +141,14 @@ def spatial_mesh_key(body: BeamBody) -> str:
 
 def beam_spatial_point(body: BeamBody, at: float, table: ParameterTable) -> SpatialPoint:
     """A point of a beam at the fraction `at` of its length, with the frame's axes."""
-    data, key, nf = spatial_beam_of(body).point(at), f"{spatial_mesh_key(body)}@{at!r}", body.nf
-    length = table.of(body, "length")
+    return spatial_point_of(body, spatial_beam_of(body).point(at), at, f"{spatial_mesh_key(body)}@{at!r}", table)
+
+
+def spatial_point_of(
+    body: BeamBody, data: SpatialBeamPoint, at: float, key: str, table: ParameterTable
+) -> SpatialPoint:
+    """A point with these shapes, or a mean of points; key: of its numbers in p."""
+    nf, length = body.nf, table.of(body, "length")
 
     def columns(values: np.ndarray, label: str) -> list[Vector]:
         return entries(table.data(values.T, f"{key}.{label}", "1", "mode shapes at a marker"))

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
+from symgen.joints.joint import Surroundings
 from symgen.loads.effort import coordinate_faults
-from symgen.loads.load import Surroundings
 from symgen.schema.fields import Fault, Name, StrictModel
 
 Read = Callable[[str], Any]  # SX of a quantity of the coupling by its field

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, Protocol
 
 from runtime.contract.records import ConstraintKind, CoordinateKind, JointDrawing
+from symgen.schema.errors import did_you_mean
 from symgen.schema.fields import SPATIAL, Bound, Fault, MarkerRef, Meaning, Name, Quantity, StrictModel
 
 X, Y, Z = 0, 1, 2
@@ -107,6 +108,28 @@ class InSpace(Protocol):
         """A quantity of the joint: a constant, or a function of t where its scope is Scope.TIME."""
 
 
+class Surroundings(Protocol):
+    """What a joint, a coupling or a load asks of its scene to check itself."""
+
+    @property
+    def space(self) -> str:
+        """ "planar" or "spatial"."""
+
+    @property
+    def bodies(self) -> Sequence[Any]:
+        """In scene order."""
+
+    @property
+    def joints(self) -> Sequence[Joint]:
+        """In scene order."""
+
+    def placing(self) -> set[str]:
+        """Names of the joints that have coordinates in q."""
+
+    def joint_of(self, coordinate: str) -> tuple[Joint, Turn | Slide]:
+        """The joint and its motion behind "joint.angle"."""
+
+
 Reaction = Literal["force", "moment", "force and moment"]
 
 
@@ -120,6 +143,7 @@ class Joint(StrictModel):
     motions: in space b is displaced from a by these turns and slides, one after the other, which are the joint's
     coordinates where it places a body; X(q), S(q) and its rate follow from them. None: it places no body.
     drives: the name of the coordinate of another joint between the same markers that it prescribes.
+    on_beam: are its rows those of a point on the bent line of the beam of marker a?
     at_a, at_b: what it puts on the bodies there, in the plane as in space; a moment not about axes it turns freely on.
     drawing: what pictures show.
     """
@@ -135,6 +159,7 @@ class Joint(StrictModel):
     perpendicular: ClassVar[tuple[AxisPair, ...]] = ()
     motions: ClassVar[tuple[Turn | Slide, ...] | None] = None
     drives: ClassVar[str] = ""
+    on_beam: ClassVar[bool] = False
     at_a: ClassVar[Reaction] = "force and moment"
     at_b: ClassVar[Reaction] = "force and moment"
     drawing: ClassVar[JointDrawing] = "pivot"
@@ -228,3 +253,14 @@ def together(m: InSpace) -> list[Equation]:
         )
         for i, label in enumerate("xyz")
     ]
+
+
+def beam_faults(key: str, name: str, scene: Surroundings, moving: bool = False) -> Iterator[Fault]:
+    """Of a body that is no beam, or not one on which something can move."""
+    body = next((one for one in scene.bodies if one.name == name), None)
+    beams = [one.name for one in scene.bodies if one.type == "beam"]
+    if body is None or body.type != "beam":
+        what = "there is no body" if body is None else "is no beam: body"
+        yield Fault(key, f"{what} '{name}'", did_you_mean(name, beams) if beams else "add a body of type beam")
+    elif moving and (body.lumped_elements is not None or body.stiffening):
+        yield Fault(key, f"the shapes of '{name}' are no functions along it", 'take mesh = "exact" and no stiffening')

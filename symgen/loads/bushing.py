@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Annotated, Any, Literal
 
-from symgen.loads.load import Acting, Load, LoadEffect, Surroundings
+from symgen.joints.joint import Surroundings
+from symgen.loads.load import Acting, Load, LoadEffect
 from symgen.schema.fields import Bound, Fault, MarkerRef, Meaning, Quantity
 
 TRIPLES = ("stiffness", "damping", "rotational_stiffness", "rotational_damping")

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, Literal
 
-from symgen.joints.joint import Turn
-from symgen.loads.load import Acting, Load, LoadEffect, Surroundings, on
+from symgen.joints.joint import Surroundings, Turn
+from symgen.loads.load import Acting, Load, LoadEffect, on
 from symgen.schema.errors import did_you_mean
 from symgen.schema.fields import Coordinate, Fault, Meaning, Quantity, Scope
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, Literal
 
-from symgen.loads.load import Acting, Load, LoadEffect, Surroundings
+from symgen.joints.joint import Surroundings
+from symgen.loads.load import Acting, Load, LoadEffect
 from symgen.schema.fields import Fault, MarkerRef, Meaning, Quantity, Scope, components_fault
 
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
-from symgen.joints.joint import Joint, Reaction, Slide, Turn
+from symgen.joints.joint import Reaction, Surroundings
 from symgen.schema.fields import Name, StrictModel
 
 Row = dict[int, Any]  # by column of q
@@ -33,6 +33,7 @@ class LoadEffect:
     spring: what of it is linear in the coordinates, if it is that.
     action: force [N] and moment [N m] in world axes on the load's marker, or on marker b: x, y and about z in a plane,
     three and three in space.
+    along: of a load along a beam, see `LoadRecord`.
     """
 
     force: Row = field(default_factory=dict)
@@ -41,6 +42,7 @@ class LoadEffect:
     applied: Any = 0
     spring: LinearSpring | None = None
     action: Sequence[Any] = ()
+    along: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -84,6 +86,27 @@ class Acting(Protocol):
     def dot(self, u: Vector, v: Vector) -> Any:
         """u . v."""
 
+    def part_of_beam(self, beam: str, power: int, start: float, end: float) -> tuple[Any, At]:
+        """(integral of s^power ds, its mean point) over a part of a beam, in fractions of the length."""
+
+    def stations(self, beam: str, start: float, end: float) -> list[tuple[Any, Any, At]]:
+        """(s, weight ds, point) by which an integral over a part of a beam is exact for its shapes."""
+
+    def frame_of(self, beam: str) -> At:
+        """The frame of a beam, which does not bend."""
+
+    def place_on(self, beam: str, place: Any) -> tuple[Any, At]:
+        """(is it on the beam? 1 or 0, point) at `place` [m] from the start; the ends stop steps where they can."""
+
+    def symbol(self, name: str) -> Any:
+        """A variable."""
+
+    def coefficients(self, values: Vector, variable: Any) -> Sequence[Vector] | None:
+        """Of 1, s, s^2, ... up to the sixth power, where the values are a polynomial of the variable s; else None."""
+
+    def at_value(self, values: Vector, variable: Any, value: Any) -> Vector:
+        """The values where the variable has this value."""
+
     def larger(self, a: Any, b: float) -> Any:
         """The larger of two."""
 
@@ -110,24 +133,6 @@ class Acting(Protocol):
 
     def by_rates(self, value: Any) -> Row:
         """Derivatives by q'."""
-
-
-class Surroundings(Protocol):
-    """What a load asks of its scene to check itself."""
-
-    @property
-    def space(self) -> str:
-        """ "planar" or "spatial"."""
-
-    @property
-    def joints(self) -> Sequence[Joint]:
-        """In scene order."""
-
-    def placing(self) -> set[str]:
-        """Names of the joints that have coordinates in q."""
-
-    def joint_of(self, coordinate: str) -> tuple[Joint, Turn | Slide]:
-        """The joint and its motion behind "joint.angle"."""
 
 
 class Load(StrictModel):

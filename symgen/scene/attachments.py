@@ -38,7 +38,10 @@ class Carried(NamedTuple):
 def with_ends(scene: AnyScene) -> AnyScene:
     """The scene with `ends` of every mode set filled in."""
     bodies = tuple(_with_ends(scene, body) if isinstance(body, BeamBody) else body for body in scene.bodies)
-    return scene.model_copy(update={"bodies": bodies})
+    found = scene.model_copy(update={"bodies": bodies})
+    for name in ("moving_bodies", "_bodies"):  # what the scene remembers of its bodies is copied with it
+        found.__dict__.pop(name, None)
+    return found
 
 
 def _with_ends(scene: SceneParts, beam: BeamBody) -> BeamBody:

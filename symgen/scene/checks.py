@@ -301,6 +301,7 @@ class _QuantityCheck:
             Scope.TIME: frozenset((*self.defaults, *inputs, *tables, "t")),
             Scope.MEASURES: frozenset((*self.defaults, *inputs, *tables, "t", *measured, *states)),
             Scope.LINE: frozenset((*self.defaults, *inputs, *tables, "t", *measured, *states, "length", "rate")),
+            Scope.PLACE: frozenset((*self.defaults, *inputs, *tables, "t", *measured, *states, "s")),
             Scope.STATES: frozenset((*self.defaults, *inputs, *tables, "t", *measured, *scene.states)),
         }
 

@@ -80,6 +80,7 @@ class Scope(Enum):
     TIME = "parameters, inputs and t"
     MEASURES = "parameters, inputs, t, measures, states and their rates"
     LINE = "parameters, inputs, t, measures, states and their rates, and length and rate of the line"
+    PLACE = "parameters, inputs, t, measures, states and their rates, and the place s along the beam"
     STATES = "parameters, inputs, t, measures, their rates and states"
 
 

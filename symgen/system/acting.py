@@ -3,35 +3,62 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, Protocol
 
 import casadi as ca
+import numpy as np
 
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_scaled, nonzero
 from symgen.algebra.scalar import ONE, ZERO, dot, neg
 from symgen.algebra.vectors import Vector, combination, minus, zeros
+from symgen.bodies.beam_places import MovingPlace, moving_place, stations
 from symgen.bodies.planar_body import MarkerMotion
 from symgen.bodies.spatial_body import SpatialMarker
 from symgen.bodies.spatial_integrals import three
 from symgen.joints.joint import Joint, Slide, Turn
 from symgen.loads import Load
 from symgen.loads.load import Scalar
-from symgen.scene import Scene
+from symgen.scene import BeamBody, Scene
 from symgen.system.joint_templates import JointCoordinate
 from symgen.system.spring_template import SpringForce, evaluate
+from symgen.system.structure import ExpressionReader
 
+HIGHEST = 6  # power of a polynomial along a beam
 Read = Callable[[float | str, str, Mapping[str, ca.SX]], ca.SX]  # an expression, its item, its local names
 
 
+class BeamPoints(Protocol):
+    """Markers at points of beams that the scene does not name."""
+
+    def mean(self, body: BeamBody, xi: np.ndarray, weights: np.ndarray) -> Any:
+        """A mean of points of a beam by weights."""
+
+    def frame(self, body: BeamBody) -> Any:
+        """The frame of a beam."""
+
+    def place(self, body: BeamBody, place: MovingPlace) -> Any:
+        """A place that moves."""
+
+
 class _Acting:
-    """Of one load; read: its expressions; q, q_dot: what potentials are differentiated by."""
+    """Of one load; points: of beams, read: its expressions; q, q_dot: what potentials are differentiated by."""
 
     axes: str
 
-    def __init__(self, load: Load, scene: Scene, table: ParameterTable, read: Read, q: ca.SX, q_dot: ca.SX) -> None:
-        self.load, self.scene, self.table, self._read = load, scene, table, read
-        self.q, self.q_dot = q, q_dot
+    def __init__(
+        self,
+        points: BeamPoints,
+        load: Load,
+        scene: Scene,
+        table: ParameterTable,
+        read: Read,
+        reader: ExpressionReader,
+        q: ca.SX,
+        q_dot: ca.SX,
+    ) -> None:
+        self.load, self.scene, self.table, self._read, self._reader = load, scene, table, read, reader
+        self._points, self.q, self.q_dot = points, q, q_dot
 
     def value(self, key: str, **local: ca.SX) -> Any:
         """An expression, or the components of a vector; a z left out is zero."""
@@ -52,6 +79,59 @@ class _Acting:
     def dot(self, u: Sequence[ca.SX], v: Sequence[ca.SX]) -> ca.SX:
         """u . v."""
         return dot(u, v)
+
+    def part_of_beam(self, beam: str, power: int, start: float, end: float) -> tuple[ca.SX, Any]:
+        """Its mean point, weighted by s^power, and the weight."""
+        body = self._beam(beam)
+        xi, weights = stations(body, start, end)
+        weights = weights * xi**power
+        return self.table.of(body, "length") ** (power + 1) * float(weights.sum()), self._points.mean(body, xi, weights)
+
+    def stations(self, beam: str, start: float, end: float) -> list[tuple[ca.SX, ca.SX, Any]]:
+        """Gauss points of a part of a beam."""
+        body = self._beam(beam)
+        length = self.table.of(body, "length")
+        return [
+            (length * float(at), length * float(weight), self._points.mean(body, np.array([at]), np.ones(1)))
+            for at, weight in zip(*stations(body, start, end), strict=True)
+        ]
+
+    def frame_of(self, beam: str) -> Any:
+        """The frame at the start, which does not bend."""
+        return self._points.frame(self._beam(beam))
+
+    def place_on(self, beam: str, place: ca.SX) -> tuple[ca.SX, Any]:
+        """The point there, or at the nearer end with a zero."""
+        body = self._beam(beam)
+        length = self.table.of(body, "length")
+        for end in (place, place - length):
+            self._reader.switch(self.load.name, end)
+        on = ca.if_else(place < 0, 0, ca.if_else(place > length, 0, 1))
+        return on, self._points.place(body, moving_place(body, ca.fmin(ca.fmax(place, 0), length), self.table))
+
+    def _beam(self, name: str) -> BeamBody:
+        body = self.scene.body(name)
+        assert isinstance(body, BeamBody)
+        return body
+
+    def symbol(self, name: str) -> ca.SX:
+        """A variable."""
+        return ca.SX.sym(name)
+
+    def coefficients(self, values: Sequence[ca.SX], variable: ca.SX) -> list[Vector] | None:
+        """Taylor's, where the seventh derivative is zero."""
+        found, slope, factorial = [], ca.vertcat(*values), 1.0
+        for power in range(HIGHEST + 1):
+            found.append(ca.vertsplit(ca.substitute(slope, variable, ZERO) / factorial))
+            slope = ca.jacobian(slope, variable)
+            if not ca.depends_on(slope, variable) and slope.nnz() == 0:
+                return found
+            slope, factorial = ca.densify(slope), factorial * (power + 1)
+        return None
+
+    def at_value(self, values: Sequence[ca.SX], variable: ca.SX, value: ca.SX) -> Vector:
+        """By substitution."""
+        return ca.vertsplit(ca.substitute(ca.vertcat(*values), variable, value))
 
     def larger(self, a: ca.SX, b: float) -> ca.SX:
         """The larger of two."""

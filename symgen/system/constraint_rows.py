@@ -9,9 +9,10 @@ import casadi as ca
 import sympy as sp
 
 from runtime.contract.records import ROW_UNITS, Constraint, ConstraintKind
-from symgen.algebra.rows import Row, add_scaled, nonzero
+from symgen.algebra.rows import Row, add_scaled, add_to, nonzero
 from symgen.algebra.scalar import ONE, ZERO, dot, mul, neg, sub
 from symgen.algebra.vectors import Vector, cross, minus, quaternion_product, scaled, zeros
+from symgen.bodies.beam_places import MovingPlace
 from symgen.bodies.planar_body import MarkerMotion
 from symgen.bodies.spatial_body import SpatialBody, SpatialMarker, fixed_quaternion, minus_rows, turn_about
 from symgen.joints import JOINTS
@@ -139,6 +140,55 @@ def holding(joint: Joint, motion: Turn | Slide) -> Joint:
     """The prescribed motion that would hold a motion of a joint where it is zero."""
     record = JOINTS["prescribed_angle" if isinstance(motion, Turn) else "prescribed_displacement"]
     return record.model_validate({**joint.markers, "name": joint.name, "motion": 0.0})
+
+
+@dataclass(frozen=True)
+class LocalPlace:
+    """A coordinate of point b in a beam's frame: value, rate, row over q, what rows leave of the acceleration.
+
+    on_b: its change by a displacement and a turn of marker b.
+    """
+
+    value: ca.SX
+    rate: ca.SX
+    row: Row
+    bias: ca.SX
+    on_b: tuple[ca.SX, ...]
+
+
+def sliding_rows(
+    name: str,
+    local: Sequence[LocalPlace],
+    place: MovingPlace,
+    columns: Sequence[int],
+    q_f: Sequence[ca.SX],
+    q_f_dot: Sequence[ca.SX],
+) -> list[ConstraintRow]:
+    """y - phi(x) q_f = 0 of a point on a bent beam, in space z, too; local: its x, y and z in the beam's frame.
+
+    With k = phi' q_f: y'' - k x'' - phi q_f'' = 2 phi' q_f' x' + phi'' q_f x'^2.
+    """
+    x, length, rows = local[0], place.length, []
+    for axis, across in enumerate(local[1:], start=1):
+        own = [one for one in place.sets if one[0] == axis]
+        deflection = slope = turning = bending = ZERO
+        C_q = dict(across.row)
+        for _, first, values, rates, seconds in own:
+            part = slice(first, first + len(values))
+            q, v = q_f[part], q_f_dot[part]
+            deflection = deflection + dot(values, q)
+            slope, turning = slope + dot(rates, q) / length, turning + dot(rates, v) / length
+            bending = bending + dot(seconds, q) / length**2
+            for value, column in zip(values, columns[part], strict=True):
+                add_to(C_q, column, neg(value))
+        add_scaled(C_q, neg(slope), x.row)
+        gamma = 2 * turning * x.rate + bending * x.rate**2 + slope * x.bias - across.bias
+        on_b = tuple(one - slope * along for one, along in zip(across.on_b, x.on_b, strict=True))
+        label, text = f"{name}.{'xyz'[axis]}", f"{'xyz'[axis]}_b - phi(x_b) q_f"
+        rows.append(
+            ConstraintRow(label, name, "distance", across.value - deflection, nonzero(C_q), ZERO, gamma, on_b, text)
+        )
+    return rows
 
 
 def combined(name: str, rows: Sequence[ConstraintRow], factors: Sequence[ca.SX], constant: ca.SX) -> ConstraintRow:

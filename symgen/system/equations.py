@@ -131,7 +131,7 @@ class Equations:
     load_forces: generalised force of each load and each joint's friction, by its name. beams: mode sets of the
     beams with exact shapes; flexible: bodies in space with modes of their
     own; static_residuals: beams whose shapes do not carry what is attached to them.
-    load_actions: what each load does at its marker or marker b, see LoadEffect.
+    load_actions: what each load does at its marker or marker b, see LoadEffect; load_spans: its `along`.
     events: by name what passes zero, and the values that inputs get then.
     switching: (load, joint or state, value) of what changes sign where an expression jumps or kinks in time.
     turnings: orientations with velocities of their own, whose columns follow those of all coordinates.
@@ -160,6 +160,7 @@ class Equations:
     flexible: list[str] = field(default_factory=list)
     static_residuals: list[StaticResidual] = field(default_factory=list)
     load_actions: dict[str, Sequence[ca.SX]] = field(default_factory=dict)
+    load_spans: dict[str, list[float]] = field(default_factory=dict)
     events: dict[str, tuple[ca.SX, dict[str, ca.SX]]] = field(default_factory=dict)
     switching: list[tuple[str, ca.SX]] = field(default_factory=list)
     picture: Picture = field(default_factory=lambda: Picture([], {}, {}))

@@ -62,6 +62,9 @@ class MovingBody(Protocol):
         """(stored energy, power lost)."""
 
 
+MOST_POWER = 9.0  # what is no polynomial counts as this power of the place
+
+
 @dataclass(frozen=True)
 class Spin:
     """A turning rate about an axis: row . q', and what the row leaves of its derivative.
@@ -110,7 +113,7 @@ class Space(Protocol[Marker]):
     def section_force(self, kind: str, reference: str) -> ca.SX:
         """Normal force, shear force or bending moment of a beam at a marker."""
 
-    def load(self, load: Load, read: Read, q: ca.SX, q_dot: ca.SX) -> LoadEffect:
+    def load(self, load: Load, read: Read, reader: ExpressionReader, q: ca.SX, q_dot: ca.SX) -> LoadEffect:
         """Effect of a load; read: its expressions."""
 
     def picture(self) -> Picture:
@@ -141,9 +144,10 @@ class Mechanism(Generic[Marker]):
         self._add_states()
         q, q_dot = ca.vertcat(*equations.q), ca.vertcat(*equations.q_dot)
         for load in scene.loads:
-            effect = space.load(load, self._expression, q, q_dot)
+            effect = space.load(load, self._expression, self.reader, q, q_dot)
             self._add_effect(load.name, effect)
             equations.load_actions[load.name] = effect.action
+            equations.load_spans[load.name] = [min(part, MOST_POWER) for part in effect.along]
         self._add_events()
         equations.picture = space.picture()
         if scene.baumgarte is not None:

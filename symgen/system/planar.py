@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import casadi as ca
+import numpy as np
 
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_scaled
-from symgen.algebra.scalar import ONE, ZERO, entries
+from symgen.algebra.scalar import ONE, ZERO, dot, entries, neg
+from symgen.algebra.vectors import minus
+from symgen.bodies.beam_places import MovingPlace, frame_shape, mean_point, moving_place, place_shape
 from symgen.bodies.beam_sets import section_force
 from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_references, rectangle
 from symgen.bodies.planar_body import BodyCoordinates, MarkerMotion, PlanarBody
@@ -20,6 +23,7 @@ from symgen.bodies.shape_integrals import (
     body_integrals,
     marker_shape,
     mesh_key,
+    shape_of,
 )
 from symgen.joints import Joint
 from symgen.joints.joint import Slide
@@ -27,8 +31,9 @@ from symgen.loads import Load
 from symgen.loads.load import LinearSpring, LoadEffect
 from symgen.scene import BeamBody, BeamMarker, Scene
 from symgen.system.acting import PlanarActing, Read, turn_between
-from symgen.system.constraint_rows import STILL, ConstraintRow, Motion, holding, planar_rows
+from symgen.system.constraint_rows import STILL, ConstraintRow, LocalPlace, Motion, holding, planar_rows, sliding_rows
 from symgen.system.mechanism import Spin, frictions
+from symgen.system.structure import ExpressionReader
 
 
 class PlanarSpace:
@@ -60,6 +65,8 @@ class PlanarSpace:
 
     def joint_rows(self, joint: Joint, motions: Mapping[str, Motion]) -> list[ConstraintRow]:
         """Rows between the joint's markers."""
+        if joint.on_beam:
+            return self._sliding_rows(joint)
         return planar_rows(joint, self.marker(joint.marker_a), self.marker(joint.marker_b), motions)
 
     def coordinate_row(self, name: str) -> ConstraintRow:
@@ -100,9 +107,46 @@ class PlanarSpace:
             body, mesh_key(body), kind, float(marker.at), self.bodies[body.name].coordinates.q_f, self.table
         )
 
-    def load(self, load: Load, read: Read, q: ca.SX, q_dot: ca.SX) -> LoadEffect:
+    def load(self, load: Load, read: Read, reader: ExpressionReader, q: ca.SX, q_dot: ca.SX) -> LoadEffect:
         """As its record says."""
-        return load.effect(PlanarActing(self.marker, load, self.scene, self.table, read, q, q_dot))
+        return load.effect(PlanarActing(self.marker, self, load, self.scene, self.table, read, reader, q, q_dot))
+
+    def mean(self, body: BeamBody, xi: np.ndarray, weights: np.ndarray) -> MarkerMotion:
+        """A mean of points of a beam by weights."""
+        point = mean_point(beam_integrals_of(body), xi, weights)
+        at = float(weights @ xi / weights.sum())
+        key = f"{mesh_key(body)}@mean of {len(xi)} from {xi[0]!r} to {xi[-1]!r} about {at!r}"
+        return self.bodies[body.name].marker(shape_of(body, point, at, key, self.table))
+
+    def frame(self, body: BeamBody) -> MarkerMotion:
+        """The frame of a beam, which does not bend."""
+        return self.bodies[body.name].marker(frame_shape(body.nf))
+
+    def place(self, body: BeamBody, place: MovingPlace) -> MarkerMotion:
+        """A place that moves: the point of the beam that is there."""
+        return self.bodies[body.name].marker(place_shape(body.nf, place))
+
+    def _sliding_rows(self, joint: Joint) -> list[ConstraintRow]:
+        beam = self.scene.marker(joint.marker_a)[0]
+        assert isinstance(beam, BeamBody)
+        a, b, flexible = self.frame(beam), self.marker(joint.marker_b), self.bodies[beam.name].coordinates
+        (c, s), d = a.direction, minus(b.r, a.r)
+        v, bias = minus(b.r_dot, a.r_dot), minus(b.bias, a.bias)
+        t, n = [c, s], [neg(s), c]
+        x, y, w = dot(t, d), dot(n, d), a.phi_dot
+        local = []
+        for axis, value, turned, rate, still in (
+            (t, x, y, dot(t, v) + w * y, dot(t, bias) + 2 * w * dot(n, v) - w**2 * x),
+            (n, y, -x, dot(n, v) - w * x, dot(n, bias) - 2 * w * dot(t, v) - w**2 * y),
+        ):
+            row: Row = {}
+            for k in range(2):
+                add_scaled(row, axis[k], b.r_columns[k])
+                add_scaled(row, neg(axis[k]), a.r_columns[k])
+            add_scaled(row, turned, a.phi_row)
+            local.append(LocalPlace(value, rate, row, still, (*axis, ZERO)))
+        elastic = flexible.columns[3:], flexible.q_f, flexible.q_f_dot
+        return sliding_rows(joint.name, local, moving_place(beam, x, self.table), *elastic)
 
     def picture(self) -> Picture:
         """Stations of beams, markers, poses."""

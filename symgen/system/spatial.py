@@ -6,15 +6,17 @@ import math
 from collections.abc import Mapping
 
 import casadi as ca
+import numpy as np
 
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ONE, ZERO, dot, mul, neg
-from symgen.algebra.vectors import Vector, cross, minus
+from symgen.algebra.vectors import Vector, cross, minus, plus, zeros
+from symgen.bodies.beam_places import MovingPlace, frame_point, mean_point, moving_place, place_point
 from symgen.bodies.beam_sets import section_force
 from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_references, rectangle
 from symgen.bodies.shape_integrals import beam_section
-from symgen.bodies.spatial_beam_body import beam_spatial_point, spatial_mesh_key
+from symgen.bodies.spatial_beam_body import beam_spatial_point, spatial_beam_of, spatial_mesh_key, spatial_point_of
 from symgen.bodies.spatial_body import SpatialBody, SpatialCoordinates, SpatialMarker
 from symgen.bodies.spatial_integrals import spatial_integrals, spatial_point
 from symgen.bodies.spatial_moments import SpatialPoint
@@ -28,16 +30,19 @@ from symgen.system.acting import Read, SpatialActing, angle_about_z, axis_of, gr
 from symgen.system.constraint_rows import (
     STILL,
     ConstraintRow,
+    LocalPlace,
     Motion,
     coordinate_row,
     holding,
     placing_rows,
+    sliding_rows,
     spatial_rows,
     unit_length,
 )
 from symgen.system.equations import Equations
 from symgen.system.joint_templates import JointCoordinate, JointCoordinates
 from symgen.system.mechanism import Spin, frictions
+from symgen.system.structure import ExpressionReader
 from symgen.system.topology import Topology
 
 
@@ -86,6 +91,8 @@ class SpatialSpace:
         if placement is not None:
             child, parent = self.bodies[placement.child], self.bodies[placement.parent]
             return placing_rows(joint, self._own(joint), (a, b), child, parent, placement.forward)
+        if joint.on_beam:
+            return self._sliding_rows(joint)
         driven = self._driven(joint)
         if driven is not None:
             motion = next(iter(motions.values()))
@@ -183,10 +190,50 @@ class SpatialSpace:
         d = minus(second.r, first.r)
         return ca.sqrt(dot(d, d)) if kind == "distance" else d["xyz".index(kind)]
 
-    def load(self, load: Load, read: Read, q: ca.SX, q_dot: ca.SX) -> LoadEffect:
+    def load(self, load: Load, read: Read, reader: ExpressionReader, q: ca.SX, q_dot: ca.SX) -> LoadEffect:
         """As its record says."""
         markers = self.marker, self.pair, self._coordinates, self._joint_angle
-        return load.effect(SpatialActing(*markers, load, self.scene, self.table, read, q, q_dot))
+        return load.effect(SpatialActing(*markers, self, load, self.scene, self.table, read, reader, q, q_dot))
+
+    def body_marker(self, body: str, point: SpatialPoint) -> SpatialMarker:
+        """Motion of a point of a body that is no marker of the scene."""
+        return self.bodies[body].marker(point)
+
+    def mean(self, body: BeamBody, xi: np.ndarray, weights: np.ndarray) -> SpatialMarker:
+        """A mean of points of a beam by weights."""
+        point = mean_point(spatial_beam_of(body), xi, weights)
+        at = float(weights @ xi / weights.sum())
+        key = f"{spatial_mesh_key(body)}@mean of {len(xi)} from {xi[0]!r} to {xi[-1]!r} about {at!r}"
+        return self.body_marker(body.name, spatial_point_of(body, point, at, key, self.table))
+
+    def frame(self, body: BeamBody) -> SpatialMarker:
+        """The frame of a beam, which does not bend."""
+        return self.body_marker(body.name, frame_point(body.nf))
+
+    def place(self, body: BeamBody, place: MovingPlace) -> SpatialMarker:
+        """A place that moves: the point of the beam that is there."""
+        return self.body_marker(body.name, place_point(body.nf, place))
+
+    def _sliding_rows(self, joint: Joint) -> list[ConstraintRow]:
+        beam = self.scene.marker(joint.marker_a)[0]
+        assert isinstance(beam, BeamBody)
+        a, b, flexible = self.frame(beam), self.marker(joint.marker_b), self.bodies[beam.name].coordinates
+        d, v, bias = minus(b.r, a.r), minus(b.r_dot, a.r_dot), minus(b.bias, a.bias)
+        local = []
+        for axis in a.axes:
+            turned, w_axis = cross(axis, d), cross(a.omega, axis)
+            still = (
+                dot(axis, bias) + 2 * dot(w_axis, v) + dot(plus(cross(a.turn_bias, axis), cross(a.omega, w_axis)), d)
+            )
+            row: Row = {}
+            for k in range(3):
+                add_scaled(row, axis[k], b.r_columns[k])
+                add_scaled(row, neg(axis[k]), a.r_columns[k])
+                add_scaled(row, turned[k], a.turn_rows[k])
+            rate = dot(axis, v) + dot(w_axis, d)
+            local.append(LocalPlace(dot(axis, d), rate, row, still, (*axis, *zeros())))
+        elastic = flexible.elastic, flexible.q_f, flexible.q_f_dot
+        return sliding_rows(joint.name, local, moving_place(beam, local[0].value, self.table), *elastic)
 
     def picture(self) -> Picture:
         """Stations of beams, markers, poses."""

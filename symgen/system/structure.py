@@ -36,11 +36,16 @@ class ExpressionReader:
         eq = self.equations
         expression = self.scene.expression(text, item, ("t", *eq.u, *names))
         value = expression.to_casadi(environment)
-        time, motion = ca.vertcat(eq.t, *eq.u.values()), ca.vertcat(*eq.q, *eq.q_dot)
         for found in switching_values(expression.node, environment, self.scene.tables):
-            if ca.depends_on(found, time) and not ca.depends_on(found, motion) and not self._known(found):
-                eq.switching.append((owner, found))
+            self.switch(owner, found)
         return value
+
+    def switch(self, owner: str, value: ca.SX) -> None:
+        """A step may end where this passes zero, if that depends on time alone."""
+        eq = self.equations
+        time, motion = ca.vertcat(eq.t, *eq.u.values()), ca.vertcat(*eq.q, *eq.q_dot)
+        if ca.depends_on(value, time) and not ca.depends_on(value, motion) and not self._known(value):
+            eq.switching.append((owner, value))
 
     def _known(self, value: ca.SX) -> bool:
         return any(ca.is_equal(value, other, SAME_DEPTH) for _, other in self.equations.switching)

@@ -155,7 +155,9 @@ class TreeSpace(SpatialSpace):
         return float(ca.Function("number", [self.table.vector()], [value])(defaults))
 
     def _deformation(self, reference: str) -> Deformation:
-        name, point = spatial_point(self.scene, reference, self.table)
+        return self._deformed(*spatial_point(self.scene, reference, self.table))
+
+    def _deformed(self, name: str, point: SpatialPoint) -> Deformation:
         q = self.bodies[name].coordinates
         if name in self._origins:
             point = point.less(self._origins[name])
@@ -189,9 +191,15 @@ class TreeSpace(SpatialSpace):
     def _seen_from(self, base: int, reference: str) -> SpatialMarker:
         return self._way_to(base, reference).end()
 
+    def body_marker(self, body: str, point: SpatialPoint) -> SpatialMarker:
+        """Motion of a point of a body that is no marker of the scene."""
+        return self._way_of(GROUND, body, self._deformed(body, point)).end()
+
     def _way_to(self, base: int, reference: str) -> Path:
-        marker = self._deformation(reference)
-        seat = self.tree.seats[reference.partition(".")[0]]
+        return self._way_of(base, reference.partition(".")[0], self._deformation(reference))
+
+    def _way_of(self, base: int, body: str, marker: Deformation) -> Path:
+        seat = self.tree.seats[body]
         path = self._path(base, seat.frame).branch()
         if marker.rigid:
             path.shift(seat.place.r)

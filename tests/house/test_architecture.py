@@ -48,7 +48,7 @@ SYMGEN_ROOMS = {
     "schema": "",
     "joints": "schema",
     "loads": "joints schema",
-    "couplings": "loads schema",
+    "couplings": "joints loads schema",
     "scene": "couplings joints loads schema",
     "algebra": "",
     "bodies": "algebra modes scene",

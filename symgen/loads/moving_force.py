@@ -1,0 +1,43 @@
+"""Moving force: at a place of a beam that moves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Annotated, Literal
+
+from symgen.joints.joint import Surroundings, beam_faults
+from symgen.loads.load import Acting, Load, LoadEffect
+from symgen.schema.fields import Fault, Meaning, Name, Quantity, Scope, components_fault
+
+
+class MovingForce(Load):
+    """A force [N] at `place` [m] from a beam's start, an expression of t, measures, states; none beyond its ends.
+
+    frame: "world", or "section": turning with the section where it is.
+    """
+
+    type: Literal["moving_force"] = "moving_force"
+    beam: Name
+    place: Annotated[Quantity, Meaning("place on the beam, from its start", "m", scope=Scope.MEASURES)]
+    components: Annotated[tuple[Quantity, ...], Meaning("force, (x, y) or (x, y, z)", "N", scope=Scope.MEASURES)]
+    frame: Literal["world", "section"] = "world"
+
+    carries = "force"
+
+    def effect(self, m: Acting) -> LoadEffect:
+        """Q = F . dr/dq at phi(s(t)); power F . r' of the point of the beam that is there."""
+        on, at = m.place_on(self.beam, m.value("place"))
+        given = m.value("components")
+        force = [on * component for component in (m.along(at, given) if self.frame == "section" else given)]
+        row, power = m.generalised((at, force, ())), m.dot(force, at.r_dot)
+        return LoadEffect(row, applied=power, action=m.action(force), along=(0.0, 1.0, -1.0))
+
+    @property
+    def acts_at(self) -> list[str]:
+        """The beam."""
+        return [self.beam]
+
+    def faults(self, scene: Surroundings) -> Iterator[Fault]:
+        """No beam with exact shapes; components."""
+        yield from beam_faults("beam", self.beam, scene, moving=True)
+        yield from components_fault("components", self.components, scene)

@@ -1,0 +1,185 @@
+"""Loads along beams, forces and masses that move over them: static formulas, modal solutions by hand, laws."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from runtime import equilibrium, simulate
+from symgen.generate import model_of
+from symgen.scene import SceneBuilder, SceneError
+
+SPACES = ("planar", "spatial")
+L, RHO_A, EI = 2.0, 10.0, 100.0
+
+
+def beam(space: str, modes: int, ends: str, **more: Any) -> SceneBuilder:
+    """A beam with E I = 100 N m^2 and 10 kg/m, 2 m long, and in space the same across."""
+    builder = SceneBuilder("beam", space=space)
+    across = {} if space == "planar" else {"second_moment_z": 1e-4, "lateral_z": {"modes": modes, "ends": ends}}
+    section = {"density": 1000.0, "area": 1e-2, "second_moment": 1e-4, "youngs_modulus": 1e6, **across}
+    lateral = {"lateral": {"modes": modes, "ends": ends}}
+    return builder.beam("rod", length=L, **section, **lateral, markers={"mid": {"at": 0.5}}, **more)
+
+
+def vector(space: str, x: object, y: object) -> list[object]:
+    return [x, y] if space == "planar" else [x, y, 0.0]
+
+
+def tip(builder: SceneBuilder) -> float:
+    """Deflection of the tip at rest."""
+    builder.weld("root", "ground.origin", "rod.start").measure("tip", "y", "rod.end")
+    found = equilibrium(model_of(builder.build()))
+    return float(simulate(found.model, t_end=1e-6, dt=1e-6, scheme="rk4", initial=found)["tip"][0])
+
+
+@pytest.mark.parametrize("space", SPACES)
+@pytest.mark.parametrize(
+    ("load", "part", "exact"),
+    [
+        ("-2", (0.0, 1.0), 2 * L**4 / (8 * EI)),
+        ("-2*s/2", (0.0, 1.0), 11 * 2 * L**4 / (120 * EI)),
+        ("-2", (0.0, 0.5), 2 * L * 1.0**3 / (6 * EI) - 2 * 1.0**4 / (24 * EI)),
+        ("-2*exp(s)*0 - 2*cosh(s)/cosh(s)", (0.0, 1.0), 2 * L**4 / (8 * EI)),
+    ],
+)
+def test_a_cantilever_under_a_distributed_load(space: str, load: str, part: tuple[float, float], exact: float) -> None:
+    """Formulas, with the two cubics of a loaded end: uniform, growing from the root, half, by points."""
+    builder = beam(space, 2, "welded-welded")
+    builder.distributed("snow", "rod", vector(space, 0.0, load), start=part[0], end=part[1])
+    assert tip(builder) == pytest.approx(-exact, rel=1e-10)
+
+
+@pytest.mark.parametrize("space", SPACES)
+def test_section_forces_have_the_load_on_the_part_beyond(space: str) -> None:
+    """p = -(2 + 3 s)/10^4 from 0.5 m to 2 m on a cantilever: shear and moment by integration, at any section."""
+    builder = beam(space, 3, "welded-welded").weld("root", "ground.origin", "rod.start")
+    builder.distributed("snow", "rod", vector(space, 0.0, "1e-4*(-2 - 3*s)"), start=0.25)
+    found = equilibrium(model_of(builder.build()))
+    run = simulate(found.model, t_end=1e-6, dt=1e-6, scheme="rk4", initial=found)
+    at = np.array([0.0, 0.1, 0.25, 0.4, 0.7, 1.0])
+    x, low = at * L, np.maximum(at * L, 0.5)
+    force = 1e-4 * (-2 * (L - low) - 1.5 * (L**2 - low**2))
+    first = 1e-4 * (-(L**2 - low**2) - (L**3 - low**3))
+    forces = run.section_forces("rod", at=at)
+    assert forces.shear[0] == pytest.approx(force, abs=1e-13)
+    assert forces.moment[0] == pytest.approx(first - x * force, abs=1e-13)
+
+
+def test_section_axes_turn_with_the_section() -> None:
+    """A pressure of 1 N/m does what a vertical load does to first order, and pushes the tip back to second."""
+    along = {}
+    for frame in ("world", "body", "section"):
+        builder = beam("planar", 3, "clamped-free", axial={"modes": 1, "ends": "fixed-free"})
+        builder.distributed("wind", "rod", [0.0, -1.0], frame=frame).weld("root", "ground.origin", "rod.start")
+        found = equilibrium(model_of(builder.build()))
+        along[frame] = (found.q[model_of(builder.build()).coordinates.index("rod.q1")], found.q[-1])
+    assert along["section"][0] == pytest.approx(along["world"][0], rel=1e-3)
+    assert along["world"] == pytest.approx(along["body"], rel=1e-12)
+    # int p w' phi dx / (E A kappa) by the first stretching shape sin(pi x / 2 L): pushed towards -w'
+    assert along["section"][1] != 0.0 and abs(along["world"][1]) < 1e-15
+
+
+@pytest.mark.parametrize("space", SPACES)
+def test_the_weight_of_a_swinging_beam_is_a_distributed_load(space: str) -> None:
+    """Gravity against the same as a load, while the beam turns and bends: the same motion, and the power adds up."""
+    runs = []
+    for kind in ("gravity", "load"):
+        builder = beam(space, 2, "pinned-free", stiffening=True).revolute("pin", "ground.origin", "rod.start")
+        if kind == "gravity":
+            builder.gravity(*vector(space, 0.0, -9.81))
+        else:
+            builder.distributed("weight", "rod", vector(space, 0.0, "-9.81*10*(1 + 0*t)"))
+        runs.append(simulate(model_of(builder.build()), t_end=0.5, dt=1e-3, scheme="rk4"))
+    name = "rod.theta" if space == "planar" else "pin.angle"
+    assert runs[1][name] == pytest.approx(runs[0][name], abs=1e-11)
+    assert runs[1]["rod.q2"] == pytest.approx(runs[0]["rod.q2"], abs=1e-11)
+    assert np.abs(runs[1].balance.error).max() < 1e-6 * runs[1].energy["kinetic"].max()
+
+
+def pinned(space: str, modes: int) -> SceneBuilder:
+    """Between a hinge and a bearing that slides along x; the mark "along" has its line along x."""
+    line = {} if space == "planar" else {"axis": [1.0, 0.0, 0.0]}
+    far, along = ({"position": vector(space, x, 0.0), **line} for x in (L, 0.0))
+    builder = beam(space, modes, "pinned-pinned").ground(markers={"far": far, "along": along})
+    builder.revolute("left", "ground.origin", "rod.start").point_on_line("right", "ground.far", "rod.end")
+    return builder.measure("mid", "y", "rod.mid")
+
+
+def test_a_force_moves_over_a_beam() -> None:
+    """Modes by hand: q_k'' + w_k^2 q_k = (2 P / m L) sin(k pi v t / L), then free once the force has left."""
+    modes, P, v = 5, 50.0, 0.5 * np.pi / L * (EI / RHO_A) ** 0.5
+    builder = pinned("planar", modes).moving_force("wheel", "rod", f"{v!r}*t", [0.0, -P])
+    run = simulate(model_of(builder.build()), t_end=1.4 * L / v, dt=L / v / 1200, scheme="dopri5")
+    w = (np.arange(1, modes + 1) * np.pi / L) ** 2 * np.sqrt(EI / RHO_A)
+    force, W = 2 * P / (RHO_A * L), np.arange(1, modes + 1) * np.pi * v / L
+    k = np.arange(1, modes + 1)
+
+    def on(t: np.ndarray) -> np.ndarray:
+        return force / (w**2 - W**2) * (np.sin(np.outer(t, W)) - W / w * np.sin(np.outer(t, w)))
+
+    off = L / v
+    left, rate = on(np.array([off]))[0], force / (w**2 - W**2) * W * (np.cos(W * off) - np.cos(w * off))
+    late = (run.t - off)[:, None]
+    q = np.where(late < 0, on(run.t), left * np.cos(w * late) + rate / w * np.sin(w * late))
+    exact = -(q * np.sin(k * np.pi / 2)).sum(axis=1)
+    assert np.abs(run["mid"] - exact).max() < 1e-9 * np.abs(exact).max()
+    assert np.abs(run.balance.error).max() < 1e-4 * run.energy["elastic"].max()
+
+
+@pytest.mark.parametrize("space", SPACES)
+def test_a_mass_moves_over_a_beam(space: str) -> None:
+    """M_ff + m phi phi^T with the drift of phi(s(t)): a mass of half the modal one at half the critical speed."""
+    modes, m, v = 3, 0.5 * RHO_A * L / 2, 0.5 * np.pi / L * (EI / RHO_A) ** 0.5
+    builder = pinned(space, modes).gravity(*vector(space, 0.0, -1e-3))
+    builder.rigid("trolley", mass=m, inertia=1.0 if space == "planar" else [1.0, 1.0, 1.0])
+    builder.slides_on("rail", "rod.start", "trolley.center").measure("travel", "x", "trolley.center")
+    builder.prescribed_displacement("drive", "ground.along", "trolley.center", f"{v!r}*t")
+    run = simulate(model_of(builder.build()), t_end=0.9 * L / v, dt=L / v / 2000, scheme="rk4")
+    k = np.arange(1, modes + 1)
+
+    def rates(t: float, z: np.ndarray) -> np.ndarray:
+        q, p, b = z[:modes], z[modes:], k * np.pi / L
+        phi, d1, d2 = np.sin(b * v * t), b * np.cos(b * v * t), -(b**2) * np.sin(b * v * t)
+        M = RHO_A * L / 2 * np.eye(modes) + m * np.outer(phi, phi)
+        weight = -1e-3 * RHO_A * L * np.where(k % 2, 2 / (np.pi * k), 0.0)
+        load = phi * m * (-1e-3 - 2 * v * d1 @ p - v**2 * d2 @ q) + weight
+        return np.concatenate([p, np.linalg.solve(M, load - EI * L / 2 * b**4 * q)])
+
+    exact = solve_ivp(rates, (0, run.t[-1]), np.zeros(2 * modes), "DOP853", t_eval=run.t, rtol=1e-11, atol=1e-14).y
+    mid = (exact[:modes].T * np.sin(k * np.pi / 2)).sum(axis=1)
+    assert np.abs(run["mid"] - mid).max() < 1e-7 * np.abs(mid).max()
+
+
+@pytest.mark.parametrize("space", SPACES)
+def test_a_bead_on_a_beam_that_flies_keeps_energy_and_momenta(space: str) -> None:
+    """Free beam, free bead: nothing acts from outside, however the beam turns and bends."""
+    builder = beam(space, 3, "free-free", free=True)
+    builder.rigid("bead", mass=3.0, inertia=0.2 if space == "planar" else [0.2, 0.3, 0.4])
+    builder.slides_on("rail", "rod.start", "bead.center")
+    spin = {"rod.theta": 2.0} if space == "planar" else {"rod.omega_z": 2.0, "rod.omega_y": -0.7}
+    builder.initial({"bead.x": 0.6}).rates({**spin, "rod.q1": 0.3, "rod.y": 0.4, "bead.x": 0.9})
+    run = simulate(model_of(builder.build()), t_end=0.5, dt=2e-4, scheme="rk4")
+    total = run.energy["kinetic"] + run.energy["elastic"]
+    assert np.abs(total - total[0]).max() < 1e-9 * total[0]
+    assert np.ptp(run["bead.x"]) > 0.1
+
+
+@pytest.mark.parametrize(
+    ("add", "said"),
+    [
+        (lambda b: b.distributed("d", "rood", [0.0, 1.0]), "there is no body 'rood'"),
+        (lambda b: b.distributed("d", "rod", [0.0, 1.0], start=0.5, end=1.5), "1.5 is outside the beam"),
+        (lambda b: b.distributed("d", "rod", [0.0, 1.0], start=0.5, end=0.2), "is not beyond start"),
+        (lambda b: b.distributed("d", "rod", [0.0, 1.0, 0.0]), "3 components"),
+        (lambda b: b.moving_force("d", "ball", "t", [0.0, 1.0]), "is no beam"),
+        (lambda b: b.slides_on("d", "ball.origin", "rod.start"), "is no beam"),
+    ],
+)
+def test_bad_loads_on_beams_are_refused_by_name(add, said: str) -> None:  # type: ignore[no-untyped-def]
+    builder = beam("planar", 2, "clamped-free").weld("root", "ground.origin", "rod.start")
+    with pytest.raises(SceneError, match=said):
+        add(builder.rigid("ball", mass=1.0, inertia=1.0, free=True)).build()
