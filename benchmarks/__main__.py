@@ -10,6 +10,7 @@ from pathlib import Path
 from benchmarks.cases import (
     arms,
     ensemble,
+    exported_c,
     exudyn_slider_crank,
     generation,
     gradients,
@@ -50,6 +51,7 @@ from benchmarks.tables import tolerance as tolerance_tables
 BENCHMARKS: dict[str, Benchmark] = {
     "step_slider_crank": step_slider_crank.run,
     "native_code": native_code.run,
+    "exported_c": exported_c.run,
     "ensemble": ensemble.run,
     "rhs_chain": rhs_chain.run,
     "generation": generation.run,
