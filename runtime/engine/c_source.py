@@ -18,6 +18,7 @@ from math import isinf, isnan
 import casadi as ca
 
 from runtime.contract.tape import UNUSED, Tape, below, read_tape
+from runtime.engine.llvm_ir import WIDTHS, Group, side_by_side
 from runtime.engine.program import Program, Repeat, Until
 from runtime.engine.table_code import table_c, table_name
 
@@ -232,7 +233,10 @@ class _Writer:
         self.arguments = [*arguments, "w"]
         live = below(tape.nodes, [node for _, node in stores])
         order = [k for k in live if tape.nodes[k].op not in (ca.OP_INPUT, ca.OP_CONST)]
-        self.partner = self._partners(order) if style.own else {}
+        self.beside: dict[int, Group] = {}
+        if style.own and len(order) <= LONGEST:
+            order, self.beside = side_by_side(tape.nodes, order)
+        self.partner = self._partners([k for k in order if k not in self.beside]) if style.own else {}
         self.order = self._paired(order)
         self.uses = self._uses()
 
@@ -292,6 +296,10 @@ class _Writer:
         for k in members:
             if k in done:
                 continue
+            if k in self.beside:
+                lines += self._angles(self.beside[k], names)
+                done |= {one for one, group in self.beside.items() if group == self.beside[k]}
+                continue
             if k in self.partner:
                 other = self.partner[k]
                 done |= {k, other}
@@ -309,6 +317,19 @@ class _Writer:
             names[k] = f"v{k}"
         return lines
 
+    def _angles(self, group: Group, names: dict[int, str]) -> list[str]:
+        """Sines and cosines of angles side by side, in a loop that a compiler makes vectors of."""
+        width = next(one for one in sorted(WIDTHS) if one >= len(group))
+        padded = [*group, *[group[-1]] * (width - len(group))]
+        a, s, c = (f"{letter}{group[0]}" for letter in "asc")
+        for k, other in self.beside.items():
+            if other == group:
+                node = self.tape.nodes[k]
+                names[k] = f"{s if node.op == ca.OP_SIN else c}[{group.index(node.a)}]"
+        angles = ", ".join(self._operand(k, names) for k in padded)
+        declared = f"  double {s}[{width}], {c}[{width}];\n  const double {a}[{width}] = {{{angles}}};"
+        return [declared, f"  {self.style.prefix}own_sincos_{width}({a}, {s}, {c});"]
+
     def _function(self, name: str, lines: list[str], kept: str, declared: str = "") -> str:
         text = "\n".join(lines)
         unused = [f"(void){one}" for one in self.arguments if not re.search(rf"\b{one}\b", text)]
@@ -322,8 +343,8 @@ class _Writer:
         moved = {}
         for place, (_, node) in enumerate(self.stores):
             if self.tape.nodes[node].op == ca.OP_INPUT:
-                moved[place] = f"s{place}"
-                lines.append(f"  const double s{place} = {self._operand(node, names)};")
+                moved[place] = f"m{place}"
+                lines.append(f"  const double m{place} = {self._operand(node, names)};")
         lines += [
             f"  {target} = {moved.get(place) or self._operand(node, names)};"
             for place, (target, node) in enumerate(self.stores)

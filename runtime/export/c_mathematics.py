@@ -5,6 +5,7 @@ They need fused multiply-adds that round once, as `fma` of the C library does wh
 
 from __future__ import annotations
 
+from runtime.engine.llvm_ir import WIDTHS
 from runtime.engine.mathematics import Body, Lanes, exp_of, sincos_of
 
 _TESTS = {"olt": "<", "ogt": ">", "oeq": "==", "une": "!="}
@@ -79,6 +80,8 @@ class _C(Body):
 def own_c(text: str, prefix: str) -> str:
     """Definitions of those of PREFIXown_sincos(x, &sine, &cosine), PREFIXown_sin, _cos and _exp that a text calls."""
     called = [name for name in ("sincos", "sin", "cos", "exp") if f"{prefix}own_{name}(" in text]
+    widths = [width for width in WIDTHS if f"{prefix}own_sincos_{width}(" in text]
+    called += [f"sincos_{width}" for width in widths]
     if not called:
         return ""
     parts = [_WORDS.format(prefix)]
@@ -87,6 +90,11 @@ def own_c(text: str, prefix: str) -> str:
         sine, cosine = sincos_of(body)
         head = f"static inline void {prefix}own_sincos(double x, double *sine, double *cosine) {{"
         parts.append("\n".join([head, *body.lines, f"  *sine = {sine};", f"  *cosine = {cosine};", "}"]))
+    for width in widths:
+        parts.append(
+            f"static APART void {prefix}own_sincos_{width}(const double *restrict x, double *restrict s, "
+            f"double *restrict c) {{\n  for (int k = 0; k < {width}; ++k) {prefix}own_sincos(x[k], s + k, c + k);\n}}"
+        )
     for name, letter in (("sin", "s"), ("cos", "c")):
         if name in called:
             parts.append(
