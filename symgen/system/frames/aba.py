@@ -16,7 +16,7 @@ import casadi as ca
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE, ZERO, add, div, mul, neg, sub
 from symgen.algebra.vectors import minus, scaled, zeros
-from symgen.system.frames.moves import Float, Move, Slide, Turn
+from symgen.system.frames.moves import Float, JointNode, Move
 from symgen.system.frames.spatial_algebra import NOTHING, ArticulatedInertia, Force, FrameMotion, Motion, no_masses
 from symgen.system.frames.tree import GROUND, FrameTree
 
@@ -127,7 +127,7 @@ class _FreeJoints:
         twists = {column: twist for column, twist in move.twists.items() if column in self._free}
         own = {column: state.inertia.momentum(twist) for column, twist in twists.items()}
         known, hinge = dict(state.momenta), None
-        if isinstance(move, Turn) and move.column in twists and move.column not in known:
+        if isinstance(move, JointNode) and move.turns and move.column in twists and move.column not in known:
             hinge = _Hinge(move.axis, move.sign, self._force[move.column])
         for column, twist in twists.items():
             self._force[column] = sub(self._force[column], state.wrench.along(twist))
@@ -205,7 +205,10 @@ def _turning_last(moves: Sequence[Move]) -> list[Move]:
     found = list(moves)
     for k in range(1, len(found)):
         turn, slide = found[k - 1], found[k]
-        if isinstance(turn, Turn) and isinstance(slide, Slide) and turn.axis == slide.axis and slide.column is None:
+        if not (isinstance(turn, JointNode) and isinstance(slide, JointNode) and turn.turns):
+            continue
+        along = not slide.turns and slide.R is None and turn.axis == slide.axis
+        if along and slide.column is None:
             found[k - 1 : k + 1] = [slide, turn]
     return found
 

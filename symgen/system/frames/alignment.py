@@ -19,7 +19,7 @@ import casadi as ca
 from symgen.algebra.scalar import ZERO
 from symgen.algebra.vectors import zeros
 from symgen.system.frames.linkage import STRAIGHT, JointLink, Screw, between_hinges
-from symgen.system.frames.moves import Ball, Fixed, Move, Orient, Slide, Turn
+from symgen.system.frames.moves import Ball, JointNode, Move, Orient
 from symgen.system.frames.spatial_algebra import SE3, Inertia
 from symgen.system.frames.tree import GROUND, BodyFrame, FlexibleNode, Frame, FrameTree, RigidNode
 
@@ -79,7 +79,7 @@ class _Alignment:
         if frame.parent != GROUND:
             before = self._screw(frame.parent).displacement.inverse() * before
         if link.constant:
-            return [Fixed(before.R, before.r)]
+            return [JointNode(R=before.R, r=before.r)]
         return link.moves(before if self._straight(link) else between_hinges(before), self._screw(k))
 
     def _straight(self, link: JointLink) -> bool:
@@ -133,12 +133,12 @@ def give_to_parent(frame: Frame, frames: list[Frame]) -> None:
 def _split(inertia: Inertia, moves: list[Move]) -> Parts | None:
     """By what the moves leave free; None where nothing can be given."""
     free = [move for move in moves if move.twists]
-    if not all(isinstance(move, Turn | Slide | Fixed | Orient | Ball) for move in free):
+    if not all(isinstance(move, JointNode | Orient | Ball) for move in free):
         return None
     if any(isinstance(move, Orient | Ball) for move in free):  # a mass at the origin does not care how the frame turns
         return Parts(Inertia(inertia.m, zeros(), [zeros() for _ in range(3)]), Inertia(ZERO, inertia.h, inertia.Sigma))
-    turns = any(isinstance(move, Turn) for move in free)
-    slides = any(isinstance(move, Slide) for move in free)
+    turns = any(isinstance(move, JointNode) and move.turns for move in free)
+    slides = any(isinstance(move, JointNode) and not move.turns for move in free)
     if slides and not turns:
         return Parts(Inertia(ZERO, zeros(), inertia.Sigma), Inertia(inertia.m, inertia.h, [zeros() for _ in range(3)]))
     along = [zeros() for _ in range(3)]

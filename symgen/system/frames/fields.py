@@ -33,7 +33,7 @@ from symgen.algebra.vectors import (
     transposed_times,
     zeros,
 )
-from symgen.system.frames.moves import Bend, Fixed, Move, Slide, Turn, Unbend, unit
+from symgen.system.frames.moves import Bend, JointNode, Move, Unbend, unit
 from symgen.system.frames.spatial_algebra import Force, FrameMotion, Motion
 
 TWO = ca.SX(2)
@@ -124,10 +124,8 @@ class FieldPart:
 
 def seen_beyond(move: Move, vector: Vector) -> Vector:
     """A vector in the axes after a move."""
-    if isinstance(move, Turn):
+    if isinstance(move, JointNode):
         return move.seen(vector)
-    if isinstance(move, Fixed):
-        return transposed_times(move.R, vector)
     if isinstance(move, Bend):
         return transposed_times(move.deformation.at({}).R, vector)
     return times(move.deformation.at({}).R, vector) if isinstance(move, Unbend) else vector
@@ -142,14 +140,11 @@ def arm_of(move: Move, spot: MoveState) -> MovingArm:
         own = combination(bent.shapes, move.deformation.of(spot.accelerations))
         A = plus(times(body.G, r), bent.drift(body.omega), own)
         return MovingArm(negative(r), negative(V), negative(A)) if isinstance(move, Unbend) else MovingArm(r, V, A)
-    r, speed, own = zeros(), zeros(), zeros()
-    if isinstance(move, Slide):
-        r = unit(move.axis, move.amount)
-        if move.column is not None:
-            speed = unit(move.axis, mul(move.factor, spot.rates.get(move.column, ZERO)))
-            own = unit(move.axis, mul(move.factor, spot.accelerations.get(move.column, ZERO)))
-    elif isinstance(move, Fixed):
-        r = move.r
+    assert isinstance(move, JointNode)
+    r, speed, own = move.r, zeros(), zeros()
+    if move.column is not None and not move.turns:
+        speed = scaled(spot.rates.get(move.column, ZERO), move.S.v)
+        own = scaled(spot.accelerations.get(move.column, ZERO), move.S.v)
     omega = spot.before.omega
     A = plus(times(spot.before.G, r), cross(scaled(TWO, omega), speed), own)
     return MovingArm(r, plus(cross(omega, r), speed), A)
@@ -157,12 +152,12 @@ def arm_of(move: Move, spot: MoveState) -> MovingArm:
 
 def joint_parts(move: Move, spot: MoveState) -> list[FieldPart]:
     """Of a hinge or a slide."""
-    if isinstance(move, Turn | Slide) and move.column is not None:
-        axis = unit(move.axis, move.sign if isinstance(move, Turn) else move.factor)
+    if isinstance(move, JointNode) and move.column is not None:
+        axis = unit(move.axis, move.sign)
         rates = axis, cross(spot.after.omega, axis), times(spot.after.G, axis)
         twice, still = cross(scaled(TWO, spot.after.omega), axis), (zeros(), zeros(), zeros())
         turns, slides = Field(rates, still, (twice, zeros())), Field(still, rates, (zeros(), twice))
-        return [FieldPart({move.column: ONE}, turns if isinstance(move, Turn) else slides)]
+        return [FieldPart({move.column: ONE}, turns if move.turns else slides)]
     return []
 
 

@@ -18,7 +18,7 @@ from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
 from symgen.algebra.vectors import Vector, cross, plus, scaled, zeros
 from symgen.joints.joint import Slide as SlideOf
 from symgen.joints.joint import Turn as TurnOf
-from symgen.system.frames.moves import Fixed, Move, Slide, Turn
+from symgen.system.frames.moves import JointNode, Move
 from symgen.system.frames.spatial_algebra import SE3, Matrix
 from symgen.system.joint_templates import JointCoordinate, JointCoordinates
 
@@ -156,10 +156,10 @@ class JointLink:
         way: the screws of the constant displacement, or the displacement itself where they are useless.
         """
         if isinstance(way, SE3):
-            return [Fixed(way.R, way.r), *self._variable(Screw(), beyond)]
+            return [JointNode(R=way.R, r=way.r), *self._variable(Screw(), beyond)]
         moves: list[Move] = [
             *_constant(2, way.start),
-            *(Slide(axis, value) for axis, value in enumerate(way.offset) if not value.is_zero()),
+            *(JointNode.slide(axis, value) for axis, value in enumerate(way.offset) if not value.is_zero()),
             *_constant(0, way.across, slide_first=True),
         ]
         return [*moves, *self._variable(way.end, beyond)]
@@ -167,7 +167,7 @@ class JointLink:
     def _variable(self, end: Screw, beyond: Screw) -> list[Move]:
         if self.crosswise is not None:
             slides = [
-                Slide(axis, mul(self.sign, own.value), own.column, own.rate, self.sign)
+                JointNode.slide(axis, mul(self.sign, own.value), own.column, own.rate, self.sign)
                 for axis, own in enumerate(self.crosswise)
             ]
             forward = self.sign.is_one()
@@ -178,24 +178,24 @@ class JointLink:
         turn = self._turn(end.angle.plus(beyond.angle))
         return [*turn, *self._slide(shift)]
 
-    def _turn(self, angle: FixedAngle) -> list[Turn]:
+    def _turn(self, angle: FixedAngle) -> list[JointNode]:
         if self.turn is None:
-            return [] if angle.nothing else [Turn(2, angle.cosine, angle.sine)]
+            return [] if angle.nothing else [JointNode(2, (angle.cosine, angle.sine))]
         cosine, sine = angle.with_coordinate(self.turn.value, self.sign)
-        return [Turn(2, cosine, sine, self.turn.column, self.turn.rate, self.sign)]
+        return [JointNode(2, (cosine, sine), column=self.turn.column, rate=self.turn.rate, sign=self.sign)]
 
-    def _slide(self, shift: ca.SX) -> list[Slide]:
+    def _slide(self, shift: ca.SX) -> list[JointNode]:
         own, factor = self.travel, self.sign
         if not self.lead.is_zero():
             own, factor = self.turn, mul(self.sign, self.lead)
         if own is None:
-            return [] if shift.is_zero() else [Slide(2, shift)]
-        return [Slide(2, add(shift, mul(factor, own.value)), own.column, own.rate, factor)]
+            return [] if shift.is_zero() else [JointNode.slide(2, shift)]
+        return [JointNode.slide(2, add(shift, mul(factor, own.value)), own.column, own.rate, factor)]
 
 
 def _constant(axis: int, screw: Screw, slide_first: bool = False) -> list[Move]:
-    turn = [] if screw.angle.nothing else [Turn(axis, screw.angle.cosine, screw.angle.sine)]
-    slide = [] if screw.shift.is_zero() else [Slide(axis, screw.shift)]
+    turn = [] if screw.angle.nothing else [JointNode(axis, (screw.angle.cosine, screw.angle.sine))]
+    slide = [] if screw.shift.is_zero() else [JointNode.slide(axis, screw.shift)]
     return [*slide, *turn] if slide_first else [*turn, *slide]
 
 

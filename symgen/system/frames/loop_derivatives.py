@@ -30,10 +30,10 @@ import casadi as ca
 
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg
-from symgen.algebra.vectors import Vector, cross, identity, negative, plus, times, zeros
+from symgen.algebra.vectors import Vector, cross, negative, plus, times, zeros
 from symgen.bodies.spatial_moments import Deformation
 from symgen.system.frames.fields import Change, Direction, Field, FieldPart, MoveState, joint_parts, share_of, turned
-from symgen.system.frames.moves import Bend, Fixed, Move, Unbend
+from symgen.system.frames.moves import Bend, JointNode, Move, Unbend
 from symgen.system.frames.paths import Path
 from symgen.system.frames.rnea_derivatives import BendChanges, ForceSweep, Subtree, parts_of
 from symgen.system.frames.skeleton import place_of
@@ -61,7 +61,7 @@ class MarkerWay:
         frames = tree.way(seat.frame)
         frames = frames if base == GROUND else frames[frames.index(base) + 1 :]
         place = plus(seat.place.r, times(seat.place.R, marker.point.position))
-        end = Fixed(identity(), place) if marker.rigid else Bend(place_of(marker))
+        end = JointNode(r=place) if marker.rigid else Bend(place_of(marker))
         return MarkerWay(
             base, seat.frame, [*(move for frame in frames for move in tree.frames[frame].moves), end], path
         )
@@ -279,7 +279,7 @@ class _Sums:
         if len(ends) == 1 and (closed or isinstance(inertia, FlexibleNode)):
             seen = self._seated(seen, ends[0])
         else:
-            seen.forces = [(end.own.end.r, end.force) for end in ends if isinstance(end.own.end, Fixed)]
+            seen.forces = [(end.own.end.r, end.force) for end in ends if isinstance(end.own.end, JointNode)]
         fields = [direction.along(seen.parts) for direction in self._directions]
         if closed:
             fields = self._closed(fields, ends[0])
@@ -340,9 +340,9 @@ class _Sums:
         return found
 
 
-def _back(move: Move) -> Fixed:
-    assert isinstance(move, Fixed)
-    return Fixed(identity(), negative(move.r))
+def _back(move: Move) -> JointNode:
+    assert isinstance(move, JointNode)
+    return JointNode(r=negative(move.r))
 
 
 def _power(twist: Motion, change: Change, more: Force, w: Force) -> ca.SX:

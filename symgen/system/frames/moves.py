@@ -1,6 +1,7 @@
 """The moves that lead from a frame to the next one, and what each does to motions, wrenches, inertia and paths.
 
-A move may depend on coordinates: then it has twists, the motion of the frame after it for a unit rate of each.
+A move may depend on coordinates: then it has twists, the motion of the frame after it for a unit rate of each. What
+joints leave free, and constant displacements, are one node: X(q) and S.
 
 Moves that a body makes by its own coordinates: it floats, it is oriented, it bends at its markers.
 
@@ -13,7 +14,7 @@ own velocities and their rates, and what is beyond is to all before it a mass at
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Protocol
 
@@ -85,132 +86,109 @@ class Plain:
 
 
 @dataclass(frozen=True)
-class Turn(Plain):
-    """A rotation about coordinate axis `axis`; its angle is sign times the coordinate of `column`, and a constant."""
+class JointNode(Plain):
+    """X: a shift r, then a rotation, about coordinate axis `axis` by (cosine, sine) or constant with the new axes in R.
 
-    axis: int
-    cosine: ca.SX
-    sine: ca.SX
+    S: where it has a coordinate, that of `column`, the frame after it turns about its axis `axis` by `sign` for a unit
+    rate if the rotation is about that axis, and else slides along it.
+    """
+
+    axis: int = 2
+    about: tuple[ca.SX, ca.SX] | None = None
+    R: Matrix | None = None
+    r: Vector = field(default_factory=zeros)
     column: int | None = None
     rate: ca.SX = ZERO
     sign: ca.SX = ONE
 
+    @staticmethod
+    def slide(
+        axis: int, amount: ca.SX, column: int | None = None, rate: ca.SX = ZERO, factor: ca.SX = ONE
+    ) -> JointNode:
+        """Along a coordinate axis; amount: factor times the coordinate of `column`, and a constant."""
+        return JointNode(axis, r=unit(axis, amount), column=column, rate=rate, sign=factor)
+
+    @property
+    def turns(self) -> bool:
+        """Is its rotation one about a coordinate axis?"""
+        return self.about is not None
+
+    @property
+    def S(self) -> Motion:
+        """Motion for a unit rate, the same before and after the rotation."""
+        own = unit(self.axis, self.sign)
+        return Motion(own, zeros()) if self.turns else Motion(zeros(), own)
+
     @property
     def twists(self) -> Mapping[int, Motion]:
         """By column of q."""
-        return {} if self.column is None else {self.column: Motion(unit(self.axis, self.sign), zeros())}
+        return {} if self.column is None else {self.column: self.S}
 
     def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
         """Motion after the move."""
-        omega, alpha, a = (self.seen(vector) for vector in (before.omega, before.alpha, before.a))
+        omega, alpha, a = self.seen(before.omega), self.seen(before.alpha), self.seen(self._carried(before))
         if self.column is None:
             return FrameMotion(omega, alpha, a)
-        spin = unit(self.axis, mul(self.sign, rates.get(self.column, ZERO)))
-        alpha = plus(alpha, cross(omega, spin))
-        alpha[self.axis] = add(alpha[self.axis], mul(self.sign, accelerations.get(self.column, ZERO)))
-        return FrameMotion(plus(omega, spin), alpha, a)
+        speed, own = mul(self.sign, rates.get(self.column, ZERO)), mul(self.sign, accelerations.get(self.column, ZERO))
+        if self.turns:
+            spin = unit(self.axis, speed)
+            alpha = plus(alpha, cross(omega, spin), unit(self.axis, own))
+            return FrameMotion(plus(omega, spin), alpha, a)
+        twice = unit(self.axis, mul(ca.SX(2), speed))
+        return FrameMotion(omega, alpha, plus(a, cross(omega, twice), unit(self.axis, own)))
+
+    def _carried(self, before: FrameMotion) -> Vector:
+        return before.a if all(value.is_zero() for value in self.r) else before.carried(self.r)
 
     def steadied(self, after: FrameMotion) -> tuple[FrameMotion, ca.SX]:
-        """A motion after the move less what turns it faster about the axis, and the acceleration that does that."""
+        """A motion after a turn less what turns it faster about the axis, and the acceleration that does that."""
         alpha = list(after.alpha)
         turning, alpha[self.axis] = alpha[self.axis], ZERO
         return replace(after, alpha=alpha), neg(mul(self.sign, turning))
 
     def seen(self, vector: Vector) -> Vector:
         """A vector in the axes after the move."""
-        return self._rotated(vector, neg(self.sine))
+        if self.about is None:
+            return vector if self.R is None else transposed_times(self.R, vector)
+        return turned_about(vector, self.axis, self.about[0], neg(self.about[1]))
 
-    def _rotated(self, vector: Vector, sine: ca.SX) -> Vector:
-        i, j = (self.axis + 1) % 3, (self.axis + 2) % 3
-        result = list(vector)
-        result[i], result[j] = turned_back(vector[i], vector[j], self.cosine, sine)
-        return result
-
-    def wrench(self, after: Force) -> Force:
-        """Seen before the move."""
-        return Force(self._rotated(after.f, self.sine), self._rotated(after.n, self.sine), after.world)
-
-    def composite(self, after: Inertia) -> Inertia:
-        """Seen before the move."""
-        return after.about(self.axis, self.cosine, self.sine)
-
-    def lead(self, path: Path) -> None:
-        """Continue a path through the move."""
-        if self.column is not None:
-            path.spin(self.column, path.axes[self.axis], self.rate, self.sign)
-        path.turn(self.axis, self.cosine, self.sine)
-
-
-@dataclass(frozen=True)
-class Slide(Plain):
-    """A shift along coordinate axis `axis` by `amount`: factor times the coordinate of `column`, and a constant."""
-
-    axis: int
-    amount: ca.SX
-    column: int | None = None
-    rate: ca.SX = ZERO
-    factor: ca.SX = ONE
-
-    @property
-    def twists(self) -> Mapping[int, Motion]:
-        """By column of q."""
-        return {} if self.column is None else {self.column: Motion(zeros(), unit(self.axis, self.factor))}
-
-    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
-        """Motion after the move."""
-        a = before.carried(unit(self.axis, self.amount))
-        if self.column is not None:
-            speed = mul(mul(ca.SX(2), self.factor), rates.get(self.column, ZERO))
-            a = plus(a, cross(before.omega, unit(self.axis, speed)))
-            a[self.axis] = add(a[self.axis], mul(self.factor, accelerations.get(self.column, ZERO)))
-        return FrameMotion(before.omega, before.alpha, a)
+    def _back(self, vector: Vector) -> Vector:
+        if self.about is None:
+            return vector if self.R is None else times(self.R, vector)
+        return turned_about(vector, self.axis, *self.about)
 
     def wrench(self, after: Force) -> Force:
         """Seen before the move."""
-        return Force(after.f, plus(after.n, cross(unit(self.axis, self.amount), after.f)), after.world)
+        f = self._back(after.f)
+        return Force(f, plus(self._back(after.n), cross(self.r, f)), after.world)
 
     def composite(self, after: Inertia) -> Inertia:
         """Seen before the move."""
-        return after.shifted(unit(self.axis, self.amount))
-
-    def lead(self, path: Path) -> None:
-        """Continue a path through the move."""
-        path.shift(unit(self.axis, self.amount))
-        if self.column is not None:
-            path.slide(self.column, scaled(self.factor, path.axes[self.axis]), self.rate)
-
-
-@dataclass(frozen=True)
-class Fixed(Plain):
-    """A constant shift r and then a constant rotation R, whose columns are the new axes."""
-
-    R: Matrix
-    r: Vector
-
-    @property
-    def twists(self) -> Mapping[int, Motion]:
-        """By column of q."""
-        return {}
-
-    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
-        """Motion after the move."""
-        vectors = before.omega, before.alpha, before.carried(self.r)
-        omega, alpha, a = (transposed_times(self.R, vector) for vector in vectors)
-        return FrameMotion(omega, alpha, a)
-
-    def wrench(self, after: Force) -> Force:
-        """Seen before the move."""
-        f = times(self.R, after.f)
-        return Force(f, plus(times(self.R, after.n), cross(self.r, f)), after.world)
-
-    def composite(self, after: Inertia) -> Inertia:
-        """Seen before the move."""
-        return after.turned(self.R).shifted(self.r)
+        if self.about is not None:
+            after = after.about(self.axis, *self.about)
+        elif self.R is not None:
+            after = after.turned(self.R)
+        return after if all(value.is_zero() for value in self.r) else after.shifted(self.r)
 
     def lead(self, path: Path) -> None:
         """Continue a path through the move."""
         path.shift(self.r)
-        path.turn_by(self.R)
+        if self.column is not None and self.turns:
+            path.spin(self.column, path.axes[self.axis], self.rate, self.sign)
+        elif self.column is not None:
+            path.slide(self.column, scaled(self.sign, path.axes[self.axis]), self.rate)
+        if self.about is not None:
+            path.turn(self.axis, *self.about)
+        elif self.R is not None:
+            path.turn_by(self.R)
+
+
+def turned_about(vector: Vector, axis: int, cosine: ca.SX, sine: ca.SX) -> Vector:
+    """A vector in the axes from which a frame is turned about one of them, from those in the frame."""
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    result = list(vector)
+    result[i], result[j] = turned_back(vector[i], vector[j], cosine, sine)
+    return result
 
 
 @dataclass(frozen=True)

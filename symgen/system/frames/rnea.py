@@ -22,7 +22,7 @@ import casadi as ca
 from symgen.algebra.rows import Row, add_scaled, add_to
 from symgen.algebra.scalar import ZERO, add
 from symgen.algebra.vectors import Vector, zeros
-from symgen.system.frames.moves import Float, Turn
+from symgen.system.frames.moves import Float, JointNode
 from symgen.system.frames.spatial_algebra import NOTHING, Force, FrameMotion
 from symgen.system.frames.tree import GROUND, Frame, FrameTree, columns_of
 
@@ -66,7 +66,7 @@ def own_wrenches(
         motion = _begun(base, k) if frame.parent == GROUND else motions[frame.parent]
         for move in frame.moves:
             motion = move.motion(motion, rates, accelerations)
-            if isinstance(move, Turn) and move.column is not None and move.column in chosen:
+            if isinstance(move, JointNode) and move.turns and move.column is not None and move.column in chosen:
                 motion, found[move.column] = move.steadied(motion)
         motions.append(motion)
         own = NOTHING
@@ -89,7 +89,7 @@ def lone_hinges(tree: FrameTree) -> set[int]:
         move.column
         for frame in tree.frames
         for move in frame.moves
-        if isinstance(move, Turn) and move.column is not None and met[move.column] == 1
+        if isinstance(move, JointNode) and move.turns and move.column is not None and met[move.column] == 1
     }
 
 

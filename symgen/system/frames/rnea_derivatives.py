@@ -53,7 +53,7 @@ from symgen.algebra.vectors import (
 from symgen.bodies.spatial_moments import Bent, Deformation, along_axes
 from symgen.joints.joint import AxisPair
 from symgen.system.frames.fields import TWO, Change, Field, FieldPart, MoveState, Rates, arm_of, joint_parts, turned
-from symgen.system.frames.moves import Bend, Fixed, Move, Slide, Turn, Unbend, unit
+from symgen.system.frames.moves import Bend, JointNode, Move, Unbend, unit
 from symgen.system.frames.paths import ModesOnWay, Path, PathColumn
 from symgen.system.frames.spatial_algebra import (
     NOTHING,
@@ -407,7 +407,7 @@ def _nothing(values: Vector) -> bool:
 
 def has_force_changes(tree: FrameTree) -> bool:
     """Are all moves of the kinds that are differentiated here: hinges, slides, markers of flexible bodies?"""
-    return all(isinstance(move, Turn | Slide | Fixed | Bend | Unbend) for frame in tree.frames for move in frame.moves)
+    return all(isinstance(move, JointNode | Bend | Unbend) for frame in tree.frames for move in frame.moves)
 
 
 def force_changes(tree: FrameTree, n: int, base: Vector, rates: Row, accelerations: Row) -> tuple[list[Row], list[Row]]:
@@ -545,12 +545,10 @@ def _shares(part: FieldPart, wrench: Force) -> dict[int, Force]:
 def _twice_velocity(move: Move, spot: MoveState) -> Vector:
     """Of the origin after a move, seen from the frame before it, in the axes there; for `Unbend`, in those after it."""
     twice, arm, speed = scaled(TWO, spot.before.omega), zeros(), zeros()
-    if isinstance(move, Slide):
-        arm[move.axis] = move.amount
-        if move.column is not None:
-            speed[move.axis] = mul(move.factor, spot.rates.get(move.column, ZERO))
-    elif isinstance(move, Fixed):
+    if isinstance(move, JointNode):
         arm = move.r
+        if move.column is not None and not move.turns:
+            speed = scaled(spot.rates.get(move.column, ZERO), move.S.v)
     elif isinstance(move, Bend | Unbend):
         bent = move.deformation.at(spot.rates)
         arm, speed = bent.rho, bent.rho_dot
@@ -569,14 +567,10 @@ def _row_before(move: Move, row: RowChange, velocity: Vector) -> RowChange:
 
 def _tangent_before(move: Move, velocity: Vector, tangent: Tangent) -> Tangent:
     """Seen before a move."""
-    if isinstance(move, Turn):
-        return tangent.about(move.axis, move.cosine, move.sine)
-    if isinstance(move, Slide):
-        arm = zeros()
-        arm[move.axis] = move.amount
-        return tangent.shifted(arm, velocity)
-    if isinstance(move, Fixed):
-        return tangent.turned(move.R).shifted(move.r, velocity)
+    if isinstance(move, JointNode):
+        if move.about is not None:
+            return tangent.about(move.axis, *move.about)
+        return (tangent if move.R is None else tangent.turned(move.R)).shifted(move.r, velocity)
     assert isinstance(move, Bend | Unbend)
     bent = move.deformation.at({})
     if isinstance(move, Bend):
