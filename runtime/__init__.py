@@ -12,6 +12,7 @@ The rooms, from what everything stands on to what stands on everything:
     running     a run: its loop, its checks, singular positions, checkpoints
     export      a model handed on: plain C, FMUs
     gradients   derivatives of a run, and fits by them
+    orbits      motions that repeat: shooting, Floquet, branches, sensitivity
     studies     many runs: ensembles, stability, work-precision, advice
     views       what people look at
 
@@ -40,6 +41,8 @@ if TYPE_CHECKING:
     from runtime.operating.linearisation import Linearisation
     from runtime.operating.linearise import linearise
     from runtime.operating.modes import mode_motion, modes
+    from runtime.orbits.continuation import periodic_over
+    from runtime.orbits.periodic import periodic
     from runtime.results.solution import Solution
     from runtime.running.checkpoint import resume
     from runtime.running.driven import quasi_static_motion
@@ -79,6 +82,8 @@ __all__ = [
     "mode_motion",
     "modes",
     "output_jacobian",
+    "periodic",
+    "periodic_over",
     "plots",
     "quasi_static_motion",
     "reference_solution",
@@ -111,6 +116,8 @@ _HOMES = {
     "campbell": "operating.campbell",
     "mode_motion": "operating.modes",
     "unbalance_response": "operating.campbell",
+    "periodic": "orbits.periodic",
+    "periodic_over": "orbits.continuation",
     "Solution": "results.solution",
     "quasi_static_motion": "running.driven",
     "Environment": "running.environment",

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, TypeVar, cast
 
 import casadi as ca
 import numpy as np
@@ -168,6 +168,9 @@ def model_card(described: Description, sketch: str = "") -> str:
 # A model in memory: names, partition, parameters, and its CasADi Functions (built on demand).
 
 
+T = TypeVar("T")
+
+
 @dataclass(frozen=True, repr=False)
 class Model:
     """The equations of one scene. `builders` maps a function name to what builds it from the emitted code.
@@ -196,7 +199,7 @@ class Model:
     sources: Mapping[str, ca.Function] = field(default_factory=dict)
     driven_by: str = ""
     _kernels: dict[str, ca.Function] = field(default_factory=dict, repr=False)
-    _derived: dict[str, ca.Function] = field(default_factory=dict, repr=False)
+    _derived: dict[str, Any] = field(default_factory=dict, repr=False)
     _operations: dict[str, int] = field(default_factory=dict, repr=False)
     _zero_outputs: dict[str, frozenset[str]] = field(default_factory=dict, repr=False)
     steppers: dict[tuple[Any, ...], Any] = field(default_factory=dict, repr=False, compare=False)
@@ -373,11 +376,11 @@ class Model:
             self._kernels[name] = as_called(self.builders[name](), count, self.signals, self.emitted_c_size)
         return self._kernels[name]
 
-    def derived(self, name: str, build: Callable[[], ca.Function]) -> ca.Function:
-        """A Function made of the emitted ones, built once for a model."""
+    def derived(self, name: str, build: Callable[[], T]) -> T:
+        """What is made of the emitted functions by `build`, once for a model."""
         if name not in self._derived:
             self._derived[name] = build()
-        return self._derived[name]
+        return cast(T, self._derived[name])
 
     def has(self, name: str) -> bool:
         """Was the function generated? (A tree has no closure iterations, a scene without measures no measures.)"""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from copy import copy
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -47,6 +47,11 @@ class RunCode:
         width = min(most_lanes(), 1 << (self._count - 1).bit_length())
         active, step, observe = self._program.active, self._program.step, self._program.observe
         return TangentCode(step, active, width, self._wait), TangentCode(observe, active, width, self._wait)
+
+    @cached_property
+    def beginning(self) -> Beginning:
+        """How the start moves."""
+        return Beginning(self._program)
 
     @cached_property
     def recorders(self) -> tuple[Recorder, Recorder]:
@@ -118,10 +123,10 @@ class DifferentiableRun:
         Outputs are then at its start and its end, if the number of steps is another.
         """
         other, count = copy(self), self.plan.steps if steps is None else steps
-        for name in ("_backward", "_crossing", "_beginning"):
+        for name in ("_backward", "_crossing"):
             other.__dict__.pop(name, None)
         dt = length / count
-        scheme = self.plan.scheme.on(self.plan.grid.scaled(dt))
+        scheme = self.plan.scheme.with_step(dt)
         every = self.plan.save_every if steps is None else count
         other.plan = replace(self.plan, scheme=scheme, t0=t0, steps=count, save_every=every)
         other.program = replace(self.program, scheme=scheme)
@@ -155,7 +160,7 @@ class DifferentiableRun:
     def jacobian(self, x: Values = None) -> OutputJacobian:
         """Outputs and their derivatives, one direction a lane."""
         begun = self._begun(x)
-        directions = self._beginning.tangents(begun.x, begun.slopes)
+        directions = self._codes.beginning.tangents(self._place, begun.x, begun.slopes)
         course, crossing = self._across(begun)
         y, slopes, last = forward(self.program, self._codes.tangents, course, begun, directions, crossing)
         begun.watch.end(last)
@@ -202,7 +207,7 @@ class DifferentiableRun:
         y, adjoint, held, of_parameters, last = backward.run(begun, weigh)
         begun.watch.end(last)
         self._switches.check(begun, course, crossing)
-        of_x = self._beginning.pulled_back(begun.x, adjoint)
+        of_x = self._codes.beginning.pulled_back(self._place, begun.x, adjoint)
         of_x[: len(of_parameters)] += of_parameters
         return y, begun.slopes.T @ of_x + held
 
@@ -226,9 +231,9 @@ class DifferentiableRun:
     def _crossing(self) -> JumpCrossing:
         return JumpCrossing(self.program, self.plan.t0)
 
-    @cached_property
-    def _beginning(self) -> Beginning:
-        return Beginning(self.program, self.plan.t0)
+    @property
+    def _place(self) -> list[float]:
+        return [self.plan.t0, *self.plan.grid.h]
 
     def _refuse_idle(self) -> None:
         """Raises ArgumentError for a parameter that no function of the model reads."""
@@ -294,8 +299,8 @@ class Gradient:
     by: tuple[str, ...]
     derivatives: np.ndarray
     mode: str
-    t: np.ndarray
-    outputs: Mapping[str, np.ndarray]
+    t: np.ndarray = field(repr=False)
+    outputs: Mapping[str, np.ndarray] = field(repr=False)
 
     def __getitem__(self, name: str) -> float:
         """The derivative by one of them. Raises ArgumentError for another name."""

@@ -167,6 +167,13 @@ class Scheme(ABC):
         found.take_steps(grid)
         return found
 
+    def with_step(self, dt: float) -> Self:
+        """The same scheme with a major step of dt [s]; what is built of either serves both, for stages read steps."""
+        found = copy(self)
+        found._fields = dict(self._fields)
+        found.take_steps(self.grid.scaled(dt))
+        return found
+
     def take_steps(self, grid: Grid) -> None:
         """From now on the steps of a grid with the same groups and ratios."""
         self.grid, self._steps = grid, np.array(grid.h)

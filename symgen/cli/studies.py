@@ -1,4 +1,4 @@
-"""`symgen sweep`, `stability`, `advise`, `report`: many runs of a scene."""
+"""`symgen sweep`, `stability`, `periodic`, `advise`, `report`: many runs of a scene."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from symgen.cli.words import MOTION, UsageError, motion_words, settings
 
 if TYPE_CHECKING:
     from runtime.contract.model import Model
+    from runtime.orbits.continuation import PeriodicBranch
     from runtime.studies.advice.advise import Advice
     from runtime.studies.stability.chart import StabilityChart
     from runtime.studies.work_precision.comparison import Comparison
@@ -151,6 +152,73 @@ def stability(arguments: argparse.Namespace) -> Outcome:
         files = {name: str(folder / name) for name in ("stability.csv", "stability.png")}
     data = {"scene": model.name, "scheme": chart.scheme, "t_end": chart.t_end, "limits": chart.table(), "files": files}
     return Outcome(data, [*_limits(chart), *left(files)])
+
+
+def periodic(arguments: argparse.Namespace) -> Outcome:
+    """Find the motion that repeats, whether it is stable, and how it changes over a parameter.
+
+    With --out it leaves motion.csv, one period of it; with --over branch.csv and branch.png instead.
+    """
+    from runtime.orbits.continuation import periodic_over
+    from runtime.orbits.periodic import periodic
+
+    model = opened_model(arguments.scene, arguments.made_with)
+    how = settings(arguments, ("period", "speed", "turns", "settle", "tolerance", "parts", "scheme", "parameters"))
+    how["start"] = arguments.initial or None
+    if arguments.over:
+        name, first, last = arguments.over
+        with Progress(f"symgen {model.name}") as progress:
+            branch = periodic_over(model, name, (first, last), progress=progress, **how)
+        return _branch(branch, arguments.output or [model.q_i[0]], arguments.out)
+    found = periodic(model, **how)
+    files = []
+    if arguments.out:
+        files = [str(Path(arguments.out) / "motion.csv")]
+        found.solution.to_csv(files[0])
+    multipliers = [[float(one.real), float(one.imag)] for one in found.floquet.multipliers.astype(complex)]
+    data = {
+        "scene": model.name,
+        "period": found.period,
+        "state": found.state,
+        "turns": found.turns,
+        "stability": found.stability,
+        "kind": found.floquet.kind,
+        "multipliers": multipliers,
+        "error": found.error.largest,
+        "steps": found.steps,
+        "files": files,
+    }
+    sizes = ", ".join(f"{abs(complex(*one)):.6g}" for one in multipliers[:6])
+    lines = [
+        f"{model.name}: period {found.period:.12g} s, {found.stability}",
+        f"Floquet multipliers, by size: {sizes}{', ...' if len(multipliers) > 6 else ''}",
+        f"measured error: {found.error.largest:.2g} of the amplitude of {found.error.of}; {found.steps} steps",
+    ]
+    return Outcome(data, [*lines, *found.remarks(), *left(files)])
+
+
+def _branch(branch: PeriodicBranch, outputs: list[str], out: str | None) -> Outcome:
+    files = []
+    if out:
+        files = [str(Path(out) / name) for name in ("branch.csv", "branch.png")]
+        branch.write_csv(files[0], outputs)
+        branch.picture(outputs[0], files[1])
+    specials = [{"kind": one.kind, "value": one.value, "period": one.period} for one in branch.specials]
+    data = {
+        "scene": branch.model.name,
+        "over": branch.over,
+        "values": branch.values.tolist(),
+        "periods": branch.periods.tolist(),
+        "stability": branch.stability,
+        "specials": specials,
+        "stopped": branch.stopped,
+        "files": files,
+    }
+    lines = [f"{branch.model.name}: {len(branch.points)} motions over {branch.over}"]
+    lines += [f"{one.kind} at {branch.over} = {one.value:.9g}" for one in branch.specials]
+    lines += [f"stopped: {branch.stopped}"] if branch.stopped else []
+    code = INTERRUPTED if branch.stopped == "interrupted" else FAILED if branch.stopped else OK
+    return Outcome(data, [*lines, *left(files)], code)
 
 
 def _limits(chart: StabilityChart) -> list[str]:

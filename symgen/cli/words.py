@@ -154,6 +154,12 @@ def span(text: str) -> tuple[str, float, float]:
     return name, number(first), number(last)
 
 
+@reader("a positive number of seconds, or `free`")
+def period(text: str) -> float | str:
+    """Seconds, or the word `free`."""
+    return text if text == "free" else positive(text)
+
+
 @reader("FROM:TO with positive numbers, rising")
 def frequencies(text: str) -> tuple[float, float]:
     """FROM:TO with positive numbers, rising."""

@@ -1,0 +1,201 @@
+"""A motion that repeats: what it is, its simulation, and derivatives of what it shows, by parameters.
+
+x0(p) is where F(x0, T, p) = x0 + turn, with the monodromy M = F_x and, where T is free, the phase as one more row. With
+the objective J(x0, T, p) and one linear solve more,
+
+    (I - M)^T w = J_x^T,        dJ/dp = J_p + w^T F_p + (J_T + w^T F_T) dT/dp
+
+J_x and, with w, the two terms by p are ways back of one run each. T moves with p where it is that of turns at a speed;
+there F_T are the rates at the end, and J_T is a central difference of the run with longer and shorter steps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from runtime.contract.errors import ArgumentError
+from runtime.contract.model import Model
+from runtime.gradients.differentiable_run import DifferentiableRun, Gradient
+from runtime.gradients.objectives import Objective, Weighed
+from runtime.orbits.floquet import MEANINGS, Floquet
+from runtime.orbits.shooting import Closed, NoPeriodicMotion
+from runtime.results.motion_error import MotionError
+from runtime.results.solution import Solution
+from runtime.running.inputs import InputValue
+from runtime.running.simulate import simulate
+
+LONGER = 1e-5  # of the period: of a central difference by it
+SINGULAR = 1e-10  # of the largest singular value of I - M
+
+
+@dataclass(frozen=True, repr=False)
+class PeriodicMotion:
+    """A motion x(t + T) = x(t), angles that turn modulo whole turns.
+
+    period T [s]; state: initial values by name at t0 [s]; turns: whole turns a period, by coordinate that makes any;
+    floquet: multipliers and what they mean; error: measured against the same motion with other steps, by coordinate;
+    scheme, steps a period, parts that the period was cut into; iterations of Newton's method; parameters: those given.
+    """
+
+    model: Model
+    period: float
+    state: dict[str, float]
+    turns: dict[str, int]
+    floquet: Floquet
+    error: MotionError
+    scheme: str
+    steps: int
+    parts: int
+    iterations: int
+    t0: float
+    parameters: dict[str, float]
+    free: bool
+    speed: tuple[str, float] | None
+    found: Closed = field(repr=False)
+    options: Mapping[str, Any] = field(repr=False)
+    inputs: Mapping[str, InputValue] = field(repr=False)
+
+    @property
+    def stability(self) -> str:
+        """`stable`, `unstable` or `neutral`."""
+        return self.floquet.stability
+
+    @cached_property
+    def solution(self) -> Solution:
+        """One period of it, with reactions, stresses, views as of any run."""
+        return self.simulate(1)
+
+    def simulate(self, periods: float = 1, **changes: Any) -> Solution:
+        """So many periods of it; changes: further arguments of `simulate`."""
+        steps = max(1, round(self.steps * periods))
+        given: dict[str, Any] = {
+            "scheme": self.scheme,
+            "options": dict(self.options) or None,
+            "parameters": self.parameters,
+            "initial": self.state,
+            "start": "given",
+            "inputs": self.inputs or None,
+            "t0": self.t0,
+            "t_end": self.t0 + steps * (self.period / self.steps),
+            "dt": self.period / self.steps,
+            "save_every": max(1, self.steps // 200),
+            "error": "off",
+        }
+        return simulate(self.model, **{**given, **changes})
+
+    def gradient(self, of: Objective, by: Sequence[str]) -> Gradient:
+        """d(of)/d(by) of the motion that stays periodic: by the implicit-function theorem, one way back for all `by`.
+
+        of: an objective of outputs over the period (runtime.gradients.objectives); by: parameters. Raises
+        ArgumentError, ModelError, NoResult, and NoPeriodicMotion at a fold, where there is no derivative.
+        """
+        return _gradient(self, of, by)
+
+    def remarks(self) -> list[str]:
+        """What to know about it."""
+        kind = self.floquet.kind
+        return [f"unstable by a {kind}: {MEANINGS[kind]}"] if kind else []
+
+    def __repr__(self) -> str:
+        largest = np.abs(self.floquet.counted).max(initial=0.0)
+        kind = f" ({self.floquet.kind})" if self.floquet.kind else ""
+        return (
+            f"<PeriodicMotion of {self.model.name}: period {self.period:.10g} s, {self.stability}{kind}, largest "
+            f"multiplier {largest:.6g}, error {self.error.largest:.2g} of the amplitude of {self.error.of}>"
+        )
+
+
+@dataclass(frozen=True)
+class _AtEnd:
+    """An objective plus w . x(end), x the outputs `states`."""
+
+    own: Objective
+    states: tuple[str, ...]
+    w: np.ndarray
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Of both, each once, the objective's first."""
+        return tuple(dict.fromkeys((*self.own.outputs, *self.states)))
+
+    def weighed(self, t: np.ndarray, y: np.ndarray) -> Weighed:
+        """J + w . x_N."""
+        count, columns = len(self.own.outputs), [self.outputs.index(name) for name in self.states]
+        value, slope = self.own.weighed(t, y[:, :count])
+        found = np.zeros_like(y)
+        found[:, :count] = slope
+        found[-1, columns] += self.w
+        return value + float(self.w @ y[-1, columns]), found
+
+
+def _gradient(motion: PeriodicMotion, of: Objective, by: Sequence[str]) -> Gradient:
+    """See PeriodicMotion.gradient."""
+    model = motion.model
+    own = {entry.name for entry in model.parameters}
+    unknown = [name for name in by if name not in own]
+    if unknown:
+        raise ArgumentError(f"by {unknown[0]!r}", f"is no parameter of model {model.name}", "see model.parameters")
+    states = tuple(motion.state)
+    outputs = tuple(dict.fromkeys((*of.outputs, *states)))
+    run = DifferentiableRun(
+        model,
+        outputs,
+        [*states, *by],
+        parameters=motion.parameters,
+        t0=motion.t0,
+        t_end=motion.t0 + motion.period,
+        dt=motion.period / motion.steps,
+        scheme=motion.scheme,
+        options=motion.options,
+        start="given",
+        inputs=motion.inputs or None,
+        save_every=1,
+    )
+    n, x = len(states), run.x0.copy()
+    x[:n] = list(motion.state.values())
+    first = run.gradient(of, x)
+    w = _adjoint(motion, run, of, x, first.derivatives[:n])
+    whole = run.gradient(_AtEnd(of, states, w), x, mode="reverse")
+    found = whole.derivatives[n:].copy()
+    if motion.speed is not None and motion.speed[0] in by:
+        rate = -motion.period / x[n + list(by).index(motion.speed[0])]
+        by_period = _by_period(run, motion, of, x) + w @ motion.found.shot.rates[-1]
+        found[list(by).index(motion.speed[0])] += rate * by_period
+    return replace(first, by=tuple(by), derivatives=found, mode="reverse")
+
+
+def _adjoint(
+    motion: PeriodicMotion, run: DifferentiableRun, of: Objective, x: np.ndarray, J_x: np.ndarray
+) -> np.ndarray:
+    """(n,) w; where the period is free with the phase, which holds x0 across the motion. NoPeriodicMotion at a fold."""
+    n = len(motion.state)
+    matrix = np.eye(n) - motion.found.shot.monodromy
+    right = J_x
+    if motion.free:  # rows: (x, phase), columns: (x, T)
+        rates = motion.found.shot.rates[-1]
+        J_T = _by_period(run, motion, of, x)
+        matrix = np.block([[matrix, -rates[:, None]], [rates[None, :] / np.linalg.norm(rates), np.zeros((1, 1))]])
+        right = np.append(J_x, J_T)
+    singular = np.linalg.svd(matrix, compute_uv=False)
+    if singular[-1] <= SINGULAR * singular[0]:
+        raise NoPeriodicMotion(
+            f"model {motion.model.name}",
+            "the motion has no derivative: a Floquet multiplier is 1 (a fold, or a coordinate that nothing holds)",
+            "move away from the fold, or give the model damping",
+        )
+    return np.asarray(np.linalg.solve(matrix.T, right)[:n])
+
+
+def _by_period(run: DifferentiableRun, motion: PeriodicMotion, of: Objective, x: np.ndarray) -> float:
+    """dJ/dT at held initial values and parameters."""
+    values = []
+    columns = [run.outputs.index(name) for name in of.outputs]
+    for sign in (1.0, -1.0):
+        longer = run.over(motion.t0, motion.period * (1.0 + sign * LONGER))
+        values.append(of.weighed(longer.t, longer.values(x)[:, columns])[0])
+    return float((values[0] - values[1]) / (2 * LONGER * motion.period))

@@ -1,0 +1,319 @@
+"""The search for a motion that repeats: the door `periodic`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from math import gcd
+from typing import Any
+
+import numpy as np
+
+from runtime.contract.coordinates import followed
+from runtime.contract.errors import ArgumentError, SymgenError
+from runtime.contract.model import Model, refuse_events
+from runtime.orbits.floquet import floquet
+from runtime.orbits.motion import PeriodicMotion
+from runtime.orbits.shooting import Closed, Conditions, NoPeriodicMotion, PeriodMap, Setting, closed
+from runtime.results.motion_error import MotionError, amplitudes, motion_error
+from runtime.results.solution import Solution
+from runtime.running.inputs import InputValue
+from runtime.running.simulate import simulate
+from runtime.schemes.catalogue import scheme_kind
+
+FREE = "free"
+SCHEME = "exponential_rk4"
+MARKS = 20  # places of a period at which two solutions are compared
+STEPS, MOST_STEPS = 200, 50_000  # a period: the first try, and the last
+SETTLED = 20  # periods of a transient, where Newton's method does not find the motion from the start
+REPEATS = 1e-6  # of a coordinate's size: what is driven, and loads, repeat up to this
+
+
+def periodic(
+    model: Model,
+    *,
+    period: float | str | None = None,
+    speed: str | None = None,
+    turns: float = 1.0,
+    parameters: Mapping[str, float] | None = None,
+    inputs: Mapping[str, InputValue] | None = None,
+    start: PeriodicMotion | Solution | Mapping[str, float] | None = None,
+    settle: int | None = None,
+    guess: float | None = None,
+    scheme: str | None = None,
+    options: Mapping[str, Any] | None = None,
+    tolerance: float = 1e-6,
+    steps: int | None = None,
+    parts: int = 1,
+    t0: float = 0.0,
+) -> PeriodicMotion:
+    """The motion that repeats after a period, its stability and its error.
+
+    period: of a driven mechanism [s], or "free" where nothing depends on time (a self-excited vibration); or speed: the
+    parameter that is its speed [rad/s], and the period is that of so many `turns`. parameters, inputs: as of
+    `simulate`. start: where the search begins: another periodic motion, a run (its end), or initial values by name;
+    settle: periods that are simulated first (None: 20 of them, only where the search fails without, and for a free
+    period); guess: of a free period [s] (None: from that simulation). scheme: steps of one length; tolerance: of the
+    error, relative to amplitudes; steps: a period, instead of a tolerance. parts: that the period is cut into, for
+    motions so unstable that they do not last one (multiple shooting).
+    Raises NoPeriodicMotion, ArgumentError, ModelError, SchemeError, NoResult.
+    """
+    asked = _Asked(model, period, speed, turns, dict(parameters or {}), dict(inputs or {}), scheme or SCHEME)
+    refuse_events_that_end(model)
+    if not isinstance(parts, int) or parts < 1:
+        raise ArgumentError("parts", f"is {parts!r}", "give a whole number of at least 1")
+    if steps is not None and (not isinstance(steps, int) or steps < 1):
+        raise ArgumentError("steps", f"is {steps!r}", "give a whole number of at least 1")
+    if not 0 < tolerance < 1:
+        raise ArgumentError("tolerance", f"is {tolerance!r}", "give a number between 0 and 1")
+    state, first = _beginning(asked, start, settle, guess, t0)
+    count = steps if steps is not None else STEPS
+    search = _Search(asked, dict(options or {}), parts, t0)
+    while True:
+        count = max(1, round(count / (MARKS * parts))) * MARKS * parts if steps is None else count
+        motion = search.solved(count, state, first, settle)
+        if steps is not None or motion.error.largest <= tolerance or count >= MOST_STEPS:
+            return motion
+        order = scheme_kind(asked.scheme).make.order
+        wanted = (motion.error.largest / (0.8 * tolerance)) ** (1.0 / order)
+        count = min(MOST_STEPS, int(np.ceil(count * min(max(wanted, 1.2), 5.0))))
+        state, first = motion.state, motion.period
+
+
+def refuse_events_that_end(model: Model) -> None:
+    """Raises ModelError for events that are terminal."""
+    if any(event.terminal for event in model.description.events):
+        refuse_events(model, "a periodic motion")
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """What `periodic` was asked for."""
+
+    model: Model
+    period: float | str | None
+    speed: str | None
+    turns: float
+    parameters: dict[str, float]
+    inputs: dict[str, InputValue]
+    scheme: str
+
+    def __post_init__(self) -> None:
+        if (self.period is None) == (self.speed is None):
+            raise ArgumentError("period", "or speed must be given, and one of them only", "give period=0.1, or speed")
+        if self.speed is not None:
+            known = [one.name for one in self.model.parameters]
+            if self.speed not in known:
+                raise ArgumentError("speed", f"{self.speed!r} is no parameter of the model", "name one in rad/s")
+            if self.turns <= 0:
+                raise ArgumentError("turns", f"is {self.turns!r}", "give a positive number")
+        elif self.period != FREE and not (
+            isinstance(self.period, int | float)
+            and not isinstance(self.period, bool)
+            and 0 < float(self.period) < np.inf
+        ):
+            raise ArgumentError("period", f"is {self.period!r}", 'give a positive number of seconds, or "free"')
+        if not self.model.q_i:
+            raise ArgumentError(
+                f"model {self.model.name}", "is driven in every coordinate", "its motion repeats as its drives do"
+            )
+
+    @property
+    def free(self) -> bool:
+        """Is the period unknown?"""
+        return self.period == FREE
+
+    def length(self, parameters: Mapping[str, float]) -> float:
+        """The period [s] at these parameters. Raises ArgumentError for a speed of zero."""
+        if self.speed is None:
+            assert isinstance(self.period, int | float)
+            return float(self.period)
+        entry = next(one for one in self.model.parameters if one.name == self.speed)
+        value = float({**{entry.name: entry.default}, **parameters}[self.speed])
+        if value == 0:
+            raise ArgumentError(f"speed {self.speed}", "is zero: nothing turns", "give it another value")
+        return speed_period(self.turns, value)
+
+
+def speed_period(turns: float, speed: float) -> float:
+    """Of so many turns at a speed [rad/s]: 2 pi turns / |speed| [s]."""
+    return float(2 * np.pi * turns / abs(speed))
+
+
+def _beginning(
+    asked: _Asked, start: Any, settle: int | None, guess: float | None, t0: float
+) -> tuple[dict[str, float], float]:
+    """(initial values by name, period) that the search begins with."""
+    model = asked.model
+    names = [name + end for end in ("", "_dot") for name in model.q_i]
+    if isinstance(start, PeriodicMotion):
+        return dict(start.state), start.period if asked.free else asked.length(asked.parameters)
+    if isinstance(start, Solution):
+        state = {name: value for name, value in start.initial_values().items() if name in names}
+    else:
+        state = dict(start or {})
+    if not asked.free:
+        return state, asked.length(asked.parameters)
+    if guess is not None and settle is None:
+        return state, float(guess)
+    return _settled_freely(asked, state, guess, settle or SETTLED, t0)
+
+
+def _settled_freely(
+    asked: _Asked, state: dict[str, float], guess: float | None, settle: int, t0: float
+) -> tuple[dict[str, float], float]:
+    """End of a transient, and the time between the last two passages of the coordinate that moves most."""
+    model = asked.model
+    span = guess * settle if guess else max(float(model.simulation["t_end"]), 1e-3)
+    given: dict[str, Any] = {"parameters": asked.parameters, "inputs": asked.inputs or None, "t0": t0, "error": "off"}
+    dt = span / (STEPS * settle)
+    for _ in range(6):
+        run = simulate(model, scheme=asked.scheme, initial=state or None, t_end=t0 + span, dt=dt, save_every=1, **given)
+        q = run.q[:, [model.coordinates.index(name) for name in model.q_i]]
+        late = slice(len(run.t) // 2, None)
+        column = int(np.ptp(q[late], axis=0).argmax())
+        wave = q[late, column] - (q[late, column].max() + q[late, column].min()) / 2
+        up = np.flatnonzero((wave[:-1] < 0) & (wave[1:] >= 0))
+        if len(up) >= 3:
+            times = run.t[late][up] - wave[up] * np.diff(run.t[late])[up] / (wave[up + 1] - wave[up])
+            last = run.initial_values()
+            names = {name + end for name in model.q_i for end in ("", "_dot")}
+            return {name: value for name, value in last.items() if name in names}, float(times[-1] - times[-2])
+        span, dt = 4 * span, 4 * dt if guess is None else dt
+    raise NoPeriodicMotion(
+        f"model {model.name}",
+        "does not swing to and fro in a simulation of it, so no free period shows",
+        "give guess=, an estimate of the period in seconds, and a start near the motion",
+    )
+
+
+class _Search:
+    """Maps of one question with several numbers of steps: what is compiled is shared."""
+
+    def __init__(self, asked: _Asked, options: dict[str, Any], parts: int, t0: float) -> None:
+        self._asked, self._options, self._parts, self._t0 = asked, options, parts, t0
+        self._map: PeriodMap | None = None
+
+    def map_(self, steps: int, period: float) -> PeriodMap:
+        """With so many steps a period."""
+        a = self._asked
+        setting = Setting(
+            a.model, a.scheme, max(1, steps // self._parts), self._parts, self._t0, self._options, a.inputs
+        )
+        if self._map is None:
+            self._map = PeriodMap(setting, period, a.parameters, ())
+        return self._map.with_steps(setting)
+
+    def solved(self, steps: int, state: dict[str, float], period: float, settle: int | None) -> PeriodicMotion:
+        """The motion with so many steps a period, compared with itself with other steps."""
+        map_ = self.map_(steps, period)
+        found, conditions = self._found(map_, state, period, settle)
+        self._check_repeats(map_, found)
+        motion = self._motion(map_, found, steps)
+        order = scheme_kind(self._asked.scheme).make.order
+        other = _other_count(steps, 2.0 ** (1.0 / order), self._parts)
+        twin = closed(self.map_(other, found.period), conditions, found.shot.x, found.period, ())
+        return replace(motion, error=_difference(motion, self._motion(map_, twin, other)))
+
+    def _found(
+        self, map_: PeriodMap, state: dict[str, float], period: float, settle: int | None
+    ) -> tuple[Closed, Conditions]:
+        """From the state, or where that fails (or settle asks for it) from the end of a transient."""
+        x = map_.start.copy()
+        x[:] = [state.get(name, value) for name, value in zip(map_.names, x, strict=True)]
+        settled = settle or 0
+        for periods in range(settled):
+            del periods
+            x = self._wrapped(map_, x, map_.with_parts(1).ends(x[None], period, ())[0])
+        try:
+            return self._newton(map_, x, period)
+        except NoPeriodicMotion:
+            if settle is not None or self._asked.free:
+                raise
+        for _ in range(SETTLED):
+            x = self._wrapped(map_, x, map_.ends(map_.along(x, period, ()), period, ())[-1])
+        return self._newton(map_, x, period)
+
+    def _wrapped(self, map_: PeriodMap, before: np.ndarray, after: np.ndarray) -> np.ndarray:
+        """The end of a period with its whole turns taken off."""
+        return np.asarray(after - _whole_turns(self._asked.model, after - before))
+
+    def _newton(self, map_: PeriodMap, x: np.ndarray, period: float) -> tuple[Closed, Conditions]:
+        states = map_.along(x, period, ())
+        shot = map_.shot(states, period, ())
+        turn = _whole_turns(self._asked.model, shot.ends[-1] - x)
+        scale = sizes(np.abs(np.vstack([states, shot.ends])).max(axis=0), period)
+        conditions = Conditions(scale, turn, self._asked.free, x, shot.rates[-1])
+        return closed(map_, conditions, states, period, ()), conditions
+
+    def _motion(self, map_: PeriodMap, found: Closed, steps: int) -> PeriodicMotion:
+        a = self._asked
+        turns = np.rint(found.turn[: map_.size // 2] / (2 * np.pi)).astype(int)
+        speed = None if a.speed is None else (a.speed, a.turns)
+        return PeriodicMotion(
+            a.model, found.period, dict(zip(map_.names, found.shot.x[0].tolist(), strict=True)),
+            {name: int(k) for name, k in zip(a.model.q_i, turns, strict=True) if k},
+            floquet(found.shot.monodromy, found.period, a.free), MotionError(reason="not yet compared"),
+            a.scheme, steps, self._parts, found.iterations, self._t0, a.parameters, a.free, speed,
+            found, self._options, a.inputs,
+        )  # fmt: skip
+
+    def _check_repeats(self, map_: PeriodMap, found: Closed) -> None:
+        """Raises NoPeriodicMotion where drives, loads or inputs do not repeat with the period."""
+        again = map_.next_period(found.shot.x[0], found.period)
+        size = np.maximum(np.abs(found.shot.ends).max(axis=0), 1e-9)
+        off = np.abs(again - found.shot.ends[0]) / size
+        if off.max() > REPEATS:
+            name = map_.names[int(off.argmax())]
+            raise NoPeriodicMotion(
+                f"model {self._asked.model.name}",
+                f"drives, loads or inputs do not repeat after {found.period:.6g} s: in the next period {name} comes "
+                f"out differently by {off.max():.2g} of its size",
+                "give the period with which they do",
+            )
+
+
+def sizes(x: np.ndarray, period: float) -> np.ndarray:
+    """(n,) by which a state x (n,) is judged: a coordinate's size, or what its rate makes of it; the same for rates."""
+    q, v = np.split(np.abs(x), 2)
+    own = np.maximum(q, v * period / (2 * np.pi))
+    own = np.maximum(own, 1e-6 * own.max(initial=1e-12))  # what hardly moves is judged by what does
+    return np.concatenate([own, own * 2 * np.pi / period])
+
+
+def _whole_turns(model: Model, moved: np.ndarray) -> np.ndarray:
+    """(n,) 2 pi k of the angles in a change of state (n,), zero elsewhere."""
+    entries = {entry.name: entry for entry in model.description.coordinates}
+    found = np.zeros(len(moved))
+    for k, name in enumerate(model.q_i):
+        if entries[name].unit == "rad" and not entries[name].elastic:
+            found[k] = 2 * np.pi * np.rint(moved[k] / (2 * np.pi))
+    return found
+
+
+def _other_count(steps: int, ratio: float, parts: int) -> int:
+    """Fewer steps by the ratio; between two marks no common divisor, so that forces are seen at other phases."""
+    unit = MARKS * parts
+    if steps % unit:
+        return max(1, round(steps / ratio / parts)) * parts
+    own = steps // unit
+    for other in sorted(range(1, own + 2), key=lambda count: abs(count - own / ratio)):
+        if other != own and gcd(own, other) == 1:
+            return other * unit
+    return 2 * steps
+
+
+def _difference(motion: PeriodicMotion, other: PeriodicMotion) -> MotionError:
+    """Over the period, at as many places as both have."""
+    samples = []
+    for one in (motion, other):
+        every = one.steps // gcd(one.steps, MARKS)
+        run = one.simulate(1, save_every=every)
+        if not run.status.ok:
+            raise SymgenError(f"model {motion.model.name}: the motion that repeats cannot be simulated: {run.status}")
+        columns = followed(motion.model)[1]
+        samples.append((run.t, run.q[:, columns]))
+    (t, q), (_, beside) = samples
+    if len(q) != len(beside):
+        q, beside, t = q[[0, -1]], beside[[0, -1]], t[[0, -1]]
+    return motion_error(motion.model, t, q, beside, amplitudes(motion.model, samples[0][1]))

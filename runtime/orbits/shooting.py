@@ -1,0 +1,279 @@
+"""The map of a period, x(t0) -> x(t0 + T), with its exact derivatives, and Newton's method on x(t0 + T) = x(t0).
+
+The period is cut into K parts of equal length. The unknowns are the states x_k = (q_i, q_i_dot) at their starts, the
+period T where it is free, and the conditions
+
+    F_k(x_k, T, p) - x_{k+1} = 0,    k < K - 1
+    F_{K-1}(x_{K-1}, T, p) - x_0 - turn = 0
+    (x_0 - x_guess) . x_guess_dot = 0                  the phase, only where T is free
+
+turn holds the whole turns, 2 pi k, by which angles go on in a period. Derivatives by x and p are tangents of the run
+itself, those by T are the rates at the end of a part times its share of the period.
+Source: Nayfeh & Balachandran, Applied Nonlinear Dynamics, ch. 6; Ascher, Mattheij & Russell, ch. 4.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from copy import copy
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from runtime.contract.errors import ArgumentError, ModelError, NoResult, SymgenError
+from runtime.contract.model import Model
+from runtime.gradients.differentiable_run import DifferentiableRun
+
+CLOSED = 1e-11  # of each coordinate's scale: what a closed motion may be open by
+ROUNDED = 1e-8  # the same, where Newton's method gets no nearer
+ITERATIONS, HALVINGS = 25, 8
+SPENT = 1e-7  # s: parts of a period are not shorter
+
+
+class NoPeriodicMotion(NoResult):
+    """Shooting found no motion that repeats."""
+
+
+@dataclass(frozen=True)
+class Shot:
+    """Parts of a period from states x (K, n): where they end (K, n), how that moves with their starts (K, n, n).
+
+    by_parameters (K, n, n_p); rates (K, n) at the ends [per s].
+    """
+
+    x: np.ndarray
+    ends: np.ndarray
+    slopes: np.ndarray
+    by_parameters: np.ndarray
+    rates: np.ndarray
+
+    @property
+    def monodromy(self) -> np.ndarray:
+        """(n, n) dx(t0 + T)/dx(t0)."""
+        found = np.eye(self.x.shape[1])
+        for slope in self.slopes:
+            found = slope @ found
+        return found
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What is run: a model with a scheme, so many steps a part, so many parts a period, from t0 [s] on."""
+
+    model: Model
+    scheme: str
+    steps: int
+    parts: int
+    t0: float
+    options: Mapping[str, Any]
+    inputs: Mapping[str, Any]
+
+
+class PeriodMap:
+    """The map of a period of T [s]; by: parameters that it is differentiated by. Raises what DifferentiableRun does."""
+
+    def __init__(self, setting: Setting, period: float, parameters: Mapping[str, float], by: Sequence[str]) -> None:
+        model = setting.model
+        if model.description.orientations and any(model.places.turns):
+            raise ModelError(
+                f"model {model.name} has bodies that turn freely in space, whose orientations are in q_i: periodic "
+                "motions are found of models whose q_i are lengths and angles; put hinges or universal joints there"
+            )
+        self.setting, self.parameters, self.by = setting, dict(parameters), tuple(by)
+        self.names = [*model.q_i, *(f"{name}_dot" for name in model.q_i)]
+        key = f"orbit by {setting.scheme} {dict(setting.options)} {sorted(self.parameters.items())} {self.by}"
+        own = setting.model.derived(key, lambda: self._first(period)) if not setting.inputs else self._first(period)
+        self._run = own.over(setting.t0, period / setting.parts, setting.steps)
+        self._placed: dict[tuple[float, float], DifferentiableRun] = {}
+
+    @property
+    def size(self) -> int:
+        """Numbers in a state: coordinates and rates."""
+        return len(self.names)
+
+    @property
+    def start(self) -> np.ndarray:
+        """(n,) the state that the model starts from."""
+        return self._run.x0[: self.size].copy()
+
+    def shot(self, x: np.ndarray, period: float, values: Sequence[float]) -> Shot:
+        """From states x (K, n) at parameters `by` with these values. Raises NoResult."""
+        parts, n = self.setting.parts, self.size
+        ends, rates = np.zeros((parts, n)), np.zeros((parts, n))
+        slopes, by_parameters = np.zeros((parts, n, n)), np.zeros((parts, n, len(self.by)))
+        for k in range(parts):
+            found = self._part(k, period).jacobian(np.concatenate([x[k], values]))
+            last, slope = found.values[-1], found.derivatives[-1]
+            ends[k], rates[k] = last[:n], np.concatenate([last[n // 2 : n], last[n:]])
+            slopes[k], by_parameters[k] = slope[:n, :n], slope[:n, n:]
+        return Shot(x, ends, slopes, by_parameters, rates)
+
+    def ends(self, x: np.ndarray, period: float, values: Sequence[float]) -> np.ndarray:
+        """(K, n) where the parts end. Raises NoResult."""
+        n = self.size
+        given = [np.concatenate([state, values]) for state in x]
+        return np.array([self._part(k, period).values(given[k])[-1, :n] for k in range(self.setting.parts)])
+
+    def along(self, x: np.ndarray, period: float, values: Sequence[float]) -> np.ndarray:
+        """(K, n) starts of the parts of one motion from x (n,)."""
+        found = [x]
+        for k in range(self.setting.parts - 1):
+            found.append(self._part(k, period).values(np.concatenate([found[-1], values]))[-1, : self.size])
+        return np.array(found)
+
+    def with_steps(self, setting: Setting) -> PeriodMap:
+        """The same with other steps and parts; what is compiled is shared."""
+        other = copy(self)
+        other.setting, other._placed = setting, {}
+        return other
+
+    def with_parts(self, parts: int) -> PeriodMap:
+        """The same with the steps of a period in so many parts."""
+        setting = self.setting
+        return self.with_steps(replace(setting, parts=parts, steps=setting.steps * setting.parts // parts))
+
+    def next_period(self, x: np.ndarray, period: float) -> np.ndarray:
+        """(n,) where the first part ends if it begins a period later, from a state x (n,). Raises NoResult."""
+        later = self._run.over(self.setting.t0 + period, period / self.setting.parts, self.setting.steps)
+        return np.asarray(later.values(x)[-1, : self.size])
+
+    def _part(self, k: int, period: float) -> DifferentiableRun:
+        length = period / self.setting.parts
+        if not np.isfinite(length) or length < SPENT:
+            raise NoPeriodicMotion(f"a period of {period:g} s", "is none", "give a better guess of it")
+        key = (self.setting.t0 + k * length, length)
+        if key not in self._placed:
+            if len(self._placed) > 4 * self.setting.parts:
+                self._placed.clear()
+            self._placed[key] = self._run.over(*key, self.setting.steps)
+        return self._placed[key]
+
+    def _first(self, period: float) -> DifferentiableRun:
+        own, setting = self.setting.model, self.setting
+        length = period / setting.parts
+        return DifferentiableRun(
+            own,
+            [*self.names, *(f"{name}_ddot" for name in own.q_i)],
+            [*self.names, *self.by],
+            parameters=self.parameters,
+            t_end=setting.t0 + length,
+            dt=length / setting.steps,
+            scheme=setting.scheme,
+            options=setting.options,
+            start="given",
+            t0=setting.t0,
+            inputs=setting.inputs or None,
+            save_every=setting.steps,
+        )
+
+
+@dataclass(frozen=True)
+class Closed:
+    """A motion that repeats: the shot from it, its period [s], the turns of its angles (n,), Newton's iterations."""
+
+    shot: Shot
+    period: float
+    turn: np.ndarray
+    iterations: int
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """What a motion that repeats satisfies. scale (n,): sizes of the states; turn (n,); free: is T unknown?
+
+    guess (n,), guess_rates (n,): the phase of a free one.
+    """
+
+    scale: np.ndarray
+    turn: np.ndarray
+    free: bool
+    guess: np.ndarray
+    guess_rates: np.ndarray
+
+    def residual(self, x: np.ndarray, ends: np.ndarray) -> np.ndarray:
+        """(K n,) or (K n + 1,), each over its scale."""
+        gaps = ends - np.roll(x, -1, axis=0)
+        gaps[-1] -= self.turn
+        found = (gaps / self.scale).ravel()
+        if not self.free:
+            return np.asarray(found)
+        rates = self.guess_rates / self.scale
+        return np.append(found, rates @ ((x[0] - self.guess) / self.scale) / max(np.linalg.norm(rates), 1e-300))
+
+    def jacobian(self, shot: Shot) -> np.ndarray:
+        """Of the residual by (x / scale, T)."""
+        parts, n = shot.x.shape
+        found = np.zeros((parts * n + self.free, parts * n + self.free))
+        for k in range(parts):
+            here, there = slice(k * n, k * n + n), (k + 1) % parts
+            found[here, here] += shot.slopes[k] * self.scale / self.scale[:, None]
+            found[here, there * n : there * n + n] -= np.eye(n)
+            if self.free:
+                found[here, -1] = shot.rates[k] / self.scale / parts
+        if self.free:
+            rates = self.guess_rates / self.scale
+            found[-1, :n] = rates / max(np.linalg.norm(rates), 1e-300)
+        return found
+
+    def by_parameters(self, shot: Shot) -> np.ndarray:
+        """(rows of the residual, n_p)."""
+        found = (shot.by_parameters / self.scale[:, None]).reshape(-1, shot.by_parameters.shape[2])
+        return np.vstack([found, np.zeros((1, found.shape[1]))]) if self.free else found
+
+
+def closed(map_: PeriodMap, conditions: Conditions, x: np.ndarray, period: float, values: Sequence[float]) -> Closed:
+    """Newton's method with a line search from states x (K, n). Raises NoPeriodicMotion with what came nearest."""
+    shot = map_.shot(x, period, values)
+    residual = conditions.residual(x, shot.ends)
+    for iteration in range(ITERATIONS):
+        size = float(np.abs(residual).max())
+        if size <= CLOSED:
+            return Closed(shot, period, conditions.turn, iteration)
+        step = _solved(conditions.jacobian(shot), -residual)
+        found = _searched(map_, conditions, x, period, values, step, residual)
+        if found is None:
+            if size <= ROUNDED:
+                return Closed(shot, period, conditions.turn, iteration)
+            break
+        x, period = found
+        shot = map_.shot(x, period, values)
+        residual = conditions.residual(x, shot.ends)
+    worst = int(np.abs(residual[: x.size]).argmax()) % map_.size
+    raise NoPeriodicMotion(
+        f"model {map_.setting.model.name}",
+        f"Newton's method leaves {map_.names[worst]} open by {np.abs(residual).max():.2g} of its size after "
+        f"{iteration + 1} iterations with a period of {period:.6g} s",
+        "give a start nearer to the motion, let it settle first (settle=20 periods), or cut the period into parts",
+    )
+
+
+def _solved(jacobian: np.ndarray, right: np.ndarray) -> np.ndarray:
+    """By least squares where the Jacobian is singular: a free motion without a phase, a fold."""
+    return np.asarray(np.linalg.lstsq(jacobian, right, rcond=1e-13)[0])
+
+
+def _searched(
+    map_: PeriodMap,
+    conditions: Conditions,
+    x: np.ndarray,
+    period: float,
+    values: Sequence[float],
+    step: np.ndarray,
+    residual: np.ndarray,
+) -> tuple[np.ndarray, float] | None:
+    """States and period along a step where the residual is smaller; None where there are none."""
+    size, share = np.linalg.norm(residual), 1.0
+    for _ in range(HALVINGS):
+        there = x + share * (step[: x.size].reshape(x.shape) * conditions.scale)
+        length = period + share * float(step[-1]) if conditions.free else period
+        try:
+            if length > 0.2 * period:
+                left = np.linalg.norm(conditions.residual(there, map_.ends(there, length, values)))
+                if left < (1 - 1e-4 * share) * size:
+                    return there, length
+        except SymgenError as error:
+            if isinstance(error, ArgumentError):
+                raise
+        share /= 2
+    return None
