@@ -43,7 +43,7 @@ from symgen.scene.simulation import (
     Partition,
     Simulation,
 )
-from symgen.scene.tables import CurveTable
+from symgen.scene.tables import CurveTable, s_curve, trapezoid
 from symgen.schema.errors import SceneError
 from symgen.schema.expressions import Expression, parse_expression
 from symgen.schema.fields import Quantity
@@ -61,6 +61,6 @@ __all__ = [
     "RigidBody", "RigidMarker", "Scene", "SceneBuilder", "SceneError",
     "SectionForceMeasure",
     "Simulation", "StressMeasure", "Structure", "TorsionModes",
-    "lateral_ends", "parse_expression", "read_mesh",
+    "lateral_ends", "parse_expression", "read_mesh", "s_curve", "trapezoid",
     "with_ends",
 ]  # fmt: skip

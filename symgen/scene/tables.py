@@ -28,8 +28,11 @@ class CurveTable(StrictModel):
     interpolation: `linear`; `cubic`, the natural spline; `monotone`, Fritsch and Carlson's pieces, which overshoot
     nowhere (PCHIP). outside: `hold` stays at the first and last y, `extend` goes on straight. file: a CSV that gives x
     and y when the scene is read, from these two columns (counted from 0); the scene holds its numbers from then on.
+    integrated: the table is the first or second integral of that curve over x, exactly: a motion by its velocity or its
+    acceleration. It is zero at the first x, with zero slope where it is the second one.
     """
 
+    integrated: Literal[0, 1, 2] = 0
     x: tuple[Number, ...] = ()
     y: tuple[Number, ...] = ()
     interpolation: Literal["linear", "cubic", "monotone"] = "linear"
@@ -71,11 +74,63 @@ class CurveTable(StrictModel):
             if self.outside == "extend":
                 bend = 2 * pieces[2, -1] + 3 * h[-1] * pieces[3, -1] if len(pieces) > 2 else 0.0
                 ends[:, 1] = pieces[1, 0], pieces[1, -1] + h[-1] * bend
-        return table_of(x, np.column_stack([ends[0], pieces, ends[1]]))
+            powers = np.column_stack([ends[0], pieces, ends[1]])
+            for _ in range(self.integrated):
+                powers = _integral(h, powers)
+        return table_of(x, powers)
 
     def value(self, x: float) -> float:
         """y at x as a number."""
         return float(self.curve(np.float64(x)))
+
+
+def _integral(h: np.ndarray, powers: np.ndarray) -> np.ndarray:
+    """(degree + 2, n + 1) powers of the integral over x, zero at the first point; h (n - 1,): between points."""
+    found = np.vstack([np.zeros(powers.shape[1]), powers / np.arange(1, len(powers) + 1)[:, None]])
+    gained = (found[1:, 1:-1] * h ** np.arange(1, len(found))[:, None]).sum(axis=0)
+    found[0, 2:] = np.cumsum(gained)
+    return found
+
+
+def trapezoid(distance: float, speed: float, acceleration: float) -> dict[str, Any]:
+    """A motion over a distance that speeds up, runs and slows down evenly, as the fields of a table of its velocity.
+
+    Never faster than `speed` nor steeper than `acceleration`; in SI units. Raises ValueError for limits not positive.
+    """
+    if min(speed, acceleration) <= 0 or distance == 0:
+        raise ValueError("give a distance that is not zero, and a speed and an acceleration above zero")
+    way, sign = abs(distance), math.copysign(1.0, distance)
+    v = min(speed, math.sqrt(way * acceleration))
+    rise, run = v / acceleration, way / v - v / acceleration
+    return _profile([(rise, v), (run, v), (rise, 0.0)], sign, integrated=1)
+
+
+def s_curve(distance: float, speed: float, acceleration: float, jerk: float) -> dict[str, Any]:
+    """The same with a limited jerk, as the fields of a table of the acceleration."""
+    if min(speed, acceleration, jerk) <= 0 or distance == 0:
+        raise ValueError("give a distance that is not zero, and limits above zero")
+    way, sign = abs(distance), math.copysign(1.0, distance)
+    v, a = speed, min(acceleration, math.sqrt(speed * jerk))
+    if v * (v / a + a / jerk) > way:  # it never runs evenly
+        a = acceleration
+        v = a / 2 * (math.sqrt((a / jerk) ** 2 + 4 * way / a) - a / jerk)
+        if v * jerk < a * a:
+            bend = (way / (2 * jerk)) ** (1 / 3)
+            v, a = jerk * bend**2, jerk * bend
+    bend, even = a / jerk, v / a - a / jerk
+    run = way / v - v / a - bend
+    half = [(bend, a), (even, a), (bend, 0.0)]
+    return _profile([*half, (run, 0.0), *((time, -value) for time, value in half)], sign, integrated=2)
+
+
+def _profile(parts: Sequence[tuple[float, float]], sign: float, integrated: int) -> dict[str, Any]:
+    """Points of (duration, value at its end) one after the other, without parts that take no time."""
+    x, y = [0.0], [0.0]
+    for time, value in parts:
+        if time > 1e-12 * (x[-1] + sum(one for one, _ in parts)):
+            x.append(x[-1] + time)
+            y.append(sign * value)
+    return {"x": x, "y": y, "integrated": integrated}
 
 
 def _lines(h: np.ndarray, y: np.ndarray) -> np.ndarray:
