@@ -44,8 +44,10 @@ class StopProgram:
         flags = ("waiting", "t0", "whole", "parts", "back", "inside", "number", "dt_seen", "event_before")
         sizes = {"state": prepared.z_size, **dict.fromkeys(flags, 1), **dict.fromkeys(self.part, KNOWN)}
         sizes |= {"inputs": scheme.layout.sizes.get("inputs", 0)}
+        if impulses or watches(scheme):
+            sizes["push"] = len(scheme.model.q_i)
         if impulses:
-            sizes |= {"push": len(scheme.model.q_i), "energy": 1, "jumps": len(scheme.model.coordinates)}
+            sizes |= {"energy": 1, "jumps": len(scheme.model.coordinates)}
         self.layout = Layout({**sizes, "ready": self.n_ready})
         self.c_size = self.n_ready + scheme.c_size
 
