@@ -35,6 +35,7 @@ TURN = np.pi / np.sqrt(3.0)  # rad: RMS about its mean of an angle that turns on
 ROUND = 2 * np.pi  # rad: what has turned further turns on and on
 LOST = 0.03  # of an amplitude: the time at which a motion that is lost in the end can be relied on no more
 DUST = 1e-10  # m or rad, or of a coordinate's size: an amplitude counts as that at least
+RESTS = 1e-8  # m/s or rad/s, or of a coordinate's size a second: a rate counts as that at least
 STATIONARY = 0.1  # of the largest amplitude of its kind and unit: what moves less is not judged by its own
 
 
@@ -94,6 +95,22 @@ def amplitudes(model: Model, q: np.ndarray) -> np.ndarray:
     turns = np.array([entry.unit == "rad" and not entry.elastic for entry in own], dtype=bool)
     found = np.sqrt(np.mean((q - q.mean(axis=0)) ** 2, axis=0))
     return np.asarray(np.where(turns & (np.ptp(q, axis=0) > ROUND), np.minimum(found, TURN), found))
+
+
+def with_rates(error: MotionError, model: Model, v: np.ndarray, other: np.ndarray) -> MotionError:
+    """The error judged by rates, too: v, other (N, n_told), by their RMS, as `<coordinate>_dot`.
+
+    What moves less than others of its kind is not judged by its own.
+    """
+    entries = {entry.name: (entry.kind, entry.unit) for entry in model.description.coordinates}
+    names = followed(model)[0]
+    kinds = [entries[name] for name in names]
+    sizes = np.sqrt(np.mean(np.concatenate([v, other]) ** 2, axis=0))
+    largest = np.array([max(a for a, k in zip(sizes, kinds, strict=True) if k == kind) for kind in kinds])
+    rms = np.sqrt(np.mean((v - other) ** 2, axis=0))
+    judged = rms / np.maximum(np.maximum(sizes, STATIONARY * largest), RESTS)
+    named = {f"{name}_dot": float(value) for name, value in zip(names, judged, strict=True)}
+    return replace(error, judged=error.judged | named)
 
 
 def motion_error(model: Model, t: np.ndarray, q: np.ndarray, other: np.ndarray, sizes: np.ndarray) -> MotionError:

@@ -17,7 +17,7 @@ import numpy as np
 
 from runtime.contract.coordinates import followed
 from runtime.contract.status import Event
-from runtime.results.motion_error import MotionError, amplitudes, motion_error
+from runtime.results.motion_error import MotionError, amplitudes, motion_error, with_rates
 from runtime.results.solution import Solution
 from runtime.running.outcome import LARGEST
 from runtime.running.plan import Plan
@@ -136,7 +136,8 @@ def _compared(
     mine, theirs = marks.told([k * step for k in common], model), own.told([k * every for k in common], model)
     t = np.array([plan.time(k * step) for k in common])
     seen = np.concatenate([mine, theirs, solution.q[:, followed(model)[1]]])
-    return motion_error(model, t, mine, theirs, amplitudes(model, seen))
+    rates = marks.told([k * step for k in common], model, True), own.told([k * every for k in common], model, True)
+    return with_rates(motion_error(model, t, mine, theirs, amplitudes(model, seen)), model, *rates)
 
 
 def loads_missed(run: Run) -> list[Event]:

@@ -40,7 +40,9 @@ SHOWN = 0.8  # of the order of a method: where three rungs show that much, the e
 SEEN = 1000  # samples of a rung that is kept
 MOST_STEPS = 10**8
 MOST_OPERATIONS = 10**12  # of all rungs: some minutes
-STAGNANT = 0.5  # of an error: rungs that do not come below it any more will not
+STAGNANT = 0.5  # of a difference: rungs that do not come below it any more will not
+SOON, LATE = 6, 11  # rungs before that is said, and where the motion is not resolved yet
+RICHARDSON = 3.0  # times the error by extrapolation where the order shows: on the safe side
 ACCURATE = 0.5  # of the error from which a run is not accurate: what nobody has graded stays below
 AGREED = 0.02  # of the motion: two rungs that stop so near to each other for the same reason stop at the same event
 EXPLICIT = ("dopri5", "rk4")
@@ -205,7 +207,7 @@ class Ladder:
         return Rung(plan.steps, run, marks, status, time.process_time() - began)
 
     def judge(self, before: list[Rung], rung: Rung, order: int) -> None:
-        """The error of a rung by the one before it, in place; half the difference where three rungs show the order."""
+        """The error of a rung by the one before it, in place; by extrapolation where three rungs show the order."""
         last = before[-1]
         common = sorted(set(_at(last)) & set(_at(rung)))
         if not common:
@@ -222,9 +224,9 @@ class Ladder:
         if len(before) > 1 and 0 < rung.error < last.differs:
             shown = np.log(last.differs / rung.differs) / np.log(rung.steps / last.steps)
             if shown > SHOWN * order:
-                rung.error *= 0.5
-                richer = (rung.steps / last.steps) ** min(shown, order) - 1
-                rung.told = rung.told.scaled(1 / max(2.0, richer))
+                richer = max(2.0, (rung.steps / last.steps) ** min(shown, order) - 1)
+                rung.error *= min(0.5, RICHARDSON / richer)
+                rung.told = rung.told.scaled(1 / richer)
 
     def _asked(self, error: MotionError) -> float:
         """What is compared with the tolerance."""
@@ -243,7 +245,9 @@ class Ladder:
             return ceil(AFTER_LOST * count)
         if len(rungs) >= 3 and last.error <= self.tolerance:
             return None
-        if len(rungs) >= 6 and not last.error < STAGNANT * np.nanmin([inf, *(one.error for one in rungs[-6:-3])]):
+        before = np.nanmin([inf, *(one.differs for one in rungs[-6:-3])])
+        enough = len(rungs) >= (SOON if last.differs < LARGEST else LATE)
+        if enough and not last.differs < STAGNANT * before:
             return None
         least = 2 ** (1 / order)
         factor = MOST if not np.isfinite(last.error) else (last.error / (SAFETY * self.tolerance)) ** (1 / order)

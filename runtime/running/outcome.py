@@ -83,7 +83,9 @@ def with_error(solution: Solution, error: MotionError) -> Solution:
             status = Status("inaccurate", status.time, None, error.reason, ADVICE)
         return solution.but(error=error, stats=stats, status=status)
     stats |= {"error": error.largest, "error_of": error.of}
-    worst = max(error.judged, key=lambda name: error.judged[name])
+    worst = max(error.relative, key=lambda name: error.judged[name])
+    if not error.judged[worst] > LARGEST:  # a rate is named where positions are right
+        worst = max(error.judged, key=lambda name: error.judged[name])
     if error.reliable_until is not None:
         stats["reliable_until"] = error.reliable_until
     if error.judged[worst] > LARGEST and status.ok:

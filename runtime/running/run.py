@@ -510,23 +510,29 @@ class Marks:
             self.states[int(step)] = (segment, arrays["mark_states"][first:last])
             first = last
 
-    def told(self, steps: Sequence[int], model: Model) -> np.ndarray:
-        """(N, n_told) what tells the motion of a model at these steps, whatever q_i they were stepped with."""
+    def told(self, steps: Sequence[int], model: Model, rates: bool = False) -> np.ndarray:
+        """(N, n_told) what tells the motion of a model at these steps, whatever q_i they were stepped with.
+
+        rates: the rates of that instead.
+        """
         rows: dict[int, np.ndarray] = {}
         for segment in {id(self.states[step][0]): self.states[step][0] for step in steps}.values():
             own = [step for step in steps if self.states[step][0] is segment]
             rows |= dict(
-                zip(own, told_by(segment, np.array([self.states[step][1] for step in own]), model), strict=True)
+                zip(own, told_by(segment, np.array([self.states[step][1] for step in own]), model, rates), strict=True)
             )
         return np.array([rows[step] for step in steps])
 
 
-def told_by(segment: SteppedModel, states: np.ndarray, model: Model) -> np.ndarray:
-    """(N, n_told) what tells the motion of a model, of states (N, n_z) of a segment, which may have other q_i."""
+def told_by(segment: SteppedModel, states: np.ndarray, model: Model, rates: bool = False) -> np.ndarray:
+    """(N, n_told) what tells the motion of a model, of states (N, n_z) of a segment, which may have other q_i.
+
+    rates: the rates of that instead.
+    """
     scheme = segment.plan.scheme
     seen = evaluate(scheme.observer, {"z": states}, scheme.constants(segment.c))
-    q = whole(segment.model, seen["q_i"], seen["q_d"])
-    return q[:, followed(model)[1]]
+    names = ("q_i_dot", "q_d_dot") if rates else ("q_i", "q_d")
+    return whole(segment.model, *(seen[name] for name in names))[:, followed(model)[1]]
 
 
 # The arguments of a run besides the problem and the method: how it goes, and what is kept of it.
