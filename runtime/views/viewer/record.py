@@ -259,7 +259,9 @@ def parts(solution: Solution, shown: Scenery) -> dict[str, Any]:
     loads = []
     for k, record in enumerate(solution.model.description.loads):
         load = next(one for one in shown.loads if one["name"] == record.name)
-        first = load.get("marker_a") or load["marker"]
+        first = load.get("marker_a") or load.get("marker")
+        if first is None:  # along a beam, at no marker
+            continue
         vector = np.stack([np.interp(shown.t, solution.t, part) for part in vectors[:, k].T], axis=1)
         part = {
             "name": load["name"],
