@@ -22,7 +22,7 @@ from runtime.engine.llvm_ir import WIDTHS, Group, side_by_side
 from runtime.engine.program import Program, Repeat, Until
 from runtime.engine.table_code import table_c, table_name
 
-LONGEST = 4000  # statements of one function
+LONGEST = 12_000  # operations of one function; a third as many statements
 CHUNK = 100
 WIDEST = 160  # characters of a value that stands where it is used
 
