@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from runtime import Model, simulate
-from runtime.running.singular import tight_integrator
+from runtime.running.singular import crossing
 from symgen.scene import Scene, SceneBuilder
 
 Build = Callable[[Scene], Model]
@@ -53,22 +53,22 @@ def fast_rod() -> Scene:
 @pytest.mark.parametrize("scheme", ["single_rate", "dop853"])
 def test_a_motion_that_cannot_be_followed_ends_by_name(model_of: Build, monkeypatch, scheme: str) -> None:
     """The search for a singular passage has a bound: where steps shrink for ever, other checks say why the run ends."""
-    asked, honest = [0], tight_integrator.TightIntegrator.slope
+    asked, honest = [0], crossing.TightIntegrator.slope
 
     def counted(self: Any, t: float, y: np.ndarray) -> np.ndarray:
         asked[0] += 1
         return honest(self, t, y)
 
-    monkeypatch.setattr(tight_integrator.TightIntegrator, "slope", counted)
+    monkeypatch.setattr(crossing.TightIntegrator, "slope", counted)
     run = simulate(model_of(fast_rod()), scheme=scheme, dt=1e-5, t_end=0.01)
     assert run.status.name == "mass_not_positive" and 1.5e-3 < run.status.time < 2e-3
-    assert asked[0] <= 2 * tight_integrator.MOST_EVALUATIONS
+    assert asked[0] <= 2 * crossing.MOST_EVALUATIONS
 
 
 @pytest.mark.usefixtures("ctrl_c")
 def test_interrupt_is_heard_in_a_search(model_of: Build, monkeypatch: pytest.MonkeyPatch) -> None:
     """One Ctrl-C while the way to a singular position is followed: the run ends with its last good state."""
-    honest = tight_integrator.TightIntegrator.slope
+    honest = crossing.TightIntegrator.slope
     pressed: list[bool] = []
 
     def press(self: Any, t: float, y: np.ndarray) -> np.ndarray:
@@ -77,7 +77,7 @@ def test_interrupt_is_heard_in_a_search(model_of: Build, monkeypatch: pytest.Mon
             signal.raise_signal(signal.SIGINT)
         return honest(self, t, y)
 
-    monkeypatch.setattr(tight_integrator.TightIntegrator, "slope", press)
+    monkeypatch.setattr(crossing.TightIntegrator, "slope", press)
     run = simulate(model_of(equal_slider_crank()), scheme="rk4", dt=1e-3)
     assert pressed and run.status.name == "interrupted"
     assert run.t[-1] == pytest.approx(run.status.time) and np.isfinite(run.q).all()
@@ -85,14 +85,14 @@ def test_interrupt_is_heard_in_a_search(model_of: Build, monkeypatch: pytest.Mon
 
 def test_cost_of_a_passage_does_not_grow_with_the_number_of_steps(model_of: Build, monkeypatch) -> None:
     """Evaluations of the tight integration over a singular position, for steps of 1e-3 and of 1e-4."""
-    honest = tight_integrator.TightIntegrator.slope
+    honest = crossing.TightIntegrator.slope
     counts: list[int] = []
 
     def counted(self: Any, t: float, y: np.ndarray) -> np.ndarray:
         counts[-1] += 1
         return honest(self, t, y)
 
-    monkeypatch.setattr(tight_integrator.TightIntegrator, "slope", counted)
+    monkeypatch.setattr(crossing.TightIntegrator, "slope", counted)
     model = model_of(equal_slider_crank())
     for dt in (1e-3, 1e-4):
         counts.append(0)
