@@ -48,7 +48,7 @@ def no_placements(none: bool) -> Iterator[None]:
     """Derive with all joints as equations between bodies, each of which is free by itself."""
     with pytest.MonkeyPatch.context() as patch:
         if none:
-            patch.setattr("symgen.scene.parts.placements_of", lambda bodies, joints: [])
+            patch.setattr("symgen.scene.parts.placements_of", lambda bodies, joints, coupled: [])
         yield
 
 
