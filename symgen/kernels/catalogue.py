@@ -29,11 +29,10 @@ from symgen.kernels.all_coordinates import (
     reactions,
     switching,
 )
-from symgen.kernels.branch_kernels import branch_kernels
+from symgen.kernels.branch_kernels import branch_kernels, shifted_kernels
 from symgen.kernels.jacobians import jacobian_kernels
 from symgen.kernels.kernel import Arguments, Kernel, arguments_of, shortest
 from symgen.kernels.partition_kernels import deflection_kernels, partition_kernels
-from symgen.kernels.shifted_kernels import shifted_kernels
 from symgen.kernels.specification import block_signals, substep_name
 from symgen.system.errors import DerivationError
 from symgen.system.topology import Topology

@@ -33,7 +33,6 @@ from symgen.scene.parameters import DeclaredInput, DeclaredParameter, DeclaredSt
 from symgen.scene.parts import AnyBody, AnyMarker, Body
 from symgen.scene.placing import Placement
 from symgen.scene.scene import Scene
-from symgen.scene.scene_files import read_mesh
 from symgen.scene.simulation import (
     Baumgarte,
     CoordinateGroup,
@@ -44,6 +43,7 @@ from symgen.scene.simulation import (
     Simulation,
 )
 from symgen.scene.tables import CurveTable, s_curve, trapezoid
+from symgen.scene.toml_io import read_mesh
 from symgen.schema.errors import SceneError
 from symgen.schema.expressions import Expression, parse_expression
 from symgen.schema.fields import Quantity

@@ -22,7 +22,7 @@ from symgen.joints.joint import Turn
 from symgen.scene import toml_io
 from symgen.scene.appearance import MOST_TRIANGLES
 from symgen.scene.builder import SceneBuilder
-from symgen.scene.scene_files import read_mesh
+from symgen.scene.toml_io import read_mesh
 from symgen.schema.errors import SceneError, did_you_mean
 from symgen.urdf.robot import (
     TURNS_OR_SLIDES,
