@@ -25,6 +25,21 @@ def cache_folder() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "symgen"
 
 
+def stamp_of(*folders: Path) -> str:
+    """A hash of names, sizes and times of the code and the data in folders: another one where a file has changed."""
+    about = ((entry.path, entry.stat()) for root in folders for entry in _code_in(root))
+    listed = sorted(f"{path} {status.st_size} {status.st_mtime_ns}" for path, status in about)
+    return hashlib.sha256(repr(listed).encode()).hexdigest()
+
+
+def _code_in(folder: Path | str) -> Iterator[os.DirEntry[str]]:
+    for entry in os.scandir(folder):
+        if entry.is_dir():
+            yield from _code_in(entry.path)
+        elif entry.name.endswith((".py", ".json")):
+            yield entry
+
+
 # Writing files so that a reader never sees half of one: to a temporary name first, then renamed.
 
 WRITING = ".writing-"  # what temporary files begin with; then the machine and the process that writes

@@ -26,6 +26,11 @@ WORTH_OF_SHAPES = 1e-3  # of a deflection
 WORTH_A_WORD = 0.05  # of a stress or a force
 
 
+def looked_at(solution: Samples) -> list[int]:
+    """Samples that are looked at, evenly spread, the first and the last among them."""
+    return sorted({int(row) for row in np.linspace(0, len(solution.t) - 1, LOOKS)})
+
+
 def missing_shapes(solution: Samples) -> tuple[dict[str, float], list[Event]]:
     """Share of the largest deflection that the shapes of a beam leave out, by `missing_shapes.body`; and in words."""
     shares, events = {}, []
@@ -48,7 +53,7 @@ def missing_shapes(solution: Samples) -> tuple[dict[str, float], list[Event]]:
 
 def missing_deflection(solution: Samples, body: str) -> tuple[float, float]:
     """(largest deflection from the chord that the shapes lack over the largest one, its time [s])."""
-    rows = np.unique(np.linspace(0, len(solution.t) - 1, LOOKS).astype(int))
+    rows = looked_at(solution)
     series = {key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam")}
     some = solution.but(**series)
     whole, shapes = (section_forces(some, body, way=way) for way in ("equilibrium", "modes"))
@@ -97,7 +102,7 @@ def missing_sections(solution: Samples) -> tuple[dict[str, float], list[Event]]:
         return {}, []
     shares: dict[str, float] = {}
     events = []
-    rows = np.unique(np.linspace(0, len(solution.t) - 1, LOOKS).astype(int))
+    rows = looked_at(solution)
     series = {key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam", "measures")}
     some = solution.but(**series)
     for record in described.beams:
@@ -147,7 +152,7 @@ def missing_stresses(solution: Samples) -> tuple[dict[str, float], list[Event]]:
     events: list[Event] = []
     if not solution.model.description.gauges:
         return shares, events
-    rows = np.unique(np.linspace(0, len(solution.t) - 1, LOOKS).astype(int))
+    rows = looked_at(solution)
     series = {key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam")}
     for body in dict.fromkeys(one.body for one in solution.model.description.gauges):
         try:

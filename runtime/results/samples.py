@@ -148,7 +148,7 @@ def _difference_to_half(t: np.ndarray, P: np.ndarray, stops: np.ndarray, work: n
     n = len(t)
     if n < 3:
         return np.append(0.0, np.abs(np.diff(t) * np.diff(P) / 2))
-    half = np.unique(np.append(np.arange(0, n, 2), n - 1))
+    half = np.array([*range(0, n - 1, 2), n - 1])
     off = np.maximum.accumulate(np.abs(_integrals(t[half], P[half], stops) - work[half]))
     return np.asarray(off[np.searchsorted(half, np.arange(n))])
 

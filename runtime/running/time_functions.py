@@ -51,8 +51,10 @@ def check_time_functions(
     times = np.linspace(plan.t0, plan.t_end, steps * points + 1)
     ends = [one.time for one in switches or ()]
     _refuse_jumps(model, c, state, times, [one.time for one in switches or () if one.owners])  # not within pulses
-    broken = np.unique([int((end - plan.t0) / plan.grid.dt_L * (1 - 1e-9)) for end in ends]).astype(int)
-    sub_steps = np.repeat(np.isin(np.arange(plan.steps), broken), prod(plan.grid.m))
+    numbers = {int((end - plan.t0) / plan.grid.dt_L * (1 - 1e-9)) for end in ends}
+    broken = np.zeros(plan.steps, bool)
+    broken[[number for number in numbers if 0 <= number < plan.steps]] = True
+    sub_steps = np.repeat(broken, prod(plan.grid.m))
     found = _missed_loads(model, c, state, times, points, sub_steps)
     varying = plan.scheme.adaptive  # whose steps end within short pulses, see `all_stops`
     return [event for event in found if not varying or event.kind != "load_missed"]

@@ -13,7 +13,8 @@ import numpy as np
 
 from runtime.contract.coordinates import charts_in, independent, loop_part
 from runtime.engine.choose import choose_engine, operations_per_step, sub_step_operations
-from runtime.engine.prepare import prepare
+from runtime.engine.kept_programs import is_short, key_of, read_prepared, write_prepared
+from runtime.engine.prepare import Prepared, prepare
 from runtime.schemes.options import Grid
 from runtime.schemes.scheme import Scheme, direct, evaluation_operations
 from runtime.schemes.switching.watched import with_events
@@ -41,6 +42,21 @@ def start_there(scheme: Scheme) -> ca.Function:
     return ca.Function("start_there", [t0, q, q_dot, c], [scheme.starter(t0, q_i, rates, loop, there)])
 
 
+def prepared_step(scheme: Scheme) -> Prepared:
+    """The program of a major step, from the disk where one of a like scheme on this very model was kept."""
+    model = scheme.model
+    known = bool(model.folder) and not model.sources  # a folder's text is what its digest says
+    alike = (repr(scheme.grid.groups), repr(scheme.grid.m), repr(scheme.options), repr(scheme.layout.sizes))
+    key = key_of(model.digest, type(scheme).__qualname__, *alike) if known else ""
+    found = read_prepared(key) if known else None
+    if found is None:
+        found = prepare(with_events(scheme, scheme.program()), scheme.layout.size, scheme.c_size)
+        if known and is_short(found):
+            write_prepared(key, found)
+            found = replace(found, tapes={})  # compiled by its Functions, as when it is read again
+    return found
+
+
 class Stepper:
     """Runs major steps of a scheme on vectors z; c are the model's constants, dt the major step [s].
 
@@ -50,11 +66,7 @@ class Stepper:
 
     def __init__(self, scheme: Scheme, engine: str = "auto", wait: bool = False) -> None:
         self.scheme, self.requested, self.waits = scheme, engine, wait
-        prepared = prepare(
-            with_events(scheme, scheme.program()),
-            scheme.layout.size,
-            scheme.c_size,
-        )
+        prepared = prepared_step(scheme)
         self.program, c_size = prepared.program, int(prepared.constants.size1_out(0))
         self.engine = choose_engine(engine, self.program, prepared.z_size, c_size, wait, prepared.tapes)
         self.prepared = replace(prepared, tapes={})

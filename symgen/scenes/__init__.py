@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
 from collections.abc import Callable, Iterator, Mapping
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from runtime.contract.files import OutputError, cache_folder, write_text
+from runtime.contract.files import OutputError, cache_folder, stamp_of, write_text
 
 if TYPE_CHECKING:
     from symgen.scene import Scene
@@ -110,22 +109,8 @@ def current_folder(name: str) -> Path | None:
 
 def _stamp(digest: str, scene: Path) -> str:
     """The digest of a folder with a hash of names, sizes and times of the generator's files and of the scene's."""
-    listed = sorted(f"{entry.path} {_size_and_time(entry)}" for root in GENERATOR for entry in _files(root))
-    listed.append(f"{scene} {scene.stat().st_size} {scene.stat().st_mtime_ns}")
-    return f"{digest} {hashlib.sha256(repr(listed).encode()).hexdigest()}"
-
-
-def _size_and_time(entry: os.DirEntry[str]) -> str:
-    status = entry.stat()
-    return f"{status.st_size} {status.st_mtime_ns}"
-
-
-def _files(folder: Path | str) -> Iterator[os.DirEntry[str]]:
-    for entry in os.scandir(folder):
-        if entry.is_dir():
-            yield from _files(entry.path)
-        elif entry.name.endswith((".py", ".json")):
-            yield entry
+    about = scene.stat()
+    return f"{digest} {stamp_of(*GENERATOR)} {about.st_size} {about.st_mtime_ns}"
 
 
 def _read(path: Path) -> str:

@@ -1,0 +1,92 @@
+"""Prepared programs kept on disk, beside their machine code: a fresh process that steps a kept model derives nothing.
+
+Stages are CasADi's own text of a Function, which keeps every operation in its order, so the bits are those of a program
+that was derived. What is read was verified by the cache; what cannot be read is derived again without a word.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import zlib
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import casadi as ca
+
+from runtime.contract.files import stamp_of
+from runtime.engine.object_cache import ObjectCache
+from runtime.engine.prepare import Prepared
+from runtime.engine.program import Call, Program, Repeat, Sequence, Until
+
+LONGEST = 20_000  # operations of the stages: reading what is longer saves less, and takes room
+ROOMS = ("contract", "engine", "schemes")  # whose code a program follows from
+
+
+@cache
+def _code() -> str:
+    """What the code is that programs follow from."""
+    folder = Path(__file__).resolve().parents[1]
+    return f"{stamp_of(*(folder / room for room in ROOMS))} {ca.CasadiMeta.version()}"
+
+
+def key_of(*facts: str) -> str:
+    """The key of a program that follows from these facts and from the code as it is."""
+    return hashlib.sha256(repr((_code(), facts)).encode()).hexdigest()
+
+
+def is_short(prepared: Prepared) -> bool:
+    """Is it worth keeping? Tables are not: their numbers would be read with each of their calls."""
+    stages = [*prepared.program.stages(), prepared.constants]
+    return sum(stage.n_instructions() for stage in stages) <= LONGEST and not any(
+        stage.find_functions() for stage in stages
+    )
+
+
+def write_prepared(key: str, prepared: Prepared) -> None:
+    """Keep a program; where that is not possible, nothing is kept."""
+    stages = {stage.name(): stage.serialize() for stage in prepared.program.stages()}
+    content = {
+        "order": _written(prepared.program),
+        "stages": stages,
+        "z_size": prepared.z_size,
+        "constants": prepared.constants.serialize(),
+    }
+    ObjectCache().write(key, zlib.compress(json.dumps(content).encode(), 1), 0)
+
+
+def read_prepared(key: str) -> Prepared | None:
+    """The program of a key, None if there is none that can be read."""
+    found = ObjectCache().read(key)
+    if found is None:
+        return None
+    try:
+        content = json.loads(zlib.decompress(found[0]))
+        stages = {name: ca.Function.deserialize(text) for name, text in content["stages"].items()}
+        constants = ca.Function.deserialize(content["constants"])
+        return Prepared(_read(content["order"], stages), int(content["z_size"]), constants)
+    except (zlib.error, ValueError, KeyError, TypeError, RuntimeError):
+        return None
+
+
+def _written(program: Program) -> Any:
+    """The order of the stages: a name, a list of parts, or what is said of a repetition with its body."""
+
+    def again(body: Any, node: Repeat | Until) -> Any:
+        if isinstance(node, Repeat):
+            return {"body": body, "count": node.count}
+        return {"body": body, "flag": node.flag, "limit": node.limit, "usual": node.usual}
+
+    return program.fold(lambda stage: stage.name(), list, again)
+
+
+def _read(order: Any, stages: dict[str, ca.Function]) -> Program:
+    if isinstance(order, str):
+        return Call(stages[order])
+    if isinstance(order, list):
+        return Sequence(tuple(_read(part, stages) for part in order))
+    body = _read(order["body"], stages)
+    if "count" in order:
+        return Repeat(body, order["count"])
+    return Until(body, order["flag"], order["limit"], order["usual"])
