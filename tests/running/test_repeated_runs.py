@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -27,8 +28,9 @@ def model() -> Model:
 
 
 @pytest.fixture
-def prepared(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """The schemes that were prepared, in order."""
+def prepared(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
+    """The schemes that were prepared, in order, where the cache is empty."""
+    monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path))
     seen: list[str] = []
     prepare: Callable[..., Any] = stepper.prepare
 
