@@ -275,7 +275,8 @@ class _Search:
 
 def sizes(x: np.ndarray, period: float) -> np.ndarray:
     """(n,) by which a state x (n,) is judged: a coordinate's size, or what its rate makes of it; the same for rates."""
-    q, v = np.split(np.abs(x), 2)
+    half = len(x) // 2
+    q, v = np.abs(x[:half]), np.abs(x[half:])
     own = np.maximum(q, v * period / (2 * np.pi))
     own = np.maximum(own, 1e-6 * own.max(initial=1e-12))  # what hardly moves is judged by what does
     return np.concatenate([own, own * 2 * np.pi / period])

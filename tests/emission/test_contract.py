@@ -23,7 +23,14 @@ MOST_BARE_NUMBERS = 0.05
 TAKING_APART = {"partition", "rpartition", "split", "rsplit", "startswith", "endswith", "removesuffix", "removeprefix"}
 # text that is no name of a coordinate, row or parameter: commands, file endings, module names, keys of arrays, methods
 READERS_OF_TEXT = {
+    "runtime/contract/doors.py",  # paths of what is imported
     "runtime/contract/files.py",  # names of temporary files
+    "runtime/engine/c_source.py",  # C
+    "runtime/export/c_bundle.py",  # names in C
+    "runtime/export/c_functions.py",  # C
+    "runtime/export/fmu.py",  # names of files, commands
+    "runtime/export/fmu_description.py",  # units, as XML says them; rates by their ending
+    "runtime/export/fmu_source.py",  # rates by their ending
     "runtime/contract/tables.py",  # names of functions in emitted code
     "runtime/results/stream.py",
     "runtime/engine/compiled.py",
