@@ -337,6 +337,27 @@ class Samples(WithLater):
         return list(names).index(name)
 
     @property
+    def step(self) -> str:
+        """The step, for headers: `dt 0.001 s`, or `steps of 0.0046 s in the mean` where their lengths vary."""
+        steps, span = self.stats.get("steps"), float(self.t[-1] - self.t[0]) if len(self.t) else 0.0
+        if (
+            "error_of = step" in str(self.stats.get("options", ""))
+            and isinstance(steps, int)
+            and steps > 0
+            and span > 0
+        ):
+            return f"steps of {span / steps:.3g} s in the mean"
+        return f"dt {self.dt:g} s"
+
+    @property
+    def pace(self) -> str:
+        """The step, and the time between samples where that is another: `dt 0.001 s, seen every 0.01 s`."""
+        seen = float(np.median(np.diff(self.t))) if len(self.t) > 1 else self.dt
+        own = self.step
+        alike = own == f"dt {self.dt:g} s" and abs(seen - self.dt) <= 0.01 * self.dt
+        return own if alike else f"{own}, seen every {seen:.3g} s"
+
+    @property
     def total_energy(self) -> np.ndarray:
         """(N,) kinetic + elastic + potential energy [J]."""
         return np.asarray(np.sum([self.energy[key] for key in STORED], axis=0))

@@ -35,7 +35,7 @@ def solution_card(solution: Samples) -> str:
     wall = stats.get("wall_seconds")
     cost = f", {float(wall):.3g} s" if isinstance(wall, int | float) else ""
     balance = f", energy balance {solution.balance}" if len(solution.t) > 2 else ""
-    about = f"{solution.scheme}, dt = {solution.dt:g} s, m = {m}"
+    about = f"{solution.scheme}, {solution.pace}, m = {m}"
     rates = {f"{name}_dot" for name in model.measures}
     names = [*followed(model)[0], *(name for name in model.measures if name not in rates)][:MOST]
     rows = [

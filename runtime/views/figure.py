@@ -116,7 +116,7 @@ def title(solution: Solution, what: str = "") -> str:
     status = solution.status
     ending = f"      {status.ending}" if status.ending else ""
     about = f"{solution.model.title or solution.model.name}{': ' + what if what else ''}"
-    return f"{about}      {solution.scheme}, dt {solution.dt:g} s{ending}"
+    return f"{about}      {solution.scheme}, {solution.step}{ending}"
 
 
 def owner(ax: Axes) -> Figure:

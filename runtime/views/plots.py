@@ -184,7 +184,7 @@ def difference(
     if not others or not chosen or not len(t):
         raise ArgumentError("the runs share no " + ("time" if chosen else "independent coordinate; give names"))
     chosen = chosen[:MOST_FORCES]
-    about = "   and   ".join([title(first), *(f"{run.scheme}, dt {run.dt:g} s" for run in others)])
+    about = "   and   ".join([title(first), *(f"{run.scheme}, {run.step}" for run in others)])
     figure, axes = grid(2 * len(chosen), about)
     for k, name in enumerate(chosen):
         values = np.array([run.interpolate(t, name) for run in (first, *others)])

@@ -200,7 +200,7 @@ def summary(solution: Solution, judged: float | None = None) -> list[str]:
     m = ",".join(map(str, solution.m)) or "-"
     lines = [
         f"{model.title or model.name}: {solution.status}",
-        f"scheme {solution.scheme}, dt = {solution.dt:g} s, m = {m}, {stats.get('steps', '?')} steps, "
+        f"scheme {solution.scheme}, {solution.pace}, m = {m}, {stats.get('steps', '?')} steps, "
         f"{stats.get('engine', '?')}, {_seconds(stats.get('wall_seconds'))}",
         f"largest constraint error {float(solution.constraint_error.max(initial=0.0)):.3g}, {_energy(solution)}",
     ]

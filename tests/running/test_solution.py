@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import casadi as ca
 import numpy as np
 import pytest
 from scipy.io import loadmat
 
+from runtime import load_model, simulate
 from runtime.contract.errors import ModelError
 from runtime.contract.files import OutputError, replacing, write_text
 from runtime.contract.model import Model
@@ -26,6 +29,7 @@ from runtime.contract.status import Status
 from runtime.results.export import as_json, table
 from runtime.results.solution import Solution
 from runtime.views.report import as_markdown, run_report, write_report
+from symgen.scenes import generated_folder
 
 
 def rod_model() -> Model:
@@ -321,3 +325,20 @@ def test_report(tmp_path) -> None:
     assert "a \\| b" in as_markdown(report, "Run")
     for path in write_report(report, tmp_path, "Run"):
         assert path.stat().st_size > 500
+
+
+@pytest.mark.parametrize(
+    ("how", "told"),
+    [
+        ({"scheme": "rk4", "dt": 1e-3}, "dt 0.001 s"),
+        ({"scheme": "rk4", "dt": 1e-3, "save_every": 10}, "dt 0.001 s, seen every 0.01 s"),
+        (
+            {"scheme": "dopri5", "tolerance": 1e-4, "options": {"error_of": "step"}, "dt": 0.05, "save_every": 1},
+            "steps of {mean:.3g} s in the mean, seen every 0.05 s",
+        ),
+    ],
+)
+def test_headers_tell_steps_and_what_is_seen_of_them(how: dict[str, Any], told: str) -> None:
+    run = simulate(load_model(generated_folder("pendulum")), t_end=0.5, **{"save_every": 1, **how})
+    assert run.pace == told.format(mean=0.5 / int(run.stats["steps"]))
+    assert run.pace in run._repr_html_()

@@ -319,9 +319,9 @@ def view_record(
     return {
         "name": model.name,
         "title": model.title or model.name,
-        "about": f"{solution.scheme}, dt {solution.dt:g} s · {status if status.whole else f'STOPPED: {status}'} · "
+        "about": f"{solution.scheme}, {solution.pace} · {status if status.whole else f'STOPPED: {status}'} · "
         f"{len(shown.bodies) - 1} bodies, {len(shown.joints)} joints"
-        + (f" · pale: {beside.scheme}, dt {beside.dt:g} s" if beside is not None else ""),
+        + (f" · pale: {beside.scheme}, {beside.pace}" if beside is not None else ""),
         "ok": status.ok,
         "planar": not is_spatial(model),
         "up": up,
