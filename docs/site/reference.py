@@ -12,7 +12,7 @@ TOPICS: dict[str, list[str]] = {
         "runtime.contract.loading.load_model",
         "runtime.contract.model.Model",
         "runtime.running.simulate.simulate",
-        "runtime.running.simulate.resume",
+        "runtime.running.checkpoint.resume",
         "runtime.results.solution.Solution",
         "runtime.results.samples.Samples",
         "runtime.contract.status.Status",

@@ -68,7 +68,6 @@ FIELDS_OF_TOLERANCE = (
     ("A_v", "n_i x n_s", "SI", "derivatives of q_i_ddot by q_i_dot along X Lambda^-1 there"),
     ("b1", "n_i", "mixed", "accelerations beside the stiff part: a_from + b1 tau + b2 tau^2 / 2"),
     ("b2", "n_i", "mixed", "their second derivative"),
-    ("q_base", "n_i", "mixed", "position from which the linear system of the last step counts"),
     ("q_low", "n_i", "mixed", "smallest q_i so far, at the ends of steps"),
     ("q_high", "n_i", "mixed", "largest q_i so far"),
     ("q_seen", "n_i", "mixed", "q_i that ranges are told of, at the end of the last step, where turns have charts"),

@@ -35,7 +35,7 @@ TURN = np.pi / np.sqrt(3.0)  # rad: RMS about its mean of an angle that turns on
 ROUND = 2 * np.pi  # rad: what has turned further turns on and on
 LOST = 0.03  # of an amplitude: the time at which a motion that is lost in the end can be relied on no more
 DUST = 1e-10  # m or rad, or of a coordinate's size: an amplitude counts as that at least
-RESTS = 1e-8  # m/s or rad/s, or of a coordinate's size a second: a rate counts as that at least
+RESTS = 1e-6  # m/s or rad/s, or of a coordinate's size a second: a rate counts as that at least
 STATIONARY = 0.1  # of the largest amplitude of its kind and unit: what moves less is not judged by its own
 
 

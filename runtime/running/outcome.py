@@ -22,6 +22,7 @@ from runtime.running.run import Run
 from runtime.running.stepped_model import SteppedModel
 
 LARGEST = 0.1  # of an amplitude: the error from which a run is not accurate
+LARGEST_OF_RATES = 0.5  # the same of rates: vibrations that hardly move anything have a part in them
 WORTH_A_WORD = 0.03  # of an amplitude
 ADVICE = "Take a smaller step, or a tolerance instead of a step."
 
@@ -84,11 +85,15 @@ def with_error(solution: Solution, error: MotionError) -> Solution:
         return solution.but(error=error, stats=stats, status=status)
     stats |= {"error": error.largest, "error_of": error.of}
     worst = max(error.relative, key=lambda name: error.judged[name])
-    if not error.judged[worst] > LARGEST:  # a rate is named where positions are right
-        worst = max(error.judged, key=lambda name: error.judged[name])
+    bad = error.judged[worst] > LARGEST
+    rates = [name for name in error.judged if name not in error.relative]
+    if rates and not bad:  # a rate is named where positions are right
+        fastest = max(rates, key=lambda name: error.judged[name])
+        bad = error.judged[fastest] > LARGEST_OF_RATES
+        worst = fastest if bad else worst
     if error.reliable_until is not None:
         stats["reliable_until"] = error.reliable_until
-    if error.judged[worst] > LARGEST and status.ok:
+    if bad and status.ok:
         cause = f"its error is {error.judged[worst]:.2g} of its amplitude"
         if error.reliable_until is not None:
             cause = f"{cause}; the motion is not to be relied on after t = {error.reliable_until:.4g} s"

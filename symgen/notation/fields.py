@@ -75,15 +75,6 @@ FIELDS: tuple[Notation, ...] = (
     Notation("s_before", "", "", "n_s", "mixed", "stiff deflections at the start of the last step"),
     Notation("s_before_dot", "", "", "n_s", "mixed", "their rates there"),
     Notation("loop_third", "", "", "loops", "mixed", "third rates of the loop unknowns in the last step"),
-    Notation("a_there", "", "", "n_i", "mixed", "q_i_ddot seen in the middle of the running step"),
-    Notation("s_there", "", "", "n_s", "mixed", "stiff deflections in the middle of the running step"),
-    Notation("s_there_dot", "", "", "n_s", "mixed", "their rates there"),
-    Notation("third_there", "", "", "loops", "mixed", "third rates of the loop unknowns in the running step"),
-    Notation(
-        "b3", "", "", "n_i", "mixed", "third derivative of the polynomial that leads to the end of the running step"
-    ),
-    Notation("behind", "", "", "1", "s", "length of the last step"),
-    Notation("restart", "", "", "1", "count", "was nothing seen before the running step?"),
     Notation("crossing", "", "", "n_X (1 + n_S)", "mixed", "motion that crosses to the rows of q_S of a large tree"),
     Notation("trunk_ddot", "", "", "n_L", "mixed", "q_L'' of the bodies that carry the branches with fast coordinates"),
     Notation("X_trunk", "", "", "n_L x n_u", "SI", "what forces phi of the branches add to it"),

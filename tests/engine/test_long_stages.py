@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -17,10 +19,15 @@ from symgen.scenes import generated_folder
 
 
 @pytest.mark.parametrize("scheme", ["rk4", "exponential"])
-def test_what_stands_twice_is_shared_with_the_same_bits(scheme: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_stands_twice_is_shared_with_the_same_bits(
+    scheme: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     model = load_model(generated_folder("hub_beam"))
 
     def run() -> tuple[Solution, int]:
+        monkeypatch.setenv(
+            "SYMGEN_CACHE", str(tmp_path / f"{program.LONG}-{prepare.LONG}")
+        )  # a step that is kept is read
         stepper = Stepper(scheme_kind(scheme).build(scheme, model, 1e-3, None, {}), "interpreted")
         return simulate(model, t_end=0.02, scheme=scheme, engine="interpreted"), program_length(stepper.program)
 

@@ -78,7 +78,7 @@ RODS = {
         5.0,
         [
             ("rk4", 25, "inaccurate"),
-            ("rk4", 100, "inaccurate"),
+            ("rk4", 100, "completed"),
             ("rk4", 1000, "completed"),
             ("single_rate", 400, "completed"),
             ("exponential", 100, "inaccurate"),
@@ -123,7 +123,7 @@ RODS = {
         3.0,
         [
             ("radau", 30, "completed"),
-            ("hht", 60, "inaccurate"),
+            ("hht", 60, "completed"),
         ],
         "Radau",
     ),

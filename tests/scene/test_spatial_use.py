@@ -179,9 +179,12 @@ def test_every_joint_has_a_method_of_the_builder() -> None:
         "prescribed_angle": {"motion": "t"},
         "prescribed_displacement": {"motion": "t"},
     }
-    for name in JOINTS:
+    girder = {"length": 1.0, "density": 2700.0, "area": 1e-4, "second_moment": 1e-9, "second_moment_z": 1e-9}
+    for name, joint in JOINTS.items():
         scene = builder().rigid("a", mass=1.0, inertia=[0.1, 0.1, 0.1])
-        getattr(scene, name)("link", "ground.origin", "a.origin", **further.get(name, {}))
+        scene.beam("b", **girder, youngs_modulus=7e10, lateral={"ends": "pinned-pinned", "modes": 1}, free=True)
+        on = "b.start" if joint.on_beam else "ground.origin"
+        getattr(scene, name)("link", on, "a.origin", **further.get(name, {}))
         assert scene.build().joints[0].type == name
 
 
