@@ -85,12 +85,11 @@ def with_error(solution: Solution, error: MotionError) -> Solution:
         return solution.but(error=error, stats=stats, status=status)
     stats |= {"error": error.largest, "error_of": error.of}
     worst = max(error.relative, key=lambda name: error.judged[name])
-    bad = error.judged[worst] > LARGEST
     rates = [name for name in error.judged if name not in error.relative]
-    if rates and not bad:  # a rate is named where positions are right
-        fastest = max(rates, key=lambda name: error.judged[name])
-        bad = error.judged[fastest] > LARGEST_OF_RATES
-        worst = fastest if bad else worst
+    rate = max(rates, key=lambda name: error.judged[name], default=worst)
+    bad = error.judged[worst] > LARGEST
+    if not bad and error.judged[rate] > LARGEST_OF_RATES:  # a rate is named where positions are right
+        bad, worst = True, rate
     if error.reliable_until is not None:
         stats["reliable_until"] = error.reliable_until
     if bad and status.ok:
@@ -98,6 +97,8 @@ def with_error(solution: Solution, error: MotionError) -> Solution:
         if error.reliable_until is not None:
             cause = f"{cause}; the motion is not to be relied on after t = {error.reliable_until:.4g} s"
         status = Status("inaccurate", status.time, worst, cause, ADVICE)
+    elif error.judged[rate] > LARGEST:
+        stats["remark"] = f"{rate} is off by {error.judged[rate]:.2g} of its size: {ADVICE[0].lower()}{ADVICE[1:]}"
     elif error.largest > WORTH_A_WORD:
         stats["remark"] = (
             f"the error of {error.of} is {error.largest:.2g} of its amplitude: {ADVICE[0].lower()}{ADVICE[1:]}"
