@@ -299,7 +299,6 @@ class _Walk:
     def _corrected(self, at: Point, s: float, natural: float | None = None) -> tuple[Point, int] | None:
         """The point at a distance s along the tangent, and Newton's iterations; natural: at this value instead."""
         conditions = replace(at.conditions, guess=at.x[0], guess_rates=at.shot.rates[-1])
-        conditions = replace(conditions, scale=at.conditions.scale)
         count, w2 = at.x.size, self._weights(at.x.size) ** 2
         y = np.zeros(count + self._first.free + 1)
         row = at.tangent / w2

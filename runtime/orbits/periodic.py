@@ -222,8 +222,7 @@ class _Search:
         x = map_.start.copy()
         x[:] = [state.get(name, value) for name, value in zip(map_.names, x, strict=True)]
         settled = settle or 0
-        for periods in range(settled):
-            del periods
+        for _ in range(settled):
             x = self._wrapped(map_, x, map_.with_parts(1).ends(x[None], period, ())[0])
         try:
             return self._newton(map_, x, period)
