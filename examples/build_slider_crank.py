@@ -8,13 +8,13 @@ from matplotlib.figure import Figure
 
 from runtime import load_model, plots, simulate
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 
 def build():
     """A crank driven by a torque, a rod with two bending modes, and a slider."""
     return (
-        SceneBuilder("my_slider_crank", title="My flexible slider-crank")
+        Scene("my_slider_crank", title="My flexible slider-crank")
         .gravity(0, -9.81)
         .parameter("torque", 5.0, "N m", "drive torque")
         .rigid("crank", mass=0.36, inertia=7e-4, center_of_mass=(0.075, 0), markers={"tip": {"position": (0.15, 0)}})

@@ -8,13 +8,13 @@ import numpy as np
 
 from runtime import load_model, plots, simulate
 from symgen.generate import generate
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 
-def arm() -> Scene:
+def arm() -> SceneRecord:
     """The base turns about the vertical, the elbow about a level axis; both motors are torques over time."""
     return (
-        SceneBuilder("spatial_arm", space="spatial", title="Arm in space").gravity(0, 0, -9.81)
+        Scene("spatial_arm", space="spatial", title="Arm in space").gravity(0, 0, -9.81)
         .rigid("base", mass=8.0, inertia=[0.1, 0.1, 0.05], markers={
             "elbow": {"position": [0.2, 0, 0.5], "axis": [0, -1, 0]}})
         .beam("forearm", length=0.8, density=2700.0, area=6e-4, second_moment=2e-8, second_moment_z=3e-8,

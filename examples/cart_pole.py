@@ -11,7 +11,7 @@ from scipy.linalg import solve_continuous_are
 
 from runtime import linearise, load_model, plots, simulate
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 CART, POLE, LENGTH, GRAVITY = 1.0, 0.1, 0.5, 9.81  # kg, kg at the tip, m, m/s^2
 LAW = "push - k1 * x - k2 * angle - k3 * x_dot - k4 * angle_dot"
@@ -19,7 +19,7 @@ LAW = "push - k1 * x - k2 * angle - k3 * x_dot - k4 * angle_dot"
 
 def build():
     """A cart on a rail, a massless pole with a weight, and a force on the cart that is linear in the state."""
-    builder = SceneBuilder("cart_pole", title="Pole on a cart").gravity(0, -GRAVITY).parameter("push", 0.0, "N")
+    builder = Scene("cart_pole", title="Pole on a cart").gravity(0, -GRAVITY).parameter("push", 0.0, "N")
     for name in ("k1", "k2", "k3", "k4"):
         builder.parameter(name, 0.0)
     builder.rigid("cart", mass=CART, inertia=1.0).prismatic("rail", "ground.origin", "cart.origin")

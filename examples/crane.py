@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from runtime import load_model, plots, simulate
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 ROPE, GRAVITY, PUSH = 6.0, 9.81, 0.5  # m, m/s^2, m/s^2
 PERIOD = 2 * pi * sqrt(ROPE / GRAVITY)
@@ -21,7 +21,7 @@ RAMP = f"where(t < T, t**2 / 2, where(t < B, {COAST}, where(t < B + T, {COAST} -
 def build():
     """A trolley that accelerates for T seconds, brakes for T seconds from B on, and a load on a rope."""
     return (
-        SceneBuilder("crane", title="Crane").gravity(0, -GRAVITY)
+        Scene("crane", title="Crane").gravity(0, -GRAVITY)
         .parameter("a", PUSH, "m/s^2", "acceleration").parameter("T", PERIOD, "s").parameter("B", 1.5 * PERIOD, "s")
         .rigid("trolley", mass=800.0, inertia=50.0)
         .rigid("load", mass=2000.0, inertia=0.0, center_of_mass=(0, -ROPE), markers={"hook": {"position": (0, -ROPE)}})

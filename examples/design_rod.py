@@ -10,7 +10,7 @@ from scipy.optimize import minimize
 
 from runtime import DifferentiableRun, load_model
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 PARTS, HEIGHT, SPEED = ("heel", "middle", "toe"), 8.0, 150.0  # mm, rad/s
 FROM_CHORD = 1e3 * np.array([[1, 0, -1 / 3], [0, 1, -2 / 3]])  # mm, of the welds from the line between the hinges
@@ -18,7 +18,7 @@ FROM_CHORD = 1e3 * np.array([[1, 0, -1 / 3], [0, 1, -2 / 3]])  # mm, of the weld
 
 def build():
     """The published mechanism (case F1), its rod in three parts of 100 mm x 8 mm x height, its crank driven."""
-    builder = SceneBuilder("fast_slider_crank").rigid("slider", mass=0.0756, inertia=1e-5).rigid(
+    builder = Scene("fast_slider_crank").rigid("slider", mass=0.0756, inertia=1e-5).rigid(
         "crank", mass=0.36, inertia=7e-4, center_of_mass=(0.075, 0), markers={"tip": {"position": (0.15, 0)}})
     for k in PARTS:
         builder.parameter(f"{k}_height", HEIGHT * 1e-3, "m")

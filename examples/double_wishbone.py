@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from runtime import load_model, plots, simulate
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 MASSES = {"chassis": 350.0, "lower": 6.0, "upper": 4.0, "upright": 25.0}  # kg on this corner; the wheel on the upright
 ARMS = {"lower": (0.3, 0.20, 0.70, 0.18), "upper": (0.35, 0.50, 0.66, 0.52)}  # m: y, z inside and outside
@@ -23,7 +23,7 @@ def at(y, z, x=0.0):
 
 def build():
     """One corner of a car: two arms hinged to the body, an upright on two balls, a tie rod, a strut, a tyre."""
-    builder = SceneBuilder("double_wishbone", space="spatial", title="Double wishbone").gravity(0, 0, -9.81)
+    builder = Scene("double_wishbone", space="spatial", title="Double wishbone").gravity(0, 0, -9.81)
     rail = {"rail": {"position": (0, 0.2, 0.35)}}
     wheel = {"type": "cylinder", "radius": 0.3, "length": 0.16, "axis": (0, 1, 0), "position": (0, 0.13, 0)}
     post = {"type": "box", "size": (0.04, 0.03, 0.35), "position": (0, -0.06, 0.05)}

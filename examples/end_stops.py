@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from runtime import load_model, plots, simulate
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 INERTIA, STIFFNESS, REACH, SPEED, ENOUGH = 0.4, 2000.0, 0.6, 3.0, 8  # kg m^2, N m/rad, rad, rad/s, touches
 
@@ -19,7 +19,7 @@ def build():
     """Springs act beyond 0.6 rad; each touch is counted by an input, and the flap's last touch ends the run."""
     touch = {"action": {"touches": "touches + 1"}}
     return (
-        SceneBuilder("end_stops", title="Flap between end stops")
+        Scene("end_stops", title="Flap between end stops")
         .input("touches", 0.0)
         .rigid("flap", mass=2.0, inertia=INERTIA, markers={"tip": {"position": (0.5, 0)}})
         .revolute("hinge", "ground.origin", "flap.origin")

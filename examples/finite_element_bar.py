@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from runtime import load_model, plots, simulate
 from symgen.fe import STEEL, FlexibleBody
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 LENGTH, WIDTH, HEIGHT, TURN = 0.5, 0.02, 0.006, 0.1  # m, m, m, s: duration of the turn
 
@@ -29,7 +29,7 @@ def build(body: FlexibleBody):
     """The bar on a motor about y, turned by a quarter of a turn; at its root a marker with the motor's axis."""
     fields, axis = body.fields(damping_ratio=0.002), {"axis": [0.0, 1.0, 0.0]}
     fields["markers"]["root"] |= axis
-    builder = SceneBuilder("bar", space="spatial", title="Bar of finite elements")
+    builder = Scene("bar", space="spatial", title="Bar of finite elements")
     builder.ground(markers={"motor": axis}).flexible("bar", **fields).revolute("hinge", "ground.motor", "bar.root")
     builder.prescribed_angle("motor", "ground.motor", "bar.root", motion=(
         f"where(t < {TURN}, pi / 2 * (t / {TURN} - sin(2 * pi * t / {TURN}) / (2 * pi)), pi / 2)"))

@@ -10,14 +10,14 @@ from scipy.interpolate import CubicSpline
 
 from runtime import load_model, plots, simulate
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 BASE, CRANK, ARM = 0.10, 0.20, 0.32  # m: half the distance of the motors, lengths of the links
 
 
 def build():
     """Two cranks and two arms that meet in the tool; the plane is level, so gravity does no work."""
-    builder = SceneBuilder("five_bar", title="Five-bar robot")
+    builder = Scene("five_bar", title="Five-bar robot")
     builder.ground(markers={"left": {"position": (-BASE, 0)}, "right": {"position": (BASE, 0)}})
     for name, length, mass in (("crank1", CRANK, 0.4), ("arm1", ARM, 0.3), ("arm2", ARM, 0.3), ("crank2", CRANK, 0.4)):
         builder.rigid(name, mass=mass, inertia=mass * length**2 / 12, center_of_mass=(length / 2, 0),

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from runtime import load_model, plots, simulate
 from symgen.generate import generate
-from symgen.scene import Scene, SceneError
+from symgen.scene import SceneError, SceneRecord
 
 TEXT = """
 name = "swing"
@@ -45,14 +45,14 @@ save_every = 50
 
 def main(picture: Path | None = None) -> None:
     """The scene survives the way to TOML and back; a misspelt key is refused with a suggestion."""
-    scene = Scene.from_toml_text(TEXT)
-    assert Scene.from_toml_text(scene.to_toml()) == scene
+    scene = SceneRecord.from_toml_text(TEXT)
+    assert SceneRecord.from_toml_text(scene.to_toml()) == scene
     with tempfile.TemporaryDirectory() as folder:
         solution = simulate(load_model(generate(scene, folder)))
     for t in (0.0, 0.5, 1.0, 1.5, 2.0):
         print(f"t = {t:.1f} s   height {solution.interpolate(t, 'height'): .4f} m")
     try:
-        Scene.from_toml_text(TEXT.replace("mass = 2.0", "mas = 2.0"))
+        SceneRecord.from_toml_text(TEXT.replace("mass = 2.0", "mas = 2.0"))
     except SceneError as error:
         print(error)
     if picture:

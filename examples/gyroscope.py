@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from runtime import load_model, plots, simulate
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 MASS, ARM, RADIUS, SPIN, TILT, GRAVITY = 0.5, 0.15, 0.08, 100.0, pi / 3, 9.81  # kg, m, m, rad/s, rad, m/s^2
 AXIAL, ACROSS = MASS * RADIUS**2 / 2, MASS * (RADIUS**2 / 4 + ARM**2)  # kg m^2 about the axis, about the foot
@@ -18,7 +18,7 @@ AXIAL, ACROSS = MASS * RADIUS**2 / 2, MASS * (RADIUS**2 / 4 + ARM**2)  # kg m^2 
 
 def build():
     """A disk on a massless arm, free to turn about the foot; Euler angles: precession, nutation, spin."""
-    builder = SceneBuilder("gyroscope", space="spatial", title="Gyroscope").gravity(0, 0, -GRAVITY)
+    builder = Scene("gyroscope", space="spatial", title="Gyroscope").gravity(0, 0, -GRAVITY)
     builder.rigid("disk", mass=MASS, inertia=[MASS * RADIUS**2 / 4, MASS * RADIUS**2 / 4, AXIAL],
                   center_of_mass=(0, 0, ARM), orientation="zxz", markers={"hub": {"position": (0, 0, ARM)}}, shape=[
                       {"type": "cylinder", "radius": RADIUS, "length": 0.01, "position": (0, 0, ARM)},

@@ -11,14 +11,14 @@ from scipy.optimize import brentq
 
 from runtime import equilibrium, load_model
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 LINKS, LENGTH, SPAN = 12, 1.5, 1.0  # m: of the whole chain, between the hooks
 
 
 def build():
     """Rigid links on hinges, started as a round sag."""
-    builder = SceneBuilder("hanging_chain", title="Chain between two hooks").gravity(0, -9.81)
+    builder = Scene("hanging_chain", title="Chain between two hooks").gravity(0, -9.81)
     builder.ground(markers={"hook": {"position": (SPAN, 0)}})
     link, last = LENGTH / LINKS, "ground.origin"
     for k in range(LINKS):

@@ -8,7 +8,7 @@ import numpy as np
 
 from runtime import DifferentiableRun, fit, load_model
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 TRUTH = {"beam.youngs_modulus": 6.8952e10, "beam.damping_ratio": 0.02, "hub.inertia": 10.0}
 GUESS = {"beam.youngs_modulus": 5.5e10, "beam.damping_ratio": 0.05, "hub.inertia": 14.0}
@@ -17,7 +17,7 @@ NOISE = 0.005  # m
 
 def build():
     """The hub of case F2 with its 8 m beam: a torque turns it for two seconds, then it swings freely."""
-    builder = SceneBuilder("hub_beam").rigid("hub", mass=1.0, inertia=10.0).beam(
+    builder = Scene("hub_beam").rigid("hub", mass=1.0, inertia=10.0).beam(
         "beam", length=8.0, density=2766.7, area=7.2968e-5, second_moment=8.2189e-9, youngs_modulus=6.8952e10,
         damping_ratio=0.02, lateral={"ends": "clamped-free", "modes": 2}, stiffening=True)
     builder.revolute("pivot", "ground.origin", "hub.origin").weld("clamp", "hub.origin", "beam.start")

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from runtime import load_model, reference_solution, simulate
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 STIFFNESS = np.array([40.0, 40.0, 40.0, 4000.0])  # N/m, from the wall outwards
 
@@ -22,7 +22,7 @@ def build():
     k = np.append(STIFFNESS, 0.0)
     K = np.diag(k[:-1] + k[1:]) - np.diag(k[1:-1], 1) - np.diag(k[1:-1], -1)
     return (
-        SceneBuilder("masses_in_a_row", title="Four masses in a row")
+        Scene("masses_in_a_row", title="Four masses in a row")
         .parameter("force", 2.0, "N", "amplitude of the force")
         .structure(coordinates=["x1", "x2", "x3", "x4"], mass=np.diag([1.0, 1.0, 1.0, 0.2]), stiffness=K,
                    damping=0.002 * K, force=[0.0, "force * sin(3 * t)", 0.0, 0.0])

@@ -12,14 +12,14 @@ from matplotlib.figure import Figure
 
 from runtime import Model, load_model
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 T_END, ANGLE = 1.5, 1.0  # s, rad
 
 
 def build():
     """A hub in the horizontal plane with a 1 m aluminium beam."""
-    builder = SceneBuilder("arm").parameter("torque", 0.0, "N m").rigid("hub", mass=1.0, inertia=0.02).beam(
+    builder = Scene("arm").parameter("torque", 0.0, "N m").rigid("hub", mass=1.0, inertia=0.02).beam(
         "beam", length=1.0, density=2700.0, area=4e-5, second_moment=1.3e-11, youngs_modulus=7e10,
         lateral={"ends": "clamped-free", "modes": 2})
     builder.revolute("pivot", "ground.origin", "hub.origin").weld("clamp", "hub.origin", "beam.start")

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from runtime import load_model, simulate
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 SIZES = np.array([0.05] * 12 + [0.0125] * 32)  # m: lengths of the elements from the wall on; together 1 m
 PULSE, STEP, RATIO = 1.0, 0.04, 4  # s, s; stiffness and mass per length are 1, so waves travel at 1 m/s
@@ -22,7 +22,7 @@ def build():
         K[k:k + 2, k:k + 2] += np.array([[1, -1], [-1, 1]]) / size
     names = [f"u{k + 1}" for k in range(n)]
     return (
-        SceneBuilder("partitioned_bar", title="Bar with coarse and fine elements")
+        Scene("partitioned_bar", title="Bar with coarse and fine elements")
         .structure(coordinates=names, mass=np.diag(np.convolve(SIZES, [0.5, 0.5])[1:]), stiffness=K[1:, 1:],
                    force=[0.0] * (n - 1) + [f"where(t < {PULSE}, sin(pi * t / {PULSE})**2, 0)"])
         .groups(coarse=names[:12], fine=names[12:])

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from runtime import load_model, plots, simulate
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 CRANK, PIVOT, INERTIA, SPEED = 0.10, 0.25, 0.2, 10.0  # m, m below the crank's axle, kg m^2, rad/s
 
@@ -18,7 +18,7 @@ CRANK, PIVOT, INERTIA, SPEED = 0.10, 0.25, 0.2, 10.0  # m, m below the crank's a
 def build():
     """The pin of a crank slides in the slot of a rocker that swings about a pivot below."""
     return (
-        SceneBuilder("quick_return", title="Quick-return mechanism")
+        Scene("quick_return", title="Quick-return mechanism")
         .ground(markers={"pivot": {"position": (0, -PIVOT)}})
         .rigid("crank", mass=1.0, inertia=0.01, markers={"pin": {"position": (CRANK, 0)}})
         .rigid("rocker", mass=4.0, inertia=INERTIA, markers={"end": {"position": (0.5, 0)}})

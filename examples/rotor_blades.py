@@ -10,7 +10,7 @@ import numpy as np
 from runtime import campbell, equilibrium, load_model
 from runtime.views.plots import campbell_picture
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 BLADE = {"length": 10.0, "density": 1200.0, "area": 1e-3, "second_moment": 5e-7, "youngs_modulus": 2.8e10}
 UNIT = sqrt(2.8e10 * 5e-7 / (1200.0 * 1e-3 * 10.0**4))  # rad/s, sqrt(EI / (rho A L^4))
@@ -19,7 +19,7 @@ FLAP = {0.0: 3.5160, 2.0: 4.1373, 4.0: 5.5850, 6.0: 7.3604}  # Wright et al. 198
 
 def build():
     """Two blades at a light hub, bending in the plane of rotation, with geometric stiffening."""
-    builder = SceneBuilder("rotor", title="Rotor with two blades")
+    builder = Scene("rotor", title="Rotor with two blades")
     builder.rigid("hub", mass=10.0, inertia=1.0, markers={"a": {"angle": 0.0}, "b": {"angle": "pi"}})
     for side in ("a", "b"):
         builder.beam(f"{side}", **BLADE, lateral={"ends": "clamped-free", "modes": 4}, elements=100, stiffening=True)

@@ -10,7 +10,7 @@ from scipy.linalg import expm
 
 from runtime import Sampled, load_model, modes, simulate
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 J, FRICTION, WANTED, PERIOD = 0.02, 0.01, 30.0, 0.1  # kg m^2, N m s, rad/s, s between two samples
 W, Z = 5.0, 0.6  # the frequency [rad/s] and damping ratio that the loop shall have
@@ -19,7 +19,7 @@ KP, KI = 2 * Z * W * J - FRICTION, J * W**2
 
 def build(torque):
     """A rotor with friction, the speed that is wanted as an input, the integral of the error as a state."""
-    builder = SceneBuilder("speed_loop").input("wanted", WANTED, "rad/s").input("command", 0.0, "N m")
+    builder = Scene("speed_loop").input("wanted", WANTED, "rad/s").input("command", 0.0, "N m")
     builder.rigid("rotor", mass=1.0, inertia=J).revolute("axle", "ground.origin", "rotor.origin", damping=FRICTION)
     builder.measure("angle", "angle", "rotor.origin").state("total", "wanted - angle_dot", unit="rad")
     return builder.torque("motor", "rotor.origin", torque).simulation(t_end=2.0, dt=1e-3, scheme="rk4").build()

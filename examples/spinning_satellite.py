@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from runtime import load_model, plots, simulate
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 SPIN, WOBBLE, HUB = 2.0, 0.6, np.array([4.0, 6.0, 9.0])  # rad/s, rad/s, kg m^2
 REACH, ROOT, LINE = 2.0, 0.3, 1.0  # m, m, kg/m: length of a panel, where it is held, its mass per length
@@ -18,7 +18,7 @@ REACH, ROOT, LINE = 2.0, 0.3, 1.0  # m, m, kg/m: length of a panel, where it is 
 def build():
     """A hub on an air bearing, as satellites are tested: three massless hinges, and two panels that bend in z."""
     y, x = {"axis": (0, 1, 0)}, {"axis": (1, 0, 0)}
-    builder = SceneBuilder("satellite", space="spatial", title="Spinning satellite with flexible panels")
+    builder = Scene("satellite", space="spatial", title="Spinning satellite with flexible panels")
     builder.rigid("ring", mass=1, inertia=[0, 0, 0], markers={"y": y})
     builder.rigid("fork", mass=1, inertia=[0, 0, 0], markers={"y": y, "x": x})
     builder.rigid("hub", mass=60.0, inertia=list(HUB), shape={"type": "box", "size": (0.6, 0.6, 0.8)}, markers={

@@ -24,7 +24,7 @@ from symgen.emission.description import clean, describe
 from symgen.emission.emit import emit
 from symgen.emission.write import compare_model, write_model
 from symgen.pipeline import Derived, derive, derive_on_demand, looked_at
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 
 LARGEST_COMPLETE = 200  # coordinates of a scene that is written with all functions where nothing else is said
 QUADRATIC = {
@@ -34,7 +34,7 @@ QUADRATIC = {
 
 
 def generate(
-    scene: Scene,
+    scene: SceneRecord,
     folder: str | Path,
     functions: frozenset[str] | None = None,
     complete: bool = False,
@@ -52,7 +52,7 @@ def generate(
 
 
 def check(
-    scene: Scene,
+    scene: SceneRecord,
     folder: str | Path,
     functions: frozenset[str] | None = None,
     complete: bool = False,
@@ -80,7 +80,7 @@ def _left_out(folder: Path) -> list[str]:
         return []
 
 
-def _derived(scene: Scene, functions: frozenset[str] | None, complete: bool) -> Derived:
+def _derived(scene: SceneRecord, functions: frozenset[str] | None, complete: bool) -> Derived:
     if functions is not None or complete or len(scene.coordinates()) <= LARGEST_COMPLETE:
         return derive(scene, functions)
     found = derive_on_demand(scene)
@@ -90,7 +90,7 @@ def _derived(scene: Scene, functions: frozenset[str] | None, complete: bool) -> 
     return looked_at(found, short)
 
 
-def model_of(scene: Scene) -> Model:
+def model_of(scene: SceneRecord) -> Model:
     """The model of a scene, its functions derived on demand; for what is to be kept or sent elsewhere: `generate`.
 
     Raises SceneError for a bad scene; what only a function shows is raised when that is asked for.
@@ -117,7 +117,7 @@ def digest_on_demand(scene_toml: str) -> str:
 
 def model_of_text(scene_toml: str) -> Model:
     """`model_of` the scene of a TOML text: the entry point `symgen.functions` of the runtime. Raises SceneError."""
-    return model_of(Scene.from_toml_text(scene_toml))
+    return model_of(SceneRecord.from_toml_text(scene_toml))
 
 
 def leave(model: Model, folder: str | Path) -> Path:

@@ -62,7 +62,7 @@ from symgen.kernels.all_coordinates import geometry
 from symgen.kernels.catalogue import kernel_builders, known_kernels
 from symgen.kernels.kernel import Kernel, arguments_of
 from symgen.kernels.specification import specification
-from symgen.scene import Scene, SceneError
+from symgen.scene import SceneError, SceneRecord
 from symgen.system.build import System, build_system
 from symgen.system.equations import Equations
 from symgen.system.errors import DerivationError
@@ -77,7 +77,7 @@ class Derived:
     left_out: names of functions that the scene has beside those of the tapes.
     """
 
-    scene: Scene
+    scene: SceneRecord
     topology: Topology
     system: Condensed
     dependent: list[int]
@@ -112,7 +112,7 @@ class Configuration:
 class _Condensation:
     """A scene with its dependent coordinates substituted: all of it but the functions."""
 
-    scene: Scene
+    scene: SceneRecord
     built: System
     system: Condensed
     groups: list[Group]
@@ -159,7 +159,7 @@ class _Condensation:
         )
 
 
-def derive(scene: Scene, functions: frozenset[str] | None = None, at: Configuration | None = None) -> Derived:
+def derive(scene: SceneRecord, functions: frozenset[str] | None = None, at: Configuration | None = None) -> Derived:
     """Scene to kernels. `functions` limits the kernels by name (all by default).
 
     at: the configuration at which coordinates are chosen, the scene's assembled initial state by default.
@@ -174,7 +174,7 @@ def derive(scene: Scene, functions: frozenset[str] | None = None, at: Configurat
         return found.derived({**tapes, **{name: make() for name, make in more.items()}})
 
 
-def derive_on_demand(scene: Scene) -> Derived:
+def derive_on_demand(scene: SceneRecord) -> Derived:
     """Scene to functions that are derived one by one, each when its tape is first looked at, with c = p.
 
     Raises SceneError as `derive` does; what only a function shows is found when that is derived.
@@ -212,7 +212,7 @@ def _scene_errors() -> Iterator[None]:
         raise SceneError(error.item, error.problem, error.remedy) from error
 
 
-def _condensation(scene: Scene, at: Configuration | None) -> _Condensation:
+def _condensation(scene: SceneRecord, at: Configuration | None) -> _Condensation:
     system = build_system(scene)
     equations = system.equations
     numbers = ConstraintNumbers(equations, system.parameters)

@@ -11,7 +11,7 @@ from pathlib import Path
 from symgen.emission.emit import emit
 from symgen.emission.write import write_model
 from symgen.pipeline import Configuration, derive
-from symgen.scene import Scene, SceneError
+from symgen.scene import SceneError, SceneRecord
 
 
 def generate_variant(
@@ -32,7 +32,7 @@ def generate_variant(
     and redundant rows are found anew. Returns the folder. Raises SceneError if q_i cannot be independent there, for
     an incomplete state, and for a folder that cannot be written.
     """
-    data = Scene.from_toml_text(scene_toml_text).to_dict()
+    data = SceneRecord.from_toml_text(scene_toml_text).to_dict()
     data["partition"] = {
         **{key: value for key, value in data.get("partition", {}).items() if key == "stiff"},
         "independent": list(independent),
@@ -45,7 +45,7 @@ def generate_variant(
     if state is not None:
         data["initial"] = {"coordinates": dict(state)}
         at = Configuration(state, frozenset(redundant))
-    scene = Scene.from_dict(data)
+    scene = SceneRecord.from_dict(data)
     missing = sorted(set(scene.coordinates()) - set(state)) if state is not None else []
     if missing:
         raise SceneError("state", f"has no value for {', '.join(missing)}", "give all coordinates")

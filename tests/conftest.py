@@ -13,7 +13,7 @@ import pytest
 from runtime.contract.loading import load_model
 from runtime.contract.model import Model
 from symgen.generate import generate
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.scenes import SCENES, generated_folder
 
 # What `pytest -m fast` runs: folders and files whose tests together take less than 40 s on two cores.
@@ -91,11 +91,11 @@ def built_in(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFa
 
 
 @pytest.fixture(scope="session")
-def model_of(tmp_path_factory: pytest.TempPathFactory) -> Callable[[Scene], Model]:
+def model_of(tmp_path_factory: pytest.TempPathFactory) -> Callable[[SceneRecord], Model]:
     """Model of any scene: generated into a temporary folder and loaded, once for equal scenes."""
     models: dict[str, Model] = {}
 
-    def build(scene: Scene) -> Model:
+    def build(scene: SceneRecord) -> Model:
         key = scene.to_toml()
         if key not in models:
             models[key] = load_model(generate(scene, tmp_path_factory.mktemp(scene.name)))
@@ -105,7 +105,7 @@ def model_of(tmp_path_factory: pytest.TempPathFactory) -> Callable[[Scene], Mode
 
 
 @pytest.fixture(scope="session")
-def build(tmp_path_factory: pytest.TempPathFactory) -> Callable[[Scene, frozenset[str] | None], Model]:
+def build(tmp_path_factory: pytest.TempPathFactory) -> Callable[[SceneRecord, frozenset[str] | None], Model]:
     """Model of any scene with the named functions only (None: all), generated anew."""
     return lambda scene, functions: load_model(generate(scene, tmp_path_factory.mktemp(scene.name), functions))
 

@@ -20,7 +20,7 @@ from benchmarks.harness.timing import Timing, interleave
 from runtime import simulate
 from runtime.contract.model import Model
 from runtime.start.start_state import start_state
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes.flexible_slider_crank import J1, L1, L2, M1, M3, RHO, WIDTH, E
 
 T_END, PERIOD = 0.05, 1e-5  # s; a run is compared every PERIOD, or every step if that is longer
@@ -149,9 +149,9 @@ def _set_up(folder: Path) -> tuple[Model, list[Line]]:
     ]
 
 
-def slider_crank(stiffening: bool = True) -> Scene:
+def slider_crank(stiffening: bool = True) -> SceneRecord:
     """The mechanism with a meshed rod, its middle measured."""
-    builder = SceneBuilder("slider_crank_exudyn")
+    builder = Scene("slider_crank_exudyn")
     builder.rigid(
         "crank",
         mass=M1,

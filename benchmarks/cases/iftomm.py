@@ -20,7 +20,7 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import Stepper
 from runtime.start.start_state import start_state
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.scenes.bricard import bricard
 from symgen.scenes.flyball_governor import flyball_governor
 from symgen.scenes.heavy_top import heavy_top
@@ -65,7 +65,7 @@ class Case:
     """A scene with reference positions at times; steps come in multiples of `steps`, so that they meet these times."""
 
     name: str
-    make: Callable[[], Scene]
+    make: Callable[[], SceneRecord]
     t_end: float
     steps: int
     positions: Callable[[Solution], np.ndarray]

@@ -13,7 +13,7 @@ from runtime import simulate
 from runtime.contract.model import Model
 from runtime.running.ladder import Method
 from runtime.studies.work_precision.reference import Reference
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes.hard_suite import HARD_SUITE
 
 NAMES = ("slider_crank_torque", "f2_heavy_hub", "f2_light_hub")
@@ -109,11 +109,11 @@ def _times(name: str, reference: Reference) -> list[Line]:
 LOADS = {"hub_square": "where(sin(w * t) > 0, torque, 0)", "hub_sine": "torque * sin(w * t)"}
 
 
-def hub_under(name: str, load: str) -> Scene:
+def hub_under(name: str, load: str) -> SceneRecord:
     """The hub with a beam of the hard suite under another torque."""
     section = {"area": 7.2968e-5, "second_moment": 8.2189e-9, "youngs_modulus": 6.8952e10}
     shapes = {"ends": "clamped-free", "modes": 3}
-    builder = SceneBuilder(name).parameter("torque", 10.0, "N m").parameter("w", WAVE, "rad/s")
+    builder = Scene(name).parameter("torque", 10.0, "N m").parameter("w", WAVE, "rad/s")
     builder.rigid("hub", mass=1.0, inertia=10.0)
     builder.beam("beam", length=8.0, density=2766.7, lateral=shapes, stiffening=True, **section)
     builder.revolute("pivot", "ground.origin", "hub.origin").weld("clamp", "hub.origin", "beam.start")

@@ -15,7 +15,7 @@ from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.timing import interleave, ratio
 from runtime.engine.compiled import CompiledProgram
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes.chain import chain
 
 LINKS, LENGTH, MASS = 10, 0.5, 0.078
@@ -40,7 +40,7 @@ class Case:
     """A mechanism on both sides. relative (n x n): their angles from ours."""
 
     name: str
-    scene: Scene
+    scene: SceneRecord
     hinges: list[Hinge]
     gravity: tuple[float, float, float]
     relative: np.ndarray
@@ -86,9 +86,9 @@ def random_tree(seed: int) -> Case:
     return Case(f"random tree {seed}", tree_scene(hinges), hinges, (0.0, 0.0, -GRAVITY), np.eye(len(hinges)))
 
 
-def tree_scene(hinges: list[Hinge]) -> Scene:
+def tree_scene(hinges: list[Hinge]) -> SceneRecord:
     """Rigid bodies on hinges."""
-    builder = SceneBuilder("skew_tree", space="spatial").gravity(0.0, 0.0, -GRAVITY)
+    builder = Scene("skew_tree", space="spatial").gravity(0.0, 0.0, -GRAVITY)
     for k in range(len(hinges) + 1):
         markers = {
             f"hinge{j + 1}": {"position": one.place, "axis": one.turn[:, 2], "x_axis": one.turn[:, 0]}

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 CRANK_LENGTH, CRANK_MASS, CRANK_CENTER, CRANK_INERTIA = 0.15, 0.36, 0.075, 7.02e-4
 ROD_LENGTH, ROD_WIDTH, ROD_DENSITY, ROD_MODULUS = 0.30, 0.008, 7870.0, 2e11
@@ -68,10 +68,10 @@ def general_rod(modes: int = 4, damped: bool = False, orthogonal: bool = False) 
     return {**rod, "D_ff": 0.5 * damping @ damping.T} if damped else rod
 
 
-def slider_crank(rod: dict) -> Scene:
+def slider_crank(rod: dict) -> SceneRecord:
     """Crank (slow group), flexible rod (its modes are the fast group) and slider, running freely from 150 rad/s."""
     modes = [f"rod.q{k + 1}" for k in range(len(rod["M_ff"]))]
-    builder = SceneBuilder("slider_crank_benchmark")
+    builder = Scene("slider_crank_benchmark")
     builder.rigid(
         "crank",
         mass=CRANK_MASS,

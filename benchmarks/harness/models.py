@@ -15,7 +15,7 @@ from runtime.contract.model import Model
 from runtime.engine.program import Call, Fields, Layout, make_stage
 from runtime.schemes.stage_equations import StageEquations
 from symgen.generate import generate
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 
 
 @contextmanager
@@ -33,7 +33,7 @@ def workplace() -> Iterator[Path]:
                 os.environ["SYMGEN_CACHE"] = before
 
 
-def model_of(scene: Scene, folder: Path, functions: frozenset[str] | None = None) -> Model:
+def model_of(scene: SceneRecord, folder: Path, functions: frozenset[str] | None = None) -> Model:
     """Generate and load."""
     return load_model(generate(scene, Path(tempfile.mkdtemp(dir=folder)), functions))
 

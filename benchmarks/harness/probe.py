@@ -23,7 +23,7 @@ from runtime.schemes.catalogue import scheme_kind  # noqa: E402
 from symgen.emission.emit import emit  # noqa: E402
 from symgen.emission.write import write_model  # noqa: E402
 from symgen.pipeline import derive  # noqa: E402
-from symgen.scene import Scene  # noqa: E402
+from symgen.scene import SceneRecord  # noqa: E402
 from symgen.scenes.chain import chain  # noqa: E402
 
 IMPORTS = time.process_time() - STARTED
@@ -42,7 +42,7 @@ def _condensed(model: Model) -> None:
 
 
 # case: scene, functions (None: all), what is compiled
-CASES: dict[str, tuple[Callable[[], Scene], frozenset[str] | None, Callable[[Model], None] | None]] = {
+CASES: dict[str, tuple[Callable[[], SceneRecord], frozenset[str] | None, Callable[[Model], None] | None]] = {
     "slider_crank": (lambda: slider_crank(pinned_rod()), None, _step),
     "chain_20_stepping": (lambda: chain(20, 2), STEPPING, None),
     "chain_20": (lambda: chain(20, 2), None, None),

@@ -22,7 +22,7 @@ from hypothesis import strategies as st
 
 from runtime import SymgenError, load_model, simulate
 from symgen.generate import generate
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from tests.scene.test_random_edits import GOOD, edit
 
 STEPS = 20
@@ -56,7 +56,7 @@ def ended(raw: Any) -> str:
     """How a scene ended, in words."""
     place = "scene"
     try:
-        scene = Scene.from_dict(raw)
+        scene = SceneRecord.from_dict(raw)
         place = "derivation"
         with tempfile.TemporaryDirectory() as folder:
             model = load_model(generate(scene, Path(folder) / "model"))

@@ -26,7 +26,7 @@ from runtime.contract.model import Model
 from runtime.operating.mode_solver import modes_at
 from runtime.results.motion_error import amplitudes, floored
 from symgen.generate import model_of
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes.hard_suite import HARD_SUITE
 from tests.support.random_mechanisms import four_bars, trees
 
@@ -90,9 +90,9 @@ class Chain:
     start: tuple[float, ...]
     t_end: float
 
-    def scene(self) -> Scene:
+    def scene(self) -> SceneRecord:
         """The chain as a scene."""
-        builder, parent = SceneBuilder("chain").gravity(0, -GRAVITY), "ground.origin"
+        builder, parent = Scene("chain").gravity(0, -GRAVITY), "ground.origin"
         for k, (length, mass) in enumerate(zip(self.lengths, self.masses, strict=True)):
             builder.rigid(
                 f"rod{k}",
@@ -190,7 +190,7 @@ class Mechanism:
     """A scene, and how it starts: arguments of `simulate`."""
 
     name: str
-    scene: Scene
+    scene: SceneRecord
     start: dict[str, Any]
 
 
@@ -201,7 +201,7 @@ def mechanisms(of: str, count: int, number: int) -> list[Mechanism]:
             Mechanism(name, case.make(), {"parameters": case.parameters, "initial": case.initial, "start": case.start})
             for name, case in list(HARD_SUITE.items())[:count]
         ]
-    found: list[Scene] = []
+    found: list[SceneRecord] = []
 
     @seed(number)
     @settings(
@@ -212,7 +212,7 @@ def mechanisms(of: str, count: int, number: int) -> list[Mechanism]:
         suppress_health_check=list(HealthCheck),
     )
     @given({"trees": trees, "loops": four_bars}[of]())
-    def collect(scene: Scene) -> None:
+    def collect(scene: SceneRecord) -> None:
         found.append(scene)
 
     collect()

@@ -16,7 +16,7 @@ from benchmarks.harness.models import workplace
 from runtime import load_model
 from runtime.contract.orientations import exponential, product, rotation
 from symgen.generate import generate
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 TREES, BODIES, GRAVITY = 50, 5, 9.81
 CONJUGATE = np.array([1.0, -1.0, -1.0, -1.0])
@@ -50,14 +50,14 @@ def random_tree(rng: np.random.Generator) -> list[Part]:
     return parts
 
 
-def scene_of(parts: list[Part]) -> Scene:
+def scene_of(parts: list[Part]) -> SceneRecord:
     """The tree; a body's frame is that of its joint."""
     names = ["ground", *(f"body{k + 1}" for k in range(len(parts)))]
     markers: dict[str, dict] = {name: {"own": {}} for name in names}
     for k, part in enumerate(parts):
         axis, x_axis = part.axes[:, 2].tolist(), part.axes[:, 0].tolist()
         markers[names[part.parent]][f"m{k}"] = {"position": part.place.tolist(), "axis": axis, "x_axis": x_axis}
-    builder = SceneBuilder("spherical_tree", space="spatial").gravity(0, 0, -GRAVITY).ground(markers=markers["ground"])
+    builder = Scene("spherical_tree", space="spatial").gravity(0, 0, -GRAVITY).ground(markers=markers["ground"])
     for name, part in zip(names[1:], parts, strict=True):
         data = {"mass": part.mass, "inertia": part.inertia.tolist(), "center_of_mass": part.centre.tolist()}
         builder.rigid(name, **data, markers=markers[name])

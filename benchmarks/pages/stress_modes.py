@@ -17,7 +17,7 @@ from runtime import load_model, simulate
 from runtime.contract.flexible import BodyMotion
 from symgen.fe import STEEL, FlexibleBody, LineMesh, Material, Section
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 LENGTH, Y, Z, CELLS = 0.3, 0.010, 0.012, 16
 ALUMINIUM = Material(E=7e10, nu=0.3, rho=2700.0)
@@ -74,7 +74,7 @@ def arm(count: int) -> tuple[FlexibleBody, BodyMotion]:
 
 def started(body: FlexibleBody, angle: str, t_end: float) -> BodyMotion:
     """The motion of a body on an axle at its root, from rest."""
-    builder = SceneBuilder("arm", space="spatial").flexible("arm", **body.fields())
+    builder = Scene("arm", space="spatial").flexible("arm", **body.fields())
     builder.revolute("axle", "ground.origin", "arm.root")
     builder.prescribed_angle("drive", "ground.origin", "arm.root", motion=angle)
     with tempfile.TemporaryDirectory() as folder:

@@ -2,8 +2,8 @@
 
 TOPICS: dict[str, list[str]] = {
     "Scenes and code": [
-        "symgen.scene.builder.SceneBuilder",
-        "symgen.scene.scene.Scene",
+        "symgen.scene.builder.Scene",
+        "symgen.scene.scene.SceneRecord",
         "symgen.schema.errors.SceneError",
         "symgen.generate.generate",
         "symgen.fe.body.FlexibleBody",

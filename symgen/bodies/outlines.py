@@ -10,7 +10,7 @@ import numpy as np
 
 from symgen.algebra.vectors import Vector
 from symgen.bodies.spatial_moments import Matrix
-from symgen.scene import BeamBody, Scene
+from symgen.scene import BeamBody, SceneRecord
 
 BEAM_FRACTIONS = tuple(float(at) for at in np.linspace(0.0, 1.0, 17))
 
@@ -46,7 +46,7 @@ class Picture:
     rigidities: dict[str, list[ca.SX]] = field(default_factory=dict)
 
 
-def drawn_references(scene: Scene) -> Iterator[str]:
+def drawn_references(scene: SceneRecord) -> Iterator[str]:
     """References "body.marker": what joints, loads and measures use, and what the scene declares; origins first."""
     used = [reference for joint in scene.joints for reference in joint.markers.values()]
     used += [reference for load in scene.loads for reference in load.markers.values()]

@@ -16,7 +16,7 @@ from symgen.algebra.parameters import ParameterTable
 from symgen.bodies.beam_sets import ModeSets, mesh_name, mode_sets, set_choices
 from symgen.modes import BarModes, BeamModes, beam_integrals
 from symgen.modes.integrals import BeamIntegrals, BeamPoint
-from symgen.scene import BeamBody, BeamMarker, ModalBody, ModalMarker, RigidBody, Scene
+from symgen.scene import BeamBody, BeamMarker, ModalBody, ModalMarker, RigidBody, SceneRecord
 
 Table = Sequence[Sequence[float | str]]
 
@@ -220,7 +220,7 @@ def beam_section(body: BeamBody, table: ParameterTable) -> tuple[ca.SX, ca.SX, c
     return area, second[0], second[1]
 
 
-def body_integrals(scene: Scene, name: str, table: ParameterTable) -> ShapeIntegrals:
+def body_integrals(scene: SceneRecord, name: str, table: ParameterTable) -> ShapeIntegrals:
     """Shape integrals of the named body of the scene."""
     body = scene.body(name)
     if isinstance(body, RigidBody):
@@ -253,7 +253,7 @@ def _matrix(values: Table | None, name: str, unit: str, table: ParameterTable, s
     return result
 
 
-def marker_shape(scene: Scene, reference: str, table: ParameterTable) -> tuple[str, PointShape]:
+def marker_shape(scene: SceneRecord, reference: str, table: ParameterTable) -> tuple[str, PointShape]:
     """(body name, shape) of the marker "body.marker"."""
     body, marker = scene.marker(reference)
     angle = table.quantity(marker.angle, f"{reference}.angle", "rad", "marker angle")

@@ -16,7 +16,15 @@ from symgen.algebra.scalar import add, entries, mul, neg
 from symgen.algebra.vectors import Vector, scaled, zeros
 from symgen.bodies.spatial_beam_body import beam_spatial_point, spatial_beam_integrals, square
 from symgen.bodies.spatial_moments import Matrix, SpatialIntegrals, SpatialPoint
-from symgen.scene import BeamBody, BeamMarker, FlexibleMarker, MarkerDirections, RigidBody, Scene, SpatialModalBody
+from symgen.scene import (
+    BeamBody,
+    BeamMarker,
+    FlexibleMarker,
+    MarkerDirections,
+    RigidBody,
+    SceneRecord,
+    SpatialModalBody,
+)
 
 ALONG = 1.0 - 1e-9  # an axis this much along the body's x-axis takes the body's z-axis for its x-axis
 
@@ -58,7 +66,7 @@ def _unit(vector: np.ndarray) -> np.ndarray:
     return np.asarray(scaled / np.linalg.norm(scaled))
 
 
-def spatial_integrals(scene: Scene, name: str, table: ParameterTable) -> SpatialIntegrals:
+def spatial_integrals(scene: SceneRecord, name: str, table: ParameterTable) -> SpatialIntegrals:
     """Integrals of the named body."""
     body = scene.body(name)
     if isinstance(body, RigidBody):
@@ -161,7 +169,7 @@ def _flexible(body: SpatialModalBody, table: ParameterTable) -> SpatialIntegrals
     )
 
 
-def spatial_point(scene: Scene, reference: str, table: ParameterTable) -> tuple[str, SpatialPoint]:
+def spatial_point(scene: SceneRecord, reference: str, table: ParameterTable) -> tuple[str, SpatialPoint]:
     """(body name, point) of the marker "body.marker"."""
     body, marker = scene.marker(reference)
     assert isinstance(marker, MarkerDirections)

@@ -15,7 +15,7 @@ from scipy.linalg import eigh
 
 from symgen.bodies.beam_sets import mode_sets
 from symgen.modes import BeamModes
-from symgen.scene import BeamBody, Scene, lateral_ends
+from symgen.scene import BeamBody, SceneRecord, lateral_ends
 
 EXACT = np.array([[2.0, -1.0], [-1.0, 2.0]]) / 6.0  # for L = EI = 1
 LOADED = {"welded-welded": [0, 1], "welded-pinned": [0], "pinned-welded": [1]}  # which of M_0, M_L the ends carry
@@ -44,7 +44,7 @@ class StaticResidual:
         )
 
 
-def static_residuals(scene: Scene) -> list[StaticResidual]:
+def static_residuals(scene: SceneRecord) -> list[StaticResidual]:
     """Of all beams of a scene whose `ends` are filled in: those that miss more than 0.1 %."""
     found = []
     for body in scene.moving_bodies:

@@ -14,7 +14,7 @@ from symgen.cli.words import UsageError
 
 if TYPE_CHECKING:
     from symgen.pipeline import Derived
-    from symgen.scene import Scene
+    from symgen.scene import SceneRecord
 
 TEMPLATE = Path(__file__).with_name("template.toml")  # a small working mechanism, the other choices as comments
 
@@ -22,12 +22,12 @@ TEMPLATE = Path(__file__).with_name("template.toml")  # a small working mechanis
 def new(arguments: argparse.Namespace) -> Outcome:
     """Write a commented scene file to start from."""
     from runtime.contract.files import write_text
-    from symgen.scene import Scene, SceneError
+    from symgen.scene import SceneError, SceneRecord
 
     name = arguments.name.replace("-", "_")
     path = Path(arguments.out) if arguments.out else Path(f"{name}.toml")
     text = TEMPLATE.read_text(encoding="utf-8").replace("@NAME@", name).replace("@FILE@", str(path))
-    Scene.from_toml_text(text)  # refuses a name that is not one
+    SceneRecord.from_toml_text(text)  # refuses a name that is not one
     if path.suffix != ".toml":
         raise SceneError(f"file '{path}'", "does not end in .toml", f"use --out {path}.toml")
     if path.exists() and not arguments.force:
@@ -59,7 +59,7 @@ def show(arguments: argparse.Namespace) -> Outcome:
     return Outcome(data, _shown(data))
 
 
-def _contents(scene: Scene) -> dict[str, Any]:
+def _contents(scene: SceneRecord) -> dict[str, Any]:
     return {
         "scene": scene.name,
         "title": scene.title,

@@ -17,7 +17,7 @@ from symgen.scenes import SCENES, current_folder, generated_folder
 
 if TYPE_CHECKING:
     from runtime.contract.model import Model
-    from symgen.scene import Scene
+    from symgen.scene import SceneRecord
 
 MAX_COUNT = 1000
 NOTHING: Mapping[str, float] = {}
@@ -27,7 +27,7 @@ NOTHING: Mapping[str, float] = {}
 class Source:
     """A scene and the folder its generated code belongs in."""
 
-    scene: Scene
+    scene: SceneRecord
     folder: Path
 
 
@@ -42,7 +42,7 @@ def find_source(word: str, made_with: Mapping[str, float] = NOTHING) -> Source:
 
     made_with: arguments of a built-in scene's function. Raises SceneError.
     """
-    from symgen.scene import Scene, SceneError
+    from symgen.scene import SceneError, SceneRecord
     from symgen.schema.errors import did_you_mean
 
     path, name, folder = Path(word), builtin_name(word), is_folder(word)
@@ -52,10 +52,10 @@ def find_source(word: str, made_with: Mapping[str, float] = NOTHING) -> Source:
     if made_with:
         raise SceneError("--with", f"'{word}' is not a built-in scene", "change the scene file, or use --set")
     if path.suffix == ".toml":
-        scene = Scene.from_toml(path)
+        scene = SceneRecord.from_toml(path)
         return Source(scene, Path(scene.name))
     if folder and (path / "scene.toml").is_file():
-        return Source(Scene.from_toml(path / "scene.toml"), path)
+        return Source(SceneRecord.from_toml(path / "scene.toml"), path)
     if folder:
         raise SceneError(f"folder '{word}'", "contains no scene.toml", "give a folder written by symgen generate")
     raise SceneError(
@@ -73,7 +73,7 @@ def is_folder(word: str) -> bool:
         return False
 
 
-def _made(name: str, make: Callable[..., Scene], made_with: Mapping[str, float]) -> Scene:
+def _made(name: str, make: Callable[..., SceneRecord], made_with: Mapping[str, float]) -> SceneRecord:
     """The scene of a function called with arguments by name; whole numbers where it counts something."""
     from symgen.scene import SceneError
     from symgen.schema.errors import did_you_mean
@@ -129,12 +129,12 @@ def opened_text(name: str, text: str, digest: str, keep: Path | None = None) -> 
     known = builtin_name(name)
     if known is not None and (folder := current_folder(known)) and _scene_text(folder) == text:
         return load_model(folder)
-    from symgen.scene import Scene
+    from symgen.scene import SceneRecord
 
-    return _derived(Scene.from_toml_text(text), keep, digest)
+    return _derived(SceneRecord.from_toml_text(text), keep, digest)
 
 
-def _derived(scene: Scene, keep: Path | None, digest: str | None) -> Model:
+def _derived(scene: SceneRecord, keep: Path | None, digest: str | None) -> Model:
     """On demand, unless the digest says that it was generated: into the folder to keep, or one for this moment."""
     from runtime.contract.loading import load_model
     from symgen.generate import digest_on_demand, generate, model_of

@@ -35,7 +35,7 @@ from runtime.contract.records import (
     SurfaceRecord,
 )
 from symgen.pipeline import Derived
-from symgen.scene import GroundBody, RigidBody, Scene
+from symgen.scene import GroundBody, RigidBody, SceneRecord
 from symgen.scene.appearance import BoxShape, CylinderShape, MeshShape, SphereShape
 from symgen.scene.flexible import SpatialModalBody
 
@@ -110,7 +110,7 @@ def _bodies(derived: Derived) -> list[BodyRecord]:
     return found
 
 
-def _joints(scene: Scene) -> list[JointRecord]:
+def _joints(scene: SceneRecord) -> list[JointRecord]:
     own = {placement.joint: placement.coordinates for placement in scene.placements()}
 
     def record(name: str, type: str, a: str, b: str, drawing: JointDrawing) -> JointRecord:

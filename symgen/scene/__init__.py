@@ -1,6 +1,6 @@
 """Scenes: what a mechanism consists of, as a Python builder and as a TOML file.
 
-A `Scene` is immutable and checked: whatever is wrong in it surfaces as a `SceneError` with item, problem
+A `SceneRecord` is immutable and checked: whatever is wrong in it surfaces as a `SceneError` with item, problem
 and remedy.
 """
 
@@ -19,7 +19,7 @@ from symgen.scene.bodies import (
     RigidMarker,
     TorsionModes,
 )
-from symgen.scene.builder import SceneBuilder
+from symgen.scene.builder import Scene
 from symgen.scene.flexible import FlexibleMarker, FlexibleStiffening, SpatialModalBody, Structure
 from symgen.scene.measures import (
     CoordinateMeasure,
@@ -32,7 +32,7 @@ from symgen.scene.modal import Foreshortening, ModalBody, ModalMarker
 from symgen.scene.parameters import DeclaredInput, DeclaredParameter, DeclaredState
 from symgen.scene.parts import AnyBody, AnyMarker, Body
 from symgen.scene.placing import Placement
-from symgen.scene.scene import Scene
+from symgen.scene.scene import SceneRecord
 from symgen.scene.simulation import (
     Baumgarte,
     CoordinateGroup,
@@ -58,7 +58,7 @@ __all__ = [
     "DeclaredEvent", "DeclaredInput", "DeclaredParameter", "DeclaredState", "Partition", "Placement",
     "Quantity",
    
-    "RigidBody", "RigidMarker", "Scene", "SceneBuilder", "SceneError",
+    "RigidBody", "RigidMarker", "Scene", "SceneError", "SceneRecord",
     "SectionForceMeasure",
     "Simulation", "StressMeasure", "Structure", "TorsionModes",
     "lateral_ends", "parse_expression", "read_mesh", "s_curve", "trapezoid",

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Self
 from symgen.couplings import COUPLINGS
 from symgen.joints import JOINTS
 from symgen.loads import LOADS
-from symgen.scene.scene import Scene
+from symgen.scene.scene import SceneRecord
 from symgen.scene.tables import read_points
 from symgen.schema.errors import SceneError, show
 from symgen.schema.fields import StrictModel
@@ -17,7 +17,7 @@ from symgen.schema.fields import StrictModel
 MAX_NESTING = 20
 
 
-class SceneBuilder:
+class Scene:
     """Collects the entries of a scene; every method but `build` returns the builder.
 
     The keyword arguments are the fields of the models of the same name (SI units), NumPy arrays included. Each type of
@@ -154,9 +154,9 @@ class SceneBuilder:
         """Stabilisation of the augmented form [1/s]."""
         return self._set("baumgarte", {"alpha": alpha, "beta": beta})
 
-    def build(self) -> Scene:
+    def build(self) -> SceneRecord:
         """The scene; raises SceneError."""
-        return Scene.from_dict(self._data)
+        return SceneRecord.from_dict(self._data)
 
     def _set(self, section: str, value: Any) -> Self:
         self._data[section] = _plain(value, section)
@@ -191,12 +191,12 @@ def _plain(value: Any, item: str, depth: int = 0) -> Any:
     return value
 
 
-def _method(section: str, type: str, record: type[StrictModel]) -> Callable[..., SceneBuilder]:
+def _method(section: str, type: str, record: type[StrictModel]) -> Callable[..., Scene]:
     """Adds an entry of this type: what it needs by place or by name, the rest by name."""
     own = {key: field for key, field in record.model_fields.items() if key not in ("type", "name")}
     needed = [key for key, field in own.items() if field.is_required()]
 
-    def add(self: SceneBuilder, name: str, *values: Any, **fields: Any) -> SceneBuilder:
+    def add(self: Scene, name: str, *values: Any, **fields: Any) -> Scene:
         return self._add(section, type, name, {**dict(zip(needed, values, strict=False)), **fields})
 
     either, named = Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY
@@ -209,5 +209,5 @@ def _method(section: str, type: str, record: type[StrictModel]) -> Callable[...,
 
 for _section, _records in (("joints", JOINTS), ("couplings", COUPLINGS), ("loads", LOADS)):
     for _type, _record in _records.items():
-        if not hasattr(SceneBuilder, _type):
-            setattr(SceneBuilder, _type, _method(_section, _type, _record))
+        if not hasattr(Scene, _type):
+            setattr(Scene, _type, _method(_section, _type, _record))

@@ -47,7 +47,7 @@ else:
 
 
 class SceneParts(StrictModel):
-    """The parts of a scene: each sound by itself. `Scene` adds the checks across them."""
+    """The parts of a scene: each sound by itself. `SceneRecord` adds the checks across them."""
 
     name: Name
     title: Text = ""

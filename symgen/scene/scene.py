@@ -127,7 +127,7 @@ def scene_card(scene: SceneParts) -> str:
     return card(scene.title or scene.name, about, scene_sketch(scene), *parts)
 
 
-class Scene(SceneParts):
+class SceneRecord(SceneParts):
     """A planar or spatial mechanism, or a linear structure, with its parameters, initial state and simulation.
 
     gravity [m/s^2] in world axes. In a spatial scene a third component left out is zero. Lists keep their
@@ -143,7 +143,7 @@ class Scene(SceneParts):
         check_scene(self)
 
     @classmethod
-    def from_dict(cls, data: Any) -> Scene:
+    def from_dict(cls, data: Any) -> SceneRecord:
         """The scene described by a dictionary of plain values; raises SceneError."""
         if not isinstance(data, dict):
             raise SceneError("scene", f"{show(data)} is not a table of entries", "give a dictionary or a TOML file")
@@ -153,13 +153,13 @@ class Scene(SceneParts):
         return cls(**data)
 
     @classmethod
-    def from_toml(cls, path: str | Path) -> Scene:
+    def from_toml(cls, path: str | Path) -> SceneRecord:
         """The scene in a TOML file; raises SceneError, also when the file cannot be read."""
         folder = Path(path).parent
         return cls.from_dict(with_tables(with_files(toml_io.read(path), folder), folder))
 
     @classmethod
-    def from_toml_text(cls, text: str) -> Scene:
+    def from_toml_text(cls, text: str) -> SceneRecord:
         """The scene in a TOML text; raises SceneError."""
         return cls.from_dict(toml_io.parse(text, "scene"))
 
@@ -177,4 +177,4 @@ class Scene(SceneParts):
     @staticmethod
     def json_schema() -> dict[str, Any]:
         """The JSON Schema of a scene."""
-        return Scene.model_json_schema()
+        return SceneRecord.model_json_schema()

@@ -1,4 +1,4 @@
-"""Built-in scenes. `SCENES` maps a name to a function that returns the Scene.
+"""Built-in scenes. `SCENES` maps a name to a function that returns the scene.
 
 Which scenes there are, what they are about, and whether the code that the repository has of them is current, is told
 without importing them: they bring in most of the generator.
@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 from runtime.contract.files import OutputError, cache_folder, stamp_of, write_text
 
 if TYPE_CHECKING:
-    from symgen.scene import Scene
+    from symgen.scene import SceneRecord
 
 ROOT = Path(__file__).resolve().parents[2]
 GENERATOR = (ROOT / "symgen", ROOT / "runtime" / "contract")  # what the text and the code of a scene follow from
@@ -49,11 +49,11 @@ MODULES = {  # of this package, with the function of the scene's name
 }
 
 
-class Catalogue(Mapping[str, "Callable[..., Scene]"]):
+class Catalogue(Mapping[str, "Callable[..., SceneRecord]"]):
     """The functions by name, each imported when it is asked for."""
 
-    def __getitem__(self, name: str) -> Callable[..., Scene]:
-        make: Callable[..., Scene] = getattr(import_module(f"symgen.scenes.{MODULES[name]}"), name)
+    def __getitem__(self, name: str) -> Callable[..., SceneRecord]:
+        make: Callable[..., SceneRecord] = getattr(import_module(f"symgen.scenes.{MODULES[name]}"), name)
         return make
 
     def __contains__(self, name: object) -> bool:
@@ -66,7 +66,7 @@ class Catalogue(Mapping[str, "Callable[..., Scene]"]):
         return len(MODULES)
 
 
-SCENES: Mapping[str, Callable[..., Scene]] = Catalogue()
+SCENES: Mapping[str, Callable[..., SceneRecord]] = Catalogue()
 
 
 def summary(name: str) -> str:

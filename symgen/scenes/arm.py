@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from math import sin
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 LENGTH, MASS = 0.5, 0.3  # m, kg
 
 
-def arm(links: int = 10, modes: int = 3, stiffening: float = 1.0, lively: float = 0.0) -> Scene:
+def arm(links: int = 10, modes: int = 3, stiffening: float = 1.0, lively: float = 0.0) -> SceneRecord:
     """`links` links of 0.5 m, the last one a beam with `modes` bending modes; stiffening: factor on its modulus.
 
     Angles of the links are slow, modes are fast. The arm starts straight; lively [rad] bends it, so that the links far
     from the ground move as much as the others.
     """
-    builder = SceneBuilder("arm", title=f"Arm of {links} links, the last one flexible").gravity(0, -9.81)
+    builder = Scene("arm", title=f"Arm of {links} links, the last one flexible").gravity(0, -9.81)
     previous = "ground.origin"
     for k in range(1, links):
         name = f"link{k}"

@@ -1,15 +1,15 @@
 """Bricard's mechanism: a closed ring of six hinges in space that moves although it has one constraint too many."""
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 MASS, LENGTH, SIDE = 1.0, 1.0, 0.1
 POINTS = ((0, 0, 0), (1, 0, 0), (1, -1, 0), (1, -1, 1), (0, -1, 1), (0, 0, 1))
 AXES = ((0, 1, 0), (0, 0, 1), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 0, 0))
 
 
-def bricard() -> Scene:
+def bricard() -> SceneRecord:
     """Case A04 of the IFToMM benchmark library: five bars between P0 and P5, the sixth is the ground; at rest."""
-    builder = SceneBuilder("bricard", space="spatial", title="Bricard mechanism").gravity(0.0, -9.81, 0.0)
+    builder = Scene("bricard", space="spatial", title="Bricard mechanism").gravity(0.0, -9.81, 0.0)
     builder.ground(markers={f"P{k}": {"position": POINTS[k], "axis": AXES[k]} for k in (0, 5)})
     across, along = MASS * (LENGTH**2 + SIDE**2) / 12, MASS * SIDE**2 / 6
     coordinates: dict[str, float] = {}

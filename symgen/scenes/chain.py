@@ -1,11 +1,11 @@
 """N-link chain hanging from the ground, rigid or flexible."""
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 
-def chain(links: int = 10, modes: int = 0) -> Scene:
+def chain(links: int = 10, modes: int = 0) -> SceneRecord:
     """A hanging chain of `links` uniform links of 0.5 m, each with `modes` lateral modes (0: rigid)."""
-    builder = SceneBuilder("chain", title=f"Chain of {links} links").gravity(0, -9.81)
+    builder = Scene("chain", title=f"Chain of {links} links").gravity(0, -9.81)
     builder.parameter("link_length", 0.5, "m", "length of a link")
     previous = "ground.origin"
     for k in range(1, links + 1):

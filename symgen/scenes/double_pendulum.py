@@ -1,12 +1,12 @@
 """Double pendulum of two uniform rods."""
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 
-def double_pendulum() -> Scene:
+def double_pendulum() -> SceneRecord:
     """Two uniform rods of 1 m and 1 kg, released from the horizontal."""
     return (
-        SceneBuilder("double_pendulum", title="Double pendulum")
+        Scene("double_pendulum", title="Double pendulum")
         .gravity(0, -9.81)
         .rigid("upper", mass=1.0, inertia=1 / 12, center_of_mass=(0.5, 0), markers={"tip": {"position": (1.0, 0)}})
         .rigid("lower", mass=1.0, inertia=1 / 12, center_of_mass=(0.5, 0), markers={"tip": {"position": (1.0, 0)}})

@@ -1,12 +1,12 @@
 """Elastic pendulum: a heavy point on a spring."""
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 
-def elastic_pendulum() -> Scene:
+def elastic_pendulum() -> SceneRecord:
     """A body hung on a stiff spring: a slow swing and a fast stretch without joints."""
     return (
-        SceneBuilder(
+        Scene(
             "elastic_pendulum",
             title="Elastic pendulum",
             description="A body on a spring: slow swinging, fast stretching, no joint at all.",

@@ -1,17 +1,17 @@
 """Four-bar linkage with a flexible coupler and a flexible rocker."""
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 CRANK, COUPLER, ROCKER, BASE = 0.10, 0.30, 0.25, 0.30  # m
 WIDTH, DEPTH = 0.012, 0.004  # m, the cross-section of the two beams
 
 
-def flexible_four_bar() -> Scene:
+def flexible_four_bar() -> SceneRecord:
     """A heavy crank runs freely and drives two thin steel beams through a loop closure of two unknowns.
 
     With geometric stiffening the bending of both beams shortens them, so all elastic coordinates enter the closure.
     """
-    builder = SceneBuilder("flexible_four_bar", title="Four-bar linkage with two flexible links").gravity(0, -9.81)
+    builder = Scene("flexible_four_bar", title="Four-bar linkage with two flexible links").gravity(0, -9.81)
     builder.ground(markers={"right": {"position": (BASE, 0)}})
     builder.rigid("crank", mass=0.8, inertia=4e-3, center_of_mass=(0.0, 0), markers={"tip": {"position": (CRANK, 0)}})
     for name, length in (("coupler", COUPLER), ("rocker", ROCKER)):

@@ -1,17 +1,17 @@
 """Two-link manipulator with motors behind stiff joint springs."""
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 LENGTH, MASSES = 0.5, (4.0, 3.0)  # m, kg
 ROTOR, STIFFNESS = 8e-3, 3e4  # kg m^2 and N m/rad, both on the link's side of the gear
 
 
-def flexible_joint_arm() -> Scene:
+def flexible_joint_arm() -> SceneRecord:
     """A hanging two-link arm swung by two motors, each rotor behind a stiff undamped joint spring.
 
     Slow and fast coordinates are coupled by stiffness, not by inertia: the springs stand in the rows of the links too.
     """
-    builder = SceneBuilder("flexible_joint_arm", title="Manipulator with flexible joints").gravity(0, -9.81)
+    builder = Scene("flexible_joint_arm", title="Manipulator with flexible joints").gravity(0, -9.81)
     builder.parameter("shoulder_torque", 25.0, "N m", "amplitude of the first motor")
     builder.parameter("elbow_torque", 6.0, "N m", "amplitude of the second motor")
     previous = "ground.origin"

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 L1, L2, WIDTH = 0.15, 0.30, 0.008
 M1, M2, M3 = 0.36, 0.151104, 0.075552
@@ -58,8 +58,8 @@ def _point(s: float) -> dict:
     }
 
 
-def _mechanism(name: str, title: str, rod: dict | None) -> SceneBuilder:
-    builder = SceneBuilder(name, title=title)
+def _mechanism(name: str, title: str, rod: dict | None) -> Scene:
+    builder = Scene(name, title=title)
     builder.rigid(
         "crank",
         mass=M1,
@@ -88,7 +88,7 @@ def _mechanism(name: str, title: str, rod: dict | None) -> SceneBuilder:
     return builder
 
 
-def flexible_slider_crank() -> Scene:
+def flexible_slider_crank() -> SceneRecord:
     """Case F1 as published: the crank turns at 150 rad/s, the rod has two lateral and two axial coordinates."""
     q = (0.0, 0.0, 0.103339863e-4, 0.169327969e-4)
     q_dot = (0.444896112581599, 0.00463433931923867, -1.78591076000055e-6, -2.68938671997904e-6)
@@ -110,7 +110,7 @@ def flexible_slider_crank() -> Scene:
     )
 
 
-def flexible_slider_crank_free() -> Scene:
+def flexible_slider_crank_free() -> SceneRecord:
     """Freely running twin with the physical axial mass: the crank angle is the slow coordinate, nothing damps."""
     builder = _mechanism(
         "flexible_slider_crank_free", "Flexible slider-crank, running freely", rod_data(math.pi, 1 / 15)
@@ -124,7 +124,7 @@ def flexible_slider_crank_free() -> Scene:
     )
 
 
-def flexible_slider_crank_torque() -> Scene:
+def flexible_slider_crank_torque() -> SceneRecord:
     """Torque-driven twin: a meshed rod with two lateral modes, geometric stiffening and 2 % modal damping."""
     builder = _mechanism("flexible_slider_crank_torque", "Flexible slider-crank, driven by a torque", None)
     builder.gravity(0, -9.81)
@@ -138,7 +138,7 @@ def flexible_slider_crank_torque() -> Scene:
     )
 
 
-def physical_slider_crank() -> Scene:
+def physical_slider_crank() -> SceneRecord:
     """Case F1 with the physical axial mass, started in elastic equilibrium: axial modes nearly 3 times as fast."""
     builder = _mechanism(
         "physical_slider_crank",
@@ -156,7 +156,7 @@ def physical_slider_crank() -> Scene:
     )
 
 
-def stiff_slider_crank(ratio: float = 200.0) -> Scene:
+def stiff_slider_crank(ratio: float = 200.0) -> SceneRecord:
     """The freely running twin, stiffer along the rod: fastest frequency `ratio` times the fastest lateral one."""
     factor = (ratio * LATERAL / AXIAL) ** 2
     builder = _mechanism(

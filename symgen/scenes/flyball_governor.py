@@ -2,15 +2,15 @@
 
 from math import pi
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 GRAVITY, DENSITY, LENGTH, WIDTH, CUBE, BALL = 9.81, 3000.0, 1.0, 0.01, 0.1, 5.0
 OFFSET, STIFFNESS, DAMPING, FREE = 0.05, 8e5, 4e4, 0.5
 
 
-def flyball_governor() -> Scene:
+def flyball_governor() -> SceneRecord:
     """Case A05 of the IFToMM benchmark library: the shaft turns about z, the rods hang on hinges beside it."""
-    builder = SceneBuilder("flyball_governor", space="spatial", title="Stiff flyball governor")
+    builder = Scene("flyball_governor", space="spatial", title="Stiff flyball governor")
     builder.gravity(0.0, 0.0, -GRAVITY)
     _bodies(builder)
     builder.joint("revolute", "spin", "ground.origin", "shaft.origin")
@@ -30,7 +30,7 @@ def flyball_governor() -> Scene:
     return builder.simulation(t_end=10.0, dt=1e-3, scheme="radau", save_every=10).build()
 
 
-def _bodies(builder: SceneBuilder) -> None:
+def _bodies(builder: Scene) -> None:
     """Shaft, slider, and two rods with a ball at the end."""
     rod = DENSITY * WIDTH**2 * LENGTH
     across, along = rod * (LENGTH**2 + WIDTH**2) / 12, rod * WIDTH**2 / 6

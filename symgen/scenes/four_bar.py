@@ -1,11 +1,11 @@
 """Four-bar linkage with a loop closure of two unknowns."""
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 
-def four_bar() -> Scene:
+def four_bar() -> SceneRecord:
     """A crank-rocker four-bar linkage under gravity and a constant torque."""
-    builder = SceneBuilder("four_bar", title="Four-bar linkage").gravity(0, -9.81)
+    builder = Scene("four_bar", title="Four-bar linkage").gravity(0, -9.81)
     builder.ground(markers={"right": {"position": (0.30, 0)}})
     for name, length, mass in (("crank", 0.10, 0.5), ("coupler", 0.30, 1.0), ("rocker", 0.25, 0.8)):
         builder.rigid(

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from typing import Literal
 
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.scenes.arm import arm
 from symgen.scenes.bricard import bricard
 from symgen.scenes.chain import chain
@@ -44,7 +44,7 @@ class HardCase:
     """
 
     name: str
-    make: Callable[[], Scene]
+    make: Callable[[], SceneRecord]
     graded: tuple[str, ...]
     t_end: float
     why: str

@@ -1,14 +1,14 @@
 """Heavy top: a fast spinning body on a spherical joint."""
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 
-def heavy_top(orientation: str = "euler_parameters") -> Scene:
+def heavy_top(orientation: str = "euler_parameters") -> SceneRecord:
     """Spin 150 rad/s about the axis through its centre of mass, which starts level.
 
     orientation: Euler parameters, or Euler angles about three different axes, by which the start is given then.
     """
-    builder = SceneBuilder("heavy_top", space="spatial", title="Heavy top").gravity(0.0, 0.0, -9.81)
+    builder = Scene("heavy_top", space="spatial", title="Heavy top").gravity(0.0, 0.0, -9.81)
     builder.rigid(
         "top",
         mass=15.0,

@@ -1,12 +1,12 @@
 """Torque-driven hub with a flexible beam (case F2, Wu and Haug)."""
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 
-def hub_beam(hub_inertia: float = 10.0, modes: int = 3) -> Scene:
+def hub_beam(hub_inertia: float = 10.0, modes: int = 3) -> SceneRecord:
     """A beam clamped to a hub that a torque 10 sin(pi t) turns for 2 s: strong inertia coupling (case F2)."""
     return (
-        SceneBuilder("hub_beam", title="Hub with a flexible beam (F2)")
+        Scene("hub_beam", title="Hub with a flexible beam (F2)")
         .parameter("torque", 10.0, "N m", "amplitude of the torque")
         .rigid("hub", mass=1.0, inertia=hub_inertia)
         .beam(

@@ -1,11 +1,11 @@
 """Slider-crank whose crank is nearly as long as its rod."""
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 CRANK, ROD, DEPTH = 0.294, 0.30, 0.008  # m; the crank is 0.98 of the rod
 
 
-def near_singular_slider_crank() -> Scene:
+def near_singular_slider_crank() -> SceneRecord:
     """A flexible rod 2 % longer than the crank: the mechanism runs freely and passes close to a change point.
 
     With equal lengths the slider would reach the crank's axis at 90 degrees and could stay there: a singular
@@ -13,7 +13,7 @@ def near_singular_slider_crank() -> Scene:
     fast, so inertia and accelerations change sharply twice a revolution.
     """
     return (
-        SceneBuilder("near_singular_slider_crank", title="Flexible slider-crank close to a change point")
+        Scene("near_singular_slider_crank", title="Flexible slider-crank close to a change point")
         .rigid("crank", mass=0.7, inertia=0.02, center_of_mass=(0.0, 0), markers={"tip": {"position": (CRANK, 0)}})
         .beam(
             "rod",

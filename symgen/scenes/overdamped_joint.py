@@ -1,9 +1,9 @@
 """Pendulum with a light finger behind an overdamped joint."""
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 
-def overdamped_joint() -> Scene:
+def overdamped_joint() -> SceneRecord:
     """A pendulum carries a 20 g finger on a joint spring with a damper some 30 times the critical one.
 
     The finger's fast rate is damping / inertia = 2e4 1/s, its slow one stiffness / damping, about 4 1/s, as slow as the
@@ -12,7 +12,7 @@ def overdamped_joint() -> Scene:
     finger = {"mass": 0.02, "length": 0.1}
     inertia = finger["mass"] * finger["length"] ** 2 / 3  # about the joint
     return (
-        SceneBuilder("overdamped_joint", title="Pendulum with an overdamped joint")
+        Scene("overdamped_joint", title="Pendulum with an overdamped joint")
         .gravity(0, -9.81)
         .rigid(
             "rod", mass=0.5, inertia=0.5 * 0.4**2 / 12, center_of_mass=(0.2, 0), markers={"tip": {"position": (0.4, 0)}}

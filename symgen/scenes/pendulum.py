@@ -1,12 +1,12 @@
 """Simple pendulum of IFToMM benchmark A01 (case P1)."""
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 
-def pendulum() -> Scene:
+def pendulum() -> SceneRecord:
     """A point mass on a massless rod, released horizontally (case P1)."""
     return (
-        SceneBuilder(
+        Scene(
             "pendulum",
             title="Simple pendulum",
             description="1 kg at 1 m on a massless rod, released at rest. Period 2.36784194757624 s.",

@@ -1,12 +1,12 @@
 """Rigid slider-crank."""
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 
-def slider_crank() -> Scene:
+def slider_crank() -> SceneRecord:
     """A rigid slider-crank running freely from 150 rad/s under gravity."""
     return (
-        SceneBuilder("slider_crank", title="Rigid slider-crank")
+        Scene("slider_crank", title="Rigid slider-crank")
         .gravity(0, -9.81)
         .rigid("crank", mass=0.36, inertia=7.02e-4, center_of_mass=(0.075, 0), markers={"tip": {"position": (0.15, 0)}})
         .rigid(

@@ -5,18 +5,18 @@ from __future__ import annotations
 from math import sin
 from typing import Any
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 LENGTH, MASS = 0.5, 0.3  # m, kg
 
 
-def spatial_arm(links: int = 10, modes: int = 2, stiffening: float = 1.0) -> Scene:
+def spatial_arm(links: int = 10, modes: int = 2, stiffening: float = 1.0) -> SceneRecord:
     """`links` links of 0.5 m that hang bent; the last one is a beam with `modes` bending modes in each plane.
 
     stiffening: factor on its modulus.
     """
     title = f"Arm of {links} links in space, the last one flexible"
-    builder = SceneBuilder("spatial_arm", space="spatial", title=title).gravity(0.0, 0.0, -9.81)
+    builder = Scene("spatial_arm", space="spatial", title=title).gravity(0.0, 0.0, -9.81)
     turned: list[dict[str, Any]] = [{"axis": [0, 1, 0], "x_axis": [1, 0, 0]}, {"axis": [0, 0, 1], "x_axis": [1, 0, 0]}]
     builder.ground(markers={"hinge": turned[0]})
     previous = "ground.hinge"

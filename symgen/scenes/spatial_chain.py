@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 LENGTH, SIDE = 0.2, 0.008
 
 
-def spatial_chain(links: int = 3, modes: int = 0, orientation: str = "zyx") -> Scene:
+def spatial_chain(links: int = 3, modes: int = 0, orientation: str = "zyx") -> SceneRecord:
     """Links along their own x-axis, the first one starting level along x; Euler angles zyx by default."""
-    builder = SceneBuilder("spatial_chain", space="spatial", title=f"Chain of {links} links in space")
+    builder = Scene("spatial_chain", space="spatial", title=f"Chain of {links} links in space")
     builder.gravity(0.0, 0.0, -9.81)
     mass, across = 2700 * SIDE**2 * LENGTH, SIDE**2 / 12
     slender = LENGTH**2 / 12 + across

@@ -6,16 +6,16 @@ import json
 from math import sqrt
 from pathlib import Path
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 ROD = Path(__file__).with_name("connecting_rod.json")  # written by examples/mesh_connecting_rod.py
 CRANK, HEIGHT, ASIDE, LENGTH = 0.05, 0.04, 0.01, 0.3
 
 
-def spatial_slider_crank() -> Scene:
+def spatial_slider_crank() -> SceneRecord:
     """The crank turns about x beside the slider's line, so that the rod sweeps through space and bends both ways."""
     title = "Slider-crank in space, rod from finite elements"
-    builder = SceneBuilder("spatial_slider_crank", space="spatial", title=title).gravity(0.0, 0.0, -9.81)
+    builder = Scene("spatial_slider_crank", space="spatial", title=title).gravity(0.0, 0.0, -9.81)
     along = {"axis": [1, 0, 0], "x_axis": [0, 1, 0]}
     builder.ground(
         markers={"axle": {"position": [0, 0, HEIGHT], **along}, "guide": {"position": [0, ASIDE, 0], **along}}

@@ -1,14 +1,14 @@
 """Spin-up of a rotating beam (case F3: Simo and Vu-Quoc; Kane, Ryan and Banerjee)."""
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 RAMP = "omega / ramp * (t**2 / 2 + (ramp / (2 * pi))**2 * (cos(2 * pi * t / ramp) - 1))"
 
 
-def spin_up_beam(stiffening: bool = True, modes: int = 5) -> Scene:
+def spin_up_beam(stiffening: bool = True, modes: int = 5) -> SceneRecord:
     """A beam brought to 6 rad/s in 15 s: without geometric stiffening the model diverges physically (case F3)."""
     return (
-        SceneBuilder("spin_up_beam", title="Spin-up of a rotating beam (F3)")
+        Scene("spin_up_beam", title="Spin-up of a rotating beam (F3)")
         .parameter("omega", 6.0, "rad/s", "final speed")
         .parameter("ramp", 15.0, "s", "duration of the spin-up")
         .beam(

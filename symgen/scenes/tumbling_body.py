@@ -2,12 +2,12 @@
 
 from collections.abc import Sequence
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 
-def tumbling_body(e: Sequence[float] = (1.0, 0.0, 0.0, 0.0), omega: Sequence[float] = (0.01, 1.0, 0.01)) -> Scene:
+def tumbling_body(e: Sequence[float] = (1.0, 0.0, 0.0, 0.0), omega: Sequence[float] = (0.01, 1.0, 0.01)) -> SceneRecord:
     """Inertia (1, 2, 3) kg m^2; e: Euler parameters at the start, omega: angular velocity in body axes [rad/s]."""
-    builder = SceneBuilder("tumbling_body", space="spatial", title="Free body turning over")
+    builder = Scene("tumbling_body", space="spatial", title="Free body turning over")
     builder.rigid(
         "body",
         mass=1.0,

@@ -1,11 +1,11 @@
 """Two oscillators with inertia coupling (case L1): the smallest system that shows what a sub-cycling scheme does."""
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 
-def two_oscillators() -> Scene:
+def two_oscillators() -> SceneRecord:
     """M = [[1, c], [c, 1]], K = diag(k_L, w^2), damping 2 zeta w on the fast one (case L1; Eqs. 3-14)."""
-    builder = SceneBuilder("two_oscillators", title="Two coupled oscillators (L1)")
+    builder = Scene("two_oscillators", title="Two coupled oscillators (L1)")
     builder.parameter("c", 0.5, "1", "inertia coupling")
     builder.parameter("k_L", 1.0, "1/s^2", "stiffness of the slow oscillator")
     builder.parameter("w", 20.0, "rad/s", "frequency of the fast oscillator alone")

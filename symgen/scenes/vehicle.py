@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 CORNERS = {"fl": (1.5, 0.9), "fr": (1.5, -0.9), "rl": (-1.5, 0.9), "rr": (-1.5, -0.9)}  # of the wheels, x and y [m]
 ARM = 0.4  # length of a trailing arm [m]
@@ -17,12 +17,12 @@ PLACES = {  # centres of mass of the bodies that move freely, at the start [m]
 ACROSS: dict[str, Any] = {"axis": [0, 1, 0], "x_axis": [1, 0, 0]}
 
 
-def vehicle(stiffness: float = 5e7) -> Scene:
+def vehicle(stiffness: float = 5e7) -> SceneRecord:
     """It comes down on its wheels with a bump under one of them; x ahead, z up, heights from the middle of the wheels.
 
     stiffness [N/m]: of the two bushings between chassis and cab, along each axis.
     """
-    builder = SceneBuilder("vehicle", space="spatial", title="Truck with a cab on stiff bushings").gravity(0, 0, -9.81)
+    builder = Scene("vehicle", space="spatial", title="Truck with a cab on stiff bushings").gravity(0, 0, -9.81)
     places = {"front": (2.0, 0.0, 0.2), "rear": (0.8, 0.0, 0.2), "engine": (1.2, 0.0, 0.0), "bed": (-1.2, 0.0, 0.2)}
     markers: dict[str, Any] = {name: {"position": list(place)} for name, place in places.items()}
     for key, (x, y) in CORNERS.items():
@@ -59,7 +59,7 @@ def _starts() -> list[tuple[str, str, float]]:
     ]
 
 
-def _corner(builder: SceneBuilder, key: str) -> None:
+def _corner(builder: Scene, key: str) -> None:
     """Trailing arm with a spring, a wheel at its end, and the tyre below."""
     arm, wheel = f"arm_{key}", f"wheel_{key}"
     builder.rigid(

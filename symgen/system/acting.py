@@ -19,7 +19,7 @@ from symgen.bodies.spatial_integrals import three
 from symgen.joints.joint import Joint, Slide, Turn
 from symgen.loads import Load
 from symgen.loads.load import Scalar
-from symgen.scene import BeamBody, Scene
+from symgen.scene import BeamBody, SceneRecord
 from symgen.system.joint_templates import JointCoordinate
 from symgen.system.spring_template import SpringForce, evaluate
 from symgen.system.structure import ExpressionReader
@@ -50,7 +50,7 @@ class _Acting:
         self,
         points: BeamPoints,
         load: Load,
-        scene: Scene,
+        scene: SceneRecord,
         table: ParameterTable,
         read: Read,
         reader: ExpressionReader,

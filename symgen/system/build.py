@@ -12,7 +12,7 @@ from runtime.contract.consistent_state import GivenValues
 from symgen.algebra.parameters import ParameterTable
 from symgen.bodies.beam_sets import set_records
 from symgen.bodies.static_residual import static_residuals
-from symgen.scene import BeamBody, InitialValue, Scene, SpatialModalBody, with_ends
+from symgen.scene import BeamBody, InitialValue, SceneRecord, SpatialModalBody, with_ends
 from symgen.system.equations import Equations, blank_equations
 from symgen.system.mechanism import Mechanism
 from symgen.system.orientations import Orientations, orientations_of
@@ -50,7 +50,7 @@ class Requested:
     euler_angles: Mapping[str, str] = field(default_factory=dict)
 
 
-def requested_by(scene: Scene) -> Requested:
+def requested_by(scene: SceneRecord) -> Requested:
     """The requests of a scene."""
     return Requested(
         independent=_independent(scene),
@@ -63,14 +63,14 @@ def requested_by(scene: Scene) -> Requested:
     )
 
 
-def _independent(scene: Scene) -> tuple[str, ...]:
+def _independent(scene: SceneRecord) -> tuple[str, ...]:
     """Those that the scene names, and with them the coordinates of states."""
     named = scene.partition.independent or ()
     states = [f"{name}.integral" for name in scene.states]
     return (*named, *(name for name in states if name not in named)) if named else ()
 
 
-def _states(scene: Scene) -> dict[str, InitialValue]:
+def _states(scene: SceneRecord) -> dict[str, InitialValue]:
     """States at the start: rates of their coordinates."""
     return {f"{name}.integral": InitialValue(value=state.initial, fixed=True) for name, state in scene.states.items()}
 
@@ -99,7 +99,7 @@ class System:
     orientations: Orientations = field(default_factory=Orientations)
 
 
-def build_system(scene: Scene) -> System:
+def build_system(scene: SceneRecord) -> System:
     """The system of a scene. Raises SceneError for quantities that cannot be read."""
     scene = with_ends(scene)
     table, topology = ParameterTable(scene), topology_of(scene)
@@ -112,7 +112,7 @@ def build_system(scene: Scene) -> System:
     return System(equations, reduced, table, topology, requested_by(scene), orientations)
 
 
-def _equations(scene: Scene, table: ParameterTable, topology: Topology) -> Equations:
+def _equations(scene: SceneRecord, table: ParameterTable, topology: Topology) -> Equations:
     """Equations (20)-(28) of bodies in two or three dimensions, or (3)-(14) of a linear structure."""
     if scene.structure is not None:
         return structure_equations(scene, table)

@@ -18,7 +18,7 @@ from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
 from symgen.bodies.outlines import Picture
 from symgen.bodies.static_residual import StaticResidual
 from symgen.loads.load import LinearSpring
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.system.constraint_rows import ConstraintRow
 from symgen.system.frames.fields import Direction
 from symgen.system.orientations import Turning
@@ -268,7 +268,7 @@ class Equations:
         return dot([self.q_dot[row] for row in moving], momenta) / 2
 
 
-def blank_equations(scene: Scene) -> Equations:
+def blank_equations(scene: SceneRecord) -> Equations:
     """Equations of a scene's coordinates and inputs with nothing in them yet."""
     coordinates = scene.coordinate_records()
     q = [ca.SX.sym(coordinate.name) for coordinate in coordinates]

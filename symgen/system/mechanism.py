@@ -25,7 +25,7 @@ from symgen.joints import Joint
 from symgen.joints.joint import Motor, Slide, Turn
 from symgen.loads import Load
 from symgen.loads.load import LoadEffect
-from symgen.scene import Scene, SpatialModalBody
+from symgen.scene import SceneRecord, SpatialModalBody
 from symgen.scene.measures import Measure, SectionForceMeasure, StressMeasure
 from symgen.schema.fields import Scope
 from symgen.system.acting import Read
@@ -124,7 +124,7 @@ class Mechanism(Generic[Marker]):
     """Puts the equations together; `equations` is the result."""
 
     def __init__(
-        self, scene: Scene, table: ParameterTable, space: Space[Marker], equations: Equations, topology: Topology
+        self, scene: SceneRecord, table: ParameterTable, space: Space[Marker], equations: Equations, topology: Topology
     ) -> None:
         self.scene, self.table, self.space, self.equations = scene, table, space, equations
         self.topology, self.reader = topology, ExpressionReader(scene, equations)

@@ -22,7 +22,7 @@ from runtime.contract.records import Coordinate
 from symgen.algebra.rows import nonzero
 from symgen.algebra.scalar import ONE, ZERO, div, dot, mul, neg
 from symgen.algebra.vectors import Vector, identity, quaternion_product, scaled, zeros
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.system.constraint_rows import ConstraintRow
 from symgen.system.topology import Topology
 
@@ -124,7 +124,7 @@ def turn_coordinates(body: str) -> list[Coordinate]:
     return [Coordinate(f"{body}.turn_{axis}", body, "angle", "rad") for axis in AXES]
 
 
-def orientations_of(scene: Scene, topology: Topology) -> Orientations:
+def orientations_of(scene: SceneRecord, topology: Topology) -> Orientations:
     """Those of a spatial scene."""
     described = {body.name: body for body in scene.moving_bodies}
     spherical = {joint.name for joint in scene.joints if joint.is_ball()}
@@ -161,7 +161,7 @@ def _tree(
     return balls, parents
 
 
-def _chosen(scene: Scene) -> Iterator[str]:
+def _chosen(scene: SceneRecord) -> Iterator[str]:
     """Bodies whose Euler parameters the scene names in its partition."""
     named: Sequence[str] = scene.partition.independent or ()
     patterns = [pattern for group in scene.partition.groups or () for pattern in group.coordinates]

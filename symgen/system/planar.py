@@ -29,7 +29,7 @@ from symgen.joints import Joint
 from symgen.joints.joint import Slide
 from symgen.loads import Load
 from symgen.loads.load import LinearSpring, LoadEffect
-from symgen.scene import BeamBody, BeamMarker, Scene
+from symgen.scene import BeamBody, BeamMarker, SceneRecord
 from symgen.system.acting import PlanarActing, Read, turn_between
 from symgen.system.constraint_rows import STILL, ConstraintRow, LocalPlace, Motion, holding, planar_rows, sliding_rows
 from symgen.system.mechanism import Spin, frictions
@@ -41,7 +41,7 @@ class PlanarSpace:
 
     axes = "xy"
 
-    def __init__(self, scene: Scene, table: ParameterTable) -> None:
+    def __init__(self, scene: SceneRecord, table: ParameterTable) -> None:
         self.scene, self.table = scene, table
         self.bodies = {"ground": PlanarBody("ground", BodyCoordinates.ground(), None)}
         self._markers: dict[str, MarkerMotion] = {}

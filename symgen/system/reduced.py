@@ -20,7 +20,7 @@ from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ONE, ZERO, add, neg
 from symgen.algebra.vectors import Vector
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.system.equations import Equations, Rotor
 from symgen.system.frames.aba import floats, free_joint_accelerations
 from symgen.system.frames.crba import mass_rows
@@ -97,7 +97,7 @@ class TreeForces:
 
 
 def reduced_equations(
-    scene: Scene, table: ParameterTable, whole: Equations, topology: Topology, orientations: Orientations
+    scene: SceneRecord, table: ParameterTable, whole: Equations, topology: Topology, orientations: Orientations
 ) -> Equations:
     """The equations of a spatial scene in the coordinates of its tree; whole: in all coordinates.
 

@@ -7,11 +7,11 @@ from collections.abc import Mapping
 import casadi as ca
 
 from runtime.contract.records import RATES, InputRecord
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.system.errors import DerivationError
 
 
-def input_records(scene: Scene) -> list[InputRecord]:
+def input_records(scene: SceneRecord) -> list[InputRecord]:
     """The inputs that a scene declares."""
     return [
         InputRecord(name, entry.unit, entry.description, entry.default, entry.has_rates, entry.filter or 0.0)
@@ -19,7 +19,7 @@ def input_records(scene: Scene) -> list[InputRecord]:
     ]
 
 
-def input_units(scene: Scene) -> dict[str, str]:
+def input_units(scene: SceneRecord) -> dict[str, str]:
     """SI unit of each entry of u: inputs are measures, so that a solution holds them."""
     return {
         part: (entry.unit or "1") + rate if rate else entry.unit
@@ -28,13 +28,13 @@ def input_units(scene: Scene) -> dict[str, str]:
     }
 
 
-def input_symbols(scene: Scene) -> dict[str, ca.SX]:
+def input_symbols(scene: SceneRecord) -> dict[str, ca.SX]:
     """A symbol for each entry of u, by name."""
     return {name: ca.SX.sym(name) for name in scene.input_defaults()}
 
 
 def motion_derivatives(
-    scene: Scene, f: ca.SX, t: ca.SX, u: Mapping[str, ca.SX], item: str
+    scene: SceneRecord, f: ca.SX, t: ca.SX, u: Mapping[str, ca.SX], item: str
 ) -> tuple[ca.SX, ca.SX, ca.SX]:
     """(f, f', f'') of a prescribed motion f(t, u(t)). Raises DerivationError for an input without rates in it."""
     for name, symbol in u.items():

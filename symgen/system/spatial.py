@@ -25,7 +25,7 @@ from symgen.joints import Joint
 from symgen.joints.joint import Turn
 from symgen.loads import Load
 from symgen.loads.load import LinearSpring, LoadEffect, Scalar
-from symgen.scene import BeamBody, BeamMarker, Scene
+from symgen.scene import BeamBody, BeamMarker, SceneRecord
 from symgen.system.acting import Read, SpatialActing, angle_about_z, axis_of, gradient
 from symgen.system.constraint_rows import (
     STILL,
@@ -51,7 +51,7 @@ class SpatialSpace:
 
     axes = "xyz"
 
-    def __init__(self, scene: Scene, table: ParameterTable, equations: Equations, topology: Topology) -> None:
+    def __init__(self, scene: SceneRecord, table: ParameterTable, equations: Equations, topology: Topology) -> None:
         self.scene, self.table, self.topology = scene, table, topology
         self.motion = ca.vertcat(*equations.q), ca.vertcat(*equations.q_dot)
         self.bodies = {"ground": SpatialBody.ground()}

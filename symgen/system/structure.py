@@ -14,7 +14,7 @@ import casadi as ca
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, mul, total
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.scene.switching import switching_values
 from symgen.system.equations import Equations, blank_equations
 
@@ -25,7 +25,7 @@ SAME_DEPTH = 20  # down to which two expressions are compared
 class ExpressionReader:
     """Reads expressions of a scene; equations.switching gets what changes its sign where they jump or kink in time."""
 
-    scene: Scene
+    scene: SceneRecord
     equations: Equations
 
     def read(self, text: float | str, item: str, owner: str, environment: Mapping[str, Any], *names: str) -> ca.SX:
@@ -51,7 +51,7 @@ class ExpressionReader:
         return any(ca.is_equal(value, other, SAME_DEPTH) for _, other in self.equations.switching)
 
 
-def structure_equations(scene: Scene, table: ParameterTable) -> Equations:
+def structure_equations(scene: SceneRecord, table: ParameterTable) -> Equations:
     """(3), and (9) with its blocks in the order of the partition; the damping of (3), dropped there, stays."""
     structure = scene.structure
     assert structure is not None

@@ -9,7 +9,7 @@ from collections import deque
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from symgen.scene import Placement, Scene
+from symgen.scene import Placement, SceneRecord
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ class Topology:
         return {link.joint: min(self.distance_of(link.a), self.distance_of(link.b)) for link in self.links}
 
 
-def topology_of(scene: Scene) -> Topology:
+def topology_of(scene: SceneRecord) -> Topology:
     """The topology of a scene; that of a linear structure is empty."""
     links = tuple(
         Link(joint.name, joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0]) for joint in scene.joints

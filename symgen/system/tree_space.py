@@ -20,7 +20,7 @@ from symgen.bodies.spatial_body import SpatialBody, SpatialMarker
 from symgen.bodies.spatial_integrals import spatial_point
 from symgen.bodies.spatial_moments import Deformation, SpatialPoint
 from symgen.joints import Joint
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.system.constraint_rows import ConstraintRow, Motion
 from symgen.system.equations import Equations
 from symgen.system.frames.linkage import links_of
@@ -65,7 +65,7 @@ class TreeSpace(SpatialSpace):
 
     def __init__(
         self,
-        scene: Scene,
+        scene: SceneRecord,
         table: ParameterTable,
         equations: Equations,
         topology: Topology,

@@ -21,7 +21,7 @@ from symgen.joints import JOINTS
 from symgen.joints.joint import Turn
 from symgen.scene import toml_io
 from symgen.scene.appearance import MOST_TRIANGLES
-from symgen.scene.builder import SceneBuilder
+from symgen.scene.builder import Scene
 from symgen.scene.toml_io import read_mesh
 from symgen.schema.errors import SceneError, did_you_mean
 from symgen.urdf.robot import (
@@ -208,7 +208,7 @@ OWN_NAMES = {"ground", "origin", "center", "start", "end", "root", "root_weld"}
 LONGEST = 48
 
 
-class RobotBuilder(SceneBuilder):
+class RobotBuilder(Scene):
     """The scene of a robot, to which more can be added.
 
     dropped: what the URDF has and the scene has not. frames: link -> the marker "body.marker" that stands for its

@@ -14,11 +14,11 @@ from runtime.contract.errors import SymgenError
 from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.pipeline import derive
-from symgen.scene import SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError
 
 
-def four_bar(**extra: Any) -> SceneBuilder:
-    builder = SceneBuilder("linkage").ground(markers={"right": {"position": (0.3, 0)}})
+def four_bar(**extra: Any) -> Scene:
+    builder = Scene("linkage").ground(markers={"right": {"position": (0.3, 0)}})
     for name, length in (("crank", 0.1), ("coupler", 0.3), ("rocker", 0.25)):
         builder.rigid(name, mass=1.0, inertia=0.01, markers={"tip": {"position": (length, 0)}})
     builder.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "coupler.origin")
@@ -26,14 +26,14 @@ def four_bar(**extra: Any) -> SceneBuilder:
     return builder.initial({"crank.theta": 1.0, "coupler.theta": 0.4, "rocker.theta": 1.6})
 
 
-def pendulum() -> SceneBuilder:
-    builder = SceneBuilder("swing").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
+def pendulum() -> Scene:
+    builder = Scene("swing").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
     return builder.revolute("hinge", "ground.origin", "rod.origin")
 
 
-def parallelogram(middle: float = 1.0, tilt: float = 0.0) -> SceneBuilder:
+def parallelogram(middle: float = 1.0, tilt: float = 0.0) -> Scene:
     """A parallelogram with a third bar in between, flat at tilt 0 (a singular position)."""
-    builder = SceneBuilder("bars").ground(markers={"m": {"position": (1, 0)}, "r": {"position": (2, 0)}})
+    builder = Scene("bars").ground(markers={"m": {"position": (1, 0)}, "r": {"position": (2, 0)}})
     for name, length in (("left", 1.0), ("middle", middle), ("right", 1.0)):
         builder.rigid(name, mass=1.0, inertia=0.1, markers={"tip": {"position": (length, 0)}})
     builder.rigid(
@@ -48,20 +48,20 @@ def parallelogram(middle: float = 1.0, tilt: float = 0.0) -> SceneBuilder:
     return builder.initial({f"{name}.theta": tilt for name in ("left", "middle", "right")})
 
 
-def bar_too_long() -> SceneBuilder:
+def bar_too_long() -> Scene:
     return parallelogram(1.001, 0.3)
 
 
-def flat_four_bar() -> SceneBuilder:
+def flat_four_bar() -> Scene:
     """All bars of a parallelogram in one line: it may go on as a parallelogram or as an anti-parallelogram."""
-    builder = SceneBuilder("flat").ground(markers={"right": {"position": (2, 0)}})
+    builder = Scene("flat").ground(markers={"right": {"position": (2, 0)}})
     for name, length in (("crank", 1.0), ("coupler", 2.0), ("rocker", 1.0)):
         builder.rigid(name, mass=1.0, inertia=0.1, markers={"tip": {"position": (length, 0)}})
     builder.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "coupler.origin")
     return builder.revolute("C", "coupler.tip", "rocker.tip").revolute("D", "ground.right", "rocker.origin")
 
 
-def ring_of_welds_apart() -> SceneBuilder:
+def ring_of_welds_apart() -> Scene:
     """Three bodies welded in a ring that does not close by 0.01 rad."""
     builder = pendulum().rigid("b", mass=1.0, inertia=0.1, markers={"turned": {"position": (0, 0), "angle": 0.01}})
     builder.rigid("c", mass=1.0, inertia=0.1)
@@ -69,16 +69,16 @@ def ring_of_welds_apart() -> SceneBuilder:
     return builder.weld("three", "c.origin", "b.turned")
 
 
-def motions_that_part() -> SceneBuilder:
+def motions_that_part() -> Scene:
     """Two motions of one angle, equal at t = 0 only."""
     builder = pendulum().rigid("arm", mass=1.0, inertia=0.1).revolute("elbow", "rod.origin", "arm.origin")
     builder.prescribed_angle("drive", "ground.origin", "rod.origin", motion="t**2")
     return builder.prescribed_angle("other", "ground.origin", "rod.origin", motion="2 * t**2")
 
 
-def too_short() -> SceneBuilder:
+def too_short() -> Scene:
     """A loop whose bars cannot reach each other."""
-    builder = SceneBuilder("short").ground(markers={"far": {"position": (5, 0)}})
+    builder = Scene("short").ground(markers={"far": {"position": (5, 0)}})
     for name in ("one", "two"):
         builder.rigid(name, mass=1.0, inertia=0.1, markers={"tip": {"position": (1, 0)}})
     return (
@@ -89,21 +89,21 @@ def too_short() -> SceneBuilder:
     )
 
 
-def fixed_apart() -> SceneBuilder:
+def fixed_apart() -> Scene:
     return pendulum().initial({"rod.x": {"value": 0.5, "fixed": True}})
 
 
-def fixed_rates_apart() -> SceneBuilder:
+def fixed_rates_apart() -> Scene:
     return pendulum().rates({"rod.x": {"value": 1.0, "fixed": True}})
 
 
-def dependent_chosen() -> SceneBuilder:
+def dependent_chosen() -> Scene:
     return pendulum().independent("rod.x")
 
 
-def too_few_chosen() -> SceneBuilder:
+def too_few_chosen() -> Scene:
     return (
-        SceneBuilder("two")
+        Scene("two")
         .rigid("a", mass=1.0, inertia=0.1)
         .rigid("b", mass=1.0, inertia=0.1)
         .revolute("p", "ground.origin", "a.origin")
@@ -112,9 +112,9 @@ def too_few_chosen() -> SceneBuilder:
     )
 
 
-def uncovered_group() -> SceneBuilder:
+def uncovered_group() -> Scene:
     return (
-        SceneBuilder("two")
+        Scene("two")
         .rigid("a", mass=1.0, inertia=0.1)
         .rigid("b", mass=1.0, inertia=0.1)
         .revolute("p", "ground.origin", "a.origin")
@@ -124,23 +124,23 @@ def uncovered_group() -> SceneBuilder:
     )
 
 
-def dependent_group() -> SceneBuilder:
+def dependent_group() -> Scene:
     return pendulum().groups(L=["rod.theta"], S=["rod.x"]).simulation(t_end=1.0, dt=0.1, m=[2], scheme="printed")
 
 
-def ratios_without_groups() -> SceneBuilder:
+def ratios_without_groups() -> Scene:
     return pendulum().simulation(t_end=1.0, dt=0.1, m=[2, 3], scheme="printed")
 
 
-def point_that_may_turn() -> SceneBuilder:
-    return SceneBuilder("point").rigid("p", mass=1.0, inertia=0.0, free=True)
+def point_that_may_turn() -> Scene:
+    return Scene("point").rigid("p", mass=1.0, inertia=0.0, free=True)
 
 
-def no_inertia_in_a_loop() -> SceneBuilder:
+def no_inertia_in_a_loop() -> Scene:
     return four_bar().rigid("disc", mass=1.0, inertia=0.0).revolute("E", "crank.tip", "disc.origin")
 
 
-BAD: list[tuple[Callable[[], SceneBuilder], str, str]] = [
+BAD: list[tuple[Callable[[], Scene], str, str]] = [
     (parallelogram, "joints", "the initial position is singular"),
     (flat_four_bar, "joints", "the initial position is singular"),
     (bar_too_long, "initial", "left_low, left_up, middle_low, middle_up, right_low, right_up cannot all be satisfied"),
@@ -160,7 +160,7 @@ BAD: list[tuple[Callable[[], SceneBuilder], str, str]] = [
 
 
 @pytest.mark.parametrize(("scene", "item", "phrase"), BAD, ids=[scene.__name__ for scene, _, _ in BAD])
-def test_bad_derivation_is_refused_by_name(scene: Callable[[], SceneBuilder], item: str, phrase: str) -> None:
+def test_bad_derivation_is_refused_by_name(scene: Callable[[], Scene], item: str, phrase: str) -> None:
     with pytest.raises(SceneError) as caught:
         derive(scene().build())
     assert caught.value.item == item
@@ -230,7 +230,7 @@ def test_bad_arguments_of_a_run(swing: Model, arguments: dict[str, Any], error: 
 
 @pytest.mark.parametrize("ratio", [0, -1, 2.5, True, 10**9])
 def test_ratios_must_be_whole_numbers(ratio: Any, tmp_path: Path) -> None:
-    scene = SceneBuilder("pair").structure(
+    scene = Scene("pair").structure(
         coordinates=["a", "b"], mass=[[1.0, 0.5], [0.5, 1.0]], stiffness=[[1.0, 0.0], [0.0, 100.0]]
     )
     scene.groups(L=["a"], S=["b"]).simulation(t_end=1.0, dt=0.01, m=[2], scheme="printed")
@@ -240,7 +240,7 @@ def test_ratios_must_be_whole_numbers(ratio: Any, tmp_path: Path) -> None:
 
 
 def test_step_too_long_ends_with_status_time_coordinate_and_advice(tmp_path: Path) -> None:
-    stiff = SceneBuilder("stiff").structure(coordinates=["x"], mass=[[1.0]], stiffness=[[1e4]]).initial({"x": 1.0})
+    stiff = Scene("stiff").structure(coordinates=["x"], mass=[[1.0]], stiffness=[[1e4]]).initial({"x": 1.0})
     stiff.simulation(t_end=10.0, dt=0.05, scheme="single_rate")
     solution = simulate(load_model(generate(stiff.build(), tmp_path / "stiff")))
     assert solution.status.name == "step_too_long"
@@ -255,7 +255,7 @@ def test_step_too_long_ends_with_status_time_coordinate_and_advice(tmp_path: Pat
 
 
 def test_growing_sub_cycling_ends_with_its_cause(tmp_path: Path) -> None:
-    pair = SceneBuilder("pair").structure(
+    pair = Scene("pair").structure(
         coordinates=["a", "b"], mass=[[1.0, 0.5], [0.5, 1.0]], stiffness=[[1.0, 0.0], [0.0, 400.0]]
     )
     pair.groups(L=["a"], S=["b"]).initial({"a": 1.0, "b": 0.1}).simulation(

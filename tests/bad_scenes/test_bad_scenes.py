@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from symgen.scene import Scene, SceneError
+from symgen.scene import SceneError, SceneRecord
 
 GOOD = {path.stem: tomllib.loads(path.read_text()) for path in (Path(__file__).parent / "good").glob("*.toml")}
 DELETE = object()
@@ -144,7 +144,7 @@ BAD: list[tuple[str, str, str, Any, str, str]] = [
 
 @pytest.mark.parametrize("name", GOOD)
 def test_the_good_scenes_are_good(name: str) -> None:
-    Scene.from_dict(GOOD[name])
+    SceneRecord.from_dict(GOOD[name])
 
 
 @pytest.mark.parametrize(
@@ -152,7 +152,7 @@ def test_the_good_scenes_are_good(name: str) -> None:
 )
 def test_bad_scene(base: str, path: str, value: Any, item: str, phrase: str) -> None:
     with pytest.raises(SceneError) as caught:
-        Scene.from_dict(edited(base, path, value))
+        SceneRecord.from_dict(edited(base, path, value))
     error = caught.value
     assert (error.item, error.remedy != "") == (item, True)
     assert phrase in error.problem
@@ -175,7 +175,7 @@ HOSTILE = [
 @pytest.mark.parametrize("text", HOSTILE, ids=lambda text: ascii(text[:20]))
 def test_hostile_expressions_are_refused(text: str) -> None:
     with pytest.raises(SceneError) as caught:
-        Scene.from_dict(edited("slider_crank", "bodies/1/length", text))
+        SceneRecord.from_dict(edited("slider_crank", "bodies/1/length", text))
     assert caught.value.item == "bodies[1] 'rod'.length"
     assert caught.value.remedy
 
@@ -184,7 +184,7 @@ def test_all_errors_of_a_stage_are_reported() -> None:
     data = edited("slider_crank", "bodies/0/mass", -1)
     data["joints"][0]["marker_b"] = "crank.typ"
     with pytest.raises(SceneError) as caught:
-        Scene.from_dict(data)
+        SceneRecord.from_dict(data)
     assert caught.value.remedy == "did you mean 'tip'?"
     assert [error.item for error in caught.value.also] == ["bodies[0] 'crank'.mass"]
 
@@ -204,16 +204,16 @@ def test_bad_files(tmp_path: Path, content: bytes, phrase: str) -> None:
     path = tmp_path / "scene.toml"
     path.write_bytes(content)
     with pytest.raises(SceneError) as caught:
-        Scene.from_toml(path)
+        SceneRecord.from_toml(path)
     assert "scene.toml" in caught.value.item
     assert phrase in caught.value.problem
 
 
 def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     with pytest.raises(SceneError, match="does not exist"):
-        Scene.from_toml(tmp_path / "none.toml")
+        SceneRecord.from_toml(tmp_path / "none.toml")
     (tmp_path / "pumpjack.toml").touch()
     with pytest.raises(SceneError, match="did you mean 'pumpjack.toml'"):
-        Scene.from_toml(tmp_path / "pumpjak.toml")
+        SceneRecord.from_toml(tmp_path / "pumpjak.toml")
     with pytest.raises(SceneError, match="cannot be read"):
-        Scene.from_toml(tmp_path)
+        SceneRecord.from_toml(tmp_path)

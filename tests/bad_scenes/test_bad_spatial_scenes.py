@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from symgen.pipeline import derive
-from symgen.scene import Scene, SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord
 from tests.bad_scenes.test_bad_scenes import DELETE, GOOD, edited, joint
 
 A, S = "spatial", "slider_crank"
@@ -84,36 +84,36 @@ BAD: list[tuple[str, str, str, Any, str, str]] = [
 )
 def test_bad_scene(base: str, path: str, value: Any, item: str, phrase: str) -> None:
     with pytest.raises(SceneError) as caught:
-        Scene.from_dict(edited(base, path, value))
+        SceneRecord.from_dict(edited(base, path, value))
     error = caught.value
     assert (error.item, error.remedy != "") == (item, True), str(error)
     assert phrase in error.problem
 
 
 def test_the_good_scene_can_be_derived() -> None:
-    derive(Scene.from_dict(GOOD[A]), frozenset({"condensed"}))
+    derive(SceneRecord.from_dict(GOOD[A]), frozenset({"condensed"}))
 
 
-def screw_in_a_loop() -> SceneBuilder:
-    builder = SceneBuilder("loop", space="spatial").rigid("nut", mass=1.0, inertia=[1, 1, 1])
+def screw_in_a_loop() -> Scene:
+    builder = Scene("loop", space="spatial").rigid("nut", mass=1.0, inertia=[1, 1, 1])
     builder.joint("screw", "slot", "ground.origin", "nut.origin", lead=0.2)
     return builder.joint("screw", "thread", "ground.origin", "nut.origin", lead=0.1)
 
 
-def twice_held() -> SceneBuilder:
-    builder = SceneBuilder("twice", space="spatial").rigid("door", mass=1.0, inertia=[1, 1, 1])
+def twice_held() -> Scene:
+    builder = Scene("twice", space="spatial").rigid("door", mass=1.0, inertia=[1, 1, 1])
     builder.ground(markers={"off": {"position": [0, 0, 1], "axis": [0, 1, 1]}})
     return builder.revolute("low", "ground.origin", "door.origin").revolute("high", "ground.off", "door.origin")
 
 
-DERIVED: list[tuple[Callable[[], SceneBuilder], str, str]] = [
+DERIVED: list[tuple[Callable[[], Scene], str, str]] = [
     (screw_in_a_loop, "joints[1] 'thread'", "screw"),
     (twice_held, "initial", "cannot all be satisfied"),
 ]
 
 
 @pytest.mark.parametrize(("scene", "item", "phrase"), DERIVED, ids=[scene.__name__ for scene, _, _ in DERIVED])
-def test_bad_derivation_is_refused_by_name(scene: Callable[[], SceneBuilder], item: str, phrase: str) -> None:
+def test_bad_derivation_is_refused_by_name(scene: Callable[[], Scene], item: str, phrase: str) -> None:
     with pytest.raises(SceneError) as caught:
         derive(scene().build())
     assert (caught.value.item, caught.value.remedy != "") == (item, True), str(caught.value)

@@ -11,18 +11,18 @@ import pytest
 
 from runtime import modes, simulate
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 Array = np.ndarray
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 CRANK, ROD, HEIGHT, DEPTH = 0.15, 0.3, 0.006, 0.007
 STEEL = {"density": 7870.0, "area": HEIGHT * DEPTH, "second_moment": DEPTH * HEIGHT**3 / 12, "youngs_modulus": 2e11}
 EXACT = 3.155e-3  # m, geometrically exact elements; a pinned rod of three modes gives the same
 
 
-def fast_slider_crank(pieces: int, shapes: int) -> Scene:
+def fast_slider_crank(pieces: int, shapes: int) -> SceneRecord:
     """Crank at 150 rad/s, running freely; the rod in welded pieces; its ends and its middle are measured."""
-    builder = SceneBuilder("fast", title="Fast slider-crank")
+    builder = Scene("fast", title="Fast slider-crank")
     builder.rigid("crank", mass=0.36, inertia=0.01, markers={"tip": {"position": (CRANK, 0.0)}})
     independent = ["crank.theta"]
     for k in range(pieces):
@@ -54,11 +54,11 @@ def test_rod_of_a_fast_slider_crank(model_of: Build, pieces: int, shapes: int, d
     assert run.status.name == "completed" and np.abs(off).max() == pytest.approx(EXACT, rel=2e-3)
 
 
-def frame(shapes: int) -> Scene:
+def frame(shapes: int) -> SceneRecord:
     """Two arms at a right angle, 1 and 0.6 long, on an axis through the free end of the longer one."""
     unit = {"density": 1.0, "area": 1.0, "second_moment": 1.0, "youngs_modulus": 1.0, "stiffening": True}
     return (
-        SceneBuilder("frame")
+        Scene("frame")
         .parameter("omega", 1.0, "rad/s", "speed")
         .beam("one", length=1.0, **unit, lateral={"modes": shapes},
               markers={"corner": {"at": 1.0, "angle": math.pi / 2}})
@@ -118,9 +118,9 @@ def test_frequencies_of_a_right_angled_frame(model_of: Build, speed: float) -> N
         np.testing.assert_allclose(found, exact[:count], rtol=worst)
 
 
-def damped_pieces(count: int, **damping: float) -> Scene:
+def damped_pieces(count: int, **damping: float) -> SceneRecord:
     """A cantilever of 1 m welded of pieces."""
-    builder, last = SceneBuilder("pieces"), "ground.origin"
+    builder, last = Scene("pieces"), "ground.origin"
     for k in range(count):
         ends = "welded-heavy" if k == count - 1 else "welded-welded"
         builder.beam(f"piece{k}", length=1.0 / count, **STEEL, lateral={"ends": ends, "modes": 3}, **damping)

@@ -10,7 +10,7 @@ import pytest
 from runtime import simulate
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.scenes.heavy_top import heavy_top
 from symgen.scenes.tumbling_body import tumbling_body
 from tests.support.own_parameters import with_parameters
@@ -56,7 +56,7 @@ def test_windows_pass_ten_singular_positions(
 
 
 @pytest.mark.parametrize("own", [False, True], ids=["angular velocity", "Euler parameters"])
-def test_heavy_top(model_of: Callable[[Scene], Model], own: bool) -> None:
+def test_heavy_top(model_of: Callable[[SceneRecord], Model], own: bool) -> None:
     """P5: where Euler parameters are q_i, 150 rad/s carry the dependent one through zero some forty times."""
     model = model_of(with_parameters(heavy_top(), "top") if own else heavy_top())
     solution = simulate(model, scheme="dop853", dt=5e-4, save_every=20)
@@ -70,7 +70,7 @@ ORIENTATIONS = [(1.0, 0.0, 0.0, 0.0), (0.0, 0.0, 1.0, 0.0), (0.5, -0.5, 0.5, 0.5
 
 
 @pytest.mark.parametrize("e", ORIENTATIONS)
-def test_a_body_tumbles_from_any_orientation(model_of: Callable[[Scene], Model], e: tuple[float, ...]) -> None:
+def test_a_body_tumbles_from_any_orientation(model_of: Callable[[SceneRecord], Model], e: tuple[float, ...]) -> None:
     """100 s about the middle axis: energy and angular momentum to 1e-8, |e| = 1 throughout."""
     solution = simulate(model_of(tumbling_body(e)), scheme="dop853", dt=0.05, save_every=20)
     assert solution.status.ok

@@ -14,9 +14,9 @@ from runtime import equilibrium, modes
 from runtime.contract.model import Model
 from symgen.fe import LineMesh, Material, Section
 from symgen.fe.frame import frame_structure
-from symgen.scene import BeamBody, Scene, SceneBuilder, SceneError, with_ends
+from symgen.scene import BeamBody, Scene, SceneError, SceneRecord, with_ends
 
-Build = Callable[[Scene, frozenset[str]], Model]
+Build = Callable[[SceneRecord, frozenset[str]], Model]
 KERNELS = frozenset({"condensed", "closure", "velocities", "residual_jacobian"})
 ALUMINIUM = Material(E=7e10, nu=0.3, rho=2700.0)
 ARMS, SIDES = (0.4, 0.3), (0.02, 0.03)  # along y and z of the section
@@ -27,10 +27,10 @@ FIELDS = {
 }  # fmt: skip
 
 
-def l_shape(count: int) -> Scene:
+def l_shape(count: int) -> SceneRecord:
     """Arms along x and y, clamped at the start, a force F along z at the end."""
     sets = {"lateral": {"modes": count}, "lateral_z": {"modes": count}, "torsion": {"modes": count - 1}}
-    builder = SceneBuilder("angle", space="spatial").parameter("F", 100.0, "N", "load across the plane")
+    builder = Scene("angle", space="spatial").parameter("F", 100.0, "N", "load across the plane")
     corner = {"at": 1.0, "x_axis": (0.0, 1.0, 0.0)}
     builder.beam("one", length=ARMS[0], **FIELDS, **sets, markers={"corner": corner})
     builder.beam("two", length=ARMS[1], **FIELDS, **sets)
@@ -64,9 +64,9 @@ def test_an_l_shaped_cantilever_bends_and_twists(build: Build) -> None:
     np.testing.assert_allclose(modes(model, rest).frequencies[:5], exact_l_shape(24), rtol=5e-3)
 
 
-def bar(**fields: object) -> SceneBuilder:
+def bar(**fields: object) -> Scene:
     """A stiff bar with torsion only, free to twist at its end."""
-    builder = SceneBuilder("bar", space="spatial")
+    builder = Scene("bar", space="spatial")
     torsion = {"torsion": {"ends": "fixed-free", "modes": 2}}
     return builder.beam("bar", length=ARMS[0], **{**FIELDS, **torsion, **fields})
 
@@ -126,7 +126,7 @@ def test_ends_of_torsion_by_what_is_attached(joint: str, marker: str, expected: 
 def test_what_torsion_needs() -> None:
     with pytest.raises(SceneError, match=r"'bar'.shear_modulus.*is missing, which torsion needs"):
         bar(shear_modulus=0.0).weld("root", "ground.origin", "bar.start").build()
-    planar = SceneBuilder("flat").beam(
+    planar = Scene("flat").beam(
         "bar", length=1.0, density=1.0, area=1.0, second_moment=1.0, youngs_modulus=1.0, torsion={"modes": 1}
     )
     with pytest.raises(SceneError, match=r"'bar'.torsion.*a planar beam does not twist"):

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 from symgen.cli import main
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 from tests.support.rotor_scenes import jeffcott
 
 
 def test_frequency_response(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """x / F = 1 / (k - m w^2 + i c w) of a damped slider, in JSON and in the file."""
     scene = (
-        SceneBuilder("slider")
+        Scene("slider")
         .input("push", 0.0, "N")
         .rigid("mass", mass=2.0, inertia=0.1)
         .prismatic("rail", "ground.origin", "mass.origin", damping=3.0)

@@ -13,7 +13,7 @@ from runtime.contract.errors import ModelError
 from runtime.schemes.options import SchemeError
 from symgen.cli import main
 from symgen.cli.table import parser
-from symgen.scene import Scene, SceneError
+from symgen.scene import SceneError, SceneRecord
 
 SPRING = '[[loads]]\ntype = "force"\nname = "push"\nmarker = "box.origin"\ncomponents = [1.0, 0.0]\n'
 
@@ -82,14 +82,14 @@ def test_advice_prints_a_command_that_works_for_what_was_given(capsys, tmp_path:
 def test_a_number_with_its_unit_is_told_from_an_expression() -> None:
     text = 'name = "a"\n[[bodies]]\ntype = "rigid"\nname = "box"\nmass = "3.0 kg"\ninertia = 1.0\nfree = true\n'
     with pytest.raises(SceneError, match="all are in SI units .* here 3.0"):
-        Scene.from_toml_text(text)
+        SceneRecord.from_toml_text(text)
     with pytest.raises(SceneError, match="line 5.*'mass = 3.0 kg'; write the number alone.* here 3.0"):
-        Scene.from_toml_text(text.replace('"3.0 kg"', "3.0 kg"))
+        SceneRecord.from_toml_text(text.replace('"3.0 kg"', "3.0 kg"))
 
 
 def test_an_error_of_the_toml_shows_its_line() -> None:
     with pytest.raises(SceneError, match="line 2.*'mass = = 3'"):
-        Scene.from_toml_text('name = "a"\nmass = = 3\n')
+        SceneRecord.from_toml_text('name = "a"\nmass = = 3\n')
 
 
 def test_a_parameter_that_is_zero_in_the_scene_is_explained(built_in) -> None:

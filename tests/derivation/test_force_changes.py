@@ -8,7 +8,7 @@ import pytest
 
 from benchmarks.cases.rhs_pinocchio import skew_tree
 from symgen.algebra.rows import Row
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes import SCENES
 from symgen.system.build import build_system
 from tests.hand_derived.spatial.spatial_scenes import flexible
@@ -17,12 +17,12 @@ from tests.hand_derived.spatial.twin_flexible_nodes import scattered
 ALL = ("revolute", "universal", "planar")
 
 
-def bent_chain(kinds: tuple[str, ...], closing: str = "") -> Scene:
+def bent_chain(kinds: tuple[str, ...], closing: str = "") -> SceneRecord:
     """Bodies of two modes each, every integral non-zero, on joints of some kinds between bent and turned ends.
 
     closing: type of a joint that ties the last one to the ground.
     """
-    builder, rng = SceneBuilder("bent", space="spatial").gravity(0.3, 0.5, -9.81), np.random.default_rng(1)
+    builder, rng = Scene("bent", space="spatial").gravity(0.3, 0.5, -9.81), np.random.default_rng(1)
     for k, kind in enumerate(kinds):
         start, end = (
             {
@@ -46,7 +46,7 @@ def bent_chain(kinds: tuple[str, ...], closing: str = "") -> Scene:
     [skew_tree().scene, SCENES["bricard"](), SCENES["spatial_slider_crank"](), bent_chain(ALL)],
     ids=["tree of 8", "bricard", "slider-crank", "bent chain"],
 )
-def test_derivatives_of_inertia_forces(scene: Scene) -> None:
+def test_derivatives_of_inertia_forces(scene: SceneRecord) -> None:
     """By q and by q', at random positions, rates and accelerations."""
     system = build_system(scene)
     eq, p = system.reduced, system.parameters.vector()

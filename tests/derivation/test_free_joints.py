@@ -5,17 +5,17 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.system.build import build_system
 from symgen.system.equations import Equations
 
 JOINTS = ("revolute", "universal", "cylindrical", "revolute", "screw", "planar", "prismatic", "revolute")
 
 
-def mixed_chain() -> Scene:
+def mixed_chain() -> SceneRecord:
     """Rigid bodies and beams in turn, on joints of every kind that places a body, each with a twig."""
     rng = np.random.default_rng(4)
-    builder = SceneBuilder("mixed", space="spatial").gravity(0.0, 0.0, -9.81)
+    builder = Scene("mixed", space="spatial").gravity(0.0, 0.0, -9.81)
     builder.ground(markers={"tip": {"axis": rng.normal(size=3)}})
     before = "ground.tip"
     for k, kind in enumerate(JOINTS):
@@ -52,9 +52,9 @@ def mixed_chain() -> Scene:
     return builder.build()
 
 
-def hinges(n: int) -> Scene:
+def hinges(n: int) -> SceneRecord:
     rng = np.random.default_rng(5)
-    builder = SceneBuilder("hinges", space="spatial")
+    builder = Scene("hinges", space="spatial")
     for k in range(n):
         markers = {"tip": {"position": rng.uniform(-1, 1, 3), "axis": rng.normal(size=3)}}
         builder.rigid(f"body{k}", mass=1.0, inertia=[0.1, 0.12, 0.15], center_of_mass=[0.1, 0, 0.2], markers=markers)

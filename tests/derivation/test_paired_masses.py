@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes.chain import chain
 from tests.support.jacobian_forms import assert_equal_forms, values_of_forms
 
 
-def branched() -> Scene:
+def branched() -> SceneRecord:
     """A cart with two arms, one of them carrying a third: masses beside the hinges' lines, dampers, a spring."""
-    builder = SceneBuilder("branched").gravity(0.4, -9.81)
+    builder = Scene("branched").gravity(0.4, -9.81)
     builder.rigid(
         "cart", mass=2.0, inertia=0.1, markers={"left": {"position": (-0.3, 0.1)}, "right": {"position": (0.4, 0)}}
     )
@@ -27,5 +27,7 @@ def branched() -> Scene:
 
 
 @pytest.mark.parametrize(("scene", "at_start"), [(chain(4), False), (branched(), True)], ids=["chain", "branched"])
-def test_pairs_give_the_jacobians_of_elimination(scene: Scene, at_start: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_pairs_give_the_jacobians_of_elimination(
+    scene: SceneRecord, at_start: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
     assert_equal_forms(values_of_forms(scene, monkeypatch, at_start))

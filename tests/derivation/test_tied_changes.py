@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.derivation.test_force_changes import bent_chain
 from tests.support.jacobian_forms import assert_equal_forms, values_of_forms
 
 
-def twice_tied() -> Scene:
+def twice_tied() -> SceneRecord:
     """Three rigid bodies on universal joints, the last one tied to the ground and to a body that slides there."""
-    builder, rng = SceneBuilder("tied", space="spatial").gravity(0.3, 0.5, -9.81), np.random.default_rng(2)
+    builder, rng = Scene("tied", space="spatial").gravity(0.3, 0.5, -9.81), np.random.default_rng(2)
     builder.ground(markers={"near": {"position": [1.5, 0.2, 0.1]}})
     for k in range(4):
         ends = {name: {"position": rng.normal(size=3), "axis": rng.normal(size=3)} for name in ("start", "end", "side")}
@@ -29,14 +29,14 @@ def twice_tied() -> Scene:
     [bent_chain(("universal", "revolute"), "spherical"), twice_tied()],
     ids=["bent chain", "two ties"],
 )
-def test_directions_give_the_jacobians_of_elimination(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_directions_give_the_jacobians_of_elimination(scene: SceneRecord, monkeypatch: pytest.MonkeyPatch) -> None:
     """At random positions and rates: the forms are equal whether or not these close the loops."""
     assert_equal_forms(values_of_forms(scene, monkeypatch))
 
 
-def on_a_turntable() -> Scene:
+def on_a_turntable() -> SceneRecord:
     """Two rigid bodies on universal joints, the second tied to the turning body that carries the first."""
-    builder, rng = SceneBuilder("turntable", space="spatial").gravity(0.3, 0.5, -9.81), np.random.default_rng(4)
+    builder, rng = Scene("turntable", space="spatial").gravity(0.3, 0.5, -9.81), np.random.default_rng(4)
     for name in ("table", "near", "far"):
         ends = {end: {"position": rng.normal(size=3), "axis": rng.normal(size=3)} for end in ("start", "end", "side")}
         builder.rigid(name, mass=1.0, inertia=[0.2, 0.3, 0.4], center_of_mass=rng.normal(size=3), markers=ends)

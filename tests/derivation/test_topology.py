@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.scenes import SCENES
 from symgen.system.topology import Ring, Topology, topology_of
 
@@ -41,10 +41,10 @@ def test_built_in_scenes(name: str) -> None:
     assert {joint: placement.child for joint, placement in found.placements.items()} == placed
 
 
-def scene_of(bodies: int, pairs: list[tuple[int, int]]) -> Scene:
+def scene_of(bodies: int, pairs: list[tuple[int, int]]) -> SceneRecord:
     """Free bodies (0 is the ground) and a hinge for each pair."""
     names = ["ground", *(f"b{k}" for k in range(1, bodies + 1))]
-    return Scene.from_dict(
+    return SceneRecord.from_dict(
         {
             "name": "graph",
             "bodies": [{"type": "rigid", "name": n, "mass": 1.0, "inertia": 1.0, "free": True} for n in names[1:]],

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 
 def test_units_do_not_depend_on_how_something_is_called(model_of) -> None:
     """A body, a joint and a mode may have any name: a hinge "e0", a slide "theta", a beam "angle"."""
-    builder = SceneBuilder("odd_names", space="spatial").gravity(0.0, 0.0, -9.81)
+    builder = Scene("odd_names", space="spatial").gravity(0.0, 0.0, -9.81)
     builder.rigid("theta", mass=1.0, inertia=[1.0, 1.0, 1.0], free=True)
     builder.beam("angle", length=1.0, density=10.0, area=0.1, youngs_modulus=1e6, second_moment=1e-3,
                  second_moment_z=1e-3, lateral={"ends": "clamped-free", "modes": 2})  # fmt: skip

@@ -13,7 +13,7 @@ import pytest
 from runtime import load_model, simulate
 from runtime.contract.model import Model
 from symgen.generate import generate
-from symgen.scene import SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError
 from symgen.scenes import generated_folder
 from symgen.scenes.n_four_bar import n_four_bar
 from symgen.variants import generate_variant
@@ -105,7 +105,7 @@ def test_a_variant_beyond_a_singular_position(tmp_path: Path) -> None:
 
 def test_the_redundant_rows_are_those_handed_over(tmp_path: Path) -> None:
     """Either of two equal hinges can be left out; the variant leaves out the one it is told."""
-    builder = SceneBuilder("double").ground(markers={"right": {"position": (2, 0)}})
+    builder = Scene("double").ground(markers={"right": {"position": (2, 0)}})
     for name, length in (("crank", 1.0), ("coupler", 1.5), ("rocker", 1.2)):
         builder.rigid(name, mass=1.0, inertia=0.1, markers={"tip": {"position": (length, 0)}})
     builder.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "coupler.origin")

@@ -14,7 +14,7 @@ import pytest
 from runtime import ModelError, load_model
 from runtime.contract.loading import FORMAT, described
 from runtime.contract.records import STAGES, as_plain, description
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 from symgen.scenes import SCENES, generated_folder
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -93,9 +93,9 @@ def test_an_older_format_is_refused_by_name(tmp_path: Path) -> None:
         load_model(tmp_path)
 
 
-def rod(**fields: object) -> SceneBuilder:
+def rod(**fields: object) -> Scene:
     """A pendulum whose numbers are parameters with names that say nothing."""
-    builder = SceneBuilder("rod").gravity(0.0, -9.81).parameter("a", 2.0).parameter("b", 0.5).parameter("mass", -3.0)
+    builder = Scene("rod").gravity(0.0, -9.81).parameter("a", 2.0).parameter("b", 0.5).parameter("mass", -3.0)
     values = {"mass": "a", "inertia": "a*b**2/3", "center_of_mass": ["b", 0.0], **fields}
     return builder.rigid("bar", **values).revolute("hinge", "ground.origin", "bar.origin")
 

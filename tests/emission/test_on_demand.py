@@ -15,7 +15,7 @@ from runtime.running.plan import make_plan
 from runtime.schemes.stage_equations import LONG_TREE
 from symgen.choice.assembly import ConstraintNumbers
 from symgen.generate import generate, model_of
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.scenes import SCENES, generated_folder
 from symgen.scenes.chain import chain
 
@@ -25,18 +25,18 @@ ROUNDING = 1e-11
 
 
 @pytest.fixture(scope="module")
-def long_chain() -> Scene:
+def long_chain() -> SceneRecord:
     assert LINKS > LONG_TREE
     return chain(LINKS)
 
 
 @pytest.fixture(scope="module")
-def emitted(long_chain: Scene, tmp_path_factory: pytest.TempPathFactory) -> Model:
+def emitted(long_chain: SceneRecord, tmp_path_factory: pytest.TempPathFactory) -> Model:
     return load_model(generate(long_chain, tmp_path_factory.mktemp("model") / "chain"))
 
 
 @pytest.fixture(scope="module")
-def on_demand(long_chain: Scene) -> Model:
+def on_demand(long_chain: SceneRecord) -> Model:
     return model_of(long_chain)
 
 

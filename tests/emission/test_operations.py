@@ -14,7 +14,7 @@ from runtime import load_model
 from runtime.contract.tape import arithmetic, as_function
 from symgen.generate import generate
 from symgen.pipeline import derive
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes import SCENES, generated_folder
 from symgen.scenes.chain import chain
 from symgen.scenes.spatial_chain import spatial_chain
@@ -24,7 +24,7 @@ from tests.hand_derived.spatial.twin_flexible_nodes import scattered
 CONDENSED = frozenset({"condensed"})
 
 
-def slider_crank(rod: SceneBuilder, end: str, start: str, modes: int) -> Scene:
+def slider_crank(rod: Scene, end: str, start: str, modes: int) -> SceneRecord:
     rod.rigid("crank", mass=0.36, inertia=0.002, center_of_mass=(0.075, 0), markers={"tip": {"position": (0.15, 0)}})
     rod.rigid("slider", mass=0.07, inertia=1e-4)
     rod.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", start)
@@ -33,8 +33,8 @@ def slider_crank(rod: SceneBuilder, end: str, start: str, modes: int) -> Scene:
     return rod.build()
 
 
-def two_pinned_modes() -> Scene:
-    rod = SceneBuilder("pinned").beam(
+def two_pinned_modes() -> SceneRecord:
+    rod = Scene("pinned").beam(
         "rod",
         length=0.3,
         density=7870.0,
@@ -46,13 +46,13 @@ def two_pinned_modes() -> Scene:
     return slider_crank(rod, "rod.end", "rod.start", 2)
 
 
-def four_general_modes() -> Scene:
+def four_general_modes() -> SceneRecord:
     """Every integral and every tip shape non-zero, mass and stiffness matrices full."""
     rng = np.random.default_rng(0)
     half = rng.normal(size=(4, 4))
     M_ff = half @ half.T + 4 * np.eye(4)
     turn = 0.1 * (half - half.T)
-    rod = SceneBuilder("general").modal(
+    rod = Scene("general").modal(
         "rod",
         mass=10.0,
         first_moment=(0.2, 0.0),
@@ -78,20 +78,20 @@ def four_general_modes() -> Scene:
     ],
     ids=["two pinned modes", "four general modes", "rigid chain of 10", "flexible chain of 10"],
 )
-def test_condensed_equations_stay_within_their_budget(scene: Scene, budget: int) -> None:
+def test_condensed_equations_stay_within_their_budget(scene: SceneRecord, budget: int) -> None:
     assert derive(scene, CONDENSED).tapes["condensed"].operations <= budget
 
 
-def off_its_centre() -> Scene:
+def off_its_centre() -> SceneRecord:
     """A free body whose centre of mass is not its origin; Newton and Euler about the origin take 138 operations."""
-    builder = SceneBuilder("off", space="spatial").gravity(0, 0, -9.81)
+    builder = Scene("off", space="spatial").gravity(0, 0, -9.81)
     inertia: dict[str, Any] = {"inertia": [0.31, 0.24, 0.19], "products": [0.02, -0.03, 0.04]}
     return builder.rigid("body", mass=2.0, center_of_mass=[0.2, -0.1, 0.17], free=True, **inertia).build()
 
 
-def dense_spatial_chain() -> Scene:
+def dense_spatial_chain() -> SceneRecord:
     """Ten links of two modes each with every shape integral and every tip shape non-zero, on spherical joints."""
-    builder, rng = SceneBuilder("dense", space="spatial").gravity(0, 0, -9.81), np.random.default_rng(1)
+    builder, rng = Scene("dense", space="spatial").gravity(0, 0, -9.81), np.random.default_rng(1)
     for k in range(10):
         end = {"position": rng.normal(size=3), "shape": rng.normal(size=(3, 2))}
         builder.flexible(f"link{k + 1}", **flexible(scattered(7, 2, seed=k)), orientation="zyx", markers={"end": end})
@@ -108,7 +108,7 @@ def dense_spatial_chain() -> Scene:
     ],
     ids=["rigid chain of 10", "flexible chain of 10", "general flexible chain of 10"],
 )
-def test_spatial_equations_stay_within_their_budget(scene: Scene, budget: int) -> None:
+def test_spatial_equations_stay_within_their_budget(scene: SceneRecord, budget: int) -> None:
     """Balls pass forces in world axes; modes turn a body only where its joint holds it."""
     assert derive(scene, CONDENSED).tapes["condensed"].operations <= budget
 
@@ -144,7 +144,7 @@ def test_spatial_equations_stay_within_their_budget(scene: Scene, budget: int) -
         "dQ_hat/dq of the planar chain of 10",
     ],
 )
-def test_arithmetic_stays_within_its_budget(scene: Scene, function: str, budget: int) -> None:
+def test_arithmetic_stays_within_its_budget(scene: SceneRecord, function: str, budget: int) -> None:
     """Pinocchio's CasADi code of the tree has 3,864 for its accelerations."""
     assert derive(scene, frozenset({function})).tapes[function].operations <= budget
 
@@ -193,7 +193,7 @@ def test_stamped_counts_are_the_counts_of_the_loaded_functions(name: str) -> Non
 
 def test_planar_scenes_pay_only_for_what_they_have(tmp_path: Path) -> None:
     """Without gravity, damping or motion the kernels do not take what they do not need."""
-    plain = SceneBuilder("plain").rigid("rod", mass=1.0, inertia=0.1).revolute("hinge", "ground.origin", "rod.origin")
+    plain = Scene("plain").rigid("rod", mass=1.0, inertia=0.1).revolute("hinge", "ground.origin", "rod.origin")
     model = load_model(generate(plain.build(), tmp_path / "plain"))
     assert model.kernel("condensed").name_in() == ["c"]
     assert model.operations["condensed"] == 0

@@ -25,10 +25,10 @@ from runtime.engine.rows import ManyPoints
 from runtime.gradients.objectives import End
 from runtime.schemes.switching.table_bounds import TableBounds
 from symgen.generate import generate
-from symgen.scene import CurveTable, Scene, SceneBuilder
+from symgen.scene import CurveTable, Scene, SceneRecord
 from tests.support.complex_step import derivatives
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 RANDOM = np.random.default_rng(3)
 GRIDS = {
     "even": np.linspace(-1.3, 2.1, 40),
@@ -160,12 +160,12 @@ def test_bounds_hold(interpolation: str, outside: str) -> None:
     assert not TableBounds(mark(one.key, 0)).jumps
 
 
-def quarter_car(points: int = 241) -> Scene:
+def quarter_car(points: int = 241) -> SceneRecord:
     """A wheel on a tyre on a road that a table gives along the way, a body on a spring whose law is a table, too."""
     s = np.linspace(0, 60, points)
     road = 0.02 * np.sin(0.8 * s) + 0.008 * np.sin(2.9 * s)
     return (
-        SceneBuilder("quarter_car")
+        Scene("quarter_car")
         .table("road", x=s, y=road)
         .table("spring", x=[-0.2, -0.05, 0, 0.05, 0.2], y=[9000, 1200, 0, -900, -6000], interpolation="monotone")
         .parameter("speed", 15.0, "m/s")
@@ -202,7 +202,7 @@ def test_a_step_over_a_long_road_is_cheap(car: Model) -> None:
 
 
 def table_of_scene(car: Model) -> Table:
-    return Scene.from_toml_text(car.scene_toml).tables["road"].curve
+    return SceneRecord.from_toml_text(car.scene_toml).tables["road"].curve
 
 
 def test_a_table_of_what_is_known_is_taken_out(car: Model) -> None:

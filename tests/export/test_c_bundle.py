@@ -18,12 +18,12 @@ from runtime.engine.compiled import find_compiler
 from runtime.export.c_bundle import exported, write_c
 from runtime.export.c_functions import function_files
 from symgen.cli import main
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.export.bundles import STRICT, bundle, compiled
 from tests.support.input_scenes import cart
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 SCENES = [  # flexible with sub-steps, loops with an iteration, a loop in space, turns, a tree
     ("flexible_slider_crank_free", "exponential"),
@@ -35,11 +35,11 @@ SCENES = [  # flexible with sub-steps, loops with an iteration, a loop in space,
 STEPS = 1000
 
 
-def on_a_table() -> Scene:
+def on_a_table() -> SceneRecord:
     """A cart under a force from a table over its way, an input and smooth dry friction."""
     x = np.linspace(-1.0, 2.0, 40)
     return (
-        SceneBuilder("on_a_table")
+        Scene("on_a_table")
         .input("push", 0.5, "N", "from outside")
         .table("curve", x=list(x), y=list(np.sin(3 * x)), interpolation="cubic")
         .rigid("cart", mass=1.0, inertia=0.1)

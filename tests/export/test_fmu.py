@@ -19,11 +19,11 @@ from runtime.export import fmu
 from runtime.export.c_bundle import exported
 from runtime.export.fmu import this_platform, write_fmu
 from symgen.cli import main
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from tests.support.input_scenes import cart
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 OK, DISCARD, ERROR = 0, 2, 3
 needs_compiler = pytest.mark.skipif(
     find_compiler() is None or this_platform() != "linux64", reason="no C compiler, or another platform"

@@ -11,7 +11,7 @@ from runtime.contract.flexible import BodyMotion, MarkerForce
 from symgen.fe import FiniteElementError, FlexibleBody, LineMesh, Material, Section
 from symgen.fe.frame import FrameElements
 from symgen.generate import model_of
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 from tests.fe.test_mode_acceleration import bar
 
 A_SIDE, B_SIDE, WIDE, HIGH = 0.4, 0.3, 0.02, 0.01
@@ -33,7 +33,7 @@ def crank(modes: int, **choices: object) -> FlexibleBody:
 def test_an_l_frame_under_its_weight_and_a_load() -> None:
     """At the start of each line: the statics of all that is beyond, with two modes that hold little of it."""
     body, g, load = crank(2), 0.01, np.array([3e-3, -2e-3, 5e-3])
-    builder = SceneBuilder("crank", space="spatial").gravity(0.0, 0.0, -g).flexible("frame", **body.fields())
+    builder = Scene("crank", space="spatial").gravity(0.0, 0.0, -g).flexible("frame", **body.fields())
     builder.weld("wall", "ground.origin", "frame.root").force("pull", "frame.tip", *load.tolist())
     run = simulate(model_of(builder.build()), scheme="rk4", dt=1e-9, t_end=1e-9, start="quasi_static")
     found = body.section_forces().of(run.body_motion("frame")).values[0]
@@ -58,7 +58,7 @@ def test_an_l_frame_under_its_weight_and_a_load() -> None:
 
 
 def turning(body: FlexibleBody, motion: str, dt: float, t_end: float) -> Solution:
-    builder = SceneBuilder("arm", space="spatial").flexible("frame", **body.fields())
+    builder = Scene("arm", space="spatial").flexible("frame", **body.fields())
     builder.revolute("axle", "ground.origin", "frame.root")
     builder.prescribed_angle("drive", "ground.origin", "frame.root", motion=motion)
     every = max(1, round(t_end / dt / 20))

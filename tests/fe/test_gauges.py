@@ -14,7 +14,7 @@ from symgen.fe import FiniteElementError, FlexibleBody, LineMesh, Section
 from symgen.fe.connecting_rod import connecting_rod
 from symgen.fe.mode_acceleration import gauge_places
 from symgen.generate import model_of
-from symgen.scene import Scene, SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord
 from tests.fe.test_mode_acceleration import MATERIAL, L, Y, Z, bar
 
 PULL, TURN = 9e-4, 7e-6
@@ -23,9 +23,9 @@ EXPECTED = {name: PULL / (Y * Z) - TURN * y / (Z * Y**3 / 12) for name, (_, y, _
 SIZE = max(map(abs, EXPECTED.values()))
 
 
-def pulled(fields: dict[str, Any]) -> SceneBuilder:
+def pulled(fields: dict[str, Any]) -> Scene:
     """A bar on a wall, pulled by P and bent by M about z at its tip, with measures at its gauges."""
-    builder = SceneBuilder("bar", space="spatial").parameter("P", PULL, "N").parameter("M", TURN, "N m")
+    builder = Scene("bar", space="spatial").parameter("P", PULL, "N").parameter("M", TURN, "N m")
     builder.flexible("bar", **fields).weld("wall", "ground.origin", "bar.root")
     builder.force("pull", "bar.tip", "P", 0.0, 0.0, frame="body").torque("bend", "bar.tip", "M")
     builder.measure("most", "stress", "bar.all").measure("above", "stress", "bar.top")
@@ -110,9 +110,9 @@ def test_what_does_not_fit_is_named() -> None:
     with pytest.raises(FiniteElementError, match="not made from a solid mesh"):
         FlexibleBody.from_mesh(frame, MATERIAL, interface={"a": [0]}, modes=1).fields(gauges={"a": 0})
 
-    def scene(gauge: str, component: str = "von_mises", **changes: Any) -> Scene:
+    def scene(gauge: str, component: str = "von_mises", **changes: Any) -> SceneRecord:
         gauges = {"node": fields["gauges"]["node"] | changes}
-        builder = SceneBuilder("bar", space="spatial").flexible("bar", **{**fields, "gauges": gauges})
+        builder = Scene("bar", space="spatial").flexible("bar", **{**fields, "gauges": gauges})
         builder.rigid("head", mass=1.0, inertia=[1.0] * 3).weld("tip", "bar.tip", "head.origin")
         return (
             builder.weld("wall", "ground.origin", "bar.root").measure("s", "stress", gauge, component=component).build()

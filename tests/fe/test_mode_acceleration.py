@@ -12,10 +12,10 @@ from runtime import Solution, simulate
 from runtime.contract.flexible import BodyMotion, MarkerForce
 from runtime.contract.model import Model
 from symgen.fe import FiniteElementError, FlexibleBody, Material
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 skfem = pytest.importorskip("skfem")
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 L, Y, Z, CELLS = 0.3, 0.010, 0.012, 16
 MATERIAL = Material(E=2.0e11, nu=0.0, rho=7800.0)
 
@@ -36,7 +36,7 @@ def test_a_pulled_and_bent_bar(model_of: Build) -> None:
     body = bar(2)
     fields = body.fields()
     fields["markers"] |= {"pulled": fields["markers"]["tip"], "turned": fields["markers"]["tip"]}
-    builder = SceneBuilder("bar", space="spatial").flexible("bar", **fields)
+    builder = Scene("bar", space="spatial").flexible("bar", **fields)
     builder.weld("wall", "ground.origin", "bar.root").force("pull", "bar.pulled", 9e-4, 0.0, 0.0, frame="body")
     builder.torque("key", "bar.turned", 7e-6)
     run = simulate(model_of(builder.build()), scheme="rk4", dt=1e-9, t_end=1e-9, start="quasi_static")
@@ -56,7 +56,7 @@ def test_a_pulled_and_bent_bar(model_of: Build) -> None:
 def driven(model_of: Build, count: int, motion: str, t_end: float, dt: float) -> tuple[FlexibleBody, Solution]:
     """The bar on an axle at its root, turned about z by a prescribed motion."""
     body = bar(count, mode_set="mixed", fixed=["root"])
-    builder = SceneBuilder("arm", space="spatial").flexible("bar", **body.fields())
+    builder = Scene("arm", space="spatial").flexible("bar", **body.fields())
     builder.revolute("axle", "ground.origin", "bar.root")
     builder.prescribed_angle("drive", "ground.origin", "bar.root", motion=motion)
     every = max(1, round(t_end / dt / 20))

@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 from runtime import simulate
 from symgen.fe import FiniteElementError
 from symgen.generate import model_of
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 from tests.fe.test_mode_acceleration import MATERIAL, L, bar
 
 HELD = {"mode_set": "mixed", "fixed": ["root"], "cells": 6}
@@ -21,7 +21,7 @@ def test_a_measure_of_a_turning_bar() -> None:
     expected = MATERIAL.rho * speed**2 / 2 * (L**2 - (L / 2) ** 2)
     for static in ((), ("spin_z",)):
         body = bar(1, static=static, **HELD)
-        builder = SceneBuilder("arm", space="spatial").revolute("axle", "ground.origin", "bar.root")
+        builder = Scene("arm", space="spatial").revolute("axle", "ground.origin", "bar.root")
         builder.flexible("bar", **body.fields(gauges={"middle": (L / 2, 0.0, 0.0)}))
         builder.prescribed_angle("drive", "ground.origin", "bar.root", motion=f"{speed} * t")
         builder.measure("pulled", "stress", "bar.middle", component="xx")

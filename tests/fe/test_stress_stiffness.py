@@ -14,11 +14,11 @@ from runtime.contract.model import Model
 from symgen.fe import FiniteElementError, FlexibleBody, LineMesh, Material, Section
 from symgen.fe.inertia import stress_stiffening
 from symgen.fe.static import held_solve
-from symgen.scene import Scene, SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord
 from tests.cases.test_beams_of_pieces import fast_slider_crank
 from tests.operating.test_exact_modes import ROTATING
 
-Build = Callable[[Scene, frozenset[str]], Model]
+Build = Callable[[SceneRecord, frozenset[str]], Model]
 LENGTH, Y, Z = 1.0, 0.010, 0.012
 MATERIAL = Material(E=2.0e11, nu=0.0, rho=7800.0)
 SECTION = Section.rectangle(Y, Z)
@@ -80,8 +80,8 @@ def test_supports_drop_out_of_balanced_loads() -> None:
         assert_allclose(found.at["tip"][0] - found.at["root"][0], expected, atol=1e-2 * np.abs(expected).max())
 
 
-def turning(body: FlexibleBody) -> Scene:
-    builder = SceneBuilder("turning", space="spatial").parameter("omega", 1.0, "rad/s", "speed")
+def turning(body: FlexibleBody) -> SceneRecord:
+    builder = Scene("turning", space="spatial").parameter("omega", 1.0, "rad/s", "speed")
     builder.flexible("beam", **body.fields()).revolute("axis", "ground.origin", "beam.root")
     return builder.prescribed_angle("drive", "ground.origin", "beam.root", motion="omega * t").build()
 
@@ -103,7 +103,7 @@ def test_a_turning_cantilever(build: Build, made: Callable[[], FlexibleBody], wo
 
 def test_column_of_elements_under_a_load(build: Build) -> None:
     """w^2 = w_0^2 (1 - P / P_cr) of a cantilever pushed at its tip: P_cr = pi^2 EI / 4 L^2 by the marker's H."""
-    builder = SceneBuilder("column", space="spatial").parameter("P", 1.0, "N", "compression")
+    builder = Scene("column", space="spatial").parameter("P", 1.0, "N", "compression")
     builder.flexible("beam", **line().fields()).weld("wall", "ground.origin", "beam.root")
     builder.force("push", "beam.tip", "-P", 0.0, 0.0)
     wanted = frozenset({"condensed", "closure", "velocities", "residual_jacobian"})
@@ -130,7 +130,7 @@ def test_foreshortening_of_a_marker_has_its_size() -> None:
     fields = line(modes=2).fields()
     fields["markers"]["tip"]["foreshortening"] = [[[1.0, 0.0]]] * 3
     with pytest.raises(SceneError, match=r"'beam'.markers.tip.foreshortening\[0\].*1 rows instead of 2"):
-        SceneBuilder("bad", space="spatial").flexible("beam", **fields, free=True).build()
+        Scene("bad", space="spatial").flexible("beam", **fields, free=True).build()
 
 
 def test_rod_of_a_fast_slider_crank_from_elements(build: Build) -> None:
@@ -148,7 +148,7 @@ def test_rod_of_a_fast_slider_crank_from_elements(build: Build) -> None:
         interface={"big": [0], "middle": [n // 2], "small": [n]}, modes=2, origin="big", stiffening=True,
     )  # fmt: skip
     along = {"position": (0.0, 0.0, 0.0), "axis": (1.0, 0.0, 0.0)}
-    builder = SceneBuilder("fast", space="spatial").ground(markers={"rail": along})
+    builder = Scene("fast", space="spatial").ground(markers={"rail": along})
     builder.rigid("crank", mass=0.36, inertia=(1e-3, 1e-2, 1e-2), markers={"tip": {"position": (0.15, 0.0, 0.0)}})
     builder.flexible("rod", **body.fields())
     builder.rigid("slider", mass=7870.0 * 42e-6 * 0.15, inertia=(1e-5, 1e-5, 1e-5), markers={"rail": along})
@@ -172,7 +172,7 @@ def test_rod_of_a_fast_slider_crank_from_elements(build: Build) -> None:
     free = fast_slider_crank(1, 2).to_dict()
     rod = next(body for body in free["bodies"] if body["name"] == "rod0")
     rod["lateral"] = {"ends": "free-free", "modes": 2}
-    same = build(Scene.from_dict(free), frozenset(needed.split()))
+    same = build(SceneRecord.from_dict(free), frozenset(needed.split()))
     found = deflection(model, {})
     assert found == pytest.approx(deflection(same, {}), rel=1e-4)
     assert found == pytest.approx(3.155e-3, rel=0.03)  # what two free modes are good for

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from symgen.fe import STEEL, FlexibleBody, LineMesh, Section
-from symgen.scene import SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError
 from tests.fe.test_mode_acceleration import MATERIAL, L, Y, Z, bar
 
 SECTION = Section.rectangle(0.02, 0.01)
@@ -38,7 +38,7 @@ def test_struts_of_a_scene_name_its_markers() -> None:
         ({"markers": ["root", "toe"]}, r"struts\[0\].markers: there is no marker 'toe'"),
         ({"held": -2.0}, r"struts\[0\].held: -2 is not positive"),
     ):
-        builder = SceneBuilder("bar", space="spatial")
+        builder = Scene("bar", space="spatial")
         builder.flexible("bar", **{**fields, "struts": [fields["struts"][0] | change]})
         with pytest.raises(SceneError, match=problem):
             builder.weld("wall", "ground.origin", "bar.root").build()

@@ -11,10 +11,10 @@ import pytest
 from runtime import DifferentiableRun, Model, ModelError, SymgenError, fit
 from runtime.contract.errors import ArgumentError, NoResult
 from runtime.gradients.fit import fit_prepared
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from tests.gradients.test_gradients import sliding
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
 TRUTH = {"length": 1.3, "rod.theta": -1.1, "rod.theta_dot": 0.4}
 GUESS = {"rod.theta": -0.8}

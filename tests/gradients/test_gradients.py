@@ -10,11 +10,11 @@ import pytest
 from runtime import SCHEMES, DifferentiableRun, Model, gradient, output_jacobian, simulate
 from runtime.gradients import passes
 from runtime.gradients.objectives import End, Formula, Integral, Largest, SquaredError
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.running.test_inputs import cart
 from tests.support import complex_step
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
 
 ROD = ["crank.tip.x", "rod.mass", "rod.M_ff[0,0]", "rod.K_ff[0,0]", "slider.mass", "crank.theta", "crank.theta_dot"]
@@ -25,9 +25,9 @@ ROD_RUNS = [
 ]
 
 
-def sliding(force: str, **parameters: float) -> Scene:
+def sliding(force: str, **parameters: float) -> SceneRecord:
     """A mass of 1 kg on a line with a force on it: its velocity is the integral of the force."""
-    builder = SceneBuilder("sliding")
+    builder = Scene("sliding")
     for name, value in parameters.items():
         builder.parameter(name, value)
     builder.rigid("mass", mass=1.0, inertia=1.0).prismatic("line", "ground.origin", "mass.origin")

@@ -12,15 +12,15 @@ from runtime import DifferentiableRun, Model, gradient, simulate
 from runtime.contract.errors import ArgumentError, NoResult
 from runtime.gradients import passes
 from runtime.gradients.objectives import End
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 G = 9.81
 
 
-def thrown_back() -> Scene:
+def thrown_back() -> SceneRecord:
     """A ball (2 kg) that falls from 1 m: below `floor` a push acts, above it none; it comes back again and again."""
-    builder = SceneBuilder("thrown_back").parameter("floor", 0.3, "m").parameter("strength", 90.0, "N")
+    builder = Scene("thrown_back").parameter("floor", 0.3, "m").parameter("strength", 90.0, "N")
     builder.input("push", 0.0, "N").gravity(-G, 0).rigid("ball", mass=2.0, inertia=0.1)
     builder.prismatic("rail", "ground.origin", "ball.origin").initial({"ball.x": 1.0}).measure("x", "x", "ball.origin")
     builder.force("push", "ball.origin", "push", 0.0)
@@ -60,9 +60,9 @@ def test_a_ball_that_is_thrown_back(model_of: Build, scheme: str, mode: str) -> 
         np.testing.assert_allclose(found.derivatives, np.asarray(exact[1]).ravel(), rtol=1e-9)
 
 
-def end_stop(**settings: float) -> Scene:
+def end_stop(**settings: float) -> SceneRecord:
     """A mass on a spring `k` with 2 m/s that meets a preloaded stop at `gap`, which acts by events alone."""
-    builder = SceneBuilder("preloaded_stop").rigid("mass", mass=1.5, inertia=0.1)
+    builder = Scene("preloaded_stop").rigid("mass", mass=1.5, inertia=0.1)
     for name, value in {"k": 40.0, "k_stop": 900.0, "preload": 6.0, "gap": 0.2}.items():
         builder.parameter(name, value)
     builder.input("on", 0.0).prismatic("rail", "ground.origin", "mass.origin").measure("x", "x", "mass.origin")
@@ -105,9 +105,7 @@ def test_a_preloaded_end_stop(model_of: Build, monkeypatch: pytest.MonkeyPatch) 
 
 def test_events_among_jumps_of_a_flexible_hub(model_of: Build) -> None:
     """A brake that acts by the angle of a hub with a beam, under a wave: against differences of `simulate`."""
-    builder = (
-        SceneBuilder("braked_hub").rigid("hub", mass=1.0, inertia=2.0).parameter("grip", 60.0).parameter("w", 31.0)
-    )
+    builder = Scene("braked_hub").rigid("hub", mass=1.0, inertia=2.0).parameter("grip", 60.0).parameter("w", 31.0)
     section = {"area": 7e-4, "second_moment": 8e-9, "youngs_modulus": 7e10}
     builder.beam("beam", length=1.0, density=2700.0, lateral={"ends": "clamped-free", "modes": 1}, **section)
     builder.revolute("pivot", "ground.origin", "hub.origin").weld("clamp", "hub.origin", "beam.start")
@@ -135,7 +133,7 @@ def test_what_has_no_derivative_is_refused_by_name(model_of: Build) -> None:
     """An event that grazes zero, one that chatters, one that ends the run, two that act at one time."""
 
     def refused(*events: dict[str, object]) -> DifferentiableRun:
-        builder = SceneBuilder("thrown").input("push", 0.0, "N").gravity(-G, 0).rigid("ball", mass=1.0, inertia=0.1)
+        builder = Scene("thrown").input("push", 0.0, "N").gravity(-G, 0).rigid("ball", mass=1.0, inertia=0.1)
         builder.prismatic("rail", "ground.origin", "ball.origin").measure("x", "x", "ball.origin")
         builder.force("push", "ball.origin", "push", 0.0).rates({"ball.x": 2.0})
         for k, event in enumerate(events):
@@ -157,7 +155,7 @@ def test_what_has_no_derivative_is_refused_by_name(model_of: Build) -> None:
     with pytest.raises(NoResult, match="events event0, event1 of model thrown: act at one time"):
         refused({"when": "x - 0.1", **act}, {"when": "2 * x - 0.2", **act}).jacobian()
     for at in (0.1, 0.09):
-        builder = SceneBuilder("relieved").input("own", 0.0, "N").rigid("ball", mass=1.0, inertia=0.1)
+        builder = Scene("relieved").input("own", 0.0, "N").rigid("ball", mass=1.0, inertia=0.1)
         builder.prismatic("rail", "ground.origin", "ball.origin")
         builder.force("push", "ball.origin", f"where(t < {at}, 2, own)", 0.0)
         builder.event("takes", f"t - {at}", action={"own": "3"})

@@ -11,10 +11,10 @@ from runtime import DifferentiableRun, Model, gradient, simulate
 from runtime.gradients import passes
 from runtime.gradients.objectives import End
 from runtime.schemes.catalogue import SCHEMES
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.gradients.test_gradients import sliding
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
@@ -28,9 +28,9 @@ def test_a_time_that_moves_has_its_derivative(model_of: Build, scheme: str) -> N
             assert found.value == pytest.approx((1 - T) ** 2, rel=1e-12)
 
 
-def kicked() -> Scene:
+def kicked() -> SceneRecord:
     """A pendulum with a step, a square wave and a ramp, all of whose times move."""
-    builder = SceneBuilder("kicked_pendulum").gravity(0, -9.81).parameter("w", 7.0, "rad/s").parameter("T", 0.4567, "s")
+    builder = Scene("kicked_pendulum").gravity(0, -9.81).parameter("w", 7.0, "rad/s").parameter("T", 0.4567, "s")
     builder.rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0)).revolute("pin", "ground.origin", "rod.origin")
     torque = "where(t < T, 0, 5) + where(sin(w * t) > 0.2, 3, 0) + 20 * max(t - T - 0.1, 0)"
     return builder.torque("kick", "rod.origin", torque).simulation(t_end=1.0, dt=0.01, scheme="rk4").build()

@@ -10,13 +10,13 @@ import pytest
 from runtime import DifferentiableRun, InitialStateError, Model, ModelError, Sampled, SymgenError, gradient
 from runtime.contract.errors import ArgumentError, NoResult
 from runtime.gradients.objectives import End, SquaredError
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes.heavy_top import heavy_top
 from tests.gradients.test_gradients import sliding
 from tests.running.test_inputs import cart, crane
 from tests.support.own_parameters import with_parameters
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
 
 
@@ -115,7 +115,7 @@ def test_a_change_of_coordinates_on_the_way_is_refused(model_of: Build) -> None:
 def test_a_prescribed_velocity_that_jumps_is_refused(model_of: Build) -> None:
     """As a simulation refuses it, before any step."""
     scene = (
-        SceneBuilder("turned")
+        Scene("turned")
         .parameter("speed", 2.0, "rad/s")
         .rigid("wheel", mass=1.0, inertia=1.0)
         .rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0.0))

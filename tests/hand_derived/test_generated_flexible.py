@@ -11,20 +11,20 @@ import pytest
 
 from runtime.contract.model import Model
 from symgen.modes import lateral_modes
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.hand_derived import twin_driven_slider_crank, twin_flexible_slider_crank, twin_hub_beam
 from tests.hand_derived import twin_rod_data as rod_data
 from tests.hand_derived.generated_comparison import compare
 from tests.hand_derived.twin_rod_tree import Params as RodParams
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 TIMES = (0.0, 0.2, 0.37, 0.9)
 SMALL, TIP = 1e-3, 3 * [5e-3]  # modal amplitudes [m]: of the pinned rod, of the one whose end moves
 
 
-def slider_crank(p: RodParams, driven: bool) -> Scene:
+def slider_crank(p: RodParams, driven: bool) -> SceneRecord:
     rod, gravity = p.rod, np.asarray(p.gravity)
-    builder = SceneBuilder("twin_flexible_slider_crank").gravity(*gravity)
+    builder = Scene("twin_flexible_slider_crank").gravity(*gravity)
     builder.rigid("crank", mass=p.m1, inertia=p.J1, center_of_mass=(p.a1, 0), markers={"tip": {"position": (p.l1, 0)}})
     builder.modal(
         "rod",
@@ -120,7 +120,7 @@ def hub_params(stiffening: bool) -> twin_hub_beam.Params:
 @pytest.mark.parametrize("stiffening", [False, True], ids=["linear", "stiffening"])
 def test_hub_beam(model_of: Build, stiffening: bool) -> None:
     params = hub_params(stiffening)
-    builder = SceneBuilder("twin_hub_beam").gravity(*params.gravity).rigid("hub", mass=5.0, inertia=10.0)
+    builder = Scene("twin_hub_beam").gravity(*params.gravity).rigid("hub", mass=5.0, inertia=10.0)
     builder.beam(
         "beam",
         length=LENGTH,

@@ -7,22 +7,22 @@ from collections.abc import Callable
 import pytest
 
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.hand_derived import twin_double_pendulum, twin_four_bar, twin_pendulum, twin_slider_crank
 from tests.hand_derived.generated_comparison import compare
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 TIMES = (0.0, 0.2, 0.5, 1.1)
 
 
-def link(builder: SceneBuilder, name: str, mass: float, inertia: float, arm: float, tip: float) -> None:
+def link(builder: Scene, name: str, mass: float, inertia: float, arm: float, tip: float) -> None:
     builder.rigid(name, mass=mass, inertia=inertia, center_of_mass=(arm, 0), markers={"tip": {"position": (tip, 0)}})
 
 
 @pytest.mark.parametrize("c", [0.0, 0.3])
 def test_pendulum(model_of: Build, c: float) -> None:
     p = twin_pendulum.Params(c=c)
-    builder = SceneBuilder("twin_pendulum").gravity(0, -p.g)
+    builder = Scene("twin_pendulum").gravity(0, -p.g)
     builder.rigid("rod", mass=p.m, inertia=p.Jc, center_of_mass=(p.a, 0))
     builder.revolute("hinge", "ground.origin", "rod.origin", damping=c)
     compare(model_of(builder.build()), twin_pendulum, p, 3.0, 4.0, TIMES)
@@ -31,7 +31,7 @@ def test_pendulum(model_of: Build, c: float) -> None:
 @pytest.mark.parametrize("dampers", [(0.0, 0.0), (0.2, 0.1)])
 def test_double_pendulum(model_of: Build, dampers: tuple[float, float]) -> None:
     p = twin_double_pendulum.Params(c1=dampers[0], c2=dampers[1])
-    builder = SceneBuilder("twin_double_pendulum").gravity(0, -p.g)
+    builder = Scene("twin_double_pendulum").gravity(0, -p.g)
     link(builder, "upper", p.m1, p.J1, p.a1, p.l1)
     link(builder, "lower", p.m2, p.J2, p.a2, 2 * p.a2)
     builder.revolute("shoulder", "ground.origin", "upper.origin", damping=p.c1)
@@ -41,7 +41,7 @@ def test_double_pendulum(model_of: Build, dampers: tuple[float, float]) -> None:
 
 def test_four_bar(model_of: Build) -> None:
     p = twin_four_bar.Params(torque=0.3)
-    builder = SceneBuilder("twin_four_bar").gravity(0, -p.g).ground(markers={"right": {"position": (p.d, 0)}})
+    builder = Scene("twin_four_bar").gravity(0, -p.g).ground(markers={"right": {"position": (p.d, 0)}})
     link(builder, "crank", p.m1, p.J1, p.a1, p.l1)
     link(builder, "coupler", p.m2, p.J2, p.a2, p.l2)
     link(builder, "rocker", p.m3, p.J3, p.a3, p.l3)
@@ -54,7 +54,7 @@ def test_four_bar(model_of: Build) -> None:
 
 def test_slider_crank(model_of: Build) -> None:
     p = twin_slider_crank.Params(torque=0.2)
-    builder = SceneBuilder("twin_slider_crank").gravity(0, -p.g)
+    builder = Scene("twin_slider_crank").gravity(0, -p.g)
     link(builder, "crank", p.m1, p.J1, p.a1, p.l1)
     link(builder, "rod", p.m2, p.J2, p.a2, p.l2)
     builder.rigid("slider", mass=p.m3, inertia=p.J3)

@@ -17,7 +17,7 @@ from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.printed import INTERPOLATIONS
 from symgen.cli import main
 from symgen.cli.table import COMMANDS
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.schema.expression_values import ARITY
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -63,8 +63,8 @@ def test_the_readme_example_is_short_and_draws() -> None:
 @pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "toml")], ids=page_id)
 def test_scenes_in_toml_are_scenes(page: Path) -> None:
     for block in blocks(page, "toml"):
-        scene = Scene.from_toml_text(block)
-        assert Scene.from_toml_text(scene.to_toml()) == scene
+        scene = SceneRecord.from_toml_text(block)
+        assert SceneRecord.from_toml_text(scene.to_toml()) == scene
 
 
 def test_commands_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
@@ -133,14 +133,14 @@ def test_equation_numbers_of_docstrings() -> None:
 
 
 def schema_keys() -> set[str]:
-    schema = Scene.json_schema()
+    schema = SceneRecord.json_schema()
     return {key for part in (schema, *schema["$defs"].values()) for key in part.get("properties", {})}
 
 
 def schema_types() -> set[str]:
     return {
         part["properties"]["type"]["const"]
-        for part in Scene.json_schema()["$defs"].values()
+        for part in SceneRecord.json_schema()["$defs"].values()
         if "const" in part.get("properties", {}).get("type", {})
     }
 

@@ -14,7 +14,7 @@ from runtime.schemes.switching.watched import watch_events
 from symgen.bodies import planar_template, spatial_template
 from symgen.notation.fields import FIELDS
 from symgen.notation.symbols import SYMBOLS, Notation, table
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes.arm import arm
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -99,9 +99,9 @@ def test_blocks_of_the_mass_matrix_are_symbols() -> None:
     assert not found - codes(SYMBOLS), found - codes(SYMBOLS)
 
 
-def test_fields_of_z_are_the_table(built_in: Load, model_of: Callable[[Scene], Model]) -> None:
+def test_fields_of_z_are_the_table(built_in: Load, model_of: Callable[[SceneRecord], Model]) -> None:
     """Both ways: every field of every scheme is in the table, and every entry is a field of some scheme."""
-    pushed = SceneBuilder("pushed").input("push").rigid("block", mass=1.0, inertia=1.0, free=True)
+    pushed = Scene("pushed").input("push").rigid("block", mass=1.0, inertia=1.0, free=True)
     pushed.force("force", "block.origin", "push", 0.0).event("late", "t - 1", action={"push": 1.0}, cool_down=1.0)
     models = [*(built_in(name) for name in MODELS), model_of(pushed.build()), model_of(arm(10))]
     found = set().union(*map(fields_of_z, models))

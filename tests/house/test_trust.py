@@ -15,7 +15,7 @@ from runtime.contract.records import GROUPED_SCHEMES, SCHEME_NAMES
 from runtime.schemes.catalogue import SCHEMES
 from symgen.cli import main
 from symgen.generate import generate
-from symgen.scene import Scene, SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord
 from symgen.scene.checks import MAX_BODY_MODES, MAX_COORDINATES
 from symgen.scenes import generated_folder
 from symgen.scenes.pendulum import pendulum
@@ -61,7 +61,7 @@ def test_results_do_not_replace_a_model_folder_of_the_users_own(tmp_path: Path) 
 
 def test_code_beside_a_scene_file_does_not_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A folder ./arm with a matching manifest is not loaded for arm.toml; named itself, it is."""
-    scene = Scene.from_toml_text(PENDULUM.replace('name = "pendulum"', 'name = "arm"', 1))
+    scene = SceneRecord.from_toml_text(PENDULUM.replace('name = "pendulum"', 'name = "arm"', 1))
     (tmp_path / "arm.toml").write_text(scene.to_toml())
     generate(scene, tmp_path / "arm")
     planted = tmp_path / "arm" / "model.py"
@@ -94,7 +94,7 @@ def _environment() -> dict[str, str]:
 
 
 def test_line_ends_in_an_expression_do_not_make_the_model_look_edited(tmp_path: Path) -> None:
-    scene = SceneBuilder("wobble", title="one\r\ntwo").gravity(0, -9.81).parameter("g", 2.0)
+    scene = Scene("wobble", title="one\r\ntwo").gravity(0, -9.81).parameter("g", 2.0)
     scene = scene.rigid("bob", mass="g\r\n", inertia=1.0).revolute("pin", "ground.origin", "bob.origin")
     folder = generate(scene.build(), tmp_path / "wobble")
     assert load_model(folder).name == "wobble"
@@ -104,9 +104,9 @@ def test_line_ends_in_an_expression_do_not_make_the_model_look_edited(tmp_path: 
 def test_long_dotted_names_are_refused_at_once() -> None:
     for key in ("a." * 200_000 + "a", '"a".' * 1000 + "a", "a . " * 1000 + "a"):
         with pytest.raises(SceneError, match="dotted name"):
-            Scene.from_toml_text(f"{key} = 1\n")
+            SceneRecord.from_toml_text(f"{key} = 1\n")
     with pytest.raises(SceneError, match="characters"):  # one long word is no dotted name, and takes no time
-        Scene.from_toml_text(f'name = "pendulum"\ntitle = "{"a" * 1_000_000}"\n')
+        SceneRecord.from_toml_text(f'name = "pendulum"\ntitle = "{"a" * 1_000_000}"\n')
 
 
 def test_a_pipe_is_not_a_scene_file(tmp_path: Path) -> None:
@@ -116,7 +116,7 @@ def test_a_pipe_is_not_a_scene_file(tmp_path: Path) -> None:
 
     def read() -> None:
         try:
-            Scene.from_toml(pipe)
+            SceneRecord.from_toml(pipe)
         except SceneError as error:
             found.append(str(error))
 
@@ -127,7 +127,7 @@ def test_a_pipe_is_not_a_scene_file(tmp_path: Path) -> None:
 
 
 def test_sizes_have_limits_with_names() -> None:
-    many = SceneBuilder("many")
+    many = Scene("many")
     for k in range(MAX_COORDINATES // 3 + 1):
         many = many.rigid(f"b{k}", mass=1, inertia=1, free=True)
     with pytest.raises(SceneError, match=f"more than {MAX_COORDINATES}"):
@@ -135,7 +135,7 @@ def test_sizes_have_limits_with_names() -> None:
     lateral = {"ends": "clamped-free", "modes": MAX_BODY_MODES + 1}
     sizes = {"length": 1, "density": 1, "area": 1, "second_moment": 1, "youngs_modulus": 1}
     with pytest.raises(SceneError, match=f"more than {MAX_BODY_MODES}"):
-        SceneBuilder("fine").beam("b", **sizes, elements=500, lateral=lateral, free=True).build()
+        Scene("fine").beam("b", **sizes, elements=500, lateral=lateral, free=True).build()
 
 
 @pytest.mark.parametrize(
@@ -159,7 +159,7 @@ def test_impossible_numbers_are_refused(arguments: list[str], tmp_path: Path, mo
 
 def test_a_scheme_that_there_is_not_is_refused_with_the_scene() -> None:
     with pytest.raises(SceneError, match="did you mean 'exponential'"):
-        Scene.from_toml_text(PENDULUM.replace('scheme = "', 'scheme = "expnential" # "'))
+        SceneRecord.from_toml_text(PENDULUM.replace('scheme = "', 'scheme = "expnential" # "'))
 
 
 def test_scenes_may_ask_for_every_scheme() -> None:

@@ -8,19 +8,19 @@ import numpy as np
 
 from runtime import augmented_solution, reference_solution
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes import SCENES
 
 TIMES = np.linspace(0.0, 1.0, 11)
 
 
-def linkage(alpha: float | None) -> Scene:
+def linkage(alpha: float | None) -> SceneRecord:
     scene = SCENES["four_bar"]()
     changed = {**scene.to_dict(), "baumgarte": None if alpha is None else {"alpha": alpha, "beta": alpha}}
-    return Scene.from_dict({key: value for key, value in changed.items() if value is not None})
+    return SceneRecord.from_dict({key: value for key, value in changed.items() if value is not None})
 
 
-def test_augmented_path_follows_the_condensed_one(model_of: Callable[[Scene], Model]) -> None:
+def test_augmented_path_follows_the_condensed_one(model_of: Callable[[SceneRecord], Model]) -> None:
     model = model_of(linkage(None))
     condensed = reference_solution(model, t_end=1.0, times=TIMES, rtol=1e-10, atol=1e-12)
     augmented = augmented_solution(model, t_end=1.0, times=TIMES)
@@ -29,7 +29,7 @@ def test_augmented_path_follows_the_condensed_one(model_of: Callable[[Scene], Mo
     assert np.abs(augmented.lam - condensed.lam).max() < 1e-4 * np.abs(condensed.lam).max()
 
 
-def test_drift_and_baumgarte(model_of: Callable[[Scene], Model]) -> None:
+def test_drift_and_baumgarte(model_of: Callable[[SceneRecord], Model]) -> None:
     """Without the terms the constraint error grows by the integration error; with them it stays far below."""
     loose = {"rtol": 1e-5, "atol": 1e-7}
     drifting = augmented_solution(model_of(linkage(None)), t_end=1.0, times=TIMES, **loose)
@@ -38,16 +38,16 @@ def test_drift_and_baumgarte(model_of: Callable[[Scene], Model]) -> None:
     assert held.constraint_error[-1] < 0.05 * drifting.constraint_error[-1]
 
 
-def test_terms_are_run_time_inputs(model_of: Callable[[Scene], Model]) -> None:
+def test_terms_are_run_time_inputs(model_of: Callable[[SceneRecord], Model]) -> None:
     model = model_of(linkage(50.0))
     assert {"baumgarte.alpha", "baumgarte.beta"} <= {parameter.name for parameter in model.parameters}
-    plain = SceneBuilder("plain").rigid("rod", mass=1.0, inertia=0.1).revolute("hinge", "ground.origin", "rod.origin")
+    plain = Scene("plain").rigid("rod", mass=1.0, inertia=0.1).revolute("hinge", "ground.origin", "rod.origin")
     assert not any("baumgarte" in parameter.name for parameter in model_of(plain.build()).parameters)
 
 
-def test_joint_forces_carry_the_weight(model_of: Callable[[Scene], Model]) -> None:
+def test_joint_forces_carry_the_weight(model_of: Callable[[SceneRecord], Model]) -> None:
     """A hanging rod welded to the ground: the weld carries its weight and its moment about the marker."""
-    scene = SceneBuilder("shelf").gravity(0, -10.0)
+    scene = Scene("shelf").gravity(0, -10.0)
     scene.rigid("rod", mass=2.0, inertia=0.1, center_of_mass=(0.5, 0), markers={"tip": {"position": (1.0, 0)}})
     scene.rigid("ball", mass=1.0, inertia=0.1)
     scene.weld("wall", "ground.origin", "rod.origin").revolute("pin", "rod.tip", "ball.origin")

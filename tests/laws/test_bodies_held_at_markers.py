@@ -12,7 +12,7 @@ import pytest
 
 from runtime.contract.model import Model
 from symgen.bodies.spatial_moments import SpatialIntegrals, SpatialPoint
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes.spatial_slider_crank import ROD
 from tests.hand_derived.spatial.spatial_scenes import flexible
 from tests.hand_derived.spatial.twin_flexible_nodes import Nodes, scattered
@@ -62,7 +62,9 @@ def test_integrals_about_a_node_that_the_modes_move() -> None:
 
 
 @pytest.mark.parametrize("kinds", [("cylindrical", "revolute"), ("spherical", "spherical")], ids=["hinges", "balls"])
-def test_rod_held_at_its_end(build: Callable[[Scene, frozenset[str] | None], Model], kinds: tuple[str, str]) -> None:
+def test_rod_held_at_its_end(
+    build: Callable[[SceneRecord, frozenset[str] | None], Model], kinds: tuple[str, str]
+) -> None:
     """A rod of six modes hangs by its small end, a weight from its big end, all three turned against each other:
 
     (38) by the recursions, with twists that come to the rod and shares in the turns of its ends, is (28) by the
@@ -70,7 +72,7 @@ def test_rod_held_at_its_end(build: Callable[[Scene, frozenset[str] | None], Mod
     """
     data = json.loads(ROD.read_text(encoding="utf-8"))
     data["markers"]["small_end"] |= {"axis": [0.1, 0.2, 1], "x_axis": [0, -1, 0]}
-    builder = SceneBuilder("rod", space="spatial").gravity(0.2, -0.4, -9.81)
+    builder = Scene("rod", space="spatial").gravity(0.2, -0.4, -9.81)
     builder.flexible("rod", **data)
     hook = {"position": [0.1, 0.05, 0], "axis": [0, 1, 1], "x_axis": [1, 0, 0]}
     builder.rigid("weight", mass=0.3, inertia=[1e-3, 2e-3, 2.5e-3], markers={"hook": hook})

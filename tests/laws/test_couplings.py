@@ -8,15 +8,15 @@ import pytest
 from runtime import simulate
 from runtime.results.solution import Solution
 from symgen.generate import model_of
-from symgen.scene import SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError
 
 J_A, J_B = 0.0302378293, 0.4838052687  # kg m^2, published case of a gear of ratio 10
 SPACES = ("planar", "spatial")
 
 
-def shafts(space: str, *inertias: float) -> SceneBuilder:
+def shafts(space: str, *inertias: float) -> Scene:
     """Shafts a, b, ... on hinges h_a, h_b, ... to the ground."""
-    builder = SceneBuilder("shafts", space=space)
+    builder = Scene("shafts", space=space)
     places = {
         f"m{k}": {"position": [float(k), 0.0, 0.0][: 2 if space == "planar" else 3]} for k in range(len(inertias))
     }
@@ -85,7 +85,7 @@ def test_a_rack_and_its_pinion(space: str) -> None:
     """A rack that falls and turns a pinion: (m + J/r^2) a = m g, with any phase at the start."""
     flat = space == "planar"
     down = {"angle": -np.pi / 2} if flat else {"axis": [0.0, -1.0, 0.0]}
-    builder = SceneBuilder("rack", space=space).gravity(0.0, -9.81)
+    builder = Scene("rack", space=space).gravity(0.0, -9.81)
     builder.ground(markers={"guide": {"position": [0.1, 0.0] if flat else [0.1, 0.0, 0.0], **down}})
     builder.rigid("rack", mass=2.0, inertia=0.1 if flat else [0.1] * 3, markers={"along": down})
     builder.rigid("wheel", mass=1.0, inertia=0.05 if flat else [0.1, 0.1, 0.05])
@@ -101,7 +101,7 @@ def test_a_rack_and_its_pinion(space: str) -> None:
 
 def test_a_planet_rolls_about_a_fixed_sun() -> None:
     """Hinges on a carrier count against it: with a held sun the planet turns 1 + z_s/z_p times the carrier."""
-    builder = SceneBuilder("planet").ground()
+    builder = Scene("planet").ground()
     builder.rigid("sun", mass=1.0, inertia=1.0).rigid(
         "carrier", mass=1.0, inertia=0.3, markers={"pin": {"position": [0.3, 0.0]}}
     )
@@ -115,11 +115,11 @@ def test_a_planet_rolls_about_a_fixed_sun() -> None:
     assert run["planet.theta"] == pytest.approx(3 * exact, abs=1e-10)
 
 
-def turret(rotor: str) -> SceneBuilder:
+def turret(rotor: str) -> Scene:
     """An arm on a turret that turns too, about another axis; its rotor as a body with a gear, or as a motor."""
     x_axis = {"position": [0.1, 0.0, 0.4], "axis": [0.6, 0.0, 0.8]}
     motor = {"motor": {"inertia": 2e-3, "ratio": 20.0}} if rotor == "motor" else {}
-    builder = SceneBuilder("turret", space="spatial").gravity(0.0, -9.81, -2.0).ground()
+    builder = Scene("turret", space="spatial").gravity(0.0, -9.81, -2.0).ground()
     builder.rigid("base", mass=2.0, inertia=[0.1, 0.1, 0.1], markers={"elbow": x_axis})
     arm = {"position": [0.0, 0.0, 0.0], "axis": [0.6, 0.0, 0.8]}
     builder.rigid("arm", mass=1.0, center_of_mass=[0.0, 0.3, 0.1], inertia=[0.02, 0.01, 0.02], markers={"end": arm})
@@ -147,7 +147,7 @@ def test_a_rotor_in_the_plane() -> None:
     """Two links: T has J (phi_1' + n (phi_2' - phi_1'))^2 / 2, against the same as a geared body at the elbow."""
     runs = []
     for kind in ("body", "motor"):
-        builder = SceneBuilder("arm").gravity(0.0, -9.81).ground()
+        builder = Scene("arm").gravity(0.0, -9.81).ground()
         builder.rigid(
             "one", mass=2.0, inertia=0.1, center_of_mass=[0.2, 0.0], markers={"elbow": {"position": [0.5, 0.0]}}
         )

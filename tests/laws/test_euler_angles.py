@@ -23,17 +23,17 @@ from runtime.contract.orientations import (
     turning_axes_rate,
 )
 from symgen.generate import generate
-from symgen.scene import Scene, SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord
 from tests.laws.test_random_spatial import turned_place
 from tests.support.model_values import Array, evaluate, make_state, random_states, relative_error
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 SEQUENCES = [a + b + c for a, b, c in itertools.product("xyz", repeat=3) if a != b != c]
 
 
-def free(kind: str, coordinates: dict[str, Any], rates: dict[str, float], **more: Any) -> SceneBuilder:
+def free(kind: str, coordinates: dict[str, Any], rates: dict[str, float], **more: Any) -> Scene:
     """A body of three different moments of inertia, in free fall without weight."""
-    builder = SceneBuilder("falling", space="spatial")
+    builder = Scene("falling", space="spatial")
     builder.rigid("body", mass=1.0, inertia=[1.0, 2.0, 3.0], orientation=kind, free=True, **more)
     builder.initial(coordinates).rates(rates)
     return builder.simulation(t_end=1.0, dt=1e-2, scheme="rk4")
@@ -116,9 +116,7 @@ def test_a_start_in_the_singular_orientation(model_of: Build, kind: str, middle:
 
 def test_what_is_given_by_angles_stays(model_of: Build) -> None:
     """One fixed angle of a rod between two balls of a loop: its own turn, which the loop leaves open."""
-    builder = SceneBuilder("loop", space="spatial").ground(
-        markers={"b": {"position": [0.5, 0.9, 0.2], "axis": [0, 0.8, 0.6]}}
-    )
+    builder = Scene("loop", space="spatial").ground(markers={"b": {"position": [0.5, 0.9, 0.2], "axis": [0, 0.8, 0.6]}})
     builder.rigid("crank", mass=1.0, inertia=[0.02] * 3, markers={"tip": {"position": [0, 0.4, 0]}})
     ends = {"near": {"position": [0, -0.3, 0]}, "far": {"position": [0, 0.4, 0]}}
     builder.rigid("rod", mass=1.0, inertia=[0.05, 0.03, 0.05], orientation="zxy", markers=ends)
@@ -141,7 +139,7 @@ def test_what_is_given_by_angles_stays(model_of: Build) -> None:
 def test_a_body_on_a_hinge_is_given_by_its_angles(model_of: Build) -> None:
     """The hinge's own angle follows, whichever of e and -e the joint's markers make of it."""
     for x_axis in ([1, 0, 0], [-1, 0, 0]):
-        builder = SceneBuilder("door", space="spatial").rigid(
+        builder = Scene("door", space="spatial").rigid(
             "door", mass=1.0, inertia=[1.0] * 3, orientation="zyx", markers={"edge": {"x_axis": x_axis}}
         )
         builder.revolute("hinge", "ground.origin", "door.edge").initial({"door.theta1": 2.5}).rates(
@@ -193,11 +191,11 @@ def test_angles_wherever_values_have_names(model_of: Build, tmp_path: Any) -> No
 
 @pytest.mark.parametrize("joints", [("revolute", "revolute"), ("spherical", "spherical"), ("spherical", "revolute")])
 def test_loads_that_follow_coordinates(
-    build: Callable[[Scene, frozenset[str] | None], Model], joints: tuple[str, str]
+    build: Callable[[SceneRecord, frozenset[str] | None], Model], joints: tuple[str, str]
 ) -> None:
     """Residual Jacobians where loads depend on angles, places and Euler parameters of bodies that joints place, and on
     their rates: differences of Q_hat - M_hat a."""
-    builder = SceneBuilder("controlled", space="spatial").gravity(0.3, -0.4, -9.81)
+    builder = Scene("controlled", space="spatial").gravity(0.3, -0.4, -9.81)
     ends = {"hinge": {"axis": [0.3, 0.4, 1]}, "next": {"position": [0.5, 0.2, 0.1], "axis": [1, 0.2, 0.3]}}
     data: dict[str, Any] = {"mass": 1.0, "inertia": [0.4, 0.5, 0.6], "center_of_mass": [0.1, 0.2, 0.3], "markers": ends}
     builder.rigid("base", orientation="xyz", **data).rigid("arm", orientation="zyx", **data)

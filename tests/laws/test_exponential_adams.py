@@ -15,7 +15,7 @@ from runtime.contract.tape import arithmetic
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
 from runtime.studies.stability.tangent import TangentStep
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes import SCENES
 from symgen.scenes.arm import arm
 from symgen.scenes.chain import chain
@@ -26,7 +26,7 @@ from tests.support.model_values import Array
 from tests.support.prepared_runs import PreparedRuns
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 NAME = "exponential_adams"
 STIFFNESS = {"linearisation": "stiffness"}  # whatever fits the model: test_rosenbrock_adams.py has the other one
 
@@ -35,10 +35,10 @@ def built(model: Model) -> Scheme:
     return scheme_kind(NAME).build(NAME, model, 1.0, None, STIFFNESS)
 
 
-def with_stiff(*names: str) -> Scene:
+def with_stiff(*names: str) -> SceneRecord:
     data = SCENES["two_oscillators"]().to_dict()
     data["partition"] = {**data["partition"], "stiff": list(names)}
-    return Scene.from_dict(data)
+    return SceneRecord.from_dict(data)
 
 
 def step_matrix(tangent: TangentStep, params: Params, dt: float) -> Array:
@@ -55,7 +55,7 @@ class Case:
     """A scene, t_end and the coarsest of three steps [s], a cap on the error of q_i at the finest, about 1.5 times the
     measured one, bounds of the slope, the start."""
 
-    scene: Callable[[], Scene]
+    scene: Callable[[], SceneRecord]
     t_end: float
     dt: float
     cap: float
@@ -144,9 +144,9 @@ def test_price(model_of: Build) -> None:
     assert counts[1] <= 8 * 272 + 1_500
 
 
-def thrown() -> Scene:
+def thrown() -> SceneRecord:
     """A rod that bends in two planes, thrown so that it tumbles; nothing acts on it."""
-    builder = SceneBuilder("thrown", space="spatial")
+    builder = Scene("thrown", space="spatial")
     free = {"ends": "free-free", "modes": 1}
     builder.beam(
         "rod", length=0.6, density=2700.0, area=1e-4, second_moment=4e-10, second_moment_z=6e-10, youngs_modulus=7e8,
@@ -204,7 +204,7 @@ def test_energy_and_resumed_run_of_a_thrown_rod(model_of: Build, tmp_path: Path)
 def test_exchange_of_a_turn(model_of: Build, tmp_path: Path) -> None:
     """A body on a rigid rod: where its position no longer changes the length a turn takes its place, and all three are
     independent then; energy and the rod's length stay. A run resumed before or behind it is bitwise the whole one."""
-    builder = SceneBuilder("bob", space="spatial").gravity(0, 0, -9.81)
+    builder = Scene("bob", space="spatial").gravity(0, 0, -9.81)
     builder.rigid("bob", mass=2.0, inertia=[0.1, 0.2, 0.3], markers={"eye": {"position": [0, 0, 0.5]}})
     builder.distance("rod", "ground.origin", "bob.eye", length=1.0).initial({"bob.x": 1.0})
     model = model_of(builder.simulation(t_end=0.7, dt=1e-3, scheme=NAME).build())

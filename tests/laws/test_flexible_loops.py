@@ -18,7 +18,7 @@ from runtime.contract.model import Model
 from runtime.studies.stability.along import states_along
 from runtime.studies.stability.limits import StabilityStudy
 from runtime.studies.stability.spectrum import ExactMotion
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.laws.test_orientations_in_loops import mechanism
 from tests.laws.test_random_spatial import turned_place
 from tests.support.model_values import Array, evaluate, make_state, relative_error
@@ -29,9 +29,9 @@ CRANK, ROCKER, PIVOT, ANGLE = 0.25, 0.4, np.array([0.3, 1.0, 0.0]), 0.3
 T_END, REFERENCE = 0.08, 5e-4
 
 
-def linkage() -> Scene:
+def linkage() -> SceneRecord:
     """A crank about x, a rod between two balls that bends in two planes, a rocker about y."""
-    builder = SceneBuilder("flexible_linkage", space="spatial").gravity(0, 0, -9.81).parameter("E", 7e10)
+    builder = Scene("flexible_linkage", space="spatial").gravity(0, 0, -9.81).parameter("E", 7e10)
     about = {"a": {"axis": [1, 0, 0], "x_axis": [0, 1, 0]}, "b": {"axis": [0, 1, 0], "x_axis": [1, 0, 0]}}
     builder.ground(markers={"a": about["a"], "b": {**about["b"], "position": PIVOT.tolist()}})
     crank, rocker = {"position": [0, CRANK, 0]}, {"position": [ROCKER, 0, 0]}

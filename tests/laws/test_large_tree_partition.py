@@ -18,7 +18,7 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.step_limit import slow_decay_limit
 from symgen.generate import model_of as on_demand
 from symgen.pipeline import derive
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes import SCENES
 from symgen.scenes.arm import arm
 from symgen.scenes.chain import chain
@@ -26,13 +26,13 @@ from symgen.scenes.spatial_arm import spatial_arm
 from tests.support.model_values import evaluate, random_states
 from tests.support.prepared_runs import PreparedRuns
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 KERNELS = {"slow_response", "fast_rows", "trunk_response", "branch_motion"}
 
 
-def crowded_arm() -> Scene:
+def crowded_arm() -> SceneRecord:
     """Seven links in space, two of them flexible: a driven hinge between, a link aside, a spring and damper."""
-    builder = SceneBuilder("crowded_arm", space="spatial").gravity(0.0, 0.3, -9.81)
+    builder = Scene("crowded_arm", space="spatial").gravity(0.0, 0.3, -9.81)
     turned = [{"axis": [0, 1, 0], "x_axis": [1, 0, 0]}, {"axis": [0, 0, 1], "x_axis": [1, 0, 0]}]
     builder.ground(markers={"far": turned[0]})
     mode, body = {"ends": "clamped-free", "modes": 1}, {"mass": 0.3, "inertia": [1e-3, 6e-3, 6e-3]}
@@ -63,7 +63,7 @@ def crowded_arm() -> Scene:
     [arm(8), chain(4, 2), spatial_arm(5), crowded_arm()],
     ids=["arm", "chain of flexible links", "in space", "two flexible links in space"],
 )
-def test_slow_response_and_fast_rows_are_those_of_the_condensed_equations(scene: Scene) -> None:
+def test_slow_response_and_fast_rows_are_those_of_the_condensed_equations(scene: SceneRecord) -> None:
     """(39): y'' = M_LL^-1 Q_L, N = M_LL^-1 M_LS; the rows of q_S are M_SS - M_SL N and Q_S - M_SL y''."""
     model = on_demand(scene)
     L, S = (group.positions for group in model.groups)
@@ -87,7 +87,7 @@ def test_slow_response_and_fast_rows_are_those_of_the_condensed_equations(scene:
 
 @pytest.mark.parametrize("build", [lambda: arm(8), lambda: carrying_arm()], ids=["arm", "payload and damper"])
 def test_branches_on_the_response_of_the_trunk_move_as_the_condensed_equations_say(
-    model_of: Build, build: Callable[[], Scene]
+    model_of: Build, build: Callable[[], SceneRecord]
 ) -> None:
     """(38): q_i'' = M_hat^-1 Q_hat, of the trunk by a_T + X phi, of the branches alone."""
     model = model_of(build())
@@ -104,7 +104,7 @@ def test_branches_on_the_response_of_the_trunk_move_as_the_condensed_equations_s
         np.testing.assert_allclose(branch["q_S_ddot"].ravel(), a[S], rtol=0, atol=scale)
 
 
-def carrying_arm() -> Scene:
+def carrying_arm() -> SceneRecord:
     """An arm whose flexible link carries a rigid body on a hinge and is held by a spring and a damper at its start."""
     data = arm(8).to_dict()
     data["bodies"].append(
@@ -122,7 +122,7 @@ def carrying_arm() -> Scene:
             "damping": 0.002,
         }
     ]
-    return Scene.from_dict(data)
+    return SceneRecord.from_dict(data)
 
 
 def test_scenes_without_a_large_tree_in_two_groups_have_no_such_kernels() -> None:

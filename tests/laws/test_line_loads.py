@@ -7,17 +7,17 @@ import pytest
 
 from runtime import simulate
 from symgen.generate import model_of
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 
-def swing(space: str, kind: str) -> SceneBuilder:
+def swing(space: str, kind: str) -> Scene:
     """Two links with a strut between them, as a spring-damper or as a line that says the same."""
     flat = space == "planar"
 
     def at(*place: float) -> dict[str, object]:
         return {"position": list(place) if flat else [place[0], place[1], 0.1]}
 
-    builder = SceneBuilder("swing", space=space).gravity(0.0, -9.81).ground(markers={"foot": at(-0.2, 0.3)})
+    builder = Scene("swing", space=space).gravity(0.0, -9.81).ground(markers={"foot": at(-0.2, 0.3)})
     for name in ("one", "two"):
         inertia = 0.1 if flat else [0.02, 0.1, 0.1]
         marks = {"end": {"position": [0.5, 0.0][:2] if flat else [0.5, 0.0, 0.0]}, "lug": at(0.3, 0.05)}
@@ -46,7 +46,7 @@ def test_a_line_does_what_a_spring_damper_does(space: str) -> None:
 
 def test_a_line_by_a_table_pulls_where_it_is_positive() -> None:
     """A mass on a rope by a table that is linear in the length where it is stretched: cos, then free flight."""
-    builder = SceneBuilder("rope").ground(markers={"far": {"position": [-2.0, 0.0], "angle": 0.0}})
+    builder = Scene("rope").ground(markers={"far": {"position": [-2.0, 0.0], "angle": 0.0}})
     builder.table("rope", x=[0.0, 1.0, 3.0], y=[0.0, 0.0, 50.0]).rigid("ball", mass=1.0, inertia=1.0)
     builder.prismatic("rail", "ground.far", "ball.origin").line(
         "pull", "ground.far", "ball.origin", 'table("rope", length)'

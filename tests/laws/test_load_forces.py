@@ -8,10 +8,10 @@ import numpy as np
 
 from runtime import simulate
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
 def test_a_torque_over_time_and_a_spring(built_in: Load) -> None:
@@ -32,7 +32,7 @@ def test_a_bushing_moves_a_free_body_as_newton_and_euler_say(model_of: Build) ->
     """m r'' = F and J omega' + omega x J omega = M about the centre of mass, at any turn and spin."""
     J = np.diag([0.02, 0.03, 0.05])
     scene = (
-        SceneBuilder("mount", space="spatial")
+        Scene("mount", space="spatial")
         .ground(markers={"seat": {"axis": [0.2, 0.3, 1.0]}})
         .rigid("block", mass=2.0, inertia=list(np.diag(J)), orientation="zyx", free=True)
         .bushing("mount", "ground.seat", "block.origin", stiffness=[800, 500, 900], damping=[3, 2, 1],
@@ -73,7 +73,7 @@ def spins(A: np.ndarray, t: np.ndarray) -> np.ndarray:
 
 def test_turning_springs_act_about_their_hinge(model_of: Build) -> None:
     """A pendulum on a skew hinge: the spring's moment is along the hinge and k (angle - free angle) large, on b."""
-    builder = SceneBuilder("flap", space="spatial")
+    builder = Scene("flap", space="spatial")
     builder.ground(markers={"axle": {"axis": [0.0, 1.0, 1.0]}})
     builder.rigid("flap", mass=1.0, inertia=[0.02, 0.02, 0.01], markers={"axle": {"axis": [0.0, 1.0, 1.0]}})
     builder.joint("revolute", "hinge", "ground.axle", "flap.axle")

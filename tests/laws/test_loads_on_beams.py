@@ -10,15 +10,15 @@ from scipy.integrate import solve_ivp
 
 from runtime import equilibrium, simulate
 from symgen.generate import model_of
-from symgen.scene import SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError
 
 SPACES = ("planar", "spatial")
 L, RHO_A, EI = 2.0, 10.0, 100.0
 
 
-def beam(space: str, modes: int, ends: str, **more: Any) -> SceneBuilder:
+def beam(space: str, modes: int, ends: str, **more: Any) -> Scene:
     """A beam with E I = 100 N m^2 and 10 kg/m, 2 m long, and in space the same across."""
-    builder = SceneBuilder("beam", space=space)
+    builder = Scene("beam", space=space)
     across = {} if space == "planar" else {"second_moment_z": 1e-4, "lateral_z": {"modes": modes, "ends": ends}}
     section = {"density": 1000.0, "area": 1e-2, "second_moment": 1e-4, "youngs_modulus": 1e6, **across}
     lateral = {"lateral": {"modes": modes, "ends": ends}}
@@ -29,7 +29,7 @@ def vector(space: str, x: object, y: object) -> list[object]:
     return [x, y] if space == "planar" else [x, y, 0.0]
 
 
-def tip(builder: SceneBuilder) -> float:
+def tip(builder: Scene) -> float:
     """Deflection of the tip at rest."""
     builder.weld("root", "ground.origin", "rod.start").measure("tip", "y", "rod.end")
     found = equilibrium(model_of(builder.build()))
@@ -100,7 +100,7 @@ def test_the_weight_of_a_swinging_beam_is_a_distributed_load(space: str) -> None
     assert np.abs(runs[1].balance.error).max() < 1e-6 * runs[1].energy["kinetic"].max()
 
 
-def pinned(space: str, modes: int) -> SceneBuilder:
+def pinned(space: str, modes: int) -> Scene:
     """Between a hinge and a bearing that slides along x; the mark "along" has its line along x."""
     line = {} if space == "planar" else {"axis": [1.0, 0.0, 0.0]}
     far, along = ({"position": vector(space, x, 0.0), **line} for x in (L, 0.0))

@@ -14,7 +14,7 @@ from symgen.algebra.small_systems import solve_small
 from symgen.condensed.loops import order_blocks
 from symgen.generate import generate
 from symgen.pipeline import derive
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes.n_four_bar import n_four_bar
 from tests.support.model_values import (
     augmented_solution,
@@ -29,9 +29,9 @@ from tests.support.model_values import (
 FUNCTIONS = frozenset({"condensed", "closure", "velocities", "accelerations", "constraints", "augmented", "reactions"})
 
 
-def coupled_loops() -> Scene:
+def coupled_loops() -> SceneRecord:
     """Two loops through a coupler with three joints, driven at the far end: four unknowns that cannot be parted."""
-    builder = SceneBuilder("coupled").gravity(0, -9.81)
+    builder = Scene("coupled").gravity(0, -9.81)
     builder.ground(markers={"b": {"position": (1.1, 0.1)}, "e": {"position": (2.0, -0.2)}})
     for name, length in (("a", 0.6), ("b", 0.8), ("d", 1.5), ("e", 0.5)):
         builder.rigid(

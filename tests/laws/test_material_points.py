@@ -9,11 +9,11 @@ import pytest
 
 from benchmarks.cases.hard_by_points import BY_POINTS
 from runtime.contract.model import Model
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.scenes.hard_suite import HARD_SUITE
 from tests.support.model_values import condensed_accelerations, random_states
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
 @pytest.mark.parametrize("name", ["f1_smooth", "f2_heavy_hub", "four_bar", "joint_arm"])

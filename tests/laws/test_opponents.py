@@ -17,7 +17,7 @@ from runtime.engine.llvm_code import find_llvm
 from runtime.schemes.baselines.generalized_alpha import GeneralizedAlpha
 from runtime.schemes.baselines.radau import NODES, SHIFTS, A
 from runtime.schemes.options import SchemeError
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 Load = Callable[[str], Model]
 
@@ -159,7 +159,7 @@ def test_order_two_is_seen_where_no_mode_is_out_of_phase(model_of: Callable[...,
     """A mode lags by c (h w)^2 w t, c from the roots of the step's matrix to their second order: slopes fall from 2 as
     soon as that nears a radian, and the size of the error is that of the lag."""
     w, t_end, steps = 20.0, 10.0, np.array([0.02, 0.01, 0.005])
-    scene = SceneBuilder("mode").structure(coordinates=["x"], mass=[[1.0]], stiffness=[[w * w]])
+    scene = Scene("mode").structure(coordinates=["x"], mass=[[1.0]], stiffness=[[w * w]])
     model, errors = model_of(scene.initial({"x": 1.0}).build()), []
     for h in steps:
         found = simulate(model, scheme=scheme, dt=float(h), t_end=t_end)  # `inaccurate` at the longest

@@ -24,7 +24,7 @@ from runtime.results.solution import Solution
 from runtime.schemes.catalogue import scheme_kind
 from runtime.studies.stability.spectrum import StepSpectrum
 from symgen.pipeline import derive
-from symgen.scene import Scene, SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord
 from symgen.scenes.heavy_top import heavy_top
 from symgen.scenes.spatial_chain import spatial_chain
 from symgen.scenes.tumbling_body import tumbling_body
@@ -68,7 +68,7 @@ def parameters(solution: Solution, body: str) -> Array:
     return np.array([solution[f"{body}.e{k}"][-1] for k in range(4)])
 
 
-def operations(scene: Scene, name: str = "condensed") -> int:
+def operations(scene: SceneRecord, name: str = "condensed") -> int:
     """Instructions of a function but inputs, outputs and constants."""
     function = as_function(name, derive(scene, frozenset({name})).tapes[name])
     return sum(function.instruction_id(k) not in COUNTED for k in range(function.n_instructions()))
@@ -122,9 +122,9 @@ def test_heavy_top_by_hand(built_in: Build) -> None:
         assert relative_error(found["J_v"].reshape(3, 3), np.array(by_omega).T) < 1e-12
 
 
-def spinner() -> Scene:
+def spinner() -> SceneRecord:
     """A hub that spins freely, a flexible arm on its hinge, a pendulum that hangs from the arm's tip by a ball."""
-    builder = SceneBuilder("spinner", space="spatial").gravity(0, 0, -3.0)
+    builder = Scene("spinner", space="spatial").gravity(0, 0, -3.0)
     builder.rigid("hub", mass=2.0, inertia=[0.2, 0.3, 0.4], free=True, markers={"rim": {"position": [0.3, 0, 0]}})
     builder.beam(
         "arm", length=0.6, density=2700.0, area=1e-4, second_moment=4e-10, second_moment_z=6e-10, youngs_modulus=7e8,
@@ -232,4 +232,4 @@ def test_an_orientation_stays_in_one_group() -> None:
     data["partition"] = {"groups": [{"name": f"g{k}", "coordinates": names} for k, names in enumerate(groups)]}
     data["simulation"]["m"] = [2]
     with pytest.raises(SceneError, match="turns of body"):
-        derive(Scene.from_dict(data))
+        derive(SceneRecord.from_dict(data))

@@ -20,7 +20,7 @@ from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.studies.ensemble.starts import in_lanes
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.laws.test_orientations import product, rotation
 from tests.laws.test_random_spatial import turned_place
 from tests.support.model_values import (
@@ -40,9 +40,9 @@ NEAR, FAR, SIDE, CENTRE = (np.array(v) for v in ([0, -0.5, 0], [0, 0.5, 0], [0.1
 J, MASS, G = np.array([0.05, 0.004, 0.052]), 0.7, np.array([0, 0, -9.81])
 
 
-def mechanism(stay: bool = False, twice: bool = False, **rod: Any) -> Scene:
+def mechanism(stay: bool = False, twice: bool = False, **rod: Any) -> SceneRecord:
     """The linkage; stay: a rigid stay from the rod to the ground. twice: its first ball twice. rod: more data of it."""
-    builder = SceneBuilder("linkage", space="spatial").gravity(0, 0, -9.81)
+    builder = Scene("linkage", space="spatial").gravity(0, 0, -9.81)
     about = {"a": {"axis": [1, 0, 0], "x_axis": [0, 1, 0]}, "b": {"axis": [0, 1, 0], "x_axis": [1, 0, 0]}}
     builder.ground(
         markers={"a": about["a"], "b": {**about["b"], "position": PIVOT.tolist()}, "stay": {"position": STAY.tolist()}}
@@ -243,9 +243,9 @@ def test_resumed_runs_and_lanes(model_of: Build, tmp_path: Path) -> None:
     assert in_lanes(model, list(starts), "") and np.array_equal(np.asarray(many[f"{name}_end"]), alone)
 
 
-def spinning(hinges: bool) -> Scene:
+def spinning(hinges: bool) -> SceneRecord:
     """At rest but for the spin: a crank on a universal joint between two springs, a rod of revolution, the rocker."""
-    builder = SceneBuilder("spinning", space="spatial")
+    builder = Scene("spinning", space="spatial")
     hinge = {"b": {"axis": [0, 0.8, 0.6], "x_axis": [1, 0, 0]}}
     anchors = {"up": [0.1, CRANK, 0.3], "aside": [0.4, 0.0, -0.1]}
     builder.ground(

@@ -19,11 +19,11 @@ from runtime.running.singular import exchange
 from runtime.running.singular.exchange import carried, use_generator, variant_of
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.catalogue import SCHEMES
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.variants import generate_variant
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 ONE_GROUP = [name for name, kind in SCHEMES.items() if kind.make.closes]
 
 
@@ -34,9 +34,9 @@ def generator() -> Iterator[None]:
     use_generator(None)
 
 
-def slider_crank(crank: float, rod: float, independent: str, theta: float = 0.5, rate: float = 8.0) -> Scene:
+def slider_crank(crank: float, rod: float, independent: str, theta: float = 0.5, rate: float = 8.0) -> SceneRecord:
     """Crank, rod and slider under gravity."""
-    scene = SceneBuilder("slider_loop").gravity(0, -9.81)
+    scene = Scene("slider_loop").gravity(0, -9.81)
     for name, length in (("crank", crank), ("rod", rod)):
         scene.rigid(
             name,
@@ -53,9 +53,9 @@ def slider_crank(crank: float, rod: float, independent: str, theta: float = 0.5,
     return scene.simulation(t_end=2.0, dt=1e-3, scheme="single_rate").build()
 
 
-def slider_on_an_arm(independent: str) -> Scene:
+def slider_on_an_arm(independent: str) -> SceneRecord:
     """A slider fixed to a turning arm: its x determines the arm except where the arm lies along x."""
-    scene = SceneBuilder("arm").gravity(0, -9.81)
+    scene = Scene("arm").gravity(0, -9.81)
     scene.rigid("arm", mass=1.0, inertia=1 / 12, center_of_mass=(0.5, 0), markers={"tip": {"position": (1.0, 0)}})
     scene.rigid("slider", mass=1.0, inertia=0.01)
     scene.revolute("A", "ground.origin", "arm.origin").weld("W", "arm.tip", "slider.origin")

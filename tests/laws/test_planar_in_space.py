@@ -12,7 +12,7 @@ from scipy.linalg import eigh
 
 from runtime.contract.model import Model
 from symgen.pipeline import derive
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes.chain import chain
 from symgen.scenes.double_pendulum import double_pendulum
 from symgen.scenes.four_bar import four_bar
@@ -30,17 +30,17 @@ from tests.support.model_values import (
 from tests.support.planar_in_space import posed, posed_state
 from tests.support.spatial_motion import frames
 
-Build = Callable[[Scene, frozenset[str]], Model]
+Build = Callable[[SceneRecord, frozenset[str]], Model]
 KERNELS = frozenset({"condensed", "constraints", "closure", "velocities", "accelerations", "reactions"})
 
 
-def beam_pendulum() -> Scene:
+def beam_pendulum() -> SceneRecord:
     """A rigid arm, a flexible beam on a hinge with a spring and a damper, a slider with a spring; stiffening kept.
 
     The section is so small that its rotary inertia, which a planar beam leaves out, is below rounding. Nothing is fixed
     to the rotation of the beam's end, which counts as an angle in the plane and as a rotation (1, psi / 2) in space.
     """
-    builder = SceneBuilder("beam_pendulum").gravity(0, -9.81)
+    builder = Scene("beam_pendulum").gravity(0, -9.81)
     builder.ground(markers={"rail": {"position": (0.1, 0.2), "angle": 0.6}})
     builder.rigid("cart", mass=2.0, inertia=0.3, center_of_mass=(0.1, 0.05), markers={"pin": {"position": (0.2, 0.1)}})
     builder.beam(
@@ -67,7 +67,7 @@ def beam_pendulum() -> Scene:
 @pytest.mark.parametrize(
     "scene", [beam_pendulum(), slider_crank(), four_bar(), chain(3)], ids=["beam", "slider-crank", "four-bar", "chain"]
 )
-def test_planar_scene_in_space(build: Build, scene: Scene) -> None:
+def test_planar_scene_in_space(build: Build, scene: SceneRecord) -> None:
     """Accelerations and joint forces; the loops of the linkages have redundant rows across the plane."""
     planar = build(scene, KERNELS)
     in_space = posed(scene, planar)
@@ -102,9 +102,9 @@ def test_the_plane_is_cheaper(build: Build) -> None:
         assert planar.operations["condensed"] <= twin.functions["condensed"].operations, scene.name
 
 
-def spinning(axis: str, space: str, speed: float, stiffening: bool = True) -> Scene:
+def spinning(axis: str, space: str, speed: float, stiffening: bool = True) -> SceneRecord:
     """A beam along x that turns about z or y at a constant speed."""
-    builder = SceneBuilder("spinning", space=space)
+    builder = Scene("spinning", space=space)
     section: dict[str, Any] = {
         "length": 10.0,
         "density": 1200.0,

@@ -10,7 +10,7 @@ import pytest
 from runtime import reference_solution, simulate
 from runtime.contract.model import Model
 from runtime.running.simulate import make_plan
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.scenes.chain import chain
 
 
@@ -37,7 +37,7 @@ def test_both_velocities_are_second_order(built_in: Callable[[str], Model], choi
     assert found[-1] < cap
 
 
-def test_large_trees_take_the_linear_path(model_of: Callable[[Scene], Model]) -> None:
+def test_large_trees_take_the_linear_path(model_of: Callable[[SceneRecord], Model]) -> None:
     """14 links: no Jacobian and no M_hat in the step, an order of magnitude fewer operations, second order."""
     model = model_of(chain(14))
     plan = make_plan(model, 0.1, 1e-3, None, "single_rate", 1, None, 0.0)

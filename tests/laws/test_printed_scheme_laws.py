@@ -15,13 +15,13 @@ from runtime.contract.model import Model
 from runtime.engine.interpreted import program_function
 from runtime.running.simulate import make_plan
 from runtime.schemes.stepper import Stepper
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes import SCENES
 from tests.hand_derived.twin_oscillators import Params, growth_rate_law, printed_subcycling_matrix
 from tests.support.model_values import evaluate, make_state
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 # steps and dt of runs of the two-group scenes; hub_beam needs 130 sweeps a step (strong inertia coupling)
 RUNS = {
     "flexible_slider_crank": (100, 2e-5),
@@ -176,10 +176,10 @@ def test_growth_of_L1_follows_the_law(built_in: Load, c: float, m: int) -> None:
     assert np.polyfit(s.t, amplitude, 1)[0] == pytest.approx(growth_rate_law(c, w, m, dt), rel=0.05)
 
 
-def three_oscillators(c: float, damping: float) -> Scene:
+def three_oscillators(c: float, damping: float) -> SceneRecord:
     """Slow, middle and fast, coupled by springs and (c > 0) by inertia."""
     k = 5.0
-    builder = SceneBuilder("three_oscillators").structure(
+    builder = Scene("three_oscillators").structure(
         coordinates=["a", "b", "c"],
         mass=[[1, c, c / 2], [c, 1, c], [c / 2, c, 1]],
         stiffness=[[1 + k, -k, 0], [-k, k + 60, -k], [0, -k, 900 + k]],
@@ -207,7 +207,7 @@ def test_three_groups_on_a_mechanism(model_of: Build, name: str, m: list[int]) -
         {"name": "axial", "coordinates": ["rod.q3", "rod.q4"]},
     ]
     data["simulation"]["m"] = [1, 1]
-    model = model_of(Scene.from_dict(data))
+    model = model_of(SceneRecord.from_dict(data))
     assert [group.positions for group in model.groups] == [[0], [1, 2], [3, 4]]
     single = trajectory(model, 100, 1e-5, scheme="single_rate", options={"newton_iterations": 3})
     nested = trajectory(model, 100, 1e-5, scheme="printed", m=m, options=TIGHT)

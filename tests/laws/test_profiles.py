@@ -9,7 +9,7 @@ import pytest
 
 from runtime import simulate
 from symgen.generate import model_of
-from symgen.scene import CurveTable, SceneBuilder, s_curve, trapezoid
+from symgen.scene import CurveTable, Scene, s_curve, trapezoid
 
 
 @pytest.mark.parametrize("interpolation", ["linear", "cubic", "monotone"])
@@ -47,7 +47,7 @@ def test_a_profile_over_no_distance_is_refused(distance: float) -> None:
 
 def test_a_slide_driven_by_a_profile_and_shaken_on_its_base() -> None:
     """m a is what the drive gives; a load on a spring on a base by its acceleration answers as the convolution."""
-    builder = SceneBuilder("drive").ground(markers={"line": {"position": [0.0, 0.0]}})
+    builder = Scene("drive").ground(markers={"line": {"position": [0.0, 0.0]}})
     builder.table("move", **trapezoid(1.0, 0.5, 2.0))
     builder.rigid("cart", mass=3.0, inertia=1.0).prismatic("rail", "ground.line", "cart.origin")
     builder.prescribed_displacement("motor", "ground.line", "cart.origin", 'table("move", t)')

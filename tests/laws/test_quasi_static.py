@@ -11,7 +11,7 @@ from runtime import equilibrium, simulate
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.model import Model
 from runtime.start.start_state import start_state
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.support.model_values import Array, condensed_accelerations, evaluate, make_state
 from tests.support.prepared_runs import PreparedRuns
 
@@ -118,11 +118,11 @@ def test_no_equilibrium_is_an_error(built_in: Load, parameters: dict, initial: d
         start_state(model, p, model.constants(p), 0.0, initial, "quasi_static")
 
 
-def geared_arm(stiffness: float) -> Scene:
+def geared_arm(stiffness: float) -> SceneRecord:
     """Two beams and a rotor, with springs between them that are wound up: angles 0.2 and 0.5 from a rotor at 0."""
     bends = {"length": 1.0, "density": 7800.0, "area": 4e-4, "second_moment": 0.02**4 / 12, "youngs_modulus": 2e11}
     return (
-        SceneBuilder("geared")
+        Scene("geared")
         .gravity(0, -9.81)
         .rigid("rotor", mass=1.0, inertia=0.008)
         .beam("upper", **bends, lateral={"ends": "welded-welded", "modes": 2}, stiffening=True)
@@ -138,7 +138,7 @@ def geared_arm(stiffness: float) -> Scene:
     )
 
 
-def test_stiff_gears_settle_with_the_rest(model_of: Callable[[Scene], Model]) -> None:
+def test_stiff_gears_settle_with_the_rest(model_of: Callable[[SceneRecord], Model]) -> None:
     """Springs of 2e4 N m/rad wound by 0.2 rad throw the beams about: no elastic equilibrium is there, which is said.
 
     With start = equilibrium all of it rests: nothing moves, and the run begins in what `equilibrium` finds.
@@ -153,10 +153,10 @@ def test_stiff_gears_settle_with_the_rest(model_of: Callable[[Scene], Model]) ->
     assert np.abs(run.q - run.q[0]).max() < 1e-9 and run.status.name == "completed", run.status
 
 
-def test_a_start_in_equilibrium_keeps_what_turns_and_what_drives(model_of: Callable[[Scene], Model]) -> None:
+def test_a_start_in_equilibrium_keeps_what_turns_and_what_drives(model_of: Callable[[SceneRecord], Model]) -> None:
     """A pendulum on a trolley that begins with 0.2 m/s: it hangs plumb, moves along, and stays so."""
     scene = (
-        SceneBuilder("crane")
+        Scene("crane")
         .gravity(0, -9.81)
         .rigid("trolley", mass=2.0, inertia=0.1)
         .rigid("load", mass=1.0, inertia=0.0, center_of_mass=(0, -1.0))

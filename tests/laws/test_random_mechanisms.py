@@ -12,7 +12,7 @@ from scipy.linalg import eigvals
 from runtime import load_model, simulate
 from runtime.contract.model import Model
 from symgen.generate import generate
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from tests.support.model_values import (
     augmented_solution,
     condensed_accelerations,
@@ -48,7 +48,7 @@ def fastest_rate(model: Model) -> float:
     return max(5.0, frequency, float(np.max(np.abs(state.q_dot))))
 
 
-def check_laws(scene: Scene, steps: int, angle: float) -> Model:
+def check_laws(scene: SceneRecord, steps: int, angle: float) -> Model:
     with tempfile.TemporaryDirectory() as folder:
         model = load_model(generate(scene, folder))
     start, n = model.initial_q[model.independent_columns], len(model.q_i)
@@ -74,21 +74,21 @@ def check_laws(scene: Scene, steps: int, angle: float) -> Model:
 
 @QUICK
 @given(trees())
-def test_trees(scene: Scene) -> None:
+def test_trees(scene: SceneRecord) -> None:
     check_laws(scene, *TREE_RUN)
 
 
 @QUICK
 @given(four_bars())
-def test_closed_loops(scene: Scene) -> None:
+def test_closed_loops(scene: SceneRecord) -> None:
     check_laws(scene, *LOOP_RUN)
 
 
 @QUICK
 @given(st.one_of(trees(), four_bars()), st.integers(0, 100))
-def test_doubled_joints_change_nothing(scene: Scene, which: int) -> None:
+def test_doubled_joints_change_nothing(scene: SceneRecord, which: int) -> None:
     joints = list(scene.to_dict()["joints"])
     again = {**joints[which % len(joints)], "name": "again"}
-    model = check_laws(Scene.from_dict({**scene.to_dict(), "joints": [*joints, again]}), *LOOP_RUN)
+    model = check_laws(SceneRecord.from_dict({**scene.to_dict(), "joints": [*joints, again]}), *LOOP_RUN)
     rows = sum(label.startswith("again.") for label in model.constraints)
     assert len(model.redundant) == rows > 0

@@ -13,7 +13,7 @@ from runtime.contract.coordinates import independent_part, loop_part, turned_by
 from runtime.contract.model import Model
 from runtime.running.singular.exchange import by_velocities
 from symgen.generate import generate
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from tests.support.model_values import (
     Array,
     State,
@@ -41,7 +41,7 @@ JACOBIANS = frozenset({"dQ_hat_dq_i", "dQ_hat_dq_i_dot"})
 WELL_POSED = 0.03  # smallest singular value of C_q on the dependent coordinates, over the largest
 
 
-def check_laws(scene: Scene, redundant: bool | None = False, jacobians: bool = False) -> None:
+def check_laws(scene: SceneRecord, redundant: bool | None = False, jacobians: bool = False) -> None:
     """redundant: whether rows are (None: they may be, where two joints of a loop fall into one point)."""
     with tempfile.TemporaryDirectory() as folder:
         model = load_model(generate(scene, folder, KERNELS | JACOBIANS if jacobians else KERNELS))
@@ -119,25 +119,25 @@ def check_jacobians(model: Model, state: State) -> None:
 
 @QUICK
 @given(spatial_trees())
-def test_trees(scene: Scene) -> None:
+def test_trees(scene: SceneRecord) -> None:
     check_laws(scene)
 
 
 @QUICK
 @given(spatial_trees(most=2))
-def test_jacobians(scene: Scene) -> None:
+def test_jacobians(scene: SceneRecord) -> None:
     """Of M_hat and Q_hat, on one or two bodies, as these are the large ones."""
     check_laws(scene, jacobians=True)
 
 
 @QUICK
 @given(spatial_loops())
-def test_closed_loops(scene: Scene) -> None:
+def test_closed_loops(scene: SceneRecord) -> None:
     check_laws(scene, redundant=None)
 
 
 @QUICK
 @given(spatial_trees(doubled=True, most=2))
-def test_doubled_joints(scene: Scene) -> None:
+def test_doubled_joints(scene: SceneRecord) -> None:
     """A joint twice: its rows are found redundant and change nothing."""
     check_laws(scene, redundant=True)

@@ -14,7 +14,7 @@ from runtime import load_model, simulate
 from runtime.baselines.augmented import augmented_accelerations
 from runtime.contract.model import Model
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 from tests.support.model_values import (
     augmented_solution,
     condensed_accelerations,
@@ -28,9 +28,9 @@ from tests.support.model_values import (
 BARS = ("left", "middle", "right")
 
 
-def parallelogram(third: bool = True) -> SceneBuilder:
+def parallelogram(third: bool = True) -> Scene:
     """A bar of 2 m on two or three parallel bars of 1 m; without the third joint its bar hangs on the top bar."""
-    builder = SceneBuilder("bars").gravity(0, -9.81)
+    builder = Scene("bars").gravity(0, -9.81)
     builder.ground(markers={"m": {"position": (1, 0)}, "r": {"position": (2, 0)}})
     for name in BARS:
         builder.rigid(name, mass=1.0, inertia=0.1, center_of_mass=(0.5, 0), markers={"tip": {"position": (1, 0)}})
@@ -51,15 +51,15 @@ def parallelogram(third: bool = True) -> SceneBuilder:
     return builder.independent("left.theta")
 
 
-def doubled_hinge() -> SceneBuilder:
-    builder = SceneBuilder("twice").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
+def doubled_hinge() -> Scene:
+    builder = Scene("twice").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
     return builder.revolute("hinge", "ground.origin", "rod.origin").revolute("again", "ground.origin", "rod.origin")
 
 
-def ring_of_welds() -> SceneBuilder:
+def ring_of_welds() -> Scene:
     """Three bodies welded to each other, swinging on a hinge."""
     corners = {"next": {"position": (0.5, 0.1), "angle": 0.2}}
-    builder = SceneBuilder("ring").gravity(0, -9.81).rigid("one", mass=1.0, inertia=0.1, markers=corners)
+    builder = Scene("ring").gravity(0, -9.81).rigid("one", mass=1.0, inertia=0.1, markers=corners)
     builder.rigid("two", mass=2.0, inertia=0.1, markers={"next": {"position": (0.3, 0.4), "angle": -0.2}})
     cos, sin = np.cos(0.2), np.sin(0.2)
     back = (-0.5 - 0.3 * cos + 0.4 * sin, -0.1 - 0.3 * sin - 0.4 * cos)
@@ -68,10 +68,10 @@ def ring_of_welds() -> SceneBuilder:
     return builder.weld("second", "two.next", "three.origin").weld("third", "three.back", "one.origin")
 
 
-def driven_twice() -> SceneBuilder:
+def driven_twice() -> Scene:
     """Two motors with the same motion of one angle, and an arm that swings on it."""
     builder = (
-        SceneBuilder("twins")
+        Scene("twins")
         .gravity(0, -9.81)
         .rigid("rod", mass=1.0, inertia=0.1, markers={"tip": {"position": (0.4, 0)}})
         .rigid("arm", mass=1.0, inertia=0.1, center_of_mass=(0.2, 0))
@@ -82,7 +82,7 @@ def driven_twice() -> SceneBuilder:
     return builder.rates({"rod.theta": 3.0})
 
 
-CASES: dict[str, tuple[Callable[[], SceneBuilder], int]] = {
+CASES: dict[str, tuple[Callable[[], Scene], int]] = {
     "parallelogram": (parallelogram, 1),
     "doubled hinge": (doubled_hinge, 2),
     "ring of welds": (ring_of_welds, 3),

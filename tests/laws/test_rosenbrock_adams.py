@@ -18,7 +18,7 @@ from runtime.schemes.options import SchemeError
 from runtime.schemes.scheme import Scheme
 from runtime.studies.stability.tangent import TangentStep
 from runtime.studies.work_precision.methods import stiff_methods
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes import generated_folder
 from symgen.scenes.arm import arm
 from tests.hand_derived.twin_oscillators import Params
@@ -28,7 +28,7 @@ from tests.support.order_case import OrderCase
 from tests.support.prepared_runs import PreparedRuns
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 NAME = "exponential_adams"
 JACOBIAN = {"linearisation": "jacobian"}
 
@@ -111,7 +111,7 @@ def test_remainder_of_a_pushed_block(model_of: Build) -> None:
     """A force t^3 is exact. Of t^4 the cubic leaves tau^2 (tau + h) (tau - 5/6 h): by hand -13/360 h^5 of v a step."""
     h = 0.25
     for power, left in ((3, 0.0), (4, 13 / 360 * h**5)):
-        builder = SceneBuilder(f"pushed_{power}").rigid("block", mass=1.0, inertia=1.0, free=True)
+        builder = Scene(f"pushed_{power}").rigid("block", mass=1.0, inertia=1.0, free=True)
         model = model_of(builder.force("force", "block.origin", f"t**{power}", 0.0).build())
         v = PreparedRuns(model, NAME, None, JACOBIAN).samples(h, 9, 1)["v"][:, 0]
         exact = (h * np.arange(10)) ** (power + 1) / (power + 1)

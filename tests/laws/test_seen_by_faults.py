@@ -13,10 +13,10 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.step_limit import central_difference_limit
 from runtime.schemes.stepper import Stepper
 from runtime.studies.stability.limits import usual_steps
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
 ORDERS = {"single_rate": 3, "printed": 3, "rk4": 2, "exponential": 3, "exponential_rk4": 3, "dop853": 2}
@@ -88,7 +88,7 @@ def test_sections_of_a_beam_in_space_turn_with_it(model_of: Build) -> None:
     rho, A, L, section = 1000.0, 0.04, 0.5, (3e-4, 7e-4)
     for axis, own in (((0.0, 0.0, 1.0), section[0]), ((0.0, 1.0, 0.0), section[1])):
         place = {"axis": axis}
-        builder = SceneBuilder("thick", space="spatial").ground(markers={"pin": place})
+        builder = Scene("thick", space="spatial").ground(markers={"pin": place})
         builder.beam(
             "beam",
             length=L,

@@ -20,13 +20,13 @@ from symgen.fe.report import RigidCheck, body_report
 from symgen.joints import JOINTS
 from symgen.modes import axial_modes, lateral_modes
 from symgen.modes.spatial_beam import spatial_beam
-from symgen.scene import Scene, SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord
 from symgen.schema.expressions import parse_expression
 from symgen.system.joint_templates import PlanarMarkers, r_a, r_b, t_a
 from symgen.tapes.graph import Graph, without_negations
 from tests.support.model_values import evaluate, random_states
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
 def test_numbers_gather_behind_what_varies() -> None:
@@ -85,7 +85,7 @@ def test_weight_is_the_slope_of_its_potential(model_of: Build, space: str) -> No
     three, inertia = (space == "spatial"), 0.3
     off, g = (0.2, -0.1, 0.3)[: 2 + three], (3.0, -4.0, 5.0)[: 2 + three]
     moments: Any = [inertia] * 3 if three else inertia
-    builder = SceneBuilder("thrown", space=space).gravity(*g)
+    builder = Scene("thrown", space=space).gravity(*g)
     builder.rigid("m", mass=2.0, inertia=moments, center_of_mass=off, free=True)
     for axis in "xyz"[: 2 + three]:
         builder.measure(axis, axis, "m.center")
@@ -110,7 +110,7 @@ def test_weight_is_the_slope_of_its_potential(model_of: Build, space: str) -> No
 
 def test_the_distance_between_two_points_of_a_plane(model_of: Build) -> None:
     """3 along x and 4 along y: 5."""
-    builder = SceneBuilder("apart").rigid("m", mass=1.0, inertia=1.0, free=True).initial({"m.x": 3.0, "m.y": 4.0})
+    builder = Scene("apart").rigid("m", mass=1.0, inertia=1.0, free=True).initial({"m.x": 3.0, "m.y": 4.0})
     model = model_of(
         builder.measure("gap", "distance", "m.origin").simulation(t_end=0.1, dt=0.01, scheme="printed").build()
     )
@@ -123,7 +123,7 @@ def test_the_distance_between_two_points_of_a_plane(model_of: Build) -> None:
 def test_the_axis_of_x_is_across_that_of_the_joint() -> None:
     """In the plane of x and y too: (2, 2, 0) is along (1, 1, 0)."""
     for x_axis, fine in (((2.0, 2.0, 0.0), False), ((1.0, -1.0, 0.0), True)):
-        builder = SceneBuilder("axes", space="spatial").rigid("m", mass=1, inertia=[1, 1, 1])
+        builder = Scene("axes", space="spatial").rigid("m", mass=1, inertia=[1, 1, 1])
         builder.ground(markers={"pin": {"axis": (1.0, 1.0, 0.0), "x_axis": x_axis}})
         builder.revolute("hinge", "ground.pin", "m.origin")
         if fine:

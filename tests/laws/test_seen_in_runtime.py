@@ -27,15 +27,15 @@ from runtime.studies.work_precision.comparison_files import comparison_data
 from runtime.studies.work_precision.comparison_page import comparison_page
 from runtime.studies.work_precision.reference import Reference
 from runtime.studies.work_precision.trial import Trial
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
 
 
 def test_a_rate_of_what_depends_takes_the_place_of_the_rates_of_the_scene(model_of: Build) -> None:
     """Bars of 1 m at 0.3 and 0.8 rad: x' = -sin(0.3) w of the hinge gives w; the other rate is left open: none."""
-    builder = SceneBuilder("two")
+    builder = Scene("two")
     for name in ("upper", "lower"):
         builder.rigid(name, mass=1.0, inertia=0.1, markers={"tip": {"position": (1.0, 0.0)}})
     builder.revolute("a", "ground.origin", "upper.origin").revolute("b", "upper.tip", "lower.origin")
@@ -65,11 +65,7 @@ def test_the_order_of_a_method_takes_a_decade_of_errors() -> None:
 
 
 def test_what_rests_has_no_drift_of_energy(model_of: Build) -> None:
-    builder = (
-        SceneBuilder("rest")
-        .rigid("m", mass=1.0, inertia=1.0, free=True)
-        .simulation(t_end=1.0, dt=0.1, scheme="printed")
-    )
+    builder = Scene("rest").rigid("m", mass=1.0, inertia=1.0, free=True).simulation(t_end=1.0, dt=0.1, scheme="printed")
     ladder = Ladder(Problem.of(model_of(builder.build())), 1e-3)
     assert energy_drift(ladder.rung(ladder.plan(Method("rk4"), 20))) is None
 
@@ -112,7 +108,7 @@ def test_files_are_read_by_all_and_written_by_their_owner(tmp_path: Path) -> Non
 
 
 def test_usual_ratios_of_three_groups_sub_cycle_the_last(model_of: Build) -> None:
-    builder = SceneBuilder("three").structure(
+    builder = Scene("three").structure(
         coordinates=["a", "b", "c"], mass=np.eye(3), stiffness=np.diag([1.0, 9.0, 100.0])
     )
     builder.groups(A=["a"], B=["b"], C=["c"]).initial({"a": 1.0}).simulation(
@@ -130,7 +126,7 @@ def test_the_card_of_a_solution_has_a_balance_from_three_samples_on(built_in: Lo
 
 def test_a_small_jump_of_a_slow_motion_is_a_jump(model_of: Build) -> None:
     """Of some 1e-5 rad/s, where no velocity is larger, and no condition says when."""
-    builder = SceneBuilder("slow").rigid("a", mass=1.0, inertia=0.1).rigid("b", mass=1.0, inertia=0.1)
+    builder = Scene("slow").rigid("a", mass=1.0, inertia=0.1).rigid("b", mass=1.0, inertia=0.1)
     builder.revolute("h", "ground.origin", "a.origin").revolute("k", "a.origin", "b.origin")
     builder.prescribed_angle("drive", "ground.origin", "a.origin", motion="1e-5 * sqrt((t - 0.503)**2)")
     model = model_of(builder.simulation(t_end=1.0, dt=0.05, scheme="printed").build())

@@ -10,11 +10,11 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.support.model_values import Array, evaluate, make_state
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 # scene -> (t_end [s], coarsest step [s], cap on the error at the finest of three steps [m, rad]; measured: two thirds)
 ORDERS: dict[str, tuple[float, float, float]] = {
@@ -162,7 +162,7 @@ def test_angular_momentum_of_a_central_force(built_in: Load) -> None:
 
 
 def test_momenta_of_two_bodies_on_a_spring(model_of: Build) -> None:
-    builder = SceneBuilder("pair")
+    builder = Scene("pair")
     builder.rigid("a", mass=1.0, inertia=0.1, free=True, markers={"p": {"position": (0.3, 0.1)}})
     builder.rigid("b", mass=2.0, inertia=0.3, free=True, markers={"p": {"position": (-0.2, 0)}})
     builder.spring_damper("s", "a.p", "b.p", stiffness=200.0, damping=1.0, free_length=0.5)
@@ -189,7 +189,7 @@ def flying_beam_errors(model: Model, dt: float) -> Array:
 
 def test_momenta_of_a_flying_beam(model_of: Build) -> None:
     """A deforming body in free flight: momenta are kept to the scheme's second order (P = 0.27, L = 0.2)."""
-    builder = SceneBuilder("flying_beam").beam(
+    builder = Scene("flying_beam").beam(
         "beam",
         length=1.0,
         density=2700.0,

@@ -17,12 +17,12 @@ from runtime.results.stream import StreamFile
 from runtime.running.singular.exchange import best_exchange
 from runtime.schemes.catalogue import scheme_kind
 from runtime.studies.stability.spectrum import StepSpectrum
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.hand_derived.spatial import spatial_scenes
 from tests.hand_derived.spatial.twin_flexible_nodes import scattered
 from tests.support.model_values import evaluate, make_state, random_states, relative_error
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 # first clamped-free mode of a uniform beam: (b L) with cos(x) cosh(x) = -1, and L w'(L) / w(L) of its shape
 ROOT = 1.8751040687119611
@@ -31,11 +31,11 @@ TIP = math.cosh(ROOT) - math.cos(ROOT) - SIGMA * (math.sinh(ROOT) - math.sin(ROO
 SLOPE = ROOT * (math.sinh(ROOT) + math.sin(ROOT) - SIGMA * (math.cosh(ROOT) - math.cos(ROOT))) / TIP
 
 
-def clamped(space: str) -> SceneBuilder:
+def clamped(space: str) -> Scene:
     """A beam of 2.5 m (a length that is not 1) clamped to the ground, one mode, rotational damper at its tip."""
     plane: dict[str, Any] = {"lateral": {"ends": "clamped-free", "modes": 1}, "elements": 100}
     return (
-        SceneBuilder("clamped", space=space)
+        Scene("clamped", space=space)
         .beam("b", length=2.5, density=2000, area=1e-4, second_moment=1e-9, youngs_modulus=7e10, **plane)
         .weld("clamp", "ground.origin", "b.start")
         .rotational_spring_damper("damper", "ground.origin", "b.end", stiffness=0.0, damping=0.05)
@@ -66,7 +66,7 @@ def test_joint_damping_acts_on_both_bodies(model_of: Build, joint: str, space: s
     """Two free bodies: damping in their joint changes neither their momentum nor their angular momentum."""
     inertia: Any = [0.3, 0.5, 0.4] if space == "spatial" else 0.4
     three = (0,) if space == "spatial" else ()
-    builder = SceneBuilder("pair", space=space)
+    builder = Scene("pair", space=space)
     for name, mass in (("a", 2.0), ("b", 3.0)):
         builder.rigid(name, mass=mass, inertia=inertia, free=True, markers={"m": {"position": (0.4, 0.2, *three)}})
     axis = {"axis": (0.0, 1.0, 0.0)} if space == "spatial" and joint == "prismatic" else {}
@@ -89,7 +89,7 @@ def test_joint_damping_acts_on_both_bodies(model_of: Build, joint: str, space: s
 def test_a_chained_condition_holds_only_where_all_its_parts_do(model_of: Build) -> None:
     """1 N on 2 kg from 0.2 s to 0.5 s: velocity 0.15 m/s at the end, and 0 before."""
     scene = (
-        SceneBuilder("pulse")
+        Scene("pulse")
         .rigid("m", mass=2.0, inertia=1.0, free=True)
         .force("f", "m.center", "where(0.2 < t < 0.5, 1, 0)", 0)
         .simulation(t_end=1.0, dt=1e-3, scheme="rk4", save_every=1)
@@ -105,7 +105,7 @@ def test_forward_dynamics_of_moving_trees_with_driven_joints(model_of: Build, sp
     """O(N) accelerations equal M_hat^-1 Q_hat where the substitutions have accelerations of their own (bias terms):
     at large rates, below a prescribed joint, with a flexible link."""
     axis = {"axis": (0.0, 0.0, 1.0)} if space == "spatial" else {}
-    builder = SceneBuilder("driven", space=space).gravity(0, -9.81)
+    builder = Scene("driven", space=space).gravity(0, -9.81)
     inertia: Any = [0.02, 0.03, 0.04] if space == "spatial" else 0.03
     builder.rigid("base", mass=1.0, inertia=inertia, markers={"end": {"position": (0.7, 0.1)}})
     builder.rigid("mid", mass=0.5, inertia=inertia, markers={"end": {"position": (0.4, -0.2)}})
@@ -131,7 +131,7 @@ def test_clock_of_three_groups(model_of: Build, scheme: str) -> None:
     """Each group is driven by its own force at its own frequency, nothing couples them: x'' = sin(w t), from rest,
     x = t / w - sin(w t) / w^2. A clock that is wrong in one group shows in that group's phase."""
     rates = {"a": 2.0, "b": 5.0, "c": 11.0}
-    builder = SceneBuilder("clocks").structure(
+    builder = Scene("clocks").structure(
         coordinates=list(rates),
         mass=np.eye(3),
         stiffness=np.zeros((3, 3)),
@@ -153,7 +153,7 @@ def test_second_order_integrals_of_a_flexible_body_in_space(model_of: Build) -> 
     """phi_phi[a][b] = int Phi_a Phi_b^T dm is not symmetric. Kinetic energy of mass points with any modes, turning
     about the world's axes: T = 1/2 sum m |omega x (rho0 + Phi q) + Phi q'|^2, at omega along each axis."""
     nodes = scattered(7, 3, seed=5)
-    scene = SceneBuilder("cloud", space="spatial").flexible("b", **spatial_scenes.flexible(nodes), free=True)
+    scene = Scene("cloud", space="spatial").flexible("b", **spatial_scenes.flexible(nodes), free=True)
     model = model_of(scene.simulation(t_end=0.1, dt=1e-3, scheme="rk4").build())
     rng = np.random.default_rng(3)
     q_f, q_f_dot = rng.normal(size=3), rng.normal(size=3)
@@ -198,11 +198,11 @@ def test_growth_of_a_stability_study_is_that_of_the_multipliers(built_in: Callab
     assert found.growth.max() == pytest.approx(math.log(found.radius) / dt, rel=1e-6)
 
 
-def slider_crank_of_size(size: float) -> Scene:
+def slider_crank_of_size(size: float) -> SceneRecord:
     """Lengths by a factor; the start is at 70 degrees of the crank."""
     inertia, at = 1e-3 * size**2, math.radians(70)
     lean = -math.asin(math.sin(at) / 2)
-    builder = SceneBuilder("sized")
+    builder = Scene("sized")
     builder.rigid("crank", mass=0.4, inertia=inertia, markers={"tip": {"position": (0.15 * size, 0)}})
     builder.rigid("rod", mass=0.2, inertia=inertia, markers={"tip": {"position": (0.3 * size, 0)}})
     builder.rigid("slider", mass=0.1, inertia=inertia)

@@ -10,17 +10,17 @@ from scipy.spatial.transform import Rotation
 
 from runtime import simulate
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.hand_derived.spatial.twin_flexible_nodes import scattered
 from tests.support.joint_comb import MORE, OTHERS, PLACING, comb, rigid
 from tests.support.model_values import Array, State
 from tests.support.spatial_motion import Frame, assembled, frames
 
-Build = Callable[[Scene, frozenset[str] | None], Model]
+Build = Callable[[SceneRecord, frozenset[str] | None], Model]
 FULL = frozenset({"constraints", "augmented", "reactions"})
 
 
-def relative_pose(scene: Scene, moving: dict[str, Frame], kind: str) -> tuple[Array, Array]:
+def relative_pose(scene: SceneRecord, moving: dict[str, Frame], kind: str) -> tuple[Array, Array]:
     """r_b - r_a in the axes of marker a, and the rotation from a to b; markers turn by exact rotations (1, psi / 2)."""
     ends = []
     for name, label in (("base", f"at_{kind}"), (kind, "at")):
@@ -87,7 +87,7 @@ def test_joints_hold_what_they_say(build: Build) -> None:
 @pytest.mark.parametrize("kind", ["euler_parameters", "zyx"])
 def test_prescribed_angle_over_many_turns(build: Build, kind: str) -> None:
     """Eight turns of a driven hinge, as the joint's own coordinate and as an Euler angle that is read off."""
-    builder = SceneBuilder("driven", space="spatial").gravity(0, 0, -9.81)
+    builder = Scene("driven", space="spatial").gravity(0, 0, -9.81)
     builder.rigid(
         "arm",
         **rigid(scattered(5, 0, seed=2)),

@@ -14,7 +14,7 @@ import pytest
 
 from runtime.contract.model import Model
 from symgen.generate import model_of
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from tests.support.joint_comb import (
     GRAVITY,
     ONE_WAY,
@@ -29,7 +29,7 @@ from tests.support.joint_comb import (
 from tests.support.model_values import Array, State, evaluate, make_state, relative_error
 from tests.support.spatial_motion import Frame, assembled, frames, momentum_rate, place, solve
 
-Build = Callable[[tuple[str, ...], Variant], tuple[Scene, Model]]
+Build = Callable[[tuple[str, ...], Variant], tuple[SceneRecord, Model]]
 WITHOUT_SCREW = tuple(kind for kind in PLACING if kind != "screw")
 T = 0.37
 
@@ -37,9 +37,9 @@ T = 0.37
 @pytest.fixture(scope="module")
 def build() -> Build:
     """Scene and model of a comb, its functions derived when they are asked for, once."""
-    made: dict[tuple[tuple[str, ...], Variant], tuple[Scene, Model]] = {}
+    made: dict[tuple[tuple[str, ...], Variant], tuple[SceneRecord, Model]] = {}
 
-    def get(types: tuple[str, ...], variant: Variant) -> tuple[Scene, Model]:
+    def get(types: tuple[str, ...], variant: Variant) -> tuple[SceneRecord, Model]:
         if (types, variant) not in made:
             scene = comb(types, variant)
             with no_placements(not variant.placing):
@@ -57,7 +57,7 @@ def states(model: Model, count: int) -> list[State]:
     ]
 
 
-def path(scene: Scene, model: Model) -> tuple[Array, Array, Array]:
+def path(scene: SceneRecord, model: Model) -> tuple[Array, Array, Array]:
     """Any q, q_dot and q_ddot: the bodies need not be assembled, but Euler parameters have unit length throughout."""
     rng, n = np.random.default_rng(5), len(model.coordinates)
     q, v, a = rng.normal(size=n), rng.normal(size=n), rng.normal(size=n)
@@ -124,7 +124,7 @@ def test_forces_satisfy_newton_and_euler(build: Build, types: tuple[str, ...]) -
         np.testing.assert_allclose(sum(rate.angular for rate in rates.values()), expected, atol=1e-10 * largest)
 
 
-def marker_points(scene: Scene, model: Model, state: State) -> dict[str, Array]:
+def marker_points(scene: SceneRecord, model: Model, state: State) -> dict[str, Array]:
     """World position of the marker on each body that hangs on the base."""
     found = {}
     for name, frame in frames(scene, state.q, state.q_dot, 0 * state.q).items():
@@ -183,7 +183,7 @@ def test_exchanged_markers_give_the_same_motion_and_opposite_forces(build: Build
             assert relative_error(given, np.concatenate([force, moment])) < 1e-9, kind
 
 
-def marker_on_base(scene: Scene, base: Frame, kind: str) -> Array:
+def marker_on_base(scene: SceneRecord, base: Frame, kind: str) -> Array:
     marker = scene.body("base").markers[f"at_{kind}"]
     return base.R + base.A @ (np.array(marker.position) + np.array(marker.shape) @ base.q_f)
 

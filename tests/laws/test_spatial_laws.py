@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from runtime import reference_solution
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.hand_derived.spatial import (
     spatial_scenes,
     twin_governor,
@@ -31,12 +31,12 @@ from tests.support.model_values import (
 )
 from tests.support.spatial_motion import assembled, frames, momentum, momentum_rate
 
-Build = Callable[[Scene, frozenset[str] | None], Model]
+Build = Callable[[SceneRecord, frozenset[str] | None], Model]
 FULL = frozenset({"constraints", "augmented", "reactions", "energy"})
 CONDENSED = frozenset({"condensed", "constraints", "closure", "velocities"})
 
 
-def loaded(kind: str) -> Scene:
+def loaded(kind: str) -> SceneRecord:
     """A free flexible body with four others and a load of every kind between them, none from outside."""
     base, tip = spatial_scenes.flexible(scattered(8, 2, seed=1)), rigid(scattered(5, 0, seed=2))
     rng = np.random.default_rng(4)
@@ -45,7 +45,7 @@ def loaded(kind: str) -> Scene:
         bent = {"shape": 0.3 * rng.normal(size=(3, 2)), "rotation": rng.normal(size=(3, 2))} if turning else {}
         return {"position": rng.normal(size=3), "axis": rng.normal(size=3), **bent}
 
-    builder = SceneBuilder("loaded", space="spatial")
+    builder = Scene("loaded", space="spatial")
     builder.flexible("base", **base, free=True, orientation=kind, markers={f"m{k}": marker(True) for k in range(6)})
     for name in ("one", "two", "three", "four"):
         builder.rigid(name, **tip, orientation=kind, markers={f"m{k}": marker() for k in range(2)})
@@ -70,7 +70,7 @@ def loaded(kind: str) -> Scene:
     return builder.build()
 
 
-def nodes_of(scene: Scene) -> dict[str, Nodes]:
+def nodes_of(scene: SceneRecord) -> dict[str, Nodes]:
     return {
         body.name: scattered(8, 2, seed=1) if body.name == "base" else scattered(5, 0, seed=2)
         for body in scene.moving_bodies
@@ -105,7 +105,7 @@ def test_momentum_and_energy_of_a_free_tree_in_motion(build: Build) -> None:
     """A flexible body with two others, springs and no damper, integrated: 1e-9 throughout."""
     base, tip = spatial_scenes.flexible(scattered(8, 2, seed=1)), rigid(scattered(5, 0, seed=2))
     base["D_ff"] = None
-    builder = SceneBuilder("drifting", space="spatial")
+    builder = Scene("drifting", space="spatial")
     builder.flexible(
         "base",
         **base,
@@ -143,7 +143,7 @@ def test_momentum_and_energy_of_a_free_tree_in_motion(build: Build) -> None:
 TURN, SHIFT = Rotation.from_rotvec([0.7, -1.1, 0.4]).as_matrix(), np.array([3.0, -2.0, 5.0])
 
 
-def in_a_turned_world(scene: Scene) -> Scene:
+def in_a_turned_world(scene: SceneRecord) -> SceneRecord:
     """The ground's markers, gravity and forces along world axes turned and moved: the same mechanism elsewhere."""
     data = scene.to_dict()
     data["gravity"] = (TURN @ np.array(data["gravity"], dtype=float)).tolist()
@@ -163,7 +163,7 @@ def in_a_turned_world(scene: Scene) -> Scene:
             item[key] = "ground.start" if value == "ground.origin" else value
         if item["type"] == "force":
             item["components"] = (TURN @ np.array(item["components"], dtype=float)).tolist()
-    return Scene.from_dict(data)
+    return SceneRecord.from_dict(data)
 
 
 @pytest.mark.parametrize(
@@ -175,7 +175,7 @@ def in_a_turned_world(scene: Scene) -> Scene:
     ],
     ids=["governor", "double pendulum", "slider-crank"],
 )
-def test_a_turned_world_changes_nothing(build: Build, scene: Scene) -> None:
+def test_a_turned_world_changes_nothing(build: Build, scene: SceneRecord) -> None:
     """M_hat and Q_hat in the joints' coordinates, at the same values of them."""
     here, there = build(scene, CONDENSED), build(in_a_turned_world(scene), CONDENSED)
     assert here.q_i == there.q_i

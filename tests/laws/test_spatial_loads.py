@@ -11,18 +11,18 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.hand_derived.spatial.twin_flexible_nodes import scattered
 from tests.support.joint_comb import rigid
 from tests.support.model_values import augmented_solution, relative_error
 from tests.support.spatial_motion import Frame, frames, momentum_rate, place
 
-Build = Callable[[Scene, frozenset[str] | None], Model]
+Build = Callable[[SceneRecord, frozenset[str] | None], Model]
 FULL = frozenset({"constraints", "augmented", "reactions"})
 
 
-def loads_from_outside() -> Scene:
-    builder = SceneBuilder("pushed", space="spatial")
+def loads_from_outside() -> SceneRecord:
+    builder = Scene("pushed", space="spatial")
     builder.ground(markers={"a": {"position": [0.3, -0.2, 0.1], "axis": [1, 1, 0], "x_axis": [0, 0, 1]}})
     builder.rigid(
         "body",
@@ -67,7 +67,7 @@ def test_loads_push_as_they_say(build: Build, kind: str) -> None:
     """Force and moment on a free body against the load's definition; a bushing's rotation is small here (1e-7)."""
     data = loads_from_outside().to_dict()
     data["loads"] = [{"name": "load", **LOADS[kind]}]
-    scene, t = Scene.from_dict(data), 0.4
+    scene, t = SceneRecord.from_dict(data), 0.4
     model = build(scene, FULL)
     rng, tiny = np.random.default_rng(1), 1e-7
     A = A_GROUND @ Rotation.from_rotvec(tiny * np.array([1.0, 2.0, -3.0])).as_matrix() @ M_BODY.T

@@ -14,17 +14,17 @@ from runtime.studies.stability import limits
 from runtime.studies.stability.along import states_along
 from runtime.studies.stability.limits import StabilityStudy
 from runtime.studies.stability.spectrum import ExactMotion
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.support.prepared_runs import PreparedRuns
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 ENGINE = "compiled"
 START = "quasi_static"
 
 
-def skew_pendulum() -> Scene:
+def skew_pendulum() -> SceneRecord:
     """A beam that bends in two planes, on a hinge that is oblique to it and to gravity; bent at the start."""
-    builder = SceneBuilder("skew_pendulum", space="spatial").gravity(0.0, 0.0, -9.81)
+    builder = Scene("skew_pendulum", space="spatial").gravity(0.0, 0.0, -9.81)
     builder.ground(markers={"hinge": {"axis": [0.3, 1.0, 0.2]}})
     builder.beam(
         "beam",

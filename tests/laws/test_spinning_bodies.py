@@ -10,7 +10,7 @@ import pytest
 
 from runtime import campbell, ensemble, equilibrium, simulate
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.support.model_values import Array, evaluate, relative_error
 
 Build = Callable[..., Model]
@@ -60,9 +60,9 @@ def test_no_orientation_is_special(
     assert np.abs(np.linalg.norm(after[:, :4], axis=1) - 1).max() < 1e-14
 
 
-def two_tumblers() -> Scene:
+def two_tumblers() -> SceneRecord:
     """Two free bodies that tumble, a slow one and a fast one, and a spring between points of theirs."""
-    builder = SceneBuilder("two_tumblers", space="spatial").gravity(0, 0, -1.0)
+    builder = Scene("two_tumblers", space="spatial").gravity(0, 0, -1.0)
     builder.rigid("slow", mass=2.0, inertia=[0.2, 0.3, 0.4], free=True, markers={"eye": {"position": [0.3, 0, 0]}})
     builder.rigid("fast", mass=0.4, inertia=[0.01, 0.02, 0.015], free=True, markers={"eye": {"position": [0, 0, 0.2]}})
     builder.spring_damper("spring", "slow.eye", "fast.eye", stiffness=20.0, damping=0.1, free_length=0.4)

@@ -21,7 +21,7 @@ from runtime.studies.stability.tangent import TangentStep
 from symgen.generate import model_of as on_demand
 from symgen.kernels import branch_kernels
 from symgen.pipeline import derive
-from symgen.scene import Scene, SceneError
+from symgen.scene import SceneError, SceneRecord
 from symgen.scenes import SCENES
 from symgen.scenes.arm import arm
 from symgen.scenes.chain import chain
@@ -32,7 +32,7 @@ from tests.support.model_values import Array, evaluate, random_states
 from tests.support.prepared_runs import PreparedRuns
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 NAME = "exponential_rk4"
 
 
@@ -46,10 +46,10 @@ def deflections(model: Model) -> tuple[Array, Array, Array]:
     return np.array(ca.DM(found.B)), np.array(ca.DM(found.K)), np.array(ca.DM(found.D))
 
 
-def with_stiff(scene: Scene, *names: str) -> Scene:
+def with_stiff(scene: SceneRecord, *names: str) -> SceneRecord:
     data = scene.to_dict()
     data["partition"] = {**data.get("partition", {}), "stiff": list(names)}
-    return Scene.from_dict(data)
+    return SceneRecord.from_dict(data)
 
 
 def test_modes_and_springs_are_found(built_in: Load) -> None:
@@ -120,7 +120,7 @@ class Case:
     """A scene, t_end and the coarsest of three steps [s], a cap on the error of q_i at the finest, about 1.5 times the
     measured one, bounds of the slope, the start."""
 
-    scene: Callable[[], Scene]
+    scene: Callable[[], SceneRecord]
     t_end: float
     dt: float
     cap: float
@@ -203,7 +203,7 @@ def test_tangents_keep_the_order(model_of: Build, name: str) -> None:
 
 
 @pytest.mark.parametrize("scene", [chain(5, 2), spatial_chain(2, 4)], ids=["plane", "space"])
-def test_shifted_solutions_along_a_tree(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_shifted_solutions_along_a_tree(scene: SceneRecord, monkeypatch: pytest.MonkeyPatch) -> None:
     """(M_hat + B (kappa K + delta D) B^T) x = B f for complex shifts and forces, by the dense matrices."""
     monkeypatch.setattr(branch_kernels, "shorter_than_dense", lambda n, n_s, in_space: True)
     model = on_demand(scene)
@@ -225,14 +225,14 @@ def test_shifted_solutions_along_a_tree(scene: Scene, monkeypatch: pytest.Monkey
     ids=["plane", "midpoint", "space"],
 )
 def test_steps_along_a_tree_are_those_of_the_dense_block(
-    scheme: str, scene: Scene, dt: float, monkeypatch: pytest.MonkeyPatch
+    scheme: str, scene: SceneRecord, dt: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Ten steps of a chain whose links are all flexible and damped, by shifted solutions and by n_s equations."""
     monkeypatch.setattr(branch_kernels, "shorter_than_dense", lambda n, n_s, in_space: True)
     data = scene.to_dict()
     for body in data["bodies"]:
         body["damping_ratio"] = 0.02
-    model = on_demand(Scene.from_dict(data))
+    model = on_demand(SceneRecord.from_dict(data))
     dense = replace(model, builders={k: v for k, v in model.builders.items() if k != "shifted_solution"}, _kernels={})
     ends = [PreparedRuns(one, scheme, engine="interpreted").samples(dt, 10, 10)["x"][-1] for one in (model, dense)]
     assert model.has("shifted_solution") and not dense.has("shifted_solution")

@@ -11,13 +11,13 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.scenes import SCENES
 from tests.support.model_values import Array
 from tests.support.prepared_runs import PreparedRuns
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 CENTRAL = {"propagation": "central_difference"}
 SCHEMES: dict[str, tuple[str, dict[str, Any]]] = {
     "coupled": ("coupled", {}),
@@ -177,7 +177,7 @@ def test_three_groups_are_second_order(model_of: Build, m: list[int]) -> None:
         {"name": "axial", "coordinates": ["rod.q3", "rod.q4"]},
     ]
     data["simulation"]["m"] = [1, 1]
-    model, t_end, steps = model_of(Scene.from_dict(data)), 0.004, [1e-5, 5e-6, 2.5e-6]
+    model, t_end, steps = model_of(SceneRecord.from_dict(data)), 0.004, [1e-5, 5e-6, 2.5e-6]
     exact = PreparedRuns(model, "dop853", start="quasi_static").end(t_end, 1e-6)
     runs = PreparedRuns(model, "coupled", m, start="quasi_static")
     errors = [float(np.max(np.abs(runs.end(t_end, step) - exact))) for step in steps]

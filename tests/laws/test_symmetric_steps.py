@@ -12,13 +12,13 @@ from runtime.contract.model import Model
 from runtime.contract.tape import arithmetic
 from runtime.schemes.catalogue import scheme_kind
 from runtime.studies.stability.tangent import TangentStep
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.scenes import SCENES
 from symgen.scenes.arm import arm
 from tests.hand_derived.twin_subcycling import radius
 from tests.support.prepared_runs import PreparedRuns
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 NAME = "exponential_midpoint"
 FASTEST = 2360.0  # rad/s, of the arm
 RINGING = {f"link3.q{k}_dot": rate for k, rate in ((1, 0.1), (2, 0.07), (3, 0.05))}
@@ -57,7 +57,7 @@ def test_undamped_oscillators_do_not_grow(model_of: Build, c: float, slow: float
     """Law: the spectral radius is one for H w from 2 to 200, windows at multiples of pi included; slow: H w_L."""
     data = SCENES["two_oscillators"]().to_dict()
     data["partition"] = {**data["partition"], "stiff": ["x_S"]}
-    model = model_of(Scene.from_dict(data))
+    model = model_of(SceneRecord.from_dict(data))
     scheme = scheme_kind(NAME).build(NAME, model, 1.0, None, {})
     tangent, growth = TangentStep(scheme), 0.0
     for reach in (*np.geomspace(2.0, 200.0, 40), *(np.pi * np.arange(1, 64, 3))):
@@ -93,7 +93,9 @@ def test_every_step_on_two_masses_converges(model_of: Build, reach: float) -> No
     """300,000 native steps at H w_L = 0.2, c = 0.6: what rounding leaves counts as arrived, and the energy stays."""
     data, dt, c, w = SCENES["two_oscillators"]().to_dict(), 0.2, 0.6, reach / 0.2
     data["partition"] = {**data["partition"], "stiff": ["x_S"]}
-    runs = PreparedRuns(model_of(Scene.from_dict(data)), NAME, parameters={"c": c, "w": w, "k_L": 1.0, "zeta": 0.0})
+    runs = PreparedRuns(
+        model_of(SceneRecord.from_dict(data)), NAME, parameters={"c": c, "w": w, "k_L": 1.0, "zeta": 0.0}
+    )
     z = runs.stepper.start(0.0, np.array([1.0, 0.01]), np.array([0.0, 0.3]), runs.c, dt)
     layout, before = runs.scheme.layout, z.copy()
 

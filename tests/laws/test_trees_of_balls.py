@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.support.model_values import Array, evaluate, random_states, relative_error
 
 PARENTS = (-1, 0, 1, 0, 3)  # body 0 carries bodies 1 and 3
@@ -37,8 +37,8 @@ def tensors() -> list[Array]:
     return [0.1 * (one + one.T) + 2 * np.eye(3) for one in half]
 
 
-def tree(along_x: bool) -> Scene:
-    builder = SceneBuilder("balls", space="spatial").gravity(*GRAVITY)
+def tree(along_x: bool) -> SceneRecord:
+    builder = Scene("balls", space="spatial").gravity(*GRAVITY)
     centres, points = ways(along_x)
     for k, J in enumerate(tensors()):
         products = [J[0, 1], J[0, 2], J[1, 2]]
@@ -80,7 +80,7 @@ def by_hand(A: list[Array], omega: Array, along_x: bool) -> tuple[Array, Array]:
 
 
 @pytest.mark.parametrize("along_x", [True, False], ids=["along one axis", "in all directions"])
-def test_equations_by_hand(build: Callable[[Scene, frozenset[str] | None], Model], along_x: bool) -> None:
+def test_equations_by_hand(build: Callable[[SceneRecord, frozenset[str] | None], Model], along_x: bool) -> None:
     """At random orientations and angular velocities."""
     model = build(tree(along_x), frozenset({"condensed", "closure", "velocities"}))
     for state in random_states(model, 3, rigid=2.0):

@@ -11,15 +11,15 @@ import pytest
 from runtime import load_model, simulate
 from runtime.contract.model import Model
 from symgen.generate import generate
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
-def four_bar(crank: float) -> Scene:
+def four_bar(crank: float) -> SceneRecord:
     """Links of 0.3, 1 and 1 m; only the crank's angle is given."""
     return (
-        SceneBuilder("four_bar")
+        Scene("four_bar")
         .ground(markers={"far": {"position": (1.0, 0.5)}})
         .rigid("crank", mass=1.0, inertia=0.1, markers={"end": {"position": (0.3, 0.0)}})
         .rigid("coupler", mass=1.0, inertia=0.1, markers={"end": {"position": (1.0, 0.0)}})
@@ -63,7 +63,7 @@ def test_far_moves_and_other_branches_are_told(model_of: Build, tmp_path: Path) 
 def test_a_chain_is_placed_without_turning(model_of: Build, second: str) -> None:
     """A body on a ball goes to where the ball is, and keeps the direction it has: nothing asks it to turn."""
     scene = (
-        SceneBuilder("chain", space="spatial")
+        Scene("chain", space="spatial")
         .rigid("a", mass=1.0, inertia=(0.1, 0.1, 0.1), markers={"end": {"position": (1.0, 0.0, 0.0)}})
         .rigid("b", mass=1.0, inertia=(0.1, 0.2, 0.3), markers={"near": {"position": (-0.5, 0.0, 0.0)}})
         .joint("revolute", "hinge", "ground.origin", "a.origin")

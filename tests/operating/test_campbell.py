@@ -12,16 +12,16 @@ import pytest
 from runtime import campbell, modes, unbalance_response
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.support.rotor_scenes import gimbal, jeffcott
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
-def two_sliders(coupling: float) -> Scene:
+def two_sliders(coupling: float) -> SceneRecord:
     """1 kg on k_1 = stiff and 1 kg on 100 N/m, on two rails, joined by a weak spring."""
     return (
-        SceneBuilder("two_sliders")
+        Scene("two_sliders")
         .parameter("stiff", 50.0, "N/m", "stiffness of the first")
         .parameter("joint", coupling, "N/m", "stiffness between them")
         .rigid("first", mass=1.0, inertia=1.0)

@@ -13,11 +13,11 @@ from runtime import InitialStateError, ModelError
 from runtime.contract.coordinates import independent
 from runtime.contract.model import Model
 from runtime.contract.orientations import rotation
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.support.model_values import evaluate, random_states
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 LOOPS = ["four_bar", "flexible_slider_crank_free", "bricard", "spatial_slider_crank"]
 
 
@@ -45,7 +45,7 @@ def test_a_free_body_by_newton_and_euler(model_of: Build) -> None:
         "free": True,
         "markers": {"tip": {"position": (0.5, 0.0, 0.1)}},
     }
-    model = model_of(SceneBuilder("body", space="spatial").gravity(0, 0, -9.81).rigid("b", **body).build())
+    model = model_of(Scene("body", space="spatial").gravity(0, 0, -9.81).rigid("b", **body).build())
     rng = np.random.default_rng(1)
     q, v, a = rng.normal(size=(3, 6))
     assert model.q_i[3:] == ["b.turn_x", "b.turn_y", "b.turn_z"]
@@ -57,11 +57,11 @@ def test_a_free_body_by_newton_and_euler(model_of: Build) -> None:
     assert model.jacobian("b.tip", q) @ v == pytest.approx(np.concatenate([velocity, turning]), abs=1e-12)
 
 
-def parallelogram(coupler: float = 2.0) -> SceneBuilder:
+def parallelogram(coupler: float = 2.0) -> Scene:
     """Two cranks of 0.5 m and a coupler, each a rod with its mass in the middle; motors at both cranks."""
     bar: dict[str, Any] = {"mass": 1.0, "inertia": 0.02, "center_of_mass": (0.25, 0.0)}
     tip = {"tip": {"position": (0.5, 0.0)}}
-    builder = SceneBuilder("parallelogram").gravity(0.0, -9.81).ground(markers={"foot": {"position": (2.0, 0.0)}})
+    builder = Scene("parallelogram").gravity(0.0, -9.81).ground(markers={"foot": {"position": (2.0, 0.0)}})
     builder.rigid("left", **bar, markers=tip).rigid("right", **bar, markers=tip)
     builder.rigid(
         "coupler", mass=2.0, inertia=0.1, center_of_mass=(1.0, 0.0), markers={"end": {"position": (coupler, 0.0)}}
@@ -97,7 +97,7 @@ def test_what_cannot_be_is_refused(model_of: Build, built_in: Load) -> None:
         pendulum.inverse_dynamics([0.1, 0.2], [0, 0], [0, 0], motors=["motor"])
     with pytest.raises(ModelError, match="no marker 'left.top' in use; it has .*left.tip"):
         chain.jacobian("left.top", [0.9])
-    cart = SceneBuilder("cart").rigid("c", mass=1.0, inertia=1.0).rigid("p", mass=1.0, inertia=1.0,
+    cart = Scene("cart").rigid("c", mass=1.0, inertia=1.0).rigid("p", mass=1.0, inertia=1.0,
                                                                         center_of_mass=(0.0, -1.0))  # fmt: skip
     cart.prismatic("rail", "ground.origin", "c.origin").revolute("pin", "c.origin", "p.origin")
     cart.input("push").effort("motor", "rail.travel", "push")
@@ -114,7 +114,7 @@ def test_jacobians_are_the_rates_of_measures(model_of: Build, space: str) -> Non
     three = (0.1,) if space == "spatial" else ()
     inertia: Any = [0.3, 0.5, 0.4] if space == "spatial" else 0.4
     more: dict[str, Any] = {"second_moment_z": 2e-9, "lateral_z": {"modes": 1}} if space == "spatial" else {}
-    builder = SceneBuilder("arm", space=space).rigid("hub", mass=1.0, inertia=inertia,
+    builder = Scene("arm", space=space).rigid("hub", mass=1.0, inertia=inertia,
                                                      markers={"rim": {"position": (0.2, 0.1, *three)}})  # fmt: skip
     builder.beam("rod", length=1.2, density=2700.0, area=1e-4, second_moment=1e-9, youngs_modulus=7e10,
                  lateral={"modes": 2, "ends": "clamped-free"}, stiffening=True, markers={"mid": {"at": 0.6}},

@@ -14,17 +14,17 @@ from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.start.start_state import start_state
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
 G = 9.81
 
 
-def inverted_pendulum(stiffness: float = 0.0) -> Scene:
+def inverted_pendulum(stiffness: float = 0.0) -> SceneRecord:
     """A point of 2 kg on 0.5 m, upright at theta = 0, with a torsional spring and a torque."""
     builder = (
-        SceneBuilder("inverted")
+        Scene("inverted")
         .parameter("push", 0.0, "N m", "constant torque")
         .gravity(0.0, -G)
         .rigid("rod", mass=2.0, inertia=0.0, center_of_mass=(0.0, 0.5))
@@ -36,10 +36,10 @@ def inverted_pendulum(stiffness: float = 0.0) -> Scene:
     return builder.build()
 
 
-def conical_pendulum(length: float = 0.7) -> Scene:
+def conical_pendulum(length: float = 0.7) -> SceneRecord:
     """A point mass on a rod hinged to a vertical shaft without inertia of its own about the axis."""
     return (
-        SceneBuilder("conical", space="spatial")
+        Scene("conical", space="spatial")
         .gravity(0.0, 0.0, -G)
         .rigid("shaft", mass=1.0, inertia=(0.3, 0.3, 0.3), markers={"hinge": {"axis": (0.0, -1.0, 0.0)}})
         .rigid("rod", mass=0.8, inertia=(0.0, 0.0, 0.0), center_of_mass=(0.0, 0.0, -length),
@@ -138,7 +138,7 @@ def test_a_slider_crank_held_by_its_slider(built_in: Load) -> None:
 def test_no_equilibrium_is_told(model_of: Build) -> None:
     """A constant torque on a free rotor: the residual names the coordinate and the torque."""
     scene = (
-        SceneBuilder("free_rotor")
+        Scene("free_rotor")
         .parameter("push", 2.5, "N m", "constant torque")
         .rigid("rotor", mass=1.0, inertia=0.1)
         .revolute("axle", "ground.origin", "rotor.origin")
@@ -175,10 +175,10 @@ def test_a_place_out_of_reach(built_in: Load) -> None:
         equilibrium(built_in("slider_crank"), held={"slider.x": 9.0})
 
 
-def buckled(end_force: float) -> Scene:
+def buckled(end_force: float) -> SceneRecord:
     """A pinned beam with a lateral load that is zero by default, under an axial force."""
     return (
-        SceneBuilder("strut")
+        Scene("strut")
         .parameter("P", end_force, "N", "compression")
         .beam("strut", length=2.0, density=2700.0, area=1e-4, second_moment=1e-9, youngs_modulus=7e10, elements=100,
               lateral={"ends": "pinned-pinned", "modes": 3}, stiffening=True)
@@ -218,7 +218,7 @@ def test_a_chain_comes_to_rest_from_anywhere(model_of: Build, start: str) -> Non
     Thrown up it passes positions, zigzag it starts in one, where its independent angles say nothing of the others.
     """
     n, length, span = 12, 1.5, 1.0
-    builder = SceneBuilder(f"chain_{start}").gravity(0.0, -G).ground(markers={"hook": {"position": (span, 0.0)}})
+    builder = Scene(f"chain_{start}").gravity(0.0, -G).ground(markers={"hook": {"position": (span, 0.0)}})
     last, link = "ground.origin", length / n
     for k in range(n):
         builder.rigid(f"link{k}", mass=0.1, inertia=1e-5, center_of_mass=(link / 2, 0.0),
@@ -244,7 +244,7 @@ def test_a_top_that_precesses(model_of: Callable[..., Model], built_in: Callable
     """
 
     ring = (
-        SceneBuilder("top", space="spatial")
+        Scene("top", space="spatial")
         .gravity(0, 0, -9.81)
         .rigid("ring", mass=1e-12, inertia=[1e-12] * 3)
         .rigid(
@@ -269,7 +269,7 @@ def test_a_top_that_precesses(model_of: Callable[..., Model], built_in: Callable
 def test_a_beam_of_pieces_of_very_different_density(model_of: Build) -> None:
     """Densities that differ by 1e9 do not change what a tip force bends: F L^3 / (3 E I) of the whole, to 1e-3."""
     E, second, F = 7e10, 1e-9, 1.0
-    builder, last = SceneBuilder("pieces"), "ground.origin"
+    builder, last = Scene("pieces"), "ground.origin"
     for k, (density, ends) in enumerate([(2700.0, "welded-welded"), (2.7e-6, "welded-heavy")]):
         bends = {"length": 1.0, "density": density, "area": 1e-4, "second_moment": second, "youngs_modulus": E}
         builder = builder.beam(f"piece{k}", **bends, lateral={"ends": ends, "modes": 4})

@@ -12,10 +12,10 @@ from scipy.optimize import brentq
 from runtime import equilibrium, linearise, modes
 from runtime.contract.model import Model
 from runtime.operating.modal import modal_analysis
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.support.rotor_scenes import UNIT, gimbal, spinning
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
 # exact Euler-Bernoulli beam turning at hub radius 0, frequencies out of plane in units of sqrt(EI / (rho A L^4))
 ROTATING = {
@@ -64,11 +64,11 @@ def test_a_rotating_cantilever(model_of: Build) -> None:
         assert np.abs(error[:2]).max() < 1e-5 and abs(error[2]) < 1e-5, (speed, error)
 
 
-def test_a_rotating_cantilever_out_of_plane(build: Callable[[Scene, frozenset[str]], Model]) -> None:
+def test_a_rotating_cantilever_out_of_plane(build: Callable[[SceneRecord, frozenset[str]], Model]) -> None:
     """Exact: out of the plane of rotation and in it at once, in space; 8 modes each way on 400 elements."""
     ends = {"ends": "clamped-free", "modes": 8}
     scene = (
-        SceneBuilder("flap", space="spatial")
+        Scene("flap", space="spatial")
         .parameter("omega", 6.0, "rad/s", "speed")
         .beam("beam", length=1.0, density=1.0, area=1.0, second_moment=1.0, second_moment_z=1.0, youngs_modulus=1.0,
               elements=400, lateral=ends, lateral_z=ends, stiffening=True)
@@ -94,7 +94,7 @@ def test_pinned_beam_under_an_axial_load(model_of: Build) -> None:
     """Exact: w^2 = w_0^2 (1 - P / P_cr), from tension to 0.9 P_cr, with Euler's P_cr; unstable above."""
     L, E, second, rho, A = 2.0, 7e10, 1e-9, 2700.0, 1e-4
     scene = (
-        SceneBuilder("column")
+        Scene("column")
         .parameter("P", 1.0, "N", "compression")
         .beam("column", length=L, density=rho, area=A, second_moment=second, youngs_modulus=E, elements=400,
               lateral={"ends": "pinned-pinned", "modes": 2}, stiffening=True)
@@ -116,7 +116,7 @@ def test_car_axis_at_rest(model_of: Build) -> None:
     """Hand: each half mass on its spring, y = 0.5 - (m/2) g / k, and sqrt(k / (m/2)) twice, in any pair of shapes."""
     y_axis = {"position": (0.0, 0.0), "angle": math.pi / 2}
     scene = (
-        SceneBuilder("car_axis")
+        Scene("car_axis")
         .gravity(0.0, -1.0)
         .ground(markers={"axis": y_axis, "right": {"position": (1.0, 0.0)}})
         .rigid("axle", mass=1e-3, inertia=2.5e-4, center_of_mass=(0.5, 0.0), markers={"end": {"position": (1.0, 0.0)}})

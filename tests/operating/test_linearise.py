@@ -11,11 +11,11 @@ import pytest
 from runtime import equilibrium, linearise, mode_motion
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes.hub_beam import hub_beam
 from tests.support.model_values import condensed_accelerations, evaluate, make_state
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
 
 
@@ -58,10 +58,10 @@ def test_it_is_what_central_differences_give(built_in: Load, name: str, at: dict
     assert np.abs(wanted - found).max() < 1e-7 * np.abs(wanted).max()
 
 
-def oscillator(damping: float = 0.6) -> Scene:
+def oscillator(damping: float = 0.6) -> SceneRecord:
     """1.5 kg on a spring of 40 N/m along x, with a force F and gravity pulling along it."""
     return (
-        SceneBuilder("oscillator")
+        Scene("oscillator")
         .parameter("F", 0.0, "N", "force")
         .rigid("mass", mass=1.5, inertia=1.0)
         .prismatic("guide", "ground.origin", "mass.origin", damping=damping)

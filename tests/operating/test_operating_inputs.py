@@ -13,10 +13,10 @@ from runtime import ensemble, equilibrium, gradient, linearise, simulate
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.gradients.objectives import End
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.support.input_scenes import cart, crane, wave
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
 def test_trim_and_columns_of_inputs(model_of: Build) -> None:
@@ -42,7 +42,7 @@ def test_a_sample_is_linearised_with_the_inputs_of_its_time(model_of: Build) -> 
 def test_the_linear_system_is_the_slope_of_the_simulation(model_of: Build) -> None:
     """exp(A T) and its integral against central differences of runs over T: a PD loop about a bent crane."""
     scene = (
-        SceneBuilder("arm")
+        Scene("arm")
         .input("torque", 0.0, "N m")
         .gravity(0, -9.81)
         .rigid("arm", mass=1.0, inertia=0.02, center_of_mass=(0.5, 0.0))
@@ -75,10 +75,10 @@ def test_gradients_by_inputs(model_of: Build, mode: str) -> None:
     np.testing.assert_allclose([found["force"], found["cart.mass"]], [0.25, -0.375], rtol=1e-12)
 
 
-def accelerated(motion: str) -> Scene:
+def accelerated(motion: str) -> SceneRecord:
     """A pendulum of 1 m on a trolley that goes along a given way, with a damped second one below it."""
     return (
-        SceneBuilder("accelerated")
+        Scene("accelerated")
         .gravity(0, -9.81)
         .rigid("trolley", mass=2.0, inertia=0.1)
         .rigid("load", mass=1.0, inertia=0.0, center_of_mass=(0, -1.0), markers={"end": {"position": (0.0, -1.0)}})

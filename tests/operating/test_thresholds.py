@@ -16,7 +16,7 @@ from runtime.operating.equilibrium import NoEquilibrium, equilibrium, is_steady
 from runtime.operating.functions import PointFunctions, PointValues
 from runtime.operating.linearise import linearise
 from runtime.operating.modal import modal_analysis
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 UNIT = np.eye(2)
 NONE = np.zeros(2)
@@ -156,9 +156,9 @@ def test_a_mode_that_changes_a_little_without_an_assumed_mode_is_coupled_to_it(
     assert change[0] == pytest.approx(1e-5, rel=1e-2) and change[2] == 0
 
 
-def test_what_inputs_cannot_balance_is_told(model_of: Callable[[Scene], Model]) -> None:
+def test_what_inputs_cannot_balance_is_told(model_of: Callable[[SceneRecord], Model]) -> None:
     """Two inputs for two held coordinates, one of which has 1e-7 N that neither moves; 1 N at the start."""
-    builder = SceneBuilder("held").parameter("u", 0.0, "N").parameter("w", 1.0, "N")
+    builder = Scene("held").parameter("u", 0.0, "N").parameter("w", 1.0, "N")
     builder.structure(coordinates=["x", "y"], mass=np.eye(2), stiffness=np.eye(2), force=["u - 1", "1e-7 + 0 * w"])
     model = model_of(builder.simulation(t_end=0.1, dt=0.01, scheme="printed").build())
     with pytest.raises(NoEquilibrium):

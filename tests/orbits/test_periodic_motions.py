@@ -15,16 +15,16 @@ from runtime import Model, periodic, periodic_over, simulate
 from runtime.contract.errors import ArgumentError
 from runtime.gradients.objectives import Integral, Largest
 from runtime.orbits.shooting import NoPeriodicMotion
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
 DUFFING = {"delta": 0.2, "alpha": 1.0, "beta": 1.0, "gamma": 0.3, "omega": 0.5}
 
 
-def oscillator(name: str, force: str, start: tuple[float, float] = (0.0, 0.0), **parameters: float) -> Scene:
+def oscillator(name: str, force: str, start: tuple[float, float] = (0.0, 0.0), **parameters: float) -> SceneRecord:
     """1 kg on a rail under a force that may depend on x, x_dot and t."""
-    builder = SceneBuilder(name).rigid("mass", mass=1.0, inertia=1.0)
+    builder = Scene(name).rigid("mass", mass=1.0, inertia=1.0)
     for key, value in parameters.items():
         builder.parameter(key, value)
     builder.prismatic("rail", "ground.origin", "mass.origin").measure("x", "x", "mass.origin")
@@ -138,7 +138,7 @@ def test_edges_of_mathieu_tongues(model_of: Build, tongue: int, edge: str) -> No
 def test_a_jeffcott_rotor_has_the_response_by_hand(model_of: Build) -> None:
     """m r'' + c r' + k r = m e w^2 exp(i w t), a circle; with a tangential force k_t unstable above c sqrt(k/m)."""
     mass, k, c, e, omega = 2.0, 800.0, 6.0, 1e-3, 15.0
-    builder = SceneBuilder("jeffcott").rigid("disk", mass=mass, inertia=1.0, free=True)
+    builder = Scene("jeffcott").rigid("disk", mass=mass, inertia=1.0, free=True)
     for name, value in {"k": k, "c": c, "e": e, "omega": omega, "k_t": 0.0}.items():
         builder.parameter(name, value)
     builder.measure("x", "x", "disk.origin").measure("y", "y", "disk.origin").measure("a", "coordinate", "disk.theta")
@@ -170,9 +170,9 @@ def test_a_flexible_four_bar_repeats_as_the_end_of_a_long_run(model_of: Build) -
     assert list(free.state.values()) == pytest.approx(list(found.state.values()), rel=1e-7, abs=1e-12)
 
 
-def driven_four_bar() -> Scene:
+def driven_four_bar() -> SceneRecord:
     """A crank at 300 rpm drives a flexible coupler with damping, and a rigid rocker."""
-    builder = SceneBuilder("driven_four_bar").parameter("omega", 10 * np.pi, "rad/s").gravity(0, -9.81)
+    builder = Scene("driven_four_bar").parameter("omega", 10 * np.pi, "rad/s").gravity(0, -9.81)
     builder.ground(markers={"right": {"position": (0.30, 0)}})
     builder.rigid("crank", mass=0.8, inertia=4e-3, markers={"tip": {"position": (0.10, 0)}})
     builder.parameter("height", 0.004, "m")

@@ -14,10 +14,10 @@ from runtime import Model, ModelError, Sampled, Solution, reference_solution, si
 from runtime.contract.coordinates import followed
 from runtime.results.motion_error import floored
 from runtime.running.companion import coprime, steps_of_mark
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 Law = Callable[[float, float, float], float]
 WITHIN = 10.0
 TUMBLING = {"body.omega_x": 0.01, "body.omega_y": 5.0, "body.omega_z": 0.01}  # about the middle axis: flips for ever
@@ -44,8 +44,8 @@ class Rod:
     runs: Sequence[tuple[str, int, str]]
     method: str = "DOP853"
 
-    def scene(self) -> Scene:
-        builder = SceneBuilder("rod").rigid("rod", mass=1.0, inertia=1.0)
+    def scene(self) -> SceneRecord:
+        builder = Scene("rod").rigid("rod", mass=1.0, inertia=1.0)
         builder.revolute("pin", "ground.origin", "rod.origin").measure("a", "coordinate", "rod.theta")
         builder.torque("drive", "rod.origin", self.torque)
         builder.initial({"rod.theta": self.start[0]}).rates({"rod.theta": self.start[1]})
@@ -199,9 +199,9 @@ def test_behind_two_singular_positions(built_in: Load) -> None:
         assert true / WITHIN < run.error.largest < true * WITHIN
 
 
-def held() -> Scene:
+def held() -> SceneRecord:
     """An upright rod that a sampled torque holds."""
-    builder = SceneBuilder("held").gravity(0, -9.81).input("u")
+    builder = Scene("held").gravity(0, -9.81).input("u")
     builder.rigid("rod", mass=1.0, center_of_mass=(0.5, 0), inertia=0.1)
     builder.revolute("pin", "ground.origin", "rod.origin").torque("motor", "rod.origin", "u")
     return builder.initial({"rod.theta": 1.2}).simulation(t_end=4.0, dt=1e-2, scheme="rk4").build()
@@ -316,7 +316,7 @@ def test_what_turns_on_is_judged_modulo_a_turn(model_of: Build) -> None:
 
 def test_what_symmetry_keeps_still_is_measured_by_what_moves(model_of: Build) -> None:
     """A mode at 1e-15 of another of its kind: relative to its own amplitude rounding would be all of its error."""
-    builder = SceneBuilder("still")
+    builder = Scene("still")
     builder.structure(coordinates=["x", "y"], mass=[[1.0, 0.0], [0.0, 1.0]], stiffness=[[1.0, 0.0], [0.0, 9.0]])
     scene = builder.initial({"x": 1.0, "y": 1e-15}).simulation(t_end=6.0, dt=1e-2, scheme="single_rate").build()
     model = model_of(scene)
@@ -329,9 +329,9 @@ def test_what_symmetry_keeps_still_is_measured_by_what_moves(model_of: Build) ->
 # ---- things that happen between the steps --------------------------------------------------------------------------
 
 
-def rod(damping: float = 0.0, kick: str | None = None) -> Scene:
+def rod(damping: float = 0.0, kick: str | None = None) -> SceneRecord:
     """A rod on a hinge, 0.3 rad and 1 rad/s; inertia about the hinge 0.35 kg m2."""
-    builder = SceneBuilder("rod").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
+    builder = Scene("rod").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
     builder.revolute("pin", "ground.origin", "rod.origin", damping=damping)
     if kick is not None:
         builder.torque("kick", "rod.origin", kick)
@@ -339,9 +339,9 @@ def rod(damping: float = 0.0, kick: str | None = None) -> Scene:
     return builder.simulation(t_end=1.0, dt=1e-3, scheme="single_rate").build()
 
 
-def driven(motion: str) -> Scene:
+def driven(motion: str) -> SceneRecord:
     """A bob on the tip of a crank that a prescribed angle turns."""
-    builder = SceneBuilder("driven").gravity(0, -9.81)
+    builder = Scene("driven").gravity(0, -9.81)
     builder.rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
     builder.rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
     builder.revolute("pin", "ground.origin", "crank.origin").revolute("hinge", "crank.tip", "bob.origin")
@@ -395,7 +395,7 @@ def test_a_jump_of_velocity_that_no_condition_tells_of_is_refused(model_of: Buil
 
 def test_equations_of_constants_only_are_stepped(model_of: Build) -> None:
     """A mass on a rail: an evaluation has no operation left, to which the price of a sub-step could be compared."""
-    builder = SceneBuilder("rail").gravity(-9.81, 0.0).rigid("mass", mass=2.0, inertia=0.1)
+    builder = Scene("rail").gravity(-9.81, 0.0).rigid("mass", mass=2.0, inertia=0.1)
     scene = (
         builder.prismatic("rail", "ground.origin", "mass.origin")
         .simulation(t_end=1.0, dt=0.1, scheme="printed")

@@ -11,14 +11,14 @@ import pytest
 
 from runtime import Model, ModelError, Sampled, SchemeError, simulate
 from runtime.contract.errors import ArgumentError
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 KINDS: list[dict[str, Any]] = [{"scheme": "dopri5", "tolerance": 1e-4, "dt": 0.02}, {"scheme": "rk4", "dt": 0.01}]
 
 
-def rod(events: dict[str, Any], torque: str = "u") -> Scene:
-    return Scene.model_validate(
+def rod(events: dict[str, Any], torque: str = "u") -> SceneRecord:
+    return SceneRecord.model_validate(
         {
             "name": "rod",
             "gravity": [0, -9.81],

@@ -11,23 +11,23 @@ import pytest
 from runtime import Solution, simulate
 from runtime.contract.model import Model
 from symgen.fe import STEEL, FlexibleBody, LineMesh, Section
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 L, E, SECOND, MASS = 1.5, 2e11, 1e-9, 0.6
 FIELDS = {"length": L, "density": MASS / L / 1e-4, "area": 1e-4, "second_moment": SECOND, "youngs_modulus": E}
 SECTION, UP = Section(1e-4, 2e-9, 1e-9, 1e-9, y_axis=(1.0, 0.0, 0.0)), (0.0, 1.0, 0.0)
 EULER = math.pi**2 * E * SECOND / L**2
 
 
-def at_rest(model_of: Build, builder: SceneBuilder) -> Solution:
+def at_rest(model_of: Build, builder: Scene) -> Solution:
     return simulate(model_of(builder.build()), scheme="rk4", dt=1e-8, t_end=2e-8, start="quasi_static")
 
 
 def test_a_column_between_pins(model_of: Build) -> None:
     """P / P_Euler; pulled it is zero. Beyond 1 the status of the run and an event say so."""
     for push, stiffening in ((0.7, True), (-2.0, True), (1.4, False)):
-        builder = SceneBuilder("column").ground(markers={"guide": {"position": (L, 0.0)}})
+        builder = Scene("column").ground(markers={"guide": {"position": (L, 0.0)}})
         builder.beam("column", **FIELDS, lateral={"modes": 1}, stiffening=stiffening)
         builder.revolute("pin", "ground.origin", "column.start").point_on_line("roller", "ground.guide", "column.end")
         run = at_rest(model_of, builder.force("push", "column.end", -push * EULER, 0.0))
@@ -44,7 +44,7 @@ def test_a_cantilever_under_its_weight_and_a_mass(model_of: Build, space: str) -
     if space == "spatial":
         planes |= {"lateral_z": {"modes": 2}, "second_moment_z": SECOND / 4}
     weak = SECOND / 4 if space == "spatial" else SECOND
-    builder = SceneBuilder("mast", space=space).gravity(-g, 0.0).beam("mast", **FIELDS, **planes, stiffening=True)
+    builder = Scene("mast", space=space).gravity(-g, 0.0).beam("mast", **FIELDS, **planes, stiffening=True)
     builder.rigid("head", mass=tip, inertia=[1.0] * 3 if space == "spatial" else 1.0)
     builder.weld("foot", "ground.origin", "mast.start").weld("top", "mast.end", "head.origin")
     run = at_rest(model_of, builder)
@@ -55,7 +55,7 @@ def test_a_cantilever_under_its_weight_and_a_mass(model_of: Build, space: str) -
 @pytest.mark.parametrize("fields", [{"elements": 4}, {"mesh": "lumped"}])
 def test_a_lumped_column(model_of: Build, fields: dict[str, Any]) -> None:
     """Euler's load is that of the section, whatever the mesh; beyond it the status says so."""
-    builder = SceneBuilder("column").ground(markers={"guide": {"position": (L, 0.0)}})
+    builder = Scene("column").ground(markers={"guide": {"position": (L, 0.0)}})
     builder.beam("column", **FIELDS, lateral={"modes": 1, "ends": "pinned-pinned"}, **fields)
     builder.revolute("pin", "ground.origin", "column.start").point_on_line("roller", "ground.guide", "column.end")
     run = at_rest(model_of, builder.force("push", "column.end", -1.1 * EULER, 0.0))
@@ -74,15 +74,13 @@ def test_columns_of_finite_elements(model_of: Build) -> None:
     """pi^2 E I / L^2 between a hinge and a slide, a quarter of it for a mast, by the line between the interfaces."""
     euler = math.pi**2 * STEEL.E * SECTION.I_z / L**2
     for push in (0.6, 1.2):
-        builder = SceneBuilder("column", space="spatial").ground(
-            markers={"top": {"position": (0.0, L, 0.0), "axis": UP}}
-        )
+        builder = Scene("column", space="spatial").ground(markers={"top": {"position": (0.0, L, 0.0), "axis": UP}})
         builder.flexible("column", **steel_column().fields()).revolute("pin", "ground.origin", "column.foot")
         builder.point_on_line("guide", "ground.top", "column.head")
         run = at_rest(model_of, builder.force("push", "column.head", 0.0, -push * euler, 0.0))
         assert run.stats["buckling.column"] == pytest.approx(push, rel=1e-3)
         assert run.status.ok and ("of its buckling load" in str(run.status)) == (push > 1)
-    builder = SceneBuilder("mast", space="spatial").flexible("mast", **steel_column().fields())
+    builder = Scene("mast", space="spatial").flexible("mast", **steel_column().fields())
     builder.weld("foot", "ground.origin", "mast.foot").force("push", "mast.head", 0.0, -0.1 * euler, 0.0)
     assert at_rest(model_of, builder).stats["buckling.mast"] == pytest.approx(0.4, rel=1e-3)
 

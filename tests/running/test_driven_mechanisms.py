@@ -13,17 +13,17 @@ from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.studies.stability.chart import stability_chart
 from symgen.cli import main
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
 G = 9.81
 
 
-def scotch_yoke() -> Scene:
+def scotch_yoke() -> SceneRecord:
     """A crank of radius 0.15 m, driven, whose pin slides in the slot of a yoke of 2 kg that moves along x."""
     return (
-        SceneBuilder("scotch_yoke")
+        Scene("scotch_yoke")
         .gravity(0.0, -G)
         .parameter("speed", 4.0, "rad/s", "speed of the crank")
         .rigid("crank", mass=1.5, inertia=0.02, center_of_mass=(0.05, 0.0), markers={"pin": {"position": (0.15, 0.0)}})
@@ -54,10 +54,10 @@ def test_scotch_yoke(model_of: Build) -> None:
     np.testing.assert_allclose(solution.motor("drive") * f1, solution.energy["power_driven"], atol=1e-12)
 
 
-def four_bar() -> Scene:
+def four_bar() -> SceneRecord:
     """Crank 0.2, coupler 0.6, rocker 0.4, ground 0.5 m; uniform bars, the crank at 3 rad/s."""
     builder = (
-        SceneBuilder("driven_four_bar")
+        Scene("driven_four_bar")
         .gravity(0.0, -G)
         .ground(markers={"D": {"position": (0.5, 0.0)}})
         .parameter("speed", 3.0, "rad/s", "speed of the crank")
@@ -185,10 +185,10 @@ def test_samples_lie_save_every_steps_apart(model_of: Build) -> None:
 MOTION = "abs(t - 0.005) + where(t > 0.007, t - 0.007, 0)"
 
 
-def test_a_driven_velocity_that_jumps_is_told_with_its_impulse(model_of: Callable[[Scene], Model]) -> None:
+def test_a_driven_velocity_that_jumps_is_told_with_its_impulse(model_of: Callable[[SceneRecord], Model]) -> None:
     """A slider of 2 kg on |t - 0.005|: its velocity turns from -1 to 1 m/s, no energy is gained; then to 2 m/s: 3 J."""
     scene = (
-        SceneBuilder("turned")
+        Scene("turned")
         .rigid("slider", mass=2.0, inertia=0.1)
         .prismatic("rail", "ground.origin", "slider.origin")
         .prescribed_displacement("drive", "ground.origin", "slider.origin", motion=MOTION)

@@ -11,15 +11,15 @@ import pytest
 
 from runtime import Model, Sampled, Solution, resume, simulate
 from runtime.results.samples import energy_balance
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
-def flywheel(torque: str, damping: float = 0.0) -> Scene:
+def flywheel(torque: str, damping: float = 0.0) -> SceneRecord:
     """J = 2 kg m2 about a fixed axis, at 3 rad/s; theta'' = (torque - damping theta') / 2."""
-    builder = SceneBuilder("flywheel").rigid("wheel", mass=1.0, inertia=2.0)
+    builder = Scene("flywheel").rigid("wheel", mass=1.0, inertia=2.0)
     builder.revolute("axle", "ground.origin", "wheel.origin", damping=damping)
     builder.torque("motor", "wheel.origin", torque).rates({"wheel.theta": 3.0})
     return builder.simulation(t_end=2.0, dt=1e-2, scheme="rk4").build()
@@ -48,7 +48,7 @@ def test_work_between_stops_of_all_kinds(model_of: Build, scheme: str) -> None:
     """
     torque = "where(t < 0.0153, 4, where(t < 0.035, -60, where(t < 0.0571, 50, -7))) + extra"
     torque += " + where(t < 0.1019, boost, where(t < 0.1219, -20, 500))"  # the last jump is behind the end
-    builder = SceneBuilder("driven_wheel").rigid("wheel", mass=1.0, inertia=2.0)
+    builder = Scene("driven_wheel").rigid("wheel", mass=1.0, inertia=2.0)
     builder.revolute("axle", "ground.origin", "wheel.origin")
     builder.input("extra", 0.0, "N*m").input("boost", 0.0, "N*m").event("later", "t - 0.0837", action={"boost": "25"})
     builder.torque("motor", "wheel.origin", torque).rates({"wheel.theta": 3.0})
@@ -109,7 +109,7 @@ def test_a_mechanism_that_nothing_feeds_has_no_work(built_in: Load) -> None:
 
 def test_stops_are_kept_by_files_and_checkpoints(model_of: Build, tmp_path: Path) -> None:
     """A load that jumps, and the impulse of a prescribed motion behind the place where the run stops."""
-    builder = SceneBuilder("driven_bob").rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
+    builder = Scene("driven_bob").rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
     builder.rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
     builder.revolute("pin", "ground.origin", "crank.origin").revolute("hinge", "crank.tip", "bob.origin")
     motion = "where(t < 0.0201, 0, t - 0.0201) + where(t < 0.07, 0, 3*(t - 0.07))"
@@ -137,7 +137,7 @@ def test_stops_are_kept_by_files_and_checkpoints(model_of: Build, tmp_path: Path
 @pytest.mark.parametrize("load", ["hinge", "weight"])
 def test_a_mechanism_at_rest_on_a_load_stays_there(model_of: Build, load: str, scheme: str) -> None:
     """A torque as a spring and damper, or a weight on a spring of force, from their own equilibria: nothing happens."""
-    builder = SceneBuilder(f"{load}_at_rest").rigid("rod", mass=1.0, inertia=0.1)
+    builder = Scene(f"{load}_at_rest").rigid("rod", mass=1.0, inertia=0.1)
     if load == "hinge":
         builder.revolute("hinge", "ground.origin", "rod.origin")
         builder.measure("q", "coordinate", "rod.theta").torque("spring", "rod.origin", "-300*(q - 0.1) - 3*q_dot")
@@ -153,7 +153,7 @@ def test_a_mechanism_at_rest_on_a_load_stays_there(model_of: Build, load: str, s
 
 def test_the_balance_tells_spurious_energy(model_of: Build) -> None:
     """Two oscillators whose sub-steps of `coupled` resonate with the step of the slow one: energy beyond the work."""
-    builder = SceneBuilder("masses")
+    builder = Scene("masses")
     builder.structure(
         coordinates=["x", "y"],
         mass=[[1.0, 0.5], [0.5, 1.0]],

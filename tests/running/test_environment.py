@@ -12,14 +12,14 @@ import pytest
 from runtime import Environment
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
-def cart() -> Scene:
+def cart() -> SceneRecord:
     return (
-        SceneBuilder("cart")
+        Scene("cart")
         .input("force", 0.0, "N")
         .rigid("cart", mass=2.0, inertia=0.1)
         .prismatic("rail", "ground.origin", "cart.origin")

@@ -14,15 +14,15 @@ from runtime.contract.errors import ArgumentError
 from runtime.running.checkpoint import read_checkpoint
 from runtime.schemes.catalogue import SCHEMES
 from runtime.studies.work_precision.reference import independent_reference
-from symgen.scene import Scene, SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 G = 9.81
 
 
-def falling(**events: dict[str, Any]) -> Scene:
+def falling(**events: dict[str, Any]) -> SceneRecord:
     """A mass on a rail along gravity from 1 m, pushed by an input; x = 1 - G t^2 / 2."""
-    builder = SceneBuilder("falling_mass").parameter("height", 0.6, "m").input("push", 0.0, "N").gravity(-G, 0)
+    builder = Scene("falling_mass").parameter("height", 0.6, "m").input("push", 0.0, "N").gravity(-G, 0)
     builder.rigid("mass", mass=2.0, inertia=0.1).prismatic("rail", "ground.origin", "mass.origin")
     builder.initial({"mass.x": 1.0}).measure("x", "x", "mass.origin").force("push", "mass.origin", "push", 0.0)
     for name, fields in events.items():
@@ -71,9 +71,9 @@ def test_events_with_a_tolerance(model_of: Build, tmp_path: Path, scheme: str) -
     assert short.status.name == "completed" and short.t[-1] == pytest.approx(0.5) and len(short.events) == 1
 
 
-def latched(mass: str = "m") -> Scene:
+def latched(mass: str = "m") -> SceneRecord:
     """A spring that loses three quarters of its stiffness as the mass passes 0.5 m."""
-    builder = SceneBuilder("latched_mass").parameter("k", 100.0, "N/m").parameter("m", 2.0, "kg")
+    builder = Scene("latched_mass").parameter("k", 100.0, "N/m").parameter("m", 2.0, "kg")
     builder.rigid("mass", mass=mass, inertia=0.1).prismatic("rail", "ground.origin", "mass.origin")
     builder.measure("x", "x", "mass.origin").force("spring", "mass.origin", "-k * x", 0.0).initial({"mass.x": 1.0})
     builder.event("half", "x - 0.5", direction="falling", action={"k": "k / 4"})
@@ -84,7 +84,7 @@ def latched(mass: str = "m") -> Scene:
 def test_an_action_on_a_parameter(model_of: Build, scheme: str, tolerance: float | None) -> None:
     """k = 200 N/m, then 50: w = 10, then 5 rad/s, by hand; a parameter is given and told as any other."""
     scene = latched()
-    assert Scene.from_toml_text(scene.to_toml()) == scene
+    assert SceneRecord.from_toml_text(scene.to_toml()) == scene
     run = simulate(model_of(scene), scheme=scheme, tolerance=tolerance, parameters={"k": 200.0})
     t = np.pi / 3 / 10
     v, left = -10 * np.sin(10 * t), run.t[-1] - t
@@ -95,9 +95,9 @@ def test_an_action_on_a_parameter(model_of: Build, scheme: str, tolerance: float
         latched(mass="m + k / 100")
 
 
-def swinging(**event: Any) -> Scene:
+def swinging(**event: Any) -> SceneRecord:
     """x = cos(2 pi t) passes zero every half second."""
-    builder = SceneBuilder("swinging_mass").rigid("mass", mass=1.0, inertia=0.1)
+    builder = Scene("swinging_mass").rigid("mass", mass=1.0, inertia=0.1)
     builder.prismatic("rail", "ground.origin", "mass.origin").measure("x", "x", "mass.origin")
     builder.force("spring", "mass.origin", "-4 * pi ** 2 * x", 0.0).initial({"mass.x": 1.0}).event("zero", "x", **event)
     return builder.simulation(t_end=3.0, dt=0.01, scheme="dopri5").build()
@@ -212,9 +212,9 @@ def test_there_and_back_within_one_step(model_of: Build, scheme: str) -> None:
     assert not far.events and np.array_equal(far.q, without.q) and np.array_equal(far.q_dot, without.q_dot)
 
 
-def turning(**event: Any) -> Scene:
+def turning(**event: Any) -> SceneRecord:
     """A wheel from rest under 1 N m: angle = 5 t^2, which a step of any length follows."""
-    builder = SceneBuilder("turning_wheel").rigid("wheel", mass=1.0, inertia=0.1)
+    builder = Scene("turning_wheel").rigid("wheel", mass=1.0, inertia=0.1)
     builder.revolute("axle", "ground.origin", "wheel.origin").measure("angle", "coordinate", "wheel.theta")
     builder.torque("drive", "wheel.origin", "1.0").event("turn", **event)
     return builder.simulation(t_end=5.0, dt=2.5, scheme="dopri5").build()
@@ -241,9 +241,9 @@ def test_long_steps_of_a_tolerance_pass_nothing_over(
     assert [event.time for event in run.events] == pytest.approx(times[(times > 0) & (times < 5)], rel=0, abs=1e-9)
 
 
-def end_stop(event: bool) -> Scene:
+def end_stop(event: bool) -> SceneRecord:
     """A rod that falls onto a spring at -1 rad."""
-    builder = SceneBuilder("end_stop").gravity(0, -G).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
+    builder = Scene("end_stop").gravity(0, -G).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
     builder.revolute("pin", "ground.origin", "rod.origin").measure("angle", "coordinate", "rod.theta")
     builder.torque("stop", "rod.origin", "where(angle < -1, 400 * (-1 - angle), 0)")
     if event:

@@ -9,15 +9,15 @@ import pytest
 from scipy.optimize import brentq
 
 from runtime import Model, simulate
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
 @pytest.mark.parametrize("dt", [10.0, 20.0])
 def test_steps_of_whole_turns_pass_nothing_over(model_of: Build, dt: float) -> None:
     """One turn a second, first steps of one or two: their ends look alike while cos falls below 0.01 t - 1.05."""
-    builder = SceneBuilder("steady_wheel").rigid("wheel", mass=1.0, inertia=0.1)
+    builder = Scene("steady_wheel").rigid("wheel", mass=1.0, inertia=0.1)
     builder.revolute("axle", "ground.origin", "wheel.origin").measure("angle", "coordinate", "wheel.theta")
     builder.event("low", when="cos(angle) + 1.05 - 0.01 * t", direction="falling")
     builder.rates({"wheel.theta": 2 * np.pi})

@@ -13,13 +13,13 @@ from scipy.integrate import solve_ivp
 from runtime import Model, simulate
 from runtime.running.singular import over
 from runtime.running.singular.crossing import BranchLost
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.scenes.n_four_bar import n_four_bar
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
-def watched() -> Scene:
+def watched() -> SceneRecord:
     """Four bars whose torque is set by an event before the singular position and one behind it."""
     data = n_four_bar(2).model_dump()
     data["name"] = "n_four_bar_events"
@@ -33,7 +33,7 @@ def watched() -> Scene:
         "ending": {"when": "angle + last", "terminal": True},
     }
     data["parameters"] = {"last": {"default": 0.03, "unit": "rad"}, "push": {"default": 20.0, "unit": "N m"}}
-    return Scene.model_validate(data)
+    return SceneRecord.model_validate(data)
 
 
 @pytest.mark.parametrize(

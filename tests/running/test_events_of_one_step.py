@@ -7,16 +7,16 @@ from collections.abc import Callable
 import pytest
 
 from runtime import Model, simulate
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
 @pytest.mark.parametrize("scheme", ["rk4", "exponential", "single_rate"])
 def test_all_passages_of_one_step_are_told_in_order(model_of: Build, scheme: str) -> None:
     """Values with three and four zeros in a step of 50 mm, at 1 m/s: also where its ends tell of one, or none."""
     zeros = {"cube": (0.51, 0.51 - 3e-5, 0.51 + 3e-5), "bands": (0.603, 0.605, 0.615, 0.617)}
-    builder = SceneBuilder("gliding").rigid("mass", mass=1.0, inertia=0.1).rates({"mass.x": 1.0})
+    builder = Scene("gliding").rigid("mass", mass=1.0, inertia=0.1).rates({"mass.x": 1.0})
     builder.prismatic("rail", "ground.origin", "mass.origin").measure("x", "x", "mass.origin")
     for name, places in zeros.items():
         builder.event(name, " * ".join(f"(x - {place!r})" for place in places))
@@ -31,7 +31,7 @@ def test_all_passages_of_one_step_are_told_in_order(model_of: Build, scheme: str
 @pytest.mark.parametrize("at", [0.512, 0.5])
 def test_an_event_just_where_a_load_jumps(model_of: Build, at: float, scheme: str) -> None:
     """The force of 2 N that ends at a time is 3 N from there on, by an event at that time."""
-    builder = SceneBuilder("relieved").input("own", 0.0, "N").rigid("mass", mass=1.0, inertia=0.1)
+    builder = Scene("relieved").input("own", 0.0, "N").rigid("mass", mass=1.0, inertia=0.1)
     builder.prismatic("rail", "ground.origin", "mass.origin")
     builder.force("push", "mass.origin", f"where(t < {at}, 2, own)", 0.0)
     builder.event("takes", f"t - {at}", direction="rising", action={"own": "3"})

@@ -22,17 +22,17 @@ from runtime.running.monitor import Monitor
 from runtime.running.simulate import make_plan
 from runtime.schemes.stepper import start_vector
 from symgen.generate import generate
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes import generated_folder
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 
 
-def scaled_slider_crank(size: float) -> Scene:
+def scaled_slider_crank(size: float) -> SceneRecord:
     """Crank and rod of the given size, spun so fast that a step turns the crank by most of a radian."""
-    scene = SceneBuilder("small")
+    scene = Scene("small")
     for name, length in (("crank", size), ("rod", 2 * size)):
         scene.rigid(
             name,
@@ -82,7 +82,7 @@ def test_sweep_that_cannot_converge_is_named(built_in: Load) -> None:
 def test_start_that_is_not_finite(tmp_path: Path) -> None:
     """M_hat is singular for the changed parameter, which no sign rule catches."""
     scene = (
-        SceneBuilder("pair")
+        Scene("pair")
         .parameter("c", 0.5)
         .structure(coordinates=["a", "b"], mass=[[1.0, "c"], ["c", 1.0]], stiffness=[[1.0, 0.0], [0.0, 1.0]])
     )
@@ -94,7 +94,7 @@ def test_start_that_is_not_finite(tmp_path: Path) -> None:
 
 def test_deflection_beyond_second_order_stiffening(model_of: Build) -> None:
     """The truncated kinetic energy loses its sign at about a fifth of the length; a run says so."""
-    arm = SceneBuilder("arm").beam(
+    arm = Scene("arm").beam(
         "arm",
         length=0.6,
         density=2700.0,

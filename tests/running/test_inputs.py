@@ -19,10 +19,10 @@ from runtime import (
 )
 from runtime.contract.model import Model
 from symgen.cli import main
-from symgen.scene import Scene, SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord
 from tests.support.input_scenes import cart, crane, wave
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
 # ---- loads --------------------------------------------------------------------------------------------------
@@ -125,7 +125,7 @@ def test_a_stepper_takes_rate_and_acceleration(model_of: Build) -> None:
 
 def test_driven_mechanisms_follow_samples(model_of: Build) -> None:
     scene = (
-        SceneBuilder("slide")
+        Scene("slide")
         .input("way", 0.0, "m", rates=True)
         .rigid("cart", mass=2.0, inertia=0.1)
         .prismatic("rail", "ground.origin", "cart.origin")
@@ -148,7 +148,7 @@ def test_what_a_scene_does_not_use_costs_nothing(model_of: Build) -> None:
     """An input that nothing takes is in no function but the one that shows it."""
     plain = crane(rates=True).to_dict()
     plain["joints"][1]["motion"] = "0.1 * sin(3 * t)"
-    model = model_of(Scene.from_dict(plain))
+    model = model_of(SceneRecord.from_dict(plain))
     assert [name for name, build in model.builders.items() if "u" in build().name_in()] == ["measures"]
 
 
@@ -165,7 +165,7 @@ def test_motions_need_rates(model_of: Build, change: dict[str, Any], words: str)
     data["joints"][1]["motion"] = change.pop("motion", "way")
     data["inputs"]["way"] |= change
     with pytest.raises(SceneError, match=words):
-        model_of(Scene.from_dict(data))
+        model_of(SceneRecord.from_dict(data))
 
 
 @pytest.mark.parametrize(
@@ -207,7 +207,7 @@ def test_on_the_command_line(tmp_path: Any, capsys: pytest.CaptureFixture[str]) 
 @pytest.mark.parametrize("scheme", ["single_rate", "printed", "decoupled", "generalized_alpha", "hht"])
 def test_schemes_that_remember_keep_their_order_where_held_values_change(model_of: Build, scheme: str) -> None:
     """x'' = u - 4 x by hand, piece by piece: half a step's delay of a change would be an error of first order."""
-    builder = SceneBuilder("pulled").input("u", 0.0, "N").rigid("mass", mass=1.0, inertia=0.1)
+    builder = Scene("pulled").input("u", 0.0, "N").rigid("mass", mass=1.0, inertia=0.1)
     builder.prismatic("rail", "ground.origin", "mass.origin").measure("x", "x", "mass.origin")
     scene = builder.force("pull", "mass.origin", "u - 4 * x", 0.0).simulation(t_end=1.0, dt=0.01, scheme="rk4").build()
     model, values, times = model_of(scene), [3.0, -2.0, 1.0], [0.0, 0.3, 0.7]

@@ -12,16 +12,16 @@ from scipy.integrate import solve_ivp
 
 from runtime import Model, ModelError, ensemble, resume, simulate
 from runtime.schemes.catalogue import SCHEMES
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 ON, OFF, BACK = 0.2713, 0.611, 0.8
 CAPS = {2: 1e-2, 4: 2e-5, 5: 1e-6, 8: 1e-9}  # of the error at 40 steps, by order
 
 
-def pendulum() -> Scene:
+def pendulum() -> SceneRecord:
     """m = 1, centre at 0.5 m, inertia 0.35 about the hinge; a torque that is switched on, off, and kinks."""
-    builder = SceneBuilder("kicked").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
+    builder = Scene("kicked").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
     builder.revolute("pin", "ground.origin", "rod.origin")
     builder.torque("kick", "rod.origin", f"where({ON} <= t < {OFF}, 5, 0) + 20 * max(t - {BACK}, 0)")
     return builder.simulation(t_end=1.0, dt=0.01, scheme="rk4").build()
@@ -66,9 +66,9 @@ UP, DOWN = float(np.nextafter(0.3, 1)), float(np.nextafter(0.7, 0))
 PULSES = [(0.3, 0.7), (UP, DOWN), (0.123, 0.456), (0.51, 0.53), (0.1, 0.1517), (0.0, 0.25), (0.6, 1.0), (-1.0, 0.0)]
 
 
-def pushed_masses() -> Scene:
+def pushed_masses() -> SceneRecord:
     """A mass on a rail for each pulse, pushed by 3 N from the first time to the second."""
-    builder = SceneBuilder("pushed_masses")
+    builder = Scene("pushed_masses")
     for k, (a, b) in enumerate(PULSES):
         builder.rigid(f"mass{k}", mass=1.0, inertia=0.1).prismatic(f"rail{k}", "ground.origin", f"mass{k}.origin")
         builder.force(f"push{k}", f"mass{k}.origin", f"where(t < {a!r}, 0, where(t <= {b!r}, 3, 0))", 0.0)
@@ -90,9 +90,9 @@ def test_each_side_has_its_own_value(model_of: Build, scheme: str) -> None:
     assert run.t == pytest.approx(np.linspace(0, 1, 11), abs=1e-12)
 
 
-def kicked_crank(motion: str, **settings: Any) -> Scene:
+def kicked_crank(motion: str, **settings: Any) -> SceneRecord:
     """A bob (1 kg, centre at 0.5 m, 0.35 kg m2 about its hinge) on the tip of a driven crank of 0.5 m."""
-    builder = SceneBuilder("kicked_crank").gravity(0, -9.81).parameter("jump", 0.4567, "s")
+    builder = Scene("kicked_crank").gravity(0, -9.81).parameter("jump", 0.4567, "s")
     builder.rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
     builder.rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
     builder.revolute("pin", "ground.origin", "crank.origin").revolute("hinge", "crank.tip", "bob.origin")

@@ -17,10 +17,10 @@ from runtime.running.outcome import with_error
 from runtime.running.plan import make_plan
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import start_vector
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 INSIDE, BEYOND = 0.99, 1.01
 
 
@@ -77,7 +77,7 @@ def test_constraints(built_in: Load) -> None:
 
 def test_mass_that_is_nearly_lost(model_of: Build) -> None:
     """A tenth of what M_hat was explains a breakdown of the numbers."""
-    builder = SceneBuilder("lighter").parameter("inertia", default=1.0).rigid("wheel", mass=1.0, inertia="inertia")
+    builder = Scene("lighter").parameter("inertia", default=1.0).rigid("wheel", mass=1.0, inertia="inertia")
     model = model_of(builder.revolute("axle", "ground.origin", "wheel.origin").build())
     for factor, expected in ((INSIDE, "mass_not_positive"), (BEYOND, "diverged")):
         monitor, z = watched(model)
@@ -120,7 +120,7 @@ def test_a_word_about_the_error_and_a_status(built_in: Load) -> None:
 
 def test_a_small_jump_of_a_prescribed_velocity_is_refused(model_of: Build) -> None:
     """A ten-thousandth of the largest velocity."""
-    builder = SceneBuilder("driven").rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
+    builder = Scene("driven").rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
     builder.rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
     builder.revolute("pin", "ground.origin", "crank.origin").revolute("hinge", "crank.tip", "bob.origin")
     motion = "sin(3 * t) + 3e-4 * ((t - 0.05003) ** 2 + 1e-40) ** 0.5"  # a kink that no condition tells of

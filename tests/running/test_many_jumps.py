@@ -18,16 +18,16 @@ from runtime.schemes.switching.steps_with_stops import StepsWithStops
 from runtime.schemes.switching.stop_program import KNOWN, StopProgram
 from runtime.schemes.switching.times import switching_times
 from symgen.generate import model_of as on_demand
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 UP, DOWN, ABOVE = 3.0, -1.0, 0.4  # N; the force is UP while sin(40 t + 30 t^2) > ABOVE
 ON_THE_GRID = 40  # 1/s: a second wave whose jumps are at ends of steps of 0.0125 s
 SCHEMES = ["rk4", "exponential_adams", "single_rate", "hht", "decoupled"]
 
 
-def pushed_mass() -> Scene:
-    builder = SceneBuilder("pushed_mass").rigid("mass", mass=1.0, inertia=0.1)
+def pushed_mass() -> SceneRecord:
+    builder = Scene("pushed_mass").rigid("mass", mass=1.0, inertia=0.1)
     builder.prismatic("rail", "ground.origin", "mass.origin")
     builder.force("push", "mass.origin", f"where(sin(40 * t + 30 * t**2) > {ABOVE}, {UP}, {DOWN})", 0.0)
     return builder.simulation(t_end=3.9, dt=0.002, scheme="rk4").build()
@@ -101,7 +101,7 @@ def test_other_steps_cross_by_the_same_program(model_of: Build, monkeypatch: pyt
 @pytest.mark.parametrize("scheme", ["rk4", "exponential_adams"])
 def test_no_time_is_lost_at_jumps_far_from_zero(model_of: Build, scheme: str) -> None:
     """A mass at 10 m/s past 1,000 jumps, ten in each step, from t = 1,000 s on, clocks 7 ps apart at each."""
-    builder = SceneBuilder("passing").rigid("mass", mass=1.0, inertia=0.1).rates({"mass.x": 10.0})
+    builder = Scene("passing").rigid("mass", mass=1.0, inertia=0.1).rates({"mass.x": 10.0})
     builder.prismatic("rail", "ground.origin", "mass.origin")
     builder.force("push", "mass.origin", f"where(sin(1000 * pi * t + 0.3) > {ABOVE}, {UP}, {DOWN})", 0.0)
     model = model_of(builder.simulation(t_end=1.0, dt=0.01, scheme="rk4").build())
@@ -133,9 +133,9 @@ def test_jumps_are_crossed_by_a_native_call_for_as_many_as_it_knows(
     assert float(there["q_i_dot"]) == pytest.approx(v, rel=1e-11)
 
 
-def two_waves(flexible: bool = True) -> Scene:
+def two_waves(flexible: bool = True) -> SceneRecord:
     """A damped hub with a beam; one wave jumps within steps, often twice, one at their ends."""
-    builder = SceneBuilder("two_waves").rigid("hub", mass=1.0, inertia=10.0)
+    builder = Scene("two_waves").rigid("hub", mass=1.0, inertia=10.0)
     builder.revolute("pivot", "ground.origin", "hub.origin", damping=2.0)
     if flexible:
         section = {"area": 7.2968e-5, "second_moment": 8.2189e-9, "youngs_modulus": 6.8952e10}
@@ -149,7 +149,7 @@ def two_waves(flexible: bool = True) -> Scene:
 
 def test_an_impulse_among_many_jumps(model_of: Build, calls: list[int]) -> None:
     """A drive turns smoothly, then at once; a bob on it is pushed by a wave: momentum about its hinge stays."""
-    builder = SceneBuilder("driven_bob").rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
+    builder = Scene("driven_bob").rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
     builder.rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
     builder.revolute("pin", "ground.origin", "crank.origin").revolute("hinge", "crank.tip", "bob.origin")
     motion = "where(t < 0.4, 0, (t - 0.4)**2) + where(t < 0.7, 0, t - 0.7)"
@@ -176,7 +176,7 @@ def test_an_impulse_among_many_jumps(model_of: Build, calls: list[int]) -> None:
 @pytest.mark.parametrize("scheme, near", [("rk4", 1e-5), ("single_rate", 2e-3)])  # s
 def test_events_among_many_jumps(model_of: Build, scheme: str, near: float) -> None:
     """A mass on a spring under a wave, which an action doubles: told as by a fifth of the steps."""
-    builder = SceneBuilder("shaken").input("force", 1.0, "N").rigid("mass", mass=1.0, inertia=0.1)
+    builder = Scene("shaken").input("force", 1.0, "N").rigid("mass", mass=1.0, inertia=0.1)
     builder.prismatic("rail", "ground.origin", "mass.origin").measure("x", "x", "mass.origin")
     builder.force("push", "mass.origin", "where(sin(250 * t + 10 * sin(9 * t)) > 0.4, force, -force) - 900 * x", 0.0)
     builder.event("through", "x", direction="rising", cool_down=0.1).initial({"mass.x": 0.01})
@@ -215,7 +215,7 @@ def test_the_bits_do_not_depend_on_how_many_jumps_there_are(model_of: Build) -> 
 
 def test_an_action_among_jumps_of_a_model_made_on_demand() -> None:
     """Whose functions are derived when they are asked for: does a condition in time depend on the input that is set?"""
-    builder = SceneBuilder("on_demand").input("force", 1.0, "N").rigid("mass", mass=1.0, inertia=0.1)
+    builder = Scene("on_demand").input("force", 1.0, "N").rigid("mass", mass=1.0, inertia=0.1)
     builder.prismatic("rail", "ground.origin", "mass.origin")
     builder.force("push", "mass.origin", "where(t < 0.25, force, 0)", 0.0)
     builder.event("later", "t - 0.1", action={"force": "3 * force"})
@@ -228,7 +228,7 @@ def test_inputs_of_a_stepper_and_the_search_for_jumps(
     model_of: Build, monkeypatch: pytest.MonkeyPatch, condition: str, looks: int
 ) -> None:
     """Looked for anew where a time of a jump hangs on an input, not at each step with other inputs."""
-    builder = SceneBuilder("held").input("force", 0.0, "N").input("until", 0.25, "s")
+    builder = Scene("held").input("force", 0.0, "N").input("until", 0.25, "s")
     builder.rigid("mass", mass=1.0, inertia=0.1).prismatic("rail", "ground.origin", "mass.origin")
     builder.force("push", "mass.origin", f"where({condition}, force, 0)", 0.0)
     one, seen = model_of(builder.simulation(t_end=1.0, dt=0.1, scheme="rk4").build()).stepper(), list[float]()

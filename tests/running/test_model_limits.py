@@ -9,17 +9,17 @@ import numpy as np
 import pytest
 
 from runtime import Model, simulate
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 E, WIDTH, HEIGHT, LENGTH = 2e11, 0.02, 0.005, 1.0
 
 
-def strut(share: float) -> Scene:
+def strut(share: float) -> SceneRecord:
     """A pinned strut under a share of its buckling load pi^2 E I / L^2."""
     second_moment = WIDTH * HEIGHT**3 / 12
     load = share * math.pi**2 * E * second_moment / LENGTH**2
-    builder = SceneBuilder("strut")
+    builder = Scene("strut")
     builder.beam(
         "rod",
         length=LENGTH,
@@ -54,7 +54,7 @@ def test_points_of_a_spring_without_free_length_may_meet(model_of: Build, scheme
 
     At the very start the damper knows no line: half a step without it costs h c v / (2 m) = 1e-3 of the velocity.
     """
-    builder = SceneBuilder("meeting").rigid("a", mass=1.0, inertia=0.1, free=True)
+    builder = Scene("meeting").rigid("a", mass=1.0, inertia=0.1, free=True)
     builder.spring_damper("s", "ground.origin", "a.origin", stiffness=100.0, damping=2.0)
     scene = builder.rates({"a.x": 1.0}).simulation(t_end=1.0, dt=1e-3, scheme="single_rate").build()
     run = simulate(model_of(scene), scheme=scheme, save_every=10)
@@ -65,7 +65,7 @@ def test_points_of_a_spring_without_free_length_may_meet(model_of: Build, scheme
 
 
 def test_points_that_meet_at_rest_stay(model_of: Build) -> None:
-    builder = SceneBuilder("rest").rigid("a", mass=1.0, inertia=0.1, free=True)
+    builder = Scene("rest").rigid("a", mass=1.0, inertia=0.1, free=True)
     builder.spring_damper("s", "ground.origin", "a.origin", stiffness=100.0, damping=2.0)
     run = simulate(model_of(builder.simulation(t_end=0.1, dt=1e-3, scheme="single_rate").build()))
     assert run.status.ok and not run.q.any()

@@ -11,9 +11,9 @@ from scipy.linalg import expm
 from runtime import SchemeError, equilibrium, simulate
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
 
 
@@ -77,10 +77,10 @@ def test_what_is_read(built_in: Load) -> None:
     assert tip.reader(["tip_x"])()[0] == pytest.approx(tip.measures["tip_x"], abs=1e-15)
 
 
-def cart() -> Scene:
+def cart() -> SceneRecord:
     """1 kg on a rail under a force u."""
     return (
-        SceneBuilder("cart")
+        Scene("cart")
         .parameter("u", 0.0, "N", "force")
         .rigid("cart", mass=1.0, inertia=1.0)
         .prismatic("rail", "ground.origin", "cart.origin")

@@ -11,10 +11,10 @@ from scipy.integrate import solve_ivp
 
 from runtime import ModelError, simulate
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
 @pytest.mark.parametrize("name", ["four_bar", "tumbling_body"])
@@ -71,7 +71,7 @@ def test_the_cheapest_push_from_rest_to_rest(model_of: Build) -> None:
     """A mass of 2 kg over 0.6 m in 1.5 s by Opti: u = 6 m L (T - 2 t) / T^3 has the least integral of u^2, 12 m^2 L^2
     / T^3; Hermite-Simpson collocation is exact for its cubic motion."""
     mass, way, end, steps = 2.0, 0.6, 1.5, 10
-    scene = SceneBuilder("slider").rigid("cart", mass=mass, inertia=1.0)
+    scene = Scene("slider").rigid("cart", mass=mass, inertia=1.0)
     scene.prismatic("rail", "ground.origin", "cart.origin").input("push", unit="N").effort("m", "rail.travel", "push")
     ode = model_of(scene.build()).ode()
     assert (ode.x, ode.u) == (["cart.x", "cart.x_dot"], ["push"])
@@ -96,6 +96,6 @@ def test_the_cheapest_push_from_rest_to_rest(model_of: Build) -> None:
 def test_what_is_no_such_system_is_refused(built_in: Load, model_of: Build) -> None:
     with pytest.raises(ModelError, match="states.*algebraic"):
         built_in("bricard").ode("open")
-    ball = SceneBuilder("ball").rigid("b", mass=1.0, inertia=1.0, free=True).measure("y", "y", "b.origin")
+    ball = Scene("ball").rigid("b", mass=1.0, inertia=1.0, free=True).measure("y", "y", "b.origin")
     with pytest.raises(ModelError, match="event"):
         model_of(ball.event("floor", "y + 1", terminal=True).build()).ode()

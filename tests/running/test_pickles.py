@@ -16,12 +16,12 @@ from runtime.contract import loading
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from symgen.generate import generate
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 
-def pushed(mass: float) -> Scene:
+def pushed(mass: float) -> SceneRecord:
     return (
-        SceneBuilder("pushed")
+        Scene("pushed")
         .input("force", 0.0, "N")
         .rigid("cart", mass=mass, inertia=0.1)
         .prismatic("rail", "ground.origin", "cart.origin")
@@ -31,7 +31,7 @@ def pushed(mass: float) -> Scene:
     )
 
 
-def test_models_and_solutions(model_of: Callable[[Scene], Model]) -> None:
+def test_models_and_solutions(model_of: Callable[[SceneRecord], Model]) -> None:
     model = model_of(pushed(2.0)).with_inputs({"force": lambda t: ca.sin(9 * t)})
     text = pickle.dumps(model)
     assert len(text) < 10_000
@@ -42,7 +42,7 @@ def test_models_and_solutions(model_of: Callable[[Scene], Model]) -> None:
     assert again.status == run.status and again.model.digest == model.digest
 
 
-def test_steppers_go_on_where_they_were(model_of: Callable[[Scene], Model]) -> None:
+def test_steppers_go_on_where_they_were(model_of: Callable[[SceneRecord], Model]) -> None:
     stepper = model_of(pushed(2.0)).stepper(dt=2e-3)
     stepper.step({"force": 3.0}, 10)
     copy = pickle.loads(pickle.dumps(stepper))

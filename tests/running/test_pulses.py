@@ -13,23 +13,23 @@ from runtime import Model, simulate
 from runtime.contract.consistent_state import ConsistentState
 from runtime.running.time_functions import PARTS, all_stops, pulse_times
 from runtime.schemes.switching.times import SwitchTime
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 AT, KICK, INERTIA = 3.337, 0.3, 0.1  # s, N m s / sqrt(pi), kg m^2
 
 
-def kicked() -> Scene:
+def kicked() -> SceneRecord:
     """A rod about a pin through its centre: 0.03 cos t, and a pulse of KICK sqrt(pi) N m s about AT."""
-    builder = SceneBuilder("kicked").rigid("rod", mass=1.0, inertia=INERTIA).parameter("width", 0.01)
+    builder = Scene("kicked").rigid("rod", mass=1.0, inertia=INERTIA).parameter("width", 0.01)
     builder.revolute("pin", "ground.origin", "rod.origin")
     builder.torque("drive", "rod.origin", f"0.03*cos(t) + {KICK}/width*exp(-(((t - {AT})/width)**2))")
     return builder.simulation(t_end=5.0, dt=0.05, scheme="dopri5").build()
 
 
-def rod(torque: str) -> Scene:
+def rod(torque: str) -> SceneRecord:
     """A rod about a pin through its centre, at rest."""
-    builder = SceneBuilder("rod").rigid("rod", mass=1.0, inertia=INERTIA)
+    builder = Scene("rod").rigid("rod", mass=1.0, inertia=INERTIA)
     builder.revolute("pin", "ground.origin", "rod.origin").measure("turn", "coordinate", "rod.theta")
     return builder.torque("drive", "rod.origin", torque).simulation(t_end=5.0, dt=0.05, scheme="dopri5").build()
 

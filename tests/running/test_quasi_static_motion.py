@@ -10,16 +10,16 @@ import pytest
 from runtime import SchemeError, quasi_static_motion
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
 
 
-def swung_beam() -> Scene:
+def swung_beam() -> SceneRecord:
     """A cantilever of 1 m on a drive: theta = a t^2 / 2."""
     return (
-        SceneBuilder("swung_beam")
+        Scene("swung_beam")
         .parameter("a", 0.5, "rad/s^2", "angular acceleration")
         .beam("beam", length=1.0, density=2700.0, area=4e-5, second_moment=1.3e-11, youngs_modulus=7e10, elements=300,
               lateral={"ends": "clamped-free", "modes": 8})

@@ -15,18 +15,18 @@ from runtime.contract.model import Model
 from symgen.bodies.static_residual import missing_share
 from symgen.cli import main
 from symgen.modes import exact_bending
-from symgen.scene import Scene, SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord
 from symgen.system.build import build_system
 from tests.cases.test_beams_of_pieces import fast_slider_crank
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 L, RHO_A, G = 2.0, 3.0, 9.81
 STIFF = {"length": L, "density": 1000.0, "area": 3e-3, "second_moment": 1.0, "youngs_modulus": 1e11}  # no deflection
 AT = (0.0, 0.2, 0.5, 0.9, 1.0)
 X = L * np.array(AT)
 
 
-def at_rest(model_of: Build, builder: SceneBuilder) -> Solution:
+def at_rest(model_of: Build, builder: Scene) -> Solution:
     """The beam `b` as the builder loads it, in elastic equilibrium."""
     return simulate(model_of(builder.build()), scheme="rk4", dt=1e-9, t_end=2e-9, start="quasi_static")
 
@@ -38,7 +38,7 @@ def forces(run: Solution, way: str = "equilibrium") -> tuple[np.ndarray, ...]:
 
 def test_cantilever_with_a_load_a_moment_and_a_pull_at_its_tip(model_of: Build) -> None:
     """N = P, Q = F, M = F (L - x) + M_0, both ways."""
-    builder = SceneBuilder("cantilever").beam("b", **STIFF, lateral={"modes": 2}, axial={"modes": 1})
+    builder = Scene("cantilever").beam("b", **STIFF, lateral={"modes": 2}, axial={"modes": 1})
     builder.weld("wall", "ground.origin", "b.start").force("tip", "b.end", 7.0, -3.0).torque("key", "b.end", 2.0)
     run = at_rest(model_of, builder)
     for way in ("equilibrium", "modes"):
@@ -50,7 +50,7 @@ def test_cantilever_with_a_load_a_moment_and_a_pull_at_its_tip(model_of: Build) 
 
 def test_simply_supported_beam_under_its_weight_and_a_load(model_of: Build) -> None:
     """M = w x (L - x) / 2 and the triangle P a (L - x) / L behind the load at a = 0.4 m; with one mode only."""
-    builder = SceneBuilder("supported").gravity(0.0, -G).ground(markers={"right": {"position": (L, 0.0)}})
+    builder = Scene("supported").gravity(0.0, -G).ground(markers={"right": {"position": (L, 0.0)}})
     builder.beam("b", **STIFF, lateral={"modes": 1}, markers={"load": {"at": 0.2}})
     builder.revolute("left", "ground.origin", "b.start").point_on_line("roller", "ground.right", "b.end")
     run = at_rest(model_of, builder.force("load", "b.load", 0.0, -50.0))
@@ -64,7 +64,7 @@ def test_simply_supported_beam_under_its_weight_and_a_load(model_of: Build) -> N
 
 def test_beam_welded_at_both_ends_under_its_weight(model_of: Build) -> None:
     """Statically indeterminate: M = -w L^2 / 12 at the walls, w L^2 / 24 in the middle, by the end shapes."""
-    builder = SceneBuilder("walls").gravity(0.0, -G).ground(markers={"right": {"position": (L, 0.0)}})
+    builder = Scene("walls").gravity(0.0, -G).ground(markers={"right": {"position": (L, 0.0)}})
     builder.beam("b", **STIFF, lateral={"modes": 3}).weld("one", "ground.origin", "b.start")
     run = at_rest(model_of, builder.weld("two", "ground.right", "b.end"))
     np.testing.assert_allclose(forces(run)[2][[0, 2, 4]], RHO_A * G * L**2 * np.array([-1, 0.5, -1]) / 12, rtol=1e-6)
@@ -72,7 +72,7 @@ def test_beam_welded_at_both_ends_under_its_weight(model_of: Build) -> None:
 
 def test_hanging_bar(model_of: Build) -> None:
     """N = rho A g (L - x) below a ceiling, exact by equilibrium with one shape."""
-    builder = SceneBuilder("bar").gravity(G, 0.0).beam("b", **STIFF, axial={"modes": 1})
+    builder = Scene("bar").gravity(G, 0.0).beam("b", **STIFF, axial={"modes": 1})
     run = at_rest(model_of, builder.weld("ceiling", "ground.origin", "b.start"))
     np.testing.assert_allclose(forces(run)[0], RHO_A * G * (L - X), rtol=1e-6, atol=1e-6)
     assert np.isnan(forces(run, "modes")[2]).all()  # no bending shapes
@@ -81,7 +81,7 @@ def test_hanging_bar(model_of: Build) -> None:
 def test_turning_beam(model_of: Build) -> None:
     """N = rho A w^2 (L^2 - x^2) / 2 at constant speed; with an angular acceleration Q and M of a linear load."""
     scene = (
-        SceneBuilder("turning")
+        Scene("turning")
         .beam("b", **STIFF, lateral={"modes": 2}, stiffening=True)
         .revolute("axis", "ground.origin", "b.start")
         .prescribed_angle("drive", "ground.origin", "b.start", motion="5.0 * t + 2.0 * t ** 2")
@@ -113,7 +113,7 @@ def test_bending_moment_of_a_fast_rod_and_the_modes_that_each_way_needs(model_of
 
 
 def test_measures_of_a_section_are_the_sum_of_the_modes(model_of: Build) -> None:
-    builder = SceneBuilder("cantilever").beam(
+    builder = Scene("cantilever").beam(
         "b", **STIFF, lateral={"modes": 3}, axial={"modes": 1}, markers={"m": {"at": 0.2}}
     )
     builder.weld("wall", "ground.origin", "b.start").force("tip", "b.end", 7.0, -3.0)
@@ -130,7 +130,7 @@ def test_measures_of_a_section_are_the_sum_of_the_modes(model_of: Build) -> None
 def test_what_a_measure_leaves_out_is_told(model_of: Build) -> None:
     """Two cubics under the weight w: w L^2 / 12 of w L^2 / 2 lack at the root; under a tip force nothing."""
     for g, push, lacking in ((G, 0.0, 1 / 6), (0.0, -3.0, 0.0)):
-        builder = SceneBuilder("cantilever").gravity(0.0, -g)
+        builder = Scene("cantilever").gravity(0.0, -g)
         builder.beam("b", **STIFF, lateral={"modes": 2, "ends": "welded-welded"})
         builder.weld("wall", "ground.origin", "b.start").force("tip", "b.end", 0.0, push)
         run = at_rest(model_of, builder.measure("root", "bending_moment", "b.start"))
@@ -148,7 +148,7 @@ def test_what_shapes_leave_out_is_told_by_the_run_and_before_it(
         {**body, "lateral": {"ends": "clamped-free", "modes": 2}} if body["type"] == "beam" else body
         for body in good.to_dict()["bodies"]
     ]
-    bad = Scene.from_dict({**good.to_dict(), "bodies": bodies})
+    bad = SceneRecord.from_dict({**good.to_dict(), "bodies": bodies})
     run = simulate(model_of(bad), scheme="rk4", dt=2e-5, t_end=5e-3, save_every=25)
     assert 0.1 < run.stats["missing_shapes.rod0"] < 0.3
     assert [event.kind for event in run.events] == ["shapes_missing"] * 2 and run.stats["events"] == 2
@@ -183,7 +183,7 @@ def test_section_forces_of_what_has_none(model_of: Build, built_in: Callable[[st
         run.section_forces("coupler", 1.5)
     with pytest.raises(ArgumentError, match="give one of equilibrium, modes"):
         run.section_forces("coupler", way="guess")  # type: ignore[arg-type]
-    builder = SceneBuilder("spring").beam("b", **STIFF, lateral={"ends": "clamped-free", "modes": 2})
+    builder = Scene("spring").beam("b", **STIFF, lateral={"ends": "clamped-free", "modes": 2})
     builder.weld("wall", "ground.origin", "b.start").spring_damper("own", "b.start", "b.end", stiffness=1.0)
     with pytest.raises(ModelError, match="own acts on b at two places"):
         at_rest(model_of, builder).section_forces("b")
@@ -199,7 +199,7 @@ def test_section_forces_of_what_has_none(model_of: Build, built_in: Callable[[st
     ],
 )
 def test_measures_of_what_has_no_section(marker: str, kind: str, beam: dict[str, Any], problem: str) -> None:
-    builder = SceneBuilder("bad").rigid("r", mass=1.0, inertia=1.0, free=True)
+    builder = Scene("bad").rigid("r", mass=1.0, inertia=1.0, free=True)
     builder.beam("b", **STIFF, lateral={"ends": "clamped-free", "modes": 1}, free=True, **beam)
     with pytest.raises(SceneError, match=problem):
         builder.measure("s", kind, marker).build()
@@ -207,7 +207,7 @@ def test_measures_of_what_has_no_section(marker: str, kind: str, beam: dict[str,
 
 def test_a_measure_that_no_shapes_know_is_refused_by_name() -> None:
     bending = {"ends": "clamped-free", "modes": 1}
-    builder = SceneBuilder("bad", space="spatial")
+    builder = Scene("bad", space="spatial")
     builder.beam("b", **STIFF, second_moment_z=1e-9, lateral=bending, free=True)
     with pytest.raises(SceneError, match="'b' has no torsion shapes, which would know its torsion moment"):
         builder.measure("T", "torsion_moment", "b.end").build()

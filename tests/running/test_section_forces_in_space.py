@@ -11,11 +11,11 @@ import pytest
 from runtime import Solution, simulate
 from runtime.contract.model import Model
 from runtime.results.body_motion import frame_motion
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.hand_derived.spatial.twin_spatial import euler_A
 from tests.support.spatial_motion import frames
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 L, AT = 2.0, (0.0, 0.3, 0.8)
 X = L * np.array(AT)
 SIZE = {"length": L, "density": 1000.0, "area": 3e-3}
@@ -34,7 +34,7 @@ def test_cantilever_in_any_direction(model_of: Build) -> None:
     N = 7, Q = (-3, 4), T = 2, M_y = 5 - 4 (L - x), M_z = -6 - 3 (L - x).
     """
     axes = {f"about_{axis}": {"at": 1.0, "axis": np.eye(3)[k]} for k, axis in enumerate("xyz")}
-    builder = SceneBuilder("cantilever", space="spatial")
+    builder = Scene("cantilever", space="spatial")
     builder.ground(markers={"wall": {"axis": TURNED[:, 2], "x_axis": TURNED[:, 0]}})
     builder.beam("b", **STIFF, axial={"modes": 1}, markers={**axes, "m": {"at": AT[1]}})
     builder.weld("wall", "ground.wall", "b.start").force("tip", "b.end", 7.0, -3.0, 4.0, frame="body")
@@ -57,7 +57,7 @@ def test_cantilever_in_any_direction(model_of: Build) -> None:
 
 
 def turning(model_of: Build, axis: tuple[float, ...], motion: str) -> Solution:
-    builder = SceneBuilder("turning", space="spatial").ground(markers={"axle": {"axis": axis}})
+    builder = Scene("turning", space="spatial").ground(markers={"axle": {"axis": axis}})
     builder.beam("b", **STIFF, markers={"axle": {"at": 0.0, "axis": axis}}, stiffening=True)
     builder.revolute("axle", "ground.axle", "b.axle").prescribed_angle("drive", "ground.axle", "b.axle", motion=motion)
     return simulate(model_of(builder.build()), scheme="rk4", dt=1e-7, t_end=2e-7, start="quasi_static")
@@ -80,7 +80,7 @@ def test_a_moving_beam_balances_its_joints(model_of: Build) -> None:
 
     A soft beam on a skew hinge with an offset mass at its tip, a spring and friction; joint forces are another way.
     """
-    builder = SceneBuilder("hanging", space="spatial").gravity(0.4, -1.1, -9.81)
+    builder = Scene("hanging", space="spatial").gravity(0.4, -1.1, -9.81)
     axle = {"axis": TURNED[:, 2], "x_axis": TURNED[:, 0]}
     builder.ground(markers={"axle": axle, "far": {"position": (1.0, 1.0, 1.0)}})
     soft = {

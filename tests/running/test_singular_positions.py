@@ -17,14 +17,14 @@ from runtime.running.singular import crossing, passage
 from runtime.running.singular.crossing import BranchLost
 from runtime.running.singular.exchange import use_generator
 from symgen.generate import model_of as model_of_scene
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes.tumbling_body import tumbling_body
 from symgen.variants import generate_variant
 from tests.support.own_parameters import with_parameters
 from tests.support.slider_cranks import driven_slider_crank, equal_slider_crank, loop
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 FIRST, REVOLUTION, SINGULAR = 0.714355529293, 1.94251492261, 10
 TIPS = {
     1.0: (-0.19502030194944, -0.98079920566217),
@@ -230,12 +230,12 @@ def test_tumbling_body_changes_its_euler_parameters_and_resumes(model_of: Build,
 # ---- random mechanisms ----------------------------------------------------------------------------------------
 
 
-def random_four_bar(seed: int) -> Scene:
+def random_four_bar(seed: int) -> SceneRecord:
     """Four bars of random lengths that close at random angles, q_i = crank.theta: most cranks cannot turn round."""
     rng = np.random.default_rng(seed)
     lengths = rng.uniform(0.3, 1.0, 3)
     angles = rng.uniform(-math.pi, math.pi, 3)
-    scene = SceneBuilder(f"random{seed}").gravity(0, -9.81)
+    scene = Scene(f"random{seed}").gravity(0, -9.81)
     end = np.zeros(2)
     for name, length, angle in zip(("crank", "coupler", "rocker"), lengths, angles, strict=True):
         scene.rigid(

@@ -12,14 +12,14 @@ import pytest
 
 from runtime import Model, simulate
 from runtime.running.singular import crossing
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
-def equal_slider_crank() -> Scene:
+def equal_slider_crank() -> SceneRecord:
     """Crank and rod of one length: upright, the rod may go on beside the crank or turn with it."""
-    scene = SceneBuilder("loop").gravity(0, -9.81)
+    scene = Scene("loop").gravity(0, -9.81)
     for name in ("crank", "rod"):
         scene.rigid(name, mass=1.0, inertia=0.02, center_of_mass=(0.25, 0), markers={"tip": {"position": (0.5, 0)}})
     scene.rigid("slider", mass=0.5, inertia=0.01)
@@ -29,10 +29,10 @@ def equal_slider_crank() -> Scene:
     return scene.independent("crank.theta").simulation(t_end=5.0, dt=1e-3, scheme="single_rate").build()
 
 
-def fast_rod() -> Scene:
+def fast_rod() -> SceneRecord:
     """A crank of 150 rad/s with a slender, stiffened rod: M_hat loses its sign after 1.9 ms."""
     side, height = 0.006, 0.007
-    builder = SceneBuilder("fast_rod").rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.15, 0)}})
+    builder = Scene("fast_rod").rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.15, 0)}})
     builder.beam(
         "rod",
         length=0.3,
@@ -104,7 +104,7 @@ def test_cost_of_a_passage_does_not_grow_with_the_number_of_steps(model_of: Buil
 @pytest.mark.parametrize("scheme", ["hht", "generalized_alpha"])
 def test_schemes_on_all_coordinates_name_a_singular_position(model_of: Build, scheme: str) -> None:
     """Bars of one length in one line, without gravity: C_q loses rank at 0.2 s, and Newton fails beside it."""
-    builder = SceneBuilder("equal_bars")
+    builder = Scene("equal_bars")
     for name in ("crank", "rod"):
         builder.rigid(name, mass=1.0, inertia=0.02, center_of_mass=(0.15, 0), markers={"tip": {"position": (0.3, 0)}})
     builder.rigid("slider", mass=0.5, inertia=1e-3)

@@ -23,16 +23,16 @@ from runtime import (
 )
 from runtime.contract.model import Model
 from runtime.gradients.objectives import End
-from symgen.scene import Scene, SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 J, D, KP, KI, WANTED = 0.02, 0.01, 0.2, 0.5, 30.0  # a rotor with friction and its PI controller
 
 
-def rotor(**changes: Any) -> Scene:
+def rotor(**changes: Any) -> SceneRecord:
     """A PI controller of the speed, its integral a state."""
     builder = (
-        SceneBuilder("rotor")
+        Scene("rotor")
         .input("wanted", WANTED, "rad/s")
         .rigid("rotor", mass=1.0, inertia=J)
         .revolute("axle", "ground.origin", "rotor.origin", damping=D)
@@ -41,13 +41,13 @@ def rotor(**changes: Any) -> Scene:
         .torque("motor", "rotor.origin", f"{KP} * (wanted - angle_dot) + {KI} * total")
         .simulation(t_end=0.5, dt=1e-3, scheme="rk4")
     )
-    return Scene.from_dict({**builder.build().to_dict(), **changes})
+    return SceneRecord.from_dict({**builder.build().to_dict(), **changes})
 
 
-def arm() -> Scene:
+def arm() -> SceneRecord:
     """A PID controller holds an arm under gravity: a loop of third order."""
     return (
-        SceneBuilder("arm")
+        Scene("arm")
         .input("wanted", 0.5, "rad")
         .gravity(0, -9.81)
         .rigid("arm", mass=1.0, inertia=0.02, center_of_mass=(0.5, 0))
@@ -80,7 +80,7 @@ def test_a_filter_and_an_actuator_in_a_row(model_of: Build) -> None:
     """A force through two lags of first order: the mass moves as the transfer function's step response says."""
     a, b = 20.0, 5.0
     scene = (
-        SceneBuilder("lag")
+        Scene("lag")
         .input("wish", 0.0, "N")
         .rigid("cart", mass=1.0, inertia=0.1)
         .prismatic("rail", "ground.origin", "cart.origin")
@@ -104,9 +104,9 @@ def test_states_beside_loops_groups_and_partitions(model_of: Build) -> None:
     The filter stands for a torque given as a function of time, 1 - exp(-8 t).
     """
 
-    def four_bar(torque: str) -> SceneBuilder:
+    def four_bar(torque: str) -> Scene:
         return (
-            SceneBuilder("four_bar")
+            Scene("four_bar")
             .rigid("crank", mass=1.0, inertia=0.02, markers={"end": {"position": (0.2, 0)}})
             .rigid("coupler", mass=1.0, inertia=0.05, markers={"end": {"position": (0.7, 0)}})
             .rigid("rocker", mass=1.0, inertia=0.04, markers={"end": {"position": (0.5, 0)}})
@@ -221,7 +221,7 @@ def test_a_campbell_diagram_of_a_closed_loop(model_of: Build) -> None:
 def test_in_space_both_derivations_agree(model_of: Build) -> None:
     """A filtered input and two states on a spatial tree: condensed steps against DOP853 on the augmented form (28)."""
     scene = (
-        SceneBuilder("crane", space="spatial")
+        Scene("crane", space="spatial")
         .input("wanted", 0.3, "rad", filter=8.0)
         .gravity(0, 0, -9.81)
         .rigid(

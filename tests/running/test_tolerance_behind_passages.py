@@ -10,12 +10,12 @@ import pytest
 from runtime import simulate
 from runtime.contract.model import Model
 from runtime.running.singular.exchange import use_generator
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.variants import generate_variant
 from tests.support.slider_cranks import driven_slider_crank, loop
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
 @pytest.fixture(autouse=True)

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from symgen.scene import BeamBody, Scene, SceneBuilder, SceneError, with_ends
+from symgen.scene import BeamBody, Scene, SceneError, SceneRecord, with_ends
 
 STEEL = {"length": 1.0, "density": 7850.0, "area": 1e-4, "second_moment": 1e-9, "youngs_modulus": 2.1e11}
 TURNED = {"y": {"at": 0.0, "axis": (0.0, 1.0, 0.0)}, "tip_x": {"at": 1.0, "x_axis": (1.0, 0.0, 0.0)}}
 
 
-def planar(*attach: str, **beam: object) -> SceneBuilder:
+def planar(*attach: str, **beam: object) -> Scene:
     """A beam b with what is named attached to it: "revolute start", "weld end", ..."""
-    builder = SceneBuilder("one").ground(markers={"far": {"position": (1.0, 0.0)}})
+    builder = Scene("one").ground(markers={"far": {"position": (1.0, 0.0)}})
     builder.beam("b", **{**STEEL, "lateral": {"modes": 2}, "axial": {"modes": 1}, "free": True, **beam})
     for k, text in enumerate(attach):
         kind, _, at = text.partition(" ")
@@ -30,7 +30,7 @@ def planar(*attach: str, **beam: object) -> SceneBuilder:
     return builder
 
 
-def ends(scene: Scene) -> tuple[str | None, ...]:
+def ends(scene: SceneRecord) -> tuple[str | None, ...]:
     (beam,) = (body for body in with_ends(scene).bodies if isinstance(body, BeamBody))
     return tuple(modes.ends for modes in (beam.lateral, beam.lateral_z, beam.axial) if modes)
 
@@ -75,7 +75,7 @@ def test_a_scene_may_say_otherwise() -> None:
     ],
 )
 def test_a_hinge_in_space_carries_moments_across_its_axis(joint: str, at_start: str, expected: tuple[str, str]) -> None:
-    builder = SceneBuilder("one", space="spatial")
+    builder = Scene("one", space="spatial")
     planes = {"second_moment_z": 1e-9, "lateral": {"modes": 2}, "lateral_z": {"modes": 2}}
     builder.ground(markers={"y": {"axis": (0.0, 1.0, 0.0)}})
     builder.beam("b", **STEEL, **planes, markers=TURNED)
@@ -85,7 +85,7 @@ def test_a_hinge_in_space_carries_moments_across_its_axis(joint: str, at_start: 
 
 def test_universal_joint_frees_the_axis_of_its_own_fork() -> None:
     """Marker b turns about its x-axis, here across the beam along z: no moment in the xy-plane."""
-    builder = SceneBuilder("one", space="spatial")
+    builder = Scene("one", space="spatial")
     builder.beam(
         "b", **STEEL, second_moment_z=1e-9, lateral={"modes": 1}, lateral_z={"modes": 1},
         markers={"fork": {"at": 0.0, "axis": (0.0, 1.0, 0.0), "x_axis": (0.0, 0.0, 1.0)}},

@@ -9,33 +9,33 @@ import numpy as np
 import pytest
 
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord
 from tests.support.model_values import evaluate, random_states
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 VALUE = "3 + t - 0.5*swing_dot"
 COORDINATES = ["revolute.angle", "prismatic.travel", "cylindrical.travel", "universal.angle2", "planar.y"]
 
 
-def links(space: str, kind: str) -> SceneBuilder:
+def links(space: str, kind: str) -> Scene:
     """A hinged link with a second one on it by a joint of some kind."""
     three, inertia = ((0.1,), [0.3, 0.5, 0.4]) if space == "spatial" else ((), 0.4)
     tip: dict[str, Any] = {"position": (0.4, 0.2, *three)}
     tip |= {"axis": (0.3, 1.0, 0.2), "x_axis": (1.0, 0.0, 0.0)} if space == "spatial" else {"angle": 0.3}
-    builder = SceneBuilder("links", space=space).gravity(0.0, -9.81)
+    builder = Scene("links", space=space).gravity(0.0, -9.81)
     builder.rigid("a", mass=2.0, inertia=inertia, center_of_mass=(0.2, 0.1, *three), markers={"tip": tip})
     builder.rigid("b", mass=1.5, inertia=inertia, center_of_mass=(0.3, -0.1, *three), markers={"tip": tip})
     builder.revolute("hinge", "ground.origin", "a.origin").joint(kind, "j", "a.tip", "b.tip")
     return builder.measure("swing", "angle", "a.origin").simulation(t_end=0.1, dt=1e-3, scheme="rk4")
 
 
-def jack(space: str) -> SceneBuilder:
+def jack(space: str) -> Scene:
     """A lever that the rod of a hydraulic jack turns; in space the slide of the jack closes the loop."""
     three, inertia = ((0.0,), [0.3, 0.5, 0.4]) if space == "spatial" else ((), 0.4)
     along = {"axis": (1.0, 0.0, 0.0)} if space == "spatial" else {}
     tip = {"position": (0.5, 0.0, *three)}
     slide = {"position": (0.0, 0.0, *three), **along}
-    builder = SceneBuilder("jack", space=space).ground(markers={"foot": {"position": (0.6, 0.0, *three)}})
+    builder = Scene("jack", space=space).ground(markers={"foot": {"position": (0.6, 0.0, *three)}})
     builder.rigid("lever", mass=2.0, inertia=inertia, center_of_mass=(0.2, 0.1, *three), markers={"tip": tip})
     builder.rigid("barrel", mass=1.0, inertia=inertia, markers={"slide": slide})
     builder.rigid("rod", mass=1.5, inertia=inertia, markers={"slide": slide, "eye": slide | {"axis": (0.0, 0.0, 1.0)}}

@@ -18,7 +18,7 @@ from runtime import simulate
 from runtime.contract.model import Model
 from symgen.algebra.scalar import ZERO
 from symgen.joints import JOINTS
-from symgen.scene import Scene, SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord
 from symgen.system.joint_templates import JointCoordinate, JointCoordinates
 
 PLACING = [name for name, joint in JOINTS.items() if joint.motions]
@@ -28,7 +28,7 @@ PLACING = [name for name, joint in JOINTS.items() if joint.motions]
 def test_a_joint_type_places_a_body_or_closes_a_loop(kind: str) -> None:
     joint = JOINTS[kind]
     assert joint.motions is not None or joint.closes_loops()
-    assert callable(getattr(SceneBuilder, kind))
+    assert callable(getattr(Scene, kind))
 
 
 @pytest.mark.parametrize("kind", PLACING)
@@ -58,12 +58,12 @@ import numpy as np
 from runtime import load_model, simulate
 from runtime.views.film import film
 from symgen.generate import generate
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 folder, ends = sys.argv[1], []
 for space in ("planar", "spatial"):
-    scene = Scene.from_toml(f"{folder}/{space}.toml")
-    assert SceneBuilder.pin_in_slot.__doc__ == type(scene.joints[0]).__doc__
+    scene = SceneRecord.from_toml(f"{folder}/{space}.toml")
+    assert Scene.pin_in_slot.__doc__ == type(scene.joints[0]).__doc__
     found = simulate(load_model(generate(scene, f"{folder}/{space}")), t_end=0.4, dt=1e-3, scheme="rk4")
     assert found.status.name == "completed", found.status
     ends.append([found[name][-1] for name in ("rod.x", "rod.y", "way")])
@@ -110,9 +110,9 @@ def test_a_joint_is_one_file(tmp_path: Path) -> None:
     assert found.returncode == 0, found.stderr
 
 
-def gear(*ring: str) -> SceneBuilder:
+def gear(*ring: str) -> Scene:
     """Two shafts that drive one nut by screws of different leads; ring: a further screw between the shafts."""
-    builder = SceneBuilder("gear", space="spatial").ground(markers={"second": {"position": [0.2, 0.0, 0.0]}})
+    builder = Scene("gear", space="spatial").ground(markers={"second": {"position": [0.2, 0.0, 0.0]}})
     for name, spin in (("one", 0.2), ("two", 0.3)):
         builder.rigid(name, mass=1.0, inertia=[0.2, 0.2, spin])
     builder.rigid("nut", mass=0.5, inertia=[0.1, 0.1, 0.1], markers={"second": {"position": [0.2, 0.0, 0.0]}})
@@ -124,7 +124,7 @@ def gear(*ring: str) -> SceneBuilder:
     return builder.torque("motor", "one.origin", 1.0, reaction="ground.origin")
 
 
-def test_two_screws_are_a_gear(model_of: Callable[[Scene], Model]) -> None:
+def test_two_screws_are_a_gear(model_of: Callable[[SceneRecord], Model]) -> None:
     """Turns go as the leads: the first shaft feels the second's inertia by the square of their ratio, and the nut's."""
     run = simulate(model_of(gear().build()), t_end=2.0, dt=2e-3, scheme="rk4")
     ratio, feed = 0.1 / 0.25, 0.1 / (2 * np.pi)

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from symgen.loads import LOADS
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 
 ROOT = Path(__file__).resolve().parents[2]
 USE = """
@@ -21,12 +21,12 @@ import numpy as np
 from runtime import load_model, simulate
 from runtime.views.film import film
 from symgen.generate import generate
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 folder, ends = sys.argv[1], []
 for space in ("planar", "spatial"):
-    scene = Scene.from_toml(f"{folder}/{space}.toml")
-    assert SceneBuilder.drag.__doc__ == type(scene.loads[0]).__doc__
+    scene = SceneRecord.from_toml(f"{folder}/{space}.toml")
+    assert Scene.drag.__doc__ == type(scene.loads[0]).__doc__
     found = simulate(load_model(generate(scene, f"{folder}/{space}")), t_end=2.0, dt=1e-3, scheme="rk4")
     assert found.status.name == "completed", found.status
     ends.append(found["ball.y_dot"])
@@ -49,7 +49,7 @@ coefficient = 0.7
 
 @pytest.mark.parametrize("kind", LOADS)
 def test_every_load_type_has_a_method_of_the_builder(kind: str) -> None:
-    assert callable(getattr(SceneBuilder, kind))
+    assert callable(getattr(Scene, kind))
 
 
 def test_a_load_is_one_file(tmp_path: Path) -> None:

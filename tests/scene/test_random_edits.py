@@ -10,7 +10,7 @@ from typing import Any
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from symgen.scene import Scene, SceneError
+from symgen.scene import SceneError, SceneRecord
 
 FILES = sorted((Path(__file__).parents[1] / "bad_scenes" / "good").glob("*.toml"))
 GOOD = [tomllib.loads(path.read_text()) for path in FILES]
@@ -67,18 +67,18 @@ def test_edited_scenes(data: st.DataObject) -> None:
         if raw:
             edit(raw, data.draw)
     try:
-        scene = Scene.from_dict(raw)
+        scene = SceneRecord.from_dict(raw)
     except SceneError as error:
         assert error.item and error.problem and error.remedy and str(error)
     else:
-        assert Scene.from_toml_text(scene.to_toml()) == scene
+        assert SceneRecord.from_toml_text(scene.to_toml()) == scene
 
 
 @settings(max_examples=150, deadline=None)
 @given(VALUES)
 def test_random_values_are_not_scenes(value: Any) -> None:
     try:
-        Scene.from_dict(value)
+        SceneRecord.from_dict(value)
     except SceneError as error:
         assert str(error)
 
@@ -90,6 +90,6 @@ def test_damaged_files(index: int, data: st.DataObject) -> None:
     start = data.draw(st.integers(0, len(text)))
     damaged = text[:start] + data.draw(st.text(max_size=3)) + text[start + data.draw(st.integers(0, 5)) :]
     try:
-        Scene.from_toml_text(damaged)
+        SceneRecord.from_toml_text(damaged)
     except SceneError as error:
         assert str(error)

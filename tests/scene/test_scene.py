@@ -11,16 +11,16 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from symgen.scene import BeamMarker, InitialValue, ModalBody, RigidMarker, Scene, SceneBuilder, SceneError
+from symgen.scene import BeamMarker, InitialValue, ModalBody, RigidMarker, Scene, SceneError, SceneRecord
 
 GOOD = sorted((Path(__file__).parents[1] / "bad_scenes" / "good").glob("*.toml"))
 
 
-def flexible_slider_crank() -> Scene:
+def flexible_slider_crank() -> SceneRecord:
     tip = {"tip": {"position": ("l1", 0)}}
     section = {"density": 7870, "area": 6.4e-5, "second_moment": 8e-3**4 / 12, "youngs_modulus": 2e11}
     return (
-        SceneBuilder("slider_crank", title="Flexible slider-crank")
+        Scene("slider_crank", title="Flexible slider-crank")
         .parameter("l1", 0.15, "m", "length of the crank")
         .parameter("l2", 0.3, "m", "length of the rod")
         .gravity(0, -9.81)
@@ -44,14 +44,14 @@ def flexible_slider_crank() -> Scene:
 def test_builder_and_toml_give_equal_scenes() -> None:
     built = flexible_slider_crank()
     text = built.to_toml()
-    read = Scene.from_toml_text(text)
+    read = SceneRecord.from_toml_text(text)
     assert read == built
     assert read.to_toml() == text
 
 
 def test_starting_values_add_up() -> None:
     """A later call says more, or says it anew; what it does not name stays."""
-    builder = SceneBuilder("two")
+    builder = Scene("two")
     for name in "ab":
         builder.rigid(name, mass=1.0, inertia=1.0, free=True)
     builder.initial({"a.x": 1.0, "b.x": 2.0}).rates({"a.x": 3.0}).initial({"b.x": 4.0, "b.y": 5.0}).rates({"b.x": 6.0})
@@ -66,26 +66,26 @@ def test_a_flexible_slider_crank_takes_25_lines() -> None:
 
 @pytest.mark.parametrize("path", GOOD, ids=lambda path: path.stem)
 def test_round_trip_through_a_file(path: Path, tmp_path: Path) -> None:
-    scene = Scene.from_toml(path)
+    scene = SceneRecord.from_toml(path)
     copy = tmp_path / "copy.toml"
     copy.write_text(scene.to_toml(), encoding="utf-8")
-    again = Scene.from_toml(str(copy))
+    again = SceneRecord.from_toml(str(copy))
     assert again == scene
     assert again.to_toml() == scene.to_toml()
-    assert Scene.from_dict(scene.to_dict()) == scene
+    assert SceneRecord.from_dict(scene.to_dict()) == scene
 
 
 def test_text_and_floats_survive_the_round_trip() -> None:
     title = 'quotes " and \\ and \n\r\t\x00\x7f and \u00e9 \U0001f600'
-    builder = SceneBuilder("a", title=title).rigid("b", mass=0.1 + 0.2, inertia=5e-324, free=True)
+    builder = Scene("a", title=title).rigid("b", mass=0.1 + 0.2, inertia=5e-324, free=True)
     scene = builder.parameter("p", 1.7976931348623157e308).parameter("q", -1e22).build()
-    assert Scene.from_toml_text(scene.to_toml()) == scene
+    assert SceneRecord.from_toml_text(scene.to_toml()) == scene
 
 
 def test_a_file_with_a_byte_order_mark_is_read(tmp_path: Path) -> None:
     path = tmp_path / "scene.toml"
     path.write_bytes(b"\xef\xbb\xbf" + GOOD[0].read_bytes())
-    assert Scene.from_toml(path) == Scene.from_toml(GOOD[0])
+    assert SceneRecord.from_toml(path) == SceneRecord.from_toml(GOOD[0])
 
 
 def test_coordinates_are_in_the_scenes_order() -> None:
@@ -108,7 +108,7 @@ def test_markers_and_bodies_are_found() -> None:
 
 def test_modal_integrals_left_out_are_zero() -> None:
     scene = (
-        SceneBuilder("modal")
+        Scene("modal")
         .modal("arm", mass=1, inertia=1, M_ff=np.eye(2), K_ff=np.eye(2), markers={"tip": {"slope": [1, 2]}})
         .prescribed_angle("drive", "ground.origin", "arm.origin", "3*t")
         .build()
@@ -135,28 +135,28 @@ def test_a_scene_cannot_be_changed() -> None:
 
 
 def test_the_json_schema_describes_every_section() -> None:
-    schema = json.loads(json.dumps(Scene.json_schema()))
-    assert set(Scene.model_fields) == set(schema["properties"])
+    schema = json.loads(json.dumps(SceneRecord.json_schema()))
+    assert set(SceneRecord.model_fields) == set(schema["properties"])
     assert schema["additionalProperties"] is False
     assert "[kg]" in schema["$defs"]["RigidBody"]["properties"]["mass"]["description"]
 
 
 def test_the_builder_refuses_what_would_be_lost() -> None:
     with pytest.raises(SceneError, match="declared twice"):
-        SceneBuilder("a").parameter("p", 1).parameter("p", 2)
+        Scene("a").parameter("p", 1).parameter("p", 2)
     with pytest.raises(SceneError, match="has no order"):
-        SceneBuilder("a").groups(slow={"x", "y"})
+        Scene("a").groups(slow={"x", "y"})
     with pytest.raises(SceneError, match="has no order"):
-        Scene(name="a", partition={"independent": {"x", "y"}})
+        SceneRecord(name="a", partition={"independent": {"x", "y"}})
     loop: list[object] = []
     loop.append(loop)
     with pytest.raises(SceneError, match="nested too deeply"):
-        SceneBuilder("a").rigid("b", mass=loop)
+        Scene("a").rigid("b", mass=loop)
 
 
 def test_direct_construction_raises_scene_errors_that_pickle() -> None:
     with pytest.raises(SceneError) as caught:
-        Scene(name="a", bodies=[{"type": "rigid"}])
+        SceneRecord(name="a", bodies=[{"type": "rigid"}])
     copy = pickle.loads(pickle.dumps(caught.value))
     assert str(copy) == str(caught.value)
     assert [str(error) for error in copy.also] == [str(error) for error in caught.value.also]

@@ -15,14 +15,14 @@ from runtime.results.solution import Solution
 from symgen.generate import generate
 from symgen.joints import JOINTS
 from symgen.pipeline import derive
-from symgen.scene import Scene, SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord
 
 
-def builder() -> SceneBuilder:
-    return SceneBuilder("use", space="spatial")
+def builder() -> Scene:
+    return Scene("use", space="spatial")
 
 
-def run(scene: SceneBuilder, folder: Path, t_end: float, dt: float) -> Solution:
+def run(scene: Scene, folder: Path, t_end: float, dt: float) -> Solution:
     return simulate(
         load_model(generate(scene.build(), folder / "use")),
         t_end=t_end,
@@ -120,11 +120,11 @@ def test_a_body_on_a_rod_exchanges_the_angle_that_no_longer_changes_the_length(t
     assert found.constraint_error.max() < 1e-10
 
 
-def pendulum() -> SceneBuilder:
+def pendulum() -> Scene:
     return builder().rigid("rod", mass=1.0, inertia=[0.1, 0.1, 0.1]).revolute("hinge", "ground.origin", "rod.origin")
 
 
-def door() -> SceneBuilder:
+def door() -> Scene:
     ends = {"low": {"position": [0, 0, 0.3]}, "high": {"position": [0, 0, 1.7]}}
     moved = {"low": ends["low"], "high": {"position": [0.001, 0, 1.7]}}
     return (
@@ -162,9 +162,7 @@ def door() -> SceneBuilder:
         ),
     ],
 )
-def test_a_mistake_is_named_with_its_remedy(
-    tmp_path: Path, scene: SceneBuilder, item: str, problem: str, remedy: str
-) -> None:
+def test_a_mistake_is_named_with_its_remedy(tmp_path: Path, scene: Scene, item: str, problem: str, remedy: str) -> None:
     with pytest.raises(SceneError) as caught:
         generate(scene.build(), tmp_path / "bad")
     assert caught.value.item == item
@@ -212,19 +210,19 @@ def test_a_beam_that_is_bent_to_close_a_loop_is_reported(tmp_path: Path) -> None
     assert before == 0.0 and abs(after) > 0.01
 
 
-def test_a_measure_reads_a_coordinate(model_of: Callable[[Scene], Model]) -> None:
+def test_a_measure_reads_a_coordinate(model_of: Callable[[SceneRecord], Model]) -> None:
     """A controller on the second angle of a universal joint: the measure is that coordinate, its rate too."""
-    builder = SceneBuilder("fork", space="spatial").gravity(0, 0, -9.81)
+    builder = Scene("fork", space="spatial").gravity(0, 0, -9.81)
     builder.rigid("rod", mass=1.0, inertia=[0.1, 0.1, 0.02], center_of_mass=[0, 0, -0.5])
     builder.universal("fork", "ground.origin", "rod.origin").measure("tilt", "coordinate", "fork.angle2")
     builder.force("hold", "rod.center", 0, "2 * tilt + 0.1 * tilt_dot", 0)
     scene = builder.initial({"fork.angle2": 0.3}).simulation(t_end=0.2, dt=1e-3, scheme="rk4").build()
-    assert Scene.from_toml_text(scene.to_toml()) == scene
+    assert SceneRecord.from_toml_text(scene.to_toml()) == scene
     solution = simulate(model_of(scene))
     assert np.array_equal(solution["tilt"], solution["fork.angle2"])
     assert np.allclose(solution["tilt_dot"], solution.rate("fork.angle2"))
     with pytest.raises(SceneError, match="tilt.*no coordinate 'fork.angel2'.*fork.angle2"):
-        SceneBuilder("bad", space="spatial").rigid("rod", mass=1, inertia=[1, 1, 1]).universal(
+        Scene("bad", space="spatial").rigid("rod", mass=1, inertia=[1, 1, 1]).universal(
             "fork", "ground.origin", "rod.origin"
         ).measure("tilt", "coordinate", "fork.angel2").build()
 
@@ -233,7 +231,7 @@ def test_a_straight_cardan_shaft_finds_a_way_to_bend() -> None:
     """At the start given by zeros no small motion closes the loop: the assembly tries joints turned a little."""
     beta = math.radians(30)
     aside = [math.sin(beta), 0, math.cos(beta)]
-    builder = SceneBuilder("cardan", space="spatial").ground(markers={"outlet": {"position": aside}})
+    builder = Scene("cardan", space="spatial").ground(markers={"outlet": {"position": aside}})
     builder.rigid("near", mass=1, inertia=[1, 1, 1], markers={"fork": {"axis": [1, 0, 0], "x_axis": [0, 0, 1]}})
     builder.rigid(
         "shaft",

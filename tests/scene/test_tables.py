@@ -13,17 +13,17 @@ from scipy.interpolate import CubicSpline, PchipInterpolator
 
 from runtime import simulate
 from runtime.contract.model import Model
-from symgen.scene import CurveTable, Scene, SceneBuilder, SceneError
+from symgen.scene import CurveTable, Scene, SceneError, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 X = np.array([-1.3, -0.2, 0.1, 0.9, 1.4, 2.2])
 Y = np.array([0.5, -0.7, 0.0, 1.1, 1.2, -0.4])
 
 
-def pushed(force: str, **table: Any) -> Scene:
+def pushed(force: str, **table: Any) -> SceneRecord:
     """1 kg on a rail under a force from the table `curve` over its way."""
     return (
-        SceneBuilder("pushed")
+        Scene("pushed")
         .table("curve", **table)
         .rigid("cart", mass=1.0, inertia=0.1)
         .prismatic("rail", "ground.origin", "cart.origin")
@@ -100,7 +100,7 @@ def test_a_spring_with_two_rates_has_the_exact_period(model_of: Build) -> None:
 def test_a_motion_over_time(model_of: Build) -> None:
     """A cubic table drives a slide: position, rate and acceleration are the spline's."""
     scene = (
-        SceneBuilder("slide")
+        Scene("slide")
         .table("path", x=[0, 0.3, 0.7, 1.0], y=[0, 0.1, 0.05, 0.2], interpolation="cubic", outside="extend")
         .rigid("cart", mass=2.0, inertia=0.1)
         .prismatic("rail", "ground.origin", "cart.origin")
@@ -119,12 +119,12 @@ def test_files_are_read_with_the_scene(tmp_path: Path) -> None:
     (tmp_path / "curve.csv").write_text("angle; other; force\n# measured\n0; 9; 1.5\n1; 9; 2.5\n2; 9; 0.5\n")
     scene = pushed('table("curve", way)', file=tmp_path / "curve.csv", columns=[0, 2])
     assert scene.tables["curve"].x == (0.0, 1.0, 2.0) and scene.tables["curve"].y == (1.5, 2.5, 0.5)
-    assert Scene.from_toml_text(scene.to_toml()) == scene
+    assert SceneRecord.from_toml_text(scene.to_toml()) == scene
     text = scene.to_toml()
     start = text.index("curve = {")
     named = 'curve = { file = "curve.csv", columns = [0, 2] }'
     (tmp_path / "scene.toml").write_text(text[:start] + named + text[text.index("\n", start) :])
-    assert Scene.from_toml(tmp_path / "scene.toml") == scene
+    assert SceneRecord.from_toml(tmp_path / "scene.toml") == scene
 
 
 @pytest.mark.parametrize(
@@ -162,4 +162,4 @@ def test_damaged_files_are_named(tmp_path: Path, text: str, words: str) -> None:
 def test_a_scene_file_reads_nothing_outside_its_folder(tmp_path: Path) -> None:
     (tmp_path / "scene.toml").write_text('name = "s"\n[tables]\ncurve = { file = "../curve.csv" }\n')
     with pytest.raises(SceneError, match="below the scene's folder"):
-        Scene.from_toml(tmp_path / "scene.toml")
+        SceneRecord.from_toml(tmp_path / "scene.toml")

@@ -14,11 +14,11 @@ from runtime.contract.model import Model
 from runtime.operating.mode_solver import Modes, modes_at
 from runtime.results.solution import Solution
 from symgen.generate import model_of as on_demand
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.scenes.hard_suite import HARD_SUITE, HardCase
 from tests.support.prepared_runs import PreparedRuns
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 PART = 0.02  # of t_end that is run
 EXPLICIT = 0.05  # step times the fastest rate
 LARGE = 0.5  # the same for the other scheme, but no more steps than MOST

@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.support.prepared_runs import PreparedRuns
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 T_END, DT = 0.16, 0.01
 
 
-def against_a_stop(angle: float) -> Scene:
+def against_a_stop(angle: float) -> SceneRecord:
     """A rod that turns with 2 rad/s against a stop that pushes back beyond its horizontal position."""
-    builder = SceneBuilder("against_a_stop").gravity(0, -9.81)
+    builder = Scene("against_a_stop").gravity(0, -9.81)
     builder.rigid(
         "rod", mass=1.0, inertia=0.1, markers={"hinge": {"position": (-0.5, 0)}, "tip": {"position": (0.5, 0)}}
     )

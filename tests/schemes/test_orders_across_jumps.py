@@ -9,10 +9,10 @@ import pytest
 
 from runtime import Model, simulate
 from runtime.schemes.switching.times import switching_times
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes.hard_suite import HARD_SUITE
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
 @pytest.mark.parametrize(
@@ -42,7 +42,7 @@ def test_order_4_across_a_jump(model_of: Build, name: str, t_end: float, steps: 
 @pytest.mark.parametrize("t_end, jumps", [(0.4, 53), (1.0, 131)])
 def test_stages_behind_jumps_converge(model_of: Build, t_end: float, jumps: int) -> None:
     """`radau` against steps without iterations: by Python and by lists. Parts just before a jump may be tiny."""
-    builder = SceneBuilder("wave_on_pendulum").gravity(0, -9.81)
+    builder = Scene("wave_on_pendulum").gravity(0, -9.81)
     builder.rigid("bob", mass=1.3, inertia=0.2, center_of_mass=(0.7, 0)).revolute("pin", "ground.origin", "bob.origin")
     builder.torque("kick", "bob.origin", "where(sin(411 * t + 0.2) > 0.3, 8 * cos(9 * t), -3 * t)")
     model = model_of(builder.simulation(t_end=1.0, dt=0.005, scheme="rk4").build())

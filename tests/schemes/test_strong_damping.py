@@ -9,9 +9,9 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 ANGLE, DT, T_END = 0.3, 1e-3, 1.0
 WEIGHT_ARM = 9.81 * 0.5  # m g l of a uniform rod of 1 kg and 1 m
 
@@ -59,7 +59,7 @@ def test_strong_damping_is_right_or_named(model_of: Build, scheme: str, damping:
     `inaccurate` is right too, but of a creep that is short itself: an error of its own size is one of 1e-6 rad.
     """
     run = simulate(
-        model_of(Scene.from_toml_text(PENDULUM)),
+        model_of(SceneRecord.from_toml_text(PENDULUM)),
         scheme=scheme,
         t_end=T_END,
         dt=DT,
@@ -85,7 +85,7 @@ def test_strong_damping_is_right_or_named(model_of: Build, scheme: str, damping:
 @pytest.mark.parametrize("damping", [1e4, 1e6, 1e8])
 def test_radau_lets_every_decay_die_out(model_of: Build, damping: float) -> None:
     run = simulate(
-        model_of(Scene.from_toml_text(PENDULUM)),
+        model_of(SceneRecord.from_toml_text(PENDULUM)),
         scheme="radau",
         t_end=T_END,
         dt=DT,
@@ -105,7 +105,7 @@ def test_decaying_propagation_lets_every_decay_die_out(
 ) -> None:
     """With the symmetric approximation such a decay rings on, and the run is named."""
     run = simulate(
-        model_of(Scene.from_toml_text(PENDULUM)),
+        model_of(SceneRecord.from_toml_text(PENDULUM)),
         scheme=scheme,
         options={"propagation": "decaying"},
         t_end=T_END,
@@ -125,7 +125,7 @@ def test_friction_that_reverses_is_told_with_what_helps(model_of: Build) -> None
     A fifth of the step, and `exponential` with decaying propagation, come where dop853 with 1e-5 s comes.
     """
     scene = (
-        SceneBuilder("friction")
+        Scene("friction")
         .rigid("a", mass=1.0, inertia=0.1)
         .prismatic("rail", "ground.origin", "a.origin")
         .measure("x", "x", "a.origin")

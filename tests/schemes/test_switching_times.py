@@ -13,9 +13,9 @@ from runtime.contract.model import Model
 from runtime.schemes.switching import times
 from runtime.schemes.switching.enclosure import Enclosure
 from runtime.schemes.switching.times import switching_times
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 
 TABLES: dict[str, dict[str, object]] = {
@@ -37,9 +37,9 @@ CASES = {
 }
 
 
-def pushed(name: str, *torques: str) -> Scene:
+def pushed(name: str, *torques: str) -> SceneRecord:
     """A hinged rod with torques, parameters `on` and `w`, an input and a measure."""
-    builder = SceneBuilder(name).parameter("on", 0.25, "s").parameter("w", 10.0, "rad/s").input("held", 0.6)
+    builder = Scene(name).parameter("on", 0.25, "s").parameter("w", 10.0, "rad/s").input("held", 0.6)
     builder.rigid("rod", mass=1.0, inertia=0.1).revolute("hinge", "ground.origin", "rod.origin")
     builder.measure("angle", "coordinate", "rod.theta")
     for number, torque in enumerate(torques):

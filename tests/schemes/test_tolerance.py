@@ -16,21 +16,21 @@ from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.scheme import LARGEST
 from runtime.schemes.switching.times import SwitchTime
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes import generated_folder
 from tests.support.model_values import Array
 from tests.support.prepared_runs import PreparedRuns
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 METHODS = ("dopri5", "exponential_rk4", "exponential")
 LOCAL = {"error_of": "step"}
 
 
-def rotor(torque: str, **simulation: object) -> Scene:
+def rotor(torque: str, **simulation: object) -> SceneRecord:
     """theta'' = torque(t), with I = 1."""
     return (
-        SceneBuilder("rotor")
+        Scene("rotor")
         .rigid("rotor", mass=1.0, inertia=1.0)
         .revolute("axle", "ground.origin", "rotor.origin")
         .torque("motor", "rotor.origin", torque)

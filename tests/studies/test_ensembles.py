@@ -19,7 +19,7 @@ from runtime.studies.ensemble.lane_runs import LaneRuns
 from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.starts import CaseStarts, table_of
 from symgen.generate import generate
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 from tests.support.pendula import SHORT, pendula
 
 Load = Callable[[str], Model]
@@ -197,7 +197,7 @@ def test_turning_bodies_start_with_their_angular_velocities(built_in: Load) -> N
 def test_inputs_of_cases_are_those_of_runs(tmp_path: Path) -> None:
     """A cart pushed by a number of each case, along a function of time that all share, from a time of its own."""
     scene = (
-        SceneBuilder("pushed")
+        Scene("pushed")
         .input("force", 1.0, "N", "push")
         .input("wind", 0.0, "N", "on all")
         .rigid("cart", mass=2.0, inertia=0.1)

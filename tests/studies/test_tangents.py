@@ -17,11 +17,11 @@ from runtime.studies.stability.along import states_along
 from runtime.studies.stability.chart import stability_chart
 from runtime.studies.stability.spectrum import ExactMotion
 from runtime.studies.stability.tangent import TangentStep
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from tests.support.model_values import Array
 
 Load = Callable[[str], Model]
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 # a double pendulum in motion, its torque a function of time; one group of coordinates
 ARM = """
@@ -135,7 +135,7 @@ def test_a_sweep_has_the_tangent_of_what_it_converges_to(built_in: Load, scene: 
 def test_iterated_steps_have_the_tangent_of_their_differences(
     model_of: Build, name: str, options: dict[str, Any]
 ) -> None:
-    step = Step(model_of(Scene.from_toml_text(ARM)), name, 0.01, None, options)
+    step = Step(model_of(SceneRecord.from_toml_text(ARM)), name, 0.01, None, options)
     z = step.after(step.start(), 7)
     ours, wanted = step.matrix(z), step.differences(z)
     assert np.abs(ours - wanted).max() < 1e-5 * np.abs(wanted).max()
@@ -144,7 +144,7 @@ def test_iterated_steps_have_the_tangent_of_their_differences(
 @pytest.mark.parametrize("name", ["coupled", "decoupled"])
 def test_one_group_holds_nothing(model_of: Build, name: str) -> None:
     """No multiplier of a step belongs to numbers that no step writes, and the forces are those of the time."""
-    model = model_of(Scene.from_toml_text(ARM))
+    model = model_of(SceneRecord.from_toml_text(ARM))
     step = Step(model, name, 1e-3, None, {})
     z = step.after(step.start(), 7)
     sizes = np.abs(np.linalg.eigvals(step.matrix(z)))

@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 
-def cart(**simulation: Any) -> Scene:
+def cart(**simulation: Any) -> SceneRecord:
     """2 kg on a rail, pushed by an input."""
     return (
-        SceneBuilder("cart")
+        Scene("cart")
         .input("force", 0.0, "N", "push")
         .rigid("cart", mass=2.0, inertia=0.1)
         .prismatic("rail", "ground.origin", "cart.origin")
@@ -22,10 +22,10 @@ def cart(**simulation: Any) -> Scene:
     )
 
 
-def crane(**declared: Any) -> Scene:
+def crane(**declared: Any) -> SceneRecord:
     """A pendulum of 1 m on a trolley that goes where an input says."""
     return (
-        SceneBuilder("crane")
+        Scene("crane")
         .input("way", 0.0, "m", "of the trolley", **declared)
         .gravity(0, -9.81)
         .rigid("trolley", mass=2.0, inertia=0.1)

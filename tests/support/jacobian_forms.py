@@ -11,11 +11,13 @@ import pytest
 from symgen.condensed.condensation import Condensed
 from symgen.kernels import jacobians
 from symgen.pipeline import derive
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from symgen.system.build import build_system
 
 
-def values_of_forms(scene: Scene, monkeypatch: pytest.MonkeyPatch, at_start: bool = False) -> list[list[np.ndarray]]:
+def values_of_forms(
+    scene: SceneRecord, monkeypatch: pytest.MonkeyPatch, at_start: bool = False
+) -> list[list[np.ndarray]]:
     """[J_q, J_v] of each form at the scene's parameters and random values, or at its start and random accelerations."""
     forms: list[tuple[ca.SX, ca.SX]] = []
     whole = jacobians.held_jacobians

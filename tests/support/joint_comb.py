@@ -17,7 +17,7 @@ import pytest
 
 from runtime.contract.coordinates import independent
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.hand_derived.spatial.spatial_scenes import flexible, inertia
 from tests.hand_derived.spatial.twin_flexible_nodes import Nodes, scattered
 from tests.support.model_values import Array
@@ -70,10 +70,10 @@ def rigid(nodes: Nodes) -> dict[str, Any]:
     return {"mass": float(m.sum()), "center_of_mass": centre, **inertia(tensor)}
 
 
-def comb(types: tuple[str, ...], variant: Variant = Variant(), psi: float = 1.0) -> Scene:
+def comb(types: tuple[str, ...], variant: Variant = Variant(), psi: float = 1.0) -> SceneRecord:
     """The scene. psi: size of the rotation of the markers by deformation."""
     rng, nodes = np.random.default_rng(3), lumps(types)
-    builder = SceneBuilder("comb", space="spatial").gravity(*GRAVITY)
+    builder = Scene("comb", space="spatial").gravity(*GRAVITY)
     on_base, children = {}, []
     for kind in types:
         a, b = rng.normal(size=(2, 3)), rng.normal(size=(2, 3))

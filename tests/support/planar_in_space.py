@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from runtime.contract.model import Model
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from tests.support.model_values import Array, State, evaluate
 from tests.support.spatial_motion import full_state
 
@@ -16,7 +16,7 @@ ALONG = ("prismatic", "point_on_line", "prescribed_displacement")  # act along x
 SLIM = 1e-20  # m^4: bending across the plane is not modelled
 
 
-def posed(scene: Scene, planar: Model) -> Scene:
+def posed(scene: SceneRecord, planar: Model) -> SceneRecord:
     """Hinges turn about z and start as in the planar model; slides get markers whose z-axis lies in the plane."""
     data = scene.to_dict()
     data["space"], data["gravity"] = "spatial", [*data.get("gravity", [0, 0]), 0.0]
@@ -36,12 +36,12 @@ def posed(scene: Scene, planar: Model) -> Scene:
         if load["type"] == "force":
             load["components"] = [*load["components"], 0.0]
     types = {joint["name"]: joint["type"] for joint in data["joints"]}
-    hinges = [place.joint for place in Scene.from_dict(data).placements() if types[place.joint] == "revolute"]
+    hinges = [place.joint for place in SceneRecord.from_dict(data).placements() if types[place.joint] == "revolute"]
     start = {f"{hinge}.angle": _angle(scene, planar, planar.initial_q, hinge) for hinge in hinges}
-    return Scene.from_dict({**data, "initial": {"coordinates": start}})
+    return SceneRecord.from_dict({**data, "initial": {"coordinates": start}})
 
 
-def _pose_body(scene: Scene, body: dict[str, Any], sliding: set[str]) -> None:
+def _pose_body(scene: SceneRecord, body: dict[str, Any], sliding: set[str]) -> None:
     name = body["name"]
     implicit = scene.body(name).implicit_markers()
     markers = {}
@@ -65,7 +65,7 @@ def _turned(marker: dict[str, Any], slide: bool) -> dict[str, Any]:
     return {key: value for key, value in marker.items() if key in ("position", "at")} | directions
 
 
-def posed_state(scene: Scene, planar: Model, in_space: Scene, spatial: Model, state: State) -> State:
+def posed_state(scene: SceneRecord, planar: Model, in_space: SceneRecord, spatial: Model, state: State) -> State:
     """The spatial state of a planar one: angles of joints are differences of absolute angles."""
     q, q_dot = (dict(zip(planar.coordinates, values, strict=True)) for values in (state.q, state.q_dot))
     x, v = np.zeros(len(spatial.coordinates)), np.zeros(len(spatial.coordinates))
@@ -91,7 +91,7 @@ def posed_state(scene: Scene, planar: Model, in_space: Scene, spatial: Model, st
     return full_state(spatial, x, v, state.t)
 
 
-def _give_signs(in_space: Scene, spatial: Model, x: Array, v: Array, t: float) -> None:
+def _give_signs(in_space: SceneRecord, spatial: Model, x: Array, v: Array, t: float) -> None:
     """Euler parameters e and -e are one orientation: take the sign that the placing joints give, from the ground on."""
     for _ in in_space.placements():
         for place in in_space.placements():
@@ -102,7 +102,7 @@ def _give_signs(in_space: Scene, spatial: Model, x: Array, v: Array, t: float) -
                 x[first : first + 4], v[first : first + 4] = -x[first : first + 4], -v[first : first + 4]
 
 
-def _angle(scene: Scene, planar: Model, q: Array, joint: str) -> float:
+def _angle(scene: SceneRecord, planar: Model, q: Array, joint: str) -> float:
     """phi_b - phi_a of a hinge, deflection of beams at their markers left to the constraints."""
     found = next(item for item in scene.joints if item.name == joint)
     angle = 0.0

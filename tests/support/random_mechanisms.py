@@ -9,7 +9,7 @@ import numpy as np
 from hypothesis import assume
 from hypothesis import strategies as st
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 
 Draw = Any
 ANGLES = st.floats(-3.0, 3.0)
@@ -18,7 +18,7 @@ MASSES = st.floats(0.1, 5.0)
 GRAVITY = st.tuples(st.floats(-3, 3), st.floats(-9.81, 9.81))
 
 
-def add_rigid(builder: SceneBuilder, name: str, length: float, draw: Draw) -> tuple[str, str]:
+def add_rigid(builder: Scene, name: str, length: float, draw: Draw) -> tuple[str, str]:
     """A rigid body off its axis; returns its start and end markers."""
     mass = draw(MASSES)
     builder.rigid(
@@ -31,9 +31,7 @@ def add_rigid(builder: SceneBuilder, name: str, length: float, draw: Draw) -> tu
     return f"{name}.origin", f"{name}.end"
 
 
-def add_beam(
-    builder: SceneBuilder, name: str, length: float, draw: Draw, ends: str = "clamped-free"
-) -> tuple[str, str]:
+def add_beam(builder: Scene, name: str, length: float, draw: Draw, ends: str = "clamped-free") -> tuple[str, str]:
     """A slender beam of one or two lateral modes, perhaps with an axial one, perhaps with geometric stiffening."""
     axial = {"ends": "fixed-free", "modes": 1} if draw(st.booleans()) else None
     side = draw(st.floats(0.01, 0.03))
@@ -52,7 +50,7 @@ def add_beam(
     return f"{name}.start", f"{name}.end"
 
 
-def add_modal(builder: SceneBuilder, name: str, length: float, draw: Draw) -> tuple[str, str]:
+def add_modal(builder: Scene, name: str, length: float, draw: Draw) -> tuple[str, str]:
     """A body of five mass points with random shapes: its integrals are sums over the points."""
     rng, nf = np.random.default_rng(draw(st.integers(0, 10**6))), draw(st.integers(1, 2))
     points = np.array([[0, 0.1], [0.3, -0.1], [0.5, 0.1], [0.8, -0.05], [1.0, 0.0]]) * length
@@ -88,9 +86,9 @@ KINDS = st.sampled_from(list(ADD))
 
 
 @st.composite
-def trees(draw: Draw) -> Scene:
+def trees(draw: Draw) -> SceneRecord:
     """1 to 4 bodies, each joined to the ground or to a body before it; undamped springs; gravity."""
-    builder = SceneBuilder("random_tree").gravity(*draw(GRAVITY)).ground(markers={"hook": {"position": (-0.7, 0.9)}})
+    builder = Scene("random_tree").gravity(*draw(GRAVITY)).ground(markers={"hook": {"position": (-0.7, 0.9)}})
     ends, initial, rates = ["ground.origin"], {}, {}
     for k in range(1, draw(st.integers(1, 4)) + 1):
         name = f"body{k}"
@@ -112,12 +110,12 @@ def _direction(angle: float) -> np.ndarray:
 
 
 @st.composite
-def four_bars(draw: Draw) -> Scene:
+def four_bars(draw: Draw) -> SceneRecord:
     """A four-bar assembled at random angles; the coupler may bend (pinned-pinned, so that its ends stay in place)."""
     lengths = [draw(LENGTHS) for _ in range(3)]
     angles = [draw(ANGLES) for _ in range(3)]
     assume(abs(math.sin(angles[1] - angles[2])) > 0.3)  # away from a singular position
-    builder = SceneBuilder("random_four_bar").gravity(*draw(GRAVITY))
+    builder = Scene("random_four_bar").gravity(*draw(GRAVITY))
     right = lengths[0] * _direction(angles[0]) + lengths[1] * _direction(angles[1]) - lengths[2] * _direction(angles[2])
     builder.ground(markers={"right": {"position": tuple(right)}})
     crank = add_rigid(builder, "crank", lengths[0], draw)

@@ -9,7 +9,7 @@ from hypothesis import assume
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.support.model_values import Array
 
 Draw = Any
@@ -116,9 +116,9 @@ class Assembly:
         place = self.place_of(near) + (MORE[kind]["length"] * axes[:, 0] if kind == "distance" else 0)
         self.joints.append((kind, name, near, self.marker(b, place, axes), dict(MORE.get(kind, {}))))
 
-    def scene(self, double: str | None = None) -> Scene:
+    def scene(self, double: str | None = None) -> SceneRecord:
         """The scene; double: a joint to have twice."""
-        builder = SceneBuilder("random_spatial", space="spatial").gravity(*self.draw(GRAVITY))
+        builder = Scene("random_spatial", space="spatial").gravity(*self.draw(GRAVITY))
         builder.ground(markers=self.bodies["ground"]["markers"])
         start: dict[str, float] = {}
         for name, fields in self.bodies.items():
@@ -144,7 +144,7 @@ class Assembly:
 
 
 @st.composite
-def spatial_trees(draw: Draw, doubled: bool = False, most: int = 3) -> Scene:
+def spatial_trees(draw: Draw, doubled: bool = False, most: int = 3) -> SceneRecord:
     """1 to `most` bodies on joints of any type, all given by Euler angles or by Euler parameters; a joint twice."""
     made, angles = Assembly(draw), draw(st.booleans())
     names = ["ground"]
@@ -157,7 +157,7 @@ def spatial_trees(draw: Draw, doubled: bool = False, most: int = 3) -> Scene:
 
 
 @st.composite
-def spatial_loops(draw: Draw) -> Scene:
+def spatial_loops(draw: Draw) -> SceneRecord:
     """Three bodies in a chain from the ground, the last a rigid one that another joint holds to the ground."""
     made, angles = Assembly(draw), draw(st.booleans())
     types = [draw(st.sampled_from(list(FREEDOM))) for _ in range(3)]

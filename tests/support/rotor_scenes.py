@@ -4,24 +4,24 @@ from __future__ import annotations
 
 import math
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes.spin_up_beam import spin_up_beam
 
 UNIT = math.sqrt(2.8e10 * 5e-7 / (1200.0 * 1e-3 * 10.0**4))  # rad/s, sqrt(EI / (rho A L^4)) of the beam of case F3
 
 
-def spinning(count: int) -> Scene:
+def spinning(count: int) -> SceneRecord:
     """The beam of case F3 on a drive, with `count` modes in closed form."""
     scene = spin_up_beam(modes=count)
     beam = scene.bodies[0].model_copy(update={"elements": None, "mesh": "exact"})
     return scene.model_copy(update={"bodies": (beam, *scene.bodies[1:])})
 
 
-def gimbal(stiffness: float, spin: float) -> Scene:
+def gimbal(stiffness: float, spin: float) -> SceneRecord:
     """A rotor on two massless rings with equal torsional springs, turning about its axis."""
     x, y = {"axis": (1.0, 0.0, 0.0)}, {"axis": (0.0, 1.0, 0.0)}
     return (
-        SceneBuilder("gimbal", space="spatial")
+        Scene("gimbal", space="spatial")
         .ground(markers={"x": x})
         .rigid("outer", mass=1.0, inertia=(0.0, 0.0, 0.0), markers={"x": x, "y": y})
         .rigid("inner", mass=1.0, inertia=(0.0, 0.0, 0.0), markers={"y": y})
@@ -36,10 +36,10 @@ def gimbal(stiffness: float, spin: float) -> Scene:
     )
 
 
-def jeffcott(damping: float) -> Scene:
+def jeffcott(damping: float) -> SceneRecord:
     """A disk of 2 kg on a soft isotropic shaft, 800 N/m, turning in its plane."""
     return (
-        SceneBuilder("jeffcott")
+        Scene("jeffcott")
         .rigid("disk", mass=2.0, inertia=0.05, free=True)
         .measure("x", "x", of="disk.origin")
         .measure("y", "y", of="disk.origin")

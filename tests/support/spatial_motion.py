@@ -16,7 +16,7 @@ from scipy.spatial.transform import Rotation
 
 from runtime.contract.coordinates import parts, rate_parts
 from runtime.contract.model import Model
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from tests.hand_derived.spatial.twin_flexible_nodes import Nodes
 from tests.support.model_values import Array, State, augmented_solution, evaluate, joint_forces
 
@@ -53,7 +53,7 @@ def _turning() -> ca.Function:
     return ca.Function("turning", [e, rate, second], found)
 
 
-def frames(scene: Scene, q: Array, q_dot: Array, q_ddot: Array) -> dict[str, Frame]:
+def frames(scene: SceneRecord, q: Array, q_dot: Array, q_ddot: Array) -> dict[str, Frame]:
     """Every moving body's frame at full coordinate vectors."""
     found, first = {}, 0
     for body in scene.moving_bodies:
@@ -80,7 +80,7 @@ def _product(p: Array, q: Array) -> Array:
     return np.concatenate([[p[0] * q[0] - p[1:] @ q[1:]], p[0] * q[1:] + q[0] * p[1:] + np.cross(p[1:], q[1:])])
 
 
-def place(scene: Scene, model: Model, moving: Mapping[str, Frame], t: float) -> State:
+def place(scene: SceneRecord, model: Model, moving: Mapping[str, Frame], t: float) -> State:
     """The state of a model without joint coordinates whose bodies are at the given frames."""
     q, q_dot = [], []
     for body in scene.moving_bodies:
@@ -108,7 +108,7 @@ def assembled(model: Model, q: Array, q_dot: Array, t: float) -> State:
     return full_state(model, q, q_dot, t)
 
 
-def solve(scene: Scene, model: Model, state: State) -> tuple[dict[str, Frame], Array, dict[str, Array]]:
+def solve(scene: SceneRecord, model: Model, state: State) -> tuple[dict[str, Frame], Array, dict[str, Array]]:
     """(frames with accelerations, q_ddot, {joint: (force, moment) on its body b at marker b}) by the augmented form."""
     q_ddot, _ = augmented_solution(model, state)
     return frames(scene, state.q, state.q_dot, q_ddot), q_ddot, joint_forces(model, state, q_ddot)

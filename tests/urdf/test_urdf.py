@@ -11,7 +11,7 @@ import pytest
 from runtime import simulate
 from symgen.cli import main
 from symgen.generate import model_of
-from symgen.scene import Scene, SceneError
+from symgen.scene import SceneError, SceneRecord
 from symgen.urdf import RobotBuilder, read
 from tests.urdf.robots import PENDULUM, joint, link, robot
 
@@ -199,7 +199,7 @@ def test_a_link_as_a_beam(tmp_path: Path) -> None:
     assert [str(one) for one in builder.dropped] == ["inertial of rod: a flexible body is in its place"]
     scene = builder.build()
     assert [body.type for body in scene.moving_bodies] == ["beam", "rigid"]
-    model = model_of(Scene.from_toml_text(scene.to_toml()))
+    model = model_of(SceneRecord.from_toml_text(scene.to_toml()))
     assert set(model.q_i) == {"pivot.angle", *(f"rod.q{k}" for k in range(1, 5))}
     rod, m = 2700.0 * 1e-4 * 1.2, 0.5
     J = rod * 1.2**2 / 3 + 2700.0 * 2e-9 * 1.2 + m * 1.2**2 + 0.2  # with the sections' own
@@ -312,7 +312,7 @@ def test_the_command_writes_a_scene_and_lists_what_is_not_in_it(
     assert main(["import", str(path), "--out", str(out)]) == 0
     said = capsys.readouterr().out
     assert "limit: pivot" in said and "friction: pivot" in said
-    assert Scene.from_toml(out) == read(path).build()
+    assert SceneRecord.from_toml(out) == read(path).build()
     assert main(["import", str(path), "--out", str(out)]) == 2
     assert main(["import", str(path), "--out", str(out), "--force", "--base", "free"]) == 2  # the root has no mass
     assert "link 'world'" in capsys.readouterr().err

@@ -21,7 +21,7 @@ from runtime.views import plots
 from runtime.views.animation import animate
 from runtime.views.curves import Curves
 from runtime.views.film import film
-from symgen.scene import SceneBuilder
+from symgen.scene import Scene
 from tests.running.test_solution import rod_solution
 
 
@@ -135,7 +135,7 @@ def test_several_runs_are_drawn_with_their_differences_to_the_first() -> None:
 
 def test_section_forces_along_a_cantilever(model_of, tmp_path) -> None:
     """Hand, to first order: M = -F (L - x) and Q = -F at every section; nothing is pulled."""
-    builder = SceneBuilder("cantilever").beam("arm", length=0.5, density=7800.0, youngs_modulus=2e11, area=2e-4,
+    builder = Scene("cantilever").beam("arm", length=0.5, density=7800.0, youngs_modulus=2e11, area=2e-4,
                                               second_moment=6.7e-9, lateral={"modes": 2})  # fmt: skip
     builder.weld("wall", "ground.origin", "arm.start").force("tip", "arm.end", 0.0, -0.3)
     run = simulate(model_of(builder.simulation(t_end=2e-6, dt=1e-6, scheme="rk4", start="quasi_static").build()))

@@ -14,7 +14,7 @@ from runtime.views.film import film
 from runtime.views.mechanism import AROUND, RINGS, Solid, solid
 from runtime.views.viewer.record import view_record
 from symgen.generate import generate
-from symgen.scene import Scene, SceneBuilder, SceneError, read_mesh
+from symgen.scene import Scene, SceneError, SceneRecord, read_mesh
 from symgen.scene.flexible import FlexibleSurface
 
 UPRIGHT = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
@@ -62,15 +62,15 @@ def test_edges_of_a_box_are_twelve() -> None:
     assert sorted(np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1)) == pytest.approx([1.0] * 4 + [2.0] * 4 + [3.0] * 4)
 
 
-def disk(**shape: object) -> Scene:
-    builder = SceneBuilder("disk").ground(shape={"type": "box", "size": [0.4, 0.05, 0.1], "position": [0, -0.5, 0]})
+def disk(**shape: object) -> SceneRecord:
+    builder = Scene("disk").ground(shape={"type": "box", "size": [0.4, 0.05, 0.1], "position": [0, -0.5, 0]})
     builder.rigid("wheel", mass=1.0, inertia=0.01, shape=shape)
     return builder.revolute("axle", "ground.origin", "wheel.origin").torque("drive", "wheel.origin", 0.1).build()
 
 
 def test_a_scene_keeps_its_shapes_and_pictures_show_them(tmp_path: Path) -> None:
     scene = disk(type="cylinder", radius=0.1, length=0.02, position=[0.3, 0, 0])
-    assert Scene.from_toml_text(scene.to_toml()) == scene
+    assert SceneRecord.from_toml_text(scene.to_toml()) == scene
     run = simulate(load_model(generate(scene, tmp_path)), t_end=1.0, dt=1e-2, scheme="rk4")
     wheel = film(run, frames=3).line("wheel", "outline").xy
     theta = run.interpolate(np.linspace(0.0, 1.0, 3), "q")[
@@ -90,17 +90,17 @@ def test_a_mesh_file_beside_the_scene(tmp_path: Path) -> None:
         .replace('type = "sphere", radius = 0.1', 'type = "mesh", file = "part.obj"')
     )
     (tmp_path / "scene.toml").write_text(text)
-    scene = Scene.from_toml(tmp_path / "scene.toml")
+    scene = SceneRecord.from_toml(tmp_path / "scene.toml")
     assert scene == disk(**read_mesh(tmp_path / "part.obj"))
     outside = text.replace("part.obj", "../part.obj")
     (tmp_path / "scene.toml").write_text(outside)
     with pytest.raises(SceneError, match="not below the scene's folder"):
-        Scene.from_toml(tmp_path / "scene.toml")
+        SceneRecord.from_toml(tmp_path / "scene.toml")
     (tmp_path / "inner").mkdir()
     (tmp_path / "inner" / "link.obj").symlink_to(tmp_path / "part.obj")
     (tmp_path / "inner" / "scene.toml").write_text(text.replace("part.obj", "link.obj"))
     with pytest.raises(SceneError, match="not below the scene's folder"):
-        Scene.from_toml(tmp_path / "inner" / "scene.toml")
+        SceneRecord.from_toml(tmp_path / "inner" / "scene.toml")
     os.mkfifo(tmp_path / "pipe.stl")
     with pytest.raises(SceneError, match="not an ordinary file"):
         read_mesh(tmp_path / "pipe.stl")

@@ -15,19 +15,19 @@ from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.views.viewer.page import view
 from runtime.views.viewer.record import torsion_factors, view_record
-from symgen.scene import Scene, SceneBuilder, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord
 from symgen.scenes import SCENES, generated_folder
 from tests.support.browser import used
 
 
 @pytest.mark.parametrize("aside", [0.0, -0.02])
-def test_a_cantilever_under_a_force(model_of: Callable[[Scene], Model], aside: float) -> None:
+def test_a_cantilever_under_a_force(model_of: Callable[[SceneRecord], Model], aside: float) -> None:
     """Hand, to first order: sigma = P / A - F_y (L - x) y / I_z - F_z (L - x) z / I_y at corners and middles of sides,
     tau = 3 F / (2 A) in the middles along F and T / (0.246 h w^2), 0.795 of it on the short sides, of torsion (tables
     for 2 : 1): sqrt(sigma^2 + 3 tau^2). In space with F_z and T.
     """
     length, height, width, force, pull, twist = 0.5, 0.02, 0.01, 0.03, 4.0, 2e-2
-    builder = SceneBuilder("cantilever", space="spatial" if aside else "planar")
+    builder = Scene("cantilever", space="spatial" if aside else "planar")
     across: dict[str, Any] = {}
     if aside:
         across = {"second_moment_z": height * width**3 / 12, "lateral_z": {"modes": 2}, "torsion": {"modes": 1}}
@@ -112,4 +112,4 @@ def test_a_surface_that_does_not_fit_is_refused_with_the_scene() -> None:
     ):
         rod["surface"] = {**good, **change}
         with pytest.raises(SceneError, match=words):
-            Scene.from_dict(plain)
+            SceneRecord.from_dict(plain)

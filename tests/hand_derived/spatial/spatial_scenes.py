@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.hand_derived.spatial import (
     twin_free_body,
     twin_free_flexible,
@@ -46,8 +46,8 @@ def flexible(nodes: Nodes) -> dict[str, Any]:
     }
 
 
-def free_body(p: twin_free_body.Params) -> Scene:
-    builder = SceneBuilder("free_body", space="spatial").gravity(*p.gravity)
+def free_body(p: twin_free_body.Params) -> SceneRecord:
+    builder = Scene("free_body", space="spatial").gravity(*p.gravity)
     unit = np.eye(3)
     builder.rigid(
         "body",
@@ -69,16 +69,16 @@ def free_body(p: twin_free_body.Params) -> Scene:
     return builder.initial({"body.theta2": 0.7}).build()
 
 
-def heavy_top(p: twin_heavy_top.Params) -> Scene:
-    builder = SceneBuilder("heavy_top", space="spatial").gravity(*p.gravity)
+def heavy_top(p: twin_heavy_top.Params) -> SceneRecord:
+    builder = Scene("heavy_top", space="spatial").gravity(*p.gravity)
     builder.ground(markers={"pivot": marker(p.pivot)})
     builder.rigid("top", mass=p.mass, **inertia(p.inertia), center_of_mass=p.centre, orientation=p.sequence)
     builder.joint("spherical", "pivot", "ground.pivot", "top.origin")
     return builder.initial({"top.theta2": 0.7}).build()
 
 
-def double_pendulum(p: twin_spatial_double_pendulum.Params) -> Scene:
-    builder = SceneBuilder("double", space="spatial").gravity(*p.gravity)
+def double_pendulum(p: twin_spatial_double_pendulum.Params) -> SceneRecord:
+    builder = Scene("double", space="spatial").gravity(*p.gravity)
     builder.ground(markers={"a": marker(p.pivot1, p.A_1a)})
     builder.rigid(
         "one",
@@ -97,9 +97,9 @@ def double_pendulum(p: twin_spatial_double_pendulum.Params) -> Scene:
     return builder.build()
 
 
-def governor(p: twin_governor.Params) -> Scene:
+def governor(p: twin_governor.Params) -> SceneRecord:
     """The shaft turns about z; rods hang on hinges about the shaft's y, one along x and one along -x."""
-    builder = SceneBuilder("governor", space="spatial").gravity(0, 0, -p.g)
+    builder = Scene("governor", space="spatial").gravity(0, 0, -p.g)
     across = p.width**2 / 12
     shaft, rod = p.shaft_mass, p.rod_mass
     long = p.length**2 / 12 + across
@@ -144,8 +144,8 @@ def governor(p: twin_governor.Params) -> Scene:
     return builder.rates({"spin.angle": 2 * np.pi}).build()
 
 
-def hub_beam(p: twin_spatial_hub_beam.Params) -> Scene:
-    builder = SceneBuilder("hub", space="spatial").gravity(*p.gravity)
+def hub_beam(p: twin_spatial_hub_beam.Params) -> SceneRecord:
+    builder = Scene("hub", space="spatial").gravity(*p.gravity)
     builder.ground(markers={"axle": marker(p.pivot, p.A_a)})
     builder.rigid(
         "hub",
@@ -161,8 +161,8 @@ def hub_beam(p: twin_spatial_hub_beam.Params) -> Scene:
     return builder.build()
 
 
-def free_flexible(p: twin_free_flexible.Params, orientation: str) -> Scene:
-    builder = SceneBuilder("free_flexible", space="spatial").gravity(*p.gravity)
+def free_flexible(p: twin_free_flexible.Params, orientation: str) -> SceneRecord:
+    builder = Scene("free_flexible", space="spatial").gravity(*p.gravity)
     builder.flexible(
         "body",
         **flexible(p.body),
@@ -173,9 +173,9 @@ def free_flexible(p: twin_free_flexible.Params, orientation: str) -> Scene:
     return builder.force("pull", "body.node", *p.force).build()
 
 
-def slider_crank(p: twin_spatial_slider_crank.Params) -> Scene:
+def slider_crank(p: twin_spatial_slider_crank.Params) -> SceneRecord:
     """The joints of crank, slider and rod along the tree; the spherical one closes the loop."""
-    builder = SceneBuilder("spatial_slider_crank", space="spatial").gravity(*p.gravity)
+    builder = Scene("spatial_slider_crank", space="spatial").gravity(*p.gravity)
     along = {"axis": [1, 0, 0], "x_axis": [0, 1, 0]}
     builder.ground(markers={"axle": {"position": [0, 0, p.z0], **along}, "guide": {"position": [0, p.y0, 0], **along}})
     builder.rigid(

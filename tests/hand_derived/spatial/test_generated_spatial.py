@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from runtime.contract.coordinates import independent, independent_part, whole
 from runtime.contract.model import Model
-from symgen.scene import Scene
+from symgen.scene import SceneRecord
 from tests.hand_derived.spatial import spatial_scenes as scenes
 from tests.hand_derived.spatial import (
     twin_free_body,
@@ -34,12 +34,12 @@ from tests.hand_derived.spatial.twin_spatial import (
 from tests.support.model_values import State, evaluate, make_state, relative_error
 
 TOLERANCE = 1e-12
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 
 free_zyx, free_zxz = (twin_free_body.Params(sequence=sequence) for sequence in ("zyx", "zxz"))
 flexible_zyx = twin_free_flexible.Params(sequence="zyx")
 sprung = replace(twin_spatial_double_pendulum.Params(), k1=3.0, k2=1.2)
-CASES: dict[str, tuple[ModuleType, Any, Scene, Any]] = {
+CASES: dict[str, tuple[ModuleType, Any, SceneRecord, Any]] = {
     "free_zyx": (twin_free_body, free_zyx, scenes.free_body(free_zyx), 1.0),
     "free_zxz": (twin_free_body, free_zxz, scenes.free_body(free_zxz), 1.0),
     "heavy_top": (twin_heavy_top, twin_heavy_top.Params(), scenes.heavy_top(twin_heavy_top.Params()), 1.0),

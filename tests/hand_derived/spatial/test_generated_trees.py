@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.hand_derived.spatial.spatial_scenes import inertia, marker
 from tests.hand_derived.spatial.twin_tree import Limb, M_and_Q
 from tests.hand_derived.twin_common import Array
@@ -33,9 +33,9 @@ def rotation(rng: np.random.Generator, kind: str) -> Array:
     return Q * np.sign(np.diag(R))
 
 
-def mechanism(seed: int, kind: str) -> tuple[Scene, list[Limb]]:
+def mechanism(seed: int, kind: str) -> tuple[SceneRecord, list[Limb]]:
     rng = np.random.default_rng(seed)
-    builder = SceneBuilder("tree", space="spatial").gravity(*GRAVITY)
+    builder = Scene("tree", space="spatial").gravity(*GRAVITY)
     limbs, types, column = [], [], 0
     markers: dict[int, dict[str, dict]] = {k: {} for k in range(-1, len(PARENTS))}
     for k, parent in enumerate(PARENTS):
@@ -64,7 +64,7 @@ def mechanism(seed: int, kind: str) -> tuple[Scene, list[Limb]]:
 
 @pytest.mark.parametrize(("seed", "kind"), [(1, "any"), (2, "square"), (3, "almost")])
 def test_trees_in_the_rates_of_their_joints(
-    seed: int, kind: str, build: Callable[[Scene, frozenset[str] | None], Model]
+    seed: int, kind: str, build: Callable[[SceneRecord, frozenset[str] | None], Model]
 ) -> None:
     scene, limbs = mechanism(seed, kind)
     model = build(scene, FUNCTIONS)

@@ -17,20 +17,20 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneRecord
 from tests.hand_derived.spatial.twin_spatial import euler_A
 from tests.support.model_values import evaluate, make_state, relative_error
 
 Array = np.ndarray
-Build = Callable[[Scene], Model]
+Build = Callable[[SceneRecord], Model]
 L, RHO, AREA, SECTION, E, G, TORSION = 0.8, 2700.0, 6e-3, (8e-5, 1.5e-5), 7e7, 2.6e7, 4e-5
 TIP, CENTRE, INERTIA = 0.9, np.array([0.05, 0.12, -0.07]), np.array([0.02, 0.03, 0.04])
 GRAVITY = np.array([0.4, -1.1, -9.81])
 AXLE, ON_BEAM = euler_A("zyx", np.array([0.3, 0.5, -0.8])), euler_A("zyx", np.array([-0.4, 0.7, 0.6]))
 
 
-def scene() -> Scene:
-    builder = SceneBuilder("twisting", space="spatial").gravity(*GRAVITY)
+def scene() -> SceneRecord:
+    builder = Scene("twisting", space="spatial").gravity(*GRAVITY)
     builder.ground(markers={"axle": {"axis": AXLE[:, 2], "x_axis": AXLE[:, 0]}})
     builder.beam(
         "beam", length=L, density=RHO, area=AREA, second_moment=SECTION[0], second_moment_z=SECTION[1],
