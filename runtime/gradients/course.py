@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from copy import copy
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import NoReturn
 
 import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
-from runtime.schemes.switching.breaks import ON_THE_GRID, Breaks
-from runtime.schemes.switching.times import SwitchTime, has_switching_times, switches_by_inputs, switching_times
+from runtime.running.plan import Plan
+from runtime.schemes.switching.breaks import ON_THE_GRID, Breaks, within
+from runtime.schemes.switching.times import SwitchTime, switching_times
 
+JUMPS = -1  # of a turn where no event acts, but the time of a jump moves
 Moves = Callable[[Sequence[SwitchTime]], np.ndarray]  # of jumps at one time: its derivative by p (n_p,)
 
 
@@ -56,42 +58,41 @@ class EventPassage:
 
 
 @dataclass(frozen=True)
-class StepPart:
-    """Of a broken step: from a clock on, so long [s], behind a jump or a passage of events."""
+class Turn:
+    """A restart at a clock [s] from major steps dt_before to those of dt [s], with t0 [s] and n of z behind it.
 
-    start: float
-    length: float
-    jump: Jump | None
-    passage: EventPassage | None = None
-
-
-@dataclass(frozen=True)
-class Broken:
-    """Parts of a major step, the number of steps done after it, and the clock from which the next one starts [s].
-
-    passage: of events at its end. whole: is it one step of the grid, from a clock behind a jump at its start?
+    goes_on: are steps of dt made before the next turn? Else those of the grid. jump, passage, holds: what is there.
     """
 
-    parts: tuple[StepPart, ...]
-    step: int
+    dt_before: float
+    dt: float
     clock: float
+    t0: float
+    n: int
+    goes_on: bool = False
+    jump: Jump | None = None
     passage: EventPassage | None = None
-    whole: bool = False
+    holds: tuple[Hold, ...] = ()
+
+    @property
+    def event(self) -> int | None:
+        """The position of the event that acts; JUMPS where the time of a jump moves; None where neither is."""
+        if self.passage is not None and self.passage.event >= 0:
+            return self.passage.event
+        return JUMPS if self.jump is not None and self.jump.moves.any() else None
 
 
 @dataclass(frozen=True)
 class Stop:
-    """After so many major steps, or a broken one: outputs are taken as a sample (-1: none), then inputs change."""
+    """A turn, if any, so many major steps behind it, and then outputs as a sample (-1: none).
+
+    t0: of z from here on where there is no turn [s].
+    """
 
     steps: int
-    sample: int
-    holds: tuple[Hold, ...] = ()
-    broken: Broken | None = None
-
-    @property
-    def recorded(self) -> int:
-        """Steps that are made."""
-        return self.steps if self.broken is None else len(self.broken.parts)
+    sample: int = -1
+    turn: Turn | None = None
+    t0: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -104,12 +105,13 @@ class Course:
     @property
     def steps(self) -> int:
         """All of them."""
-        return sum(stop.recorded for stop in self.stops)
+        return sum(stop.steps for stop in self.stops)
 
 
-def course(steps: int, every: int, holds: Iterable[Hold]) -> Course:
+def course(plan: Plan, holds: Iterable[Hold] = ()) -> Course:
     """Samples at every so many steps and at the last one; inputs change before that are within the run."""
-    times = [*range(0, steps, every), steps]
+    steps, t0, dt = plan.steps, plan.t0, plan.grid.dt_L
+    times = [*range(0, steps, plan.save_every), steps]
     changes: dict[int, list[Hold]] = {}
     for hold in holds:
         if 0 < hold.step < steps:
@@ -117,68 +119,84 @@ def course(steps: int, every: int, holds: Iterable[Hold]) -> Course:
     sample = {time: k for k, time in enumerate(times)}
     stops, before = [], 0
     for time in sorted({*times, *changes}):
-        stops.append(Stop(time - before, sample.get(time, -1), tuple(changes.get(time, ()))))
+        stops.append(Stop(time - before, sample.get(time, -1), t0=t0))
+        if time in changes:
+            stops.append(Stop(0, turn=Turn(dt, dt, t0 + time * dt, t0, time, holds=tuple(changes[time]))))
         before = time
     return Course(tuple(stops), tuple(times))
 
 
-def across(course: Course, breaks: Breaks, moves: Moves, passages: Mapping[int, Sequence[EventPassage]]) -> Course:
-    """The course with its steps broken where something jumps, and where events happen (by step)."""
-    special = sorted({*breaks.broken, *breaks.on, *passages})
-    stops: list[Stop] = []
-    done = 0
+def across(
+    course: Course, grid: Breaks, m: Sequence[int], moves: Moves, passages: Mapping[int, Sequence[EventPassage]]
+) -> Course:
+    """The course with the steps made in parts in which something jumps, or events happen (by step); m: of the groups.
+
+    Raises NoResult for an event at the time of a jump.
+    """
+    special = sorted({*grid.broken, *passages})
+    stops, done, t0 = list[Stop](), 0, grid.t0 + (grid.clock(0) - grid.t0)
     for stop in course.stops:
-        end, cut = done + stop.steps, []
-        for k in (one for one in special if done <= one < end):
-            if k > done:
-                cut.append(Stop(k - done, -1))
-            cut.append(Stop(0, -1, broken=_passed(_broken(breaks, k, moves), passages.get(k, ()), breaks.dt)))
+        if stop.turn is not None:
+            stops.append(replace(stop, turn=replace(stop.turn, t0=t0, clock=t0 + done * grid.dt)))
+            continue
+        end, cut = done + stop.steps, list[Stop]()
+        for k in [*(one for one in special if done <= one < end), end]:
+            if k > done and t0 != grid.t0:  # the first step behind a jump that is on the grid
+                cut.append(Stop(1, t0=t0))
+                done, t0 = done + 1, grid.t0
+            cut += [Stop(k - done, t0=t0)] if k > done else []
+            if k < end:
+                cut += _broken(grid, k, m, moves, passages.get(k, ()))
+                assert cut[-1].turn is not None
+                t0 = cut[-1].turn.t0
             done = k + 1
-        if done < end or not cut:
-            cut.append(Stop(end - done, -1))
-        stops += [*cut[:-1], replace(cut[-1], sample=stop.sample, holds=stop.holds)]
+        stops += [*cut[:-1], replace(cut[-1] if cut else stop, sample=stop.sample)]
         done = end
     return replace(course, stops=tuple(stops))
 
 
-def _broken(breaks: Breaks, step: int, moves: Moves) -> Broken:
-    there = breaks.on.get(step, []) if step else []
-    jump = Jump(min(one.before for one in there), breaks.clock(step), moves(there)) if there else None
-    inside, parts = iter(breaks.inside.get(step, [])), []
-    for start, length, before, after in breaks.parts(np.array([step])).each():
-        parts.append(StepPart(start, length, jump))
-        one = next(inside, None) if before is not None else None  # what jumps at the end of the step is the next one's
-        jump = Jump(before, after, moves([one])) if one is not None and before is not None else None
-    whole = breaks.next_broken(step) != step
-    return Broken(tuple(parts), step + 1, breaks.clock(step + 1), whole=whole)
+def _broken(
+    grid: Breaks, step: int, m: Sequence[int], moves: Moves, passages: Sequence[EventPassage]
+) -> Iterator[Stop]:
+    """The parts of a step, and the way back to the grid."""
+    turn = Turn(grid.dt, grid.dt, 0.0, 0.0, 0)
+    for start, length, jump, passage in _parts(grid, step, moves, passages):
+        turn = replace(turn, dt=within(length, m), clock=start, t0=start, goes_on=True)
+        yield Stop(1, turn=turn)
+        turn = Turn(turn.dt, grid.dt, 0.0, 0.0, 0, jump=jump, passage=passage)
+    clock = grid.clock(step + 1)
+    yield Stop(0, turn=replace(turn, clock=clock, t0=grid.t0 + (clock - grid.time(step + 1)), n=step + 1))
 
 
-def _passed(broken: Broken, passages: Sequence[EventPassage], dt: float) -> Broken:
-    """The same with parts that end at passages of events, too. Raises NoResult for one at the time of a jump."""
-    parts, last = list[StepPart](), None
-    waiting = list(passages)
-    for k, part in enumerate(broken.parts):
-        end, now = part.start + part.length, part
-        while waiting and waiting[0].clock <= end:
+def _parts(
+    grid: Breaks, step: int, moves: Moves, passages: Sequence[EventPassage]
+) -> Iterator[tuple[float, float, Jump | None, EventPassage | None]]:
+    """(clock, length, what is at its end) of each part of a step [s]."""
+    waiting, inside = list(passages), iter(grid.inside.get(step, []))
+    for start, length, before, after in grid.parts(np.array([step])).each():
+        end, jump, last = start + length, None, None
+        if before is not None:
+            there = next(inside, None)
+            jump = Jump(before, after, moves(grid.on[step + 1] if there is None else [there]))
+        while last is None and waiting and waiting[0].clock <= end:
             passage = waiting.pop(0)
-            _refuse(passage, passage.clock < now.start)
             left = end - passage.clock
-            parts.append(replace(now, length=passage.clock - now.start))
-            if left > ON_THE_GRID * dt:
-                now = StepPart(passage.clock, left, None, passage)
-                continue
-            _refuse(passage, k < len(broken.parts) - 1)
-            now, last = replace(now, length=0.0), passage
-        if now.length:
-            parts.append(now)
+            if passage.clock < start:
+                _refuse(passage)
+            if left > ON_THE_GRID * grid.dt:
+                yield start, passage.clock - start, None, passage
+                start, length = passage.clock, left
+            elif jump is not None:
+                _refuse(passage)
+            else:
+                last, length = passage, passage.clock - start
+        yield start, length, jump, last
     if waiting:
-        _refuse(waiting[0], True)
-    return replace(broken, parts=tuple(parts), passage=last, whole=broken.whole and not passages)
+        _refuse(waiting[0])
 
 
-def _refuse(passage: EventPassage, where_something_jumps: bool) -> None:
-    if where_something_jumps:
-        raise NoResult(f"an event at t = {passage.clock:.6g} s", "happens just where a load jumps", "move one of them")
+def _refuse(passage: EventPassage) -> NoReturn:
+    raise NoResult(f"an event at t = {passage.clock:.6g} s", "happens just where a load jumps", "move one of them")
 
 
 # How the times of jumps move with parameters: g(t, c(p)) = 0 gives dt/dp = -g_p / g_t.
@@ -188,50 +206,38 @@ ALIKE = 1e-9  # of the largest entry: derivatives of the times of two conditions
 
 
 class MovingJumps:
-    """Of a model; by: the entries of p that are differentiated by. steps, t0 [s], dt [s]: of the run."""
+    """Of a model; by: the entries of p that are differentiated by."""
 
-    def __init__(self, model: Model, by: Sequence[int], t0: float, dt: float, steps: int) -> None:
+    def __init__(self, model: Model, by: Sequence[int]) -> None:
         self._model, self._by = model, list(by)
-        self._t0, self._dt, self._end = t0, dt, t0 + steps * dt
-        self.possible = has_switching_times(model)
         if model.has("switching"):
             t, p = ca.SX.sym("t"), ca.SX.sym("p", len(model.parameters))
             g = ca.densify(model.evaluate("switching", t=t, c=model.kernel("constants")(p))["switching"])
             slopes = ca.densify(ca.jacobian(g, p)) if self._by else ca.SX.zeros(g.numel(), p.numel())
             self._of = ca.Function("conditions", [t, p], [g, ca.densify(ca.jacobian(g, t)), slopes])
 
-    def over(self, t0: float, dt: float, steps: int) -> MovingJumps:
-        """The same of a run with so many steps of dt from t0 on [s]."""
-        other = copy(self)
-        other._t0, other._dt, other._end = t0, dt, t0 + steps * dt
-        return other
-
-    @property
-    def reads_inputs(self) -> bool:
-        """Do conditions depend on held inputs?"""
-        return switches_by_inputs(self._model)
-
-    def broken(self, course: Course, p: np.ndarray, passages: Mapping[int, Sequence[EventPassage]]) -> Course:
-        """The course of a run with parameters p (n_p,), its steps broken where something jumps or happens.
+    def broken(
+        self, course: Course, plan: Plan, p: np.ndarray, passages: Mapping[int, Sequence[EventPassage]]
+    ) -> Course:
+        """The course of a run with parameters p (n_p,), its steps in parts where something jumps or happens.
 
         passages: of events, by step. Raises NoResult.
         """
-        c, found = self._model.constants(p), list[SwitchTime]()
-        if self.possible:
-            found = switching_times(self._model, c, self._t0, self._end)
+        found = switching_times(self._model, self._model.constants(p), plan.t0, plan.t_end)
         if not found and not passages:
             return course
-        return across(course, Breaks(self._t0, self._dt, found), lambda there: self._moves(there, p), passages)
+        near, grid = NEAR * (plan.t_end - plan.t0), Breaks(plan.t0, plan.grid.dt_L, found)
+        return across(course, grid, plan.grid.m, lambda there: self._moves(there, p, near), passages)
 
-    def _moves(self, there: Sequence[SwitchTime], p: np.ndarray) -> np.ndarray:
-        """(n_p,) the derivative of the time of jumps that are at one time."""
+    def _moves(self, there: Sequence[SwitchTime], p: np.ndarray, near: float) -> np.ndarray:
+        """(n_p,) the derivative of the time of jumps that are at one time; near [s]: zeros of their conditions."""
         none = np.zeros(len(p))
         if not self._by or not self._model.has("switching"):
             return none
         found: list[np.ndarray] = []
         for one in there:
             g, g_t, g_p = (np.asarray(value) for value in self._of(one.time, p))
-            for k in np.flatnonzero(np.abs(g[:, 0]) <= NEAR * (self._end - self._t0) * np.abs(g_t[:, 0])):
+            for k in np.flatnonzero(np.abs(g[:, 0]) <= near * np.abs(g_t[:, 0])):
                 if g_t[k, 0] != 0:
                     slope = none.copy()
                     slope[self._by] = -g_p[k, self._by] / g_t[k, 0]

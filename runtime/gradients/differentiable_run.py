@@ -14,16 +14,17 @@ from runtime.contract.errors import ArgumentError, ModelError, NoResult
 from runtime.contract.model import Model
 from runtime.engine.derivatives import Recorder, TangentCode, most_lanes
 from runtime.engine.native import NativeProgram
-from runtime.gradients.course import Course, MovingJumps, course
-from runtime.gradients.crossing import JumpCrossing, hold_inputs
+from runtime.gradients.course import Course, MovingJumps, Stop, Turn, course
 from runtime.gradients.objectives import Objective
 from runtime.gradients.observed_program import ObservedProgram, check_outputs, observed_program
 from runtime.gradients.passages import Passages
 from runtime.gradients.passes import Backward, Weigh, forward
 from runtime.gradients.start_of_run import Beginning, Begun, StartOfRun
 from runtime.gradients.switches import Switches
+from runtime.gradients.turns import TurnProgram
 from runtime.gradients.variables import Inputs, driven_by, held_samples, holds_of, variables_of
 from runtime.running.plan import make_plan
+from runtime.schemes.switching.times import switches_by_inputs
 
 Values = Sequence[float] | np.ndarray | Mapping[str, float] | None
 MODES = ("auto", "forward", "reverse")
@@ -34,6 +35,25 @@ class RunCode:
 
     def __init__(self, program: ObservedProgram, count: int, wait: bool) -> None:
         self._program, self._count, self._wait = program, count, wait
+        self._turns: dict[int | None, TurnProgram] = {}
+
+    @property
+    def width(self) -> int:
+        """Directions side by side."""
+        return min(most_lanes(), 1 << (self._count - 1).bit_length())
+
+    def turns(self, turn: Turn) -> TurnProgram:
+        """The program of a turn."""
+        if turn.event not in self._turns:
+            self._turns[turn.event] = TurnProgram(self._program, turn.event, self.width, self._wait)
+        return self._turns[turn.event]
+
+    def turned(self, stop: Stop, z: np.ndarray, begun: Begun) -> np.ndarray:
+        """What is done at a stop before its steps, to z (n_z,) in place; what the steps read."""
+        if stop.turn is not None:
+            return self.turns(stop.turn).take(stop.turn, z, begun)
+        z[0] = stop.t0
+        return begun.ready
 
     @cached_property
     def plain(self) -> tuple[NativeProgram, NativeProgram]:
@@ -44,9 +64,8 @@ class RunCode:
     @cached_property
     def tangents(self) -> tuple[TangentCode, TangentCode]:
         """Values and slopes, a direction a lane."""
-        width = min(most_lanes(), 1 << (self._count - 1).bit_length())
-        active, step, observe = self._program.active, self._program.step, self._program.observe
-        return TangentCode(step, active, width, self._wait), TangentCode(observe, active, width, self._wait)
+        own, active, how = self._program, self._program.active, (self.width, self._wait)
+        return TangentCode(own.step, active, *how), TangentCode(own.observe, active, *how)
 
     @cached_property
     def beginning(self) -> Beginning:
@@ -100,11 +119,12 @@ class DifferentiableRun:
         self.program = observed_program(self.plan.scheme, self.outputs, entries)
         self._codes = RunCode(self.program, len(self.by), wait)
         self._refuse_idle()
-        self.course = course(self.plan.steps, self.plan.save_every, holds_of(self.plan, held, self.by))
+        self._holds = holds_of(self.plan, held, self.by)
+        self.course = course(self.plan, self._holds)
         self.t = self.plan.t0 + np.array(self.course.times) * self.plan.grid.dt_L
         sampled = [k for k, entry in enumerate(model.parameters) if entry.name in {one.input for one in held}]
         self._switches = Switches(self.plan, self.program, [*entries, *sampled])
-        self._jumps = MovingJumps(model, entries, self.plan.t0, self.plan.grid.dt_L, self.plan.steps)
+        self._jumps = MovingJumps(model, entries)
         self._refuse_jumps_by_samples([one.input for one in held if one.step > 0])
         given = {one.input: one.value for one in held if one.step == 0}
         self._start = StartOfRun(
@@ -123,18 +143,15 @@ class DifferentiableRun:
         Outputs are then at its start and its end, if the number of steps is another.
         """
         other, count = copy(self), self.plan.steps if steps is None else steps
-        for name in ("_backward", "_crossing"):
-            other.__dict__.pop(name, None)
+        other.__dict__.pop("_backward", None)
         dt = length / count
         scheme = self.plan.scheme.with_step(dt)
         every = self.plan.save_every if steps is None else count
         other.plan = replace(self.plan, scheme=scheme, t0=t0, steps=count, save_every=every)
         other.program = replace(self.program, scheme=scheme)
-        if steps is not None:
-            other.course = course(count, count, ())
+        other.course = course(other.plan, self._holds if steps is None else ())
         other.t = t0 + np.array(other.course.times) * dt
         other._passages = self._passages.over(t0, dt, count)
-        other._jumps = self._jumps.over(t0, dt, count)
         other._start = self._start.on(other.program, other.plan)
         return other
 
@@ -145,15 +162,12 @@ class DifferentiableRun:
         begun = self._begun(x, slopes=False)
         z, y = begun.z.copy(), np.zeros((len(self.t), len(self.outputs)))
         stepping, observing = self._codes.plain
-        course, crossing = self._across(begun)
-        for stop in course.stops:
-            if stop.broken is not None and crossing is not None:
-                crossing.run(stepping, z, stop.broken, begun)
-            stepping.run(z, begun.ready, stop.steps)
+        for stop in self._across(begun).stops:
+            ready = self._codes.turned(stop, z, begun)
+            stepping.run(z, ready, stop.steps)
             if stop.sample >= 0:
-                observing.run(z, begun.ready, 1)
+                observing.run(z, ready, 1)
                 y[stop.sample] = z[self.program.outputs]
-            hold_inputs(z, stop, begun, crossing)
         begun.watch.end(z)
         return y
 
@@ -161,10 +175,10 @@ class DifferentiableRun:
         """Outputs and their derivatives, one direction a lane."""
         begun = self._begun(x)
         directions = self._codes.beginning.tangents(self._place, begun.x, begun.slopes)
-        course, crossing = self._across(begun)
-        y, slopes, last = forward(self.program, self._codes.tangents, course, begun, directions, crossing)
+        course, codes = self._across(begun), self._codes
+        y, slopes, last = forward(self.program, codes.tangents, codes.turns, course, begun, directions)
         begun.watch.end(last)
-        self._switches.check(begun, course, crossing)
+        self._switches.check(begun, course, codes.turned)
         self._require_finite(slopes)
         return OutputJacobian(self.t, self.outputs, self.by, y, slopes)
 
@@ -200,36 +214,29 @@ class DifferentiableRun:
 
     def _reverse(self, x: Values, weigh: Weigh) -> tuple[np.ndarray, np.ndarray]:
         begun = self._begun(x)
-        course, crossing = self._across(begun)
-        backward = (
-            self._backward if crossing is None else Backward(self.program, self._codes.recorders, course, crossing)
-        )
+        course = self._across(begun)
+        backward = self._backward if course is self.course else self._way_back(course)
         y, adjoint, held, of_parameters, last = backward.run(begun, weigh)
         begun.watch.end(last)
-        self._switches.check(begun, course, crossing)
+        self._switches.check(begun, course, self._codes.turned)
         of_x = self._codes.beginning.pulled_back(self._place, begun.x, adjoint)
         of_x[: len(of_parameters)] += of_parameters
         return y, begun.slopes.T @ of_x + held
 
-    def _across(self, begun: Begun) -> tuple[Course, JumpCrossing | None]:
-        """The course with its steps broken where something jumps, and who crosses jumps and changes of inputs."""
+    def _across(self, begun: Begun) -> Course:
+        """The course with its steps in parts where something jumps or happens."""
         passages = self._passages.found(begun)
-        course = self._jumps.broken(self.course, begun.x[: len(self.model.parameters)], passages)
-        held = any(stop.holds for stop in course.stops)
-        if course is self.course and not (held and self._crossing.remembers):
-            return course, None
-        return course, self._crossing
+        return self._jumps.broken(self.course, self.plan, begun.x[: len(self.model.parameters)], passages)
 
     def _begun(self, x: Values, slopes: bool = True) -> Begun:
         return self._start.begun(self.x0 if x is None else self.variables.checked(x), slopes)
 
     @cached_property
     def _backward(self) -> Backward:
-        return Backward(self.program, self._codes.recorders, self.course)
+        return self._way_back(self.course)
 
-    @cached_property
-    def _crossing(self) -> JumpCrossing:
-        return JumpCrossing(self.program, self.plan.t0)
+    def _way_back(self, course: Course) -> Backward:
+        return Backward(self.program, self._codes.recorders, self._codes.turns, course)
 
     @property
     def _place(self) -> list[float]:
@@ -249,7 +256,7 @@ class DifferentiableRun:
 
     def _refuse_jumps_by_samples(self, names: Sequence[str]) -> None:
         """Raises ArgumentError where held samples change when something jumps."""
-        if names and self._jumps.reads_inputs:
+        if names and switches_by_inputs(self.model):
             raise ArgumentError(
                 f"samples of {', '.join(dict.fromkeys(names))}",
                 f"change during the run, and when something in model {self.model.name} jumps depends on inputs",

@@ -9,7 +9,7 @@ right.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import casadi as ca
@@ -19,8 +19,7 @@ from runtime.contract.coordinates import independent_part, loop_part, whole
 from runtime.contract.errors import NoResult
 from runtime.contract.tape import UNUSED, Tape, node_value, read_tape
 from runtime.engine.native import NativeProgram
-from runtime.gradients.course import Course
-from runtime.gradients.crossing import JumpCrossing, hold_inputs
+from runtime.gradients.course import Course, Stop
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.gradients.start_of_run import Begun
 from runtime.running.plan import Plan
@@ -47,28 +46,22 @@ class Switches:
         self._plan, self._program = plan, program
         self._watched = _watched(plan, parameters)
 
-    def check(self, begun: Begun, course: Course, crossing: JumpCrossing | None = None) -> None:
-        """Look along a run. Raises NoResult for a force that jumps there. crossing: where steps are broken."""
+    def check(self, begun: Begun, course: Course, turned: Callable[[Stop, np.ndarray, Begun], np.ndarray]) -> None:
+        """Look along a run. Raises NoResult for a force that jumps there. turned: see RunCode."""
         if self._watched is None:
             return
-        scheme, ready = self._plan.scheme, begun.ready
-        constants = ready[: scheme.c_size]
         stepping, z = NativeProgram(self._program.step), begun.z.copy()
         for stop in course.stops:
-            c = self._constants(z, ready)
+            ready = turned(stop, z, begun)
+            c, constants = self._constants(z, ready), ready[: self._plan.scheme.c_size]
             before = self._at(z, constants)
-            for _ in range(1 if stop.broken else stop.steps):
+            for _ in range(stop.steps):
                 held = self._conditions(before, c)
-                if stop.broken is None or crossing is None:
-                    stepping.run(z, ready, 1)
-                else:
-                    crossing.run(stepping, z, stop.broken, begun)
+                stepping.run(z, ready, 1)
                 after = self._at(z, constants)
-                now = self._conditions(after, c)
-                for k in np.flatnonzero(held != now):
+                for k in np.flatnonzero(held != self._conditions(after, c)):
                     self._compare(int(k), before, after, held, c)
                 before = after
-            hold_inputs(z, stop, begun, crossing)
 
     def _constants(self, z: np.ndarray, ready: np.ndarray) -> np.ndarray:
         """The model's c with the inputs that z holds."""

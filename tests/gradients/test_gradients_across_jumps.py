@@ -26,6 +26,8 @@ def test_a_time_that_moves_has_its_derivative(model_of: Build, scheme: str) -> N
             found = gradient(model, End("mass.x"), ["f", "T"], scheme=scheme, dt=0.02, mode=mode, parameters={"T": T})
             np.testing.assert_allclose(found.derivatives, [(1 - T) ** 2 / 2, -2 * (1 - T)], rtol=1e-11)
             assert found.value == pytest.approx((1 - T) ** 2, rel=1e-12)
+    run = DifferentiableRun(model, ["mass.x_dot"], ["T"], scheme=scheme, dt=0.02, save_every=25)
+    np.testing.assert_allclose(run.jacobian()["mass.x_dot", "T"], [0.0, -2.0, -2.0], atol=1e-11)
 
 
 def kicked() -> SceneRecord:

@@ -1,0 +1,213 @@
+"""Turns of a differentiated run: restarts where steps of another length follow, loads jump, events act, inputs change.
+
+The restart is that of a run (`restarted`), as a program that is differentiated like a step. Where accelerations jump
+from a- to a+ at a time T, positions and rates are continuous, and a state that goes on from there has besides
+
+    dv = (a- - a+) dT                                      (saltation)
+
+dT is data where a load jumps. An event happens where g(q, q', t, p) = 0 and sets w = A(q, q', t, p), so that with the
+rates g' and A' along the motion dT = -dg / g', dw = dA + A' dT. A stage measures g, g' and a- - a+, which do not count
+as differentiated; the next one adds (a- - a+) (g measured - g) / g', whose value is zero and whose derivative is dv.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.errors import ArgumentError, NoResult
+from runtime.engine.derivatives import Active, LaneArrays, Recorder, TangentCode
+from runtime.engine.native import NativeProgram
+from runtime.engine.program import Fields, Layout, Program, Sequence, make_stage
+from runtime.gradients.course import JUMPS, Turn
+from runtime.gradients.observed_program import ObservedProgram
+from runtime.gradients.start_of_run import Begun
+from runtime.schemes.switching.restart import loop_guess, remembers, restarted, with_steps
+from runtime.schemes.switching.watched import values_at
+
+DATA = ("dt_before", "dt", "share", "clock", "before", "after")  # of a turn, see there; share: dt over that of the grid
+
+
+class TurnProgram:
+    """Turns of an observed program at which the same happens (see Turn.event), with `width` directions in lanes.
+
+    Fields of z besides the state of the scheme and the data: moved, zero, of which dT is the derivative; held: numbers
+    of inputs, those that are set by holds; value, rate, gap: as measured; ready: what the step program reads behind it.
+    """
+
+    def __init__(self, program: ObservedProgram, event: int | None, width: int, wait: bool) -> None:
+        self._of, self._scheme, self._event = program, program.scheme, event
+        scheme, active = program.scheme, program.active
+        if remembers(scheme) and scheme.charts.size:
+            raise ArgumentError(
+                f"scheme of model {scheme.model.name}",
+                "starts anew where forces jump, which is not differentiated for turns of free bodies",
+                "take a scheme of one step, such as exponential or rk4",
+            )
+        n_w = scheme.layout.sizes.get("inputs", 0)
+        sizes = {"state": scheme.layout.size, **dict.fromkeys(DATA, 1), "moved": 1, "holds": n_w, "held": n_w}
+        sizes |= {"value": 1, "rate": 1, "gap": len(scheme.model.q_i), "ready": active.c_size}
+        self.layout = Layout(sizes)
+        at = self.layout.slice
+        self._rows = [row for row in active.z if row < scheme.layout.size]
+        ready = [at("ready").start + row for row in active.c]
+        seeds = [at("moved").start, *range(*at("held").indices(self.layout.size))]
+        self._active = Active((*self._rows, *seeds, *ready), active.c, self.layout.size, active.c_size)
+        self._own = [k for k, row in enumerate(active.z) if row < scheme.layout.size]
+        self._seeds, self._ready = slice(len(self._rows), len(self._rows) + len(seeds)), len(self._rows) + len(seeds)
+        self._width, self._wait = width, wait
+
+    # ---- what a turn does -----------------------------------------------------------------------------------
+
+    def take(self, turn: Turn, z: np.ndarray, begun: Begun) -> np.ndarray:
+        """A turn at z (n_z,), in place; what steps behind it read."""
+        own = self._given(turn, z, begun)
+        self._plain.run(own, begun.ready, 1)
+        return self._taken(turn, own, z, begun)
+
+    def along(self, turn: Turn, arrays: LaneArrays, begun: Begun, grid: np.ndarray, first: int, here: int) -> None:
+        """The same in lanes, of directions first ... first + here; grid: constants in lanes of steps of the grid."""
+        n, n_z, n_c, code = self.layout.size, len(begun.z), len(begun.ready), self._tangents
+        own = LaneArrays(n + len(self._active.z), 0, code.width)
+        own.c, moving, seeds = grid, own.z[n:], np.zeros((self._seeds.stop - self._seeds.start, here))
+        own.z[:n] = self._given(turn, arrays.z[:, 0], begun)[:, None]
+        moving[: len(self._rows)] = arrays.z[[n_z + k for k in self._own]]
+        if turn.jump is not None:
+            seeds[0] = turn.jump.moves @ begun.slopes[: len(turn.jump.moves), first : first + here]
+        for row, place in self._seeded(turn):
+            if first <= place < first + here:
+                seeds[row, place - first] = 1.0
+        moving[self._seeds, :here] = seeds
+        code.run(own, 1)
+        ready, z = self._taken(turn, own.z[:n, 0].copy(), arrays.z[:n_z, 0].copy(), begun), arrays.z
+        z[: self._scheme.layout.size] = own.z[: self._scheme.layout.size]
+        z[0], z[1] = turn.t0, turn.n
+        z[[n_z + k for k in self._own]] = moving[: len(self._rows)]
+        arrays.c[:] = grid
+        if turn.goes_on:
+            arrays.c[:n_c], arrays.c[n_c:] = ready[:, None], moving[self._ready :]
+
+    def record(self, turn: Turn, z: np.ndarray, begun: Begun) -> tuple[np.ndarray, np.ndarray]:
+        """`take`, and the tape for the way back."""
+        own, tape = self._given(turn, z, begun), np.zeros(self._recorder.records + 1)
+        self._recorder.record(own, begun.ready, tape, 1)
+        return self._taken(turn, own, z, begun), tape
+
+    def back(
+        self, turn: Turn, tape: np.ndarray, adjoint: np.ndarray, ready: np.ndarray, begun: Begun, held: np.ndarray
+    ) -> np.ndarray | float:
+        """The adjoint behind a turn becomes that before it, in place; the derivative by p (n_p,) through its time.
+
+        ready: the adjoint of what steps behind it read; held (n,): takes that of what inputs are set to.
+        """
+        bar, first, last = np.zeros(self._active.size), len(self._of.active.z), len(self._active.z)
+        bar[: len(self._rows)], bar[self._ready : last], bar[last:] = adjoint[self._own], ready, adjoint[first:]
+        self._recorder.reverse(bar, begun.ready, tape, 1)
+        adjoint[self._own], adjoint[first:] = bar[: len(self._rows)], bar[last:]
+        for row, place in self._seeded(turn):
+            held[place] += bar[self._seeds][row]
+        return turn.jump.moves * bar[self._seeds.start] if turn.jump is not None else 0.0
+
+    def _given(self, turn: Turn, z: np.ndarray, begun: Begun) -> np.ndarray:
+        """z of the program."""
+        given, at, steps = np.zeros(self.layout.size), self.layout.slice, self._scheme.layout.size
+        sides = (turn.jump.before, turn.jump.after) if turn.jump is not None else (0.0, 0.0)
+        share = turn.dt / begun.ready[self._scheme.model.c_size]
+        given[:steps] = z[:steps]
+        given[steps : steps + len(DATA)] = turn.dt_before, turn.dt, share, turn.clock, *sides
+        for hold in turn.holds:
+            row = hold.row - self._scheme.layout.slice("inputs").start
+            given[at("holds")][row], given[at("held")][row] = 1.0, hold.number(begun.values)
+        return given
+
+    def _seeded(self, turn: Turn) -> list[tuple[int, int]]:
+        """(row of the seeds, place among what is differentiated by) of inputs that are set."""
+        start = self._scheme.layout.slice("inputs").start if turn.holds else 0
+        return [(1 + hold.row - start, hold.place) for hold in turn.holds if hold.place >= 0]
+
+    def _taken(self, turn: Turn, own: np.ndarray, z: np.ndarray, begun: Begun) -> np.ndarray:
+        """Into z; what steps read. Raises NoResult for an event that only grazes zero."""
+        rate = float(own[self.layout.slice("rate")][0])
+        if turn.passage is not None and turn.passage.event >= 0 and abs(rate) <= turn.passage.least:
+            event = self._scheme.model.description.events[turn.passage.event]
+            raise NoResult(
+                f"event {event.name} of model {self._scheme.model.name}",
+                f"grazes zero at t = {turn.passage.clock:.6g} s (rate {rate:.3g} 1/s): its time has no derivative",
+                "let it pass zero faster, or leave out of `by` what moves it",
+            )
+        z[: self._scheme.layout.size] = own[: self._scheme.layout.size]
+        z[0], z[1] = turn.t0, turn.n
+        return own[self.layout.slice("ready")].copy() if turn.goes_on else begun.ready
+
+    # ---- its stages, and their code -------------------------------------------------------------------------
+
+    @cached_property
+    def _plain(self) -> NativeProgram:
+        return NativeProgram(self._program, wait=self._wait)
+
+    @cached_property
+    def _tangents(self) -> TangentCode:
+        return TangentCode(self._program, self._active, self._width, self._wait)
+
+    @cached_property
+    def _recorder(self) -> Recorder:
+        return Recorder(self._program, self._active, self._wait)
+
+    @cached_property
+    def _program(self) -> Program:
+        parts = [("measured", self._measured)] if self._event is not None else []
+        stages = [*parts, ("turned", self._turned)]
+        return Sequence(tuple(make_stage(name, self.layout, self._active.c_size, body) for name, body in stages))
+
+    def _seen(self, z: Fields, c: ca.SX) -> tuple[Fields, ca.SX, dict[str, ca.SX]]:
+        """The scheme's fields, the constants that show them, and what events are there."""
+        fields = self._scheme.layout.unpack(z["state"])
+        c = with_steps(self._scheme, z["state"], c[: self._scheme.c_size], z["dt_before"])
+        acting = self._event is not None and self._event != JUMPS
+        return fields, c, values_at(self._scheme, z["state"], self._scheme.equations(c)) if acting else {}
+
+    def _measured(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
+        """The event and its rate, and the gap of the accelerations."""
+        fields, c, seen = self._seen(z, c)
+        scheme, k = self._scheme, self._event
+        assert k is not None
+        t = (seen["t"], seen["t"]) if seen else (z["before"], z["after"])
+        w = (fields.get("inputs"), self._acted(fields, seen, ca.SX(0)))
+        if remembers(scheme):
+            shown = scheme.observer(z=z["state"], c=c)
+            q_i, v, loop = shown["q_i"], shown["q_i_dot"], loop_guess(scheme, shown["q_d"])
+        else:
+            q_i, v, loop = fields["x"], fields["v"], fields["loop"]
+        a = []
+        for clock, inputs in zip(t, w, strict=True):
+            equations = scheme.equations(c, {**fields, "inputs": inputs} if inputs is not None else fields)
+            a.append(equations.accelerations(equations.close_well(q_i, loop, clock), v))
+        found = {"gap": a[0] - a[1]}
+        return found | {"value": seen["events"][k], "rate": seen["slopes"][k]} if seen else found
+
+    def _acted(self, fields: Fields, seen: dict[str, ca.SX], moved: ca.SX) -> ca.SX | None:
+        """The inputs (n_w,) behind the event, whose time moves by so much; None where there are none."""
+        if not seen or self._event is None:
+            return fields.get("inputs")
+        events, inputs = self._scheme.model.description.events, ca.SX(fields["inputs"])
+        first = sum(len(event.sets) for event in events[: self._event])
+        for j, name in enumerate(events[self._event].sets, first):
+            place = self._scheme.model.signals.names.index(name)
+            inputs[place] = seen["actions"][j] + seen["drifts"][j] * moved
+        return inputs
+
+    def _turned(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
+        """The restart, and what the step program reads behind it."""
+        fields, _, seen = self._seen(z, c)
+        scheme, end, c = self._scheme, self._scheme.model.c_size, c[: self._scheme.c_size]
+        moved = z["moved"]
+        if seen and self._event is not None:
+            moved = (z["value"] - seen["events"][self._event]) / z["rate"]
+        inputs = self._acted(fields, seen, moved)
+        if inputs is not None:
+            inputs = ca.if_else(z["holds"], z["held"], inputs)
+        push = None if self._event is None else z["gap"] * moved
+        found = restarted(scheme, z["state"], c, z["dt_before"], z["dt"], z["clock"], push, inputs)
+        return {"state": found, "ready": self._of.prepared.constants(ca.vertcat(c[:end], c[end:] * z["share"]))}
