@@ -76,7 +76,7 @@ class StartOfRun:
         c = model.constants(p)
         state = start_state(model, p, c, plan.t0, given, self._kind)
         z = self._program.prepared.widened(start_vector(scheme, plan.t0, state.q, state.q_dot, c))
-        moved = self._slopes(p, c, given) if slopes else np.zeros((0, 0))
+        moved = self._slopes(p, c, given, state) if slopes else np.zeros((0, 0))
         watch = Watch(plan, c, p)
         watch.begin(z)
         where = np.concatenate([p, *independent(model, state.q, state.q_dot), loop_part(model, state.q)])
@@ -84,10 +84,10 @@ class StartOfRun:
             z, self._program.prepared.ready(scheme.constants(c)), where, moved, x, watch, (state.q, state.q_dot)
         )
 
-    def _slopes(self, p: np.ndarray, c: np.ndarray, given: Given) -> np.ndarray:
-        """d(p, q_i, q_i_dot, loop unknowns)/dx."""
+    def _slopes(self, p: np.ndarray, c: np.ndarray, given: Given, state: ConsistentState) -> np.ndarray:
+        """d(p, q_i, q_i_dot, loop unknowns)/dx at the start's state."""
         model, t0 = self._model, self._plan.t0
-        assembled = given_state(model, p, c, t0, given)
+        assembled = state if self._kind == "given" else given_state(model, p, c, t0, given)
         slopes = start_slopes(model, p, t0, assembled, given, self._variables)
         if self._kind == "given" or not set(model.elastic) & set(model.q_i):
             return slopes

@@ -125,28 +125,24 @@ def mode_motion(system: Linearisation, mode: int, frames: int = 24, amplitude: f
     if frames < 1:
         raise ArgumentError(f"frames must be at least 1, not {frames}")
     model, shape = system.model, system.shape_of_all(mode)
-    size = _visible(system, shape) if amplitude is None else amplitude
+    c = model.constants(system.parameters)
+    state = system.q, system.q_dot, system.state.t
+    size = visible(model, state, c, shape) if amplitude is None else amplitude
     w = abs(float(system.eigenvalues[mode].imag)) or 2 * np.pi
     t = np.arange(frames + 1) * (2 * np.pi / w / frames)
     turning = size * shape[None, :] * np.exp(1j * w * t)[:, None]
     q, q_dot, q_ddot = system.q + turning.real, (1j * w * turning).real, (-(w**2) * turning).real
-    c = model.constants(system.parameters)
     ended = Status("completed", float(t[-1]))
     name = f"mode {mode + 1} ({system.mode_names[mode]})"
     return assemble_solution(model, t, q, q_dot, q_ddot, system.parameters, c, name, float(t[1]), [], {}, ended)
 
 
-def _visible(system: Linearisation, shape: np.ndarray) -> float:
-    model = system.model
+def visible(model: Model, state: tuple[np.ndarray, np.ndarray, float], c: np.ndarray, shape: np.ndarray) -> float:
+    """The factor by which a shape (n,) about a state (q, q_dot, t) is seen: by TURNED and MOVED."""
     length = 1.0
     if model.constraints:
-        found = model.evaluate(
-            "constraints",
-            q=system.q,
-            q_dot=system.q_dot,
-            t=system.state.t,
-            c=model.constants(system.parameters),
-        )
+        q, q_dot, t = state
+        found = model.evaluate("constraints", q=q, q_dot=q_dot, t=t, c=c)
         length = mechanism_length(model, np.asarray(found["C_q"]))
     turns = turning_columns(model)
     share = max(

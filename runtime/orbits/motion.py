@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.doors import opened
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.gradients.differentiable_run import DifferentiableRun, Gradient
@@ -74,19 +75,36 @@ class PeriodicMotion:
         """So many periods of it; changes: further arguments of `simulate`."""
         steps = max(1, round(self.steps * periods))
         given: dict[str, Any] = {
-            "scheme": self.scheme,
-            "options": dict(self.options) or None,
-            "parameters": self.parameters,
+            **self.setting,
             "initial": self.state,
-            "start": "given",
-            "inputs": self.inputs or None,
-            "t0": self.t0,
             "t_end": self.t0 + steps * (self.period / self.steps),
-            "dt": self.period / self.steps,
             "save_every": max(1, self.steps // 200),
             "error": "off",
         }
         return simulate(self.model, **{**given, **changes})
+
+    @property
+    def setting(self) -> dict[str, Any]:
+        """One period of it as arguments of `simulate` and `DifferentiableRun`, without where it starts."""
+        return {
+            "parameters": self.parameters,
+            "inputs": self.inputs or None,
+            "scheme": self.scheme,
+            "options": dict(self.options) or None,
+            "start": "given",
+            "t0": self.t0,
+            "t_end": self.t0 + self.period,
+            "dt": self.period / self.steps,
+        }
+
+    def mode(self, k: int = 0, periods: int = 4, amplitude: float | None = None) -> Solution:
+        """The motion with a Floquet mode upon it, without its growth, for views, films and plots.
+
+        k: counted from 0 by falling size of multipliers; amplitude: of the vector `floquet.vectors[:, k]`; by default
+        angles move by 0.2 rad and points by a tenth of the mechanism's length. To first order: loops are not closed
+        anew. Raises ArgumentError for a mode that is not there, or that dies out within a period.
+        """
+        return opened("runtime.orbits.floquet_mode:floquet_mode")(self, k, periods, amplitude)  # type: ignore[no-any-return]
 
     def gradient(self, of: Objective, by: Sequence[str]) -> Gradient:
         """d(of)/d(by) of the motion that stays periodic: by the implicit-function theorem, one way back for all `by`.
@@ -146,14 +164,7 @@ def _gradient(motion: PeriodicMotion, of: Objective, by: Sequence[str]) -> Gradi
         model,
         outputs,
         [*states, *by],
-        parameters=motion.parameters,
-        t0=motion.t0,
-        t_end=motion.t0 + motion.period,
-        dt=motion.period / motion.steps,
-        scheme=motion.scheme,
-        options=motion.options,
-        start="given",
-        inputs=motion.inputs or None,
+        **motion.setting,
         save_every=1,
     )
     n, x = len(states), run.x0.copy()

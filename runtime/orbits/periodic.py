@@ -14,7 +14,7 @@ from runtime.contract.errors import ArgumentError, SymgenError
 from runtime.contract.model import Model, refuse_events
 from runtime.orbits.floquet import floquet
 from runtime.orbits.motion import PeriodicMotion
-from runtime.orbits.shooting import Closed, Conditions, NoPeriodicMotion, PeriodMap, Setting, closed
+from runtime.orbits.shooting import Closed, Conditions, NoPeriodicMotion, PeriodMap, Setting, closed, closed_beside
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.solution import Solution
 from runtime.running.inputs import InputValue
@@ -212,7 +212,7 @@ class _Search:
         motion = self._motion(map_, found, steps)
         order = scheme_kind(self._asked.scheme).make.order
         other = _other_count(steps, 2.0 ** (1.0 / order), self._parts)
-        twin = closed(self.map_(other, found.period), conditions, found.shot.x, found.period, ())
+        twin = closed_beside(self.map_(other, found.period), conditions, found)
         return replace(motion, error=_difference(motion, self._motion(map_, twin, other)))
 
     def _found(
@@ -243,7 +243,7 @@ class _Search:
         turn = _whole_turns(self._asked.model, shot.ends[-1] - x)
         scale = sizes(np.abs(np.vstack([states, shot.ends])).max(axis=0), period)
         conditions = Conditions(scale, turn, self._asked.free, x, shot.rates[-1])
-        return closed(map_, conditions, states, period, ()), conditions
+        return closed(map_, conditions, shot, period, ()), conditions
 
     def _motion(self, map_: PeriodMap, found: Closed, steps: int) -> PeriodicMotion:
         a = self._asked

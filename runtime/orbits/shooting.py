@@ -14,10 +14,10 @@ Source: Nayfeh & Balachandran, Applied Nonlinear Dynamics, ch. 6; Ascher, Matthe
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -29,6 +29,9 @@ CLOSED = 1e-11  # of each coordinate's scale: what a closed motion may be open b
 ROUNDED = 1e-8  # the same, where Newton's method gets no nearer
 ITERATIONS, HALVINGS = 25, 8
 SPENT = 1e-7  # s: parts of a period are not shorter
+START = "give a start nearer to the motion, let it settle first (settle=20 periods), or cut the period into parts"
+
+T = TypeVar("T")
 
 
 class NoPeriodicMotion(NoResult):
@@ -98,28 +101,29 @@ class PeriodMap:
         return self._run.x0[: self.size].copy()
 
     def shot(self, x: np.ndarray, period: float, values: Sequence[float]) -> Shot:
-        """From states x (K, n) at parameters `by` with these values. Raises NoResult."""
+        """From states x (K, n) at parameters `by` with these values. Raises NoPeriodicMotion."""
         parts, n = self.setting.parts, self.size
         ends, rates = np.zeros((parts, n)), np.zeros((parts, n))
         slopes, by_parameters = np.zeros((parts, n, n)), np.zeros((parts, n, len(self.by)))
         for k in range(parts):
-            found = self._part(k, period).jacobian(np.concatenate([x[k], values]))
+            found = _told(self._part(k, period).jacobian, np.concatenate([x[k], values]))
             last, slope = found.values[-1], found.derivatives[-1]
             ends[k], rates[k] = last[:n], np.concatenate([last[n // 2 : n], last[n:]])
             slopes[k], by_parameters[k] = slope[:n, :n], slope[:n, n:]
         return Shot(x, ends, slopes, by_parameters, rates)
 
     def ends(self, x: np.ndarray, period: float, values: Sequence[float]) -> np.ndarray:
-        """(K, n) where the parts end. Raises NoResult."""
+        """(K, n) where the parts end. Raises NoPeriodicMotion."""
         n = self.size
         given = [np.concatenate([state, values]) for state in x]
-        return np.array([self._part(k, period).values(given[k])[-1, :n] for k in range(self.setting.parts)])
+        return np.array([_told(self._part(k, period).values, given[k])[-1, :n] for k in range(self.setting.parts)])
 
     def along(self, x: np.ndarray, period: float, values: Sequence[float]) -> np.ndarray:
         """(K, n) starts of the parts of one motion from x (n,)."""
         found = [x]
         for k in range(self.setting.parts - 1):
-            found.append(self._part(k, period).values(np.concatenate([found[-1], values]))[-1, : self.size])
+            part = self._part(k, period)
+            found.append(_told(part.values, np.concatenate([found[-1], values]))[-1, : self.size])
         return np.array(found)
 
     def with_steps(self, setting: Setting) -> PeriodMap:
@@ -134,9 +138,9 @@ class PeriodMap:
         return self.with_steps(replace(setting, parts=parts, steps=setting.steps * setting.parts // parts))
 
     def next_period(self, x: np.ndarray, period: float) -> np.ndarray:
-        """(n,) where the first part ends if it begins a period later, from a state x (n,). Raises NoResult."""
+        """(n,) where the first part ends if it begins a period later, from a state x (n,). Raises NoPeriodicMotion."""
         later = self._run.over(self.setting.t0 + period, period / self.setting.parts, self.setting.steps)
-        return np.asarray(later.values(x)[-1, : self.size])
+        return np.asarray(_told(later.values, x)[-1, : self.size])
 
     def _part(self, k: int, period: float) -> DifferentiableRun:
         length = period / self.setting.parts
@@ -166,6 +170,18 @@ class PeriodMap:
             inputs=setting.inputs or None,
             save_every=setting.steps,
         )
+
+
+def _told(run: Callable[[np.ndarray], T], x: np.ndarray) -> T:
+    """What a run from x gives. Raises NoPeriodicMotion where it does not come to its end, and says why."""
+    try:
+        return run(x)
+    except NoPeriodicMotion:
+        raise
+    except NoResult as error:
+        raise NoPeriodicMotion(
+            f"a run of a period of {error.item}", f"does not come to its end: {error.problem}", START
+        ) from None
 
 
 @dataclass(frozen=True)
@@ -222,30 +238,45 @@ class Conditions:
         return np.vstack([found, np.zeros((1, found.shape[1]))]) if self.free else found
 
 
-def closed(map_: PeriodMap, conditions: Conditions, x: np.ndarray, period: float, values: Sequence[float]) -> Closed:
-    """Newton's method with a line search from states x (K, n). Raises NoPeriodicMotion with what came nearest."""
-    shot = map_.shot(x, period, values)
-    residual = conditions.residual(x, shot.ends)
+def closed(map_: PeriodMap, conditions: Conditions, shot: Shot, period: float, values: Sequence[float]) -> Closed:
+    """Newton's method with a line search from a shot. Raises NoPeriodicMotion with what came nearest."""
     for iteration in range(ITERATIONS):
+        residual = conditions.residual(shot.x, shot.ends)
         size = float(np.abs(residual).max())
         if size <= CLOSED:
             return Closed(shot, period, conditions.turn, iteration)
-        step = _solved(conditions.jacobian(shot), -residual)
-        found = _searched(map_, conditions, x, period, values, step, residual)
+        found = _searched(map_, conditions, shot, period, values, residual)
         if found is None:
             if size <= ROUNDED:
                 return Closed(shot, period, conditions.turn, iteration)
             break
-        x, period = found
-        shot = map_.shot(x, period, values)
-        residual = conditions.residual(x, shot.ends)
-    worst = int(np.abs(residual[: x.size]).argmax()) % map_.size
+        shot, period = found
+    worst = int(np.abs(residual[: shot.x.size]).argmax()) % map_.size
     raise NoPeriodicMotion(
         f"model {map_.setting.model.name}",
         f"Newton's method leaves {map_.names[worst]} open by {np.abs(residual).max():.2g} of its size after "
         f"{iteration + 1} iterations with a period of {period:.6g} s",
-        "give a start nearer to the motion, let it settle first (settle=20 periods), or cut the period into parts",
+        START,
     )
+
+
+def closed_beside(map_: PeriodMap, conditions: Conditions, found: Closed) -> Closed:
+    """The motion by a map that differs little from the one of `found`: with derivatives of its first shot only.
+
+    Raises NoPeriodicMotion.
+    """
+    first = map_.shot(found.shot.x, found.period, ())
+    shot, period, size = first, found.period, np.inf
+    jacobian = conditions.jacobian(first)
+    while True:
+        residual = conditions.residual(shot.x, shot.ends)
+        before, size = size, float(np.abs(residual).max())
+        if size <= CLOSED or (size <= ROUNDED and size > before / 4):
+            return Closed(shot, period, conditions.turn, 0)
+        if not size <= before / 4:
+            return closed(map_, conditions, first, found.period, ())
+        x, period = _moved(conditions, shot.x, period, _solved(jacobian, -residual))
+        shot = replace(shot, x=x, ends=map_.ends(x, period, ()))
 
 
 def _solved(jacobian: np.ndarray, right: np.ndarray) -> np.ndarray:
@@ -253,25 +284,31 @@ def _solved(jacobian: np.ndarray, right: np.ndarray) -> np.ndarray:
     return np.asarray(np.linalg.lstsq(jacobian, right, rcond=1e-13)[0])
 
 
+def _moved(conditions: Conditions, x: np.ndarray, period: float, step: np.ndarray) -> tuple[np.ndarray, float]:
+    """States and period after a step of the unknowns."""
+    there = x + step[: x.size].reshape(x.shape) * conditions.scale
+    return there, period + float(step[-1]) if conditions.free else period
+
+
 def _searched(
     map_: PeriodMap,
     conditions: Conditions,
-    x: np.ndarray,
+    shot: Shot,
     period: float,
     values: Sequence[float],
-    step: np.ndarray,
     residual: np.ndarray,
-) -> tuple[np.ndarray, float] | None:
-    """States and period along a step where the residual is smaller; None where there are none."""
+) -> tuple[Shot, float] | None:
+    """Along Newton's step to where the residual is smaller; None where it is not. Most often the whole step will do."""
+    step = _solved(conditions.jacobian(shot), -residual)
     size, share = np.linalg.norm(residual), 1.0
-    for _ in range(HALVINGS):
-        there = x + share * (step[: x.size].reshape(x.shape) * conditions.scale)
-        length = period + share * float(step[-1]) if conditions.free else period
+    for halving in range(HALVINGS):
+        there, length = _moved(conditions, shot.x, period, share * step)
         try:
             if length > 0.2 * period:
-                left = np.linalg.norm(conditions.residual(there, map_.ends(there, length, values)))
-                if left < (1 - 1e-4 * share) * size:
-                    return there, length
+                found = map_.shot(there, length, values) if halving == 0 else None
+                ends = map_.ends(there, length, values) if found is None else found.ends
+                if np.linalg.norm(conditions.residual(there, ends)) < (1 - 1e-4 * share) * size:
+                    return found or map_.shot(there, length, values), length
         except SymgenError as error:
             if isinstance(error, ArgumentError):
                 raise

@@ -35,7 +35,7 @@ from runtime.schemes.options import MOST_UNROLLED, ClosureOptions, Grid, Options
 from runtime.schemes.partial_fractions import poles
 from runtime.schemes.scheme import Scheme, StateField, state
 from runtime.schemes.sparse_lu import solve_symmetric
-from runtime.schemes.stage_equations import LONG_TREE, ClosedConfiguration, StageEquations
+from runtime.schemes.stage_equations import LONG_TREE, ClosedConfiguration, StageEquations, stiff_directions
 from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
 from runtime.schemes.stiff_motion import WHOLE_DEGREE, Along, MotionStage, StiffMotion
 
@@ -250,12 +250,11 @@ class ExponentialAdams(RememberingStep):
 
     def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
         """Of the explicit part, for the motion in which the stiff deflections follow as in equilibrium."""
-        B = self.equations(ca.SX.zeros(self.c_size)).deflections().B
-        return limit_beside_deflections(A_q, A_v, np.array(ca.DM(B)), IMAGINARY_REACH, REAL_REACH)
+        return limit_beside_deflections(A_q, A_v, stiff_directions(self.model), IMAGINARY_REACH, REAL_REACH)
 
     def further_fields(self) -> dict[str, StateField]:
         """See above."""
-        n, n_s = StageEquations(self.model, ca.SX.zeros(self.model.c_size + 1)).deflections().B.shape
+        n, n_s = stiff_directions(self.model).shape
         sizes = {
             "a_middle": n,
             "a_before": n,

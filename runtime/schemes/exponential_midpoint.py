@@ -25,7 +25,7 @@ from runtime.schemes.one_step import OneStep
 from runtime.schemes.options import MOST_ITERATIONS, ClosureOptions, Options, tolerances, whole_number
 from runtime.schemes.scheme import LARGEST, ROUNDING, StateField, control, work
 from runtime.schemes.sparse_lu import Number
-from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, StiffResponse
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, StiffResponse, stiff_directions
 from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
 from runtime.schemes.stiff_motion import StiffMotion, StiffTreeMotion
 
@@ -54,7 +54,7 @@ class ExponentialMidpoint(OneStep):
     def further_fields(self) -> dict[str, StateField]:
         """See above. What the iteration starts from does not act on what it converges to."""
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
-        n_s = 0 if self.by_tree else self.equations(ca.SX.zeros(self.model.c_size + 1)).deflections().B.shape[1]
+        n_s = 0 if self.by_tree else stiff_directions(self.model).shape[1]
         values = {"x_end": work(n), "v_end": work(n), "loop_dot": work(loops)}
         steering = {"response": n * (1 + n_s), "unconverged": 1, "change": 1}
         return values | {name: control(size) for name, size in steering.items()}
@@ -66,8 +66,7 @@ class ExponentialMidpoint(OneStep):
 
     def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
         """Where the iteration stops to converge, for the motion in which deflections follow as in equilibrium."""
-        B = self.equations(ca.SX.zeros(self.c_size)).deflections().B
-        return limit_beside_deflections(A_q, A_v, np.array(ca.DM(B)), REACH, REACH)
+        return limit_beside_deflections(A_q, A_v, stiff_directions(self.model), REACH, REACH)
 
     @property
     def iteration_limit(self) -> int:

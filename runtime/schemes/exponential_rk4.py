@@ -34,7 +34,7 @@ from runtime.schemes.linear_propagation import polynomial
 from runtime.schemes.one_step import Attempt, Method
 from runtime.schemes.options import MOST_UNROLLED, AdaptiveOptions, Options, one_of, whole_number
 from runtime.schemes.scheme import StateField, state
-from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, StiffResponse
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, StiffResponse, stiff_directions
 from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
 from runtime.schemes.stiff_motion import Along, MotionStage, StiffMotion, StiffTreeMotion
 
@@ -126,12 +126,11 @@ class ExponentialRungeKutta(Method):
 
     def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
         """Of the explicit part, for the motion in which the stiff deflections follow as in equilibrium."""
-        B = self.equations(ca.SX.zeros(self.c_size)).deflections().B
-        return limit_beside_deflections(A_q, A_v, np.array(ca.DM(B)), IMAGINARY_REACH, REAL_REACH)
+        return limit_beside_deflections(A_q, A_v, stiff_directions(self.model), IMAGINARY_REACH, REAL_REACH)
 
     def method_fields(self) -> dict[str, StateField]:
         """X = M_hat^-1 B, the polynomial of the accelerations, rates of the loop unknowns, and the tangent."""
-        n, n_s = StageEquations(self.model, ca.SX.zeros(self.model.c_size + 1)).deflections().B.shape
+        n, n_s = stiff_directions(self.model).shape
         n_s = 0 if along_tree(self.model, self.options) else n_s
         tangent = {"A": n * n_s, "A_v": n * n_s} if self.options.linearisation == "tangent" and n_s else {}
         sizes = {

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import casadi as ca
+import numpy as np
 
 from runtime.contract.coordinates import joined
 from runtime.contract.model import Model
@@ -300,3 +301,12 @@ class StiffResponse(StiffDeflections):
         factors = factor(Number(self.Lambda), symmetric=True)
         columns = [solve(factors, Number(ca.densify(column))).re for column in ca.horzsplit(change)]
         return ca.mtimes(self.X, ca.horzcat(*columns))
+
+
+def stiff_directions(model: Model) -> np.ndarray:
+    """B (n_i, n_s), along which stiff deflections act; found once for a model."""
+
+    def found() -> np.ndarray:
+        return np.array(ca.DM(StageEquations(model, ca.SX.zeros(model.c_size + 1)).deflections().B))
+
+    return model.derived("stiff_directions", found)

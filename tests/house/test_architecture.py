@@ -37,7 +37,7 @@ RUNTIME_ROOMS = {
     "running": "contract engine schemes start results operating baselines",
     "export": "contract engine schemes start baselines running",
     "gradients": "contract engine schemes start results operating running",
-    "orbits": "contract gradients results running schemes",
+    "orbits": "contract schemes results operating running gradients",
     "studies": "contract engine schemes start results operating baselines running",
     "views": "contract results operating",
     "": "contract schemes results operating baselines running gradients orbits studies views",
