@@ -283,7 +283,7 @@ def along_axes(vectors: list[Vector], columns: list[int]) -> dict[int, Row]:
 
 @dataclass(frozen=True)
 class SharedMotion:
-    """A turning theta of psi or a shape, along an axis of the body; shares of it: of the modes, by column."""
+    """A turning theta of psi and a shape of a marker; shares of it: of the modes, by column."""
 
     shares: Row
     theta: Vector
@@ -309,16 +309,24 @@ class Deformation:
         moved = [component for vectors in (self.point.shapes, self.point.turns) for row in vectors for component in row]
         return all(component.is_zero() for component in moved) and not self.point.H
 
-    @property
+    @cached_property
     def shared(self) -> list[SharedMotion]:
-        """What modes do alike to the marker, by axis, where there are fewer axes than modes; empty otherwise."""
-        turns, shapes = (along_axes(vectors, self.columns) for vectors in (self.point.turns, self.point.shapes))
-        if self.point.H or len(turns) + len(shapes) >= len(self.columns):
-            return []
-        axes, still = identity(), zeros()
-        return [SharedMotion(shares, axes[k], still) for k, shares in turns.items()] + [
-            SharedMotion(shares, still, axes[k]) for k, shares in shapes.items()
+        """What modes do to the marker: by axis where there are fewer axes than modes that move it, else by mode."""
+        point, columns = self.point, self.columns
+        turns, shapes = (along_axes(vectors, columns) for vectors in (point.turns, point.shapes))
+        pairs = enumerate(zip(point.turns, self.still.shapes, strict=True))
+        moving = [a for a, one in pairs if any(not value.is_zero() for vector in one for value in vector)]
+        if point.H or len(turns) + len(shapes) >= len(moving):
+            return [SharedMotion({columns[a]: ONE}, point.turns[a], self.still.shapes[a]) for a in moving]
+        axes, none = identity(), zeros()
+        return [SharedMotion(shares, axes[k], none) for k, shares in turns.items()] + [
+            SharedMotion(shares, none, axes[k]) for k, shares in shapes.items()
         ]
+
+    @cached_property
+    def still(self) -> Bent:
+        """Without rates."""
+        return self.at({})
 
     @property
     def now(self) -> Bent:

@@ -25,7 +25,7 @@ from symgen.system.constraint_rows import ConstraintRow, Motion
 from symgen.system.equations import Equations
 from symgen.system.frames.linkage import links_of
 from symgen.system.frames.loop_derivatives import LoopRates, MarkerWay
-from symgen.system.frames.moves import Ball, Bend
+from symgen.system.frames.moves import Ball, MarkerNode
 from symgen.system.frames.paths import Path
 from symgen.system.frames.rnea_derivatives import LoopCurvature
 from symgen.system.frames.skeleton import Skeleton
@@ -207,7 +207,7 @@ class TreeSpace(SpatialSpace):
             path.shift(marker.point.position)
             path.turn_by(marker.point.axes)
         else:
-            Bend(marker).lead(path)
+            MarkerNode(marker).lead(path)
         return path
 
     def _path(self, base: int, frame: int) -> Path:

@@ -30,10 +30,9 @@ from symgen.algebra.vectors import (
     plus,
     scaled,
     times,
-    transposed_times,
     zeros,
 )
-from symgen.system.frames.moves import Bend, JointNode, Move, Unbend, unit
+from symgen.system.frames.moves import JointNode, MarkerNode, Node, unit
 from symgen.system.frames.spatial_algebra import Force, FrameMotion, Motion
 
 TWO = ca.SX(2)
@@ -54,7 +53,7 @@ class MoveState:
 class MovingArm:
     """From the origin before a move to the one after it, as seen from the ground: where, velocity, acceleration.
 
-    In the axes before the move; for `Unbend` in those after it.
+    In the axes before the move; for one `back` from a marker in those after it.
     """
 
     r: Vector
@@ -94,9 +93,9 @@ class Field:
         beta, d = self.doubled or (scaled(TWO, self.turning[1]), scaled(TWO, self.moving[1]))
         return Change(self.turning[0], beta, d)
 
-    def beyond(self, move: Move, spot: MoveState) -> Field:
+    def beyond(self, move: Node, spot: MoveState) -> Field:
         """Of the frame after a move."""
-        if isinstance(move, Unbend):
+        if move.back:
             return self._seen(move).shifted(arm_of(move, spot))
         return self.shifted(arm_of(move, spot))._seen(move)
 
@@ -108,9 +107,9 @@ class Field:
         second = plus(v2, cross(t2, arm.r), cross(scaled(TWO, t1), arm.V), cross(t, arm.A))
         return Field(self.turning, (plus(v, cross(t, arm.r)), first, second))
 
-    def _seen(self, move: Move) -> Field:
-        t, t1, t2 = (seen_beyond(move, vector) for vector in self.turning)
-        v, v1, v2 = (seen_beyond(move, vector) for vector in self.moving)
+    def _seen(self, move: Node) -> Field:
+        t, t1, t2 = (move.seen(vector) for vector in self.turning)
+        v, v1, v2 = (move.seen(vector) for vector in self.moving)
         return Field((t, t1, t2), (v, v1, v2))
 
 
@@ -122,25 +121,15 @@ class FieldPart:
     field: Field
 
 
-def seen_beyond(move: Move, vector: Vector) -> Vector:
-    """A vector in the axes after a move."""
-    if isinstance(move, JointNode):
-        return move.seen(vector)
-    if isinstance(move, Bend):
-        return transposed_times(move.deformation.at({}).R, vector)
-    return times(move.deformation.at({}).R, vector) if isinstance(move, Unbend) else vector
-
-
-def arm_of(move: Move, spot: MoveState) -> MovingArm:
+def arm_of(move: Node, spot: MoveState) -> MovingArm:
     """Of a move."""
-    if isinstance(move, Bend | Unbend):
-        body = spot.after if isinstance(move, Unbend) else spot.before
+    if isinstance(move, MarkerNode):
+        body = spot.after if move.back else spot.before
         bent = move.deformation.at(spot.rates)
         r, V = bent.rho, plus(bent.rho_dot, cross(body.omega, bent.rho))
         own = combination(bent.shapes, move.deformation.of(spot.accelerations))
         A = plus(times(body.G, r), bent.drift(body.omega), own)
-        return MovingArm(negative(r), negative(V), negative(A)) if isinstance(move, Unbend) else MovingArm(r, V, A)
-    assert isinstance(move, JointNode)
+        return MovingArm(negative(r), negative(V), negative(A)) if move.back else MovingArm(r, V, A)
     r, speed, own = move.r, zeros(), zeros()
     if move.column is not None and not move.turns:
         speed = scaled(spot.rates.get(move.column, ZERO), move.S.v)
@@ -150,9 +139,9 @@ def arm_of(move: Move, spot: MoveState) -> MovingArm:
     return MovingArm(r, plus(cross(omega, r), speed), A)
 
 
-def joint_parts(move: Move, spot: MoveState) -> list[FieldPart]:
+def joint_parts(move: JointNode, spot: MoveState) -> list[FieldPart]:
     """Of a hinge or a slide."""
-    if isinstance(move, JointNode) and move.column is not None:
+    if move.column is not None:
         axis = unit(move.axis, move.sign)
         rates = axis, cross(spot.after.omega, axis), times(spot.after.G, axis)
         twice, still = cross(scaled(TWO, spot.after.omega), axis), (zeros(), zeros(), zeros())

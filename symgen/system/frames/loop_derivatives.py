@@ -23,7 +23,7 @@ moment there, and the joint's other body gives v where fewer coordinates move it
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 
 import casadi as ca
@@ -32,8 +32,17 @@ from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg
 from symgen.algebra.vectors import Vector, cross, negative, plus, times, zeros
 from symgen.bodies.spatial_moments import Deformation
-from symgen.system.frames.fields import Change, Direction, Field, FieldPart, MoveState, joint_parts, share_of, turned
-from symgen.system.frames.moves import Bend, JointNode, Move, Unbend
+from symgen.system.frames.fields import (
+    Change,
+    Direction,
+    Field,
+    FieldPart,
+    MoveState,
+    joint_parts,
+    share_of,
+    turned,
+)
+from symgen.system.frames.moves import JointNode, MarkerNode, Node
 from symgen.system.frames.paths import Path
 from symgen.system.frames.rnea_derivatives import BendChanges, ForceSweep, Subtree, parts_of
 from symgen.system.frames.skeleton import place_of
@@ -47,11 +56,11 @@ class MarkerWay:
 
     base: int
     frame: int
-    moves: list[Move]
+    moves: list[Node]
     path: Path
 
     @property
-    def end(self) -> Move:
+    def end(self) -> Node:
         """From the frame to the marker, without turning."""
         return self.moves[-1]
 
@@ -61,9 +70,9 @@ class MarkerWay:
         frames = tree.way(seat.frame)
         frames = frames if base == GROUND else frames[frames.index(base) + 1 :]
         place = plus(seat.place.r, times(seat.place.R, marker.point.position))
-        end = JointNode(r=place) if marker.rigid else Bend(place_of(marker))
+        end = JointNode(r=place) if marker.rigid else MarkerNode(place_of(marker))
         return MarkerWay(
-            base, seat.frame, [*(move for frame in frames for move in tree.frames[frame].moves), end], path
+            base, seat.frame, [*(move for frame in frames for move in tree.frames[frame].nodes), end], path
         )
 
     def parts(self, rates: Row, accelerations: Row) -> list[FieldPart]:
@@ -105,19 +114,19 @@ class LoopRates:
 class _Step:
     """A move on the way to a frame with what its coordinates do to the frame; bending: where modes move a marker."""
 
-    move: Move
+    move: Node
     parts: list[FieldPart]
     bending: BendChanges | None
 
-    def beyond(self, move: Move, spot: MoveState) -> _Step:
+    def beyond(self, move: Node, spot: MoveState) -> _Step:
         """For the frame after a further move."""
         carried = [FieldPart(part.shares, part.field.beyond(move, spot)) for part in self.parts]
         return _Step(self.move, carried, self.bending)
 
 
-def _step(move: Move, spot: MoveState) -> _Step:
-    if isinstance(move, Bend | Unbend):
-        bending = BendChanges(move.deformation, spot, isinstance(move, Unbend))
+def _step(move: Node, spot: MoveState) -> _Step:
+    if isinstance(move, MarkerNode):
+        bending = BendChanges(move, spot)
         return _Step(move, bending.parts, bending)
     return _Step(move, joint_parts(move, spot), None)
 
@@ -144,7 +153,7 @@ class FramePlace:
             found = found.plus(Force(negative(force), negative(cross(arm, force))))
         return found
 
-    def beyond(self, move: Move, rates: Row, accelerations: Row) -> FramePlace:
+    def beyond(self, move: Node, rates: Row, accelerations: Row) -> FramePlace:
         """After a move; without masses."""
         after = move.motion(self.motion, rates, accelerations)
         spot = MoveState(self.motion, after, rates, accelerations)
@@ -231,7 +240,7 @@ def tied_changes(
     sums = _Sums(tree, n, base, moving, directions)
     for k, frame in enumerate(tree.frames):
         ends = [end for tie in ties for end in _ends(tie) if end.own.frame == k]
-        if len(ends) > 1 and any(isinstance(end.own.end, Bend) for end in ends):
+        if len(ends) > 1 and any(isinstance(end.own.end, MarkerNode) for end in ends):
             return None
         if frame.inertia is not None or ends:
             sums.add(k, ends)
@@ -261,7 +270,7 @@ class _Sums:
         self._places: list[FramePlace] = []
         for frame in tree.frames:
             place = self._place(frame.parent)
-            for move in frame.moves:
+            for move in frame.nodes:
                 place = place.beyond(move, *moving)
             self._places.append(place)
         self.F_q, self.F_v = ([zeros(len(directions)) for _ in range(n)] for _ in range(2))
@@ -291,7 +300,7 @@ class _Sums:
         seat.state, seat.forces = place.state, [(zeros(), end.force)]
         if place.state is not None:
             move = end.own.end
-            back = Unbend(move.deformation) if isinstance(move, Bend) else _back(move)
+            back = replace(move, back=True) if isinstance(move, MarkerNode) else JointNode(r=negative(move.r))
             self._sweep.through(back, MoveState(seat.motion, place.motion, *self._moving), place.state)
         return seat
 
@@ -338,11 +347,6 @@ class _Sums:
             power = partial(_power_of_row, place, one.twist) if i in alone else partial(_power, one.twist)
             found.append(({direction.column: ONE}, power))
         return found
-
-
-def _back(move: Move) -> JointNode:
-    assert isinstance(move, JointNode)
-    return JointNode(r=negative(move.r))
 
 
 def _power(twist: Motion, change: Change, more: Force, w: Force) -> ca.SX:

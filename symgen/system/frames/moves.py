@@ -13,16 +13,27 @@ own velocities and their rates, and what is beyond is to all before it a mass at
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Protocol
+from typing import ClassVar
 
 import casadi as ca
 
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg
-from symgen.algebra.vectors import Vector, combination, cross, minus, plus, scaled, times, transposed_times, zeros
+from symgen.algebra.vectors import (
+    Vector,
+    combination,
+    cross,
+    minus,
+    negative,
+    plus,
+    scaled,
+    times,
+    transposed_times,
+    zeros,
+)
 from symgen.bodies.spatial_moments import Deformation
 from symgen.bodies.spatial_orientation import Orientation, orientation
 from symgen.system.frames.paths import Path
@@ -30,40 +41,78 @@ from symgen.system.frames.spatial_algebra import (
     Force,
     FrameMotion,
     Inertia,
+    Mass,
     Matrix,
     MomentArm,
     Motion,
     WorldFrame,
-    no_masses,
     only_axis,
+    transposed,
     turned_back,
 )
 
 
-class Move(Protocol):
-    """From one frame to the next."""
+@dataclass(frozen=True)
+class Part:
+    """A twist of the frame after a move, at its origin and in its axes; shares: of the rates of q in it, by column."""
+
+    shares: Row
+    twist: Motion
+
+
+class Move:
+    """From one frame to the next. What is not said is that of a move without coordinates."""
 
     @property
-    def twists(self) -> Mapping[int, Motion]:
-        """By column of q, in the axes and at the origin of the frame after the move."""
+    def parts(self) -> list[Part]:
+        """S: twists that rates of columns of q make, each alone or several by their shares."""
+        return []
 
-    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
-        """Motion after the move; rates and accelerations by column, zero where absent."""
+    @property
+    def twists(self) -> dict[int, Motion]:
+        """S by column of q."""
+        found: dict[int, Motion] = {}
+        for part in self.parts:
+            for column, share in part.shares.items():
+                own = part.twist.scaled(share)
+                found[column] = found[column].plus(own) if column in found else own
+        return found
 
-    def wrench(self, after: Force) -> Force:
-        """A wrench of the frame after the move, seen before it."""
+    def part_powers(self, after: Force) -> Vector:
+        """Power of a wrench of the frame after the move on each part."""
+        return [after.along(part.twist) for part in self.parts]
 
     def powers(self, after: Force) -> Row:
-        """Power of a wrench of the frame after the move on the twist of each column."""
+        """Power of a wrench of the frame after the move on the twist of each column: S^T f."""
+        found: Row = {}
+        for part, value in zip(self.parts, self.part_powers(after), strict=True):
+            for column, share in part.shares.items():
+                found[column] = add(found[column], mul(share, value)) if column in found else mul(share, value)
+        return found
 
     def momentum(self, column: int, after: Force, composite: Inertia) -> Force:
         """`wrench` of the momentum that a unit rate of one of the move's columns gives to all beyond (composite)."""
+        return self.wrench(after)
 
-    def composite(self, after: Inertia) -> Inertia:
+    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
+        """Motion after the move; rates and accelerations by column, zero where absent."""
+        raise NotImplementedError
+
+    def wrench(self, after: Force) -> Force:
+        """A wrench of the frame after the move, seen before it."""
+        raise NotImplementedError
+
+    def composite(self, after: Mass) -> Mass:
         """Inertia of the frame after the move, seen before it."""
+        raise NotImplementedError
 
     def lead(self, path: Path) -> None:
         """Continue a path through the move."""
+
+
+def single(columns: Sequence[int], twists: Sequence[Motion]) -> list[Part]:
+    """Parts of one column each."""
+    return [Part({column: ONE}, twist) for column, twist in zip(columns, twists, strict=True)]
 
 
 def unit(axis: int, value: ca.SX = ONE) -> Vector:
@@ -73,20 +122,8 @@ def unit(axis: int, value: ca.SX = ONE) -> Vector:
     return result
 
 
-class Plain:
-    """A move for which a momentum is a wrench like any other."""
-
-    def powers(self: Move, after: Force) -> Row:
-        """Power of a wrench on the twist of each column."""
-        return {column: after.along(twist) for column, twist in self.twists.items()}
-
-    def momentum(self: Move, column: int, after: Force, composite: Inertia) -> Force:
-        """Seen before the move."""
-        return self.wrench(after)
-
-
 @dataclass(frozen=True)
-class JointNode(Plain):
+class JointNode(Move):
     """X: a shift r, then a rotation, about coordinate axis `axis` by (cosine, sine) or constant with the new axes in R.
 
     S: where it has a coordinate, that of `column`, the frame after it turns about its axis `axis` by `sign` for a unit
@@ -100,6 +137,7 @@ class JointNode(Plain):
     column: int | None = None
     rate: ca.SX = ZERO
     sign: ca.SX = ONE
+    back: ClassVar[bool] = False
 
     @staticmethod
     def slide(
@@ -120,9 +158,9 @@ class JointNode(Plain):
         return Motion(own, zeros()) if self.turns else Motion(zeros(), own)
 
     @property
-    def twists(self) -> Mapping[int, Motion]:
-        """By column of q."""
-        return {} if self.column is None else {self.column: self.S}
+    def parts(self) -> list[Part]:
+        """S, where it has a coordinate."""
+        return [] if self.column is None else [Part({self.column: ONE}, self.S)]
 
     def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
         """Motion after the move."""
@@ -162,7 +200,7 @@ class JointNode(Plain):
         f = self._back(after.f)
         return Force(f, plus(self._back(after.n), cross(self.r, f)), after.world)
 
-    def composite(self, after: Inertia) -> Inertia:
+    def composite(self, after: Mass) -> Mass:
         """Seen before the move."""
         if self.about is not None:
             after = after.about(self.axis, *self.about)
@@ -192,7 +230,7 @@ def turned_about(vector: Vector, axis: int, cosine: ca.SX, sine: ca.SX) -> Vecto
 
 
 @dataclass(frozen=True)
-class Float(Plain):
+class Float(Move):
     """The origin R_o of a body that no joint places, in world axes."""
 
     columns: list[int]
@@ -200,9 +238,9 @@ class Float(Plain):
     R_o_dot: Vector
 
     @property
-    def twists(self) -> Mapping[int, Motion]:
-        """By column of q."""
-        return {column: Motion(zeros(), unit(i)) for i, column in enumerate(self.columns)}
+    def parts(self) -> list[Part]:
+        """The directions of the world."""
+        return single(self.columns, [Motion(zeros(), unit(i)) for i in range(3)])
 
     def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
         """Without the acceleration of the origin: its force on any coordinate is an entry of M times it."""
@@ -212,7 +250,7 @@ class Float(Plain):
         """Seen before the move."""
         return after
 
-    def composite(self, after: Inertia) -> Inertia:
+    def composite(self, after: Mass) -> Mass:
         """Seen before the move."""
         return after
 
@@ -224,7 +262,7 @@ class Float(Plain):
 
 
 @dataclass(frozen=True)
-class Orient(Plain):
+class Orient(Move):
     """The orientation of such a body by Euler parameters theta that are coordinates like others."""
 
     columns: list[int]
@@ -236,10 +274,9 @@ class Orient(Plain):
         return orientation(self.theta, rates)
 
     @property
-    def twists(self) -> Mapping[int, Motion]:
-        """By column of q."""
-        axes = self.at(self.theta_dot).body_axes
-        return {column: Motion(axes[k], zeros()) for k, column in enumerate(self.columns)}
+    def parts(self) -> list[Part]:
+        """Angular velocities by rates of theta."""
+        return single(self.columns, [Motion(axis, zeros()) for axis in self.at(self.theta_dot).body_axes])
 
     def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
         """From the frame at the origin, which neither turns nor, for `Float`, accelerates."""
@@ -256,9 +293,9 @@ class Orient(Plain):
         turning = self.at(self.theta_dot)
         return Force(turning.turned(self.columns.index(column), turning.rotate(composite.h)), zeros())
 
-    def composite(self, after: Inertia) -> Inertia:
+    def composite(self, after: Mass) -> Mass:
         """Nothing before this move turns: the mass alone counts."""
-        return Inertia(after.m, zeros(), no_masses().Sigma)
+        return after.turned_mass(lambda: self.at(self.theta_dot).A)
 
     def lead(self, path: Path) -> None:
         """Continue a path through the move."""
@@ -267,148 +304,83 @@ class Orient(Plain):
 
 
 @dataclass(frozen=True)
-class Shared:
-    """A twist of the frame after a move of which the rates of several modes have shares, by column."""
-
-    shares: Row
-    twist: Motion
-
-
-@dataclass(frozen=True)
-class Bend(Plain):
-    """From the frame of a flexible body to a marker that its deformation shifts and turns (Eq. 19)."""
+class MarkerNode(Move):
+    """From the frame of a flexible body to a marker that its modes shift and turn (Eq. 19), or `back` from there."""
 
     deformation: Deformation
+    back: bool = False
 
     @property
-    def shared(self) -> list[Shared]:
-        """By the axes along and about which modes move the marker, where these are fewer; empty otherwise."""
-        bent = self.deformation.at({})
-        return [
-            Shared(one.shares, Motion(transposed_times(bent.R, one.turned(bent)), transposed_times(bent.R, one.shape)))
-            for one in self.deformation.shared
-        ]
+    def parts(self) -> list[Part]:
+        """By what modes do to the marker; with the marker held, the frame moves against that."""
+        bent, found = self.deformation.still, []
+        for one in self.deformation.shared:
+            turned = one.turned(bent)
+            if self.back:
+                twist = Motion(negative(turned), minus(cross(turned, bent.rho), one.shape))
+            else:
+                twist = Motion(transposed_times(bent.R, turned), transposed_times(bent.R, one.shape))
+            found.append(Part(one.shares, twist))
+        return found
 
-    def shared_powers(self, after: Force) -> Vector:
-        """Power of a wrench on these twists."""
-        bent = self.deformation.at({})
-        f, turning = times(bent.R, after.f), bent.on_turns(times(bent.R, after.n))
-        return [add(dot(one.shape, f), dot(one.theta, turning)) for one in self.deformation.shared]
+    def part_powers(self, after: Force) -> Vector:
+        """Power of a wrench on each part."""
+        f, moment = self.at_marker(after)
+        turning = self.deformation.still.on_turns(moment)
+        found = [add(dot(one.shape, f), dot(one.theta, turning)) for one in self.deformation.shared]
+        return negative(found) if self.back else found
 
-    @property
-    def twists(self) -> Mapping[int, Motion]:
-        """By column of q."""
-        bent = self.deformation.at({})
-        return {
-            column: Motion(transposed_times(bent.R, bent.turned[a]), transposed_times(bent.R, bent.shapes[a]))
-            for a, column in enumerate(self.deformation.columns)
-        }
+    def at_marker(self, after: Force) -> tuple[Vector, Vector]:
+        """Force and moment about the marker of a wrench of the frame after the move, in body axes."""
+        bent = self.deformation.still
+        if self.back:
+            return after.f, minus(after.n, cross(bent.rho, after.f))
+        return times(bent.R, after.f), times(bent.R, after.n)
 
     def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
         """Motion after the move."""
         bent, own = self.deformation.at(rates), self.deformation.of(accelerations)
-        omega = plus(before.omega, bent.omega)
-        alpha = plus(before.alpha, combination(bent.turned, own), bent.fading, cross(before.omega, bent.omega))
-        a = plus(before.carried(bent.rho), bent.drift(before.omega), combination(bent.shapes, own))
-        omega, alpha, a = (transposed_times(bent.R, vector) for vector in (omega, alpha, a))
+        given = before.omega, before.alpha, before.a
+        omega, alpha, a = [times(bent.R, vector) for vector in given] if self.back else given
+        body = minus(omega, bent.omega) if self.back else omega
+        turning = plus(combination(bent.turned, own), bent.fading, cross(body, bent.omega))
+        moving = plus(bent.drift(body), combination(bent.shapes, own))
+        if self.back:
+            alpha = minus(alpha, turning)
+            return FrameMotion(body, alpha, minus(a, plus(FrameMotion(body, alpha, zeros()).carried(bent.rho), moving)))
+        marker = plus(omega, bent.omega), plus(alpha, turning), plus(before.carried(bent.rho), moving)
+        omega, alpha, a = (transposed_times(bent.R, vector) for vector in marker)
         return FrameMotion(omega, alpha, a)
 
-    def powers(self, after: Force) -> Row:
-        """Power of a wrench on the twist of each column."""
-        bent = self.deformation.at({})
-        f, turning = times(bent.R, after.f), bent.on_turns(times(bent.R, after.n))
-        turns = self.deformation.point.turns
-        return {
-            column: add(dot(bent.shapes[a], f), dot(turns[a], turning))
-            for a, column in enumerate(self.deformation.columns)
-        }
+    def seen(self, vector: Vector) -> Vector:
+        """A vector in the axes after the move."""
+        R = self.deformation.still.R
+        return times(R, vector) if self.back else transposed_times(R, vector)
 
     def wrench(self, after: Force) -> Force:
         """Seen before the move."""
-        bent = self.deformation.at({})
-        f = times(bent.R, after.f)
-        return Force(f, plus(times(bent.R, after.n), cross(bent.rho, f)))
+        bent, (f, n) = self.deformation.still, self.at_marker(after)
+        if self.back:
+            return Force(transposed_times(bent.R, f), transposed_times(bent.R, n))
+        return Force(f, plus(n, cross(bent.rho, f)))
 
-    def composite(self, after: Inertia) -> Inertia:
+    def composite(self, after: Mass) -> Mass:
         """Seen before the move."""
-        bent = self.deformation.at({})
+        bent = self.deformation.still
+        if self.back:
+            return after.shifted(negative(bent.rho)).turned(transposed(bent.R))
         return after.turned(bent.R).shifted(bent.rho)
 
     def lead(self, path: Path) -> None:
         """Continue a path through the move."""
-        path.bend(self.deformation.columns, self.deformation.now)
+        path.bend(self.deformation.columns, self.deformation.now, self.back)
+
+
+Node = JointNode | MarkerNode  # what leads through a tree whose rotations are all coordinates
 
 
 @dataclass(frozen=True)
-class Unbend(Plain):
-    """From such a marker to the frame of its body."""
-
-    deformation: Deformation
-
-    @property
-    def shared(self) -> list[Shared]:
-        """By the axes along and about which modes move the marker, where these are fewer; empty otherwise."""
-        bent, found = self.deformation.at({}), []
-        for one in self.deformation.shared:
-            turned = one.turned(bent)
-            twist = Motion(scaled(neg(ONE), turned), minus(cross(turned, bent.rho), one.shape))
-            found.append(Shared(one.shares, twist))
-        return found
-
-    def shared_powers(self, after: Force) -> Vector:
-        """Power of a wrench on these twists."""
-        bent = self.deformation.at({})
-        turning = bent.on_turns(minus(after.n, cross(bent.rho, after.f)))
-        return [neg(add(dot(one.shape, after.f), dot(one.theta, turning))) for one in self.deformation.shared]
-
-    @property
-    def twists(self) -> Mapping[int, Motion]:
-        """With the marker held, the frame moves against the marker's motion in it."""
-        bent, result = self.deformation.at({}), {}
-        for a, column in enumerate(self.deformation.columns):
-            back = scaled(neg(ONE), bent.turned[a])
-            result[column] = Motion(back, minus(cross(bent.turned[a], bent.rho), bent.shapes[a]))
-        return result
-
-    def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
-        """Motion after the move."""
-        bent, own = self.deformation.at(rates), self.deformation.of(accelerations)
-        omega, alpha, a = (times(bent.R, vector) for vector in (before.omega, before.alpha, before.a))
-        omega = minus(omega, bent.omega)
-        alpha = minus(alpha, plus(combination(bent.turned, own), bent.fading, cross(omega, bent.omega)))
-        turning = FrameMotion(omega, alpha, zeros())
-        relative = plus(turning.carried(bent.rho), bent.drift(omega), combination(bent.shapes, own))
-        return FrameMotion(omega, alpha, minus(a, relative))
-
-    def powers(self, after: Force) -> Row:
-        """Power of a wrench on the twist of each column."""
-        bent = self.deformation.at({})
-        turning = bent.on_turns(minus(after.n, cross(bent.rho, after.f)))
-        turns = self.deformation.point.turns
-        return {
-            column: neg(add(dot(bent.shapes[a], after.f), dot(turns[a], turning)))
-            for a, column in enumerate(self.deformation.columns)
-        }
-
-    def wrench(self, after: Force) -> Force:
-        """Seen before the move."""
-        bent = self.deformation.at({})
-        moment = minus(after.n, cross(bent.rho, after.f))
-        return Force(transposed_times(bent.R, after.f), transposed_times(bent.R, moment))
-
-    def composite(self, after: Inertia) -> Inertia:
-        """Seen before the move."""
-        bent = self.deformation.at({})
-        back = [list(column) for column in zip(*bent.R, strict=True)]
-        return after.shifted(scaled(neg(ONE), bent.rho)).turned(back)
-
-    def lead(self, path: Path) -> None:
-        """Continue a path through the move."""
-        path.unbend(self.deformation.columns, self.deformation.now)
-
-
-@dataclass(frozen=True)
-class ToWorld(Plain):
+class ToWorld(Move):
     """From the axes of a frame to those of the world; `axes` gives the frame's axes there (rows of a rotation)."""
 
     axes: Callable[[], Matrix]
@@ -416,11 +388,6 @@ class ToWorld(Plain):
     @cached_property
     def _P(self) -> Matrix:
         return self.axes()
-
-    @property
-    def twists(self) -> Mapping[int, Motion]:
-        """None: the axes follow from what is before."""
-        return {}
 
     def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
         """Of the origin alone: a ball follows."""
@@ -430,16 +397,13 @@ class ToWorld(Plain):
         """The force in the frame's axes; that in the world's goes with it."""
         return Force(transposed_times(self._P, after.f), zeros(), world=after.f)
 
-    def composite(self, after: Inertia) -> Inertia:
+    def composite(self, after: Mass) -> Mass:
         """A mass at the origin."""
         return after.turned_mass(lambda: [list(row) for row in zip(*self._P, strict=True)])
 
-    def lead(self, path: Path) -> None:
-        """The path ends in the world's axes when the ball is reached."""
-
 
 @dataclass(frozen=True)
-class Across(Plain):
+class Across(Move):
     """From a body that a ball holds to a point of it at `arm`, in world axes; A: of the body, by rows.
 
     Accelerations and forces stay in world axes all along a chain of such bodies: only moments arm x A^T F of them are
@@ -448,11 +412,6 @@ class Across(Plain):
 
     arm: Vector
     A: Matrix
-
-    @property
-    def twists(self) -> Mapping[int, Motion]:
-        """None: the place follows from what is before."""
-        return {}
 
     def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
         """Of the point alone: a ball follows."""
@@ -464,7 +423,7 @@ class Across(Plain):
         f = transposed_times(self.A, after.f)
         return Force(f, cross(self.arm, f), after.f, (MomentArm(self.arm, after.f),), zeros())
 
-    def composite(self, after: Inertia) -> Inertia:
+    def composite(self, after: Mass) -> Mass:
         """A mass at the point."""
         return after.turned_mass(lambda: [list(row) for row in zip(*self.A, strict=True)]).shifted(self.arm)
 
@@ -474,7 +433,7 @@ class Across(Plain):
 
 
 @dataclass(frozen=True)
-class Ball(Plain):
+class Ball(Move):
     """From world axes to those of a body: A by rows, omega [rad/s] in body axes, its columns."""
 
     columns: list[int]
@@ -482,9 +441,9 @@ class Ball(Plain):
     omega: Vector
 
     @property
-    def twists(self) -> Mapping[int, Motion]:
-        """By column of q."""
-        return {column: Motion(unit(i), zeros()) for i, column in enumerate(self.columns)}
+    def parts(self) -> list[Part]:
+        """Its axes."""
+        return single(self.columns, [Motion(unit(i), zeros()) for i in range(3)])
 
     def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
         """Angular motion as it is, the origin's acceleration in body axes."""
@@ -493,10 +452,10 @@ class Ball(Plain):
             omega, alpha, transposed_times(self.A, before.a), WorldFrame(self.A, before.a, before.held is not None)
         )
 
-    def powers(self, after: Force) -> Row:
+    def part_powers(self, after: Force) -> Vector:
         """The moment: A (e_i x arm) . F of each lever, of those along one axis e that of A^T sum(arm_k F) at e."""
         if not after.levers:
-            return super().powers(after)
+            return super().part_powers(after)
         assert after.rest is not None
         moment, levers = after.rest, [lever for lever in after.levers if any(not x.is_zero() for x in lever.arm)]
         along = only_axis([lever.arm for lever in levers])
@@ -507,14 +466,14 @@ class Ball(Plain):
             for lever in levers:
                 speeds = [times(self.A, cross(unit(i), lever.arm)) for i in range(3)]
                 moment = plus(moment, times(speeds, lever.F))
-        return dict(zip(self.columns, moment, strict=True))
+        return moment
 
     def wrench(self, after: Force) -> Force:
         """The force alone, in world axes."""
         f = times(self.A, after.f) if after.world is None else after.world
         return Force(f, zeros())
 
-    def composite(self, after: Inertia) -> Inertia:
+    def composite(self, after: Mass) -> Mass:
         """The mass alone."""
         return after.turned_mass(lambda: self.A)
 

@@ -151,35 +151,28 @@ class Path:
             self.causes.append(PathColumn(column, axis, None, end, axis))
         self.omega, self.alpha = self.along(omega), zeros()
 
-    def bend(self, columns: list[int], bent: Bent) -> None:
-        """To a marker of a flexible body."""
-        self.shift(bent.rho)
+    def bend(self, columns: list[int], bent: Bent, back: bool) -> None:
+        """To a marker of a flexible body, or `back` from there to the body's frame."""
+        sign = neg(ONE) if back else ONE
+        if back:
+            self.turn_by([list(column) for column in zip(*bent.R, strict=True)])
+        else:
+            self.shift(bent.rho)
         self._reach()
-        own, drift = self.along(bent.omega), self._drift(bent)
-        self.a = plus(self.a, drift)
-        self.r_dot = plus(self.r_dot, self.along(bent.rho_dot))
-        self.alpha = plus(self.alpha, cross(self.omega, own), self.along(bent.fading))
-        self.omega = plus(self.omega, own)
-        self._cause(columns, bent, False)
-        self.turn_by(bent.R)
+        own, speed = scaled(sign, self.along(bent.omega)), self.along(bent.rho_dot)
+        omega = plus(self.omega, own)
+        body = omega if back else self.omega
+        drift = plus(scaled(ca.SX(2), cross(body, speed)), self.along(bent.nu))
+        self.alpha = plus(self.alpha, cross(body, own), scaled(sign, self.along(bent.fading)))
+        self.a, self.r_dot = plus(self.a, scaled(sign, drift)), plus(self.r_dot, scaled(sign, speed))
+        self.omega = omega
+        self._add_modes(columns, bent, back)
+        if back:
+            self.shift(scaled(sign, bent.rho))
+        else:
+            self.turn_by(bent.R)
 
-    def unbend(self, columns: list[int], bent: Bent) -> None:
-        """From such a marker to the body's frame."""
-        self.turn_by([list(column) for column in zip(*bent.R, strict=True)])
-        self._reach()
-        own = self.along(bent.omega)
-        self.omega = plus(self.omega, scaled(neg(ONE), own))
-        self.alpha = plus(self.alpha, scaled(neg(ONE), plus(cross(self.omega, own), self.along(bent.fading))))
-        self.a = plus(self.a, scaled(neg(ONE), self._drift(bent)))
-        self.r_dot = plus(self.r_dot, scaled(neg(ONE), self.along(bent.rho_dot)))
-        self._cause(columns, bent, True)
-        self.shift(scaled(neg(ONE), bent.rho))
-
-    def _drift(self, bent: Bent) -> Vector:
-        speed = self.along(bent.rho_dot)
-        return plus(scaled(ca.SX(2), cross(self.omega, speed)), self.along(bent.nu))
-
-    def _cause(self, columns: list[int], bent: Bent, back: bool) -> None:
+    def _add_modes(self, columns: list[int], bent: Bent, back: bool) -> None:
         sign, turning = neg(ONE) if back else ONE, None
         if bent.common_axes:
             turning = [scaled(sign, self.along(axis)) for axis in bent.turning]

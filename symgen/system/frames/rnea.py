@@ -24,7 +24,7 @@ from symgen.algebra.scalar import ZERO, add
 from symgen.algebra.vectors import Vector, zeros
 from symgen.system.frames.moves import Float, JointNode
 from symgen.system.frames.spatial_algebra import NOTHING, Force, FrameMotion
-from symgen.system.frames.tree import GROUND, Frame, FrameTree, columns_of
+from symgen.system.frames.tree import GROUND, FrameTree
 
 
 def inverse_dynamics(tree: FrameTree, base: Vector | Mapping[int, FrameMotion], rates: Row, accelerations: Row) -> Row:
@@ -120,7 +120,7 @@ class CarriedFrames:
     def _carried(self) -> list[int]:
         found: list[int] = []
         for k, frame in enumerate(self.tree.frames):
-            if frame.parent in found or _columns(frame) & self.columns:
+            if frame.parent in found or frame.columns & self.columns:
                 found.append(k)
         return found
 
@@ -131,7 +131,7 @@ class CarriedFrames:
 
     @cached_property
     def _others(self) -> list[int]:
-        return sorted(set().union(*(_columns(self.tree.frames[k]) for k in self._carried)) - self.columns)
+        return sorted(set().union(*(self.tree.frames[k].columns for k in self._carried)) - self.columns)
 
     @property
     def size(self) -> int:
@@ -163,8 +163,3 @@ class CarriedFrames:
         own = FrameTree([replace(frame, parent=place.get(frame.parent, GROUND)) for frame in frames], {})
         begun = {k: motions[frame.parent] for k, frame in enumerate(frames) if frame.parent in motions}
         return inverse_dynamics(own, begun, rates, {**dict(others), **accelerations})
-
-
-def _columns(frame: Frame) -> set[int]:
-    inertia = set() if frame.inertia is None else set(frame.inertia.momenta)
-    return columns_of(frame.moves) | inertia

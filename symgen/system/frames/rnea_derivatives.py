@@ -47,13 +47,22 @@ from symgen.algebra.vectors import (
     product,
     scaled,
     times,
-    transposed_times,
     zeros,
 )
-from symgen.bodies.spatial_moments import Bent, Deformation, along_axes
+from symgen.bodies.spatial_moments import Bent, Deformation, SharedMotion
 from symgen.joints.joint import AxisPair
-from symgen.system.frames.fields import TWO, Change, Field, FieldPart, MoveState, Rates, arm_of, joint_parts, turned
-from symgen.system.frames.moves import Bend, JointNode, Move, Unbend, unit
+from symgen.system.frames.fields import (
+    TWO,
+    Change,
+    Field,
+    FieldPart,
+    MoveState,
+    Rates,
+    arm_of,
+    joint_parts,
+    turned,
+)
+from symgen.system.frames.moves import JointNode, MarkerNode, Node
 from symgen.system.frames.paths import ModesOnWay, Path, PathColumn
 from symgen.system.frames.spatial_algebra import (
     NOTHING,
@@ -63,9 +72,11 @@ from symgen.system.frames.spatial_algebra import (
     Matrix,
     Motion,
     both_turned_back,
+    gather,
     inertia_times,
     no_masses,
     traced,
+    transposed,
 )
 from symgen.system.frames.tree import GROUND, FlexibleNode, FrameTree, RigidNode, weighted
 
@@ -137,8 +148,8 @@ class Tangent:
 
     def turned(self, R: Matrix) -> Tangent:
         """In axes in which those of the frame are the columns of R."""
-        back = [list(column) for column in zip(*R, strict=True)]
-        return Tangent(self.inertia.turned(R), times(R, self.p), product(product(R, self.Lambda), back))
+        turned = product(product(R, self.Lambda), transposed(R))
+        return Tangent(self.inertia.turned(R), times(R, self.p), turned)
 
     def shifted(self, arm: Vector, twice_velocity: Vector) -> Tangent:
         """About the point from which the origin is at `arm`, moving with half of twice_velocity."""
@@ -193,7 +204,7 @@ def by_modes(inertia: RigidNode | FlexibleNode, motion: FrameMotion, rates: Row,
     data, moments = inertia.data, inertia.moments(rates)
     speeds, own, doubled = inertia.own(rates), inertia.own(a), inertia.doubled
     twice, found = scaled(TWO, motion.omega), {}
-    back = [list(column) for column in zip(*motion.G, strict=True)]
+    back = transposed(motion.G)
     for b, column in enumerate(inertia.columns):
         pairs = [_pair(inertia, a_, b) for a_ in range(data.nf)]  # dL_a / dq_b
         s = [[neg(S_H[a_][b]) for S_H in data.S_H] or zeros() for a_ in range(data.nf)]  # ds_a / dq_b
@@ -243,16 +254,6 @@ HALF = ca.SX(0.5)
 
 
 @dataclass(frozen=True)
-class _Shared:
-    """A turning theta of psi and a shape, of which modes have shares by column; fading: the first two rates of it."""
-
-    shares: Row
-    theta: Vector
-    shape: Vector
-    fading: tuple[Vector, Vector]
-
-
-@dataclass(frozen=True)
 class _Bending:
     """A marker's place rho and turning as the modes of its body move them, in body axes, which move with `body`."""
 
@@ -269,20 +270,13 @@ class _Bending:
     def _own(self) -> tuple[Vector, Vector]:
         return self.deformation.of(self.rates), self.deformation.of(self.accelerations)
 
-    @cached_property
-    def shared(self) -> list[_Shared]:
-        """By axes where that is fewer than by modes."""
-        point, columns, still = self.deformation.point, self.deformation.columns, (zeros(), zeros())
-        turns, shapes = along_axes(point.turns, columns), along_axes(point.shapes, columns)
-        moving = [b for b in range(len(columns)) if not _nothing([*point.turns[b], *point.shapes[b]])]
-        if not point.H and len(turns) + len(shapes) < len(moving):
-            by_turn = [_Shared(shares, unit(axis), zeros(), still) for axis, shares in turns.items()]
-            return by_turn + [_Shared(shares, zeros(), unit(axis), still) for axis, shares in shapes.items()]
-        return [_Shared({columns[b]: ONE}, point.turns[b], self.bent.shapes[b], self._fading(b)) for b in moving]
-
-    def _fading(self, b: int) -> tuple[Vector, Vector]:
+    def _fading(self, one: SharedMotion) -> tuple[Vector, Vector]:
+        """The first two rates of a shape, which is that of one mode where it has any."""
         H = self.deformation.point.H
-        first, second = ([neg(dot(block[b], values)) for block in H] or zeros() for values in self._own)
+        if not H:
+            return zeros(), zeros()
+        b = self.deformation.columns.index(next(iter(one.shares)))
+        first, second = ([neg(dot(block[b], values)) for block in H] for values in self._own)
         return first, second
 
     @cached_property
@@ -295,7 +289,7 @@ class _Bending:
         bending = mul(half, add(dot(first, first), dot(bent.psi, second)))
         return scaled(half, first), scaled(half, second), rate, bending
 
-    def turned(self, one: _Shared) -> Rates:
+    def turned(self, one: SharedMotion) -> Rates:
         """The axis about which the marker turns for a unit rate, its D and D^2."""
         if _nothing(one.theta):
             return zeros(), zeros(), zeros()
@@ -306,59 +300,57 @@ class _Bending:
         more = minus(cross(second, theta), plus(scaled(mul(TWO, rate), own), scaled(bending, value)))
         return self._seen(value, own, more)
 
-    def shape(self, one: _Shared) -> Rates:
+    def shape(self, one: SharedMotion) -> Rates:
         """By what the marker moves for a unit rate, its D and D^2."""
-        return self._seen(one.shape, *one.fading)
+        return self._seen(one.shape, *self._fading(one))
 
     def _seen(self, value: Vector, rate: Vector, second: Vector) -> Rates:
         omega = self.body.omega
         first = plus(rate, cross(omega, value))
         return value, first, plus(second, cross(scaled(TWO, omega), rate), times(self.body.G, value))
 
-    def on_turns_changed(self, one: _Shared, moment: Vector) -> Vector:
+    def on_turns_changed(self, one: SharedMotion, moment: Vector) -> Vector:
         """d(on_turns(moment)) for a unit of what is shared, at a fixed moment."""
         half, bent = mul(HALF, self.bent.inverse), self.bent
         fewer = scaled(mul(half, dot(bent.psi, one.theta)), bent.on_turns(moment))
         return minus(scaled(half, cross(moment, one.theta)), fewer)
 
 
-def parts_of(move: Move, spot: MoveState) -> list[FieldPart]:
+def parts_of(move: Node, spot: MoveState) -> list[FieldPart]:
     """What the coordinates of a move do."""
-    if isinstance(move, Bend | Unbend):
-        return BendChanges(move.deformation, spot, isinstance(move, Unbend)).parts
-    return joint_parts(move, spot)
+    return BendChanges(move, spot).parts if isinstance(move, MarkerNode) else joint_parts(move, spot)
 
 
 class BendChanges:
-    """From the frame of a flexible body to a marker, or with `back` from such a marker to the frame."""
+    """Of the motion by the modes that lead to a marker or back from it, and of the powers of a wrench on them."""
 
-    def __init__(self, deformation: Deformation, spot: MoveState, back: bool) -> None:
-        self._back, self._deformation = back, deformation
-        self._bending = _Bending(deformation, spot.after if back else spot.before, spot.rates, spot.accelerations)
-        self._R = self._bending.bent.R
+    def __init__(self, move: MarkerNode, spot: MoveState) -> None:
+        self._move, self._back, self._deformation = move, move.back, move.deformation
+        body = spot.after if move.back else spot.before
+        self._bending = _Bending(move.deformation, body, spot.rates, spot.accelerations)
         self._spot = spot
 
     @cached_property
     def parts(self) -> list[FieldPart]:
         """By what is shared."""
-        return [self._unbent(one) if self._back else self._bent(one) for one in self._bending.shared]
+        return [self._unbent(one) if self._back else self._bent(one) for one in self._deformation.shared]
 
-    def _bent(self, one: _Shared) -> FieldPart:
+    def _bent(self, one: SharedMotion) -> FieldPart:
         (t, t1, t2), (s, s1, s2) = self._bending.turned(one), self._bending.shape(one)
-        turning, moving = ([transposed_times(self._R, vector) for vector in own] for own in ((t, t1, t2), (s, s1, s2)))
+        turning, moving = ([self._move.seen(vector) for vector in own] for own in ((t, t1, t2), (s, s1, s2)))
         return FieldPart(one.shares, Field((turning[0], turning[1], turning[2]), (moving[0], moving[1], moving[2])))
 
-    def _unbent(self, one: _Shared) -> FieldPart:
+    def _unbent(self, one: SharedMotion) -> FieldPart:
         (t, t1, t2), (s, s1, s2) = self._bending.turned(one), self._bending.shape(one)
         still = Field((negative(t), negative(t1), negative(t2)), (negative(s), negative(s1), negative(s2)))
-        return FieldPart(one.shares, still.shifted(arm_of(Unbend(self._deformation), self._spot)))
+        return FieldPart(one.shares, still.shifted(arm_of(self._move, self._spot)))
 
     def powers(self, column: int, wrench: Force, change: Force) -> Row:
         """Changes of the powers by a mode, for the wrench after the move and its change, both in the axes there."""
         bending, point = self._bending, self._deformation.point
-        shares = [(one, one.shares[column]) for one in bending.shared if column in one.shares]
-        f, moment = self._at_marker(wrench)
-        df, dn = self._at_marker(change)
+        shares = [(one, one.shares[column]) for one in self._deformation.shared if column in one.shares]
+        f, moment = self._move.at_marker(wrench)
+        df, dn = self._move.at_marker(change)
         turning = bending.bent.on_turns(plus(dn, *(self._carried(one, share, f, moment) for one, share in shares)))
         for one, share in shares:
             turning = plus(turning, scaled(share, bending.on_turns_changed(one, moment)))
@@ -374,8 +366,8 @@ class BendChanges:
 
     def among(self, wrench: Force) -> list[list[ca.SX]]:
         """Change of the power on each part, by rows, by each part, for a wrench after the move that goes with it."""
-        shared, point = self._bending.shared, self._deformation.point
-        f, moment = self._at_marker(wrench)
+        shared, point = self._deformation.shared, self._deformation.point
+        f, moment = self._move.at_marker(wrench)
         found = [[ZERO] * len(shared) for _ in shared]
         for k, one in enumerate(shared):
             turning = self._bending.bent.on_turns(self._carried(one, ONE, f, moment))
@@ -389,13 +381,7 @@ class BendChanges:
                 found[i][k] = neg(value) if self._back else value
         return found
 
-    def _at_marker(self, wrench: Force) -> tuple[Vector, Vector]:
-        """Force and moment about the marker in body axes."""
-        if self._back:
-            return wrench.f, minus(wrench.n, cross(self._bending.bent.rho, wrench.f))
-        return times(self._R, wrench.f), times(self._R, wrench.n)
-
-    def _carried(self, one: _Shared, share: ca.SX, f: Vector, moment: Vector) -> Vector:
+    def _carried(self, one: SharedMotion, share: ca.SX, f: Vector, moment: Vector) -> Vector:
         """Change of the moment in body axes: the wrench turns with the marker, or the marker moves along its force."""
         own = negative(cross(one.shape, f)) if self._back else cross(self._bending.turned(one)[0], moment)
         return scaled(share, own)
@@ -407,7 +393,7 @@ def _nothing(values: Vector) -> bool:
 
 def has_force_changes(tree: FrameTree) -> bool:
     """Are all moves of the kinds that are differentiated here: hinges, slides, markers of flexible bodies?"""
-    return all(isinstance(move, JointNode | Bend | Unbend) for frame in tree.frames for move in frame.moves)
+    return all(frame.nodes == frame.moves for frame in tree.frames)
 
 
 def force_changes(tree: FrameTree, n: int, base: Vector, rates: Row, accelerations: Row) -> tuple[list[Row], list[Row]]:
@@ -437,12 +423,6 @@ class Subtree:
             self.rows[column] = self.rows[column].plus(row) if column in self.rows else row
 
 
-def gather(target: dict[int, Force], more: dict[int, Force]) -> None:
-    """Sums by column."""
-    for column, wrench in more.items():
-        target[column] = target[column].plus(wrench) if column in target else wrench
-
-
 def _no_subtree() -> Subtree:
     return Subtree(Tangent(no_masses(), zeros(), [zeros() for _ in range(3)]))
 
@@ -462,7 +442,7 @@ class ForceSweep:
         for frame in tree.frames:
             motion = FrameMotion(zeros(), zeros(), base) if frame.parent == GROUND else motions[frame.parent]
             spots.append([])
-            for move in frame.moves:
+            for move in frame.nodes:
                 before, motion = motion, move.motion(motion, self._rates, self._accelerations)
                 spots[-1].append(MoveState(before, motion, self._rates, self._accelerations))
             motions.append(motion)
@@ -471,7 +451,7 @@ class ForceSweep:
             frame, state = tree.frames[k], states[k]
             if frame.inertia is not None:
                 state.add(self.body(frame.inertia, motions[k]))
-            for move, spot in zip(reversed(frame.moves), reversed(spots[k]), strict=True):
+            for move, spot in zip(reversed(frame.nodes), reversed(spots[k]), strict=True):
                 self.through(move, spot, state)
             if frame.parent != GROUND:
                 states[frame.parent].add(state)
@@ -493,12 +473,10 @@ class ForceSweep:
             mode_rows(inertia, motion, self._rates),
         )
 
-    def through(self, move: Move, spot: MoveState, state: Subtree) -> None:
+    def through(self, move: Node, spot: MoveState, state: Subtree) -> None:
         """All that is beyond a move, as seen before it, in place."""
-        bending = None
-        if isinstance(move, Bend | Unbend):
-            bending = BendChanges(move.deformation, spot, isinstance(move, Unbend))
-        parts = joint_parts(move, spot) if bending is None else bending.parts
+        bending = BendChanges(move, spot) if isinstance(move, MarkerNode) else None
+        parts = parts_of(move, spot) if bending is None else bending.parts
         carried: dict[int, Force] = {}
         for part in parts:
             by_position, by_rate = part.field.by_position(spot.after.a), part.field.by_rate
@@ -524,7 +502,7 @@ class ForceSweep:
         for column, share in part.shares.items():
             add_to(target[row], column, mul(share, value))
 
-    def _before(self, move: Move, spot: MoveState, state: Subtree, parts: list[FieldPart]) -> None:
+    def _before(self, move: Node, spot: MoveState, state: Subtree, parts: list[FieldPart]) -> None:
         """Rows, inertia and wrench as seen before a move."""
         for part in parts:
             row = state.tangent.row(part.field.twist)
@@ -539,44 +517,42 @@ class ForceSweep:
 
 def _shares(part: FieldPart, wrench: Force) -> dict[int, Force]:
     """Of a wrench, by column."""
-    return {column: Force(scaled(share, wrench.f), scaled(share, wrench.n)) for column, share in part.shares.items()}
+    return {column: wrench.scaled(share) for column, share in part.shares.items()}
 
 
-def _twice_velocity(move: Move, spot: MoveState) -> Vector:
-    """Of the origin after a move, seen from the frame before it, in the axes there; for `Unbend`, in those after it."""
+def _twice_velocity(move: Node, spot: MoveState) -> Vector:
+    """Of the origin after a move, seen before it, in the axes there; `back` from a marker, in those after it."""
     twice, arm, speed = scaled(TWO, spot.before.omega), zeros(), zeros()
     if isinstance(move, JointNode):
         arm = move.r
         if move.column is not None and not move.turns:
             speed = scaled(spot.rates.get(move.column, ZERO), move.S.v)
-    elif isinstance(move, Bend | Unbend):
+    else:
         bent = move.deformation.at(spot.rates)
         arm, speed = bent.rho, bent.rho_dot
-        if isinstance(move, Unbend):
+        if move.back:
             twice = scaled(neg(TWO), spot.after.omega)
             return plus(cross(twice, arm), scaled(neg(TWO), speed))
     return plus(cross(twice, arm), scaled(TWO, speed))
 
 
-def _row_before(move: Move, row: RowChange, velocity: Vector) -> RowChange:
+def _row_before(move: Node, row: RowChange, velocity: Vector) -> RowChange:
     """Seen before a move."""
-    r = plus(row.r, cross(velocity, row.phi)) if isinstance(move, Unbend) else row.r
+    r = plus(row.r, cross(velocity, row.phi)) if move.back else row.r
     seen, r = move.wrench(Force(row.phi, row.nu)), move.wrench(Force(r, zeros())).f
-    return RowChange(seen.n, seen.f, r if isinstance(move, Unbend) else plus(r, cross(velocity, seen.f)))
+    return RowChange(seen.n, seen.f, r if move.back else plus(r, cross(velocity, seen.f)))
 
 
-def _tangent_before(move: Move, velocity: Vector, tangent: Tangent) -> Tangent:
+def _tangent_before(move: Node, velocity: Vector, tangent: Tangent) -> Tangent:
     """Seen before a move."""
     if isinstance(move, JointNode):
         if move.about is not None:
             return tangent.about(move.axis, *move.about)
         return (tangent if move.R is None else tangent.turned(move.R)).shifted(move.r, velocity)
-    assert isinstance(move, Bend | Unbend)
-    bent = move.deformation.at({})
-    if isinstance(move, Bend):
-        return tangent.turned(bent.R).shifted(bent.rho, velocity)
-    back = [list(column) for column in zip(*bent.R, strict=True)]
-    return tangent.shifted(negative(bent.rho), velocity).turned(back)
+    bent = move.deformation.still
+    if move.back:
+        return tangent.shifted(negative(bent.rho), velocity).turned(transposed(bent.R))
+    return tangent.turned(bent.R).shifted(bent.rho, velocity)
 
 
 @dataclass(frozen=True)

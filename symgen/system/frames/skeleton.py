@@ -13,7 +13,7 @@ from symgen.bodies.spatial_body import SpatialBody
 from symgen.bodies.spatial_moments import Deformation
 from symgen.system.frames.alignment import Numbers, UnalignedFrame, aligned, moved
 from symgen.system.frames.linkage import JointLink
-from symgen.system.frames.moves import Across, Ball, Bend, Float, Move, Orient, ToWorld, Unbend
+from symgen.system.frames.moves import Across, Ball, Float, MarkerNode, Move, Orient, ToWorld
 from symgen.system.frames.spatial_algebra import SE3, Inertia, Matrix, no_masses
 from symgen.system.frames.tree import GROUND, BodyFrame, FlexibleNode, FrameTree, RigidNode
 from symgen.system.orientations import Turning
@@ -126,13 +126,13 @@ class Skeleton:
 def _to_marker(marker: Deformation) -> list[Move]:
     """From the frame of a flexible body: to where the marker is, then to its axes."""
     shifts, turns = _apart(marker)
-    return [Bend(shifts), Bend(turns)]
+    return [MarkerNode(shifts), MarkerNode(turns)]
 
 
 def _from_marker(marker: Deformation) -> list[Move]:
     """To the frame of a flexible body: to its axes, then to its origin."""
     shifts, turns = _apart(marker)
-    return [Unbend(turns), Unbend(shifts)]
+    return [MarkerNode(turns, back=True), MarkerNode(shifts, back=True)]
 
 
 def _apart(marker: Deformation) -> tuple[Deformation, Deformation]:

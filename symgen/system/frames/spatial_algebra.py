@@ -8,14 +8,15 @@ Inertia of bodies whose joints are free: f = A a + H^T alpha, n = H a + J alpha 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TypeVar
 
 import casadi as ca
 
 from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg, sub
-from symgen.algebra.vectors import Vector, cross, identity, plus, product, scaled, times, transposed_times, zeros
+from symgen.algebra.vectors import Vector, cross, identity, minus, plus, product, scaled, times, transposed_times, zeros
 
 Matrix = list[Vector]
 
@@ -47,6 +48,14 @@ class Motion:
 
     omega: Vector
     v: Vector
+
+    def scaled(self, factor: ca.SX) -> Motion:
+        """For another rate."""
+        return Motion(scaled(factor, self.omega), scaled(factor, self.v))
+
+    def plus(self, other: Motion) -> Motion:
+        """Of both."""
+        return Motion(plus(self.omega, other.omega), plus(self.v, other.v))
 
 
 @dataclass(frozen=True)
@@ -83,8 +92,22 @@ class Force:
             rest = plus(*(one.n if one.rest is None else one.rest for one in (self, other)))
         return Force(plus(self.f, other.f), plus(self.n, other.n), world, levers, rest)
 
+    def scaled(self, factor: ca.SX) -> Force:
+        """A share of it."""
+        return Force(scaled(factor, self.f), scaled(factor, self.n))
+
+    def minus(self, other: Force) -> Force:
+        """Difference about the same origin."""
+        return Force(minus(self.f, other.f), minus(self.n, other.n))
+
 
 NOTHING = Force(zeros(), zeros(), zeros())
+
+
+def gather(target: dict[int, Force], more: Mapping[int, Force]) -> None:
+    """Sums by column."""
+    for column, wrench in more.items():
+        target[column] = target[column].plus(wrench) if column in target else wrench
 
 
 @dataclass(frozen=True)
@@ -341,6 +364,9 @@ class ArticulatedInertia:
         H = [zeros() if clear[i] else list(row) for i, row in enumerate(self.H)]
         J = [[ZERO if clear[i] or clear[j] else value for j, value in enumerate(row)] for i, row in enumerate(self.J)]
         return ArticulatedInertia(self.A, H, symmetric_of(J))
+
+
+Mass = TypeVar("Mass", Inertia, ArticulatedInertia)
 
 
 def transposed(block: Matrix) -> Matrix:

@@ -13,7 +13,6 @@ where J = int rho rho^T dm and L' = sum_a L_a q_a'.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -23,7 +22,7 @@ from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
 from symgen.algebra.vectors import Vector, combination, cross, plus, scaled, zeros
 from symgen.bodies.spatial_moments import SpatialIntegrals, SpatialMoments
-from symgen.system.frames.moves import Move
+from symgen.system.frames.moves import Move, Node
 from symgen.system.frames.spatial_algebra import SE3, Force, FrameMotion, Inertia, Matrix, traced
 
 
@@ -137,6 +136,21 @@ class Frame:
     moves: list[Move]
     inertia: RigidNode | FlexibleNode | None
 
+    @property
+    def nodes(self) -> list[Node]:
+        """Its moves, where all of them are nodes."""
+        return [move for move in self.moves if isinstance(move, Node)]
+
+    @property
+    def modes(self) -> set[int]:
+        """Columns of the modes of its body."""
+        return set() if self.inertia is None else set(self.inertia.momenta)
+
+    @property
+    def columns(self) -> set[int]:
+        """Columns on which its motion or its inertia depend."""
+        return {column for move in self.moves for column in move.twists} | self.modes
+
 
 @dataclass(frozen=True)
 class BodyFrame:
@@ -170,15 +184,7 @@ class FrameTree:
         ]
         return shared[-1] if shared else GROUND
 
-    def children(self) -> list[list[int]]:
-        """Of each frame."""
-        found: list[list[int]] = [[] for _ in self.frames]
-        for k, frame in enumerate(self.frames):
-            if frame.parent != GROUND:
-                found[frame.parent].append(k)
-        return found
-
-
-def columns_of(moves: Sequence[Move]) -> set[int]:
-    """The columns of q on which moves depend."""
-    return {column for move in moves for column in move.twists}
+    @property
+    def flexible(self) -> bool:
+        """Has a body modes?"""
+        return any(frame.modes for frame in self.frames)
