@@ -122,8 +122,8 @@ class LocalMotion:
             self.nu[i] = neg(dot(q_f_dot, times(H, q_f_dot)))
             for a in range(len(q_f)):
                 self.shapes[a][i] = sub(self.shapes[a][i], bent[a])
-        self.rho_dot = _sum(self.shapes, q_f_dot)
-        self.psi, self.psi_dot = _sum(point.turns, q_f), _sum(point.turns, q_f_dot)
+        self.rho_dot = combination(self.shapes, q_f_dot)
+        self.psi, self.psi_dot = combination(point.turns, q_f), combination(point.turns, q_f_dot)
 
     @staticmethod
     def turn_rows(point: SpatialPoint, columns: list[int]) -> list[Row]:
@@ -141,14 +141,14 @@ class SpatialMoments:
         self.data, self.omega = data, omega
         nf = len(q_f)
         self.s = [list(data.Sb[a]) for a in range(nf)]
-        self.h, self.hn = plus(data.S1, _sum(data.Sb, q_f)), zeros()
+        self.h, self.hn = plus(data.S1, combination(data.Sb, q_f)), zeros()
         for i, S_H in enumerate(data.S_H):
             bent = times(S_H, q_f)
             self.h[i] = sub(self.h[i], mul(ca.SX(0.5), dot(q_f, bent)))
             self.hn[i] = neg(dot(q_f_dot, times(S_H, q_f_dot)))
             for a in range(nf):
                 self.s[a][i] = sub(self.s[a][i], bent[a])
-        self.hd = _sum(self.s, q_f_dot)
+        self.hd = combination(self.s, q_f_dot)
         self.L = [self._pairs(a, q_f) for a in range(nf)]
         self.J = [[data.J0[i][j] for j in range(3)] for i in range(3)]
         for a, q in enumerate(q_f):  # J = J0 + sum q_a sym(N_a + L_a)
@@ -216,13 +216,6 @@ class SpatialMoments:
 
 def _less(block: Matrix, left: Vector, right: Vector) -> Matrix:
     return [[sub(block[i][j], mul(left[i], right[j])) for j in range(3)] for i in range(3)]
-
-
-def _sum(columns: list[Vector], factors: Vector) -> Vector:
-    result = zeros()
-    for column, factor in zip(columns, factors, strict=True):
-        result = plus(result, scaled(factor, column))
-    return result
 
 
 @dataclass(frozen=True)
