@@ -6,4 +6,35 @@ functions), `tapes` (straight-line code), `emission` (files). Bodies, joints and
 in the `algebra` of templates; `modes` and `fe` compute numbers for scenes; `urdf` reads robots; `scenes` are built in;
 `cli` is the command line, `schema` what the text of scenes is made of. `pipeline.py` says the same with equation
 numbers, `notation` names the symbols.
+
+Who only wants to simulate a mechanism begins with `Scene`: `Scene("arm")...model().simulate()`.
 """
+
+from typing import TYPE_CHECKING, Any
+
+from runtime.contract.doors import opened
+
+if TYPE_CHECKING:
+    from runtime.contract.loading import load_model
+    from symgen.scene.builder import Scene
+    from symgen.scene.scene import SceneRecord
+    from symgen.schema.errors import SceneError
+
+__all__ = ["Scene", "SceneError", "SceneRecord", "load_model"]
+
+_HOMES = {
+    "Scene": "symgen.scene:Scene",
+    "SceneError": "symgen.scene:SceneError",
+    "SceneRecord": "symgen.scene:SceneRecord",
+    "load_model": "runtime.contract.loading:load_model",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'symgen' has no attribute {name!r}")
+    return opened(_HOMES[name])
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

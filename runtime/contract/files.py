@@ -25,6 +25,22 @@ def cache_folder() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "symgen"
 
 
+def refused_folder(folder: Path) -> str:
+    """Why a folder of the cache is not used, "" if it is: it must be the user's own; makes it where it is missing."""
+    try:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        found = os.lstat(folder)
+    except OSError as error:
+        return f"{folder} cannot be used: {error}"
+    if not stat.S_ISDIR(found.st_mode):
+        return f"{folder} is no folder of its own"
+    if os.name != "nt" and found.st_uid != os.getuid():
+        return f"{folder} belongs to another user"
+    if os.name != "nt" and found.st_mode & 0o077:
+        return f"{folder} is open to other users (chmod 700 closes it)"
+    return ""
+
+
 def stamp_of(*folders: Path) -> str:
     """A hash of names, sizes and times of the code and the data in folders: another one where a file has changed."""
     about = ((entry.path, entry.stat()) for root in folders for entry in _code_in(root))

@@ -12,7 +12,7 @@ from typing import Any, TypeVar, cast
 import casadi as ca
 import numpy as np
 
-from runtime.contract.doors import opened
+from runtime.contract.doors import Door, opened
 from runtime.contract.errors import ModelError
 from runtime.contract.orientations import Places, places_of, with_charts
 from runtime.contract.records import Bound, BoundedQuantity, Coordinate, Description, Group, InputRecord, Parameter
@@ -205,6 +205,27 @@ class Model:
     steppers: dict[tuple[Any, ...], Any] = field(default_factory=dict, repr=False, compare=False)
     schemes: dict[tuple[Any, ...], Any] = field(default_factory=dict, repr=False, compare=False)
     choices: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
+
+    # What is asked of a model: each is the function that it names, with the model as its first argument.
+    simulate = Door("runtime.running.simulate:simulate")
+    resume = Door("runtime.running.checkpoint:resume")
+    ensemble = Door("runtime.studies.ensemble.ensemble:ensemble")
+    equilibrium = Door("runtime.operating.equilibrium:equilibrium")
+    modes = Door("runtime.operating.modes:modes")
+    linearise = Door("runtime.operating.linearise:linearise")
+    campbell = Door("runtime.operating.campbell:campbell")
+    unbalance_response = Door("runtime.operating.campbell:unbalance_response")
+    periodic = Door("runtime.orbits.periodic:periodic")
+    periodic_over = Door("runtime.orbits.continuation:periodic_over")
+    quasi_static_motion = Door("runtime.running.driven:quasi_static_motion")
+    gradient = Door("runtime.gradients.differentiable_run:gradient")
+    output_jacobian = Door("runtime.gradients.differentiable_run:output_jacobian")
+    fit = Door("runtime.gradients.fit:fit")
+    advise = Door("runtime.studies.advice.advise:advise")
+    report = Door("runtime.studies.work_precision.report:report")
+    stability = Door("runtime.studies.stability.chart:stability_chart")
+    stepper = Door("runtime.running.stepping:ModelStepper")
+    ode = Door("runtime.baselines.ode:ode")
 
     def __post_init__(self) -> None:
         for name in ("initial_q", "initial_q_dot"):
@@ -416,17 +437,6 @@ class Model:
             found = zip(kernel.name_out(), values, strict=True)
             self._zero_outputs[name] = frozenset(own for own, value in found if value.is_zero())
         return output in self._zero_outputs[name]
-
-    def stepper(self, **settings: Any) -> Any:
-        """The model stepped from Python: see runtime.running.stepping.ModelStepper for the settings and the result.
-
-        scheme, dt [s], m, options, parameters, engine; what is not given comes from the scene.
-        """
-        return opened("runtime.running.stepping:ModelStepper")(self, **settings)
-
-    def ode(self, loops: str = "states", **settings: Any) -> Any:
-        """The model as x' = f(x, u, p, t): see runtime.baselines.ode for the settings and the result."""
-        return opened("runtime.baselines.ode:ode")(self, loops, **settings)
 
     def inverse_dynamics(self, q: Any, v: Any, a: Any, motors: Sequence[str] = (), **where: Any) -> np.ndarray:
         """tau for the motion q, v, a; see runtime.operating.dynamics.Dynamics for this and the next five."""

@@ -9,11 +9,10 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import os
-import stat
 import tempfile
 from pathlib import Path
 
-from runtime.contract.files import cache_folder
+from runtime.contract.files import cache_folder, refused_folder
 
 MOST_BYTES = 256 * 2**20
 _HEAD = 32 + 8
@@ -27,18 +26,7 @@ class ObjectCache:
 
     def refused(self) -> str:
         """Why the folder is not used, "" if it is; makes it where it is missing."""
-        try:
-            self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-            found = os.lstat(self.folder)
-        except OSError as error:
-            return f"{self.folder} cannot be used: {error}"
-        if not stat.S_ISDIR(found.st_mode):
-            return f"{self.folder} is no folder of its own"
-        if os.name != "nt" and found.st_uid != os.getuid():
-            return f"{self.folder} belongs to another user"
-        if os.name != "nt" and found.st_mode & 0o077:
-            return f"{self.folder} is open to other users (chmod 700 closes it)"
-        return ""
+        return refused_folder(self.folder)
 
     def read(self, key: str) -> tuple[bytes, int] | None:
         """(object, length of the work array), None if there is none; a damaged file is removed."""

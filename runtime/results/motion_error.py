@@ -58,6 +58,9 @@ class MotionError:
     reliable_until: float | None = None
     reason: str = ""
 
+    def __str__(self) -> str:
+        return f"{self.largest:.2g} of the amplitude of {self.of}" if self.measured else f"not measured: {self.reason}"
+
     @property
     def measured(self) -> bool:
         """Is there anything to tell?"""

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from runtime.contract.coordinates import followed
-from runtime.contract.doors import opened
+from runtime.contract.doors import Door
 from runtime.contract.flexible import BodyMotion
 from runtime.contract.model import Model
 from runtime.contract.status import badge, card, line, sparkline, table
@@ -63,7 +63,13 @@ def solution_card(solution: Samples) -> str:
 
 @dataclass(repr=False)
 class Solution(Samples):
-    """Samples that can be saved, loaded and exported."""
+    """Samples that can be saved, loaded, exported and looked at."""
+
+    # What is made of a solution: each is the function that it names, with the solution as its first argument.
+    view = Door("runtime.views.viewer.page:show")
+    plot = Door("runtime.views.plots:coordinates")
+    animate = Door("runtime.views.animation:animate")
+    report = Door("runtime.views.report:run_report")
 
     def _repr_html_(self) -> str:
         return solution_card(self)
@@ -81,21 +87,6 @@ class Solution(Samples):
         """
 
         return cls(**(export.read_stream(path, model) if Path(path).is_dir() else export.read_npz(path, model)))
-
-    def view(
-        self,
-        path: str | Path | None = None,
-        surfaces: Mapping[str, Mapping[str, Any]] | None = None,
-        beside: Solution | None = None,
-    ) -> Any:
-        """The moving mechanism as one page: written to `path` (.html), else shown in the notebook or opened.
-
-        surfaces: {body: {vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf)}}, in place of a body's own surface;
-        von_mises (samples, n) [Pa] in it colours the body.
-        beside: a second run, shown pale in the same page.
-        Raises ModelError if there is nothing to draw or a surface does not fit, and OutputError.
-        """
-        return opened("runtime.views.viewer.page:show")(self, path, surfaces, beside)
 
     def section_forces(
         self, body: str, at: float | Sequence[float] | None = None, way: Way = "equilibrium"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -69,10 +70,11 @@ def _told(solution: Solution, folder: Path | None, pictures: bool) -> Outcome:
 
 
 def cache(arguments: argparse.Namespace) -> Outcome:
-    """Show what is kept of compiled programs, or remove it.
+    """Show what is kept of compiled programs and of models, or remove it.
 
-    Nothing is lost by removing it: a program is compiled again when it is needed.
+    Nothing is lost by removing it: what is needed is compiled and generated again.
     """
+    from runtime.contract.files import cache_folder
     from runtime.engine.object_cache import MOST_BYTES, ObjectCache
 
     cache = ObjectCache()
@@ -80,12 +82,19 @@ def cache(arguments: argparse.Namespace) -> Outcome:
     entries = cache.entries()
     size = sum(size for _, size, _ in entries)
     facts: dict[str, Any] = {"folder": str(cache.folder), "programs": len(entries), "bytes": size, "most": MOST_BYTES}
-    lines = [f"{cache.folder}: {len(entries)} compiled programs, {size / 1e6:.3g} of {MOST_BYTES / 1e6:.0f} MB"]
+    models = [path for path in (cache_folder() / "models").glob("*") if path.is_dir()]
+    facts["models"] = len(models)
+    lines = [
+        f"{cache.folder}: {len(entries)} compiled programs, {size / 1e6:.3g} of {MOST_BYTES / 1e6:.0f} MB; "
+        f"{len(models)} generated models beside them"
+    ]
     if refused:
         facts["refused"] = refused
         lines.append(f"not used: {refused}")
     elif arguments.clear:
-        facts["removed"] = cache.clear()
+        for folder in models:
+            shutil.rmtree(folder, ignore_errors=True)
+        facts["removed"] = cache.clear() + len(models)
         lines.append(f"{facts['removed']} removed")
     return Outcome(facts, lines)
 

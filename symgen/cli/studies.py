@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import tempfile
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -274,33 +273,33 @@ def report(arguments: argparse.Namespace) -> Outcome:
 
 
 def _scene(arguments: argparse.Namespace) -> Outcome:
-    from runtime.studies.work_precision.comparison_files import comparison_data, write_comparison
+    from runtime.studies.work_precision.comparison_files import FILES, comparison_data
     from runtime.studies.work_precision.methods import left_out
 
     model = opened_model(arguments.scene, arguments.made_with)
     motion = {"graded": arguments.graded, **settings(arguments, MOTION)}
     folder = Path(arguments.out) if arguments.out else Path("out") / "report" / model.name
-    comparison = _compared(model, motion, arguments, folder)
-    files = write_comparison(comparison, folder, motion_words(arguments))
+    comparison = _compared(model, motion, arguments, folder, motion_words(arguments))
     said = [] if arguments.methods else [one for one in [left_out(model)] if one]
-    data = {"comparison": comparison_data(comparison), "files": files}
+    data = {"comparison": comparison_data(comparison), "files": {name: str(folder / name) for name in FILES}}
     return Outcome(data, [*table(comparison), *said, f"in {folder}"])
 
 
-def _compared(model: Model, motion: dict[str, Any], arguments: argparse.Namespace, folder: Path) -> Comparison:
+def _compared(
+    model: Model, motion: dict[str, Any], arguments: argparse.Namespace, folder: Path, words: str
+) -> Comparison:
     """Its tables are in the folder after each method: an interrupted report keeps what it has."""
-    from runtime.studies.work_precision.comparison import work_precision
-    from runtime.studies.work_precision.comparison_files import write_tables
-    from runtime.studies.work_precision.methods import methods_named, usual_adaptive, usual_methods
-
-    if arguments.methods:
-        methods = methods_named(model, arguments.methods)
-    else:
-        methods = [*usual_methods(model), *usual_adaptive(model)]
     with Progress(f"symgen {model.name}") as progress:
-        keep = partial(write_tables, folder=folder)
-        how = arguments.tolerance, arguments.longest, progress.note, keep
-        return work_precision(model, methods, *how, **motion)
+        found: Comparison = model.report(
+            folder,
+            methods=arguments.methods,
+            tolerance=arguments.tolerance,
+            longest=arguments.longest,
+            note=progress.note,
+            words=words,
+            **motion,
+        )
+    return found
 
 
 def table(comparison: Comparison) -> list[str]:
@@ -334,8 +333,6 @@ def _suite(arguments: argparse.Namespace) -> Outcome:
 def _case(name: str, folder: Path, arguments: argparse.Namespace) -> SuiteResult:
     from runtime.contract.errors import NoResult
     from runtime.contract.loading import load_model
-    from runtime.studies.advice.advise import advise
-    from runtime.studies.work_precision.comparison_files import write_comparison
     from runtime.studies.work_precision.suite import SuiteResult
     from symgen.generate import generate
     from symgen.scenes.hard_suite import HARD_SUITE
@@ -351,14 +348,12 @@ def _case(name: str, folder: Path, arguments: argparse.Namespace) -> SuiteResult
     with tempfile.TemporaryDirectory() as place:
         model = load_model(generate(case.make(), Path(place) / "model"))
     try:
-        comparison = _compared(model, motion, arguments, folder)
+        comparison = _compared(model, motion, arguments, folder, name)
     except NoResult as error:
         return SuiteResult(name, None, None, str(error))
-    write_comparison(comparison, folder)
     try:
         with Progress(f"symgen {name}") as progress:
-            return SuiteResult(
-                name, comparison, advise(model, tolerance=arguments.tolerance, note=progress.note, **motion)
-            )
+            advice = model.advise(tolerance=arguments.tolerance, note=progress.note, **motion)
+            return SuiteResult(name, comparison, advice)
     except NoResult as error:
         return SuiteResult(name, comparison, None, str(error))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from inspect import Parameter, Signature
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from symgen.couplings import COUPLINGS
@@ -14,20 +15,31 @@ from symgen.scene.tables import read_points
 from symgen.schema.errors import SceneError, show
 from symgen.schema.fields import StrictModel
 
+if TYPE_CHECKING:
+    from runtime.contract.model import Model
+
 MAX_NESTING = 20
 
 
 class Scene:
-    """Collects the entries of a scene; every method but `build` returns the builder.
+    """A mechanism as it is written down: each call adds an entry and returns the scene; `model()` derives.
 
-    The keyword arguments are the fields of the models of the same name (SI units), NumPy arrays included. Each type of
-    joint, coupling and load has a method of its name: `revolute(name, marker_a, marker_b, damping=0.1)`.
-    `build` raises SceneError for everything that is wrong.
+    `Scene("arm", title="...", space="spatial")`. The keyword arguments are the fields of a scene file (SI units), NumPy
+    arrays included. Each type of joint, coupling and load has a method of its name:
+    `revolute("hinge", "ground.origin", "arm.start", damping=0.1)`. `build`, which `model` calls, raises SceneError for
+    everything that is wrong: the item, what is wrong, what to do.
     """
 
     def __init__(self, name: str, **fields: Any) -> None:
-        """``fields``: title, description, space."""
+        """``fields``: title, description, space ("planar" or "spatial")."""
         self._data: dict[str, Any] = {"name": name, **_plain(fields, "scene")}
+
+    @classmethod
+    def from_toml(cls, path: str | Path) -> Scene:
+        """The scene of a TOML file, to which more can be added. Raises SceneError."""
+        found = cls("")
+        found._data = SceneRecord.from_toml(path).to_dict()
+        return found
 
     def parameter(self, name: str, default: float, unit: str = "", description: str = "") -> Self:
         """Declare a run-time input."""
@@ -155,8 +167,15 @@ class Scene:
         return self._set("baumgarte", {"alpha": alpha, "beta": beta})
 
     def build(self) -> SceneRecord:
-        """The scene; raises SceneError."""
+        """The scene, checked and from now on as it is. Raises SceneError."""
         return SceneRecord.from_dict(self._data)
+
+    def model(self) -> Model:
+        """The equations, ready to run: derived and generated once, then kept in the cache. Raises SceneError.
+
+        To keep the generated code in a folder of its own: `generate(scene.build(), folder)`, `load_model(folder)`.
+        """
+        return self.build().model()
 
     def _set(self, section: str, value: Any) -> Self:
         self._data[section] = _plain(value, section)

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from html import escape
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pydantic import ValidationError
 
+from runtime.contract.doors import opened
 from runtime.contract.status import card, fold, table
 from symgen.scene import toml_io
 from symgen.scene.checks import check_scene
@@ -21,6 +22,9 @@ from symgen.scene.tables import with_tables
 from symgen.scene.toml_io import with_files
 from symgen.scene.translate import scene_errors
 from symgen.schema.errors import SceneError, raise_all, show
+
+if TYPE_CHECKING:
+    from runtime.contract.model import Model
 
 MOST_BODIES = 16  # of a picture that is still read
 WIDE, HIGH, ACROSS, DOWN = 104, 24, 270, 52  # of a box, and from one to the next [pixels]
@@ -162,6 +166,11 @@ class SceneRecord(SceneParts):
     def from_toml_text(cls, text: str) -> SceneRecord:
         """The scene in a TOML text; raises SceneError."""
         return cls.from_dict(toml_io.parse(text, "scene"))
+
+    def model(self) -> Model:
+        """The equations, ready to run: generated once, then kept in the cache. Raises SceneError."""
+        found: Model = opened("symgen.scene.kept:kept_model")(self)
+        return found
 
     def _repr_html_(self) -> str:
         return scene_card(self)

@@ -65,7 +65,7 @@ SYMGEN_ROOMS = {
     "scenes": "scene",
     "variants": "emission pipeline scene",
     "cli": "kernels emission generate pipeline scene scenes schema urdf",
-    "": "cli",
+    "": "cli scene schema",
 }
 ROOMS = {"runtime": RUNTIME_ROOMS, "symgen": SYMGEN_ROOMS}
 MOST_ROOMS = {"runtime": 14, "symgen": 23}

@@ -81,6 +81,12 @@ def _finite(value: float) -> float | None:
     return float(value) if np.isfinite(value) else None
 
 
+FILES = tuple(f"comparison.{ending}" for ending in ("json", "csv", "md", "html")) + (
+    "error_time.png",
+    "error_evaluations.png",
+)
+
+
 def write_tables(comparison: Comparison, folder: str | Path) -> None:
     """comparison.json, .csv and .md in `folder`: what a comparison keeps on its way. Raises OutputError."""
     place, data = Path(folder), comparison_data(comparison)
@@ -99,15 +105,7 @@ def write_comparison(comparison: Comparison, folder: str | Path, scene: str = ""
     picture_evaluations(comparison, place / "error_evaluations.png")
     write_tables(comparison, place)
     write_text(place / "comparison.html", comparison_page(comparison, data, scene))
-    names = (
-        "comparison.json",
-        "comparison.csv",
-        "comparison.md",
-        "comparison.html",
-        "error_time.png",
-        "error_evaluations.png",
-    )
-    return {name: str(place / name) for name in names}
+    return {name: str(place / name) for name in FILES}
 
 
 def _csv(comparison: Comparison) -> str:

@@ -79,11 +79,16 @@ def view(
 
 def show(
     solution: Solution,
-    path: str | Path | None,
+    path: str | Path | None = None,
     surfaces: Mapping[str, Mapping[str, Any]] | None = None,
     beside: Solution | None = None,
 ) -> View:
-    """Write the page where a path is given; without one a notebook shows it, and elsewhere the browser opens it."""
+    """The moving mechanism as one page: written to `path` (.html), else shown in the notebook or opened.
+
+    surfaces: {body: {vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf)}}, in place of a body's own surface;
+    von_mises (samples, n) [Pa] in it colours the body. beside: a second run, shown pale in the same page. Raises
+    ModelError if there is nothing to draw or a surface does not fit, and OutputError.
+    """
     made = view(solution, surfaces, beside)
     if path is not None:
         made.save(path)

@@ -1,0 +1,109 @@
+"""From a scene to answers in two calls: `scene.model()`, and the methods of a model."""
+
+from __future__ import annotations
+
+import inspect
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import runtime
+from runtime.contract.doors import Door
+from runtime.contract.model import Model
+from runtime.results.solution import Solution
+from symgen import Scene, SceneError, load_model
+from symgen.generate import generate
+
+PROGRAM = """
+import sys
+from symgen import Scene
+
+scene = Scene("kept").rigid("rod", mass=2.0, inertia=0.3, free=True).rates({"rod.theta": 1.0})
+assert scene.model().simulate(t_end=0.01).status.ok
+print(*sys.modules)
+"""
+DOORS = [(kind, name) for kind in (Model, Solution) for name, one in vars(kind).items() if isinstance(one, Door)]
+
+
+def pendulum(length: float = 1.0) -> Scene:
+    return (
+        Scene("kept_pendulum")
+        .gravity(0, -9.81)
+        .rigid("rod", mass=2.0, inertia=0.3, markers={"top": {"position": [0.0, length]}})
+        .revolute("hinge", "ground.origin", "rod.top")
+        .initial({"rod.theta": 0.3})
+    )
+
+
+@pytest.fixture
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path / "cache"))
+    return tmp_path / "cache" / "models"
+
+
+def test_a_scene_gives_a_model_and_a_model_a_motion(cache: Path, tmp_path: Path) -> None:
+    """The motion is that of the generated folder, bit for bit, and its frequency that of a physical pendulum."""
+    run = pendulum().model().simulate(t_end=0.5)
+    assert run.status.ok and run.stats["tolerance"] == 1e-3
+    own = runtime.simulate(load_model(generate(pendulum().build(), tmp_path / "own")), t_end=0.5)
+    assert np.array_equal(run.q, own.q)
+    (frequency,) = pendulum().model().modes(pendulum().model().equilibrium()).frequencies
+    assert frequency == pytest.approx(np.sqrt(2.0 * 9.81 / (0.3 + 2.0)), rel=1e-9)
+
+
+def test_a_model_is_generated_once(cache: Path) -> None:
+    first = pendulum().model()
+    (folder,) = cache.iterdir()
+    written = (folder / "model.py").stat().st_mtime_ns
+    assert pendulum().model().digest == first.digest
+    assert (folder / "model.py").stat().st_mtime_ns == written
+    pendulum(length=0.9).model()
+    assert len(list(cache.iterdir())) == 2
+
+
+def test_a_damaged_model_is_generated_again(cache: Path) -> None:
+    pendulum().model()
+    (folder,) = cache.iterdir()
+    (folder / "model.py").write_text("raise SystemExit\n")
+    assert pendulum().model().simulate(t_end=0.1).status.ok
+
+
+@pytest.mark.skipif(os.name == "nt", reason="permissions are those of Unix")
+def test_code_is_not_taken_from_a_folder_that_others_can_write(cache: Path) -> None:
+    cache.mkdir(parents=True)
+    cache.chmod(0o777)
+    assert pendulum().model().simulate(t_end=0.1).status.ok
+    assert not list(cache.iterdir())
+
+
+def test_a_bad_scene_is_refused_by_its_item() -> None:
+    with pytest.raises(SceneError, match="hinge"):
+        pendulum().revolute("hinge", "ground.origin", "rod.top").model()
+
+
+def test_a_file_is_a_scene_to_which_more_is_added(tmp_path: Path, cache: Path) -> None:
+    (tmp_path / "pendulum.toml").write_text(pendulum().build().to_toml())
+    scene = Scene.from_toml(tmp_path / "pendulum.toml")
+    assert scene.build() == pendulum().build()
+    assert scene.measure("angle", "coordinate", of="rod.theta").model().measures[0] == "angle"
+
+
+@pytest.mark.parametrize(("kind", "name"), DOORS, ids=[f"{kind.__name__}.{name}" for kind, name in DOORS])
+def test_methods_show_what_they_take(kind: type, name: str) -> None:
+    """Each takes the object first, names every argument, and says what it does."""
+    function = getattr(kind, name)
+    known = list(inspect.signature(function).parameters)
+    assert known[0] == kind.__name__.lower() and len(known) > 0
+    assert (inspect.getdoc(function) or "").strip()
+    assert name in dir(kind)
+
+
+def test_a_kept_model_runs_without_what_derives(cache: Path) -> None:
+    words = [sys.executable, "-c", PROGRAM]
+    seen = [subprocess.run(words, capture_output=True, text=True, check=True).stdout.split() for _ in range(2)]
+    assert "sympy" in seen[0]
+    assert not {"sympy", "symgen.pipeline", "matplotlib"} & set(seen[1])
