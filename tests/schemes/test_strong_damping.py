@@ -9,7 +9,7 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneRecord
+from symgen.scene import SceneRecord
 
 Build = Callable[[SceneRecord], Model]
 ANGLE, DT, T_END = 0.3, 1e-3, 1.0
@@ -117,27 +117,3 @@ def test_decaying_propagation_lets_every_decay_die_out(
     assert run.status.name == "completed"
     assert run.q_i[-1, 0] == pytest.approx(creep(damping, rate), abs=1e-6)
     assert abs(run.q_dot[-1, run.model.independent_columns[0]]) < 1e-2
-
-
-def test_friction_that_reverses_is_told_with_what_helps(model_of: Build) -> None:
-    """5 N of tanh(v / 1 mm/s) on a body on a spring: radau's iteration does not converge, and what it says does.
-
-    A fifth of the step, and `exponential` with decaying propagation, come where dop853 with 1e-5 s comes.
-    """
-    scene = (
-        Scene("friction")
-        .rigid("a", mass=1.0, inertia=0.1)
-        .prismatic("rail", "ground.origin", "a.origin")
-        .measure("x", "x", "a.origin")
-        .force("friction", "a.origin", "-5 * tanh(x_dot / 1e-3) - 100 * x", 0.0)
-        .initial({"a.x": 1.0})
-        .simulation(t_end=1.0, dt=1e-3)
-        .build()
-    )
-    model = model_of(scene)
-    told = simulate(model, scheme="radau").status
-    assert told.name == "iteration_failed" and "a fifth of the step" in told.advice and "decaying" in told.advice
-    exact = simulate(model, scheme="dop853", dt=1e-5, save_every=100)["a.x"]
-    fifth = simulate(model, scheme="radau", dt=2e-4, save_every=5)["a.x"]
-    decaying = simulate(model, scheme="exponential", options={"propagation": "decaying"}, force=True)["a.x"]
-    assert np.abs(fifth - exact).max() < 1e-4 and np.abs(decaying - exact).max() < 1e-2

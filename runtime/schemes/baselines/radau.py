@@ -84,7 +84,7 @@ class RadauOptions(SingleClosureOptions):
     """
 
     eps: tuple[float, ...] = tolerances(1e-10)
-    max_iterations: int = whole_number(15, most=MOST_ITERATIONS)
+    max_iterations: int = whole_number(50, most=MOST_ITERATIONS)
 
 
 class Radau(OneStep):
@@ -95,7 +95,7 @@ class Radau(OneStep):
     starts_from_last = True
     if_not_converged = (
         "Newton's matrix is that of the start of a step, and a load bends within it, as friction that reverses does: "
-        "take a fifth of the step, or exponential with propagation = decaying, which iterates nothing."
+        "take exponential with propagation = decaying, which iterates nothing, or a tenth of the step."
     )
 
     options: RadauOptions

@@ -1,0 +1,48 @@
+"""Iterations of implicit steps on stiff springs and friction that reverses: they converge, or the advice helps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from runtime import simulate
+from runtime.contract.model import Model
+from symgen.scene import Scene, SceneRecord
+
+Build = Callable[[SceneRecord], Model]
+
+
+def slider(force: str, x: float) -> SceneRecord:
+    """One kilogram on a slide along x under a force, from rest at x [m]."""
+    builder = Scene("slider").gravity(0, 0).rigid("m", mass=1.0, inertia=1.0)
+    builder.prismatic("slide", "ground.origin", "m.origin").measure("x", "x", of="m.origin")
+    return builder.force("pull", "m.origin", force, 0).initial({"m.x": x}).build()
+
+
+@pytest.mark.parametrize("rest", [0.0, 1.0])
+@pytest.mark.parametrize("start", [0.0, 1e-3, 0.01])
+def test_radau_on_a_stiff_spring(model_of: Build, rest: float, start: float) -> None:
+    """1e7 N/m on 1 kg, 20 steps a period, at rest, too: rest + start cos(omega t), to the scheme's own error."""
+    run = simulate(model_of(slider(f"-1e7*(x-{rest})", rest + start)), scheme="radau", dt=1e-4, t_end=0.1)
+    assert run.status.name == "completed"
+    expected = rest + start * np.cos(np.sqrt(1e7) * run.t)
+    assert np.abs(run.q_i[:, 0] - expected).max() <= 2e-3 * start + 1e-12
+
+
+@pytest.mark.parametrize("width, dt", [(1e-2, 1e-3), (1e-3, 1e-3), (1e-4, 1e-4), (1e-4, 1e-3)])
+def test_radau_where_friction_reverses(model_of: Build, width: float, dt: float) -> None:
+    """2 N of friction that turns within `width` m/s: it converges to what short steps find, or what is advised does."""
+    model = model_of(slider(f"-100*x - 2*tanh(x_dot/{width!r})", 0.1))
+    expected = simulate(model, scheme="radau", dt=dt / 50, t_end=0.5, save_every=50)
+    assert expected.status.ok
+    run = simulate(model, scheme="radau", dt=dt, t_end=0.5)
+    if not run.status.ok:
+        assert run.status.name == "iteration_failed" and "a tenth of the step" in run.status.advice
+        assert dt * 2 / width > 10
+        other = simulate(model, scheme="exponential", options={"propagation": "decaying"}, dt=dt, t_end=0.5)
+        assert other.status.ok and other.error is not None and other.error.largest < 0.01
+        run = simulate(model, scheme="radau", dt=dt / 10, t_end=0.5, save_every=10)
+    assert run.status.ok
+    assert np.abs(run.q_i - expected.q_i).max() < 1e-4
