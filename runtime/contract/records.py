@@ -169,13 +169,15 @@ class BeamRecord:
     """A beam with exact shapes: its mode sets in the order of its coordinates, and the loads that act on it.
 
     loads: names of loads and of joints with friction, in the order of their columns in `load_forces`. missing: share of
-    the static bending energy of what its ends carry that the shapes miss, 0 if they carry it.
+    the static bending energy of what its ends carry that the shapes miss, 0 if they carry it. stresses: names of the
+    measures of its stress.
     """
 
     body: str
     sets: list[ModeSetRecord]
     loads: list[str] = field(default_factory=list)
     missing: float = 0.0
+    stresses: list[str] = field(default_factory=list)
 
 
 def beam_records(plain: Iterable[Mapping[str, Any]]) -> list[BeamRecord]:
@@ -515,12 +517,15 @@ _MAY_LACK = ("inputs", "beams", "flexible", "switching", "events", "orientations
 def as_plain(description: Description) -> dict[str, Any]:
     """The description as plain values for JSON; a model without shapes, inputs, beams, ... has no entry for them.
 
-    Nor has a joint that is drawn as a pivot, nor a load at markers.
+    Nor has a joint that is drawn as a pivot, a load at markers, nor a beam whose stress is not measured.
     """
     plain = asdict(description)
     for looks in ("shapes", "surfaces"):
         if not plain["drawing"][looks]:
             del plain["drawing"][looks]
+    for beam in plain["beams"]:
+        if not beam["stresses"]:
+            del beam["stresses"]
     for load in plain["loads"]:
         if not load["along"]:
             del load["along"]

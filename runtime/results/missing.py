@@ -146,10 +146,9 @@ if TYPE_CHECKING:
 def missing_stresses(solution: Samples) -> tuple[dict[str, float], list[Event]]:
     """`missing_stress.body`: largest von Mises stress of what the modes leave out over the largest one.
 
-    In words where the scene measures stresses.
+    In words where the scene measures stresses. Of beams `missing_stress.measure`, the like of their largest moment.
     """
-    shares: dict[str, float] = {}
-    events: list[Event] = []
+    shares, events = _missing_of_beams(solution)
     if not solution.model.description.gauges:
         return shares, events
     rows = looked_at(solution)
@@ -173,6 +172,37 @@ def missing_stresses(solution: Samples) -> tuple[dict[str, float], list[Event]]:
                 "the static shapes of its loads, static=[...] of FlexibleBody"
             )
             events.append(Event(float(whole.t[int(sample)]), "stresses_missing", text))
+    return shares, events
+
+
+def _missing_of_beams(solution: Samples) -> tuple[dict[str, float], list[Event]]:
+    shares: dict[str, float] = {}
+    events: list[Event] = []
+    rows = looked_at(solution)
+    series = {key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam")}
+    for record in solution.model.description.beams if len(rows) else ():
+        if not record.stresses:
+            continue
+        some = solution.but(**series)
+        try:
+            whole, shapes = (section_forces(some, record.body, way=way) for way in ("equilibrium", "modes"))
+        except ModelError:  # loads whose place on the beam is not known
+            continue
+        parts = [(getattr(whole, part), getattr(shapes, part)) for part in PARTS["N m"]]
+        known = [(all_, found) for all_, found in parts if np.isfinite(found).all()]
+        largest = max((float(np.abs(all_).max()) for all_, _ in known), default=0.0)
+        if not largest > 0.0:
+            continue
+        lacking = np.max([np.abs(all_ - found).max(axis=1) for all_, found in known], axis=0)
+        share = float(lacking.max()) / largest
+        shares |= {f"missing_stress.{name}": share for name in record.stresses}
+        if share > WORTH_A_WORD:
+            text = (
+                f"{', '.join(record.stresses)}: up to {100 * share:.2g} % of the largest moment of {record.body} are "
+                f"not in its stress, for its shapes do not hold it; give more modes, or divide the moments of "
+                f"solution.section_forces('{record.body}') by its section moduli"
+            )
+            events.append(Event(float(some.t[int(lacking.argmax())]), "stresses_missing", text))
     return shares, events
 
 

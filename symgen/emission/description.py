@@ -94,8 +94,15 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
             if isinstance(body, SpatialModalBody)
             for strut in body.struts
         ],
-        beams=[BeamRecord(body, sets, eq.loads_on(body), missing.get(body, 0.0)) for body, sets in eq.beams.items()],
+        beams=[
+            BeamRecord(body, sets, eq.loads_on(body), missing.get(body, 0.0), _stresses(scene, body))
+            for body, sets in eq.beams.items()
+        ],
     )
+
+
+def _stresses(scene: SceneRecord, body: str) -> list[str]:
+    return [one.name for one in scene.measures if one.type == "stress" and one.of.partition(".")[0] == body]
 
 
 def _bodies(derived: Derived) -> list[BodyRecord]:

@@ -207,7 +207,9 @@ class BeamBody(StrictModel):
     holds the lateral modes, then the axial ones. In a spatial scene second_moment and lateral are those of bending in
     the xy-plane; second_moment_z and lateral_z those of bending in the xz-plane, whose modes come between the two.
     Torsion modes, the last ones, turn the sections about x [rad], with the stiffness shear_modulus [Pa] times
-    torsion_constant [m^4], without warping.
+    torsion_constant [m^4], without warping. Measures of stress need section_modulus [m^3] (I over the distance of the
+    outermost fibre), section_modulus_z, torsion_modulus [m^3] (torque over the largest shear stress) and shear_factor,
+    the largest shear stress of a shear force over its mean: 1.5 of rectangles, 4/3 of circles.
     ``stiffening`` keeps the foreshortening (geometric stiffening) terms.
     """
 
@@ -228,6 +230,14 @@ class BeamBody(StrictModel):
     axial: AxialModes | None = None
     shear_modulus: Annotated[Quantity, Meaning("shear modulus", "Pa", Bound.NON_NEGATIVE)] = 0.0
     torsion_constant: Annotated[Quantity, Meaning("torsion constant of the section", "m^4", Bound.NON_NEGATIVE)] = 0.0
+    section_modulus: Annotated[Quantity | None, Meaning("section modulus", "m^3", Bound.POSITIVE)] = None
+    section_modulus_z: Annotated[
+        Quantity | None, Meaning("section modulus for the xz-plane", "m^3", Bound.POSITIVE)
+    ] = None
+    torsion_modulus: Annotated[Quantity | None, Meaning("section modulus of torsion", "m^3", Bound.POSITIVE)] = None
+    shear_factor: Annotated[
+        Quantity, Meaning("largest shear stress over its mean in the section", "1", Bound.NON_NEGATIVE)
+    ] = 1.5
     torsion: TorsionModes | None = None
     stiffening: Flag = False
     damping_ratio: Annotated[Quantity, Meaning("damping ratio of all modes", "1", Bound.NON_NEGATIVE)] = 0.0

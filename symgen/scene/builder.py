@@ -214,15 +214,22 @@ def _method(section: str, type: str, record: type[StrictModel]) -> Callable[...,
     """Adds an entry of this type: what it needs by place or by name, the rest by name."""
     own = {key: field for key, field in record.model_fields.items() if key not in ("type", "name")}
     needed = [key for key, field in own.items() if field.is_required()]
+    free = [key for key in own if key not in needed]
 
     def add(self: Scene, name: str, *values: Any, **fields: Any) -> Scene:
-        return self._add(section, type, name, {**dict(zip(needed, values, strict=False)), **fields})
+        placed = dict(zip(needed, values, strict=False))
+        if len(values) > len(needed):
+            problem = f"{show(values[len(needed)])} is one value too many: {type}({', '.join(['name', *needed])})"
+            raise SceneError(f"{section} {show(name)}", problem, f"name it: {', '.join(free) or 'none'}")
+        if twice := sorted(placed.keys() & fields.keys()):
+            raise SceneError(f"{section} {show(name)}.{twice[0]}", "is given by place and by name", "give it once")
+        return self._add(section, type, name, {**placed, **fields})
 
     either, named = Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY
     known = [Parameter(key, either) for key in ("self", "name", *needed)]
-    free = [Parameter(key, named, default=field.default) for key, field in own.items() if key not in needed]
+    optional = [Parameter(key, named, default=own[key].default) for key in free]
     add.__name__, add.__doc__ = type, record.__doc__
-    add.__signature__ = Signature([*known, *free])  # type: ignore[attr-defined]
+    add.__signature__ = Signature([*known, *optional])  # type: ignore[attr-defined]
     return add
 
 

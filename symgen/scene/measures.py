@@ -106,11 +106,19 @@ class SectionForceMeasure(_Measure):
             yield Fault("type", problem, f"give it {kind} modes, or take Solution.section_forces")
 
 
+STRESSED_BY = {  # what a stress of a beam needs of its section, by the shapes that it has
+    "lateral": ("section_modulus", "the second moment of area over the distance of the outermost fibre"),
+    "lateral_z": ("section_modulus_z", "the second moment for the xz-plane over the distance of the outermost fibre"),
+    "torsion": ("torsion_modulus", "the torque over the largest shear stress, pi d^3 / 16 of a round bar"),
+}
+
+
 class StressMeasure(_Measure):
-    """Stress [Pa] of a finite-element body at a gauge `body.gauge` by its modes, in the body's axes.
+    """Stress [Pa] of a finite-element body at a gauge `body.gauge` by its modes, in the body's axes; or of a beam.
 
     component: von_mises, or xx, yy, zz, yz, xz, xy. `body.all`: the largest von Mises stress of all its gauges.
-    `Solution.stresses` has what equilibrium says.
+    `Solution.stresses` has what equilibrium says. Of a beam the von Mises stress at a marker `beam.marker`, or the
+    largest along it, `beam.all`, by its shapes; see symgen/bodies/beam_stress.py.
     """
 
     type: Literal["stress"] = "stress"
@@ -118,7 +126,11 @@ class StressMeasure(_Measure):
     component: Literal["von_mises", "xx", "yy", "zz", "yz", "xz", "xy"] = "von_mises"
 
     def faults(self, scene: Any) -> Iterator[Fault]:
-        """A gauge that is not there."""
+        """A gauge that is not there, or a beam whose section is not known."""
+        beams = {body.name: body for body in scene.bodies if isinstance(body, BeamBody)}
+        if (beam := beams.get(self.of.partition(".")[0])) is not None:
+            yield from self._of_beam(beam)
+            return
         gauges = {body.name: [*body.gauges] for body in scene.bodies if isinstance(body, SpatialModalBody)}
         name, _, gauge = self.of.partition(".")
         if not gauges.get(name):
@@ -130,6 +142,18 @@ class StressMeasure(_Measure):
             yield Fault("of", f"body '{name}' has no gauge '{gauge}'", remedy)
         elif gauge == ALL_GAUGES and self.component != "von_mises":
             yield Fault("component", "the largest of all gauges has no sign", 'take "von_mises", or name one gauge')
+
+    def _of_beam(self, beam: BeamBody) -> Iterator[Fault]:
+        place, known = self.of.partition(".")[2], {**beam.implicit_markers(), **beam.markers}
+        if beam.lumped_elements is not None:
+            yield Fault("of", f"'{beam.name}' is no beam with exact shapes", "leave its mesh and elements out")
+        if place not in (*known, ALL_GAUGES):
+            yield Fault("of", f"beam '{beam.name}' has no marker '{place}'", did_you_mean(place, [*known, ALL_GAUGES]))
+        if self.component != "von_mises":
+            yield Fault("component", "a beam has its von Mises stress only", "leave it out, or divide a section force")
+        for kind, (key, meaning) in STRESSED_BY.items():
+            if getattr(beam, kind) is not None and getattr(beam, key) is None:
+                yield Fault("of", f"'{beam.name}' has no {key}, which its stress needs", f"give it {key}: {meaning}")
 
 
 Measure = Annotated[

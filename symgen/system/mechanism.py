@@ -17,6 +17,7 @@ from runtime.contract.orientations import NAMES
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_scaled, add_to, nonzero
 from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, sub, total
+from symgen.bodies.beam_stress import STATIONS, beam_stress
 from symgen.bodies.gauge_stress import gauge_stress
 from symgen.bodies.outlines import Picture
 from symgen.bodies.spatial_orientation import euler_angle
@@ -25,7 +26,8 @@ from symgen.joints import Joint
 from symgen.joints.joint import Motor, Slide, Turn
 from symgen.loads import Load
 from symgen.loads.load import LoadEffect
-from symgen.scene import SceneRecord, SpatialModalBody
+from symgen.scene import BeamBody, BeamMarker, SceneRecord, SpatialModalBody
+from symgen.scene.flexible import ALL_GAUGES
 from symgen.scene.measures import Measure, SectionForceMeasure, StressMeasure
 from symgen.schema.fields import Scope
 from symgen.system.acting import Read
@@ -110,8 +112,8 @@ class Space(Protocol[Marker]):
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
         """A scalar of the motion between two markers."""
 
-    def section_force(self, kind: str, reference: str) -> ca.SX:
-        """Normal force, shear force or bending moment of a beam at a marker."""
+    def section_force(self, body: BeamBody, kind: str, at: float) -> ca.SX:
+        """Normal force, shear force or bending moment of a beam at a fraction of its length."""
 
     def load(self, load: Load, read: Read, reader: ExpressionReader, q: ca.SX, q_dot: ca.SX) -> LoadEffect:
         """Effect of a load; read: its expressions."""
@@ -302,16 +304,26 @@ class Mechanism(Generic[Marker]):
             return self.equations.q[column], self.equations.coordinates[column].unit
         if isinstance(measure, SectionForceMeasure):
             unit = "N m" if "moment" in measure.type else "N"
-            return self.space.section_force(measure.type, measure.of), unit
+            body, at = self._place(measure.of)
+            return self.space.section_force(body, measure.type, at), unit
         if isinstance(measure, StressMeasure):
             return self._stress(measure), "Pa"
         value = self.space.measure(measure.type, measure.relative_to, measure.of)
         return value, "rad" if measure.type == "angle" else "m"
 
+    def _place(self, reference: str) -> tuple[BeamBody, float]:
+        """The beam of a marker, and the fraction of its length."""
+        body, marker = self.scene.marker(reference)
+        assert isinstance(body, BeamBody) and isinstance(marker, BeamMarker)
+        return body, float(marker.at)
+
     def _stress(self, measure: StressMeasure) -> ca.SX:
-        """Of a finite-element body at a gauge, or the largest of all."""
+        """Of a finite-element body at a gauge, of a beam at a marker, or the largest of all."""
         eq, (name, _, gauge) = self.equations, measure.of.partition(".")
         body = self.scene.body(name)
+        if isinstance(body, BeamBody):
+            places = STATIONS if gauge == ALL_GAUGES else (self._place(measure.of)[1],)
+            return beam_stress(body, partial(self.space.section_force, body), places, self.table)
         assert isinstance(body, SpatialModalBody)
         q_f = [eq.q[column] for column in eq.body_columns[name] if eq.coordinates[column].elastic]
         return gauge_stress(body, gauge, measure.component, q_f, self.table)

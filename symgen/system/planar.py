@@ -29,7 +29,7 @@ from symgen.joints import Joint
 from symgen.joints.joint import Slide
 from symgen.loads import Load
 from symgen.loads.load import LinearSpring, LoadEffect
-from symgen.scene import BeamBody, BeamMarker, SceneRecord
+from symgen.scene import BeamBody, SceneRecord
 from symgen.system.acting import PlanarActing, Read, turn_between
 from symgen.system.constraint_rows import STILL, ConstraintRow, LocalPlace, Motion, holding, planar_rows, sliding_rows
 from symgen.system.mechanism import Spin, frictions
@@ -99,13 +99,9 @@ class PlanarSpace:
         value = {"angle": second.phi - first.phi, "x": d[0], "y": d[1]}.get(kind)
         return ca.sqrt(d[0] ** 2 + d[1] ** 2) if value is None else value
 
-    def section_force(self, kind: str, reference: str) -> ca.SX:
-        """Of a beam at a marker."""
-        body, marker = self.scene.marker(reference)
-        assert isinstance(body, BeamBody) and isinstance(marker, BeamMarker)
-        return section_force(
-            body, mesh_key(body), kind, float(marker.at), self.bodies[body.name].coordinates.q_f, self.table
-        )
+    def section_force(self, body: BeamBody, kind: str, at: float) -> ca.SX:
+        """Of a beam at a fraction of its length, by its shapes."""
+        return section_force(body, mesh_key(body), kind, at, self.bodies[body.name].coordinates.q_f, self.table)
 
     def load(self, load: Load, read: Read, reader: ExpressionReader, q: ca.SX, q_dot: ca.SX) -> LoadEffect:
         """As its record says."""

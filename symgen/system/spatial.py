@@ -25,7 +25,7 @@ from symgen.joints import Joint
 from symgen.joints.joint import Turn
 from symgen.loads import Load
 from symgen.loads.load import LinearSpring, LoadEffect, Scalar
-from symgen.scene import BeamBody, BeamMarker, SceneRecord
+from symgen.scene import BeamBody, SceneRecord
 from symgen.system.acting import Read, SpatialActing, angle_about_z, axis_of, gradient
 from symgen.system.constraint_rows import (
     STILL,
@@ -174,12 +174,9 @@ class SpatialSpace:
             found.append(coordinate_friction(along, damping))
         return found
 
-    def section_force(self, kind: str, reference: str) -> ca.SX:
-        """Of a beam at one of its markers, by its shapes."""
-        body, marker = self.scene.marker(reference)
-        assert isinstance(body, BeamBody) and isinstance(marker, BeamMarker)
-        q_f = self.bodies[body.name].coordinates.q_f
-        return section_force(body, spatial_mesh_key(body), kind, float(marker.at), q_f, self.table)
+    def section_force(self, body: BeamBody, kind: str, at: float) -> ca.SX:
+        """Of a beam at a fraction of its length, by its shapes."""
+        return section_force(body, spatial_mesh_key(body), kind, at, self.bodies[body.name].coordinates.q_f, self.table)
 
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
         """Angle about marker a's z-axis (that of the joint between the markers, if it has one), x, y, z or distance."""

@@ -160,3 +160,11 @@ def test_direct_construction_raises_scene_errors_that_pickle() -> None:
     copy = pickle.loads(pickle.dumps(caught.value))
     assert str(copy) == str(caught.value)
     assert [str(error) for error in copy.also] == [str(error) for error in caught.value.also]
+
+
+def test_a_value_too_many_by_place_is_refused() -> None:
+    """Loads and joints take what they need by place; the rest is named, and nothing is dropped."""
+    with pytest.raises(SceneError, match="one value too many"):
+        Scene("s").torque("twist", "arm.end", 30.0, 0.0, 0.0)
+    with pytest.raises(SceneError, match="by place and by name"):
+        Scene("s").torque("twist", "arm.end", 30.0, value=3.0)
