@@ -13,6 +13,7 @@ import numpy as np
 from runtime.contract.coordinates import euler_angles, parameter_columns
 from runtime.contract.errors import ModelError
 from runtime.contract.orientations import NEAR_SINGULAR, angles, regularity
+from runtime.contract.records import BeamRecord
 from runtime.contract.status import Event
 from runtime.results.section_forces import STATIONS, beam_of, section_forces
 from runtime.results.stresses import stresses, von_mises
@@ -148,7 +149,11 @@ def missing_stresses(solution: Samples) -> tuple[dict[str, float], list[Event]]:
 
     In words where the scene measures stresses. Of beams `missing_stress.measure`, the like of their largest moment.
     """
-    shares, events = _missing_of_beams(solution)
+    shares: dict[str, float] = {}
+    events: list[Event] = []
+    for record in solution.model.description.beams:
+        if record.stresses:
+            _missing_of_beam(solution, record, shares, events)
     if not solution.model.description.gauges:
         return shares, events
     rows = looked_at(solution)
@@ -175,35 +180,30 @@ def missing_stresses(solution: Samples) -> tuple[dict[str, float], list[Event]]:
     return shares, events
 
 
-def _missing_of_beams(solution: Samples) -> tuple[dict[str, float], list[Event]]:
-    shares: dict[str, float] = {}
-    events: list[Event] = []
+def _missing_of_beam(solution: Samples, record: BeamRecord, shares: dict[str, float], events: list[Event]) -> None:
+    """Adds the share of the measures of a beam's stress, and the event."""
     rows = looked_at(solution)
     series = {key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam")}
-    for record in solution.model.description.beams if len(rows) else ():
-        if not record.stresses:
-            continue
-        some = solution.but(**series)
-        try:
-            whole, shapes = (section_forces(some, record.body, way=way) for way in ("equilibrium", "modes"))
-        except ModelError:  # loads whose place on the beam is not known
-            continue
-        parts = [(getattr(whole, part), getattr(shapes, part)) for part in PARTS["N m"]]
-        known = [(all_, found) for all_, found in parts if np.isfinite(found).all()]
-        largest = max((float(np.abs(all_).max()) for all_, _ in known), default=0.0)
-        if not largest > 0.0:
-            continue
-        lacking = np.max([np.abs(all_ - found).max(axis=1) for all_, found in known], axis=0)
-        share = float(lacking.max()) / largest
-        shares |= {f"missing_stress.{name}": share for name in record.stresses}
-        if share > WORTH_A_WORD:
-            text = (
-                f"{', '.join(record.stresses)}: up to {100 * share:.2g} % of the largest moment of {record.body} are "
-                f"not in its stress, for its shapes do not hold it; give more modes, or divide the moments of "
-                f"solution.section_forces('{record.body}') by its section moduli"
-            )
-            events.append(Event(float(some.t[int(lacking.argmax())]), "stresses_missing", text))
-    return shares, events
+    some = solution.but(**series)
+    try:
+        whole, shapes = (section_forces(some, record.body, way=way) for way in ("equilibrium", "modes"))
+    except ModelError:  # loads whose place on the beam is not known
+        return
+    parts = [(getattr(whole, part), getattr(shapes, part)) for part in PARTS["N m"]]
+    known = [(all_, found) for all_, found in parts if np.isfinite(found).all()]
+    largest = max((float(np.abs(all_).max()) for all_, _ in known), default=0.0)
+    if not largest > 0.0:
+        return
+    lacking = np.max([np.abs(all_ - found).max(axis=1) for all_, found in known], axis=0)
+    share = float(lacking.max()) / largest
+    shares |= {f"missing_stress.{name}": share for name in record.stresses}
+    if share > WORTH_A_WORD:
+        text = (
+            f"{', '.join(record.stresses)}: up to {100 * share:.2g} % of the largest moment of {record.body} are "
+            f"not in its stress, for its shapes do not hold it; give more modes, or divide the moments of "
+            f"solution.section_forces('{record.body}') by its section moduli"
+        )
+        events.append(Event(float(some.t[int(lacking.argmax())]), "stresses_missing", text))
 
 
 # ---- Events of Euler angles that are read off near their singular orientation; the motion knows nothing of it.
