@@ -12,151 +12,30 @@ Source: Seydel, Practical Bifurcation and Stability Analysis, ch. 4 and 7.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq
 
 from runtime.contract.errors import ArgumentError, SymgenError
-from runtime.contract.files import replacing, write_text
 from runtime.contract.model import Model
-from runtime.orbits.floquet import FLIP, FOLD, NEIMARK_SACKER, REAL, UNSTABLE, Floquet, floquet
+from runtime.orbits.branch import PeriodicBranch, Point, Special
+from runtime.orbits.doubling import doubled, half_apart
+from runtime.orbits.floquet import FLIP, FOLD, NEIMARK_SACKER, REAL, floquet
 from runtime.orbits.motion import PeriodicMotion
 from runtime.orbits.periodic import periodic, sizes, speed_period
 from runtime.orbits.shooting import CLOSED, ROUNDED, Conditions, NoPeriodicMotion, PeriodMap, Setting, Shot
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 FIRST, LONGEST, SHORTEST = 0.02, 0.08, 1e-6  # steps along the curve, in parts of the range
 ITERATIONS, QUICK = 8, 3  # of Newton's method: at most, and so few that steps grow
 PASSED = 1e-4  # what is located is that near to zero; else it jumped there
 BENT = 0.9  # cosine between two tangents, at least
 BRANCH = "branch point"
-
-COLOURS = {"fold": "#d1495b", "flip": "#2e7d32", "Neimark-Sacker": "#7b1fa2", "branch point": "#ef6c00"}
+INTERRUPTED = "interrupted"
 
 Progress = Callable[[float, float], None]
-
-
-@dataclass(frozen=True)
-class Special:
-    """A place of a branch where something passes the unit circle: kind, value of the parameter, period [s], state."""
-
-    kind: str
-    value: float
-    period: float
-    state: np.ndarray
-
-
-@dataclass(frozen=True)
-class Point:
-    """A motion on the branch: value of the parameter, period [s], states (K, n), shot, tangent (m,), sizes (n,)."""
-
-    value: float
-    period: float
-    x: np.ndarray
-    shot: Shot
-    tangent: np.ndarray
-    conditions: Conditions
-    floquet: Floquet
-
-
-@dataclass(frozen=True, repr=False)
-class PeriodicBranch:
-    """N motions that repeat, along a curve over the parameter `over`.
-
-    points: in their order on the curve; specials: folds, flips and others between them; first: the motion that it began
-    with; stopped: why it ended before the range did, "" otherwise.
-    """
-
-    model: Model
-    over: str
-    span: tuple[float, float]
-    points: tuple[Point, ...] = field(repr=False)
-    specials: tuple[Special, ...]
-    first: PeriodicMotion = field(repr=False)
-    stopped: str = ""
-
-    @property
-    def values(self) -> np.ndarray:
-        """(N,) of the parameter."""
-        return np.array([point.value for point in self.points])
-
-    @property
-    def periods(self) -> np.ndarray:
-        """(N,) [s]."""
-        return np.array([point.period for point in self.points])
-
-    @property
-    def multipliers(self) -> np.ndarray:
-        """(N, n) by falling size."""
-        return np.array([point.floquet.multipliers for point in self.points])
-
-    @property
-    def stability(self) -> list[str]:
-        """`stable`, `unstable` or `neutral`, of each."""
-        return [point.floquet.stability for point in self.points]
-
-    def motion(self, k: int) -> PeriodicMotion:
-        """One of them, with its error measured. Raises NoPeriodicMotion."""
-        point = self.points[k]
-        if self.first.speed is not None:
-            length: dict[str, Any] = {"speed": self.first.speed[0], "turns": self.first.speed[1]}
-        else:
-            length = {"period": "free", "guess": point.period} if self.first.free else {"period": point.period}
-        names = list(self.first.state)
-        return periodic(
-            self.model,
-            **length,
-            parameters={**self.first.parameters, self.over: point.value},
-            inputs=self.first.inputs,
-            start=dict(zip(names, point.x[0].tolist(), strict=True)),
-            settle=None,
-            scheme=self.first.scheme,
-            options=self.first.options,
-            steps=self.first.steps,
-            parts=self.first.parts,
-            t0=self.first.t0,
-        )
-
-    def largest(self, output: str) -> np.ndarray:
-        """(N,) the largest magnitude over a period of a coordinate, rate or measure. Raises ModelError."""
-        found = np.zeros(len(self.points))
-        names = list(self.first.state)
-        for k, point in enumerate(self.points):
-            moved = replace(
-                self.first,
-                period=point.period,
-                state=dict(zip(names, point.x[0].tolist(), strict=True)),
-                parameters={**self.first.parameters, self.over: point.value},
-            )
-            found[k] = np.abs(moved.simulate(1, outputs=[output], save_every=1).outputs[output]).max()
-        return found
-
-    def write_csv(self, path: str | Path, outputs: Sequence[str] = ()) -> None:
-        """One row a motion: value, period, stability, largest multiplier, largest outputs. Raises OutputError."""
-        columns = [self.largest(name) for name in outputs]
-        rows = [",".join([self.over, "period [s]", "stability", "largest multiplier", *outputs])]
-        for k, point in enumerate(self.points):
-            numbers = [float(np.abs(point.floquet.counted).max(initial=0.0)), *(float(one[k]) for one in columns)]
-            rows.append(",".join([repr(point.value), repr(point.period), self.stability[k], *map(repr, numbers)]))
-        write_text(Path(path), "\n".join(rows) + "\n")
-
-    def picture(self, output: str, path: str | Path | None = None) -> Figure:
-        """The largest magnitude of an output over the parameter: stable solid, unstable dashed, specials marked."""
-        return _picture(self, output, path)
-
-    def __repr__(self) -> str:
-        told = ", ".join(f"{one.kind} at {one.value:.6g}" for one in self.specials) or "no change of stability"
-        ended = f"; stopped: {self.stopped}" if self.stopped else ""
-        return (
-            f"<PeriodicBranch of {self.model.name}: {len(self.points)} motions over {self.over} from "
-            f"{self.values[0]:g} to {self.values[-1]:g}, {told}{ended}>"
-        )
 
 
 def periodic_over(
@@ -166,14 +45,16 @@ def periodic_over(
     *,
     points: int = 500,
     step: float | None = None,
+    flips: int = 0,
     progress: Progress | None = None,
     start: PeriodicMotion | PeriodicBranch | Mapping[str, float] | None = None,
     **how: Any,
 ) -> PeriodicBranch:
     """Motions that repeat over a parameter, from the first value of `span` to the second, through folds on the way.
 
-    points: at most so many; step: longest, in parts of the span (0.08); progress(value reached, last value). start: as
-    of `periodic`, or a branch, which is gone on with. how: further arguments of `periodic`. Ctrl-C keeps what is there.
+    points: at most so many; step: longest, in parts of the span (0.08); flips: so many doublings of the period are
+    followed, too, each a branch in `branches`; progress(value reached, last value). start: as of `periodic`, or a
+    branch, which is gone on with. how: further arguments of `periodic`. Ctrl-C keeps what is there.
     Raises what `periodic` does for the first motion; later trouble ends the branch and is told by `stopped`.
     """
     low, high = (float(value) for value in span)
@@ -189,7 +70,24 @@ def periodic_over(
         parameters = {**how.pop("parameters", {}), over: low}
         first, done = periodic(model, parameters=parameters, start=start, **how), []
     walk = _Walk(model, over, (low, high), first, LONGEST if step is None else float(step))
-    return walk.walked(done, points, progress, list(start.specials) if isinstance(start, PeriodicBranch) else [])
+    branch = walk.walked(done, points, progress, list(start.specials) if isinstance(start, PeriodicBranch) else [])
+    return _with_doublings(branch, walk, flips, points, progress)
+
+
+def _with_doublings(
+    branch: PeriodicBranch, walk: _Walk, flips: int, points: int, progress: Progress | None
+) -> PeriodicBranch:
+    """And the branches of twice the period that leave it at its flips, `flips` generations of them."""
+    if not flips or branch.stopped == INTERRUPTED:
+        return branch
+    found: list[PeriodicBranch] = []
+    for special in branch.specials:
+        if special.kind == FLIP:
+            first, start = doubled(branch.first, branch.over, special.point)
+            own = walk.beside(first)
+            piece = own.walked([own.anew(start)], points, progress, [])
+            found.append(_with_doublings(piece, own, flips - 1, points, progress))
+    return replace(branch, branches=tuple(found))
 
 
 class _Walk:
@@ -200,44 +98,74 @@ class _Walk:
     ) -> None:
         self._model, self._over, self._span, self._first, self._longest = model, over, span, first, longest
         self._width = abs(span[1] - span[0])
+        self._doubled = first.doublings > 0
         setting = Setting(
             model, first.scheme, first.steps // first.parts, first.parts, first.t0, first.options, first.inputs
         )
         given = {name: value for name, value in first.parameters.items() if name != over}
         self._map = PeriodMap(setting, first.period, given, (over,))
 
+    def beside(self, first: PeriodicMotion) -> _Walk:
+        """Along another branch over the same values."""
+        return _Walk(self._model, self._over, self._span, first, self._longest)
+
     def walked(
         self, done: list[Point], most: int, progress: Progress | None, specials: list[Special]
     ) -> PeriodicBranch:
         """From the first motion, or from where a branch stopped, to the end of the range."""
-        s, stopped = min(FIRST, self._longest), ""
+        stopped = ""
         try:
             if not done:
                 done.append(self._begun())
-            while True:
-                if progress is not None:
-                    progress(done[-1].value, self._span[1])
-                if len(done) >= most:
-                    stopped = f"{most} points are made"
-                    break
-                found = self._next(done[-1], s)
-                if found is None:
-                    stopped = f"no motion was found beyond {self._over} = {done[-1].value:.6g}"
-                    break
-                point, s = found
-                specials += self._passed(done[-1], point)
-                if not self._inside(point.value):
-                    if (point.value - self._span[1]) * (self._span[1] - self._span[0]) >= 0:
-                        done.append(self._at_end(done[-1], point))
-                    else:
-                        stopped = f"the branch turns back and leaves the range at {self._over} = {self._span[0]:g}"
-                    break
-                done.append(point)
+            stopped = self._walked(done, most, progress, specials)
         except KeyboardInterrupt:
-            stopped = "interrupted"
+            stopped = INTERRUPTED
         if not done:
             raise KeyboardInterrupt
         return PeriodicBranch(self._model, self._over, self._span, tuple(done), tuple(specials), self._first, stopped)
+
+    def _walked(self, done: list[Point], most: int, progress: Progress | None, specials: list[Special]) -> str:
+        """Append points and what passes between them; why it ends before the range does, "" otherwise."""
+        s = min(FIRST, self._longest)
+        while True:
+            at = done[-1]
+            if progress is not None:
+                progress(at.value, self._span[1])
+            if len(done) >= most:
+                return f"{most} points are made"
+            found = self._next(at, s)
+            if found is None:
+                return f"no motion was found beyond {self._over} = {at.value:.6g}"
+            point, s = found
+            if self._returns(at, point):
+                return ""
+            if not at.begins:
+                specials += self._passed(at, point)
+            if not self._inside(point.value):
+                end = self._span[0] if self._before(point.value) else self._span[1]
+                done.append(self._at_end(at, point, end))
+                turned = end == self._span[0] and not self._doubled
+                return f"the branch turns back and leaves the range at {self._over} = {end:g}" if turned else ""
+            done.append(point)
+
+    def _before(self, value: float) -> bool:
+        """Is it beyond the first value of the range?"""
+        return (value - self._span[0]) * (self._span[1] - self._span[0]) < 0
+
+    def _returns(self, at: Point, point: Point) -> bool:
+        """Does a branch of twice the period pass the one that it left, where its halves become the same?"""
+        return self._doubled and not at.begins and half_apart(at) @ half_apart(point) < 0
+
+    def anew(self, start: Point) -> Point:
+        """A point of another branch as the first of this one: its own shot, going on along its tangent."""
+        shot = self._map.shot(start.x, start.period, [start.value])
+        conditions = self._conditions(shot, start.period, start.conditions.turn)
+        found = floquet(shot.monodromy, start.period, conditions.free)
+        count = start.x.size
+        tangent = np.zeros(count + self._first.free + 1)
+        tangent[:count] = (start.tangent.reshape(start.x.shape) / conditions.scale).ravel()
+        tangent /= np.sqrt(self._dot(tangent, tangent, count))
+        return replace(start, shot=shot, conditions=conditions, tangent=tangent, floquet=found)
 
     # ---- points -----------------------------------------------------------------------------------------------
 
@@ -350,9 +278,9 @@ class _Walk:
             s /= 2
         return None
 
-    def _at_end(self, at: Point, beyond: Point) -> Point:
-        """At the last value of the range, between two points."""
-        found = self._corrected(at, 0.0, natural=self._span[1])
+    def _at_end(self, at: Point, beyond: Point, end: float) -> Point:
+        """At an end of the range, between two points."""
+        found = self._corrected(at, 0.0, natural=end)
         return beyond if found is None else found[0]
 
     # ---- what passes between two points ------------------------------------------------------------------------
@@ -399,7 +327,7 @@ class _Walk:
         point = kept[min(kept, key=lambda distance: abs(distance - root))]
         if abs(test(point)) > PASSED:  # two real multipliers met, or parted
             return None
-        return Special(kind, point.value, point.period, point.x[0])
+        return Special(kind, point.value, point.period, point.x[0], point)
 
 
 def _turning(point: Point) -> float:
@@ -431,35 +359,3 @@ def _turning_away(point: Point) -> float:
     found = point.floquet.counted
     pairs = np.abs(found[found.imag > REAL * np.maximum(np.abs(found), 1e-300)])
     return float(pairs.max(initial=0.0)) - 1.0
-
-
-def _picture(branch: PeriodicBranch, output: str, path: str | Path | None) -> Figure:
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    from runtime.results.notebook_figure import NotebookFigure
-
-    figure = NotebookFigure(figsize=(8, 4.5), layout="constrained")
-    FigureCanvasAgg(figure)
-    ax = figure.add_subplot()
-    values, heights = branch.values, branch.largest(output)
-    unstable = np.array([one == UNSTABLE for one in branch.stability])
-    first = 0
-    for k in range(1, len(values) + 1):
-        if k == len(values) or unstable[k] != unstable[first]:
-            piece = slice(first, min(k + 1, len(values)))
-            style: dict[str, Any] = {"linestyle": "--", "color": "#9aa5b1"} if unstable[first] else {"color": "#1f4e79"}
-            ax.plot(values[piece], heights[piece], linewidth=1.8, **style)
-            first = k
-    for special in branch.specials:
-        near = int(np.abs(np.hypot(values - special.value, 0.0)).argmin())
-        ax.plot(special.value, heights[near], "o", color=COLOURS.get(special.kind, "#111827"), markersize=6)
-        ax.annotate(special.kind, (special.value, heights[near]), textcoords="offset points", xytext=(6, 6), fontsize=8)
-    entry = next(one for one in branch.model.parameters if one.name == branch.over)
-    ax.set_xlabel(f"{branch.over} [{entry.unit or '-'}]")
-    ax.set_ylabel(f"largest |{output}| of a period")
-    ax.set_title(f"{branch.model.title or branch.model.name}: motions that repeat (dashed: unstable)", fontsize=10)
-    ax.grid(alpha=0.25)
-    if path is not None:
-        with replacing(path) as temporary:
-            figure.savefig(temporary, dpi=130)
-    return figure

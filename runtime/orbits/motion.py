@@ -40,7 +40,8 @@ class PeriodicMotion:
 
     period T [s]; state: initial values by name at t0 [s]; turns: whole turns a period, by coordinate that makes any;
     floquet: multipliers and what they mean; error: measured against the same motion with other steps, by coordinate;
-    scheme, steps a period, parts that the period was cut into; iterations of Newton's method; parameters: those given.
+    scheme, steps a period, parts that the period was cut into; iterations of Newton's method; parameters: those given;
+    doublings: flips that its branch has passed.
     """
 
     model: Model
@@ -60,6 +61,7 @@ class PeriodicMotion:
     found: Closed = field(repr=False)
     options: Mapping[str, Any] = field(repr=False)
     inputs: Mapping[str, InputValue] = field(repr=False)
+    doublings: int = 0
 
     @property
     def stability(self) -> str:

@@ -13,7 +13,7 @@ from symgen.cli.words import MOTION, UsageError, motion_words, settings
 
 if TYPE_CHECKING:
     from runtime.contract.model import Model
-    from runtime.orbits.continuation import PeriodicBranch
+    from runtime.orbits.branch import PeriodicBranch
     from runtime.studies.advice.advise import Advice
     from runtime.studies.stability.chart import StabilityChart
     from runtime.studies.work_precision.comparison import Comparison
@@ -156,7 +156,7 @@ def stability(arguments: argparse.Namespace) -> Outcome:
 def periodic(arguments: argparse.Namespace) -> Outcome:
     """Find the motion that repeats, whether it is stable, and how it changes over a parameter.
 
-    With --out it leaves motion.csv, one period of it; with --over branch.csv and branch.png instead.
+    With --out it leaves motion.csv, one period of it; with --over branch.csv, branch.png and branch.html instead.
     """
     from runtime.orbits.continuation import periodic_over
     from runtime.orbits.periodic import periodic
@@ -164,10 +164,12 @@ def periodic(arguments: argparse.Namespace) -> Outcome:
     model = opened_model(arguments.scene, arguments.made_with)
     how = settings(arguments, ("period", "speed", "turns", "settle", "tolerance", "parts", "scheme", "parameters"))
     how["start"] = arguments.initial or None
+    if arguments.flips and not arguments.over:
+        raise UsageError("--flips goes with --over")
     if arguments.over:
         name, first, last = arguments.over
         with Progress(f"symgen {model.name}") as progress:
-            branch = periodic_over(model, name, (first, last), progress=progress, **how)
+            branch = periodic_over(model, name, (first, last), progress=progress, flips=arguments.flips, **how)
         return _branch(branch, arguments.output or [model.q_i[0]], arguments.out)
     found = periodic(model, **how)
     files = []
@@ -199,10 +201,12 @@ def periodic(arguments: argparse.Namespace) -> Outcome:
 def _branch(branch: PeriodicBranch, outputs: list[str], out: str | None) -> Outcome:
     files = []
     if out:
-        files = [str(Path(out) / name) for name in ("branch.csv", "branch.png")]
+        files = [str(Path(out) / f"branch.{kind}") for kind in ("csv", "png", "html")]
         branch.write_csv(files[0], outputs)
         branch.picture(outputs[0], files[1])
-    specials = [{"kind": one.kind, "value": one.value, "period": one.period} for one in branch.specials]
+        branch.view(files[2], outputs)
+    kinds = [special for one in branch.all for special in one.specials]
+    specials = [{"kind": one.kind, "value": one.value, "period": one.period} for one in kinds]
     data = {
         "scene": branch.model.name,
         "over": branch.over,
@@ -214,7 +218,7 @@ def _branch(branch: PeriodicBranch, outputs: list[str], out: str | None) -> Outc
         "files": files,
     }
     lines = [f"{branch.model.name}: {len(branch.points)} motions over {branch.over}"]
-    lines += [f"{one.kind} at {branch.over} = {one.value:.9g}" for one in branch.specials]
+    lines += [f"{one.kind} at {branch.over} = {one.value:.9g}" for one in kinds]
     lines += [f"stopped: {branch.stopped}"] if branch.stopped else []
     code = INTERRUPTED if branch.stopped == "interrupted" else FAILED if branch.stopped else OK
     return Outcome(data, [*lines, *left(files)], code)

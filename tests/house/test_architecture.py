@@ -39,7 +39,7 @@ RUNTIME_ROOMS = {
     "gradients": "contract engine schemes start results operating running",
     "orbits": "contract schemes results operating running gradients",
     "studies": "contract engine schemes start results operating baselines running",
-    "views": "contract results operating",
+    "views": "contract results operating orbits",
     "": "contract schemes results operating baselines running gradients orbits studies views",
 }
 SYMGEN_ROOMS = {

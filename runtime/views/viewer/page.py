@@ -8,7 +8,7 @@ import re
 import sys
 import tempfile
 import webbrowser
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
@@ -21,7 +21,7 @@ from runtime.views.viewer.record import view_record
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
 
-SCRIPTS = ("data", "motion", "stage", "bodies", "symbols", "curves", "controls")
+SCRIPTS = ("numbers", "data", "motion", "stage", "bodies", "symbols", "curves", "controls")
 HEIGHT = 560  # pixels of the frame in a notebook
 
 
@@ -65,15 +65,20 @@ def view(
     Raises ModelError if the model has nothing to draw or a surface does not fit its body.
     """
     record = view_record(solution, surfaces or {}, beside)
+    return page("page.html", record, text_of("page.css"), SCRIPTS)
+
+
+def page(frame: str, record: Mapping[str, Any], styles: str, scripts: Sequence[str]) -> View:
+    """A page of its frame, its numbers, and what draws them."""
     parts = {
         "title": html.escape(str(record["title"])),
-        "styles": _text("bundles/uplot.min.css") + _text("page.css"),
-        "three": _text("bundles/three.min.js"),
-        "uplot": _text("bundles/uplot.min.js"),
+        "styles": text_of("bundles/uplot.min.css") + styles,
+        "three": text_of("bundles/three.min.js"),
+        "uplot": text_of("bundles/uplot.min.js"),
         "data": json.dumps(record, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c"),
-        "script": "\n".join(_text(f"script/{name}.js") for name in SCRIPTS),
+        "script": "\n".join(text_of(f"script/{name}.js") for name in scripts),
     }
-    pieces = re.split("@@([a-z]+)@@", _text("page.html"))
+    pieces = re.split("@@([a-z]+)@@", text_of(frame))
     return View(str(record["title"]), "".join(parts[piece] if k % 2 else piece for k, piece in enumerate(pieces)))
 
 
@@ -89,7 +94,11 @@ def show(
     von_mises (samples, n) [Pa] in it colours the body. beside: a second run, shown pale in the same page. Raises
     ModelError if there is nothing to draw or a surface does not fit, and OutputError.
     """
-    made = view(solution, surfaces, beside)
+    return shown(view(solution, surfaces, beside), path)
+
+
+def shown(made: View, path: str | Path | None) -> View:
+    """Written where a path is given; without one a notebook shows it, and elsewhere the browser opens it."""
     if path is not None:
         made.save(path)
     elif "ipykernel" not in sys.modules:
@@ -110,5 +119,6 @@ def write_view(
 
 
 @cache
-def _text(name: str) -> str:
+def text_of(name: str) -> str:
+    """A part of pages, by its place in this folder."""
     return files("runtime.views.viewer").joinpath(name).read_text(encoding="utf-8")

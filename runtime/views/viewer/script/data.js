@@ -1,11 +1,5 @@
-// The run: numbers come as base64 of little-endian arrays.
+// The run.
 const run = JSON.parse(document.getElementById("run").textContent);
-
-function decoded(text, kind) {
-  const raw = atob(text), bytes = new Uint8Array(raw.length);
-  for (let k = 0; k < raw.length; k++) bytes[k] = raw.charCodeAt(k);
-  return new kind(bytes.buffer);
-}
 
 const times = decoded(run.t, Float64Array);
 const first = times[0], last = times[times.length - 1];

@@ -1,0 +1,209 @@
+"""A branch of motions that repeat, over a parameter: its points, what passes between them, tables and pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from runtime.contract.doors import opened
+from runtime.contract.files import replacing, write_text
+from runtime.contract.model import Model
+from runtime.orbits.floquet import UNSTABLE, Floquet
+from runtime.orbits.motion import PeriodicMotion
+from runtime.orbits.periodic import periodic
+from runtime.orbits.shooting import Conditions, Shot
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from runtime.results.solution import Solution
+
+COLOURS = {"fold": "#d1495b", "flip": "#2e7d32", "Neimark-Sacker": "#7b1fa2", "branch point": "#ef6c00"}
+
+
+@dataclass(frozen=True)
+class Special:
+    """A place of a branch where something passes the unit circle: kind, value of the parameter, period [s], state."""
+
+    kind: str
+    value: float
+    period: float
+    state: np.ndarray
+    point: Point = field(repr=False)
+
+
+@dataclass(frozen=True)
+class Point:
+    """A motion on the branch: value of the parameter, period [s], states (K, n), shot, tangent (m,), sizes (n,).
+
+    begins: is it where a branch leaves another one?
+    """
+
+    value: float
+    period: float
+    x: np.ndarray
+    shot: Shot
+    tangent: np.ndarray
+    conditions: Conditions
+    floquet: Floquet
+    begins: bool = False
+
+
+@dataclass(frozen=True, repr=False)
+class PeriodicBranch:
+    """N motions that repeat, along a curve over the parameter `over`.
+
+    points: in their order on the curve; specials: folds, flips and others between them; first: the motion that it began
+    with; stopped: why it ended before the range did, "" otherwise; branches: of twice the period, from its flips.
+    """
+
+    model: Model
+    over: str
+    span: tuple[float, float]
+    points: tuple[Point, ...] = field(repr=False)
+    specials: tuple[Special, ...]
+    first: PeriodicMotion = field(repr=False)
+    stopped: str = ""
+    branches: tuple[PeriodicBranch, ...] = ()
+
+    @property
+    def all(self) -> Iterator[PeriodicBranch]:
+        """Itself, and all that branches off."""
+        yield self
+        for one in self.branches:
+            yield from one.all
+
+    @property
+    def values(self) -> np.ndarray:
+        """(N,) of the parameter."""
+        return np.array([point.value for point in self.points])
+
+    @property
+    def periods(self) -> np.ndarray:
+        """(N,) [s]."""
+        return np.array([point.period for point in self.points])
+
+    @property
+    def multipliers(self) -> np.ndarray:
+        """(N, n) by falling size."""
+        return np.array([point.floquet.multipliers for point in self.points])
+
+    @property
+    def stability(self) -> list[str]:
+        """`stable`, `unstable` or `neutral`, of each."""
+        return [point.floquet.stability for point in self.points]
+
+    def motion(self, k: int) -> PeriodicMotion:
+        """One of them, with its error measured. Raises NoPeriodicMotion."""
+        point = self.points[k]
+        if self.first.speed is not None:
+            length: dict[str, Any] = {"speed": self.first.speed[0], "turns": self.first.speed[1]}
+        else:
+            length = {"period": "free", "guess": point.period} if self.first.free else {"period": point.period}
+        names = list(self.first.state)
+        return periodic(
+            self.model,
+            **length,
+            parameters={**self.first.parameters, self.over: point.value},
+            inputs=self.first.inputs,
+            start=dict(zip(names, point.x[0].tolist(), strict=True)),
+            settle=None,
+            scheme=self.first.scheme,
+            options=self.first.options,
+            steps=self.first.steps,
+            parts=self.first.parts,
+            t0=self.first.t0,
+        )
+
+    def period_of(self, k: int, **changes: Any) -> Solution:
+        """One period of a motion as continuation found it; changes: further arguments of `simulate`."""
+        point = self.points[k]
+        found = replace(
+            self.first,
+            period=point.period,
+            state=dict(zip(self.first.state, point.x[0].tolist(), strict=True)),
+            parameters={**self.first.parameters, self.over: point.value},
+        )
+        return found.simulate(1, **changes)
+
+    def largest(self, output: str) -> np.ndarray:
+        """(N,) the largest magnitude over a period of a coordinate, rate or measure. Raises ModelError."""
+        runs = (self.period_of(k, outputs=[output], save_every=1) for k in range(len(self.points)))
+        return np.array([float(np.abs(run.outputs[output]).max()) for run in runs])
+
+    def write_csv(self, path: str | Path, outputs: Sequence[str] = ()) -> None:
+        """One row a motion: value, period, stability, largest multiplier, largest outputs, doublings of the period.
+
+        Those of branches follow. Raises OutputError.
+        """
+        rows = [",".join([self.over, "period [s]", "stability", "largest multiplier", *outputs, "doublings"])]
+        for one in self.all:
+            columns = [one.largest(name) for name in outputs]
+            for k, point in enumerate(one.points):
+                size = float(np.abs(point.floquet.counted).max(initial=0.0))
+                numbers = [size, *(float(column[k]) for column in columns), one.first.doublings]
+                rows.append(",".join([repr(point.value), repr(point.period), one.stability[k], *map(repr, numbers)]))
+        write_text(Path(path), "\n".join(rows) + "\n")
+
+    def picture(self, output: str, path: str | Path | None = None) -> Figure:
+        """The largest magnitude of an output over the parameter: stable solid, unstable dashed, specials marked."""
+        return _picture(self, output, path)
+
+    def view(self, path: str | Path | None = None, outputs: Sequence[str] = ()) -> Any:
+        """The picture as a page with a slider, which chooses the motion whose curves show; () stands for all q_i.
+
+        Written to `path` (.html), else shown in the notebook or opened. Raises ModelError and OutputError.
+        """
+        return opened("runtime.views.viewer.branch_page:show_branch")(self, path, list(outputs) or list(self.model.q_i))
+
+    def __repr__(self) -> str:
+        told = ", ".join(f"{one.kind} at {one.value:.6g}" for one in self.specials) or "no change of stability"
+        more = f"; {len(self.branches)} branches of twice the period" if self.branches else ""
+        ended = f"; stopped: {self.stopped}" if self.stopped else ""
+        return (
+            f"<PeriodicBranch of {self.model.name}: {len(self.points)} motions over {self.over} from "
+            f"{self.values[0]:g} to {self.values[-1]:g}, {told}{more}{ended}>"
+        )
+
+
+def _picture(branch: PeriodicBranch, output: str, path: str | Path | None) -> Figure:
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    from runtime.results.notebook_figure import NotebookFigure
+
+    figure = NotebookFigure(figsize=(8, 4.5), layout="constrained")
+    FigureCanvasAgg(figure)
+    ax = figure.add_subplot()
+    for one in branch.all:
+        _draw(ax, one, one.largest(output))
+    entry = next(one for one in branch.model.parameters if one.name == branch.over)
+    ax.set_xlabel(f"{branch.over} [{entry.unit or '-'}]")
+    ax.set_ylabel(f"largest |{output}| of a period")
+    ax.set_title(f"{branch.model.title or branch.model.name}: motions that repeat (dashed: unstable)", fontsize=10)
+    ax.grid(alpha=0.25)
+    if path is not None:
+        with replacing(path) as temporary:
+            figure.savefig(temporary, dpi=130)
+    return figure
+
+
+def _draw(ax: Axes, branch: PeriodicBranch, heights: np.ndarray) -> None:
+    """One curve, in pieces of one stability, thinner with each doubling."""
+    values, width = branch.values, 1.8 / (1 + 0.4 * branch.first.doublings)
+    unstable = np.array([one == UNSTABLE for one in branch.stability])
+    first = 0
+    for k in range(1, len(values) + 1):
+        if k == len(values) or unstable[k] != unstable[first]:
+            piece = slice(first, min(k + 1, len(values)))
+            style: dict[str, Any] = {"linestyle": "--", "color": "#9aa5b1"} if unstable[first] else {"color": "#1f4e79"}
+            ax.plot(values[piece], heights[piece], linewidth=width, **style)
+            first = k
+    for special in branch.specials:
+        near = int(np.abs(values - special.value).argmin())
+        ax.plot(special.value, heights[near], "o", color=COLOURS.get(special.kind, "#111827"), markersize=6)
+        ax.annotate(special.kind, (special.value, heights[near]), textcoords="offset points", xytext=(6, 6), fontsize=8)
