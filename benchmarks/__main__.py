@@ -40,7 +40,6 @@ from benchmarks.pages import (
     orientations,
     spherical_trees,
     stress_modes,
-    sub_steps,
     urdf_robots,
 )
 from benchmarks.tables import arms as arms_tables
@@ -74,7 +73,6 @@ PAGES: dict[str, Callable[[list[str]], int]] = {
     "bad_input": bad_input.main,
     "hard_twins": hard_twins.main,
     "stress_modes": stress_modes.main,
-    "sub_steps": sub_steps.main,
     "orientations": orientations.main,
     "spherical_trees": spherical_trees.main,
     "urdf_robots": urdf_robots.main,

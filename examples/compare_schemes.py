@@ -16,7 +16,7 @@ PARAMETERS = {"c": 0.5, "k_L": 1.0, "w": 20.0, "zeta": 0.0}
 T_END = 1.0
 STEPS = (0.005, 0.0025, 0.00125)
 RUNS = {"single_rate": None, "printed m=2": [2], "printed m=4": [4], "printed m=8": [8],
-        "coupled m=4": [4], "decoupled m=4": [4], "linearised m=2": [2], "exponential m=1": [1], "rk4": None}
+        "coupled m=4": [4], "exponential m=1": [1], "rk4": None}
 
 
 def main(picture: Path | None = None) -> None:

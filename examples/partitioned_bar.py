@@ -36,7 +36,7 @@ def main(picture: Path | None = None) -> None:
     with tempfile.TemporaryDirectory() as folder:
         model = load_model(generate(build(), folder))
     x, run = np.cumsum(SIZES), simulate(model)
-    better, single = simulate(model, scheme="linearised"), simulate(model, scheme="single_rate")
+    better, single = simulate(model, scheme="exponential"), simulate(model, scheme="single_rate")
 
     def f(s):
         s = np.clip(s, 0.0, PULSE)
@@ -44,7 +44,7 @@ def main(picture: Path | None = None) -> None:
 
     exact = f(run.t[:, None] - 1 + x) - f(run.t[:, None] - 1 - x)
     print(run.status)
-    for name, found in (("printed", run), ("linearised", better)):
+    for name, found in (("printed", run), ("exponential", better)):
         print(f"{name}: off d'Alembert's solution by {np.abs(found.q - exact).max() / exact.max():.4f} of the largest")
     print(f"one step of {STEP} s for all: {single.status.name}")
     if picture:

@@ -29,7 +29,7 @@ from symgen.scene import SceneRecord
 LARGEST_COMPLETE = 200  # coordinates of a scene that is written with all functions where nothing else is said
 QUADRATIC = {
     "condensed", "augmented", "blocks", "dQ_hat_dq_i", "dQ_hat_dq_i_dot", "residual_jacobian", "deflections",
-    "deflection_response", "slow_response", "fast_rows",
+    "deflection_response",
 }  # fmt: skip
 
 

@@ -57,9 +57,9 @@ def _contenders(links: int, fastest: float) -> list[Method]:
     ]
     dense = dense if links <= DENSE else dense[:1]
     ratios = sorted({max(2, ceil(limit / steps)) for steps in (125, 250, 500, 1000)})
-    decoupled = [Method("decoupled", (m,)) for m in ratios]
+    coupled = [Method("coupled", (m,)) for m in ratios]
     stiff = [Method("exponential_adams"), Method("exponential_rk4")]
-    return [*stiff, *dense, *decoupled, Method("single_rate", None, {"common_velocity": "predictor"})]
+    return [*stiff, *dense, *coupled, Method("single_rate", None, {"common_velocity": "predictor"})]
 
 
 def arm_reference(model: Model, fastest: float) -> Reference:

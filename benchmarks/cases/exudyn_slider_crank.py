@@ -222,7 +222,6 @@ def _schemes(model: Model, initial: dict[str, float]) -> list[Entry]:
         for name, m in (
             ("single_rate", None),
             ("rk4", None),
-            ("linearised", [4]),
             ("exponential", [1]),
             ("exponential", [2]),
             ("exponential", [4]),

@@ -24,16 +24,15 @@ TURNS = 4  # further timings of each method's best run: another program's burst 
 DENSE = 13  # independent coordinates up to which schemes that factorise M_hat take part
 STIFF = ("exponential_adams", "exponential_rk4")
 FIVE = {"order": 5}
-OWN = ("exponential", "linearised")
+OWN = ("exponential",)
 EXPLICIT = (Method("dop853"), Method("rk4"), Method("single_rate", None, {"common_velocity": "predictor"}))
 REMARK = """\
 CPU time of one native call for the whole motion, at the fewest steps that bring every graded coordinate below 1e-3 of
 its RMS amplitude; the lower quartile of at least five calls, of five such by turns the median. `exponential_rk4 / best`
 is its time over that of the fastest scheme on the case, `these / best` that of the fastest of it and
 `exponential_adams`; `radau / best of ours` is how many times as long `radau` takes as the fastest of these two,
-`exponential` and `linearised`. Of schemes that factorise M_hat none is tried above {dense} coordinates, and on other
-large cases (arms, the loop in space) `exponential` with m = 1 alone. `jacobian`: the Jacobian of all coordinates where
-the price of a step is against it."""
+and `exponential`. Of schemes that factorise M_hat none is tried above {dense} coordinates, and on other
+large cases (arms, the loop in space) `exponential` with m = 1 alone."""
 
 
 def run() -> Result:
@@ -86,7 +85,7 @@ def contenders(model: Model, large: bool) -> list[Method]:
         if large:
             return [*found, Method("exponential", (1,)), *EXPLICIT]
         orders = [Method("exponential", (m,), options) for options in ({}, FIVE) for m in (1, 2)]
-        found += [*orders, Method("linearised", (2,)), Method("radau", None, {"eps": (1e-6,)})]
+        found += [*orders, Method("radau", None, {"eps": (1e-6,)})]
     return [*found, *EXPLICIT]
 
 

@@ -39,7 +39,6 @@ METHODS = (
     Method("single_rate"),
     Method("radau", None, {"eps": (1e-6,)}),
     Method("radau"),
-    Method("linearised", (2,)),
     Method("exponential", (1,)),
     Method("exponential", (2,)),
 )

@@ -16,7 +16,7 @@ CASES: tuple[tuple[str, dict[str, int], str, list[int], float, bool], ...] = (
     ("flexible_slider_crank_free", {}, "single_rate", [], 0.06, True),
     ("flexible_slider_crank_free", {}, "printed", [4], 0.06, True),
     ("bricard", {}, "radau", [], 1.0, True),
-    ("spatial_slider_crank", {}, "linearised", [4], 1.0, True),
+    ("spatial_slider_crank", {}, "exponential", [4], 1.0, True),
     ("spatial_slider_crank", {}, "radau", [], 6.0, False),
 )
 MOST_MB = 400.0

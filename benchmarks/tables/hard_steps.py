@@ -34,7 +34,7 @@ def _over(found: Found, scheme: str, best: str) -> str:
     if not label:
         return "-"
     steps, seconds, _ = found[label]
-    return f"{seconds / found[best][1]:.2f}: {steps}{label.removeprefix(scheme).replace(' jacobian', ' (Jacobian)')}"
+    return f"{seconds / found[best][1]:.2f}: {steps}{label.removeprefix(scheme)}"
 
 
 def times(result: Result) -> str:

@@ -182,7 +182,7 @@ class Model:
     digest: SHA-256 of the manifest; scene_toml: an opaque text that only the generator reads; folder: where it was
     loaded from, by which it is pickled; "" if not known. input_values, sources: constants and functions of time given
     for inputs (see `with_inputs`); driven_by: hash of what else drives a run. steppers, schemes: see
-    runtime.schemes.stepper and catalogue. choices: options that schemes have found to fit, by name.
+    runtime.schemes.stepper and catalogue.
     Kernels take the run's constants c = constants(p); `function(name)` gives the same function of p.
     """
 
@@ -204,7 +204,6 @@ class Model:
     _zero_outputs: dict[str, frozenset[str]] = field(default_factory=dict, repr=False)
     steppers: dict[tuple[Any, ...], Any] = field(default_factory=dict, repr=False, compare=False)
     schemes: dict[tuple[Any, ...], Any] = field(default_factory=dict, repr=False, compare=False)
-    choices: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
 
     # What is asked of a model: each is the function that it names, with the model as its first argument.
     simulate = Door("runtime.running.simulate:simulate")
@@ -342,7 +341,6 @@ class Model:
             _zero_outputs={},
             steppers={},
             schemes={},
-            choices={},
         )
 
     @property

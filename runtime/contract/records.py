@@ -31,8 +31,6 @@ SchemeName = Literal[
     "single_rate",
     "printed",
     "coupled",
-    "decoupled",
-    "linearised",
     "exponential",
     "exponential_rk4",
     "exponential_adams",
@@ -46,7 +44,7 @@ SchemeName = Literal[
 ]
 SCHEME_NAMES: tuple[str, ...] = get_args(SchemeName)
 # schemes with a step of its own for each group: only they need the ratios m between groups
-GROUPED_SCHEMES: tuple[SchemeName, ...] = ("printed", "coupled", "decoupled")
+GROUPED_SCHEMES: tuple[SchemeName, ...] = ("printed", "coupled")
 
 
 # The fields of z of steps that follow from a tolerance: code, shape, unit, meaning; see symgen/notation/fields.py.

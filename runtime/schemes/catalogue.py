@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any, Literal, cast
 
 from runtime.contract.doors import opened
 from runtime.contract.model import Model
-from runtime.schemes.options import HALVES, Grid, Options, SchemeError, make_grid
+from runtime.schemes.options import HALVES, Options, SchemeError, make_grid
 from runtime.schemes.scheme import Scheme
 
 Ratios = Literal["none", "groups", "sub_steps"]
@@ -21,8 +21,7 @@ class SchemeKind:
 
     ratios: what m is. `groups`: one ratio between each two groups of the partition; `sub_steps`: one number of
     sub-steps for all coordinates; `none`: no m. default_m: m where neither the user nor the scene gives one that fits.
-    By their places, `file:name` of this folder: the class, the record of its options, the class for a tolerance, and
-    who makes it where there are several of a kind, among which the class is one.
+    By their places, `file:name` of this folder: the class, the record of its options, the class for a tolerance.
     """
 
     class_at: str
@@ -31,7 +30,6 @@ class SchemeKind:
     options_at: str
     default_m: int = 1
     adaptive_at: str = ""
-    fitting_at: str = ""
 
     @property
     def make(self) -> type[Scheme]:
@@ -47,11 +45,6 @@ class SchemeKind:
     def adaptive(self) -> type[Scheme] | None:
         """The class for a tolerance, if there is one."""
         return opened(f"runtime.schemes.{self.adaptive_at}") if self.adaptive_at else None
-
-    @property
-    def fitting(self) -> Callable[[Model, Grid, Options], Scheme]:
-        """Who makes it."""
-        return cast(Callable[..., Scheme], opened(f"runtime.schemes.{self.fitting_at or self.class_at}"))
 
     @property
     def multirate(self) -> bool:
@@ -80,7 +73,7 @@ class SchemeKind:
         )
         key = (name, repr(groups), repr(grid.m), repr(options))
         if key not in model.schemes:
-            model.schemes[key] = (adaptive or self.fitting)(model, grid, options)
+            model.schemes[key] = (adaptive or self.make)(model, grid, options)
         found: Scheme = model.schemes[key]
         return found.on(grid)
 
@@ -112,20 +105,7 @@ SCHEMES: dict[str, SchemeKind] = {
     ),
     "printed": SchemeKind("printed:Printed", "the paper's sub-cycling", "groups", "printed:PrintedOptions"),
     "coupled": SchemeKind(
-        "coupled:Coupled", "sub-steps that solve the coupled system", "groups", "coupled:CoupledOptions"
-    ),
-    "decoupled": SchemeKind(
-        "decoupled:Decoupled",
-        "sub-steps on an inertially decoupled slow coordinate",
-        "groups",
-        "decoupled:DecoupledOptions",
-    ),
-    "linearised": SchemeKind(
-        "linearised:Linearised",
-        "sub-steps of the system linearised at the midpoint",
-        "sub_steps",
-        "linearised:LinearisedOptions",
-        default_m=4,
+        "coupled:Coupled", "sub-steps that solve the coupled system", "groups", "options:ClosureOptions"
     ),
     "exponential": SchemeKind(
         "exponential:Exponential",
@@ -144,10 +124,9 @@ SCHEMES: dict[str, SchemeKind] = {
     ),
     "exponential_adams": SchemeKind(
         "exponential_adams:ExponentialAdams",
-        "exponential Adams on the stiff deflections or all coordinates with a point inside the step, order 4",
+        "exponential Adams on the stiff deflections with a point inside the step, order 4",
         "none",
         "exponential_adams:ExponentialAdamsOptions",
-        fitting_at="exponential_adams:fitting",
     ),
     "exponential_midpoint": SchemeKind(
         "exponential_midpoint:ExponentialMidpoint",

@@ -1,91 +1,171 @@
 """Coupled sub-steps: the whole condensed system is solved in each, with the slow coordinates held.
 
+In a major step the equations see the slow coordinates q_L where they will be at the middle of the sub-steps; so what
+depends on them only is computed once (runtime/engine/prepare.py takes it out of the sub-step). All coordinates are
+advanced by every sub-step with its own acceleration:
+
+    v_half = v + h a / 2,   x = x + h v_half,   a = accelerations(held q_L, x_S, v_half + h a_last / 2),
+    v = v_half + h a / 2
+
+so q_L moves with the sum of the sub-step accelerations, and the momentum of the fast coordinates is not lost. With
+one sub-step this is central difference up to the held position.
+
+The middle is extrapolated along the secant of the last major step: second order for what the step resolves, and
+bounded for what it does not (a velocity or acceleration would be multiplied by the step).
+
 The solution eliminates q_L: (M_SS - M_SL M_LL^-1 M_LS) a_S = Q_S - M_SL M_LL^-1 Q_L, a_L = M_LL^-1 (Q_L - M_LS a_S);
 on large trees the elimination is that of the tree, in O(N).
-
-Where the fast coordinates are in branches of a large tree and their rates act on nothing else, most of that does not
-change in the sub-steps of a major step: the bodies that carry the branches move with q_T'' = a_T + X phi, a_T and X
-held like their coordinates, phi the forces of the branches. So a sub-step evaluates the branches only, which give phi
-with the response of the rest, and q_L is moved once a major step by the sums over its sub-steps k = 1 ... m,
-
-    x_L <- x_L + H v_L + H h/2 a_0 + h^2 sum (m - k) a_k,    v_L <- v_L + h/2 a_0 + h (sum a_k - a_m / 2),
-
-which are the sub-steps' own. The forces see q_L' where it will be at the middle, too, rather than as it is.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from functools import cached_property
+from functools import partial
 
 import casadi as ca
 import numpy as np
 
-from runtime.engine.program import Fields
-from runtime.schemes.central_difference import replaced
-from runtime.schemes.held_slow import HeldSlow
-from runtime.schemes.options import ClosureOptions, one_of
-from runtime.schemes.scheme import StateField, work
+from runtime.engine.program import Fields, Program, Repeat, Sequence
+from runtime.schemes.one_step import OneStep
+from runtime.schemes.options import ClosureOptions, Options
+from runtime.schemes.scheme import StateField, history, state, work
 from runtime.schemes.sparse_lu import solve_symmetric
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
-from runtime.schemes.step_limit import StepLimit, shorter, slow_decay_limit
+from runtime.schemes.step_limit import StepLimit, central_difference_limit
 
 
-@dataclass(frozen=True)
-class CoupledOptions(ClosureOptions):
-    """closure_iterations: Newton steps on the loop unknowns in each evaluation.
+class Coupled(OneStep):
+    """Any number of nested groups: each is held over the sub-steps of the next faster one."""
 
-    slow_velocity: what forces see of the slow velocities in sub-steps. `followed`: their own in each; `auto`: where the
-        fast coordinates are in branches of a large tree, those at the middle of the major step, so that a sub-step
-        costs the same whatever the tree.
-    """
-
-    slow_velocity: str = one_of("auto", "followed")
-
-
-class Coupled(HeldSlow):
-    """Schur complement in every sub-step; of the branches alone where `by_branches`."""
-
-    options: CoupledOptions
-
-    @property
-    def by_branches(self) -> bool:
-        """Are there kernels of the branches that hold the fast coordinates, and may slow velocities be held?"""
-        sub_cycled = len(self.grid.groups) == 2 and bool(self.slow) and not self.model.loop_unknowns
-        return sub_cycled and self.model.has("branch_motion") and self.options.slow_velocity == "auto"
+    options: ClosureOptions
 
     def further_fields(self) -> dict[str, StateField]:
-        """And what is held of the trunk, sums over sub-steps of phi and of the slow accelerations of branches."""
-        found = super().further_fields()
-        if self.by_branches:
-            slow, forces, own = len(self.slow), self._forces, len(self._own_slow)
-            found |= {"hold_v": work(len(self.model.q_i)), "trunk_ddot": work(slow), "X_trunk": work(slow * forces)}
-            found |= {"interface": work(forces * (1 + forces)), "phi": work(forces)}
-            found |= {name: work(forces) for name in ("phi_sum", "phi_sums")}
-            found |= {name: work(own) for name in ("branch_sum", "branch_sums")}
+        """Held positions, ends of the secants (of one group nothing is held), s: time in the running major step.
+
+        What no step would ever write again must not be called state: it would be a mode of the step that neither grows
+        nor decays.
+        """
+        n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
+        found = {"s": work(1), "a": history(n)}
+        if len(self.grid.groups) > 1:
+            found |= {"hold_q": work(n), "x_last": history(n), "v_last": history(n)}
+            found |= {"loop_old": state(loops), "loop_dot": state(loops)}
         return found
 
-    @property
-    def _forces(self) -> int:
-        """How many forces the branches put on the trunk."""
-        return int(self.model.kernel("branch_motion").numel_out("phi"))
-
-    @cached_property
-    def _own_slow(self) -> list[int]:
-        """Positions in q_L of the branches' slow coordinates: where branch_ddot is not structurally zero."""
-        kernel = self.model.kernel("branch_motion")
-        inputs = [ca.SX.sym("x", kernel.numel_in(k)) for k in range(kernel.n_in())]
-        found = dict(zip(kernel.name_out(), kernel.call(inputs), strict=True))["branch_ddot"]
-        return [k for k in range(found.numel()) if not found[k].is_zero()]
+    @classmethod
+    def limited(cls, options: Options) -> bool:
+        """Yes: its sub-steps are central differences."""
+        return True
 
     def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
-        """And of the slow velocities where they are held."""
-        found = super().step_limit(A_q, A_v)
-        return shorter(found, slow_decay_limit(A_v, self.slow, self.grid.m[0])) if self.by_branches else found
+        """Of central difference with predicted velocities."""
+        return central_difference_limit(A_q, A_v, predicted=True)
 
-    def accelerations(self, z: Fields, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
-        """All accelerations from M_hat and Q_hat of this sub-step."""
+    @property
+    def slow(self) -> list[int]:
+        """Coordinates that are held: those with a longer step than the fastest group."""
+        return [k for g, group in enumerate(self.grid.groups) for k in group if self.grid.h[g] > self.grid.h[-1]]
+
+    @property
+    def fast(self) -> list[int]:
+        """The others."""
+        return [k for k in range(len(self.model.q_i)) if k not in self.slow]
+
+    def program(self) -> Program:
+        """One major step."""
+        last = len(self.grid.groups) - 1
+        body: Program = self.stage("sub_step", self._sub_step)
+        for level in reversed(range(last)):
+            hold = self.stage(f"hold_{level + 1}", partial(self._hold, level=level))
+            body = Sequence((hold, Repeat(body, self.grid.m[level])))
+        return Sequence((body, self.stage("finish", self._finish)))
+
+    def evaluations(self) -> tuple[int, int]:
+        """Holds and sub-steps."""
+        per_step, holds = 1, 0
+        for ratio in self.grid.m:
+            holds += per_step
+            per_step *= ratio
+        return holds, per_step
+
+    def started(
+        self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, equations: StageEquations
+    ) -> Mapping[str, ca.SX]:
+        """Accelerations at the start, and secants along the rates and accelerations there."""
+        fields = super().started(t0, q_i, q_i_dot, loop, equations)
+        motion = equations.close(q_i, fields["loop"], t0, 1)
+        a, H = equations.accelerations(motion, q_i_dot), self._own_steps(equations)
+        if len(self.grid.groups) == 1:
+            return {**fields, "a": a}
+        loop_dot = equations.loop_part(equations.rates(motion, q_i_dot))
+        return {
+            **fields,
+            "a": a,
+            "x_last": q_i - H * q_i_dot + H * H / 2 * a,
+            "v_last": q_i_dot - H * a,
+            "loop_dot": loop_dot,
+            "loop_old": fields["loop"] - equations.h[0] * loop_dot,
+        }
+
+    def _own_steps(self, equations: StageEquations) -> ca.SX:
+        """Time between two holds of each coordinate; the fastest group's secant is the slowest one's."""
+        last = len(self.grid.groups) - 1
+        groups = (self.group_of(k) for k in range(len(self.model.q_i)))
+        return ca.vertcat(*(equations.h[0 if g == last else g] for g in groups))
+
+    def _hold(self, z: Fields, equations: StageEquations, level: int) -> Mapping[str, ca.SX]:
+        """Hold a group where it will be at the mean time of its finest sub-steps, (H + h) / 2 from now."""
+        ahead = (equations.h[level] + equations.h[-1]) / 2
+        share = ahead / self._own_steps(equations)
+        x_ahead = z["x"] + share * (z["x"] - z["x_last"])
+        v_ahead = z["v"] + share * (z["v"] - z["v_last"])
+        out = {name: ca.SX(z[name]) for name in ("hold_q", "x_last", "v_last")}
+        for k in self.grid.groups[level]:
+            out["hold_q"][k] = x_ahead[k]
+        for k in [*self.grid.groups[level], *(self.grid.groups[-1] if level == 0 else [])]:
+            out["x_last"][k], out["v_last"][k] = z["x"][k], z["v"][k]
+        if level > 0:
+            return out
+        motion = equations.close(
+            x_ahead,
+            z["loop_old"] + 2 * equations.h[0] * z["loop_dot"],
+            self.now(z, equations) + ahead,
+            self.options.closure_iterations,
+        )
+        if equations.loops:
+            out |= {
+                "loop_old": z["loop"],
+                "loop": equations.loop_part(motion.q_d),
+                "loop_dot": equations.loop_part(equations.rates(motion, v_ahead)),
+                **self.closed(z, motion),
+            }
+        return out
+
+    def _sub_step(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        h = equations.h[-1]
+        half = z["v"] + h / 2 * z["a"]
+        x, v, s = z["x"] + h * self.turning(z, equations, half), half + h / 2 * z["a"], z["s"] + h
+        seen = ca.SX(x)
+        for k in self.slow:
+            seen[k] = z["hold_q"][k]
+        motion = equations.close(seen, z["loop"], self.now(z, equations) + s, self.options.closure_iterations)
+        a = self.accelerations(equations, motion, v)
+        out = {"x": x, "v": half + h / 2 * a, "a": a, "s": s}
+        if equations.loops:
+            out |= {"loop": equations.loop_part(motion.q_d), **self.closed(z, motion)}
+        return out
+
+    def turning(self, z: Fields, equations: StageEquations, half: ca.SX) -> ca.SX:
+        """Rates of x in the middle of a sub-step with the velocities half there."""
+        h = equations.h[-1]
+        there = z["x"] + h / 2 * half
+        if not self.charts.split:
+            return self.charts.rates(there, half)
+        t = self.now(z, equations) + z["s"] + h / 2
+        return equations.turning(equations.close(there, z["loop"], t, self.options.closure_iterations), half)
+
+    def accelerations(self, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
+        """q_i_ddot at the seen motion and the rates of the sub-step, from M_hat and Q_hat there."""
         if equations.tree_is_shorter:
             return equations.tree_accelerations(motion, v)
         M_hat, Q_hat = equations.condensed(motion, v)
@@ -96,57 +176,8 @@ class Coupled(HeldSlow):
             a[k] = solved[position]
         return a
 
-    # ---- the branches alone ---------------------------------------------------------------------------------
-
-    def renewed(self, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> dict[str, ca.SX]:
-        """The trunk's response at the middle."""
-        if not self.by_branches:
-            return {}
-        found = {name: ca.vec(value) for name, value in equations.trunk_response(motion, v).items()}
-        sums = ("phi_sum", "phi_sums", "branch_sum", "branch_sums")
-        return {**found, "hold_v": v, **{name: ca.SX.zeros(self.layout.sizes[name]) for name in sums}}
-
-    def _hold(self, z: Fields, equations: StageEquations, level: int) -> Mapping[str, ca.SX]:
-        """And the slow coordinates as their velocities and last accelerations move them."""
-        held = super()._hold(z, equations, level)
-        if not self.by_branches:
-            return held
-        L, H, h = self.slow, equations.h[0], equations.h[-1]
-        half = z["v"][L] + h / 2 * z["a"][L]
-        moved = {"x": replaced(z["x"], L, z["x"][L] + H * half), "v": replaced(z["v"], L, half)}
-        return {**held, **moved}
-
-    def _sub_step(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        if not self.by_branches:
-            return super()._sub_step(z, equations)
-        L, S, h, s = self.slow, self.fast, equations.h[-1], z["s"] + equations.h[-1]
-        half = z["v"][S] + h / 2 * z["a"][S]
-        turning = self.turning(z, equations, replaced(z["v"], S, half))[S]
-        x, v = z["x"][S] + h * turning, half + h / 2 * z["a"][S]
-        motion = equations.close(replaced(z["hold_q"], S, x), z["loop"], self.now(z, equations) + s, 1)
-        found = equations.branch_motion(motion, replaced(z["hold_v"], S, v), z["interface"])
-        a, phi, branch = found["q_S_ddot"], found["phi"], found["branch_ddot"][self._own_slow]
-        return {
-            "x": replaced(z["x"], S, x),
-            "v": replaced(z["v"], S, half + h / 2 * a),
-            "a": replaced(replaced(z["a"], S, a), L, found["branch_ddot"]),
-            "s": s,
-            "phi": phi,
-            "phi_sum": z["phi_sum"] + phi,
-            "phi_sums": z["phi_sums"] + z["phi_sum"],
-            "branch_sum": z["branch_sum"] + branch,
-            "branch_sums": z["branch_sums"] + z["branch_sum"],
-        }
-
     def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        """q_L at the end of the major step; the field a holds the branches' part of the last q_L''."""
-        if not self.by_branches:
-            return super()._finish(z, equations)
-        L, m, h, a_T = self.slow, self.grid.m[0], equations.h[-1], z["trunk_ddot"]
-        X = ca.reshape(z["X_trunk"], len(L), z["phi"].numel())
-        a = a_T + ca.mtimes(X, z["phi"]) + z["a"][L]
-        none = ca.SX.zeros(len(L))
-        once = m * a_T + ca.mtimes(X, z["phi_sum"]) + replaced(none, self._own_slow, z["branch_sum"])
-        twice = m * (m - 1) / 2 * a_T + ca.mtimes(X, z["phi_sums"]) + replaced(none, self._own_slow, z["branch_sums"])
-        moved = {"x": z["x"][L] + h * h * twice, "v": z["v"][L] + h * (once - a / 2), "a": a}
-        return {**super()._finish(z, equations), **{name: replaced(z[name], L, one) for name, one in moved.items()}}
+        end = self.arrived(equations, z["x"], z["loop"], self.now(z, equations) + equations.h[0])
+        before, loops = (tuple(name for name in (one,) if name in z) for one in ("x_last", "loop_old"))
+        moved = self.rebased(z, end, z["loop"], since=before, loops_since=loops)
+        return {**moved, "n": z["n"] + 1, "s": ca.SX(0)}

@@ -30,13 +30,13 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Repeat, Sequence
-from runtime.schemes.linear_propagation import LinearSystem, factors_of, polynomial, propagate
-from runtime.schemes.linear_sub_steps import LinearSubStepOptions, LinearSubSteps, refuse_varying
+from runtime.schemes.linear_propagation import LinearSystem, StoredSystem, factors_of, polynomial, propagate
 from runtime.schemes.one_step import Attempt, Method
 from runtime.schemes.options import (
     HALVES,
     LARGEST_TOLERANCE,
     MOST_UNROLLED,
+    ClosureOptions,
     Grid,
     Options,
     SchemeError,
@@ -46,7 +46,6 @@ from runtime.schemes.options import (
 )
 from runtime.schemes.partial_fractions import poles
 from runtime.schemes.scheme import StateField, state, work
-from runtime.schemes.sparse_lu import solve_symmetric
 from runtime.schemes.stage_equations import LONG_TREE, ClosedConfiguration, LinearisedEquations, StageEquations
 
 NODES = {4: (0.75,), 5: (0.5, 0.9)}
@@ -56,13 +55,17 @@ Body = Callable[[Fields, StageEquations], Mapping[str, ca.SX]]
 
 
 @dataclass(frozen=True)
-class ExponentialOptions(LinearSubStepOptions):
-    """propagation: see LinearSubStepOptions; tolerance, error_of: see AdaptiveOptions.
+class ExponentialOptions(ClosureOptions):
+    """tolerance, error_of: see AdaptiveOptions.
 
     closure_iterations: Newton steps on the loop unknowns in each evaluation, from a guess that is right to h^3.
 
+    propagation: the sub-steps of the linear system: `rational` (of order 6, stable for any stiffness) or `decaying` (of
+        order 5; decays that are much faster than a sub-step die out in it).
     order: 4 by two evaluations, or 5 by three, with one or two sub-steps.
     """
+
+    propagation: str = one_of("rational", "decaying")
 
     closure_iterations: int = whole_number(1, most=MOST_UNROLLED)
 
@@ -76,8 +79,12 @@ class ExponentialOptions(LinearSubStepOptions):
         return AT_ONCE if self.order == 5 else super().most_sub_steps
 
 
-class Exponential(LinearSubSteps, Method):
-    """exprb42 or exprb53s3 with m sub-steps; inner stages end inside of sub-steps, on the same factors."""
+class Exponential(Method):
+    """exprb42 or exprb53s3 with m sub-steps; inner stages end inside of sub-steps, on the same factors.
+
+    grid.h is (major step, sub-step). Fields: w = q_i - x and u = q_i_dot since the start of the major step, tau the
+    time since then, G0, G1, ... the forces, and the linear system.
+    """
 
     options: ExponentialOptions
     error_order, counted_evaluations, strictness = 4, (1, 1), 6.0
@@ -85,21 +92,22 @@ class Exponential(LinearSubSteps, Method):
     def __init__(self, model: Model, grid: Grid, options: ExponentialOptions) -> None:
         options, m = options.checked(len(grid.groups)), grid.m[0]
         self.order, self.nodes = options.order, NODES[options.order]
-        if self.order == 5:
-            self.forces = ("G0", "G1", "G2", "G3")
-            if m > options.most_sub_steps or options.propagation == "central_difference":
-                raise SchemeError(
-                    f"order 5 takes one or two sub-steps without a limit of stability, not m = [{m}] with propagation "
-                    f"= {options.propagation}; take m = 1 or 2 with rational or decaying, or order 4"
-                )
+        self.forces = ("G0", "G1", "G2", "G3")[: self.order - 1]
+        if m > options.most_sub_steps:
+            raise SchemeError(f"order 5 takes one or two sub-steps, not m = [{m}]; take m = 1 or 2, or order 4")
+        self.decaying = options.propagation == "decaying"
+        self.shifts = tuple(one.r for one in poles(decaying=self.decaying))
+        self.stored = StoredSystem(model, self.shifts)
         self.at_once = m <= AT_ONCE and len(model.q_i) <= LONG_TREE
         super().__init__(model, grid, options)
 
     def further_fields(self) -> dict[str, StateField]:
         """What stages pass on, with how the loop unknowns move: rates, and second rates (loop_bend)."""
-        loops = len(self.model.loop_unknowns)
-        passed = {**super().further_fields(), "loop_dot": work(loops), "loop_bend": work(loops)}
-        return {} if self.at_once else passed
+        if self.at_once:
+            return {}
+        n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
+        sizes = {"w": n, "u": n, "tau": 1, **dict.fromkeys(self.forces, n), **self.stored.sizes()}
+        return {name: work(size) for name, size in {**sizes, "loop_dot": loops, "loop_bend": loops}.items()}
 
     def program(self) -> Program:
         """Linearise; run to each node and evaluate there; run to the end. Short steps of few coordinates at once."""
@@ -133,6 +141,27 @@ class Exponential(LinearSubSteps, Method):
         m = self.grid.m[0]
         return 1 + len(self.nodes), sum(ceil(node * m) for node in self.nodes) + m
 
+    def _linear_system(
+        self, z: Fields, equations: StageEquations, found: LinearisedEquations, G0: ca.SX, G1: ca.SX
+    ) -> dict[str, ca.SX]:
+        """The linear system at the start of a major step."""
+        system = LinearSystem(found.M_hat, found.J_q, found.J_v)
+        zero = ca.SX.zeros(len(self.model.q_i))
+        forces = {**dict.fromkeys(self.forces, zero), "G0": G0, "G1": G1}
+        out = {**self.stored.pack(system), "w": zero, "u": z["v"], "tau": ca.SX(0), **forces}
+        return out | self.stored.pack_factors(factors_of(system, equations.h[1], self.shifts))
+
+    def _sub_step(
+        self, z: Fields, equations: StageEquations, part: float, echo: tuple[float, ca.SX] | None = None
+    ) -> Mapping[str, ca.SX]:
+        """A part of a sub-step of w and u on the linear system."""
+        system, factors, h = self.stored.unpack(z), self.stored.unpack_factors(z), equations.h[1]
+        G = [z[name] for name in self.forces]
+        w, u = propagate(
+            system, factors, z["w"], z["u"], G, z["tau"], h, part, self.decaying, echo, self.charts.independent
+        )
+        return {"w": w, "u": u, "tau": z["tau"] + part * h}
+
     def _whole(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         return self._sub_step(z, equations, 1.0)
 
@@ -144,7 +173,7 @@ class Exponential(LinearSubSteps, Method):
         t = self.now(z, equations)
         motion = equations.close(z["x"], z["loop"], t, self.options.closure_iterations)
         found, forces, loops = self._about(motion, z["v"], equations)
-        return {**self.begin(z, equations, found, **forces), **loops, **self.closed(z, motion)}
+        return {**self._linear_system(z, equations, found, **forces), **loops, **self.closed(z, motion)}
 
     @staticmethod
     def _about(
@@ -186,8 +215,6 @@ class Exponential(LinearSubSteps, Method):
         }
         if k == len(self.nodes) - 1:
             out["loop"] = polynomial([z["loop"], z["loop_dot"], *bends], h)
-        if self.by_central_difference:
-            out["acceleration"] = solve_symmetric(system.M, z["G0"] + ca.mtimes(system.J_v, z["v"]))
         return motion, out
 
     def _through(self, before: ca.SX, value: ca.SX, h: ca.SX, k: int) -> list[ca.SX]:
@@ -210,9 +237,10 @@ class Exponential(LinearSubSteps, Method):
 
     @classmethod
     def refuse_varying(cls, grid: Grid, options: Options) -> None:
-        """Only two sub-steps without a limit, of order 4."""
+        """Only two sub-steps, of order 4."""
         assert isinstance(options, ExponentialOptions)
-        refuse_varying(grid, options)
+        if list(grid.m) != [HALVES]:
+            raise SchemeError("tolerance", f"takes {HALVES} sub-steps, not m = {list(grid.m)}", "leave m out")
         if options.order != 4:
             raise SchemeError("tolerance", "has an estimate of the error for order 4 only", "leave order out")
 

@@ -68,7 +68,6 @@ def propagate(
     decaying: bool = False,
     echo: tuple[float, ca.SX] | None = None,
     free: Collection[int] = (),
-    degree: int = DEGREE,
 ) -> tuple[ca.SX, ca.SX]:
     """(w, w') after a part of a sub-step h from (w, u) at tau; G: G0, G1, ... The factors are of these poles.
 
@@ -82,8 +81,8 @@ def propagate(
     slopes[0] = slopes[0] + ca.mtimes(system.J_v, even)
     start = _Start(rest, ca.mtimes(system.M, rest), ca.mtimes(system.J_q, even))
     new_w, new_u = w + part * h * even, u
-    echoes = poles(degree, 1.0 if echo is None else echo[0], decaying)
-    for pole, echoing, entries in zip(poles(degree, part, decaying), echoes, factors, strict=True):
+    echoes = poles(DEGREE, 1.0 if echo is None else echo[0], decaying)
+    for pole, echoing, entries in zip(poles(DEGREE, part, decaying), echoes, factors, strict=True):
         extra = None if echo is None else (echoing.weights[2], echo[1])
         x, y = _solved(pole, entries, slopes, start, h, extra)
         new_w, new_u = new_w + pole.share * x, new_u + pole.share * y
@@ -236,7 +235,7 @@ class StoredSystem:
 def _others(model: Model) -> list[str]:
     """Schemes for many coordinates."""
     stiff = ["exponential_rk4", "exponential_midpoint"] if model.has("deflections") else []
-    return [*stiff, *(["decoupled", "coupled"] if len(model.groups) == 2 else []), "single_rate", "hht"]
+    return [*stiff, *(["coupled"] if len(model.groups) == 2 else []), "single_rate", "hht"]
 
 
 def _entries(matrix: ca.SX, sparsity: ca.Sparsity) -> ca.SX:

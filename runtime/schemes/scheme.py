@@ -44,7 +44,6 @@ class Scheme(ABC):
     order: int = 2
     closes: bool = True  # are all coordinates found from q_i by the closure, in every evaluation?
 
-    takes_jacobian: bool = False  # of all coordinates, in each step?
     damps: bool = False  # do its steps damp vibrations that they do not resolve?
     adaptive: bool = False  # are its steps as long as a tolerance asks for, and dt the time between states to be seen?
     if_not_converged: str = "Use a smaller step, a larger eps, or (printed) common_update = direct."

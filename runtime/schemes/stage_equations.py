@@ -124,23 +124,6 @@ class StageEquations:
         """Second rates of q_i of the velocities v and accelerations a of a motion, in the charts at an end."""
         return second_rates_from(self, end, motion, v, a)
 
-    def slow_response(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> dict[str, ca.SX]:
-        """y_ddot, N and crossing of a large tree in two groups: q_L'' = y'' - N q_S'' by one elimination."""
-        return self.call("slow_response", **self._arguments(motion, q_i_dot))
-
-    def fast_rows(self, motion: ClosedConfiguration, q_i_dot: ca.SX, crossing: ca.SX) -> tuple[ca.SX, ca.SX]:
-        """(M_SS - M_SL N, Q_S - M_SL y''), the accelerations that cross to these rows given."""
-        found = self.call("fast_rows", **self._arguments(motion, q_i_dot), crossing=crossing)
-        return found["M_bar_SS"], found["rhs_S"]
-
-    def trunk_response(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> dict[str, ca.SX]:
-        """trunk_ddot, X_trunk and interface: what the bodies do that carry the branches with fast coordinates."""
-        return self.call("trunk_response", **self._arguments(motion, q_i_dot))
-
-    def branch_motion(self, motion: ClosedConfiguration, q_i_dot: ca.SX, interface: ca.SX) -> dict[str, ca.SX]:
-        """q_S_ddot, branch_ddot and phi: the branches on that response."""
-        return self.call("branch_motion", **self._arguments(motion, q_i_dot), interface=interface)
-
     def deflections(self) -> StiffDeflections:
         """The stiff deflections; n_s is zero where the model has none."""
         if not self.model.has("deflections"):

@@ -82,50 +82,6 @@ def central_difference_limit(A_q: np.ndarray, A_v: np.ndarray, predicted: bool) 
     return StepLimit(2 / s, decay if by_decay else frequency, by_decay)
 
 
-def slow_decay_limit(A_v: np.ndarray, slow: list[int], m: int) -> StepLimit | None:
-    """Of sub-steps, m in a step, whose slow velocities are held at the middle, extrapolated from the last two steps.
-
-    For v' = -d v that is v <- v - H d (3 v - v_last) / 2, stable up to H d = 1 for H = m h.
-    """
-    decay = float((-dense_eigenvalues(A_v[np.ix_(slow, slow)]).real).max(initial=0.0))
-    return StepLimit(PREDICTED_DECAY_REACH / (m * decay), decay, True) if decay > 0 else None
-
-
-def shorter(*limits: StepLimit | None) -> StepLimit | None:
-    """The one that limits the step."""
-    return min((one for one in limits if one is not None), key=lambda one: one.h, default=None)
-
-
-def restarted_limit(A_q: np.ndarray, A_v: np.ndarray, m: int) -> StepLimit | None:
-    """Of sub-steps with predicted velocities whose first acceleration is evaluated anew every m of them.
-
-    The recursion forgets its last acceleration then, so that a decay may be longer: for v' = -d v and x = h d it is
-    (v, h a) <- (v + h a / 2 + b / 2, b), b = -x (v + h a), from h a = -x v.
-    """
-    found, undamped = central_difference_limit(A_q, A_v, True), central_difference_limit(A_q, A_v, False)
-    if found is None or not found.by_decay:
-        return found
-    h = found.h * restarted_decay_reach(m) / PREDICTED_DECAY_REACH
-    return undamped if undamped is not None and undamped.h < h else StepLimit(h, found.rate, True)
-
-
-def restarted_decay_reach(m: int) -> float:
-    """The largest h d at which m sub-steps do not let a pure decay grow: 2 for one, towards 1 for many."""
-
-    def factor(x: float) -> float:
-        v, ha = 1.0, -x
-        for _ in range(m):
-            b = -x * (v + ha)
-            v, ha = v + ha / 2 + b / 2, b
-        return abs(v)
-
-    low, high = PREDICTED_DECAY_REACH, 2.0
-    for _ in range(50):
-        middle = (low + high) / 2
-        low, high = (middle, high) if factor(middle) <= 1 else (low, middle)
-    return low
-
-
 def eigenvalues(A_q: np.ndarray, A_v: np.ndarray) -> np.ndarray:
     """Of w'' = A_q w + A_v w'. Raises LinAlgError if they are not finite."""
     n = len(A_q)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from runtime.studies.work_precision.comparison import Comparison
 
 DEMOS = {"slider-crank": "flexible_slider_crank"}  # what a demo's name means; any other word is the scene itself
-METHODS = ["exponential:1", "linearised:2", "single_rate", "rk4", "radau"]  # and sub-cycling, where there are groups
+METHODS = ["exponential:1", "exponential:2", "single_rate", "rk4", "radau"]  # and sub-cycling, where there are groups
 LONGEST = 0.02  # s: where a method's curve ends
 SAMPLES = 500  # about so many are kept of the main run
 

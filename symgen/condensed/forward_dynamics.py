@@ -4,13 +4,12 @@ Eliminating a body's dependent coordinates carries its inertia to its parent; el
 after that (block L D L^T in topological order) leaves fill on the parent only. M_hat is never formed. This is the
 articulated-body recursion, obtained from the same substitutions as the condensed form.
 
-One elimination serves several right-hand sides, each some operations a body more: M_hat^-1 B for the columns of B, and
-what the slow coordinates do when the fast ones are given, q_L'' = M_LL^-1 Q_L - M_LL^-1 M_LS q_S''.
+One elimination serves several right-hand sides, each some operations a body more: M_hat^-1 B for the columns of B.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import casadi as ca
@@ -30,14 +29,10 @@ class NoInertia(Exception):
 
 @dataclass(frozen=True)
 class Side:
-    """A right-hand side: a force on q, and c of x_d'' = sum e_j x_j'' + c by the column of each substitution.
-
-    given: accelerations of those independent coordinates that are not solved for, by column; zero where not named.
-    """
+    """A right-hand side: a force on q, and c of x_d'' = sum e_j x_j'' + c by the column of each substitution."""
 
     force: Row
     constants: Row
-    given: Row
 
 
 @dataclass
@@ -70,17 +65,12 @@ def is_tree(system: Condensed, topology: Topology) -> bool:
 def forces_side(system: Condensed) -> Side:
     """Q*, and the accelerations that the constraints impose: the right-hand side of the motion itself."""
     constants = {s.column: s.c_acceleration for s in system.substitutions}
-    return Side(dict(enumerate(system.reduced.Q_star)), constants, {})
+    return Side(dict(enumerate(system.reduced.Q_star)), constants)
 
 
 def force_side(force: Row) -> Side:
     """A force on q alone: its solution is M_hat^-1 S^T force."""
-    return Side(force, {}, {})
-
-
-def given_side(column: int) -> Side:
-    """Unit acceleration of a coordinate that is not solved for: it stays in the rows of the others."""
-    return Side({}, {}, {column: ONE})
+    return Side(force, {})
 
 
 def tree_accelerations(system: Condensed, topology: Topology) -> list[dict[int, ca.SX]]:
@@ -111,80 +101,52 @@ def free_joints(system: Condensed) -> FreeJointAccelerations | None:
 
 
 def tree_solutions(
-    system: Condensed, topology: Topology, sides: Sequence[Side], given: frozenset[int] = frozenset()
+    system: Condensed, topology: Topology, sides: Sequence[Side], attached: Sequence[tuple[int, int, ca.SX]] = ()
 ) -> list[dict[int, ca.SX]]:
     """q_ddot of every coordinate of a tree, by column, for each right-hand side, from one elimination.
 
-    given: columns of q_i that are not solved for. Raises NoInertia.
-    """
-    left = eliminate(system, topology, sides, given)
-    return [left.solution(k, {c: side.given.get(c, ZERO) for c in given}) for k, side in enumerate(sides)]
-
-
-def eliminate(
-    system: Condensed,
-    topology: Topology,
-    sides: Sequence[Side],
-    given: frozenset[int] = frozenset(),
-    bodies: Collection[str] | None = None,
-    substitutions: Mapping[int, Substitution] | None = None,
-    attached: Sequence[tuple[int, int, ca.SX]] = (),
-) -> RowsLeft:
-    """The rows of all coordinates eliminated, from the tips to the root, but for those of `given`.
-
-    bodies: of these only, all by default. substitutions: by column, others than the system's own; what they refer to
-    may have columns beyond the system's. attached: further entries (row, column, value) of M, both triangles.
-    Raises NoInertia.
+    attached: further entries (row, column, value) of M, both triangles. Raises NoInertia.
     """
     eq = system.reduced
-    by_column = {**{one.column: one for one in system.substitutions}, **(substitutions or {})}
-    beyond = max((c for one in by_column.values() for c in one.e), default=0) + 1 - len(eq.M)
-    M = [dict(row) for row in eq.M] + [{} for _ in range(beyond)]
+    by_column = {one.column: one for one in system.substitutions}
+    M = [dict(row) for row in eq.M]
     for row, column, value in attached:
         add_to(M[row], column, value)
     forces = [dict(side.force) for side in sides]
-    evaluated = {substitution.column: k for k, substitution in enumerate(system.substitutions)}
-    pivots: dict[int, _Pivot] = {}
-    order: list[int] = []
-    for body in sorted(bodies or eq.body_columns, key=lambda name: -topology.distance_of(name)):
-        columns = eq.body_columns[body]
-        dependent = sorted((c for c in columns if c in by_column), key=lambda c: -evaluated[c])
-        own = {other for c in dependent for other in by_column[c].e}
-        independent = [c for c in reversed(columns) if c not in by_column and c not in given]
-        # what the body's place does not depend on has no neighbours on the parent yet: its pivots are short
-        for column in (*(c for c in independent if c not in own), *dependent, *(c for c in independent if c in own)):
-            if column in by_column:
-                _substitute(M, forces, sides, by_column[column])
+    order, pivots = _elimination_order(system, topology), dict[int, _Pivot]()
+    for column in order:
+        if column in by_column:
+            _substitute(M, forces, sides, by_column[column])
+        else:
+            pivots[column] = _eliminate(M, forces, column)
+    solutions: list[dict[int, ca.SX]] = []
+    for k, side in enumerate(sides):  # from the root to the tips
+        found: dict[int, ca.SX] = {}
+        for column in reversed(order):
+            if column in pivots:
+                total, weights = mul(pivots[column].forces[k], pivots[column].inverse), pivots[column].weights
             else:
-                pivots[column] = _eliminate(M, forces, column)
-            order.append(column)
-    return RowsLeft(M, forces, sides, by_column, order, pivots)
-
-
-@dataclass(frozen=True)
-class RowsLeft:
-    """M and the force of each right-hand side in the rows that are left, by column, and the way back."""
-
-    M: list[Row]
-    forces: list[Row]
-    sides: Sequence[Side]
-    by_column: Mapping[int, Substitution]
-    order: list[int]
-    pivots: Mapping[int, _Pivot]
-
-    def solution(self, k: int, start: Row) -> dict[int, ca.SX]:
-        """The eliminated coordinates in right-hand side k, from the root to the tips; start: those that are left."""
-        found = dict(start)
-        for column in reversed(self.order):
-            if column in self.pivots:
-                pivot = self.pivots[column]
-                total, weights = mul(pivot.forces[k], pivot.inverse), pivot.weights
-            else:
-                total, weights = self.sides[k].constants.get(column, ZERO), self.by_column[column].e
+                total, weights = side.constants.get(column, ZERO), by_column[column].e
             for other, weight in weights.items():  # what is known last is waited for last
                 total = add(total, mul(weight, found.get(other, ZERO)))
             found[column] = total
-        return found
+        solutions.append(found)
+    return solutions
+
+
+def _elimination_order(system: Condensed, topology: Topology) -> list[int]:
+    """All columns, from the tips to the root."""
+    evaluated = {substitution.column: k for k, substitution in enumerate(system.substitutions)}
+    follows = {substitution.column: substitution.e for substitution in system.substitutions}
+    order: list[int] = []
+    for body in sorted(system.reduced.body_columns, key=lambda name: -topology.distance_of(name)):
+        columns = system.reduced.body_columns[body]
+        dependent = sorted((c for c in columns if c in follows), key=lambda c: -evaluated[c])
+        own = {other for c in dependent for other in follows[c]}
+        independent = [c for c in reversed(columns) if c not in follows]
+        # what the body's place does not depend on has no neighbours on the parent yet: its pivots are short
+        order += [*(c for c in independent if c not in own), *dependent, *(c for c in independent if c in own)]
+    return order
 
 
 def _substitute(M: list[Row], forces: list[Row], sides: Sequence[Side], substitution: Substitution) -> None:

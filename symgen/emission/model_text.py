@@ -256,12 +256,6 @@ class Labels:
         self.arguments["chart"] = local_names(charts, names)
         self.arguments["lam_R"] = [f"lam_R{k}" for k in range(len(derived.redundant))]
         self.arguments["q_L_ddot"] = [f"{q_i[k]}_ddot" for k in slow]
-        if "slow_response" in derived.tapes:
-            crossing = derived.functions["slow_response"].outputs[-1].size[0]
-            self.arguments["crossing"] = [f"crossing{k}" for k in range(crossing)]
-        if "trunk_response" in derived.tapes:
-            interface = derived.functions["trunk_response"].outputs[-1].size[0]
-            self.arguments["interface"] = [f"interface{k}" for k in range(interface)]
         if "shifted_solution" in derived.tapes:
             sizes = {signal.name: signal.size[0] for signal in derived.functions["shifted_solution"].inputs}
             self.arguments |= {name: [f"{name}{k}" for k in range(sizes[name])] for name in ("shift", "push")}

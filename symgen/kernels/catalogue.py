@@ -29,10 +29,9 @@ from symgen.kernels.all_coordinates import (
     reactions,
     switching,
 )
-from symgen.kernels.branch_kernels import branch_kernels, shifted_kernels
+from symgen.kernels.deflection_kernels import deflection_kernels
 from symgen.kernels.jacobians import jacobian_kernels
 from symgen.kernels.kernel import Arguments, Kernel, arguments_of, shortest
-from symgen.kernels.partition_kernels import deflection_kernels, partition_kernels
 from symgen.kernels.specification import block_signals, substep_name
 from symgen.system.errors import DerivationError
 from symgen.system.topology import Topology
@@ -40,10 +39,6 @@ from symgen.system.topology import Topology
 TREES_ONLY = {
     "forward_dynamics",
     "blocks",
-    "slow_response",
-    "fast_rows",
-    "trunk_response",
-    "branch_motion",
     "shifted_solution",
 }  # may be asked for of any scene, and be left out
 FULLY_DRIVEN = (
@@ -88,13 +83,8 @@ def kernel_builders(
     tree, deflections = is_tree(system, topology), system.deflections
     if deflections is not None:
         builders |= deflection_kernels(system, topology, arguments, deflections, tree)
-        if tree:
-            builders |= shifted_kernels(system, topology, arguments, deflections)
     if tree:
         builders["forward_dynamics"] = lambda: _forward_dynamics(system, topology, arguments)
-        if len(groups) == 2:
-            builders |= partition_kernels(system, topology, arguments, *groups)
-            builders |= branch_kernels(system, topology, arguments, *groups)
     if len(groups) > 1:
         builders["blocks"] = partial(_blocks, system, arguments, named_groups)
     for level in range(1, len(groups)):

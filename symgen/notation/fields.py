@@ -34,7 +34,7 @@ FIELDS: tuple[Notation, ...] = (
     Notation("det_low", "", "", "loop blocks", "SI", "smallest det_loop since whoever runs the scheme reset it"),
     Notation("det_high", "", "", "loop blocks", "SI", "largest det_loop since then"),
     *(Notation(code, "", "", *rest) for code, *rest in FIELDS_OF_TOLERANCE),
-    # single_rate, printed; a, s, loop_old and loop_dot also coupled, decoupled
+    # single_rate, printed; a, s, loop_old and loop_dot also coupled
     Notation("d", "q^t - q^(t-Delta t)", "40-43", "n_i", "mixed", "last increment, stored instead of the last point"),
     Notation("a", "q_i''", "40-43", "n_i", "mixed", "last q_i_ddot"),
     Notation("s", "(j-1) Delta t_S", "63", "1", "s", "time since the start of the running major step"),
@@ -52,41 +52,20 @@ FIELDS: tuple[Notation, ...] = (
     ),
     # one-step schemes
     Notation("v", "q_i'", "36", "n_i", "mixed", "q_i_dot reached"),
-    # coupled, decoupled
+    # coupled
     Notation(
         "hold_q", "", "", "n_i", "mixed", "where slow coordinates are held: ahead, at the middle of the sub-steps"
     ),
     Notation("x_last", "", "", "n_i", "mixed", "x at the last hold: the secant's other end"),
     Notation("v_last", "", "", "n_i", "mixed", "v at the last hold"),
-    Notation("hold_v", "", "", "n_i", "mixed", "rates there, as the rows of q_S of a large tree see them"),
-    Notation("N", "", "", "n_L x n_S", "SI", "M_hat_LL^-1 M_hat_LS at the middle"),
-    Notation("y_ddot", "", "", "n_L", "mixed", "acceleration of q_L + N q_S, M_hat_LL^-1 Q_hat_L"),
-    Notation("N_moved", "", "", "n_L", "mixed", "N times the way of q_S in the last step beyond H q_S'"),
-    Notation("N_sped", "", "", "n_L", "mixed", "N times the change of q_S' in the last step"),
-    Notation("y_last", "", "", "n_L", "mixed", "the y_ddot of the major step before"),
-    Notation("y_before", "", "", "n_L", "mixed", "that of the one before"),
-    Notation("y_third", "", "", "n_L", "mixed", "and before that"),
     Notation("a_middle", "", "", "n_i", "mixed", "q_i_ddot seen in the middle of the last step"),
     Notation("a_before", "", "", "n_i", "mixed", "q_i_ddot at the start of the last step"),
-    Notation("q_before", "", "", "n_i", "mixed", "q_i at the start of the last step"),
-    Notation("v_before", "", "", "n_i", "mixed", "v at the start of the last step"),
     Notation("s_middle", "", "", "n_s", "mixed", "stiff deflections in the middle of the last step"),
     Notation("s_middle_dot", "", "", "n_s", "mixed", "their rates there"),
     Notation("s_before", "", "", "n_s", "mixed", "stiff deflections at the start of the last step"),
     Notation("s_before_dot", "", "", "n_s", "mixed", "their rates there"),
     Notation("loop_third", "", "", "loops", "mixed", "third rates of the loop unknowns in the last step"),
-    Notation("crossing", "", "", "n_X (1 + n_S)", "mixed", "motion that crosses to the rows of q_S of a large tree"),
-    Notation("trunk_ddot", "", "", "n_L", "mixed", "q_L'' of the bodies that carry the branches with fast coordinates"),
-    Notation("X_trunk", "", "", "n_L x n_u", "SI", "what forces phi of the branches add to it"),
-    Notation(
-        "interface", "", "", "n_u (1 + n_u)", "mixed", "q'' with which the branches are carried: free, by each phi"
-    ),
-    Notation("phi", "", "", "n_u", "N, N m", "forces of the branches at the last sub-step"),
-    Notation("phi_sum", "", "", "n_u", "N, N m", "their sum over the sub-steps of the major step"),
-    Notation("phi_sums", "", "", "n_u", "N, N m", "sum of those sums before each sub-step"),
-    Notation("branch_sum", "", "", "n_B", "mixed", "sum of q_L'' of the branches' slow coordinates"),
-    Notation("branch_sums", "", "", "n_B", "mixed", "sum of those sums before each sub-step"),
-    # linearised, exponential; M and lu_k also radau
+    # exponential; M and lu_k also radau
     Notation("w", "", "", "n_i", "mixed", "q_i - x since the start of the major step"),
     Notation("u", "", "", "n_i", "mixed", "q_i_dot at the sub-step"),
     Notation("tau", "", "", "1", "s", "time since the start of the major step"),
@@ -99,12 +78,6 @@ FIELDS: tuple[Notation, ...] = (
     Notation("J_v", "", "", "non-zeros", "SI", "J_v of the linear system"),
     Notation("lu_0", "", "", "non-zeros", "SI", "factors of r^2 M - r h J_v - h^2 J_q for the real r"),
     Notation("lu_1", "", "", "2 x non-zeros", "SI", "the same for the complex r, real parts first"),
-    Notation(
-        "acceleration", "", "", "n_i", "mixed", "w'' of the last sub-step, where sub-steps are central differences"
-    ),
-    Notation("x_start", "", "", "n_i", "mixed", "x at the start of the running step"),
-    Notation("x_mid", "", "", "n_i", "mixed", "predicted q_i at the middle of the next step"),
-    Notation("v_mid", "", "", "n_i", "mixed", "predicted q_i_dot there"),
     Notation("x_end", "", "", "n_i", "mixed", "last iterate of q_i at the end of the step"),
     Notation("v_end", "", "", "n_i", "mixed", "last iterate of q_i_dot there"),
     Notation("response", "", "", "n_i (1 + n_s)", "mixed", "its forces: accelerations without K and D, M_hat^-1 B"),

@@ -95,20 +95,6 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("Q_hat_L", "Q^_L", "39", "n_L", "N, N m", "part of Q_hat of the slower groups"),
     Notation("Q_hat_S", "Q^_S", "39", "n_S", "N, N m", "part of Q_hat of the groups that take a sub-step"),
     Notation("rhs_S", "Q^_S - M^_SL q_L''", "64", "n_S", "N, N m", "right-hand side of a sub-step, slow q'' given"),
-    Notation("N", "", "", "n_L x n_S", "SI", "M_hat_LL^-1 M_hat_LS: what q_L does when q_S is pushed"),
-    Notation("y_ddot", "", "", "n_L", "mixed", "acceleration of q_L + N q_S, M_hat_LL^-1 Q_hat_L"),
-    Notation("M_bar_SS", "", "", "n_S x n_S", "SI", "M_hat_SS - M_hat_SL N: inertia of q_S with q_L free"),
-    Notation(
-        "crossing", "", "", "n_X (1 + n_S)", "mixed", "motion that the rows of q_S see: by forces, by each unit q_S''"
-    ),
-    Notation("trunk_ddot", "", "", "n_L", "mixed", "q_L'' of the bodies that carry the fast ones, these not pushing"),
-    Notation("X_trunk", "", "", "n_L x n_u", "SI", "what phi adds to it"),
-    Notation(
-        "interface", "", "", "n_u (1 + n_u)", "mixed", "q'' with which the branches are carried: free, by each phi"
-    ),
-    Notation("branch_ddot", "", "", "n_L", "mixed", "q_L'' of the branches; zero for the bodies that carry them"),
-    Notation("q_S_ddot", "q_S''", "64", "n_S", "mixed", "accelerations of the fast coordinates"),
-    Notation("phi", "", "", "n_u", "N, N m", "forces of the branches on the bodies that carry them"),
     Notation("B", "", "", "n_i x n_s", "1", "stiff deflections s = B^T q_i: modes, springs between coordinates"),
     Notation("K_s", "", "", "n_s x n_s", "SI", "stiffness of the stiff deflections"),
     Notation("D_s", "", "", "n_s x n_s", "SI", "damping of the stiff deflections"),

@@ -95,20 +95,6 @@ class FreeJointAccelerations(Protocol):
         """
 
 
-class CarriedForces(Protocol):
-    """Frames at the ends of a tree, and what crosses to the forces on their coordinates."""
-
-    @property
-    def size(self) -> int:
-        """How many numbers cross."""
-
-    def crossing(self, accelerations: Row, still: bool = False) -> list[ca.SX]:
-        """They, of a motion with these accelerations; still: without rates and weight."""
-
-    def forces(self, crossing: Sequence[ca.SX], accelerations: Row, still: bool = False) -> Row:
-        """Inertia force and weight by column, with further accelerations."""
-
-
 @dataclass
 class Equations:
     """What stands in M q_ddot + K q + C_q^T lam = Q_F + Q_v, C = 0: (1)-(2), which are (22)-(23), of a whole scene.
@@ -120,8 +106,7 @@ class Equations:
     frames: accelerations -> M q_ddot - Q_v; Q_v holds the weight too there, not Q_F.
     force_changes: derivatives of these, where they are known by composites; curvatures, loop_rates: so, by joint;
     tied_changes: along directions.
-    free_joints: accelerations for a force on such a tree, if joints place all its bodies; carried: without balls, the
-    frames that some columns move.
+    free_joints: accelerations for a force on such a tree, if joints place all its bodies.
     placed_columns: coordinates of the frames of placed bodies, which no mass and no other constraint knows of;
     felt_columns: those of them that forces depend on, by measures of coordinates, with those that they follow from.
     Energies [J] and powers [W] are scalars.
@@ -173,7 +158,6 @@ class Equations:
     loop_rates: Mapping[str, RowRates] = field(default_factory=dict)
     tied_changes: TiedChanges | None = None
     free_joints: FreeJointAccelerations | None = None
-    carried: Callable[[frozenset[int]], CarriedForces] | None = None
     placed_columns: frozenset[int] = frozenset()
     felt_columns: frozenset[int] = frozenset()
     turnings: list[Turning] = field(default_factory=list)

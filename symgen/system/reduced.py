@@ -26,7 +26,7 @@ from symgen.system.frames.aba import floats, free_joint_accelerations
 from symgen.system.frames.crba import mass_rows
 from symgen.system.frames.fields import Direction
 from symgen.system.frames.loop_derivatives import LoopForce, LoopRates, tied_changes
-from symgen.system.frames.rnea import CarriedFrames, floating_forces, inverse_dynamics, lone_hinges, own_wrenches
+from symgen.system.frames.rnea import floating_forces, inverse_dynamics, lone_hinges, own_wrenches
 from symgen.system.frames.rnea_derivatives import force_changes, has_force_changes
 from symgen.system.frames.tree import GROUND, FrameTree
 from symgen.system.mechanism import Mechanism, with_rotors, with_states
@@ -90,10 +90,6 @@ class TreeForces:
         add_scaled(left, neg(ONE), modes)
         found = free_joint_accelerations(self.tree, left, free, wrenches)
         return {column: add(value, chosen.get(column, ZERO)) for column, value in found.items()}
-
-    def carried(self, columns: frozenset[int]) -> CarriedFrames:
-        """The frames that these columns move, and all beyond them; for trees without balls."""
-        return CarriedFrames(self.tree, columns, self._base, self._rates)
 
 
 def reduced_equations(
@@ -161,8 +157,6 @@ def reduced_equations(
         equations.curvatures, equations.loop_rates = space.curvatures, space.loop_rates
     if not floats(space.tree) and not equations.rotors:
         equations.free_joints = forces.free_joints
-        if not equations.turnings and not equations.states:
-            equations.carried = forces.carried
     inertia_forces = equations.inertia_forces
     equations.velocity_forces = lambda: _negated(inertia_forces({}), size)
     equations.felt_columns = _felt(equations, topology, orientations)

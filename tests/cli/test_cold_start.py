@@ -15,7 +15,7 @@ from symgen.scenes.pendulum import pendulum
 
 HEAVY = {"sympy", "pydantic", "matplotlib", "scipy", "symgen.scene", "symgen.pipeline", "symgen.generate"}
 MOST = 135  # modules of this project that a run brings in
-METHODS = {"printed", "coupled", "decoupled", "single_rate", "exponential_rk4", "exponential_adams", "linearised"}
+METHODS = {"printed", "coupled", "single_rate", "exponential_rk4", "exponential_adams"}
 SELDOM = {  # what only some runs ask for, and what prints code that the cache has
     "runtime.baselines",
     "runtime.engine.compiled",

@@ -10,7 +10,7 @@ Held slow coordinate (`coupled`), dt = m h, state y = (x, v, a, x_last, v_last),
   m times, with u = v + h a / 2:
     x <- x + h u,   a <- from the rows below at velocity u + h a / 2 (the old a),   v <- u + h a / 2 (the new a).
     both rows at once, x_L replaced by x_L* in them: M a = (-k_L x_L*,  -w^2 x_S - 2 zeta w v_S).
-  With m = 1 nothing is held: x_L itself stands in the rows. `decoupled` with m = 1 is that too.
+  With m = 1 nothing is held: x_L itself stands in the rows.
 
 Decoupled, dt = m h: Y = x_L + c x_S has Y'' = Q_L, which is constant over a major step. State (x, v, x_last, v_last,
 Y''):
@@ -66,29 +66,6 @@ def held_slow_matrix(p: Params, dt: float, m: int) -> Array:
     return np.concatenate([x, v, a, x_last, v_last])
 
 
-def decoupled_matrix(p: Params, dt: float, m: int) -> Array:
-    """One major step dt of `decoupled`, m > 1, on (x, v, x_last, v_last, Y'')."""
-    h, c = dt / m, p.c
-    unit = np.eye(9)
-    (x_L, x_S), (v_L, v_S), last_S = unit[:2], unit[2:4], unit[5]
-    start = unit[:4]
-    Y, Y_dot, Y_ddot = x_L + c * x_S, v_L + c * v_S, unit[8]
-    x_star = Y + dt / 2 * Y_dot + dt**2 / 8 * Y_ddot - c * (x_S + (x_S - last_S) / 2)
-    Y_ddot = -p.k_L * x_star
-
-    def acceleration(position: Array, velocity: Array) -> Array:
-        return np.asarray((-(p.w**2) * position - 2 * p.zeta * p.w * velocity - c * Y_ddot) / (1 - c**2))
-
-    a_S = acceleration(x_S, v_S)
-    for _ in range(m):
-        u = v_S + h / 2 * a_S
-        x_S = x_S + h * u
-        a_S = acceleration(x_S, u + h / 2 * a_S)
-        v_S = u + h / 2 * a_S
-    Y, Y_dot = Y + dt * Y_dot + dt**2 / 2 * Y_ddot, Y_dot + dt * Y_ddot
-    return np.vstack([Y - c * x_S, x_S, Y_dot - c * v_S, v_S, start, Y_ddot])
-
-
 def pade(z: Array) -> Array:
     """R(z) of degree (3, 3) of a matrix."""
     one, square = np.eye(len(z)), z @ z
@@ -105,22 +82,8 @@ def pade_of_five(z: Array) -> Array:
 
 
 def rational_matrix(p: Params, dt: float, m: int) -> Array:
-    """One major step of `linearised` or `exponential` with rational sub-steps on (x, v)."""
+    """One major step of `exponential` with rational sub-steps on (x, v)."""
     return np.linalg.matrix_power(pade(dt / m * generator(p)), m)
-
-
-def linearised_central_matrix(p: Params, dt: float, m: int) -> Array:
-    """One major step of `linearised` with central-difference sub-steps on (x, v)."""
-    M, K, D = matrices(p)
-    h = dt / m
-    x, v = np.eye(4).reshape(2, 2, 4)
-    a = np.linalg.solve(M, -K @ x - D @ v)
-    for _ in range(m):
-        u = v + h / 2 * a
-        x = x + h * u
-        a = np.linalg.solve(M, -K @ x - D @ (u + h / 2 * a))
-        v = u + h / 2 * a
-    return np.concatenate([x, v])
 
 
 def runge_kutta_matrix(p: Params, dt: float) -> Array:

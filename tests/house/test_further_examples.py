@@ -91,7 +91,7 @@ def test_partitioned_bar(said) -> None:
     """First order against an exact treatment of the fine part; one step for all would be four times too long."""
     text = said("partitioned_bar")
     assert line(text, "printed: off d'Alembert's solution by")[0] < 0.03
-    assert line(text, "linearised: off d'Alembert's solution by")[0] < 0.006
+    assert line(text, "exponential: off d'Alembert's solution by")[0] < 0.006
     assert "for all: step_too_long" in text
 
 

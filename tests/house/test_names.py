@@ -51,8 +51,6 @@ def fields_of_z(model: Model) -> set[str]:
     found: set[str] = set()
     for name, kind in SCHEMES.items():
         choices = [{}]
-        if "propagation" in kind.options.names():
-            choices.append({"propagation": "central_difference"})
         if "order" in kind.options.names():
             choices.append({"order": 5})
         if kind.adaptive is not None:

@@ -28,11 +28,10 @@ from tests.support.prepared_runs import PreparedRuns
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
 NAME = "exponential_adams"
-STIFFNESS = {"linearisation": "stiffness"}  # whatever fits the model: test_rosenbrock_adams.py has the other one
 
 
 def built(model: Model) -> Scheme:
-    return scheme_kind(NAME).build(NAME, model, 1.0, None, STIFFNESS)
+    return scheme_kind(NAME).build(NAME, model, 1.0, None, {})
 
 
 def with_stiff(*names: str) -> SceneRecord:
@@ -78,7 +77,7 @@ def test_order_four(model_of: Build, name: str) -> None:
     case = CASES[name]
     model = model_of(case.scene())
     exact = PreparedRuns(model, "dop853", start=case.start).end(case.t_end, case.dt / 64)
-    runs, steps = PreparedRuns(model, NAME, None, STIFFNESS, case.start), [case.dt, case.dt / 2, case.dt / 4]
+    runs, steps = PreparedRuns(model, NAME, None, {}, case.start), [case.dt, case.dt / 2, case.dt / 4]
     errors = [float(np.max(np.abs(runs.end(case.t_end, step) - exact))) for step in steps]
     slope = float(np.polyfit(np.log(steps), np.log(errors), 1)[0])
     assert case.slope[0] < slope < case.slope[1], (slope, errors)

@@ -60,9 +60,7 @@ def test_one_stage_is_the_stages_in_a_row(built_in: Load, monkeypatch: pytest.Mo
     np.testing.assert_allclose(end(), at_once, rtol=0, atol=1e-13 * np.abs(at_once).max())
 
 
-@pytest.mark.parametrize(
-    "m, options", [([4], {}), ([1], {"propagation": "central_difference"}), (None, {"tolerance": 1e-4})]
-)
+@pytest.mark.parametrize("m, options", [([4], {}), (None, {"tolerance": 1e-4})])
 def test_what_order_five_cannot_do_is_refused(built_in: Load, m: list[int] | None, options: dict[str, object]) -> None:
     kind, model = scheme_kind("exponential"), built_in("double_pendulum")
     with pytest.raises(SchemeError, match="order"):

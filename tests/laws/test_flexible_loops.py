@@ -96,8 +96,6 @@ SCHEMES: list[tuple[str, int | None, dict[str, Any], float, float, float]] = [
     ("printed", 1, {}, 1e-3, 2, 1.5e-6),
     ("printed", 2, {}, 5e-4, 1, 7e-5),
     ("coupled", 2, {}, 2e-3, 2, 1e-5),
-    ("decoupled", 2, {}, 1e-3, 2, 1.2e-5),
-    ("linearised", 2, {}, 2e-3, 2, 1.4e-5),
     ("exponential", 2, {}, 2e-3, 4, 1.3e-8),
     ("exponential", 1, {"order": 5}, 4e-3, 6, 2.6e-9),
     ("exponential_rk4", None, {}, 4e-3, 4, 6.5e-8),

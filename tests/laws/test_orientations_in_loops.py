@@ -192,7 +192,6 @@ def test_slopes_of_long_trees_know_turns_that_a_loop_splits(model_of: Build, mon
 SCHEMES: list[tuple[str, dict[str, Any], float, float, float]] = [  # scheme, settings, step, order, error at most
     ("single_rate", {}, 2e-3, 2, 1.5e-4),
     ("rk4", {}, 2e-3, 4, 1e-7),
-    ("linearised", {"m": [2]}, 4e-3, 2, 1e-4),
     ("exponential", {"m": [2]}, 4e-3, 4, 3e-6),
     ("exponential_adams", {}, 4e-3, 4, 3e-5),
     ("exponential_midpoint", {}, 4e-3, 2, 1e-4),

@@ -20,7 +20,6 @@ from runtime.running.ladder import Ladder, Method, affordable
 from runtime.running.problem import Problem
 from runtime.running.singular.crossing import MOST_EVALUATIONS, BranchLost, TightIntegrator
 from runtime.schemes.baselines.radau import lagrange
-from runtime.schemes.catalogue import scheme_kind
 from runtime.studies.stability.chart import USUAL_RATIOS, stability_chart
 from runtime.studies.work_precision.comparison import Comparison, WorkCurve, energy_drift, order_of
 from runtime.studies.work_precision.comparison_files import comparison_data
@@ -92,14 +91,6 @@ def test_stages_are_continued_by_their_polynomial() -> None:
     """Four nodes take cubics over exactly, at nodes and beyond."""
     nodes, at = np.array([0.0, 0.2, 0.7, 1.0]), np.array([0.2, 1.3, 1.9])
     assert lagrange(nodes, at) @ (1 - nodes**2 + 2 * nodes**3) == pytest.approx(1 - at**2 + 2 * at**3)
-
-
-def test_sub_steps_by_central_difference_feel_dampers(built_in: Load) -> None:
-    """4 = h^2 w^2 + 4 h d with predicted velocities: w = 3, d = 5 give h = (sqrt(d^2 + w^2) - d) 2 / w^2."""
-    options = {"propagation": "central_difference"}
-    scheme = scheme_kind("linearised").build("linearised", built_in("two_oscillators"), 0.1, [2], options)
-    limit = scheme.step_limit(np.array([[-9.0]]), np.array([[-5.0]]))
-    assert limit is not None and limit.h == pytest.approx(2 * (math.sqrt(34) - 5) / 9, rel=1e-9)
 
 
 def test_files_are_read_by_all_and_written_by_their_owner(tmp_path: Path) -> None:

@@ -19,7 +19,7 @@ from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.step_limit import limit_beside_deflections
 from runtime.studies.stability.tangent import TangentStep
 from symgen.generate import model_of as on_demand
-from symgen.kernels import branch_kernels
+from symgen.kernels import deflection_kernels
 from symgen.pipeline import derive
 from symgen.scene import SceneError, SceneRecord
 from symgen.scenes import SCENES
@@ -205,7 +205,7 @@ def test_tangents_keep_the_order(model_of: Build, name: str) -> None:
 @pytest.mark.parametrize("scene", [chain(5, 2), spatial_chain(2, 4)], ids=["plane", "space"])
 def test_shifted_solutions_along_a_tree(scene: SceneRecord, monkeypatch: pytest.MonkeyPatch) -> None:
     """(M_hat + B (kappa K + delta D) B^T) x = B f for complex shifts and forces, by the dense matrices."""
-    monkeypatch.setattr(branch_kernels, "shorter_than_dense", lambda n, n_s, in_space: True)
+    monkeypatch.setattr(deflection_kernels, "shorter_than_dense", lambda n, n_s, in_space: True)
     model = on_demand(scene)
     n, (B, K, D), random = len(model.q_i), deflections(model), np.random.default_rng(3)
     for state in random_states(model, 2):
@@ -228,7 +228,7 @@ def test_steps_along_a_tree_are_those_of_the_dense_block(
     scheme: str, scene: SceneRecord, dt: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Ten steps of a chain whose links are all flexible and damped, by shifted solutions and by n_s equations."""
-    monkeypatch.setattr(branch_kernels, "shorter_than_dense", lambda n, n_s, in_space: True)
+    monkeypatch.setattr(deflection_kernels, "shorter_than_dense", lambda n, n_s, in_space: True)
     data = scene.to_dict()
     for body in data["bodies"]:
         body["damping_ratio"] = 0.02

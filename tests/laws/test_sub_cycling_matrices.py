@@ -16,9 +16,7 @@ from runtime.studies.stability.spectrum import ExactMotion
 from runtime.studies.stability.tangent import TangentStep
 from tests.hand_derived.twin_oscillators import Params
 from tests.hand_derived.twin_subcycling import (
-    decoupled_matrix,
     held_slow_matrix,
-    linearised_central_matrix,
     modes,
     radius,
     rational_matrix,
@@ -31,35 +29,9 @@ REST = State(0.0, np.zeros(2), np.zeros(2), np.zeros(0))
 UNDAMPED, DAMPED = Params(c=0.5, w=20.0, k_L=1.7, zeta=0.0), Params(c=-0.6, w=15.0, k_L=0.9, zeta=0.07)
 
 # scheme, m, options, fields of its memory that act, the twin's matrix of (parameters, dt)
-DECOUPLED = ("x", "v", "x_last", "v_last", "y_ddot")
 HELD, ONE_STEP = ("x", "v", "a", "x_last", "v_last"), ("x", "v")
 CASES: dict[str, tuple[str, list[int] | None, dict[str, Any], tuple[str, ...], Callable[[Params, float], Array]]] = {
     **{f"coupled {m}": ("coupled", [m], {}, HELD, lambda p, dt, m=m: held_slow_matrix(p, dt, m)) for m in range(1, 51)},
-    **{
-        f"decoupled {m}": (
-            "decoupled",
-            [m],
-            {"slow_accelerations": "held"},
-            DECOUPLED,
-            lambda p, dt, m=m: decoupled_matrix(p, dt, m),
-        )
-        for m in (2, 3, 7, 20)
-    },
-    "decoupled 1": ("decoupled", [1], {}, HELD, lambda p, dt: held_slow_matrix(p, dt, 1)),
-    **{
-        f"linearised {m}": ("linearised", [m], {}, ONE_STEP, lambda p, dt, m=m: rational_matrix(p, dt, m))
-        for m in (2, 4, 10)
-    },
-    **{
-        f"linearised central {m}": (
-            "linearised",
-            [m],
-            {"propagation": "central_difference"},
-            ONE_STEP,
-            lambda p, dt, m=m: linearised_central_matrix(p, dt, m),
-        )
-        for m in (2, 4, 10)
-    },
     **{
         f"exponential {m}": ("exponential", [m], {}, ONE_STEP, lambda p, dt, m=m: rational_matrix(p, dt, m))
         for m in (1, 2, 5)
@@ -78,8 +50,6 @@ class Amplification:
         layout, columns = self.scheme.layout, list(self.tangent.columns)
         positions = [k for name in fields for k in range(layout.slice(name).start, layout.slice(name).stop)]
         self.entries = [columns.index(k) for k in positions]
-        products = [layout.slice(name).start for name in ("N_moved", "N_sped") if fields is DECOUPLED]
-        self.products = [columns.index(k) for k in products]
 
     def __call__(self, p: Params, dt: float) -> tuple[Array, Array]:
         """(whole matrix of a major step, its block of the fields that the twin has)."""
@@ -87,16 +57,7 @@ class Amplification:
         c = np.concatenate([c, np.array(self.scheme.grid.h) * dt])
         z = np.asarray(self.start(0.0, REST.q_i, REST.q_i_dot, REST.loop, c)).ravel()
         matrix = self.tangent(z, c)[1]
-        block = matrix[np.ix_(self.entries, self.entries)]
-        if self.products:
-            block = block + matrix[np.ix_(self.entries, self.products)] @ remembered_products(p, dt)
-        return matrix, block
-
-
-def remembered_products(p: Params, dt: float) -> Array:
-    """N (x_S - x_last_S - H v_last_S) and N (v_S - v_last_S), N = c, on the fields of DECOUPLED."""
-    x_S, v_S, x_last_S, v_last_S = np.eye(9)[1:8:2]
-    return np.array([p.c * (x_S - x_last_S - dt * v_last_S), p.c * (v_S - v_last_S)])
+        return matrix, matrix[np.ix_(self.entries, self.entries)]
 
 
 @pytest.mark.parametrize("case", CASES)

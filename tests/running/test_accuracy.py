@@ -159,14 +159,11 @@ MECHANISMS: list[tuple[str, float, dict[str, Any], str]] = [
     ("pendulum", 20.0, {"scheme": "single_rate", "dt": 0.1}, "completed"),
     ("slider_crank", 0.5, {"scheme": "single_rate", "dt": 1e-3}, "completed"),
     ("two_oscillators", 10.0, {"scheme": "coupled", "m": [4], "dt": 0.05}, "completed"),
-    ("two_oscillators", 10.0, {"scheme": "linearised", "m": [4], "dt": 0.1}, "completed"),
     ("flexible_slider_crank", 0.05, {"scheme": "radau", "dt": 2e-4}, "completed"),
     ("flexible_slider_crank_torque", 0.4, {"scheme": "printed", "m": [5], "dt": 1e-4}, "inaccurate"),
-    ("tumbling_body", 20.0, {"scheme": "linearised", "dt": 1e-2, "initial": TUMBLING}, "inaccurate"),
     ("tumbling_body", 20.0, {"scheme": "rk4", "dt": 2e-2, "initial": TUMBLING}, "completed"),
     ("double_pendulum", 10.0, {"scheme": "exponential", "dt": 2e-2, "initial": OVER_THE_TOP}, "inaccurate"),
     ("double_pendulum", 1.0, {"scheme": "rk4", "dt": 1 / 39}, "completed"),
-    ("flexible_joint_arm", 20.0, {"scheme": "linearised", "dt": 0.0125}, "inaccurate"),
     ("four_bar", 0.3, {"scheme": "rk4", "dt": 0.01}, "completed"),
 ]
 
@@ -349,10 +346,9 @@ def driven(motion: str) -> SceneRecord:
     return builder.simulation(t_end=1.0, dt=1e-3, scheme="single_rate").build()
 
 
-@pytest.mark.parametrize("scheme", ["exponential", "linearised"])
-def test_a_rate_that_is_lost_is_told_though_the_place_is_right(model_of: Build, scheme: str) -> None:
+def test_a_rate_that_is_lost_is_told_though_the_place_is_right(model_of: Build) -> None:
     """1e8 N m s stop the rod at once; steps of 1 ms leave rates that change their signs, 0.26 rad/s in the end."""
-    run = simulate(model_of(rod(1e8)), scheme=scheme)
+    run = simulate(model_of(rod(1e8)), scheme="exponential")
     assert run["rod.theta"][-1] == pytest.approx(0.3, abs=1e-6) and abs(run["rod.theta_dot"][-1]) > 0.1
     assert run.error.judged["rod.theta_dot"] > 0.15 and "rod.theta_dot is off by" in str(run.stats["remark"])
 

@@ -114,7 +114,7 @@ def test_a_cool_down_leaves_out_what_comes_too_soon(model_of: Build, tolerance: 
         swinging(cool_down=-1.0)
 
 
-@pytest.mark.parametrize("scheme", ["rk4", "hht", "decoupled"])
+@pytest.mark.parametrize("scheme", ["rk4", "hht", "coupled"])
 def test_steppers_know_events_bit_for_bit(model_of: Build, scheme: str) -> None:
     """In calls of one or of many steps, across an action, to a terminal event, and again from a state that was kept."""
     passing = {

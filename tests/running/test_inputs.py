@@ -204,7 +204,7 @@ def test_on_the_command_line(tmp_path: Any, capsys: pytest.CaptureFixture[str]) 
     assert "row 3" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("scheme", ["single_rate", "printed", "decoupled", "generalized_alpha", "hht"])
+@pytest.mark.parametrize("scheme", ["single_rate", "printed", "coupled", "generalized_alpha", "hht"])
 def test_schemes_that_remember_keep_their_order_where_held_values_change(model_of: Build, scheme: str) -> None:
     """x'' = u - 4 x by hand, piece by piece: half a step's delay of a change would be an error of first order."""
     builder = Scene("pulled").input("u", 0.0, "N").rigid("mass", mass=1.0, inertia=0.1)

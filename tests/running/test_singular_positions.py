@@ -69,7 +69,6 @@ def bars_stay_parallel(solution: Solution) -> bool:
         ("single_rate", 1.25e-4, 1e-6, 2e-5),
         ("rk4", 1e-2, 1e-3, 0.1),
         ("coupled", 1e-3, 2e-4, 1e-2),
-        ("linearised", 2e-3, 1e-4, 1e-2),
         ("exponential", 2e-3, 1e-5, 1e-4),
     ],
 )

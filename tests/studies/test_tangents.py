@@ -141,7 +141,7 @@ def test_iterated_steps_have_the_tangent_of_their_differences(
     assert np.abs(ours - wanted).max() < 1e-5 * np.abs(wanted).max()
 
 
-@pytest.mark.parametrize("name", ["coupled", "decoupled"])
+@pytest.mark.parametrize("name", ["coupled"])
 def test_one_group_holds_nothing(model_of: Build, name: str) -> None:
     """No multiplier of a step belongs to numbers that no step writes, and the forces are those of the time."""
     model = model_of(SceneRecord.from_toml_text(ARM))

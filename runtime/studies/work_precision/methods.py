@@ -15,8 +15,7 @@ from runtime.baselines.sundials import sundials_solution
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from runtime.running.ladder import DENSE, Method, affordable
-from runtime.schemes.catalogue import SCHEMES, scheme_kind
-from runtime.schemes.exponential_adams import RosenbrockAdams
+from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.options import SchemeError
 
 LARGE = 20  # independent coordinates
@@ -25,11 +24,9 @@ ONE_OF_EACH = (Method("exponential", (1,)), RADAU)
 ALL_DENSE = (
     *(Method("exponential", (m,)) for m in (1, 2, 4)),
     *(Method("exponential", (m,), {"order": 5}) for m in (1, 2)),
-    Method("linearised", (2,)),
-    Method("linearised", (8,), {"propagation": "central_difference"}),
     *(RADAU, Method("generalized_alpha"), Method("hht")),
 )
-WORTH_TRYING = (*ALL_DENSE[:2], *ALL_DENSE[3:6], Method("linearised", (2,), {"corrections": 1}), RADAU)
+WORTH_TRYING = (*ALL_DENSE[:2], *ALL_DENSE[3:5], RADAU)
 PREDICTED = Method("single_rate", None, {"common_velocity": "predictor"})
 ADAPTIVE: dict[str, Callable[..., Solution]] = {
     "DOP853 adaptive": partial(scipy_solution, method="DOP853"),
@@ -53,8 +50,6 @@ def usual_methods(model: Model) -> list[Method]:
     if len(model.groups) > 1:
         inner = (1,) * (len(model.groups) - 2)
         found += [Method("coupled", (*inner, 4)), Method("printed", (*inner, 4), {"common_update": "direct"})]
-        if len(model.groups) == 2:
-            found += [Method("decoupled", (4,))]
     return [*found, Method("single_rate"), PREDICTED, Method("rk4"), Method("dop853")]
 
 
@@ -64,25 +59,15 @@ def candidates(model: Model) -> list[Method]:
     if len(model.groups) > 1:
         inner = (1,) * (len(model.groups) - 2)
         found += [Method("coupled", (*inner, ratio)) for ratio in (2, 5, 10)]
-        if len(model.groups) == 2:
-            found += [Method("decoupled", (ratio,)) for ratio in (2, 5, 10)]
     return found
 
 
 def stiff_methods(model: Model) -> list[Method]:
-    """Those for stiff deflections, the likeliest first; `exponential_adams` not where these are many along a tree.
-
-    It chooses its linearisation by the price of a step; with the Jacobian, too, where that is dearer, as it may take
-    fewer steps.
-    """
+    """Those for stiff deflections, the likeliest first; `exponential_adams` not where these are many along a tree."""
     if not model.has("deflections"):
         return []
-    found, name = [Method("exponential_rk4")], "exponential_adams"
-    if model.has("shifted_solution"):
-        return found
-    chosen = scheme_kind(name).build(name, model, 1.0, None, {})
-    also = not chosen.takes_jacobian and RosenbrockAdams.possible(model)
-    return [Method(name), *([Method(name, None, {"linearisation": "jacobian"})] if also else []), *found]
+    many = model.has("shifted_solution")
+    return [*([] if many else [Method("exponential_adams")]), Method("exponential_rk4")]
 
 
 def _dense(model: Model, all_of_them: tuple[Method, ...]) -> list[Method]:
@@ -101,7 +86,7 @@ def left_out(model: Model) -> str:
     if not model.has("residual_jacobian"):
         return f"not tried with {n} coordinates: methods with a Jacobian, which the model is too large to have"
     names = ", ".join(one.scheme for one in ONE_OF_EACH)
-    ask = "symgen report SCENE --methods exponential:2,linearised:2"
+    ask = "symgen report SCENE --methods exponential:2"
     if affordable(model):
         return f"not tried with {n} coordinates: dense methods beside {names}; {ask} tries some"
     price = f"{DENSE * n**3 / 1e6:.1f} million operations a step"
