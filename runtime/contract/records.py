@@ -453,7 +453,8 @@ class Description:
     components [m/s^2] at default parameters; simulation: what runs use where nothing else is said; inputs: those of u;
     beams: those with exact shapes; flexible: other bodies with modes in space that loads act on; gauges: where
     stresses are known; struts: between which markers bodies buckle;
-    switching: the load, joint or state of each output of the function `switching`; events: those of `events`.
+    switching: the load, joint or state of each output of the function `switching`; events: those of `events`; kinks:
+    the load, joint or state of each output of `events` behind those of the events.
     """
 
     name: str
@@ -480,6 +481,7 @@ class Description:
     flexible: list[LoadedBody] = field(default_factory=list)
     events: list[EventRecord] = field(default_factory=list)
     switching: list[str] = field(default_factory=list)
+    kinks: list[str] = field(default_factory=list)
     orientations: list[OrientationRecord] = field(default_factory=list)
     gauges: list[GaugeRecord] = field(default_factory=list)
     struts: list[StrutRecord] = field(default_factory=list)
@@ -509,7 +511,7 @@ _TABLES: dict[str, type] = {
     "struts": StrutRecord,
 }
 # tables that are not written where they are empty
-_MAY_LACK = ("inputs", "beams", "flexible", "switching", "events", "orientations", "gauges", "struts")
+_MAY_LACK = ("inputs", "beams", "flexible", "switching", "kinks", "events", "orientations", "gauges", "struts")
 
 
 def as_plain(description: Description) -> dict[str, Any]:

@@ -111,6 +111,8 @@ EventKind = Literal[
     "velocity_jump",
     "beyond_buckling",
     "angles_singular",
+    "kink_crossed",
+    "kink",
     "event",
 ]
 
@@ -118,7 +120,7 @@ EventKind = Literal[
 @dataclass(frozen=True)
 class Event:
     """Something that happened during a run, at a time [s], told in plain words; of events of the scene with their name
-    and direction (rising or falling).
+    and direction (rising or falling). Kinks of loads, at which steps end without a word, are in no solution.
     """
 
     time: float

@@ -26,7 +26,7 @@ from runtime.engine.prepare import Prepared, prepare
 from runtime.export.c_mathematics import own_c
 from runtime.running.inputs import reading
 from runtime.running.plan import make_plan
-from runtime.running.stepping import may_break
+from runtime.running.stepping import may_jump
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import start_there, start_vector
 from runtime.schemes.switching.restart import remembers, restarted
@@ -113,7 +113,7 @@ def exported(
 
 def refuse_breaks(model: Model) -> None:
     """Raises ModelError for models whose steps end at events or where loads jump in time."""
-    if not may_break(model):
+    if not model.description.events and not may_jump(model):
         return
     events = [event.name for event in model.description.events]
     what = f"events {', '.join(events)}" if events else f"jumps in time of {', '.join(model.description.switching)}"

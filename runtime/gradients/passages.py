@@ -17,7 +17,7 @@ from runtime.gradients.start_of_run import Begun
 from runtime.running.events import EventActions
 from runtime.running.plan import Plan
 from runtime.running.stepped_model import SteppedModel
-from runtime.schemes.switching.watched import watch_events, watches
+from runtime.schemes.switching.watched import watch_events, watched_events, watches
 
 BATCH = 64  # steps after which events are looked at
 GRAZING = 1e-3  # least slope of a passage, over that of the way to it since the start of the step
@@ -29,7 +29,8 @@ class Passages:
     def __init__(self, model: Model, plan: Plan) -> None:
         self._model, self._plan = model, plan
         watch_events(plan.scheme)
-        self._names = [event.name for event in model.description.events]
+        self._events = watched_events(plan.scheme)
+        self._names = [event.name for event in self._events]
 
     def over(self, t0: float, dt: float, steps: int) -> Passages:
         """The same with so many steps of dt from t0 on [s]."""
@@ -71,13 +72,14 @@ class Passages:
             if happenings.status is not None:
                 raise NoResult(f"model {self._model.name}", f"the run has no derivative, it ends: {happenings.status}")
             if happenings.told:
-                passages[int(z[1]) - 1] = self._told(own, happenings.start, happenings.told)
+                happened = [event for event in happenings.told if event.kind != "kink_crossed"]
+                passages[int(z[1]) - 1] = self._told(own, happenings.start, happened)
                 happenings.told.clear()
         return passages
 
     def _told(self, own: SteppedModel, start: np.ndarray, told: Sequence[Event]) -> list[EventPassage]:
         """Of one step from a state (whole, flat)."""
-        scheme, events = own.plan.scheme, self._model.description.events
+        scheme, events = own.plan.scheme, self._events
         t, values = float(start[0] + start[1] * self._plan.grid.dt_L), start[scheme.layout.slice("event_values")]
         found = list[EventPassage]()
         for clock in dict.fromkeys(event.time for event in told):

@@ -1,8 +1,9 @@
-"""What events do in a run: they are told, give inputs other values, and end it."""
+"""What events do in a run: they are told, give inputs other values, and end it. Kinks of loads only end steps."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from math import ceil
 from typing import cast
 
 import numpy as np
@@ -12,11 +13,21 @@ from runtime.contract.status import Event, Status
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.adaptive.event_ends import ended_at_event, shown_at_end
+from runtime.schemes.switching.breaks import ON_THE_GRID
 from runtime.schemes.switching.impulse import impulse_text
 from runtime.schemes.switching.steps_with_stops import StepsWithStops
-from runtime.schemes.switching.watched import action_values, begin_events, cool_down, event_slopes, event_values
+from runtime.schemes.switching.watched import (
+    action_values,
+    begin_events,
+    cool_down,
+    event_slopes,
+    event_values,
+    sleep,
+    watched_events,
+)
 
 MOST_IN_A_STEP = 50  # events of one name
+MOST_KINKS, OF_STEPS = 20, 60  # of one name within so many steps: then it is crossed for 1 step, for 2, for 4, ...
 CHATTER = 1e-3  # of the time between states that are seen, in place of a step: where steps follow from a tolerance
 MOST_TOLD = 100  # impulses of prescribed motions
 AT_THE_END = 1e-10  # s
@@ -29,13 +40,15 @@ class EventActions:
     def __init__(self, own: SteppedModel) -> None:
         self.own, self.told = own, list[Event]()
         self.status: Status | None = None
-        self._scheme, self._events = own.plan.scheme, own.model.description.events
-        self._recent: dict[str, list[float]] = {}
+        self._scheme, self._events = own.plan.scheme, watched_events(own.plan.scheme)
+        self._declared = len(own.model.description.events)
+        self._recent: dict[str, list[float]] = {}  # of kinks behind the number of their sleeps
         self.start = np.zeros(0)  # the state before the step that `advance` made last
 
     def step(self, z: np.ndarray, broken: StepsWithStops) -> np.ndarray | None:
         """Advance z in place, to the end of the step or to a terminal event; (n_w,) the inputs if they changed."""
-        self._recent.clear()
+        for event in self._events[: self._declared]:
+            self._recent.pop(event.name, None)
         before = z[self._inputs].copy()
         broken.step_with_events(z, self.own.ready, self.own.c, self._acts)
         return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
@@ -118,12 +131,16 @@ class EventActions:
         """
         constants = self._scheme.constants(self.own.c)
         rates = event_slopes(self._scheme, z, constants) if (values_now == 0).any() else values_now
-        first = np.cumsum([0, *(len(event.sets) for event in self._events)])
+        first = np.cumsum([0, *(len(event.sets) for event in self._events)])  # kinks set nothing
         changes: dict[str, float] = {}
         cool_down(self._scheme, z, happened, t)
         for k in happened:
             event = self._events[k]
             direction = "rising" if (values_now[k] or rates[k]) >= 0 else "falling"
+            if k >= self._declared:
+                self.told.append(Event(t, "kink", f"{event.name}, {direction}", event.name, direction))
+                self._rest(z, k, t)
+                continue
             if event.direction != "either":
                 direction = event.direction
             changes |= dict(zip(event.sets, values[first[k] : first[k + 1]].tolist(), strict=True))
@@ -135,6 +152,28 @@ class EventActions:
             self.status = Status("not_finite", t, None, cause, "Let its action have a finite value there.")
         elif changes:
             z[self._inputs] = self.own.model.signals.changed(z[self._inputs].copy(), t, changes)
+
+    def _rest(self, z: np.ndarray, k: int, t: float) -> None:
+        """Kink k at t [s]: where it comes ever again, z does not look for it for ever longer."""
+        name, dt, grid = self._events[k].name, self.own.plan.grid.dt_L, None
+        if self.own.broken is not None:
+            grid = self.own.broken.grid
+            step = ceil((t - grid.t0) / dt - ON_THE_GRID)  # at whose end
+        else:
+            step = int(z[self._scheme.layout.slice("accepted")][0])
+        sleeps, *steps = self._recent.get(name, [0.0])
+        steps = [*steps, float(step)][-MOST_KINKS:]
+        if len(steps) == MOST_KINKS and step - steps[0] < OF_STEPS:
+            sleep(
+                self._scheme, z, k, (t if grid is None else grid.time(step)) + (2.0**sleeps - (grid is not None)) * dt
+            )
+            if not sleeps:
+                text = (
+                    f"{name}, comes {MOST_KINKS} times in {step - steps[0] + 1:.0f} steps: from here on steps cross it"
+                )
+                self.told.append(Event(t, "kink_crossed", text, name))
+            sleeps, steps = sleeps + 1, []
+        self._recent[name] = [sleeps, *steps]
 
     def _judge(self, event: EventRecord, t: float) -> None:
         if event.terminal:

@@ -22,6 +22,7 @@ from runtime.operating.mode_solver import ModeSolver, State
 from runtime.schemes.scheme import Scheme, direct, verdict
 from runtime.schemes.stage_equations import StageEquations, is_long_tree
 from runtime.schemes.step_limit import StepLimit, eigenvalues
+from runtime.schemes.switching.watched import watched_events
 
 FULL_CHECKS = 16  # saved states that are looked at closely, the first ones and then one in so many
 GROWTH_LIMIT = 1e6  # times the scale of the mechanism: far beyond anything a bounded motion reaches in a call
@@ -158,7 +159,7 @@ class Monitor:
         bad = ~np.isfinite(z[layout.slice("event_values")])
         if not bad.any():
             return None
-        name = self.model.description.events[int(np.argmax(bad))].name
+        name = watched_events(self.scheme)[int(np.argmax(bad))].name
         return Finding("not_finite", f"the condition of event {name} has no finite value", OF_EVENTS)
 
     def _grown(self, z: np.ndarray) -> Finding | None:

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from runtime.contract.doors import opened
 from runtime.contract.files import OutputError
 from runtime.contract.status import Status
 from runtime.results.export import run_header
@@ -46,7 +47,12 @@ def _ended(run: Run, measure: Measure) -> Solution:
     run.record.flush()
     solution = run.record.solution(last)
     stats = {**statistics(run.segment, run.z, run.set_up, wall), **solution.stats, **_circumstances(run)}
-    solution = solution.but(status=status, stats=stats, events=run.events, parameters=run.segment.p, stops=_stops(run))
+    events = [event for event in run.events if event.kind != "kink"]
+    if run.segment.model.description.kinks and run.segment.plan.scheme.options.kinks == "crossed":
+        events += opened("runtime.results.kinks:crossed_kinks")(solution)
+    elif len(events) < len(run.events):
+        stats["kinks"] = len(run.events) - len(events)
+    solution = solution.but(status=status, stats=stats, events=events, parameters=run.segment.p, stops=_stops(run))
     solution = with_error(solution, measure(run, solution) if status.ok else MotionError(reason=f"it is {status.name}"))
     solution = with_limits(solution)
     table = run.record.table

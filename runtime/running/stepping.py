@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import isfinite
 from typing import Any
 
@@ -24,10 +24,11 @@ from runtime.running.monitor import Monitor
 from runtime.running.plan import make_plan
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import refuse_position_jumps
+from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.steps_with_stops import StepsWithStops
 from runtime.schemes.switching.times import has_switching_times, switches_by_inputs, switching_times
-from runtime.schemes.switching.watched import watch_events
+from runtime.schemes.switching.watched import watch_events, watched_events
 from runtime.start.start_state import start_state
 
 HORIZON = 1e9  # major steps: no end is meant
@@ -37,7 +38,8 @@ HORIZON = 1e9  # major steps: no end is meant
 class SteppedState:
     """All that the next step depends on: the scheme's z (flat), the parameters p (n_p,), where its grid begins [s].
 
-    events: what has happened since then; ended: the status, where one of them was terminal.
+    events: what has happened since then; ended: the status, where one of them was terminal; memory: latest times of
+    each [s].
     """
 
     z: np.ndarray
@@ -45,6 +47,7 @@ class SteppedState:
     t0: float = 0.0
     events: tuple[Event, ...] = ()
     ended: Status | None = None
+    memory: Mapping[str, Sequence[float]] = field(default_factory=dict)
 
 
 class ModelStepper:
@@ -85,7 +88,7 @@ class ModelStepper:
         state = start_state(model, self.parameters, self._own.c, 0.0, None)
         # this array stays where it is: compiled code and readers know its address
         self._z = self._own.begin(0.0, state.q, state.q_dot).copy()
-        self._across = UnendingSteps(self._own, self._z) if may_break(model) else None
+        self._across = UnendingSteps(self._own, self._z) if may_break(plan.scheme) else None
         self._advance = self._own.bound(self._z) if self._across is None else self._across.run
         self._set_out(0.0)
         w = model.signals
@@ -198,7 +201,8 @@ class ModelStepper:
     def save(self) -> SteppedState:
         """What `restore` goes back to."""
         t0 = float(self._z[0]) if self._across is None else self._across.t0
-        return SteppedState(self._z.copy(), self.parameters.copy(), t0, tuple(self.events), self.ended)
+        memory = {} if self._across is None else self._across.happenings.memory()
+        return SteppedState(self._z.copy(), self.parameters.copy(), t0, tuple(self.events), self.ended, memory)
 
     def restore(self, kept: SteppedState) -> None:
         """Go back to what was saved. Raises ArgumentError if it is of another stepper."""
@@ -210,6 +214,7 @@ class ModelStepper:
         self._z[:] = kept.z
         if self._across is not None:
             self._across.go_back(kept.t0, kept.events, kept.ended)
+            self._across.happenings.resume(kept.memory)
         self._sample = None
 
     # ---- reading --------------------------------------------------------------------------------------------
@@ -222,7 +227,8 @@ class ModelStepper:
     @property
     def events(self) -> list[Event]:
         """Events of the model since `reset`, in order."""
-        return [] if self._across is None else list(self._across.happenings.told)
+        told = [] if self._across is None else self._across.happenings.told
+        return [event for event in told if event.kind != "kink"]
 
     @property
     def ended(self) -> Status | None:
@@ -319,9 +325,9 @@ def may_jump(model: Model) -> bool:
     return bool(ca.depends_on(model.evaluate("switching", t=t, c=c)["switching"], t))
 
 
-def may_break(model: Model) -> bool:
-    """Do steps end at jumps or at events?"""
-    return bool(model.description.events) or may_jump(model)
+def may_break(scheme: Scheme) -> bool:
+    """Do steps end at jumps, at events or at kinks of loads?"""
+    return bool(watched_events(scheme)) or may_jump(scheme.model)
 
 
 class UnendingSteps:

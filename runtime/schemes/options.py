@@ -23,9 +23,26 @@ class SchemeError(SymgenError, ValueError):
     """A scheme, step or option that cannot be used."""
 
 
+def one_of(default: str, *others: str) -> Any:
+    """An option that is one of several words."""
+    allowed = (default, *others)
+
+    def check(name: str, value: Any, groups: int) -> Any:
+        if value not in allowed:
+            raise SchemeError(f"{name} must be one of {', '.join(allowed)}, not {value!r}")
+        return value
+
+    return field(default=default, metadata={"check": check})
+
+
 @dataclass(frozen=True)
 class Options:
-    """The options of a scheme by name; the record of each scheme is a subclass beside it."""
+    """The options of a scheme by name; the record of each scheme is a subclass beside it.
+
+    kinks: of loads, where the motion comes to a condition of theirs: `located`, so that steps end there, or `crossed`.
+    """
+
+    kinks: str = one_of("located", "crossed")
 
     @classmethod
     def names(cls) -> tuple[str, ...]:
@@ -41,18 +58,6 @@ class Options:
         """The record with every value checked, and one tolerance per group. Raises SchemeError."""
         values = {one.name: one.metadata["check"](one.name, getattr(self, one.name), groups) for one in fields(self)}
         return replace(self, **values)
-
-
-def one_of(default: str, *others: str) -> Any:
-    """An option that is one of several words."""
-    allowed = (default, *others)
-
-    def check(name: str, value: Any, groups: int) -> Any:
-        if value not in allowed:
-            raise SchemeError(f"{name} must be one of {', '.join(allowed)}, not {value!r}")
-        return value
-
-    return field(default=default, metadata={"check": check})
 
 
 def whole_number(default: int, least: int = 1, most: int | None = None) -> Any:

@@ -72,6 +72,7 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
             for name, event in scene.events.items()
         ],
         switching=[item for item, _ in eq.switching],
+        kinks=[item for item, _ in eq.kinks.values()],
         flexible=[LoadedBody(body, loads) for body in eq.flexible if (loads := eq.loads_on(body))],
         simulation=scene.simulation.model_dump(mode="json", exclude_none=True),
         orientations=[

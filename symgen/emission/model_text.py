@@ -275,7 +275,7 @@ class Labels:
             "loops": [eq.constraints[row].label for row in choice.loop_rows],
             "joints": eq.joints,
             "measures": list(eq.measures),
-            "events": list(eq.events),
+            "events": [*eq.events, *eq.kinks],
             "conditions in t": [item for item, _ in eq.switching],
         }
         self.rows |= {f"n_{group.name}": [independent[k] for k in group.positions] for group in derived.groups}

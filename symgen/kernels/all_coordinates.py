@@ -181,11 +181,12 @@ def switching(system: Condensed) -> Kernel:
 
 
 def events(system: Condensed) -> Kernel:
-    """What passes zero when an event happens, and the values that inputs get by the events' actions, event by event."""
+    """What passes zero when an event happens and, behind them, where a load kinks; what inputs become by actions."""
     eq = system.equations
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
     actions = [value for _, action in eq.events.values() for value in action.values()]
-    outputs = {"events": ca.vertcat(*(when for when, _ in eq.events.values()))}
+    passing = [when for when, _ in eq.events.values()] + [value for _, value in eq.kinks.values()]
+    outputs = {"events": ca.vertcat(*passing)}
     return Kernel(inputs, {**outputs, "actions": ca.vertcat(*actions)} if actions else outputs)
 
 

@@ -75,7 +75,7 @@ def kernel_builders(
         "poses": lambda: poses(system.equations),
         "load_forces": partial(load_forces, system, [*system.equations.beams, *system.equations.flexible]),
     }
-    if system.equations.events:
+    if system.equations.events or system.equations.kinks:
         builders["events"] = partial(events, system)
     if system.equations.switching:
         builders["switching"] = partial(switching, system)

@@ -170,7 +170,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
         _spec(
             "events",
             "",
-            "Events happen where these pass zero; what inputs become by their actions",
+            "Events happen where these pass zero, and loads kink; what inputs become by actions",
             "report",
             "q q_dot t u c",
             "events actions",

@@ -24,7 +24,9 @@ FIELDS: tuple[Notation, ...] = (
     Notation("closure_error", "", "", "1", "m, rad", "largest C_loop so far"),
     Notation("iterations", "", "", "1", "1", "sweeps or Newton iterations done"),
     Notation("failures", "", "", "1", "1", "steps whose iteration did not converge"),
-    Notation("event_values", "", "", "events", "any", "what passes zero at events, at the end of the last step"),
+    Notation(
+        "event_values", "", "", "events", "any", "what passes zero at events and kinks, at the end of the last step"
+    ),
     Notation("event_step", "", "", "1", "1", "the first step in which an event happened, since it was last looked"),
     Notation("event_before", "", "", "events", "any", "the same at its start, of steps that vary"),
     Notation("event_change", "", "", "events", "any", "by what values changed in the last step"),

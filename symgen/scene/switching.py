@@ -15,15 +15,14 @@ from symgen.schema.expression_values import casadi_value
 MOST_POINTS = 100  # of a table: one with more is taken to be smooth
 
 
-def switching_values(node: Node, env: Mapping[str, Any], tables: Mapping[str, CurveTable]) -> Iterator[ca.SX]:
-    """What changes sign where the expression jumps or kinks, inner conditions first.
+def switching_values(node: Node, env: Mapping[str, Any]) -> Iterator[ca.SX]:
+    """What changes sign where the expression jumps or kinks, inner conditions first, tables left out.
 
     Of `where` the two sides of each comparison, of `step`, `sign` and `abs` the argument, of `min` and `max` the
-    distance to the least and largest of those before, of a table its argument from its points.
-    Raises KeyError for a name that env does not hold.
+    distance to the least and largest of those before. Raises KeyError for a name that env does not hold.
     """
     for part in _parts(node):
-        yield from switching_values(part, env, tables)
+        yield from switching_values(part, env)
     match node:
         case Where(condition, _, _):
             values = [casadi_value(part, env) for part in condition.operands]
@@ -34,9 +33,15 @@ def switching_values(node: Node, env: Mapping[str, Any], tables: Mapping[str, Cu
             values = [casadi_value(part, env) for part in arguments]
             extreme = ca.fmin if name == "min" else ca.fmax
             yield from (values[k] - reduce(extreme, values[:k]) for k in range(1, len(values)))
-        case TableValue(table, argument):
-            x = casadi_value(argument, env)
-            yield from (x - tables[table].x[k] for k in _kinks(tables[table]))
+
+
+def knot_values(node: Node, env: Mapping[str, Any], tables: Mapping[str, CurveTable]) -> Iterator[ca.SX]:
+    """What changes sign where the tables of the expression kink: their arguments, from their points."""
+    for part in _parts(node):
+        yield from knot_values(part, env, tables)
+    if isinstance(node, TableValue):
+        x = casadi_value(node.argument, env)
+        yield from (x - tables[node.table].x[k] for k in _kinks(tables[node.table]))
 
 
 def _parts(node: Node | Condition) -> tuple[Node, ...]:

@@ -118,7 +118,8 @@ class Equations:
     own; static_residuals: beams whose shapes do not carry what is attached to them.
     load_actions: what each load does at its marker or marker b, see LoadEffect; load_spans: its `along`.
     events: by name what passes zero, and the values that inputs get then.
-    switching: (load, joint or state, value) of what changes sign where an expression jumps or kinks in time.
+    switching: (load, joint or state, value) of what changes sign where an expression jumps or kinks in time; kinks: by
+    name (load, joint or state, value) of what does where it depends on the motion.
     turnings: orientations with velocities of their own, whose columns follow those of all coordinates.
     """
 
@@ -148,6 +149,7 @@ class Equations:
     load_spans: dict[str, list[float]] = field(default_factory=dict)
     events: dict[str, tuple[ca.SX, dict[str, ca.SX]]] = field(default_factory=dict)
     switching: list[tuple[str, ca.SX]] = field(default_factory=list)
+    kinks: dict[str, tuple[str, ca.SX]] = field(default_factory=dict)
     picture: Picture = field(default_factory=lambda: Picture([], {}, {}))
     u: dict[str, ca.SX] = field(default_factory=dict)
     inputs: list[InputRecord] = field(default_factory=list)

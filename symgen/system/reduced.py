@@ -127,6 +127,7 @@ def reduced_equations(
         springs={},
         events={},
         switching=[],
+        kinks={},
         placed_columns=frozenset(
             column
             for column, coordinate in enumerate(whole.coordinates)
@@ -192,13 +193,16 @@ def _felt(equations: Equations, topology: Topology, orientations: Orientations) 
 
 
 def _tell(whole: Equations, reduced: Equations, omega: ca.SX) -> None:
-    """Actions of loads and events by the coordinates of the tree, which are shorter, where no angular velocity is."""
+    """Actions of loads, events and kinks by the shorter coordinates of the tree, where no angular velocity is."""
     for name, action in reduced.load_actions.items():
         if not ca.depends_on(ca.vertcat(*action), omega):
             whole.load_actions[name] = action
     for name, event in reduced.events.items():
         if not ca.depends_on(ca.vertcat(event[0], *event[1].values()), omega):
             whole.events[name] = event
+    for name, kink in reduced.kinks.items() if [*reduced.kinks] == [*whole.kinks] else ():
+        if not ca.depends_on(kink[1], omega):
+            whole.kinks[name] = kink
 
 
 def _turning(whole: Equations, body: str, first: int, q_dot: list[ca.SX]) -> Turning:

@@ -5,7 +5,7 @@ Expressions of a scene as the equations take them: their values, and where in ti
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,7 +15,7 @@ from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, mul, total
 from symgen.scene import SceneRecord
-from symgen.scene.switching import switching_values
+from symgen.scene.switching import knot_values, switching_values
 from symgen.system.equations import Equations, blank_equations
 
 SAME_DEPTH = 20  # down to which two expressions are compared
@@ -23,7 +23,9 @@ SAME_DEPTH = 20  # down to which two expressions are compared
 
 @dataclass(frozen=True)
 class ExpressionReader:
-    """Reads expressions of a scene; equations.switching gets what changes its sign where they jump or kink in time."""
+    """Reads expressions of a scene; equations.switching gets what changes its sign where they jump or kink in time,
+    equations.kinks what does where the motion decides.
+    """
 
     scene: SceneRecord
     equations: Equations
@@ -36,19 +38,29 @@ class ExpressionReader:
         eq = self.equations
         expression = self.scene.expression(text, item, ("t", *eq.u, *names))
         value = expression.to_casadi(environment)
-        for found in switching_values(expression.node, environment, self.scene.tables):
+        for found in switching_values(expression.node, environment):
             self.switch(owner, found)
+        for found in knot_values(expression.node, environment, self.scene.tables):
+            if not self._in_motion(found):  # there steps pass the points of a table
+                self.switch(owner, found)
         return value
 
     def switch(self, owner: str, value: ca.SX) -> None:
-        """A step may end where this passes zero, if that depends on time alone."""
+        """A step may end where this passes zero: by time alone, or by the motion."""
         eq = self.equations
-        time, motion = ca.vertcat(eq.t, *eq.u.values()), ca.vertcat(*eq.q, *eq.q_dot)
-        if ca.depends_on(value, time) and not ca.depends_on(value, motion) and not self._known(value):
+        if self._in_motion(value):
+            if not _known(value, eq.kinks.values()):
+                number = sum(one == owner for one, _ in eq.kinks.values()) + 1
+                eq.kinks[f"{owner}.kink{number}"] = owner, value
+        elif ca.depends_on(value, ca.vertcat(eq.t, *eq.u.values())) and not _known(value, eq.switching):
             eq.switching.append((owner, value))
 
-    def _known(self, value: ca.SX) -> bool:
-        return any(ca.is_equal(value, other, SAME_DEPTH) for _, other in self.equations.switching)
+    def _in_motion(self, value: ca.SX) -> bool:
+        return bool(ca.depends_on(value, ca.vertcat(*self.equations.q, *self.equations.q_dot)))
+
+
+def _known(value: ca.SX, among: Iterable[tuple[str, ca.SX]]) -> bool:
+    return any(ca.is_equal(value, other, SAME_DEPTH) for _, other in among)
 
 
 def structure_equations(scene: SceneRecord, table: ParameterTable) -> Equations:

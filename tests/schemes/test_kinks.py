@@ -1,4 +1,4 @@
-"""Loads with a kink in the motion, such as max(0, ...): what a start upon it costs schemes that linearise there."""
+"""Loads with a kink in the motion, such as max(0, ...): steps end there by themselves; what a start upon it costs."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 from runtime.contract.model import Model
+from runtime.running.simulate import simulate
+from runtime.running.stepping import ModelStepper
 from symgen.scene import Scene, SceneRecord
 from tests.support.prepared_runs import PreparedRuns
 
@@ -39,3 +41,130 @@ def test_a_start_on_a_kink(model_of: Build, scheme: str, angle: float, order: fl
     errors = [float(np.abs(runs.end(T_END, h) - wanted).max()) for h in (DT / 2, DT / 4)]
     assert errors[1] < most, errors
     assert np.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.1), errors
+
+
+# ---- kinks that the motion comes to on the way: steps end there by themselves
+
+
+def stop_of_a_rod() -> SceneRecord:
+    """A rod of 1 kg that falls from the horizontal onto an elastic stop of 2000 N m/rad at -1.2 rad."""
+    rod = Scene("stop_of_a_rod").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=1 / 12, center_of_mass=(0.5, 0))
+    rod.revolute("pin", "ground.origin", "rod.origin").measure("a", "coordinate", "rod.theta")
+    rod.torque("stop", "rod.origin", "where(a<-1.2, 2000*(-1.2-a), 0)")
+    return rod.simulation(t_end=0.6, dt=0.02, scheme="rk4", save_every=1).build()
+
+
+def stop_of_a_tip() -> SceneRecord:
+    """The same rod; its tip meets a spring that acts on one side."""
+    rod = Scene("stop_of_a_tip").gravity(0, -9.81)
+    rod.rigid("rod", mass=1.0, inertia=1 / 12, center_of_mass=(0.5, 0), markers={"tip": {"position": (1.0, 0)}})
+    rod.revolute("pin", "ground.origin", "rod.origin").measure("tipx", "x", "rod.tip")
+    rod.force("spring", "rod.tip", "-1e5*max(0,tipx-0.2)", 0.0).initial({"rod.theta": -3.0})
+    return rod.simulation(t_end=0.7, dt=0.001, scheme="rk4", save_every=1).build()
+
+
+def backlash() -> SceneRecord:
+    """Two wheels with 45 degrees of play: beyond it c (p -+ b/2) + d p', never pulling, at most twice the spring."""
+    wheels = Scene("backlash").rigid("a", mass=1.0, inertia=5.0).rigid("b", mass=1.0, inertia=1.0)
+    wheels.revolute("of_a", "ground.origin", "a.origin").revolute("of_b", "ground.origin", "b.origin")
+    wheels.measure("x", "coordinate", "a.theta").measure("y", "coordinate", "b.theta")
+    wheels.parameter("e", np.pi / 8, "rad")
+    beyond = "where({p} > e, max(0, min(2*20*({p}-e), 20*({p}-e) + 0.5*{v})), 0)"
+    law = f"{beyond.format(p='(y-x)', v='(y_dot-x_dot)')} - {beyond.format(p='(x-y)', v='(x_dot-y_dot)')}"
+    wheels.torque("lash", "b.origin", f"-({law})", reaction="a.origin")
+    wheels.torque("drive", "a.origin", "10*sin(2.5*t) - 20*x").rates({"b.theta": 3.0})
+    return wheels.simulation(t_end=4.0, dt=0.008, scheme="rk4", save_every=1).build()
+
+
+@pytest.mark.parametrize(
+    "scene, dt, order, most, lost",
+    [
+        (stop_of_a_rod, 0.005, 3.8, 2e-5, 1e-3),
+        (stop_of_a_tip, 0.00025, 3.8, 2e-5, 1e-4),
+        (backlash, 0.004, 3.9, 1e-9, 1e-6),
+    ],
+)
+def test_steps_end_at_kinks_by_themselves(
+    model_of: Build, scene: Callable[[], SceneRecord], dt: float, order: float, most: float, lost: float
+) -> None:
+    """rk4 has order 4 and tells its error to a factor 10, without a word about the kinks; crossed they cost that."""
+    model = model_of(scene())
+    ends, told = [], []
+    for h in (dt, dt / 2, dt / 32):
+        run = simulate(model, dt=h, error="measured" if h > dt / 4 else "off")
+        ends.append(run.q[-1])
+        told.append(max(run.error.at_end.values(), default=0.0))
+        assert run.status.ok and not run.events and run.stats["kinks"]
+    errors = [float(np.abs(end - ends[2]).max()) for end in ends[:2]]
+    assert np.log2(errors[0] / errors[1]) > order and errors[1] < most, errors
+    assert all(error / 10 < one < 10 * error for one, error in zip(told, errors, strict=False)), (told, errors)
+    crossed = simulate(model, dt=dt, options={"kinks": "crossed"})
+    assert float(np.abs(crossed.q[-1] - ends[2]).max()) > lost
+    owner = model.description.kinks[0]
+    assert [(one.kind, one.name) for one in crossed.events] == [("kink_crossed", owner)]
+    assert owner in crossed.events[0].text and "kinks" in crossed.events[0].text
+
+
+@pytest.mark.parametrize(
+    "scheme, order", [("exponential_rk4", 3.8), ("exponential", 3.8), ("single_rate", 1.9), ("dopri5", 4.5)]
+)
+def test_schemes_keep_their_order_across_kinks(model_of: Build, scheme: str, order: float) -> None:
+    model = model_of(backlash())
+    ends = [simulate(model, scheme=scheme, dt=h, error="off").q[-1] for h in (0.016, 0.008, 0.001)]
+    first, second = (float(np.abs(end - ends[2]).max()) for end in ends[:2])
+    assert np.log2(first / second) > order, (first, second)
+
+
+def test_a_tolerance_ends_steps_at_kinks(model_of: Build) -> None:
+    """Energy of a rod on an elastic stop, by steps of a tolerance that end at both sides of each contact."""
+    run = simulate(model_of(stop_of_a_rod()), scheme="dopri5", tolerance=1e-9, options={"error_of": "step"}, dt=0.02)
+    spring = 1000 * np.minimum(0, run["rod.theta"] + 1.2) ** 2
+    energy = run.energy["kinetic"] + run.energy["potential"] + spring
+    assert np.ptp(energy) < 1e-7 and int(run.stats["kinks"]) >= 2 and not run.events
+
+
+def sticking() -> SceneRecord:
+    """Dry friction by its sign, which sticks half of the time: the velocity comes to zero ever again."""
+    mass = Scene("sticking").rigid("m", mass=1.0, inertia=0.1).prismatic("rail", "ground.origin", "m.origin")
+    mass.measure("x", "coordinate", "m.x").force("f", "m.origin", "-3*sign(x_dot) + 2*sin(2*pi*t)", 0.0)
+    return mass.rates({"m.x": 1.0}).simulation(t_end=1.0, dt=0.001, scheme="rk4", save_every=1).build()
+
+
+@pytest.mark.parametrize("scheme, tolerance", [("exponential", None), ("dopri5", 1e-6)])
+def test_a_kink_that_comes_ever_again_is_crossed(model_of: Build, scheme: str, tolerance: float | None) -> None:
+    """The run goes on as with steps that cross it, and says so: it slides from 1 m/s, then stays."""
+    options = {"error_of": "step"} if tolerance else None
+    run = simulate(model_of(sticking()), scheme=scheme, tolerance=tolerance, options=options)
+    assert run.status.ok and [one.kind for one in run.events] == ["kink_crossed"]
+    assert np.abs(run["m.x"][run.t > 0.7] - run["m.x"][-1]).max() < 2e-3 and int(run.stats["kinks"]) < 1000
+
+
+def test_drag_of_what_stands_still_finds_no_kink(model_of: Build) -> None:
+    """abs(v) of velocities that die down to rounding: no search at every step."""
+    disc = Scene("drag").rigid("disc", mass=1.0, inertia=0.1).revolute("pin", "ground.origin", "disc.origin")
+    disc.measure("a", "coordinate", "disc.theta").torque("air", "disc.origin", "-abs(a_dot)*a_dot - 5*a - 3*a_dot")
+    disc.rates({"disc.theta": 0.5}).simulation(t_end=50.0, dt=0.005, scheme="rk4", save_every=100)
+    run = simulate(model_of(disc.build()))
+    assert run.status.name == "completed" and not run.events and int(run.stats["kinks"]) < 20
+
+
+def test_steppers_and_resumed_runs_end_steps_at_kinks(model_of: Build) -> None:
+    """The bits of the run."""
+    model = model_of(stop_of_a_rod())
+    run, stepper = simulate(model, dt=0.005), ModelStepper(model, dt=0.005)
+    for _ in range(60):
+        stepper.step()
+    kept = stepper.save()
+    stepper.step(60)
+    assert stepper.events == [] and stepper.sample.q[0, 2] == run["rod.theta"][-1]
+    stepper.restore(kept)
+    stepper.step(60)
+    assert stepper.sample.q[0, 2] == run["rod.theta"][-1]
+
+
+def test_a_scene_without_kinks_watches_nothing(model_of: Build) -> None:
+    """Conditions in time alone, and smooth loads, are no kinks: their steps have nothing of it."""
+    rod = Scene("smooth").rigid("rod", mass=1.0, inertia=0.1).revolute("pin", "ground.origin", "rod.origin")
+    rod.measure("a", "coordinate", "rod.theta").torque("drive", "rod.origin", "where(t < 1, 1, 0) - 2*sin(a)")
+    model = model_of(rod.simulation(t_end=0.1, dt=0.01, scheme="rk4").build())
+    assert model.description.kinks == [] and not model.has("events")

@@ -26,7 +26,7 @@ from runtime.running.singular.guard import NEAR
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.switching.dips import first_bracket
 from runtime.schemes.switching.event_search import first_passage
-from runtime.schemes.switching.watched import passed, quiet_until
+from runtime.schemes.switching.watched import NEVER, are_kinks, passed, quiet_until
 
 NEAREST = CLOSEST[-1]  # determinant, of the largest, down to which a change of forces is followed before the position
 LONGEST_LEAVE = 10_000  # steps that the neighbourhood of a singular position may take after it
@@ -60,7 +60,7 @@ class Over:
         plan, done, samples = self.segment.plan, self.segment.step_of(z), list[np.ndarray]()
         first, end, known = done, self._last_step(way, done), dict[int, float]()
         while True:
-            quiet = quiet_until(self.segment.plan.scheme, z) if self.segment.watches_events else np.zeros(0)
+            quiet = self._quiet(z)
             until = float(min((one for one in quiet if one > way.t), default=np.inf))
             event = way.first_event(self.segment, quiet > way.t, min(plan.time(end), until), known)
             until = until if event is None else event[0]
@@ -83,6 +83,13 @@ class Over:
                 return [*samples, z], self.happenings.status
             way = self._gone_on(way, until, integrator)
             end = self._last_step(way, first)
+
+    def _quiet(self, z: np.ndarray) -> np.ndarray:
+        """(n_e,) until when events are not looked for [s]: tight steps need not end where a load kinks."""
+        if not self.segment.watches_events:
+            return np.zeros(0)
+        scheme = self.segment.plan.scheme
+        return np.where(are_kinks(scheme), NEVER, quiet_until(scheme, z))
 
     def told(self) -> Event | None:
         """That the position was passed, where it was."""
@@ -211,7 +218,7 @@ class Way:
             times = self.t + s
             q, q_dot = self.states(times)
             at = {"q": q, "q_dot": q_dot, "t": times[:, None]}
-            found = evaluate(model.kernel("events"), at, segment.c)["events"]
+            found = evaluate(model.kernel("events"), at, segment.c)["events"][:, : len(asleep)]
             for k, value in known.items():
                 found[s == 0, k] = value  # past zero, whatever rounding makes of it
             return found

@@ -435,11 +435,11 @@ class AdaptiveSteps(StepControl):
         judge = Until(self.stage("judge", self._judge), flag["odd"], 1, usual=0)
         step: tuple[Program, ...] = (start, self.stage("attempt", self._attempt), judge)
         if "event_step" in self.layout.sizes:
-            inside = Until(
-                self.stage("look_inside", self._look_inside), self.layout.slice("event_near").start, 1, usual=0
-            )
-            look = InTurn((self.stage("look", self._look), inside))
-            step = (*step, Until(look, flag["fresh"], 1, usual=1))
+            look: tuple[Program, ...] = (self.stage("look", self._look),)
+            if self.model.description.events:
+                near = self.layout.slice("event_near").start
+                look = (*look, Until(self.stage("look_inside", self._look_inside), near, 1, usual=0))
+            step = (*step, Until(InTurn(look), flag["fresh"], 1, usual=1))
         reach = Until(InTurn(step), flag["going"], ATTEMPTS, usual=1)
         return InTurn((self.stage("aim", self._aim), reach, self.stage("show", self._show)))
 
@@ -504,13 +504,13 @@ class AdaptiveSteps(StepControl):
         motion = equations.close_well(z["q_to"], z["loop_to"], z["t_to"])
         found = self._events_at(z, equations, motion, z["v_to"])
         flag = flagged(self, z, z["event_values"], found, z["t_to"])
-        return {"event_before": z["event_values"], **next_values(z, found), **self._stopped(z, flag, NEVER)}
+        return {"event_before": z["event_values"], **next_values(self, z, found), **self._stopped(z, flag, NEVER)}
 
     def _look_inside(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """The same where one may have happened and ended within the step; the next one is not too long to tell."""
         new, h = z["event_values"], z["t_to"] - z["t_from"]
-        between = [self._events_inside(z, equations, share) for share in NODES]
-        inside = ValuesInStep([z["event_before"], *between, new])
+        values = [z["event_before"], *(self._events_inside(z, equations, share) for share in NODES), new]
+        inside = ValuesInStep([one[: len(self.model.description.events)] for one in values])
         flag, longest = flagged(self, z, new, new, z["t_to"], inside.room_for_zero()), inside.longest(h, equations.h[0])
         shorter = self.planned(z, equations, z["t_to"], longest)
         next_one = {name: ca.if_else(longest < z["h_next"], one, z[name]) for name, one in shorter.items()}
@@ -525,7 +525,7 @@ class AdaptiveSteps(StepControl):
 
     def _events_at(self, z: Fields, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
         q = equations.joined(self.charts.zeroed(motion.q_i), motion.q_d)
-        return event_outputs(equations, motion.t, q, equations.joined(v, equations.rates(motion, v)))["events"]
+        return event_outputs(self, equations, motion.t, q, equations.joined(v, equations.rates(motion, v)))["events"]
 
     def _events_inside(self, z: Fields, equations: StageEquations, share: float | ca.SX) -> ca.SX:
         """(n_e,) by the interpolant at a share of the last step."""

@@ -14,7 +14,7 @@ import numpy as np
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.switching.dips import first_bracket, looked_at
 from runtime.schemes.switching.event_search import first_passage
-from runtime.schemes.switching.watched import NEVER, passed, quiet_until
+from runtime.schemes.switching.watched import NEVER, are_kinks, passed, quiet_until
 
 Runs = Callable[[np.ndarray], None]  # one application of the program, in place
 FAR = 1e15  # steps
@@ -65,13 +65,19 @@ def _bracket(
     before, after = z[own("event_before")], z[own("event_values")]
     length = float(z[own("t_to")][0] - z[own("t_from")][0])
     between = looked_at(scheme.events_between, z[: scheme.layout.size], constants)
+    kinks = are_kinks(scheme)
 
     def values(s: np.ndarray) -> np.ndarray:
         e = between(s / length)
         e[s == 0], e[s == length] = before, after  # as they were seen while stepping
         return e
 
-    return first_bracket(lambda a, b: bool(passed(scheme, a, b, asleep)), values, reached, length)
+    found = None
+    if not kinks.all():
+        found = first_bracket(lambda a, b: bool(passed(scheme, a, b, asleep | kinks)), values, reached, length)
+    if passed(scheme, values(np.array([reached]))[0], after, asleep | ~kinks):
+        return reached, length if found is None else found[1]
+    return found
 
 
 def _made_again(scheme: AdaptiveSteps, z: np.ndarray, end: float, run: Runs) -> np.ndarray:

@@ -23,7 +23,7 @@ from runtime.schemes.switching.impulse import Impulse, may_give_impulses
 from runtime.schemes.switching.restart import Restart
 from runtime.schemes.switching.stop_program import KNOWN, StopProgram, impulse_there
 from runtime.schemes.switching.times import SwitchTime
-from runtime.schemes.switching.watched import NEVER, event_slopes, event_values, passed, quiet_until
+from runtime.schemes.switching.watched import NEVER, are_kinks, event_slopes, event_values, passed, quiet_until
 
 FAR = 128  # whole steps that are worth a call of the step program alone
 CHUNK = 256  # steps with stops whose parts are looked up at once
@@ -347,18 +347,25 @@ class _EventStep:
     ) -> tuple[float, float] | None:
         """Where on the way to `found`, so far away [s], an event that is not asleep happens first [s]."""
         scheme = self.steps.stepper.scheme
+        kinks = are_kinks(scheme)
+        bracket = (0.0, length) if passed(scheme, at(0.0), at(length), asleep) else None
+        if kinks.all():
+            return bracket
         slopes = event_slopes(scheme, *self._set_out(z, length, start))
         end = event_slopes(scheme, *self._shown(found))
         open_ = unsure(ca.DM(at(0.0)), ca.DM(slopes), ca.DM(at(length)), ca.DM(end), length)
-        if not (np.asarray(open_).ravel() * ~asleep).any():
-            return (0.0, length) if passed(scheme, at(0.0), at(length), asleep) else None
-        return first_bracket(
-            lambda a, b: bool(passed(scheme, a, b, asleep)),
+        if not (np.asarray(open_).ravel() * ~(asleep | kinks)).any():
+            return bracket
+        of_events = first_bracket(
+            lambda a, b: bool(passed(scheme, a, b, asleep | kinks)),
             lambda s: np.array([at(float(one)) for one in s]),
             0.0,
             length,
             seen=1,
         )
+        if passed(scheme, at(0.0), at(length), asleep | ~kinks):
+            return 0.0, length if of_events is None else of_events[1]
+        return of_events
 
     def _jumped(self, z: np.ndarray, before: float, after: float) -> bool:
         """What jumps between two clocks [s]: an impulse, and events that pass zero just there. Does one end the run?"""

@@ -161,11 +161,12 @@ class StopProgram:
         seen = values_at(self.scheme, state, self.scheme.equations(with_steps(self.scheme, state, c, dt), fields))
         by_jump = flagged(self.scheme, fields, fields["event_values"], seen["events"], seen["t"])
         sooner = ca.logic_or(fields["event_step"] < NEVER, by_jump)
+        slopes = fields["event_slopes"]
         return {
             **fields,
             "event_values": seen["events"],
             "event_change": ca.SX.ones(seen["events"].numel()) * NEVER,
-            "event_slopes": seen["slopes"],
+            "event_slopes": seen["slopes"][: slopes.numel()] if slopes.numel() else slopes,
             "event_step": ca.if_else(sooner, ca.fmin(event_before, fields["n"]), event_before),
         }
 

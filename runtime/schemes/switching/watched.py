@@ -1,6 +1,8 @@
 """Events in the state of a scheme: their values after the last step, and the first step in which one passed zero.
 
 An event with a cool-down is not looked for until `event_quiet`, the time at which that of its last happening is over.
+Where a load kinks by the motion is watched as events are, behind those that the scene declares: steps end there. Kinks
+are seen by the ends of steps alone; what events do between them is looked at, see dips.py.
 """
 
 from __future__ import annotations
@@ -11,6 +13,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from runtime.contract.records import EventRecord
 from runtime.engine.program import Fields, Program, Sequence, Until
 from runtime.schemes.scheme import Scheme, direct
 from runtime.schemes.stage_equations import StageEquations
@@ -25,14 +28,39 @@ def watch_events(scheme: Scheme) -> None:
 
     event_change: by what values changed in the last step; steps of a tolerance end where an event is flagged.
     """
-    events = scheme.model.description.events
+    events = watched_events(scheme)
     if not events or watches(scheme):
         return
     sizes = {"event_values": len(events), "event_step": 1, "event_change": len(events), "event_near": 1}
-    sizes |= {"event_before" if scheme.adaptive else "event_slopes": len(events)}
-    if any(event.cool_down for event in events):
+    declared = len(scheme.model.description.events)
+    sizes |= {"event_before": len(events)} if scheme.adaptive else {"event_slopes": declared}
+    if any(event.cool_down for event in events) or locates_kinks(scheme):
         sizes["event_quiet"] = len(events)
     scheme.keep_account(sizes)
+
+
+def locates_kinks(scheme: Scheme) -> bool:
+    """Do steps end where a load kinks by the motion?"""
+    return bool(scheme.model.description.kinks) and scheme.options.kinks == "located"
+
+
+def watched_events(scheme: Scheme) -> list[EventRecord]:
+    """Those that the scene declares, and behind them the kinks of its loads, by unique names."""
+    declared, owners = scheme.model.description.events, scheme.model.description.kinks
+    if not locates_kinks(scheme):
+        return declared
+    kinks = [EventRecord(f"{owner}, kink {owners[:k].count(owner) + 1}", "either") for k, owner in enumerate(owners)]
+    return [*declared, *kinks]
+
+
+def are_kinks(scheme: Scheme) -> np.ndarray:
+    """(n_e,) which of the watched events are kinks of loads."""
+    return np.arange(len(watched_events(scheme))) >= len(scheme.model.description.events)
+
+
+def sleep(scheme: Scheme, z: np.ndarray, k: int, until: float) -> None:
+    """Kink k is not looked for until then [s], in z (n_z,)."""
+    z[scheme.layout.slice("event_quiet")][k] = until
 
 
 def watches(scheme: Scheme) -> bool:
@@ -74,7 +102,8 @@ def begin_events(scheme: Scheme, z: np.ndarray, c: np.ndarray, shown: np.ndarray
         z[scheme.layout.slice("event_values")] = event_values(scheme, z if shown is None else shown, c)
         z[scheme.layout.slice("event_step")] = z[scheme.layout.slice("event_change")] = NEVER
         if "event_slopes" in scheme.layout.sizes:
-            z[scheme.layout.slice("event_slopes")] = event_slopes(scheme, z, c)
+            slopes = scheme.layout.slice("event_slopes")
+            z[slopes] = event_slopes(scheme, z, c)[: slopes.stop - slopes.start]
 
 
 def all_awake(scheme: Scheme, z: np.ndarray) -> None:
@@ -86,7 +115,7 @@ def all_awake(scheme: Scheme, z: np.ndarray) -> None:
 def cool_down(scheme: Scheme, z: np.ndarray, happened: list[int], t: float) -> None:
     """These events have happened at t [s], the time of z (n_z,)."""
     if "event_quiet" in scheme.layout.sizes:
-        quiet, events = z[scheme.layout.slice("event_quiet")], scheme.model.description.events
+        quiet, events = z[scheme.layout.slice("event_quiet")], watched_events(scheme)
         for k in happened:
             quiet[k] = t + events[k].cool_down if events[k].cool_down else -NEVER
 
@@ -95,36 +124,42 @@ def quiet_until(scheme: Scheme, z: np.ndarray) -> np.ndarray:
     """(n_e,) until when events are not looked for [s]."""
     if "event_quiet" in scheme.layout.sizes:
         return z[scheme.layout.slice("event_quiet")]
-    return np.full(len(scheme.model.description.events), -NEVER)
+    return np.full(len(watched_events(scheme)), -NEVER)
 
 
 def with_events(scheme: Scheme, program: Program) -> Program:
     """A major step, and a look at the events where z has their fields; steps of a tolerance look themselves."""
     if not watches(scheme) or scheme.adaptive:
         return program
+    declared = len(scheme.model.description.events)
 
     def looked(z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         seen = values_at(scheme, scheme.layout.pack(z), equations)
         flag = flagged(scheme, z, z["event_values"], seen["events"], seen["t"])
-        step, looks = ca.fmin(z["event_step"], ca.if_else(flag, z["n"], NEVER)), next_values(z, seen["events"])
-        return {**looks, "event_step": step, "event_slopes": z["event_slopes"] * looks["event_near"]}
+        step = ca.fmin(z["event_step"], ca.if_else(flag, z["n"], NEVER))
+        looks = next_values(scheme, z, seen["events"])
+        slopes = {"event_slopes": z["event_slopes"] * looks["event_near"]} if declared else {}
+        return {**looks, **slopes, "event_step": step}
 
     def bent(z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        seen, new = values_at(scheme, scheme.layout.pack(z), equations), z["event_values"]
-        dip = dips(new - z["event_change"], z["event_slopes"], new, seen["slopes"], equations.h[0])
-        flag = flagged(scheme, z, new, new, seen["t"], dip)
+        seen, values = values_at(scheme, scheme.layout.pack(z), equations), z["event_values"]
+        new, change, slopes = values[:declared], z["event_change"][:declared], seen["slopes"][:declared]
+        dip = dips(new - change, z["event_slopes"], new, slopes, equations.h[0])
+        flag = flagged(scheme, z, values, values, seen["t"], dip)
         step = ca.fmin(z["event_step"], ca.if_else(flag, z["n"], NEVER))
-        return {"event_slopes": seen["slopes"], "event_step": step}
+        return {"event_slopes": slopes, "event_step": step}
 
+    looking = Sequence((program, scheme.stage("events", looked)))
+    if not declared:
+        return looking
     near = scheme.layout.slice("event_near").start
-    slopes = Until(scheme.stage("event_slopes", bent), near, 1, usual=0)
-    return Sequence((program, scheme.stage("events", looked), slopes))
+    return Sequence((*looking.parts, Until(scheme.stage("event_slopes", bent), near, 1, usual=0)))
 
 
-def next_values(z: Fields, new: ca.SX) -> dict[str, ca.SX]:
-    """The fields of values (n_e,) after a step. Only of those that may come to zero soon more is looked at."""
-    change, near = new - z["event_values"], ca.SX(0)
-    for e, now, before in zip(*map(ca.vertsplit, (new, change, z["event_change"])), strict=True):
+def next_values(scheme: Scheme, z: Fields, new: ca.SX) -> dict[str, ca.SX]:
+    """The fields of values (n_e,) after a step. Only of events that may come to zero soon more is looked at."""
+    change, near, declared = new - z["event_values"], ca.SX(0), len(scheme.model.description.events)
+    for e, now, before in [*zip(*map(ca.vertsplit, (new, change, z["event_change"])), strict=True)][:declared]:
         near = ca.fmax(near, ca.fabs(e) <= SOON * ca.fmax(ca.fabs(now), ca.fabs(before)))
     return {"event_values": new, "event_change": change, "event_near": near}
 
@@ -132,12 +167,12 @@ def next_values(z: Fields, new: ca.SX) -> dict[str, ca.SX]:
 def flagged(scheme: Scheme, z: Fields, old: ca.SX, new: ca.SX, t: ca.SX, between: ca.SX | None = None) -> ca.SX:
     """Does an event whose cool-down is over by t pass zero between two sets of values (n_e,)?
 
-    between (n_e,): may it there and back? See dips.py.
+    between: may it there and back?, of those that the scene declares; see dips.py.
     """
     found = ca.SX(0)
-    for k, event in enumerate(scheme.model.description.events):
+    for k, event in enumerate(watched_events(scheme)):
         one = passes(old[k], new[k], event.direction)
-        one = one if between is None else ca.fmax(one, between[k])
+        one = one if between is None else ca.fmax(one, between[k] if k < between.numel() else 0)
         found = ca.fmax(found, one * (t > z["event_quiet"][k]) if "event_quiet" in z else one)
     return found > 0
 
@@ -150,7 +185,7 @@ def passes(old: Any, new: Any, direction: str) -> Any:
 
 def passed(scheme: Scheme, old: np.ndarray, new: np.ndarray, asleep: np.ndarray | None = None) -> list[int]:
     """Which events happen between two sets of values (n_e,); asleep (n_e,): those that do not."""
-    events = scheme.model.description.events
+    events = watched_events(scheme)
     found = [k for k, event in enumerate(events) if passes(old[k], new[k], event.direction)]
     return found if asleep is None else [k for k in found if not asleep[k]]
 
@@ -161,14 +196,21 @@ def values_at(scheme: Scheme, z: ca.SX, equations: StageEquations) -> dict[str, 
     q, q_dot, q_ddot = (equations.joined(seen[f"q_i{end}"], seen[f"q_d{end}"]) for end in ("", "_dot", "_ddot"))
     here, along = ca.vertcat(q, q_dot, seen["t"]), ca.vertcat(q_dot, q_ddot, 1)
     at = ca.SX.sym("at", here.numel())
-    found = event_outputs(equations, at[-1], at[: q.numel()], at[q.numel() : -1])
+    found = event_outputs(scheme, equations, at[-1], at[: q.numel()], at[q.numel() : -1])
     rates = {"slopes": "events", "drifts": "actions"}
     found |= {rate: ca.densify(ca.jtimes(found[name], at, along)) for rate, name in rates.items() if name in found}
     new = ca.substitute(list(found.values()), [at], [here])
     return {**dict(zip(found, new, strict=True)), "t": seen["t"]}
 
 
-def event_outputs(equations: StageEquations, t: ca.SX, q: ca.SX, q_dot: ca.SX) -> dict[str, ca.SX]:
-    """`events` (n_e,), and `actions` where there are any, at all coordinates and rates (n,)."""
+def event_outputs(scheme: Scheme, equations: StageEquations, t: ca.SX, q: ca.SX, q_dot: ca.SX) -> dict[str, ca.SX]:
+    """`events` (n_e,), and `actions` where there are any, at all coordinates and rates (n,).
+
+    A kink without a value there, as that of a root beyond its end, is none.
+    """
     found = equations.model.evaluate("events", q=q, q_dot=q_dot, t=t, c=equations.c)
-    return {name: ca.densify(value) for name, value in found.items()}
+    values, declared = ca.vertsplit(ca.densify(found["events"])), len(scheme.model.description.events)
+    kinks = [ca.if_else(ca.fabs(e) < NEVER, e, 1) for e in values[declared : len(watched_events(scheme))]]
+    return {name: ca.densify(value) for name, value in found.items()} | {
+        "events": ca.vertcat(*values[:declared], *kinks)
+    }

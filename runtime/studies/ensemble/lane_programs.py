@@ -24,6 +24,7 @@ from runtime.schemes.scheme import LARGEST, Scheme
 from runtime.schemes.stepper import start_there
 from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.stop_program import StopProgram
+from runtime.schemes.switching.watched import watched_events
 from runtime.start.quasi_static import MAX_STEPS, PASSES, elastic_residual, leading, positions, settles, settling
 from runtime.studies.ensemble.account import FIELDS, LaneAccount, looked
 from runtime.studies.ensemble.observation import Observation
@@ -47,7 +48,7 @@ class LanePrograms:
         self._observation = Observation(model, scheme, question.outputs)
         self._account = LaneAccount(scheme, reduced, self._length)
         extra = self._prepared.z_size - scheme.layout.size
-        stops = may_jump(model) and not model.description.events  # whose cases are run by themselves
+        stops = may_jump(model) and not watched_events(scheme)  # whose cases are run by themselves
         impulses = bool(moves_in_time(model) and model.q_d and model.has("energy"))
         self.stops = StopProgram(scheme, self._prepared, impulses) if stops else None
         sizes = {} if self.stops is None else {f"stop_{name}": n for name, n in self.stops.layout.sizes.items()}

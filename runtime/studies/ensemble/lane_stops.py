@@ -17,6 +17,7 @@ from runtime.schemes.switching.impulse import may_give_impulses
 from runtime.schemes.switching.steps_with_stops import parts_of
 from runtime.schemes.switching.stop_program import KNOWN
 from runtime.schemes.switching.times import switching_times
+from runtime.schemes.switching.watched import watched_events
 from runtime.studies.ensemble.starts import Starts
 
 
@@ -29,7 +30,7 @@ class LaneStops:
     def __init__(self, plan: Plan, starts: Starts, part: tuple[str, ...]) -> None:
         model, cases = plan.scheme.model, len(starts.close)
         self._plan, self.part = plan, part
-        self.alone = np.full(cases, bool(model.description.events))
+        self.alone = np.full(cases, bool(watched_events(plan.scheme)))
         self.clocks = np.full(cases, plan.t0)
         self._parts, self._of = [np.zeros((len(part), 0))], np.zeros(cases, dtype=int)
         if part and not self.alone.all():
