@@ -62,8 +62,6 @@ FIELDS_OF_TOLERANCE = (
     ("a_to", "n_i", "mixed", "q_i_ddot there"),
     ("loop_dot_to", "loops", "mixed", "rates of the loop unknowns there"),
     ("X", "n_i x n_s", "SI", "M_hat^-1 B at the start of the step"),
-    ("A", "n_i x n_s", "SI", "derivatives of q_i_ddot by q_i along X Lambda^-1 there"),
-    ("A_v", "n_i x n_s", "SI", "derivatives of q_i_ddot by q_i_dot along X Lambda^-1 there"),
     ("b1", "n_i", "mixed", "accelerations beside the stiff part: a_from + b1 tau + b2 tau^2 / 2"),
     ("b2", "n_i", "mixed", "their second derivative"),
     ("q_low", "n_i", "mixed", "smallest q_i so far, at the ends of steps"),

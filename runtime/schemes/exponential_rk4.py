@@ -3,7 +3,7 @@
 Stiff deflections s = B^T q_i (n_s of them: modes, springs between coordinates) have a stiffness K and a damping D. At
 the start of a step one solution with 1 + n_s right-hand sides gives
 
-    a_n,   X = M_hat^-1 B,   Lambda = B^T X.
+    a_n,   X = M_hat^-1 B.
 
 stiff_motion.py follows the stiff part exactly, beside accelerations a_n + b1 tau + b2 tau^2/2 of the rest. Stages of
 Krogstad (2005), with d_i the accelerations at stage i less a_n and less what the stiff part accounts for:
@@ -14,8 +14,8 @@ Krogstad (2005), with d_i the accelerations at stage i less a_n and less what th
 Without stiff deflections it is an explicit Runge-Kutta method of order 4.
 
 The embedded estimate of the error is nearly free: the end less Y4, which follows the stiff part in one sub-step that
-damps where the end takes two, so that it sees modes that are not resolved. A rejected step keeps a_n, X and the
-tangent. The polynomial a_n + b1 tau + b2 tau^2/2 that leads to the end leads to any time before it, with an error of
+damps where the end takes two, so that it sees modes that are not resolved. A rejected step keeps a_n and X.
+The polynomial a_n + b1 tau + b2 tau^2/2 that leads to the end leads to any time before it, with an error of
 h^4 in q_i_dot.
 """
 
@@ -32,7 +32,7 @@ from runtime.contract.model import Model
 from runtime.engine.program import Fields
 from runtime.schemes.linear_propagation import polynomial
 from runtime.schemes.one_step import Attempt, Method
-from runtime.schemes.options import MOST_UNROLLED, AdaptiveOptions, Options, one_of, whole_number
+from runtime.schemes.options import MOST_UNROLLED, AdaptiveOptions, Options, whole_number
 from runtime.schemes.scheme import StateField, state
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, StiffResponse, stiff_directions
 from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
@@ -47,14 +47,9 @@ class ExponentialRungeKuttaOptions(AdaptiveOptions):
     """closure_iterations: Newton steps on the loop unknowns in each evaluation, from a guess that is right to h^3.
 
     tolerance, error_of: see AdaptiveOptions.
-
-    linearisation: what the exponentials hold of the deflections: `stiffness`, the constant K and D of the model, or
-        `tangent`, the derivative of the accelerations along X Lambda^-1 at the start of the step, where the momentum of
-        the other coordinates is held: for undamped motion over very many steps.
     """
 
     closure_iterations: int = whole_number(2, most=MOST_UNROLLED)
-    linearisation: str = one_of("stiffness", "tangent")
 
 
 @dataclass(frozen=True)
@@ -86,22 +81,9 @@ def krogstad(
     return KrogstadStages(middle, before, motion.to(2, b1, b2), motion.all_of(b1), motion.all_of(b2))
 
 
-def tangent_of(
-    options: ExponentialRungeKuttaOptions,
-    equations: StageEquations,
-    start: ClosedConfiguration,
-    v: ca.SX,
-    found: StiffResponse,
-) -> tuple[ca.SX, ca.SX] | None:
-    """(A, A_v) along X Lambda^-1 where the exponentials hold the tangent; None where they hold K and D."""
-    if options.linearisation != "tangent" or not found.B.shape[1]:
-        return None
-    return equations.directional_derivatives(start, v, found.along(ca.SX.eye(found.B.shape[1])))
-
-
-def along_tree(model: Model, options: ExponentialRungeKuttaOptions) -> bool:
+def along_tree(model: Model) -> bool:
     """Are there so many deflections along a tree that no matrix of them is formed?"""
-    return options.linearisation == "stiffness" and model.has("shifted_solution")
+    return model.has("shifted_solution")
 
 
 def motion_along_tree(
@@ -129,13 +111,11 @@ class ExponentialRungeKutta(Method):
         return limit_beside_deflections(A_q, A_v, stiff_directions(self.model), IMAGINARY_REACH, REAL_REACH)
 
     def method_fields(self) -> dict[str, StateField]:
-        """X = M_hat^-1 B, the polynomial of the accelerations, rates of the loop unknowns, and the tangent."""
+        """X = M_hat^-1 B, the polynomial of the accelerations, and rates of the loop unknowns."""
         n, n_s = stiff_directions(self.model).shape
-        n_s = 0 if along_tree(self.model, self.options) else n_s
-        tangent = {"A": n * n_s, "A_v": n * n_s} if self.options.linearisation == "tangent" and n_s else {}
+        n_s = 0 if along_tree(self.model) else n_s
         sizes = {
             "X": n * n_s,
-            **tangent,
             **dict.fromkeys(("loop_dot", "loop_bend"), len(self.model.loop_unknowns)),
             "b1": n,
             "b2": n,
@@ -147,15 +127,11 @@ class ExponentialRungeKutta(Method):
         t = self.time_in_step(z, ca.SX(0), 0)
         start = equations.close(z["q_from"], z["loop_from"], t, self.options.closure_iterations)
         rates = equations.loop_part(equations.rates(start, z["v_from"]))
-        if along_tree(self.model, self.options):
+        if along_tree(self.model):
             return start, equations.accelerations(start, z["v_from"]), {"loop_dot": rates, "loop_bend": rates}  # none
         found = equations.stiff_response(start, z["v_from"])
         bends = equations.loop_accelerations(start, z["v_from"], found.a)
-        fields = {"loop_dot": rates, "loop_bend": bends, "X": ca.vec(ca.densify(found.X))}
-        tangent = tangent_of(self.options, equations, start, z["v_from"], found)
-        if tangent is not None:
-            fields |= {"A": ca.vec(tangent[0]), "A_v": ca.vec(tangent[1])}
-        return start, found.a, fields
+        return start, found.a, {"loop_dot": rates, "loop_bend": bends, "X": ca.vec(ca.densify(found.X))}
 
     def attempted(self, z: Fields, equations: StageEquations, h: ca.SX) -> Attempt:
         """Three evaluations."""
@@ -181,12 +157,11 @@ class ExponentialRungeKutta(Method):
         return stage.q, self.velocities_at(z, equations, tau, stage.q, stage.v)
 
     def _motion(self, z: Fields, equations: StageEquations, h: ca.SX) -> StiffMotion | StiffTreeMotion:
-        if along_tree(self.model, self.options):
+        if along_tree(self.model):
             t = self.time_in_step(z, ca.SX(0), 0)
             start = equations.close(z["q_from"], z["loop_from"], t, self.options.closure_iterations)
             return motion_along_tree(equations, start, z["q_from"], z["v_from"], z["a_from"], h)
         stiff = equations.deflections()
         n, n_s = stiff.B.shape
         found = StiffResponse(stiff.B, stiff.K, stiff.D, z["a_from"], ca.reshape(z["X"], n, n_s))
-        tangent = (ca.reshape(z["A"], n, n_s), ca.reshape(z["A_v"], n, n_s)) if "A" in z else None
-        return StiffMotion(z["q_from"], z["v_from"], found, h, tangent, halves=tangent is not None)
+        return StiffMotion(z["q_from"], z["v_from"], found, h)

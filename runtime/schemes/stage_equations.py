@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import casadi as ca
 import numpy as np
@@ -155,19 +154,6 @@ class StageEquations:
         found = self.call("shifted_solution", q_i=motion.q_i, q_d=motion.q_d, t=motion.t, shift=shift, push=push)
         return Number(found["x_re"], None if force.im is None else found["x_im"])
 
-    def directional_derivatives(self, motion: ClosedConfiguration, q_i_dot: ca.SX, along: ca.SX) -> tuple[ca.SX, ca.SX]:
-        """Derivatives of q_i_ddot by q_i (q_d following) and by q_i_dot along columns, n_i x any."""
-        q, v = ca.SX.sym("q", len(self.model.q_i)), ca.SX.sym("v", len(self.model.q_i))
-        a = self.chart_accelerations(self.close(q, self.loop_part(motion.q_d), motion.t, 1), v)
-
-        def derivative(by: ca.SX) -> ca.SX:
-            columns = [ca.jtimes(a, by, column) for column in ca.horzsplit(ca.densify(along))]
-            return ca.densify(ca.horzcat(*columns))
-
-        old, new = ca.vertcat(q, v), ca.vertcat(motion.q_i, q_i_dot)
-        by_q, by_v = ca.substitute([derivative(q), derivative(v)], [old], [new])
-        return by_q, by_v
-
     def joined(self, independent: ca.SX, dependent: ca.SX) -> ca.SX:
         """A vector in the order of the model's coordinates, from its parts."""
         return joined(self.model, independent, dependent)
@@ -273,17 +259,6 @@ class StiffResponse(StiffDeflections):
 
     a: ca.SX
     X: ca.SX
-
-    @cached_property
-    def Lambda(self) -> ca.SX:
-        """B^T X (n_s x n_s)."""
-        return ca.mtimes(self.B.T, self.X)
-
-    def along(self, change: ca.SX) -> ca.SX:
-        """X Lambda^-1 change: what q_i does when the deflections change so and nothing else is pushed; n_s x any."""
-        factors = factor(Number(self.Lambda), symmetric=True)
-        columns = [solve(factors, Number(ca.densify(column))).re for column in ca.horzsplit(change)]
-        return ca.mtimes(self.X, ca.horzcat(*columns))
 
 
 def stiff_directions(model: Model) -> np.ndarray:

@@ -1,7 +1,6 @@
 """The motion of a mechanism whose stiff deflections are followed exactly while the rest accelerates as a polynomial.
 
-With w = s - s_n of s = B^T q and g = a_n + b1 tau + b2 tau^2/2 + ..., it is, A = -X K, A_v = -X D (the stiffness of the
-deflections) or any other (the tangent),
+With w = s - s_n of s = B^T q and g = a_n + b1 tau + b2 tau^2/2 + ..., it is, with A = -X K and A_v = -X D,
 
     q'' = g + A w + A_v (w' - w'_n).
 
@@ -76,8 +75,8 @@ class MotionStage:
 class StiffMotion:
     """Motions from the start (x, v) of a step of h [s], with what they share.
 
-    tangent: (A, A_v), n_i x n_s each; None for those of the constant stiffness and damping. halves: never go through
-    both halves of a step at once: undamped motion that is not resolved keeps its energy better over very many steps.
+    halves: never go through both halves of a step at once: undamped motion that is not resolved keeps its energy better
+    over very many steps.
     decaying: modes that are not resolved die out, and one set of matrices serves the whole step and its half, where
     the approximation is of order 5 only.
     """
@@ -88,14 +87,11 @@ class StiffMotion:
         v: ca.SX,
         found: StiffResponse,
         h: ca.SX,
-        tangent: tuple[ca.SX, ca.SX] | None = None,
         halves: bool = False,
         decaying: bool = False,
     ) -> None:
         self.x, self.v, self.a, self.B, self.h = x, v, found.a, found.B, h
-        if tangent is None:
-            tangent = -ca.mtimes(found.X, found.K), -ca.mtimes(found.X, found.D)
-        self.A, self.A_v = (ca.sparsify(one) for one in tangent)
+        self.A, self.A_v = (ca.sparsify(-ca.mtimes(found.X, one)) for one in (found.K, found.D))
         self.J, self.J_v = (ca.sparsify(ca.mtimes(found.B.T, one)) for one in (self.A, self.A_v))
         self.rate, self._none = ca.mtimes(found.B.T, v), ca.SX.zeros(found.B.shape[1])
         self.decaying, self.whole = decaying, decaying or (not halves and found.B.shape[1] <= FEW)

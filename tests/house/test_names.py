@@ -54,8 +54,7 @@ def fields_of_z(model: Model) -> set[str]:
         if "order" in kind.options.names():
             choices.append({"order": 5})
         if kind.adaptive is not None:
-            tangent = {"linearisation": "tangent"} if name == "exponential_rk4" else {}
-            choices += [{"tolerance": 1e-3}, {"tolerance": 1e-3, **tangent}]
+            choices.append({"tolerance": 1e-3})
         for options in choices:
             scheme = kind.build(name, model, 1.0, None, options)
             watch_events(scheme)

@@ -175,33 +175,6 @@ def test_the_limit_is_that_of_the_rest(model_of: Build) -> None:
     assert amplitudes[0] < 2 < 1e6 < amplitudes[1]
 
 
-def test_tangents_hold_undamped_motion(model_of: Build) -> None:
-    """Largest growth a step over 120 values of H w, the slow oscillator at H w_L = 0.2 and strongly coupled."""
-    model = model_of(with_stiff(SCENES["two_oscillators"](), "x_S"))
-    largest = {}
-    for word in ("stiffness", "tangent"):
-        scheme = scheme_kind(NAME).build(NAME, model, 1.0, None, {"linearisation": word})
-        tangent, growth = TangentStep(scheme), 0.0
-        for reach in np.geomspace(2.0, 200.0, 120):
-            p = model.parameter_vector({"c": 0.6, "w": reach / 0.2, "k_L": 1.0, "zeta": 0.0})
-            c = scheme.constants(model.constants(p), 0.2)
-            z = np.asarray(scheme.starter(0.0, np.zeros(2), np.zeros(2), np.zeros(0), c)).ravel()
-            growth = max(growth, float(np.log(radius(tangent(z, c)[1]))))
-        largest[word] = growth
-    assert largest["tangent"] < 1e-10 < 1e-9 < largest["stiffness"], largest
-
-
-@pytest.mark.parametrize("name", ["modal damping", "time-dependent load"])
-def test_tangents_keep_the_order(model_of: Build, name: str) -> None:
-    """Slope and cap as with the constant stiffness, with a loop and with forces that depend on velocity and time."""
-    case = CASES[name]
-    model = model_of(case.scene())
-    exact = PreparedRuns(model, "dop853", start=case.start).end(case.t_end, case.dt / 64)
-    runs = PreparedRuns(model, NAME, options={"linearisation": "tangent"}, start=case.start)
-    errors = [float(np.max(np.abs(runs.end(case.t_end, step) - exact))) for step in (case.dt, case.dt / 4)]
-    assert errors[1] < case.cap and 3.0 < np.log(errors[0] / errors[1]) / np.log(4.0) < 5.0, errors
-
-
 @pytest.mark.parametrize("scene", [chain(5, 2), spatial_chain(2, 4)], ids=["plane", "space"])
 def test_shifted_solutions_along_a_tree(scene: SceneRecord, monkeypatch: pytest.MonkeyPatch) -> None:
     """(M_hat + B (kappa K + delta D) B^T) x = B f for complex shifts and forces, by the dense matrices."""
