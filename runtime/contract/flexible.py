@@ -67,12 +67,15 @@ def polynomials(rows: Sequence[Sequence[float]]) -> ShapeFunctions:
     return ShapeFunctions(np.array(rows, dtype=float).T, np.zeros(0), np.zeros((0, 4, len(rows))))
 
 
+_GAUSS = np.polynomial.legendre.leggauss(12)
+
+
 def gauss_points(panels: int, end: float = 1.0) -> tuple[Array, Array]:
     """Points and weights on [0, end]: 12 Gauss points in each of `panels` parts.
 
     A product of two waves of at most half a period a part is integrated to rounding.
     """
-    points, weights = np.polynomial.legendre.leggauss(12)
+    points, weights = _GAUSS
     size = end / panels
     starts = size * np.arange(panels)[:, None]
     return (starts + 0.5 * size * (1.0 + points)).ravel(), np.tile(0.5 * size * weights, panels)

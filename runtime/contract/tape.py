@@ -403,7 +403,7 @@ def renumbered(node: Node, number: Mapping[int, int], argument: Mapping[int, int
         return node
     if node.op == ca.OP_INPUT:
         return Node(node.op, argument[node.a], node.b, 0.0)
-    return node._replace(a=number[node.a], b=UNUSED if node.b == UNUSED else number[node.b])
+    return Node(node.op, number[node.a], UNUSED if node.b == UNUSED else number[node.b], node.value)
 
 
 class _Once:

@@ -20,7 +20,7 @@ from runtime.contract.coordinates import charts_in
 from runtime.contract.model import Model
 from runtime.contract.status import StatusName
 from runtime.contract.tape import arithmetic, shared
-from runtime.engine.program import Call, Fields, Layout, Program, make_stage
+from runtime.engine.program import LONG, Call, Fields, Layout, Program, make_stage
 from runtime.engine.rows import Direct
 from runtime.schemes.charts import Charts
 from runtime.schemes.options import ClosureOptions, Grid, Options, SchemeError
@@ -304,7 +304,9 @@ class Scheme(ABC):
         if self.model.q_d:
             a_d = equations.dependent_accelerations(motion, v, a)
         q_i, q_d = self.charts.zeroed(motion.q_i), self.charts.zeroed_dependent(motion.q_d)
-        outputs = shared([motion.t, q_i, q_d, v, v_d, a, a_d])
+        outputs = [motion.t, q_i, q_d, v, v_d, a, a_d]
+        if ca.n_nodes(ca.vertcat(*outputs)) <= LONG:  # sharing takes a time that grows faster than the length
+            outputs = shared(outputs)
         return ca.Function("observe", [z, c], [ca.densify(output) for output in outputs], ["z", "c"], list(OBSERVED))
 
 
