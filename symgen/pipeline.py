@@ -64,8 +64,8 @@ from symgen.kernels.kernel import Kernel, arguments_of
 from symgen.kernels.specification import specification
 from symgen.scene import SceneError, SceneRecord
 from symgen.system.build import System, build_system
+from symgen.system.constraint import DerivationError
 from symgen.system.equations import Equations
-from symgen.system.errors import DerivationError
 from symgen.system.topology import Topology
 from symgen.tapes.hoisting import TapesOnDemand, hoist, unhoisted
 

@@ -9,6 +9,7 @@ import casadi as ca
 from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg, sub
 
 Vector = list[ca.SX]
+Matrix = list[Vector]  # rows, or columns
 Columns = Sequence[Sequence[ca.SX]]
 
 

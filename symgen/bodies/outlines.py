@@ -8,8 +8,7 @@ from dataclasses import dataclass, field
 import casadi as ca
 import numpy as np
 
-from symgen.algebra.vectors import Vector
-from symgen.bodies.spatial_moments import Matrix
+from symgen.algebra.vectors import Matrix, Vector
 from symgen.scene import BeamBody, SceneRecord
 
 BEAM_FRACTIONS = tuple(float(at) for at in np.linspace(0.0, 1.0, 17))

@@ -15,10 +15,10 @@ import numpy as np
 
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import ZERO, add, entries, mul, neg
-from symgen.algebra.vectors import Vector, plus, scaled, zeros
+from symgen.algebra.vectors import Matrix, Vector, plus, scaled, zeros
 from symgen.bodies.beam_sets import ModeSets, mesh_name, mode_sets, set_choices
 from symgen.bodies.shape_integrals import modal_impedance
-from symgen.bodies.spatial_moments import Matrix, SpatialIntegrals, SpatialPoint
+from symgen.bodies.spatial_moments import SpatialIntegrals, SpatialPoint
 from symgen.modes.spatial_beam import TORSION, SpatialBeam, SpatialBeamPoint, spatial_beam
 from symgen.scene import BeamBody
 

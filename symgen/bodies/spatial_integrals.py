@@ -13,9 +13,9 @@ import numpy as np
 from runtime.contract.records import Bound
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import add, entries, mul, neg
-from symgen.algebra.vectors import Vector, scaled, zeros
+from symgen.algebra.vectors import Matrix, Vector, scaled, zeros
 from symgen.bodies.spatial_beam_body import beam_spatial_point, spatial_beam_integrals, square
-from symgen.bodies.spatial_moments import Matrix, SpatialIntegrals, SpatialPoint
+from symgen.bodies.spatial_moments import SpatialIntegrals, SpatialPoint
 from symgen.scene import (
     BeamBody,
     BeamMarker,

@@ -18,6 +18,7 @@ import sympy as sp
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub, total
 from symgen.algebra.vectors import (
+    Matrix,
     Vector,
     axial,
     combination,
@@ -32,8 +33,6 @@ from symgen.algebra.vectors import (
     zeros,
 )
 from symgen.bodies import spatial_template as t
-
-Matrix = list[Vector]
 
 
 @dataclass(frozen=True)

@@ -8,40 +8,17 @@ F = (L / 6 EI) [[2, -1], [-1, 2]].
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy.linalg import eigh
 
 from symgen.bodies.beam_sets import mode_sets
 from symgen.modes import BeamModes
 from symgen.scene import BeamBody, SceneRecord, lateral_ends
+from symgen.scene.attachments import StaticResidual
 
 EXACT = np.array([[2.0, -1.0], [-1.0, 2.0]]) / 6.0  # for L = EI = 1
 LOADED = {"welded-welded": [0, 1], "welded-pinned": [0], "pinned-welded": [1]}  # which of M_0, M_L the ends carry
 WORTH_A_WORD = 1e-3
-
-
-@dataclass(frozen=True)
-class StaticResidual:
-    """A beam whose shapes of one plane do not carry what is attached to it.
-
-    asked: the `ends` that the joints and loads at its ends ask for. share: part of the bending energy of the worst
-    end loads that the shapes miss, 0 to 1.
-    """
-
-    body: str
-    plane: str
-    ends: str
-    modes: int
-    asked: str
-    share: float
-
-    def __str__(self) -> str:
-        return (
-            f"{self.body}.{self.plane}: {self.modes} {self.ends} shapes miss {100 * self.share:.2g} % of the static "
-            f"bending energy of what its ends carry; leave ends out ({self.asked}), or ask for more modes"
-        )
 
 
 def static_residuals(scene: SceneRecord) -> list[StaticResidual]:

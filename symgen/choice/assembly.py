@@ -20,8 +20,8 @@ from runtime.contract.orientations import angle_names, parameter_rates
 from symgen.algebra.parameters import ParameterTable
 from symgen.choice.elimination import constraint_jacobian
 from symgen.system.build import System
+from symgen.system.constraint import DerivationError
 from symgen.system.equations import Equations
-from symgen.system.errors import DerivationError
 
 MOST_STEPS = 30  # of Newton's method for the place of a body
 PLACED = 1e-12  # error of the rows of a joint, relative to the place

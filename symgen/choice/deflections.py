@@ -16,8 +16,8 @@ import casadi as ca
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE
 from symgen.choice.elimination import Elimination
+from symgen.system.constraint import DerivationError
 from symgen.system.equations import Equations
-from symgen.system.errors import DerivationError
 
 
 @dataclass(frozen=True)

@@ -21,8 +21,8 @@ import casadi as ca
 import numpy as np
 
 from symgen.system.build import System
+from symgen.system.constraint import DerivationError
 from symgen.system.equations import Equations
-from symgen.system.errors import DerivationError
 
 PIVOT_THRESHOLD = 0.1  # of the largest entry: lets a later body's coordinate be dependent rather than the crank's
 RANK_TOLERANCE = 1e-9

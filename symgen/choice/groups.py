@@ -7,8 +7,8 @@ from fnmatch import fnmatchcase
 
 from runtime.contract.records import Group
 from symgen.system.build import RequestedGroup, System
+from symgen.system.constraint import DerivationError
 from symgen.system.equations import Equations
-from symgen.system.errors import DerivationError
 
 
 def choose_groups(system: System, independent: list[int]) -> list[Group]:

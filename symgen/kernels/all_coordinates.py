@@ -12,7 +12,7 @@ from symgen.choice.elimination import constraint_jacobian
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.loops import solve_transposed
 from symgen.kernels.kernel import Kernel
-from symgen.system.constraint_rows import ConstraintRow
+from symgen.system.constraint import ConstraintRow
 from symgen.system.equations import Equations, matrix_times
 
 

@@ -33,7 +33,7 @@ from symgen.kernels.deflection_kernels import deflection_kernels
 from symgen.kernels.jacobians import jacobian_kernels
 from symgen.kernels.kernel import Arguments, Kernel, arguments_of, shortest
 from symgen.kernels.specification import block_signals, substep_name
-from symgen.system.errors import DerivationError
+from symgen.system.constraint import DerivationError
 from symgen.system.topology import Topology
 
 TREES_ONLY = {

@@ -41,8 +41,7 @@ from symgen.condensed.variations import (
     variations,
 )
 from symgen.kernels.kernel import Arguments, Kernel, shortest
-from symgen.system.equations import Equations
-from symgen.system.frames.fields import Direction
+from symgen.system.equations import Direction, Equations
 
 FEW_DIRECTIONS = 8  # independent coordinates up to which derivatives along each are tried
 

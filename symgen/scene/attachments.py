@@ -7,6 +7,7 @@ An end carries a force, a moment, both or nothing, in each plane of bending. Tha
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from functools import partial
 from typing import NamedTuple, TypeVar
 
@@ -154,3 +155,25 @@ def _axis(own: int, scene: SceneParts, reference: str) -> tuple[float, ...] | No
     if own == Y and x is not None:
         return (z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0])
     return (x, None, z)[own]
+
+
+@dataclass(frozen=True)
+class StaticResidual:
+    """A beam whose shapes of one plane do not carry what is attached to it.
+
+    asked: the `ends` that the joints and loads at its ends ask for. share: part of the bending energy of the worst
+    end loads that the shapes miss, 0 to 1.
+    """
+
+    body: str
+    plane: str
+    ends: str
+    modes: int
+    asked: str
+    share: float
+
+    def __str__(self) -> str:
+        return (
+            f"{self.body}.{self.plane}: {self.modes} {self.ends} shapes miss {100 * self.share:.2g} % of the static "
+            f"bending energy of what its ends carry; leave ends out ({self.asked}), or ask for more modes"
+        )

@@ -22,10 +22,9 @@ from symgen.loads.load import Scalar
 from symgen.scene import BeamBody, SceneRecord
 from symgen.system.joint_templates import JointCoordinate
 from symgen.system.spring_template import SpringForce, evaluate
-from symgen.system.structure import ExpressionReader
+from symgen.system.structure import ExpressionReader, Read
 
 HIGHEST = 6  # power of a polynomial along a beam
-Read = Callable[[float | str, str, Mapping[str, ca.SX]], ca.SX]  # an expression, its item, its local names
 
 
 class BeamPoints(Protocol):

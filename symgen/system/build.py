@@ -9,19 +9,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from runtime.contract.consistent_state import GivenValues
+from runtime.contract.doors import opened
 from symgen.algebra.parameters import ParameterTable
-from symgen.bodies.beam_sets import set_records
-from symgen.bodies.static_residual import static_residuals
 from symgen.scene import BeamBody, InitialValue, SceneRecord, SpatialModalBody, with_ends
 from symgen.system.equations import Equations, blank_equations
 from symgen.system.mechanism import Mechanism
 from symgen.system.orientations import Orientations, orientations_of
-from symgen.system.planar import PlanarSpace
-from symgen.system.reduced import reduced_equations
 from symgen.system.signals import input_units
-from symgen.system.spatial import SpatialSpace
 from symgen.system.structure import structure_equations
 from symgen.system.topology import Topology, topology_of
+
+SPACES = {"planar": "symgen.system.planar:PlanarSpace", "spatial": "symgen.system.spatial:SpatialSpace"}
 
 
 @dataclass(frozen=True)
@@ -108,7 +106,9 @@ def build_system(scene: SceneRecord) -> System:
     equations.measure_units |= input_units(scene)
     spatial = scene.structure is None and scene.space == "spatial"
     orientations = orientations_of(scene, topology) if spatial else Orientations()
-    reduced = reduced_equations(scene, table, equations, topology, orientations) if spatial else equations
+    reduced = equations
+    if spatial:
+        reduced = opened("symgen.system.reduced:reduced_equations")(scene, table, equations, topology, orientations)
     return System(equations, reduced, table, topology, requested_by(scene), orientations)
 
 
@@ -117,11 +117,14 @@ def _equations(scene: SceneRecord, table: ParameterTable, topology: Topology) ->
     if scene.structure is not None:
         return structure_equations(scene, table)
     equations = blank_equations(scene)
-    equations.static_residuals = static_residuals(scene)
-    exact = [body for body in scene.bodies if isinstance(body, BeamBody) and body.lumped_elements is None]
-    equations.beams = {body.name: set_records(body) for body in exact}
-    if scene.space == "planar":
-        return Mechanism(scene, table, PlanarSpace(scene, table), equations, topology).equations
+    beams = [body for body in scene.bodies if isinstance(body, BeamBody)]
+    if beams:
+        equations.static_residuals = opened("symgen.bodies.static_residual:static_residuals")(scene)
+        set_records, exact = (
+            opened("symgen.bodies.beam_sets:set_records"),
+            (b for b in beams if b.lumped_elements is None),
+        )
+        equations.beams = {body.name: set_records(body) for body in exact}
     equations.flexible = [body.name for body in scene.bodies if isinstance(body, SpatialModalBody)]
-    space = SpatialSpace(scene, table, equations, topology)
+    space = opened(SPACES[scene.space])(scene, table, equations, topology)
     return Mechanism(scene, table, space, equations, topology).equations

@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 import casadi as ca
 import sympy as sp
 
-from runtime.contract.records import ROW_UNITS, Constraint, ConstraintKind
 from symgen.algebra.rows import Row, add_scaled, add_to, nonzero
 from symgen.algebra.scalar import ONE, ZERO, dot, mul, neg, sub
 from symgen.algebra.vectors import Vector, cross, minus, quaternion_product, scaled, zeros
@@ -18,6 +17,7 @@ from symgen.bodies.spatial_body import SpatialBody, SpatialMarker, fixed_quatern
 from symgen.joints import JOINTS
 from symgen.joints.joint import Joint, Slide, Turn
 from symgen.system import joint_templates as s
+from symgen.system.constraint import ConstraintRow, Motion
 from symgen.system.joint_templates import (
     JointCoordinates,
     JointTemplate,
@@ -28,34 +28,7 @@ from symgen.system.joint_templates import (
     spatial_template,
 )
 
-Motion = Sequence[ca.SX]  # f, f', f'' of a quantity of a joint
-STILL: Motion = (ZERO, ZERO, ZERO)
 ON_B = tuple(f"{part}_{axis}" for part in ("r_b", "turn_b") for axis in "xyz")
-
-
-@dataclass(frozen=True)
-class ConstraintRow:
-    """One row of the constraints: C, C_q by column, C_t, gamma; label `joint.row`, row without the joint.
-
-    joint: the joint's name, empty for the unit length of a body's Euler parameters. on_b: dC by a displacement and a
-    rotation of marker b (planar: x, y, angle; spatial: x, y, z and about them); the joint acts on body b with -lam
-    times that, at marker b. text: C as pages say it.
-    """
-
-    label: str
-    joint: str
-    kind: ConstraintKind
-    C: ca.SX
-    C_q: Row
-    C_t: ca.SX
-    gamma: ca.SX
-    on_b: tuple[ca.SX, ...]
-    text: str = ""
-
-    @property
-    def record(self) -> Constraint:
-        """What the row is, without its expressions."""
-        return Constraint(self.label, self.joint, self.kind, ROW_UNITS[self.kind])
 
 
 @dataclass(frozen=True)
@@ -189,24 +162,6 @@ def sliding_rows(
             ConstraintRow(label, name, "distance", across.value - deflection, nonzero(C_q), ZERO, gamma, on_b, text)
         )
     return rows
-
-
-def combined(name: str, rows: Sequence[ConstraintRow], factors: Sequence[ca.SX], constant: ca.SX) -> ConstraintRow:
-    """The row sum of factors times rows = constant, of the coupling `name`; it acts on marker b of the first."""
-    C_q: Row = {}
-    for row, factor in zip(rows, factors, strict=True):
-        add_scaled(C_q, factor, row.C_q)
-    return ConstraintRow(
-        f"{name}.ratio",
-        name,
-        rows[0].kind,
-        sub(dot(factors, [row.C for row in rows]), constant),
-        nonzero(C_q),
-        ZERO,
-        dot(factors, [row.gamma for row in rows]),
-        tuple(mul(factors[0], value) for value in rows[0].on_b),
-        " + ".join(f"a_{k} {row.label}" for k, row in enumerate(rows, start=1)) + " = constant",
-    )
 
 
 def unit_length(body: SpatialBody) -> ConstraintRow:

@@ -16,13 +16,22 @@ from runtime.contract.records import Coordinate, InputRecord, ModeSetRecord
 from symgen.algebra.rows import Row, add_scaled, add_to
 from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
 from symgen.bodies.outlines import Picture
-from symgen.bodies.static_residual import StaticResidual
 from symgen.loads.load import LinearSpring
 from symgen.scene import SceneRecord
-from symgen.system.constraint_rows import ConstraintRow
-from symgen.system.frames.fields import Direction
+from symgen.scene.attachments import StaticResidual
+from symgen.system.constraint import ConstraintRow
 from symgen.system.orientations import Turning
 from symgen.system.signals import input_records, input_symbols
+
+
+@dataclass(frozen=True)
+class Direction:
+    """dx_c/dx_i of each coordinate, and its first two derivatives in time, by column; column: of x_i."""
+
+    column: int
+    S: Row
+    S_dot: Row
+    S_ddot: Row
 
 
 @dataclass(frozen=True)

@@ -30,12 +30,10 @@ from symgen.scene import BeamBody, BeamMarker, SceneRecord, SpatialModalBody
 from symgen.scene.flexible import ALL_GAUGES
 from symgen.scene.measures import Measure, SectionForceMeasure, StressMeasure
 from symgen.schema.fields import Scope
-from symgen.system.acting import Read
-from symgen.system.constraint_rows import ConstraintRow, Motion, combined
+from symgen.system.constraint import ConstraintRow, DerivationError, Motion, combined
 from symgen.system.equations import Equations, Rotor
-from symgen.system.errors import DerivationError
 from symgen.system.signals import motion_derivatives
-from symgen.system.structure import ExpressionReader
+from symgen.system.structure import ExpressionReader, Read
 from symgen.system.topology import Topology
 
 

@@ -23,7 +23,7 @@ from symgen.algebra.rows import nonzero
 from symgen.algebra.scalar import ONE, ZERO, div, dot, mul, neg
 from symgen.algebra.vectors import Vector, identity, quaternion_product, scaled, zeros
 from symgen.scene import SceneRecord
-from symgen.system.constraint_rows import ConstraintRow
+from symgen.system.constraint import ConstraintRow
 from symgen.system.topology import Topology
 
 AXES = "xyz"

@@ -30,10 +30,13 @@ from symgen.joints.joint import Slide
 from symgen.loads import Load
 from symgen.loads.load import LinearSpring, LoadEffect
 from symgen.scene import BeamBody, SceneRecord
-from symgen.system.acting import PlanarActing, Read, turn_between
-from symgen.system.constraint_rows import STILL, ConstraintRow, LocalPlace, Motion, holding, planar_rows, sliding_rows
+from symgen.system.acting import PlanarActing, turn_between
+from symgen.system.constraint import STILL, ConstraintRow, Motion
+from symgen.system.constraint_rows import LocalPlace, holding, planar_rows, sliding_rows
+from symgen.system.equations import Equations
 from symgen.system.mechanism import Spin, frictions
-from symgen.system.structure import ExpressionReader
+from symgen.system.structure import ExpressionReader, Read
+from symgen.system.topology import Topology
 
 
 class PlanarSpace:
@@ -41,7 +44,7 @@ class PlanarSpace:
 
     axes = "xy"
 
-    def __init__(self, scene: SceneRecord, table: ParameterTable) -> None:
+    def __init__(self, scene: SceneRecord, table: ParameterTable, equations: Equations, topology: Topology) -> None:
         self.scene, self.table = scene, table
         self.bodies = {"ground": PlanarBody("ground", BodyCoordinates.ground(), None)}
         self._markers: dict[str, MarkerMotion] = {}

@@ -21,10 +21,9 @@ from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ONE, ZERO, add, neg
 from symgen.algebra.vectors import Vector
 from symgen.scene import SceneRecord
-from symgen.system.equations import Equations, Rotor
+from symgen.system.equations import Direction, Equations, Rotor
 from symgen.system.frames.aba import floats, free_joint_accelerations
 from symgen.system.frames.crba import mass_rows
-from symgen.system.frames.fields import Direction
 from symgen.system.frames.loop_derivatives import LoopForce, LoopRates, tied_changes
 from symgen.system.frames.rnea import floating_forces, inverse_dynamics, lone_hinges, own_wrenches
 from symgen.system.frames.rnea_derivatives import force_changes, has_force_changes

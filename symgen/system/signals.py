@@ -8,7 +8,7 @@ import casadi as ca
 
 from runtime.contract.records import RATES, InputRecord
 from symgen.scene import SceneRecord
-from symgen.system.errors import DerivationError
+from symgen.system.constraint import DerivationError
 
 
 def input_records(scene: SceneRecord) -> list[InputRecord]:

@@ -26,12 +26,10 @@ from symgen.joints.joint import Turn
 from symgen.loads import Load
 from symgen.loads.load import LinearSpring, LoadEffect, Scalar
 from symgen.scene import BeamBody, SceneRecord
-from symgen.system.acting import Read, SpatialActing, angle_about_z, axis_of, gradient
+from symgen.system.acting import SpatialActing, angle_about_z, axis_of, gradient
+from symgen.system.constraint import STILL, ConstraintRow, Motion
 from symgen.system.constraint_rows import (
-    STILL,
-    ConstraintRow,
     LocalPlace,
-    Motion,
     coordinate_row,
     holding,
     placing_rows,
@@ -42,7 +40,7 @@ from symgen.system.constraint_rows import (
 from symgen.system.equations import Equations
 from symgen.system.joint_templates import JointCoordinate, JointCoordinates
 from symgen.system.mechanism import Spin, frictions
-from symgen.system.structure import ExpressionReader
+from symgen.system.structure import ExpressionReader, Read
 from symgen.system.topology import Topology
 
 

@@ -5,7 +5,7 @@ Expressions of a scene as the equations take them: their values, and where in ti
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,6 +17,9 @@ from symgen.algebra.scalar import ZERO, mul, total
 from symgen.scene import SceneRecord
 from symgen.scene.switching import knot_values, switching_values
 from symgen.system.equations import Equations, blank_equations
+
+Read = Callable[[float | str, str, Mapping[str, ca.SX]], ca.SX]  # an expression, its item, its local names
+
 
 SAME_DEPTH = 20  # down to which two expressions are compared
 

@@ -15,13 +15,14 @@ import numpy as np
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO
+from symgen.algebra.vectors import Matrix
 from symgen.bodies.outlines import Picture
 from symgen.bodies.spatial_body import SpatialBody, SpatialMarker
 from symgen.bodies.spatial_integrals import spatial_point
 from symgen.bodies.spatial_moments import Deformation, SpatialPoint
 from symgen.joints import Joint
 from symgen.scene import SceneRecord
-from symgen.system.constraint_rows import ConstraintRow, Motion
+from symgen.system.constraint import ConstraintRow, Motion
 from symgen.system.equations import Equations
 from symgen.system.frames.linkage import links_of
 from symgen.system.frames.loop_derivatives import LoopRates, MarkerWay
@@ -29,7 +30,6 @@ from symgen.system.frames.moves import Ball, MarkerNode
 from symgen.system.frames.paths import Path
 from symgen.system.frames.rnea_derivatives import LoopCurvature
 from symgen.system.frames.skeleton import Skeleton
-from symgen.system.frames.spatial_algebra import Matrix
 from symgen.system.frames.tree import GROUND, FrameTree
 from symgen.system.orientations import Orientations, Turning
 from symgen.system.spatial import SpatialSpace

@@ -28,7 +28,7 @@ from runtime.contract.tape import (
     uses,
 )
 from symgen.kernels.kernel import Kernel
-from symgen.system.errors import DerivationError
+from symgen.system.constraint import DerivationError
 from symgen.tapes.expansion import shorter_form
 from symgen.tapes.graph import Graph, without_negations
 

@@ -32,6 +32,7 @@ from symgen.algebra.vectors import (
     times,
     zeros,
 )
+from symgen.system.equations import Direction
 from symgen.system.frames.moves import JointNode, MarkerNode, Node, unit
 from symgen.system.frames.spatial_algebra import Force, FrameMotion, Motion
 
@@ -155,23 +156,14 @@ def turned(twist: Motion, wrench: Force) -> Force:
     return Force(cross(twist.omega, wrench.f), plus(cross(twist.omega, wrench.n), cross(twist.v, wrench.f)))
 
 
-@dataclass(frozen=True)
-class Direction:
-    """dx_c/dx_i of each coordinate, and its first two derivatives in time, by column; column: of x_i."""
-
-    column: int
-    S: Row
-    S_dot: Row
-    S_ddot: Row
-
-    def along(self, parts: Sequence[FieldPart]) -> Field:
-        """The field of a frame that has these parts."""
-        turning, moving = (zeros(), zeros(), zeros()), (zeros(), zeros(), zeros())
-        for part in parts:
-            s, s1, s2 = (share_of(part, row) for row in (self.S, self.S_dot, self.S_ddot))
-            turning = _added(turning, part.field.turning, s, s1, s2)
-            moving = _added(moving, part.field.moving, s, s1, s2)
-        return Field(turning, moving)
+def field_along(direction: Direction, parts: Sequence[FieldPart]) -> Field:
+    """The field of a frame that has these parts, as a direction moves them."""
+    turning, moving = (zeros(), zeros(), zeros()), (zeros(), zeros(), zeros())
+    for part in parts:
+        s, s1, s2 = (share_of(part, row) for row in (direction.S, direction.S_dot, direction.S_ddot))
+        turning = _added(turning, part.field.turning, s, s1, s2)
+        moving = _added(moving, part.field.moving, s, s1, s2)
+    return Field(turning, moving)
 
 
 def share_of(part: FieldPart, row: Row) -> ca.SX:

@@ -15,11 +15,11 @@ from dataclasses import dataclass
 import casadi as ca
 
 from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
-from symgen.algebra.vectors import Vector, cross, plus, scaled, zeros
+from symgen.algebra.vectors import Matrix, Vector, cross, plus, scaled, zeros
 from symgen.joints.joint import Slide as SlideOf
 from symgen.joints.joint import Turn as TurnOf
 from symgen.system.frames.moves import JointNode, Move
-from symgen.system.frames.spatial_algebra import SE3, Matrix
+from symgen.system.frames.spatial_algebra import SE3
 from symgen.system.joint_templates import JointCoordinate, JointCoordinates
 
 STRAIGHT = 0.02  # sine of the angle between two axes below which their common normal may be far away

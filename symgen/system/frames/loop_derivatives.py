@@ -32,16 +32,8 @@ from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg
 from symgen.algebra.vectors import Vector, cross, negative, plus, times, zeros
 from symgen.bodies.spatial_moments import Deformation
-from symgen.system.frames.fields import (
-    Change,
-    Direction,
-    Field,
-    FieldPart,
-    MoveState,
-    joint_parts,
-    share_of,
-    turned,
-)
+from symgen.system.equations import Direction
+from symgen.system.frames.fields import Change, Field, FieldPart, MoveState, field_along, joint_parts, share_of, turned
 from symgen.system.frames.moves import JointNode, MarkerNode, Node
 from symgen.system.frames.paths import Path
 from symgen.system.frames.rnea_derivatives import BendChanges, ForceSweep, Subtree, parts_of
@@ -289,7 +281,7 @@ class _Sums:
             seen = self._seated(seen, ends[0])
         else:
             seen.forces = [(end.own.end.r, end.force) for end in ends if isinstance(end.own.end, JointNode)]
-        fields = [direction.along(seen.parts) for direction in self._directions]
+        fields = [field_along(direction, seen.parts) for direction in self._directions]
         if closed:
             fields = self._closed(fields, ends[0])
         self._contract(seen, fields, self._powers(seen, fields, closed))
@@ -311,7 +303,7 @@ class _Sums:
         for known, direction in zip(fields, self._directions, strict=True):
             v, v1, v2 = (
                 [dot(axis, end.other.path.along(vector)) for axis in end.own.path.axes]
-                for vector in direction.along(other.parts).moving
+                for vector in field_along(direction, other.parts).moving
             )
             found.append(Field(known.turning, (v, v1, v2)))
         return found

@@ -23,6 +23,7 @@ import casadi as ca
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg
 from symgen.algebra.vectors import (
+    Matrix,
     Vector,
     combination,
     cross,
@@ -42,7 +43,6 @@ from symgen.system.frames.spatial_algebra import (
     FrameMotion,
     Inertia,
     Mass,
-    Matrix,
     MomentArm,
     Motion,
     WorldFrame,

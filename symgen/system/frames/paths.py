@@ -12,12 +12,10 @@ import casadi as ca
 
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, ZERO, neg
-from symgen.algebra.vectors import Vector, combination, cross, plus, scaled, zeros
+from symgen.algebra.vectors import Matrix, Vector, combination, cross, plus, scaled, zeros
 from symgen.bodies.spatial_body import SpatialMarker, fixed_quaternion
 from symgen.bodies.spatial_moments import Bent
 from symgen.bodies.spatial_orientation import Orientation
-
-Matrix = list[Vector]
 
 
 @dataclass(frozen=True)

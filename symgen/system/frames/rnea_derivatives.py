@@ -37,6 +37,7 @@ import casadi as ca
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg, sub, total
 from symgen.algebra.vectors import (
+    Matrix,
     Vector,
     axial,
     combination,
@@ -69,7 +70,6 @@ from symgen.system.frames.spatial_algebra import (
     Force,
     FrameMotion,
     Inertia,
-    Matrix,
     Motion,
     both_turned_back,
     gather,

@@ -16,9 +16,19 @@ from typing import TypeVar
 import casadi as ca
 
 from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg, sub
-from symgen.algebra.vectors import Vector, cross, identity, minus, plus, product, scaled, times, transposed_times, zeros
-
-Matrix = list[Vector]
+from symgen.algebra.vectors import (
+    Matrix,
+    Vector,
+    cross,
+    identity,
+    minus,
+    plus,
+    product,
+    scaled,
+    times,
+    transposed_times,
+    zeros,
+)
 
 
 @dataclass(frozen=True)

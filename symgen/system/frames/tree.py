@@ -20,10 +20,10 @@ import casadi as ca
 
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
-from symgen.algebra.vectors import Vector, combination, cross, plus, scaled, zeros
+from symgen.algebra.vectors import Matrix, Vector, combination, cross, plus, scaled, zeros
 from symgen.bodies.spatial_moments import SpatialIntegrals, SpatialMoments
 from symgen.system.frames.moves import Move, Node
-from symgen.system.frames.spatial_algebra import SE3, Force, FrameMotion, Inertia, Matrix, traced
+from symgen.system.frames.spatial_algebra import SE3, Force, FrameMotion, Inertia, traced
 
 
 @dataclass(frozen=True)
