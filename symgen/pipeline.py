@@ -46,7 +46,7 @@ from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.records import BoundedQuantity, FunctionSpec, Group, Parameter
 from runtime.contract.tape import Tape, no_collection
 from symgen.choice.assembly import ConstraintNumbers, assembled
-from symgen.choice.deflections import deflections_of
+from symgen.choice.deflections import choose_groups, deflections_of
 from symgen.choice.elimination import (
     Elimination,
     choose_loops,
@@ -55,7 +55,6 @@ from symgen.choice.elimination import (
     row_scales,
     structural_pivots,
 )
-from symgen.choice.groups import choose_groups
 from symgen.condensed.condensation import Condensed, condense
 from symgen.condensed.forward_dynamics import NoInertia
 from symgen.kernels.all_coordinates import geometry

@@ -25,10 +25,10 @@ STATIONS = tuple(float(at) for at in np.linspace(0.0, 1.0, 17))  # where the lar
 Force = Callable[[str, float], ca.SX]  # (kind of section force, fraction of the length) -> [N] or [N m]
 
 
-def beam_stress(body: BeamBody, force: Force, places: Sequence[float], table: ParameterTable) -> ca.SX:
-    """The largest von Mises stress [Pa] at the fractions `places` of the length."""
+def beam_stress(body: BeamBody, force: Force, places: Sequence[float] | None, table: ParameterTable) -> ca.SX:
+    """The largest von Mises stress [Pa] at the fractions `places` of the length, or at all stations."""
     found = ca.SX(SMALLEST)
-    for at in places:
+    for at in places or STATIONS:
         found = ca.fmax(found, _square(body, {kind: _part(body, force, kind, at) for kind in KNOWN_BY}, table))
     return ca.sqrt(found)
 

@@ -24,9 +24,8 @@ import scipy.linalg as la
 import scipy.sparse as sp
 
 from runtime.contract.records import packed
-from symgen.fe.interfaces import Interface
 from symgen.fe.static import Solve, held_solve
-from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, FiniteElementError
+from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, FiniteElementError, Interface
 from symgen.modes.cleaning import RELATIVE_ZERO, Array, clean, fixed, symmetric
 
 DUST = 1e-9  # entries below this share of what they could be are round-off of the mode shapes

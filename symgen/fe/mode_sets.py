@@ -14,9 +14,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from symgen.fe.inertia import linear_fields
-from symgen.fe.interfaces import Interface, check_apart, spider
 from symgen.fe.static import Solve, held_solve, inertia_relief, lowest_modes, rayleigh_ritz, signed
-from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, FiniteElementError, Integers
+from symgen.fe.structure import (
+    AXES,
+    RIGID_MOTIONS,
+    FEStructure,
+    FiniteElementError,
+    Integers,
+    Interface,
+    check_apart,
+    spider,
+)
 from symgen.modes.cleaning import Array
 
 MODE_SETS = ("free", "fixed_interface", "mixed")

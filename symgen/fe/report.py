@@ -14,10 +14,9 @@ import numpy as np
 import scipy.linalg as la
 import scipy.sparse as sp
 
-from symgen.fe.interfaces import Interface
 from symgen.fe.mode_sets import ModeSet
 from symgen.fe.static import factorised, lowest_modes
-from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, FiniteElementError
+from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, FiniteElementError, Interface
 from symgen.modes.cleaning import Array
 
 ROUND_OFF = 1e4 * np.finfo(np.float64).eps  # strain energy below this share of its terms is none

@@ -11,6 +11,7 @@ from functools import partial
 
 import casadi as ca
 
+from runtime.contract.doors import opened
 from runtime.contract.records import Group
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, dot
@@ -29,8 +30,6 @@ from symgen.kernels.all_coordinates import (
     reactions,
     switching,
 )
-from symgen.kernels.deflection_kernels import deflection_kernels
-from symgen.kernels.jacobians import jacobian_kernels
 from symgen.kernels.kernel import Arguments, Kernel, arguments_of, shortest
 from symgen.kernels.specification import block_signals, substep_name
 from symgen.system.constraint import DerivationError
@@ -45,6 +44,9 @@ FULLY_DRIVEN = (
     "closure", "velocities", "accelerations", "constraints", "reactions", "energy", "measures", "poses", "load_forces",
     "load_actions", "switching",
 )  # fmt: skip
+
+
+JACOBIANS = ("dQ_hat_dq_i", "dQ_hat_dq_i_dot", "residual_jacobian")
 
 
 def known_kernels(system: Condensed, builders: Collection[str], wanted: frozenset[str] | None) -> frozenset[str]:
@@ -79,10 +81,11 @@ def kernel_builders(
         builders["events"] = partial(events, system)
     if system.equations.switching:
         builders["switching"] = partial(switching, system)
-    builders |= jacobian_kernels(system, arguments)
+    builders |= {name: partial(_jacobian, name, system, arguments) for name in JACOBIANS}
     tree, deflections = is_tree(system, topology), system.deflections
     if deflections is not None:
-        builders |= deflection_kernels(system, topology, arguments, deflections, tree)
+        further = opened("symgen.kernels.deflection_kernels:deflection_kernels")
+        builders |= further(system, topology, arguments, deflections, tree)
     if tree:
         builders["forward_dynamics"] = lambda: _forward_dynamics(system, topology, arguments)
     if len(groups) > 1:
@@ -129,6 +132,12 @@ def _condensed(system: Condensed, a: Arguments) -> Kernel:
         if M_hat[k, k].is_zero():
             raise NoInertia(column)
     return Kernel(inputs, {"M_hat": M_hat, "Q_hat": system.generalised_force({})})
+
+
+def _jacobian(name: str, system: Condensed, a: Arguments) -> Kernel:
+    """One of `JACOBIANS`."""
+    found: Kernel = opened("symgen.kernels.jacobians:jacobian_kernels")(system, a)[name]()
+    return found
 
 
 def _forward_dynamics(system: Condensed, topology: Topology, a: Arguments) -> Kernel:

@@ -21,10 +21,20 @@ from runtime.contract.flexible import (
     slope_size,
     stretching_shapes,
 )
-from symgen.modes import elements as fe
+from symgen.modes import mesh as fe
 from symgen.modes.cleaning import Array, clean, fixed, symmetric
-from symgen.modes.elements import axial_flexibility, check_rigid_modes, free_vibration, lateral_flexibility, normalised
-from symgen.modes.mesh import UniformModes, centred_positions, check_fraction, locate, mesh_for
+from symgen.modes.mesh import (
+    UniformModes,
+    axial_flexibility,
+    centred_positions,
+    check_fraction,
+    check_rigid_modes,
+    free_vibration,
+    lateral_flexibility,
+    locate,
+    mesh_for,
+    normalised,
+)
 
 # Ends -> node motions that are not elastic modes (held deflections, or rigid motions).
 LATERAL_ENDS = {

@@ -20,7 +20,15 @@ from symgen.scene.bodies import (
     TorsionModes,
 )
 from symgen.scene.builder import Scene
-from symgen.scene.flexible import FlexibleMarker, FlexibleStiffening, SpatialModalBody, Structure
+from symgen.scene.flexible import (
+    FlexibleMarker,
+    FlexibleStiffening,
+    Foreshortening,
+    ModalBody,
+    ModalMarker,
+    SpatialModalBody,
+    Structure,
+)
 from symgen.scene.measures import (
     CoordinateMeasure,
     MarkerMeasure,
@@ -28,10 +36,7 @@ from symgen.scene.measures import (
     SectionForceMeasure,
     StressMeasure,
 )
-from symgen.scene.modal import Foreshortening, ModalBody, ModalMarker
-from symgen.scene.parameters import DeclaredInput, DeclaredParameter, DeclaredState
-from symgen.scene.parts import AnyBody, AnyMarker, Body
-from symgen.scene.placing import Placement
+from symgen.scene.parts import AnyBody, AnyMarker, Body, DeclaredInput, DeclaredParameter, DeclaredState, Placement
 from symgen.scene.scene import SceneRecord
 from symgen.scene.simulation import (
     Baumgarte,

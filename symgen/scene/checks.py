@@ -17,13 +17,11 @@ from numpy.typing import NDArray
 
 from symgen.scene.attachments import with_ends
 from symgen.scene.bodies import BeamBody, GroundBody, RigidBody
-from symgen.scene.flexible import SpatialModalBody
-from symgen.scene.modal import ModalBody
+from symgen.scene.flexible import ModalBody, SpatialModalBody
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import SECTIONS, item_path
 from symgen.schema.errors import SceneError, did_you_mean, raise_all
-from symgen.schema.expression_values import table_name
-from symgen.schema.expressions import RESERVED, parse_expression
+from symgen.schema.expressions import RESERVED, parse_expression, table_name
 from symgen.schema.fields import Bound, Fault, Meaning, Scope, StrictModel, components_fault, quantities, sized
 
 

@@ -1,13 +1,28 @@
-"""What a scene consists of, and its accessors; nothing here is checked across parts."""
+"""What a scene consists of, and its accessors; nothing here is checked across parts.
+
+Which joints of a spatial scene place a body by coordinates of their own.
+
+Along a spanning tree from the ground, a joint that fixes an orientation up to its own angles gives them as coordinates:
+body b then follows in closed form from body a and the joint, over any number of turns and without a singular angle.
+Joints that close loops stay equations between the bodies; a joint that is none without its coordinates, a screw, comes
+before those that could.
+
+Parameters: named run-time inputs of the emitted functions.
+
+States: numbers of controllers, filters and actuators that follow first-order equations of their own.
+
+Inputs: named numbers that come from outside during a run, arguments u of the emitted functions.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property, reduce
 from operator import or_
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Protocol, Self
 
-from pydantic import Field
+from pydantic import AfterValidator, Field
 
 from runtime.contract.orientations import angle_names, is_sequence
 from runtime.contract.records import UNITS, Coordinate, CoordinateKind
@@ -16,17 +31,154 @@ from symgen.joints import JOINTS, Joint
 from symgen.joints.joint import Slide, Turn
 from symgen.loads import LOADS, Load
 from symgen.scene.bodies import BeamBody, BeamMarker, GroundBody, RigidBody, RigidMarker
-from symgen.scene.flexible import FlexibleMarker, SpatialModalBody, Structure
+from symgen.scene.flexible import FlexibleMarker, ModalBody, ModalMarker, SpatialModalBody, Structure
 from symgen.scene.measures import Measure
-from symgen.scene.modal import ModalBody, ModalMarker
-from symgen.scene.parameters import DeclaredInput, DeclaredParameter, DeclaredState
-from symgen.scene.placing import Placement, placements_of
 from symgen.scene.simulation import Baumgarte, DeclaredEvent, Initial, Partition, Simulation
 from symgen.scene.tables import CurveTable
 from symgen.schema.errors import SceneError, did_you_mean
-from symgen.schema.expression_values import table_name
-from symgen.schema.expressions import Expression, parse_expression
-from symgen.schema.fields import Meaning, Name, Quantity, StrictModel, Text
+from symgen.schema.expressions import Expression, parse_expression, table_name
+from symgen.schema.fields import Flag, Meaning, Name, Number, Quantity, Scope, StrictModel, Text, refuse
+
+
+class DeclaredParameter(StrictModel):
+    """A number that stays an input of the emitted functions.
+
+    ``default`` is in SI units (``unit`` names them for people). Expressions use the parameter by its name.
+    """
+
+    default: Number
+    unit: Text = ""
+    description: Text = ""
+
+
+class DeclaredState(StrictModel):
+    """s' = rate: an integrator, a filter, an actuator. Expressions of loads and of other states use s by its name.
+
+    ``initial`` is its value at the start, ``unit`` that of s, for people.
+    """
+
+    rate: Annotated[Quantity, Meaning("rate of the state", "its unit a second", scope=Scope.STATES)]
+    initial: Number = 0.0
+    unit: Text = ""
+    description: Text = ""
+
+
+def _positive(value: float) -> float:
+    if value <= 0:
+        raise refuse(f"the filter's frequency {value:g} is not positive", "give rad/s, or leave the filter out")
+    return value
+
+
+Frequency = Annotated[Number, AfterValidator(_positive)]
+
+
+class DeclaredInput(StrictModel):
+    """A number that may change during a run; expressions of loads and prescribed motions use it by its name.
+
+    ``default`` is in SI units (``unit`` names them for people). With ``rates`` it comes with its rate and acceleration,
+    ``<name>_dot`` and ``<name>_ddot``, as a prescribed motion needs. With ``filter`` [rad/s] what is given from outside
+    is the target r of x'' = filter^2 (r - x) - 2 filter x', and the name stands for x, with x' and x''.
+    """
+
+    default: Number = 0.0
+    unit: Text = ""
+    description: Text = ""
+    rates: Flag = False
+    filter: Frequency | None = None
+
+    def names(self, name: str) -> list[str]:
+        """The entries of u: the value, then rate and acceleration where it has them."""
+        return [name, f"{name}_dot", f"{name}_ddot"] if self.has_rates else [name]
+
+    @property
+    def has_rates(self) -> bool:
+        """Does it come with its rate and acceleration, given or filtered?"""
+        return self.rates or self.filter is not None
+
+
+class Named(Protocol):
+    """A body, as far as placing is concerned."""
+
+    @property
+    def name(self) -> str:
+        """Of the body."""
+
+
+@dataclass(frozen=True)
+class Placement:
+    """Joint `joint` places body `child` relative to body `parent` by coordinates of its own, `records`.
+
+    forward: the child is the body of marker b.
+    """
+
+    joint: str
+    parent: str
+    child: str
+    forward: bool
+    records: tuple[Coordinate, ...]
+
+    @property
+    def coordinates(self) -> list[str]:
+        """Names of the joint's coordinates."""
+        return [entry.name for entry in self.records]
+
+
+def placements_of(bodies: Sequence[Named], joints: Sequence[Joint], coupled: Collection[str] = ()) -> list[Placement]:
+    """The placing joints, in scene order; those coupled by their coordinates are taken first.
+
+    What placing joints do not reach from the ground is oriented by itself.
+    """
+    found: dict[str, Placement] = {}
+    reached, queue = {"ground"}, ["ground"]
+    roots = [body.name for body in bodies]
+
+    def place(parent: str, needed: bool) -> None:
+        """Reach the bodies on the joints of one, at once those beyond joints that must place a body."""
+        for joint, child, forward in _placing_from(joints, parent):
+            if child not in reached and (not needed or not joint.closes_loops() or joint.name in coupled):
+                reached.add(child)
+                queue.append(child)
+                found[joint.name] = Placement(joint.name, parent, child, forward, _coordinates(joint))
+                place(child, needed=True)
+
+    place("ground", needed=True)
+    while queue or roots:
+        if not queue:
+            root = _next_root(joints, roots, reached)
+            roots.remove(root)
+            if root not in reached:
+                reached.add(root)
+                queue.append(root)
+                place(root, needed=True)
+            continue
+        place(queue.pop(0), needed=False)
+    return [found[joint.name] for joint in joints if joint.name in found]
+
+
+def _coordinates(joint: Joint) -> tuple[Coordinate, ...]:
+    return tuple(
+        Coordinate(f"{joint.name}.{motion.name}", joint.name, motion.kind, UNITS[motion.kind])
+        for motion in joint.motions or ()
+    )
+
+
+def _next_root(joints: Sequence[Joint], roots: list[str], reached: set[str]) -> str:
+    """A body joined to what has been reached, if there is one."""
+    for joint in joints:
+        ends = (joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0])
+        for near, far in (ends, ends[::-1]):
+            if near in reached and far in roots and far not in reached:
+                return far
+    return roots[0]
+
+
+def _placing_from(joints: Sequence[Joint], body: str) -> Iterator[tuple[Joint, str, bool]]:
+    """Placing joints of a body with the body at their other end."""
+    for joint in joints:
+        ends = (joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0])
+        if joint.motions is not None and body in ends:
+            yield joint, ends[1] if ends[0] == body else ends[0], ends[0] == body
+
 
 AnyBody = GroundBody | RigidBody | BeamBody | ModalBody | SpatialModalBody
 AnyMarker = RigidMarker | BeamMarker | ModalMarker | FlexibleMarker

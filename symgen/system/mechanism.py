@@ -13,14 +13,12 @@ from typing import Any, Generic, Protocol, TypeVar
 import casadi as ca
 import numpy as np
 
+from runtime.contract.doors import opened
 from runtime.contract.orientations import NAMES
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_scaled, add_to, nonzero
 from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, sub, total
-from symgen.bodies.beam_stress import STATIONS, beam_stress
-from symgen.bodies.gauge_stress import gauge_stress
 from symgen.bodies.outlines import Picture
-from symgen.bodies.spatial_orientation import euler_angle
 from symgen.couplings import Coupling
 from symgen.joints import Joint
 from symgen.joints.joint import Motor, Slide, Turn
@@ -291,7 +289,10 @@ class Mechanism(Generic[Marker]):
         """`body.theta1`, ...: read off the body's Euler parameters."""
         body, _, own = name.partition(".")
         e = [self.equations.q[self.equations.names.index(f"{body}.e{k}")] for k in range(4)]
-        return euler_angle(self.scene.euler_angles()[body], NAMES.index(own), e)
+        angle: ca.SX = opened("symgen.bodies.spatial_orientation:euler_angle")(
+            self.scene.euler_angles()[body], NAMES.index(own), e
+        )
+        return angle
 
     def _measured(self, measure: Measure) -> tuple[ca.SX, str]:
         """(value, SI unit) of a measure."""
@@ -320,11 +321,14 @@ class Mechanism(Generic[Marker]):
         eq, (name, _, gauge) = self.equations, measure.of.partition(".")
         body = self.scene.body(name)
         if isinstance(body, BeamBody):
-            places = STATIONS if gauge == ALL_GAUGES else (self._place(measure.of)[1],)
-            return beam_stress(body, partial(self.space.section_force, body), places, self.table)
+            places = None if gauge == ALL_GAUGES else (self._place(measure.of)[1],)
+            force = partial(self.space.section_force, body)
+            stress: ca.SX = opened("symgen.bodies.beam_stress:beam_stress")(body, force, places, self.table)
+            return stress
         assert isinstance(body, SpatialModalBody)
         q_f = [eq.q[column] for column in eq.body_columns[name] if eq.coordinates[column].elastic]
-        return gauge_stress(body, gauge, measure.component, q_f, self.table)
+        stress = opened("symgen.bodies.gauge_stress:gauge_stress")(body, gauge, measure.component, q_f, self.table)
+        return stress
 
     def _add_states(self) -> None:
         """s' = g(q, q', s, u, t) as the motion of a coordinate of unit inertia whose rate is s."""

@@ -16,9 +16,15 @@ from symgen.bodies.beam_places import MovingPlace, frame_point, mean_point, movi
 from symgen.bodies.beam_sets import section_force
 from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_references, rectangle
 from symgen.bodies.shape_integrals import beam_section
-from symgen.bodies.spatial_beam_body import beam_spatial_point, spatial_beam_of, spatial_mesh_key, spatial_point_of
 from symgen.bodies.spatial_body import SpatialBody, SpatialCoordinates, SpatialMarker
-from symgen.bodies.spatial_integrals import spatial_integrals, spatial_point
+from symgen.bodies.spatial_integrals import (
+    beam_spatial_point,
+    spatial_beam_of,
+    spatial_integrals,
+    spatial_mesh_key,
+    spatial_point,
+    spatial_point_of,
+)
 from symgen.bodies.spatial_moments import SpatialPoint
 from symgen.bodies.spatial_orientation import orientation
 from symgen.joints import Joint

@@ -1,12 +1,15 @@
 """The equations of a linear structure, M x'' + D x' + K x = F(t) (Eqs. 3-14): already in independent coordinates.
 
 Expressions of a scene as the equations take them: their values, and where in time they jump or kink.
+
+Where an expression jumps or kinks: the values that change their sign there, read off its tree.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from typing import Any
 
 import casadi as ca
@@ -15,8 +18,64 @@ from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, mul, total
 from symgen.scene import SceneRecord
-from symgen.scene.switching import knot_values, switching_values
+from symgen.scene.tables import CurveTable
+from symgen.schema.expressions import Binary, Condition, FunctionCall, Negative, Node, TableValue, Where, casadi_value
 from symgen.system.equations import Equations, blank_equations
+
+MOST_POINTS = 100  # of a table: one with more is taken to be smooth
+
+
+def switching_values(node: Node, env: Mapping[str, Any]) -> Iterator[ca.SX]:
+    """What changes sign where the expression jumps or kinks, inner conditions first, tables left out.
+
+    Of `where` the two sides of each comparison, of `step`, `sign` and `abs` the argument, of `min` and `max` the
+    distance to the least and largest of those before. Raises KeyError for a name that env does not hold.
+    """
+    for part in _parts(node):
+        yield from switching_values(part, env)
+    match node:
+        case Where(condition, _, _):
+            values = [casadi_value(part, env) for part in condition.operands]
+            yield from (left - right for left, right in zip(values, values[1:], strict=False))
+        case FunctionCall("step" | "sign" | "abs", (argument,)):
+            yield casadi_value(argument, env)
+        case FunctionCall("min" | "max" as name, arguments):
+            values = [casadi_value(part, env) for part in arguments]
+            extreme = ca.fmin if name == "min" else ca.fmax
+            yield from (values[k] - reduce(extreme, values[:k]) for k in range(1, len(values)))
+
+
+def knot_values(node: Node, env: Mapping[str, Any], tables: Mapping[str, CurveTable]) -> Iterator[ca.SX]:
+    """What changes sign where the tables of the expression kink: their arguments, from their points."""
+    for part in _parts(node):
+        yield from knot_values(part, env, tables)
+    if isinstance(node, TableValue):
+        x = casadi_value(node.argument, env)
+        yield from (x - tables[node.table].x[k] for k in _kinks(tables[node.table]))
+
+
+def _parts(node: Node | Condition) -> tuple[Node, ...]:
+    match node:
+        case Negative(operand):
+            return (operand,)
+        case Binary(_, left, right):
+            return (left, right)
+        case FunctionCall(_, arguments):
+            return arguments
+        case Where(condition, chosen, otherwise):
+            return (*condition.operands, chosen, otherwise)
+        case TableValue(_, argument):
+            return (argument,)
+    return ()
+
+
+def _kinks(table: CurveTable) -> Sequence[int]:
+    """Points: all of lines and of monotone pieces; of a natural spline the ends, if it is held there."""
+    count = len(table.x)
+    if table.interpolation == "cubic":
+        return () if table.outside == "extend" else (0, count - 1)
+    return range(count) if count <= MOST_POINTS else ()
+
 
 Read = Callable[[float | str, str, Mapping[str, ca.SX]], ca.SX]  # an expression, its item, its local names
 

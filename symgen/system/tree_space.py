@@ -24,7 +24,7 @@ from symgen.joints import Joint
 from symgen.scene import SceneRecord
 from symgen.system.constraint import ConstraintRow, Motion
 from symgen.system.equations import Equations
-from symgen.system.frames.linkage import links_of
+from symgen.system.frames.alignment import links_of
 from symgen.system.frames.loop_derivatives import LoopRates, MarkerWay
 from symgen.system.frames.moves import Ball, MarkerNode
 from symgen.system.frames.paths import Path

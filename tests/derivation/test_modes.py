@@ -12,8 +12,7 @@ from scipy.linalg import eigh
 
 from symgen.modes import AXIAL_ENDS, LATERAL_ENDS, axial_modes, beam_integrals, clean, lateral_modes
 from symgen.modes.cleaning import Array
-from symgen.modes.elements import bar_stiffness, beam_stiffness, check_rigid_modes
-from symgen.modes.mesh import lumped_masses
+from symgen.modes.mesh import bar_stiffness, beam_stiffness, check_rigid_modes, lumped_masses
 
 # First three roots of the frequency equations, e.g. cos(b) cosh(b) = -1 for clamped-free.
 WAVE_NUMBERS = {

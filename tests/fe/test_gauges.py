@@ -12,7 +12,7 @@ from runtime import ensemble, plots, simulate
 from runtime.contract.errors import ArgumentError, ModelError
 from symgen.fe import FiniteElementError, FlexibleBody, LineMesh, Section
 from symgen.fe.connecting_rod import connecting_rod
-from symgen.fe.mode_acceleration import gauge_places
+from symgen.fe.stresses import gauge_places
 from symgen.generate import model_of
 from symgen.scene import Scene, SceneError, SceneRecord
 from tests.fe.test_mode_acceleration import MATERIAL, L, Y, Z, bar

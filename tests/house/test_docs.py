@@ -18,7 +18,7 @@ from runtime.schemes.printed import INTERPOLATIONS
 from symgen.cli import main
 from symgen.cli.table import COMMANDS
 from symgen.scene import SceneRecord
-from symgen.schema.expression_values import ARITY
+from symgen.schema.expressions import ARITY
 
 ROOT = Path(__file__).resolve().parents[2]
 README = ROOT / "README.md"

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from symgen.scene import SceneError, parse_expression
-from symgen.schema.expression_values import ARITY, CASADI_FUNCTIONS, FLOAT_FUNCTIONS
+from symgen.schema.expressions import ARITY, CASADI_FUNCTIONS, FLOAT_FUNCTIONS
 
 NAMES = frozenset({"a", "b", "t"})
 

@@ -7,21 +7,255 @@ Inertia on the axis of a hinge moves with the parent as well. A hinge turns noth
 axis, given by its mass, its first and its second moment along it; a slide leaves the second moments about a centre of
 mass as they are. Counted with the parent they cost nothing, because inertia that is fixed in a frame is gathered in
 `constants`, and on the ground not at all.
+
+How placing joints link frames: constant displacements and variable moves about and along z, one hinge a link.
+
+Constant displacements between frames, written with as few operations as a frame on a hinge axis allows.
+
+From a hinge along z to the next one: a rotation psi about z and a shift e along it, a shift along the common normal
+(the new x), a rotation alpha about it, a rotation and a shift about and along the new z. The first two are nothing when
+the frame on the first hinge has its x-axis along the common normal, its origin at the foot.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import casadi as ca
 
-from symgen.algebra.scalar import ZERO
-from symgen.algebra.vectors import zeros
-from symgen.system.frames.linkage import STRAIGHT, JointLink, Screw, between_hinges
+from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
+from symgen.algebra.vectors import Matrix, Vector, cross, plus, scaled, zeros
+from symgen.joints.joint import Slide as SlideOf
+from symgen.joints.joint import Turn as TurnOf
 from symgen.system.frames.moves import Ball, JointNode, Move, Orient
 from symgen.system.frames.spatial_algebra import SE3, Inertia
 from symgen.system.frames.tree import GROUND, BodyFrame, FlexibleNode, Frame, FrameTree, RigidNode
+from symgen.system.joint_templates import JointCoordinate, JointCoordinates
+
+STRAIGHT = 0.02  # sine of the angle between two axes below which their common normal may be far away
+
+
+@dataclass(frozen=True)
+class FixedAngle:
+    """Cosine and sine of a constant angle."""
+
+    cosine: ca.SX = ONE
+    sine: ca.SX = ZERO
+
+    def plus(self, other: FixedAngle) -> FixedAngle:
+        """The sum."""
+        return FixedAngle(
+            sub(mul(self.cosine, other.cosine), mul(self.sine, other.sine)),
+            add(mul(self.sine, other.cosine), mul(self.cosine, other.sine)),
+        )
+
+    @property
+    def nothing(self) -> bool:
+        """Is it zero by structure?"""
+        return self.cosine.is_one() and self.sine.is_zero()
+
+    def with_coordinate(self, value: ca.SX, sign: ca.SX) -> tuple[ca.SX, ca.SX]:
+        """Cosine and sine of the angle plus sign times a coordinate; a right angle costs no addition."""
+        if self.cosine.is_constant() and self.sine.is_constant():
+            cosine, sine = ca.cos(value), mul(sign, ca.sin(value))
+            moved = self.plus(FixedAngle(cosine, sine))
+            return moved.cosine, moved.sine
+        offset = ca.atan2(self.sine, self.cosine)
+        whole = add(value, mul(sign, offset))
+        return ca.cos(whole), mul(sign, ca.sin(whole))
+
+
+@dataclass(frozen=True)
+class Screw:
+    """A rotation about an axis and a shift along it."""
+
+    angle: FixedAngle = FixedAngle()
+    shift: ca.SX = ZERO
+
+    @property
+    def displacement(self) -> SE3:
+        """About z."""
+        c, s = self.angle.cosine, self.angle.sine
+        return SE3([[c, neg(s), ZERO], [s, c, ZERO], [ZERO, ZERO, ONE]], [ZERO, ZERO, self.shift])
+
+
+@dataclass(frozen=True)
+class BetweenHinges:
+    """start about z, a shift and a rotation about the common normal (`across`), end about the new z."""
+
+    start: Screw
+    across: Screw
+    end: Screw
+    offset: Vector  # a shift across the first axis before the others, where the axes are parallel
+
+
+def between_hinges(displacement: SE3) -> BetweenHinges:
+    """The screws of a constant displacement between axes that are parallel by structure, or not at all."""
+    R, r = displacement.R, displacement.r
+    z = [row[2] for row in R]
+    normal = _normal(z)
+    if normal is None:
+        return _parallel(R, r, z[2])
+    n = [*normal[:2], ZERO]
+    sine = normal[2]
+    across = cross([ZERO, ZERO, ONE], n)
+    turned = plus(scaled(z[2], across), [ZERO, ZERO, sine])  # the new z x n
+    x = [row[0] for row in R]
+    end = FixedAngle(dot(x, n), dot(x, turned))
+    tilt = FixedAngle(z[2], sine)
+    far = neg(div(dot(r, across), sine))
+    start = sub(r[2], mul(far, z[2]))
+    return BetweenHinges(Screw(FixedAngle(n[0], n[1]), start), Screw(tilt, dot(r, n)), Screw(end, far), zeros())
+
+
+def _normal(z: Vector) -> Vector | None:
+    """(cosine, sine) of the common normal in the xy-plane and the sine of the angle about it; None: parallel."""
+    x, y = z[0], z[1]
+    if x.is_zero() and y.is_zero():
+        return None
+    if x.is_zero():
+        return [ONE, ZERO, neg(y)]
+    if y.is_zero():
+        return [ZERO, ONE, x]
+    sine = ca.sqrt(add(mul(x, x), mul(y, y)))
+    return [neg(div(y, sine)), div(x, sine), sine]
+
+
+def _parallel(R: Matrix, r: Vector, cosine: ca.SX) -> BetweenHinges:
+    """Axes that are parallel by structure: a shift in the plane across them."""
+    x = [row[0] for row in R]
+    end = FixedAngle(x[0], mul(cosine, x[1]))
+    return BetweenHinges(Screw(shift=r[2]), Screw(FixedAngle(cosine)), Screw(end), [r[0], r[1], ZERO])
+
+
+TO_Z = (  # axes whose z-axis is the old x-axis (columns y, z, x), or the old y-axis (columns z, x, y)
+    SE3([[ZERO, ZERO, ONE], [ONE, ZERO, ZERO], [ZERO, ONE, ZERO]], [ZERO] * 3),
+    SE3([[ZERO, ONE, ZERO], [ZERO, ZERO, ONE], [ONE, ZERO, ZERO]], [ZERO] * 3),
+    None,
+)
+
+
+@dataclass(frozen=True)
+class JointLink:
+    """From a frame to the next: a constant displacement to the axis z, then what the joint leaves free.
+
+    turn, travel: coordinates about and along z; crosswise: travels along x and y, before the turn or after it. sign: of
+    the coordinates as they move the far frame. lead: travel of a screw for a unit of its angle.
+    """
+
+    before: SE3
+    turn: JointCoordinate | None = None
+    travel: JointCoordinate | None = None
+    crosswise: tuple[JointCoordinate, JointCoordinate] | None = None
+    sign: ca.SX = ONE
+    lead: ca.SX = ZERO
+
+    @property
+    def constant(self) -> bool:
+        """Does nothing move?"""
+        return self.turn is None and self.travel is None and self.crosswise is None
+
+    @property
+    def hinged(self) -> bool:
+        """May the frame beyond be turned about z and shifted along it by a constant?"""
+        return self.crosswise is None and not self.constant
+
+    def moves(self, way: BetweenHinges | SE3, beyond: Screw) -> list[Move]:
+        """As moves to the frame that stands on the hinge, displaced by the screw `beyond`.
+
+        way: the screws of the constant displacement, or the displacement itself where they are useless.
+        """
+        if isinstance(way, SE3):
+            return [JointNode(R=way.R, r=way.r), *self._variable(Screw(), beyond)]
+        moves: list[Move] = [
+            *_constant(2, way.start),
+            *(JointNode.slide(axis, value) for axis, value in enumerate(way.offset) if not value.is_zero()),
+            *_constant(0, way.across, slide_first=True),
+        ]
+        return [*moves, *self._variable(way.end, beyond)]
+
+    def _variable(self, end: Screw, beyond: Screw) -> list[Move]:
+        if self.crosswise is not None:
+            slides = [
+                JointNode.slide(axis, mul(self.sign, own.value), own.column, own.rate, self.sign)
+                for axis, own in enumerate(self.crosswise)
+            ]
+            forward = self.sign.is_one()
+            moves: list[Move] = [*_constant(2, end)] if forward else [*_constant(2, Screw(FixedAngle(), end.shift))]
+            turn = self._turn(FixedAngle() if forward else end.angle)
+            return [*moves, *slides, *turn] if forward else [*moves, *turn, *slides]
+        shift = add(end.shift, beyond.shift)
+        turn = self._turn(end.angle.plus(beyond.angle))
+        return [*turn, *self._slide(shift)]
+
+    def _turn(self, angle: FixedAngle) -> list[JointNode]:
+        if self.turn is None:
+            return [] if angle.nothing else [JointNode(2, (angle.cosine, angle.sine))]
+        cosine, sine = angle.with_coordinate(self.turn.value, self.sign)
+        return [JointNode(2, (cosine, sine), column=self.turn.column, rate=self.turn.rate, sign=self.sign)]
+
+    def _slide(self, shift: ca.SX) -> list[JointNode]:
+        own, factor = self.travel, self.sign
+        if not self.lead.is_zero():
+            own, factor = self.turn, mul(self.sign, self.lead)
+        if own is None:
+            return [] if shift.is_zero() else [JointNode.slide(2, shift)]
+        return [JointNode.slide(2, add(shift, mul(factor, own.value)), own.column, own.rate, factor)]
+
+
+def _constant(axis: int, screw: Screw, slide_first: bool = False) -> list[Move]:
+    turn = [] if screw.angle.nothing else [JointNode(axis, (screw.angle.cosine, screw.angle.sine))]
+    slide = [] if screw.shift.is_zero() else [JointNode.slide(axis, screw.shift)]
+    return [*slide, *turn] if slide_first else [*turn, *slide]
+
+
+def links_of(own: JointCoordinates, before: SE3, forward: bool) -> tuple[list[JointLink], SE3]:
+    """(links of a joint, constant displacement beyond the last one to the far marker).
+
+    before: from the near frame to the near marker; forward: the near one is marker a.
+    """
+    sign = ONE if forward else neg(ONE)
+    links, place = [], before
+    groups = list(_groups(own))
+    for axis, turn, travel, crosswise, lead in groups if forward else reversed(groups):
+        aside = TO_Z[axis]
+        near = place if aside is None else place * aside
+        links.append(JointLink(near, turn, travel, crosswise, sign, lead))
+        place = SE3.identity() if aside is None else aside.inverse()
+    return links, place
+
+
+Pair = tuple[JointCoordinate, JointCoordinate]
+
+
+def _groups(
+    own: JointCoordinates,
+) -> Iterator[tuple[int, JointCoordinate | None, JointCoordinate | None, Pair | None, ca.SX]]:
+    """(axis, turn, travel, crosswise, lead) of the motions that one link makes.
+
+    A turn and a slide about one axis go together, and two slides across an axis with the turn about it after them.
+    """
+    motions, found, k = own.motions, own.coordinates, 0
+    while k < len(motions):
+        here, after = motions[k], motions[k + 1] if k + 1 < len(motions) else None
+        turns = isinstance(here, TurnOf)
+        if [(type(one), one.axis) for one in motions[k : k + 3]] == [(SlideOf, 0), (SlideOf, 1), (TurnOf, 2)]:
+            yield 2, found[k + 2], None, (found[k], found[k + 1]), ZERO
+            k += 3
+        elif (
+            after is not None
+            and after.axis == here.axis
+            and turns is not isinstance(after, TurnOf)
+            and not (here.lead or after.lead)
+        ):
+            turn, travel = (k, k + 1) if turns else (k + 1, k)
+            yield here.axis, found[turn], found[travel], None, ZERO
+            k += 2
+        else:
+            yield here.axis, found[k] if turns else None, None if turns else found[k], None, own.leads[k]
+            k += 1
+
 
 Numbers = Callable[[ca.SX], float]
 

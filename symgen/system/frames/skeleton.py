@@ -11,8 +11,7 @@ from symgen.algebra.scalar import ZERO
 from symgen.algebra.vectors import Matrix, identity, zeros
 from symgen.bodies.spatial_body import SpatialBody
 from symgen.bodies.spatial_moments import Deformation
-from symgen.system.frames.alignment import Numbers, UnalignedFrame, aligned, moved
-from symgen.system.frames.linkage import JointLink
+from symgen.system.frames.alignment import JointLink, Numbers, UnalignedFrame, aligned, moved
 from symgen.system.frames.moves import Across, Ball, Float, MarkerNode, Move, Orient, ToWorld
 from symgen.system.frames.spatial_algebra import SE3, Inertia, no_masses
 from symgen.system.frames.tree import GROUND, BodyFrame, FlexibleNode, FrameTree, RigidNode
