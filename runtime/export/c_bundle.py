@@ -29,7 +29,7 @@ from runtime.running.plan import make_plan
 from runtime.running.stepping import may_jump
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import start_there, start_vector
-from runtime.schemes.switching.restart import remembers, restarted
+from runtime.schemes.switching.restart import restarted
 from runtime.start.start_state import start_state
 
 
@@ -319,7 +319,7 @@ def _doors(one: Exported, code: Mapping[str, Code]) -> str:
         size=scheme.layout.size,
         inputs=n_w,
         first=first,
-        anew=int(remembers(scheme)),
+        anew=int(scheme.remembers),
     )
 
 

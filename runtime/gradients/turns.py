@@ -24,7 +24,7 @@ from runtime.engine.program import Fields, Layout, Program, Sequence, make_stage
 from runtime.gradients.course import JUMPS, Turn
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.gradients.start_of_run import Begun
-from runtime.schemes.switching.restart import loop_guess, remembers, restarted, with_steps
+from runtime.schemes.switching.restart import loop_guess, restarted, with_steps
 from runtime.schemes.switching.watched import values_at
 
 DATA = ("dt_before", "dt", "share", "clock", "before", "after")  # of a turn, see there; share: dt over that of the grid
@@ -40,7 +40,7 @@ class TurnProgram:
     def __init__(self, program: ObservedProgram, event: int | None, width: int, wait: bool) -> None:
         self._of, self._scheme, self._event = program, program.scheme, event
         scheme, active = program.scheme, program.active
-        if remembers(scheme) and scheme.charts.size:
+        if scheme.remembers and scheme.charts.size:
             raise ArgumentError(
                 f"scheme of model {scheme.model.name}",
                 "starts anew where forces jump, which is not differentiated for turns of free bodies",
@@ -175,7 +175,7 @@ class TurnProgram:
         assert k is not None
         t = (seen["t"], seen["t"]) if seen else (z["before"], z["after"])
         w = (fields.get("inputs"), self._acted(fields, seen, ca.SX(0)))
-        if remembers(scheme):
+        if scheme.remembers:
             shown = scheme.observer(z=z["state"], c=c)
             q_i, v, loop = shown["q_i"], shown["q_i_dot"], loop_guess(scheme, shown["q_d"])
         else:

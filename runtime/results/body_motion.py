@@ -131,7 +131,7 @@ def into_body(frame: FrameMotion, world: np.ndarray) -> np.ndarray:
 
 
 def body_motion(solution: Samples, body: str) -> BodyMotion:
-    """Of the flexible body named.
+    """Motion of a flexible body in space and the forces at its markers, for `FlexibleBody.equilibrium_stresses()`.
 
     Raises ModelError for a body without modes or in the plane, and where one joint or load acts on it at two places.
     """

@@ -49,7 +49,7 @@ POWERS = ("power_dissipated", "power_applied", "power_driven")
 
 
 def write_npz(solution: Samples, path: str | Path) -> None:
-    """Plain arrays, and one JSON text for the rest. Raises OutputError."""
+    """Everything in one .npz file of plain arrays (no pickle). Raises OutputError if it cannot be written."""
     header = {
         "format": FORMAT,
         **run_header(solution),
@@ -197,9 +197,10 @@ def column_units(model: Model) -> dict[str, str]:
 
 
 def export(solution: Samples, path: str | Path) -> None:
-    """A file of the format that its name ends in: .csv, .mat, .parquet, .nc (see the functions of WRITERS).
+    """One row a sample with names and units, as .csv, .mat (MATLAB), .parquet or .nc (NetCDF) by the name's end.
 
-    Raises ModelError for another ending, ImportError naming the extra that a format needs, and OutputError.
+    Of the outputs if only those were kept. Raises ModelError for another ending, ImportError naming the extra that
+    is missing (`parquet`, `netcdf`), or OutputError.
     """
     suffix = Path(path).suffix.lower()
     if suffix not in WRITERS:
@@ -266,7 +267,7 @@ def to_parquet(solution: Samples, path: str | Path) -> None:
 
 
 def to_xarray(solution: Samples) -> xarray.Dataset:
-    """Dataset over t with units and names. Raises ImportError naming the extra if xarray is missing."""
+    """A labelled Dataset with units. Raises ImportError naming the extra `netcdf` if xarray is missing."""
     try:
         import xarray
     except ImportError as error:

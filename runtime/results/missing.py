@@ -6,33 +6,27 @@ deflections from the chord, w'' = M / EI. Asked only of beams whose shapes canno
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from runtime.contract.coordinates import euler_angles, parameter_columns
+from runtime.contract.doors import opened
 from runtime.contract.errors import ModelError
 from runtime.contract.orientations import NEAR_SINGULAR, angles, regularity
 from runtime.contract.records import BeamRecord
 from runtime.contract.status import Event
-from runtime.results.section_forces import STATIONS, beam_of, section_forces
-from runtime.results.stresses import stresses, von_mises
-
-if TYPE_CHECKING:
-    from runtime.results.samples import Samples
-
+from runtime.results.solution import Solution
 
 LOOKS = 100  # samples at most
 WORTH_OF_SHAPES = 1e-3  # of a deflection
 WORTH_A_WORD = 0.05  # of a stress or a force
 
 
-def looked_at(solution: Samples) -> list[int]:
-    """Samples that are looked at, evenly spread, the first and the last among them."""
+def looked_at(solution: Solution) -> list[int]:
+    """Solution that are looked at, evenly spread, the first and the last among them."""
     return sorted({int(row) for row in np.linspace(0, len(solution.t) - 1, LOOKS)})
 
 
-def missing_shapes(solution: Samples) -> tuple[dict[str, float], list[Event]]:
+def missing_shapes(solution: Solution) -> tuple[dict[str, float], list[Event]]:
     """Share of the largest deflection that the shapes of a beam leave out, by `missing_shapes.body`; and in words."""
     shares, events = {}, []
     for record in solution.model.description.beams:
@@ -52,17 +46,17 @@ def missing_shapes(solution: Samples) -> tuple[dict[str, float], list[Event]]:
     return shares, events
 
 
-def missing_deflection(solution: Samples, body: str) -> tuple[float, float]:
+def missing_deflection(solution: Solution, body: str) -> tuple[float, float]:
     """(largest deflection from the chord that the shapes lack over the largest one, its time [s])."""
     rows = looked_at(solution)
     series = {key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam")}
     some = solution.but(**series)
-    whole, shapes = (section_forces(some, body, way=way) for way in ("equilibrium", "modes"))
-    radii = beam_of(solution.model, body, solution.parameters).radii
+    whole, shapes = (some.section_forces(body, way=way) for way in ("equilibrium", "modes"))
+    radii = opened("runtime.results.section_forces:beam_of")(solution.model, body, solution.parameters).radii
     pairs = [(whole.moment, shapes.moment, radii[0]), (whole.moment_y, shapes.moment_y, radii[1])]
     known = [(all_, found, radius) for all_, found, radius in pairs if np.isfinite(found).all()]
     lacking, bent = (
-        np.sqrt(sum(np.square(_deflections(moment) / radius) for moment, radius in of))
+        np.sqrt(sum(np.square(_deflections(moment, whole.at) / radius) for moment, radius in of))
         for of in ([(all_ - found, radius) for all_, found, radius in known], [(a, radius) for a, _, radius in known])
     )
     worst = lacking.max(axis=1)
@@ -72,15 +66,12 @@ def missing_deflection(solution: Samples, body: str) -> tuple[float, float]:
     return float(worst.max()) / largest, float(some.t[int(worst.argmax())])
 
 
-def _deflections(moment: np.ndarray) -> np.ndarray:
-    """(N, n) w with w'' = moment (N, n) at equidistant stations, by finite differences; zero at both ends."""
-    n, h = len(STATIONS), STATIONS[1] - STATIONS[0]
+def _deflections(moment: np.ndarray, at: np.ndarray) -> np.ndarray:
+    """(N, n) w with w'' = moment (N, n) at equidistant fractions, by finite differences; zero at both ends."""
+    n, h = len(at), at[1] - at[0]
     second = (np.diag(np.full(n - 3, 1.0), 1) + np.diag(np.full(n - 3, 1.0), -1) - 2.0 * np.eye(n - 2)) / h**2
     return np.asarray(np.linalg.solve(second, moment[:, 1:-1].T).T)
 
-
-if TYPE_CHECKING:
-    from runtime.results.samples import Samples
 
 SAME = 1e-9  # of its largest value: the sum over shapes that a measure is
 WORDS = {
@@ -94,7 +85,7 @@ WORDS = {
 PARTS = {"N": ("normal", "shear", "shear_z"), "N m": ("moment", "moment_y", "torsion")}
 
 
-def missing_sections(solution: Samples) -> tuple[dict[str, float], list[Event]]:
+def missing_sections(solution: Solution) -> tuple[dict[str, float], list[Event]]:
     """`missing_force.measure`: the largest difference to equilibrium over the largest value there; and in words."""
     described = solution.model.description
     others = {one.name for one in described.inputs} | {one.owner for one in described.coordinates}  # states, too
@@ -109,7 +100,7 @@ def missing_sections(solution: Samples) -> tuple[dict[str, float], list[Event]]:
     for record in described.beams:
         try:
             at = _markers(solution, record.body)
-            whole, shapes = (section_forces(some, record.body, at, way) for way in ("equilibrium", "modes"))
+            whole, shapes = (some.section_forces(record.body, at, way) for way in ("equilibrium", "modes"))
         except ModelError:  # loads whose place on the beam is not known
             continue
         for name, parts in wanted.items():
@@ -131,7 +122,7 @@ def missing_sections(solution: Samples) -> tuple[dict[str, float], list[Event]]:
     return shares, events
 
 
-def _markers(solution: Samples, body: str) -> list[float]:
+def _markers(solution: Solution, body: str) -> list[float]:
     """Fractions of the length at which the beam has markers."""
     geometry = np.asarray(solution.model.kernel("geometry")(p=solution.parameters)["positions"])
     own = [k for k, one in enumerate(solution.model.description.drawing.points) if one.body == body]
@@ -140,11 +131,7 @@ def _markers(solution: Samples, body: str) -> list[float]:
     return sorted({float(geometry[0, k]) / length for k, one in zip(own, points, strict=True) if one.name})
 
 
-if TYPE_CHECKING:
-    from runtime.results.samples import Samples
-
-
-def missing_stresses(solution: Samples) -> tuple[dict[str, float], list[Event]]:
+def missing_stresses(solution: Solution) -> tuple[dict[str, float], list[Event]]:
     """`missing_stress.body`: largest von Mises stress of what the modes leave out over the largest one.
 
     In words where the scene measures stresses. Of beams `missing_stress.measure`, the like of their largest moment.
@@ -161,10 +148,13 @@ def missing_stresses(solution: Samples) -> tuple[dict[str, float], list[Event]]:
     for body in dict.fromkeys(one.body for one in solution.model.description.gauges):
         try:
             some = solution.but(**series)
-            whole, modal = stresses(some, body), stresses(some, body, way="modes")
+            whole, modal = some.stresses(body), some.stresses(body, way="modes")
         except ModelError:  # gauges without the causes, or loads whose place on the body is not known
             continue
-        lacking, largest = von_mises(whole.components - modal.components), whole.largest()
+        lacking, largest = (
+            opened("runtime.results.stresses:von_mises")(whole.components - modal.components),
+            whole.largest(),
+        )
         if not (np.isfinite(lacking).all() and largest.value > 0.0):
             continue
         share = float(lacking.max()) / largest.value
@@ -180,13 +170,13 @@ def missing_stresses(solution: Samples) -> tuple[dict[str, float], list[Event]]:
     return shares, events
 
 
-def _missing_of_beam(solution: Samples, record: BeamRecord, shares: dict[str, float], events: list[Event]) -> None:
+def _missing_of_beam(solution: Solution, record: BeamRecord, shares: dict[str, float], events: list[Event]) -> None:
     """Adds the share of the measures of a beam's stress, and the event."""
     rows = looked_at(solution)
     series = {key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam")}
     some = solution.but(**series)
     try:
-        whole, shapes = (section_forces(some, record.body, way=way) for way in ("equilibrium", "modes"))
+        whole, shapes = (some.section_forces(record.body, way=way) for way in ("equilibrium", "modes"))
     except ModelError:  # loads whose place on the beam is not known
         return
     parts = [(getattr(whole, part), getattr(shapes, part)) for part in PARTS["N m"]]
@@ -209,7 +199,7 @@ def _missing_of_beam(solution: Samples, record: BeamRecord, shares: dict[str, fl
 # ---- Events of Euler angles that are read off near their singular orientation; the motion knows nothing of it.
 
 
-def singular_angles(solution: Samples) -> list[Event]:
+def singular_angles(solution: Solution) -> list[Event]:
     """An event for each body that came so near in a saved sample, at the nearest one."""
     events, columns = [], parameter_columns(solution.model)
     for body, kind in euler_angles(solution.model).items():

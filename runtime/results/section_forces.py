@@ -327,10 +327,11 @@ class SectionForces:
 def section_forces(
     solution: Samples, body: str, at: float | Sequence[float] | None = None, way: Way = "equilibrium"
 ) -> SectionForces:
-    """Forces and moments in the beam `body` at fractions `at` of its length (33 sections if left out).
+    """Normal and shear forces, torque and bending moments of the beam `body` at fractions `at` of its length.
 
-    Raises ModelError for a body that is no beam with exact shapes or for a load with two markers on it, ArgumentError
-    for fractions outside [0, 1] and unknown ways.
+    way: "equilibrium" of the part beyond each section (mode acceleration with inertia relief), or "modes", the sum
+    of modal forces. at: 33 sections if left out. Raises ModelError for a body that is no beam with exact shapes or for
+    a load with two markers on it, ArgumentError for fractions outside [0, 1] and unknown ways.
     """
     if way not in WAYS:
         raise ArgumentError(f"way {way!r} is not known; give one of {', '.join(WAYS)}")

@@ -70,10 +70,11 @@ def von_mises(components: np.ndarray) -> np.ndarray:
 
 
 def stresses(solution: Samples, body: str, way: StressWay = "equilibrium") -> Stresses:
-    """Stresses of a flexible body at all of its gauges.
+    """Stress components and von Mises stress of a finite-element body at the gauges of the scene.
 
-    Raises ModelError for a body without gauges, and, by equilibrium, for gauges that know modal stresses only and for
-    forces at a marker that was no interface of the finite-element model; ArgumentError for unknown ways.
+    way: "equilibrium" of all forces on it (mode acceleration with inertia relief), or "modes", the sum of modal
+    stresses. Raises ModelError for a body without gauges, and, by equilibrium, for gauges that know modal stresses
+    only and for forces at a marker that was no interface of the finite-element model; ArgumentError for unknown ways.
     """
     if way not in ("equilibrium", "modes"):
         raise ArgumentError(f"way {way!r} is not known; give equilibrium or modes")

@@ -23,7 +23,6 @@ from runtime.contract.files import OutputError, replacing, try_writing
 from runtime.contract.model import Model
 from runtime.contract.status import Event
 from runtime.results.solution import Solution
-from runtime.results.stream import StreamFile
 from runtime.running.companion import marks_of, measured
 from runtime.running.events import EventActions
 from runtime.running.inputs import InputValue, Schedule, bound
@@ -37,6 +36,7 @@ from runtime.running.singular.guard import Guard
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
+from runtime.schemes.switching.impulse import Impulse
 
 BROKEN = (
     OSError,
@@ -238,7 +238,7 @@ def header_of(
 ) -> CheckpointHeader:
     """What a checkpoint says of a run whose `segment` is at z (n_z,). initial_changes: of the start, in words."""
     first = record.segments[0]
-    model, plan, table = first.model, first.plan, record.table
+    model, plan = first.model, first.plan
     return CheckpointHeader(
         model=model.name,
         digest=model.digest,
@@ -256,8 +256,8 @@ def header_of(
         initial_changes=initial_changes,
         step=segment.step_of(z),
         last_step=record.last_step,
-        rows=0 if table is None else table.rows,
-        stream=str(table.folder) if isinstance(table, StreamFile) else None,
+        rows=record.rows,
+        stream=None if record.folder is None else str(record.folder),
         events=events,
         segments=[list(segment.model.q_i) for segment in record.segments],
         segment=record.segments.index(segment),
@@ -265,7 +265,11 @@ def header_of(
         monitor=segment.monitor.memory(),
         guard=guard.memory(),
         schedule={} if schedule is None else schedule.memory(),
-        impulses=[one for each in record.segments for one in each.impulse_memory()],
+        impulses=[
+            [at, one.energy, *one.jumps.tolist()]
+            for each in record.segments
+            for at, one in sorted(each.impulses.items())
+        ],
         happened=happenings.memory(),
     )
 
@@ -304,7 +308,7 @@ def resume(
     segments = _segments(model, kept, engine, path)
     segment, z = segments[header.segment], kept.z.copy()
     segment.monitor.resume(segment.stepper.state(z), header.monitor)
-    segment.resume_impulses(header.impulses)
+    segment.impulses.update({at: Impulse(energy, np.array(jumps)) for at, energy, *jumps in header.impulses})
     keep_rows = bool(header.outputs) or header.stream is not None
     record = record_of(segment, z, stream or header.stream, keep_rows, resumed=True)
     record.segments[:] = segments

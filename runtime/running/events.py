@@ -4,18 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from math import ceil
-from typing import cast
 
 import numpy as np
 
+from runtime.contract.doors import opened
 from runtime.contract.records import EventRecord
 from runtime.contract.status import Event, Status
 from runtime.running.stepped_model import SteppedModel
-from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
-from runtime.schemes.adaptive.event_ends import ended_at_event, shown_at_end
 from runtime.schemes.switching.breaks import ON_THE_GRID
 from runtime.schemes.switching.impulse import impulse_text
-from runtime.schemes.switching.steps_with_stops import StepsWithStops
 from runtime.schemes.switching.watched import (
     action_values,
     begin_events,
@@ -45,12 +42,13 @@ class EventActions:
         self._recent: dict[str, list[float]] = {}  # of kinks behind the number of their sleeps
         self.start = np.zeros(0)  # the state before the step that `advance` made last
 
-    def step(self, z: np.ndarray, broken: StepsWithStops) -> np.ndarray | None:
+    def step(self, z: np.ndarray) -> np.ndarray | None:
         """Advance z in place, to the end of the step or to a terminal event; (n_w,) the inputs if they changed."""
         for event in self._events[: self._declared]:
             self._recent.pop(event.name, None)
         before = z[self._inputs].copy()
-        broken.step_with_events(z, self.own.ready, self.own.c, self._acts)
+        assert self.own.broken is not None
+        self.own.broken.step_with_events(z, self.own.ready, self.own.c, self._acts)
         return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
 
     def advance(self, z: np.ndarray, steps: int) -> np.ndarray | None:
@@ -63,34 +61,36 @@ class EventActions:
         z[:] = before
         if at - 1 > int(z[1]):
             own.advance(z, at - 1 - int(z[1]))
-        assert own.broken is not None
         self.start = z.copy()
-        return self.step(z, own.broken)
+        return self.step(z)
 
     def end_step(self, z: np.ndarray) -> list[int]:
         """Where steps follow from a tolerance: end that of z (n_z,) in which an event is flagged there; which ones are.
 
         None may be. Nothing has happened yet: states before the event can still be seen.
         """
-        return ended_at_event(cast(AdaptiveSteps, self._scheme), z, self._scheme.constants(self.own.c), self._once)
+        ended: list[int] = opened("runtime.schemes.adaptive.event_ends:ended_at_event")(
+            self._scheme, z, self._scheme.constants(self.own.c), self._once
+        )
+        return ended
 
     def lie_within(self, z: np.ndarray) -> bool:
         """Is the end of the last step of z (n_z,) not behind the end of the run?"""
         plan = self.own.plan
-        return int(z[1]) < plan.steps or cast(AdaptiveSteps, self._scheme).reached(z) <= plan.t_end + AT_THE_END
+        return int(z[1]) < plan.steps or self._scheme.reached(z) <= plan.t_end + AT_THE_END
 
     def happen(self, z: np.ndarray, happened: list[int]) -> np.ndarray | None:
         """These events at the end of the last step of z, in place; (n_w,) the inputs if they changed.
 
         Where one ends the run, the end of the step is seen.
         """
-        scheme, own = cast(AdaptiveSteps, self._scheme), self.own
+        scheme, own = self._scheme, self.own
         before, constants, seen = z[self._inputs].copy(), scheme.constants(own.c), scheme.at_end(z)
         values, values_now = action_values(scheme, seen, constants), event_values(scheme, seen, constants)
         self._happen(z, scheme.reached(z), happened, values, values_now)
         begin_events(scheme, z, constants, scheme.at_end(z))  # with the inputs as they are now
         if self.status is not None:
-            shown_at_end(scheme, z, own.plan.grid.dt_L, self._once)
+            opened("runtime.schemes.adaptive.event_ends:shown_at_end")(scheme, z, own.plan.grid.dt_L, self._once)
         return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
 
     def happen_at(self, z: np.ndarray, t: float, happened: list[int], values: np.ndarray) -> np.ndarray | None:

@@ -7,7 +7,7 @@ deflections stay within what linear modes tell. One function, `diagnosis`, says 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -136,20 +136,32 @@ class Monitor:
     def _diagnosis(self, z: np.ndarray, close: bool) -> Finding | None:
         """The first finding, the cheap ones before the others."""
         with np.errstate(all="ignore"):
-            cheap = self._not_finite, self._grown, self._closure_lost, self._not_converged, self._step_too_short
-            for look in cheap:
-                if (found := look(z)) is not None:
-                    return found
-            return self._closely(z) if close else None
+            return self._cheaply(z) or (self._closely(z) if close else None)
 
-    def _not_finite(self, z: np.ndarray) -> Finding | None:
-        if verdict(self.scheme, z) != "not_finite":
-            return None
-        if (found := self._of_events(z)) is not None:
-            return found
-        x, d = z[self.scheme.layout.slice("x")], self._increments(z)
-        bad = int(np.argmax(~np.isfinite(x) | ~np.isfinite(d)))
-        return Finding("not_finite", "a coordinate became infinite or NaN", self.step_advice(), bad)
+    def _cheaply(self, z: np.ndarray) -> Finding | None:
+        """By z itself. Angles may turn for ever, so growth is judged by the size of a step."""
+        scheme, own, found = self.scheme, self.scheme.layout.slice, verdict(self.scheme, z)
+        d = np.abs(self._increments(z))
+        if found == "not_finite":
+            bad = int(np.argmax(~np.isfinite(z[own("x")]) | ~np.isfinite(d)))
+            cause = "a coordinate became infinite or NaN"
+            return self._of_events(z) or Finding("not_finite", cause, self.step_advice(), bad)
+        if d.max(initial=0.0) > GROWTH_LIMIT * self.scale:
+            return Finding("diverged", "the coordinate grows without bound", self.step_advice(), int(d.argmax()))
+        if z[own("closure_error")][0] > CLOSURE_LIMIT * self.length:
+            cause = "the loop closure moves too far in one step for Newton"
+            return Finding("constraints_lost", cause, self.step_advice(DEAD_CENTRE))
+        if found is not None:
+            cause = f"the update of a step did not converge in {scheme.iteration_limit} iterations"
+            return Finding("iteration_failed", cause, self._singular() or scheme.if_not_converged)
+        if scheme.is_stuck(z):
+            return Finding(
+                "step_too_short",
+                f"the least step does not meet the tolerance behind t = {scheme.reached(z):.9g} s",
+                "A force or a rate may grow without bound there, or jump at a time that depends on the motion: look at "
+                "the motion until then, raise the tolerance, or take a scheme with steps of one length.",
+            )
+        return None
 
     def _of_events(self, z: np.ndarray) -> Finding | None:
         """Where nothing but the value of an event is not finite."""
@@ -161,39 +173,6 @@ class Monitor:
             return None
         name = watched_events(self.scheme)[int(np.argmax(bad))].name
         return Finding("not_finite", f"the condition of event {name} has no finite value", OF_EVENTS)
-
-    def _grown(self, z: np.ndarray) -> Finding | None:
-        """Angles may turn for ever, so growth is judged by the size of a step."""
-        d = np.abs(self._increments(z))
-        if not d.max(initial=0.0) > GROWTH_LIMIT * self.scale:
-            return None
-        return Finding("diverged", "the coordinate grows without bound", self.step_advice(), int(d.argmax()))
-
-    def _closure_lost(self, z: np.ndarray) -> Finding | None:
-        if not z[self.scheme.layout.slice("closure_error")][0] > CLOSURE_LIMIT * self.length:
-            return None
-        cause = "the loop closure moves too far in one step for Newton"
-        return Finding("constraints_lost", cause, self.step_advice(DEAD_CENTRE))
-
-    def _not_converged(self, z: np.ndarray) -> Finding | None:
-        if verdict(self.scheme, z) != "iteration_failed":
-            return None
-        return Finding(
-            "iteration_failed",
-            f"the update of a step did not converge in {self.scheme.iteration_limit} iterations",
-            self._singular() or self.scheme.if_not_converged,
-        )
-
-    def _step_too_short(self, z: np.ndarray) -> Finding | None:
-        scheme = self.scheme
-        if not scheme.is_stuck(z):
-            return None
-        return Finding(
-            "step_too_short",
-            f"the least step does not meet the tolerance behind t = {scheme.taken(z)['reached']:.9g} s",
-            "A force or a rate may grow without bound there, or jump at a time that depends on the motion: look at the "
-            "motion until then, raise the tolerance, or take a scheme with steps of one length.",
-        )
 
     def _closely(self, z: np.ndarray) -> Finding | None:
         if self._look.constrained:
@@ -346,7 +325,7 @@ def positive_definite(M_hat: np.ndarray) -> bool:
 
 
 class CloseLook:
-    """What the equations say at a state z, by functions that a scheme keeps."""
+    """What the equations say at a state z (at least the scheme's part), by functions that a scheme keeps."""
 
     def __init__(self, model: Model, scheme: Scheme) -> None:
         self.model, self.scheme = model, scheme
@@ -355,41 +334,40 @@ class CloseLook:
 
     def constraints(self, z: np.ndarray, c: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """C (n_c,) and C_q (n_c, n)."""
-        found = self._called("constraints", lambda: observed(self.model, self.scheme, "constraints", ("C", "C_q")))
-        values, rows = found(z, c), len(self.model.constraints)
+        model, scheme, rows = self.model, self.scheme, len(self.model.constraints)
+        values = direct(scheme, "look at constraints", lambda: observed(model, scheme, "constraints", ("C", "C_q")))(
+            z, c
+        )
         return values[:rows], values[rows:].reshape(-1, rows).T
 
     def mass(self, z: np.ndarray, c: np.ndarray) -> np.ndarray:
         """M_hat (n_i, n_i); of a long tree from the kinetic energy, so that M_hat is not derived for this."""
-        n = len(self.model.q_i)
-        if is_long_tree(self.model) and self.model.has("energy"):
-            momenta = self.scheme.derived("momenta", lambda: _momenta(self.model, self.scheme))
+        n, model, scheme = len(self.model.q_i), self.model, self.scheme
+        if is_long_tree(model) and model.has("energy"):
+            momenta = scheme.derived("momenta", lambda: _momenta(model, scheme))
             columns = np.asarray(momenta(z, c, np.hstack([np.zeros((n, 1)), np.eye(n)])))
             return np.asarray(columns[:, 1:] - columns[:, :1])
-        return self._called("mass", lambda: _mass(self.model, self.scheme))(z, c).reshape(n, n).T
+
+        def build() -> ca.Function:
+            z, c = _symbols(scheme)
+            seen = {**scheme.observer(z=z, c=c), "c": observed_constants(scheme, z, c)}
+            return ca.Function("mass", [z, c], [ca.densify(model.evaluate("condensed", **seen)["M_hat"])])
+
+        return direct(scheme, "look at mass", build)(z, c).reshape(n, n).T
 
     def coordinates(self, z: np.ndarray, c: np.ndarray) -> np.ndarray:
         """q (n,)."""
-        return self._called("coordinates", lambda: _coordinates(self.model, self.scheme))(z, c)
 
-    def _called(self, name: str, build: Callable[[], ca.Function]) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
-        return direct(self.scheme, f"look at {name}", build)
+        def build() -> ca.Function:
+            z, c = _symbols(self.scheme)
+            seen = self.scheme.observer(z=z, c=c)
+            return ca.Function("coordinates", [z, c], [ca.densify(joined(self.model, seen["q_i"], seen["q_d"]))])
+
+        return direct(self.scheme, "look at coordinates", build)(z, c)
 
 
 def _symbols(scheme: Scheme) -> tuple[ca.SX, ca.SX]:
     return ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
-
-
-def _mass(model: Model, scheme: Scheme) -> ca.Function:
-    z, c = _symbols(scheme)
-    seen = {**scheme.observer(z=z, c=c), "c": observed_constants(scheme, z, c)}
-    return ca.Function("mass", [z, c], [ca.densify(model.evaluate("condensed", **seen)["M_hat"])])
-
-
-def _coordinates(model: Model, scheme: Scheme) -> ca.Function:
-    z, c = _symbols(scheme)
-    seen = scheme.observer(z=z, c=c)
-    return ca.Function("coordinates", [z, c], [ca.densify(joined(model, seen["q_i"], seen["q_d"]))])
 
 
 def _momenta(model: Model, scheme: Scheme) -> ca.Function:
@@ -406,15 +384,15 @@ def _momenta(model: Model, scheme: Scheme) -> ca.Function:
 
 def observed(model: Model, scheme: Scheme, name: str, outputs: Sequence[str]) -> ca.Function:
     """(z, c) -> outputs of a kernel of (q, q_dot, t) at the state that z shows; built once for a scheme."""
-    return scheme.derived(f"observed {name}", lambda: _observed(model, scheme, name, outputs))
 
+    def build() -> ca.Function:
+        z, c = _symbols(scheme)
+        seen = scheme.observer(z=z, c=c)
+        q, q_dot = joined(model, seen["q_i"], seen["q_d"]), joined(model, seen["q_i_dot"], seen["q_d_dot"])
+        found = model.evaluate(name, q=q, q_dot=q_dot, t=seen["t"], c=observed_constants(scheme, z, c))
+        return ca.Function(f"observed_{name}", [z, c], [ca.densify(found[output]) for output in outputs])
 
-def _observed(model: Model, scheme: Scheme, name: str, outputs: Sequence[str]) -> ca.Function:
-    z, c = _symbols(scheme)
-    seen = scheme.observer(z=z, c=c)
-    q, q_dot = joined(model, seen["q_i"], seen["q_d"]), joined(model, seen["q_i_dot"], seen["q_d_dot"])
-    found = model.evaluate(name, q=q, q_dot=q_dot, t=seen["t"], c=observed_constants(scheme, z, c))
-    return ca.Function(f"observed_{name}", [z, c], [ca.densify(found[output]) for output in outputs])
+    return scheme.derived(f"observed {name}", build)
 
 
 def observed_constants(scheme: Scheme, z: ca.SX, c: ca.SX) -> ca.SX:

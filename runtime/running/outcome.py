@@ -4,21 +4,14 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 
+from runtime.contract.coordinates import euler_angles
 from runtime.contract.doors import opened
-from runtime.contract.files import OutputError
 from runtime.contract.status import Status
-from runtime.results.export import run_header
-from runtime.results.missing import missing_sections, missing_shapes, missing_stresses, singular_angles
 from runtime.results.motion_error import MotionError
 from runtime.results.solution import Solution
-from runtime.results.stream import StreamFile
-from runtime.running.buckling import ADVICE as OF_BUCKLING
-from runtime.running.buckling import buckling
-from runtime.running.monitor import flexible_bodies
 from runtime.running.run import Run
 from runtime.running.stepped_model import SteppedModel
 
@@ -54,15 +47,7 @@ def _ended(run: Run, measure: Measure) -> Solution:
         stats["kinks"] = len(run.events) - len(events)
     solution = solution.but(status=status, stats=stats, events=events, parameters=run.segment.p, stops=_stops(run))
     solution = with_error(solution, measure(run, solution) if status.ok else MotionError(reason=f"it is {status.name}"))
-    solution = with_limits(solution)
-    table = run.record.table
-    if isinstance(table, StreamFile):
-        outputs = list(run.segment.plan.outputs)
-        try:
-            table.write_header({**run_header(solution), "parameters": run.segment.p.tolist(), "outputs": outputs})
-        except OutputError as error:  # the header that is there says that the run did not come to its end
-            solution = solution.but(status=Status("output_failed", status.time, None, str(error)))
-    return solution
+    return run.record.finished(with_limits(solution))
 
 
 def _stops(run: Run) -> np.ndarray:
@@ -166,44 +151,8 @@ def statistics(segment: SteppedModel, z: np.ndarray, setup: float, wall: float) 
     }
 
 
-# How far a run was taken: deflection over length, slope, missing shapes, buckling, Euler angles that are singular.
-
-AT_ONCE = 1024  # samples
-
-
 def with_limits(solution: Solution) -> Solution:
-    """The solution with what was found in its statistics, in its events, and in its status beyond a buckling load."""
-    shares, missing = missing_shapes(solution)
-    left_out, unstressed = missing_stresses(solution)
-    not_held, unloaded = missing_sections(solution)
-    pushed, beyond = buckling(solution)
-    events, status = (
-        [*solution.events, *missing, *unstressed, *unloaded, *beyond, *singular_angles(solution)],
-        solution.status,
-    )
-    counted = {"events": len(events)} if events else {}
-    if beyond and status.ok:
-        status = replace(status, cause=beyond[0].text, advice=OF_BUCKLING)
-    stats = {**solution.stats, **limits(solution), **pushed, **shares, **left_out, **not_held, **counted}
-    return solution.but(status=status, stats=stats, events=events)
-
-
-def limits(solution: Solution) -> dict[str, float]:
-    """`deflection.body`, largest over its length, and `slope.body` [rad], largest turn, of the saved samples.
-
-    Both are of the body's drawn points against its axes; a run stops beyond the limits of the status
-    `deflection_too_large`.
-    """
-    found = {}
-    for name, columns, length, shapes, turns in flexible_bodies(solution.model, solution.parameters):
-        q = solution.q[:, columns]
-        found[f"deflection.{name}"] = _largest(shapes, q) / length
-        found[f"slope.{name}"] = _largest(turns, q)
-    return found
-
-
-def _largest(columns: np.ndarray, q: np.ndarray) -> float:
-    """Largest length of columns (points, 3, nf) q over the samples q (N, nf)."""
-    blocks = (q[first : first + AT_ONCE] for first in range(0, len(q), AT_ONCE))
-    sizes = [float(np.square(columns @ block.T).sum(axis=1).max(initial=0.0)) for block in blocks]
-    return float(np.sqrt(max(sizes, default=0.0)))
+    """The solution with what was found of flexible bodies and Euler angles; the number of its events is told."""
+    if solution.model.elastic or euler_angles(solution.model):
+        solution = opened("runtime.running.limits:with_limits")(solution)
+    return solution.but(stats={**solution.stats, "events": len(solution.events)}) if solution.events else solution

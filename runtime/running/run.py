@@ -10,26 +10,24 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import FrameType
-from typing import Any, TypedDict, cast
 
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
-from runtime.contract.coordinates import Initial, followed, whole
+from runtime.contract.coordinates import followed, whole
 from runtime.contract.doors import opened
 from runtime.contract.files import OutputError
 from runtime.contract.model import Model
 from runtime.contract.status import Event, Status
 from runtime.engine.rows import evaluate
 from runtime.running.events import EventActions, note_impulses
-from runtime.running.inputs import EndlessInput, InputValue, Schedule
+from runtime.running.inputs import EndlessInput, Schedule
 from runtime.running.plan import Plan, whole_number
 from runtime.running.problem import Problem
 from runtime.running.record import Record, record_of
 from runtime.running.singular.guard import FLOOR, Guard, lost_unguarded
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import check_time_functions
-from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.options import SchemeError
 
 Progress = Callable[[float, float], None]
@@ -211,7 +209,7 @@ class Run:
         if self.schedule is None:
             return
         plan, layout = self.segment.plan, self.segment.plan.scheme.layout
-        self.segment.land(self.z)
+        plan.scheme.land(self.z)
         own = layout.slice("inputs")
         w = self.schedule.apply(self.step, plan.time(self.step), self._state, self.z[own].copy())
         if w is not None:
@@ -233,7 +231,7 @@ class Run:
         scheme = self.segment.plan.scheme
         if at is not None and not alarm:  # else the alarm comes first: what it is about is sought below
             if scheme.adaptive:
-                if self._ends_at_event(cast(AdaptiveSteps, scheme), saved):
+                if self._ends_at_event(saved):
                     return
             else:
                 self.pace.steps, self.z = 1, before.copy()
@@ -263,17 +261,17 @@ class Run:
 
     def _steps_with_events(self, before: np.ndarray) -> bool:
         """Make the next step, in which events may happen: does one?"""
-        assert self.segment.broken is not None
         self.segment.forget_determinants(self.z)
-        w = self.happenings.step(self.z, self.segment.broken)
+        w = self.happenings.step(self.z)
         if not self.happenings.told:
             return False
         self._take_event(w)
         return True
 
-    def _ends_at_event(self, scheme: AdaptiveSteps, saved: np.ndarray) -> bool:
+    def _ends_at_event(self, saved: np.ndarray) -> bool:
         """Does the last step end at an event? Then what lies before it is seen first."""
         happened, plan = self.happenings.end_step(self.z), self.segment.plan
+        scheme = plan.scheme
         if not happened:
             return False
         self.pace.steps = 1
@@ -536,30 +534,6 @@ def told_by(segment: SteppedModel, states: np.ndarray, model: Model, rates: bool
 
 
 # The arguments of a run besides the problem and the method: how it goes, and what is kept of it.
-
-
-class RunArguments(TypedDict, total=False):
-    """The arguments of `simulate` besides the model and the scheme, for those who pass them on."""
-
-    tolerance: float | None
-    t_end: float | None
-    dt: float | None
-    m: list[int] | None
-    options: Mapping[str, Any] | None
-    parameters: Mapping[str, float] | None
-    initial: Initial
-    start: str | None
-    t0: float
-    inputs: Mapping[str, InputValue] | None
-    error: str
-    save_every: int | None
-    engine: str
-    progress: Progress | bool | None
-    force: bool
-    outputs: Sequence[str] | None
-    stream: str | Path | None
-    checkpoint: str | Path | None
-    checkpoint_every: int | None
 
 
 @dataclass(frozen=True)

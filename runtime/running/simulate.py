@@ -13,7 +13,6 @@ from runtime.contract.coordinates import Initial
 from runtime.contract.doors import opened
 from runtime.contract.model import Model, refuse_events
 from runtime.operating.given_state import given_state
-from runtime.results.meter import Meter
 from runtime.results.motion_error import MotionError
 from runtime.results.solution import Solution
 from runtime.running.companion import marks_of, measured
@@ -76,7 +75,7 @@ def simulate(
     OutputError or CompilerError for arguments that cannot be used.
     """
     if progress is True:
-        with Meter(model.name) as meter:
+        with opened("runtime.results.meter:Meter")(model.name) as meter:
             given = {name: value for name, value in locals().items() if name not in ("model", "meter", "progress")}
             return simulate(model, progress=meter, **given)
     if error not in (MEASURED, OFF):

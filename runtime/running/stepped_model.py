@@ -9,11 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.doors import opened
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.results.observe import observe_samples
@@ -22,11 +23,8 @@ from runtime.running.monitor import Monitor
 from runtime.running.plan import Plan
 from runtime.running.singular.guard import Guard
 from runtime.running.time_functions import all_stops
-from runtime.schemes.adaptive.impulses import run_across
 from runtime.schemes.stepper import Stepper, kept_stepper
-from runtime.schemes.switching.impulse import Impulse, moves_in_time
-from runtime.schemes.switching.restart import remembers
-from runtime.schemes.switching.steps_with_stops import StepsWithStops, restart_of
+from runtime.schemes.switching.impulse import Impulse
 from runtime.schemes.switching.times import SwitchTime, switches_by_inputs, switching_times
 from runtime.schemes.switching.watched import NEVER, all_awake, begin_events, watch_events, watches
 
@@ -52,7 +50,7 @@ class SteppedModel:
     begun: ConsistentState | None = None
     given: dict[float, Impulse] = field(default_factory=dict)
     switches: list[SwitchTime] = field(default_factory=list, init=False)
-    broken: StepsWithStops | None = field(default=None, init=False)
+    broken: Any = field(default=None, init=False)
 
     @classmethod
     def prepared(cls, model: Model, plan: Plan, p: np.ndarray, engine: str, wait: bool = False) -> Self:
@@ -89,7 +87,10 @@ class SteppedModel:
 
     def advance(self, z: np.ndarray, steps: int) -> None:
         """Make so many major steps in place, in one native call where nothing jumps."""
-        if self.broken is None:
+        if self.plan.scheme.adaptive:
+            around = self.with_inputs(z), self.plan.grid.dt_L, self.switches, self.given
+            opened("runtime.schemes.adaptive.impulses:run_across")(self.stepper, z, steps, self.ready, *around)
+        elif self.broken is None:
             self.stepper.run(z, self.ready, steps)
         else:
             self.broken.run(z, self.ready, self.c, steps)
@@ -97,22 +98,18 @@ class SteppedModel:
     def hold(self, z: np.ndarray, w: np.ndarray) -> None:
         """From now on z (n_z,) has these numbers (n_w,) of the inputs; where they change, forces jump."""
         now = z[self._inputs]
-        if not self.remembers or (now == w).all():
+        if not self.plan.scheme.remembers or (now == w).all():
             now[:] = w
             return
         clock, dt, size = z[:2].copy(), self.plan.grid.dt_L, self.plan.scheme.layout.size
         t = float(clock[0] + clock[1] * dt)
-        z[:size] = restart_of(self.stepper)(z[:size], self.plan.scheme.constants(self.c), dt, dt, t, inputs=w)
+        restart = opened("runtime.schemes.switching.steps_with_stops:restart_of")(self.stepper)
+        z[:size] = restart(z[:size], self.plan.scheme.constants(self.c), dt, dt, t, inputs=w)
         z[:2] = clock
 
     @cached_property
     def _inputs(self) -> slice:
         return self.plan.scheme.layout.slice("inputs")
-
-    @cached_property
-    def remembers(self) -> bool:
-        """Is the scheme started anew where forces jump?"""
-        return not self.plan.scheme.adaptive and remembers(self.plan.scheme)
 
     def with_inputs(self, z: np.ndarray) -> np.ndarray:
         """(c_size,) the constants with the inputs that z holds."""
@@ -126,11 +123,11 @@ class SteppedModel:
         """Look where something jumps on the grid of steps from t0 on, for the inputs as they are. Raises ModelError."""
         self.switches = self.stops(t0, t_end)
         scheme, length = self.plan.scheme, self.plan.grid.dt_L
-        breaks = (
-            bool(self.switches) or self.watches_events
-        ) and not scheme.adaptive  # who chooses the ends of steps puts them there
-        known = round((t_end - t0) / length)
-        self.broken = StepsWithStops(self.stepper, t0, length, self.switches, self.c, known) if breaks else None
+        self.broken = None
+        if (self.switches or self.watches_events) and not scheme.adaptive:  # who chooses ends of steps puts them there
+            steps_with_stops = opened("runtime.schemes.switching.steps_with_stops:StepsWithStops")
+            known = round((t_end - t0) / length)
+            self.broken = steps_with_stops(self.stepper, t0, length, self.switches, self.c, known)
 
     def stops(self, t0: float, t_end: float) -> list[SwitchTime]:
         """Times at which steps end; of a run places within short pulses of loads, too. Raises ModelError."""
@@ -202,14 +199,10 @@ class SteppedModel:
         """Major steps that were made when z was reached."""
         return int(z[1])
 
-    def time_of(self, z: np.ndarray) -> float:
-        """Time of z by its own clock [s]."""
-        return float(z[0] + z[1] * self.plan.grid.dt_L)
-
     def run(self, z: np.ndarray, steps: int) -> None:
         """Advance z in place."""
         self.forget_determinants(z)
-        self._go_on(z, steps)
+        self.advance(z, steps)
 
     def run_and_save(self, z: np.ndarray, steps: int, until_mark: Callable[[int], int] | None = None) -> np.ndarray:
         """Advance z in place; (N, n_z) whole states to be saved, or at marks, on the way, the last one left out.
@@ -232,7 +225,7 @@ class SteppedModel:
         """The same where there may be steps that cannot be made whole."""
         found, end = list[np.ndarray](), self.step_of(z)
         for count in counts:
-            self._go_on(z, int(count))
+            self.advance(z, int(count))
             end += int(count)
             if self.step_of(z) < end:
                 break
@@ -251,47 +244,10 @@ class SteppedModel:
                 at += until_mark(at)
         return np.diff(sorted({step, *stops})).astype(np.int64)
 
-    def _go_on(self, z: np.ndarray, steps: int) -> None:
-        if self.plan.scheme.adaptive:
-            self.run_varying(z, steps, self.ready, self.plan.grid.dt_L, self.given)
-        else:
-            self.advance(z, steps)
-
-    def run_varying(
-        self, z: np.ndarray, steps: int, ready: np.ndarray, dt: float, given: dict[float, Impulse] | None = None
-    ) -> None:
-        """Advance z in place by states dt [s] apart, by steps of a tolerance with what their program reads.
-
-        given: impulses on the way are entered here, with their times; None: nobody asks.
-        """
-        noted = given if given is not None else {}
-        run_across(
-            self.stepper, z, steps, ready, self.with_inputs(z), dt, self.switches, noted if self._prescribes else None
-        )
-
-    @cached_property
-    def _prescribes(self) -> bool:
-        """Are there prescribed motions that may jump?"""
-        return moves_in_time(self.model)
-
     @property
     def impulses(self) -> dict[float, Impulse]:
         """Of prescribed motions whose velocity has jumped so far, by time [s]."""
         return self.given if self.broken is None else self.broken.impulses
-
-    def impulse_memory(self) -> list[list[float]]:
-        """`impulses` in plain numbers."""
-        found = sorted(self.impulses.items())
-        return [[at, one.energy, *one.jumps.tolist()] for at, one in found]
-
-    def resume_impulses(self, memory: Sequence[Sequence[float]]) -> None:
-        """From `impulse_memory`."""
-        for at, energy, *jumps in memory:
-            self.impulses[at] = Impulse(energy, np.array(jumps))
-
-    def land(self, z: np.ndarray) -> None:
-        """From z on every state that is seen is the end of a step: what comes from outside changes there."""
-        self.plan.scheme.land(z)
 
     def new_guard(self) -> Guard:
         """For the determinants that the scheme keeps."""

@@ -151,7 +151,7 @@ class ModelStepper:
         """From now on these inputs."""
         if self._across is not None:
             self._across.take_inputs()
-        names, own = self.model.inputs, self._own_inputs.copy() if self._own.remembers else self._own_inputs
+        names, own = self.model.inputs, self._own_inputs.copy() if self.scheme.remembers else self._own_inputs
         if not isinstance(u, Mapping):
             if len(u) != len(names):
                 raise ArgumentError(f"{len(u)} numbers for {len(names)} inputs: {', '.join(names) or 'none'}")
@@ -164,7 +164,7 @@ class ModelStepper:
                 self.model.signals.changed(own, 0.0, u)  # says what is wrong
                 return
             own[k] = value
-        if self._own.remembers:
+        if self.scheme.remembers:
             self._own.hold(self._z, own)
 
     def run(self, n: int, call: Callable[[ModelStepper], Any], every: int = 1) -> None:

@@ -135,6 +135,23 @@ class Scheme(ABC):
         """From z on every state that is seen is the end of a step, as it always is of steps of a given length."""
         return None
 
+    def reached(self, z: np.ndarray) -> float:
+        """Time at the end of the last step of z (at least the scheme's part, flat) [s]."""
+        return float(z[0] + z[1] * self.grid.dt_L)
+
+    def next_seen(self, z: np.ndarray, dt: float) -> float:
+        """Time of the next state after z (at least the scheme's part, flat) that is seen [s], dt apart."""
+        return float(z[0] + (z[1] + 1) * dt)
+
+    def at_end(self, z: np.ndarray) -> np.ndarray:
+        """A copy of z (n_z,) that is seen at the end of its last step."""
+        return z.copy()
+
+    @property
+    def remembers(self) -> bool:
+        """Do steps act, or steer their iterations, through more than positions, rates and charts?"""
+        return not set(self.memory) <= {"x", "v", "loop", "chart"} or self.starts_from_last
+
     @property
     def memory(self) -> list[str]:
         """The fields of z through which one major step acts on the next, in the order of z."""

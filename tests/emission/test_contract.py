@@ -36,7 +36,7 @@ READERS_OF_TEXT = {
     "runtime/engine/compiled.py",
     "runtime/results/export.py",
     "runtime/results/samples.py",  # columns of the CSV
-    "runtime/running/record.py",
+    "runtime/running/columns.py",
     "runtime/studies/work_precision/comparison_page.py",  # a template in HTML
     "runtime/studies/work_precision/methods.py",
     "runtime/views/viewer/page.py",  # a template in HTML

@@ -87,7 +87,7 @@ def test_columns_of_finite_elements(model_of: Build) -> None:
 
 def test_what_holds_an_end(built_in: Callable[[str], Model]) -> None:
     """A rod between a crank and a slider is held at both ends, a beam on a hub at one."""
-    from runtime.running.buckling import is_held
+    from runtime.running.limits import is_held
 
     four_bar = built_in("flexible_four_bar").description
     assert is_held(four_bar, "coupler", {"coupler.start"}) and is_held(four_bar, "coupler", {"coupler.end"})

@@ -14,15 +14,18 @@ from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.engine.llvm_code import host
 from runtime.schemes.catalogue import SCHEMES
+from runtime.studies.ensemble import rows
 from runtime.studies.ensemble.lane_programs import LanePrograms, programs_of
 from runtime.studies.ensemble.lane_runs import LaneRuns
 from runtime.studies.ensemble.question import Question
+from runtime.studies.ensemble.rows import run_alone
 from runtime.studies.ensemble.starts import CaseStarts, table_of
 from symgen.generate import generate
-from symgen.scene import Scene
+from symgen.scene import Scene, SceneRecord
 from tests.support.pendula import SHORT, pendula
 
 Load = Callable[[str], Model]
+Build = Callable[[SceneRecord], Model]
 CASES = 5
 OUTPUTS = ["crank.theta", "rod.theta_dot", "slider.x_ddot", "kinetic", "C.force_x"]
 
@@ -152,12 +155,12 @@ def test_a_lost_lane_is_not_iterated(built_in: Load, width: int) -> None:
     names, table = table_of(model, None, {"rod.theta_dot": np.array([0.5, 1e305])})
     asked = Question.ask(model, names, 2, "printed", 1e-3, None, None, 0.0, 0.02, None, ["rod.theta"], None, 1)
     counted = []
-    for rows in (table, table[:1]):
+    for cases in (table, table[:1]):
         runs = LaneRuns(model, asked, width)
         sweeps = runs.programs.scheme.layout.slice("iterations").start
-        blocks = runs.begun(CaseStarts(model, [], ["rod.theta_dot"], 0.0, "").of(rows))
+        blocks = runs.begun(CaseStarts(model, [], ["rod.theta_dot"], 0.0, "").of(cases))
         runs.advance(blocks, 20)
-        counted.append(runs.values(blocks, len(rows), "scheme")[:, sweeps])
+        counted.append(runs.values(blocks, len(cases), "scheme")[:, sweeps])
     assert counted[0][1] < 20 * 3 and counted[0][0] == counted[1][0]
 
 
@@ -181,6 +184,25 @@ def test_a_singular_position_is_passed_as_a_run_passes_it(built_in: Load) -> Non
     for name in settings["outputs"]:
         np.testing.assert_array_equal(found[name][1], expected.outputs[name])
     assert (found["status"] == "completed").all()
+
+
+@pytest.mark.parametrize("torque", ["0", "where(t < 0.1234, 1, 0)"])
+def test_cases_without_an_event_stay_in_their_lanes(model_of: Build, monkeypatch, torque: str) -> None:
+    """A pendulum that a brake catches at an angle: only the cases that come there are run by themselves; same bits."""
+    scene = Scene("caught").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0.0))
+    scene.revolute("pin", "ground.origin", "rod.origin").initial({"rod.theta": -1.5})
+    scene.input("brake", 0.0).measure("angle", "coordinate", "rod.theta")
+    scene.torque("drive", "rod.origin", torque).torque("braking", "rod.origin", "-brake * angle_dot")
+    scene.event("caught", "angle", direction="rising", action={"brake": "5"})
+    model = model_of(scene.simulation(t_end=1.0, dt=1e-3, scheme="rk4").build())
+    speeds, alone = [1.0, 6.0, 2.0, 7.0, 1.5], []
+    monkeypatch.setattr(rows, "run_alone", lambda *given: alone.append(given[2].tolist()) or run_alone(*given))
+    found = ensemble(model, initial={"rod.theta_dot": speeds}, outputs=["rod.theta"], every=100)
+    runs = [simulate(model, initial={"rod.theta_dot": speed}, save_every=100) for speed in speeds]
+    caught = [speed for speed, run in zip(speeds, runs, strict=True) if any(one.kind == "event" for one in run.events)]
+    assert caught == [6.0, 7.0] and alone == [[speed] for speed in caught]
+    for case, run in enumerate(runs):
+        np.testing.assert_array_equal(found["rod.theta"][case], run["rod.theta"])
 
 
 def test_turning_bodies_start_with_their_angular_velocities(built_in: Load) -> None:

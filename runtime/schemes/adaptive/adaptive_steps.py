@@ -303,9 +303,10 @@ class AdaptiveState(Method):
         """Did the least step not meet the tolerance?"""
         return bool(z[self.layout.slice("stuck")][0] > 0)
 
-    def next_seen(self, z: np.ndarray, dt: float) -> float:
-        """Time of the next state after z (n_z,) that is seen [s], dt apart."""
-        return float(z[self.layout.slice("t0")][0] + (z[self.layout.slice("n")][0] + 1) * dt)
+    @property
+    def remembers(self) -> bool:
+        """Behind a stop they begin with nothing but positions and rates."""
+        return False
 
     def reached(self, z: np.ndarray) -> float:
         """Time at the end of the last accepted step [s]."""

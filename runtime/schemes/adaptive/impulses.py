@@ -10,7 +10,7 @@ from runtime.contract.coordinates import whole
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.breaks import ON_THE_GRID
-from runtime.schemes.switching.impulse import Impulse, impulse_at
+from runtime.schemes.switching.impulse import Impulse, impulse_at, moves_in_time
 from runtime.schemes.switching.times import SwitchTime
 from runtime.schemes.switching.watched import NEVER
 
@@ -23,16 +23,16 @@ def run_across(
     c: np.ndarray,
     dt: float,
     jumps: Sequence[SwitchTime],
-    given: dict[float, Impulse] | None,
+    given: dict[float, Impulse],
 ) -> None:
     """Advance z (whole, flat) in place by so many states dt [s] apart; fewer up to an event or the least step.
 
-    ready: what the program reads; c (c_size,): the model's constants with the inputs that hold. given: impulses are
-    entered here by their time; None where there are no prescribed motions.
+    ready: what the program reads; c (c_size,): the model's constants with the inputs that hold. given: impulses of
+    prescribed motions are entered here by their time.
     """
     scheme = stepper.scheme
     assert isinstance(scheme, AdaptiveSteps)
-    end, moves = z[1] + steps, given is not None and bool(jumps)
+    end, moves = z[1] + steps, bool(jumps) and moves_in_time(scheme.model)
     event = scheme.layout.slice("event_step") if "event_step" in scheme.layout.sizes else slice(0, 0)
     while z[1] < end and not scheme.is_stuck(z) and not (z[event] < NEVER).any():
         _look_ahead(scheme, z, c, dt, jumps, given if moves else None)

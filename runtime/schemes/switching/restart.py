@@ -17,11 +17,6 @@ from runtime.engine.program import Call, Fields, Layout, make_stage
 from runtime.schemes.scheme import Lasting, Scheme
 
 
-def remembers(scheme: Scheme) -> bool:
-    """Does a scheme act, or steer its iterations, through more than positions, rates and charts?"""
-    return not set(scheme.memory) <= {"x", "v", "loop", "chart"} or scheme.starts_from_last
-
-
 def with_steps(scheme: Scheme, state: ca.SX, c: ca.SX, dt: ca.SX) -> ca.SX:
     """c (c_size,) as stages read it with major steps dt [s], and the inputs that a state (n_z,) holds."""
     end = scheme.model.c_size
@@ -42,7 +37,7 @@ def restarted(
     goes on as it is. push (n_i,): what an impulse adds to the rates; inputs (n_w,): from there on.
     """
     found, own, end = ca.SX(state), scheme.layout.slice, scheme.model.c_size
-    if remembers(scheme):
+    if scheme.remembers:
         before, after = (with_steps(scheme, state, c, one) for one in (dt_before, dt))
         if inputs is not None:
             after = ca.vertcat(after[: end - inputs.numel()], inputs, after[end:])

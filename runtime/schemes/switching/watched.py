@@ -106,6 +106,20 @@ def begin_events(scheme: Scheme, z: np.ndarray, c: np.ndarray, shown: np.ndarray
             z[slopes] = event_slopes(scheme, z, c)[: slopes.stop - slopes.start]
 
 
+def looking(scheme: Scheme, z: Fields, c: ca.SX) -> Fields:
+    """Fields of z as expressions, looked at from there on as if no event had happened yet; c as the stages read it."""
+    if not watches(scheme):
+        return z
+    seen, none = values_at(scheme, scheme.layout.pack(z), scheme.equations(c, z)), ca.SX.ones(z["event_values"].numel())
+    begun = {
+        "event_values": seen["events"],
+        "event_slopes": seen["slopes"][: z["event_slopes"].numel()],
+        "event_step": ca.SX(NEVER),
+    }
+    begun |= {"event_change": NEVER * none, "event_quiet": -NEVER * none}
+    return z | {name: value for name, value in begun.items() if name in z}
+
+
 def all_awake(scheme: Scheme, z: np.ndarray) -> None:
     """No event has happened yet at z (n_z,)."""
     if "event_quiet" in scheme.layout.sizes:

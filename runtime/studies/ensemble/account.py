@@ -18,11 +18,13 @@ from runtime.engine.program import Fields
 from runtime.running.monitor import CLOSURE_LIMIT, CONSTRAINT_LIMIT, GROWTH_LIMIT, MOST_DEFLECTION, MOST_TURN, observed
 from runtime.running.singular.guard import NEAR
 from runtime.running.stepped_model import HIGHEST, LOWEST
-from runtime.schemes.scheme import Scheme
+from runtime.schemes.scheme import LARGEST, Scheme
+from runtime.schemes.switching.watched import NEVER, watches
 
-# in the order in which they are looked for; `singular` is no end: that case is run by itself
+ALONE = "alone"  # no end: a case that comes to a singular position or to an event is run by itself
+# in the order in which they are looked for
 CAUSES: tuple[StatusName | str, ...] = (
-    "singular",
+    ALONE,
     "iteration_failed",
     "not_finite",
     "constraints_lost",
@@ -69,7 +71,7 @@ class LaneAccount:
         alarm, account = self._guarded(z, s)
         none, scheme = ca.SX(0), self.scheme
         found = {
-            "singular": alarm,
+            ALONE: ca.logic_or(alarm, self._at_event(s)),
             "iteration_failed": none if scheme.iteration_limit is None else s["failures"] > 0,
             "not_finite": ca.logic_not(scheme.alive(s)),
             "constraints_lost": s["closure_error"] > CLOSURE_LIMIT * self.length if self.blocks else none,
@@ -85,6 +87,12 @@ class LaneAccount:
             "reached": z["reached"] + (causes <= 0),
             "reduced": ca.vertcat(*values) if values else ca.SX(0, 1),
         }
+
+    def _at_event(self, s: Fields) -> ca.SX:
+        """May an event have happened, or has its condition no finite value?"""
+        if not watches(self.scheme):
+            return ca.SX(0)
+        return ca.logic_or(s["event_step"] < NEVER, ca.logic_not(ca.sum1(ca.fabs(s["event_values"])) < LARGEST))
 
     def _guarded(self, z: Fields, s: Fields) -> tuple[ca.SX, dict[str, ca.SX]]:
         """(is the determinant of a loop block small, or has it changed its sign?, what is kept of them).

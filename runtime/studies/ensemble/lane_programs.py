@@ -24,7 +24,7 @@ from runtime.schemes.scheme import LARGEST, Scheme
 from runtime.schemes.stepper import start_there
 from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.stop_program import StopProgram
-from runtime.schemes.switching.watched import watched_events
+from runtime.schemes.switching.watched import looking, watch_events, with_events
 from runtime.start.quasi_static import MAX_STEPS, PASSES, elastic_residual, leading, positions, settles, settling
 from runtime.studies.ensemble.account import FIELDS, LaneAccount, looked
 from runtime.studies.ensemble.observation import Observation
@@ -42,15 +42,15 @@ class LanePrograms:
         self.plan = question.plan(model)
         scheme = self.scheme = self.plan.scheme
         scheme.of_one_length("an ensemble")
-        self._prepared = prepare(scheme.program(), scheme.layout.size, scheme.c_size)
+        watch_events(scheme)
+        self._prepared = prepare(with_events(scheme, scheme.program()), scheme.layout.size, scheme.c_size)
         reduced = [(question.outputs.index(name), reduction) for name, reduction in question.reduced]
         self._length = _length(model)
         self._observation = Observation(model, scheme, question.outputs)
         self._account = LaneAccount(scheme, reduced, self._length)
         extra = self._prepared.z_size - scheme.layout.size
-        stops = may_jump(model) and not watched_events(scheme)  # whose cases are run by themselves
         impulses = bool(moves_in_time(model) and model.q_d and model.has("energy"))
-        self.stops = StopProgram(scheme, self._prepared, impulses) if stops else None
+        self.stops = StopProgram(scheme, self._prepared, impulses) if may_jump(model) else None
         sizes = {} if self.stops is None else {f"stop_{name}": n for name, n in self.stops.layout.sizes.items()}
         sizes.pop("stop_state", 0)
         fields = {"scheme": scheme.layout.size, "more": extra, **sizes}
@@ -269,6 +269,7 @@ def _started(model: Model, scheme: Scheme, lane: Layout, z: Fields) -> ca.SX:
     blocks = scheme.layout.sizes["det_low"]
     fields |= {"t0": z["t"] + (z["clock"] - z["t"]), "n": ca.SX(0)}
     fields |= {"det_low": LOWEST * ca.SX.ones(blocks), "det_high": HIGHEST * ca.SX.ones(blocks)}
+    fields = looking(scheme, fields, c)
     empty = {name: ca.SX.zeros(size) for name, size in lane.sizes.items()}
     if "stop_t0" in lane.sizes:
         empty |= {"stop_t0": z["t"], "stop_inputs": fields.get("inputs", ca.SX(0, 1))}

@@ -10,7 +10,7 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.engine.ensemble_code import blocks_of
-from runtime.studies.ensemble.account import FOUND, cause_of, judged
+from runtime.studies.ensemble.account import ALONE, FOUND, cause_of, judged
 from runtime.studies.ensemble.lane_programs import programs_of
 from runtime.studies.ensemble.lane_stops import LaneStops
 from runtime.studies.ensemble.question import Question
@@ -158,7 +158,7 @@ class LaneRuns:
         seen = (watch.wrong >= 0) & (status == "completed")
         status[seen], reached[seen] = np.array(FOUND)[watch.wrong[seen]], watch.good[seen]
         status[impossible], reached[impossible] = "not_assembled", 0
-        alone = (alone | (status == "singular")) & ~impossible
+        alone = (alone | (status == ALONE)) & ~impossible
         failed = status != "completed"
         if self.question.reduced:
             kept = self._reduced(blocks, cases)

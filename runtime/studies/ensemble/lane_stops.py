@@ -17,12 +17,11 @@ from runtime.schemes.switching.impulse import may_give_impulses
 from runtime.schemes.switching.steps_with_stops import parts_of
 from runtime.schemes.switching.stop_program import KNOWN
 from runtime.schemes.switching.times import switching_times
-from runtime.schemes.switching.watched import watched_events
 from runtime.studies.ensemble.starts import Starts
 
 
 class LaneStops:
-    """Of some cases. alone (cases,): those that lanes do not bring to their end, for events, or within short pulses.
+    """Of some cases. alone (cases,): those that lanes do not bring to their end, within short pulses.
 
     clocks (cases,): at which steps begin [s]. part: names of the fields of a part; none where nothing may jump.
     """
@@ -30,10 +29,10 @@ class LaneStops:
     def __init__(self, plan: Plan, starts: Starts, part: tuple[str, ...]) -> None:
         model, cases = plan.scheme.model, len(starts.close)
         self._plan, self.part = plan, part
-        self.alone = np.full(cases, bool(watched_events(plan.scheme)))
+        self.alone = np.zeros(cases, dtype=bool)
         self.clocks = np.full(cases, plan.t0)
         self._parts, self._of = [np.zeros((len(part), 0))], np.zeros(cases, dtype=int)
-        if part and not self.alone.all():
+        if part:
             self._find(model, starts)
         self._steps = [parts[0].astype(int) if part else np.zeros(0, dtype=int) for parts in self._parts]
 

@@ -1,23 +1,65 @@
-"""How much of its buckling load each flexible body carried in a run, by the forces that its two ends take.
-
-Of a beam Euler's load pi^2 E I / (K L)^2 of the beam by itself: K = 1 between two ends that are held in place by what
-is attached to them, K = 2 where only one is. Of a finite-element body the like between two of its interfaces, from its
-elements. Against it stands the mean of the normal forces at the two ends, which also serves where the force changes
-along the body: a column between pins buckles under a weight of 18.6 E I / L^2, a mean of 9.3.
-"""
+"""How far a run was taken: deflection over length, slope, missing shapes, buckling, Euler angles that are singular."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
+from runtime.contract.doors import opened
 from runtime.contract.records import Description
 from runtime.contract.status import Event
-from runtime.results.body_motion import frame_motion
+from runtime.results.missing import missing_sections, missing_shapes, missing_stresses, singular_angles
 from runtime.results.solution import Solution
+from runtime.running.monitor import flexible_bodies
+
+AT_ONCE = 1024  # samples
+
+
+def with_limits(solution: Solution) -> Solution:
+    """The solution with what was found in its statistics, in its events, and in its status beyond a buckling load."""
+    shares, missing = missing_shapes(solution)
+    left_out, unstressed = missing_stresses(solution)
+    not_held, unloaded = missing_sections(solution)
+    pushed, beyond = buckling(solution)
+    events = [*solution.events, *missing, *unstressed, *unloaded, *beyond, *singular_angles(solution)]
+    status = solution.status
+    if beyond and status.ok:
+        status = replace(status, cause=beyond[0].text, advice=ADVICE)
+    stats = {**solution.stats, **limits(solution), **pushed, **shares, **left_out, **not_held}
+    return solution.but(status=status, stats=stats, events=events)
+
+
+def limits(solution: Solution) -> dict[str, float]:
+    """`deflection.body`, largest over its length, and `slope.body` [rad], largest turn, of the saved samples.
+
+    Both are of the body's drawn points against its axes; a run stops beyond the limits of the status
+    `deflection_too_large`.
+    """
+    found = {}
+    for name, columns, length, shapes, turns in flexible_bodies(solution.model, solution.parameters):
+        q = solution.q[:, columns]
+        found[f"deflection.{name}"] = _largest(shapes, q) / length
+        found[f"slope.{name}"] = _largest(turns, q)
+    return found
+
+
+def _largest(columns: np.ndarray, q: np.ndarray) -> float:
+    """Largest length of columns (points, 3, nf) q over the samples q (N, nf)."""
+    blocks = (q[first : first + AT_ONCE] for first in range(0, len(q), AT_ONCE))
+    sizes = [float(np.square(columns @ block.T).sum(axis=1).max(initial=0.0)) for block in blocks]
+    return float(np.sqrt(max(sizes, default=0.0)))
+
+
+# How much of its buckling load each flexible body carried in a run, by the forces that its two ends take.
+#
+# Of a beam Euler's load pi^2 E I / (K L)^2 of the beam by itself: K = 1 between two ends that are held in place by
+# what is attached to them, K = 2 where only one is. Of a finite-element body the like between two of its interfaces,
+# from its elements. Against it stands the mean of the normal forces at the two ends, which also serves where the force
+# changes along the body: a column between pins buckles under a weight of 18.6 E I / L^2, a mean of 9.3.
 
 END = 1e-9  # of the length: a marker this near to an end is there
 MOST_SHARE = 1.0
@@ -156,7 +198,7 @@ def mean_normal_force(solution: Solution, strut: Strut, acting: list[Acting]) ->
     described, dimension = solution.model.description, 2 if solution.joint_forces.shape[2] == 3 else 3
     frame = [k for k, one in enumerate(described.coordinates) if one.owner == strut.body and not one.elastic]
     turning = (values[:, frame[dimension:]] for values in (solution.q, solution.q_dot, solution.q_ddot))
-    along = frame_motion(*turning).A[:, :dimension] @ strut.line
+    along = opened("runtime.results.body_motion:frame_motion")(*turning).A[:, :dimension] @ strut.line
     total = np.zeros(len(solution.t))
     for signs, force in acting:
         for marker, sign in signs.items():
