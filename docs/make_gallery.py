@@ -32,6 +32,7 @@ SECTIONS = {
         "parameter_study",
         "monte_carlo",
         "design_rod",
+        "thin_coupler",
         "identify_hub_beam",
         "ensemble_on_dask",
     ],

@@ -137,22 +137,32 @@ class DifferentiableRun:
         """Names of what is differentiated by."""
         return self.variables.names
 
-    def over(self, t0: float, length: float, steps: int | None = None) -> DifferentiableRun:
+    def over(
+        self,
+        t0: float,
+        length: float,
+        steps: int | None = None,
+        every: int | None = None,
+        parameters: Mapping[str, float] | None = None,
+    ) -> DifferentiableRun:
         """The same run from t0 over so long [s], with as many steps or with `steps`; what is compiled is shared.
 
-        Outputs are then at its start and its end, if the number of steps is another.
+        every: with `steps`, how many of them lie between outputs (None: all, for outputs at its start and its end);
+        parameters: by name, besides those of the run.
         """
         other, count = copy(self), self.plan.steps if steps is None else steps
         other.__dict__.pop("_backward", None)
         dt = length / count
         scheme = self.plan.scheme.with_step(dt)
-        every = self.plan.save_every if steps is None else count
-        other.plan = replace(self.plan, scheme=scheme, t0=t0, steps=count, save_every=every)
+        saved = self.plan.save_every if steps is None else every or count
+        other.plan = replace(self.plan, scheme=scheme, t0=t0, steps=count, save_every=saved)
         other.program = replace(self.program, scheme=scheme)
         other.course = course(other.plan, self._holds if steps is None else ())
         other.t = t0 + np.array(other.course.times) * dt
         other._passages = self._passages.over(t0, dt, count)
-        other._start = self._start.on(other.program, other.plan)
+        other._start = self._start.on(other.program, other.plan, parameters)
+        if parameters:
+            other.x0 = other._start.values()
         return other
 
     # ---- what is asked for ----------------------------------------------------------------------------------

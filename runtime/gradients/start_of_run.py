@@ -46,10 +46,11 @@ class StartOfRun:
         self._parameters, self._initial = dict(parameters), dict(initial)
         self._kind = self._kind_of(start)
 
-    def on(self, program: ObservedProgram, plan: Plan) -> StartOfRun:
-        """The same start of a program and plan with other steps and another time."""
+    def on(self, program: ObservedProgram, plan: Plan, parameters: Given | None = None) -> StartOfRun:
+        """The same start of a program and plan with other steps, another time and further parameters."""
         other = copy(self)
         other._program, other._plan = program, plan
+        other._parameters = {**self._parameters, **(parameters or {})}
         return other
 
     def values(self) -> np.ndarray:

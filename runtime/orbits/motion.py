@@ -162,13 +162,7 @@ def _gradient(motion: PeriodicMotion, of: Objective, by: Sequence[str]) -> Gradi
         raise ArgumentError(f"by {unknown[0]!r}", f"is no parameter of model {model.name}", "see model.parameters")
     states = tuple(motion.state)
     outputs = tuple(dict.fromkeys((*of.outputs, *states)))
-    run = DifferentiableRun(
-        model,
-        outputs,
-        [*states, *by],
-        **motion.setting,
-        save_every=1,
-    )
+    run = _gradient_run(motion, outputs, [*states, *by])
     n, x = len(states), run.x0.copy()
     x[:n] = list(motion.state.values())
     first = run.gradient(of, x)
@@ -180,6 +174,19 @@ def _gradient(motion: PeriodicMotion, of: Objective, by: Sequence[str]) -> Gradi
         by_period = _by_period(run, motion, of, x) + w @ motion.found.shot.rates[-1]
         found[list(by).index(motion.speed[0])] += rate * by_period
     return replace(first, by=tuple(by), derivatives=found, mode="reverse")
+
+
+def _gradient_run(motion: PeriodicMotion, outputs: Sequence[str], by: Sequence[str]) -> DifferentiableRun:
+    """One period of a motion, seen at every step; what is prepared is kept by the model, unless inputs drive it."""
+    model = motion.model
+
+    def first() -> DifferentiableRun:
+        without = {name: value for name, value in motion.setting.items() if name != "parameters"}
+        return DifferentiableRun(model, outputs, by, **without, save_every=1)
+
+    key = f"gradient of an orbit by {motion.scheme} {dict(motion.options)} {tuple(outputs)} {tuple(by)}"
+    run = first() if motion.inputs else model.derived(key, first)
+    return run.over(motion.t0, motion.period, motion.steps, 1, motion.parameters)
 
 
 def _adjoint(

@@ -85,9 +85,9 @@ class PeriodMap:
             )
         self.setting, self.parameters, self.by = setting, dict(parameters), tuple(by)
         self.names = [*model.q_i, *(f"{name}_dot" for name in model.q_i)]
-        key = f"orbit by {setting.scheme} {dict(setting.options)} {sorted(self.parameters.items())} {self.by}"
+        key = f"orbit by {setting.scheme} {dict(setting.options)} {self.by}"
         own = setting.model.derived(key, lambda: self._first(period)) if not setting.inputs else self._first(period)
-        self._run = own.over(setting.t0, period / setting.parts, setting.steps)
+        self._run = own.over(setting.t0, period / setting.parts, setting.steps, parameters=self.parameters)
         self._placed: dict[tuple[float, float], DifferentiableRun] = {}
 
     @property
@@ -160,7 +160,6 @@ class PeriodMap:
             own,
             [*self.names, *(f"{name}_ddot" for name in own.q_i)],
             [*self.names, *self.by],
-            parameters=self.parameters,
             t_end=setting.t0 + length,
             dt=length / setting.steps,
             scheme=setting.scheme,

@@ -24,3 +24,15 @@ def test_over_another_time_and_number_of_steps(built_in: Callable[[str], Model])
     own = DifferentiableRun(model, names, by, t0=1.5, t_end=2.3, dt=0.004, scheme="exponential_rk4", save_every=200)
     assert np.array_equal(finer.jacobian().derivatives, own.jacobian().derivatives)
     assert np.array_equal(run.over(0.0, 1.0).values(), run.values())
+
+
+def test_with_other_parameters_and_outputs_on_the_way(built_in: Callable[[str], Model]) -> None:
+    model, names, by = built_in("hub_beam"), ["hub.theta"], ["hub.theta_dot", "hub.inertia"]
+    run = DifferentiableRun(model, names, by, t_end=1.0, dt=0.01, **SETTINGS)
+    given = {"hub.inertia": 0.4, "beam.youngs_modulus": 6e10}
+    moved = run.over(0.5, 0.8, steps=160, every=40, parameters=given)
+    settings = {"t0": 0.5, "t_end": 1.3, "dt": 0.005, "scheme": "exponential_rk4", "save_every": 40}
+    own = DifferentiableRun(model, names, by, parameters=given, **settings)
+    assert len(moved.t) == 5 and np.allclose(moved.t, own.t, rtol=1e-14)
+    assert np.array_equal(moved.jacobian().derivatives, own.jacobian().derivatives)
+    assert not np.array_equal(run.over(0.5, 0.8, steps=160, every=40).values(), moved.values())

@@ -113,6 +113,16 @@ def test_monte_carlo(said) -> None:
     assert speed > 90 and 95 < speed + sum(others) < 101
 
 
+def test_thin_coupler(said) -> None:
+    """Both links end at the bound with about half the mass; stresses are those of the end of a long run."""
+    text = said("thin_coupler")
+    *_, before, peak_before, _ = line(text, "start")
+    *heights, after, coupler, rocker = line(text, "best")
+    assert (coupler, rocker) == pytest.approx((40.0, 40.0), abs=0.01) and peak_before < 40
+    assert 0 < after < 0.55 * before and max(heights) < 6
+    assert "terminated successfully" in text and numbers(text.splitlines()[-1])[-1] < 1e-9
+
+
 @pytest.mark.skipif(find_spec("distributed") is None, reason="needs the extra dask: pip install 'symgen[dask]'")
 def test_ensemble_on_dask(said) -> None:
     """A cluster of two processes gives the bits of one."""

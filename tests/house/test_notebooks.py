@@ -44,8 +44,13 @@ def run_cells(path: Path, folder: Path) -> tuple[dict[str, Any], int]:
     return known, shown
 
 
-def test_there_are_three_without_outputs() -> None:
-    assert [path.stem for path in NOTEBOOKS] == ["design_study", "first_mechanism", "judge_the_schemes"]
+def test_there_are_four_without_outputs() -> None:
+    assert [path.stem for path in NOTEBOOKS] == [
+        "design_study",
+        "first_mechanism",
+        "judge_the_schemes",
+        "periodic_motions",
+    ]
     for path in NOTEBOOKS:
         for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
             assert not cell.get("outputs") and cell.get("execution_count") is None
@@ -81,3 +86,13 @@ def test_design_study(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     first, second = (found[name] * values[name] for name in ("rod.youngs_modulus", "rod.second_moment"))
     assert first == pytest.approx(second, rel=1e-9) and first < 0
     assert shown == 1
+
+
+def test_periodic_motions(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two folds about the resonance, then the flip of parametric resonance; a thicker rod bends less."""
+    monkeypatch.chdir(tmp_path)
+    known, shown = run_cells(ROOT / "notebooks" / "periodic_motions.ipynb", tmp_path)
+    assert [special.kind for special in known["branch"].specials] == ["fold", "fold", "flip"]
+    assert known["found"].stability == "stable" and known["last"].floquet.kind == "flip"
+    assert known["slopes"]["height"] < 0
+    assert shown == 5
