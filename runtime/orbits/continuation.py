@@ -25,7 +25,7 @@ from runtime.orbits.branch import PeriodicBranch, Point, Special
 from runtime.orbits.doubling import doubled, half_apart
 from runtime.orbits.floquet import FLIP, FOLD, NEIMARK_SACKER, REAL, floquet
 from runtime.orbits.motion import PeriodicMotion
-from runtime.orbits.periodic import periodic, sizes, speed_period
+from runtime.orbits.periodic import periodic, speed_period
 from runtime.orbits.shooting import CLOSED, ROUNDED, Conditions, NoPeriodicMotion, PeriodMap, Setting, Shot
 
 FIRST, LONGEST, SHORTEST = 0.02, 0.08, 1e-6  # steps along the curve, in parts of the range
@@ -188,7 +188,7 @@ class _Walk:
 
     def _conditions(self, shot: Shot, period: float, turn: np.ndarray) -> Conditions:
         moved = np.abs(np.vstack([shot.x, shot.ends])).max(axis=0)
-        return Conditions(sizes(moved, period), turn, self._first.free, shot.x[0], shot.rates[-1])
+        return Conditions(self._map.sizes(moved, period), turn, self._first.free, shot.x[0], shot.rates[-1])
 
     def _jacobian(self, shot: Shot, value: float, period: float, conditions: Conditions) -> np.ndarray:
         """(m - 1, m) of the residual by the numbers of the curve."""

@@ -145,18 +145,27 @@ def _beginning(
 ) -> tuple[dict[str, float], float]:
     """(initial values by name, period) that the search begins with."""
     model = asked.model
-    names = [name + end for end in ("", "_dot") for name in model.q_i]
     if isinstance(start, PeriodicMotion):
         return dict(start.state), start.period if asked.free else asked.length(asked.parameters)
-    if isinstance(start, Solution):
-        state = {name: value for name, value in start.initial_values().items() if name in names}
-    else:
-        state = dict(start or {})
+    state = _of_run(start) if isinstance(start, Solution) else dict(start or {})
+    for entry in model.description.coordinates:  # the state of a controller goes by its own name, too
+        if entry.kind == "state" and entry.owner in state:
+            state[f"{entry.name}_dot"] = state.pop(entry.owner)
     if not asked.free:
         return state, asked.length(asked.parameters)
     if guess is not None and settle is None:
         return state, float(guess)
     return _settled_freely(asked, state, guess, settle or SETTLED, t0)
+
+
+def _of_run(run: Solution) -> dict[str, float]:
+    """q_i and their rates at the end of a run, by name."""
+    model = run.model
+    return {
+        name + end: float(values[-1, model.coordinates.index(name)])
+        for end, values in (("", run.q), ("_dot", run.q_dot))
+        for name in model.q_i
+    }
 
 
 def _settled_freely(
@@ -176,9 +185,7 @@ def _settled_freely(
         up = np.flatnonzero((wave[:-1] < 0) & (wave[1:] >= 0))
         if len(up) >= 3:
             times = run.t[late][up] - wave[up] * np.diff(run.t[late])[up] / (wave[up + 1] - wave[up])
-            last = run.initial_values()
-            names = {name + end for name in model.q_i for end in ("", "_dot")}
-            return {name: value for name, value in last.items() if name in names}, float(times[-1] - times[-2])
+            return _of_run(run), float(times[-1] - times[-2])
         span, dt = 4 * span, 4 * dt if guess is None else dt
     raise NoPeriodicMotion(
         f"model {model.name}",
@@ -208,8 +215,8 @@ class _Search:
         """The motion with so many steps a period, compared with itself with other steps."""
         map_ = self.map_(steps, period)
         found, conditions = self._found(map_, state, period, settle)
-        self._check_repeats(map_, found)
         motion = self._motion(map_, found, steps)
+        self._check_repeats(map_, motion)
         order = scheme_kind(self._asked.scheme).make.order
         other = _other_count(steps, 2.0 ** (1.0 / order), self._parts)
         twin = closed_beside(self.map_(other, found.period), conditions, found)
@@ -235,60 +242,46 @@ class _Search:
 
     def _wrapped(self, map_: PeriodMap, before: np.ndarray, after: np.ndarray) -> np.ndarray:
         """The end of a period with its whole turns taken off."""
-        return np.asarray(after - _whole_turns(self._asked.model, after - before))
+        return np.asarray(after - map_.whole_turns(after - before))
 
     def _newton(self, map_: PeriodMap, x: np.ndarray, period: float) -> tuple[Closed, Conditions]:
         states = map_.along(x, period, ())
         shot = map_.shot(states, period, ())
-        turn = _whole_turns(self._asked.model, shot.ends[-1] - x)
-        scale = sizes(np.abs(np.vstack([states, shot.ends])).max(axis=0), period)
+        turn = map_.whole_turns(shot.ends[-1] - x)
+        scale = map_.sizes(np.abs(np.vstack([states, shot.ends])).max(axis=0), period)
         conditions = Conditions(scale, turn, self._asked.free, x, shot.rates[-1])
         return closed(map_, conditions, shot, period, ()), conditions
 
     def _motion(self, map_: PeriodMap, found: Closed, steps: int) -> PeriodicMotion:
         a = self._asked
-        turns = np.rint(found.turn[: map_.size // 2] / (2 * np.pi)).astype(int)
+        turns = np.rint(found.turn[: len(map_.places)] / (2 * np.pi)).astype(int)
         speed = None if a.speed is None else (a.speed, a.turns)
         return PeriodicMotion(
             a.model, found.period, dict(zip(map_.names, found.shot.x[0].tolist(), strict=True)),
-            {name: int(k) for name, k in zip(a.model.q_i, turns, strict=True) if k},
+            {name: int(k) for name, k in zip(map_.places, turns, strict=True) if k},
             floquet(found.shot.monodromy, found.period, a.free), MotionError(reason="not yet compared"),
             a.scheme, steps, self._parts, found.iterations, self._t0, a.parameters, a.free, speed,
             found, self._options, a.inputs,
         )  # fmt: skip
 
-    def _check_repeats(self, map_: PeriodMap, found: Closed) -> None:
-        """Raises NoPeriodicMotion where drives, loads or inputs do not repeat with the period."""
-        again = map_.next_period(found.shot.x[0], found.period)
+    def _check_repeats(self, map_: PeriodMap, motion: PeriodicMotion) -> None:
+        """Raises NoPeriodicMotion where drives, loads, inputs or what events did do not repeat with the period."""
+        found, end = motion.found, motion.found.shot.ends[0]
+        if any(event.sets for event in motion.model.description.events):  # what they set goes on in the next period
+            last = _of_run(motion.simulate(2, save_every=motion.steps))
+            end, again = found.shot.x[0], np.array([last[name] for name in map_.names]) - 2 * found.turn
+        else:
+            again = map_.next_period(found.shot.x[0], found.period)
         size = np.maximum(np.abs(found.shot.ends).max(axis=0), 1e-9)
-        off = np.abs(again - found.shot.ends[0]) / size
+        off = np.abs(again - end) / size
         if off.max() > REPEATS:
             name = map_.names[int(off.argmax())]
             raise NoPeriodicMotion(
                 f"model {self._asked.model.name}",
-                f"drives, loads or inputs do not repeat after {found.period:.6g} s: in the next period {name} comes "
-                f"out differently by {off.max():.2g} of its size",
+                f"drives, loads, inputs or events do not repeat after {found.period:.6g} s: in the next period {name} "
+                f"comes out differently by {off.max():.2g} of its size",
                 "give the period with which they do",
             )
-
-
-def sizes(x: np.ndarray, period: float) -> np.ndarray:
-    """(n,) by which a state x (n,) is judged: a coordinate's size, or what its rate makes of it; the same for rates."""
-    half = len(x) // 2
-    q, v = np.abs(x[:half]), np.abs(x[half:])
-    own = np.maximum(q, v * period / (2 * np.pi))
-    own = np.maximum(own, 1e-6 * own.max(initial=1e-12))  # what hardly moves is judged by what does
-    return np.concatenate([own, own * 2 * np.pi / period])
-
-
-def _whole_turns(model: Model, moved: np.ndarray) -> np.ndarray:
-    """(n,) 2 pi k of the angles in a change of state (n,), zero elsewhere."""
-    entries = {entry.name: entry for entry in model.description.coordinates}
-    found = np.zeros(len(moved))
-    for k, name in enumerate(model.q_i):
-        if entries[name].unit == "rad" and not entries[name].elastic:
-            found[k] = 2 * np.pi * np.rint(moved[k] / (2 * np.pi))
-    return found
 
 
 def _other_count(steps: int, ratio: float, parts: int) -> int:

@@ -74,7 +74,11 @@ class Setting:
 
 
 class PeriodMap:
-    """The map of a period of T [s]; by: parameters that it is differentiated by. Raises what DifferentiableRun does."""
+    """The map of a period of T [s]; by: parameters that it is differentiated by. Raises what DifferentiableRun does.
+
+    names: of a state, its coordinates `places` and all rates. The state of a controller is a rate; its integral, on
+    which nothing depends, need not repeat and is left out.
+    """
 
     def __init__(self, setting: Setting, period: float, parameters: Mapping[str, float], by: Sequence[str]) -> None:
         model = setting.model
@@ -84,7 +88,9 @@ class PeriodMap:
                 "motions are found of models whose q_i are lengths and angles; put hinges or universal joints there"
             )
         self.setting, self.parameters, self.by = setting, dict(parameters), tuple(by)
-        self.names = [*model.q_i, *(f"{name}_dot" for name in model.q_i)]
+        self._places = [k for k in range(len(model.q_i)) if k not in model.states]
+        self.places = [model.q_i[k] for k in self._places]
+        self.names = [*self.places, *(f"{name}_dot" for name in model.q_i)]
         key = f"orbit by {setting.scheme} {dict(setting.options)} {self.by}"
         own = setting.model.derived(key, lambda: self._first(period)) if not setting.inputs else self._first(period)
         self._run = own.over(setting.t0, period / setting.parts, setting.steps, parameters=self.parameters)
@@ -94,6 +100,24 @@ class PeriodMap:
     def size(self) -> int:
         """Numbers in a state: coordinates and rates."""
         return len(self.names)
+
+    def sizes(self, x: np.ndarray, period: float) -> np.ndarray:
+        """(n,) by which a state x (n,) is judged: a coordinate's size, or what its rate makes of it; rates alike."""
+        v = np.abs(x[len(self.places) :])
+        q = np.zeros_like(v)
+        q[self._places] = np.abs(x[: len(self.places)])
+        own = np.maximum(q, v * period / (2 * np.pi))
+        own = np.maximum(own, 1e-6 * own.max(initial=1e-12))  # what hardly moves is judged by what does
+        return np.concatenate([own[self._places], own * 2 * np.pi / period])
+
+    def whole_turns(self, moved: np.ndarray) -> np.ndarray:
+        """(n,) 2 pi k of the angles in a change of state (n,), zero elsewhere."""
+        entries = {entry.name: entry for entry in self.setting.model.description.coordinates}
+        found = np.zeros(len(moved))
+        for k, name in enumerate(self.places):
+            if entries[name].unit == "rad" and not entries[name].elastic:
+                found[k] = 2 * np.pi * np.rint(moved[k] / (2 * np.pi))
+        return found
 
     @property
     def start(self) -> np.ndarray:
@@ -108,7 +132,7 @@ class PeriodMap:
         for k in range(parts):
             found = _told(self._part(k, period).jacobian, np.concatenate([x[k], values]))
             last, slope = found.values[-1], found.derivatives[-1]
-            ends[k], rates[k] = last[:n], np.concatenate([last[n // 2 : n], last[n:]])
+            ends[k], rates[k] = last[:n], np.concatenate([last[len(self.places) : n][self._places], last[n:]])
             slopes[k], by_parameters[k] = slope[:n, :n], slope[:n, n:]
         return Shot(x, ends, slopes, by_parameters, rates)
 
