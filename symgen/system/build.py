@@ -100,31 +100,29 @@ class System:
 def build_system(scene: SceneRecord) -> System:
     """The system of a scene. Raises SceneError for quantities that cannot be read."""
     scene = with_ends(scene)
-    table, topology = ParameterTable(scene), topology_of(scene)
-    equations = _equations(scene, table, topology)
+    table, topology, orientations = ParameterTable(scene), topology_of(scene), Orientations()
+    if scene.structure is not None:
+        equations = reduced = structure_equations(scene, table)
+    else:
+        blank = _blank(scene)
+        space = opened(SPACES[scene.space])(scene, table, blank, topology)
+        built = Mechanism(scene, table, space, blank, topology)
+        equations = reduced = built.equations
     equations.measures |= equations.u
     equations.measure_units |= input_units(scene)
-    spatial = scene.structure is None and scene.space == "spatial"
-    orientations = orientations_of(scene, topology) if spatial else Orientations()
-    reduced = equations
-    if spatial:
-        reduced = opened("symgen.system.reduced:reduced_equations")(scene, table, equations, topology, orientations)
+    if scene.structure is None and scene.space == "spatial":
+        orientations = orientations_of(scene, topology)
+        reduced = opened("symgen.system.reduced:reduced_equations")(built, space, orientations)
     return System(equations, reduced, table, topology, requested_by(scene), orientations)
 
 
-def _equations(scene: SceneRecord, table: ParameterTable, topology: Topology) -> Equations:
-    """Equations (20)-(28) of bodies in two or three dimensions, or (3)-(14) of a linear structure."""
-    if scene.structure is not None:
-        return structure_equations(scene, table)
+def _blank(scene: SceneRecord) -> Equations:
+    """With what is known of the bodies' shapes."""
     equations = blank_equations(scene)
     beams = [body for body in scene.bodies if isinstance(body, BeamBody)]
     if beams:
         equations.static_residuals = opened("symgen.bodies.static_residual:static_residuals")(scene)
-        set_records, exact = (
-            opened("symgen.bodies.beam_sets:set_records"),
-            (b for b in beams if b.lumped_elements is None),
-        )
-        equations.beams = {body.name: set_records(body) for body in exact}
+        records = opened("symgen.bodies.beam_sets:set_records")
+        equations.beams = {body.name: records(body) for body in beams if body.lumped_elements is None}
     equations.flexible = [body.name for body in scene.bodies if isinstance(body, SpatialModalBody)]
-    space = opened(SPACES[scene.space])(scene, table, equations, topology)
-    return Mechanism(scene, table, space, equations, topology).equations
+    return equations

@@ -83,6 +83,7 @@ class Space(Protocol[Marker]):
     """Kinematics of a planar or a spatial scene."""
 
     axes: str
+    inertia_of_bodies: bool  # do the bodies state their inertia and weight?
 
     def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[MovingBody, int]:
         """Build a body from the columns that begin with its own; (body, how many are its own)."""
@@ -178,10 +179,11 @@ class Mechanism(Generic[Marker]):
         for row, column, value in body.stiffness_entries():
             add_to(eq.K[row], column, value)
         self._add_force(body.damping_force())
-        self._add_force(body.gravity_force(self.gravity))
         elastic, dissipated = body.elastic_energy()
         eq.elastic, eq.dissipated = eq.elastic + elastic, eq.dissipated + dissipated
-        eq.potential = eq.potential + body.gravity_potential(self.gravity)
+        if self.space.inertia_of_bodies:
+            self._add_force(body.gravity_force(self.gravity))
+            eq.potential = eq.potential + body.gravity_potential(self.gravity)
 
     def _add_force(self, force: Row) -> None:
         for column, value in force.items():

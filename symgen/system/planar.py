@@ -43,6 +43,7 @@ class PlanarSpace:
     """Three rigid coordinates a body; a marker is a point and an angle."""
 
     axes = "xy"
+    inertia_of_bodies = True
 
     def __init__(self, scene: SceneRecord, table: ParameterTable, equations: Equations, topology: Topology) -> None:
         self.scene, self.table = scene, table

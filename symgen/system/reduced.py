@@ -16,11 +16,11 @@ from functools import partial
 
 import casadi as ca
 
-from symgen.algebra.parameters import ParameterTable
+from runtime.contract.records import Coordinate
 from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ONE, ZERO, add, neg
 from symgen.algebra.vectors import Vector
-from symgen.scene import SceneRecord
+from symgen.bodies.spatial_body import SpatialMarker
 from symgen.system.equations import Direction, Equations, Rotor
 from symgen.system.frames.aba import floats, free_joint_accelerations
 from symgen.system.frames.crba import mass_rows
@@ -30,6 +30,7 @@ from symgen.system.frames.rnea_derivatives import force_changes, has_force_chang
 from symgen.system.frames.tree import GROUND, FrameTree
 from symgen.system.mechanism import Mechanism, with_rotors, with_states
 from symgen.system.orientations import Orientations, Turning, turn_coordinates
+from symgen.system.spatial import SpatialSpace
 from symgen.system.topology import Topology
 from symgen.system.tree_space import TreeSpace
 
@@ -91,76 +92,68 @@ class TreeForces:
         return {column: add(value, chosen.get(column, ZERO)) for column, value in found.items()}
 
 
-def reduced_equations(
-    scene: SceneRecord, table: ParameterTable, whole: Equations, topology: Topology, orientations: Orientations
-) -> Equations:
-    """The equations of a spatial scene in the coordinates of its tree; whole: in all coordinates.
+def reduced_equations(built: Mechanism[SpatialMarker], space: SpatialSpace, orientations: Orientations) -> Equations:
+    """The equations of a spatial mechanism that was built in all coordinates, in those of its tree.
 
     Columns of rotation vectors, whose velocities are angular velocities, follow those of all coordinates.
     """
+    whole, topology = built.equations, built.topology
     turns = [entry for body in orientations.bodies for entry in turn_coordinates(body)]
     n = len(whole.q)
     size = n + len(turns)
     q = [*whole.q, *(ca.SX.sym(entry.name) for entry in turns)]
     q_dot = [*whole.q_dot, *(ca.SX.sym(entry.name.replace("turn_", "omega_")) for entry in turns)]
-    held = {ball.child for ball in orientations.balls.values()}
-    blank = replace(
-        whole,
-        coordinates=[*whole.coordinates, *turns],
-        q=q,
-        q_dot=q_dot,
+    blank = Equations(
+        [*whole.coordinates, *turns],
+        q,
+        q_dot,
+        whole.t,
+        [{} for _ in q],
+        [ZERO] * size,
+        [],
+        u=whole.u,
+        inputs=whole.inputs,
+        beams=whole.beams,
+        flexible=whole.flexible,
         turnings=[_turning(whole, body, n + 3 * k, q_dot) for k, body in enumerate(orientations.bodies)],
-        K=[{} for _ in range(size)],
-        Q_F=[ZERO] * size,
-        constraints=[],
-        rotors=[],
-        elastic=ca.SX(0),
-        potential=ca.SX(0),
-        dissipated=ca.SX(0),
-        applied=ca.SX(0),
-        measures={},
-        body_columns={},
-        measure_units={},
-        load_forces={},
-        load_actions={},
-        springs={},
-        events={},
-        switching=[],
-        kinks={},
-        placed_columns=frozenset(
-            column
-            for column, coordinate in enumerate(whole.coordinates)
-            if (
-                (coordinate.owner in topology.placed and not coordinate.elastic)
-                or (coordinate.owner in held and coordinate.kind == "position")
-            )
-            and column not in whole.joint_columns
-        ),
+        placed_columns=_placed(whole, topology, orientations),
     )
-    space = TreeSpace(scene, table, blank, topology, whole, orientations)
-    equations = Mechanism(scene, table, space, blank, topology).equations
+    tree_space = TreeSpace(space, blank, whole, orientations)
+    equations = Mechanism(built.scene, built.table, tree_space, blank, topology).equations
     _tell(whole, equations, ca.vertcat(*q_dot[n:]))
     for turning in equations.turnings:
         equations.body_columns[turning.body] += turning.columns
         equations.constraints += turning.rows([q[column] for column in turning.columns])
-    equations.masses = lambda: with_states(mass_rows(space.tree, size), equations)
-    forces = TreeForces(space.tree, replace(equations) if equations.rotors else equations)
+    tree = tree_space.tree
+    equations.masses = lambda: with_states(mass_rows(tree, size), equations)
+    forces = TreeForces(tree, replace(equations) if equations.rotors else equations)
     equations.inertia_forces = forces.inertia_forces
     if equations.rotors:
-        equations.masses = lambda: with_rotors(with_states(mass_rows(space.tree, size), equations), equations)
+        equations.masses = lambda: with_rotors(with_states(mass_rows(tree, size), equations), equations)
         equations.inertia_forces = partial(_inertia_with_rotors, forces, equations.rotors)
-    elif has_force_changes(space.tree):
+    elif has_force_changes(tree):
         equations.force_changes, equations.tied_changes = (
             forces.force_changes,
-            partial(forces.tied_changes, space.loop_rates),
+            partial(forces.tied_changes, tree_space.loop_rates),
         )
-        equations.curvatures, equations.loop_rates = space.curvatures, space.loop_rates
-    if not floats(space.tree) and not equations.rotors:
+        equations.curvatures, equations.loop_rates = tree_space.curvatures, tree_space.loop_rates
+    if not floats(tree) and not equations.rotors:
         equations.free_joints = forces.free_joints
     inertia_forces = equations.inertia_forces
     equations.velocity_forces = lambda: _negated(inertia_forces({}), size)
     equations.felt_columns = _felt(equations, topology, orientations)
     return equations
+
+
+def _placed(whole: Equations, topology: Topology, orientations: Orientations) -> frozenset[int]:
+    """Coordinates of the frames of bodies that joints place, and origins of those that spherical joints hold."""
+    on_balls = {ball.child for ball in orientations.balls.values()}
+
+    def placed(entry: Coordinate) -> bool:
+        own = entry.owner in topology.placed and not entry.elastic
+        return own or (entry.owner in on_balls and entry.kind == "position")
+
+    return frozenset(k for k, entry in enumerate(whole.coordinates) if placed(entry)) - whole.joint_columns
 
 
 def _negated(row: Row, n: int) -> list[ca.SX]:

@@ -54,6 +54,7 @@ class SpatialSpace:
     """Six or seven rigid coordinates a body; a marker is a point and three axes. Some joints have coordinates too."""
 
     axes = "xyz"
+    inertia_of_bodies = True
 
     def __init__(self, scene: SceneRecord, table: ParameterTable, equations: Equations, topology: Topology) -> None:
         self.scene, self.table, self.topology = scene, table, topology

@@ -7,21 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import cached_property, partial
-from typing import Any
 
 import casadi as ca
 import numpy as np
 
-from symgen.algebra.parameters import ParameterTable
-from symgen.algebra.rows import Row
-from symgen.algebra.scalar import ZERO
 from symgen.algebra.vectors import Matrix
 from symgen.bodies.outlines import Picture
 from symgen.bodies.spatial_body import SpatialBody, SpatialMarker
 from symgen.bodies.spatial_integrals import spatial_point
 from symgen.bodies.spatial_moments import Deformation, SpatialPoint
 from symgen.joints import Joint
-from symgen.scene import SceneRecord
 from symgen.system.constraint import ConstraintRow, Motion
 from symgen.system.equations import Equations
 from symgen.system.frames.alignment import links_of
@@ -33,56 +28,25 @@ from symgen.system.frames.skeleton import Skeleton
 from symgen.system.frames.tree import GROUND, FrameTree
 from symgen.system.orientations import Orientations, Turning
 from symgen.system.spatial import SpatialSpace
-from symgen.system.topology import Topology
-
-
-class ReducedBody:
-    """A body's modal stiffness and damping; its inertia and weight are in the recursions."""
-
-    def __init__(self, body: SpatialBody) -> None:
-        self.stiffness_entries, self.damping_force = body.stiffness_entries, body.damping_force
-        self.elastic_energy = body.elastic_energy
-
-    def mass_entries(self) -> list[tuple[int, int, ca.SX]]:
-        """None here."""
-        return []
-
-    def quadratic_velocity_force(self) -> Row:
-        """None here."""
-        return {}
-
-    def gravity_force(self, gravity: list[ca.SX]) -> Row:
-        """None here."""
-        return {}
-
-    def gravity_potential(self, gravity: list[ca.SX]) -> ca.SX:
-        """None here."""
-        return ZERO
 
 
 class TreeSpace(SpatialSpace):
-    """Markers by the coordinates of the tree. whole: the same mechanism in all coordinates."""
+    """Markers by the coordinates of the tree. space, whole: the same mechanism in all coordinates."""
 
-    def __init__(
-        self,
-        scene: SceneRecord,
-        table: ParameterTable,
-        equations: Equations,
-        topology: Topology,
-        whole: Equations,
-        orientations: Orientations,
-    ) -> None:
-        super().__init__(scene, table, equations, topology)
-        self.whole, self.orientations = whole, orientations
+    inertia_of_bodies = False  # inertia and weight are in the recursions
+
+    def __init__(self, space: SpatialSpace, equations: Equations, whole: Equations, orientations: Orientations) -> None:
+        super().__init__(space.scene, space.table, equations, space.topology)
+        self.known, self.whole, self.orientations = space.bodies, whole, orientations
         self._turnings = {turning.body: turning for turning in equations.turnings}
         self._paths: dict[tuple[int, int], Path] = {}
         self.curvatures: dict[str, LoopCurvature] = {}
         self.loop_rates: dict[str, LoopRates] = {}
 
-    def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[Any, int]:
-        """Its modal stiffness and damping."""
-        body, size = super().add_body(name, columns, q, q_dot)
-        return ReducedBody(body), size
+    def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[SpatialBody, int]:
+        """As in all coordinates."""
+        body = self.bodies[name] = self.known[name]
+        return body, len(body.coordinates.columns)
 
     @cached_property
     def tree(self) -> FrameTree:
