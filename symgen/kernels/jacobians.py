@@ -52,7 +52,7 @@ def held_jacobians(system: Condensed, q_i_ddot: Sequence[ca.SX]) -> list[tuple[c
     held = _held(system, given)
     found = [ca.substitute(_eliminated(held), *held.values)]
     if system.choice.loop_columns and len(system.choice.independent) <= FEW_DIRECTIONS:
-        found.append(ca.substitute(_tied(held) or _directed(held), *held.values))
+        found.append(ca.substitute(_along_loops(held) or _directed(held), *held.values))
     inertia = paired_changes(system, given)
     if inertia is not None:
         found.append(_with(system, given, inertia))
@@ -154,16 +154,16 @@ def _multipliers_of(held: _Held, joint: str) -> list[ca.SX]:
     return [held.lam.get(k, ZERO) for k in rows]
 
 
-def _tied(held: _Held) -> list[ca.SX] | None:
+def _along_loops(held: _Held) -> list[ca.SX] | None:
     """By the fields of frames along each independent coordinate, where spherical joints close loops."""
     system, eq = held.system, held.system.reduced
     independent = system.choice.independent
     modes = eq.elastic_columns & held.rho.keys()
-    if eq.tied_changes is None or not eq.loop_rates or eq.turnings or not modes <= set(independent):
+    if eq.loop_changes is None or not eq.loop_rates or eq.turnings or not modes <= set(independent):
         return None
     directions = _directions(variations(system, held.accelerations), independent)
     known = {joint: _multipliers_of(held, joint) for joint in eq.loop_rates}
-    inertia = eq.tied_changes(held.accelerations, known, directions)
+    inertia = eq.loop_changes(held.accelerations, known, directions)
     if inertia is None:
         return None
     columns = sorted(held.rho)

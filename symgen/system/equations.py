@@ -85,7 +85,7 @@ class RowRates(Protocol):
         """(dC_q/dt, d^2 C_q/dt^2), rows by column."""
 
 
-class TiedChanges(Protocol):
+class LoopChanges(Protocol):
     """Derivatives of inertia forces along directions that close spherical loops."""
 
     def __call__(
@@ -114,7 +114,7 @@ class Equations:
     Q_F holds loads, gravity and damping; Q_star = Q_v - K q + Q_F. inertia_forces, where the bodies are a tree of
     frames: accelerations -> M q_ddot - Q_v; Q_v holds the weight too there, not Q_F.
     force_changes: derivatives of these, where they are known by composites; curvatures, loop_rates: so, by joint;
-    tied_changes: along directions.
+    loop_changes: along directions.
     free_joints: accelerations for a force on such a tree, if joints place all its bodies.
     placed_columns: coordinates of the frames of placed bodies, which no mass and no other constraint knows of;
     felt_columns: those of them that forces depend on, by measures of coordinates, with those that they follow from.
@@ -167,7 +167,7 @@ class Equations:
     force_changes: ForceChanges | None = None
     curvatures: Mapping[str, Curvature] = field(default_factory=dict)
     loop_rates: Mapping[str, RowRates] = field(default_factory=dict)
-    tied_changes: TiedChanges | None = None
+    loop_changes: LoopChanges | None = None
     free_joints: FreeJointAccelerations | None = None
     placed_columns: frozenset[int] = frozenset()
     felt_columns: frozenset[int] = frozenset()

@@ -24,7 +24,7 @@ from symgen.bodies.spatial_body import SpatialMarker
 from symgen.system.equations import Direction, Equations, Rotor
 from symgen.system.frames.aba import floats, free_joint_accelerations
 from symgen.system.frames.crba import mass_rows
-from symgen.system.frames.loop_derivatives import LoopForce, LoopRates, tied_changes
+from symgen.system.frames.loop_derivatives import LoopForce, LoopRates, loop_changes
 from symgen.system.frames.rnea import floating_forces, inverse_dynamics, lone_hinges, own_wrenches
 from symgen.system.frames.rnea_derivatives import force_changes, has_force_changes
 from symgen.system.frames.tree import GROUND, FrameTree
@@ -63,7 +63,7 @@ class TreeForces:
         """Derivatives of `inertia_forces` by q and by q_dot."""
         return force_changes(self.tree, len(self.equations.q), self._base, self._rates, accelerations)
 
-    def tied_changes(
+    def loop_changes(
         self,
         loops: Mapping[str, LoopRates],
         accelerations: Row,
@@ -73,9 +73,9 @@ class TreeForces:
         """Derivatives of `inertia_forces` + C_q^T lambda of spherical loops along directions."""
         if not loops or any(way.base != GROUND for loop in loops.values() for way in (loop.a, loop.b)):
             return None
-        ties = [LoopForce(loop.a, loop.b, list(multipliers[joint])) for joint, loop in loops.items()]
+        found = [LoopForce(loop.a, loop.b, list(multipliers[joint])) for joint, loop in loops.items()]
         moving = self._rates, accelerations
-        return tied_changes(self.tree, len(self.equations.q), self._base, moving, ties, directions)
+        return loop_changes(self.tree, len(self.equations.q), self._base, moving, found, directions)
 
     def free_joints(self, force: Row, free: frozenset[int], imposed: Row | None = None) -> Row:
         """Accelerations by a force, and with `imposed` ones by rates and weight too.
@@ -132,9 +132,9 @@ def reduced_equations(built: Mechanism[SpatialMarker], space: SpatialSpace, orie
         equations.masses = lambda: with_rotors(with_states(mass_rows(tree, size), equations), equations)
         equations.inertia_forces = partial(_inertia_with_rotors, forces, equations.rotors)
     elif has_force_changes(tree):
-        equations.force_changes, equations.tied_changes = (
+        equations.force_changes, equations.loop_changes = (
             forces.force_changes,
-            partial(forces.tied_changes, tree_space.loop_rates),
+            partial(forces.loop_changes, tree_space.loop_rates),
         )
         equations.curvatures, equations.loop_rates = tree_space.curvatures, tree_space.loop_rates
     if not floats(tree) and not equations.rotors:

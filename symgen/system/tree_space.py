@@ -87,10 +87,10 @@ class TreeSpace(SpatialSpace):
         Only with shapes of first order, for which this changes no equation.
         """
         joints = {joint.name: joint for joint in self.scene.joints}
-        held = {ball.child: (name, ball.forward) for name, ball in self.orientations.balls.items()}
-        held |= {one.child: (one.joint, one.forward) for one in self.topology.placements.values()}
+        carried = {ball.child: (name, ball.forward) for name, ball in self.orientations.balls.items()}
+        carried |= {one.child: (one.joint, one.forward) for one in self.topology.placements.values()}
         found = {}
-        for body, (name, forward) in held.items():
+        for body, (name, forward) in carried.items():
             data, joint = self.bodies[body].integrals, joints[name]
             _, point = spatial_point(self.scene, joint.marker_b if forward else joint.marker_a, self.table)
             moves = any(not value.is_zero() for shape in point.shapes for value in shape)
@@ -108,9 +108,9 @@ class TreeSpace(SpatialSpace):
 
     def _axes(self, body: str) -> Matrix:
         """Of a body in the world, by rows."""
-        seat = self.tree.seats[body]
-        path = self._path(GROUND, seat.frame).branch()
-        path.turn_by(seat.place.R)
+        known = self.tree.body_frames[body]
+        path = self._path(GROUND, known.frame).branch()
+        path.turn_by(known.place.R)
         return [[axis[i] for axis in path.axes] for i in range(3)]
 
     def _number(self, value: ca.SX) -> float:
@@ -140,14 +140,14 @@ class TreeSpace(SpatialSpace):
 
     def _common(self, a: str, b: str) -> int:
         base = self.tree.common(a.partition(".")[0], b.partition(".")[0])
-        ways = (self.tree.way(self.tree.seats[one.partition(".")[0]].frame) for one in (a, b))
+        ways = (self.tree.way(self.tree.body_frames[one.partition(".")[0]].frame) for one in (a, b))
         if base != GROUND and any(self._has_ball(way[way.index(base) + 1 :]) for way in ways):
             return GROUND
         return base
 
     def _way(self, base: int, reference: str) -> MarkerWay:
-        seat = self.tree.seats[reference.partition(".")[0]]
-        return MarkerWay.to(self.tree, base, seat, self._deformation(reference), self._path(base, seat.frame))
+        known = self.tree.body_frames[reference.partition(".")[0]]
+        return MarkerWay.to(self.tree, base, known, self._deformation(reference), self._path(base, known.frame))
 
     def _has_ball(self, frames: list[int]) -> bool:
         return any(isinstance(move, Ball) for frame in frames for move in self.tree.frames[frame].moves)
@@ -163,11 +163,11 @@ class TreeSpace(SpatialSpace):
         return self._way_of(base, reference.partition(".")[0], self._deformation(reference))
 
     def _way_of(self, base: int, body: str, marker: Deformation) -> Path:
-        seat = self.tree.seats[body]
-        path = self._path(base, seat.frame).branch()
+        known = self.tree.body_frames[body]
+        path = self._path(base, known.frame).branch()
         if marker.rigid:
-            path.shift(seat.place.r)
-            path.turn_by(seat.place.R)
+            path.shift(known.place.r)
+            path.turn_by(known.place.R)
             path.shift(marker.point.position)
             path.turn_by(marker.point.axes)
         else:

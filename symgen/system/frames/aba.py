@@ -48,13 +48,13 @@ def free_joint_accelerations(
     wrenches: what the masses of each frame need at rates and weight, and do not get by `force`.
     """
     frames = [replace(frame, moves=_turning_last(frame.moves)) for frame in tree.frames]
-    solution = _ArticulatedBodies(FrameTree(frames, tree.seats), {c: force.get(c, ZERO) for c in free})
+    solution = _ArticulatedBodies(FrameTree(frames, tree.body_frames), {c: force.get(c, ZERO) for c in free})
     solution.inward(wrenches or [NOTHING] * len(frames))
     return solution.outward()
 
 
 @dataclass
-class _Beyond:
+class _Subtree:
     """I^A and p^A of what is beyond a place, and U by column."""
 
     I_A: ArticulatedInertia
@@ -92,9 +92,9 @@ class _ArticulatedBodies:
 
     def inward(self, wrenches: Sequence[Force]) -> None:
         """From the tips to the ground."""
-        beyond = [_Beyond(ArticulatedInertia.of(no_masses())) for _ in self._tree.frames]
+        subtrees = [_Subtree(ArticulatedInertia.of(no_masses())) for _ in self._tree.frames]
         for k in reversed(range(len(self._tree.frames))):
-            frame, here = self._tree.frames[k], beyond[k]
+            frame, here = self._tree.frames[k], subtrees[k]
             here.p_A = here.p_A.plus(wrenches[k])
             if frame.inertia is not None:
                 here.I_A = here.I_A.plus(ArticulatedInertia.of(frame.inertia.rigid))
@@ -105,11 +105,11 @@ class _ArticulatedBodies:
             for place in reversed(range(len(frame.moves))):
                 self._through(frame.moves[place], (k, place), here)
             if frame.parent != GROUND:
-                parent = beyond[frame.parent]
+                parent = subtrees[frame.parent]
                 parent.I_A, parent.p_A = parent.I_A.plus(here.I_A), parent.p_A.plus(here.p_A)
                 gather(parent.U, here.U)
 
-    def _through(self, move: Move, place: Place, here: _Beyond) -> None:
+    def _through(self, move: Move, place: Place, here: _Subtree) -> None:
         S = {column: twist for column, twist in move.twists.items() if column in self._tau}
         U = {column: here.I_A.momentum(twist) for column, twist in S.items()}
         alone = isinstance(move, JointNode) and move.turns and move.column in S and move.column not in here.U
@@ -125,7 +125,7 @@ class _ArticulatedBodies:
         here.I_A, here.p_A = move.composite(here.I_A), move.wrench(here.p_A)
         here.U = {column: move.wrench(wrench) for column, wrench in here.U.items()}
 
-    def _eliminate(self, place: Place, here: _Beyond, hinge: JointNode | None) -> None:
+    def _eliminate(self, place: Place, here: _Subtree, hinge: JointNode | None) -> None:
         """The columns that are met nowhere nearer to the ground. A hinge passes on its own force alone as a moment."""
         for column in sorted(column for column in here.U if self._last[column] == place):
             U, u = here.U.pop(column), self._u.pop(column)

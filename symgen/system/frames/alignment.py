@@ -161,21 +161,21 @@ class JointLink:
         """May the frame beyond be turned about z and shifted along it by a constant?"""
         return self.crosswise is None and not self.constant
 
-    def moves(self, way: BetweenHinges | SE3, beyond: Screw) -> list[Move]:
-        """As moves to the frame that stands on the hinge, displaced by the screw `beyond`.
+    def moves(self, way: BetweenHinges | SE3, last: Screw) -> list[Move]:
+        """As moves to the frame that stands on the hinge, displaced by the screw `last`.
 
         way: the screws of the constant displacement, or the displacement itself where they are useless.
         """
         if isinstance(way, SE3):
-            return [JointNode(R=way.R, r=way.r), *self._variable(Screw(), beyond)]
+            return [JointNode(R=way.R, r=way.r), *self._variable(Screw(), last)]
         moves: list[Move] = [
             *_constant(2, way.start),
             *(JointNode.slide(axis, value) for axis, value in enumerate(way.offset) if not value.is_zero()),
             *_constant(0, way.across, slide_first=True),
         ]
-        return [*moves, *self._variable(way.end, beyond)]
+        return [*moves, *self._variable(way.end, last)]
 
-    def _variable(self, end: Screw, beyond: Screw) -> list[Move]:
+    def _variable(self, end: Screw, last: Screw) -> list[Move]:
         if self.crosswise is not None:
             slides = [
                 JointNode.slide(axis, mul(self.sign, own.value), own.column, own.rate, self.sign)
@@ -185,8 +185,8 @@ class JointLink:
             moves: list[Move] = [*_constant(2, end)] if forward else [*_constant(2, Screw(FixedAngle(), end.shift))]
             turn = self._turn(FixedAngle() if forward else end.angle)
             return [*moves, *slides, *turn] if forward else [*moves, *turn, *slides]
-        shift = add(end.shift, beyond.shift)
-        turn = self._turn(end.angle.plus(beyond.angle))
+        shift = add(end.shift, last.shift)
+        turn = self._turn(end.angle.plus(last.angle))
         return [*turn, *self._slide(shift)]
 
     def _turn(self, angle: FixedAngle) -> list[JointNode]:
@@ -275,13 +275,13 @@ class UnalignedFrame:
         return self.link is not None and self.link.hinged and not isinstance(self.inertia, FlexibleNode)
 
 
-def aligned(frames: Sequence[UnalignedFrame], seats: Mapping[str, BodyFrame], numbers: Numbers) -> FrameTree:
+def aligned(frames: Sequence[UnalignedFrame], body_frames: Mapping[str, BodyFrame], numbers: Numbers) -> FrameTree:
     """The tree with its frames on their hinges, inertia gathered towards the ground. numbers: values at defaults."""
     way = _Alignment(frames, numbers)
     found = [Frame(frame.parent, way.moves(k), way.inertia(k)) for k, frame in enumerate(frames)]
     for one in reversed(found):
         give_to_parent(one, found)
-    return FrameTree(found, {name: way.seated(seat) for name, seat in seats.items()})
+    return FrameTree(found, {name: way.body_frame(known) for name, known in body_frames.items()})
 
 
 class _Alignment:
@@ -330,11 +330,11 @@ class _Alignment:
             return own
         return RigidNode(moved(own.rigid, self._screw(k).displacement.inverse()))
 
-    def seated(self, seat: BodyFrame) -> BodyFrame:
+    def body_frame(self, known: BodyFrame) -> BodyFrame:
         """Where a body is."""
-        if seat.frame == GROUND:
-            return seat
-        return BodyFrame(seat.frame, self._screw(seat.frame).displacement.inverse() * seat.place)
+        if known.frame == GROUND:
+            return known
+        return BodyFrame(known.frame, self._screw(known.frame).displacement.inverse() * known.place)
 
 
 @dataclass(frozen=True)

@@ -51,7 +51,7 @@ class MoveState:
 
 
 @dataclass(frozen=True)
-class MovingArm:
+class RelativeMotion:
     """From the origin before a move to the one after it, as seen from the ground: where, velocity, acceleration.
 
     In the axes before the move; for one `back` from a marker in those after it.
@@ -94,13 +94,13 @@ class Field:
         beta, d = self.doubled or (scaled(TWO, self.turning[1]), scaled(TWO, self.moving[1]))
         return Change(self.turning[0], beta, d)
 
-    def beyond(self, move: Node, spot: MoveState) -> Field:
+    def after(self, move: Node, moved: MoveState) -> Field:
         """Of the frame after a move."""
         if move.back:
-            return self._seen(move).shifted(arm_of(move, spot))
-        return self.shifted(arm_of(move, spot))._seen(move)
+            return self._seen(move).shifted(relative_motion(move, moved))
+        return self.shifted(relative_motion(move, moved))._seen(move)
 
-    def shifted(self, arm: MovingArm) -> Field:
+    def shifted(self, arm: RelativeMotion) -> Field:
         """About the end of an arm."""
         t, t1, t2 = self.turning
         v, v1, v2 = self.moving
@@ -122,30 +122,30 @@ class FieldPart:
     field: Field
 
 
-def arm_of(move: Node, spot: MoveState) -> MovingArm:
+def relative_motion(move: Node, moved: MoveState) -> RelativeMotion:
     """Of a move."""
     if isinstance(move, MarkerNode):
-        body = spot.after if move.back else spot.before
-        bent = move.deformation.at(spot.rates)
+        body = moved.after if move.back else moved.before
+        bent = move.deformation.at(moved.rates)
         r, V = bent.rho, plus(bent.rho_dot, cross(body.omega, bent.rho))
-        own = combination(bent.shapes, move.deformation.of(spot.accelerations))
+        own = combination(bent.shapes, move.deformation.of(moved.accelerations))
         A = plus(times(body.G, r), bent.drift(body.omega), own)
-        return MovingArm(negative(r), negative(V), negative(A)) if move.back else MovingArm(r, V, A)
+        return RelativeMotion(negative(r), negative(V), negative(A)) if move.back else RelativeMotion(r, V, A)
     r, speed, own = move.r, zeros(), zeros()
     if move.column is not None and not move.turns:
-        speed = scaled(spot.rates.get(move.column, ZERO), move.S.v)
-        own = scaled(spot.accelerations.get(move.column, ZERO), move.S.v)
-    omega = spot.before.omega
-    A = plus(times(spot.before.G, r), cross(scaled(TWO, omega), speed), own)
-    return MovingArm(r, plus(cross(omega, r), speed), A)
+        speed = scaled(moved.rates.get(move.column, ZERO), move.S.v)
+        own = scaled(moved.accelerations.get(move.column, ZERO), move.S.v)
+    omega = moved.before.omega
+    A = plus(times(moved.before.G, r), cross(scaled(TWO, omega), speed), own)
+    return RelativeMotion(r, plus(cross(omega, r), speed), A)
 
 
-def joint_parts(move: JointNode, spot: MoveState) -> list[FieldPart]:
+def joint_parts(move: JointNode, moved: MoveState) -> list[FieldPart]:
     """Of a hinge or a slide."""
     if move.column is not None:
         axis = unit(move.axis, move.sign)
-        rates = axis, cross(spot.after.omega, axis), times(spot.after.G, axis)
-        twice, still = cross(scaled(TWO, spot.after.omega), axis), (zeros(), zeros(), zeros())
+        rates = axis, cross(moved.after.omega, axis), times(moved.after.G, axis)
+        twice, still = cross(scaled(TWO, moved.after.omega), axis), (zeros(), zeros(), zeros())
         turns, slides = Field(rates, still, (twice, zeros())), Field(still, rates, (zeros(), twice))
         return [FieldPart({move.column: ONE}, turns if move.turns else slides)]
     return []

@@ -16,7 +16,7 @@ With T_i the field of a frame for direction i and w the change of the wrench tha
 
     d(S^T F)_i / dx_j = sum over frames of T_i . w(D T_j, D^2 T_j, T_j) + sum over c', c of S_c'i S_cj k_c'c,
 
-k being geometry (`places`). A body that one spherical joint ties is looked at where the joint is: its force has no
+k being geometry (`places`). A body that one spherical joint holds is looked at where the joint is: its force has no
 moment there, and the joint's other body gives v where fewer coordinates move it.
 """
 
@@ -57,14 +57,14 @@ class MarkerWay:
         return self.moves[-1]
 
     @staticmethod
-    def to(tree: FrameTree, base: int, seat: BodyFrame, marker: Deformation, path: Path) -> MarkerWay:
-        """From a frame (or GROUND) to a marker of a body with some seat; path: to the frame of that."""
-        frames = tree.way(seat.frame)
+    def to(tree: FrameTree, base: int, known: BodyFrame, marker: Deformation, path: Path) -> MarkerWay:
+        """From a frame (or GROUND) to a marker of a body whose frame is known; path: to the frame of that."""
+        frames = tree.way(known.frame)
         frames = frames if base == GROUND else frames[frames.index(base) + 1 :]
-        place = plus(seat.place.r, times(seat.place.R, marker.point.position))
+        place = plus(known.place.r, times(known.place.R, marker.point.position))
         end = JointNode(r=place) if marker.rigid else MarkerNode(place_of(marker))
         return MarkerWay(
-            base, seat.frame, [*(move for frame in frames for move in tree.frames[frame].nodes), end], path
+            base, known.frame, [*(move for frame in frames for move in tree.frames[frame].nodes), end], path
         )
 
     def parts(self, rates: Row, accelerations: Row) -> list[FieldPart]:
@@ -73,8 +73,8 @@ class MarkerWay:
         motion = FrameMotion(zeros(), zeros(), zeros())
         for move in self.moves:
             before, motion = motion, move.motion(motion, rates, accelerations)
-            spot = MoveState(before, motion, rates, accelerations)
-            found = [FieldPart(part.shares, part.field.beyond(move, spot)) for part in found] + parts_of(move, spot)
+            moved = MoveState(before, motion, rates, accelerations)
+            found = [FieldPart(part.shares, part.field.after(move, moved)) for part in found] + parts_of(move, moved)
         return found
 
 
@@ -110,17 +110,17 @@ class _Step:
     parts: list[FieldPart]
     bending: BendChanges | None
 
-    def beyond(self, move: Node, spot: MoveState) -> _Step:
+    def after(self, move: Node, moved: MoveState) -> _Step:
         """For the frame after a further move."""
-        carried = [FieldPart(part.shares, part.field.beyond(move, spot)) for part in self.parts]
+        carried = [FieldPart(part.shares, part.field.after(move, moved)) for part in self.parts]
         return _Step(self.move, carried, self.bending)
 
 
-def _step(move: Node, spot: MoveState) -> _Step:
+def _step(move: Node, moved: MoveState) -> _Step:
     if isinstance(move, MarkerNode):
-        bending = BendChanges(move, spot)
+        bending = BendChanges(move, moved)
         return _Step(move, bending.parts, bending)
-    return _Step(move, joint_parts(move, spot), None)
+    return _Step(move, joint_parts(move, moved), None)
 
 
 @dataclass
@@ -145,11 +145,11 @@ class FramePlace:
             found = found.plus(Force(negative(force), negative(cross(arm, force))))
         return found
 
-    def beyond(self, move: Node, rates: Row, accelerations: Row) -> FramePlace:
+    def after(self, move: Node, rates: Row, accelerations: Row) -> FramePlace:
         """After a move; without masses."""
         after = move.motion(self.motion, rates, accelerations)
-        spot = MoveState(self.motion, after, rates, accelerations)
-        return FramePlace([*(step.beyond(move, spot) for step in self.steps), _step(move, spot)], after)
+        moved = MoveState(self.motion, after, rates, accelerations)
+        return FramePlace([*(step.after(move, moved) for step in self.steps), _step(move, moved)], after)
 
     def changed(self, change: Change, more: Force) -> Force:
         """Of the wrench that moves the masses, by a change of the motion and a further change."""
@@ -210,28 +210,28 @@ class LoopForce:
 
 @dataclass(frozen=True)
 class _End:
-    """Of a tie, with the force on it in the axes of its frame."""
+    """Of a joint, with the force on it in the axes of its frame."""
 
     own: MarkerWay
     other: MarkerWay
     force: Vector
 
 
-def tied_changes(
+def loop_changes(
     tree: FrameTree,
     n: int,
     base: Vector,
     moving: tuple[Row, Row],
-    ties: Sequence[LoopForce],
+    loops: Sequence[LoopForce],
     directions: Sequence[Direction],
 ) -> tuple[ca.SX, ca.SX] | None:
     """F_q and F_v (n x directions), of which S^T F_q and S^T F_v are the derivatives by all x and x'.
 
-    moving: rates and accelerations of the coordinates by column. None where several joints tie bent markers of a body.
+    moving: rates and accelerations of the coordinates by column. None where several joints bind bent markers of a body.
     """
     sums = _Sums(tree, n, base, moving, directions)
     for k, frame in enumerate(tree.frames):
-        ends = [end for tie in ties for end in _ends(tie) if end.own.frame == k]
+        ends = [end for loop in loops for end in _ends(loop) if end.own.frame == k]
         if len(ends) > 1 and any(isinstance(end.own.end, MarkerNode) for end in ends):
             return None
         if frame.inertia is not None or ends:
@@ -243,9 +243,9 @@ def _matrix(rows: list[Vector]) -> ca.SX:
     return ca.sparsify(ca.vertcat(*(ca.horzcat(*row) for row in rows)))
 
 
-def _ends(tie: LoopForce) -> list[_End]:
+def _ends(loop: LoopForce) -> list[_End]:
     found = []
-    for own, other, force in ((tie.a, tie.b, tie.force), (tie.b, tie.a, negative(tie.force))):
+    for own, other, force in ((loop.a, loop.b, loop.force), (loop.b, loop.a, negative(loop.force))):
         found.append(_End(own, other, [dot(axis, force) for axis in own.path.axes]))
     return found
 
@@ -263,7 +263,7 @@ class _Sums:
         for frame in tree.frames:
             place = self._place(frame.parent)
             for move in frame.nodes:
-                place = place.beyond(move, *moving)
+                place = place.after(move, *moving)
             self._places.append(place)
         self.F_q, self.F_v = ([zeros(len(directions)) for _ in range(n)] for _ in range(2))
 
@@ -271,14 +271,14 @@ class _Sums:
         return self._ground if frame == GROUND else self._places[frame]
 
     def add(self, k: int, ends: list[_End]) -> None:
-        """What a frame adds that joints may tie."""
+        """What a frame adds, with the forces of joints on it."""
         inertia, place = self._tree.frames[k].inertia, self._places[k]
         seen = FramePlace(place.steps, place.motion)
         if inertia is not None:
             seen.state = self._sweep.body(inertia, place.motion)
         closed = len(ends) == 1 and len(place.parts) > len(self._place(ends[0].other.frame).parts)
         if len(ends) == 1 and (closed or isinstance(inertia, FlexibleNode)):
-            seen = self._seated(seen, ends[0])
+            seen = self._at_marker(seen, ends[0])
         else:
             seen.forces = [(end.own.end.r, end.force) for end in ends if isinstance(end.own.end, JointNode)]
         fields = [field_along(direction, seen.parts) for direction in self._directions]
@@ -286,19 +286,19 @@ class _Sums:
             fields = self._closed(fields, ends[0])
         self._contract(seen, fields, self._powers(seen, fields, closed))
 
-    def _seated(self, place: FramePlace, end: _End) -> FramePlace:
-        """The same masses looked at from the marker that a joint ties."""
-        seat = place.beyond(end.own.end, *self._moving)
-        seat.state, seat.forces = place.state, [(zeros(), end.force)]
+    def _at_marker(self, place: FramePlace, end: _End) -> FramePlace:
+        """The same masses looked at from the marker of a joint."""
+        seen = place.after(end.own.end, *self._moving)
+        seen.state, seen.forces = place.state, [(zeros(), end.force)]
         if place.state is not None:
             move = end.own.end
             back = replace(move, back=True) if isinstance(move, MarkerNode) else JointNode(r=negative(move.r))
-            self._sweep.through(back, MoveState(seat.motion, place.motion, *self._moving), place.state)
-        return seat
+            self._sweep.through(back, MoveState(seen.motion, place.motion, *self._moving), place.state)
+        return seen
 
     def _closed(self, fields: list[Field], end: _End) -> list[Field]:
         """With v as the joint's other body gives it."""
-        other = self._place(end.other.frame).beyond(end.other.end, *self._moving)
+        other = self._place(end.other.frame).after(end.other.end, *self._moving)
         found = []
         for known, direction in zip(fields, self._directions, strict=True):
             v, v1, v2 = (

@@ -42,8 +42,8 @@ from symgen.system.frames.spatial_algebra import (
     Force,
     FrameMotion,
     Inertia,
+    LeverArm,
     Mass,
-    MomentArm,
     Motion,
     WorldFrame,
     only_axis,
@@ -312,7 +312,7 @@ class MarkerNode(Move):
 
     @property
     def parts(self) -> list[Part]:
-        """By what modes do to the marker; with the marker held, the frame moves against that."""
+        """By what modes do to the marker; with the marker at rest, the frame moves against that."""
         bent, found = self.deformation.still, []
         for one in self.deformation.shared:
             turned = one.turned(bent)
@@ -415,13 +415,13 @@ class Across(Move):
 
     def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
         """Of the point alone: a ball follows."""
-        held = before.held or WorldFrame(self.A, times(self.A, before.a), True)
-        return FrameMotion(zeros(), zeros(), plus(held.a, before.swung(held, self.arm)), held)
+        in_world = before.in_world or WorldFrame(self.A, times(self.A, before.a), True)
+        return FrameMotion(zeros(), zeros(), plus(in_world.a, before.swung(in_world, self.arm)), in_world)
 
     def wrench(self, after: Force) -> Force:
-        """The force at the body's origin, and its lever."""
+        """The force at the body's origin, and its lever arm."""
         f = transposed_times(self.A, after.f)
-        return Force(f, cross(self.arm, f), after.f, (MomentArm(self.arm, after.f),), zeros())
+        return Force(f, cross(self.arm, f), after.f, (LeverArm(self.arm, after.f),), zeros())
 
     def composite(self, after: Mass) -> Mass:
         """A mass at the point."""
@@ -449,23 +449,23 @@ class Ball(Move):
         """Angular motion as it is, the origin's acceleration in body axes."""
         omega, alpha = ([source.get(c, ZERO) for c in self.columns] for source in (rates, accelerations))
         return FrameMotion(
-            omega, alpha, transposed_times(self.A, before.a), WorldFrame(self.A, before.a, before.held is not None)
+            omega, alpha, transposed_times(self.A, before.a), WorldFrame(self.A, before.a, before.in_world is not None)
         )
 
     def part_powers(self, after: Force) -> Vector:
-        """The moment: A (e_i x arm) . F of each lever, of those along one axis e that of A^T sum(arm_k F) at e."""
-        if not after.levers:
+        """The moment: A (e_i x arm) . F of each lever arm, of those along one axis e that of A^T sum(arm_k F) at e."""
+        if not after.lever_arms:
             return super().part_powers(after)
         assert after.rest is not None
-        moment, levers = after.rest, [lever for lever in after.levers if any(not x.is_zero() for x in lever.arm)]
-        along = only_axis([lever.arm for lever in levers])
-        if along is not None and len(levers) > 1:
-            F = plus(*(scaled(lever.arm[along], lever.F) for lever in levers))
+        moment, lever_arms = after.rest, [one for one in after.lever_arms if any(not x.is_zero() for x in one.arm)]
+        along = only_axis([one.arm for one in lever_arms])
+        if along is not None and len(lever_arms) > 1:
+            F = plus(*(scaled(one.arm[along], one.F) for one in lever_arms))
             moment = plus(moment, cross(unit(along), transposed_times(self.A, F)))
         else:
-            for lever in levers:
-                speeds = [times(self.A, cross(unit(i), lever.arm)) for i in range(3)]
-                moment = plus(moment, times(speeds, lever.F))
+            for one in lever_arms:
+                speeds = [times(self.A, cross(unit(i), one.arm)) for i in range(3)]
+                moment = plus(moment, times(speeds, one.F))
         return moment
 
     def wrench(self, after: Force) -> Force:

@@ -55,7 +55,7 @@ class ModesOnWay:
 
 
 @dataclass(frozen=True)
-class Arm:
+class Segment:
     """A piece of the way, along an axis of the frame reached or in no special direction."""
 
     vector: Vector
@@ -76,14 +76,14 @@ class Path:
         self.axes = [[ONE if i == j else ZERO for i in range(3)] for j in range(3)]
         self.omega, self.alpha = zeros(), zeros()
         self.r_dot, self.a = zeros(), zeros()
-        self.causes: list[PathColumn] = []
-        self._arms: list[Arm] = []
+        self.entries: list[PathColumn] = []
+        self._segments: list[Segment] = []
         self._reached = 0  # arms whose end has been given its velocity
 
     def branch(self) -> Path:
         """A copy that goes on by itself."""
         other = copy(self)
-        other.causes, other._arms = list(self.causes), list(self._arms)
+        other.entries, other._segments = list(self.entries), list(self._segments)
         return other
 
     def along(self, vector: Vector) -> Vector:
@@ -96,7 +96,7 @@ class Path:
         """Along an arm in the axes reached."""
         for value, axis in zip(arm, self.axes, strict=True):
             if not value.is_zero():
-                self._arms.append(Arm(scaled(value, axis), axis))
+                self._segments.append(Segment(scaled(value, axis), axis))
 
     def turn(self, axis: int, cosine: ca.SX, sine: ca.SX) -> None:
         """Turn the axes about one of them."""
@@ -120,14 +120,14 @@ class Path:
         self._reach()
         turns = scaled(sign, axis)
         spin = scaled(rate, turns)
-        self.causes.append(PathColumn(column, turns, None, len(self._arms), axis))
+        self.entries.append(PathColumn(column, turns, None, len(self._segments), axis))
         self.alpha = plus(self.alpha, cross(self.omega, spin))
         self.omega = plus(self.omega, spin)
 
     def slide(self, column: int, axis: Vector, rate: ca.SX) -> None:
         """What follows slides along an axis that turns with the frame."""
         speed = scaled(rate, axis)
-        self.causes.append(PathColumn(column, None, axis, len(self._arms)))
+        self.entries.append(PathColumn(column, None, axis, len(self._segments)))
         self.r_dot = plus(self.r_dot, speed)
         self.a = plus(self.a, scaled(ca.SX(2), cross(self.omega, speed)))
 
@@ -136,17 +136,17 @@ class Path:
         self._reach()
         self.turn_by(turning.A)
         for column, turns in zip(columns, turning.world_axes, strict=True):
-            self.causes.append(PathColumn(column, turns, None, len(self._arms)))
+            self.entries.append(PathColumn(column, turns, None, len(self._segments)))
         self.omega, self.alpha = turning.omega, turning.bias
 
     def ball(self, columns: list[int], A: Matrix, omega: Vector) -> None:
         """What follows has the absolute orientation A (rows) and the angular velocity omega in body axes."""
         self._reach()
-        end = len(self._arms)
-        self.causes = [one if one.until is not None else replace(one, until=end) for one in self.causes]
+        end = len(self._segments)
+        self.entries = [one if one.until is not None else replace(one, until=end) for one in self.entries]
         self.axes = [[row[j] for row in A] for j in range(3)]
         for column, axis in zip(columns, self.axes, strict=True):
-            self.causes.append(PathColumn(column, axis, None, end, axis))
+            self.entries.append(PathColumn(column, axis, None, end, axis))
         self.omega, self.alpha = self.along(omega), zeros()
 
     def bend(self, columns: list[int], bent: Bent, back: bool) -> None:
@@ -182,17 +182,17 @@ class Path:
                 if turning is None
                 else combination(turning, modes.share(column))
             )
-            self.causes.append(PathColumn(column, turns, slides, len(self._arms), modes=modes))
+            self.entries.append(PathColumn(column, turns, slides, len(self._segments), modes=modes))
 
     def _reach(self) -> None:
         """The arm so far is done: what turns from here on does not move its end."""
-        if self._reached == len(self._arms):
+        if self._reached == len(self._segments):
             return
-        arm = plus(*(one.vector for one in self._arms[self._reached :]))
+        arm = plus(*(one.vector for one in self._segments[self._reached :]))
         speed = cross(self.omega, arm)
         self.r_dot = plus(self.r_dot, speed)
         self.a = plus(self.a, cross(self.alpha, arm), cross(self.omega, speed))
-        self._reached = len(self._arms)
+        self._reached = len(self._segments)
 
     # ---- its end ---------------------------------------------------------------------------------------------
 
@@ -202,44 +202,46 @@ class Path:
         to_end = self.to_end()
         moved: list[Row] = [{}, {}, {}]
         turned: list[Row] = [{}, {}, {}]
-        for cause in self.causes:
-            for i, value in enumerate(self.moved(cause, to_end)):
-                add_to(moved[i], cause.column, value)
-            for i, value in enumerate(cause.turns or () if cause.until is None else ()):
-                add_to(turned[i], cause.column, value)
+        for entry in self.entries:
+            for i, value in enumerate(self.moved(entry, to_end)):
+                add_to(moved[i], entry.column, value)
+            for i, value in enumerate(entry.turns or () if entry.until is None else ()):
+                add_to(turned[i], entry.column, value)
         none = fixed_quaternion([ONE, ZERO, ZERO, ZERO])
         return SpatialMarker(to_end[0], self.r_dot, self.a, moved, self.axes, self.omega, turned, self.alpha, none)
 
     def to_end(self) -> list[Vector]:
         """From the end of each arm, and before them from the beginning, to the end of the path."""
         found = [zeros()]
-        for arm in reversed(self._arms):
+        for arm in reversed(self._segments):
             found.append(plus(arm.vector, found[-1]))
         return found[::-1]
 
-    def moved(self, cause: PathColumn, to_end: list[Vector]) -> Vector:
-        """The velocity of the end for a unit rate of a cause."""
-        parts, modes = [], cause.modes
-        if cause.turns is not None:
-            across = self._across(cause, to_end)
+    def moved(self, entry: PathColumn, to_end: list[Vector]) -> Vector:
+        """The velocity of the end for a unit rate of its coordinate."""
+        parts, modes = [], entry.modes
+        if entry.turns is not None:
+            across = self._across(entry, to_end)
             if modes is None or modes.turning is None:
-                parts.append(cross(cause.turns, across))
+                parts.append(cross(entry.turns, across))
             else:
-                parts.append(combination([cross(axis, across) for axis in modes.turning], modes.share(cause.column)))
-        return plus(*parts, *([] if cause.slides is None else [cause.slides]))
+                parts.append(combination([cross(axis, across) for axis in modes.turning], modes.share(entry.column)))
+        return plus(*parts, *([] if entry.slides is None else [entry.slides]))
 
-    def _across(self, cause: PathColumn, to_end: list[Vector]) -> Vector:
-        """From the cause's axis to the end of what it turns, without the arms along that axis."""
-        if cause.until is not None:
-            turned = self._arms[cause.before : cause.until]
-            return plus(zeros(), *(arm.vector for arm in turned if not arm.axis is cause.axis is not None))
-        along = [k for k in range(cause.before, len(self._arms)) if self._arms[k].axis is cause.axis is not None]
+    def _across(self, entry: PathColumn, to_end: list[Vector]) -> Vector:
+        """From its axis to the end of what it turns, without the arms along that axis."""
+        if entry.until is not None:
+            turned = self._segments[entry.before : entry.until]
+            return plus(zeros(), *(arm.vector for arm in turned if not arm.axis is entry.axis is not None))
+        along = [
+            k for k in range(entry.before, len(self._segments)) if self._segments[k].axis is entry.axis is not None
+        ]
         if not along:
-            return to_end[cause.before]
+            return to_end[entry.before]
         total = to_end[along[-1] + 1]
-        for k in reversed(range(cause.before, along[-1])):
+        for k in reversed(range(entry.before, along[-1])):
             if k not in along:
-                total = plus(self._arms[k].vector, total)
+                total = plus(self._segments[k].vector, total)
         return total
 
     def point(self, R: Matrix, r: Vector) -> SpatialMarker:

@@ -59,8 +59,8 @@ from symgen.system.frames.fields import (
     FieldPart,
     MoveState,
     Rates,
-    arm_of,
     joint_parts,
+    relative_motion,
     turned,
 )
 from symgen.system.frames.moves import JointNode, MarkerNode, Node
@@ -316,19 +316,19 @@ class _Bending:
         return minus(scaled(half, cross(moment, one.theta)), fewer)
 
 
-def parts_of(move: Node, spot: MoveState) -> list[FieldPart]:
+def parts_of(move: Node, moved: MoveState) -> list[FieldPart]:
     """What the coordinates of a move do."""
-    return BendChanges(move, spot).parts if isinstance(move, MarkerNode) else joint_parts(move, spot)
+    return BendChanges(move, moved).parts if isinstance(move, MarkerNode) else joint_parts(move, moved)
 
 
 class BendChanges:
     """Of the motion by the modes that lead to a marker or back from it, and of the powers of a wrench on them."""
 
-    def __init__(self, move: MarkerNode, spot: MoveState) -> None:
+    def __init__(self, move: MarkerNode, moved: MoveState) -> None:
         self._move, self._back, self._deformation = move, move.back, move.deformation
-        body = spot.after if move.back else spot.before
-        self._bending = _Bending(move.deformation, body, spot.rates, spot.accelerations)
-        self._spot = spot
+        body = moved.after if move.back else moved.before
+        self._bending = _Bending(move.deformation, body, moved.rates, moved.accelerations)
+        self._moved = moved
 
     @cached_property
     def parts(self) -> list[FieldPart]:
@@ -343,7 +343,7 @@ class BendChanges:
     def _unbent(self, one: SharedMotion) -> FieldPart:
         (t, t1, t2), (s, s1, s2) = self._bending.turned(one), self._bending.shape(one)
         still = Field((negative(t), negative(t1), negative(t2)), (negative(s), negative(s1), negative(s2)))
-        return FieldPart(one.shares, still.shifted(arm_of(self._move, self._spot)))
+        return FieldPart(one.shares, still.shifted(relative_motion(self._move, self._moved)))
 
     def powers(self, column: int, wrench: Force, change: Force) -> Row:
         """Changes of the powers by a mode, for the wrench after the move and its change, both in the axes there."""
@@ -437,22 +437,22 @@ class ForceSweep:
 
     def tree(self, tree: FrameTree, base: Vector) -> None:
         """All frames; base: acceleration of the ground."""
-        spots: list[list[MoveState]] = []
+        moves: list[list[MoveState]] = []
         motions: list[FrameMotion] = []
         for frame in tree.frames:
             motion = FrameMotion(zeros(), zeros(), base) if frame.parent == GROUND else motions[frame.parent]
-            spots.append([])
+            moves.append([])
             for move in frame.nodes:
                 before, motion = motion, move.motion(motion, self._rates, self._accelerations)
-                spots[-1].append(MoveState(before, motion, self._rates, self._accelerations))
+                moves[-1].append(MoveState(before, motion, self._rates, self._accelerations))
             motions.append(motion)
         states = [_no_subtree() for _ in tree.frames]
         for k in reversed(range(len(tree.frames))):
             frame, state = tree.frames[k], states[k]
             if frame.inertia is not None:
                 state.add(self.body(frame.inertia, motions[k]))
-            for move, spot in zip(reversed(frame.nodes), reversed(spots[k]), strict=True):
-                self.through(move, spot, state)
+            for move, moved in zip(reversed(frame.nodes), reversed(moves[k]), strict=True):
+                self.through(move, moved, state)
             if frame.parent != GROUND:
                 states[frame.parent].add(state)
 
@@ -473,13 +473,13 @@ class ForceSweep:
             mode_rows(inertia, motion, self._rates),
         )
 
-    def through(self, move: Node, spot: MoveState, state: Subtree) -> None:
+    def through(self, move: Node, moved: MoveState, state: Subtree) -> None:
         """All that is beyond a move, as seen before it, in place."""
-        bending = BendChanges(move, spot) if isinstance(move, MarkerNode) else None
-        parts = parts_of(move, spot) if bending is None else bending.parts
+        bending = BendChanges(move, moved) if isinstance(move, MarkerNode) else None
+        parts = parts_of(move, moved) if bending is None else bending.parts
         carried: dict[int, Force] = {}
         for part in parts:
-            by_position, by_rate = part.field.by_position(spot.after.a), part.field.by_rate
+            by_position, by_rate = part.field.by_position(moved.after.a), part.field.by_rate
             for row, form in state.rows.items():
                 self._shared(self.K, row, part, form.of(by_position))
                 self._shared(self.D, row, part, form.of(by_rate))
@@ -496,20 +496,20 @@ class ForceSweep:
             for row, value in move.powers(wrench).items():
                 add_to(self.D[row], column, value)
             state.by_rate[column] = move.wrench(wrench)
-        self._before(move, spot, state, parts)
+        self._before(move, moved, state, parts)
 
     def _shared(self, target: list[Row], row: int, part: FieldPart, value: ca.SX) -> None:
         for column, share in part.shares.items():
             add_to(target[row], column, mul(share, value))
 
-    def _before(self, move: Node, spot: MoveState, state: Subtree, parts: list[FieldPart]) -> None:
+    def _before(self, move: Node, moved: MoveState, state: Subtree, parts: list[FieldPart]) -> None:
         """Rows, inertia and wrench as seen before a move."""
         for part in parts:
             row = state.tangent.row(part.field.twist)
             for column, share in part.shares.items():
                 own = row.scaled(share)
                 state.rows[column] = state.rows[column].plus(own) if column in state.rows else own
-        velocity = _twice_velocity(move, spot)
+        velocity = _twice_velocity(move, moved)
         state.rows = {column: _row_before(move, row, velocity) for column, row in state.rows.items()}
         state.tangent = _tangent_before(move, velocity, state.tangent)
         state.wrench = move.wrench(state.wrench)
@@ -520,18 +520,18 @@ def _shares(part: FieldPart, wrench: Force) -> dict[int, Force]:
     return {column: wrench.scaled(share) for column, share in part.shares.items()}
 
 
-def _twice_velocity(move: Node, spot: MoveState) -> Vector:
+def _twice_velocity(move: Node, moved: MoveState) -> Vector:
     """Of the origin after a move, seen before it, in the axes there; `back` from a marker, in those after it."""
-    twice, arm, speed = scaled(TWO, spot.before.omega), zeros(), zeros()
+    twice, arm, speed = scaled(TWO, moved.before.omega), zeros(), zeros()
     if isinstance(move, JointNode):
         arm = move.r
         if move.column is not None and not move.turns:
-            speed = scaled(spot.rates.get(move.column, ZERO), move.S.v)
+            speed = scaled(moved.rates.get(move.column, ZERO), move.S.v)
     else:
-        bent = move.deformation.at(spot.rates)
+        bent = move.deformation.at(moved.rates)
         arm, speed = bent.rho, bent.rho_dot
         if move.back:
-            twice = scaled(neg(TWO), spot.after.omega)
+            twice = scaled(neg(TWO), moved.after.omega)
             return plus(cross(twice, arm), scaled(neg(TWO), speed))
     return plus(cross(twice, arm), scaled(TWO, speed))
 
@@ -606,54 +606,54 @@ class _Entries:
 def _turned(path: Path, n: Vector) -> dict[int, Vector]:
     """Change of an axis at the end of a path, by column."""
     found: dict[int, Vector] = {}
-    for cause in path.causes:
-        if cause.turns is not None:
-            change = cross(cause.turns, n)
-            found[cause.column] = plus(found[cause.column], change) if cause.column in found else change
+    for entry in path.entries:
+        if entry.turns is not None:
+            change = cross(entry.turns, n)
+            found[entry.column] = plus(found[entry.column], change) if entry.column in found else change
     return found
 
 
 def _point(found: _Entries, path: Path, F: Vector) -> None:
     """F . d^2 r / dq^2 of the end."""
     to_end = path.to_end()
-    changes = [path.moved(cause, to_end) for cause in path.causes]
-    rests = [to_end[cause.before] for cause in path.causes]
+    changes = [path.moved(entry, to_end) for entry in path.entries]
+    rests = [to_end[entry.before] for entry in path.entries]
     _way(found, path, F, changes, rests, moving=True)
 
 
 def _direction(found: _Entries, path: Path, n: Vector, u: Vector) -> None:
     """u . d^2 n / dq^2 of an axis at the end."""
-    changes = [zeros() if cause.turns is None else cross(cause.turns, n) for cause in path.causes]
+    changes = [zeros() if entry.turns is None else cross(entry.turns, n) for entry in path.entries]
     _way(found, path, u, changes, [n] * len(changes), moving=False)
 
 
 def _way(found: _Entries, path: Path, weight: Vector, changes: list[Vector], rests: list[Vector], moving: bool) -> None:
-    """changes: what each cause does; rests: what it turns; moving: are the shapes of modes part of it?"""
+    """changes: what each coordinate does; rests: what it turns; moving: are the shapes of modes part of it?"""
     later: dict[int, Vector] = {}
-    causes = path.causes
-    k = len(causes) - 1
+    entries = path.entries
+    k = len(entries) - 1
     while k >= 0:
-        group = _same_move(causes, k)
+        group = _same_move(entries, k)
         for place in group:
-            cause = causes[place]
-            if cause.turns is not None:
-                arm = cross(weight, cause.turns)
+            entry = entries[place]
+            if entry.turns is not None:
+                arm = cross(weight, entry.turns)
                 for column, change in later.items():
-                    found.pair(cause.column, column, dot(arm, change))
-                if cause.modes is None:
-                    found.single(cause.column, cause.column, dot(arm, changes[place]))
-        modes = causes[k].modes
+                    found.pair(entry.column, column, dot(arm, change))
+                if entry.modes is None:
+                    found.single(entry.column, entry.column, dot(arm, changes[place]))
+        modes = entries[k].modes
         if modes is not None:
             _modes(found, modes, weight, rests[k], moving)
         for place in group:
-            column, change = causes[place].column, changes[place]
+            column, change = entries[place].column, changes[place]
             later[column] = plus(later[column], change) if column in later else change
         k -= len(group)
 
 
-def _same_move(causes: list[PathColumn], last: int) -> range:
-    """The places of the causes that belong to the move of one of them, its last."""
-    modes = causes[last].modes
+def _same_move(entries: list[PathColumn], last: int) -> range:
+    """The places of the entries that belong to the move of one of them, its last."""
+    modes = entries[last].modes
     return range(last, last - 1, -1) if modes is None else range(last - len(modes.columns) + 1, last + 1)
 
 

@@ -23,7 +23,7 @@ class Skeleton:
 
     def __init__(self, numbers: Numbers) -> None:
         self._rough: list[UnalignedFrame] = []
-        self._seats: dict[str, BodyFrame] = {"ground": BodyFrame()}
+        self._body_frames: dict[str, BodyFrame] = {"ground": BodyFrame()}
         self._numbers = numbers
 
     def float(self, body: SpatialBody, turning: Turning | None) -> None:
@@ -35,7 +35,7 @@ class Skeleton:
         self._add(UnalignedFrame(GROUND, moves=[floats], inertia=RigidNode(point)))
         turns: Move = Orient(q.turning, q.theta, q.theta_dot) if turning is None else _ball(turning)
         self._add(UnalignedFrame(len(self._rough) - 1, moves=[turns], inertia=_inertia(body, ZERO)))
-        self._seats[body.name] = BodyFrame(len(self._rough) - 1)
+        self._body_frames[body.name] = BodyFrame(len(self._rough) - 1)
 
     def place(
         self,
@@ -50,22 +50,22 @@ class Skeleton:
         near, far: the joint's markers on the parent and on the body.
         """
         frame, before = self._at(parent, near)
-        chain, beyond = links(before)
+        chain, rest = links(before)
         for link in chain:
             self._add(UnalignedFrame(frame, link))
             frame = len(self._rough) - 1
         data = body.integrals
         assert data is not None
         if not far.rigid:
-            self._add(UnalignedFrame(frame, JointLink(beyond)))
+            self._add(UnalignedFrame(frame, JointLink(rest)))
             frame = len(self._rough) - 1
             self._add(UnalignedFrame(frame, moves=_from_marker(far), inertia=_inertia(body, data.mass)))
-            self._seats[body.name] = BodyFrame(len(self._rough) - 1)
+            self._body_frames[body.name] = BodyFrame(len(self._rough) - 1)
             return
-        place = beyond * _marker(far).inverse()
+        place = rest * _marker(far).inverse()
         if data.nf:
             self._add(UnalignedFrame(frame, JointLink(place), inertia=_inertia(body, data.mass)))
-            self._seats[body.name] = BodyFrame(len(self._rough) - 1)
+            self._body_frames[body.name] = BodyFrame(len(self._rough) - 1)
             return
         if frame == GROUND or isinstance(self._rough[frame].inertia, FlexibleNode):
             self._add(UnalignedFrame(frame, JointLink(place)))
@@ -73,7 +73,7 @@ class Skeleton:
         own = moved(Inertia(data.mass, data.S1, data.J0), place)
         known = self._rough[frame].inertia
         self._rough[frame].inertia = RigidNode(own if known is None else known.rigid.plus(own))
-        self._seats[body.name] = BodyFrame(frame, place)
+        self._body_frames[body.name] = BodyFrame(frame, place)
 
     def hold(
         self,
@@ -104,22 +104,22 @@ class Skeleton:
             place = _marker(at).inverse()
             inertia = RigidNode(moved(Inertia(data.mass, data.S1, data.J0), place))
         self._add(UnalignedFrame(frame, moves=moves, inertia=inertia))
-        self._seats[body.name] = BodyFrame(len(self._rough) - 1, place)
+        self._body_frames[body.name] = BodyFrame(len(self._rough) - 1, place)
 
     def _add(self, rough: UnalignedFrame) -> None:
         self._rough.append(rough)
 
     def _at(self, body: str, marker: Deformation) -> tuple[int, SE3]:
         """The frame that carries a marker, and the marker's displacement there."""
-        seat = self._seats[body]
+        known = self._body_frames[body]
         if marker.rigid:
-            return seat.frame, seat.place * _marker(marker)
-        self._add(UnalignedFrame(seat.frame, moves=_to_marker(marker)))
+            return known.frame, known.place * _marker(marker)
+        self._add(UnalignedFrame(known.frame, moves=_to_marker(marker)))
         return len(self._rough) - 1, SE3.identity()
 
     def tree(self) -> FrameTree:
         """The frames on their hinges."""
-        return aligned(self._rough, self._seats, self._numbers)
+        return aligned(self._rough, self._body_frames, self._numbers)
 
 
 def _to_marker(marker: Deformation) -> list[Move]:

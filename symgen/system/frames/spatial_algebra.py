@@ -69,7 +69,7 @@ class Motion:
 
 
 @dataclass(frozen=True)
-class MomentArm:
+class LeverArm:
     """What gives a moment arm x A^T F: an arm in the frame's axes, F in those of the world."""
 
     arm: Vector
@@ -80,13 +80,13 @@ class MomentArm:
 class Force:
     """Force f and moment n about the frame's origin; world: f in world axes where it is known.
 
-    Where there are levers, n is also what they and the `rest` give: the shorter of the two ways is taken later.
+    Where there are lever arms, n is also what they and the `rest` give: the shorter of the two ways is taken later.
     """
 
     f: Vector
     n: Vector
     world: Vector | None = None
-    levers: tuple[MomentArm, ...] = ()
+    lever_arms: tuple[LeverArm, ...] = ()
     rest: Vector | None = None
 
     def along(self, twist: Motion) -> ca.SX:
@@ -97,10 +97,10 @@ class Force:
         """Sum about the same origin."""
         known = self.world is not None and other.world is not None
         world = plus(self.world, other.world) if known else None  # type: ignore[arg-type]
-        rest, levers = None, (*self.levers, *other.levers)
-        if levers:
+        rest, lever_arms = None, (*self.lever_arms, *other.lever_arms)
+        if lever_arms:
             rest = plus(*(one.n if one.rest is None else one.rest for one in (self, other)))
-        return Force(plus(self.f, other.f), plus(self.n, other.n), world, levers, rest)
+        return Force(plus(self.f, other.f), plus(self.n, other.n), world, lever_arms, rest)
 
     def scaled(self, factor: ca.SX) -> Force:
         """A share of it."""
@@ -134,12 +134,12 @@ class WorldFrame:
 
 @dataclass(frozen=True)
 class FrameMotion:
-    """omega, alpha, and the acceleration a of the frame's origin less gravity; held: where a ball gives the axes."""
+    """omega, alpha, and the acceleration a of the frame's origin less gravity; in_world: behind a ball."""
 
     omega: Vector
     alpha: Vector
     a: Vector
-    held: WorldFrame | None = None
+    in_world: WorldFrame | None = None
 
     @cached_property
     def G(self) -> Matrix:
@@ -170,12 +170,12 @@ class FrameMotion:
         """Acceleration of the point at `arm`, fixed in the frame."""
         return plus(self.a, times(self.G, arm))
 
-    def swung(self, held: WorldFrame, arm: Vector) -> Vector:
+    def swung(self, in_world: WorldFrame, arm: Vector) -> Vector:
         """G arm in world axes; arms along the same axis share a rotation."""
         along = only_axis([arm])
         if along is None:
-            return times(held.A, times(self.G, arm))
-        return scaled(arm[along], times(held.A, [row[along] for row in self.G]))
+            return times(in_world.A, times(self.G, arm))
+        return scaled(arm[along], times(in_world.A, [row[along] for row in self.G]))
 
 
 @dataclass(frozen=True)
@@ -231,14 +231,14 @@ class Inertia:
     def inertia_wrench(self, motion: FrameMotion) -> Force:
         """What moves the masses: f = m a + G h, n = h x a + ax(Sigma G^T)."""
         f = plus(scaled(self.m, motion.a), times(motion.G, self.h))
-        turning, held = motion.turning_moment(self.Sigma), motion.held
+        turning, in_world = motion.turning_moment(self.Sigma), motion.in_world
         n = plus(cross(self.h, motion.a), turning)
-        if held is None:
+        if in_world is None:
             return Force(f, n)
-        world = plus(scaled(self.m, held.a), motion.swung(held, self.h))
-        if not held.swings:
+        world = plus(scaled(self.m, in_world.a), motion.swung(in_world, self.h))
+        if not in_world.swings:
             return Force(f, n, world)
-        return Force(f, n, world, (MomentArm(self.h, held.a),), turning)
+        return Force(f, n, world, (LeverArm(self.h, in_world.a),), turning)
 
 
 def no_masses() -> Inertia:

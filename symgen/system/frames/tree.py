@@ -162,10 +162,10 @@ class BodyFrame:
 
 @dataclass(frozen=True)
 class FrameTree:
-    """Frames, parents first, and the seat of each body by name (the ground too)."""
+    """Frames, parents first, and where the frame of each body is, by name (the ground too)."""
 
     frames: list[Frame]
-    seats: dict[str, BodyFrame]
+    body_frames: dict[str, BodyFrame]
 
     def way(self, frame: int) -> list[int]:
         """The frames from the ground to one, itself included."""
@@ -179,7 +179,9 @@ class FrameTree:
         """The last frame that the ways to two bodies have in common."""
         shared = [
             first
-            for first, second in zip(self.way(self.seats[a].frame), self.way(self.seats[b].frame), strict=False)
+            for first, second in zip(
+                self.way(self.body_frames[a].frame), self.way(self.body_frames[b].frame), strict=False
+            )
             if first == second
         ]
         return shared[-1] if shared else GROUND
