@@ -17,8 +17,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 67) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
-    16 operations.
+    gives c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
+    15 operations.
     """
     p = ca.SX.sym("p", 67)
     crank_mass = p[0]
@@ -98,11 +98,10 @@ def constants() -> ca.Function:
         -rod_phi_cross_phi_3_0,  # c38
         rod_rho_dot_phi_2_0 + rod_rho_dot_phi_2_0,  # c39
         rod_rho_dot_phi_3_0 + rod_rho_dot_phi_3_0,  # c40
-        rod_K_ff_2_3 + rod_K_ff_2_3,  # c41
-        2 * rod_phi_cross_phi_1_3,  # c42
-        2 * rod_phi_cross_phi_2_0,  # c43
-        -rod_phi_cross_phi_0_2,  # c44
-        -rod_phi_cross_phi_3_1,  # c45
+        2 * rod_phi_cross_phi_1_3,  # c41
+        2 * rod_phi_cross_phi_2_0,  # c42
+        -rod_phi_cross_phi_0_2,  # c43
+        -rod_phi_cross_phi_3_1,  # c44
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -115,7 +114,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 5 x 5) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 5) [N, N m]: condensed force S^T (Q* - M s)
     240 operations.
@@ -124,7 +123,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -255,7 +254,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 1) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -263,7 +262,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q4 = q_i[4]
     rod_theta = q_d[4]
@@ -295,14 +294,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     25 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q4 = q_i[4]
     rod_theta = q_d[4]
@@ -337,7 +336,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
     45 operations.
     """
@@ -346,7 +345,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q4 = q_i[4]
     rod_theta = q_d[4]
@@ -388,7 +387,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 8 x 13) [SI]: constraint Jacobian
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -398,7 +397,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 45)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -482,7 +481,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 13 x 13) [SI]: mass matrix in all coordinates
     gives K (n x n = 13 x 13) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 13) [N, N m]: quadratic velocity force in all coordinates
@@ -494,7 +493,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 45)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -735,7 +734,7 @@ def reactions() -> ca.Function:
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
     takes q_ddot (n = 13) [mixed]: accelerations of all coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
     148 operations.
@@ -743,7 +742,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 45)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -856,17 +855,17 @@ def energy() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    165 operations.
+    166 operations.
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 45)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -910,13 +909,13 @@ def energy() -> ca.Function:
     rod_K_ff_0_0 = c[27]
     rod_K_ff_1_1 = c[28]
     rod_K_ff_2_2 = c[29]
+    rod_K_ff_2_3 = c[30]
     rod_K_ff_3_3 = c[31]
     crank_mass = c[33]
     c34 = c[34]
     slider_inertia = c[37]
     c39 = c[39]
     c40 = c[40]
-    c41 = c[41]
     # intermediate terms (31)
     w0 = ca.sin(crank_theta) * c34
     w1 = ca.cos(crank_theta) * c34
@@ -948,10 +947,10 @@ def energy() -> ca.Function:
     w27 = w17 + rod_theta_dot * w24 + w25 + rod_q2_dot * (rod_theta_dot * w21 + rod_q2_dot * rod_M_ff_1_1) + rod_q3_dot * w26
     w28 = rod_q3_dot * rod_M_ff_2_3 + rod_x_dot * w10 + rod_y_dot * w15 - rod_theta_dot * w23 + rod_q4_dot * rod_M_ff_3_3
     w29 = w27 + rod_q4_dot * w28 + slider_x_dot * (slider_x_dot * slider_mass) + slider_y_dot * (slider_y_dot * slider_mass)
-    w30 = rod_q3 * (rod_q3 * rod_K_ff_2_2) + (rod_q2 * (rod_q2 * rod_K_ff_1_1) + (rod_q1 * (rod_q1 * rod_K_ff_0_0) + rod_q3 * rod_q4 * c41))
+    w30 = rod_q1 * (rod_q1 * rod_K_ff_0_0) + rod_q2 * (rod_q2 * rod_K_ff_1_1) + rod_q3 * (rod_q3 * rod_K_ff_2_2 + rod_q4 * rod_K_ff_2_3)
     # outputs
     kinetic = ca.vertcat((w29 + slider_theta_dot * (slider_theta_dot * slider_inertia)) / 2.0)
-    elastic = ca.vertcat((w30 + rod_q4 * (rod_q4 * rod_K_ff_3_3)) / 2.0)
+    elastic = ca.vertcat((w30 + rod_q4 * (rod_q3 * rod_K_ff_2_3 + rod_q4 * rod_K_ff_3_3)) / 2.0)
     potential = ca.SX(1, 1)
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.SX(1, 1)
@@ -1017,7 +1016,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i, through q_d
     416 operations.
     """
@@ -1025,7 +1024,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1071,10 +1070,10 @@ def dQ_hat_dq_i() -> ca.Function:
     rod_K_ff_3_3 = c[31]
     c36 = c[36]
     c38 = c[38]
+    c41 = c[41]
     c42 = c[42]
     c43 = c[43]
     c44 = c[44]
-    c45 = c[45]
     # intermediate terms (103)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = crank_theta_dot**2
@@ -1150,13 +1149,13 @@ def dQ_hat_dq_i() -> ca.Function:
     w71 = w2 * w69 + w17 * w70
     w72 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
     w73 = w11 * w29 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)
-    w74 = w11 * w30 + rod_q4_dot * c42
+    w74 = w11 * w30 + rod_q4_dot * c41
     w75 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
     w76 = w5 * rod_phi_integral_0_2
     w77 = w7 * rod_phi_integral_0_2
     w78 = w2 * w76 - w17 * w77
     w79 = rod_q1 * rod_phi_cross_phi_2_0
-    w80 = w11 * w33 + rod_q1_dot * c43
+    w80 = w11 * w33 + rod_q1_dot * c42
     w81 = w5 * rod_phi_integral_0_3
     w82 = w2 * w81
     w83 = w7 * rod_phi_integral_0_3
@@ -1187,7 +1186,7 @@ def dQ_hat_dq_i() -> ca.Function:
             w0 * (w4 * w76 + w26 * w77) - w16 * (w4 * w77 - w26 * w76) - w56 * w95, w100 - w56 * w102,
         ),
         ca.horzcat(  # rod.q1
-            w71 - w59 * w72 + w57 * w73 + w56 * w71, w4 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w26 * c44,
+            w71 - w59 * w72 + w57 * w73 + w56 * w71, w4 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w26 * c43,
             w73 * w98 - (w26 * rod_phi_cross_phi_0_3 + w72 * w99) + w71 * w92,
         ),
         ca.horzcat(  # rod.q2
@@ -1200,7 +1199,7 @@ def dQ_hat_dq_i() -> ca.Function:
         ),
         ca.horzcat(  # rod.q4
             w82 - w17 * (w83 + w84) + w59 * w85 + w57 * w86 - w56 * w91 - w68 * w92, w26 * c38 - w92 * w93,
-            w26 * c45 - w92 * w94, w96 - w92 * w95,
+            w26 * c44 - w92 * w94, w96 - w92 * w95,
             w4 * rod_M_ff_3_3 - rod_K_ff_3_3 + w54 * w97 + w85 * w99 + w86 * w98 - w91 * w92 - w92 * w102,
         ),
     )
@@ -1215,7 +1214,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     263 operations.
     """
@@ -1223,7 +1222,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1262,8 +1261,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     rod_phi_cross_phi_2_0 = c[24]
     rod_phi_cross_phi_3_0 = c[25]
     rod_phi_cross_phi_3_1 = c[26]
+    c41 = c[41]
     c42 = c[42]
-    c43 = c[43]
     # intermediate terms (58)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(crank_theta) * crank_tip_x
@@ -1304,11 +1303,11 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w36 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
     w37 = w21 * w26 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)
     w38 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
-    w39 = w21 * w27 + rod_q4_dot * c42
+    w39 = w21 * w27 + rod_q4_dot * c41
     w40 = w7 * rod_phi_integral_0_2
     w41 = w5 * rod_phi_integral_0_2
     w42 = rod_q1 * rod_phi_cross_phi_2_0
-    w43 = w21 * w28 + rod_q1_dot * c43
+    w43 = w21 * w28 + rod_q1_dot * c42
     w44 = w7 * rod_phi_integral_0_3
     w45 = w5 * rod_phi_integral_0_3
     w46 = w16 * slider_mass
@@ -1360,7 +1359,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 5 x 5) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     591 operations.
@@ -1370,7 +1369,7 @@ def residual_jacobian() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1421,10 +1420,10 @@ def residual_jacobian() -> ca.Function:
     rod_K_ff_3_3 = c[31]
     c36 = c[36]
     c38 = c[38]
+    c41 = c[41]
     c42 = c[42]
     c43 = c[43]
     c44 = c[44]
-    c45 = c[45]
     # intermediate terms (129)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(crank_theta) * crank_tip_x
@@ -1519,9 +1518,9 @@ def residual_jacobian() -> ca.Function:
     w90 = w18 * w65
     w91 = w12 * w38 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)
     w92 = w90 - w89
-    w93 = w12 * w39 + rod_q4_dot * c42
+    w93 = w12 * w39 + rod_q4_dot * c41
     w94 = w3 * w33 + w18 * w67
-    w95 = w12 * w42 + rod_q1_dot * c43
+    w95 = w12 * w42 + rod_q1_dot * c42
     w96 = w3 * w35
     w97 = w58 * slider_mass
     w98 = w69 + w97
@@ -1563,7 +1562,7 @@ def residual_jacobian() -> ca.Function:
             w0 * (w5 * w33 + w29 * w67) - w1 * (w5 * w67 - w29 * w33) - w26 * w108, w113 - w26 * w116,
         ),
         ca.horzcat(  # rod.q1
-            w89 - w90 - w50 * w79 + w77 * w91 - w26 * w92, w5 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w29 * c44,
+            w89 - w90 - w50 * w79 + w77 * w91 - w26 * w92, w5 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w29 * c43,
             w91 * w111 - (w29 * rod_phi_cross_phi_0_3 + w50 * w112) - w28 * w92,
         ),
         ca.horzcat(  # rod.q2
@@ -1576,7 +1575,7 @@ def residual_jacobian() -> ca.Function:
         ),
         ca.horzcat(  # rod.q4
             w96 + w18 * w98 + w79 * w99 + w77 * w100 - w26 * w104 - w28 * w88, w29 * c38 - w28 * w106,
-            w29 * c45 - w28 * w107, w109 - w28 * w108, w117,
+            w29 * c44 - w28 * w107, w109 - w28 * w108, w117,
         ),
     )
     J_v = ca.vertcat(
@@ -1610,13 +1609,13 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 5 x 4) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 4 x 4) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 4 x 4) [SI]: damping of the stiff deflections
     0 operations.
     """
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 45)
     rod_K_ff_0_0 = c[27]
     rod_K_ff_1_1 = c[28]
     rod_K_ff_2_2 = c[29]
@@ -1651,7 +1650,7 @@ def blocks() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
     gives M_hat_LS (n_L x n_S = 1 x 4) [SI]: block of M_hat, rows of L, columns of S
     gives M_hat_SL (n_S x n_L = 4) [SI]: block of M_hat, rows of S, columns of L
@@ -1664,7 +1663,7 @@ def blocks() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1814,7 +1813,7 @@ def substep_2() -> ca.Function:
     takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
-    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 45) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 4 x 4) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 4) [N, N m]: right-hand side of a sub-step, slow q'' given
     180 operations.
@@ -1824,7 +1823,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 46)
+    c = ca.SX.sym("c", 45)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]

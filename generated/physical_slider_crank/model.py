@@ -17,8 +17,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 68) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
-    17 operations.
+    gives c (n_const = 47) [SI]: what depends on p only, computed once a run: c = constants(p)
+    16 operations.
     """
     p = ca.SX.sym("p", 68)
     omega = p[0]
@@ -101,11 +101,10 @@ def constants() -> ca.Function:
         -rod_phi_cross_phi_3_0,  # c40
         rod_rho_dot_phi_2_0 + rod_rho_dot_phi_2_0,  # c41
         rod_rho_dot_phi_3_0 + rod_rho_dot_phi_3_0,  # c42
-        rod_K_ff_2_3 + rod_K_ff_2_3,  # c43
-        2 * rod_phi_cross_phi_1_3,  # c44
-        2 * rod_phi_cross_phi_2_0,  # c45
-        -rod_phi_cross_phi_0_2,  # c46
-        -rod_phi_cross_phi_3_1,  # c47
+        2 * rod_phi_cross_phi_1_3,  # c43
+        2 * rod_phi_cross_phi_2_0,  # c44
+        -rod_phi_cross_phi_0_2,  # c45
+        -rod_phi_cross_phi_3_1,  # c46
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -118,7 +117,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 9) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 47) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 4 x 4) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 4) [N, N m]: condensed force S^T (Q* - M s)
     173 operations.
@@ -127,7 +126,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 48)
+    c = ca.SX.sym("c", 47)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -240,7 +239,7 @@ def closure() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 9) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes t (1) [s]: time
-    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 47) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 9) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 1) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -249,7 +248,7 @@ def closure() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 48)
+    c = ca.SX.sym("c", 47)
     rod_q4 = q_i[3]
     rod_theta = q_d[5]
     rod_end_shape_0_3 = c[1]
@@ -283,14 +282,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 9) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 47) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     22 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 48)
+    c = ca.SX.sym("c", 47)
     rod_q4 = q_i[3]
     crank_theta = q_d[2]
     rod_theta = q_d[5]
@@ -326,7 +325,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 47) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 9) [mixed]: accelerations of the dependent coordinates
     39 operations.
     """
@@ -335,7 +334,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 48)
+    c = ca.SX.sym("c", 47)
     rod_q4 = q_i[3]
     crank_theta = q_d[2]
     rod_theta = q_d[5]
@@ -375,7 +374,7 @@ def constraints() -> ca.Function:
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
     takes t (1) [s]: time
-    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 47) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 9) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 9 x 13) [SI]: constraint Jacobian
     gives C_t (n_c = 9) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -386,7 +385,7 @@ def constraints() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 48)
+    c = ca.SX.sym("c", 47)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -477,7 +476,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
-    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 47) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 13 x 13) [SI]: mass matrix in all coordinates
     gives K (n x n = 13 x 13) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 13) [N, N m]: quadratic velocity force in all coordinates
@@ -489,7 +488,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 48)
+    c = ca.SX.sym("c", 47)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -732,7 +731,7 @@ def reactions() -> ca.Function:
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
     takes q_ddot (n = 13) [mixed]: accelerations of all coordinates
-    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 47) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 9) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 5) [N, N m]: world force and moment of a joint on its body b, at b
     160 operations.
@@ -740,7 +739,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 48)
+    c = ca.SX.sym("c", 47)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -863,17 +862,17 @@ def energy() -> ca.Function:
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
-    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 47) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
     gives power_dissipated (1) [W]: power lost in dampers, at least zero
     gives power_applied (1) [W]: power of the loads
-    165 operations.
+    166 operations.
     """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 48)
+    c = ca.SX.sym("c", 47)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -912,6 +911,7 @@ def energy() -> ca.Function:
     rod_phi_integral_1_0 = c[20]
     rod_K_ff_1_1 = c[22]
     rod_K_ff_2_2 = c[23]
+    rod_K_ff_2_3 = c[24]
     rod_phi_integral_0_2 = c[25]
     rod_K_ff_3_3 = c[26]
     rod_phi_integral_0_3 = c[27]
@@ -923,7 +923,6 @@ def energy() -> ca.Function:
     slider_inertia = c[39]
     c41 = c[41]
     c42 = c[42]
-    c43 = c[43]
     # intermediate terms (31)
     w0 = ca.sin(crank_theta) * c34
     w1 = ca.cos(crank_theta) * c34
@@ -955,10 +954,10 @@ def energy() -> ca.Function:
     w27 = w17 + rod_theta_dot * w24 + w25 + rod_q2_dot * (rod_theta_dot * w21 + rod_q2_dot * rod_M_ff_1_1) + rod_q3_dot * w26
     w28 = rod_q3_dot * rod_M_ff_2_3 + rod_x_dot * w10 + rod_y_dot * w15 - rod_theta_dot * w23 + rod_q4_dot * rod_M_ff_3_3
     w29 = w27 + rod_q4_dot * w28 + slider_x_dot * (slider_x_dot * slider_mass) + slider_y_dot * (slider_y_dot * slider_mass)
-    w30 = rod_q3 * (rod_q3 * rod_K_ff_2_2) + (rod_q2 * (rod_q2 * rod_K_ff_1_1) + (rod_q1 * (rod_q1 * rod_K_ff_0_0) + rod_q3 * rod_q4 * c43))
+    w30 = rod_q1 * (rod_q1 * rod_K_ff_0_0) + rod_q2 * (rod_q2 * rod_K_ff_1_1) + rod_q3 * (rod_q3 * rod_K_ff_2_2 + rod_q4 * rod_K_ff_2_3)
     # outputs
     kinetic = ca.vertcat((w29 + slider_theta_dot * (slider_theta_dot * slider_inertia)) / 2.0)
-    elastic = ca.vertcat((w30 + rod_q4 * (rod_q4 * rod_K_ff_3_3)) / 2.0)
+    elastic = ca.vertcat((w30 + rod_q4 * (rod_q3 * rod_K_ff_2_3 + rod_q4 * rod_K_ff_3_3)) / 2.0)
     potential = ca.SX(1, 1)
     power_dissipated = ca.SX(1, 1)
     power_applied = ca.SX(1, 1)
@@ -1024,7 +1023,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 9) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 47) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i, through q_d
     267 operations.
     """
@@ -1032,7 +1031,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 48)
+    c = ca.SX.sym("c", 47)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1076,10 +1075,10 @@ def dQ_hat_dq_i() -> ca.Function:
     rod_first_moment_x = c[28]
     c38 = c[38]
     c40 = c[40]
+    c43 = c[43]
     c44 = c[44]
     c45 = c[45]
     c46 = c[46]
-    c47 = c[47]
     # intermediate terms (60)
     w0 = rod_theta_dot**2
     w1 = 2 * rod_theta_dot
@@ -1117,7 +1116,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w33 = (w0 * w14 + w13 * w28 - w29 * (2 * w4 - w1 * w7) - w15 * (w31 - w32)) / w12
     w34 = (rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)) * w33
     w35 = (w1 * w19 + 2 * (rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3)) * w29 - (w13 * rod_phi_cross_phi_0_3 + w34)
-    w36 = w29 * (w1 * w20 + rod_q4_dot * c44) - (w13 * rod_phi_cross_phi_1_3 + w33 * (rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3))
+    w36 = w29 * (w1 * w20 + rod_q4_dot * c43) - (w13 * rod_phi_cross_phi_1_3 + w33 * (rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3))
     w37 = (w0 * w28 - w13 * w14) * slider_mass
     w38 = w33 * (rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1 + w7 * (w28 * slider_mass))
     w39 = rod_q3 * rod_M_ff_2_3
@@ -1143,15 +1142,15 @@ def dQ_hat_dq_i() -> ca.Function:
     w59 = w45 + (w58 - w54) - w7 * w37 - w33 * (w52 + w7 * (w7 * slider_mass)) + w29 * (w46 * -2.0 - w7 * w42)
     # outputs
     dQ_hat_dq_i = ca.vertcat(
-        ca.horzcat(w0 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w13 * c46, w35 + w15 * w18),  # rod.q1
+        ca.horzcat(w0 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w13 * c45, w35 + w15 * w18),  # rod.q1
         ca.horzcat(0.0, w0 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0, w36),  # rod.q2
         ca.horzcat(  # rod.q3
             w13 * c38, 0.0, w0 * rod_M_ff_2_2 - rod_K_ff_2_2,
-            w21 + w33 * (rod_q1 * rod_phi_cross_phi_2_0) + w29 * (w1 * w25 + rod_q1_dot * c45) + w15 * w22,
+            w21 + w33 * (rod_q1 * rod_phi_cross_phi_2_0) + w29 * (w1 * w25 + rod_q1_dot * c44) + w15 * w22,
         ),
         ca.horzcat(  # rod.q4
             w13 * c40 - w15 * (w16 * (rod_q1_dot * rod_M_ff_0_0) - (w18 - w13 * (2 * w19))),
-            w13 * c47 - w15 * (w16 * (rod_q2_dot * rod_M_ff_1_1) + w13 * (2 * w20)), w21 - w15 * w27,
+            w13 * c46 - w15 * (w16 * (rod_q2_dot * rod_M_ff_1_1) + w13 * (2 * w20)), w21 - w15 * w27,
             w57 - w15 * (w59 - w15 * (w7 * w53 - (w10 * w49 + w17 * w50) + w12 * w44 - w7 * w56)),
         ),
     )
@@ -1166,7 +1165,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 9) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 47) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     125 operations.
     """
@@ -1174,7 +1173,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 48)
+    c = ca.SX.sym("c", 47)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1257,7 +1256,7 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 47) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
     338 operations.
@@ -1267,7 +1266,7 @@ def residual_jacobian() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 48)
+    c = ca.SX.sym("c", 47)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1315,10 +1314,10 @@ def residual_jacobian() -> ca.Function:
     rod_first_moment_x = c[28]
     c38 = c[38]
     c40 = c[40]
+    c43 = c[43]
     c44 = c[44]
     c45 = c[45]
     c46 = c[46]
-    c47 = c[47]
     # intermediate terms (72)
     w0 = rod_theta_dot**2
     w1 = 2 * rod_theta_dot
@@ -1358,10 +1357,10 @@ def residual_jacobian() -> ca.Function:
     w35 = rod_q4_ddot * w30
     w36 = w7 * w14
     w37 = (w0 * w12 + w14 * w30 - w31 * (2 * w4 - w1 * w7) - w13 * (w34 - (w35 + w36))) / w11
-    w38 = w1 * w20 + rod_q4_dot * c44
+    w38 = w1 * w20 + rod_q4_dot * c43
     w39 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
     w40 = rod_q1 * rod_phi_cross_phi_2_0
-    w41 = w1 * w26 + rod_q1_dot * c45
+    w41 = w1 * w26 + rod_q1_dot * c44
     w42 = (w0 * w30 - w12 * w14) * slider_mass
     w43 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
     w44 = w43 + w7 * (w30 * slider_mass)
@@ -1395,7 +1394,7 @@ def residual_jacobian() -> ca.Function:
     # outputs
     J_q = ca.vertcat(
         ca.horzcat(  # rod.q1
-            w0 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w14 * c46,
+            w0 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w14 * c45,
             w29 * w31 - (w14 * rod_phi_cross_phi_0_3 + w32 * w37) + w13 * w17,
         ),
         ca.horzcat(  # rod.q2
@@ -1403,7 +1402,7 @@ def residual_jacobian() -> ca.Function:
         ),
         ca.horzcat(w14 * c38, 0.0, w0 * rod_M_ff_2_2 - rod_K_ff_2_2, w22 + w37 * w40 + w31 * w41 + w13 * w23),  # rod.q3
         ca.horzcat(  # rod.q4
-            w14 * c40 - w13 * (w15 * (rod_q1_dot * rod_M_ff_0_0) - w19), w14 * c47 - w21, w22 - w13 * w28, w69,
+            w14 * c40 - w13 * (w15 * (rod_q1_dot * rod_M_ff_0_0) - w19), w14 * c46 - w21, w22 - w13 * w28, w69,
         ),
     )
     J_v = ca.SX(4, 4)
@@ -1427,13 +1426,13 @@ def residual_jacobian() -> ca.Function:
 def deflections() -> ca.Function:
     """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
 
-    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 47) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives B (n_i x n_s = 4 x 4) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
     gives K_s (n_s x n_s = 4 x 4) [SI]: stiffness of the stiff deflections
     gives D_s (n_s x n_s = 4 x 4) [SI]: damping of the stiff deflections
     0 operations.
     """
-    c = ca.SX.sym("c", 48)
+    c = ca.SX.sym("c", 47)
     rod_K_ff_0_0 = c[19]
     rod_K_ff_1_1 = c[22]
     rod_K_ff_2_2 = c[23]
@@ -1468,7 +1467,7 @@ def blocks() -> ca.Function:
     takes q_d (n_d = 9) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 47) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_LL (n_L x n_L = 2 x 2) [SI]: block of M_hat, rows of L, columns of L
     gives M_hat_LS (n_L x n_S = 2 x 2) [SI]: block of M_hat, rows of L, columns of S
     gives M_hat_SL (n_S x n_L = 2 x 2) [SI]: block of M_hat, rows of S, columns of L
@@ -1481,7 +1480,7 @@ def blocks() -> ca.Function:
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 48)
+    c = ca.SX.sym("c", 47)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1603,7 +1602,7 @@ def substep_2() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     takes q_L_ddot (n_L = 2) [mixed]: accelerations of the slower groups, frozen over their step
-    takes c (n_const = 48) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 47) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat of the groups that take a sub-step
     gives rhs_S (n_S = 2) [N, N m]: right-hand side of a sub-step, slow q'' given
     149 operations.
@@ -1613,7 +1612,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_L_ddot = ca.SX.sym("q_L_ddot", 2)
-    c = ca.SX.sym("c", 48)
+    c = ca.SX.sym("c", 47)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]

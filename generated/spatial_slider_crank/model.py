@@ -5787,7 +5787,7 @@ def energy() -> ca.Function:
     w233 = w232 + rod_q4_dot * (rod_q4_dot * rod_D_ff_3_3) + rod_q5_dot * (rod_q5_dot * rod_D_ff_4_4) + rod_q6_dot * (rod_q6_dot * rod_D_ff_5_5)
     # outputs
     kinetic = ca.vertcat((w225 + rod_q3_dot * w226 + rod_q4_dot * w227 + rod_q5_dot * w228 + rod_q6_dot * w229) / 2.0)
-    elastic = ca.vertcat(w231 * 0.5)
+    elastic = ca.vertcat(w231 / 2.0)
     potential = ca.vertcat(slider_z * c282 - (w3 + crank_z * crank_mass + (w78 + rod_z * rod_mass)) * gravity_z)
     power_dissipated = ca.vertcat(w233 + guide_travel_dot**2 * guide_damping)
     power_applied = ca.SX(1, 1)

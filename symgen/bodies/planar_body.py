@@ -16,7 +16,7 @@ import sympy as sp
 
 from symgen.algebra.rows import Row, nonzero
 from symgen.algebra.scalar import ONE, ZERO, add, dot, entries, mul, neg, sub, total, vector
-from symgen.bodies import planar_point as point
+from symgen.algebra.vectors import Matrix
 from symgen.bodies import planar_template as template
 from symgen.bodies.shape_integrals import PointShape, ShapeIntegrals
 
@@ -32,6 +32,11 @@ class BodyCoordinates:
     R_o_dot: list[ca.SX]
     theta_dot: ca.SX
     q_f_dot: list[ca.SX]
+
+    @property
+    def elastic(self) -> list[int]:
+        """Columns of q_f."""
+        return self.columns[3:]
 
     @staticmethod
     def ground() -> BodyCoordinates:
@@ -183,20 +188,10 @@ class PlanarBody:
             force[column] = template.body_template().evaluate(moments.values(a), ["Q_v_f"])["Q_v_f"]
         return force
 
-    def stiffness_entries(self) -> list[tuple[int, int, ca.SX]]:
-        """K of Eq. (20), non-zero in K_ff only, as (row, column, value) in system columns."""
-        K_ff, modes = entries(self._require_mass().K_ff), self.coordinates.columns[3:]
-        return [
-            (row, column, K_ff[a][b])
-            for a, row in enumerate(modes)
-            for b, column in enumerate(modes)
-            if not K_ff[a][b].is_zero()
-        ]
-
-    def damping_force(self) -> Row:
-        """-D_ff q_f_dot by system column (modal damping)."""
-        D_ff, coordinates = entries(self._require_mass().D_ff), self.coordinates
-        return {column: neg(dot(D_ff[a], coordinates.q_f_dot)) for a, column in enumerate(coordinates.columns[3:])}
+    def modal_matrices(self) -> tuple[Matrix, Matrix]:
+        """K_ff and D_ff."""
+        data = self._require_mass()
+        return entries(data.K_ff), entries(data.D_ff)
 
     def gravity_force(self, gravity: list[ca.SX]) -> Row:
         """Generalised force of a uniform field of acceleration `gravity` (m/s^2)."""
@@ -215,12 +210,6 @@ class PlanarBody:
         R_o, h, mass = self.coordinates.R_o, self._moments.h, self._require_mass().mass
         return -gravity[0] * (mass * R_o[0] + h[0]) - gravity[1] * (mass * R_o[1] + h[1])
 
-    def elastic_energy(self) -> tuple[ca.SX, ca.SX]:
-        """(1/2 q_f^T K_ff q_f, power lost in D_ff)."""
-        integrals = self._require_mass()
-        q_f, q_f_dot = ca.vertcat(*self.coordinates.q_f), ca.vertcat(*self.coordinates.q_f_dot)
-        return ca.SX(ca.bilin(integrals.K_ff, q_f, q_f) / 2), ca.SX(ca.bilin(integrals.D_ff, q_f_dot, q_f_dot))
-
     def marker(self, shape: PointShape) -> MarkerMotion:
         """Motion of a point of the body (Eq. 19), with foreshortening where the body has it."""
         q, columns = self.coordinates, self.coordinates.columns
@@ -229,19 +218,19 @@ class PlanarBody:
         b_x, b_y = self.rotate(*local.rho_dot)
         n_x, n_y = self.rotate(local.nu, ZERO)
         values = {
-            point.a_x: a_x,
-            point.a_y: a_y,
-            point.b_x: b_x,
-            point.b_y: b_y,
-            point.n_x: n_x,
-            point.n_y: n_y,
-            point.R_x: q.R_o[0],
-            point.R_y: q.R_o[1],
-            point.R_dot_x: q.R_o_dot[0],
-            point.R_dot_y: q.R_o_dot[1],
-            point.theta_dot: q.theta_dot,
+            template.a_x: a_x,
+            template.a_y: a_y,
+            template.b_x: b_x,
+            template.b_y: b_y,
+            template.n_x: n_x,
+            template.n_y: n_y,
+            template.R_x: q.R_o[0],
+            template.R_y: q.R_o[1],
+            template.R_dot_x: q.R_o_dot[0],
+            template.R_dot_y: q.R_o_dot[1],
+            template.theta_dot: q.theta_dot,
         }
-        motion = point.kinematics_template().evaluate(values)
+        motion = template.kinematics_template().evaluate(values)
         rows: list[Row] = [{}, {}]
         phi_row: Row = {}
         if columns:

@@ -15,7 +15,18 @@ import casadi as ca
 
 from symgen.algebra.rows import Row, add_scaled, add_to, nonzero
 from symgen.algebra.scalar import ONE, ZERO, div, dot, mul, neg, sub
-from symgen.algebra.vectors import Vector, conjugate, cross, minus, plus, quaternion_product, scaled, times, zeros
+from symgen.algebra.vectors import (
+    Matrix,
+    Vector,
+    conjugate,
+    cross,
+    minus,
+    plus,
+    quaternion_product,
+    scaled,
+    times,
+    zeros,
+)
 from symgen.bodies import spatial_template as template
 from symgen.bodies.spatial_moments import Bent, Deformation, LocalMotion, SpatialIntegrals, SpatialMoments, SpatialPoint
 from symgen.bodies.spatial_orientation import Orientation, fixed_orientation
@@ -230,20 +241,9 @@ class SpatialBody:
             force[column] = sub(mode[template.FORCE_ON_MODE], dot([mode[f"M_turnf_{i}"] for i in range(3)], drift))
         return nonzero(force)
 
-    def stiffness_entries(self) -> list[tuple[int, int, ca.SX]]:
-        """K of Eq. (20), non-zero in K_ff only, as (row, column, value) in system columns."""
-        K_ff, modes = self._require_mass().K_ff, self.coordinates.elastic
-        return [
-            (row, column, K_ff[a][b])
-            for a, row in enumerate(modes)
-            for b, column in enumerate(modes)
-            if not K_ff[a][b].is_zero()
-        ]
-
-    def damping_force(self) -> Row:
-        """-D_ff q_f_dot by system column (modal damping)."""
-        D_ff, coordinates = self._require_mass().D_ff, self.coordinates
-        return {column: neg(dot(D_ff[a], coordinates.q_f_dot)) for a, column in enumerate(coordinates.elastic)}
+    def modal_matrices(self) -> tuple[Matrix, Matrix]:
+        """K_ff and D_ff."""
+        return self._require_mass().K_ff, self._require_mass().D_ff
 
     def gravity_force(self, gravity: Vector) -> Row:
         """Generalised force of a uniform field of acceleration `gravity` (m/s^2)."""
@@ -259,13 +259,6 @@ class SpatialBody:
         """-int r . g dm, zero at the world origin."""
         mass = self._require_mass().mass
         return neg(dot(gravity, plus(scaled(mass, self.coordinates.R_o), self.orientation.rotate(self._moments.h))))
-
-    def elastic_energy(self) -> tuple[ca.SX, ca.SX]:
-        """(1/2 q_f^T K_ff q_f, power lost in D_ff)."""
-        data, q = self._require_mass(), self.coordinates
-        stored = dot(q.q_f, times(data.K_ff, q.q_f)) if q.q_f else ZERO
-        lost = dot(q.q_f_dot, times(data.D_ff, q.q_f_dot)) if q.q_f else ZERO
-        return mul(ca.SX(0.5), stored), lost
 
     def marker(self, point: SpatialPoint) -> SpatialMarker:
         """Motion of a point of the body and of the axes there (Eq. 19)."""

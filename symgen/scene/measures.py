@@ -118,7 +118,7 @@ class StressMeasure(_Measure):
 
     component: von_mises, or xx, yy, zz, yz, xz, xy. `body.all`: the largest von Mises stress of all its gauges.
     `Solution.stresses` has what equilibrium says. Of a beam the von Mises stress at a marker `beam.marker`, or the
-    largest along it, `beam.all`, by its shapes; see symgen/bodies/beam_stress.py.
+    largest along it, `beam.all`, by its shapes; see symgen/bodies/stresses.py.
     """
 
     type: Literal["stress"] = "stress"

@@ -13,7 +13,9 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
-from typing import Annotated, Any, Literal, NamedTuple
+from importlib import import_module
+from pathlib import Path
+from typing import Annotated, Any, Literal, NamedTuple, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, PlainValidator, Strict, model_validator
 from pydantic_core import PydanticCustomError
@@ -277,3 +279,14 @@ def _entries(value: object, path: str) -> Iterator[tuple[str, float | str]]:
             yield from _entries(entry, f"{path}.{name}")
     elif isinstance(value, float | str):
         yield path, value
+
+
+Record = TypeVar("Record", bound=StrictModel)
+
+
+def types_of(package: str, folder: str, base: type[Record]) -> dict[str, type[Record]]:
+    """The records that the files of a package state, built on `base`, by their name in a scene."""
+    for path in sorted(Path(folder).parent.glob("*.py")):
+        if path.stem != "__init__":
+            import_module(f"{package}.{path.stem}")
+    return {cls.model_fields["type"].default: cls for cls in base.__subclasses__()}

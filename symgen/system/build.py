@@ -121,7 +121,7 @@ def _blank(scene: SceneRecord) -> Equations:
     equations = blank_equations(scene)
     beams = [body for body in scene.bodies if isinstance(body, BeamBody)]
     if beams:
-        equations.static_residuals = opened("symgen.bodies.static_residual:static_residuals")(scene)
+        equations.static_residuals = opened("symgen.bodies.beam_sets:static_residuals")(scene)
         records = opened("symgen.bodies.beam_sets:set_records")
         equations.beams = {body.name: records(body) for body in beams if body.lumped_elements is None}
     equations.flexible = [body.name for body in scene.bodies if isinstance(body, SpatialModalBody)]

@@ -57,18 +57,10 @@ class Rotor:
             add_scaled(M[column], mul(self.inertia, value), self.row)
 
 
-class InertiaForces(Protocol):
-    """Inertia forces of a tree of frames."""
-
-    def __call__(self, accelerations: Row) -> Row:
-        """By column."""
-
-
-class ForceChanges(Protocol):
-    """Derivatives of the inertia forces of a tree of frames."""
-
-    def __call__(self, accelerations: Row) -> tuple[list[Row], list[Row]]:
-        """By q and by q_dot, at fixed accelerations: rows by column."""
+InertiaForces = Callable[[Row], Row]  # of a tree of frames: accelerations -> by column
+ForceChanges = Callable[[Row], tuple[list[Row], list[Row]]]  # accelerations, held -> rows by q and by q_dot
+# accelerations, multipliers of loops, directions -> F_q and F_v of (inertia forces + C_q^T lambda), None: no way
+LoopChanges = Callable[[Row, Mapping[str, Sequence[ca.SX]], Sequence[Direction]], tuple[ca.SX, ca.SX] | None]
 
 
 class Curvature(Protocol):
@@ -83,15 +75,6 @@ class RowRates(Protocol):
 
     def rows(self, rates: Row, accelerations: Row) -> tuple[list[Row], list[Row]]:
         """(dC_q/dt, d^2 C_q/dt^2), rows by column."""
-
-
-class LoopChanges(Protocol):
-    """Derivatives of inertia forces along directions that close spherical loops."""
-
-    def __call__(
-        self, accelerations: Row, multipliers: Mapping[str, Sequence[ca.SX]], directions: Sequence[Direction]
-    ) -> tuple[ca.SX, ca.SX] | None:
-        """F_q and F_v of (inertia forces + C_q^T lambda of these joints), by column; None where this is no way."""
 
 
 class FreeJointAccelerations(Protocol):

@@ -18,6 +18,7 @@ from runtime.contract.orientations import NAMES
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_scaled, add_to, nonzero
 from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, sub, total
+from symgen.algebra.vectors import Matrix, times
 from symgen.bodies.outlines import Picture
 from symgen.couplings import Coupling
 from symgen.joints import Joint
@@ -35,29 +36,43 @@ from symgen.system.structure import ExpressionReader, Read
 from symgen.system.topology import Topology
 
 
+class ModalCoordinates(Protocol):
+    """The modes of a body: columns in q, values, rates."""
+
+    @property
+    def elastic(self) -> list[int]:
+        """Columns."""
+
+    @property
+    def q_f(self) -> list[ca.SX]:
+        """Values."""
+
+    @property
+    def q_f_dot(self) -> list[ca.SX]:
+        """Rates."""
+
+
 class MovingBody(Protocol):
     """What the assembly asks of a body that moves."""
+
+    @property
+    def coordinates(self) -> ModalCoordinates:
+        """Its modes."""
 
     def mass_entries(self) -> list[tuple[int, int, ca.SX]]:
         """Upper triangle of its mass matrix."""
 
-    def stiffness_entries(self) -> list[tuple[int, int, ca.SX]]:
-        """Its K, both triangles."""
+    def modal_matrices(self) -> tuple[Matrix, Matrix]:
+        """K_ff and D_ff of its modes."""
 
     def quadratic_velocity_force(self) -> Row:
         """Its Q_v."""
-
-    def damping_force(self) -> Row:
-        """Its modal damping."""
 
     def gravity_force(self, gravity: list[ca.SX]) -> Row:
         """Its weight."""
 
     def gravity_potential(self, gravity: list[ca.SX]) -> ca.SX:
         """Potential of its weight."""
-
-    def elastic_energy(self) -> tuple[ca.SX, ca.SX]:
-        """(stored energy, power lost)."""
 
 
 MOST_POWER = 9.0  # what is no polynomial counts as this power of the place
@@ -175,12 +190,16 @@ class Mechanism(Generic[Marker]):
         eq.joint_columns = frozenset(range(first, len(eq.names))) - set(eq.states.values()) - eq.turn_columns
 
     def _add_body(self, body: MovingBody) -> None:
-        eq = self.equations
-        for row, column, value in body.stiffness_entries():
-            add_to(eq.K[row], column, value)
-        self._add_force(body.damping_force())
-        elastic, dissipated = body.elastic_energy()
-        eq.elastic, eq.dissipated = eq.elastic + elastic, eq.dissipated + dissipated
+        """Stiffness and damping of its modes, Q = -D_ff q_f' - K_ff q_f; its weight."""
+        eq, own = self.equations, body.coordinates
+        K_ff, D_ff = body.modal_matrices()
+        for a, row in enumerate(own.elastic):
+            for b, column in enumerate(own.elastic):
+                add_to(eq.K[row], column, K_ff[a][b])
+            eq.Q_F[row] = sub(eq.Q_F[row], dot(D_ff[a], own.q_f_dot))
+        if own.elastic:
+            eq.elastic = eq.elastic + dot(own.q_f, times(K_ff, own.q_f)) / 2
+            eq.dissipated = eq.dissipated + dot(own.q_f_dot, times(D_ff, own.q_f_dot))
         if self.space.inertia_of_bodies:
             self._add_force(body.gravity_force(self.gravity))
             eq.potential = eq.potential + body.gravity_potential(self.gravity)
@@ -325,11 +344,11 @@ class Mechanism(Generic[Marker]):
         if isinstance(body, BeamBody):
             places = None if gauge == ALL_GAUGES else (self._place(measure.of)[1],)
             force = partial(self.space.section_force, body)
-            stress: ca.SX = opened("symgen.bodies.beam_stress:beam_stress")(body, force, places, self.table)
+            stress: ca.SX = opened("symgen.bodies.stresses:beam_stress")(body, force, places, self.table)
             return stress
         assert isinstance(body, SpatialModalBody)
         q_f = [eq.q[column] for column in eq.body_columns[name] if eq.coordinates[column].elastic]
-        stress = opened("symgen.bodies.gauge_stress:gauge_stress")(body, gauge, measure.component, q_f, self.table)
+        stress = opened("symgen.bodies.stresses:gauge_stress")(body, gauge, measure.component, q_f, self.table)
         return stress
 
     def _add_states(self) -> None:

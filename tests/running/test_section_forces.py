@@ -12,7 +12,7 @@ import pytest
 from runtime import Solution, simulate
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
-from symgen.bodies.static_residual import missing_share
+from symgen.bodies.beam_sets import missing_share
 from symgen.cli import main
 from symgen.modes import exact_bending
 from symgen.scene import Scene, SceneError, SceneRecord

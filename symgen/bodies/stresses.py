@@ -1,4 +1,6 @@
-"""Von Mises stress of a beam by its shapes: the larger of that at the outermost fibre and that at the neutral line.
+"""Stresses at the gauges of finite-element bodies, sums of modal stresses, and of beams.
+
+Von Mises stress of a beam by its shapes: the larger of that at the outermost fibre and that at the neutral line.
 
     outermost fibre   sigma = |N| / A + |M_z| / W_z + |M_y| / W_y,   tau = |T| / W_t
     neutral line      sigma = |N| / A,                               tau = |T| / W_t + k sqrt(Q_y^2 + Q_z^2) / A
@@ -16,9 +18,37 @@ import casadi as ca
 import numpy as np
 
 from symgen.algebra.parameters import ParameterTable
-from symgen.bodies.gauge_stress import SMALLEST
-from symgen.scene import BeamBody
+from symgen.algebra.scalar import total
+from symgen.scene import BeamBody, SpatialModalBody
+from symgen.scene.flexible import ALL_GAUGES, COMPONENTS
 from symgen.scene.measures import KNOWN_BY
+
+SMALLEST = 1e-300  # [Pa^2]: keeps the rate of a von Mises stress finite where there is no stress
+
+
+def gauge_stress(body: SpatialModalBody, gauge: str, component: str, q_f: list[ca.SX], table: ParameterTable) -> ca.SX:
+    """A component in the axes of the body, or the von Mises stress [Pa]; of all gauges the largest."""
+    if gauge == ALL_GAUGES:
+        found = ca.SX(0)
+        for name in body.gauges:
+            found = ca.fmax(found, _square(_components(body, name, q_f, table)))
+        return ca.sqrt(ca.fmax(found, SMALLEST))
+    values = _components(body, gauge, q_f, table)
+    if component == "von_mises":
+        return ca.sqrt(ca.fmax(_square(values), SMALLEST))
+    return values[COMPONENTS.index(component)]
+
+
+def _components(body: SpatialModalBody, gauge: str, q_f: list[ca.SX], table: ParameterTable) -> list[ca.SX]:
+    shapes = np.array(body.gauges[gauge].shapes)
+    data = table.data(shapes, f"{body.name}.{gauge}.stress", "Pa per unit of q_f", "stress of the modes at a gauge")
+    return [total(data[row, a] * q_f[a] for a in range(len(q_f)) if shapes[row, a]) for row in range(len(COMPONENTS))]
+
+
+def _square(values: list[ca.SX]) -> ca.SX:
+    xx, yy, zz, yz, xz, xy = values
+    return ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (yz**2 + xz**2 + xy**2)
+
 
 STATIONS = tuple(float(at) for at in np.linspace(0.0, 1.0, 17))  # where the largest is looked for
 
@@ -29,7 +59,7 @@ def beam_stress(body: BeamBody, force: Force, places: Sequence[float] | None, ta
     """The largest von Mises stress [Pa] at the fractions `places` of the length, or at all stations."""
     found = ca.SX(SMALLEST)
     for at in places or STATIONS:
-        found = ca.fmax(found, _square(body, {kind: _part(body, force, kind, at) for kind in KNOWN_BY}, table))
+        found = ca.fmax(found, _of_beam(body, {kind: _part(body, force, kind, at) for kind in KNOWN_BY}, table))
     return ca.sqrt(found)
 
 
@@ -37,7 +67,7 @@ def _part(body: BeamBody, force: Force, kind: str, at: float) -> ca.SX:
     return ca.SX(0) if getattr(body, KNOWN_BY[kind]) is None else force(kind, at)
 
 
-def _square(body: BeamBody, parts: dict[str, ca.SX], table: ParameterTable) -> ca.SX:
+def _of_beam(body: BeamBody, parts: dict[str, ca.SX], table: ParameterTable) -> ca.SX:
     area = table.of(body, "area")
     pulled = ca.fabs(parts["normal_force"]) / area
     bent, twisted = ca.SX(0), ca.SX(0)
