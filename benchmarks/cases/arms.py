@@ -67,7 +67,7 @@ def arm_reference(model: Model, fastest: float) -> Reference:
     problem = Problem.of(model, T_END)
     ladder, steps = Ladder(problem, 1e-12), ceil(T_END * fastest / REFERENCE_REACH)
     rung = ladder.rung(replace(ladder.plan(Method("dop853"), steps), save_every=max(1, steps // KEPT)))
-    seen = rung.run.record.solution((0, rung.run.segment.stepper.state(rung.run.z)))
+    seen = rung.run.seen()
     columns = followed(model)[1]
     path = CubicHermiteSpline(seen.t, seen.q[:, columns], seen.q_dot[:, columns])
     return Reference(problem, path, [name for name in model.q_i if name.endswith("theta")], 1e-7)

@@ -303,11 +303,11 @@ def resume(
     header = kept.header
     header.check_model(model, path)
     header.check_settings({"scheme": scheme, "dt": dt, "m": m, "options": options}, path)
-    rule = Further(checkpoint=checkpoint or path, checkpoint_every=checkpoint_every).rule()
+    further = Further(progress=progress, checkpoint=checkpoint or path, checkpoint_every=checkpoint_every).checked()
     started = time.perf_counter()
     segments = _segments(model, kept, engine, path)
     segment, z = segments[header.segment], kept.z.copy()
-    segment.monitor.resume(segment.stepper.state(z), header.monitor)
+    segment.monitor.resume(segment.state(z), header.monitor)
     segment.impulses.update({at: Impulse(energy, np.array(jumps)) for at, energy, *jumps in header.impulses})
     keep_rows = bool(header.outputs) or header.stream is not None
     record = record_of(segment, z, stream or header.stream, keep_rows, resumed=True)
@@ -321,9 +321,8 @@ def resume(
         segment,
         z,
         record,
-        rule,
+        further,
         header.initial_changes,
-        progress,
         list(header.events),
         engine=engine,
         guard=Guard.remembered(header.guard),

@@ -33,7 +33,7 @@ class ColumnRecord(Record):
     def __init__(self, segment: SteppedModel, z: np.ndarray, stream: str | Path | None, resumed: bool) -> None:
         super().__init__([segment], segment.plan.save_every)
         self.outputs, self.first = segment.plan.outputs, None
-        seen = segment.observed([segment.stepper.state(z)])
+        seen = segment.observed([segment.state(z)])
         columns = columns_of(seen, self.outputs)
         self._table = Table(columns) if stream is None else StreamFile(stream, columns, resumed)
         self._stream = self._table if isinstance(self._table, StreamFile) else None
@@ -54,7 +54,7 @@ class ColumnRecord(Record):
             header = {**export.run_header(solution), "parameters": p.tolist(), "outputs": list(self.outputs)}
             self._stream.write_header(header)
 
-    def add(self, segment: int, rows: np.ndarray) -> None:
+    def add(self, segment: SteppedModel, rows: np.ndarray) -> None:
         """See Record."""
         super().add(segment, rows)
         if self.first is None and self.samples:

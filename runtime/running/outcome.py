@@ -36,9 +36,8 @@ def _ended(run: Run, measure: Measure) -> Solution:
     status = run.status if run.step == 0 and run.status is not None else run.go()
     status = _explained(status, run)
     wall = time.perf_counter() - began
-    last = (run.record.segments.index(run.segment), run.segment.stepper.state(run.z))
     run.record.flush()
-    solution = run.record.solution(last)
+    solution = run.seen()
     stats = {**statistics(run.segment, run.z, run.set_up, wall), **solution.stats, **_circumstances(run)}
     events = [event for event in run.events if event.kind != "kink"]
     if run.segment.model.description.kinks and run.segment.plan.scheme.options.kinks == "crossed":

@@ -29,13 +29,14 @@ class Record:
         self.samples: list[tuple[int, np.ndarray]] = []  # (segment, states (N, n_z)): all, or those that wait
         self.last_step = -1
 
-    def add(self, segment: int, rows: np.ndarray) -> None:
-        """Keep states (N, n_z) (copies of the scheme's part), unless their steps are kept already."""
+    def add(self, segment: SteppedModel, rows: np.ndarray) -> None:
+        """Keep states (N, n_z) of a segment (copies of the scheme's part), unless their steps are kept already."""
         steps = rows[:, 1].astype(int)
         new = steps > self.last_step
         if new.any():
             self.last_step = int(steps[-1])
-            self.samples.append((segment, rows[new, : self.segments[segment].plan.scheme.layout.size].copy()))
+            kept = rows[new, : segment.plan.scheme.layout.size].copy()
+            self.samples.append((self.segments.index(segment), kept))
 
     def flush(self) -> None:
         """Write what waits."""

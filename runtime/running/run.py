@@ -20,6 +20,7 @@ from runtime.contract.files import OutputError
 from runtime.contract.model import Model
 from runtime.contract.status import Event, Status
 from runtime.engine.rows import evaluate
+from runtime.results.solution import Solution
 from runtime.running.events import EventActions, note_impulses
 from runtime.running.inputs import EndlessInput, Schedule
 from runtime.running.plan import Plan, whole_number
@@ -39,18 +40,37 @@ MOST_SAVED = 256  # states that are saved between two looks
 CHECKPOINT_SECONDS = 60.0
 
 
-@dataclass
-class CheckpointRule:
-    """Where checkpoints go, and after how many major steps; None: after CHECKPOINT_SECONDS."""
+@dataclass(frozen=True)
+class Further:
+    """How a run goes, and what is kept of it; see `simulate`."""
 
-    path: Path | None = None
-    every: int | None = None
+    save_every: int | None = None
+    progress: Progress | bool | None = None
+    force: bool = False
+    outputs: Sequence[str] | None = None
+    stream: str | Path | None = None
+    checkpoint: str | Path | None = None
+    checkpoint_every: int | None = None
 
-    def is_due(self, step: int, written: float) -> bool:
-        """After a major step; written [s]: when the last one was, by the clock of `time.monotonic`."""
-        if self.path is None:
-            return False
-        return time.monotonic() - written > CHECKPOINT_SECONDS if self.every is None else step % self.every == 0
+    @property
+    def bounded(self) -> bool:
+        """Do whole states not stay in memory?"""
+        return self.outputs is not None or self.stream is not None
+
+    def checked(self) -> Further:
+        """The same: checkpoints can be written. Raises SchemeError or OutputError."""
+        every = self.checkpoint_every
+        if every is not None and not (whole_number(every) or 0) >= 1:
+            raise SchemeError(
+                "checkpoint_every",
+                f"must be a whole number of major steps of at least 1, not {every!r}",
+                "leave it out for a checkpoint every minute",
+            )
+        if every is not None and self.checkpoint is None:
+            raise SchemeError("checkpoint_every", "needs a file", "give checkpoint = ...")
+        if self.checkpoint is not None:
+            opened("runtime.running.checkpoint:claim")(self.checkpoint)
+        return self
 
 
 @dataclass
@@ -124,9 +144,8 @@ class Run:
     segment: SteppedModel
     z: np.ndarray
     record: Record
-    rule: CheckpointRule
+    further: Further
     initial_changes: str
-    progress: Progress | None = None
     events: list[Event] = field(default_factory=list)
     status: Status | None = None
     engine: str = "auto"
@@ -165,7 +184,7 @@ class Run:
                 self._write_checkpoint()
         if self.status is not None:  # end with the last good state, which need not be one that was to be saved
             self.record.drop_from(self.step)
-            self.record.add(self._segment_number, self.z[None])
+            self.record.add(self.segment, self.z[None])
         try:
             self.record.flush()
         except OutputError as error:
@@ -178,17 +197,13 @@ class Run:
         time_ = self.segment.plan.time(self.step)
         return Status("output_failed", time_, None, str(error), "Go on from the last checkpoint, or stream elsewhere.")
 
-    @property
-    def _segment_number(self) -> int:
-        return self.record.segments.index(self.segment)
-
-    @property
-    def _until_mark(self) -> Callable[[int], int] | None:
-        return None if self.marks is None else self.marks.until_next
+    def seen(self) -> Solution:
+        """What was kept, with the state that it has come to."""
+        return self.record.solution((self.record.segments.index(self.segment), self._state))
 
     @property
     def _state(self) -> np.ndarray:
-        return self.segment.stepper.state(self.z)
+        return self.segment.state(self.z)
 
     def _loop(self, interrupts: Interrupts) -> None:
         while self.status is None and self.step < self.segment.plan.steps and not interrupts.asked:
@@ -198,11 +213,11 @@ class Run:
             self._advance(n)
             self.pace.took(time.perf_counter() - began)
             self._keep()
-            going = self.status is None and self.step < self.segment.plan.steps
-            if going and self.rule.is_due(self.step, self._written):
+            plan, progress = self.segment.plan, self.further.progress
+            if self.status is None and self.step < plan.steps and self._checkpoint_is_due():
                 self._write_checkpoint()
-            if self.progress is not None:
-                self.progress(self.segment.plan.time(self.step), self.segment.plan.t_end)
+            if callable(progress):
+                progress(plan.time(self.step), plan.t_end)
 
     def _take_inputs(self) -> None:
         """What is sampled at this step."""
@@ -224,7 +239,7 @@ class Run:
         Short ones follow then, so that the trouble is found where it begins.
         """
         before, known = self.z.copy(), self.segment.monitor.memory()
-        saved = self.segment.run_and_save(self.z, n, self._until_mark)
+        saved = self.segment.run_and_save(self.z, self._kept(n))
         at = self.segment.first_event(self.z)
         determinants = self.segment.determinants(self.z)
         alarm = self.guard.alarm(*determinants)
@@ -239,7 +254,7 @@ class Run:
                 if at == first and self._steps_with_events(before):
                     return
                 n = max(1, at - first)  # the step in which it happens comes next
-                saved = self.segment.run_and_save(self.z, n, self._until_mark) if at > first else saved[:0]
+                saved = self.segment.run_and_save(self.z, self._kept(n)) if at > first else saved[:0]
             determinants = self.segment.determinants(self.z)
             alarm = self.guard.alarm(*determinants)
         status = None if alarm else self._checked(samples=len(saved) + 1)
@@ -359,10 +374,17 @@ class Run:
         plan, done = self.segment.plan, self.step
         n = min(self.pace.next_steps(done, plan.save_every), plan.steps - done)
         if self.marks is not None and self.pace.slow(done):  # no state is kept on the way then
-            n = min(n, self.marks.until_next(done))
+            n = min([n, *(mark - done for mark in self.marks.within(done, done + n))])
         if self.schedule is not None:
             n = min(n, self.schedule.until_next(done) or n)
-        return n if self.rule.every is None else min(n, self.rule.every - done % self.rule.every)
+        every = self.further.checkpoint_every
+        return n if every is None else min(n, every - done % every)
+
+    def _kept(self, n: int) -> list[int]:
+        """Steps within the next n that are saved or at marks, and the last of these."""
+        done, every = self.step, self.segment.plan.save_every
+        marks = [] if self.marks is None else self.marks.within(done, done + n)
+        return sorted({*range(done + every - done % every, done + n, every), *marks, done + n})
 
     def _keep(self, rows: np.ndarray | None = None) -> None:
         """Of the states (N, n_z), or of z, those that are to be saved, or are at marks."""
@@ -372,14 +394,20 @@ class Run:
         steps = kept[:, 1].astype(int)
         due = (steps % plan.save_every == 0) | (steps == plan.steps)
         if due.any():
-            self.record.add(self._segment_number, kept[due])
+            self.record.add(self.segment, kept[due])
         if self.marks is not None:
             self.marks.look(self.segment, kept)
 
     # ---- checkpoints ----------------------------------------------------------------------------------------
 
+    def _checkpoint_is_due(self) -> bool:
+        every = self.further.checkpoint_every
+        if self.further.checkpoint is None or every is not None:
+            return every is not None and self.step % every == 0
+        return time.monotonic() - self._written > CHECKPOINT_SECONDS
+
     def _write_checkpoint(self) -> None:
-        if self.rule.path is None:
+        if self.further.checkpoint is None:
             return
         arrays = self.record.arrays()
         if self.marks is not None:
@@ -394,7 +422,7 @@ class Run:
             header_of = opened("runtime.running.checkpoint:header_of")
             header = header_of(self.segment, self.z, self.record, self.events, *watching)
             written = opened("runtime.running.checkpoint:Checkpoint")(header, self.z, self.segment.p, arrays)
-            written.write(self.rule.path)
+            written.write(self.further.checkpoint)
         except OutputError as error:  # what is in memory is worth more than its copy on the disk
             if not any(event.kind == "checkpoint_failed" for event in self.events):
                 self.events.append(Event(self.segment.plan.time(self.step), "checkpoint_failed", str(error)))
@@ -413,9 +441,8 @@ def begun(
 
     Raises ModelError, OutputError or CompilerError.
     """
-    further = further or Further()
     started = time.perf_counter()
-    state, rule = problem.state, further.rule()
+    state, further = problem.state, (further or Further()).checked()
     segment = SteppedModel.of_run(problem.model, plan, problem.p, problem.engine, state)
     events = [Event(plan.t0, kind, text) for kind, text in state.told]
     if not quiet:
@@ -427,9 +454,8 @@ def begun(
         segment,
         z,
         record,
-        rule,
+        further,
         changes or "none",
-        None if isinstance(further.progress, bool) else further.progress,
         events,
         engine=problem.engine,
         guard=segment.new_guard(),
@@ -437,8 +463,8 @@ def begun(
         start=(problem.p, state),
     )
     with record.closed_on_error():
-        run.status = segment.monitor.first(segment.stepper.state(z))
-        record.add(0, z[None])
+        run.status = segment.monitor.first(segment.state(z))
+        record.add(segment, z[None])
         run.schedule = with_reads(problem.schedule(plan.grid.dt_L), run)
     run.set_up = time.perf_counter() - started
     return run
@@ -447,7 +473,7 @@ def begun(
 def with_reads(schedule: Schedule, run: Run) -> Schedule | None:
     """The schedule for a run, None if it changes nothing. Raises SchemeError for a checkpoint with an unkept memory."""
     for controller in schedule.controllers:
-        if controller.memory is None and run.rule.path is not None:
+        if controller.memory is None and run.further.checkpoint is not None:
             raise SchemeError(
                 "checkpoint",
                 f"what the controller of {controller.name!r} remembers cannot be kept",
@@ -473,17 +499,17 @@ class Marks:
     early: int = 0
     states: dict[int, tuple[SteppedModel, np.ndarray]] = field(default_factory=dict)
 
-    def until_next(self, step: int) -> int:
-        """Steps from this one to the next mark."""
-        left = self.every - step % self.every
-        return min(left, self.early - step % self.early) if self.early and step < self.every else left
+    def within(self, first: int, last: int) -> list[int]:
+        """Steps between two that are at a mark, these left out."""
+        early = range(first + self.early - first % self.early, min(last, self.every), self.early) if self.early else ()
+        return [*early, *range(first + self.every - first % self.every, last, self.every)]
 
     def look(self, segment: SteppedModel, rows: np.ndarray) -> None:
         """Keep those of the states (N, n_z) that are at a mark."""
         size = segment.plan.scheme.layout.size
         for row in rows:
             step = segment.step_of(row)
-            if step and self.until_next(step - 1) == 1:
+            if step and self.within(step - 1, step + 1):
                 self.states[step] = (segment, row[:size].copy())
 
     def drop_from(self, step: int) -> None:
@@ -531,39 +557,3 @@ def told_by(segment: SteppedModel, states: np.ndarray, model: Model, rates: bool
     seen = evaluate(scheme.observer, {"z": states}, scheme.constants(segment.c))
     names = ("q_i_dot", "q_d_dot") if rates else ("q_i", "q_d")
     return whole(segment.model, *(seen[name] for name in names))[:, followed(model)[1]]
-
-
-# The arguments of a run besides the problem and the method: how it goes, and what is kept of it.
-
-
-@dataclass(frozen=True)
-class Further:
-    """How a run goes, and what is kept of it; see `simulate`."""
-
-    save_every: int | None = None
-    progress: Progress | bool | None = None
-    force: bool = False
-    outputs: Sequence[str] | None = None
-    stream: str | Path | None = None
-    checkpoint: str | Path | None = None
-    checkpoint_every: int | None = None
-
-    @property
-    def bounded(self) -> bool:
-        """Do whole states not stay in memory?"""
-        return self.outputs is not None or self.stream is not None
-
-    def rule(self) -> CheckpointRule:
-        """When checkpoints are written, and that they can be. Raises SchemeError or OutputError."""
-        every = None if self.checkpoint_every is None else whole_number(self.checkpoint_every)
-        if self.checkpoint_every is not None and (every is None or every < 1):
-            raise SchemeError(
-                "checkpoint_every",
-                f"must be a whole number of major steps of at least 1, not {self.checkpoint_every!r}",
-                "leave it out for a checkpoint every minute",
-            )
-        if every is not None and self.checkpoint is None:
-            raise SchemeError("checkpoint_every", "needs a file", "give checkpoint = ...")
-        if self.checkpoint is not None:
-            opened("runtime.running.checkpoint:claim")(self.checkpoint)
-        return CheckpointRule(None if self.checkpoint is None else Path(self.checkpoint), every)

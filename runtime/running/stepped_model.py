@@ -121,20 +121,17 @@ class SteppedModel:
 
     def find_switches(self, t0: float, t_end: float) -> None:
         """Look where something jumps on the grid of steps from t0 on, for the inputs as they are. Raises ModelError."""
-        self.switches = self.stops(t0, t_end)
         scheme, length = self.plan.scheme, self.plan.grid.dt_L
+        if self.begun is None:
+            self.switches = switching_times(self.model, self.c, t0, t_end)
+        else:  # of a run: places within short pulses of loads, too
+            step = np.inf if scheme.adaptive else self.plan.grid.h[-1]
+            self.switches = all_stops(self.model, self.c, t0, t_end, self.begun, step)
         self.broken = None
         if (self.switches or self.watches_events) and not scheme.adaptive:  # who chooses ends of steps puts them there
             steps_with_stops = opened("runtime.schemes.switching.steps_with_stops:StepsWithStops")
             known = round((t_end - t0) / length)
             self.broken = steps_with_stops(self.stepper, t0, length, self.switches, self.c, known)
-
-    def stops(self, t0: float, t_end: float) -> list[SwitchTime]:
-        """Times at which steps end; of a run places within short pulses of loads, too. Raises ModelError."""
-        if self.begun is None:
-            return switching_times(self.model, self.c, t0, t_end)
-        step = np.inf if self.plan.scheme.adaptive else self.plan.grid.h[-1]
-        return all_stops(self.model, self.c, t0, t_end, self.begun, step)
 
     def begin_events(self, z: np.ndarray) -> None:
         """Look for events from a state z (n_z,) on as if none had happened yet."""
@@ -163,7 +160,7 @@ class SteppedModel:
 
     def state(self, z: np.ndarray) -> np.ndarray:
         """The scheme's part of z, as a view."""
-        return self.stepper.state(z)
+        return z[: self.plan.scheme.layout.size]
 
     def observed(self, samples: Sequence[np.ndarray] | np.ndarray, status: Status | None = None) -> Solution:
         """Samples of the scheme's part of z as a Solution."""
@@ -204,45 +201,27 @@ class SteppedModel:
         self.forget_determinants(z)
         self.advance(z, steps)
 
-    def run_and_save(self, z: np.ndarray, steps: int, until_mark: Callable[[int], int] | None = None) -> np.ndarray:
-        """Advance z in place; (N, n_z) whole states to be saved, or at marks, on the way, the last one left out.
+    def run_and_save(self, z: np.ndarray, ends: Sequence[int]) -> np.ndarray:
+        """Advance z in place to the last of these steps; (N, n_z) whole states at those before it.
 
-        Ctrl-C among the steps leaves z where it began, so that no saved state is missing before it.
+        Fewer where steps cannot be made whole. Ctrl-C leaves z where it began, so that no saved state is missing.
         """
         self.forget_determinants(z)
-        counts, begun = self._counts(self.step_of(z), steps, until_mark), z.copy()
+        counts, begun = np.diff([self.step_of(z), *ends]).astype(np.int64), z.copy()
+        rows = np.empty((len(counts), len(z)))
         try:
             if self.broken is None and not self.plan.scheme.adaptive:
-                rows = np.empty((len(counts), len(z)))
                 self.stepper.engine.run_rows(z, self.ready, counts, rows)
                 return rows[:-1]
-            return self._one_by_one(z, counts)
+            for k, end in enumerate(ends):
+                self.advance(z, int(counts[k]))
+                if self.step_of(z) < end:
+                    return rows[:k]
+                rows[k] = z
+            return rows[:-1]
         except KeyboardInterrupt:
             z[:] = begun
             raise
-
-    def _one_by_one(self, z: np.ndarray, counts: np.ndarray) -> np.ndarray:
-        """The same where there may be steps that cannot be made whole."""
-        found, end = list[np.ndarray](), self.step_of(z)
-        for count in counts:
-            self.advance(z, int(count))
-            end += int(count)
-            if self.step_of(z) < end:
-                break
-            found.append(z.copy())
-        whole = found if self.step_of(z) < end else found[:-1]
-        return np.array(whole) if whole else np.zeros((0, len(z)))
-
-    def _counts(self, step: int, steps: int, until_mark: Callable[[int], int] | None) -> np.ndarray:
-        """(N,) steps from one state that is kept to the next, until so many are made."""
-        every, end = self.plan.save_every, step + steps
-        stops = set(range(step + every - step % every, end, every)) | {end}
-        if until_mark is not None:
-            at = step + until_mark(step)
-            while at < end:
-                stops.add(at)
-                at += until_mark(at)
-        return np.diff(sorted({step, *stops})).astype(np.int64)
 
     @property
     def impulses(self) -> dict[float, Impulse]:

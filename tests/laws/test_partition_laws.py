@@ -86,11 +86,11 @@ class Switched:
         for model, steps in parts:
             if model is not segment.model:
                 new = self.segment(model)
-                z = carried(segment, z, new, segment.observed([segment.stepper.state(z)]))
+                z = carried(segment, z, new, segment.observed([segment.state(z)]))
                 segment = new
             for _ in range(steps // 10):
                 segment.run(z, 10)
-        return np.asarray(segment.observed([segment.stepper.state(z)]).q[0])
+        return np.asarray(segment.observed([segment.state(z)]).q[0])
 
 
 @pytest.mark.parametrize("scheme", ONE_GROUP)
@@ -131,8 +131,8 @@ def test_exchange_there_and_back_is_the_identity(model_of: Build) -> None:
     there, back = runs.segment(variant_of(model, ["slider.x"], model.initial_q)), runs.segment(model)
     z = back.start(model.initial_q, model.initial_q_dot)
     back.run(z, 77)
-    across = carried(back, z, there, back.observed([back.stepper.state(z)]))
-    again = carried(there, across, back, there.observed([there.stepper.state(across)]))
+    across = carried(back, z, there, back.observed([back.state(z)]))
+    again = carried(there, across, back, there.observed([there.state(across)]))
     layout = back.plan.scheme.layout
     for name, tolerance in (("x", 1e-13), ("d", 1e-13), ("a", 1e-3), ("n", 0), ("t0", 0)):
         assert np.abs(again - z)[layout.slice(name)].max() <= tolerance, name

@@ -92,10 +92,10 @@ class Passage:
 
     def go_on(self, z: np.ndarray) -> Continuation:
         """From z, the last state whose determinants were good, if it passes the other checks."""
-        status = self.segment.monitor.after(self.segment.stepper.state(z), last=True)
+        status = self.segment.monitor.after(self.segment.state(z), last=True)
         if status is not None:
             return Continuation(self.segment, z, [], None, None, status)
-        seen = self.segment.observed([self.segment.stepper.state(z)])
+        seen = self.segment.observed([self.segment.state(z)])
         t, q, v = float(seen.t[0]), seen.q[0], seen.q_dot[0]
         values, _ = self.loops.determinants(t, q, v)
         if not (np.isfinite(q).all() and np.isfinite(v).all() and np.isfinite(values).all()):
@@ -153,7 +153,7 @@ class Passage:
                 str(error),
             )
         new = carried(self.segment, z, segment, seen)
-        segment.monitor.resume(segment.stepper.state(new), self.segment.monitor.memory())
+        segment.monitor.resume(segment.state(new), self.segment.monitor.memory())
         event = Event(
             float(seen.t[0]),
             "repartition",

@@ -204,7 +204,7 @@ def _operations(rung: Rung) -> float:
 def _states(rung: Rung) -> list[State]:
     """States along a motion."""
     run = rung.run
-    seen = run.record.solution((run.record.segments.index(run.segment), run.segment.stepper.state(run.z)))
+    seen = run.seen()
     model = seen.model
     places = np.linspace(0, len(seen.t) - 1, min(STATES, len(seen.t))).round().astype(int)
     q_i, v = independent(model, seen.q[places], seen.q_dot[places])

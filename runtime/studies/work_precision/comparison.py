@@ -189,7 +189,7 @@ def energy_drift(rung: Rung) -> EnergyDrift | None:
     run = rung.run
     if not run.segment.model.conservative:
         return None
-    seen = run.record.solution((run.record.segments.index(run.segment), run.segment.stepper.state(run.z)))
+    seen = run.seen()
     total, scale = seen.total_energy, float((seen.energy["kinetic"] + seen.energy["elastic"]).max())
     if not np.isfinite(total).all() or scale <= 0:
         return None

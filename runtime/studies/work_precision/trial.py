@@ -54,7 +54,7 @@ def trial_of(label: str, rung: Rung, reference: Reference) -> Trial:
     made = int(counted["steps"]), seconds_of(rung), int(counted["evaluations"])
     if rung.lost:
         return Trial(label, dt, *made, np.inf, np.inf, failure=rung.status.cause or rung.status.name)
-    seen = run.record.solution((run.record.segments.index(run.segment), run.segment.stepper.state(run.z)))
+    seen = run.seen()
     error = reference.error(seen.t, told(reference.problem.model, seen))
     if not reference.worst(error) < HOPELESS:
         return Trial(label, dt, *made, np.inf, np.inf, failure="error above the motion itself")
