@@ -25,7 +25,7 @@ from runtime.engine.c_source import Code, Style, program_code, source, stage_cod
 from runtime.engine.prepare import Prepared, prepare
 from runtime.export.c_mathematics import own_c
 from runtime.running.inputs import reading
-from runtime.running.plan import make_plan
+from runtime.running.plan import make_plan, steps_asked
 from runtime.running.stepping import may_jump
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import start_there, start_vector
@@ -99,8 +99,8 @@ def exported(
     if not model.q_i:
         raise ModelError(f"model {model.name}", "has no step: every coordinate is driven", "simulate it")
     refuse_breaks(model)
-    length = float(model.simulation["dt"]) if dt is None else dt
-    plan = make_plan(model, 1e9 * length, dt, m, scheme, None, options, 0.0, bounded=True)
+    name_of_scheme, length = steps_asked(model, scheme, dt, m, options)
+    plan = make_plan(model, 1e9 * length, length, m, name_of_scheme, None, options, 0.0, bounded=True)
     plan.scheme.of_one_length("exported code")
     built = plan.scheme
     p = model.parameter_vector(parameters)

@@ -26,7 +26,7 @@ from runtime.running.outcome import LARGEST, finished
 from runtime.running.plan import MAX_SAMPLES, Plan, make_plan, whole_number
 from runtime.running.problem import ROUNDING, Problem, common_time
 from runtime.running.run import Further, Marks, Run, begun, told_by
-from runtime.running.tolerance import AUTO
+from runtime.running.tolerance import AUTO, DEFAULT
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import LARGE_SYSTEM, SchemeError
 from runtime.schemes.scheme import Scheme, evaluation_operations
@@ -324,6 +324,26 @@ def chosen_method(problem: Problem) -> tuple[Method, str]:
     price, best = min(prices, key=lambda one: one[0])
     others = ", ".join(f"{one.scheme} {other / price:.3g}" for other, one in prices if one is not best)
     return best, f"{best.scheme}: the motion is stiff; operations of a first rung, relative to it: {others}"
+
+
+def usual_steps(model: Model, t0: float, t_end: float | None) -> tuple[str, float]:
+    """(scheme, step [s]) with which the motion of a model as its scene has it meets the tolerance of `auto`; kept.
+
+    For what is made in steps of one length many times: ensembles, derivatives, steppers. Raises SchemeError where no
+    rung comes to its end.
+    """
+
+    def found() -> tuple[str, float]:
+        problem = Problem.of(model, t_end, t0=t0)
+        ladder = Ladder(problem, DEFAULT)
+        whole = [rung for rung in ladder.climb(chosen_method(problem)[0]) if not rung.lost]
+        if not whole:
+            reason = f"model {model.name} names none, and `auto` finds none whose motion comes to its end"
+            raise SchemeError("scheme", reason, 'name one with its step, such as scheme="rk4", dt=1e-3')
+        plan = whole[-1].run.record.segments[0].plan
+        return plan.name, plan.grid.dt_L
+
+    return model.derived(f"usual_steps {t0} {t_end}", found)
 
 
 def _price(name: str, evaluation: int, n: int) -> float:

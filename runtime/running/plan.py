@@ -8,8 +8,10 @@ from math import ceil
 from operator import index
 from typing import Any
 
+from runtime.contract.doors import opened
 from runtime.contract.model import Model
 from runtime.running.problem import span_of
+from runtime.running.tolerance import AUTO
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import Grid, SchemeError
 from runtime.schemes.scheme import Scheme
@@ -18,8 +20,6 @@ MAX_SAMPLES = 10_000_000
 MAX_STEPS = 1e15
 TOLD_APART = 2.0**-49  # dt over a time, at least
 STEP_ROUNDING = 1e-6  # of a step: t_end / dt is a whole number up to this
-
-NAME_ONE = 'name a scheme with its step, such as scheme="rk4", dt=1e-3'
 
 
 @dataclass(frozen=True)
@@ -81,11 +81,9 @@ def make_plan(
 ) -> Plan:
     """Resolve defaults and check every number of a run. bounded: samples do not stay in memory. Raises SchemeError."""
     defaults = model.simulation
-    name = scheme or str(defaults["scheme"])
-    if name == "auto":
-        raise SchemeError("scheme", f"model {model.name} names none, and steps of one length are needed here", NAME_ONE)
+    name, dt = steps_asked(model, scheme, dt, m, options, t0, t_end)
     ratios = None if m is None else _whole_numbers(m)
-    built = scheme_kind(name).build(name, model, float(defaults["dt"]) if dt is None else dt, ratios, options or {})
+    built = scheme_kind(name).build(name, model, dt, ratios, options or {})
     grid = built.grid
     t0, end = span_of(model, t0, t_end)
     every = whole_number(int(defaults["save_every"]) if save_every is None else save_every)
@@ -102,6 +100,27 @@ def make_plan(
     if steps / every > MAX_SAMPLES and not bounded:
         raise SchemeError(f"{steps // every:.3g} saved states are too many; raise save_every or dt, or stream them")
     return Plan(name, built, dict(options or {}), steps, every, float(t0))
+
+
+def steps_asked(
+    model: Model,
+    scheme: str | None,
+    dt: float | None,
+    m: list[int] | None,
+    options: Mapping[str, Any] | None,
+    t0: float = 0.0,
+    t_end: float | None = None,
+) -> tuple[str, float]:
+    """(scheme, dt [s]) of steps of one length: what was given, else the scene's own; where neither names a scheme, what
+    `auto` finds for the motion up to t_end as the scene has it. Raises SchemeError.
+    """
+    name = scheme or str(model.simulation["scheme"])
+    if name != AUTO:
+        return name, float(model.simulation["dt"]) if dt is None else dt
+    if m is not None or options:
+        raise SchemeError("auto chooses m and options itself; leave them out, or name a scheme")
+    found, step = opened("runtime.running.ladder:usual_steps")(model, t0, t_end)
+    return found, step if dt is None else dt
 
 
 def whole_number(value: Any) -> int | None:

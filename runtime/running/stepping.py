@@ -21,7 +21,7 @@ from runtime.results.solution import Solution
 from runtime.running.events import EventActions
 from runtime.running.inputs import reading
 from runtime.running.monitor import Monitor
-from runtime.running.plan import make_plan
+from runtime.running.plan import make_plan, steps_asked
 from runtime.running.stepped_model import SteppedModel
 from runtime.running.time_functions import refuse_position_jumps
 from runtime.schemes.scheme import Scheme
@@ -73,9 +73,9 @@ class ModelStepper:
             raise ModelError(
                 f"every coordinate of model {model.name} is driven: use simulate, there is nothing to step"
             )
-        length = float(model.simulation["dt"]) if dt is None else dt
+        name, length = steps_asked(model, scheme, dt, m, options)
         end = HORIZON * length if isinstance(length, int | float) and length > 0 else None
-        plan = make_plan(model, end, dt, m, scheme, None, options, 0.0, bounded=True)
+        plan = make_plan(model, end, length, m, name, None, options, 0.0, bounded=True)
         self.model, self.name = model, plan.name
         self._settings = {"scheme": scheme, "dt": dt, "m": m, "options": options, "engine": engine}
         plan.scheme.of_one_length("a stepper")
