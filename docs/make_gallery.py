@@ -28,6 +28,7 @@ SECTIONS = {
     "Control, optimisation, studies": [
         "cart_pole",
         "speed_loop",
+        "crane_mpc",
         "optimise_torque",
         "parameter_study",
         "monte_carlo",

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from importlib.metadata import distribution
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import numpy as np
 
@@ -39,6 +40,21 @@ class Twin:
     model: Model
     pin: Any
     free: str
+    mimics: dict[str, tuple[str, float, float]]
+
+    def follows(self, joint: str) -> tuple[int, float, float]:
+        """(position k in q_i, f, b): the joint stands at f q_k + b."""
+        names = self.model.q_i
+        (own,) = self.builder.coordinates[joint]
+        if own in names:
+            return names.index(own), 1.0, 0.0
+        if joint in self.mimics:
+            master, factor, offset = self.mimics[joint]
+            k, f, b = self.follows(master)
+            return k, factor * f, factor * b + offset
+        slave, (_, factor, offset) = next((name, one) for name, one in self.mimics.items() if one[0] == joint)
+        k, f, b = self.follows(slave)
+        return k, f / factor, (b - offset) / factor
 
     def state(self, rng: np.random.Generator) -> tuple[np.ndarray, ...]:
         """q, v, efforts, and q, v, tau of Pinocchio: random, the base too."""
@@ -46,9 +62,12 @@ class Twin:
         q, v, tau = rng.uniform(-1, 1, (3, len(model.q_i)))
         q_pin, v_pin, tau_pin = np.zeros(there.nq), np.zeros(there.nv), np.zeros(there.nv)
         for joint, (coordinate,) in self.builder.coordinates.items():
-            k, to = model.q_i.index(coordinate), there.joints[there.getJointId(joint)]
-            q_pin[to.idx_q : to.idx_q + to.nq] = q[k] if to.nq == 1 else (np.cos(q[k]), np.sin(q[k]))
-            v_pin[to.idx_v], tau_pin[to.idx_v] = v[k], tau[k]
+            k, f, b = self.follows(joint)
+            to, at = there.joints[there.getJointId(joint)], f * q[k] + b
+            q_pin[to.idx_q : to.idx_q + to.nq] = at if to.nq == 1 else (np.cos(at), np.sin(at))
+            v_pin[to.idx_v] = f * v[k]
+            if coordinate in model.q_i:
+                tau_pin[to.idx_v] = tau[k]
         if self.free:
             place, turn = self._base()
             R = rotation(q[turn])
@@ -67,7 +86,8 @@ class Twin:
         """Those of Pinocchio in the order of q_i."""
         a = np.zeros(len(self.model.q_i))
         for joint, (coordinate,) in self.builder.coordinates.items():
-            a[self.model.q_i.index(coordinate)] = a_pin[self.pin.joints[self.pin.getJointId(joint)].idx_v]
+            if coordinate in self.model.q_i:
+                a[self.model.q_i.index(coordinate)] = a_pin[self.pin.joints[self.pin.getJointId(joint)].idx_v]
         if self.free:
             place, turn = self._base()
             R = rotation(q[turn])
@@ -75,10 +95,37 @@ class Twin:
             a[turn] = a_pin[3:6]
         return a
 
+    def spread(self) -> np.ndarray:
+        """G (n_v, n_i): rates of Pinocchio by ours, the base first; constant, as mimics are."""
+        n_base = 6 if self.free else 0
+        names = {name for (name,) in self.builder.coordinates.values()}
+        own = [k for k, name in enumerate(self.model.q_i) if name in names]
+        G = np.zeros((self.pin.nv, n_base + len(own)))
+        G[:n_base, :n_base] = np.eye(n_base)
+        for joint in self.builder.coordinates:
+            k, f, _ = self.follows(joint)
+            G[self.pin.joints[self.pin.getJointId(joint)].idx_v, n_base + own.index(k)] = f
+        return G
+
+    def expected(self, q_pin: np.ndarray, v_pin: np.ndarray, tau_pin: np.ndarray) -> np.ndarray:
+        """Accelerations of Pinocchio (n_v,): by its ABA; with mimics G (G^T M G)^-1 G^T (tau - h), v = G v_i."""
+        import pinocchio as pin
+
+        data = self.pin.createData()
+        if not self.mimics:
+            return np.asarray(pin.aba(self.pin, data, q_pin, v_pin, tau_pin))
+        G = self.spread()
+        M = pin.crba(self.pin, data, q_pin)
+        M = np.triu(M) + np.triu(M, 1).T
+        h = pin.nonLinearEffects(self.pin, self.pin.createData(), q_pin, v_pin)
+        return np.asarray(G @ np.linalg.solve(G.T @ M @ G, G.T @ (tau_pin - h)))
+
     def inputs(self, tau: np.ndarray) -> dict[str, float]:
         """The efforts as inputs, and no damping."""
         found = {}
         for joint, (coordinate,) in self.builder.coordinates.items():
+            if coordinate not in self.model.q_i:
+                continue
             (name,) = self.builder.efforts[joint]
             found[name] = float(tau[self.model.q_i.index(coordinate)])
         return found | {one.name: 0.0 for one in self.model.parameters if one.name.endswith(".damping")}
@@ -98,17 +145,26 @@ def twin(path: Path, base: Any) -> Twin:
     model = model_of(builder.build())
     free = "" if base == "fixed" else next(iter(builder.frames.values())).partition(".")[0]
     there = pin.buildModelFromUrdf(str(path), pin.JointModelFreeFlyer()) if free else pin.buildModelFromUrdf(str(path))
-    return Twin(builder, model, there, free)
+    return Twin(builder, model, there, free, mimics_of(path))
+
+
+def mimics_of(path: Path) -> dict[str, tuple[str, float, float]]:
+    """{joint: (joint that it follows, multiplier, offset)}, as the file says."""
+    found = {}
+    for joint in ElementTree.parse(path).getroot().iter("joint"):
+        one = joint.find("mimic")
+        if one is not None and joint.get("type") != "fixed":
+            factor, offset = float(one.get("multiplier", 1.0)), float(one.get("offset", 0.0))
+            found[str(joint.get("name"))] = str(one.get("joint")), factor, offset
+    return found
 
 
 def forward_difference(both: Twin) -> float:
     """Largest relative difference of accelerations over some states."""
-    import pinocchio as pin
-
     rng, worst = np.random.default_rng(SEED), 0.0
     for _ in range(STATES):
         q, v, tau, q_pin, v_pin, tau_pin = both.state(rng)
-        expected = both.accelerations(q, v, pin.aba(both.pin, both.pin.createData(), q_pin, v_pin, tau_pin))
+        expected = both.accelerations(q, v, both.expected(q_pin, v_pin, tau_pin))
         found = both.model.forward_dynamics(q, v, parameters=both.inputs(tau))
         worst = max(worst, float(np.abs(found - expected).max() / np.abs(expected).max()))
     return worst
@@ -127,16 +183,15 @@ def panda_torques(path: Path, samples: int = 200) -> float:
         rng.uniform(1, 4, n),
         rng.uniform(0, 6, n),
     )
-    at = [both.pin.joints[both.pin.getJointId(joint)].idx_v for joint in both.builder.coordinates]
-    here = [both.model.q_i.index(name) for (name,) in both.builder.coordinates.values()]
+    G = both.spread()
+    middle_pin = np.array([both.follows(joint)[2] for joint in both.pin.names[1:]])
     worst, largest = 0.0, 0.0
     for t in np.linspace(0.0, 5.0, samples):
         wave = np.sin(rate * t + phase), rate * np.cos(rate * t + phase), -(rate**2) * np.sin(rate * t + phase)
         q, v, a = (size * part for part in wave)
-        there = np.zeros((3, both.pin.nv))
-        there[:, at] = np.array([middle + q, v, a])[:, here]
-        expected = pin.rnea(both.pin, data, *there)[at]
-        found = both.model.inverse_dynamics(middle + q, v, a, parameters=both.inputs(np.zeros(n)))[here]
+        at, rates, bends = middle_pin + G @ (middle + q), G @ v, G @ a
+        expected = G.T @ pin.rnea(both.pin, data, at, rates, bends)
+        found = both.model.inverse_dynamics(middle + q, v, a, parameters=both.inputs(np.zeros(n)))
         worst, largest = max(worst, np.abs(found - expected).max()), max(largest, np.abs(expected).max())
     return float(worst / largest)
 

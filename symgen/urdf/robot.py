@@ -234,6 +234,9 @@ def _joint(element: Element, item: str, dropped: list[Dropped]) -> RobotJoint:
     if damping < 0:
         refuse(item, f"has the damping {damping:g}", "give one that is not negative")
     mimic = _mimic(parts["mimic"][0], item) if parts["mimic"] else None
+    if mimic is not None and kind == "fixed":  # nothing moves there
+        dropped.append(Dropped("mimic", name, f"of '{mimic.joint}', by a fixed joint"))
+        mimic = None
     if mimic is not None and kind not in TURNS_OR_SLIDES:
         refuse(item, f"mimics '{mimic.joint}', which a {kind} joint cannot", "remove mimic")
     return RobotJoint(name, kind, ends[0], ends[1], pose_of(element, item), axis, damping, mimic)

@@ -31,6 +31,7 @@ SCENES = [  # flexible with sub-steps, loops with an iteration, a loop in space,
     ("bricard", "rk4"),
     ("heavy_top", "single_rate"),
     ("chain", "rk4"),
+    ("spatial_slider_crank", "exponential"),  # a finite-element body
 ]
 STEPS = 1000
 

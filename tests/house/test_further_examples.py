@@ -123,6 +123,14 @@ def test_thin_coupler(said) -> None:
     assert "terminated successfully" in text and numbers(text.splitlines()[-1])[-1] < 1e-9
 
 
+@pytest.mark.skipif(find_spec("do_mpc") is None, reason="needs the extra mpc: pip install 'symgen[mpc]'")
+def test_crane_mpc(said) -> None:
+    """The load rests at the goal, and no force is above its bound."""
+    _, trolley, load, force = numbers(said("crane_mpc"))
+    assert trolley == pytest.approx(2.0, abs=0.01) and abs(load) < 0.01
+    assert force == pytest.approx(8.0, abs=1e-3)
+
+
 @pytest.mark.skipif(find_spec("distributed") is None, reason="needs the extra dask: pip install 'symgen[dask]'")
 def test_ensemble_on_dask(said) -> None:
     """A cluster of two processes gives the bits of one."""

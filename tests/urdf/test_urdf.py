@@ -123,6 +123,8 @@ def test_a_mimic_follows(tmp_path: Path) -> None:
     for other in ("right", "nobody"):
         with pytest.raises(SceneError, match=f"mimics '{other}', which is no other joint"):
             reading(tmp_path, text.replace('mimic joint="left"', f'mimic joint="{other}"'))
+    welded = text.replace('<joint name="right" type="revolute"', '<joint name="right" type="fixed"')
+    assert [(one.what, one.name) for one in reading(tmp_path, welded).dropped] == [("mimic", "right")]  # nothing moves
 
 
 def test_shapes_and_meshes(tmp_path: Path) -> None:
