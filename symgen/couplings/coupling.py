@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
+from symgen.joints.backlash import Backlash
 from symgen.joints.joint import Surroundings
 from symgen.loads.effort import coordinate_faults
 from symgen.schema.fields import Fault, Name, StrictModel
@@ -19,11 +20,13 @@ Read = Callable[[str], Any]  # SX of a quantity of the coupling by its field
 class Coupling(StrictModel):
     """A coupling. Its file sets `type`, its own fields and what follows.
 
+    backlash: with play the row is no constraint but where a force acts, of coordinate a's kind.
     coordinates: the fields that name coordinates, the one that follows first; `kinds` what each must be; not_zero: the
     fields that multiply. from_start: is the constant of the row that of the values given at the start?
     """
 
     name: Name
+    backlash: Backlash | None = None
     if TYPE_CHECKING:
         type: Any  # of each file: its name in scenes
 

@@ -197,6 +197,17 @@ class Joint(StrictModel):
         if scene.space == "spatial" and any(body.name == self.name for body in scene.bodies):
             remedy = "rename one of them: joints of a spatial scene have coordinates too"
             yield Fault("", "has the name of a body", remedy)
+        for key in ("limits", "backlash"):
+            if (one_sided := getattr(self, key, None)) is not None:
+                yield from one_sided.faults(scene)
+                yield from self._angle_faults(key, scene)
+
+    def _angle_faults(self, key: str, scene: Surroundings) -> Iterator[Fault]:
+        """Of what needs a coordinate of its own, where the joint closes a loop in space."""
+        turns = any(motion.kind == "angle" for motion in self.motions or ())
+        if scene.space == "spatial" and turns and self.name not in scene.placing():
+            remedy = "put the joint nearer to the ground, or another joint of the loop where this one is"
+            yield Fault(key, "the joint closes a loop and has no angle of its own", remedy)
 
     @classmethod
     def planar(cls) -> bool:

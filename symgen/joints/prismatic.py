@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
+from symgen.joints.backlash import Backlash
 from symgen.joints.joint import ALIGNED, Equation, InPlane, Joint, Motor, Slide, Z
+from symgen.joints.limits import Limits
 from symgen.schema.fields import Bound, Meaning, Quantity
 
 
@@ -14,6 +16,8 @@ class PrismaticJoint(Joint):
     type: Literal["prismatic"] = "prismatic"
     damping: Annotated[Quantity, Meaning("damping of the sliding", "N s/m", Bound.NON_NEGATIVE)] = 0.0
     motor: Motor | None = None
+    limits: Limits | None = None
+    backlash: Backlash | None = None
 
     equation = "n_a . (r_b - r_a) = 0, phi_b - phi_a = 0"
     points = "on_axis"

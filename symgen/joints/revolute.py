@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
+from symgen.joints.backlash import Backlash
 from symgen.joints.joint import PARALLEL, Equation, InPlane, Joint, Motor, Turn, Z
+from symgen.joints.limits import Limits
 from symgen.schema.fields import Bound, Meaning, Quantity
 
 
@@ -17,6 +19,8 @@ class RevoluteJoint(Joint):
     type: Literal["revolute"] = "revolute"
     damping: Annotated[Quantity, Meaning("damping of the rotation", "N m s/rad", Bound.NON_NEGATIVE)] = 0.0
     motor: Motor | None = None
+    limits: Limits | None = None
+    backlash: Backlash | None = None
 
     equation = "r_b - r_a = 0"
     points = "together"

@@ -110,6 +110,9 @@ class Acting(Protocol):
     def larger(self, a: Any, b: float) -> Any:
         """The larger of two."""
 
+    def push(self, depth: Any, rate: Any, exponent: float) -> Any:
+        """What the load's `stiffness` and `damping` do against a depth with its rate: force, stored [J], lost [W]."""
+
     def generalised(self, *acting: tuple[At, Vector, Vector]) -> Row:
         """By column: of forces and of moments at markers, each empty where there is none."""
 

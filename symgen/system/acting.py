@@ -28,6 +28,7 @@ from symgen.loads import Load
 from symgen.loads.load import Scalar
 from symgen.scene import BeamBody, SceneRecord
 from symgen.system.joint_templates import JointCoordinate
+from symgen.system.one_sided import Push, hunt_crossley
 from symgen.system.structure import ExpressionReader, Read
 
 SMALLEST = 1e-24  # m2: points nearer than that have met
@@ -212,6 +213,13 @@ class _Acting:
     def larger(self, a: ca.SX, b: float) -> ca.SX:
         """The larger of two."""
         return ca.fmax(a, b)
+
+    def push(self, depth: ca.SX, rate: ca.SX, exponent: float) -> Push:
+        """By Hunt and Crossley; steps end where it kinks."""
+        found = hunt_crossley(depth, rate, self.constant("stiffness"), self.constant("damping"), exponent)
+        for value in found.kinks:
+            self._reader.switch(self.load.name, value)
+        return found
 
     def spring(self, a: Any, b: Any, stiffness: ca.SX, damping: ca.SX, free_length: ca.SX) -> SpringForce:
         """Along the line from a to b."""

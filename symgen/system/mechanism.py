@@ -22,15 +22,18 @@ from symgen.algebra.vectors import Matrix, times
 from symgen.bodies.outlines import Picture
 from symgen.couplings import Coupling
 from symgen.joints import Joint
+from symgen.joints.backlash import Backlash
 from symgen.joints.joint import Motor, Slide, Turn
+from symgen.joints.limits import Limits
 from symgen.loads import Load
 from symgen.loads.load import LoadEffect
 from symgen.scene import BeamBody, BeamMarker, SceneRecord, SpatialModalBody
 from symgen.scene.flexible import ALL_GAUGES
 from symgen.scene.measures import Measure, SectionForceMeasure, StressMeasure
-from symgen.schema.fields import Scope
+from symgen.schema.fields import Scope, StrictModel
 from symgen.system.constraint import ConstraintRow, DerivationError, Motion, combined
 from symgen.system.equations import Equations, Rotor
+from symgen.system.one_sided import Push, against, beyond_play, hunt_crossley
 from symgen.system.signals import motion_derivatives
 from symgen.system.structure import ExpressionReader, Read
 from symgen.system.topology import Topology
@@ -227,6 +230,49 @@ class Mechanism(Generic[Marker]):
             self._add_effect(joint.name, effect)
         if (motor := getattr(joint, "motor", None)) is not None:
             self._add_rotor(joint, motor)
+        limits, backlash = getattr(joint, "limits", None), getattr(joint, "backlash", None)
+        if limits is not None or backlash is not None:
+            own = self.space.coordinate_row(f"{joint.name}.{(joint.motions or ())[0].name}")
+            if limits is not None:
+                self._add_one_sided(joint.name, own.C_q, self._limits(joint.name, limits, own))
+            if backlash is not None:
+                self._add_one_sided(joint.name, own.C_q, self._backlash(joint.name, backlash, own))
+
+    def _add_one_sided(self, name: str, row: Row, sides: Sequence[tuple[int, Push]]) -> None:
+        self._add_effect(name, against(row, sides))
+        for _, push in sides:
+            for value in push.kinks:
+                self.reader.switch(name, value)
+
+    def _quantity(self, part: StrictModel, key: str, item: str) -> ca.SX:
+        """Of a record within a joint or a coupling."""
+        meaning = part.meaning(key)
+        return self.table.quantity(
+            getattr(part, key), f"{item}.{key}", meaning.unit, meaning.description, meaning.bound.value
+        )
+
+    def _rate(self, own: ConstraintRow) -> ca.SX:
+        return total(mul(value, self.equations.q_dot[c]) for c, value in own.C_q.items())
+
+    def _limits(self, name: str, limits: Limits, own: ConstraintRow) -> list[tuple[int, Push]]:
+        """At both ends of a coordinate."""
+        item = f"{name}.limits"
+        ends = {
+            key: self._quantity(limits, key, item) for key in ("lower", "upper") if getattr(limits, key) is not None
+        }
+        stiffness, damping = (self._quantity(limits, key, item) for key in ("stiffness", "damping"))
+        rate, sides = self._rate(own), {"lower": -1, "upper": 1}
+        return [
+            (side, hunt_crossley(side * (own.C - ends[key]), side * rate, stiffness, damping, limits.exponent))
+            for key, side in sides.items()
+            if key in ends
+        ]
+
+    def _backlash(self, name: str, backlash: Backlash, own: ConstraintRow) -> list[tuple[int, Push]]:
+        """To both sides of zero."""
+        gap, *law = (self._quantity(backlash, key, f"{name}.backlash") for key in ("gap", "stiffness", "damping"))
+        rate = self._rate(own)
+        return [(side, beyond_play(side * own.C - gap / 2, side * rate, *law)) for side in (-1, 1)]
 
     def _add_rotor(self, joint: Joint, motor: Motor) -> None:
         """T = J s^2 / 2 of a rotor at the rate s = (turn of the body of marker a) + ratio (rate of the joint)."""
@@ -264,7 +310,11 @@ class Mechanism(Generic[Marker]):
             pivot = factors[free[0]]
             factors = [ONE if k == free[0] else div(factor, pivot) for k, factor in enumerate(factors)]
             constant = div(constant, pivot)
-        eq.constraints.append(combined(coupling.name, rows, factors, constant))
+        row = combined(coupling.name, rows, factors, constant)
+        if coupling.backlash is None:
+            eq.constraints.append(row)
+        else:
+            self._add_one_sided(coupling.name, row.C_q, self._backlash(coupling.name, coupling.backlash, row))
 
     def _at_start(self, values: list[ca.SX]) -> list[float]:
         """At the coordinates that the scene gives for the start, the others at rest, at default parameters."""
