@@ -22,8 +22,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 48) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
-    215 operations.
+    gives c (n_const = 129) [SI]: what depends on p only, computed once a run: c = constants(p)
+    217 operations.
     """
     p = ca.SX.sym("p", 48)
     gravity_y = p[0]
@@ -70,7 +70,7 @@ def constants() -> ca.Function:
     ground_P5_quaternion_1_0_0 = p[45]
     ground_P5_quaternion_3_0_0 = p[46]
     ground_P5_z = p[47]
-    # intermediate terms (63)
+    # intermediate terms (64)
     w0 = (bar3_inertia_xx + bar3_inertia_yy + bar3_inertia_zz) / 2.0
     w1 = w0 - bar3_inertia_zz + bar3_mass * bar3_center_of_mass_z**2
     w2 = w0 - bar3_inertia_yy
@@ -134,6 +134,7 @@ def constants() -> ca.Function:
     w60 = w24 + w58
     w61 = -4.0 * w60
     w62 = -4.0 * w59
+    w63 = 2 * bar5_end_y
     # outputs
     c = ca.vertcat(
         w1,  # c0
@@ -258,11 +259,13 @@ def constants() -> ca.Function:
         -gravity_y,  # c119
         2 * bar3_end_z,  # c120
         4.0 * bar3_end_z,  # c121
-        w7 - w10,  # c122
-        2 * bar5_end_y,  # c123
-        2.0,  # c124
-        2 * bar3_end_z,  # c125
-        2 * bar4_end_x,  # c126
+        2 * bar2_end_y,  # c122
+        w7 - w10,  # c123
+        -w63,  # c124
+        w63,  # c125
+        2.0,  # c126
+        2 * bar3_end_z,  # c127
+        2 * bar4_end_x,  # c128
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -275,7 +278,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 129) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
     636 operations.
@@ -284,7 +287,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 129)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -513,7 +516,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 129) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 39) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 4) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -521,7 +524,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 129)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -735,14 +738,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 129) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
     722 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 129)
     hinge0_angle = q_i[0]
     bar1_e0 = q_d[3]
     bar1_e1 = q_d[4]
@@ -1045,7 +1048,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 129) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 39) [mixed]: accelerations of the dependent coordinates
     1346 operations.
     """
@@ -1054,7 +1057,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 129)
     hinge0_angle = q_i[0]
     bar1_e0 = q_d[3]
     bar1_e1 = q_d[4]
@@ -1519,7 +1522,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 129) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 40) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 40 x 40) [SI]: constraint Jacobian
     gives C_t (n_c = 40) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -1529,7 +1532,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 129)
     bar1_x = q[0]
     bar1_y = q[1]
     bar1_z = q[2]
@@ -2199,7 +2202,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 129) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 40 x 40) [SI]: mass matrix in all coordinates
     gives K (n x n = 40 x 40) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 40) [N, N m]: quadratic velocity force in all coordinates
@@ -2211,7 +2214,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 129)
     bar1_e0 = q[3]
     bar1_e1 = q[4]
     bar1_e2 = q[5]
@@ -3623,7 +3626,7 @@ def reactions() -> ca.Function:
     takes q_dot (n = 40) [mixed]: rates of all coordinates
     takes q_ddot (n = 40) [mixed]: accelerations of all coordinates
     takes lam_R (n_R = 1) [N, N m]: multipliers of the redundant rows, which no equation determines
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 129) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 40) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 6) [N, N m]: world force and moment of a joint on its body b, at b
     2752 operations.
@@ -3632,7 +3635,7 @@ def reactions() -> ca.Function:
     q_dot = ca.SX.sym("q_dot", 40)
     q_ddot = ca.SX.sym("q_ddot", 40)
     lam_R = ca.SX.sym("lam_R", 1)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 129)
     bar1_e0 = q[3]
     bar1_e1 = q[4]
     bar1_e2 = q[5]
@@ -4602,7 +4605,7 @@ def energy() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 129) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -4612,7 +4615,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 129)
     bar1_y = q[1]
     bar1_e0 = q[3]
     bar1_e1 = q[4]
@@ -4998,13 +5001,13 @@ def measures() -> ca.Function:
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 129) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives measures (measures = 6) [mixed]: measures of the scene and their rates
     41 operations.
     """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 129)
     bar3_x = q[14]
     bar3_y = q[15]
     bar3_z = q[16]
@@ -5163,7 +5166,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 129) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
     1606 operations.
     """
@@ -5171,7 +5174,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 129)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -5589,15 +5592,15 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 129) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    664 operations.
+    663 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 129)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -5617,6 +5620,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c6 = c[6]
     bar1_end_x = c[7]
     c8 = c[8]
+    c9 = c[9]
     bar3_end_z = c[11]
     bar4_end_x = c[12]
     bar5_end_y = c[13]
@@ -5631,6 +5635,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c22 = c[22]
     c23 = c[23]
     c122 = c[122]
+    c123 = c[123]
+    c124 = c[124]
     # intermediate terms (177)
     w0 = ca.cos(hinge0_angle)
     w1 = ca.sin(hinge2_angle)
@@ -5770,47 +5776,47 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w135 = 2 * -(w4 * w134 + w1 * hinge1_angle_dot)
     w136 = w135 * c4
     w137 = w1 * c4
-    w138 = 2 * hinge1_angle_dot
-    w139 = w138 * bar2_end_y
-    w140 = w137 * w139
-    w141 = w135 * c0
-    w142 = w1 * w141
-    w143 = 2 * (w4 * hinge1_angle_dot - w1 * w134)
-    w144 = w143 * c1
-    w145 = w4 * w144
-    w146 = w133 - w16 * (w16 * w133 - w2 * (w136 * bar2_end_y - w140 - (w142 - w145) + w138 * c122)) + (w2 * w131 - w16 * (w136 + w138 * c8)) * bar1_end_x
+    w138 = hinge1_angle_dot * c122
+    w139 = w137 * w138
+    w140 = w135 * c0
+    w141 = w1 * w140
+    w142 = 2 * (w4 * hinge1_angle_dot - w1 * w134)
+    w143 = w142 * c1
+    w144 = w4 * w143
+    w145 = 2 * hinge1_angle_dot
+    w146 = w16 * (w16 * w133 - w2 * (w136 * bar2_end_y - w139 - (w141 - w144) + w145 * c123))
     w147 = w4 * c4
-    w148 = 2 * -w124
-    w149 = w148 * bar2_end_y
-    w150 = w147 * w149
-    w151 = 2 * hinge0_angle_dot * bar1_end_x
-    w152 = w69 * (w69 * (w13 * (w26 * (w70 * c17)) + w13 * (w70 * c14) * bar5_end_y) - w123) - (w146 - (w129 + w150 + w147 * w151))
-    w153 = 2 * -(w13 * hinge5_angle_dot)
-    w154 = 2 * -(w26 * hinge5_angle_dot)
-    w155 = w69 * (w26 * (w153 * c16) - w13 * (w154 * c15) - 2 * -hinge5_angle_dot * bar5_end_y * (w13 * c14))
-    w156 = w80 * (w155 - 2 * ((w67 * w101 + w109 * (w53 * w62 + w48 * w65) + w78 * w111 + w79 * w122) / w68) * c21)
-    w157 = w137 * bar2_end_y
-    w158 = w157 - c22
-    w159 = 2 * ((w66 * w101 - w109 * (w53 * w61 - w51 * w65) + w97 * w111 - w98 * w122) / w68)
-    w160 = w152 + w80 * (w69 * (w26 * (w153 * c15) - w13 * (w154 * c16) + w153 * c18)) + w156 - (w137 * bar1_end_x - w2 * w158) * w159
-    w161 = w143 * c0
-    w162 = w135 * c1
-    w163 = w160 - w99 * (w16 * (w4 * w161 - w1 * w162) - w2 * w132 + w131 * bar1_end_x) - w99 * (w16 * (w145 - w142 - w140) - w2 * w150 - w151 * (w2 * w147) + w159 * c22)
-    w164 = w4 * c2
-    w165 = w147 * bar2_end_y - w1 * w164
-    w166 = 2 * ((w94 * w122 - (w64 * w101 + w109 * (w48 * w61 + w51 * w62) + w93 * w111)) / w68)
-    w167 = w4 * w164
-    w168 = c1 + w167
+    w148 = w124 * c122
+    w149 = w147 * w148
+    w150 = hinge0_angle_dot * c9
+    w151 = w133 - w146 + (w2 * w131 - w16 * (w136 + w145 * c8)) * bar1_end_x + (w146 - (w146 - (w149 - w129)) - w147 * w150)
+    w152 = 2 * -(w13 * hinge5_angle_dot)
+    w153 = 2 * -(w26 * hinge5_angle_dot)
+    w154 = w69 * (w69 * (w13 * (w26 * (w70 * c17)) + w13 * (w70 * c14) * bar5_end_y) - w123) - w151 + w80 * (w69 * (w26 * (w152 * c15) - w13 * (w153 * c16) + w152 * c18))
+    w155 = w69 * (w26 * (w152 * c16) - w13 * (w153 * c15) - hinge5_angle_dot * c124 * (w13 * c14)) - 2 * ((w67 * w101 + w109 * (w53 * w62 + w48 * w65) + w78 * w111 + w79 * w122) / w68) * c21
+    w156 = w137 * bar2_end_y
+    w157 = w156 - c22
+    w158 = 2 * ((w66 * w101 - w109 * (w53 * w61 - w51 * w65) + w97 * w111 - w98 * w122) / w68)
+    w159 = w142 * c0
+    w160 = w135 * c1
+    w161 = w154 + w80 * w155 - (w137 * bar1_end_x - w2 * w157) * w158 - w99 * (w16 * (w4 * w159 - w1 * w160) - w2 * w132 + w131 * bar1_end_x)
+    w162 = w4 * c2
+    w163 = w147 * bar2_end_y - w1 * w162
+    w164 = 2 * ((w94 * w122 - (w64 * w101 + w109 * (w48 * w61 + w51 * w62) + w93 * w111)) / w68)
+    w165 = w161 - w99 * (w16 * (w144 - w141 - w139) + w2 * w149 - w150 * (w2 * w147) + w158 * c22) + w16 * w163 * w164
+    w166 = w4 * w162
+    w167 = c1 + w166
+    w168 = 2 * -w124
     w169 = w1 * w128
-    w170 = c5 + (c0 - w167 - 2 * w157)
+    w170 = c5 + (c0 - w166 - 2 * w156)
     w171 = 2 * w134
-    w172 = w4 * w141 + w1 * w144 + w139 * w147
+    w172 = w4 * w140 + w1 * w143 + w138 * w147
     w173 = c8 - w137
-    w174 = w16 * (w148 * (c6 + w168) - (w169 - w126)) + w2 * ((w168 + w170) * w171 + w172) - w171 * w173 * bar1_end_x
-    w175 = w2 * (w171 * c6) - w16 * (w127 + w169 + (w137 * w149 - w1 * w130 * bar2_end_y) - w148 * c5) + w151 * (w16 * w173)
-    w176 = w175 + w99 * (w4 * w162 + w1 * w161 - w143 * c23) + w166 * (c6 + w170) + w95 * (w133 - w148 * w165)
+    w174 = w16 * ((c6 + w167) * w168 - (w169 - w126)) + w2 * ((w167 + w170) * w171 + w172) - w171 * w173 * bar1_end_x
+    w175 = w2 * (w171 * c6) - w16 * (w127 + w169 - (w1 * w130 * bar2_end_y + w137 * w148) - w168 * c5) + w150 * (w16 * w173)
+    w176 = w175 + w99 * (w4 * w160 + w1 * w159 - w142 * c23) + w164 * (c6 + w170) + w95 * (w133 - w163 * w168)
     # outputs
-    dQ_hat_dq_i_dot = ca.vertcat(w163 + w16 * w165 * w166 - w95 * (w174 + w99 * (w172 - w158 * w171)) - w95 * w176)
+    dQ_hat_dq_i_dot = ca.vertcat(w165 - w95 * (w174 + w99 * (w172 - w157 * w171)) - w95 * w176)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
 
@@ -5823,17 +5829,17 @@ def residual_jacobian() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 127) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 129) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    1893 operations.
+    1892 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 39)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 129)
     hinge0_angle = q_i[0]
     hinge1_angle = q_d[35]
     hinge2_angle = q_d[36]
@@ -5854,6 +5860,7 @@ def residual_jacobian() -> ca.Function:
     c6 = c[6]
     bar1_end_x = c[7]
     c8 = c[8]
+    c9 = c[9]
     bar3_end_z = c[11]
     bar4_end_x = c[12]
     bar5_end_y = c[13]
@@ -5868,10 +5875,12 @@ def residual_jacobian() -> ca.Function:
     c23 = c[23]
     gravity_y = c[24]
     c25 = c[25]
-    c123 = c[123]
+    c122 = c[122]
     c124 = c[124]
     c125 = c[125]
     c126 = c[126]
+    c127 = c[127]
+    c128 = c[128]
     # intermediate terms (485)
     w0 = ca.cos(hinge0_angle)
     w1 = ca.sin(hinge2_angle)
@@ -5959,7 +5968,7 @@ def residual_jacobian() -> ca.Function:
     w83 = w60 * w77 + w53 * w80 - w58 * w82
     w84 = (w50 * w52 - w64 * w66 - w30 * w68) / w83
     w85 = w28 * c14
-    w86 = w85 * c123 + (c20 + (c15 - w15 * (w15 * c17)))
+    w86 = w85 * c125 + (c20 + (c15 - w15 * (w15 * c17)))
     w87 = w5 * hinge0_angle_dot
     w88 = w2 * hinge1_angle_dot
     w89 = w88 * bar2_end_y
@@ -6082,7 +6091,7 @@ def residual_jacobian() -> ca.Function:
     w206 = (w77 * w185 + w147 * w192 + w118 * w195 - w98 * w205) / w83 + w119 * hinge0_angle_ddot
     w207 = w18 * w206 - hinge1_angle_dot * w88
     w208 = w0 * hinge0_angle_ddot - hinge0_angle_dot * w87
-    w209 = w2 * w208 + (w5 * w207 + hinge1_angle_dot * (w26 * hinge0_angle_dot) * c124)
+    w209 = w2 * w208 + (w5 * w207 + hinge1_angle_dot * (w26 * hinge0_angle_dot) * c126)
     w210 = w60 * w72
     w211 = w210 - w58 * w79
     w212 = (w192 * w211 - w80 * w185 - w123 * w195 + w125 * w205) / w83 + w126 * hinge0_angle_ddot
@@ -6090,7 +6099,7 @@ def residual_jacobian() -> ca.Function:
     w214 = w87 * w141
     w215 = hinge0_angle_dot * w104 + w5 * hinge0_angle_ddot
     w216 = w4 * w212 - hinge2_angle_dot * w141
-    w217 = (w0 * w213 - w214 + (w4 * w215 - w214) + (w1 * w209 + (w9 * w216 + w90 * w140 * c124))) * bar3_end_z
+    w217 = (w0 * w213 - w214 + (w4 * w215 - w214) + (w1 * w209 + (w9 * w216 + w90 * w140 * c126))) * bar3_end_z
     w218 = w209 * bar2_end_y - w217
     w219 = w87 * w93
     w220 = hinge1_angle_dot * w112 + w2 * w206
@@ -6102,7 +6111,7 @@ def residual_jacobian() -> ca.Function:
     w226 = w112 * w142
     w227 = w88 * w104
     w228 = w18 * w208 - w227 - (w227 + w5 * w220)
-    w229 = w126 * (w11 * w207 - w226 - (w226 + w2 * w217) - (w19 * w222 + (w35 * w228 + w91 * w105 * c125)))
+    w229 = w126 * (w11 * w207 - w226 - (w226 + w2 * w217) - (w19 * w222 + (w35 * w228 + w91 * w105 * c127)))
     w230 = w60 * w74 + w53 * w79
     w231 = (w82 * w145 + w157 * w230 + w130 * w162 + w132 * w135) / w83
     w232 = w48 * w58
@@ -6111,24 +6120,24 @@ def residual_jacobian() -> ca.Function:
     w235 = w20 * w234 - hinge5_angle_dot * w109
     w236 = w133 * hinge0_angle_ddot - (w82 * w185 + w192 * w230 + w130 * w195 + w132 * w205) / w83
     w237 = w15 * w236 - hinge4_angle_dot * w100
-    w238 = (w28 * w235 + (w14 * w237 + hinge4_angle_dot * w196 * c124)) * bar4_end_x
+    w238 = (w28 * w235 + (w14 * w237 + hinge4_angle_dot * w196 * c126)) * bar4_end_x
     w239 = w106 * w109
     w240 = hinge5_angle_dot * w99 + w14 * w234
     w241 = (w20 * w237 - w239 - (w239 + w28 * w240)) * bar4_end_x
     w242 = w109 * w138
-    w243 = w133 * (w14 * w238 + (w55 * w235 + w99 * w136 * c126) + (w20 * w241 - w242 - (w242 + w57 * w240)))
+    w243 = w133 * (w14 * w238 + (w55 * w235 + w99 * w136 * c128) + (w20 * w241 - w242 - (w242 + w57 * w240)))
     w244 = w225 - w229 + 2 * w139 * w231 + w243
     w245 = w87 * w112
     w246 = w0 * w207 - w245 - (w245 + w2 * w215)
     w247 = w104 * w141
-    w248 = (w1 * w246 + (w3 * w216 + w90 * w148 * c124) + (w4 * w208 - w247 - (w247 + w5 * w213))) * bar3_end_z
+    w248 = (w1 * w246 + (w3 * w216 + w90 * w148 * c126) + (w4 * w208 - w247 - (w247 + w5 * w213))) * bar3_end_z
     w249 = w248 - w246 * bar2_end_y
     w250 = w87 * w152
-    w251 = w163 * (2 * -w153) - w119 * (w0 * w249 - w250 - (w250 + w8 * w215) - (w5 * w218 + (w12 * w208 + w104 * w143 * c124)))
+    w251 = w163 * (2 * -w153) - w119 * (w0 * w249 - w250 - (w250 + w8 * w215) - (w5 * w218 + (w12 * w208 + w104 * w143 * c126)))
     w252 = w87 * w88
     w253 = w0 * w220 - w252 + (w18 * w215 - w252)
     w254 = w102 * w142
-    w255 = w126 * (w19 * w248 + (w6 * w228 + w105 * w149 * c125) - (w11 * w253 - w254 + (w26 * w217 - w254)))
+    w255 = w126 * (w19 * w248 + (w6 * w228 + w105 * w149 * c127) - (w11 * w253 - w254 + (w26 * w217 - w254)))
     w256 = w109 * w154
     w257 = hinge4_angle_dot * w106 + w28 * w236
     w258 = w257 * bar4_end_x
@@ -6138,7 +6147,7 @@ def residual_jacobian() -> ca.Function:
     w262 = w93 * w104
     w263 = w249 - w215 * bar1_end_x + w163 * (2 * -w158) - w119 * (w43 * w208 - w262 - (w262 + w5 * w223)) + w224 * (2 * w159)
     w264 = w92 * w102
-    w265 = w126 * (w26 * w222 - w264 - (w264 + w35 * w253) + (w2 * w248 + (w6 * w207 + w112 * w149 * c125)))
+    w265 = w126 * (w26 * w222 - w264 - (w264 + w35 * w253) + (w2 * w248 + (w6 * w207 + w112 * w149 * c127)))
     w266 = w99 * w154
     w267 = w263 + w265 + w231 * (2 * -w160) - w133 * (w16 * w235 - w266 - (w266 + w14 * w258)) - w260 * (2 * -w161)
     w268 = w267 - w84 * (w241 + w240 * bar5_end_y)
@@ -6146,23 +6155,23 @@ def residual_jacobian() -> ca.Function:
     w270 = w15 * w235 - w269 - (w269 + w14 * w257)
     w271 = w101 * w102
     w272 = w26 * w270 - w271 - (w271 + w23 * w253)
-    w273 = w19 * w237 + (w28 * w228 + w105 * w106 * c124)
+    w273 = w19 * w237 + (w28 * w228 + w105 * w106 * c126)
     w274 = w272 - w273
     w275 = w105 * w110
     w276 = w100 * w109
     w277 = w20 * w257 - w276 + (w15 * w240 - w276)
     w278 = w21 * w228 - w275 - (w275 + w19 * w277)
-    w279 = w2 * w270 + (w23 * w207 + w101 * w112 * c124)
+    w279 = w2 * w270 + (w23 * w207 + w101 * w112 * c126)
     w280 = w278 - w279
     w281 = w102 * w110
-    w282 = w21 * w253 - w281 + (w26 * w277 - w281) + (w2 * w237 + (w28 * w207 + hinge4_angle_dot * (hinge1_angle_dot * (w15 * w18)) * c124))
+    w282 = w21 * w253 - w281 + (w26 * w277 - w281) + (w2 * w237 + (w28 * w207 + hinge4_angle_dot * (hinge1_angle_dot * (w15 * w18)) * c126))
     w283 = w87 * w115
-    w284 = w119 * (w25 * w208 + (w5 * w280 + w104 * w114 * c124) - (w0 * w282 - w283 + (w33 * w215 - w283)))
+    w284 = w119 * (w25 * w208 + (w5 * w280 + w104 * w114 * c126) - (w0 * w282 - w283 + (w33 * w215 - w283)))
     w285 = w102 * w114
     w286 = w105 * w115
-    w287 = w26 * w280 - w285 - (w285 + w25 * w253) + (w30 * w207 + (w2 * w274 + w108 * w112 * c124)) - (w33 * w228 - w286 - (w286 + w19 * w282))
+    w287 = w26 * w280 - w285 - (w285 + w25 * w253) + (w30 * w207 + (w2 * w274 + w108 * w112 * c126)) - (w33 * w228 - w286 - (w286 + w19 * w282))
     w288 = w109 * w115
-    w289 = w37 * w235 + (w14 * (w273 - w272) + w99 * w127 * c124) + (w20 * w282 - w288 - (w288 + w38 * w240))
+    w289 = w37 * w235 + (w14 * (w273 - w272) + w99 * w127 * c126) + (w20 * w282 - w288 - (w288 + w38 * w240))
     w290 = w274 + w163 * (2 * w116) + w284 + w224 * (2 * w120) + w126 * w287 + w231 * (2 * -w128) - w133 * w289
     w291 = w290 - w260 * (2 * -w134) - w84 * (w279 - w278)
     w292 = w58 * w71
@@ -6257,7 +6266,7 @@ def residual_jacobian() -> ca.Function:
     w381 = w373 * c16
     w382 = w374 * c15
     w383 = w15 * c14
-    w384 = w28 * w381 - w15 * w382 - 2 * -hinge5_angle_dot * bar5_end_y * w383
+    w384 = w28 * w381 - w15 * w382 - hinge5_angle_dot * c124 * w383
     w385 = w376 - w260 * w384 + w84 * (w340 * w383 - w379) - (w82 * w244 + w230 * w261 + w130 * w268 + w132 * w291) / w83 * c21
     w386 = w58 * (w14 * w364 - w20 * w366) + w15 * w372 * bar4_end_x - (w15 * (w20 * w369 + w14 * w367) + w353 * (w26 * w28))
     w387 = w380 + w133 * (w385 + w133 * (w28 * w334 * c14 + w333 * c21 + (w330 * w382 + w329 * w381) - w386))
@@ -6312,52 +6321,52 @@ def residual_jacobian() -> ca.Function:
     w436 = c5 + (c0 - w430 - 2 * w389)
     w437 = w431 + w436
     w438 = 2 * w299
-    w439 = 2 * hinge1_angle_dot
-    w440 = w439 * bar2_end_y
-    w441 = w4 * w408 + w1 * w407 + w425 * w440
-    w442 = c8 - w388
-    w443 = w18 * (w432 * w433 - (w435 - w418)) + w2 * (w437 * w438 + w441) - w438 * w442 * bar1_end_x + w126 * (w441 - w390 * w438)
-    w444 = w387 - w391 * w392 - w224 * w401 + w126 * (w421 - w422) + w126 * w424 + w428 * w429 - w163 * w443
-    w445 = w18 * w353
-    w446 = w5 * w369
-    w447 = w84 * (w23 * w445 + w21 * w446)
-    w448 = w0 * w369
-    w449 = w28 * w446 - w23 * w448 - (w60 * w364 + w44 * w372)
-    w450 = w4 * w434
-    w451 = w433 * bar2_end_y
-    w452 = w425 * w451
-    w453 = w450 + w452
-    w454 = w439 * c6
-    w455 = w322 * w425 + (w305 * w427 - w316 * w432) + (w296 * w453 - w299 * w454) - ((w4 * w414 + w1 * w413) * bar2_end_y - w327 + (w325 * c8 - w324 * c5))
+    w439 = hinge1_angle_dot * c122
+    w440 = w4 * w408 + w1 * w407 + w425 * w439
+    w441 = c8 - w388
+    w442 = w18 * (w432 * w433 - (w435 - w418)) + w2 * (w437 * w438 + w440) - w438 * w441 * bar1_end_x + w126 * (w440 - w390 * w438)
+    w443 = w387 - w391 * w392 - w224 * w401 + w126 * (w421 - w422) + w126 * w424 + w428 * w429 - w163 * w442
+    w444 = w18 * w353
+    w445 = w5 * w369
+    w446 = w84 * (w23 * w444 + w21 * w445)
+    w447 = w0 * w369
+    w448 = w28 * w445 - w23 * w447 - (w60 * w364 + w44 * w372)
+    w449 = w296 * c122
+    w450 = w425 * w449
+    w451 = w4 * w434
+    w452 = w450 - w451
+    w453 = 2 * hinge1_angle_dot
+    w454 = w453 * c6
+    w455 = w322 * w425 + (w305 * w427 - w316 * w432) - (w296 * w452 + w299 * w454) - ((w4 * w414 + w1 * w413) * bar2_end_y - w327 + (w325 * c8 - w324 * c5))
     w456 = w307 * w425
-    w457 = w388 * w440
+    w457 = w388 * w439
     w458 = w1 * w408
     w459 = w4 * w407
-    w460 = w412 * bar2_end_y - w457 - (w458 - w459) + w439 * c5
-    w461 = w450 - w400
-    w462 = w456 - w295 * w437 + (w296 * w460 - w299 * (w461 - w453)) + ((w298 - w297) * c6 - (w1 * w304 + w4 * w314))
-    w463 = w412 + w439 * c8
-    w464 = w447 - (w449 + (w18 * w455 - w2 * w462 - (w295 * w442 - (w296 * w463 + w299 * w399)) * bar1_end_x))
-    w465 = w133 * (w54 * w446 - (w15 * w448 + w56 * w445))
-    w466 = w459 - w458 - w457
-    w467 = w5 * w23 + w0 * w28
-    w468 = w0 * w372 - w5 * w364
-    w469 = w405 * (w0 * w21) - w402 * w467 - w403 * (w5 * w21) - (w53 * (w0 * w366) + w41 * w468 + w36 * (w5 * w366))
+    w460 = w412 * bar2_end_y - w457 - (w458 - w459) + w453 * c5
+    w461 = w451 - w400
+    w462 = w456 - w295 * w437 + (w296 * w460 - w299 * (w452 + w461)) + ((w298 - w297) * c6 - (w1 * w304 + w4 * w314))
+    w463 = w412 + w453 * c8
+    w464 = w446 - (w448 + (w18 * w455 - w2 * w462 - (w295 * w441 - (w296 * w463 + w299 * w399)) * bar1_end_x))
+    w465 = w133 * (w54 * w445 - (w15 * w447 + w56 * w444))
+    w466 = w5 * w23 + w0 * w28
+    w467 = w0 * w372 - w5 * w364
+    w468 = w405 * (w0 * w21) - w402 * w466 - w403 * (w5 * w21) - (w53 * (w0 * w366) + w41 * w467 + w36 * (w5 * w366))
+    w469 = w459 - w458 - w457
     w470 = w4 * w396 + w1 * w394 - w393 * c23
-    w471 = w447 - w449 - w465 - w224 * w470 - w126 * (w469 + (w4 * w417 - w1 * w420 - (w419 * c4 - w300 * w398) * bar2_end_y))
+    w471 = w446 - w448 - w465 - w224 * w470 - w126 * (w468 + (w4 * w417 - w1 * w420 - (w419 * c4 - w300 * w398) * bar2_end_y))
     w472 = c6 + w436
     w473 = w461 - w427 * w433
-    w474 = w416 + w435 + (w388 * w451 - w1 * w398 * bar2_end_y) - w433 * c5
+    w474 = w416 + w435 - (w1 * w398 * bar2_end_y + w388 * w449) - w433 * c5
     w475 = w438 * c6
-    w476 = w13 * w468 + w43 * w366 - (w445 * w467 + w353 * (w20 * (w2 * w15))) + (w316 * w427 - w305 * w472 - w322 * w442 + (w296 * w474 + w299 * w475))
-    w477 = w444 + w119 * (w464 - w465 + w126 * (w456 + w295 * w390 + (w296 * w466 + w299 * w452) - w469)) + w119 * (w471 - w429 * w472 - w163 * w473 - w119 * w476)
-    w478 = 2 * hinge0_angle_dot * bar1_end_x
-    w479 = w461 - w18 * (w18 * w461 - w2 * (w460 - w454)) + (w2 * w399 - w18 * w463) * bar1_end_x - (w453 + w425 * w478)
-    w480 = w84 * (w84 * w360 - w86 * (2 * -w260)) - w479 + w133 * w375 + w133 * (w84 * w384 - 2 * w231 * c21)
+    w476 = w13 * w467 + w43 * w366 - (w444 * w466 + w353 * (w20 * (w2 * w15))) + (w316 * w427 - w305 * w472 - w322 * w441 + (w296 * w474 + w299 * w475))
+    w477 = w443 + w119 * (w464 - w465 - w126 * (w468 + (w299 * w450 - w296 * w469 - (w456 + w295 * w390)))) + w119 * (w471 - w429 * w472 - w163 * w473 - w119 * w476)
+    w478 = w18 * (w18 * w461 - w2 * (w460 - w454))
+    w479 = hinge0_angle_dot * c9
+    w480 = w84 * (w84 * w360 - w86 * (2 * -w260)) - (w461 - w478 + (w2 * w399 - w18 * w463) * bar1_end_x + (w478 - (w478 - w452) - w425 * w479))
     w481 = 2 * w224
-    w482 = w480 - w391 * w481 - w126 * w401 - w126 * (w18 * w466 - w2 * w452 - w478 * (w2 * w425) + w481 * c22)
+    w482 = w480 + w133 * w375 + w133 * (w84 * w384 - 2 * w231 * c21) - w391 * w481 - w126 * w401 - w126 * (w18 * w469 + w2 * w450 - w479 * (w2 * w425) + w481 * c22)
     w483 = 2 * w163
-    w484 = w482 + w428 * w483 - w119 * w443 - w119 * (w2 * w475 - w18 * w474 + w478 * (w18 * w442) + w126 * w470 + w472 * w483 + w119 * w473)
+    w484 = w482 + w428 * w483 - w119 * w442 - w119 * (w2 * w475 - w18 * w474 + w479 * (w18 * w441) + w126 * w470 + w472 * w483 + w119 * w473)
     # outputs
     J_q = ca.vertcat(w477)
     J_v = ca.vertcat(w484)

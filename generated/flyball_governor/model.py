@@ -3695,7 +3695,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    128 operations.
+    127 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -3726,50 +3726,51 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     left_rod_middle_x = c[28]
     shaft_left_z = c[29]
     left_spring_damping = c[31]
-    # intermediate terms (30)
+    c37 = c[37]
+    c41 = c[41]
+    # intermediate terms (29)
     w0 = ca.sin(left_swing_angle)
     w1 = 2 * left_swing_angle_dot
     w2 = ca.cos(left_swing_angle)
     w3 = ca.sin(right_swing_angle)
     w4 = ca.cos(right_swing_angle)
     w5 = 2 * right_swing_angle_dot
-    w6 = 2 * spin_angle_dot
-    w7 = 2 * -(w4 * spin_angle_dot)
-    w8 = 2 * -(w3 * spin_angle_dot)
-    w9 = 2 * -(w0 * spin_angle_dot)
-    w10 = 2 * -(w2 * spin_angle_dot)
-    w11 = w3 * right_rod_middle_x
-    w12 = height_travel - (shaft_right_z - w11)
-    w13 = w12 * right_spring_damping
-    w14 = w4 * right_rod_middle_x
-    w15 = slider_right_x - (shaft_right_x + w14)
-    w16 = w15**2 + w12**2
-    w17 = w12 * w13 / w16
-    w18 = w0 * left_rod_middle_x
-    w19 = height_travel - (shaft_left_z - w18)
-    w20 = w19 * left_spring_damping
-    w21 = w2 * left_rod_middle_x
-    w22 = slider_left_x - (shaft_left_x - w21)
-    w23 = w22**2 + w19**2
-    w24 = w19 * w20 / w23
-    w25 = (w11 * w15 + w12 * w14) * right_spring_damping
-    w26 = w12 * w25 / w16
-    w27 = (w19 * w21 - w18 * w22) * left_spring_damping
-    w28 = w19 * w27 / w23
-    w29 = w3 * (w4 * (w5 * c9)) + w3 * (w5 * c11) * shaft_right_x - (w0 * (w1 * c4) * shaft_left_x - w0 * (w2 * (w1 * c2)))
+    w6 = 2 * -(w4 * spin_angle_dot)
+    w7 = 2 * -(w3 * spin_angle_dot)
+    w8 = 2 * -(w0 * spin_angle_dot)
+    w9 = 2 * -(w2 * spin_angle_dot)
+    w10 = w3 * right_rod_middle_x
+    w11 = height_travel - (shaft_right_z - w10)
+    w12 = w11 * right_spring_damping
+    w13 = w4 * right_rod_middle_x
+    w14 = slider_right_x - (shaft_right_x + w13)
+    w15 = w14**2 + w11**2
+    w16 = w11 * w12 / w15
+    w17 = w0 * left_rod_middle_x
+    w18 = height_travel - (shaft_left_z - w17)
+    w19 = w18 * left_spring_damping
+    w20 = w2 * left_rod_middle_x
+    w21 = slider_left_x - (shaft_left_x - w20)
+    w22 = w21**2 + w18**2
+    w23 = w18 * w19 / w22
+    w24 = (w10 * w14 + w11 * w13) * right_spring_damping
+    w25 = w11 * w24 / w15
+    w26 = (w18 * w20 - w17 * w21) * left_spring_damping
+    w27 = w18 * w26 / w22
+    w28 = w3 * (w4 * (w5 * c9)) + w3 * (w5 * c11) * shaft_right_x - (w0 * (w1 * c4) * shaft_left_x - w0 * (w2 * (w1 * c2)))
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
         ca.horzcat(  # spin.angle
-            w29, 0.0, w3 * (w7 * c8) - w4 * (w8 * c7) - w8 * c12, w9 * c5 - (w2 * (w9 * c0) - w0 * (w10 * c1)),
+            w28, 0.0, w3 * (w6 * c8) - w4 * (w7 * c7) - w7 * c12, w8 * c5 - (w2 * (w8 * c0) - w0 * (w9 * c1)),
         ),
-        ca.horzcat(0.0, -(w17 + w24), -w26, -w28),  # height.travel
+        ca.horzcat(0.0, -(w16 + w23), -w25, -w27),  # height.travel
         ca.horzcat(  # right_swing.angle
-            w3 * (w7 * c7) - w4 * (w8 * c8) - w6 * shaft_right_x * (w3 * c11),
-            -(w11 * (w13 * w15 / w16) + w14 * w17), -(w11 * (w15 * w25 / w16) + w14 * w26), 0.0,
+            w3 * (w6 * c7) - w4 * (w7 * c8) - spin_angle_dot * c37 * (w3 * c11),
+            -(w10 * (w12 * w14 / w15) + w13 * w16), -(w10 * (w14 * w24 / w15) + w13 * w25), 0.0,
         ),
         ca.horzcat(  # left_swing.angle
-            w6 * shaft_left_x * (w0 * c4) - (w2 * (w9 * c1) - w0 * (w10 * c0)), w18 * (w20 * w22 / w23) - w21 * w24,
-            0.0, w18 * (w22 * w27 / w23) - w21 * w28,
+            spin_angle_dot * c41 * (w0 * c4) - (w2 * (w8 * c1) - w0 * (w9 * c0)),
+            w17 * (w19 * w21 / w22) - w20 * w23, 0.0, w17 * (w21 * w26 / w22) - w20 * w27,
         ),
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
@@ -3785,7 +3786,7 @@ def residual_jacobian() -> ca.Function:
     takes c (n_const = 108) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
     gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
-    399 operations.
+    398 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
@@ -3825,7 +3826,9 @@ def residual_jacobian() -> ca.Function:
     left_spring_stiffness = c[30]
     left_spring_damping = c[31]
     c32 = c[32]
-    # intermediate terms (100)
+    c37 = c[37]
+    c41 = c[41]
+    # intermediate terms (99)
     w0 = ca.sin(right_swing_angle)
     w1 = w0 * right_rod_middle_x
     w2 = height_travel - (shaft_right_z - w1)
@@ -3916,16 +3919,15 @@ def residual_jacobian() -> ca.Function:
     w87 = 2 * -w72
     w88 = w87 * c1
     w89 = w84 + ((w24 * (w61 * shaft_left_x) + w21 * gravity_z) * c4 + w61 * c17 + (w69 * w86 + w72 * w88))
-    w90 = 2 * spin_angle_dot
-    w91 = w2 * right_spring_damping
-    w92 = w2 * w91 / w6
-    w93 = w23 * left_spring_damping
-    w94 = w23 * w93 / w27
-    w95 = (w1 * w5 + w2 * w4) * right_spring_damping
-    w96 = w2 * w95 / w6
-    w97 = (w23 * w25 - w22 * w26) * left_spring_damping
-    w98 = w23 * w97 / w27
-    w99 = w0 * (w3 * (w52 - w50)) + w0 * w56 * shaft_right_x - (w21 * w71 * shaft_left_x - w21 * (w24 * (w76 - w75)))
+    w90 = w2 * right_spring_damping
+    w91 = w2 * w90 / w6
+    w92 = w23 * left_spring_damping
+    w93 = w23 * w92 / w27
+    w94 = (w1 * w5 + w2 * w4) * right_spring_damping
+    w95 = w2 * w94 / w6
+    w96 = (w23 * w25 - w22 * w26) * left_spring_damping
+    w97 = w23 * w96 / w27
+    w98 = w0 * (w3 * (w52 - w50)) + w0 * w56 * shaft_right_x - (w21 * w71 * shaft_left_x - w21 * (w24 * (w76 - w75)))
     # outputs
     J_q = ca.SX(4, 4)
     # spin.angle
@@ -3943,17 +3945,17 @@ def residual_jacobian() -> ca.Function:
     J_q[3, 3] = w89
     J_v = ca.vertcat(
         ca.horzcat(  # spin.angle
-            w99, 0.0, w0 * (w62 * c8) - w3 * (w64 * c7) - w64 * c12,
+            w98, 0.0, w0 * (w62 * c8) - w3 * (w64 * c7) - w64 * c12,
             w87 * c5 - (w24 * (w87 * c0) - w21 * (w85 * c1)),
         ),
-        ca.horzcat(0.0, -(w92 + w94), -w96, -w98),  # height.travel
+        ca.horzcat(0.0, -(w91 + w93), -w95, -w97),  # height.travel
         ca.horzcat(  # right_swing.angle
-            w0 * w63 - w3 * w65 - w90 * shaft_right_x * (w0 * c11), -(w1 * (w5 * w91 / w6) + w4 * w92),
-            -(w1 * (w5 * w95 / w6) + w4 * w96), 0.0,
+            w0 * w63 - w3 * w65 - spin_angle_dot * c37 * (w0 * c11), -(w1 * (w5 * w90 / w6) + w4 * w91),
+            -(w1 * (w5 * w94 / w6) + w4 * w95), 0.0,
         ),
         ca.horzcat(  # left_swing.angle
-            w90 * shaft_left_x * (w21 * c4) - (w24 * w88 - w21 * w86), w22 * (w26 * w93 / w27) - w25 * w94, 0.0,
-            w22 * (w26 * w97 / w27) - w25 * w98,
+            spin_angle_dot * c41 * (w21 * c4) - (w24 * w88 - w21 * w86), w22 * (w26 * w92 / w27) - w25 * w93, 0.0,
+            w22 * (w26 * w96 / w27) - w25 * w97,
         ),
     )
     inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]

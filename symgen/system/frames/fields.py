@@ -97,8 +97,8 @@ class Field:
     def after(self, move: Node, moved: MoveState) -> Field:
         """Of the frame after a move."""
         if move.back:
-            return self._seen(move).shifted(relative_motion(move, moved))
-        return self.shifted(relative_motion(move, moved))._seen(move)
+            return self.seen(move).shifted(relative_motion(move, moved))
+        return self.shifted(relative_motion(move, moved)).seen(move)
 
     def shifted(self, arm: RelativeMotion) -> Field:
         """About the end of an arm."""
@@ -108,7 +108,8 @@ class Field:
         second = plus(v2, cross(t2, arm.r), cross(scaled(TWO, t1), arm.V), cross(t, arm.A))
         return Field(self.turning, (plus(v, cross(t, arm.r)), first, second))
 
-    def _seen(self, move: Node) -> Field:
+    def seen(self, move: Node) -> Field:
+        """In the axes after a move."""
         t, t1, t2 = (move.seen(vector) for vector in self.turning)
         v, v1, v2 = (move.seen(vector) for vector in self.moving)
         return Field((t, t1, t2), (v, v1, v2))

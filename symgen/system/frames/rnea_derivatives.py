@@ -175,20 +175,16 @@ class ModeChange:
     modes: Row
 
 
-def tangent_of(inertia: RigidNode | FlexibleNode, motion: FrameMotion, rates: Row) -> Tangent:
+def tangent_of(inertia: FlexibleNode, motion: FrameMotion, rates: Row) -> Tangent:
     """Of the body alone."""
     found = Tangent.of(inertia.rigid, motion)
-    if isinstance(inertia, RigidNode):
-        return found
     moments, own = inertia.moments(rates), inertia.own(rates)
     Lambda = [scaled(TWO, row) for row in weighted(moments.L, own)]
     return found.moving(scaled(TWO, moments.hd), Lambda)
 
 
-def mode_rows(inertia: RigidNode | FlexibleNode, motion: FrameMotion, rates: Row) -> dict[int, RowChange]:
+def mode_rows(inertia: FlexibleNode, motion: FrameMotion, rates: Row) -> dict[int, RowChange]:
     """Of the force on each mode, by column."""
-    if isinstance(inertia, RigidNode):
-        return {}
     moments, twice = inertia.moments(rates), scaled(TWO, motion.omega)
     found = {}
     for a, column in enumerate(inertia.columns):
@@ -197,10 +193,8 @@ def mode_rows(inertia: RigidNode | FlexibleNode, motion: FrameMotion, rates: Row
     return found
 
 
-def by_modes(inertia: RigidNode | FlexibleNode, motion: FrameMotion, rates: Row, a: Row) -> dict[int, ModeChange]:
+def by_modes(inertia: FlexibleNode, motion: FrameMotion, rates: Row, a: Row) -> dict[int, ModeChange]:
     """Derivatives by the modes q_f, by column; a: accelerations."""
-    if isinstance(inertia, RigidNode):
-        return {}
     data, moments = inertia.data, inertia.moments(rates)
     speeds, own, doubled = inertia.own(rates), inertia.own(a), inertia.doubled
     twice, found = scaled(TWO, motion.omega), {}
@@ -227,10 +221,8 @@ def by_modes(inertia: RigidNode | FlexibleNode, motion: FrameMotion, rates: Row,
     return found
 
 
-def by_mode_rates(inertia: RigidNode | FlexibleNode, motion: FrameMotion, rates: Row) -> dict[int, ModeChange]:
+def by_mode_rates(inertia: FlexibleNode, motion: FrameMotion, rates: Row) -> dict[int, ModeChange]:
     """Derivatives by q_f', by column."""
-    if isinstance(inertia, RigidNode):
-        return {}
     data, moments, speeds = inertia.data, inertia.moments(rates), inertia.own(rates)
     twice, found = scaled(TWO, motion.omega), {}
     for b, column in enumerate(inertia.columns):
@@ -332,18 +324,15 @@ class BendChanges:
 
     @cached_property
     def parts(self) -> list[FieldPart]:
-        """By what is shared."""
-        return [self._unbent(one) if self._back else self._bent(one) for one in self._deformation.shared]
+        """By what is shared; back from the marker, the frame moves against it."""
+        return [FieldPart(one.shares, self._field(one)) for one in self._deformation.shared]
 
-    def _bent(self, one: SharedMotion) -> FieldPart:
-        (t, t1, t2), (s, s1, s2) = self._bending.turned(one), self._bending.shape(one)
-        turning, moving = ([self._move.seen(vector) for vector in own] for own in ((t, t1, t2), (s, s1, s2)))
-        return FieldPart(one.shares, Field((turning[0], turning[1], turning[2]), (moving[0], moving[1], moving[2])))
-
-    def _unbent(self, one: SharedMotion) -> FieldPart:
-        (t, t1, t2), (s, s1, s2) = self._bending.turned(one), self._bending.shape(one)
-        still = Field((negative(t), negative(t1), negative(t2)), (negative(s), negative(s1), negative(s2)))
-        return FieldPart(one.shares, still.shifted(relative_motion(self._move, self._moved)))
+    def _field(self, one: SharedMotion) -> Field:
+        turning, moving = self._bending.turned(one), self._bending.shape(one)
+        if not self._back:
+            return Field(turning, moving).seen(self._move)
+        (t, t1, t2), (s, s1, s2) = ([negative(vector) for vector in rates] for rates in (turning, moving))
+        return Field((t, t1, t2), (s, s1, s2)).shifted(relative_motion(self._move, self._moved))
 
     def powers(self, column: int, wrench: Force, change: Force) -> Row:
         """Changes of the powers by a mode, for the wrench after the move and its change, both in the axes there."""
@@ -459,6 +448,8 @@ class ForceSweep:
     def body(self, inertia: RigidNode | FlexibleNode, motion: FrameMotion) -> Subtree:
         """A body at its frame."""
         wrench, _ = inertia.inertia_force(motion, self._rates, self._accelerations)
+        if isinstance(inertia, RigidNode):
+            return Subtree(Tangent.of(inertia.rigid, motion), wrench)
         places = by_modes(inertia, motion, self._rates, self._accelerations)
         speeds = by_mode_rates(inertia, motion, self._rates)
         for target, changes in ((self.K, places), (self.D, speeds)):
@@ -509,7 +500,7 @@ class ForceSweep:
             for column, share in part.shares.items():
                 own = row.scaled(share)
                 state.rows[column] = state.rows[column].plus(own) if column in state.rows else own
-        velocity = _twice_velocity(move, moved)
+        velocity = scaled(TWO, relative_motion(move, moved).V)
         state.rows = {column: _row_before(move, row, velocity) for column, row in state.rows.items()}
         state.tangent = _tangent_before(move, velocity, state.tangent)
         state.wrench = move.wrench(state.wrench)
@@ -518,22 +509,6 @@ class ForceSweep:
 def _shares(part: FieldPart, wrench: Force) -> dict[int, Force]:
     """Of a wrench, by column."""
     return {column: wrench.scaled(share) for column, share in part.shares.items()}
-
-
-def _twice_velocity(move: Node, moved: MoveState) -> Vector:
-    """Of the origin after a move, seen before it, in the axes there; `back` from a marker, in those after it."""
-    twice, arm, speed = scaled(TWO, moved.before.omega), zeros(), zeros()
-    if isinstance(move, JointNode):
-        arm = move.r
-        if move.column is not None and not move.turns:
-            speed = scaled(moved.rates.get(move.column, ZERO), move.S.v)
-    else:
-        bent = move.deformation.at(moved.rates)
-        arm, speed = bent.rho, bent.rho_dot
-        if move.back:
-            twice = scaled(neg(TWO), moved.after.omega)
-            return plus(cross(twice, arm), scaled(neg(TWO), speed))
-    return plus(cross(twice, arm), scaled(TWO, speed))
 
 
 def _row_before(move: Node, row: RowChange, velocity: Vector) -> RowChange:
