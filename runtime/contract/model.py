@@ -72,7 +72,9 @@ def checked_inputs(
     """(numbers, functions of time) by name. Raises ModelError or ArgumentError for what cannot be an input."""
     numbers: dict[str, float] = {}
     functions: dict[str, ca.Function] = {}
-    records, slots = {entry.name: entry for entry in inputs}, {parameter.name: parameter for parameter in held}
+    records = {entry.name: entry for entry in inputs if not entry.hidden}
+    hidden = {entry.name for entry in inputs if entry.hidden}
+    slots = {parameter.name: parameter for parameter in held if parameter.name not in hidden}
     for name, value in values.items():
         if name not in slots or (callable(value) and name not in records):
             raise ModelError(f"model {model} has no input {name!r}; it has {', '.join(records) or 'none'}")
@@ -317,7 +319,13 @@ class Model:
     @cached_property
     def inputs(self) -> list[str]:
         """Names of the inputs: what comes from outside during a run."""
-        return [entry.name for entry in self.description.inputs]
+        return [entry.name for entry in self.description.inputs if not entry.hidden]
+
+    @cached_property
+    def element_modes(self) -> np.ndarray:
+        """(n_e,) positions of the modes of elements among the numbers of inputs."""
+        names = self.signals.names
+        return np.array([names.index(one.mode) for one in self.description.events if one.mode], dtype=int)
 
     @cached_property
     def signals(self) -> Signals:
@@ -531,3 +539,10 @@ def refuse_events(model: Model, who: str) -> None:
             f"are not looked for by {who}",
             "take simulate with steps of one length, or a scene without events",
         )
+
+
+def refuse_elements(model: Model, who: str, remedy: str) -> None:
+    """Raises ModelError for a model with friction that sticks, of which `who` does not know."""
+    names = [event.name for event in model.description.events if event.mode]
+    if names:
+        raise ModelError(f"{', '.join(names)} of model {model.name}", f"sticks and slides, which {who}", remedy)

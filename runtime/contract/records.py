@@ -135,7 +135,8 @@ class StrutRecord:
 class EventRecord:
     """An event: rising, falling or either; terminal: does it end a run?; inputs that its action sets, in order.
 
-    cool_down: for how long [s] it is not looked for once it has happened.
+    cool_down: for how long [s] it is not looked for once it has happened. mode: the hidden input of an element that
+    begins to stick or to slide there; those of elements come last.
     """
 
     name: str
@@ -143,6 +144,7 @@ class EventRecord:
     terminal: bool = False
     sets: list[str] = field(default_factory=list)
     cool_down: float = 0.0
+    mode: str = ""
 
 
 # A beam as the manifest names it; its shapes follow from the names.
@@ -325,6 +327,7 @@ class InputRecord:
     """A number that comes from outside during a run: SI unit, meaning, default.
 
     rates: rate and acceleration stand behind it in u; filter [rad/s]: see runtime/contract/signals.py, 0 for none.
+    hidden: is it one that a run sets by itself, a mode?
     """
 
     name: str
@@ -333,6 +336,7 @@ class InputRecord:
     default: float
     rates: bool = False
     filter: float = 0.0
+    hidden: bool = False
 
 
 @dataclass(frozen=True)
@@ -515,7 +519,8 @@ _MAY_LACK = ("inputs", "beams", "flexible", "switching", "kinks", "events", "ori
 def as_plain(description: Description) -> dict[str, Any]:
     """The description as plain values for JSON; a model without shapes, inputs, beams, ... has no entry for them.
 
-    Nor has a joint that is drawn as a pivot, a load at markers, nor a beam whose stress is not measured.
+    Nor has a joint that is drawn as a pivot, a load at markers, a beam whose stress is not measured, an input or event
+    of the scene.
     """
     plain = asdict(description)
     for looks in ("shapes", "surfaces"):
@@ -530,6 +535,10 @@ def as_plain(description: Description) -> dict[str, Any]:
     for joint in plain["joints"]:
         if joint["drawing"] == "pivot":
             del joint["drawing"]
+    for table, key in (("inputs", "hidden"), ("events", "mode")):
+        for entry in plain[table]:
+            if not entry[key]:
+                del entry[key]
     return {key: value for key, value in plain.items() if value or key not in _MAY_LACK}
 
 

@@ -107,7 +107,7 @@ def held_numbers(entry: InputRecord) -> list[Parameter]:
     """What w holds of an input, as parameters: they can be changed by name like those of the scene."""
 
     def one(name: str, unit: str, meaning: str, default: float) -> Parameter:
-        return Parameter(name, unit, meaning, "input", default)
+        return Parameter(name, unit, meaning, "data" if entry.hidden else "input", default)
 
     own = one(entry.name, entry.unit, entry.meaning, entry.default)
     per_second = [f"{entry.unit or '1'}/s", f"{entry.unit or '1'}/s^2", f"{entry.unit or '1'}/s^3"]

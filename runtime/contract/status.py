@@ -95,6 +95,7 @@ StatusName = Literal[
     "not_assembled",
     "event",
     "chattering",
+    "no_mode",
 ]
 EventKind = Literal[
     "assembled",
@@ -114,6 +115,7 @@ EventKind = Literal[
     "kink_crossed",
     "kink",
     "event",
+    "mode",
 ]
 
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from runtime.contract.errors import ArgumentError, NoResult
-from runtime.contract.model import Model
+from runtime.contract.model import Model, refuse_elements
 from runtime.contract.signals import SINCE
 from runtime.contract.status import Event
 from runtime.gradients.course import EventPassage
@@ -40,6 +40,7 @@ class Passages:
 
     def refuse(self, samples: bool) -> None:
         """Raises ArgumentError for events that are not differentiated; samples: do inputs change in the run?"""
+        refuse_elements(self._model, "is not differentiated", "take a scene without friction, or differences")
         events = self._model.description.events
         ends = [event.name for event in events if event.terminal]
         if ends:

@@ -20,7 +20,7 @@ from runtime.contract.coordinates import (
     parameter_columns,
 )
 from runtime.contract.errors import ModelError, NoResult
-from runtime.contract.model import Model
+from runtime.contract.model import Model, refuse_elements
 from runtime.contract.orientations import angle_names, angles
 from runtime.contract.signals import SUFFIXES
 from runtime.operating.balance import Balance, Clamped, Found, balanced, clamped_directions, steady_rates, trimmed
@@ -119,6 +119,7 @@ def equilibrium(
     name a rate of an input). Newton with exact derivatives, led away from unstable equilibria unless it starts in one.
     Raises NoEquilibrium, InitialStateError and ModelError.
     """
+    refuse_elements(model, "holds wherever friction can", "take a scene without friction")
     inputs, initial = inputs or {}, _places(model, initial)
     held = {named(model, name): float(value) for name, value in (held or {}).items()}
     rates = {turning_name(model, name): float(value) for name, value in (rates or {}).items()}

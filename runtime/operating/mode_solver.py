@@ -182,7 +182,7 @@ def state_at(solution: Solution, k: int) -> State:
 def parameters_at(solution: Solution, k: int) -> np.ndarray:
     """p (n_p,) at sample k: what the inputs were then is in it."""
     model, p = solution.model, np.array(solution.parameters)
-    if model.inputs:
+    if model.signals.size:
         u = {name: float(solution.measures[k, position]) for position, name in enumerate(model.measures)}
         p[-model.signals.size :] = model.signals.held_as(u, float(solution.t[k]))
     return p
@@ -193,7 +193,7 @@ def modes_at(solution: Solution, samples: Iterable[int]) -> list[Modes]:
     model = solution.model
     found, solver = [], None
     for k in samples:
-        if solver is None or model.inputs:
+        if solver is None or model.signals.size:
             solver = ModeSolver(model, model.constants(parameters_at(solution, k)))
         found.append(solver(state_at(solution, k)))
     return found

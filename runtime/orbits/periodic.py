@@ -11,7 +11,7 @@ import numpy as np
 
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import ArgumentError, SymgenError
-from runtime.contract.model import Model, refuse_events
+from runtime.contract.model import Model, refuse_elements, refuse_events
 from runtime.orbits.floquet import floquet
 from runtime.orbits.motion import PeriodicMotion
 from runtime.orbits.shooting import Closed, Conditions, NoPeriodicMotion, PeriodMap, Setting, closed, closed_beside
@@ -81,7 +81,8 @@ def periodic(
 
 
 def refuse_events_that_end(model: Model) -> None:
-    """Raises ModelError for events that are terminal."""
+    """Raises ModelError for events that are terminal, and for friction."""
+    refuse_elements(model, "is not searched over a period", "simulate it until it repeats")
     if any(event.terminal for event in model.description.events):
         refuse_events(model, "a periodic motion")
 

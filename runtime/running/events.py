@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from math import ceil
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.switching.breaks import ON_THE_GRID
 from runtime.schemes.switching.impulse import impulse_text
 from runtime.schemes.switching.watched import (
+    Acted,
     action_values,
     begin_events,
     cool_down,
@@ -28,7 +30,16 @@ MOST_KINKS, OF_STEPS = 20, 60  # of one name within so many steps: then it is cr
 CHATTER = 1e-3  # of the time between states that are seen, in place of a step: where steps follow from a tolerance
 MOST_TOLD = 100  # impulses of prescribed motions
 AT_THE_END = 1e-10  # s
+LOCATED = 1e-11  # s: within which an event is located
 NEAR = 1e-6  # of a step: what happens at its end
+
+
+class _Seen(NamedTuple):
+    """A state (n_z,) before events act, as it is seen with constants c; values (n_e,): past zero, or at it."""
+
+    z: np.ndarray
+    c: np.ndarray
+    values: np.ndarray
 
 
 class EventActions:
@@ -79,6 +90,23 @@ class EventActions:
         plan = self.own.plan
         return int(z[1]) < plan.steps or self._scheme.reached(z) <= plan.t_end + AT_THE_END
 
+    def settle(self, z: np.ndarray) -> np.ndarray | None:
+        """Decide which elements stick at a state z (n_z,) that is seen, in place; (n_w,) the inputs if they changed.
+
+        Where the run starts, and where inputs change.
+        """
+        if not self.own.model.element_modes.size:
+            return None
+        found, scheme = z.copy(), self._scheme
+        seen = _Seen(z, scheme.constants(self.own.c), np.zeros(len(self._events)))
+        push = self._settle(found, float(z[0] + z[1] * self.own.plan.grid.dt_L), [], seen)
+        w = found[self._inputs]
+        changed = not np.array_equal(w, z[self._inputs])
+        if changed or push.any():
+            self.own.restart(z, w, push)
+            self.own.look_anew(z)
+        return w if changed else None
+
     def happen(self, z: np.ndarray, happened: list[int]) -> np.ndarray | None:
         """These events at the end of the last step of z, in place; (n_w,) the inputs if they changed.
 
@@ -86,8 +114,8 @@ class EventActions:
         """
         scheme, own = self._scheme, self.own
         before, constants, seen = z[self._inputs].copy(), scheme.constants(own.c), scheme.at_end(z)
-        values, values_now = action_values(scheme, seen, constants), event_values(scheme, seen, constants)
-        self._happen(z, scheme.reached(z), happened, values, values_now)
+        shown = _Seen(seen, constants, event_values(scheme, seen, constants))
+        z[scheme.layout.slice("v_to")] += self._happen(z, scheme.reached(z), happened, shown)
         begin_events(scheme, z, constants, scheme.at_end(z))  # with the inputs as they are now
         if self.status is not None:
             opened("runtime.schemes.adaptive.event_ends:shown_at_end")(scheme, z, own.plan.grid.dt_L, self._once)
@@ -99,7 +127,9 @@ class EventActions:
         values (n_e,): what passed zero.
         """
         before, constants = z[self._inputs].copy(), self._scheme.constants(self.own.c)
-        self._happen(z, t, happened, action_values(self._scheme, z, constants), values)
+        push = self._happen(z, t, happened, _Seen(z, constants, values))
+        if push.any():
+            self.own.restart(z, z[self._inputs].copy(), push)
         return None if np.array_equal(before, z[self._inputs]) else z[self._inputs].copy()
 
     def memory(self) -> dict[str, list[float]]:
@@ -115,22 +145,21 @@ class EventActions:
 
     @property
     def _inputs(self) -> slice:
-        return self._scheme.layout.slice("inputs") if self.own.model.inputs else slice(0, 0)
+        return self._scheme.layout.slice("inputs") if self.own.model.signals.size else slice(0, 0)
 
-    def _acts(self, z: np.ndarray, dt: float, t: float, happened: list[int]) -> bool:
-        """These events at t [s], in a state z that steps dt show, in place; does one end the run?"""
+    def _acts(self, z: np.ndarray, dt: float, t: float, happened: list[int]) -> Acted:
+        """These events at t [s], in a state z that steps dt show, in place."""
         constants = self._scheme.constants(self.own.c, dt)
-        values = action_values(self._scheme, z, constants)
-        self._happen(z, t, happened, values, event_values(self._scheme, z, constants))
-        return self.status is not None
+        push = self._happen(z, t, happened, _Seen(z, constants, event_values(self._scheme, z, constants)))
+        return Acted(self.status is not None, push)
 
-    def _happen(self, z: np.ndarray, t: float, happened: list[int], values: np.ndarray, values_now: np.ndarray) -> None:
-        """These events at t [s]: they are told and judged, and z gets the inputs that they set.
+    def _happen(self, z: np.ndarray, t: float, happened: list[int], seen: _Seen) -> np.ndarray:
+        """These events at t [s]: they are told and judged, z gets the inputs that they set; (n_i,) added to the rates.
 
-        values (n_a,): what they set; values_now (n_e,): of the events, past zero, or at it to the last bit.
+        seen: before they do anything.
         """
-        constants = self._scheme.constants(self.own.c)
-        rates = event_slopes(self._scheme, z, constants) if (values_now == 0).any() else values_now
+        values, values_now = action_values(self._scheme, seen.z, seen.c), seen.values
+        rates = event_slopes(self._scheme, seen.z, seen.c) if (values_now == 0).any() else values_now
         first = np.cumsum([0, *(len(event.sets) for event in self._events)])  # kinks set nothing
         changes: dict[str, float] = {}
         cool_down(self._scheme, z, happened, t)
@@ -144,7 +173,8 @@ class EventActions:
             if event.direction != "either":
                 direction = event.direction
             changes |= dict(zip(event.sets, values[first[k] : first[k + 1]].tolist(), strict=True))
-            self.told.append(Event(t, "event", _text(event, direction, changes), event.name, direction))
+            if not event.mode:  # what it does is told when all is settled
+                self.told.append(Event(t, "event", _text(event, direction, changes), event.name, direction))
             self._judge(event, t)
         endless = next((name for name, value in changes.items() if not np.isfinite(value)), None)
         if endless is not None:
@@ -152,6 +182,34 @@ class EventActions:
             self.status = Status("not_finite", t, None, cause, "Let its action have a finite value there.")
         elif changes:
             z[self._inputs] = self.own.model.signals.changed(z[self._inputs].copy(), t, changes)
+        if self.status is None and self.own.model.element_modes.size:
+            return self._settle(z, t, happened, seen)
+        return np.zeros(len(self.own.model.q_i))
+
+    def _settle(self, z: np.ndarray, t: float, happened: list[int], seen: _Seen) -> np.ndarray:
+        """The modes of elements behind these events at t [s] as inputs of z; (n_i,) what is added to the rates."""
+        scheme, model, modes = self._scheme, self.own.model, self.own.model.element_modes
+        shown = scheme.observer(z=seen.z[: scheme.layout.size], c=seen.c)
+        at = {name: np.asarray(shown[name]).ravel() for name in ("q_i", "q_d", "q_i_dot", "q_d_dot", "t")}
+        inputs, first = z[self._inputs].copy(), self._declared - len(modes)
+        before, own = inputs[modes].copy(), np.isin(np.arange(first, self._declared), happened)
+        come = np.zeros(len(modes))
+        if (own & (before != 0)).any():
+            come = np.where(own, LOCATED * np.abs(event_slopes(scheme, seen.z, seen.c))[first : self._declared], 0.0)
+        c = np.concatenate([self.own.c[: len(self.own.c) - len(inputs)], inputs])
+        found = opened("runtime.schemes.switching.settle:settled")(model, at, c, own & (before == 0), come)
+        if found is None:
+            self.status = Status(
+                "no_mode", t, None, "no choice of what sticks and what slides is consistent",
+                "Look at the friction of joints that share a loop, or take a smaller friction.",
+            )  # fmt: skip
+            return np.zeros(len(model.q_i))
+        inputs[modes] = found.modes
+        z[self._inputs], push = inputs, np.asarray(found.push)
+        for k in np.flatnonzero(found.modes != before):
+            name = self._events[first + k].name
+            self.told.append(Event(t, "mode", _mode_text(name, float(found.modes[k])), name))
+        return push
 
     def _rest(self, z: np.ndarray, k: int, t: float) -> None:
         """Kink k at t [s]: where it comes ever again, z does not look for it for ever longer."""
@@ -191,6 +249,11 @@ class EventActions:
                 f"event {event.name} happens {MOST_IN_A_STEP} times within {within}: its action undoes itself",
                 "Give it a cool_down or a hysteresis (two events at two values), or let the force change smoothly.",
             )
+
+
+def _mode_text(name: str, mode: float) -> str:
+    """Of an element that begins to stick, or to slide."""
+    return f"{name} {'sticks' if mode == 0 else 'slides forwards' if mode > 0 else 'slides backwards'}"
 
 
 def _text(event: EventRecord, direction: str, changes: dict[str, float]) -> str:

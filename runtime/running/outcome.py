@@ -57,7 +57,7 @@ def _stops(run: Run) -> np.ndarray:
     plan, segments = run.segment.plan, run.record.segments
     impulses = {at: one.energy for segment in segments for at, one in segment.impulses.items()}
     found = {float(one.before): 0.0 for one in run.segment.switches if one.time not in impulses}
-    found |= {event.time: 0.0 for event in run.events if event.kind == "event"}
+    found |= {event.time: 0.0 for event in run.events if event.kind in ("event", "mode")}
     if run.schedule is not None:
         found |= {plan.time(step): 0.0 for step in run.schedule.changes(run.step)}
     found |= impulses

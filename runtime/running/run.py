@@ -232,6 +232,17 @@ class Run:
             for segment in self.record.segments:
                 segment.take_inputs(w)
             self.segment.look_anew(self.z)
+            self.settle()
+
+    def settle(self, told: bool = True) -> None:
+        """Decide which elements stick from here on."""
+        w, happened = self.happenings.settle(self.z), self.happenings
+        if w is not None:
+            for segment in self.record.segments:
+                segment.take_inputs(w)
+        self.events += happened.told if told else []
+        happened.told.clear()
+        self.status = self.status or happened.status
 
     def _advance(self, n: int) -> None:
         """Make n steps, or fewer. Where they are more than one save long and end in trouble, they are undone.
@@ -462,8 +473,9 @@ def begun(
         marks=marks,
         start=(problem.p, state),
     )
+    run.settle(told=False)
     with record.closed_on_error():
-        run.status = segment.monitor.first(segment.state(z))
+        run.status = run.status or segment.monitor.first(segment.state(z))
         record.add(segment, z[None])
         run.schedule = with_reads(problem.schedule(plan.grid.dt_L), run)
     run.set_up = time.perf_counter() - started

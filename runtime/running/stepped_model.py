@@ -101,10 +101,21 @@ class SteppedModel:
         if not self.plan.scheme.remembers or (now == w).all():
             now[:] = w
             return
-        clock, dt, size = z[:2].copy(), self.plan.grid.dt_L, self.plan.scheme.layout.size
+        self.restart(z, w, np.zeros(len(self.model.q_i)))
+
+    def restart(self, z: np.ndarray, w: np.ndarray, push: np.ndarray) -> None:
+        """From now on z (n_z,) has these inputs (n_w,) and rates with push (n_i,) added; what it remembers is anew."""
+        layout = self.plan.scheme.layout
+        if not self.plan.scheme.remembers:
+            z[self._inputs] = w
+            for name in ("v", "v_to"):
+                if name in layout.sizes:
+                    z[layout.slice(name)] += push
+            return
+        clock, dt, size = z[:2].copy(), self.plan.grid.dt_L, layout.size
         t = float(clock[0] + clock[1] * dt)
         restart = opened("runtime.schemes.switching.steps_with_stops:restart_of")(self.stepper)
-        z[:size] = restart(z[:size], self.plan.scheme.constants(self.c), dt, dt, t, inputs=w)
+        z[:size] = restart(z[:size], self.plan.scheme.constants(self.c), dt, dt, t, push, w)
         z[:2] = clock
 
     @cached_property

@@ -92,8 +92,9 @@ class ModelStepper:
         self._advance = self._own.bound(self._z) if self._across is None else self._across.run
         self._set_out(0.0)
         w = model.signals
-        self._own_inputs = self._z[self.scheme.layout.slice("inputs")] if model.inputs else self._z[:0]
-        self._plain_inputs = {} if SINCE in w.names or w.sources else {name: k for k, name in enumerate(w.names)}
+        self._own_inputs = self._z[self.scheme.layout.slice("inputs")] if w.size else self._z[:0]
+        plain = SINCE not in w.names and not w.sources
+        self._plain_inputs = {name: w.names.index(name) for name in model.inputs} if plain else {}
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickled by its model, settings and state; compiled anew."""
@@ -351,6 +352,8 @@ class UnendingSteps:
         grid, step = self._own.broken.grid, int(self._z[1])
         self._z[0] = t0 + (grid.clock(step) - grid.time(step))
         self._own.begin_events(self._z)
+        self.happenings.settle(self._z)
+        self.happenings.told.clear()
 
     def go_back(self, t0: float, events: Sequence[Event], ended: Status | None) -> None:
         """To a grid that began there [s], and what had happened on it."""
@@ -362,6 +365,7 @@ class UnendingSteps:
         """At events: inputs or parameters have changed."""
         if self._own.watches_events:
             self._own.look_anew(self._z)
+            self.happenings.settle(self._z)
 
     def forget(self) -> None:
         """Parameters have changed: look again."""

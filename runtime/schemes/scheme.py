@@ -67,7 +67,7 @@ class Scheme(ABC):
             "det_low": account(blocks),
             "det_high": account(blocks),
         }
-        if model.inputs:
+        if model.signals.size:
             common["inputs"] = given(model.signals.size)
         self.charts = Charts(model)
         if self.charts.size and self.closes:
@@ -303,7 +303,7 @@ class Scheme(ABC):
         else:
             q_i_there, guess = q_i, loop
         fields = body(t0, q_i_there, q_i_dot, guess, equations)
-        if self.model.inputs:
+        if self.model.signals.size:
             fields = {**fields, "inputs": equations.c[self.model.c_size - self.model.signals.size :]}
         if "chart" in self.layout.sizes:
             fields = {**fields, "chart": equations.c[charts_in(self.model)]}

@@ -163,6 +163,11 @@ class ParameterTable:
         elif STRICTNESS.index(bound) > STRICTNESS.index(parameter.bound):
             self._entries[parameter.name] = replace(parameter, bound=bound)
 
+    def require(self, item: str, text: str, value: ca.SX) -> None:
+        """A value that follows from quantities must not be negative, whatever its parameters become."""
+        if ca.symvar(value):
+            self._bounded[item] = BoundedQuantity(item, text, "not negative"), value
+
     def data(self, array: np.ndarray, name: str, unit: str, meaning: str) -> ca.SX:
         """SX matrix of computed data (a mesh's shape integrals, dimensionless or SI): zeros baked."""
         table = np.atleast_2d(np.asarray(array, dtype=float))

@@ -9,7 +9,7 @@ One elimination serves several right-hand sides, each some operations a body mor
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import casadi as ca
@@ -17,6 +17,7 @@ import casadi as ca
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, ZERO, add, div, mul, neg, sub
 from symgen.condensed.condensation import Condensed, Substitution, congruence
+from symgen.condensed.locks import Locks
 from symgen.system.equations import FreeJointAccelerations
 from symgen.system.topology import Topology
 
@@ -42,6 +43,48 @@ class _Pivot:
     weights: Row
     inverse: ca.SX
     forces: list[ca.SX]
+
+
+@dataclass(frozen=True)
+class LockedOrder:
+    """How elements that stick are pivots of the elimination along a tree.
+
+    masks: by column, one where its element moves and zero where it sticks: it multiplies 1 / pivot, so that the
+    acceleration and all that it passes on vanish. relative: coordinates in which an element is not alone, less those
+    nearer to the ground; what is left of each is a coordinate of its own, `beyond` by column.
+    """
+
+    masks: Mapping[int, ca.SX]
+    relative: Mapping[int, Substitution]
+    beyond: Mapping[int, int]
+
+
+def locked_order(locks: Locks, topology: Topology) -> LockedOrder | None:
+    """Of the elements of a tree, each of which has a coordinate of its own; None where that is not so."""
+    system = locks.system
+    if locks.right_inverse is None or not is_tree(system, topology):
+        return None
+    body_of = {column: body for body, columns in system.reduced.body_columns.items() for column in columns}
+    masks, relative, beyond = dict[int, ca.SX](), dict[int, Substitution](), dict[int, int]()
+    for row, one in zip(locks.rows, locks.elements, strict=True):
+        entries = {column: value for column, value in row.items() if not value.is_zero()}
+        far = max(entries, key=lambda column: (topology.distance_of(body_of[column]), column))
+        if far in masks or far in relative:
+            return None
+        moves = mul(one.mode, one.mode)
+        if len(entries) == 1:
+            masks[far] = moves
+            continue
+        factor, own = entries.pop(far), len(system.reduced.M) + len(beyond)
+        e = {column: neg(div(value, factor)) for column, value in entries.items()}
+        relative[far] = Substitution(far, {**e, own: div(ONE, factor)}, ZERO, ZERO)
+        beyond[far], masks[own] = own, moves
+    return LockedOrder(masks, relative, beyond)
+
+
+def locked_accelerations(system: Condensed, topology: Topology, order: LockedOrder) -> dict[int, ca.SX]:
+    """q_ddot of every coordinate of a tree, by column, with what sticks locked."""
+    return tree_solutions(system, topology, [forces_side(system)], locked=order)[0]
 
 
 def is_tree(system: Condensed, topology: Topology) -> bool:
@@ -101,24 +144,29 @@ def free_joints(system: Condensed) -> FreeJointAccelerations | None:
 
 
 def tree_solutions(
-    system: Condensed, topology: Topology, sides: Sequence[Side], attached: Sequence[tuple[int, int, ca.SX]] = ()
+    system: Condensed,
+    topology: Topology,
+    sides: Sequence[Side],
+    attached: Sequence[tuple[int, int, ca.SX]] = (),
+    locked: LockedOrder | None = None,
 ) -> list[dict[int, ca.SX]]:
     """q_ddot of every coordinate of a tree, by column, for each right-hand side, from one elimination.
 
-    attached: further entries (row, column, value) of M, both triangles. Raises NoInertia.
+    attached: further entries (row, column, value) of M, both triangles; locked: elements that may stick.
+    Raises NoInertia.
     """
-    eq = system.reduced
-    by_column = {one.column: one for one in system.substitutions}
-    M = [dict(row) for row in eq.M]
+    eq, locked = system.reduced, locked or LockedOrder({}, {}, {})
+    by_column = {**{one.column: one for one in system.substitutions}, **locked.relative}
+    M = [*(dict(row) for row in eq.M), *({} for _ in locked.beyond)]
     for row, column, value in attached:
         add_to(M[row], column, value)
     forces = [dict(side.force) for side in sides]
-    order, pivots = _elimination_order(system, topology), dict[int, _Pivot]()
+    order, pivots = _elimination_order(system, topology, locked), dict[int, _Pivot]()
     for column in order:
         if column in by_column:
             _substitute(M, forces, sides, by_column[column])
         else:
-            pivots[column] = _eliminate(M, forces, column)
+            pivots[column] = _eliminate(M, forces, column, locked.masks.get(column, ONE))
     solutions: list[dict[int, ca.SX]] = []
     for k, side in enumerate(sides):  # from the root to the tips
         found: dict[int, ca.SX] = {}
@@ -134,14 +182,15 @@ def tree_solutions(
     return solutions
 
 
-def _elimination_order(system: Condensed, topology: Topology) -> list[int]:
+def _elimination_order(system: Condensed, topology: Topology, locked: LockedOrder) -> list[int]:
     """All columns, from the tips to the root."""
     evaluated = {substitution.column: k for k, substitution in enumerate(system.substitutions)}
-    follows = {substitution.column: substitution.e for substitution in system.substitutions}
+    follows = {one.column: one.e for one in (*system.substitutions, *locked.relative.values())}
     order: list[int] = []
     for body in sorted(system.reduced.body_columns, key=lambda name: -topology.distance_of(name)):
         columns = system.reduced.body_columns[body]
-        dependent = sorted((c for c in columns if c in follows), key=lambda c: -evaluated[c])
+        columns = [*columns, *(own for column, own in locked.beyond.items() if column in columns)]
+        dependent = sorted((c for c in columns if c in follows), key=lambda c: -evaluated.get(c, -1))
         own = {other for c in dependent for other in follows[c]}
         independent = [c for c in reversed(columns) if c not in follows]
         # what the body's place does not depend on has no neighbours on the parent yet: its pivots are short
@@ -165,13 +214,13 @@ def _substitute(M: list[Row], forces: list[Row], sides: Sequence[Side], substitu
         congruence(M, d, substitution.e)
 
 
-def _eliminate(M: list[Row], forces: list[Row], k: int) -> _Pivot:
-    """Gauss elimination of column k."""
+def _eliminate(M: list[Row], forces: list[Row], k: int, mask: ca.SX) -> _Pivot:
+    """Gauss elimination of column k; mask: one, or zero where the coordinate is locked."""
     row = M[k]
     M[k] = {}
     if k not in row:
         raise NoInertia(k)
-    inverse = div(ONE, row.pop(k))
+    inverse = mul(mask, div(ONE, row.pop(k)))
     values = [force.pop(k, ZERO) for force in forces]
     for column in row:
         M[column].pop(k, None)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, Protocol
 
 from runtime.contract.records import ConstraintKind, CoordinateKind, JointDrawing
+from symgen.joints.friction import Friction
 from symgen.schema.errors import did_you_mean
 from symgen.schema.fields import SPATIAL, Bound, Fault, MarkerRef, Meaning, Name, Quantity, StrictModel
 
@@ -197,10 +198,14 @@ class Joint(StrictModel):
         if scene.space == "spatial" and any(body.name == self.name for body in scene.bodies):
             remedy = "rename one of them: joints of a spatial scene have coordinates too"
             yield Fault("", "has the name of a body", remedy)
-        for key in ("limits", "backlash"):
-            if (one_sided := getattr(self, key, None)) is not None:
-                yield from one_sided.faults(scene)
+        for key in ("limits", "backlash", "friction"):
+            if (part := getattr(self, key, None)) is not None:
+                yield from part.faults(scene)
                 yield from self._angle_faults(key, scene)
+
+    def rubs(self) -> Friction | None:
+        """The friction of its one free direction, which the types have that leave one free."""
+        return getattr(self, "friction", None)
 
     def _angle_faults(self, key: str, scene: Surroundings) -> Iterator[Fault]:
         """Of what needs a coordinate of its own, where the joint closes a loop in space."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Literal
 
 from symgen.joints.backlash import Backlash
+from symgen.joints.friction import Friction
 from symgen.joints.joint import ALIGNED, Equation, InPlane, Joint, Motor, Slide, Z
 from symgen.joints.limits import Limits
 from symgen.schema.fields import Bound, Meaning, Quantity
@@ -18,6 +19,7 @@ class PrismaticJoint(Joint):
     motor: Motor | None = None
     limits: Limits | None = None
     backlash: Backlash | None = None
+    friction: Friction | None = None
 
     equation = "n_a . (r_b - r_a) = 0, phi_b - phi_a = 0"
     points = "on_axis"

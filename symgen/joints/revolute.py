@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Literal
 
 from symgen.joints.backlash import Backlash
+from symgen.joints.friction import Friction
 from symgen.joints.joint import PARALLEL, Equation, InPlane, Joint, Motor, Turn, Z
 from symgen.joints.limits import Limits
 from symgen.schema.fields import Bound, Meaning, Quantity
@@ -21,6 +22,7 @@ class RevoluteJoint(Joint):
     motor: Motor | None = None
     limits: Limits | None = None
     backlash: Backlash | None = None
+    friction: Friction | None = None
 
     equation = "r_b - r_a = 0"
     points = "together"

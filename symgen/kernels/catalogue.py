@@ -92,6 +92,9 @@ def kernel_builders(
         builders["blocks"] = partial(_blocks, system, arguments, named_groups)
     for level in range(1, len(groups)):
         builders[substep_name(level + 1)] = partial(_substep, system, arguments, groups, level)
+    if system.reduced.elements:
+        with_elements = opened("symgen.kernels.element_kernels:with_elements")
+        builders = with_elements(builders, system, topology, arguments, named_groups)
     if not system.choice.independent:  # every coordinate is driven: there are no equations of motion to emit
         builders = {name: build for name, build in builders.items() if name in FULLY_DRIVEN}
     absent = _absent(system)

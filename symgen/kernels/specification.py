@@ -183,6 +183,22 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "t u c",
             "switching",
         ),
+        _spec(
+            "elements",
+            "",
+            "Directions that may stick, v_rel = G q_i', v_rel' = G q_i'' + G_bias, and M_hat, Q_hat with none stuck",
+            "condensed",
+            f"{STATE} t u c",
+            "M_hat Q_hat G G_bias v_rel holds",
+        ),
+        _spec(
+            "element_forces",
+            "",
+            "Forces on directions that may stick, and how far each is from the end of its mode",
+            "accelerations",
+            f"{STATE} q_i_ddot t u c",
+            "f_rel mode_left",
+        ),
         _spec("poses", "", "Origin and rotation matrix of each body, for pictures", "condensed", "q c", "poses"),
         _spec(
             "geometry",

@@ -103,6 +103,12 @@ SYMBOLS: tuple[Notation, ...] = (
         "shift", "", "", "4", "s^2, s", "kappa and delta of M_hat + B (kappa K_s + delta D_s) B^T, real parts first"
     ),
     Notation("push", "", "", "2 n_s", "SI", "forces along the stiff deflections, real parts first"),
+    Notation("v_rel", "", "", "n_e", "m/s, rad/s", "rates of the directions that may stick"),
+    Notation("G", "", "", "n_e x n_i", "mixed", "v_rel = G q_i'"),
+    Notation("G_bias", "", "", "n_e", "m/s^2, rad/s^2", "what G leaves of v_rel'"),
+    Notation("holds", "", "", "n_e", "N, N m", "the largest force that keeps such a direction stuck"),
+    Notation("f_rel", "", "", "n_e", "N, N m", "forces on such directions, by their laws where they slide"),
+    Notation("mode_left", "", "", "n_e", "mixed", "holds - |f_rel| where a direction sticks, |v_rel| where it slides"),
     Notation("x_re", "", "", "n_i", "mixed", "what they do beside the shift, real parts"),
     Notation("x_im", "", "", "n_i", "mixed", "imaginary parts"),
     Notation("q_L_ddot", "q_L''", "59", "n_L", "mixed", "accelerations of the slower groups, frozen over their step"),

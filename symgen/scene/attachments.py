@@ -135,7 +135,8 @@ def _by_joint(joint: Joint, side: str, scene: SceneParts, reference: str) -> Car
     if carried != "force and moment":
         return _both(carried)
     turn = joint.turn_at("marker_a" if side == "marker_a" else "marker_b")
-    if turn is None or turn.lead or getattr(joint, turn.damping, 0) != 0 or _driven(scene, f"{joint.name}.{turn.name}"):
+    carries = turn is None or turn.lead or getattr(joint, turn.damping, 0) != 0 or joint.rubs() is not None
+    if turn is None or carries or _driven(scene, f"{joint.name}.{turn.name}"):
         return Carried(True, True)
     if scene.space == "planar":
         return Carried(True, False)

@@ -14,7 +14,7 @@ import casadi as ca
 
 from runtime.contract.records import Coordinate, InputRecord, ModeSetRecord
 from symgen.algebra.rows import Row, add_scaled, add_to
-from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
+from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, sub, total
 from symgen.bodies.outlines import Picture
 from symgen.loads.load import LinearSpring
 from symgen.scene import SceneRecord
@@ -55,6 +55,28 @@ class Rotor:
         """J row row^T."""
         for column, value in self.row.items():
             add_scaled(M[column], mul(self.inertia, value), self.row)
+
+
+@dataclass(frozen=True)
+class Element:
+    """A direction that may stick: v = row . q', v' = row . q'' - gamma.
+
+    mode: 0 while it is stuck, else the sign of v, an input that a run sets; holds: the force on v that keeps it so lies
+    between -holds and holds. Where it moves, its law is among the forces.
+    """
+
+    name: str
+    mode: ca.SX
+    row: Row
+    rate: ca.SX
+    gamma: ca.SX
+    law: ca.SX
+    holds: ca.SX
+
+    @property
+    def stuck(self) -> ca.SX:
+        """One or zero."""
+        return sub(ONE, mul(self.mode, self.mode))
 
 
 InertiaForces = Callable[[Row], Row]  # of a tree of frames: accelerations -> by column
@@ -102,7 +124,7 @@ class Equations:
     placed_columns: coordinates of the frames of placed bodies, which no mass and no other constraint knows of;
     felt_columns: those of them that forces depend on, by measures of coordinates, with those that they follow from.
     Energies [J] and powers [W] are scalars.
-    rotors: of motors, which M and Q_v hold.
+    rotors: of motors, which M and Q_v hold. elements: of friction, whose laws Q_F holds.
     springs: loads that are linear springs, by name. joint_columns: coordinates of joints; gravity: its components
     [m/s^2]; measure_units: SI unit of each measure. u: the entries of the inputs by name, each a symbol.
     load_forces: generalised force of each load and each joint's friction, by its name. beams: mode sets of the
@@ -128,6 +150,7 @@ class Equations:
     applied: ca.SX = field(default_factory=lambda: ca.SX(0))
     springs: dict[str, LinearSpring] = field(default_factory=dict)
     rotors: list[Rotor] = field(default_factory=list)
+    elements: list[Element] = field(default_factory=list)
     measures: dict[str, ca.SX] = field(default_factory=dict)
     body_columns: dict[str, list[int]] = field(default_factory=dict)
     joint_columns: frozenset[int] = frozenset()

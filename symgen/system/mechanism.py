@@ -17,12 +17,13 @@ from runtime.contract.doors import opened
 from runtime.contract.orientations import NAMES
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_scaled, add_to, nonzero
-from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, sub, total
+from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub, total
 from symgen.algebra.vectors import Matrix, times
 from symgen.bodies.outlines import Picture
 from symgen.couplings import Coupling
 from symgen.joints import Joint
 from symgen.joints.backlash import Backlash
+from symgen.joints.friction import Friction
 from symgen.joints.joint import Motor, Slide, Turn
 from symgen.joints.limits import Limits
 from symgen.loads import Load
@@ -32,9 +33,9 @@ from symgen.scene.flexible import ALL_GAUGES
 from symgen.scene.measures import Measure, SectionForceMeasure, StressMeasure
 from symgen.schema.fields import Scope, StrictModel
 from symgen.system.constraint import ConstraintRow, DerivationError, Motion, combined
-from symgen.system.equations import Equations, Rotor
+from symgen.system.equations import Element, Equations, Rotor
 from symgen.system.one_sided import Push, against, beyond_play, hunt_crossley
-from symgen.system.signals import motion_derivatives
+from symgen.system.signals import mode_of, motion_derivatives
 from symgen.system.structure import ExpressionReader, Read
 from symgen.system.topology import Topology
 
@@ -237,6 +238,29 @@ class Mechanism(Generic[Marker]):
                 self._add_one_sided(joint.name, own.C_q, self._limits(joint.name, limits, own))
             if backlash is not None:
                 self._add_one_sided(joint.name, own.C_q, self._backlash(joint.name, backlash, own))
+        if (friction := joint.rubs()) is not None:
+            self._add_friction(joint, friction)
+
+    def _add_friction(self, joint: Joint, friction: Friction) -> None:
+        """-s (coulomb + stribeck exp(-s v / v_s)) - viscous v where v slides to the side s, nothing where it sticks."""
+        eq, (motion, *_), item = self.equations, joint.motions or (), f"{joint.name}.friction"
+
+        def of(key: str, otherwise: ca.SX = ZERO) -> ca.SX:
+            return otherwise if getattr(friction, key) is None else self._quantity(friction, key, item)
+
+        coulomb, speed, viscous = of("coulomb"), of("stribeck_velocity", ONE), of("viscous")
+        holds = of("breakaway", coulomb)
+        beyond = of("stribeck", sub(holds, coulomb))
+        if friction.breakaway is not None:
+            self.table.require(f"{item}.breakaway", "breakaway - coulomb", sub(holds, coulomb))
+        own = self.space.coordinate_row(f"{joint.name}.{motion.name}")
+        s, v, law = eq.u[mode_of(joint)], self._rate(own), coulomb
+        if not beyond.is_zero():  # steps look behind a reversal before they end there: it must not explode
+            law = add(law, mul(beyond, ca.exp(ca.fmin(neg(div(mul(s, v), speed)), 1))))
+        force = neg(add(mul(s, law), mul(viscous, v)))
+        row = {column: mul(force, value) for column, value in own.C_q.items()}
+        self._add_effect(joint.name, LoadEffect(row, dissipated=neg(mul(force, v))))
+        eq.elements.append(Element(item, s, dict(own.C_q), v, own.gamma, force, holds))
 
     def _add_one_sided(self, name: str, row: Row, sides: Sequence[tuple[int, Push]]) -> None:
         self._add_effect(name, against(row, sides))

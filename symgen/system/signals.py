@@ -7,30 +7,43 @@ from collections.abc import Mapping
 import casadi as ca
 
 from runtime.contract.records import RATES, InputRecord
+from symgen.joints import Joint
 from symgen.scene import SceneRecord
 from symgen.system.constraint import DerivationError
 
 
 def input_records(scene: SceneRecord) -> list[InputRecord]:
-    """The inputs that a scene declares."""
-    return [
+    """The inputs that a scene declares, and behind them those that a run itself sets."""
+    found = [
         InputRecord(name, entry.unit, entry.description, entry.default, entry.has_rates, entry.filter or 0.0)
         for name, entry in scene.all_inputs().items()
     ]
+    return found + [InputRecord(mode, "", "0 stuck, 1 or -1 sliding", 0.0, hidden=True) for mode in modes(scene)]
+
+
+def mode_of(joint: Joint) -> str:
+    """The input that says whether a joint sticks, or to which side it slides."""
+    return f"{joint.name}.friction_mode"
+
+
+def modes(scene: SceneRecord) -> list[str]:
+    """Of the joints with friction."""
+    return [mode_of(joint) for joint in scene.joints if joint.rubs() is not None]
 
 
 def input_units(scene: SceneRecord) -> dict[str, str]:
     """SI unit of each entry of u: inputs are measures, so that a solution holds them."""
-    return {
+    units = {
         part: (entry.unit or "1") + rate if rate else entry.unit
         for name, entry in scene.all_inputs().items()
         for part, rate in zip(entry.names(name), RATES, strict=False)
     }
+    return units | dict.fromkeys(modes(scene), "")
 
 
 def input_symbols(scene: SceneRecord) -> dict[str, ca.SX]:
     """A symbol for each entry of u, by name."""
-    return {name: ca.SX.sym(name) for name in scene.input_defaults()}
+    return {name: ca.SX.sym(name) for name in (*scene.input_defaults(), *modes(scene))}
 
 
 def motion_derivatives(

@@ -146,7 +146,7 @@ def schema_types() -> set[str]:
 
 
 def test_the_pages_of_scenes_are_complete() -> None:
-    pages = ("scenes", "spatial", "couplings", "loads-on-beams", "stops")
+    pages = ("scenes", "spatial", "couplings", "loads-on-beams", "stops", "friction")
     words = set(re.findall(r"\w+", "".join(read(GUIDE / f"{page}.md") for page in pages)))
     assert not schema_keys() - words
     assert not schema_types() - words

@@ -525,8 +525,7 @@ class AdaptiveSteps(StepControl):
         return {"event_step": step, "going": going}
 
     def _events_at(self, z: Fields, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
-        q = equations.joined(self.charts.zeroed(motion.q_i), motion.q_d)
-        return event_outputs(self, equations, motion.t, q, equations.joined(v, equations.rates(motion, v)))["events"]
+        return event_outputs(self, equations, motion, v, equations.rates(motion, v))["events"]
 
     def _events_inside(self, z: Fields, equations: StageEquations, share: float | ca.SX) -> ca.SX:
         """(n_e,) by the interpolant at a share of the last step."""

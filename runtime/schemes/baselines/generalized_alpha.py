@@ -22,7 +22,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import independent_rates
-from runtime.contract.model import Model
+from runtime.contract.model import Model, refuse_elements
 from runtime.engine.program import Fields, Program, Sequence, Until
 from runtime.schemes.options import MOST_ITERATIONS, Grid, Options, share, tolerances, whole_number
 from runtime.schemes.scheme import OBSERVED, Scheme, StateField, account, control, state, unseen_acceleration, work
@@ -44,6 +44,7 @@ class AlphaMethod(Scheme):
     damps = True
 
     def __init__(self, model: Model, grid: Grid, options: AlphaMethodOptions) -> None:
+        refuse_elements(model, "needs q_i: this scheme steps all coordinates", "take rk4, radau or dopri5")
         self.penalised = _singular_mass(model)
         self.rows = [int(row) for row in model.kept_rows]
         super().__init__(model, grid, options)

@@ -81,7 +81,7 @@ class Restart:
 
     def __init__(self, scheme: Scheme, engine: str = "auto") -> None:
         self.scheme = scheme
-        n_w = scheme.model.signals.size if scheme.model.inputs else 0
+        n_w = scheme.model.signals.size
         sizes = {"state": scheme.layout.size, "dt_before": 1, "dt": 1, "clock": 1, "push": len(scheme.model.q_i)}
         self._layout = Layout({**sizes, "inputs": n_w})
         call: Call = make_stage("restart", self._layout, scheme.c_size, self._body)

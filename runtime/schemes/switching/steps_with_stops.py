@@ -23,14 +23,15 @@ from runtime.schemes.switching.impulse import Impulse, may_give_impulses
 from runtime.schemes.switching.restart import Restart
 from runtime.schemes.switching.stop_program import KNOWN, StopProgram, impulse_there
 from runtime.schemes.switching.times import SwitchTime
-from runtime.schemes.switching.watched import NEVER, are_kinks, event_slopes, event_values, passed, quiet_until
+from runtime.schemes.switching.watched import NEVER, Acted, are_kinks, event_slopes, event_values, passed, quiet_until
 
 FAR = 128  # whole steps that are worth a call of the step program alone
 CHUNK = 256  # steps with stops whose parts are looked up at once
 _LOCK = Lock()
 
-# what events (positions) do to a state shown by steps dt at a time [s], in place; do they end the run?
-Acts = Callable[[np.ndarray, float, float, list[int]], bool]
+
+# what events (positions) do to a state shown by steps dt at a time [s], in place
+Acts = Callable[[np.ndarray, float, float, list[int]], Acted]
 
 
 class _Compiled(NamedTuple):
@@ -190,7 +191,7 @@ class StepsWithStops:
         own = scheme.layout.slice
         start[own("event_step")] = NEVER
 
-        def noted(state: np.ndarray, dt: float, t: float, happened: list[int]) -> bool:
+        def noted(state: np.ndarray, dt: float, t: float, happened: list[int]) -> Acted:
             made.extend(happened)
             return acts(state, dt, t, happened)
 
@@ -285,7 +286,8 @@ class _EventStep:
         scheme, own = self.steps.stepper.scheme, self.steps._own_inputs
         state = z[: scheme.layout.size].copy()
         state[own] = z[self._at("inputs")]
-        ends = self.acts(state, float(z[self._at("dt_seen")][0]), t, happened)
+        ends, push = self.acts(state, float(z[self._at("dt_seen")][0]), t, happened)
+        z[self._at("push")] += push
         z[self._at("inputs")], state[own] = state[own], z[: scheme.layout.size][own]
         z[: scheme.layout.size] = state
         return ends

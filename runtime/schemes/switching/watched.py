@@ -8,7 +8,7 @@ are seen by the ends of steps alone; what events do between them is looked at, s
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import casadi as ca
 import numpy as np
@@ -16,8 +16,16 @@ import numpy as np
 from runtime.contract.records import EventRecord
 from runtime.engine.program import Fields, Program, Sequence, Until
 from runtime.schemes.scheme import Scheme, direct
-from runtime.schemes.stage_equations import StageEquations
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.switching.dips import dips
+
+
+class Acted(NamedTuple):
+    """What events did: do they end the run?, and what is added to q_i' (n_i,)."""
+
+    ends: bool
+    push: np.ndarray
+
 
 NEVER = 1e300
 SOON = 8.0  # steps in which a value comes to zero at its present rate, or at that of the step before
@@ -207,24 +215,35 @@ def passed(scheme: Scheme, old: np.ndarray, new: np.ndarray, asleep: np.ndarray 
 def values_at(scheme: Scheme, z: ca.SX, equations: StageEquations) -> dict[str, ca.SX]:
     """`events`, their `slopes` (n_e,), what `actions` set and its rates (`drifts`), at what z shows, at `t`."""
     seen = scheme.observer(z=z, c=ca.vertcat(equations.c, equations.h))
-    q, q_dot, q_ddot = (equations.joined(seen[f"q_i{end}"], seen[f"q_d{end}"]) for end in ("", "_dot", "_ddot"))
-    here, along = ca.vertcat(q, q_dot, seen["t"]), ca.vertcat(q_dot, q_ddot, 1)
+    names = [f"{part}{end}" for end in ("", "_dot", "_ddot") for part in ("q_i", "q_d")]
+    here, along = (ca.vertcat(*(seen[name] for name in own)) for own in (names[:4], names[2:]))
+    here, along = ca.vertcat(here, seen["t"]), ca.vertcat(along, 1)
     at = ca.SX.sym("at", here.numel())
-    found = event_outputs(scheme, equations, at[-1], at[: q.numel()], at[q.numel() : -1])
+    q_i, q_d, v, v_d, t = ca.vertsplit(at, np.cumsum([0, *(seen[name].numel() for name in names[:4]), 1]).tolist())
+    found = event_outputs(scheme, equations, ClosedConfiguration(q_i, q_d, t, ca.SX(0), ca.SX(0, 1)), v, v_d)
     rates = {"slopes": "events", "drifts": "actions"}
     found |= {rate: ca.densify(ca.jtimes(found[name], at, along)) for rate, name in rates.items() if name in found}
     new = ca.substitute(list(found.values()), [at], [here])
     return {**dict(zip(found, new, strict=True)), "t": seen["t"]}
 
 
-def event_outputs(scheme: Scheme, equations: StageEquations, t: ca.SX, q: ca.SX, q_dot: ca.SX) -> dict[str, ca.SX]:
-    """`events` (n_e,), and `actions` where there are any, at all coordinates and rates (n,).
+def event_outputs(
+    scheme: Scheme, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX, v_d: ca.SX
+) -> dict[str, ca.SX]:
+    """`events` (n_e,), and `actions` where there are any, at rates v (n_i,), v_d (n_d,).
 
     A kink without a value there, as that of a root beyond its end, is none.
     """
-    found = equations.model.evaluate("events", q=q, q_dot=q_dot, t=t, c=equations.c)
-    values, declared = ca.vertsplit(ca.densify(found["events"])), len(scheme.model.description.events)
-    kinks = [ca.if_else(ca.fabs(e) < NEVER, e, 1) for e in values[declared : len(watched_events(scheme))]]
+    model, found, own = scheme.model, dict[str, ca.SX](), ca.SX(0, 1)
+    if model.has("events"):
+        q, q_dot = equations.joined(motion.q_i, motion.q_d), equations.joined(v, v_d)
+        found = model.evaluate("events", q=q, q_dot=q_dot, t=motion.t, c=equations.c)
+    if model.element_modes.size:
+        at = {"q_i": motion.q_i, "q_d": motion.q_d, "q_i_dot": v, "q_d_dot": v_d, "t": motion.t, "c": equations.c}
+        own = model.evaluate("element_forces", **at, q_i_ddot=equations.accelerations(motion, v))["mode_left"]
+    values = ca.vertsplit(ca.densify(found["events"])) if found else []
+    declared = len(model.description.events) - own.numel()
+    kinks = [ca.if_else(ca.fabs(e) < NEVER, e, 1) for e in values[declared:]] if locates_kinks(scheme) else []
     return {name: ca.densify(value) for name, value in found.items()} | {
-        "events": ca.vertcat(*values[:declared], *kinks)
+        "events": ca.vertcat(*values[:declared], own, *kinks)
     }

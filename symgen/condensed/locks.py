@@ -1,0 +1,127 @@
+"""Elements that stick: the condensed equations with the directions that are stuck locked (38).
+
+Element k is a row G_k of q_i with v_k = G_k q_i' and v_k' = G_k q_i'' + b_k; w_k is one where it sticks, else zero.
+With
+
+    Pi = T G,    G T G = G for the rows that stick,    P = 1 - Pi,    a_0 = -T b,
+
+a motion that keeps them is q_i'' = P y + a_0, and both conditions together, P^T (M_hat q_i'' - Q_hat) = 0 and
+Pi q_i'' = a_0, are a system of the same form
+
+    (P^T M_hat P + Pi^T D Pi) q_i'' = P^T (Q_hat - M_hat a_0) + Pi^T D a_0,    D = diag M_hat,
+
+positive definite for every set of modes, so that whoever solves M_hat q_i'' = Q_hat solves it. The force of a stuck
+element is what is left over, f = T^T (M_hat q_i'' - Q_hat).
+
+Where G is constant and of full rank, as of joints of a tree, T is a right inverse of it in whole numbers where those of
+G are, times w: a coordinate of its own is then decoupled by its w alone, without any rounding. Otherwise
+T = G^T X with X = (W G G^T W + 1 - W)^-1 W, where rows that say the same leave X singular: 1e-9 of its diagonal is
+added, and one step of X <- X (2 - N X) takes back what that changes of motions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import casadi as ca
+import numpy as np
+
+from symgen.algebra.rows import Row
+from symgen.algebra.scalar import ZERO, add, mul, sub, total
+from symgen.condensed.condensation import Condensed
+from symgen.system.equations import Element
+
+REGULARISED = 1e-9  # of the diagonal
+
+
+@dataclass(frozen=True)
+class Locks:
+    """The elements of a system by q_i: G rows by column of q, bias (n_e,) b."""
+
+    system: Condensed
+    elements: Sequence[Element]
+    rows: Sequence[Row]
+    bias: Sequence[ca.SX]
+
+    @cached_property
+    def G(self) -> ca.SX:
+        """(n_e, n_i)."""
+        columns = self.system.choice.independent
+        return ca.vertcat(*(ca.horzcat(*(row.get(c, ZERO) for c in columns)) for row in self.rows))
+
+    @cached_property
+    def stuck(self) -> ca.SX:
+        """(n_e,) w."""
+        return ca.vertcat(*(one.stuck for one in self.elements))
+
+    @cached_property
+    def right_inverse(self) -> np.ndarray | None:
+        """(n_i, n_e) numbers with G T = 1; None where G is not constant, or has rows that follow from others."""
+        if not self.G.is_constant():
+            return None
+        G = np.array(ca.DM(self.G))
+        pivots = _pivots(G)
+        if len(pivots) < len(G):
+            return None
+        T = np.zeros(G.T.shape)
+        T[pivots] = np.linalg.inv(G[:, pivots])
+        whole = np.round(T)
+        return whole if np.abs(G @ whole - np.eye(len(G))).max() == 0 else T
+
+    @cached_property
+    def T(self) -> ca.SX:
+        """(n_i, n_e), zero in the columns of elements that move."""
+        if self.right_inverse is not None:
+            return ca.sparsify(ca.SX(ca.DM(self.right_inverse))) @ ca.diag(self.stuck)
+        n, G = len(self.elements), ca.sparsify(self.G)
+        W = ca.diag(self.stuck)
+        gram = W @ G @ G.T @ W + ca.diag(1 - self.stuck)
+        X = ca.inv(ca.densify(gram + REGULARISED * ca.diag(ca.diag(gram))))
+        X = X @ (2 * ca.SX.eye(n) - gram @ X)
+        return G.T @ W @ X @ W
+
+    def locked(self) -> tuple[ca.SX, ca.SX]:
+        """M_hat and Q_hat with what sticks locked."""
+        M_hat, Q_hat = self.system.M_hat(), self.system.generalised_force({})
+        M, D = ca.sparsify(M_hat), ca.diag(ca.diag(M_hat))
+        Pi = ca.sparsify(self.T @ ca.sparsify(self.G))
+        P = ca.SX.eye(M.shape[0]) - Pi
+        left = P.T @ M @ P + Pi.T @ D @ Pi
+        if all(value.is_zero() for value in self.bias):
+            return ca.densify(left), ca.densify(P.T @ Q_hat)
+        a = -self.T @ ca.vertcat(*self.bias)
+        return ca.densify(left), ca.densify(P.T @ (Q_hat - M @ a) + Pi.T @ D @ a)
+
+    def rates_left(self, change: ca.SX) -> ca.SX:
+        """P^T of derivatives of Q_hat - M_hat q_i'' (n_i, any) at fixed q_i''."""
+        return ca.densify(change - ca.sparsify(self.G).T @ (self.T.T @ change))
+
+    def forces(self, residual: ca.SX) -> ca.SX:
+        """(n_e,) of what sticks, zero of the others; residual (n_i,): Q_hat - M_hat q_i''."""
+        return -self.T.T @ residual
+
+
+def locks(system: Condensed) -> Locks:
+    """Of a system with elements."""
+    elements, still = system.reduced.elements, system.accelerations({})
+    bias = [
+        sub(total(mul(value, still[c]) for c, value in one.row.items() if c in still), one.gamma) for one in elements
+    ]
+    return Locks(system, elements, [system.projected(one.row) for one in elements], [add(b, ZERO) for b in bias])
+
+
+def _pivots(G: np.ndarray) -> list[int]:
+    """Columns in which the rows are independent, of each row the last that is."""
+    left, found = G.copy(), list[int]()
+    for k in range(len(left)):
+        places = np.flatnonzero(np.abs(left[k]) > 1e-9)
+        if not len(places):
+            return found
+        column = int(places[-1])
+        found.append(column)
+        for other in range(len(left)):
+            if other != k:
+                left[other] -= left[k] * (left[other, column] / left[k, column])
+    return found

@@ -1,0 +1,106 @@
+"""Functions of a system with elements that stick and slide: what holds them, when that ends, what decides then.
+
+Whoever solves for accelerations finds M_hat and Q_hat with what sticks locked, and on a tree its elimination by masked
+pivots. The functions of stiff deflections are left out: runs do without them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+
+import casadi as ca
+
+from runtime.contract.records import Group
+from symgen.algebra.scalar import add, mul
+from symgen.condensed.condensation import Condensed
+from symgen.condensed.forward_dynamics import LockedOrder, locked_accelerations, locked_order
+from symgen.condensed.locks import Locks, locks
+from symgen.kernels.jacobians import jacobian_kernels
+from symgen.kernels.kernel import Arguments, Kernel
+from symgen.kernels.specification import block_signals, substep_name
+from symgen.system.topology import Topology
+
+LEAST = 1e-12  # m/s or rad/s: what has just begun to slide at rest has not come to rest
+STATE = ("q_i", "q_d", "q_i_dot", "q_d_dot")
+WITHOUT = ("deflections", "deflection_response", "shifted_solution", "forward_dynamics")
+Builders = Mapping[str, Callable[[], Kernel]]
+
+
+def with_elements(
+    builders: Builders, system: Condensed, topology: Topology, a: Arguments, groups: list[Group]
+) -> dict[str, Callable[[], Kernel]]:
+    """The builders of a system, by name, with those of its elements and of what they lock."""
+    locked = locks(system)
+    found = {name: build for name, build in builders.items() if name not in WITHOUT}
+    found["elements"] = partial(_elements, locked, a)
+    found["element_forces"] = partial(_forces, locked, a)
+    found["condensed"] = lambda: Kernel(a.select(*STATE), dict(zip(("M_hat", "Q_hat"), locked.locked(), strict=True)))
+    for name in jacobian_kernels(system, a):
+        found[name] = partial(_rates_left, name, locked, a)
+    if (order := locked_order(locked, topology)) is not None:
+        found["forward_dynamics"] = partial(_locked_dynamics, system, topology, a, order)
+    if len(groups) > 1:
+        found["blocks"] = partial(_blocks, locked, a, groups)
+    for level in range(1, len(groups)):
+        found[substep_name(level + 1)] = partial(_substep, locked, a, [one.positions for one in groups], level)
+    return found
+
+
+def _elements(locked: Locks, a: Arguments) -> Kernel:
+    """M_hat and Q_hat with nothing locked, and v = G q_i', v' = G q_i'' + bias with the bounds at rest."""
+    system, own = locked.system, locked.elements
+    outputs = {
+        "M_hat": system.M_hat(),
+        "Q_hat": system.generalised_force({}),
+        "G": ca.densify(locked.G),
+        "G_bias": ca.densify(ca.vertcat(*locked.bias)),
+        "v_rel": ca.densify(ca.vertcat(*(one.rate for one in own))),
+        "holds": ca.densify(ca.vertcat(*(one.holds for one in own))),
+    }
+    return Kernel(a.select(*STATE), outputs)
+
+
+def _forces(locked: Locks, a: Arguments) -> Kernel:
+    """The force on each element, and how far it is from the end of its mode: holds - |f| stuck, s v sliding."""
+    system, own = locked.system, locked.elements
+    residual = system.generalised_force({c: a.q_i_ddot[k] for k, c in enumerate(system.choice.independent)})
+    holding = locked.forces(residual)
+    forces = [add(holding[k], one.law) for k, one in enumerate(own)]
+    left = [
+        one.stuck * (one.holds - ca.fabs(holding[k])) + mul(one.mode, one.rate) + LEAST * one.mode * one.mode
+        for k, one in enumerate(own)
+    ]
+    inputs = a.select(*STATE, q_i_ddot=a.q_i_ddot)
+    return Kernel(inputs, {"f_rel": ca.densify(ca.vertcat(*forces)), "mode_left": ca.densify(ca.vertcat(*left))})
+
+
+def _rates_left(name: str, locked: Locks, a: Arguments) -> Kernel:
+    """Derivatives of Q_hat - M_hat q_i'' in the directions that do not stick."""
+    kernel = jacobian_kernels(locked.system, a)[name]()
+    return Kernel(kernel.inputs, {name: locked.rates_left(value) for name, value in kernel.outputs.items()})
+
+
+def _locked_dynamics(system: Condensed, topology: Topology, a: Arguments, order: LockedOrder) -> Kernel:
+    """q_i_ddot of a tree by the elimination along it, with the pivot of what sticks masked."""
+    found = locked_accelerations(system, topology, order)
+    q_i_ddot = ca.vertcat(*(found[c] for c in system.choice.independent))
+    return Kernel(a.select(*STATE), {"q_i_ddot": ca.densify(q_i_ddot)})
+
+
+def _blocks(locked: Locks, a: Arguments, groups: list[Group]) -> Kernel:
+    """Blocks of the locked M_hat and Q_hat by groups (Eq. 39)."""
+    M_hat, Q_hat = locked.locked()
+    values = [M_hat[row.positions, column.positions] for row in groups for column in groups]
+    values += [Q_hat[group.positions] for group in groups]
+    names = [signal.name for signal in block_signals(groups)]
+    return Kernel(a.select(*STATE), dict(zip(names, values, strict=True)))
+
+
+def _substep(locked: Locks, a: Arguments, groups: list[list[int]], level: int) -> Kernel:
+    """M_hat of the groups from `level` on, and their right-hand side with slower accelerations given (Eq. 64)."""
+    slow, fast = ([k for group in part for k in group] for part in (groups[:level], groups[level:]))
+    q_L_ddot = ca.SX.sym("q_L_ddot", len(slow))
+    M_hat, Q_hat = locked.locked()
+    outputs = {"M_hat_SS": M_hat[fast, fast], "rhs_S": Q_hat[fast] - M_hat[fast, slow] @ q_L_ddot}
+    return Kernel(a.select(*STATE, q_L_ddot=q_L_ddot), outputs)
