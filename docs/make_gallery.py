@@ -21,6 +21,7 @@ SECTIONS = {
         "hanging_chain",
         "four_bar_crossing",
         "end_stops",
+        "bouncing_ball",
     ],
     "Driven mechanisms and robots": ["five_bar_robot", "quick_return"],
     "In space": ["double_wishbone", "build_spatial_arm", "gyroscope", "tumbling_body", "spinning_satellite"],

@@ -17,18 +17,16 @@ INERTIA, STIFFNESS, REACH, SPEED, ENOUGH = 0.4, 2000.0, 0.6, 3.0, 8  # kg m^2, N
 
 def build():
     """Springs act beyond 0.6 rad; each touch is counted by an input, and the flap's last touch ends the run."""
+    stops = {"lower": -REACH, "upper": REACH, "stiffness": STIFFNESS}
     touch = {"action": {"touches": "touches + 1"}}
     return (
         Scene("end_stops", title="Flap between end stops")
         .input("touches", 0.0)
         .rigid("flap", mass=2.0, inertia=INERTIA, markers={"tip": {"position": (0.5, 0)}})
-        .revolute("hinge", "ground.origin", "flap.origin")
+        .revolute("hinge", "ground.origin", "flap.origin", limits=stops)
         .measure("angle", "coordinate", "flap.theta")
-        .torque("stops", "flap.origin", f"-{STIFFNESS} * (max(angle - {REACH}, 0) + min(angle + {REACH}, 0))")
         .event("upper", f"angle - {REACH}", direction="rising", **touch)
         .event("lower", f"angle + {REACH}", direction="falling", **touch)
-        .event("left_upper", f"angle - {REACH}", direction="falling")
-        .event("left_lower", f"angle + {REACH}", direction="rising")
         .event("middle", "angle * step(touches - 7.5)", direction="rising", terminal=True)
         .rates({"flap.theta": SPEED})
         .simulation(t_end=20.0, dt=0.002, save_every=1, scheme="rk4")

@@ -161,6 +161,14 @@ def test_end_stops(said) -> None:
     assert np.diff(line(text, "time of a swing"))[0] == pytest.approx(0.0, abs=1e-5)
 
 
+def test_bouncing_ball(said) -> None:
+    text = said("bouncing_ball")
+    height, closed_form = line(text, "first bounce")
+    assert text.startswith("completed") and height == pytest.approx(closed_form, rel=1e-2)
+    speed, by_momentum = line(text, "rolls in the end")
+    assert speed == pytest.approx(by_momentum, abs=2e-5)
+
+
 def test_crane(said) -> None:
     """What is left of the swing: 4 a / g after half a period of pushing, nothing after a whole one."""
     abrupt, shaped = (numbers(row) for row in said("crane").splitlines()[1:3])
