@@ -24,12 +24,11 @@ from runtime.contract.model import Model
 from runtime.contract.status import Event
 from runtime.results.solution import Solution
 from runtime.running.companion import marks_of, measured
-from runtime.running.events import EventActions
-from runtime.running.inputs import InputValue, Schedule, bound
+from runtime.running.inputs import InputValue, bound
 from runtime.running.outcome import finished
 from runtime.running.plan import Plan
 from runtime.running.problem import Problem
-from runtime.running.record import Record, record_of
+from runtime.running.record import record_of
 from runtime.running.run import Further, Progress, Run, with_reads
 from runtime.running.singular.exchange import variant_of
 from runtime.running.singular.guard import Guard
@@ -226,19 +225,21 @@ class CheckpointHeader:
                 )
 
 
-def header_of(
-    segment: SteppedModel,
-    z: np.ndarray,
-    record: Record,
-    events: list[Event],
-    guard: Guard,
-    schedule: Schedule | None,
-    happenings: EventActions,
-    initial_changes: str,
-) -> CheckpointHeader:
-    """What a checkpoint says of a run whose `segment` is at z (n_z,). initial_changes: of the start, in words."""
-    first = record.segments[0]
-    model, plan = first.model, first.plan
+def checkpoint_of(run: Run) -> Checkpoint:
+    """All that a run needs to go on from where it is."""
+    arrays, state = run.record.arrays(), run.problem.state
+    if run.marks is not None:
+        arrays |= run.marks.arrays(run.record.segments)
+    if run.earlier is not None:
+        arrays["earlier"] = run.earlier
+    arrays |= {"start_p": run.problem.p, "start_q": state.q, "start_q_dot": state.q_dot}
+    return Checkpoint(header_of(run), run.z, run.segment.p, arrays)
+
+
+def header_of(run: Run) -> CheckpointHeader:
+    """What a checkpoint says of a run."""
+    segment, z, record = run.segment, run.z, run.record
+    model, plan = record.segments[0].model, record.segments[0].plan
     return CheckpointHeader(
         model=model.name,
         digest=model.digest,
@@ -253,24 +254,24 @@ def header_of(
         save_every=plan.save_every,
         force=plan.force,
         outputs=list(plan.outputs),
-        initial_changes=initial_changes,
+        initial_changes=run.initial_changes,
         step=segment.step_of(z),
         last_step=record.last_step,
         rows=record.rows,
         stream=None if record.folder is None else str(record.folder),
-        events=events,
+        events=run.events,
         segments=[list(segment.model.q_i) for segment in record.segments],
         segment=record.segments.index(segment),
         position=segment.observed([segment.state(z)]).q[0].tolist(),
         monitor=segment.monitor.memory(),
-        guard=guard.memory(),
-        schedule={} if schedule is None else schedule.memory(),
+        guard=run.guard.memory(),
+        schedule={} if run.schedule is None else run.schedule.memory(),
         impulses=[
             [at, one.energy, *one.jumps.tolist()]
             for each in record.segments
             for at, one in sorted(each.impulses.items())
         ],
-        happened=happenings.memory(),
+        happened=run.happenings.memory(),
     )
 
 
@@ -318,17 +319,16 @@ def resume(
     begin = ConsistentState(kept.arrays["start_q"], kept.arrays["start_q_dot"], {})
     problem = Problem(model, kept.arrays["start_p"], begin, plan.t0, plan.t_end, dict(inputs or {}), engine)
     run = Run(
+        problem,
         segment,
         z,
         record,
         further,
         header.initial_changes,
         list(header.events),
-        engine=engine,
         guard=Guard.remembered(header.guard),
         earlier=kept.arrays.get("earlier"),
         marks=marks_of(problem, plan),
-        start=(kept.arrays["start_p"], begin),
     )
     if run.marks is not None and "mark_steps" in kept.arrays:
         run.marks.restore(kept.arrays, segments)
@@ -337,7 +337,7 @@ def resume(
     schedule.resume(header.schedule)
     run.schedule = with_reads(schedule, run)
     run.set_up = time.perf_counter() - started
-    return finished(run, lambda run, solution: measured(problem, run, solution))
+    return finished(run, measured)
 
 
 def _segments(model: Model, kept: Checkpoint, engine: str, path: str | Path) -> list[SteppedModel]:

@@ -63,12 +63,12 @@ def marks_of(problem: Problem, plan: Plan) -> Marks:
     return Marks(every, every // min(EARLY, every))
 
 
-def measured(problem: Problem, run: Run, solution: Solution) -> MotionError:
+def measured(run: Run, solution: Solution) -> MotionError:
     """The error of a run that came to its end, by its companion: longer steps, or where these are lost shorter ones.
 
     Where the first would condemn the run, the second has to agree; where both are lost, far shorter steps tell.
     """
-    plan, marks = run.record.segments[0].plan, run.marks
+    problem, plan, marks = run.problem, run.record.segments[0].plan, run.marks
     if marks is None or not marks.states:
         return MotionError(reason="the run was not looked at on its way")
     if not problem.forgets:
@@ -142,8 +142,7 @@ def _compared(
 
 def loads_missed(run: Run) -> list[Event]:
     """What the steps of a run do not see of loads, and loads without a finite value."""
-    assert run.start is not None
-    segment, state = run.segment, run.start[1]
+    segment, state = run.segment, run.problem.state
     return check_time_functions(segment.model, segment.c, segment.plan, state, segment.switches)
 
 

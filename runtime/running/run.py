@@ -13,7 +13,6 @@ from types import FrameType
 
 import numpy as np
 
-from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import followed, whole
 from runtime.contract.doors import opened
 from runtime.contract.files import OutputError
@@ -139,8 +138,9 @@ def heard_interrupts() -> Iterator[Interrupts]:
 
 @dataclass
 class Run:
-    """A run under way: z (flat) belongs to `segment`. initial_changes: what of the start was corrected."""
+    """A run of a problem under way: z (flat) belongs to `segment`. initial_changes: what of the start was corrected."""
 
+    problem: Problem
     segment: SteppedModel
     z: np.ndarray
     record: Record
@@ -148,12 +148,10 @@ class Run:
     initial_changes: str
     events: list[Event] = field(default_factory=list)
     status: Status | None = None
-    engine: str = "auto"
     guard: Guard = field(default_factory=Guard)
     marks: Marks | None = None
     schedule: Schedule | None = None
     pace: Pace = field(default_factory=Pace)
-    start: tuple[np.ndarray, ConsistentState] | None = None  # parameters (n_p,) and state where it began
     set_up: float = 0.0  # seconds that it took to come to the start
     _happened: EventActions | None = None
     earlier: np.ndarray | None = None  # a state of this segment at least a step before z, if there is one
@@ -347,7 +345,7 @@ class Run:
             return
         asked, happened = lambda: self._interrupts.asked, self.happenings
         passage = opened("runtime.running.singular.passage:Passage")
-        way = passage(self.segment, self.guard, self.record.segments, self.engine, asked, happened)
+        way = passage(self.segment, self.guard, self.record.segments, self.problem.engine, asked, happened)
         found = way.go_on(z if previous is None else previous)
         if found.event is not None and (
             found.event.kind != "no_variant" or not any(event.text == found.event.text for event in self.events)
@@ -420,20 +418,9 @@ class Run:
     def _write_checkpoint(self) -> None:
         if self.further.checkpoint is None:
             return
-        arrays = self.record.arrays()
-        if self.marks is not None:
-            arrays |= self.marks.arrays(self.record.segments)
-        if self.start is not None:
-            p, state = self.start
-            arrays |= {"start_p": p, "start_q": state.q, "start_q_dot": state.q_dot}
-        if self.earlier is not None:
-            arrays["earlier"] = self.earlier
+        self.record.flush()  # a stream that takes no more ends the run
         try:
-            watching = self.guard, self.schedule, self.happenings, self.initial_changes
-            header_of = opened("runtime.running.checkpoint:header_of")
-            header = header_of(self.segment, self.z, self.record, self.events, *watching)
-            written = opened("runtime.running.checkpoint:Checkpoint")(header, self.z, self.segment.p, arrays)
-            written.write(self.further.checkpoint)
+            opened("runtime.running.checkpoint:checkpoint_of")(self).write(self.further.checkpoint)
         except OutputError as error:  # what is in memory is worth more than its copy on the disk
             if not any(event.kind == "checkpoint_failed" for event in self.events):
                 self.events.append(Event(self.segment.plan.time(self.step), "checkpoint_failed", str(error)))
@@ -462,16 +449,15 @@ def begun(
     changes = ", ".join(f"{key}: {a:.9g} -> {b:.9g}" for key, (a, b) in state.changed.items() if _differ(a, b))
     record = record_of(segment, z, further.stream, keep_rows=further.bounded)
     run = Run(
+        problem,
         segment,
         z,
         record,
         further,
         changes or "none",
         events,
-        engine=problem.engine,
         guard=segment.new_guard(),
         marks=marks,
-        start=(problem.p, state),
     )
     run.settle(told=False)
     with record.closed_on_error():

@@ -107,7 +107,7 @@ def simulate(
     run = begun(problem, plan, marks_of(problem, plan) if error == MEASURED else None, further)
     if error == OFF:
         return finished(run, lambda run, solution: MotionError(reason="it was switched off"))
-    return finished(run, lambda run, solution: measured(problem, run, solution))
+    return finished(run, measured)
 
 
 def _made_once(problem: Problem, wanted: str) -> str:

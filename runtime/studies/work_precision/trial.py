@@ -73,9 +73,8 @@ def seconds_of(rung: Rung) -> float:
     run, first = rung.run, rung.run.record.segments[0]
     if len(run.record.segments) > 1 or run.schedule is not None or rung.lost or rung.seconds > ENOUGH:
         return rung.seconds
-    assert run.start is not None
     first.stepper.finish()
-    z0, times = first.start(run.start[1].q, run.start[1].q_dot), list[float]()
+    z0, times = first.start(run.problem.state.q, run.problem.state.q_dot), list[float]()
     while len(times) < REPEATS[0] or (len(times) < REPEATS[1] and sum(times) <= ENOUGH):
         z = z0.copy()
         began = time.process_time()
