@@ -18,7 +18,7 @@ from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.operating.mode_solver import ModeSolver, State
-from runtime.results.motion_error import MotionError, amplitudes, motion_error
+from runtime.results.motion_error import MotionError, amplitudes, motion_error, with_rates
 from runtime.results.solution import Solution
 from runtime.running.companion import loads_missed, marks_of
 from runtime.running.load_steps import steps_that_see_loads
@@ -212,14 +212,16 @@ class Ladder:
         common = sorted(set(_at(last)) & set(_at(rung)))
         if not common:
             return
-        mine, theirs = (one.marks.told([_at(one)[k] for k in common], self.problem.model) for one in (rung, last))
-        segment = rung.run.segment
-        record = rung.run.record
+        model, segment, record = self.problem.model, rung.run.segment, rung.run.record
+        (mine, v), (theirs, other) = (
+            [one.marks.told([_at(one)[k] for k in common], model, rates) for rates in (False, True)]
+            for one in (rung, last)
+        )
         samples = [rows for own, rows in record.samples if record.segments[own] is segment]
-        seen = [mine, theirs, *([told_by(segment, np.concatenate(samples), self.problem.model)] if samples else [])]
-        t = np.array([rung.run.segment.plan.time(_at(rung)[k]) for k in common])
-        model = self.problem.model
-        rung.told = motion_error(model, t, mine, theirs, amplitudes(model, np.concatenate(seen)))
+        seen = [mine, theirs, *([told_by(segment, np.concatenate(samples), model)] if samples else [])]
+        t = np.array([segment.plan.time(_at(rung)[k]) for k in common])
+        found = motion_error(model, t, mine, theirs, amplitudes(model, np.concatenate(seen)))
+        rung.told = with_rates(found, model, v, other)
         rung.error = rung.differs = self._asked(rung.told)
         if len(before) > 1 and 0 < rung.error < last.differs:
             shown = np.log(last.differs / rung.differs) / np.log(rung.steps / last.steps)
@@ -229,11 +231,10 @@ class Ladder:
                 rung.told = rung.told.scaled(1 / richer)
 
     def _asked(self, error: MotionError) -> float:
-        """What is compared with the tolerance."""
-        if not self.graded:
-            return error.largest
-        others = max(error.judged.values()) * self.tolerance / (ACCURATE * LARGEST)
-        return float(max(others, *(error.relative[name] for name in self.graded)))
+        """What is compared with the tolerance; of rates, and of what is not graded, a run has to be accurate."""
+        others = max(value for name, value in error.judged.items() if self.graded or name not in error.relative)
+        graded = self.graded or error.relative
+        return float(max(others * self.tolerance / (ACCURATE * LARGEST), *(error.relative[name] for name in graded)))
 
     def next_count(self, rungs: list[Rung], order: int) -> int | None:
         """Steps of the next rung, in units; None where the last one is the answer, or nothing would be won."""
@@ -246,7 +247,7 @@ class Ladder:
         if len(rungs) >= 3 and last.error <= self.tolerance:
             return None
         before = np.nanmin([inf, *(one.differs for one in rungs[-6:-3])])
-        enough = len(rungs) >= (SOON if last.differs < LARGEST else LATE)
+        enough = len(rungs) >= (SOON if max([last.differs, *last.told.judged.values()]) < LARGEST else LATE)
         if enough and not last.differs < STAGNANT * before:
             return None
         least = 2 ** (1 / order)

@@ -53,6 +53,18 @@ def test_what_is_asked_is_delivered_and_told(built_in: Load, scheme: str) -> Non
         assert run.stats["tolerance"] == tolerance and run.stats["rungs"] >= 3
 
 
+def test_rates_are_accurate_where_positions_hardly_tell(model_of: Build) -> None:
+    """x'' = -w^2 (x - cos t) by hand: a vibration of 0.005 m within the tolerance has half of the rate."""
+    scene = Scene("chaser").rigid("mass", mass=1.0, inertia=0.1).prismatic("rail", "ground.origin", "mass.origin")
+    scene.measure("place", "x", "mass.origin").initial({"mass.x": 1.005})
+    scene.force("spring", "mass.origin", "-40000 * (place - cos(t))", 0.0)
+    model, w = model_of(scene.simulation(t_end=5.0, dt=1e-3, scheme="rk4").build()), 200.0
+    run, share = simulate(model, scheme="rk4", tolerance=1e-2), w**2 / (w**2 - 1)
+    exact = -share * np.sin(run.t) - (1.005 - share) * w * np.sin(w * run.t)
+    assert run.status.ok and "remark" not in run.stats
+    assert np.sqrt(np.mean((run.rate("mass.x") - exact) ** 2)) < 0.05 * np.sqrt(np.mean(exact**2))
+
+
 @pytest.mark.parametrize("spacing", [0.02, 0.3])
 def test_samples_are_as_far_apart_as_asked(built_in: Load, spacing: float) -> None:
     """dt with a tolerance is the time between samples; without one they are the steps, a thousand at most."""
