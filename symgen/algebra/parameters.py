@@ -17,78 +17,10 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.records import Bound, BoundedQuantity, Parameter
-from runtime.contract.tables import Table
+from symgen.scene import SceneRecord
+from symgen.schema.fields import Meaning
 
 STRICTNESS: tuple[Bound, ...] = ("any", "not negative", "positive")
-
-
-class Declaration(Protocol):
-    """A declared parameter: default value in its SI unit, and what it is."""
-
-    @property
-    def default(self) -> float:
-        """Value where nothing else is said."""
-
-    @property
-    def unit(self) -> str:
-        """SI unit."""
-
-    @property
-    def description(self) -> str:
-        """What it is."""
-
-
-class Readable(Protocol):
-    """An expression that has been read."""
-
-    def to_casadi(self, environment: Mapping[str, Any]) -> ca.SX:
-        """Its value for values of the names in it."""
-
-
-class Curve(Protocol):
-    """A curve through points."""
-
-    @property
-    def curve(self) -> Table:
-        """What it is between and outside them."""
-
-
-class Declarations(Protocol):
-    """What the table asks of a scene: declared parameters and tables, and how a text that uses them is read."""
-
-    def fixed_parameters(self) -> Mapping[str, Declaration]:
-        """Those that stay as they are during a run, by name."""
-
-    @property
-    def tables(self) -> Mapping[str, Curve]:
-        """By name."""
-
-    def expression(self, text: str, item: str) -> Readable:
-        """The expression in a text; `item` names it in errors."""
-
-
-class Sign(Protocol):
-    """The sign that a quantity must have."""
-
-    @property
-    def value(self) -> Bound:
-        """In words."""
-
-
-class Explained(Protocol):
-    """What a quantity stands for."""
-
-    @property
-    def description(self) -> str:
-        """What it is."""
-
-    @property
-    def unit(self) -> str:
-        """SI unit."""
-
-    @property
-    def bound(self) -> Sign:
-        """The sign that it must have."""
 
 
 class Part(Protocol):
@@ -98,20 +30,20 @@ class Part(Protocol):
     def name(self) -> str:
         """Unique among its kind."""
 
-    def meaning(self, key: str) -> Explained:
+    def meaning(self, key: str) -> Meaning:
         """Of one of its quantities."""
 
 
 class ParameterTable:
     """Collects the entries of p while the scene's bodies, joints and loads are instantiated."""
 
-    def __init__(self, declarations: Declarations) -> None:
-        self._declarations = declarations
+    def __init__(self, scene: SceneRecord) -> None:
+        self._scene = scene
         self._entries: dict[str, Parameter] = {}
         self._symbols: dict[str, ca.SX] = {}
         self._data: dict[str, ca.SX] = {}
         self._bounded: dict[str, tuple[BoundedQuantity, ca.SX]] = {}
-        for name, parameter in declarations.fixed_parameters().items():
+        for name, parameter in scene.fixed_parameters().items():
             self._add(Parameter(name, parameter.unit, parameter.description, "declared", parameter.default))
 
     @property
@@ -138,7 +70,7 @@ class ParameterTable:
         array: the array that the number is an entry of.
         """
         if isinstance(value, str):
-            result = self._declarations.expression(value, name).to_casadi(self.environment())
+            result = self._scene.expression(value, name).to_casadi(self.environment())
             self._bind(value, name, bound, result)
             return result
         if value == 0:
@@ -184,8 +116,8 @@ class ParameterTable:
 
     def environment(self) -> Mapping[str, Any]:
         """Declared parameters by name, and tables as functions, for expressions in the scene."""
-        tables = {f"table {name}": table.curve.function() for name, table in self._declarations.tables.items()}
-        return {**{name: self._symbols[name] for name in self._declarations.fixed_parameters()}, **tables}
+        tables = {f"table {name}": table.curve.function() for name, table in self._scene.tables.items()}
+        return {**{name: self._symbols[name] for name in self._scene.fixed_parameters()}, **tables}
 
     def vector(self) -> ca.SX:
         """p as one SX column."""

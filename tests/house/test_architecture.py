@@ -51,7 +51,7 @@ SYMGEN_ROOMS = {
     "loads": "joints schema",
     "couplings": "joints loads schema",
     "scene": "couplings joints loads schema",
-    "algebra": "",
+    "algebra": "scene schema",
     "bodies": "algebra modes scene",
     "system": "algebra bodies couplings joints loads scene schema",
     "urdf": "joints scene schema",

@@ -218,42 +218,37 @@ def links_of(own: JointCoordinates, before: SE3, forward: bool) -> tuple[list[Jo
     sign = ONE if forward else neg(ONE)
     links, place = [], before
     groups = list(_groups(own))
-    for axis, turn, travel, crosswise, lead in groups if forward else reversed(groups):
+    for axis, link in groups if forward else reversed(groups):
         aside = TO_Z[axis]
-        near = place if aside is None else place * aside
-        links.append(JointLink(near, turn, travel, crosswise, sign, lead))
+        links.append(replace(link, before=place if aside is None else place * aside, sign=sign))
         place = SE3.identity() if aside is None else aside.inverse()
     return links, place
 
 
-Pair = tuple[JointCoordinate, JointCoordinate]
-
-
-def _groups(
-    own: JointCoordinates,
-) -> Iterator[tuple[int, JointCoordinate | None, JointCoordinate | None, Pair | None, ca.SX]]:
-    """(axis, turn, travel, crosswise, lead) of the motions that one link makes.
+def _groups(own: JointCoordinates) -> Iterator[tuple[int, JointLink]]:
+    """(axis, what one link leaves free) of the motions in their order.
 
     A turn and a slide about one axis go together, and two slides across an axis with the turn about it after them.
     """
-    motions, found, k = own.motions, own.coordinates, 0
+    motions, found, k, start = own.motions, own.coordinates, 0, SE3.identity()
     while k < len(motions):
         here, after = motions[k], motions[k + 1] if k + 1 < len(motions) else None
         turns = isinstance(here, TurnOf)
         if [(type(one), one.axis) for one in motions[k : k + 3]] == [(SlideOf, 0), (SlideOf, 1), (TurnOf, 2)]:
-            yield 2, found[k + 2], None, (found[k], found[k + 1]), ZERO
+            yield 2, JointLink(start, found[k + 2], crosswise=(found[k], found[k + 1]))
             k += 3
         elif (
-            after is not None
+            after
             and after.axis == here.axis
             and turns is not isinstance(after, TurnOf)
             and not (here.lead or after.lead)
         ):
             turn, travel = (k, k + 1) if turns else (k + 1, k)
-            yield here.axis, found[turn], found[travel], None, ZERO
+            yield here.axis, JointLink(start, found[turn], found[travel])
             k += 2
         else:
-            yield here.axis, found[k] if turns else None, None if turns else found[k], None, own.leads[k]
+            alone = (found[k], None) if turns else (None, found[k])
+            yield here.axis, JointLink(start, alone[0], alone[1], lead=own.leads[k])
             k += 1
 
 
