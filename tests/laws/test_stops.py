@@ -8,8 +8,8 @@ from math import log, sqrt
 import numpy as np
 import pytest
 
+from runtime import ensemble, simulate
 from runtime.contract.model import Model
-from runtime.running.simulate import simulate
 from symgen.scene import Scene, SceneRecord
 from symgen.schema.errors import SceneError
 
@@ -192,3 +192,34 @@ def test_bad_contacts_are_refused_by_name(fields: dict[str, object], item: str, 
     with pytest.raises(SceneError) as raised:
         scene.build()
     assert item in str(raised.value) and says in str(raised.value), raised.value
+
+
+def braked_rod() -> SceneRecord:
+    """A rod that falls onto a stop of 400 N m/rad; each time it turns back an event makes a brake stronger."""
+    rod = Scene("braked_rod").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
+    rod.revolute("pin", "ground.origin", "rod.origin", limits={"lower": -1.0, "stiffness": 400.0})
+    rod.measure("angle", "coordinate", "rod.theta").input("brake").torque("brake", "rod.origin", "-brake")
+    rod.event("turns", "angle_dot", direction="falling", action={"brake": "brake + 0.3"})
+    return rod.simulation(t_end=2.0, dt=0.01, scheme="rk4", save_every=1).build()
+
+
+def test_errors_across_stops_and_events_are_told(model_of: Build) -> None:
+    """Within a factor 10 of the true ones, with steps of one length and with a tolerance, which is delivered."""
+    model = model_of(braked_rod())
+    exact = simulate(model, dt=2e-4, save_every=50, error="off").q_i[:, 0]
+    runs = [simulate(model, dt=dt, save_every=round(0.01 / dt)) for dt in (0.01, 0.005, 0.0025)]
+    runs += [simulate(model, scheme="auto", tolerance=tolerance, dt=0.01) for tolerance in (1e-4, 1e-6)]
+    for run, asked in zip(runs, (1e-2, 1e-3, 1e-4, 1e-4, 1e-6), strict=True):
+        true = np.sqrt(np.mean((run.q_i[:, 0] - exact) ** 2)) / exact.std()
+        assert true < asked and true / 10 < run.error.largest < 10 * true, (true, run.error.largest)
+        assert run.status.ok and {event.name for event in run.events} == {"turns"}
+
+
+def test_cases_that_come_to_a_stop_are_the_runs_by_themselves(model_of: Build) -> None:
+    """Bit for bit, beside cases that never do."""
+    model = model_of(slider("planar", limits={"upper": 0.5, "stiffness": 3e4, "damping": 0.8}).build())
+    speeds = np.array([0.2, 0.9, -1.0, 2.0])
+    found = ensemble(model, initial={"m.x_dot": speeds}, outputs=["m.x"])
+    for k, speed in enumerate(speeds):
+        run = simulate(model, initial={"m.x_dot": float(speed)}, error="off")
+        assert np.ravel(found["m.x"][k])[-1] == run["m.x"][-1]
