@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 def crossed_kinks(solution: Samples) -> list[Event]:
     """The first one of each load between two samples, for the inputs at the end."""
     model = solution.model
-    owners, first = model.description.kinks, len(model.description.events)
+    owners = model.description.kinks
+    first = sum(not event.mode for event in model.description.events)
     if not owners or len(solution.t) < 2:
         return []
     at = {"q": solution.q, "q_dot": solution.q_dot, "t": solution.t[:, None]}

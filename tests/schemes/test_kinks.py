@@ -168,3 +168,19 @@ def test_a_scene_without_kinks_watches_nothing(model_of: Build) -> None:
     rod.measure("a", "coordinate", "rod.theta").torque("drive", "rod.origin", "where(t < 1, 1, 0) - 2*sin(a)")
     model = model_of(rod.simulation(t_end=0.1, dt=0.01, scheme="rk4").build())
     assert model.description.kinks == [] and not model.has("events")
+
+
+def test_kinks_stand_beside_friction_and_events(model_of: Build) -> None:
+    """Friction that sticks, a stop and an event on one rail, with kinks located and crossed."""
+    rail = Scene("rubbing").rigid("m", mass=1.0, inertia=0.1)
+    stops = {"lower": -0.4, "upper": 0.4, "stiffness": 4e4, "damping": 0.3}
+    rail.prismatic("rail", "ground.origin", "m.origin", friction={"coulomb": 3.0}, limits=stops)
+    rail.measure("x", "coordinate", "m.x").force("f", "m.origin", "-50*(x+0.25)", 0.0).event(
+        "e", "x", direction="rising"
+    )
+    model = model_of(rail.rates({"m.x": -5.0}).simulation(t_end=2.0, dt=2.5e-4, scheme="rk4", save_every=8).build())
+    located, crossed = simulate(model), simulate(model, options={"kinks": "crossed"})
+    assert located.stats["kinks"] == 4 and located["m.x_dot"][-1] == 0.0
+    assert [event.kind for event in located.events if event.name != "rail.friction"] == ["event"]
+    assert [event.name for event in crossed.events if event.kind == "kink_crossed"] == ["rail"]
+    assert crossed["m.x"][-1] == pytest.approx(located["m.x"][-1], abs=1e-3)
