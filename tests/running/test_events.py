@@ -241,6 +241,19 @@ def test_long_steps_of_a_tolerance_pass_nothing_over(
     assert [event.time for event in run.events] == pytest.approx(times[(times > 0) & (times < 5)], rel=0, abs=1e-9)
 
 
+@pytest.mark.parametrize("every", [1, 10, 100])
+def test_samples_far_apart_miss_no_event(model_of: Build, every: int) -> None:
+    """A mass on a spring turns back at k pi / w; each time is told, however many states are made in one call."""
+    mass = Scene("turning_back").rigid("m", mass=1.0, inertia=0.1).prismatic("rail", "ground.origin", "m.origin")
+    mass.measure("x", "coordinate", "m.x").force("spring", "m.origin", "-4e4 * x", 0.0).event("turns", "x_dot")
+    mass.rates({"m.x": 5.0}).simulation(t_end=1.0, dt=0.001, scheme="dopri5")
+    options = {"error_of": "step"}
+    given = {"scheme": "dopri5", "tolerance": 1e-8, "dt": 0.001, "options": options, "error": "off"}
+    run = simulate(model_of(mass.build()), save_every=every, **given)
+    times = (np.arange(64) + 0.5) * np.pi / 200
+    assert [event.time for event in run.events] == pytest.approx(times[times < 1.0], rel=0, abs=1e-7)
+
+
 def end_stop(event: bool) -> SceneRecord:
     """A rod that falls onto a spring at -1 rad."""
     builder = Scene("end_stop").gravity(0, -G).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))

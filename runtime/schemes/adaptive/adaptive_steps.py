@@ -331,6 +331,8 @@ class StepControl(AdaptiveState):
     def _aim(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         low, high = ca.fmin(z["det_low"], z["det_now"]), ca.fmax(z["det_high"], z["det_now"])
         way = self._left(z, self._goal(z, equations) - z["t_to"], z["t_to"])
+        if "event_step" in z:  # nothing goes on from an event that nobody has taken
+            way = ca.if_else(z["event_step"] < NEVER, 0, way)
         now = self._seen(z)
         low_now, high_now = ca.fmin(z["q_low"], now), ca.fmax(z["q_high"], now)
         weight = self._weight(low_now, high_now, equations)
