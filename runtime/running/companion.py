@@ -19,7 +19,7 @@ from runtime.contract.coordinates import followed
 from runtime.contract.status import Event
 from runtime.results.motion_error import MotionError, amplitudes, motion_error, with_rates
 from runtime.results.solution import Solution
-from runtime.running.outcome import LARGEST
+from runtime.running.outcome import LARGEST, passed_by
 from runtime.running.plan import Plan
 from runtime.running.problem import Problem
 from runtime.running.run import Marks, Run, begun
@@ -27,6 +27,7 @@ from runtime.running.time_functions import INSIDE, check_time_functions
 
 MARKS = 20  # times at which two motions are compared, about
 SHORTEST, LONGEST = 10, 20  # steps from mark to mark of a short run; of longer ones so many numbers are looked at
+LEAST = 4  # steps in the time in which a load acts
 REST = 3.0  # price of what lies behind the last mark, beside the distance of a ratio from the one that is wanted
 EARLY, FINER = 8, 4  # marks in the first stretch of a method that damps, and how much shorter steps there are
 
@@ -75,6 +76,8 @@ def measured(run: Run, solution: Solution) -> MotionError:
         return MotionError(reason="a controller keeps a memory of its own: give its numbers as Sampled(memory=...)")
     try:
         if any(event.kind == "load_missed" for event in run.events):  # other steps of this length miss it, too
+            if (short := _too_short(run)) is not None:
+                return MotionError(reliable_until=short.time, reason=short.text)
             return _compared(problem, plan, marks, solution, 1 / INSIDE)
         if max(marks.states) < marks.every:  # an event has ended it soon
             return _compared(problem, plan, marks, solution, 1 / FINER, early=True)
@@ -90,6 +93,11 @@ def measured(run: Run, solution: Solution) -> MotionError:
     except KeyboardInterrupt:
         return MotionError(reason="stopped by the user while it was measured")
     return found
+
+
+def _too_short(run: Run) -> Event | None:
+    """What acts so shortly that even steps of an eighth may pass it by."""
+    return next((one.told for one in passed_by(run, LEAST / INSIDE)), None)
 
 
 def _ratio(plan: Plan) -> float:

@@ -22,7 +22,7 @@ from runtime.results.motion_error import MotionError, amplitudes, motion_error, 
 from runtime.results.solution import Solution
 from runtime.running.companion import loads_missed, marks_of
 from runtime.running.load_steps import steps_that_see_loads
-from runtime.running.outcome import LARGEST, finished
+from runtime.running.outcome import LARGEST, finished, passed_by
 from runtime.running.plan import MAX_SAMPLES, Plan, make_plan, whole_number
 from runtime.running.problem import ROUNDING, Problem, common_time
 from runtime.running.run import Further, Marks, Run, begun, told_by
@@ -33,6 +33,7 @@ from runtime.schemes.scheme import Scheme, evaluation_operations
 from runtime.schemes.switching.times import switching_times
 
 FIRST = 20  # steps of a first rung, at least
+SEES_SHORT = 8  # steps in the time in which a load acts
 SAFETY = 0.9  # of a tolerance, and of a stability limit
 MOST = 2.5  # times the steps of the rung before
 AFTER_LOST = 3.0  # the same, where the motion was lost
@@ -115,16 +116,16 @@ def by_ladder(
     """
     ladder = Ladder(problem, tolerance, spacing, further)
     if scheme == AUTO:
-        method, reason = chosen_method(problem)
+        method, _ = chosen_method(problem)
     else:
-        method, reason = Method(scheme, None if m is None else tuple(m), options), ""
+        method = Method(scheme, None if m is None else tuple(m), options)
     rungs, total = [], 0.0
     for rung in ladder.climb(method):
         rungs.append(rung)
         total += rung.steps
         if rung.status.name == "interrupted":
             break
-    return ladder.solution(rungs, total, reason)
+    return ladder.solution(rungs, total)
 
 
 @dataclass
@@ -178,6 +179,7 @@ class Ladder:
     def climb(self, method: Method) -> Iterator[Rung]:
         """Rungs from the first to the one that meets the tolerance, or to the last that it is worth to make."""
         count, rungs, spent = ceil((method.first or self.first(method)) / self.unit), list[Rung](), 0.0
+        seen = 0
         while True:
             plan = self.plan(method, count * self.unit)
             rung = self.rung(plan, quiet=bool(rungs))
@@ -187,7 +189,10 @@ class Ladder:
             rungs.append(rung)
             yield rung
             spent += plan.steps * rung.run.segment.stepper.operations
+            if len(rungs) == 1:
+                seen = self._seen_on_the_way(rung)
             following = self.next_count(rungs, order)
+            following = following if following is None else max(following, seen)
             if following is None or spent * following / count > MOST_OPERATIONS or following * self.unit > MOST_STEPS:
                 return
             count = following
@@ -196,6 +201,11 @@ class Ladder:
         """Steps of a first rung: such as see what loads do, within the stability limit at the start."""
         scheme = self.plan(method, FIRST).scheme
         return max(_seen_loads(self.problem), _stable_steps(scheme, _slopes(self.problem), self.span))
+
+    def _seen_on_the_way(self, rung: Rung) -> int:
+        """Steps, in units, that see what acts on a short part of the way that a rung took."""
+        shortest = min((one.end - one.start for one in passed_by(rung.run, SEES_SHORT)), default=inf)
+        return ceil(SEES_SHORT * self.span / shortest / self.unit)
 
     def rung(self, plan: Plan, quiet: bool = False) -> Rung:
         """A whole motion; quiet: nobody looks whether its steps see what loads do."""
@@ -257,7 +267,7 @@ class Ladder:
         wanted = max(count + 1, ceil(count * min(max(factor, least), MOST)))
         return next(one for one in range(wanted, 2 * wanted + 2) if gcd(one, count) == 1 or one > wanted + 3)
 
-    def solution(self, rungs: list[Rung], total: float, reason: str) -> Solution:
+    def solution(self, rungs: list[Rung], total: float) -> Solution:
         """What the last whole rung is, with its error, and how the ladder ended."""
         whole = [one for one in rungs if not one.lost]
         if not whole:
@@ -280,6 +290,7 @@ class Ladder:
             "tolerance": self.tolerance,
             "rungs": len(rungs),
             "steps_of_all_rungs": total,
+            "seconds_of_all_rungs": sum(one.run.seconds for one in rungs),
         }
         status = found.status
         if interrupted:
@@ -289,8 +300,6 @@ class Ladder:
                 f"the error is {answer.error:.2g} of an amplitude, where {self.tolerance:g} was asked: "
                 "more steps do not bring it down"
             )
-        if reason:
-            stats["advice"] = reason
         return found.but(stats=stats, status=status)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -31,22 +32,32 @@ def finished(run: Run, measure: Measure) -> Solution:
     return solution
 
 
+def passed_by(run: Run, steps: float) -> list[Any]:
+    """Loads that act in less than so many steps along the way of a run, as `short_loads` finds them."""
+    loads = run.segment.model.description.measures and opened("runtime.running.load_path:short_loads")(run, steps)
+    return loads or []
+
+
 def _ended(run: Run, measure: Measure) -> Solution:
-    began = time.perf_counter()
     status = run.status if run.step == 0 and run.status is not None else run.go()
+    if status.ok:
+        run.events += [one.told for one in passed_by(run, 1.0)[:1]]
     status = _explained(status, run)
-    wall = time.perf_counter() - began
     run.record.flush()
     solution = run.seen()
-    stats = {**statistics(run.segment, run.z, run.set_up, wall), **solution.stats, **_circumstances(run)}
+    stats = {**statistics(run.segment, run.z, run.set_up, run.seconds), **solution.stats, **_circumstances(run)}
     events = [event for event in run.events if event.kind != "kink"]
     if run.segment.model.description.kinks and run.segment.plan.scheme.options.kinks == "crossed":
         events += opened("runtime.results.kinks:crossed_kinks")(solution)
     elif len(events) < len(run.events):
         stats["kinks"] = len(run.events) - len(events)
     solution = solution.but(status=status, stats=stats, events=events, parameters=run.segment.p, stops=_stops(run))
+    began = time.perf_counter()
     solution = with_error(solution, measure(run, solution) if status.ok else MotionError(reason=f"it is {status.name}"))
-    return run.record.finished(with_limits(solution))
+    measured = time.perf_counter()
+    solution = with_limits(solution)
+    parts = {"error_seconds": measured - began, "limits_seconds": time.perf_counter() - measured}
+    return run.record.finished(solution.but(stats={**solution.stats, **parts}))
 
 
 def _stops(run: Run) -> np.ndarray:

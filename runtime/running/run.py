@@ -153,7 +153,9 @@ class Run:
     schedule: Schedule | None = None
     pace: Pace = field(default_factory=Pace)
     set_up: float = 0.0  # seconds that it took to come to the start
+    seconds: float = 0.0  # that its steps took
     _happened: EventActions | None = None
+    _left: dict[int, int] = field(default_factory=dict)  # the step at which segments, by identity, were left last
     earlier: np.ndarray | None = None  # a state of this segment at least a step before z, if there is one
 
     @property
@@ -163,6 +165,13 @@ class Run:
 
     def go(self) -> Status:
         """Step until the end, trouble, or Ctrl-C. The record ends with the last good state."""
+        began = time.perf_counter()
+        try:
+            return self._gone()
+        finally:
+            self.seconds += time.perf_counter() - began
+
+    def _gone(self) -> Status:
         self._written = time.monotonic()
         with heard_interrupts() as interrupts:
             self._interrupts = interrupts
@@ -347,6 +356,9 @@ class Run:
         passage = opened("runtime.running.singular.passage:Passage")
         way = passage(self.segment, self.guard, self.record.segments, self.problem.engine, asked, happened)
         found = way.go_on(z if previous is None else previous)
+        if self._left.get(id(found.segment)) == found.segment.step_of(found.z):  # exchanges would go in a circle
+            self._step_unguarded(z if previous is None else previous)
+            return
         if found.event is not None and (
             found.event.kind != "no_variant" or not any(event.text == found.event.text for event in self.events)
         ):  # said once
@@ -364,6 +376,7 @@ class Run:
             self._keep(sample[None])
         self.status = found.status
         if found.segment is not self.segment:
+            self._left[id(self.segment)] = found.segment.step_of(found.z)
             self.segment, self.guard = found.segment, found.segment.new_guard()
             if found.segment not in self.record.segments:
                 self.record.segments.append(found.segment)

@@ -9,6 +9,7 @@ from typing import Any, cast
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, CALLED, FLAG, NAMES, PLACE, START, arguments
 from runtime.contract.coordinates import Initial
 from runtime.contract.doors import opened
 from runtime.contract.model import Model, refuse_events
@@ -31,6 +32,17 @@ GLOBAL, LOCAL = "motion", "step"  # what a tolerance may be of
 __all__ = ["simulate"]
 
 
+@arguments(
+    options=BY_NAME,
+    parameters=BY_NAME,
+    initial=START,
+    inputs=BY_NAME,
+    progress=CALLED,
+    force=FLAG,
+    outputs=NAMES,
+    stream=PLACE,
+    checkpoint=PLACE,
+)
 def simulate(
     model: Model,
     *,
@@ -71,8 +83,8 @@ def simulate(
     takes the samples instead of memory. checkpoint: a file that `resume` goes on from, written every
     `checkpoint_every` major steps (None: every minute) and on Ctrl-C.
 
-    Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError, InitialStateError,
-    OutputError or CompilerError for arguments that cannot be used.
+    Numerical failure does not raise: see Solution.status. Raises ArgumentError, SchemeError, ModelError,
+    InitialStateError, OutputError or CompilerError for arguments that cannot be used.
     """
     if progress is True:
         with opened("runtime.results.meter:Meter")(model.name) as meter:

@@ -263,7 +263,7 @@ def pulse_times(
             span
             for k, row in enumerate(values)
             if np.ptp(row) > 0
-            for span in _spans(row)
+            for span in short_spans(row)
             if _has_height(forces, times, k, row, span)
         }
     )
@@ -285,13 +285,14 @@ def _has_height(forces: Forces, times: np.ndarray, k: int, row: np.ndarray, span
     return bool(np.abs(found).max() < 2 * abs(row[peak]))
 
 
-def _spans(row: np.ndarray) -> list[tuple[int, int]]:
-    """From and to which point of (POINTS + 1,) values something short acts."""
+def short_spans(row: np.ndarray) -> list[tuple[int, int]]:
+    """From and to which point of values (N + 1,) at even distances something short acts; N: a power of two."""
+    points = len(row) - 1
     varying = row - np.median(row)
     whole, bends = float(np.abs(varying).sum()), np.abs(np.diff(varying, 2))
     found: list[tuple[int, int]] = []
     for count, most in LEVELS:
-        n = POINTS // count
+        n = points // count
         edges = varying[: count * n + 1 : n]
         inner = varying[:-1].reshape(count, n)
         sums = inner.sum(axis=1) + (edges[1:] - edges[:-1]) / 2
@@ -309,6 +310,8 @@ def _within(bends: np.ndarray, first: int, last: int) -> tuple[int, int]:
     least = max(ACTS * bends[first : last - 1].max(), SLOW * float(np.median(bends)))
     still = np.flatnonzero(bends <= least)
     acts = first + np.flatnonzero(bends[first : last - 1] > least)
+    if not len(acts):  # nothing bends more than all along
+        return first, last
     before, after = still[still < acts[0]], still[still > acts[-1]]
     low = int(before[-1]) + 1 if len(before) else 0
     high = int(after[0]) + 1 if len(after) else len(bends) + 1

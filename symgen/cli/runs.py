@@ -233,8 +233,6 @@ def summary(solution: Solution, judged: float | None = None) -> list[str]:
         lines.append(f"the initial state was corrected: {stats['initial_changes']}")
     if "sub_step_cost" in stats:
         lines.append(f"a sub-step costs {float(stats['sub_step_cost']):.2g} of a full evaluation (operations)")
-    if "advice" in stats:
-        lines.append(f"chosen automatically: {stats['advice']}")
     if "engine_note" in stats:
         lines.append(str(stats["engine_note"]))
     names = followed(model)[0]

@@ -119,7 +119,7 @@ class RigidBody(StrictModel):
 
     type: Literal["rigid"] = "rigid"
     name: Name
-    mass: Annotated[Quantity, Meaning("mass", "kg", Bound.POSITIVE)]
+    mass: Annotated[Quantity, Meaning("mass", "kg", Bound.NON_NEGATIVE)]
     inertia: Annotated[Inertia, Meaning("moment of inertia about the centre of mass", "kg m^2", Bound.NON_NEGATIVE)]
     products: Products = (0.0, 0.0, 0.0)
     center_of_mass: Position = (0.0, 0.0)

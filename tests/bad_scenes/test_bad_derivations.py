@@ -208,7 +208,7 @@ def swing(tmp_path_factory: pytest.TempPathFactory) -> Model:
         ({"parameters": {"rod.weight": 1.0}}, ModelError, "no parameter 'rod.weight'"),
         ({"parameters": {"rod.mass": float("nan")}}, ModelError, "must be a finite number"),
         ({"parameters": {"rod.mass": "x"}}, ModelError, "must be a finite number"),
-        ({"parameters": {"rod.mass": -1.0}}, ModelError, "must be positive"),
+        ({"parameters": {"rod.mass": -1.0}}, ModelError, "at least zero"),
         ({"parameters": {"rod.inertia": -1.0}}, ModelError, "at least zero"),
         ({"scheme": "printed", "m": 3}, SchemeError, "m must be a list"),
         ({"t0": float("nan")}, SchemeError, "t0 must be a time"),

@@ -85,9 +85,8 @@ BAD: list[tuple[str, str, str, Any, str, str]] = [
     ("structure and bodies", L, "bodies", [CRANK], "bodies", "structure has no bodies"),
     ("structure with gravity", L, "gravity", [0, -9.81], "gravity", "no effect on a structure"),
     # values
-    ("negative mass", S, "bodies/0/mass", -1, "bodies[0] 'crank'.mass", "must be positive"),
-    ("zero mass", S, "bodies/0/mass", 0, "bodies[0] 'crank'.mass", "must be positive"),
-    ("negative by expression", S, "bodies/0/mass", "minus*2", "bodies[0] 'crank'.mass", "must be positive"),
+    ("negative mass", S, "bodies/0/mass", -1, "bodies[0] 'crank'.mass", "must be not negative"),
+    ("negative by expression", S, "bodies/0/mass", "minus*2", "bodies[0] 'crank'.mass", "must be not negative"),
     ("negative inertia", S, "bodies/0/inertia", -1, "bodies[0] 'crank'.inertia", "must be not negative"),
     ("negative length", S, "bodies/1/length", -0.3, "bodies[1] 'rod'.length", "must be positive"),
     ("division by zero", S, "bodies/1/length", "1/zero", "bodies[1] 'rod'.length", "division by zero"),

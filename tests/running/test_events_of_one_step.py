@@ -28,6 +28,22 @@ def test_all_passages_of_one_step_are_told_in_order(model_of: Build, scheme: str
 
 
 @pytest.mark.parametrize("scheme", ["rk4", "single_rate"])
+@pytest.mark.parametrize("places", [(0.65, 1.22), (0.35, -0.22)])
+def test_a_short_dip_of_a_cubic_is_told(model_of: Build, scheme: str, places: tuple[float, float]) -> None:
+    """A cubic that dips below zero for 0.2 % of a step, with its third zero in the next step or the one before.
+
+    Value and slope at one end of the step say that it may; by a quarter of the step, not a third, that line would
+    not reach zero.
+    """
+    zeros = sorted(0.05 * (10 + place) for place in (places[0] - 1e-3, places[0] + 1e-3, places[1]))
+    builder = Scene("gliding").rigid("mass", mass=1.0, inertia=0.1).rates({"mass.x": 1.0})
+    builder.prismatic("rail", "ground.origin", "mass.origin").measure("x", "x", "mass.origin")
+    builder.event("dip", " * ".join(f"(x - {place!r})" for place in zeros))
+    run = simulate(model_of(builder.simulation(t_end=1.0, dt=0.05, scheme="rk4").build()), scheme=scheme)
+    assert [event.time for event in run.events] == pytest.approx(zeros, rel=0, abs=1e-9)
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "single_rate"])
 @pytest.mark.parametrize("at", [0.512, 0.5])
 def test_an_event_just_where_a_load_jumps(model_of: Build, at: float, scheme: str) -> None:
     """The force of 2 N that ends at a time is 3 N from there on, by an event at that time."""

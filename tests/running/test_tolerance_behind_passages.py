@@ -6,11 +6,12 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from runtime import simulate
 from runtime.contract.model import Model
 from runtime.running.singular.exchange import use_generator
-from symgen.scene import SceneRecord
+from symgen.scene import Scene, SceneRecord
 from symgen.variants import generate_variant
 from tests.support.slider_cranks import driven_slider_crank, loop
 
@@ -44,6 +45,33 @@ def test_a_tolerance_is_delivered_behind_singular_positions(
     assert run.status.ok and len(run.events) == len(exact.events) > 0
     off = np.sqrt(np.mean((run.q_i - exact.q_i) ** 2)) / exact.q_i.std()
     assert off < 2 * tolerance and off / 10 < run.error.largest < 10 * off
+
+
+def hung() -> SceneRecord:
+    """A body of 1 kg on a rod without mass between two pivots, from the horizontal: q_i are exchanged at each swing."""
+    builder = Scene("hung").gravity(0, -9.81).rigid("m", mass=1.0, inertia=0.1)
+    builder.distance("rod", "ground.origin", "m.origin", length=1.0)
+    return builder.initial({"m.x": 1.0, "m.y": 0.0, "m.theta": 0.0}).build()
+
+
+@pytest.mark.parametrize("scheme", ["dopri5", "dop853", "exponential", "exponential_rk4"])
+def test_a_body_on_a_rod_between_balls(model_of: Build, scheme: str) -> None:
+    """The pendulum's own equation in its angle, by SciPy; a first motion has 20 steps."""
+    run = simulate(model_of(hung()), scheme=scheme, tolerance=1e-6, t_end=5.0)
+
+    def slope(t: float, y: np.ndarray) -> list[float]:
+        return [y[1], -9.81 * np.cos(y[0])]
+
+    angle = solve_ivp(slope, (0, 5.0), [0, 0], method="DOP853", rtol=1e-12, atol=1e-12, t_eval=run.t).y[0]
+    assert run.status.name == "completed" and len(run.events) > 4
+    for name, exact in (("m.x", np.cos(angle)), ("m.y", np.sin(angle))):
+        assert np.sqrt(np.mean((run[name] - exact) ** 2)) < 1e-6 * exact.std()
+
+
+def test_exchanges_do_not_go_in_a_circle(model_of: Build) -> None:
+    """Steps of a quarter of a second, in which every choice of q_i becomes singular, end by name."""
+    run = simulate(model_of(hung()), scheme="dop853", dt=0.25, t_end=5.0, force=True)
+    assert run.status.name == "branch_lost" and "Reduce the step" in str(run.status.advice)
 
 
 @pytest.mark.parametrize("scheme", ["dopri5", "exponential_rk4"])

@@ -226,14 +226,25 @@ def test_both_engines_give_the_same_bits(built_in: Load) -> None:
     assert np.array_equal(one.q, other.q) and one.stats["steps"] == other.stats["steps"]
 
 
+@pytest.mark.parametrize("settings", [{"tolerance": 1e-4}, {"scheme": "rk4", "dt": 1e-3}])
+def test_a_run_says_what_it_took_by_part(built_in: Load, settings: dict[str, object]) -> None:
+    """Steps, the time of a step, and the times around them; under a tolerance those of its rungs together, too."""
+    stats = simulate(built_in("double_pendulum"), t_end=1.0, **settings).stats  # type: ignore[arg-type]
+    parts = ("setup_seconds", "wall_seconds", "error_seconds", "limits_seconds")
+    assert all(float(stats[part]) > 0 for part in parts)
+    assert float(stats["seconds_per_step"]) * int(stats["steps"]) == pytest.approx(float(stats["wall_seconds"]))
+    if "tolerance" in settings:
+        assert float(stats["seconds_of_all_rungs"]) > float(stats["wall_seconds"])
+
+
 def test_auto_takes_the_method_that_stiffness_asks_for(built_in: Load) -> None:
     """A pendulum, a damper that dies out in a thousandth of the motion, and a stiff elastic rod."""
     plain, stiff = simulate(built_in("pendulum"), tolerance=1e-3), simulate(built_in("overdamped_joint"), scheme="auto")
-    assert plain.scheme == "dopri5" and "not stiff" in str(plain.stats["advice"])
-    assert stiff.scheme == "exponential_rk4" and "is stiff" in str(stiff.stats["advice"])
+    assert plain.scheme == "dopri5"
+    assert stiff.scheme == "exponential_rk4"
     assert plain.status.ok and stiff.status.ok and stiff.stats["tolerance"] == 1e-3
     rod = simulate(built_in("stiff_slider_crank"), scheme="auto", t_end=0.05)
-    assert rod.scheme == "exponential_rk4" and rod.status.ok and "dopri5" in str(rod.stats["advice"])
+    assert rod.scheme == "exponential_rk4" and rod.status.ok
 
 
 def test_modes_that_ring_are_seen_by_the_estimate(built_in: Load) -> None:

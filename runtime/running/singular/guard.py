@@ -39,7 +39,7 @@ class Guard:
         if not len(self.largest):
             return 1.0
         largest = np.maximum(self.largest, np.maximum(np.abs(low), np.abs(high)))
-        changed = (low * high <= 0) | (self.sign * low < 0)
+        changed = (np.sign(low) * np.sign(high) <= 0) | (self.sign * np.sign(low) < 0)
         with np.errstate(invalid="ignore", divide="ignore"):
             shares = np.where(changed, -1.0, np.minimum(np.abs(low), np.abs(high)) / largest)
         return float(shares.min())

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, CALLED, NAMES, PLACE, arguments
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
 from runtime.results.meter import Meter
@@ -23,6 +24,7 @@ from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.starts import columns_by_name, table_of, with_functions
 
 
+@arguments(inputs=BY_NAME, options=BY_NAME, outputs=NAMES, reduce=BY_NAME, progress=CALLED, folder=PLACE)
 def ensemble(
     model: Model,
     parameters: Any = None,

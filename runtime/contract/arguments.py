@@ -1,0 +1,72 @@
+"""Arguments of doors: what is unknown or of another kind is refused by name, with what may be meant."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from difflib import get_close_matches
+from functools import wraps
+from inspect import signature
+from os import PathLike
+from typing import Any, NamedTuple, ParamSpec, TypeVar
+
+from runtime.contract.errors import ArgumentError
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+
+class Kind(NamedTuple):
+    """What an argument is, by a test; in words, what to give instead."""
+
+    holds: Callable[[Any], bool]
+    wanted: str
+
+
+def _are_names(value: Any) -> bool:
+    return isinstance(value, Sequence) and not isinstance(value, str) and all(isinstance(one, str) for one in value)
+
+
+BY_NAME = Kind(lambda value: isinstance(value, Mapping), 'give a dictionary, such as {"rod.mass": 2.0}')
+START = Kind(
+    lambda value: isinstance(value, Mapping) or hasattr(value, "initial_values"),
+    'give a dictionary, such as {"rod.theta": 0.5}, an equilibrium or a solution',
+)
+NAMES = Kind(_are_names, 'give a list of names, such as ["rod.theta"]')
+CALLED = Kind(
+    lambda value: callable(value) or isinstance(value, bool), "give a function (t, t_end), or True for a line"
+)
+FLAG = Kind(lambda value: isinstance(value, bool), "give True or False")
+PLACE = Kind(lambda value: isinstance(value, str | PathLike), "give a path")
+
+
+def arguments(**kinds: Kind) -> Callable[[Callable[P, R]], Callable[P, R]]:
+    """Names the arguments of a function that are checked by kind; None is always taken.
+
+    The function raises ArgumentError for a value of another kind and for a keyword that it does not have.
+    """
+
+    def door(function: Callable[P, R]) -> Callable[P, R]:
+        known = [*signature(function).parameters]
+
+        @wraps(function)
+        def called(*values: P.args, **named: P.kwargs) -> R:
+            for name, value in {**dict(zip(known, values, strict=False)), **named}.items():
+                if name not in known:
+                    raise ArgumentError(name, f"{function.__name__} has no such argument", _near(name, known))
+                if name in kinds and value is not None and not kinds[name].holds(value):
+                    raise ArgumentError(name, f"cannot be {_short(value)}", kinds[name].wanted)
+            return function(*values, **named)
+
+        return called
+
+    return door
+
+
+def _near(name: str, known: Sequence[str]) -> str:
+    near = get_close_matches(name, known, n=1, cutoff=0.5)
+    return f"did you mean {near[0]}?" if near else f"it has {', '.join(known)}"
+
+
+def _short(value: Any) -> str:
+    text = repr(value)
+    return f"a {type(value).__name__}" if len(text) > 40 else text
