@@ -197,10 +197,22 @@ class Monitor:
                 return Finding(
                     "deflection_too_large",
                     f"{name} is bent by {moved:.2g} of its length and {turned:.2g} rad, beyond its linear modes",
-                    "Divide the body, or make it stiffer. A strut beyond its buckling load and a spinning beam without "
-                    "geometric stiffening have no small answer.",
+                    f"{self._too_long()}Divide the body, or make it stiffer. A strut beyond its buckling load and a "
+                    "spinning beam without geometric stiffening have no small answer.",
                 )
         return None
+
+    def _too_long(self) -> str:
+        """What of the step is above what the last good state allows, first: a load whose own slope lets a motion
+        decay within it, moving or at rest, where friction is steepest; and the scheme's limit.
+        """
+        if self.scheme.adaptive:
+            return ""
+        h, known = self.scheme.grid.h[-1], [one for one in (self._slopes(), self._slopes(moving=False)) if one]
+        said = [text for slopes in known[::-1] if (text := _damper(*slopes, h))][:1]
+        limits = [self.scheme.step_limit(*slopes) for slopes in known if self.scheme.limited(self.scheme.options)]
+        said += [f"The {one}: the scheme needs a step below {one.h:.3g} s." for one in limits[:1] if one and h > one.h]
+        return f"The step of {h:.3g} s is too long here. {' '.join(said)} " if said else ""
 
     def _lost_mass(self, z: np.ndarray) -> Finding | None:
         """Of a run that stopped behind z: is M_hat about to lose its sign there, seen from M_hat at the start?"""
@@ -246,15 +258,17 @@ class Monitor:
         """About what each coordinate of q_i (n_i,) moves in a step."""
         return np.asarray(self.scheme.rates(z) * self.scheme.step_sizes)
 
-    def _slopes(self, z: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray] | None:
-        """A_q, A_v (n_i x n_i) of w'' = A_q w + A_v w' at z (None: the last good state); None if they are not known."""
+    def _slopes(self, z: np.ndarray | None = None, moving: bool = True) -> tuple[np.ndarray, np.ndarray] | None:
+        """A_q, A_v (n_i x n_i) of w'' = A_q w + A_v w' at z (None: the last good state), or at rest there; None if they
+        are not known.
+        """
         model, z = self.model, self.good if z is None else z
         if z is None or not ModeSolver.possible(model):
             return None
         seen = self.scheme.observer(z=z, c=self.c)
         q_i, rates, q_d = (np.asarray(seen[name]).ravel() for name in ("q_i", "q_i_dot", "q_d"))
         q = whole(model, q_i, q_d)
-        state = State(float(seen["t"]), independent_part(model, q), rates, loop_part(model, q))
+        state = State(float(seen["t"]), independent_part(model, q), rates * moving, loop_part(model, q))
         try:
             found = ModeSolver(model, self.c[: model.c_size]).slopes(state)
         except np.linalg.LinAlgError:  # M_hat is singular

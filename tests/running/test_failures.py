@@ -225,3 +225,21 @@ def test_nan_behind_a_finite_state_is_seen(built_in: Load) -> None:
     status = Monitor(model, scheme, np.full_like(c, np.nan)).first(z)
     assert status is not None
     assert status.name == "mass_not_positive"
+
+
+@pytest.mark.parametrize("friction, word", [(0.0, "frequency"), (2000.0, "A damper lets a motion decay")])
+def test_a_body_bent_by_too_long_a_step_names_the_step_first(
+    model_of: Callable[[SceneRecord], Model], friction: float, word: str
+) -> None:
+    """A slider-crank with an elastic rod, a stiff Coulomb law on its slider, steps above the limit of the scheme."""
+    scene = Scene("rubbed").gravity(0, -9.81)
+    scene.rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.1, 0)}})
+    steel = {"density": 7800, "area": 1e-4, "second_moment": 1e-9, "youngs_modulus": 2e11}
+    scene.beam("strut", length=0.4, **steel, lateral={"modes": 2}).rigid("slider", mass=0.5, inertia=0.01)
+    scene.revolute("a", "ground.origin", "crank.origin").revolute("b", "crank.tip", "strut.start")
+    scene.revolute("c", "strut.end", "slider.origin").prismatic("d", "ground.origin", "slider.origin")
+    scene.measure("x", "x", "slider.origin").force("mu", "slider.origin", f"-{friction!r}*tanh(x_dot/1e-4)", 0)
+    scene.torque("drive", "crank.origin", 8.0).initial({"crank.theta": 0.5}).rates({"crank.theta": 2.0})
+    run = simulate(model_of(scene.build()), scheme="single_rate", dt=1e-3, t_end=0.5, force=True)
+    assert run.status.name == "deflection_too_large"
+    assert run.status.advice.startswith("The step of 0.001 s is too long here.") and word in run.status.advice
