@@ -145,7 +145,7 @@ class PeriodicBranch:
         for one in self.all:
             columns = [one.largest(name) for name in outputs]
             for k, point in enumerate(one.points):
-                size = float(np.abs(point.floquet.counted).max(initial=0.0))
+                size = point.floquet.largest
                 numbers = [size, *(float(column[k]) for column in columns), one.first.doublings]
                 rows.append(",".join([repr(point.value), repr(point.period), one.stability[k], *map(repr, numbers)]))
         write_text(Path(path), "\n".join(rows) + "\n")

@@ -23,7 +23,7 @@ from runtime.contract.errors import ArgumentError, SymgenError
 from runtime.contract.model import Model
 from runtime.orbits.branch import PeriodicBranch, Point, Special
 from runtime.orbits.doubling import doubled, half_apart
-from runtime.orbits.floquet import FLIP, FOLD, NEIMARK_SACKER, REAL, floquet
+from runtime.orbits.floquet import FLIP, FOLD, NEIMARK_SACKER, REAL, UNSTABLE, floquet
 from runtime.orbits.motion import PeriodicMotion
 from runtime.orbits.periodic import periodic, speed_period
 from runtime.orbits.shooting import CLOSED, ROUNDED, Conditions, NoPeriodicMotion, PeriodMap, Setting, Shot
@@ -33,6 +33,7 @@ ITERATIONS, QUICK = 8, 3  # of Newton's method: at most, and so few that steps g
 PASSED = 1e-4  # what is located is that near to zero; else it jumped there
 BENT = 0.9  # cosine between two tangents, at least
 BRANCH = "branch point"
+BETWEEN = "stability changes hereabouts"  # where the place cannot be located: a branch of motions at one value
 INTERRUPTED = "interrupted"
 
 Progress = Callable[[float, float], None]
@@ -53,9 +54,9 @@ def periodic_over(
     """Motions that repeat over a parameter, from the first value of `span` to the second, through folds on the way.
 
     points: at most so many; step: longest, in parts of the span (0.08); flips: so many doublings of the period are
-    followed, too, each a branch in `branches`; progress(value reached, last value). start: as of `periodic`, or a
-    branch, which is gone on with. how: further arguments of `periodic`. Ctrl-C keeps what is there.
-    Raises what `periodic` does for the first motion; later trouble ends the branch and is told by `stopped`.
+    followed, too, each a branch in `branches`; progress(value reached, last value). start: as of `periodic`, a motion
+    with its parameters, or a branch, which is gone on with. how: further arguments of `periodic`. Ctrl-C keeps what is
+    there. Raises what `periodic` does for the first motion; later trouble ends the branch, told by `stopped`.
     """
     low, high = (float(value) for value in span)
     if over not in [entry.name for entry in model.parameters]:
@@ -67,7 +68,8 @@ def periodic_over(
             raise ArgumentError("start", "is a branch without points", "begin anew")
         first, done = start.first, list(start.points)
     else:
-        parameters = {**how.pop("parameters", {}), over: low}
+        own = start.parameters if isinstance(start, PeriodicMotion) else {}
+        parameters = {**own, **how.pop("parameters", {}), over: low}
         first, done = periodic(model, parameters=parameters, start=start, **how), []
     walk = _Walk(model, over, (low, high), first, LONGEST if step is None else float(step))
     branch = walk.walked(done, points, progress, list(start.specials) if isinstance(start, PeriodicBranch) else [])
@@ -160,7 +162,7 @@ class _Walk:
         """A point of another branch as the first of this one: its own shot, going on along its tangent."""
         shot = self._map.shot(start.x, start.period, [start.value])
         conditions = self._conditions(shot, start.period, start.conditions.turn)
-        found = floquet(shot.monodromy, start.period, conditions.free)
+        found = floquet(shot.monodromy, start.period, conditions.free, self._first.floquet.margin)
         count = start.x.size
         tangent = np.zeros(count + self._first.free + 1)
         tangent[:count] = (start.tangent.reshape(start.x.shape) / conditions.scale).ravel()
@@ -211,7 +213,7 @@ class _Walk:
         tangent /= np.linalg.norm(tangent / self._weights(shot.x.size))
         if before is not None and self._dot(tangent, before, shot.x.size) < 0:
             tangent = -tangent
-        found = floquet(shot.monodromy, period, conditions.free)
+        found = floquet(shot.monodromy, period, conditions.free, self._first.floquet.margin)
         return Point(value, period, shot.x, shot, tangent, conditions, found)
 
     def _weights(self, count: int) -> np.ndarray:
@@ -292,14 +294,13 @@ class _Walk:
         found = []
         for kind, test in tests:
             if test(at) * test(point) < 0:
-                special = self._located(at, s, test, kind)
-                if special is not None and self._inside(special.value):
-                    found.append(special)
-        if not any(one.kind == FOLD for one in found) and _beyond_one(at) != _beyond_one(point):
-            special = self._located(at, s, _branching, BRANCH)
-            if special is not None and self._inside(special.value):
-                found.append(special)
-        return found
+                found.append(self._located(at, s, test, kind))
+        if not any(one is not None and one.kind == FOLD for one in found) and _beyond_one(at) != _beyond_one(point):
+            found.append(self._located(at, s, _branching, BRANCH))
+        known = [one for one in found if one is not None]
+        if not known and (at.floquet.stability == UNSTABLE) != (point.floquet.stability == UNSTABLE):
+            known.append(Special(BETWEEN, (at.value + point.value) / 2, at.period, at.x[0], at))
+        return [one for one in known if self._inside(one.value)]
 
     def _moved(self, at: Point, point: Point) -> np.ndarray:
         found = np.zeros(len(at.tangent))

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-MARGIN = 1e-6  # multipliers nearer to the unit circle are on it
+MARGIN = 1e-6  # at least: multipliers nearer to the unit circle are on it
 REAL = 1e-7  # of |mu|: an imaginary part below that is rounding
 
 STABLE, UNSTABLE, NEUTRAL = "stable", "unstable", "neutral"
@@ -26,13 +26,20 @@ MEANINGS = {
 class Floquet:
     """multipliers (n,) by falling size and vectors (n, n), a column each; exponents (n,) [1/s].
 
-    trivial: the position of the multiplier 1 of a motion whose period is free, -1 where there is none.
+    trivial: the position of the multiplier 1 of a motion whose period is free, -1 where there is none. margin: nearer
+    to the unit circle, multipliers are on it, as far as they are known.
     """
 
     multipliers: np.ndarray
     vectors: np.ndarray
     exponents: np.ndarray
     trivial: int
+    margin: float = MARGIN
+
+    @property
+    def largest(self) -> float:
+        """Size of the largest multiplier that counts."""
+        return float(np.abs(self.counted).max(initial=0.0))
 
     @property
     def counted(self) -> np.ndarray:
@@ -42,8 +49,7 @@ class Floquet:
     @property
     def stability(self) -> str:
         """`stable`, `unstable`, or `neutral` where the largest multiplier is on the unit circle."""
-        largest = float(np.abs(self.counted).max(initial=0.0))
-        return NEUTRAL if abs(largest - 1.0) <= MARGIN else UNSTABLE if largest > 1.0 else STABLE
+        return NEUTRAL if abs(self.largest - 1.0) <= self.margin else UNSTABLE if self.largest > 1.0 else STABLE
 
     @property
     def kind(self) -> str:
@@ -51,15 +57,15 @@ class Floquet:
         return "" if self.stability != UNSTABLE else kind_of(complex(self.counted[int(np.abs(self.counted).argmax())]))
 
 
-def floquet(monodromy: np.ndarray, period: float, free: bool) -> Floquet:
-    """Of a monodromy matrix (n, n) and a period [s]."""
+def floquet(monodromy: np.ndarray, period: float, free: bool, margin: float = MARGIN) -> Floquet:
+    """Of a monodromy matrix (n, n) and a period [s]; margin: see Floquet."""
     multipliers, vectors = np.linalg.eig(monodromy)
     order = np.argsort(-np.abs(multipliers), kind="stable")
     multipliers, vectors = multipliers[order], vectors[:, order]
     with np.errstate(divide="ignore"):
         exponents = np.log(multipliers.astype(complex)) / period
     trivial = int(np.abs(multipliers - 1.0).argmin()) if free else -1
-    return Floquet(multipliers, vectors, exponents, trivial)
+    return Floquet(multipliers, vectors, exponents, trivial, margin)
 
 
 def kind_of(multiplier: complex) -> str:

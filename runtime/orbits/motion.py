@@ -122,11 +122,11 @@ class PeriodicMotion:
         return [f"unstable by a {kind}: {MEANINGS[kind]}"] if kind else []
 
     def __repr__(self) -> str:
-        largest = np.abs(self.floquet.counted).max(initial=0.0)
         kind = f" ({self.floquet.kind})" if self.floquet.kind else ""
+        told = f"period {self.period:.10g} s, {self.stability}{kind}, largest multiplier {self.floquet.largest:.6g}"
         return (
-            f"<PeriodicMotion of {self.model.name}: period {self.period:.10g} s, {self.stability}{kind}, largest "
-            f"multiplier {largest:.6g}, error {self.error.largest:.2g} of the amplitude of {self.error.of}>"
+            f"<PeriodicMotion of {self.model.name}: {told}, "
+            f"error {self.error.largest:.2g} of the amplitude of {self.error.of}>"
         )
 
 

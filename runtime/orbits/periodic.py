@@ -26,7 +26,8 @@ SCHEME = "exponential_rk4"
 MARKS = 20  # places of a period at which two solutions are compared
 STEPS, MOST_STEPS = 200, 50_000  # a period: the first try, and the last
 SETTLED = 20  # periods of a transient, where Newton's method does not find the motion from the start
-REPEATS = 1e-6  # of a coordinate's size: what is driven, and loads, repeat up to this
+REPEATS = 1e-5  # of a coordinate's size: what is driven, and loads, repeat up to this
+DOUBT = 20  # times the difference between two numbers of steps: how well the largest multiplier is known
 
 
 def periodic(
@@ -221,7 +222,9 @@ class _Search:
         order = scheme_kind(self._asked.scheme).make.order
         other = _other_count(steps, 2.0 ** (1.0 / order), self._parts)
         twin = closed_beside(self.map_(other, found.period), conditions, found)
-        return replace(motion, error=_difference(motion, self._motion(map_, twin, other)))
+        beside = self._motion(map_, twin, other)
+        margin = max(motion.floquet.margin, DOUBT * abs(motion.floquet.largest - beside.floquet.largest))
+        return replace(motion, floquet=replace(motion.floquet, margin=margin), error=_difference(motion, beside))
 
     def _found(
         self, map_: PeriodMap, state: dict[str, float], period: float, settle: int | None
@@ -273,7 +276,7 @@ class _Search:
             end, again = found.shot.x[0], np.array([last[name] for name in map_.names]) - 2 * found.turn
         else:
             again = map_.next_period(found.shot.x[0], found.period)
-        size = np.maximum(np.abs(found.shot.ends).max(axis=0), 1e-9)
+        size = map_.sizes(np.abs(np.vstack([found.shot.x, found.shot.ends])).max(axis=0), found.period)
         off = np.abs(again - end) / size
         if off.max() > REPEATS:
             name = map_.names[int(off.argmax())]

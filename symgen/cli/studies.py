@@ -175,7 +175,7 @@ def periodic(arguments: argparse.Namespace) -> Outcome:
     files = []
     if arguments.out:
         files = [str(Path(arguments.out) / "motion.csv")]
-        found.solution.to_csv(files[0])
+        found.solution.export(Path(files[0]))
     multipliers = [[float(one.real), float(one.imag)] for one in found.floquet.multipliers.astype(complex)]
     data = {
         "scene": model.name,

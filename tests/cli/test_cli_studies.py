@@ -1,4 +1,4 @@
-"""`symgen stability`, `advise` and `report` as a user calls them."""
+"""`symgen stability`, `periodic`, `advise` and `report` as a user calls them."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from symgen.cli import main
@@ -54,6 +55,37 @@ def test_stability_leaves_its_chart(capsys: pytest.CaptureFixture[str], tmp_path
     assert (tmp_path / "stability.png").stat().st_size > 1000
     fine = [row["dt_S_limit"] for row in limits]
     assert fine[0] == pytest.approx(fine[1], rel=0.01)
+
+
+CRANK = ["periodic", "flexible_slider_crank", "--speed", "omega", "--tolerance", "1e-3"]
+
+
+def test_periodic_leaves_a_motion_or_a_branch(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    code, out, _ = said(capsys, *CRANK, "--set", "omega=140", "--out", str(tmp_path), "--json")
+    found = json.loads(out)
+    assert code == 0 and found["period"] == pytest.approx(2 * np.pi / 140) and 0 < found["error"] < 1e-3
+    assert (tmp_path / "motion.csv").stat().st_size > 1000
+    code, out, _ = said(
+        capsys,
+        *CRANK,
+        "--over",
+        "omega=140:141",
+        "--flips",
+        "1",
+        "--output",
+        "rod.q1",
+        "--out",
+        str(tmp_path),
+        "--json",
+    )
+    found = json.loads(out)
+    assert code == 0 and found["values"][0] == 140 and found["values"][-1] == 141 and found["stopped"] == ""
+    with (tmp_path / "branch.csv").open() as lines:
+        rows = list(csv.DictReader(lines))
+    assert len(rows) == len(found["values"]) and all(float(row["rod.q1"]) > 0 for row in rows)
+    assert (tmp_path / "branch.png").stat().st_size > 1000 and "rod.q1" in (tmp_path / "branch.html").read_text()
+    code, _, err = said(capsys, *CRANK, "--flips", "1")
+    assert code == 2 and "--flips goes with --over" in err
 
 
 @pytest.mark.parametrize(

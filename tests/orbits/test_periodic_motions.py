@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import root
 from scipy.special import mathieu_a, mathieu_b
 
-from runtime import Model, periodic, periodic_over, simulate
+from runtime import Model, Sampled, periodic, periodic_over, simulate
 from runtime.contract.errors import ArgumentError
 from runtime.gradients.objectives import Integral, Largest
 from runtime.orbits.shooting import NoPeriodicMotion
@@ -75,6 +75,16 @@ def test_van_der_pol_has_its_period_and_multipliers(van_der_pol: Model) -> None:
     exponent = solve_ivp(motion, (0.0, found.period), start, "DOP853", rtol=1e-13, atol=1e-13).y[2, -1]
     assert found.floquet.multipliers[found.floquet.trivial] == pytest.approx(1.0, abs=1e-8)
     assert found.floquet.counted[0] == pytest.approx(np.exp(exponent), abs=1e-8)
+
+
+def test_a_branch_of_free_periods(van_der_pol: Model) -> None:
+    """Periods at mu = 3 of Zonneveld (1966). At mu = 0 every amplitude is a motion, and beyond all are unstable."""
+    branch = periodic_over(van_der_pol, "mu", (1.0, 3.0), period="free", scheme="dop853", steps=400)
+    assert branch.periods[-1] == pytest.approx(8.85909550, abs=5e-9) and set(branch.stability) == {"stable"}
+    through = periodic_over(van_der_pol, "mu", (1.0, -0.5), period="free", scheme="dop853", steps=200)
+    (special,) = through.specials
+    assert special.kind.startswith("stability changes") and abs(special.value) < 0.1
+    assert through.stability[0] == "stable" and through.stability[-1] == "unstable"
 
 
 def test_duffing_through_both_folds_is_that_of_harmonic_balance(duffing: Model) -> None:
@@ -170,6 +180,15 @@ def test_a_flexible_four_bar_repeats_as_the_end_of_a_long_run(model_of: Build) -
     assert list(free.state.values()) == pytest.approx(list(found.state.values()), rel=1e-7, abs=1e-12)
 
 
+def test_without_damping_a_motion_is_neutral(built_in: Load) -> None:
+    """The multipliers are on the unit circle; how far steps put them beside it is seen with other steps."""
+    model = built_in("flexible_slider_crank")
+    coarse, fine = (periodic(model, speed="omega", steps=steps) for steps in (200, 1600))
+    assert coarse.stability == fine.stability == "neutral" and coarse.remarks() == []
+    assert abs(coarse.floquet.largest - 1) > 1e-5 > abs(fine.floquet.largest - 1)
+    assert fine.floquet.margin < coarse.floquet.margin / 20
+
+
 def driven_four_bar() -> SceneRecord:
     """A crank at 300 rpm drives a flexible coupler with damping, and a rigid rocker."""
     builder = Scene("driven_four_bar").parameter("omega", 10 * np.pi, "rad/s").gravity(0, -9.81)
@@ -218,6 +237,9 @@ def test_a_branch_goes_on_where_it_was_stopped(duffing: Model) -> None:
 
     part = periodic_over(duffing, "omega", (0.5, 1.0), progress=stop, **how)
     assert part.stopped == "interrupted" and 0.7 < part.values[-1] < 1.0
+    motion = periodic(duffing, speed="omega", parameters={"gamma": 0.2, "omega": 0.5}, steps=100, scheme="rk4")
+    weaker = periodic_over(duffing, "omega", (0.5, 0.6), start=motion, **how)
+    assert weaker.points[0].x == pytest.approx(motion.found.shot.x, abs=1e-9)  # of the motion's own parameters
     rest = periodic_over(duffing, "omega", (0.5, 1.0), start=part)
     assert not rest.stopped and rest.values[-1] == pytest.approx(whole.values[-1])
     assert rest.points[-1].x == pytest.approx(whole.points[-1].x, abs=1e-9)
@@ -234,6 +256,8 @@ def test_wrong_questions_are_refused_by_name(duffing: Model, tmp_path: Path) -> 
         periodic(duffing, speed="omega", parameters={"omega": 0.0})
     with pytest.raises(NoPeriodicMotion, match="do not repeat after 3"):
         periodic(duffing, period=3.0)
+    with pytest.raises(ArgumentError, match="gamma.*controller"):
+        periodic(duffing, speed="omega", inputs={"gamma": Sampled(lambda t, x, m: 0.3, every=0.1, memory=[0.0])})
     with pytest.raises(ArgumentError, match="spun"):
         periodic_over(duffing, "spun", (1, 2), speed="omega")
     with pytest.raises(ArgumentError, match="nothing"):
