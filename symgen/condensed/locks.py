@@ -28,7 +28,7 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from symgen.algebra.rows import Row
+from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ZERO, add, mul, sub, total
 from symgen.condensed.condensation import Condensed
 from symgen.system.equations import Element
@@ -110,6 +110,19 @@ def locks(system: Condensed) -> Locks:
         sub(total(mul(value, still[c]) for c, value in one.row.items() if c in still), one.gamma) for one in elements
     ]
     return Locks(system, elements, [system.projected(one.row) for one in elements], [add(b, ZERO) for b in bias])
+
+
+def add_stuck_forces(system: Condensed, force: Row) -> None:
+    """What holds the elements that stick joins the force Q* - M q'' that is left in all coordinates, by column."""
+    own, work = locks(system), dict(force)
+    for one in reversed(system.substitutions):
+        value = work.pop(one.column, ZERO)
+        if not value.is_zero():
+            add_scaled(work, value, one.e)
+    residual = ca.densify(ca.vertcat(*(work.get(c, ZERO) for c in system.choice.independent)))
+    forces = own.forces(residual)
+    for k, element in enumerate(own.elements):
+        add_scaled(force, forces[k], element.row)
 
 
 def _pivots(G: np.ndarray) -> list[int]:

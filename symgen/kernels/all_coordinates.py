@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import casadi as ca
 
+from runtime.contract.doors import opened
 from symgen.algebra.rows import Row, to_matrix
 from symgen.algebra.scalar import ZERO, div, mul, sub
 from symgen.choice.elimination import constraint_jacobian
@@ -71,6 +72,8 @@ def reactions(system: Condensed) -> Kernel:
     for row, value in given.items():
         for column, factor in eq.constraints[row].C_q.items():
             force[column] = force[column] - factor * value
+    if eq.elements:
+        opened("symgen.condensed.locks:add_stuck_forces")(system, force)
     lam = _loop_reactions(system, force) if choice.loop_rows else {}
     norms = {row.label: k for k, row in enumerate(eq.constraints)}
     norm_rows = {turning.body: norms[f"{turning.body}.norm"] for turning in system.reduced.turnings}

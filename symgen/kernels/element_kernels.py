@@ -12,11 +12,13 @@ from functools import partial
 import casadi as ca
 
 from runtime.contract.records import Group
+from symgen.algebra.rows import Row
 from symgen.algebra.scalar import add, mul
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.forward_dynamics import LockedOrder, locked_accelerations, locked_order
 from symgen.condensed.locks import Locks, locks
-from symgen.kernels.jacobians import jacobian_kernels
+from symgen.condensed.variations import variations
+from symgen.kernels.jacobians import directions, jacobian_kernels
 from symgen.kernels.kernel import Arguments, Kernel
 from symgen.kernels.specification import block_signals, substep_name
 from symgen.system.topology import Topology
@@ -78,7 +80,30 @@ def _forces(locked: Locks, a: Arguments) -> Kernel:
 def _rates_left(name: str, locked: Locks, a: Arguments) -> Kernel:
     """Derivatives of Q_hat - M_hat q_i'' in the directions that do not stick."""
     kernel = jacobian_kernels(locked.system, a)[name]()
-    return Kernel(kernel.inputs, {name: locked.rates_left(value) for name, value in kernel.outputs.items()})
+    if locked.right_inverse is not None:
+        return Kernel(kernel.inputs, {key: locked.rates_left(value) for key, value in kernel.outputs.items()})
+    a_given = a.q_i_ddot if name == "residual_jacobian" else ca.SX.zeros(a.q_i_ddot.numel())
+    both = _along_motions(locked, a_given)
+    return Kernel(
+        kernel.inputs, dict(zip(kernel.outputs, both[1:] if name == "dQ_hat_dq_i_dot" else both, strict=False))
+    )
+
+
+def _along_motions(locked: Locks, q_i_ddot: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """Total derivatives of the locked Q_hat - M_hat q_i'' by q_i and by q_i', whose G moves with the mechanism."""
+    system, eq = locked.system, locked.system.reduced
+    M_hat, Q_hat = locked.locked()
+    given = dict(zip(system.choice.independent, ca.vertsplit(q_i_ddot), strict=True))
+    found = directions(variations(system, system.accelerations(given)), system.choice.independent)
+    q, rates = ca.vertcat(*eq.q), ca.vertcat(*eq.q_dot)
+
+    def moved(row: Row) -> ca.SX:
+        return ca.vertcat(*(row.get(c, ca.SX(0)) for c in range(q.numel())))
+
+    residual = Q_hat - M_hat @ q_i_ddot
+    J_q = [ca.jtimes(residual, ca.vertcat(q, rates), ca.vertcat(moved(one.S), moved(one.S_dot))) for one in found]
+    J_v = [ca.jtimes(residual, rates, moved(one.S)) for one in found]
+    return ca.densify(ca.horzcat(*J_q)), ca.densify(ca.horzcat(*J_v))
 
 
 def _locked_dynamics(system: Condensed, topology: Topology, a: Arguments, order: LockedOrder) -> Kernel:

@@ -161,22 +161,22 @@ def _along_loops(held: _Held) -> list[ca.SX] | None:
     modes = eq.elastic_columns & held.rho.keys()
     if eq.loop_changes is None or not eq.loop_rates or eq.turnings or not modes <= set(independent):
         return None
-    directions = _directions(variations(system, held.accelerations), independent)
+    ways = directions(variations(system, held.accelerations), independent)
     known = {joint: _multipliers_of(held, joint) for joint in eq.loop_rates}
-    inertia = eq.loop_changes(held.accelerations, known, directions)
+    inertia = eq.loop_changes(held.accelerations, known, ways)
     if inertia is None:
         return None
     columns = sorted(held.rho)
     S, S_dot = (
         ca.sparsify(ca.horzcat(*(ca.vertcat(*(row.get(c, ZERO) for c in columns)) for row in rows)))
-        for rows in ([one.S for one in directions], [one.S_dot for one in directions])
+        for rows in ([one.S for one in ways], [one.S_dot for one in ways])
     )
     K, D = (_matrix(rows, columns) for rows in _outer(held, columns, frozenset(eq.loop_rates)))
     F_q, F_v = (change[columns, :] for change in inertia)
     return [_product(S.T, _product(K, S) + _product(D, S_dot) - F_q), _product(S.T, _product(D, S) - F_v)]
 
 
-def _directions(found: list[Variation], independent: list[int]) -> list[Direction]:
+def directions(found: list[Variation], independent: list[int]) -> list[Direction]:
     """Each independent coordinate with all that follow it."""
     directions = []
     for column in independent:
