@@ -25,7 +25,7 @@ def build():
         .load("contact", "floor", **floor, stiffness=5e6, damping=DAMPING, exponent=1.5, friction=0.2)
         .initial({"ball.y": HEIGHT})
         .rates({"ball.x": SPEED, "ball.theta": SPIN})
-        .simulation(t_end=6.0, dt=5e-5, save_every=40, scheme="rk4")
+        .simulation(t_end=6.0, dt=5e-5, seen_every=2e-3, scheme="rk4")
         .build()
     )
 

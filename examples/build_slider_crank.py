@@ -29,7 +29,7 @@ def build():
         .measure("stroke", "x", of="slider.origin")
         .independent("crank.theta", "rod.q1", "rod.q2")
         .initial({"crank.theta": 0.5})
-        .simulation(t_end=0.2, dt=2e-5, m=[1], scheme="single_rate", save_every=5)
+        .simulation(t_end=0.2, dt=2e-5, m=[1], scheme="single_rate", seen_every=0.0001)
         .build()
     )
 

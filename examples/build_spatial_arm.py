@@ -28,7 +28,7 @@ def arm() -> SceneRecord:
         .torque("turn", "base.origin", "6 * sin(2 * pi * t)")
         .rotational_spring_damper("lift", "base.elbow", "forearm.elbow", stiffness=200.0, free_angle=0.4)
         .measure("height", "z", of="load.origin")
-        .simulation(t_end=1.0, dt=1e-4, scheme="rk4", save_every=2)
+        .simulation(t_end=1.0, dt=1e-4, scheme="rk4", seen_every=0.0002)
         .build()
     )
 

@@ -30,7 +30,7 @@ def build():
     builder.weld("E", "middle.end", "toe.start").revolute("C", "toe.end", "slider.origin")
     builder.prescribed_angle("drive", "ground.origin", "crank.origin", motion=f"{SPEED} * t")
     builder.initial({f"{k}.theta": 0.0 for k in ("crank", *PARTS)}).rates({"crank.theta": SPEED})
-    return builder.simulation(t_end=0.084, dt=4e-5, scheme="single_rate", save_every=10).build()
+    return builder.simulation(t_end=0.084, dt=4e-5, scheme="single_rate", seen_every=0.0004).build()
 
 
 def main(picture: Path | None = None) -> None:

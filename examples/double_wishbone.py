@@ -1,4 +1,4 @@
-"""A double-wishbone suspension meets a bump: travel of the body, camber of the wheel, force of the tyre."""
+"""A double-wishbone suspension with a damper by a table meets a bump: travel, camber, force of the tyre."""
 
 import sys
 import tempfile
@@ -41,10 +41,11 @@ def build():
         builder.revolute(f"{name}_hinge", f"chassis.{name}", f"{name}.hinge")
         builder.spherical(f"{name}_ball", f"{name}.ball", f"upright.{name}")
     builder.distance("tie_rod", "chassis.rack", "upright.arm", length=0.36)
-    builder.spring_damper("strut", "chassis.strut", "lower.strut", stiffness=60e3, damping=1e4, free_length=0.58)
+    builder.table("damper", x=[-0.6, -0.1, 0.0, 0.1, 0.6], y=[-4e3, -1e3, 0.0, 1.6e3, 7e3], outside="extend")
+    builder.line("strut", "chassis.strut", "lower.strut", "60e3 * (length - 0.58) + table('damper', rate)")
     tyre = f"max(0, 2e5 * ({BUMP} + {HUB[1]} - hub) - 500 * hub_dot)"
     builder.measure("hub", "z", of="upright.origin").force("tyre", "upright.origin", 0, 0, tyre)
-    return builder.simulation(t_end=2.5, dt=1e-3, scheme="rk4", save_every=5).build()
+    return builder.simulation(t_end=2.5, dt=1e-3, scheme="rk4", seen_every=0.005).build()
 
 
 def main(picture: Path | None = None) -> None:

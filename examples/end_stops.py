@@ -29,7 +29,7 @@ def build():
         .event("lower", f"angle + {REACH}", direction="falling", **touch)
         .event("middle", "angle * step(touches - 7.5)", direction="rising", terminal=True)
         .rates({"flap.theta": SPEED})
-        .simulation(t_end=20.0, dt=0.002, save_every=1, scheme="rk4")
+        .simulation(t_end=20.0, dt=0.002, seen_every=0.0, scheme="rk4")
         .build()
     )
 

@@ -27,7 +27,7 @@ def main(picture: Path | None = None) -> None:
         "initial": {"rod.theta_dot": np.linspace(0.0, 2.0, CASES)},
         "t_end": 0.5,
         "outputs": ["tip_y"],
-        "every": 10,
+        "seen_every": 0.01,
     }
     here = ensemble(model, **study)
     with (

@@ -13,7 +13,7 @@ from symgen.scenes import generated_folder
 
 def main(picture: Path | None = None) -> None:
     """All uprights turn alike, so 3 theta'' = -3.5 g cos(theta) in kg m^2; one turn takes an integral of its energy."""
-    run = simulate(load_model(generated_folder("n_four_bar")), dt=2e-3, scheme="rk4", save_every=1)
+    run = simulate(load_model(generated_folder("n_four_bar")), dt=2e-3, scheme="rk4", seen_every=0.0)
     energy = run.total_energy[0]
     period = quad(lambda angle: (2 / 3 * (energy - 3.5 * 9.81 * np.sin(angle))) ** -0.5, 0, 2 * np.pi)[0]
     angle = run["upright0.theta"]

@@ -39,7 +39,7 @@ of = "rod.tip"
 [simulation]
 t_end = 2.0
 scheme = "single_rate"
-save_every = 50
+seen_every = 0.05
 """
 
 

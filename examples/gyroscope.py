@@ -25,7 +25,7 @@ def build():
                       {"type": "cylinder", "radius": 0.003, "length": ARM, "position": (0, 0, ARM / 2)}])
     builder.spherical("foot", "ground.origin", "disk.origin")
     builder.initial({"disk.theta2": TILT}).rates({"disk.theta3": SPIN})
-    return builder.simulation(t_end=1.5, dt=2.5e-4, scheme="rk4", save_every=4).build()
+    return builder.simulation(t_end=1.5, dt=2.5e-4, scheme="rk4", seen_every=0.001).build()
 
 
 def main(picture: Path | None = None) -> None:

@@ -23,7 +23,7 @@ def build():
     builder.revolute("pivot", "ground.origin", "hub.origin").weld("clamp", "hub.origin", "beam.start")
     builder.torque("motor", "hub.origin", "where(t < 2, 10 * sin(pi * t), 0)")
     builder.measure("tip_y", "y", of="beam.end")
-    return builder.simulation(t_end=8.0, dt=0.01, scheme="rk4", save_every=4).build()
+    return builder.simulation(t_end=8.0, dt=0.01, scheme="rk4", seen_every=0.04).build()
 
 
 def main(picture: Path | None = None, repetitions: int = 1, seed: int = 7) -> None:

@@ -26,7 +26,7 @@ def build():
         .structure(coordinates=names, mass=np.diag(np.convolve(SIZES, [0.5, 0.5])[1:]), stiffness=K[1:, 1:],
                    force=[0.0] * (n - 1) + [f"where(t < {PULSE}, sin(pi * t / {PULSE})**2, 0)"])
         .groups(coarse=names[:12], fine=names[12:])
-        .simulation(t_end=1.6, dt=STEP, m=[RATIO], scheme="printed", save_every=1)
+        .simulation(t_end=1.6, dt=STEP, m=[RATIO], scheme="printed", seen_every=0.0)
         .build()
     )
 

@@ -21,9 +21,10 @@ def lag(run) -> np.ndarray:
 
 def main(picture: Path | None = None) -> None:
     """The lag of the tip while the beam is brought to 6 rad/s in 15 s, and the vibration that is left."""
-    stiffened = simulate(load_model(generated_folder("spin_up_beam")), dt=2e-3, save_every=5)
+    stiffened = simulate(load_model(generated_folder("spin_up_beam")), dt=2e-3, seen_every=0.01)
     with tempfile.TemporaryDirectory() as folder:
-        linear = simulate(load_model(generate(spin_up_beam(stiffening=False, modes=2), folder)), dt=2e-3, save_every=5)
+        model = load_model(generate(spin_up_beam(stiffening=False, modes=2), folder))
+        linear = simulate(model, dt=2e-3, seen_every=0.01)
     print(stiffened.status)
     left_over = np.abs(lag(stiffened)[stiffened.t > 15.0]).max()
     print(f"largest lag {lag(stiffened).min():.5f} m, afterwards {left_over:.3e} m")

@@ -31,7 +31,7 @@ def build():
                      youngs_modulus=2e10, lateral_z={"ends": "clamped-free", "modes": 1}, damping_ratio=0.7,
                      stiffening=True)
         builder.weld(f"hold_{side}", f"hub.{side}", f"{side}.start")
-    return builder.simulation(t_end=400.0, dt=0.05, scheme="rk4", save_every=4).build()
+    return builder.simulation(t_end=400.0, dt=0.05, scheme="rk4", seen_every=0.2).build()
 
 
 def main(picture: Path | None = None) -> None:

@@ -6,7 +6,7 @@ import gc
 import os
 import signal
 from collections.abc import Callable, Iterator
-from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -16,62 +16,42 @@ from symgen.generate import generate
 from symgen.scene import SceneRecord
 from symgen.scenes import SCENES, generated_folder
 
-# What `pytest -m fast` runs: folders and files whose tests together take less than 40 s on two cores.
-TESTS = Path(__file__).parent
-FAST = (
-    "bad_scenes",
-    "cases/test_published.py",
-    "derivation",
-    "fe/test_beams.py",
-    "fe/test_errors.py",
-    "hand_derived/test_generated_flexible.py",
-    "hand_derived/test_generated_rigid.py",
-    "hand_derived/spatial/test_spatial_twins_selfcheck.py",
-    "house/test_architecture.py",
-    "house/test_from_scratch.py",
-    "house/test_inside_pages.py",
-    "house/test_packaging.py",
-    "house/test_words.py",
-    "laws/test_augmented_form.py",
-    "laws/test_condensation_laws.py",
-    "laws/test_invariants.py",
-    "laws/test_linear_sub_steps.py",
-    "laws/test_loop_blocks.py",
-    "laws/test_predictor_laws.py",
-    "laws/test_printed_scheme_laws.py",
-    "laws/test_quasi_static.py",
-    "laws/test_redundant_constraints.py",
-    "laws/test_single_rate_laws.py",
-    "laws/test_spatial_loads.py",
-    "laws/test_step_limits.py",
-    "laws/test_sub_cycling_matrices.py",
-    "running/test_solution.py",
-    "scene/test_scene.py",
-    "views/test_plots.py",
-)
+LONG = pytest.StashKey[bool]()
+
+# `pytest` leaves out what is marked `long`; `pytest --all` runs everything, and so does `pytest PATH` of what is named.
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Mark what is fast. A place on the list that is not there is a mistake in the list."""
-    places = [TESTS / place for place in FAST]
-    missing = [str(place) for place in places if not place.exists()]
-    if missing:
-        raise pytest.UsageError(f"tests/conftest.py lists as fast what is not there: {', '.join(missing)}")
-    fast = {path for path in {item.path for item in items} if any(path.is_relative_to(place) for place in places)}
-    for item in items:
-        if item.path in fast:
-            item.add_marker("fast")
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """`--all`: also what is marked `long`. `--fresh-models`: see `built_in`."""
+    parser.addoption("--all", action="store_true", help="also the tests that not every push needs (marked long)")
+    parser.addoption("--fresh-models", action="store_true", help="generate the models of built-in scenes anew")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Whether long tests run is decided once, where the command line was read, and told to the workers."""
+    told = getattr(config, "workerinput", None)
+    named = config.args_source is not pytest.Config.ArgsSource.TESTPATHS
+    config.stash[LONG] = bool(config.getoption("--all") or named) if told is None else bool(told["long"])
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_configure_node(node: Any) -> None:
+    """Of a worker of xdist."""
+    node.workerinput["long"] = node.config.stash[LONG]
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out what is long, unless it was asked for."""
+    if not config.stash[LONG]:
+        long = [item for item in items if item.get_closest_marker("long")]
+        items[:] = [item for item in items if not item.get_closest_marker("long")]
+        config.hook.pytest_deselected(items=long)
 
 
 @pytest.fixture(scope="session", autouse=True)
 def compiled_cache(tmp_path_factory: pytest.TempPathFactory) -> None:
     """Compiled programs of the tests go to a temporary cache, unless the caller chose one."""
     os.environ.setdefault("SYMGEN_CACHE", str(tmp_path_factory.getbasetemp() / "compiled"))
-
-
-def pytest_addoption(parser: pytest.Parser) -> None:
-    """`--fresh-models`: see `built_in`."""
-    parser.addoption("--fresh-models", action="store_true", help="generate the models of built-in scenes anew")
 
 
 @pytest.fixture(scope="session")

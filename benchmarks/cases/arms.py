@@ -66,7 +66,7 @@ def arm_reference(model: Model, fastest: float) -> Reference:
     """Link angles of an arm against steps of order 8 that resolve its fastest mode [rad/s]."""
     problem = Problem.of(model, T_END)
     ladder, steps = Ladder(problem, 1e-12), ceil(T_END * fastest / REFERENCE_REACH)
-    rung = ladder.rung(replace(ladder.plan(Method("dop853"), steps), save_every=max(1, steps // KEPT)))
+    rung = ladder.rung(replace(ladder.plan(Method("dop853"), steps), seen_steps=max(1, steps // KEPT)))
     seen = rung.run.seen()
     columns = followed(model)[1]
     path = CubicHermiteSpline(seen.t, seen.q[:, columns], seen.q_dot[:, columns])

@@ -240,7 +240,7 @@ def _ours(
         m=m,
         scheme=scheme,
         initial=initial,
-        save_every=every,
+        seen_every=every * T_END / steps,
         start="given",
         engine="compiled",
     )

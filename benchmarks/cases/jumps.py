@@ -121,6 +121,6 @@ def _seconds(model: Model, scheme: str, m: list[int] | None) -> float:
     least = float("inf")
     for _ in range(REPEATS + 1):
         began = time.process_time()
-        simulate(model, scheme=scheme, m=m, save_every=10)
+        simulate(model, scheme=scheme, m=m, seen_every=10 * model.simulation["dt"])
         least = min(least, time.process_time() - began)
     return least

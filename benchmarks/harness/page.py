@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from math import isnan
 from typing import Any
 
 from benchmarks.harness.result import Line, Result
 
+MOST_OTHERS = 6  # lines without a goal in a section
 INTRODUCTION = """# Benchmarks
 
 Written by `python -m benchmarks --publish`; every number is of one run on the machine below.
 
 Times are CPU times. Contenders of a comparison take turns within the run; the time is the lower quartile of many bursts
 and a ratio is the ratio of these, beside it the quartiles of the round-by-round ratios or the range over processes. A
-goal is an upper limit.
+goal is an upper limit. Of the lines without a goal a section shows the first; `--only` prints them all.
 """
 
 
@@ -51,16 +52,38 @@ def with_sections(page: str, machine: dict[str, str], results: list[Result]) -> 
 
 
 def _section(result: Result, place: str = "") -> str:
-    rows = ["| | value | goal | | |", "|---|---:|---:|---|---|", *map(_row, result.lines)]
+    rows = ["| | value | goal | | |", "|---|---:|---:|---|---|", *map(_row, _shown(_gathered(result.lines)))]
     remarks = "".join(f"{text}\n\n" for text in (place, result.remark) if text)
     return f"## {result.title}\n\n`python -m benchmarks --only {result.name}`\n\n{remarks}" + "\n".join(rows) + "\n"
 
 
+def _shown(lines: list[Line]) -> list[Line]:
+    """Lines with a goal, and the first few of the others; `--only` prints all of them."""
+    others = [line for line in lines if line.goal is None]
+    return [line for line in lines if line.goal is not None or line in others[:MOST_OTHERS]]
+
+
+def _gathered(lines: list[Line]) -> list[Line]:
+    """Lines of one case (`case: what`) without a goal stand in the remark of the one before them."""
+    found: list[Line] = []
+    for line in lines:
+        case, colon, what = line.name.partition(": ")
+        if colon and line.goal is None and found and found[-1].name.partition(": ")[0] == case:
+            told = f"{what} {_value(line)}" + (f" ({line.note})" if line.note else "")
+            found[-1] = replace(found[-1], note="; ".join(text for text in (found[-1].note, told) if text))
+        else:
+            found.append(line)
+    return found
+
+
+def _value(line: Line) -> str:
+    return "-" if isnan(line.value) else f"{_number(line.value)} {line.unit}".rstrip()
+
+
 def _row(line: Line) -> str:
     goal = "" if line.goal is None else f"<= {_number(line.goal)}"
-    value = "-" if isnan(line.value) else f"{_number(line.value)} {line.unit}"
     verdict = {None: "", True: "met", False: "**not met**"}[line.met]
-    return f"| {line.name} | {value} | {goal} | {verdict} | {line.note} |"
+    return f"| {line.name} | {_value(line)} | {goal} | {verdict} | {line.note} |"
 
 
 def _number(value: float) -> str:

@@ -78,7 +78,7 @@ class Case:
 
     def _with_jumps(self, steps: int, every: int) -> np.ndarray:
         ladder = Ladder(self.problem, 1e-12, self.t_end / KEPT, Further())
-        rung = ladder.rung(replace(ladder.plan(Method("dop853"), steps), save_every=every))
+        rung = ladder.rung(replace(ladder.plan(Method("dop853"), steps), seen_steps=every))
         return rung.run.record.solution((0, rung.run.z)).q[:, followed(self.model)[1]]
 
     def _fastest(self) -> float:

@@ -250,7 +250,7 @@ def _regular(model: Model, one: Mechanism, dt: float, t_end: float) -> bool:
 
 def _tried(model: Model, scheme: str, dt: float, t_end: float, every: int, start: dict[str, Any]) -> Solution | None:
     try:
-        return simulate(model, scheme=scheme, dt=dt, t_end=t_end, save_every=every, force=True, **start)
+        return simulate(model, scheme=scheme, dt=dt, t_end=t_end, seen_every=every * dt, force=True, **start)
     except SymgenError:  # a scheme that cannot step this model
         return None
 

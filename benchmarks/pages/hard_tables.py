@@ -114,10 +114,9 @@ def section(one: Measured) -> str:
         for what, values in (("Parameters", case.parameters), ("Initial values", case.initial))
         if values
     ]
-    rows = ["| graded | amplitude | end value |", "|---|---:|---:|"]
-    rows += [f"| `{name}` | {amplitude(solution[name]):.3g} | {solution[name][-1]:.6g} |" for name in case.graded]
+    told = (f"`{name}` {amplitude(solution[name]):.3g}, {solution[name][-1]:.6g}" for name in case.graded)
     text = f"{case.why[0].upper()}{case.why[1:]}."
-    return "\n".join([f"## {case.name}", "", text, *changes, "", *rows, ""])
+    return "\n".join([f"## {case.name}", " ".join([text, *changes, f"Amplitude, end value: {'; '.join(told)}."]), ""])
 
 
 def _listed(values: np.ndarray) -> str:

@@ -78,7 +78,7 @@ def long_table() -> list[list[str]]:
             scheme=run.scheme,
             options=run.options,
             start="quasi_static",
-            save_every=steps // 4000,
+            samples=4000,
         )
         error = (found.total_energy - found.total_energy[0]) / found.energy["kinetic"].max()
         parts = ", ".join(f"{part.mean():.1e}" for part in np.array_split(error, BLOCKS))
@@ -112,7 +112,7 @@ def ringing_table() -> list[list[str]]:
                 dt=dt,
                 scheme=scheme,
                 initial=RINGING,
-                save_every=SUB_STEPS // 4000,
+                samples=4000,
                 force=True,
             )
             total = found.total_energy

@@ -79,7 +79,7 @@ def started(body: FlexibleBody, angle: str, t_end: float) -> BodyMotion:
     builder.prescribed_angle("drive", "ground.origin", "arm.root", motion=angle)
     with tempfile.TemporaryDirectory() as folder:
         model = load_model(generate(builder.build(), folder))
-        run = simulate(model, scheme="radau", dt=1e-5, t_end=t_end, save_every=25, start="quasi_static")
+        run = simulate(model, scheme="radau", dt=1e-5, t_end=t_end, seen_every=0.00025, start="quasi_static")
         return run.body_motion("arm")
 
 

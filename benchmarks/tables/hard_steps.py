@@ -37,13 +37,4 @@ def _over(found: Found, scheme: str, best: str) -> str:
     return f"{seconds / found[best][1]:.2f}: {steps}{label.removeprefix(scheme)}"
 
 
-def times(result: Result) -> str:
-    """Time of each of TIMED [ms]."""
-    rows = [
-        (name, *(milliseconds(found[label][1]) if label in found else "-" for label in TIMED))
-        for name, found in result.details.items()
-    ]
-    return table(("ms", *map(method, TIMED)), rows, len(TIMED))
-
-
-FIGURES = {"hard_steps": over_the_best, "hard_steps.times": times}
+FIGURES = {"hard_steps": over_the_best}

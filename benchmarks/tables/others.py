@@ -1,4 +1,4 @@
-"""Other programs on the hard suite and on arms, in docs/guide/comparing.md."""
+"""Other programs on the hard suite and on arms, in docs/evidence/speed.md."""
 
 from __future__ import annotations
 

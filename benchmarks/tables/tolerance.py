@@ -1,4 +1,4 @@
-"""What a tolerance gives, in docs/guide/tolerance.md."""
+"""What a tolerance gives, in docs/evidence/speed.md."""
 
 from __future__ import annotations
 

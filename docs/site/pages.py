@@ -6,7 +6,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
 MOVED = {"CHANGELOG.md": "changes.md", "CONTRIBUTING.md": "contributing.md", "README.md": "index.md"}
-SHELVES = {"guide": "Guide", "theory": "Theory", "evidence": "Evidence", "inside": "Inside"}
+SHELVES = {"guide": "Guide", "theory": "Theory", "evidence": "Evidence", "inside": "Inside", "paper": "Paper"}
 LINK = re.compile(r"(!?\[[^\]]*\])\(([^)\s#]*)(#[^)\s]*)?\)")
 BLOCK = re.compile(r"(^```.*?^```)", re.DOTALL | re.MULTILINE)
 

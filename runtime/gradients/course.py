@@ -111,7 +111,7 @@ class Course:
 def course(plan: Plan, holds: Iterable[Hold] = ()) -> Course:
     """Samples at every so many steps and at the last one; inputs change before that are within the run."""
     steps, t0, dt = plan.steps, plan.t0, plan.grid.dt_L
-    times = [*range(0, steps, plan.save_every), steps]
+    times = [*range(0, steps, plan.seen_steps), steps]
     changes: dict[int, list[Hold]] = {}
     for hold in holds:
         if 0 < hold.step < steps:

@@ -24,6 +24,7 @@ from runtime.gradients.switches import Switches
 from runtime.gradients.turns import TurnProgram
 from runtime.gradients.variables import Inputs, driven_by, held_samples, holds_of, variables_of
 from runtime.running.plan import make_plan
+from runtime.running.problem import seen_every_of, span_of
 from runtime.schemes.switching.times import switches_by_inputs
 
 Values = Sequence[float] | np.ndarray | Mapping[str, float] | None
@@ -103,14 +104,16 @@ class DifferentiableRun:
         start: str | None = None,
         t0: float = 0.0,
         inputs: Inputs | None = None,
-        save_every: int | None = None,
+        seen_every: float | None = None,
+        samples: int | None = None,
         wait: bool = False,
     ) -> None:
         model = driven_by(model, inputs)
         if not model.q_i:
             raise ModelError(f"every coordinate of model {model.name} is driven: there is nothing to step")
         self.model, self.outputs = model, check_outputs(model, outputs)
-        self.plan, plan = (make_plan(model, t_end, dt, m, scheme, save_every, options, t0) for _ in range(2))
+        seen = seen_every_of(seen_every, samples, *span_of(model, t0, t_end))
+        self.plan, plan = (make_plan(model, t_end, dt, m, scheme, seen, options, t0) for _ in range(2))
         self._passages = Passages(model, plan)
         held = held_samples(model, inputs, self.plan)
         self._passages.refuse(samples=any(one.step > 0 for one in held))
@@ -154,8 +157,8 @@ class DifferentiableRun:
         other.__dict__.pop("_backward", None)
         dt = length / count
         scheme = self.plan.scheme.with_step(dt)
-        saved = self.plan.save_every if steps is None else every or count
-        other.plan = replace(self.plan, scheme=scheme, t0=t0, steps=count, save_every=saved)
+        saved = self.plan.seen_steps if steps is None else every or count
+        other.plan = replace(self.plan, scheme=scheme, t0=t0, steps=count, seen_steps=saved)
         other.program = replace(self.program, scheme=scheme)
         other.course = course(other.plan, self._holds if steps is None else ())
         other.t = t0 + np.array(other.course.times) * dt

@@ -332,8 +332,8 @@ def measured(run: DifferentiableRun, data: Mapping[str, Any], deviation: float |
             raise ArgumentError(
                 "data of t",
                 f"differ from the saved times by up to {off:.3g} s",
-                f"every {run.plan.save_every} steps of {run.plan.grid.dt_L:g} s gives {run.t[0]:g} to {run.t[-1]:g} s: "
-                "interpolate the data, or choose dt, save_every and t_end to fit them",
+                f"every {run.plan.seen_steps} steps of {run.plan.grid.dt_L:g} s gives {run.t[0]:g} to {run.t[-1]:g} s: "
+                "interpolate the data, or choose dt, seen_every and t_end to fit them",
             )
     if deviation is None and len(names) > 1:
         raise ArgumentError("deviation", "is missing", "with more than one output say how exact each of them is")

@@ -133,7 +133,7 @@ class PeriodicBranch:
 
     def largest(self, output: str) -> np.ndarray:
         """(N,) the largest magnitude over a period of a coordinate, rate or measure. Raises ModelError."""
-        runs = (self.period_of(k, outputs=[output], save_every=1) for k in range(len(self.points)))
+        runs = (self.period_of(k, outputs=[output], seen_every=0.0) for k in range(len(self.points)))
         return np.array([float(np.abs(run.outputs[output]).max()) for run in runs])
 
     def write_csv(self, path: str | Path, outputs: Sequence[str] = ()) -> None:

@@ -44,7 +44,7 @@ def floquet_mode(motion: PeriodicMotion, k: int, periods: int, amplitude: float 
         list(motion.state),
         **motion.setting,
         initial=motion.state,
-        save_every=max(1, motion.steps // FRAMES),
+        seen_every=max(1, motion.steps // FRAMES) * (motion.period / motion.steps),
     )
     found = run.jacobian(list(motion.state.values()))
     values = found.values.reshape(-1, 3, len(names))

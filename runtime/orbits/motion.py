@@ -80,9 +80,11 @@ class PeriodicMotion:
             **self.setting,
             "initial": self.state,
             "t_end": self.t0 + steps * (self.period / self.steps),
-            "save_every": max(1, self.steps // 200),
+            "seen_every": max(1, self.steps // 200) * (self.period / self.steps),
             "error": "off",
         }
+        if "samples" in changes:
+            del given["seen_every"]
         return simulate(self.model, **{**given, **changes})
 
     @property
@@ -182,7 +184,7 @@ def _gradient_run(motion: PeriodicMotion, outputs: Sequence[str], by: Sequence[s
 
     def first() -> DifferentiableRun:
         without = {name: value for name, value in motion.setting.items() if name != "parameters"}
-        return DifferentiableRun(model, outputs, by, **without, save_every=1)
+        return DifferentiableRun(model, outputs, by, **without, seen_every=0.0)
 
     key = f"gradient of an orbit by {motion.scheme} {dict(motion.options)} {tuple(outputs)} {tuple(by)}"
     run = first() if motion.inputs else model.derived(key, first)

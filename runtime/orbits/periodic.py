@@ -179,7 +179,9 @@ def _settled_freely(
     given: dict[str, Any] = {"parameters": asked.parameters, "inputs": asked.inputs or None, "t0": t0, "error": "off"}
     dt = span / (STEPS * settle)
     for _ in range(6):
-        run = simulate(model, scheme=asked.scheme, initial=state or None, t_end=t0 + span, dt=dt, save_every=1, **given)
+        run = simulate(
+            model, scheme=asked.scheme, initial=state or None, t_end=t0 + span, dt=dt, seen_every=0.0, **given
+        )
         q = run.q[:, [model.coordinates.index(name) for name in model.q_i]]
         late = slice(len(run.t) // 2, None)
         column = int(np.ptp(q[late], axis=0).argmax())
@@ -272,7 +274,7 @@ class _Search:
         """Raises NoPeriodicMotion where drives, loads, inputs or what events did do not repeat with the period."""
         found, end = motion.found, motion.found.shot.ends[0]
         if any(event.sets for event in motion.model.description.events):  # what they set goes on in the next period
-            last = _of_run(motion.simulate(2, save_every=motion.steps))
+            last = _of_run(motion.simulate(2, samples=2))
             end, again = found.shot.x[0], np.array([last[name] for name in map_.names]) - 2 * found.turn
         else:
             again = map_.next_period(found.shot.x[0], found.period)
@@ -305,7 +307,7 @@ def _difference(motion: PeriodicMotion, other: PeriodicMotion) -> MotionError:
     samples = []
     for one in (motion, other):
         every = one.steps // gcd(one.steps, MARKS)
-        run = one.simulate(1, save_every=every)
+        run = one.simulate(1, seen_every=every * one.period / one.steps)
         if not run.status.ok:
             raise SymgenError(f"model {motion.model.name}: the motion that repeats cannot be simulated: {run.status}")
         columns = followed(motion.model)[1]

@@ -191,7 +191,7 @@ class PeriodMap:
             start="given",
             t0=setting.t0,
             inputs=setting.inputs or None,
-            save_every=setting.steps,
+            samples=1,
         )
 
 

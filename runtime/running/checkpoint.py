@@ -126,7 +126,7 @@ def read_checkpoint(path: str | Path) -> Checkpoint:
         raise ModelError(str(path), f"it is not a whole checkpoint ({reason})", REMEDY) from error
 
 
-FORMAT = "symgen checkpoint 7"
+FORMAT = "symgen checkpoint 8"
 
 
 @dataclass(frozen=True)
@@ -149,7 +149,7 @@ class CheckpointHeader:
     options: dict[str, Any]
     t0: float
     steps: int
-    save_every: int
+    seen_steps: int
     force: bool
     outputs: list[str]
     initial_changes: str
@@ -192,7 +192,7 @@ class CheckpointHeader:
             scheme,
             self.options,
             self.steps,
-            self.save_every,
+            self.seen_steps,
             self.t0,
             self.force,
             tuple(self.outputs),
@@ -251,7 +251,7 @@ def header_of(run: Run) -> CheckpointHeader:
         options=dict(plan.options),
         t0=plan.t0,
         steps=plan.steps,
-        save_every=plan.save_every,
+        seen_steps=plan.seen_steps,
         force=plan.force,
         outputs=list(plan.outputs),
         initial_changes=run.initial_changes,

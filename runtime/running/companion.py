@@ -159,4 +159,4 @@ def stepped_by(problem: Problem, plan: Plan, dt: float, steps: int, every: int, 
     options = dict(plan.options)
     if plan.scheme.adaptive:
         dt, options["tolerance"] = plan.grid.dt_L, min(options["tolerance"] * (2 if ratio > 1 else 0.5), 0.1)
-    return replace(plan.with_steps(problem.model, dt, steps, options), save_every=every, outputs=(), force=True)
+    return replace(plan.with_steps(problem.model, dt, steps, options), seen_steps=every, outputs=(), force=True)

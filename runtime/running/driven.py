@@ -26,6 +26,7 @@ from runtime.results.observe import assemble_solution, join
 from runtime.results.solution import Solution
 from runtime.running.inputs import Schedule
 from runtime.running.outcome import with_limits
+from runtime.running.problem import seen_every_of
 from runtime.schemes.options import SchemeError
 from runtime.schemes.switching.impulse import impulse_at, impulse_text
 from runtime.schemes.switching.times import switching_times
@@ -35,6 +36,7 @@ CLOSED = 1e-14  # rad or m, times the largest coordinate: correction after which
 STAGNANT = 1e-11  # a correction that small, but no longer shrinking, is rounding
 MOST_CLOSURES = 25
 NEAR = 0.2  # rad or m: a correction above this may have left the branch
+SEEN = 200  # samples where nothing is said
 MOST_HALVINGS = 12  # of the time from one instant to the next
 
 
@@ -45,16 +47,14 @@ def driven_solution(
     t0: float,
     t_end: float,
     dt: float,
-    save_every: int,
     schedule: Schedule,
 ) -> Solution:
     """The motion of a model without independent coordinates, from its state at t0 until t_end [s].
 
-    Samples are dt save_every apart. Where the loops cannot be followed the run ends, with status `constraints_lost`.
+    Samples are dt apart. Where the loops cannot be followed the run ends, with status `constraints_lost`.
     """
     started = time.perf_counter()
-    step = dt * save_every
-    times = t0 + step * np.arange(int(np.ceil((t_end - t0) / step * (1 - 1e-12))) + 1)
+    times = t0 + dt * np.arange(int(np.ceil((t_end - t0) / dt * (1 - 1e-12))) + 1)
     c = model.constants(p)
     if schedule.samples:
         w = model.signals.size
@@ -166,11 +166,14 @@ def quasi_static_motion(
     model: Model,
     *,
     t_end: float | None = None,
-    dt: float | None = None,
+    seen_every: float | None = None,
+    samples: int | None = None,
     parameters: Mapping[str, float] | None = None,
     t0: float = 0.0,
 ) -> Solution:
-    """Positions, deformations, reactions and motors of a driven mechanism from t0 to t_end [s], a sample each dt.
+    """Positions, deformations, reactions and motors of a driven mechanism from t0 to t_end [s].
+
+    seen_every [s] or samples: the time from sample to sample, or how many there are besides the first (200).
 
     Every rigid coordinate must be driven. What is not given comes from the scene. Elastic accelerations are zero.
     Raises ModelError for free rigid coordinates, SchemeError for times, NoEquilibrium with the time where there is
@@ -180,9 +183,10 @@ def quasi_static_motion(
     if free:
         raise ModelError(f"model {model.name} moves freely in {', '.join(free)}: drive it, or simulate")
     end = float(model.simulation["t_end"] if t_end is None else t_end)
-    step = float(model.simulation["dt"] if dt is None else dt)
+    asked = seen_every_of(seen_every, samples, t0, end)
+    step = asked or float(model.simulation.get("seen_every", (end - t0) / SEEN))
     if not (np.isfinite([t0, end, step]).all() and step > 0 and end > t0):
-        raise SchemeError("t_end, dt", "do not make a motion", "take t_end > t0 and dt > 0")
+        raise SchemeError("t_end", "does not make a motion", "take t_end > t0")
     times = t0 + step * np.arange(int(np.ceil((end - t0) / step * (1 - 1e-12))) + 1)
     p = model.parameter_vector(parameters)
     c = model.constants(p)

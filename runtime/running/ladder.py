@@ -23,7 +23,7 @@ from runtime.results.solution import Solution
 from runtime.running.companion import loads_missed, marks_of
 from runtime.running.load_steps import steps_that_see_loads
 from runtime.running.outcome import LARGEST, finished, passed_by
-from runtime.running.plan import MAX_SAMPLES, Plan, make_plan, whole_number
+from runtime.running.plan import MAX_SAMPLES, Plan, make_plan
 from runtime.running.problem import ROUNDING, Problem, common_time
 from runtime.running.run import Further, Marks, Run, begun, told_by
 from runtime.running.tolerance import AUTO, DEFAULT
@@ -146,35 +146,28 @@ class Ladder:
         span = self.problem.t_end - self.problem.t0
         sampled = self.problem.spacing
         if self.spacing is not None and not 0 < self.spacing <= span * (1 + ROUNDING):
-            raise SchemeError(
-                f"dt must be a positive number, of seconds between samples in the motion, not {self.spacing!r}"
-            )
-        every = self.further.save_every
-        if every is not None and not (whole_number(every) or 0) >= 1:
-            raise SchemeError(f"save_every must be a whole number of major steps of at least 1, not {every!r}")
+            raise SchemeError(f"seen_every must be a time within the motion of {span:g} s, not {self.spacing!r}")
         apart = sampled or self.spacing
         if sampled is not None and self.spacing is not None:
             apart = common_time(sampled, self.spacing)
         if apart is not None and span / apart > MOST_STEPS:
-            raise SchemeError(f"dt = {apart:g} s needs more than {MOST_STEPS:.0e} steps; raise dt or lower t_end")
+            raise SchemeError(
+                f"seen_every = {apart:g} s needs more than {MOST_STEPS:.0e} steps; raise it or lower t_end"
+            )
         self.unit = FIRST if apart is None else ceil(span / apart - ROUNDING)
         self.span = self.unit * apart if apart is not None else span
 
     def plan(self, method: Method, steps: int) -> Plan:
         """So many steps of the method over the motion."""
-        every = 1 if self.spacing is None else max(1, round(self.spacing * steps / self.span))
-        if self.spacing is None and self.further.save_every is not None:
-            every = self.further.save_every
-        elif self.spacing is None:
-            every = ceil(steps / SEEN)
+        every = ceil(steps / SEEN) if self.spacing is None else max(1, round(self.spacing * steps / self.span))
         if steps / every > MAX_SAMPLES:
             raise SchemeError(f"{steps // every:.3g} samples are too many; give a longer time between them")
         m = None if method.m is None else list(method.m)
         model, t0 = self.problem.model, self.problem.t0
         plan = make_plan(
-            model, t0 + self.span, self.span / steps, m, method.scheme, every, method.options, t0, bounded=True
+            model, t0 + self.span, self.span / steps, m, method.scheme, 0.0, method.options, t0, bounded=True
         )
-        return replace(plan, steps=steps, force=True, outputs=tuple(self.further.outputs or ()))
+        return replace(plan, steps=steps, seen_steps=every, force=True, outputs=tuple(self.further.outputs or ()))
 
     def climb(self, method: Method) -> Iterator[Rung]:
         """Rungs from the first to the one that meets the tolerance, or to the last that it is worth to make."""

@@ -35,6 +35,7 @@ NEARLY_SINGULAR = 0.05  # smallest of the largest singular value of C_q, angles 
 STRONG = 5.0  # times that a motion decays by e in a step, from which advice names the damper
 
 BREAKDOWNS = ("not_finite", "diverged", "constraints_lost", "iteration_failed")  # that M_hat may be the cause of
+OUT_OF_REACH = "A drive may ask for a position that the lengths do not allow: look at the motion until then."
 DEAD_CENTRE = (
     "So the mechanism may be at a dead centre, where the chosen independent coordinates do not determine it: choose "
     "others (partition.independent), or reduce the step."
@@ -287,7 +288,7 @@ class Monitor:
         limited = slopes is not None and scheme.limited(scheme.options)
         limit: StepLimit | None = scheme.step_limit(*slopes) if slopes is not None and limited else None
         if limit is None:
-            return damper or "Reduce the step."
+            return damper or (f"{OUT_OF_REACH} {below}" if below else "Reduce the step.")
         text = (
             f"The {limit} at the last good state: the scheme needs a step below {limit.h:.3g} s there, and the "
             f"fastest group's step is {h:.3g} s."

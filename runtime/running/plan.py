@@ -10,7 +10,7 @@ from typing import Any
 
 from runtime.contract.doors import opened
 from runtime.contract.model import Model
-from runtime.running.problem import span_of
+from runtime.running.problem import own_spacing, span_of
 from runtime.running.tolerance import AUTO
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import Grid, SchemeError
@@ -27,14 +27,15 @@ class Plan:
     """A scheme on a model, by name and built, and how many of its steps are made and saved.
 
     options: the user's changes to the scheme's Options; a variant of the model is stepped with the same ones.
-    force: run although the step is above its limit. outputs: the quantities that are kept, () for all.
+    seen_steps: steps from sample to sample. force: run although the step is above its limit. outputs: the quantities
+    that are kept, () for all.
     """
 
     name: str
     scheme: Scheme
     options: Mapping[str, Any]
     steps: int
-    save_every: int
+    seen_steps: int
     t0: float
     force: bool = False
     outputs: tuple[str, ...] = ()
@@ -74,21 +75,22 @@ def make_plan(
     dt: float | None,
     m: list[int] | None,
     scheme: str | None,
-    save_every: int | None,
+    seen_every: float | None,
     options: Mapping[str, Any] | None,
     t0: float,
     bounded: bool = False,
 ) -> Plan:
-    """Resolve defaults and check every number of a run. bounded: samples do not stay in memory. Raises SchemeError."""
-    defaults = model.simulation
+    """Resolve defaults and check every number of a run. seen_every [s]: time from sample to sample, 0: every step.
+
+    bounded: samples do not stay in memory. Raises SchemeError.
+    """
     name, dt = steps_asked(model, scheme, dt, m, options, t0, t_end)
     ratios = None if m is None else _whole_numbers(m)
     built = scheme_kind(name).build(name, model, dt, ratios, options or {})
     grid = built.grid
     t0, end = span_of(model, t0, t_end)
-    every = whole_number(int(defaults["save_every"]) if save_every is None else save_every)
-    if every is None or every < 1:
-        raise SchemeError(f"save_every must be a whole number of major steps of at least 1, not {save_every!r}")
+    seen = own_spacing(model, t0, end) if seen_every is None else seen_every
+    every = max(1, round(seen / grid.dt_L))
     if grid.dt_L > (end - t0) * (1 + STEP_ROUNDING):
         raise SchemeError(f"dt = {grid.dt_L:g} s is longer than the simulation ({end - t0:g} s); give a smaller step")
     if (end - t0) / grid.dt_L > MAX_STEPS:
@@ -98,7 +100,7 @@ def make_plan(
         raise SchemeError(f"{near} cannot be told from each other; begin at t0 = 0")
     steps = max(1, ceil((end - t0) / grid.dt_L - STEP_ROUNDING))
     if steps / every > MAX_SAMPLES and not bounded:
-        raise SchemeError(f"{steps // every:.3g} saved states are too many; raise save_every or dt, or stream them")
+        raise SchemeError(f"{steps // every:.3g} saved states are too many; raise seen_every or dt, or stream them")
     return Plan(name, built, dict(options or {}), steps, every, float(t0))
 
 

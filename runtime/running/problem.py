@@ -16,6 +16,7 @@ from runtime.running.inputs import InputValue, Sampled, Schedule, scheduled, sta
 from runtime.schemes.options import SchemeError
 from runtime.start.start_state import start_state
 
+SEEN_AT_LEAST = 100  # samples of a motion whose spacing is the scene's
 SAME = 1e-9  # of a time: two that differ by less are one
 ROUNDING = 1e-6  # of an interval: a span is a whole number of them up to this
 
@@ -80,6 +81,25 @@ def span_of(model: Model, t0: Any, t_end: Any) -> tuple[float, float]:
     if isinstance(end, bool) or not isinstance(end, int | float | np.number) or not np.isfinite(end) or end <= t0:
         raise SchemeError(f"t_end must be a time after t0 = {t0:g} s, not {end!r}")
     return float(t0), float(end)
+
+
+def seen_every_of(seen_every: Any, samples: Any, t0: float, t_end: float) -> float | None:
+    """The time from sample to sample that is asked for [s], 0 for every step; None: nothing is. Raises SchemeError."""
+    if seen_every is not None and samples is not None:
+        raise SchemeError("seen_every, samples", "are two answers", "give the time between samples or their number")
+    if samples is not None:
+        if isinstance(samples, bool) or not isinstance(samples, int | np.integer) or samples < 1:
+            raise SchemeError(f"samples must be a whole number of at least 1, not {samples!r}")
+        return (t_end - t0) / int(samples)
+    number = isinstance(seen_every, int | float | np.number) and not isinstance(seen_every, bool)
+    if seen_every is not None and not (number and 0 <= seen_every < np.inf):
+        raise SchemeError(f"seen_every must be a time between samples in seconds, not {seen_every!r}")
+    return None if seen_every is None else float(seen_every)
+
+
+def own_spacing(model: Model, t0: float, t_end: float) -> float:
+    """The scene's time from sample to sample [s], 0 for every step; of a shorter motion such that it is still seen."""
+    return min(float(model.simulation.get("seen_every", 0.0)), (t_end - t0) / SEEN_AT_LEAST)
 
 
 def spacing_of(inputs: Mapping[str, InputValue], t0: float) -> float | None:

@@ -24,8 +24,8 @@ class Record:
     rows = 0
     folder: Path | None = None
 
-    def __init__(self, segments: list[SteppedModel], save_every: int) -> None:
-        self.segments, self.every = segments, save_every
+    def __init__(self, segments: list[SteppedModel], seen_steps: int) -> None:
+        self.segments, self.every = segments, seen_steps
         self.samples: list[tuple[int, np.ndarray]] = []  # (segment, states (N, n_z)): all, or those that wait
         self.last_step = -1
 
@@ -95,6 +95,6 @@ def record_of(
 ) -> Record:
     """Of a run from z (flat) on: whole states in memory, or rows of columns. Raises OutputError or ModelError."""
     if not keep_rows:
-        return Record([segment], segment.plan.save_every)
+        return Record([segment], segment.plan.seen_steps)
     found: Record = opened("runtime.running.columns:ColumnRecord")(segment, z, stream, resumed)
     return found

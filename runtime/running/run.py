@@ -43,7 +43,6 @@ CHECKPOINT_SECONDS = 60.0
 class Further:
     """How a run goes, and what is kept of it; see `simulate`."""
 
-    save_every: int | None = None
     progress: Progress | bool | None = None
     force: bool = False
     outputs: Sequence[str] | None = None
@@ -87,10 +86,10 @@ class Pace:
         """Is each saved state looked at closely here?"""
         return step < self.slow_until
 
-    def next_steps(self, step: int, save_every: int) -> int:
+    def next_steps(self, step: int, seen_steps: int) -> int:
         """The length of the next call."""
         saves = 1 if self.slow(step) else self.saves
-        return min(self.steps, saves * save_every - step % save_every)
+        return min(self.steps, saves * seen_steps - step % seen_steps)
 
     def took(self, seconds: float) -> None:
         """Double or halve: the interpreted engine builds one Function per batch length, so there should be few."""
@@ -394,7 +393,7 @@ class Run:
 
     def _batch(self) -> int:
         plan, done = self.segment.plan, self.step
-        n = min(self.pace.next_steps(done, plan.save_every), plan.steps - done)
+        n = min(self.pace.next_steps(done, plan.seen_steps), plan.steps - done)
         if self.marks is not None and self.pace.slow(done):  # no state is kept on the way then
             n = min([n, *(mark - done for mark in self.marks.within(done, done + n))])
         if self.schedule is not None:
@@ -404,7 +403,7 @@ class Run:
 
     def _kept(self, n: int) -> list[int]:
         """Steps within the next n that are saved or at marks, and the last of these."""
-        done, every = self.step, self.segment.plan.save_every
+        done, every = self.step, self.segment.plan.seen_steps
         marks = [] if self.marks is None else self.marks.within(done, done + n)
         return sorted({*range(done + every - done % every, done + n, every), *marks, done + n})
 
@@ -414,7 +413,7 @@ class Run:
             return
         plan, kept = self.segment.plan, self.z[None] if rows is None else rows
         steps = kept[:, 1].astype(int)
-        due = (steps % plan.save_every == 0) | (steps == plan.steps)
+        due = (steps % plan.seen_steps == 0) | (steps == plan.steps)
         if due.any():
             self.record.add(self.segment, kept[due])
         if self.marks is not None:

@@ -19,14 +19,15 @@ from runtime.results.solution import Solution
 from runtime.running.companion import marks_of, measured
 from runtime.running.inputs import InputValue, bound, scheduled, started
 from runtime.running.outcome import finished
-from runtime.running.plan import make_plan, whole_number
-from runtime.running.problem import Problem, common_time, spacing_of, span_of
+from runtime.running.plan import make_plan
+from runtime.running.problem import Problem, common_time, own_spacing, seen_every_of, spacing_of, span_of
 from runtime.running.run import Further, Progress, begun
 from runtime.running.tolerance import AUTO, tolerance_of
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 
 MEASURED, OFF = "measured", "off"  # what `error` may be
+SEEN = 1000  # samples of steps that follow their own error, where nothing is said
 GLOBAL, LOCAL = "motion", "step"  # what a tolerance may be of
 
 __all__ = ["simulate"]
@@ -58,7 +59,8 @@ def simulate(
     t0: float = 0.0,
     inputs: Mapping[str, InputValue] | None = None,
     error: str = MEASURED,
-    save_every: int | None = None,
+    seen_every: float | None = None,
+    samples: int | None = None,
     engine: str = "auto",
     progress: Progress | bool | None = None,
     force: bool = False,
@@ -69,19 +71,19 @@ def simulate(
 ) -> Solution:
     """Simulate a model from t0 until t_end [s]; what is not given is the scene's own.
 
-    scheme: a name of runtime.SCHEMES with major step dt [s] and ratios m, or `auto`, which chooses a method and its
-    steps for a tolerance (1e-3). tolerance: of the error of the motion, RMS over its amplitudes; it replaces dt, and
-    dt then is the time between samples. options: changes to the scheme's Options by name.
+    scheme: `auto`, which chooses a method and its steps for a tolerance (1e-3), or a name of runtime.SCHEMES with its
+    step dt [s] and ratios m. tolerance: of the error of the motion, RMS over its amplitudes; it takes the place of dt.
+    seen_every [s] or samples: the time from sample to sample (0: every step), or how many there are besides the first;
+    a whole number of steps lies between them. options: changes to the scheme's Options by name.
     parameters, initial: changes by name (rates as `<coordinate>_dot`); initial may also be an equilibrium, or a
     solution, from whose last sample the run goes on (`run.initial_values(at=0.3)`: from another). start: `given`,
     `quasi_static` (elastic coordinates in equilibrium) or `equilibrium` (all but those that turn). inputs: by name
     a number, a function of time (called once with a symbol), (times, values) held in between, or a `Sampled`
-    controller. error: `measured` makes the motion twice and tells Solution.error, `off` makes it once. save_every:
-    major steps from sample to sample. engine: `auto`, `compiled`, `interpreted`. progress(t, t_end): called on the
-    way; True shows a line. force: run although the step is above the stability limit at the start. outputs: names
-    of coordinates, rates, measures or energies; only these are kept, in Solution.outputs. stream: a folder that
-    takes the samples instead of memory. checkpoint: a file that `resume` goes on from, written every
-    `checkpoint_every` major steps (None: every minute) and on Ctrl-C.
+    controller. error: `measured` makes the motion twice and tells Solution.error, `off` makes it once. engine: `auto`,
+    `compiled`, `interpreted`. progress(t, t_end): called on the way; True shows a line. force: run although the step is
+    above the stability limit at the start. outputs: names of coordinates, rates, measures or energies; only these are
+    kept, in Solution.outputs. stream: a folder that takes the samples instead of memory. checkpoint: a file that
+    `resume` goes on from, written every `checkpoint_every` major steps (None: every minute) and on Ctrl-C.
 
     Numerical failure does not raise: see Solution.status. Raises ArgumentError, SchemeError, ModelError,
     InitialStateError, OutputError or CompilerError for arguments that cannot be used.
@@ -92,11 +94,21 @@ def simulate(
             return simulate(model, progress=meter, **given)
     if error not in (MEASURED, OFF):
         raise SchemeError(f"error must be {MEASURED} or {OFF}, not {error!r}")
-    further = Further(save_every, progress, force, outputs, stream, checkpoint, checkpoint_every)
+    further = Further(progress, force, outputs, stream, checkpoint, checkpoint_every)
     model = bound(model, inputs)
+    begin, end = span_of(model, t0, t_end)
+    seen = seen_every_of(seen_every, samples, begin, end)
     if not model.q_i:
-        return _driven(model, t_end, dt, parameters, initial, t0, further, inputs)
+        return _driven(model, begin, end, dt, parameters, initial, seen, further, inputs)
     asked = tolerance_of(model, scheme, tolerance, dt)
+    if asked is not None and dt is not None:
+        raise SchemeError(
+            "dt",
+            "is the step, which a tolerance chooses",
+            "leave dt out (seen_every spaces the samples), or name a scheme",
+        )
+    if asked is not None and seen is None and scheme is None and tolerance is None:
+        seen = own_spacing(model, begin, end)
     wanted = scheme or (AUTO if tolerance is not None else str(model.simulation["scheme"]))
     if wanted == AUTO and (m is not None or options):
         raise SchemeError("auto chooses m and options itself; leave them out, or name a scheme")
@@ -107,13 +119,15 @@ def simulate(
             wanted, options, local = _made_once(problem, wanted), {**(options or {}), "error_of": LOCAL}, True
     if asked is not None and not local:
         chosen = {name: value for name, value in (options or {}).items() if name != "error_of"}
-        climbed: Solution = opened("runtime.running.ladder:by_ladder")(problem, asked, wanted, m, chosen, dt, further)
+        climbed: Solution = opened("runtime.running.ladder:by_ladder")(
+            problem, asked, wanted, m, chosen, seen or None, further
+        )
         return climbed
     if local and asked is not None:
-        sampled = spacing_of(inputs or {}, t0)
-        options, dt, save_every = _seen_steps(model, asked, options, t_end, t0, dt, save_every, sampled)
-    begin, end = span_of(model, t0, t_end)
-    plan = make_plan(model, end, dt, m, wanted, save_every, options, begin, further.bounded)
+        options = {**(options or {}), "tolerance": asked}
+        seen = seen if seen is not None else own_spacing(model, begin, end)
+        dt = seen = _seen_steps(begin, end, seen, spacing_of(inputs or {}, t0))
+    plan = make_plan(model, end, dt, m, wanted, seen, options, begin, further.bounded)
     plan = replace(plan, force=force, outputs=tuple(outputs or ()))
     problem = Problem.of(model, end, parameters, initial, start, begin, inputs, engine, plan.grid.dt_L)
     run = begun(problem, plan, marks_of(problem, plan) if error == MEASURED else None, further)
@@ -139,39 +153,27 @@ def _made_once(problem: Problem, wanted: str) -> str:
     )
 
 
-def _seen_steps(
-    model: Model,
-    tolerance: float,
-    options: Mapping[str, Any] | None,
-    t_end: float | None,
-    t0: float,
-    dt: float | None,
-    save_every: int | None,
-    sampled: float | None,
-) -> tuple[dict[str, Any], float, int]:
-    """(options, time from sample to sample [s], save_every) of steps whose length follows from their own error.
+def _seen_steps(begin: float, end: float, seen: float | None, sampled: float | None) -> float:
+    """Time from sample to sample [s] of steps whose length follows from their own error; a whole number of it in all.
 
     sampled: time from sample to sample of the inputs [s], if they have one.
     """
-    begin, end = span_of(model, t0, t_end)
-    settings = model.simulation
-    spacing = dt if dt is not None else max(float(settings["dt"]) * int(settings["save_every"]), (end - begin) / 1000)
-    if not isinstance(spacing, int | float) or not 0 < spacing <= end - begin:
-        raise SchemeError(f"dt must be a positive number, of seconds between samples in the motion, not {dt!r}")
+    spacing = seen or (end - begin) / SEEN
+    if not 0 < spacing <= end - begin:
+        raise SchemeError(f"seen_every must be a time within the motion, not {seen!r}")
     if sampled is not None:
-        spacing = common_time(sampled, spacing) if dt is not None else sampled / max(1, round(sampled / spacing))
-        return {**(options or {}), "tolerance": tolerance}, spacing, save_every or 1
-    steps = max(1, round(float(np.ceil((end - begin) / spacing - 1e-6))))
-    return {**(options or {}), "tolerance": tolerance}, (end - begin) / steps, save_every or 1
+        return common_time(sampled, spacing) if seen else sampled / max(1, round(sampled / spacing))
+    return (end - begin) / max(1, round(float(np.ceil((end - begin) / spacing - 1e-6))))
 
 
 def _driven(
     model: Model,
-    t_end: float | None,
+    begin: float,
+    end: float,
     dt: float | None,
     parameters: Mapping[str, float] | None,
     initial: Initial,
-    t0: float,
+    seen: float | None,
     further: Further,
     inputs: Mapping[str, InputValue] | None,
 ) -> Solution:
@@ -184,11 +186,9 @@ def _driven(
             "leave them out",
         )
     settings = model.simulation
-    step = settings["dt"] if dt is None else dt
-    every = whole_number(int(settings["save_every"]) if further.save_every is None else further.save_every)
-    begin, end = span_of(model, t0, t_end)
-    if isinstance(step, bool) or not isinstance(step, int | float | np.number) or not 0 < step < np.inf or not every:
-        raise SchemeError("dt, save_every", "do not make a motion", "take dt > 0 and save_every >= 1")
+    step = seen or (own_spacing(model, begin, end) or settings["dt"] if dt is None else dt)
+    if isinstance(step, bool) or not isinstance(step, int | float | np.number) or not 0 < step < np.inf:
+        raise SchemeError(f"dt must be a positive number of seconds, not {step!r}")
     schedule = scheduled(model, inputs, begin, float(step))
     if schedule.controllers:
         raise SchemeError(
@@ -197,4 +197,4 @@ def _driven(
     p = started(model, model.parameter_vector(parameters), schedule, begin)
     state = given_state(model, p, model.constants(p), begin, initial)
     driven = opened("runtime.running.driven:driven_solution")
-    return cast(Solution, driven(model, p, state, begin, end, float(step), every, schedule))
+    return cast(Solution, driven(model, p, state, begin, end, float(step), schedule))

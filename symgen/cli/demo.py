@@ -101,6 +101,6 @@ def _recommended(comparison: Comparison) -> tuple[dict[str, Any] | None, float |
         "m": list(method.m) if method.m else None,
         "options": dict(method.options),
         "dt": trial.setting,
-        "save_every": max(1, trial.steps // SAMPLES),
+        "samples": min(trial.steps, SAMPLES),
     }
     return arguments, trial.error

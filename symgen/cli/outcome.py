@@ -23,7 +23,7 @@ EXIT_CODES = {
 CODES = ((KeyboardInterrupt, INTERRUPTED), (NoResult, FAILED), (SymgenError, WRONG_INPUT), (Exception, FAULT))
 REPORT_IT = (
     "this is a fault of symgen, not of your input; please report it with the lines above, the command and the scene "
-    "(docs/guide/failures.md says what helps)"
+    "(docs/guide/errors.md says what helps)"
 )
 
 

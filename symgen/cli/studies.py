@@ -38,11 +38,12 @@ def sweep(arguments: argparse.Namespace) -> Outcome:
     if arguments.out:
         check_suffix(arguments.out)
         try_writing(arguments.out)
-    if arguments.reduce and arguments.every is not None:
-        raise UsageError("--reduce and --every are two answers: give one")
+    sampled = arguments.seen_every is not None or arguments.samples is not None
+    if arguments.reduce and sampled:
+        raise UsageError("--reduce and samples are two answers: give one")
     model = opened_model(arguments.scene, arguments.made_with)
     columns = _combined(arguments.over)
-    hows = [] if arguments.every is not None else arguments.reduce or ["peak", "end"]
+    hows = [] if sampled else arguments.reduce or ["peak", "end"]
     answer = _swept(model, columns, hows, arguments)
     written = variables(answer)
     found = {name: values for name, (_, values, _) in written.items()}
@@ -76,7 +77,7 @@ def _swept(model: Model, columns: dict[str, Any], hows: list[str], arguments: ar
     known = {parameter.name for parameter in model.parameters}
     starts = {name: values for name, values in columns.items() if name not in known}
     _refuse_unknown(model, starts)
-    how = ("scheme", "dt", "m", "options", "t_end", "start", "outputs", "every", "workers", "folder")
+    how = ("scheme", "dt", "m", "options", "t_end", "start", "outputs", "seen_every", "samples", "workers", "folder")
     try:
         with Progress(f"symgen {model.name}", counted="cases") as progress:
             return ensemble(

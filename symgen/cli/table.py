@@ -66,7 +66,7 @@ WITH = pairs("--with", "made_with", "what a built-in scene is made with, such as
 SCENE = (SCENE_WORD, WITH)
 SCENE_OR_NONE = (SCENE_WORD.but(nargs="?"), WITH)
 RESULTS_OR_SCENE = (SCENE_WORD.but(metavar="RESULTS|SCENE", help="results folder, or what names a scene"), WITH)
-DT = opt("--dt SECONDS", "major step dt_L", number)
+DT = opt("--dt SECONDS", "the step (dt_L, of the slowest group)", number)
 M = opt("--m 10,4", "ratio of each next group's step, slow to fast", words.ratios)
 SCHEME = opt("--scheme NAME", "time stepping scheme, such as exponential or single_rate (default: the scene's)")
 SCHEME_OPTION = pairs("--option", "options", "a reading or tolerance of it, such as common_update=direct", words.option)
@@ -92,6 +92,10 @@ ENGINE = opt(
     choices=("auto", "compiled", "interpreted", "compiled-library", "c"),
     default="auto",
 )
+SEEN = (
+    opt("--seen-every SECONDS", "time from sample to sample", number),
+    opt("--samples COUNT", "how many samples there are besides the first, instead", int),
+)
 RUN = (
     MOTION,
     Group(
@@ -108,7 +112,7 @@ RUN = (
             opt("--tolerance ERROR", "relative error instead of a step (with auto, the default then: 1e-3)", positive),
             SCHEME_OPTION,
             opt("--force", "run although the step is above its limit at the start"),
-            opt("--save-every STEPS", "keep one of so many major steps", int),
+            *SEEN,
             ENGINE,
         ),
     ),
@@ -253,7 +257,7 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             ),
             opt("--outputs NAMES", "what is kept of each case", names, required=True),
             opt("--reduce HOW", "max, min, peak, mean, rms, end of each output (default: peak,end)", names),
-            opt("--every STEPS", "keep one of so many major steps instead", int),
+            *SEEN,
             opt("--out FILE", "study.nc or study.csv; the picture is study.png"),
             opt("--folder DIR", "where finished parts are kept: the same words go on there"),
             opt("--workers COUNT", "threads (default: one a processor)", int),

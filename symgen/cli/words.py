@@ -195,7 +195,7 @@ class Gather(argparse.Action):
 
 
 MOTION = ("t_end", "parameters", "initial", "start")
-RUN = (*MOTION, "dt", "m", "scheme", "tolerance", "options", "force", "save_every", "engine")
+RUN = (*MOTION, "dt", "m", "scheme", "tolerance", "options", "force", "seen_every", "samples", "engine")
 
 
 def settings(arguments: argparse.Namespace, names: Iterable[str]) -> dict[str, Any]:

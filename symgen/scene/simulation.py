@@ -166,10 +166,11 @@ class Baumgarte(StrictModel):
 
 
 class Simulation(StrictModel):
-    """t_end [s]; dt [s]: the major step dt_L of a scheme that is named; m: step ratio of each next group.
+    """t_end [s]; dt [s]: the step of a scheme that is named (of its slowest group); m: ratio of each next group's.
 
     scheme: a stepper's name; left out it is `auto`, which chooses a method and its steps for a tolerance.
     tolerance: of the error of the motion, relative to its amplitudes, in place of dt; of `auto` 1e-3 where left out.
+    seen_every [s]: time from sample to sample; left out, every step is one, or of many about a thousand.
     start: `given` takes the initial state as it is, `quasi_static` puts elastic coordinates into stable equilibrium
     with it, `quasi_static_unstable` into any; `equilibrium`: every coordinate settles but those that turn.
     """
@@ -179,7 +180,7 @@ class Simulation(StrictModel):
     m: tuple[Annotated[int, Strict(), Field(ge=1, le=10_000)], ...] = ()
     scheme: SchemeName = "auto"
     tolerance: Annotated[float, Strict(), Field(gt=0, le=0.1)] | None = None
-    save_every: Annotated[int, Strict(), Field(ge=1, le=MAX_STEPS)] = 1
+    seen_every: Annotated[Number, Field(ge=0)] | None = None
     start: Literal["given", "quasi_static", "quasi_static_unstable", "equilibrium"] = "given"
 
     def faults(self, scene: Any) -> Iterator[Fault]:

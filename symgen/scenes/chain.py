@@ -34,4 +34,4 @@ def chain(links: int = 10, modes: int = 0) -> SceneRecord:
         previous = end
     angles = {f"link{k}.theta": -1.2 for k in range(1, links + 1)}
     m = [1] if modes else []
-    return builder.initial(angles).simulation(t_end=2.0, dt=2e-4, m=m, scheme="single_rate", save_every=50).build()
+    return builder.initial(angles).simulation(t_end=2.0, dt=2e-4, m=m, scheme="single_rate", seen_every=0.01).build()

@@ -13,6 +13,6 @@ def double_pendulum() -> SceneRecord:
         .revolute("shoulder", "ground.origin", "upper.origin")
         .revolute("elbow", "upper.tip", "lower.origin")
         .initial({"upper.theta": 0.0, "lower.theta": 0.0})
-        .simulation(t_end=5.0, dt=5e-4, scheme="single_rate", save_every=20)
+        .simulation(t_end=5.0, dt=5e-4, scheme="single_rate", seen_every=0.01)
         .build()
     )

@@ -16,6 +16,6 @@ def elastic_pendulum() -> SceneRecord:
         .spring_damper("spring", "ground.origin", "bob.origin", stiffness=1000.0, damping=0.5, free_length=1.0)
         .measure("stretch", "distance", of="bob.origin")
         .initial({"bob.x": 0.6, "bob.y": -0.8})
-        .simulation(t_end=10.0, dt=1e-3, scheme="single_rate", save_every=10)
+        .simulation(t_end=10.0, dt=1e-3, scheme="single_rate", seen_every=0.01)
         .build()
     )

@@ -33,6 +33,6 @@ def flexible_four_bar() -> SceneRecord:
         .independent("crank.theta", "coupler.q1", "coupler.q2", "rocker.q1", "rocker.q2")
         .initial({"crank.theta": 1.0, "coupler.theta": 0.4, "rocker.theta": 1.6})
         .rates({"crank.theta": 80.0})
-        .simulation(t_end=0.5, dt=1e-4, m=[1], scheme="single_rate", save_every=10, start="quasi_static")
+        .simulation(t_end=0.5, dt=1e-4, m=[1], scheme="single_rate", seen_every=0.001, start="quasi_static")
         .build()
     )

@@ -33,6 +33,6 @@ def flexible_joint_arm() -> SceneRecord:
         .torque("elbow", "rotor2.origin", "elbow_torque * sin(2 * pi * t)", reaction="link1.origin")
         .groups(L=["link*.theta"], S=["rotor*.theta"])
         .initial(down)
-        .simulation(t_end=2.0, dt=2e-4, m=[1], scheme="single_rate", save_every=20)
+        .simulation(t_end=2.0, dt=2e-4, m=[1], scheme="single_rate", seen_every=0.004)
         .build()
     )

@@ -105,7 +105,7 @@ def flexible_slider_crank() -> SceneRecord:
     return (
         builder.initial(coordinates)
         .rates(rates)
-        .simulation(t_end=0.1, dt=4e-5, m=[2], scheme="printed", save_every=10)
+        .simulation(t_end=0.1, dt=4e-5, m=[2], scheme="printed", seen_every=0.0004)
         .build()
     )
 
@@ -119,7 +119,7 @@ def flexible_slider_crank_free() -> SceneRecord:
         builder.independent("crank.theta", "rod.q1", "rod.q2", "rod.q3", "rod.q4")
         .initial({"crank.theta": 0.0, "rod.theta": 0.0})
         .rates({"crank.theta": 150.0})
-        .simulation(t_end=0.05, dt=2.5e-5, m=[1], scheme="exponential", save_every=20)
+        .simulation(t_end=0.05, dt=2.5e-5, m=[1], scheme="exponential", seen_every=0.0005)
         .build()
     )
 
@@ -133,7 +133,7 @@ def flexible_slider_crank_torque() -> SceneRecord:
     return (
         builder.independent("crank.theta", "rod.q1", "rod.q2")
         .initial({"crank.theta": 0.0, "rod.theta": 0.0})
-        .simulation(t_end=0.4, dt=1e-4, m=[5], scheme="exponential", save_every=10)
+        .simulation(t_end=0.4, dt=1e-4, m=[5], scheme="exponential", seen_every=0.001)
         .build()
     )
 
@@ -151,7 +151,7 @@ def physical_slider_crank() -> SceneRecord:
     return (
         builder.initial({"crank.theta": 0.0, "rod.theta": 0.0})
         .rates({"crank.theta": 150.0})
-        .simulation(t_end=0.1, dt=1e-5, m=[1], scheme="single_rate", save_every=50, start="quasi_static")
+        .simulation(t_end=0.1, dt=1e-5, m=[1], scheme="single_rate", seen_every=0.0005, start="quasi_static")
         .build()
     )
 
@@ -168,6 +168,6 @@ def stiff_slider_crank(ratio: float = 200.0) -> SceneRecord:
     return (
         builder.initial({"crank.theta": 0.0, "rod.theta": 0.0})
         .rates({"crank.theta": 150.0})
-        .simulation(t_end=0.05, dt=1e-6, m=[1], scheme="single_rate", save_every=500, start="quasi_static")
+        .simulation(t_end=0.05, dt=1e-6, m=[1], scheme="single_rate", seen_every=0.0005, start="quasi_static")
         .build()
     )

@@ -27,7 +27,7 @@ def flyball_governor() -> SceneRecord:
         )
     builder.initial({"height.travel": 0.5, "right_swing.angle": pi / 6, "left_swing.angle": pi / 6})
     builder.rates({"spin.angle": 2 * pi})
-    return builder.simulation(t_end=10.0, dt=1e-3, scheme="radau", save_every=10).build()
+    return builder.simulation(t_end=10.0, dt=1e-3, scheme="radau", seen_every=0.01).build()
 
 
 def _bodies(builder: Scene) -> None:

@@ -23,6 +23,6 @@ def four_bar() -> SceneRecord:
         .torque("motor", "crank.origin", 0.5)
         .independent("crank.theta")
         .initial({"crank.theta": 1.0, "coupler.theta": 0.4, "rocker.theta": 1.6})
-        .simulation(t_end=2.0, dt=2e-4, scheme="single_rate", save_every=20)
+        .simulation(t_end=2.0, dt=2e-4, scheme="single_rate", seen_every=0.004)
         .build()
     )

@@ -22,4 +22,4 @@ def heavy_top(orientation: str = "euler_parameters") -> SceneRecord:
     names = ["e1", "e2", "e3"] if parameters else [f"theta{orientation.index(axis) + 1}" for axis in "xyz"]
     share = 0.5 if parameters else 1.0
     builder.initial({"top.y": 1.0}).rates({f"top.{name}": share * w for name, w in zip(names, about, strict=True)})
-    return builder.simulation(t_end=1.0, dt=1e-4, scheme="rk4", save_every=10).build()
+    return builder.simulation(t_end=1.0, dt=1e-4, scheme="rk4", seen_every=0.001).build()

@@ -24,6 +24,6 @@ def hub_beam(hub_inertia: float = 10.0, modes: int = 3) -> SceneRecord:
         .torque("motor", "hub.origin", "where(t < 2, torque * sin(pi * t), 0)")
         .measure("tip_x", "x", of="beam.end")
         .measure("tip_y", "y", of="beam.end")
-        .simulation(t_end=5.0, dt=1e-3, m=[1], scheme="single_rate", save_every=10)
+        .simulation(t_end=5.0, dt=1e-3, m=[1], scheme="single_rate", seen_every=0.01)
         .build()
     )

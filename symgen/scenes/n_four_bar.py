@@ -24,7 +24,7 @@ def n_four_bar(windows: int = 2) -> SceneRecord:
         builder.revolute(f"A{k}", f"ground.foot{k}", f"upright{k}.origin")
     uprights = [f"upright{k}.theta" for k in range(windows + 1)]
     builder.initial(dict.fromkeys(uprights, math.pi / 2)).rates(dict.fromkeys(uprights, -1.0))
-    return builder.simulation(t_end=10.0, dt=1e-3, scheme="single_rate", save_every=10).build()
+    return builder.simulation(t_end=10.0, dt=1e-3, scheme="single_rate", seen_every=0.01).build()
 
 
 def _bar(builder: Scene, name: str) -> None:

@@ -33,6 +33,6 @@ def near_singular_slider_crank() -> SceneRecord:
         .independent("crank.theta", "rod.q1", "rod.q2")
         .initial({"crank.theta": 0.0, "rod.theta": 0.0})
         .rates({"crank.theta": 50.0})
-        .simulation(t_end=0.5, dt=5e-5, m=[1], scheme="single_rate", save_every=20, start="quasi_static")
+        .simulation(t_end=0.5, dt=5e-5, m=[1], scheme="single_rate", seen_every=0.001, start="quasi_static")
         .build()
     )

@@ -23,6 +23,6 @@ def overdamped_joint() -> SceneRecord:
         .rotational_spring_damper("spring", "rod.origin", "finger.origin", stiffness=5.0, damping=2e4 * inertia)
         .groups(L=["rod.theta"], S=["finger.theta"])
         .initial({"rod.theta": 0.0, "finger.theta": 0.0})
-        .simulation(t_end=3.0, dt=5e-5, m=[1], scheme="single_rate", save_every=100)
+        .simulation(t_end=3.0, dt=5e-5, m=[1], scheme="single_rate", seen_every=0.005)
         .build()
     )

@@ -18,6 +18,6 @@ def pendulum() -> SceneRecord:
         .measure("tip_x", "x", of="rod.tip")
         .measure("tip_y", "y", of="rod.tip")
         .initial({"rod.theta": 3.141592653589793})
-        .simulation(t_end=10.0, dt=1e-3, scheme="single_rate", save_every=10)
+        .simulation(t_end=10.0, dt=1e-3, scheme="single_rate", seen_every=0.01)
         .build()
     )

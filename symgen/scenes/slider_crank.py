@@ -24,6 +24,6 @@ def slider_crank() -> SceneRecord:
         .independent("crank.theta")
         .initial({"crank.theta": 0.0, "rod.theta": 0.0})
         .rates({"crank.theta": 150.0})
-        .simulation(t_end=0.1, dt=2e-5, scheme="single_rate", save_every=25)
+        .simulation(t_end=0.1, dt=2e-5, scheme="single_rate", seen_every=0.0005)
         .build()
     )

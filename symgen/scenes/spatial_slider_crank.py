@@ -46,4 +46,6 @@ def spatial_slider_crank() -> SceneRecord:
         {"axle.angle": {"value": 0.0, "fixed": True}, "guide.travel": x, "fork.angle1": 3.0, "fork.angle2": -0.13}
     )
     builder.rates({"axle.angle": {"value": 60.0, "fixed": True}})
-    return builder.simulation(t_end=0.2, dt=1e-4, m=[4], scheme="coupled", save_every=4, start="quasi_static").build()
+    return builder.simulation(
+        t_end=0.2, dt=1e-4, m=[4], scheme="coupled", seen_every=0.0004, start="quasi_static"
+    ).build()

@@ -27,6 +27,6 @@ def spin_up_beam(stiffening: bool = True, modes: int = 5) -> SceneRecord:
         )
         .measure("tip_x", "x", of="beam.end")
         .measure("tip_y", "y", of="beam.end")
-        .simulation(t_end=20.0, dt=1e-3, scheme="single_rate", save_every=20)
+        .simulation(t_end=20.0, dt=1e-3, scheme="single_rate", seen_every=0.02)
         .build()
     )

@@ -25,4 +25,4 @@ def tumbling_body(e: Sequence[float] = (1.0, 0.0, 0.0, 0.0), omega: Sequence[flo
     )
     builder.initial({f"body.e{k}": value for k, value in enumerate(e)})
     builder.rates({f"body.e{k}": value for k, value in enumerate(rates)})
-    return builder.simulation(t_end=100.0, dt=0.01, scheme="rk4", save_every=10).build()
+    return builder.simulation(t_end=100.0, dt=0.01, scheme="rk4", seen_every=0.1).build()

@@ -19,6 +19,6 @@ def two_oscillators() -> SceneRecord:
     builder.groups(L=["x_L"], S=["x_S"])
     return (
         builder.initial({"x_L": 1.0, "x_S": 0.1})
-        .simulation(t_end=20.0, dt=0.01, m=[4], scheme="printed", save_every=10)
+        .simulation(t_end=20.0, dt=0.01, m=[4], scheme="printed", seen_every=0.1)
         .build()
     )

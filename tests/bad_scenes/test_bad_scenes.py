@@ -136,7 +136,7 @@ BAD: list[tuple[str, str, str, Any, str, str]] = [
     ("step negative", S, "simulation/dt", -1e-4, "simulation.dt", "not positive"),
     ("end negative", S, "simulation/t_end", -1, "simulation.t_end", "not positive"),
     ("too many steps", S, "simulation/dt", 1e-300, "simulation.dt", "more than"),
-    ("save never", S, "simulation/save_every", 0, "simulation.save_every", "out of range"),
+    ("seen never", S, "simulation/seen_every", -1, "simulation.seen_every", "out of range"),
     ("negative Baumgarte", S, "baumgarte", {"alpha": -1, "beta": 1}, "baumgarte.alpha", "out of range"),
 ]  # fmt: skip
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 import numpy as np
+import pytest
 
 from runtime import Model, load_model, reference_solution, simulate
 from runtime.baselines.scipy_methods import scipy_solution
@@ -13,6 +14,8 @@ from symgen.scenes import generated_folder
 from symgen.scenes.heavy_top import heavy_top
 from symgen.scenes.spin_up_beam import spin_up_beam
 from tests.support.planar_in_space import posed
+
+pytestmark = pytest.mark.long
 
 P3 = {
     0.5: (0.9682836791067775, -1.2246251594363333, 0.7501466094377676),
@@ -53,7 +56,7 @@ def test_p4_flyball_governor() -> None:
 
 def test_p4_at_a_coarse_step() -> None:
     """The scheme with its own error control at 10 ms, eighty times the fast time constant: still 1e-8 m."""
-    solution = simulate(model("flyball_governor"), t_end=1.0, dt=1e-2, scheme="radau", save_every=10)
+    solution = simulate(model("flyball_governor"), t_end=1.0, dt=1e-2, scheme="radau", seen_every=0.1)
     assert solution.status.ok
     for second in (0.1, 0.5, 1.0):
         k = int(np.argmin(np.abs(solution.t - second)))
@@ -73,7 +76,7 @@ def test_f3_in_space(tmp_path) -> None:  # type: ignore[no-untyped-def]
     """The spin-up beam posed in space follows the planar one past its largest deflection."""
     planar = model("spin_up_beam")
     spatial = load_model(generate(posed(spin_up_beam(), planar), tmp_path / "beam"))
-    flat, high = (simulate(beam, t_end=8.0, dt=1e-3, save_every=20) for beam in (planar, spatial))
+    flat, high = (simulate(beam, t_end=8.0, dt=1e-3, seen_every=0.02) for beam in (planar, spatial))
     lag = -high["tip_x"] * np.sin(high["pivot.angle"]) + high["tip_y"] * np.cos(high["pivot.angle"])
     assert abs(lag.min() / -0.57438 - 1) < 3e-3
     for name in ("tip_x", "tip_y", *planar.q_i):

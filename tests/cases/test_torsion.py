@@ -16,6 +16,8 @@ from symgen.fe import LineMesh, Material, Section
 from symgen.fe.frame import frame_structure
 from symgen.scene import BeamBody, Scene, SceneError, SceneRecord, with_ends
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord, frozenset[str]], Model]
 KERNELS = frozenset({"condensed", "closure", "velocities", "residual_jacobian"})
 ALUMINIUM = Material(E=7e10, nu=0.3, rho=2700.0)

@@ -108,7 +108,7 @@ def test_generate_only_some_functions(capsys, folder, tmp_path) -> None:
 
 
 def test_simulate_and_animate(capsys, folder, tmp_path) -> None:
-    changes = ("--set", "torque=0.2", "--initial", "rod.theta=-0.5", "--save-every", 5)
+    changes = ("--set", "torque=0.2", "--initial", "rod.theta=-0.5", "--seen-every", 1e-3)
     code, data = run(
         capsys,
         "simulate",
@@ -219,7 +219,7 @@ MISTAKES = [
     ["simulate", "{code}", "--m", "2.5"],
     ["simulate", "{code}", "--m", "1,2,3", "--scheme", "printed"],
     ["simulate", "{code}", "--scheme", "euler"],
-    ["simulate", "{code}", "--save-every", "0"],
+    ["simulate", "{code}", "--samples", "0"],
     ["simulate", "{code}", "--set", "torque"],
     ["simulate", "{code}", "--set", "torque=inf"],
     ["simulate", "{code}", "--set", "mass=1"],

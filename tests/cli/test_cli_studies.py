@@ -12,6 +12,8 @@ import pytest
 
 from symgen.cli import main
 
+pytestmark = pytest.mark.long
+
 MOTION = ["two_oscillators", "--t-end", "3"]
 
 

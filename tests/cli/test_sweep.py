@@ -43,7 +43,7 @@ def test_every_combination_is_a_case(built_in: Callable[[str], Model], capsys, t
 def test_histories_as_a_table(capsys, tmp_path: Path) -> None:
     """A row a case and time, digits that read back exactly."""
     path = tmp_path / "study.csv"
-    assert main([*SWEEP, "--outputs", "tip_y", "--every", "10", "--out", str(path), "-q"]) == 0
+    assert main([*SWEEP, "--outputs", "tip_y", "--seen-every", "0.01", "--out", str(path), "-q"]) == 0
     with path.open() as lines:
         rows = list(csv.DictReader(lines))
     assert [(row["case"], row["time [s]"]) for row in rows[:4]] == [
@@ -64,7 +64,7 @@ def test_histories_as_a_table(capsys, tmp_path: Path) -> None:
         (["--over", "width=1,2"], "width"),
         (["--over", "length=1,2", "--over", "length=3,4"], "twice"),
         (["--over", "length=1,2", "--out", "study.txt"], "study.txt"),
-        (["--over", "length=1,2", "--every", "2", "--reduce", "max"], "--reduce and --every"),
+        (["--over", "length=1,2", "--seen-every", "2", "--reduce", "max"], "--reduce and samples"),
     ],
 )
 def test_mistakes_are_named(capsys, words: list[str], named: str) -> None:

@@ -15,9 +15,12 @@ import pytest
 
 from runtime import ModelError, load_model
 from symgen.emission.emit import emit
+from symgen.emission.write import compare_model
 from symgen.generate import check, generate
 from symgen.pipeline import derive
 from symgen.scenes import SCENES, generated_folder
+
+pytestmark = pytest.mark.long
 
 ROOT = Path(__file__).resolve().parents[2]
 FILES = ("model.py", "data.json", "model.md", "scene.toml", "manifest.json")
@@ -138,3 +141,19 @@ def test_another_scene_differs(copy: Path) -> None:
     heavier = scene.model_copy(update={"gravity": (0.0, -1.62)})
     assert "data.json" in check(heavier, copy)
     assert "model.py" in check(SCENES["double_pendulum"](), copy)
+
+
+def test_a_folder_that_agrees_but_for_versions_is_current(tmp_path: Path) -> None:
+    """Versions of a manifest belong to the machine; what differs, is missing or surplus is said."""
+    manifest = {"format": 1, "versions": {"casadi": "1"}, "sha256": "a"}
+    files = {"model.py": "x = 1\n", "manifest.json": json.dumps(manifest)}
+    for name, text in files.items():
+        (tmp_path / name).write_text(text)
+    (tmp_path / "__init__.py").write_text("")
+    assert compare_model(files, tmp_path) == ""
+    other = {**files, "manifest.json": json.dumps({**manifest, "versions": {"casadi": "2"}, "sha256": "b"})}
+    assert compare_model(other, tmp_path) == ""
+    assert "format" in compare_model({**files, "manifest.json": json.dumps({**manifest, "format": 2})}, tmp_path)
+    assert "-x = 1" in compare_model({**files, "model.py": "x = 2\n"}, tmp_path)
+    (tmp_path / "notes.txt").write_text("")
+    assert compare_model(files, tmp_path) == f"only in {tmp_path}: notes.txt\n"

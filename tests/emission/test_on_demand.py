@@ -65,7 +65,7 @@ def test_values_are_those_of_the_emitted_functions(name: str) -> None:
 
 
 def test_a_run_along_a_long_tree_derives_nothing_quadratic(emitted: Model, on_demand: Model) -> None:
-    settings = {"t_end": 0.02, "dt": 5e-4, "scheme": "single_rate", "save_every": 40}
+    settings = {"t_end": 0.02, "dt": 5e-4, "scheme": "single_rate", "seen_every": 0.02}
     found, wanted = simulate(on_demand, **settings), simulate(emitted, **settings)
     assert found.status.ok and "forward_dynamics" in on_demand.operations
     assert not on_demand.operations.keys() & {*QUADRATIC}

@@ -21,6 +21,8 @@ from symgen.scenes.spatial_chain import spatial_chain
 from tests.hand_derived.spatial.spatial_scenes import flexible
 from tests.hand_derived.spatial.twin_flexible_nodes import scattered
 
+pytestmark = pytest.mark.long
+
 CONDENSED = frozenset({"condensed"})
 
 

@@ -22,6 +22,8 @@ from symgen.cli import main
 from symgen.scene import SceneRecord
 from tests.support.input_scenes import cart
 
+pytestmark = pytest.mark.long
+
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
 OK, DISCARD, ERROR = 0, 2, 3

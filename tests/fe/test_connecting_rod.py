@@ -9,6 +9,8 @@ from numpy.testing import assert_allclose
 from symgen.fe import STEEL, FlexibleBody
 from symgen.fe.connecting_rod import BIG_EYE, LENGTH, THICKNESS, connecting_rod, connecting_rod_mesh
 
+pytestmark = pytest.mark.long
+
 
 @pytest.fixture(scope="module")
 def rod() -> FlexibleBody:

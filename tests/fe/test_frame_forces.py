@@ -14,6 +14,8 @@ from symgen.generate import model_of
 from symgen.scene import Scene
 from tests.fe.test_mode_acceleration import bar
 
+pytestmark = pytest.mark.long
+
 A_SIDE, B_SIDE, WIDE, HIGH = 0.4, 0.3, 0.02, 0.01
 MATERIAL = Material(E=2.0e11, nu=0.3, rho=7800.0)
 LINE_MASS = MATERIAL.rho * WIDE * HIGH
@@ -62,7 +64,9 @@ def turning(body: FlexibleBody, motion: str, dt: float, t_end: float) -> Solutio
     builder.revolute("axle", "ground.origin", "frame.root")
     builder.prescribed_angle("drive", "ground.origin", "frame.root", motion=motion)
     every = max(1, round(t_end / dt / 20))
-    return simulate(model_of(builder.build()), scheme="rk4", dt=dt, t_end=t_end, start="quasi_static", save_every=every)
+    return simulate(
+        model_of(builder.build()), scheme="rk4", dt=dt, t_end=t_end, start="quasi_static", seen_every=every * dt
+    )
 
 
 def test_a_turning_and_a_twisted_beam() -> None:

@@ -14,6 +14,8 @@ from runtime.contract.model import Model
 from symgen.fe import FiniteElementError, FlexibleBody, Material
 from symgen.scene import Scene, SceneRecord
 
+pytestmark = pytest.mark.long
+
 skfem = pytest.importorskip("skfem")
 Build = Callable[[SceneRecord], Model]
 L, Y, Z, CELLS = 0.3, 0.010, 0.012, 16
@@ -60,7 +62,9 @@ def driven(model_of: Build, count: int, motion: str, t_end: float, dt: float) ->
     builder.revolute("axle", "ground.origin", "bar.root")
     builder.prescribed_angle("drive", "ground.origin", "bar.root", motion=motion)
     every = max(1, round(t_end / dt / 20))
-    run = simulate(model_of(builder.build()), scheme="rk4", dt=dt, t_end=t_end, start="quasi_static", save_every=every)
+    run = simulate(
+        model_of(builder.build()), scheme="rk4", dt=dt, t_end=t_end, start="quasi_static", seen_every=every * dt
+    )
     return body, run
 
 

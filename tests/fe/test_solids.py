@@ -11,8 +11,11 @@ from numpy.testing import assert_allclose
 
 from symgen.fe import FlexibleBody, Material
 from symgen.fe.inertia import inertia_integrals, nodal_inertia, scalar_mass
+from symgen.fe.report import RigidCheck, body_report
 from symgen.fe.stresses import solid_structure
 from symgen.fe.structure import FEStructure, structure
+
+pytestmark = pytest.mark.long
 
 SIZE = np.array([0.3, 0.024, 0.012])
 MATERIAL = Material(E=2.1e11, nu=0.3, rho=7850.0)
@@ -203,3 +206,10 @@ def test_a_structure_with_other_mass_is_not_a_scalar_one() -> None:
     M[0, 0] *= 1.001
     assert scalar_mass(made) is not None
     assert scalar_mass(replace(made, M=M.tocsr())) is None
+
+
+def test_effective_masses_that_are_not_represented() -> None:
+    """Shares 60 % and 30 % along x add up to 90 %; 10 % are left."""
+    shares = np.array([[0.6, 0.0, 0.0], [0.3, 0.2, 0.0]])
+    text = body_report("rod", np.array([1.0, 2.0]), shares, None, [], RigidCheck(6, 0.1, 1.0, 1e-9))
+    assert "| sum |  | 90 % | 20 % | 0 % |" in text and "| not represented |  | 10 % | 80 % | 100 % |" in text

@@ -18,6 +18,8 @@ from symgen.scene import Scene, SceneError, SceneRecord
 from tests.cases.test_beams_of_pieces import fast_slider_crank
 from tests.operating.test_exact_modes import ROTATING
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord, frozenset[str]], Model]
 LENGTH, Y, Z = 1.0, 0.010, 0.012
 MATERIAL = Material(E=2.0e11, nu=0.0, rho=7800.0)
@@ -163,7 +165,7 @@ def test_rod_of_a_fast_slider_crank_from_elements(build: Build) -> None:
 
     def deflection(of: Model, parameters: dict[str, float]) -> float:
         run = simulate(
-            of, scheme="rk4", dt=1e-5, t_end=0.005, save_every=50, parameters=parameters, engine="interpreted"
+            of, scheme="rk4", dt=1e-5, t_end=0.005, seen_every=0.0005, parameters=parameters, engine="interpreted"
         )
         a, b, m = (np.column_stack([run[f"{name}_x"], run[f"{name}_y"]]) for name in "abm")
         chord, arm = b - a, m - a

@@ -18,7 +18,7 @@ Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
 TRUTH = {"length": 1.3, "rod.theta": -1.1, "rod.theta_dot": 0.4}
 GUESS = {"rod.theta": -0.8}
-RUN = {"t_end": 1.0, "dt": 5e-3, "save_every": 5, "scheme": "rk4"}
+RUN = {"t_end": 1.0, "dt": 5e-3, "seen_every": 0.025, "scheme": "rk4"}
 
 
 @pytest.fixture(scope="module")

@@ -14,6 +14,8 @@ from symgen.scene import Scene, SceneRecord
 from tests.running.test_inputs import cart
 from tests.support import complex_step
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
 
@@ -49,7 +51,9 @@ def test_derivatives_of_forces_that_depend_on_time(model_of: Build, scheme: str,
 def test_forward_reverse_and_complex_step_agree(built_in: Load, scheme: str, settings: dict) -> None:
     """Of the freely running slider-crank, through loops, start, constants(p), sub-steps and the printed iteration."""
     model = built_in("flexible_slider_crank_free")
-    run = DifferentiableRun(model, ["rod.q1", "slider.x_ddot"], ROD, scheme=scheme, save_every=2, **settings)
+    run = DifferentiableRun(
+        model, ["rod.q1", "slider.x_ddot"], ROD, scheme=scheme, seen_every=2 * model.simulation["dt"], **settings
+    )
     objective = Formula(run.outputs, lambda t, y: y["rod.q1"][-1] * 1e6 + 1e-3 * (t * y["slider.x_ddot"]).T @ t)
     forward, reverse = (run.gradient(objective, mode=mode) for mode in ("forward", "reverse"))
     scale = np.abs(forward.derivatives).max()
@@ -66,8 +70,8 @@ def test_outputs_are_those_of_the_simulation(built_in: Load) -> None:
     model = built_in("four_bar")
     names = ["coupler.theta", "crank.theta_dot", "rocker.theta_ddot", "kinetic"]
     names += [f"{model.joints[0]}.force_x", f"lam.{model.constraints[0]}"]
-    found = output_jacobian(model, names, ["crank.mass"], t_end=0.05, save_every=50)
-    whole = simulate(model, t_end=0.05, save_every=50)
+    found = output_jacobian(model, names, ["crank.mass"], t_end=0.05, seen_every=50 * model.simulation["dt"])
+    whole = simulate(model, t_end=0.05, seen_every=50 * model.simulation["dt"])
     np.testing.assert_allclose(found.t, whole.t, rtol=1e-15)
     for k, name in enumerate(names):
         expected = whole.energy["kinetic"] if name == "kinetic" else whole[name]
@@ -78,12 +82,14 @@ def test_the_assembly_of_the_start_is_differentiated(built_in: Load) -> None:
     """Four-bar with the rocker's angle and rate given, which the crank follows: against differences of simulations."""
     model = built_in("four_bar")
     by = ["coupler.tip.x", "rocker.theta", "rocker.theta_dot"]
-    run = DifferentiableRun(model, ["crank.theta"], by, t_end=0.05, save_every=50)
+    run = DifferentiableRun(model, ["crank.theta"], by, t_end=0.05, seen_every=50 * model.simulation["dt"])
     found = run.gradient(End("crank.theta"))
 
     def end(x: np.ndarray) -> float:
         given = {"rocker.theta": x[1], "rocker.theta_dot": x[2]}
-        done = simulate(model, t_end=0.05, save_every=50, parameters={"coupler.tip.x": x[0]}, initial=given)
+        done = simulate(
+            model, t_end=0.05, seen_every=50 * model.simulation["dt"], parameters={"coupler.tip.x": x[0]}, initial=given
+        )
         return float(done["crank.theta"][-1])
 
     for k in range(3):
@@ -96,15 +102,17 @@ def test_a_long_run_keeps_the_square_root_of_its_steps(built_in: Load, monkeypat
     """In segments from kept states, the same derivatives bit for bit; four times the steps, twice the memory."""
     model, by = built_in("hub_beam"), ["beam.youngs_modulus", "hub.inertia", "hub.theta_dot"]
     objective = Integral("tip_y", squared=True)
-    whole = gradient(model, objective, by, mode="reverse", t_end=0.3, save_every=7)
+    whole = gradient(model, objective, by, mode="reverse", t_end=0.3, seen_every=7e-3)
     monkeypatch.setattr(passes, "TAPE_NUMBERS", 0)
     kept = []
     for steps in (100, 400, 1600):
-        run = DifferentiableRun(model, ["tip_y"], by, t_end=steps * 1e-3, save_every=7)
+        run = DifferentiableRun(model, ["tip_y"], by, t_end=steps * 1e-3, seen_every=7e-3)
         backward = run._backward
         kept.append(len(backward.parts) * run.program.active.z_size + backward.longest * backward.stepping.records)
         if steps == 400:
-            again = DifferentiableRun(model, ["tip_y"], by, t_end=0.3, save_every=7).gradient(objective, mode="reverse")
+            again = DifferentiableRun(model, ["tip_y"], by, t_end=0.3, seen_every=7e-3).gradient(
+                objective, mode="reverse"
+            )
             np.testing.assert_array_equal(again.derivatives, whole.derivatives)
             assert len(backward.parts) > 3
     assert kept[1] < 2.2 * kept[0] and kept[2] < 2.2 * kept[1]
@@ -132,12 +140,12 @@ def test_every_scheme_has_a_way_back(built_in: Load, scheme: str) -> None:
     model = built_in("two_oscillators")
     masses = [parameter.name for parameter in model.parameters if parameter.kind != "data"][:2]
     by, names = [*masses, model.q_i[0], f"{model.q_i[1]}_dot"], list(model.q_i)
-    run = DifferentiableRun(model, names, by, scheme=scheme, dt=1e-3, t_end=8e-3, save_every=4)
+    run = DifferentiableRun(model, names, by, scheme=scheme, dt=1e-3, t_end=8e-3, seen_every=0.004)
     objective = Formula(run.outputs, lambda t, y: 1e3 * y[names[0]][-1] + (t * y[names[1]]).T @ t)
     forward, reverse = (run.gradient(objective, mode=mode).derivatives for mode in ("forward", "reverse"))
     np.testing.assert_allclose(reverse, forward, rtol=0, atol=1e-12 * np.abs(forward).max())
     assert np.abs(forward).min() > 0
-    whole = simulate(model, scheme=scheme, dt=1e-3, t_end=8e-3, save_every=4)
+    whole = simulate(model, scheme=scheme, dt=1e-3, t_end=8e-3, seen_every=0.004)
     np.testing.assert_array_equal(run.values(), whole.q_i)
 
 
@@ -146,7 +154,7 @@ def test_complex_steps_confirm_every_scheme(built_in: Load, scheme: str) -> None
     """An arm of two links with elastic joints: by a mass, an angle and a rate, none of which acts linearly."""
     by, names = ["link2.mass", "link1.theta", "rotor2.theta_dot"], ["link1.theta_dot", "link2.theta_dot"]
     initial = {"link1.theta": 0.4, "rotor1.theta": 0.39, "link1.theta_dot": 3.0, "link2.theta_dot": -5.0}
-    settings = {"dt": 4e-4, "t_end": 8e-4, "save_every": 2, "initial": initial}
+    settings = {"dt": 4e-4, "t_end": 8e-4, "seen_every": 0.0008, "initial": initial}
     run = DifferentiableRun(built_in("flexible_joint_arm"), names, by, scheme=scheme, **settings)
     jacobian = run.jacobian()
     for name in by:
@@ -160,7 +168,13 @@ def test_complex_steps_confirm_every_scheme(built_in: Load, scheme: str) -> None
 def test_a_quasi_static_start_moves_with_its_parameters(built_in: Load) -> None:
     """Equilibrium of the rod and its rate, by parameters and rigid coordinates: against sixth-order differences."""
     model, by = built_in("flexible_slider_crank_free"), ["crank.tip.x", "slider.mass", "crank.theta", "crank.theta_dot"]
-    settings = {"dt": 2e-5, "t_end": 2e-4, "save_every": 10, "start": "quasi_static", "initial": {"crank.theta": 0.7}}
+    settings = {
+        "dt": 2e-5,
+        "t_end": 2e-4,
+        "seen_every": 0.0002,
+        "start": "quasi_static",
+        "initial": {"crank.theta": 0.7},
+    }
     run = DifferentiableRun(model, ["rod.q1", "rod.q1_dot"], by, **settings)
     slopes = run.jacobian().derivatives
     weights = {-3: -1 / 60, -2: 3 / 20, -1: -3 / 4, 1: 3 / 4, 2: -3 / 20, 3: 1 / 60}
@@ -184,7 +198,7 @@ def test_inputs_are_parameters_of_a_run(model_of: Build) -> None:
 def test_a_held_input_has_a_derivative_for_each_sample(model_of: Build, scheme: str, monkeypatch) -> None:
     """2 kg pushed by f_k in a time h_k: x(1) = sum f_k h_k (time left from its middle on) / m, whatever f is."""
     model, times = model_of(cart()), [0.0, 0.25, 0.5, 0.75, 2.0]
-    force, settings = (times, [1.0, -2.0, 0.5, 3.0, 9.0]), {"scheme": scheme, "save_every": 300}
+    force, settings = (times, [1.0, -2.0, 0.5, 3.0, 9.0]), {"scheme": scheme, "seen_every": 0.3}
     exact = 0.25 * (1 - np.arange(0.125, 1, 0.25)) / 2
     run = DifferentiableRun(model, ["cart.x"], ["force"], inputs={"force": force}, **settings)
     assert run.by == ("force[0]", "force[1]", "force[2]", "force[3]")

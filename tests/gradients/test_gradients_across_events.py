@@ -14,6 +14,8 @@ from runtime.gradients import passes
 from runtime.gradients.objectives import End
 from symgen.scene import Scene, SceneRecord
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord], Model]
 G = 9.81
 

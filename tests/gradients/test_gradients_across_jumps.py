@@ -14,6 +14,8 @@ from runtime.schemes.catalogue import SCHEMES
 from symgen.scene import Scene, SceneRecord
 from tests.gradients.test_gradients import sliding
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord], Model]
 
 
@@ -26,7 +28,7 @@ def test_a_time_that_moves_has_its_derivative(model_of: Build, scheme: str) -> N
             found = gradient(model, End("mass.x"), ["f", "T"], scheme=scheme, dt=0.02, mode=mode, parameters={"T": T})
             np.testing.assert_allclose(found.derivatives, [(1 - T) ** 2 / 2, -2 * (1 - T)], rtol=1e-11)
             assert found.value == pytest.approx((1 - T) ** 2, rel=1e-12)
-    run = DifferentiableRun(model, ["mass.x_dot"], ["T"], scheme=scheme, dt=0.02, save_every=25)
+    run = DifferentiableRun(model, ["mass.x_dot"], ["T"], scheme=scheme, dt=0.02, seen_every=0.5)
     np.testing.assert_allclose(run.jacobian()["mass.x_dot", "T"], [0.0, -2.0, -2.0], atol=1e-11)
 
 
@@ -44,7 +46,7 @@ def test_forward_reverse_and_differences_of_runs(
 ) -> None:
     """Against differences of `simulate`: exact where no time moves, else to the order; also in segments."""
     model, by = model_of(kicked()), ["w", "T", "rod.mass", "rod.theta_dot"]
-    run = DifferentiableRun(model, ["rod.theta"], by, scheme=scheme, dt=dt, save_every=10)
+    run = DifferentiableRun(model, ["rod.theta"], by, scheme=scheme, dt=dt, seen_every=10 * dt)
 
     def end(x: np.ndarray) -> float:
         given = {"parameters": dict(zip(by[:3], x[:3], strict=True)), "initial": {"rod.theta_dot": x[3]}}
@@ -58,7 +60,7 @@ def test_forward_reverse_and_differences_of_runs(
         difference = (8 * (ends[1] - ends[-1]) - (ends[2] - ends[-2])) / 12e-4
         assert forward.derivatives[k] == pytest.approx(difference, rel=limit)
     monkeypatch.setattr(passes, "TAPE_NUMBERS", 0)
-    again = DifferentiableRun(model, ["rod.theta"], by, scheme=scheme, dt=dt, save_every=10)
+    again = DifferentiableRun(model, ["rod.theta"], by, scheme=scheme, dt=dt, seen_every=10 * dt)
     parts = again.gradient(End("rod.theta"), mode="reverse")
     np.testing.assert_allclose(parts.derivatives, reverse.derivatives, rtol=1e-13)
 
@@ -67,11 +69,20 @@ def test_forward_reverse_and_differences_of_runs(
 def test_a_jump_at_the_end_of_a_step(model_of: Build, scheme: str) -> None:
     """A whole step follows, as in `simulate`: the same bits; against differences where no time moves, and by T."""
     model, T = model_of(kicked()), 0.46
-    run = DifferentiableRun(model, ["rod.theta"], ["rod.mass", "T"], scheme=scheme, parameters={"T": T}, save_every=10)
+    run = DifferentiableRun(
+        model,
+        ["rod.theta"],
+        ["rod.mass", "T"],
+        scheme=scheme,
+        parameters={"T": T},
+        seen_every=10 * model.simulation["dt"],
+    )
 
     def course(mass: float, T: float = T) -> np.ndarray:
         parameters = {"rod.mass": mass, "T": T}
-        return np.asarray(simulate(model, scheme=scheme, parameters=parameters, save_every=10)["rod.theta"])
+        return np.asarray(
+            simulate(model, scheme=scheme, parameters=parameters, seen_every=10 * model.simulation["dt"])["rod.theta"]
+        )
 
     assert np.array_equal(run.values()[:, 0], course(1.0))
     forward, reverse = (run.gradient(End("rod.theta"), mode=mode).derivatives for mode in ("forward", "reverse"))

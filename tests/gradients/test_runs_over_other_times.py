@@ -8,7 +8,7 @@ import numpy as np
 
 from runtime import DifferentiableRun, Model
 
-SETTINGS = {"scheme": "exponential_rk4", "save_every": 20}
+SETTINGS = {"scheme": "exponential_rk4", "samples": 5}
 
 
 def test_over_another_time_and_number_of_steps(built_in: Callable[[str], Model]) -> None:
@@ -21,7 +21,7 @@ def test_over_another_time_and_number_of_steps(built_in: Callable[[str], Model])
     assert np.array_equal(moved.values(), own.values())
     assert np.array_equal(moved.jacobian().derivatives, own.jacobian().derivatives)
     finer = run.over(1.5, 0.8, steps=200)
-    own = DifferentiableRun(model, names, by, t0=1.5, t_end=2.3, dt=0.004, scheme="exponential_rk4", save_every=200)
+    own = DifferentiableRun(model, names, by, t0=1.5, t_end=2.3, dt=0.004, scheme="exponential_rk4", seen_every=0.8)
     assert np.array_equal(finer.jacobian().derivatives, own.jacobian().derivatives)
     assert np.array_equal(run.over(0.0, 1.0).values(), run.values())
 
@@ -31,7 +31,7 @@ def test_with_other_parameters_and_outputs_on_the_way(built_in: Callable[[str], 
     run = DifferentiableRun(model, names, by, t_end=1.0, dt=0.01, **SETTINGS)
     given = {"hub.inertia": 0.4, "beam.youngs_modulus": 6e10}
     moved = run.over(0.5, 0.8, steps=160, every=40, parameters=given)
-    settings = {"t0": 0.5, "t_end": 1.3, "dt": 0.005, "scheme": "exponential_rk4", "save_every": 40}
+    settings = {"t0": 0.5, "t_end": 1.3, "dt": 0.005, "scheme": "exponential_rk4", "seen_every": 0.2}
     own = DifferentiableRun(model, names, by, parameters=given, **settings)
     assert len(moved.t) == 5 and np.allclose(moved.t, own.t, rtol=1e-14)
     assert np.array_equal(moved.jacobian().derivatives, own.jacobian().derivatives)

@@ -14,6 +14,8 @@ from benchmarks.harness import figures
 from benchmarks.harness.result import Line, Result
 from benchmarks.pages import hard_twins
 
+pytestmark = pytest.mark.long
+
 FOLDER = Path(__file__).resolve().parents[2] / "benchmarks"
 
 

@@ -13,6 +13,8 @@ import pytest
 from runtime.contract.records import unpacked
 from tests.support.printed_numbers import line, numbers
 
+pytestmark = pytest.mark.long
+
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 LONGEST = 70  # lines
 LAST_LINES = ['if __name__ == "__main__":', "    main(*map(Path, sys.argv[1:]))"]

@@ -9,6 +9,8 @@ import pytest
 
 from tests.support.printed_numbers import line, numbers
 
+pytestmark = pytest.mark.long
+
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 
 
@@ -135,3 +137,32 @@ def test_crane_mpc(said) -> None:
 def test_ensemble_on_dask(said) -> None:
     """A cluster of two processes gives the bits of one."""
     assert said("ensemble_on_dask").splitlines() == ["2 workers, 6000 cases", "equal bit for bit: True"]
+
+
+def test_quarter_car(said) -> None:
+    text = said("quarter_car")
+    assert numbers(text.splitlines()[0])[-1] < 1e-6  # m, off two equations by hand
+
+
+def test_four_bar_300rpm(said) -> None:
+    text = said("four_bar_300rpm")
+    assert max(line(text, "off by hand by")) < 1e-9  # N m, of 11
+
+
+def test_overhung_rotor(said) -> None:
+    """Whirl of a light shaft in closed form; a slow run-up is largest a little above the critical speed."""
+    text = said("overhung_rotor")
+    assert line(text, "whirl off the quartic by")[0] < 1e-4
+    at, critical = numbers(text.splitlines()[1])[-2:]
+    assert critical == pytest.approx(58.8, abs=0.2) and critical < at < 1.15 * critical
+
+
+def test_bridge_crane(said) -> None:
+    found, hand = numbers(said("bridge_crane").splitlines()[0])[-2:]
+    assert found == pytest.approx(hand, rel=2e-3)
+
+
+def test_urdf_arm(said) -> None:
+    text = said("urdf_arm")
+    assert line(text, "held at rest off by hand by")[0] < 1e-12
+    assert line(text, "computed torque")[0] < 0.02 < 1 < line(text, "feedback alone")[0]

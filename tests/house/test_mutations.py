@@ -13,6 +13,8 @@ from tests.mutations.record import OPEN, Record, drawn
 from tests.mutations.selection import CoverageMap, looking_at
 from tests.mutations.sites import ROOT, sites
 
+pytestmark = pytest.mark.long
+
 SOURCE = """\"\"\"1 < 2 in a docstring is no site.\"\"\"
 
 LIMIT = 1e-3

@@ -14,6 +14,8 @@ from benchmarks.harness.matched import Attempt, match
 from runtime.contract.model import Model
 from symgen.scenes.arm import arm
 
+pytestmark = pytest.mark.long
+
 SETTINGS = (10.0, 20.0, 40.0, 80.0, 160.0)
 
 

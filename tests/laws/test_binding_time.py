@@ -8,6 +8,8 @@ import pytest
 
 from runtime.contract.tape import Place, Tape, Time, as_function, below, binding_times, read_tape, split
 
+pytestmark = pytest.mark.long
+
 SIZES = {"known": 3, "later": 4}
 OPERATIONS = (
     lambda a, b: a + b,

@@ -15,6 +15,8 @@ from runtime.running.simulate import make_plan
 from runtime.schemes.stepper import start_vector
 from symgen.scenes import SCENES
 
+pytestmark = pytest.mark.long
+
 Load = Callable[[str], Model]
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 
@@ -30,7 +32,9 @@ def test_engines_agree_bit_for_bit(built_in: Load, name: str, scheme: str) -> No
     # by the C compiler, which takes long, each scene once: what it compiles of a step has all kinds of stages
     others = COMPILED if (scheme == "printed") == (name != "spatial_slider_crank") else COMPILED[:1]
     results = [
-        simulate(model, t_end=20 * float(model.simulation["dt"]), scheme=scheme, m=ratios, save_every=1, engine=engine)
+        simulate(
+            model, t_end=20 * float(model.simulation["dt"]), scheme=scheme, m=ratios, seen_every=0.0, engine=engine
+        )
         for engine in ("interpreted", *others)
     ]
     assert [result.stats["engine"] for result in results] == ["interpreted", "compiled", "c"][: 1 + len(others)]
@@ -66,5 +70,7 @@ def test_state_vectors_agree_bit_for_bit(built_in: Load) -> None:
 
 def test_samples_do_not_change_the_run(built_in: Load) -> None:
     model = built_in("slider_crank")
-    often, seldom = (simulate(model, t_end=4e-3, dt=2e-5, save_every=every, engine="interpreted") for every in (1, 50))
+    often, seldom = (
+        simulate(model, t_end=4e-3, dt=2e-5, seen_every=every * 2e-5, engine="interpreted") for every in (1, 50)
+    )
     np.testing.assert_array_equal(often.q[::50], seldom.q)

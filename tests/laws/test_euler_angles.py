@@ -27,6 +27,8 @@ from symgen.scene import Scene, SceneError, SceneRecord
 from tests.laws.test_random_spatial import turned_place
 from tests.support.model_values import Array, evaluate, make_state, random_states, relative_error
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord], Model]
 SEQUENCES = [a + b + c for a, b, c in itertools.product("xyz", repeat=3) if a != b != c]
 

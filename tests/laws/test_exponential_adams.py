@@ -25,6 +25,8 @@ from tests.hand_derived.twin_subcycling import matrices, radius
 from tests.support.model_values import Array
 from tests.support.prepared_runs import PreparedRuns
 
+pytestmark = pytest.mark.long
+
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
 NAME = "exponential_adams"

@@ -14,6 +14,8 @@ from runtime.schemes.options import SchemeError
 from tests.support.order_case import OrderCase
 from tests.support.prepared_runs import PreparedRuns
 
+pytestmark = pytest.mark.long
+
 Load = Callable[[str], Model]
 FIVE = {"order": 5}
 

@@ -24,6 +24,8 @@ from tests.laws.test_random_spatial import turned_place
 from tests.support.model_values import Array, evaluate, make_state, relative_error
 from tests.support.prepared_runs import PreparedRuns
 
+pytestmark = pytest.mark.long
+
 Build = Callable[..., Model]
 CRANK, ROCKER, PIVOT, ANGLE = 0.25, 0.4, np.array([0.3, 1.0, 0.0]), 0.3
 T_END, REFERENCE = 0.08, 5e-4

@@ -15,6 +15,8 @@ from symgen.scene import SceneRecord
 from symgen.scenes.arm import arm
 from tests.support.prepared_runs import PreparedRuns
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord], Model]
 
 

@@ -19,6 +19,8 @@ from runtime.schemes.baselines.radau import NODES, SHIFTS, A
 from runtime.schemes.options import SchemeError
 from symgen.scene import Scene
 
+pytestmark = pytest.mark.long
+
 Load = Callable[[str], Model]
 
 # (scheme, scene) -> order, t_end [s], three steps halved from this one [s], cap on the error at the finest [m, rad]
@@ -40,7 +42,7 @@ ORDERS: dict[tuple[str, str], tuple[int, float, float, float]] = {
 
 
 def run(model: Model, scheme: str, dt: float, t_end: float, **given: Any) -> Solution:
-    solution = simulate(model, t_end=t_end, dt=dt, scheme=scheme, save_every=max(1, round(t_end / dt / 5)), **given)
+    solution = simulate(model, t_end=t_end, dt=dt, scheme=scheme, samples=5, **given)
     assert solution.status.ok, solution.status
     return solution
 
@@ -107,7 +109,7 @@ def test_constraints_need_dissipation(built_in: Load) -> None:
     model = built_in("double_pendulum")
 
     def alternation(scheme: str, **options: float) -> float:
-        lam = simulate(model, scheme=scheme, dt=5e-3, t_end=5.0, save_every=1, options=options).lam
+        lam = simulate(model, scheme=scheme, dt=5e-3, t_end=5.0, seen_every=0.0, options=options).lam
         return float(np.max(np.abs(lam[-20:-2] - 2 * lam[-19:-1] + lam[-18:])))
 
     calm = alternation("generalized_alpha", rho_inf=0.9)

@@ -33,6 +33,8 @@ from tests.support.model_values import (
 )
 from tests.support.prepared_runs import PreparedRuns
 
+pytestmark = pytest.mark.long
+
 Build = Callable[..., Model]
 OMEGA = ("omega_x", "omega_y", "omega_z")
 CRANK, ROCKER, PIVOT, STAY = 0.25, 0.4, np.array([0.3, 1.0, 0.0]), np.array([1.478, 0.275, 0.757])

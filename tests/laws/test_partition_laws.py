@@ -22,6 +22,8 @@ from runtime.schemes.catalogue import SCHEMES
 from symgen.scene import Scene, SceneRecord
 from symgen.variants import generate_variant
 
+pytestmark = pytest.mark.long
+
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
 ONE_GROUP = [name for name, kind in SCHEMES.items() if kind.make.closes]
@@ -167,8 +169,8 @@ def test_a_run_finds_the_q_i_that_it_needs(
 ) -> None:
     """Through dead centres, where the first choice determines nothing: the motion is that of the good choice."""
     angle = "crank.theta" if make is slider_crank else "arm.theta"
-    run = simulate(model_of(make(*sizes, lost)), scheme=scheme, save_every=10)
-    exact = simulate(model_of(make(*sizes, angle)), scheme="dop853", save_every=10)
+    run = simulate(model_of(make(*sizes, lost)), scheme=scheme, seen_every=0.01)
+    exact = simulate(model_of(make(*sizes, angle)), scheme="dop853", seen_every=0.01)
     assert run.status.ok and exact.status.ok and not exact.events
     assert [event.kind for event in run.events] == ["repartition"]
     assert angle in run.events[0].text and run.stats["events"] == 1

@@ -30,6 +30,8 @@ from tests.support.model_values import (
 from tests.support.planar_in_space import posed, posed_state
 from tests.support.spatial_motion import frames
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord, frozenset[str]], Model]
 KERNELS = frozenset({"condensed", "constraints", "closure", "velocities", "accelerations", "reactions"})
 

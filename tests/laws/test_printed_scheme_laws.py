@@ -43,7 +43,7 @@ def tight(name: str) -> dict[str, Any]:
 
 
 def trajectory(model: Model, steps: int, dt: float, **given: Any) -> Any:
-    solution = simulate(model, t_end=steps * dt, dt=dt, save_every=10, **given)
+    solution = simulate(model, t_end=steps * dt, dt=dt, seen_every=10 * dt, **given)
     assert solution.status.ok or (model.name in COARSE and solution.status.whole), solution.status
     return solution.q
 
@@ -166,7 +166,7 @@ def test_growth_of_L1_follows_the_law(built_in: Load, c: float, m: int) -> None:
         dt=dt,
         m=[m],
         scheme="printed",
-        save_every=20,
+        seen_every=20 * dt,
         engine="compiled",
         parameters={"c": c, "w": w, "k_L": 0.0, "zeta": 0.0},
         initial={"x_L": 0.0, "x_S": 0.1},
@@ -217,12 +217,12 @@ def test_three_groups_on_a_mechanism(model_of: Build, name: str, m: list[int]) -
 
 def three_group_slope(model: Model, **options: Any) -> tuple[float, float]:
     """(slope, error at the finest step) at t = 1 for m = (2, 3)."""
-    reference = simulate(model, t_end=1.0, dt=1e-4, scheme="single_rate", save_every=10**9).q[-1]
+    reference = simulate(model, t_end=1.0, dt=1e-4, scheme="single_rate", samples=1).q[-1]
     steps = np.array([0.01, 0.005, 0.0025])
     errors = [
         np.max(
             np.abs(
-                simulate(model, t_end=1.0, dt=dt, m=[2, 3], scheme="printed", save_every=10**9, options=options).q[-1]
+                simulate(model, t_end=1.0, dt=dt, m=[2, 3], scheme="printed", samples=1, options=options).q[-1]
                 - reference
             )
         )

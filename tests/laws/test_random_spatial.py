@@ -5,6 +5,7 @@ from __future__ import annotations
 import tempfile
 
 import numpy as np
+import pytest
 from hypothesis import HealthCheck, Phase, assume, given, settings
 
 from runtime import load_model
@@ -26,6 +27,8 @@ from tests.support.model_values import (
     relative_error,
 )
 from tests.support.random_spatial import spatial_loops, spatial_trees
+
+pytestmark = pytest.mark.long
 
 QUICK = settings(
     deadline=None,

@@ -135,7 +135,7 @@ def test_condensed_equals_augmented_with_the_least_multipliers(case: tuple[Model
 
 def test_all_rows_hold_and_energy_is_kept(case: tuple[Model, int]) -> None:
     model, _ = case
-    solution = simulate(model, t_end=1.0, dt=5e-4, scheme="single_rate", save_every=5, engine="interpreted")
+    solution = simulate(model, t_end=1.0, dt=5e-4, scheme="single_rate", seen_every=0.0025, engine="interpreted")
     assert solution.status.ok, solution.status
     assert np.max(solution.constraint_error) < 1e-12
     error = solution.total_energy - solution.total_energy[0] - solution.work()
@@ -158,6 +158,6 @@ def test_other_paths_agree(tmp_path: Path, scheme: str) -> None:
     model = load_model(generate(parallelogram().build(), tmp_path / "bars"))
     times = np.array([0.0, 0.25, 0.5])
     reference = integrate_augmented(model, t_end=0.5, times=times)
-    solution = simulate(model, t_end=0.5, dt=1e-3, scheme=scheme, save_every=250, engine="interpreted")
+    solution = simulate(model, t_end=0.5, dt=1e-3, scheme=scheme, seen_every=0.25, engine="interpreted")
     assert np.max(np.abs(solution.q - reference.q)) < 1e-5
     assert np.max(np.abs(solution.lam - reference.lam)) < 1e-2 * np.max(np.abs(reference.lam))

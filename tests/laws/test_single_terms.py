@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
 
 from runtime import simulate
 from runtime.contract.model import Model
@@ -17,10 +18,17 @@ from runtime.results.stream import StreamFile
 from runtime.running.singular.exchange import best_exchange
 from runtime.schemes.catalogue import scheme_kind
 from runtime.studies.stability.spectrum import StepSpectrum
-from symgen.scene import Scene, SceneRecord
+from symgen.joints import JOINTS
+from symgen.modes import axial_modes, lateral_modes
+from symgen.modes.spatial_beam import spatial_beam
+from symgen.scene import Scene, SceneError, SceneRecord
+from symgen.schema.expressions import parse_expression
+from symgen.system.joint_templates import PlanarMarkers, r_a, r_b, t_a
 from tests.hand_derived.spatial import spatial_scenes
 from tests.hand_derived.spatial.twin_flexible_nodes import scattered
 from tests.support.model_values import evaluate, make_state, random_states, relative_error
+
+pytestmark = pytest.mark.long
 
 Build = Callable[[SceneRecord], Model]
 
@@ -50,7 +58,7 @@ def test_a_rotational_damper_at_the_tip_of_a_beam(model_of: Build) -> None:
     y'' + 2 s y' + w0^2 y = 0 with 2 s = d (SLOPE / L)^2 / (rho A L / 4): the slope at a marker is divided by the
     length, and a marker's angular rate has its elastic part."""
     model = model_of(clamped("planar").initial({"b.q1": 1e-4}).build())
-    run = simulate(model, t_end=4.0, dt=2e-4, scheme="rk4", save_every=1)
+    run = simulate(model, t_end=4.0, dt=2e-4, scheme="rk4", seen_every=0.0)
     length, mass = 2.5, 2000 * 1e-4 * 2.5 / 4
     decay = 0.05 * (SLOPE / length) ** 2 / (2 * mass)
     height = run["height"]
@@ -92,7 +100,7 @@ def test_a_chained_condition_holds_only_where_all_its_parts_do(model_of: Build) 
         Scene("pulse")
         .rigid("m", mass=2.0, inertia=1.0, free=True)
         .force("f", "m.center", "where(0.2 < t < 0.5, 1, 0)", 0)
-        .simulation(t_end=1.0, dt=1e-3, scheme="rk4", save_every=1)
+        .simulation(t_end=1.0, dt=1e-3, scheme="rk4", seen_every=0.0)
     )
     run = simulate(model_of(scene.build()))
     rate = run.rate("m.x")
@@ -141,7 +149,7 @@ def test_clock_of_three_groups(model_of: Build, scheme: str) -> None:
     model = model_of(builder.build())
     errors = []
     for dt in (0.01, 0.005):
-        run = simulate(model, dt=dt, m=[2, 3], scheme=scheme, save_every=1)
+        run = simulate(model, dt=dt, m=[2, 3], scheme=scheme, seen_every=0.0)
         exact = {name: run.t / rate - np.sin(rate * run.t) / rate**2 for name, rate in rates.items()}
         errors.append([abs(run[name] - exact[name]).max() for name in rates])
     finest = np.array([0.005, 0.0025, 0.005 / 6])  # step of each group
@@ -224,3 +232,94 @@ def test_the_choice_of_an_exchange_does_not_depend_on_the_unit_of_length(model_o
     assert found[0] is not None
     assert all(other is not None and (other.out, other.into) == (found[0].out, found[0].into) for other in found)
     assert [other.gain for other in found if other] == pytest.approx([found[0].gain] * 3, rel=1e-9)
+
+
+def test_a_slide_measures_across_and_along() -> None:
+    """b = a + s t + w n with t at angle phi, n at phi + 90 degrees: w across, s along."""
+    phi, a, s, w = 0.7, (0.3, -0.2), 1.3, 0.4
+    t, n = (math.cos(phi), math.sin(phi)), (-math.sin(phi), math.cos(phi))
+    values = dict(zip((*r_a, *t_a), (*a, *t), strict=True))
+    values |= dict(zip(r_b, (a[k] + s * t[k] + w * n[k] for k in range(2)), strict=True))
+    across, along = (
+        JOINTS[joint].rows_in_plane(PlanarMarkers(None))[0].C for joint in ("point_on_line", "prescribed_displacement")
+    )
+    assert float(across.subs(values)) == pytest.approx(w)
+    assert float(along.subs({**values, sp.Symbol("f"): 0.0})) == pytest.approx(s)
+
+
+def test_sections_of_a_beam_in_space_stay_across_it() -> None:
+    """d(shape)/dx = turn x e_x: a deflection along y turns about z by its slope, one along z about -y."""
+    beam = spatial_beam(
+        (
+            (0, axial_modes(20, "fixed-free", 1)),
+            (1, lateral_modes(20, "clamped-free", 2)),
+            (2, lateral_modes(20, "pinned-pinned", 1)),
+        )
+    )
+    h = 1e-6
+    for at in (0.31, 0.77):
+        slope = (beam.point(at + h).shape - beam.point(at - h).shape) / (2 * h)
+        across = np.cross(beam.point(at).turn.T, [1.0, 0.0, 0.0]).T
+        assert np.abs(across[1:]).max(axis=1).min() > 0.1
+        assert across[1:] == pytest.approx(slope[1:], abs=1e-6) and np.all(across[0] == 0)
+
+
+@pytest.mark.parametrize("space", ["planar", "spatial"])
+def test_weight_is_the_slope_of_its_potential(model_of: Build, space: str) -> None:
+    """A free body of 2 kg, centre of mass aside, gravity (3, -4[, 5]): -dU/dq = Q, and U = -m g . r of the centre."""
+    three, inertia = (space == "spatial"), 0.3
+    off, g = (0.2, -0.1, 0.3)[: 2 + three], (3.0, -4.0, 5.0)[: 2 + three]
+    moments: Any = [inertia] * 3 if three else inertia
+    builder = Scene("thrown", space=space).gravity(*g)
+    builder.rigid("m", mass=2.0, inertia=moments, center_of_mass=off, free=True)
+    for axis in "xyz"[: 2 + three]:
+        builder.measure(axis, axis, "m.center")
+    model = model_of(builder.simulation(t_end=0.1, dt=0.01, scheme="printed").build())
+    c = model.constants(model.parameter_vector())
+    at = random_states(model, 1, rate=0.0)[0]
+
+    def potential(q: np.ndarray) -> float:
+        return float(model.evaluate("energy", q=q, q_dot=0 * q, t=0.0, c=c)["potential"])
+
+    force = evaluate(model, "condensed", **at.values())["Q_hat"]
+    moved = [name for name in model.q_i if name in ("m.x", "m.y", "m.z", "m.theta")]
+    for name in moved:
+        row, k = model.q_i.index(name), model.coordinates.index(name)
+        step = 1e-5 * np.eye(len(at.q))[k]
+        assert force[row] == pytest.approx((potential(at.q - step) - potential(at.q + step)) / 2e-5, abs=1e-7)
+    x = at.q[[model.coordinates.index(f"m.{axis}") for axis in "xyz"[: 2 + three]]]
+    straight = model.initial_q.copy()
+    straight[: len(x)] = x
+    assert potential(straight) == pytest.approx(-2.0 * np.dot(g, x + off))
+
+
+def test_the_distance_between_two_points_of_a_plane(model_of: Build) -> None:
+    """3 along x and 4 along y: 5."""
+    builder = Scene("apart").rigid("m", mass=1.0, inertia=1.0, free=True).initial({"m.x": 3.0, "m.y": 4.0})
+    model = model_of(
+        builder.measure("gap", "distance", "m.origin").simulation(t_end=0.1, dt=0.01, scheme="printed").build()
+    )
+    at = random_states(model, 1, rigid=0.0, rate=0.0)[0]
+    c = model.constants(model.parameter_vector())
+    found = model.evaluate("measures", q=at.q, q_dot=at.q_dot, t=0.0, c=c)
+    assert float(np.ravel(np.asarray(found["measures"]))[model.measures.index("gap")]) == pytest.approx(5.0)
+
+
+def test_the_axis_of_x_is_across_that_of_the_joint() -> None:
+    """In the plane of x and y too: (2, 2, 0) is along (1, 1, 0)."""
+    for x_axis, fine in (((2.0, 2.0, 0.0), False), ((1.0, -1.0, 0.0), True)):
+        builder = Scene("axes", space="spatial").rigid("m", mass=1, inertia=[1, 1, 1])
+        builder.ground(markers={"pin": {"axis": (1.0, 1.0, 0.0), "x_axis": x_axis}})
+        builder.revolute("hinge", "ground.pin", "m.origin")
+        if fine:
+            builder.build()
+        else:
+            with pytest.raises(SceneError, match="along the axis"):
+                builder.build()
+
+
+def test_the_largest_of_twenty_is_the_limit() -> None:
+    for name in ("min", "max"):
+        parse_expression(f"{name}({', '.join(map(str, range(20)))})", frozenset(), "item")
+        with pytest.raises(SceneError, match="20"):
+            parse_expression(f"{name}({', '.join(map(str, range(21)))})", frozenset(), "item")

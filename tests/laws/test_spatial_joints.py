@@ -29,6 +29,8 @@ from tests.support.joint_comb import (
 from tests.support.model_values import Array, State, evaluate, make_state, relative_error
 from tests.support.spatial_motion import Frame, assembled, frames, momentum_rate, place, solve
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[tuple[str, ...], Variant], tuple[SceneRecord, Model]]
 WITHOUT_SCREW = tuple(kind for kind in PLACING if kind != "screw")
 T = 0.37

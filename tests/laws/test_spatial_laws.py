@@ -31,6 +31,8 @@ from tests.support.model_values import (
 )
 from tests.support.spatial_motion import assembled, frames, momentum, momentum_rate
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord, frozenset[str] | None], Model]
 FULL = frozenset({"constraints", "augmented", "reactions", "energy"})
 CONDENSED = frozenset({"condensed", "constraints", "closure", "velocities"})

@@ -17,6 +17,8 @@ from runtime.studies.stability.spectrum import ExactMotion
 from symgen.scene import Scene, SceneRecord
 from tests.support.prepared_runs import PreparedRuns
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord], Model]
 ENGINE = "compiled"
 START = "quasi_static"
@@ -70,7 +72,7 @@ def test_order(model: Model, scheme: str, m: list[int], t_end: float, dt: float,
 
 def test_one_sub_step_is_single_rate(model: Model) -> None:
     """Law: with m = 1 nothing is held, and the step is central difference with a predicted velocity, to rounding."""
-    given: dict[str, Any] = {"t_end": 0.5, "dt": 1e-3, "save_every": 10, "engine": ENGINE}
+    given: dict[str, Any] = {"t_end": 0.5, "dt": 1e-3, "seen_every": 0.01, "engine": ENGINE}
     one, two = (simulate(model, scheme="coupled", m=[m], **given) for m in (1, 2))
     single = simulate(model, scheme="single_rate", options={"common_velocity": "predictor"}, **given)
     assert one.status.whole and single.status.whole
@@ -97,7 +99,7 @@ def test_predicted_limits_are_real(
         .limit
     )
     assert limit is not None and 0.96 * edge < limit < 1.04 * edge
-    fine = simulate(model, t_end=t_end, dt=1e-4, scheme="single_rate", save_every=50, engine=ENGINE, start=START)
+    fine = simulate(model, t_end=t_end, dt=1e-4, scheme="single_rate", seen_every=5e-3, engine=ENGINE, start=START)
     largest = np.abs(fine.q_i).max(axis=0)
 
     def in_bounds(dt: float) -> bool:

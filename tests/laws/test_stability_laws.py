@@ -20,6 +20,8 @@ from runtime.studies.stability.limits import StabilityStudy
 from runtime.studies.stability.spectrum import ExactMotion, StepSpectrum
 from tests.support.model_values import Array
 
+pytestmark = pytest.mark.long
+
 Load = Callable[[str], Model]
 ENGINE = "compiled"
 REST = State(0.0, np.zeros(2), np.zeros(2), np.zeros(0))
@@ -60,7 +62,13 @@ class Ground:
         self.exact = ExactMotion(model, self.c)
         self.edge = 2 / max(self.exact.modes(state).frequencies[-1] for state in self.states)
         fine = simulate(
-            model, t_end=t_end, dt=0.1 * self.edge, scheme="single_rate", save_every=50, engine=ENGINE, **given
+            model,
+            t_end=t_end,
+            dt=0.1 * self.edge,
+            scheme="single_rate",
+            seen_every=5 * self.edge,
+            engine=ENGINE,
+            **given,
         )
         self.largest = np.abs(fine.q_i).max(axis=0)
 
@@ -90,7 +98,7 @@ def test_predicted_limits_are_real(
             dt=dt,
             m=m,
             scheme=name,
-            save_every=max(1, int(t_end / dt / 100)),
+            samples=100,
             force=True,
             engine=ENGINE,
             **given,
@@ -115,7 +123,7 @@ def test_growth_of_the_printed_scheme_on_two_oscillators(built_in: Load, c: floa
         m=[m],
         scheme="printed",
         options=DIRECT,
-        save_every=10,
+        seen_every=10 * dt,
         engine=ENGINE,
         parameters=values,
         initial={"x_L": 0.0, "x_S": 0.1},
@@ -155,7 +163,7 @@ def test_growth_of_the_printed_scheme_on_a_mechanism(built_in: Load, m: int, dt:
     spectrum = StepSpectrum(model, printed, model.constants(model.parameter_vector()))
     states = states_along(model, t_end=t_end, count=4, start="given")
     predicted = np.mean([spectrum(state, dt).growth for state in states], axis=0)[-1]
-    common: dict[str, Any] = {"t_end": t_end, "dt": dt, "save_every": every, "engine": ENGINE, "start": "given"}
+    common: dict[str, Any] = {"t_end": t_end, "dt": dt, "seen_every": every * dt, "engine": ENGINE, "start": "given"}
     run = simulate(model, scheme="printed", m=[m], options=DIRECT, **common)
     neutral = simulate(model, scheme="single_rate", **common)
     assert run.status.ok and neutral.status.ok and predicted > 100
@@ -165,9 +173,7 @@ def test_growth_of_the_printed_scheme_on_a_mechanism(built_in: Load, m: int, dt:
 
 def energy_trend(model: Model, scheme: str, m: list[int] | None, dt: float) -> tuple[float, float, float]:
     """(slope [1/s], scatter about it, largest error) of the energy over 39 revolutions, relative to kinetic energy."""
-    run = simulate(
-        model, t_end=2.0, dt=dt, m=m, scheme=scheme, save_every=round(2 / dt / 500), engine=ENGINE, start="quasi_static"
-    )
+    run = simulate(model, t_end=2.0, dt=dt, m=m, scheme=scheme, seen_every=4e-3, engine=ENGINE, start="quasi_static")
     assert run.status.whole and run["crank.theta"][-1] > 38 * 2 * np.pi
     error = (run.total_energy - run.total_energy[0]) / np.max(run.energy["kinetic"])
     line = np.polyfit(run.t, error, 1)

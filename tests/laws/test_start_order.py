@@ -5,10 +5,16 @@ Coordinates (open, reluctant, given, elastic, fixed) from zero, and one constrai
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
+from runtime import Model
 from runtime.contract.consistent_state import ConsistentState, GivenValues, InitialStateError, consistent_state
+from runtime.operating.given_state import given_state
+from symgen.scene import Scene, SceneRecord
 
 NAMES = ["open", "reluctant", "given", "elastic", "fixed"]
 
@@ -55,3 +61,21 @@ def test_alike_ones_share() -> None:
         GivenValues(),
     )
     assert found.q == pytest.approx([0.5, 0.5]) and found.q_dot == pytest.approx([0.5, 0.5])
+
+
+Build = Callable[[SceneRecord], Model]
+
+
+def test_a_rate_of_what_depends_takes_the_place_of_the_rates_of_the_scene(model_of: Build) -> None:
+    """Bars of 1 m at 0.3 and 0.8 rad: x' = -sin(0.3) w of the hinge gives w; the other rate is left open: none."""
+    builder = Scene("two")
+    for name in ("upper", "lower"):
+        builder.rigid(name, mass=1.0, inertia=0.1, markers={"tip": {"position": (1.0, 0.0)}})
+    builder.revolute("a", "ground.origin", "upper.origin").revolute("b", "upper.tip", "lower.origin")
+    builder.initial({"upper.theta": 0.3, "lower.theta": 0.8}).rates({"upper.theta": 1.0, "lower.theta": 2.0})
+    model = model_of(builder.simulation(t_end=0.1, dt=0.01, scheme="printed").build())
+    p = model.parameter_vector()
+    found = given_state(model, p, model.constants(p), 0.0, {"lower.x_dot": -0.5})
+    rate = dict(zip(model.coordinates, found.q_dot, strict=True))
+    assert rate["lower.x"] == pytest.approx(-0.5, abs=1e-14)
+    assert rate["upper.theta"] == pytest.approx(0.5 / math.sin(0.3)) and abs(rate["lower.theta"]) < 1e-14

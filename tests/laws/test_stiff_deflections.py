@@ -31,6 +31,8 @@ from tests.hand_derived.twin_subcycling import generator, matrices, pade_of_five
 from tests.support.model_values import Array, evaluate, random_states
 from tests.support.prepared_runs import PreparedRuns
 
+pytestmark = pytest.mark.long
+
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
 NAME = "exponential_rk4"

@@ -22,7 +22,7 @@ def slider(space: str, **fields: object) -> Scene:
     inertia: object = 0.1 if space == "planar" else (0.1, 0.1, 0.1)
     scene.rigid("m", mass=2.0, inertia=inertia).prismatic("rail", "ground.origin", "m.origin", **fields)
     scene.rates({"m.x" if space == "planar" else "rail.travel": 1.0})
-    return scene.simulation(t_end=1.0, dt=0.001, scheme="rk4", save_every=1)
+    return scene.simulation(t_end=1.0, dt=0.001, scheme="rk4", seen_every=0.0)
 
 
 def returned(damping: float, speed: float) -> float:
@@ -54,7 +54,7 @@ def test_limits_without_damping_keep_the_energy(model_of: Build) -> None:
     """Between two ends, nine times there and back."""
     limits = {"lower": -0.2, "upper": "reach", "stiffness": 4e4}
     scene = slider("planar", limits=limits).parameter("reach", 0.3, "m").simulation(t_end=9.0, dt=5e-4)
-    run = simulate(model_of(scene.build()), scheme="exponential", save_every=1)
+    run = simulate(model_of(scene.build()), scheme="exponential", seen_every=0.0)
     energy = run.energy["kinetic"] + run.energy["elastic"]
     assert np.ptp(energy) < 1e-9 and int(run.stats["kinks"]) > 30
     assert run["m.x"].min() == pytest.approx(-0.2 - sqrt(2 / 4e4), abs=1e-5)
@@ -74,7 +74,7 @@ def test_play_of_a_joint_is_its_expression(model_of: Build) -> None:
         if not lash:
             scene.torque("lash", "b.origin", f"-({law})", reaction="a.origin")
         scene.torque("drive", "a.origin", "10*sin(2.5*t) - 20*x").rates({"b.theta": 3.0})
-        return scene.simulation(t_end=4.0, dt=0.004, scheme="rk4", save_every=1).build()
+        return scene.simulation(t_end=4.0, dt=0.004, scheme="rk4", seen_every=0.0).build()
 
     record, expression = (simulate(model_of(wheels(lash))) for lash in (True, False))
     assert np.abs(record.q - expression.q).max() < 1e-9 and record.stats["kinks"] == expression.stats["kinks"]
@@ -94,7 +94,7 @@ def test_a_gear_with_play_lags_by_half_of_it(model_of: Build, space: str) -> Non
     scene.revolute("h_b", "ground.origin", "b.origin", damping=2.0)
     scene.gear("mesh", "h_a.angle", "h_b.angle", -2.0, backlash={"gap": 0.02, "stiffness": 500.0, "damping": 5.0})
     scene.effort("drive", "h_a.angle", 0.6)
-    run = simulate(model_of(scene.simulation(t_end=20.0, dt=0.01, scheme="rk4", save_every=1).build()))
+    run = simulate(model_of(scene.simulation(t_end=20.0, dt=0.01, scheme="rk4", seen_every=0.0).build()))
     a, b = (
         (run["a.theta"][-1], run["b.theta"][-1]) if space == "planar" else (run["h_a.angle"][-1], run["h_b.angle"][-1])
     )
@@ -110,7 +110,7 @@ def disc(space: str) -> Scene:
     scene.rigid("m", mass=1.0, inertia=inertia, free=True)
     law = {"stiffness": 1e5, "damping": 0.2, "exponent": 1.5, "friction": 0.3, "slip_speed": 1e-3}
     scene.load("contact", "floor", marker="m.origin", radius=0.1, plane="ground.origin", **law)
-    return scene.rates({"m.x": 2.0}).simulation(t_end=1.0, dt=5e-4, scheme="rk4", save_every=1)
+    return scene.rates({"m.x": 2.0}).simulation(t_end=1.0, dt=5e-4, scheme="rk4", seen_every=0.0)
 
 
 @pytest.mark.parametrize("space, up", [("planar", "m.y"), ("spatial", "m.z")])
@@ -132,7 +132,7 @@ def test_two_discs_exchange_momentum(model_of: Build) -> None:
         ball = {"marker": "a.origin", "radius": 0.1, "other": "b.origin", "other_radius": 0.2}
         scene.load("contact", "hit", **ball, stiffness=1e5, exponent=2.0, **law)
         scene.initial({"b.x": 0.5, "b.y": offset}).rates({"a.x": 1.0, "a.theta": spin})
-        return scene.simulation(t_end=0.4, dt=1e-4, scheme="rk4", save_every=1).build()
+        return scene.simulation(t_end=0.4, dt=1e-4, scheme="rk4", seen_every=0.0).build()
 
     run = simulate(model_of(pair(0.0, 0.0)))
     assert [run["a.x_dot"][-1], run["b.x_dot"][-1]] == pytest.approx([-0.5, 0.5], abs=1e-8)
@@ -200,14 +200,14 @@ def braked_rod() -> SceneRecord:
     rod.revolute("pin", "ground.origin", "rod.origin", limits={"lower": -1.0, "stiffness": 400.0})
     rod.measure("angle", "coordinate", "rod.theta").input("brake").torque("brake", "rod.origin", "-brake")
     rod.event("turns", "angle_dot", direction="falling", action={"brake": "brake + 0.3"})
-    return rod.simulation(t_end=2.0, dt=0.01, scheme="rk4", save_every=1).build()
+    return rod.simulation(t_end=2.0, dt=0.01, scheme="rk4", seen_every=0.0).build()
 
 
 def test_errors_across_stops_and_events_are_told(model_of: Build) -> None:
     """Within a factor 10 of the true ones, with steps of one length and with a tolerance, which is delivered."""
     model = model_of(braked_rod())
-    exact = simulate(model, dt=2e-4, save_every=50, error="off").q_i[:, 0]
-    runs = [simulate(model, dt=dt, save_every=round(0.01 / dt)) for dt in (0.01, 0.005, 0.0025)]
+    exact = simulate(model, dt=2e-4, seen_every=0.01, error="off").q_i[:, 0]
+    runs = [simulate(model, dt=dt, seen_every=0.01) for dt in (0.01, 0.005, 0.0025)]
     runs += [simulate(model, scheme="auto", tolerance=tolerance, dt=0.01) for tolerance in (1e-4, 1e-6)]
     for run, asked in zip(runs, (1e-2, 1e-3, 1e-4, 1e-4, 1e-6), strict=True):
         true = np.sqrt(np.mean((run.q_i[:, 0] - exact) ** 2)) / exact.std()

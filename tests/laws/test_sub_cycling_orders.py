@@ -16,6 +16,8 @@ from symgen.scenes import SCENES
 from tests.support.model_values import Array
 from tests.support.prepared_runs import PreparedRuns
 
+pytestmark = pytest.mark.long
+
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
 
@@ -135,7 +137,7 @@ def test_order(built_in: Load, scene: str, scheme: str) -> None:
 def test_one_sub_step_is_single_rate(built_in: Load, name: str, t_end: float, dt: float, start: str) -> None:
     """Law: with m = 1 nothing is held, and the step is central difference with a predicted velocity, to rounding."""
     model = built_in(name)
-    given: dict[str, Any] = {"t_end": t_end, "dt": dt, "start": start, "save_every": 10, "engine": "interpreted"}
+    given: dict[str, Any] = {"t_end": t_end, "dt": dt, "start": start, "seen_every": 10 * dt, "engine": "interpreted"}
     one = simulate(model, scheme="coupled", m=[1], **given)
     single = simulate(model, scheme="single_rate", options={"common_velocity": "predictor"}, **given)
     assert {one.status.name, single.status.name} == {"completed"}

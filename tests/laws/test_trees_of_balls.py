@@ -18,6 +18,8 @@ from runtime.contract.model import Model
 from symgen.scene import Scene, SceneRecord
 from tests.support.model_values import Array, evaluate, random_states, relative_error
 
+pytestmark = pytest.mark.long
+
 PARENTS = (-1, 0, 1, 0, 3)  # body 0 carries bodies 1 and 3
 GRAVITY = np.array([0.3, -0.7, -9.81])
 

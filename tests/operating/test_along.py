@@ -18,7 +18,7 @@ Load = Callable[[str], Model]
 
 def test_a_pendulum_on_its_way(built_in: Load) -> None:
     """theta'' = -(g / L) cos theta, theta from the horizontal: lambda^2 = (g / L) sin theta, which grows above it."""
-    run = simulate(built_in("pendulum"), scheme="rk4", dt=1e-3, t_end=1.2, initial={"rod.theta": 0.8}, save_every=10)
+    run = simulate(built_in("pendulum"), scheme="rk4", dt=1e-3, t_end=1.2, initial={"rod.theta": 0.8}, seen_every=0.01)
     found = frequencies_along(run, samples=20)
     square = 9.81 * np.sin(np.interp(found.t, run.t, run["rod.theta"]))
     np.testing.assert_allclose(found.frequencies[:, 0], np.sqrt(np.abs(square)), rtol=1e-9)
@@ -36,7 +36,7 @@ def test_modes_of_a_linear_system_stay_what_they_are(built_in: Load) -> None:
 
 
 def test_the_picture(built_in: Load, tmp_path: Path) -> None:
-    run = simulate(built_in("flexible_slider_crank_free"), t_end=2e-3, save_every=20)
+    run = simulate(built_in("flexible_slider_crank_free"), t_end=2e-3, seen_every=5e-4)
     figure = plots.frequencies(run, tmp_path / "f.png", samples=3)
     (ax,) = figure.axes
     assert [text.get_text() for text in ax.get_legend().get_texts()] == [

@@ -13,6 +13,8 @@ from runtime.orbits.motion import PeriodicMotion
 from runtime.orbits.shooting import NoPeriodicMotion
 from symgen.scene import Scene, SceneRecord
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord], Model]
 
 
@@ -46,7 +48,7 @@ def test_runs_grow_as_the_floquet_exponent_says(growing: PeriodicMotion) -> None
     assert growing.floquet.kind == "flip"
     count, state = 30, dict(growing.state)
     state["rod.q1_dot"] += 1e-7
-    runs = [growing.simulate(count, initial=start, save_every=growing.steps) for start in (state, growing.state)]
+    runs = [growing.simulate(count, initial=start, samples=count) for start in (state, growing.state)]
     off = np.abs(runs[0]["rod.q1"] - runs[1]["rod.q1"])
     late = np.arange(12, count)  # what dies out is gone
     growth = np.polyfit(late * growing.period, np.log(off[late]), 1)[0]
@@ -57,7 +59,10 @@ def test_a_floquet_mode_is_what_a_disturbed_run_shows(growing: PeriodicMotion) -
     size, every = 1e-7, max(1, growing.steps // 60)
     vector = growing.floquet.vectors[:, 0].real
     disturbed = {name: value + size * part for (name, value), part in zip(growing.state.items(), vector, strict=True)}
-    runs = [growing.simulate(1, initial=start, save_every=every) for start in (disturbed, growing.state)]
+    runs = [
+        growing.simulate(1, initial=start, seen_every=every * growing.period / growing.steps)
+        for start in (disturbed, growing.state)
+    ]
     shape = (runs[0].q - runs[1].q) / size * np.exp(-growing.floquet.exponents[0].real * runs[0].t)[:, None]
     mode = growing.mode(0, periods=2, amplitude=1.0)
     first = slice(0, len(shape) - 1)

@@ -15,6 +15,8 @@ from runtime.orbits.branch import PeriodicBranch
 from symgen.scene import Scene, SceneRecord
 from tests.support.browser import used
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord], Model]
 DAMPING, OMEGA = 0.3, 1.2
 PERIOD = 2 * np.pi / OMEGA

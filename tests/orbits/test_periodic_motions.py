@@ -17,6 +17,8 @@ from runtime.gradients.objectives import Integral, Largest
 from runtime.orbits.shooting import NoPeriodicMotion
 from symgen.scene import Scene, SceneRecord
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
 DUFFING = {"delta": 0.2, "alpha": 1.0, "beta": 1.0, "gamma": 0.3, "omega": 0.5}
@@ -172,7 +174,7 @@ def test_a_flexible_four_bar_repeats_as_the_end_of_a_long_run(model_of: Build) -
     model = model_of(driven_four_bar())
     found = periodic(model, speed="omega", tolerance=1e-9)
     settings = {"scheme": found.scheme, "dt": found.period / found.steps, "error": "off"}
-    run = simulate(model, initial=found.state, t_end=40 * found.period, save_every=found.steps, **settings)
+    run = simulate(model, initial=found.state, t_end=40 * found.period, seen_every=found.period, **settings)
     late = run.q[-1, [model.coordinates.index(name) for name in model.q_i]]
     off = [found.state[name] for name in model.q_i] - late
     assert np.abs(off).max() < 1e-8 * np.abs(found.solution.q[:, model.coordinates.index(model.q_i[0])]).max()
@@ -215,7 +217,7 @@ def test_gradients_of_what_repeats_are_those_of_differences(model_of: Build, duf
         for sign in (1, -1):
             moved = {name: DUFFING[name] + sign * step}
             run = periodic(duffing, speed="omega", steps=240, scheme="dop853", parameters=moved, start=found)
-            solution = run.simulate(1, save_every=1)
+            solution = run.simulate(1, seen_every=0.0)
             values.append(of.weighed(solution.t, solution.q[:, [0]])[0])
         assert slopes[name] == pytest.approx((values[0] - values[1]) / (2 * step), rel=1e-6)
 

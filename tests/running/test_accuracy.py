@@ -16,6 +16,8 @@ from runtime.results.motion_error import floored
 from runtime.running.companion import coprime, steps_of_mark
 from symgen.scene import Scene, SceneRecord
 
+pytestmark = pytest.mark.long
+
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
 Law = Callable[[float, float, float], float]
@@ -142,7 +144,7 @@ def test_a_rod_whose_equation_is_known(model_of: Build, name: str) -> None:
     rod = RODS[name]
     model = model_of(rod.scene())
     for scheme, steps, status in rod.runs:
-        run = simulate(model, scheme=scheme, dt=rod.t_end / steps, save_every=1)
+        run = simulate(model, scheme=scheme, dt=rod.t_end / steps, seen_every=0.0)
         true = relative_error(run, rod.exact(run.t)) if run.status.name in ("completed", "inaccurate") else np.nan
         assert run.status.name == status, (scheme, steps, true, run.error.largest, run.status)
         if true > 0.5:
@@ -172,9 +174,9 @@ MECHANISMS: list[tuple[str, float, dict[str, Any], str]] = [
 def test_a_mechanism(built_in: Load, name: str, t_end: float, settings: dict[str, Any], status: str) -> None:
     """Energy that is won by sub-steps, a body that flips, long steps on stiff joints: what is lost is told."""
     model = built_in(name)
-    run = simulate(model, t_end=t_end, save_every=max(1, round(t_end / settings["dt"] / 100)), **settings)
+    run = simulate(model, t_end=t_end, samples=100, **settings)
     if name == "flexible_joint_arm":
-        exact = simulate(model, scheme="dop853", t_end=t_end, dt=1.25e-3, save_every=160, error="off")
+        exact = simulate(model, scheme="dop853", t_end=t_end, dt=1.25e-3, seen_every=0.2, error="off")
     else:
         exact = reference_solution(model, t_end=float(run.t[-1]), times=run.t, initial=settings.get("initial"))
     names, columns = followed(model)
@@ -188,9 +190,9 @@ def test_a_mechanism(built_in: Load, name: str, t_end: float, settings: dict[str
 def test_behind_two_singular_positions(built_in: Load) -> None:
     """Of long steps, against order 8 with a tenth of them."""
     model = built_in("n_four_bar")
-    exact = simulate(model, scheme="dop853", dt=1e-3, t_end=3.0, save_every=30, error="off")
+    exact = simulate(model, scheme="dop853", dt=1e-3, t_end=3.0, seen_every=0.03, error="off")
     for scheme in ("rk4", "single_rate"):
-        run = simulate(model, scheme=scheme, dt=7.5e-3, t_end=3.0, save_every=4)
+        run = simulate(model, scheme=scheme, dt=7.5e-3, t_end=3.0, seen_every=0.03)
         true = relative_error(run, exact.q[:, followed(model)[1]])
         assert run.status.ok and len(run.events) == len(exact.events) > 1
         assert true / WITHIN < run.error.largest < true * WITHIN
@@ -218,8 +220,8 @@ def controller(memory: Sequence[float] | None) -> Sampled:
 def test_a_controller_with_a_memory_is_set_back(model_of: Build) -> None:
     """So that the motion can be made twice; one whose memory is its own cannot, and the run says why."""
     model = model_of(held())
-    fine = simulate(model, dt=1e-3, save_every=20, inputs={"u": controller([0.0])})
-    run = simulate(model, dt=2e-2, save_every=1, inputs={"u": controller([0.0])})
+    fine = simulate(model, dt=1e-3, seen_every=0.02, inputs={"u": controller([0.0])})
+    run = simulate(model, dt=2e-2, seen_every=0.0, inputs={"u": controller([0.0])})
     true = relative_error(run, fine.q[:, followed(model)[1]])
     assert run.status.ok and true / WITHIN < run.error.largest < true * WITHIN
     alone = simulate(model, dt=2e-2, inputs={"u": controller(None)})
@@ -246,20 +248,18 @@ def test_numbers_of_steps_without_a_common_divisor(steps: int, order: int) -> No
 def test_steps_that_vary_are_measured_by_another_tolerance(built_in: Load, dt: float, t_end: float) -> None:
     """Whatever the number of samples, which are not the steps."""
     model = built_in("pendulum")
-    run = simulate(
-        model, scheme="dopri5", tolerance=1e-5, dt=dt, t_end=t_end, save_every=1, options={"error_of": "step"}
-    )
+    run = simulate(model, scheme="dopri5", tolerance=1e-5, seen_every=dt, t_end=t_end, options={"error_of": "step"})
     true = relative_error(run, reference_solution(model, t_end=t_end, times=run.t).q[:, followed(model)[1]])
     assert run.status.ok and true / WITHIN < run.error.largest < max(WITHIN * true, 1e-8)
 
 
 def test_a_measured_error_does_not_depend_on_what_is_kept(built_in: Load, tmp_path: Any) -> None:
     model, settings = built_in("pendulum"), {"scheme": "single_rate", "dt": 0.01, "t_end": 3.0}
-    whole = simulate(model, **settings, save_every=1)
-    for few in ({"outputs": ["rod.theta"]}, {"stream": tmp_path / "rows"}, {"save_every": 100}):
+    whole = simulate(model, **settings, seen_every=0.0)
+    for few in ({"outputs": ["rod.theta"]}, {"stream": tmp_path / "rows"}, {"samples": 1}):
         run = simulate(model, **settings, **few)  # type: ignore[arg-type]
         assert run.error.over_motion == whole.error.over_motion and run.status.ok
-    off = simulate(model, **settings, error="off", save_every=1)
+    off = simulate(model, **settings, error="off", seen_every=0.0)
     assert not off.error.measured and off.error.reason and np.array_equal(off.q, whole.q)
 
 
@@ -303,7 +303,7 @@ def test_ctrl_c_while_an_error_is_measured_leaves_the_run(built_in: Load, monkey
 def test_what_turns_on_is_judged_modulo_a_turn(model_of: Build) -> None:
     """A rotor at 100 rad/s that comes late by 0.3 rad: of a thousand radians little, of a turn too much."""
     model = model_of(Rod("cos(a)*30", lambda t, a, v: 0.0, (0.0, 100.0), 10.0, []).scene())
-    run = simulate(model, scheme="single_rate", dt=0.012, save_every=1)
+    run = simulate(model, scheme="single_rate", dt=0.012, seen_every=0.0)
     exact = reference_solution(model, t_end=float(run.t[-1]), times=run.t)
     late = float(np.sqrt(np.mean((run.q - exact.q) ** 2)))
     assert run.error.amplitude["rod.theta"] == pytest.approx(np.pi / np.sqrt(3))

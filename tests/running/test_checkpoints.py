@@ -19,6 +19,8 @@ from runtime.schemes.catalogue import SCHEMES
 from symgen.generate import generate
 from symgen.scenes import SCENES
 
+pytestmark = pytest.mark.long
+
 Load = Callable[[str], Model]
 SERIES = (
     "t",
@@ -75,7 +77,7 @@ def settings_of(name: str, scheme: str, engine: str) -> dict[str, Any]:
         "dt": dt,
         "m": m,
         "t_end": STEPS * dt,
-        "save_every": SAVED,
+        "seen_every": SAVED * dt,
         "engine": engine,
         "force": True,
     }

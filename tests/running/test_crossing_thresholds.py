@@ -17,6 +17,8 @@ from runtime.running.singular.crossing import BranchLost, Crossing, TightIntegra
 from runtime.running.singular.exchange import best_exchange
 from runtime.running.singular.guard import Guard
 
+pytestmark = pytest.mark.long
+
 Course = Callable[[float], tuple[float, float]]
 
 

@@ -35,7 +35,7 @@ def energies(power: np.ndarray) -> dict[str, np.ndarray]:
 @pytest.mark.parametrize("scheme", ["rk4", "dop853", "single_rate"])
 def test_work_of_a_constant_torque_is_torque_times_angle(model_of: Build, scheme: str) -> None:
     """Power grows linearly, which the quadrature takes exactly."""
-    run = simulate(model_of(flywheel("4.0")), scheme=scheme, save_every=7)
+    run = simulate(model_of(flywheel("4.0")), scheme=scheme, seen_every=0.07)
     assert run.work() == pytest.approx(4.0 * (run["wheel.theta"] - run["wheel.theta"][0]), abs=1e-10)
     assert np.abs(run.energy_balance()).max() < 1e-10 and run.balance.uncertainty[-1] < 1e-10
 

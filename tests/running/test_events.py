@@ -55,7 +55,9 @@ def test_events_with_a_tolerance(model_of: Build, tmp_path: Path, scheme: str) -
     high = {"when": "x - 0.9", "direction": "rising", "terminal": True}
     model = model_of(falling(passing=passing, high=high))
     where = tmp_path / "run.npz"
-    run = simulate(model, scheme=scheme, tolerance=1e-6, t_end=1.0, dt=0.05, checkpoint=where, checkpoint_every=1)
+    run = simulate(
+        model, scheme=scheme, tolerance=1e-6, t_end=1.0, seen_every=0.05, checkpoint=where, checkpoint_every=1
+    )
     t = np.sqrt(0.8 / G)
     v = -G * t
     end = t + (-v + np.sqrt(v**2 + 4 * G * 0.3)) / (2 * G)
@@ -67,7 +69,9 @@ def test_events_with_a_tolerance(model_of: Build, tmp_path: Path, scheme: str) -
     assert run.work()[-1] == pytest.approx(6 * G * 0.3, rel=1e-9)
     again = resume(model, where)
     assert again.events == run.events and np.array_equal(again.q, run.q)
-    short = simulate(model, scheme=scheme, tolerance=1e-6, t_end=0.5, dt=0.05)  # its last step may run beyond the end
+    short = simulate(
+        model, scheme=scheme, tolerance=1e-6, t_end=0.5, seen_every=0.05
+    )  # its last step may run beyond the end
     assert short.status.name == "completed" and short.t[-1] == pytest.approx(0.5) and len(short.events) == 1
 
 
@@ -248,8 +252,8 @@ def test_samples_far_apart_miss_no_event(model_of: Build, every: int) -> None:
     mass.measure("x", "coordinate", "m.x").force("spring", "m.origin", "-4e4 * x", 0.0).event("turns", "x_dot")
     mass.rates({"m.x": 5.0}).simulation(t_end=1.0, dt=0.001, scheme="dopri5")
     options = {"error_of": "step"}
-    given = {"scheme": "dopri5", "tolerance": 1e-8, "dt": 0.001, "options": options, "error": "off"}
-    run = simulate(model_of(mass.build()), save_every=every, **given)
+    given = {"scheme": "dopri5", "tolerance": 1e-8, "options": options, "error": "off"}
+    run = simulate(model_of(mass.build()), seen_every=every * 1e-3, **given)
     times = (np.arange(64) + 0.5) * np.pi / 200
     assert [event.time for event in run.events] == pytest.approx(times[times < 1.0], rel=0, abs=1e-7)
 

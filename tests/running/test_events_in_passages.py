@@ -16,6 +16,8 @@ from runtime.running.singular.crossing import BranchLost
 from symgen.scene import SceneRecord
 from symgen.scenes.n_four_bar import n_four_bar
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord], Model]
 
 
@@ -61,7 +63,7 @@ def test_events_within_a_passage_are_told_and_act(
         found = solve_ivp(angle, (t, 9), y, args=(torque,), events=reached, method="DOP853", rtol=1e-12, atol=1e-13)
         t, y = found.t[-1], found.y[:, -1]
         times.append(t)
-    settings: dict[str, Any] = {"scheme": scheme, "tolerance": tolerance, "dt": 1e-3, "t_end": 1.0, "save_every": 1}
+    settings: dict[str, Any] = {"scheme": scheme, "tolerance": tolerance, "dt": 1e-3, "t_end": 1.0, "seen_every": 0.0}
     for last in (0.03, 0.5):
         run = simulate(model, **settings, parameters={"last": last})
         told = [(event.kind, event.name) for event in run.events]
@@ -78,7 +80,7 @@ def test_events_within_a_passage_are_told_and_act(
 def test_forces_that_turn_a_motion_back_before_the_position(model_of: Build, monkeypatch: pytest.MonkeyPatch) -> None:
     """4000 N m stop the uprights 0.01 rad before it: it is not passed. Where it cannot be passed, that is said."""
     model, push = model_of(watched()), 4000.0
-    settings: dict[str, Any] = {"scheme": "rk4", "dt": 1e-3, "t_end": 0.75, "save_every": 1}
+    settings: dict[str, Any] = {"scheme": "rk4", "dt": 1e-3, "t_end": 0.75, "seen_every": 0.0}
     run = simulate(model, **settings, parameters={"push": push})
     assert run.status.ok and [event.name for event in run.events] == ["before", "before"]  # and back
     before = run.events[0].time

@@ -58,7 +58,7 @@ def test_lost_constraints_are_seen_at_every_size(model_of: Build, size: float) -
 
 def test_last_good_state_is_kept_though_it_was_not_to_be_saved(built_in: Load) -> None:
     model = built_in("two_oscillators")
-    solution = simulate(model, parameters={"zeta": 0.0}, scheme="printed", m=[4], t_end=200.0, save_every=10**6)
+    solution = simulate(model, parameters={"zeta": 0.0}, scheme="printed", m=[4], t_end=200.0, samples=1)
     assert solution.status.name == "diverged"
     assert len(solution.t) == 2
     assert solution.t[-1] == solution.status.time > 0
@@ -122,7 +122,7 @@ def test_interrupted_run_keeps_what_it_has(built_in: Load) -> None:
         if calls == 20:
             signal.raise_signal(signal.SIGINT)
 
-    solution = simulate(built_in("pendulum"), t_end=1000.0, dt=1e-3, save_every=1, progress=progress)
+    solution = simulate(built_in("pendulum"), t_end=1000.0, dt=1e-3, seen_every=0.0, progress=progress)
     assert solution.status.name == "interrupted"
     assert solution.t[-1] == pytest.approx(solution.status.time)
     assert len(solution.t) >= 20
@@ -139,7 +139,7 @@ def test_no_saved_state_is_missing_before_an_interruption(built_in: Load, monkey
         advance(self, z, c, n)
 
     monkeypatch.setattr(InterpretedProgram, "run", interrupted)
-    settings = {"scheme": "single_rate", "dt": 1e-3, "t_end": 2.0, "save_every": 1, "engine": "interpreted"}
+    settings = {"scheme": "single_rate", "dt": 1e-3, "t_end": 2.0, "seen_every": 0.0, "engine": "interpreted"}
     run = simulate(built_in("pendulum"), **settings)
     assert run.status.name == "interrupted" and 20 < len(run.t) < 300
     np.testing.assert_allclose(np.diff(run.t), 1e-3, rtol=1e-9)
@@ -203,12 +203,10 @@ def test_chunked_code_agrees_bit_for_bit(built_in: Load, name: str, monkeypatch:
 def test_printed_scheme_with_default_tolerance_keeps_its_order(built_in: Load) -> None:
     """m = 1 with strong inertia coupling: the stopping test must not spoil small steps."""
     model = built_in("hub_beam")
-    exact = simulate(model, scheme="single_rate", dt=1e-5, t_end=0.2, save_every=10**6).q_i[-1]
+    exact = simulate(model, scheme="single_rate", dt=1e-5, t_end=0.2, samples=1).q_i[-1]
     steps = np.array([8e-4, 4e-4, 2e-4])
     errors = [
-        np.abs(
-            simulate(model, scheme="printed", m=[1], dt=float(dt), t_end=0.2, save_every=10**6).q_i[-1] - exact
-        ).max()
+        np.abs(simulate(model, scheme="printed", m=[1], dt=float(dt), t_end=0.2, samples=1).q_i[-1] - exact).max()
         for dt in steps
     ]
     assert abs(np.polyfit(np.log(steps), np.log(errors), 1)[0] - 2.0) < 0.1

@@ -31,7 +31,7 @@ Build = Callable[[SceneRecord], Model]
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_every_scheme_takes_inputs(model_of: Build, scheme: str) -> None:
     """x = (t - sin(w t) / w) / (m w) for a force sin(w t) from rest."""
-    run = simulate(model_of(cart()), scheme=scheme, inputs={"force": lambda t: np.sin(2 * t)}, save_every=25)
+    run = simulate(model_of(cart()), scheme=scheme, inputs={"force": lambda t: np.sin(2 * t)}, seen_every=0.025)
     exact = (run.t - np.sin(2 * run.t) / 2) / 4
     assert np.abs(run["cart.x"] - exact).max() < (2e-7 if SCHEMES[scheme].make.order == 2 else 1e-11)
     np.testing.assert_allclose(run["force"], np.sin(2 * run.t), atol=1e-15)
@@ -42,7 +42,7 @@ def test_held_samples_act_from_their_time_on(model_of: Build) -> None:
     """1 N for half a second, then -1 N: x = 1/16 m then, 1/8 m at the end, at rest."""
     model = model_of(cart())
     samples = ([0.0, 0.5], [1.0, -1.0])
-    run = simulate(model, inputs={"force": samples}, save_every=100)
+    run = simulate(model, inputs={"force": samples}, seen_every=0.1)
     np.testing.assert_allclose(run["cart.x"][::5], [0, 0.0625, 0.125], atol=1e-14)
     np.testing.assert_allclose(run["cart.x_dot"][::5], [0, 0.25, 0], atol=1e-14)
     assert list(run["force"]) == [1.0] * 6 + [-1.0] * 5  # at a change: what was until then
@@ -69,7 +69,7 @@ def test_a_sampled_controller_is_the_discrete_loop(model_of: Build, engine: str)
     """State feedback held for 20 ms: x_k+1 = (Phi - Gamma k) x_k + Gamma r with the exact Phi and Gamma of the mass."""
     K, wanted, T = np.array([8.0, 6.0]), 2.0, 0.02
     inputs = {"force": Sampled(lambda t, x: K[0] * wanted - K @ x, T, ["cart.x", "cart.x_dot"])}
-    run = simulate(model_of(cart()), inputs=inputs, save_every=20, engine=engine)
+    run = simulate(model_of(cart()), inputs=inputs, seen_every=0.02, engine=engine)
     x = np.zeros(2)
     for k in range(len(run.t)):
         np.testing.assert_allclose([run["cart.x"][k], run["cart.x_dot"][k]], x, atol=1e-13)

@@ -57,7 +57,7 @@ def test_every_scheme_keeps_its_order_across_jumps(model_of: Build, scheme: str)
 @pytest.mark.parametrize("scheme", ["dopri5", "exponential", "exponential_rk4"])
 def test_the_work_of_each_side_is_its_own(model_of: Build, scheme: str) -> None:
     """Steps that follow from a tolerance: energy and work differ by the steps, not by the jumps of 5 N m."""
-    run = simulate(model_of(pendulum()), scheme=scheme, tolerance=1e-7, dt=0.01)
+    run = simulate(model_of(pendulum()), scheme=scheme, tolerance=1e-7, seen_every=0.01)
     energy = run.energy["kinetic"] + run.energy["potential"] - run.work()
     assert np.ptp(run.work()) > 3 and np.ptp(energy) < 2e-5
 
@@ -109,7 +109,7 @@ def test_a_velocity_that_jumps_gives_its_impulse(
 ) -> None:
     """By hand: the hinge jumps by 0.5 * 2 m/s upwards, and 0.35 dw + m l cos(theta) dv = 0 about it."""
     model = model_of(kicked_crank("where(t < jump, 0, 2 * (t - jump))"))
-    run = simulate(model, parameters={"jump": jump}, scheme=scheme, tolerance=tolerance, dt=0.01)
+    run = simulate(model, parameters={"jump": jump}, scheme=scheme, tolerance=tolerance, seen_every=0.01)
     assert run.status.ok and [event.kind for event in run.events] == ["velocity_jump"]
 
     def hanging(t: float, y: np.ndarray, v: float = 0.0) -> list[float]:
@@ -142,7 +142,7 @@ def test_a_run_across_jumps_is_gone_on_with_bit_for_bit(
     """Stopped before and after a jump, at the end of a step and within one; steps of a tolerance are there before."""
     model = model_of(kicked_crank("where(t < jump, 0, 2 * (t - jump))"))
     for jump, stop in ((0.46, 0.46), (0.4567, 0.45)):
-        settings: dict[str, Any] = {"parameters": {"jump": jump}, "scheme": scheme, "save_every": 1}
+        settings: dict[str, Any] = {"parameters": {"jump": jump}, "scheme": scheme, "seen_every": 0.0}
         settings |= {"tolerance": tolerance, "dt": 0.01}
         settings |= {"options": {"error_of": "step"}} if tolerance else {}
         whole = simulate(model, **settings)
@@ -165,7 +165,7 @@ def test_an_impulse_is_no_error(model_of: Build, scheme: str, jump: float, dt: f
     model = model_of(kicked_crank("where(t < jump, 0, 2 * (t - jump))"))
     settings: dict[str, Any] = {"parameters": {"jump": jump}, "initial": {"bob.theta": 1.5}}
     exact = simulate(model, scheme="dop853", dt=0.002, **settings)["bob.theta"]
-    run = simulate(model, scheme=scheme, tolerance=1e-5, dt=dt, **settings)
+    run = simulate(model, scheme=scheme, tolerance=1e-5, seen_every=dt, **settings)
     error = abs(run["bob.theta"][-1] - exact[-1]) / (np.ptp(exact) / 2)
     assert error < 3e-5 and run.status.ok
     assert error / 30 < run.error.largest < max(10 * error, 1e-7)
@@ -175,7 +175,7 @@ def test_a_stepper_gives_the_run(model_of: Build) -> None:
     """Bit for bit, in one call or in many, from a saved state, after a change of the parameter that moves the jump."""
     model = model_of(kicked_crank("where(t < jump, 0, 2 * (t - jump))"))
     for jump in (0.46, 0.4567):
-        whole = simulate(model, parameters={"jump": jump}, save_every=50)
+        whole = simulate(model, parameters={"jump": jump}, seen_every=50 * model.simulation["dt"])
         stepper = model.stepper(parameters={"jump": 0.2})
         stepper.step(40)
         stepper.change({"jump": jump})
@@ -202,7 +202,7 @@ def test_cases_of_an_ensemble_have_their_own_jumps(
     """Each is the run by itself, to the last bit, and yet in its lane: one impulse, or more than a lane knows."""
     monkeypatch.setattr("runtime.studies.ensemble.rows.run_alone", None)
     model, jumps = model_of(kicked_crank(motion)), [0.3, 0.4567, 2.0]
-    found = ensemble(model, {"jump": jumps}, outputs=["bob.theta", "bob.theta_dot"], every=100, scheme=scheme)
+    found = ensemble(model, {"jump": jumps}, outputs=["bob.theta", "bob.theta_dot"], seen_every=1.0, scheme=scheme)
     for k, jump in enumerate(jumps):
         alone = simulate(model, parameters={"jump": jump}, scheme=scheme, error="off", force=True)
         assert float(found["bob.theta"][k, -1]) == alone["bob.theta"][-1]
@@ -213,3 +213,13 @@ def test_the_first_moments_of_a_smooth_motion_are_no_jump(built_in: Callable[[st
     """A spin-up that begins as t^3: in a nanosecond its rate is rounding, which changes by jumps."""
     run = simulate(built_in("spin_up_beam"), scheme="rk4", dt=1e-9, t_end=1e-9, engine="interpreted")
     assert run.status.ok
+
+
+def test_a_small_jump_of_a_slow_motion_is_a_jump(model_of: Build) -> None:
+    """Of some 1e-5 rad/s, where no velocity is larger, and no condition says when."""
+    builder = Scene("slow").rigid("a", mass=1.0, inertia=0.1).rigid("b", mass=1.0, inertia=0.1)
+    builder.revolute("h", "ground.origin", "a.origin").revolute("k", "a.origin", "b.origin")
+    builder.prescribed_angle("drive", "ground.origin", "a.origin", motion="1e-5 * sqrt((t - 0.503)**2)")
+    model = model_of(builder.simulation(t_end=1.0, dt=0.05, scheme="printed").build())
+    with pytest.raises(ModelError, match="velocity jumps"):
+        simulate(model, scheme="rk4", engine="interpreted")

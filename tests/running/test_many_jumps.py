@@ -20,6 +20,8 @@ from runtime.schemes.switching.times import switching_times
 from symgen.generate import model_of as on_demand
 from symgen.scene import Scene, SceneRecord
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord], Model]
 UP, DOWN, ABOVE = 3.0, -1.0, 0.4  # N; the force is UP while sin(40 t + 30 t^2) > ABOVE
 ON_THE_GRID = 40  # 1/s: a second wave whose jumps are at ends of steps of 0.0125 s
@@ -73,7 +75,7 @@ def test_a_square_wave_is_exact_without_python(model_of: Build, calls: list[int]
     """Constant forces between jumps: position and velocity to rounding, and a native call for some of them."""
     model = model_of(pushed_mass())
     jumps, x, v = pushed_by_hand(3.9)
-    run = simulate(model, scheme=scheme, dt=dt, save_every=1000, force=True)
+    run = simulate(model, scheme=scheme, dt=dt, seen_every=1000 * dt, force=True)
     assert jumps > 190 and len(calls) < jumps / 2 and run.t[-1] == pytest.approx(3.9)
     assert run["mass.x"][-1] == pytest.approx(x, rel=1e-10)
     assert run.rate("mass.x")[-1] == pytest.approx(v, rel=1e-10)
@@ -92,7 +94,7 @@ def test_other_steps_cross_by_the_same_program(model_of: Build, monkeypatch: pyt
     model.steppers.clear()
     x, v = pushed_by_hand(3.9)[1:]
     for dt in (0.0025, 0.002):
-        run = simulate(model, scheme=scheme, dt=dt, save_every=1000, force=True)
+        run = simulate(model, scheme=scheme, dt=dt, seen_every=1000 * dt, force=True)
         assert len(made) == 1
         found = run["mass.x"][-1], run.rate("mass.x")[-1]
         assert found == pytest.approx((x, v), rel=1e-9)
@@ -156,9 +158,9 @@ def test_an_impulse_among_many_jumps(model_of: Build, calls: list[int]) -> None:
     builder.prescribed_angle("drive", "ground.origin", "crank.origin", motion=motion)
     builder.torque("push", "bob.origin", "where(sin(300 * t) > 0, 1, -1)")
     model = model_of(builder.simulation(t_end=1.0, dt=0.004, scheme="rk4").build())
-    assert len([event for event in simulate(model, error="off", save_every=250).events]) == 1
+    assert len([event for event in simulate(model, error="off", seen_every=1.0).events]) == 1
     assert len(calls) < 20  # some for all of the steps
-    found = simulate(model, error="off", save_every=1)
+    found = simulate(model, error="off", seen_every=0.0)
     (event,) = found.events
     k = int(np.searchsorted(found.t, 0.7 - 1e-9))
     angle = found["bob.theta"][k] - found["crank.theta"][k]
@@ -202,14 +204,14 @@ def test_the_bits_do_not_depend_on_calls_or_engines(model_of: Build) -> None:
 def test_the_bits_do_not_depend_on_how_many_jumps_there_are(model_of: Build) -> None:
     """A run, the same as the beginning of a longer one, by a stepper, and differentiated."""
     model, scheme = model_of(two_waves(flexible=False)), "exponential_adams"
-    short, long = (simulate(model, scheme=scheme, t_end=t_end, save_every=1, force=True) for t_end in (0.25, 1.0))
+    short, long = (simulate(model, scheme=scheme, t_end=t_end, seen_every=0.0, force=True) for t_end in (0.25, 1.0))
     assert np.array_equal(short.q, long.q[:21]) and np.array_equal(short.q_dot, long.q_dot[:21])
     one = model.stepper(scheme=scheme)
     one.step(20)
     assert np.array_equal(one.sample.q[0], short.q[-1]) and np.array_equal(one.sample.q_dot[0], short.q_dot[-1])
     for run in (short, long):
         t_end = float(run.t[-1])
-        found = DifferentiableRun(model, ["hub.theta"], ["hub.inertia"], scheme=scheme, t_end=t_end, save_every=1)
+        found = DifferentiableRun(model, ["hub.theta"], ["hub.inertia"], scheme=scheme, t_end=t_end, seen_every=0.0)
         assert np.array_equal(found.values()[:, 0], run["hub.theta"])
 
 

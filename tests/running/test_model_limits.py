@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from runtime import Model, simulate
+from runtime.contract.coordinates import mechanism_length
 from symgen.scene import Scene, SceneRecord
 
 Build = Callable[[SceneRecord], Model]
@@ -43,7 +46,7 @@ def strut(share: float) -> SceneRecord:
 )
 def test_a_buckled_strut_is_named(model_of: Build, share: float, name: str) -> None:
     """Beyond the buckling load modal coordinates grow to many lengths, which linear modes cannot mean."""
-    run = simulate(model_of(strut(share)), save_every=100)
+    run = simulate(model_of(strut(share)), seen_every=2e-3)
     assert run.status.name == name
     assert np.abs(run["rod.q1"]).max() < 0.5 * LENGTH
 
@@ -57,7 +60,7 @@ def test_points_of_a_spring_without_free_length_may_meet(model_of: Build, scheme
     builder = Scene("meeting").rigid("a", mass=1.0, inertia=0.1, free=True)
     builder.spring_damper("s", "ground.origin", "a.origin", stiffness=100.0, damping=2.0)
     scene = builder.rates({"a.x": 1.0}).simulation(t_end=1.0, dt=1e-3, scheme="single_rate").build()
-    run = simulate(model_of(scene), scheme=scheme, save_every=10)
+    run = simulate(model_of(scene), scheme=scheme, seen_every=0.01)
     w = math.sqrt(99.0)
     assert run.status.ok
     assert run["a.x"] == pytest.approx(np.exp(-run.t) * np.sin(w * run.t) / w, abs=2e-4)
@@ -69,3 +72,11 @@ def test_points_that_meet_at_rest_stay(model_of: Build) -> None:
     builder.spring_damper("s", "ground.origin", "a.origin", stiffness=100.0, damping=2.0)
     run = simulate(model_of(builder.simulation(t_end=0.1, dt=1e-3, scheme="single_rate").build()))
     assert run.status.ok and not run.q.any()
+
+
+def test_a_mechanism_of_micrometres_has_a_length() -> None:
+    """Arms of 1e-7 m are its length; 1e-10 m is what rounding leaves of arms that are zero."""
+    coordinate, row = SimpleNamespace(turns=True), SimpleNamespace(unit="m")
+    model: Any = SimpleNamespace(description=SimpleNamespace(coordinates=[coordinate], constraints=[row]))
+    assert mechanism_length(model, np.array([[-1e-7]])) == 1e-7
+    assert mechanism_length(model, np.array([[1e-10]])) == 1.0

@@ -27,7 +27,7 @@ def test_scipy_goes_the_way_of_a_run(built_in: Load, name: str) -> None:
         return np.asarray(ode.f(x, ode.u0, ode.p0, t)).ravel()
 
     found = solve_ivp(slope, (0.0, end), ode.x0, method="DOP853", rtol=1e-11, atol=1e-12)
-    run = simulate(model, t_end=end, dt=1e-4, scheme="rk4", save_every=2000)
+    run = simulate(model, t_end=end, dt=1e-4, scheme="rk4", seen_every=0.2)
     for k, entry in enumerate(ode.x):
         assert found.y[k, -1] == pytest.approx(run[entry][-1], rel=1e-7, abs=1e-7), entry
 

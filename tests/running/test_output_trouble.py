@@ -50,7 +50,7 @@ def test_a_checkpoint_that_fails_on_the_way_costs_nothing(built_in: Load, tmp_pa
         raise OutputError(f"{path} cannot be written (No space left on device)")
 
     monkeypatch.setattr(Checkpoint, "write", full)
-    arguments = {"t_end": 0.2, "dt": 1e-3, "save_every": 10}
+    arguments = {"t_end": 0.2, "dt": 1e-3, "seen_every": 0.01}
     found = simulate(built_in("pendulum"), **arguments, checkpoint=tmp_path / "run.npz", checkpoint_every=50)
     monkeypatch.undo()
     undisturbed = simulate(built_in("pendulum"), **arguments)
@@ -95,7 +95,7 @@ def test_a_stream_that_takes_no_more_ends_the_run_by_name(built_in: Load, tmp_pa
         append(self, block)
 
     monkeypatch.setattr(StreamFile, "append", until_full)
-    run = simulate(built_in("pendulum"), t_end=5.0, dt=1e-3, save_every=1, stream=tmp_path / "rows")
+    run = simulate(built_in("pendulum"), t_end=5.0, dt=1e-3, seen_every=0.0, stream=tmp_path / "rows")
     assert run.status.name == "output_failed"
     assert 0 < run.status.time < 5.0
     assert "No space left" in run.status.cause
@@ -143,3 +143,8 @@ def test_iterations_without_end_are_refused(built_in: Load, scheme: str, option:
     """Written out, or repeated: a number that would take hours is refused by name."""
     with pytest.raises(SchemeError, match=f"{option} must be a whole number from 1 to "):
         simulate(built_in("pendulum"), scheme=scheme, options={option: 1_000_000})
+
+
+def test_files_are_read_by_all_and_written_by_their_owner(tmp_path: Path) -> None:
+    write_text(tmp_path / "a.txt", "a")
+    assert (tmp_path / "a.txt").stat().st_mode & 0o777 == 0o644

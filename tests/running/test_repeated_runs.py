@@ -18,6 +18,8 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import kept_stepper
 from symgen.scenes import generated_folder
 
+pytestmark = pytest.mark.long
+
 NAME = "flexible_slider_crank"
 SHORT: dict[str, Any] = {"t_end": 0.02, "dt": 1e-4}
 

@@ -101,7 +101,7 @@ def test_bending_moment_of_a_fast_rod_and_the_modes_that_each_way_needs(model_of
 
     def rod(modes: int) -> Solution:
         model = model_of(fast_slider_crank(1, modes))
-        return simulate(model, scheme="rk4", dt=1e-5, t_end=6e-3, save_every=20, start="quasi_static")
+        return simulate(model, scheme="rk4", dt=1e-5, t_end=6e-3, seen_every=0.0002, start="quasi_static")
 
     reference, coarse = rod(5).section_forces("rod0", way="modes"), rod(1)
     size = abs(reference.largest("moment").value)
@@ -149,7 +149,7 @@ def test_what_shapes_leave_out_is_told_by_the_run_and_before_it(
         for body in good.to_dict()["bodies"]
     ]
     bad = SceneRecord.from_dict({**good.to_dict(), "bodies": bodies})
-    run = simulate(model_of(bad), scheme="rk4", dt=2e-5, t_end=5e-3, save_every=25)
+    run = simulate(model_of(bad), scheme="rk4", dt=2e-5, t_end=5e-3, seen_every=0.0005)
     assert 0.1 < run.stats["missing_shapes.rod0"] < 0.3
     assert [event.kind for event in run.events] == ["shapes_missing"] * 2 and run.stats["events"] == 2
     path = tmp_path / "bad.toml"

@@ -9,11 +9,14 @@ import numpy as np
 import pytest
 
 from runtime import Solution, simulate
+from runtime.contract.coordinates import independent
 from runtime.contract.model import Model
 from runtime.results.body_motion import frame_motion
 from symgen.scene import Scene, SceneRecord
 from tests.hand_derived.spatial.twin_spatial import euler_A
 from tests.support.spatial_motion import frames
+
+pytestmark = pytest.mark.long
 
 Build = Callable[[SceneRecord], Model]
 L, AT = 2.0, (0.0, 0.3, 0.8)
@@ -92,7 +95,7 @@ def test_a_moving_beam_balances_its_joints(model_of: Build) -> None:
     builder.revolute("axle", "ground.axle", "b.start", damping=0.3).weld("end", "b.end", "tip.origin")
     builder.spring_damper("spring", "ground.far", "b.middle", stiffness=50.0, damping=1.0)
     scene = builder.build()
-    run = simulate(model_of(scene), scheme="rk4", dt=2e-4, t_end=0.1, save_every=100, start="quasi_static")
+    run = simulate(model_of(scene), scheme="rk4", dt=2e-4, t_end=0.1, seen_every=0.02, start="quasi_static")
     found = run.section_forces("b", (0.0, 1.0))
     assert np.abs(run["b.q1"]).max() > 1e-3 and np.abs(run["b.q3"]).max() > 1e-3
     for sample in range(1, len(run.t)):
@@ -121,3 +124,29 @@ def test_motion_of_a_frame() -> None:
     np.testing.assert_allclose(alpha, here.alpha[0], atol=1e-8)
     moment = rng.normal(size=(1, 3))
     np.testing.assert_allclose(here.moment((here.W[0].T @ moment[0])[None]), moment, rtol=1e-12)
+
+
+def test_sections_of_a_beam_in_space_turn_with_it(model_of: Build) -> None:
+    """Inertia about the ends of a thick beam: rho A L^3 / 3 + rho I L, about z with I_z and about y with I_y."""
+    rho, A, L, section = 1000.0, 0.04, 0.5, (3e-4, 7e-4)
+    for axis, own in (((0.0, 0.0, 1.0), section[0]), ((0.0, 1.0, 0.0), section[1])):
+        place = {"axis": axis}
+        builder = Scene("thick", space="spatial").ground(markers={"pin": place})
+        builder.beam(
+            "beam",
+            length=L,
+            density=rho,
+            area=A,
+            second_moment=section[0],
+            second_moment_z=section[1],
+            youngs_modulus=1e9,
+            lateral={"ends": "clamped-free", "modes": 1},
+            markers={"pin": {"at": 0.0, **place}},
+        )
+        model = model_of(builder.revolute("pin", "ground.pin", "beam.pin").build())
+        k, c = model.q_i.index("pin.angle"), model.constants(model.parameter_vector())
+        q, still = model.initial_q, np.zeros(len(model.coordinates))
+        d, (q_i, q_i_dot) = model.dependent_columns, independent(model, q, still)
+        at = {"q_i": q_i, "q_d": q[d], "q_i_dot": q_i_dot, "q_d_dot": still[d]}
+        found = float(np.asarray(model.evaluate("condensed", **at, t=0.0, c=c)["M_hat"])[k, k])
+        assert found == pytest.approx(rho * A * L**3 / 3 + rho * own * L, rel=3e-3), axis

@@ -23,6 +23,8 @@ from symgen.variants import generate_variant
 from tests.support.own_parameters import with_parameters
 from tests.support.slider_cranks import driven_slider_crank, equal_slider_crank, loop
 
+pytestmark = pytest.mark.long
+
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
 FIRST, REVOLUTION, SINGULAR = 0.714355529293, 1.94251492261, 10
@@ -75,7 +77,7 @@ def bars_stay_parallel(solution: Solution) -> bool:
 def test_four_bars_pass_ten_singular_positions(
     built_in: Load, scheme: str, dt: float, tip: float, energy: float
 ) -> None:
-    run = simulate(built_in("n_four_bar"), scheme=scheme, dt=dt, t_end=10.0, save_every=round(0.01 / dt))
+    run = simulate(built_in("n_four_bar"), scheme=scheme, dt=dt, t_end=10.0, seen_every=0.01)
     assert run.status.ok
     assert [event.kind for event in run.events] == ["singular_position"] * SINGULAR
     assert len(run.t) == 1001 and np.abs(np.diff(run.t) - 0.01).max() < 1e-9
@@ -86,7 +88,7 @@ def test_four_bars_pass_ten_singular_positions(
 
 
 def test_singular_times_are_those_of_the_exact_motion(built_in: Load) -> None:
-    run = simulate(built_in("n_four_bar"), scheme="dop853", dt=1e-3, t_end=5.0, save_every=100)
+    run = simulate(built_in("n_four_bar"), scheme="dop853", dt=1e-3, t_end=5.0, seen_every=0.1)
     times = [event.time for event in run.events]
     assert times[0] == pytest.approx(FIRST, abs=1e-8)
     assert times[2] - times[0] == pytest.approx(REVOLUTION, abs=1e-8)
@@ -102,7 +104,7 @@ def test_a_run_may_start_beside_a_singular_position(built_in: Load, start: float
     ).y[:, -1]
     initial = {f"upright{k}.theta": math.pi / 2 - exact[0] for k in range(3)}
     initial |= {"upright0.theta_dot": -exact[1]}
-    run = simulate(model, scheme="rk4", dt=1e-3, t_end=2.0, initial=initial, save_every=10)
+    run = simulate(model, scheme="rk4", dt=1e-3, t_end=2.0, initial=initial, seen_every=0.01)
     assert run.status.ok and len(run.events) == passed
     assert bars_stay_parallel(run) and energy_error(run) < 1e-6
 
@@ -112,7 +114,7 @@ def test_a_run_may_start_beside_a_singular_position(built_in: Load, start: float
     [("single_rate", 1e-3, 5e-3), ("rk4", 1e-3, 1e-6), ("dop853", 1e-2, 1e-5), ("single_rate", 1e-2, 0.5)],
 )
 def test_equal_slider_crank_keeps_its_branch(model_of: Build, scheme: str, dt: float, energy: float) -> None:
-    run = simulate(model_of(equal_slider_crank().build()), scheme=scheme, dt=dt, save_every=round(0.01 / dt))
+    run = simulate(model_of(equal_slider_crank().build()), scheme=scheme, dt=dt, seen_every=0.01)
     assert run.status.ok and len(run.events) == 8
     assert np.abs(run["rod.theta"] + run["crank.theta"]).max() < 1e-9
     assert run["slider.x"].min() < -0.99
@@ -122,7 +124,7 @@ def test_equal_slider_crank_keeps_its_branch(model_of: Build, scheme: str, dt: f
 
 def test_damped_and_driven_mechanisms_pass_too(model_of: Build) -> None:
     """Energy is compared by the work of dampers and loads."""
-    run = simulate(model_of(driven_slider_crank().build()), scheme="rk4", t_end=1.5, save_every=1)
+    run = simulate(model_of(driven_slider_crank().build()), scheme="rk4", t_end=1.5, seen_every=0.0)
     assert run.status.ok and len(run.events) >= 2
     assert np.abs(run.work()).max() > 1.0 and energy_error(run) < 1e-6
     assert np.abs(run["rod.theta"] + run["crank.theta"]).max() < 1e-9
@@ -131,7 +133,7 @@ def test_damped_and_driven_mechanisms_pass_too(model_of: Build) -> None:
 def test_a_step_that_misses_the_energy_is_not_taken(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
     """Whatever the crossing does wrong, the run ends with the named status before the position."""
     monkeypatch.setattr(crossing, "ENERGY", -1.0)
-    run = simulate(built_in("n_four_bar"), scheme="rk4", dt=1e-3, t_end=2.0, save_every=10)
+    run = simulate(built_in("n_four_bar"), scheme="rk4", dt=1e-3, t_end=2.0, seen_every=0.01)
     assert run.status.name == "branch_lost" and "cannot be told" in run.status.cause
     assert 0.6 < run.status.time < FIRST and run.t[-1] == run.status.time and not run.events
     assert energy_error(run) < 1e-6
@@ -150,7 +152,7 @@ def test_a_step_to_another_branch_is_not_taken(built_in: Load, monkeypatch: pyte
         return other, error
 
     monkeypatch.setattr(crossing, "_step", turned)
-    run = simulate(built_in("n_four_bar"), scheme="rk4", dt=1e-3, t_end=2.0, save_every=10)
+    run = simulate(built_in("n_four_bar"), scheme="rk4", dt=1e-3, t_end=2.0, seen_every=0.01)
     assert run.status.name == "branch_lost"
     assert run.status.time < FIRST and bars_stay_parallel(run)
 
@@ -178,7 +180,7 @@ def assert_same(one: Solution, other: Solution) -> None:
 )
 def test_passing_does_not_depend_on_native_calls(built_in: Load, tmp_path: Path, scheme: str, engine: str) -> None:
     """Calls of one step (a checkpoint after each), or as many as are quick: the same run, bit for bit."""
-    settings: dict[str, Any] = {"scheme": scheme, "dt": 2e-3, "t_end": 0.9, "save_every": 5, "engine": engine}
+    settings: dict[str, Any] = {"scheme": scheme, "dt": 2e-3, "t_end": 0.9, "seen_every": 0.01, "engine": engine}
     model = built_in("n_four_bar")
     whole = simulate(model, **settings)
     assert len(whole.events) == 1
@@ -194,7 +196,7 @@ def test_passing_does_not_depend_on_native_calls(built_in: Load, tmp_path: Path,
 
 def test_resuming_after_an_exchange_of_coordinates(model_of: Build, tmp_path: Path) -> None:
     model = model_of(loop(0.2, 0.5, "slider.x").build())
-    settings: dict[str, Any] = {"scheme": "single_rate", "dt": 1e-3, "t_end": 1.0, "save_every": 5}
+    settings: dict[str, Any] = {"scheme": "single_rate", "dt": 1e-3, "t_end": 1.0, "seen_every": 0.005}
     whole = simulate(model, **settings)
     assert [event.kind for event in whole.events] == ["repartition"]
 
@@ -209,7 +211,7 @@ def test_resuming_after_an_exchange_of_coordinates(model_of: Build, tmp_path: Pa
 def test_tumbling_body_changes_its_euler_parameters_and_resumes(model_of: Build, tmp_path: Path) -> None:
     """There and back many times; samples of the same q_i lie apart, in memory and in a stream."""
     model = model_of(with_parameters(tumbling_body(), "body"))
-    settings: dict[str, Any] = {"scheme": "rk4", "dt": 0.01, "t_end": 16.0, "save_every": 10}
+    settings: dict[str, Any] = {"scheme": "rk4", "dt": 0.01, "t_end": 16.0, "seen_every": 0.1}
     whole = simulate(model, **settings)
     assert whole.status.ok and len(whole.events) >= 4
     assert len({event.text.split(" took")[0] for event in whole.events}) < len(whole.events)
@@ -256,7 +258,7 @@ def random_four_bar(seed: int) -> SceneRecord:
 @pytest.mark.parametrize("seed", range(8))
 def test_random_four_bars_go_on_wherever_they_lead(seed: int) -> None:
     """q_i is exchanged as often as it takes; energy and constraints hold throughout."""
-    run = simulate(model_of_scene(random_four_bar(seed)), save_every=20)
+    run = simulate(model_of_scene(random_four_bar(seed)), seen_every=0.01)
     assert run.status.ok, run.status
     assert energy_error(run) < 1e-4 * float(run.energy["kinetic"].max())
     assert run.constraint_error.max() < 1e-10 and run.constraint_rate_error.max() < 1e-10

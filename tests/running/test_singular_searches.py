@@ -14,6 +14,8 @@ from runtime import Model, simulate
 from runtime.running.singular import crossing
 from symgen.scene import Scene, SceneRecord
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord], Model]
 
 
@@ -96,7 +98,7 @@ def test_cost_of_a_passage_does_not_grow_with_the_number_of_steps(model_of: Buil
     model = model_of(equal_slider_crank())
     for dt in (1e-3, 1e-4):
         counts.append(0)
-        run = simulate(model, scheme="single_rate", dt=dt, t_end=0.6, save_every=round(1e-2 / dt))
+        run = simulate(model, scheme="single_rate", dt=dt, t_end=0.6, seen_every=1e-2)
         assert run.status.ok and len(run.events) == 1
     assert counts[1] <= 1.5 * counts[0]
 

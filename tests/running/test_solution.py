@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import casadi as ca
@@ -26,6 +27,7 @@ from runtime.contract.records import (
     PointRecord,
 )
 from runtime.contract.status import Status
+from runtime.operating.linearise import linearise
 from runtime.results.export import as_json, table
 from runtime.results.solution import Solution
 from runtime.views.report import as_markdown, run_report, write_report
@@ -96,7 +98,7 @@ def rod_description() -> Description:
         ],
         bounded=[],
         functions=[FunctionSpec("condensed", "38", "", "condensed", [], [], 55)],
-        simulation={"t_end": 2.0, "dt": 0.01, "m": [10], "scheme": "printed", "save_every": 1},
+        simulation={"t_end": 2.0, "dt": 0.01, "m": [10], "scheme": "printed", "seen_every": 0.0},
     )
 
 
@@ -331,14 +333,24 @@ def test_report(tmp_path) -> None:
     ("how", "told"),
     [
         ({"scheme": "rk4", "dt": 1e-3}, "dt 0.001 s"),
-        ({"scheme": "rk4", "dt": 1e-3, "save_every": 10}, "dt 0.001 s, seen every 0.01 s"),
+        ({"scheme": "rk4", "dt": 1e-3, "seen_every": 0.01}, "dt 0.001 s, seen every 0.01 s"),
         (
-            {"scheme": "dopri5", "tolerance": 1e-4, "options": {"error_of": "step"}, "dt": 0.05, "save_every": 1},
+            {"scheme": "dopri5", "tolerance": 1e-4, "options": {"error_of": "step"}, "seen_every": 0.05},
             "steps of {mean:.3g} s in the mean, seen every 0.05 s",
         ),
     ],
 )
 def test_headers_tell_steps_and_what_is_seen_of_them(how: dict[str, Any], told: str) -> None:
-    run = simulate(load_model(generated_folder("pendulum")), t_end=0.5, **{"save_every": 1, **how})
+    run = simulate(load_model(generated_folder("pendulum")), t_end=0.5, **{"seen_every": 0.0, **how})
     assert run.pace == told.format(mean=0.5 / int(run.stats["steps"]))
     assert run.pace in run._repr_html_()
+
+
+Load = Callable[[str], Model]
+
+
+def test_rates_have_units_of_rates(built_in: Load) -> None:
+    model = built_in("pendulum")
+    name = model.q_i[0]
+    units = linearise(model, outputs=[name, f"{name}_dot"]).units
+    assert units[name] == "rad" and units[f"{name}_dot"] == "rad/s"

@@ -67,7 +67,7 @@ REST = -np.linalg.solve(CLOSED, [KP * WANTED / J, WANTED])
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_every_scheme_closes_the_loop(model_of: Build, scheme: str) -> None:
     """(w, total) = x_0 + exp(A t) (0 - x_0) of the loop by hand."""
-    run = simulate(model_of(rotor()), scheme=scheme, save_every=10)
+    run = simulate(model_of(rotor()), scheme=scheme, seen_every=0.01)
     exact = np.array([REST - expm(CLOSED * t) @ REST for t in run.t])
     tolerance = 2e-3 if SCHEMES[scheme].make.order == 2 else 1e-9  # of 33 rad/s, 500 steps
     np.testing.assert_allclose(run["rotor.theta_dot"], exact[:, 0], atol=tolerance)
@@ -90,7 +90,7 @@ def test_a_filter_and_an_actuator_in_a_row(model_of: Build) -> None:
         .simulation(t_end=1.0, dt=1e-3, scheme="rk4")
         .build()
     )
-    run = simulate(model_of(scene), inputs={"wish": 2.0}, initial={"signal": 0.5}, save_every=100)
+    run = simulate(model_of(scene), inputs={"wish": 2.0}, initial={"signal": 0.5}, seen_every=0.1)
     A = np.array([[-a, 0, 0, 0], [b, -b, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]])
     both = np.block([[A, np.array([[2 * a], [0], [0], [0]])], [np.zeros((1, 5))]])
     exact = np.array([(expm(both * t) @ [0.5, 0.25, 0, 0, 1])[:4] for t in run.t])
@@ -238,7 +238,7 @@ def test_in_space_both_derivations_agree(model_of: Build) -> None:
         .state("total", "wanted - angle", unit="rad s")
         .state("effort", "5 * (total - effort) + wanted_dot")
         .torque("motor", "boom.origin", "3 * (wanted - angle) + 2 * effort - 0.5 * angle_dot")
-        .simulation(t_end=0.3, dt=1e-3, scheme="rk4", save_every=100)
+        .simulation(t_end=0.3, dt=1e-3, scheme="rk4", seen_every=0.1)
         .build()
     )
     model = model_of(scene).with_inputs({"wanted": 0.7})

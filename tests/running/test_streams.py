@@ -14,7 +14,7 @@ from runtime.contract.model import Model
 from runtime.results.stream import read_blocks
 
 Load = Callable[[str], Model]
-SETTINGS = {"scheme": "single_rate", "dt": 2e-5, "t_end": 0.02, "save_every": 3, "engine": "interpreted"}
+SETTINGS = {"scheme": "single_rate", "dt": 2e-5, "t_end": 0.02, "seen_every": 6e-05, "engine": "interpreted"}
 OUTPUTS = ["crank.theta", "crank.theta_dot", "slider.x_ddot", "kinetic", "energy.potential", "lam.C.x"]
 
 
@@ -86,7 +86,7 @@ def test_what_a_crash_leaves_is_readable(built_in: Load, tmp_path: Path) -> None
 
 def test_failed_run_ends_its_stream_with_the_last_good_state(built_in: Load, tmp_path: Path) -> None:
     model = built_in("two_oscillators")
-    settings = {"parameters": {"zeta": 0.0}, "scheme": "printed", "m": [4], "t_end": 200.0, "save_every": 7}
+    settings = {"parameters": {"zeta": 0.0}, "scheme": "printed", "m": [4], "t_end": 200.0, "seen_every": 0.07}
     whole = simulate(model, **settings)  # type: ignore[arg-type]
     simulate(model, **settings, stream=tmp_path / "run")  # type: ignore[arg-type]
     back = Solution.load(tmp_path / "run", model)
@@ -108,7 +108,7 @@ def test_memory_stays_bounded(built_in: Load, tmp_path: Path, kept: str) -> None
             scheme="single_rate",
             dt=2e-5,
             t_end=steps * 2e-5,
-            save_every=1,  # type: ignore[arg-type]
+            seen_every=0.0,  # type: ignore[arg-type]
             engine="interpreted",
             **more,
         )

@@ -18,6 +18,8 @@ from symgen.scene import SceneRecord
 from symgen.scenes.hard_suite import HARD_SUITE, HardCase
 from tests.support.prepared_runs import PreparedRuns
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord], Model]
 PART = 0.02  # of t_end that is run
 EXPLICIT = 0.05  # step times the fastest rate
@@ -32,7 +34,7 @@ def run(model: Model, case: HardCase, steps: int = 1, scheme: str = "single_rate
         t_end=case.t_end * PART,
         dt=case.t_end * PART / steps,
         scheme=scheme,
-        save_every=steps,
+        samples=1,
         parameters=case.parameters,
         initial=case.initial,
         start=case.start,

@@ -9,7 +9,10 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
+from runtime.schemes.baselines.radau import lagrange
 from symgen.scene import Scene, SceneRecord
+
+pytestmark = pytest.mark.long
 
 Build = Callable[[SceneRecord], Model]
 
@@ -35,7 +38,7 @@ def test_radau_on_a_stiff_spring(model_of: Build, rest: float, start: float) -> 
 def test_radau_where_friction_reverses(model_of: Build, width: float, dt: float) -> None:
     """2 N of friction that turns within `width` m/s: it converges to what short steps find, or what is advised does."""
     model = model_of(slider(f"-100*x - 2*tanh(x_dot/{width!r})", 0.1))
-    expected = simulate(model, scheme="radau", dt=dt / 50, t_end=0.5, save_every=50)
+    expected = simulate(model, scheme="radau", dt=dt / 50, t_end=0.5, seen_every=dt)
     assert expected.status.ok
     run = simulate(model, scheme="radau", dt=dt, t_end=0.5)
     if not run.status.ok:
@@ -43,6 +46,12 @@ def test_radau_where_friction_reverses(model_of: Build, width: float, dt: float)
         assert dt * 2 / width > 10
         other = simulate(model, scheme="exponential", options={"propagation": "decaying"}, dt=dt, t_end=0.5)
         assert other.status.ok and other.error is not None and other.error.largest < 0.01
-        run = simulate(model, scheme="radau", dt=dt / 10, t_end=0.5, save_every=10)
+        run = simulate(model, scheme="radau", dt=dt / 10, t_end=0.5, seen_every=dt)
     assert run.status.ok
     assert np.abs(run.q_i - expected.q_i).max() < 1e-4
+
+
+def test_stages_are_continued_by_their_polynomial() -> None:
+    """Four nodes take cubics over exactly, at nodes and beyond."""
+    nodes, at = np.array([0.0, 0.2, 0.7, 1.0]), np.array([0.2, 1.3, 1.9])
+    assert lagrange(nodes, at) @ (1 - nodes**2 + 2 * nodes**3) == pytest.approx(1 - at**2 + 2 * at**3)

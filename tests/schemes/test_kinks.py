@@ -51,7 +51,7 @@ def stop_of_a_rod() -> SceneRecord:
     rod = Scene("stop_of_a_rod").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=1 / 12, center_of_mass=(0.5, 0))
     rod.revolute("pin", "ground.origin", "rod.origin").measure("a", "coordinate", "rod.theta")
     rod.torque("stop", "rod.origin", "where(a<-1.2, 2000*(-1.2-a), 0)")
-    return rod.simulation(t_end=0.6, dt=0.02, scheme="rk4", save_every=1).build()
+    return rod.simulation(t_end=0.6, dt=0.02, scheme="rk4", seen_every=0.0).build()
 
 
 def stop_of_a_tip() -> SceneRecord:
@@ -60,7 +60,7 @@ def stop_of_a_tip() -> SceneRecord:
     rod.rigid("rod", mass=1.0, inertia=1 / 12, center_of_mass=(0.5, 0), markers={"tip": {"position": (1.0, 0)}})
     rod.revolute("pin", "ground.origin", "rod.origin").measure("tipx", "x", "rod.tip")
     rod.force("spring", "rod.tip", "-1e5*max(0,tipx-0.2)", 0.0).initial({"rod.theta": -3.0})
-    return rod.simulation(t_end=0.7, dt=0.001, scheme="rk4", save_every=1).build()
+    return rod.simulation(t_end=0.7, dt=0.001, scheme="rk4", seen_every=0.0).build()
 
 
 def backlash() -> SceneRecord:
@@ -73,7 +73,7 @@ def backlash() -> SceneRecord:
     law = f"{beyond.format(p='(y-x)', v='(y_dot-x_dot)')} - {beyond.format(p='(x-y)', v='(x_dot-y_dot)')}"
     wheels.torque("lash", "b.origin", f"-({law})", reaction="a.origin")
     wheels.torque("drive", "a.origin", "10*sin(2.5*t) - 20*x").rates({"b.theta": 3.0})
-    return wheels.simulation(t_end=4.0, dt=0.008, scheme="rk4", save_every=1).build()
+    return wheels.simulation(t_end=4.0, dt=0.008, scheme="rk4", seen_every=0.0).build()
 
 
 @pytest.mark.parametrize(
@@ -127,7 +127,7 @@ def sticking() -> SceneRecord:
     """Dry friction by its sign, which sticks half of the time: the velocity comes to zero ever again."""
     mass = Scene("sticking").rigid("m", mass=1.0, inertia=0.1).prismatic("rail", "ground.origin", "m.origin")
     mass.measure("x", "coordinate", "m.x").force("f", "m.origin", "-3*sign(x_dot) + 2*sin(2*pi*t)", 0.0)
-    return mass.rates({"m.x": 1.0}).simulation(t_end=1.0, dt=0.001, scheme="rk4", save_every=1).build()
+    return mass.rates({"m.x": 1.0}).simulation(t_end=1.0, dt=0.001, scheme="rk4", seen_every=0.0).build()
 
 
 @pytest.mark.parametrize("scheme, tolerance", [("exponential", None), ("dopri5", 1e-6)])
@@ -143,7 +143,7 @@ def test_drag_of_what_stands_still_finds_no_kink(model_of: Build) -> None:
     """abs(v) of velocities that die down to rounding: no search at every step."""
     disc = Scene("drag").rigid("disc", mass=1.0, inertia=0.1).revolute("pin", "ground.origin", "disc.origin")
     disc.measure("a", "coordinate", "disc.theta").torque("air", "disc.origin", "-abs(a_dot)*a_dot - 5*a - 3*a_dot")
-    disc.rates({"disc.theta": 0.5}).simulation(t_end=50.0, dt=0.005, scheme="rk4", save_every=100)
+    disc.rates({"disc.theta": 0.5}).simulation(t_end=50.0, dt=0.005, scheme="rk4", seen_every=0.5)
     run = simulate(model_of(disc.build()))
     assert run.status.name == "completed" and not run.events and int(run.stats["kinks"]) < 20
 
@@ -178,7 +178,7 @@ def test_kinks_stand_beside_friction_and_events(model_of: Build) -> None:
     rail.measure("x", "coordinate", "m.x").force("f", "m.origin", "-50*(x+0.25)", 0.0).event(
         "e", "x", direction="rising"
     )
-    model = model_of(rail.rates({"m.x": -5.0}).simulation(t_end=2.0, dt=2.5e-4, scheme="rk4", save_every=8).build())
+    model = model_of(rail.rates({"m.x": -5.0}).simulation(t_end=2.0, dt=2.5e-4, scheme="rk4", seen_every=2e-3).build())
     located, crossed = simulate(model), simulate(model, options={"kinks": "crossed"})
     assert located.stats["kinks"] == 4 and located["m.x_dot"][-1] == 0.0
     assert [event.kind for event in located.events if event.name != "rail.friction"] == ["event"]

@@ -12,6 +12,8 @@ from runtime.schemes.switching.times import switching_times
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes.hard_suite import HARD_SUITE
 
+pytestmark = pytest.mark.long
+
 Build = Callable[[SceneRecord], Model]
 
 
@@ -30,7 +32,7 @@ def test_order_4_across_a_jump(model_of: Build, name: str, t_end: float, steps: 
 
     def ends(scheme: str, count: int) -> np.ndarray:
         settings = {"parameters": dict(case.parameters), "initial": dict(case.initial), "start": case.start}
-        run = simulate(model, scheme=scheme, dt=t_end / count, t_end=t_end, force=True, save_every=10**6, **settings)  # type: ignore[arg-type]
+        run = simulate(model, scheme=scheme, dt=t_end / count, t_end=t_end, force=True, samples=1, **settings)  # type: ignore[arg-type]
         return np.array([run[one][-1] for one in case.graded])
 
     exact = ends("dop853", 30 * steps)
@@ -46,6 +48,6 @@ def test_stages_behind_jumps_converge(model_of: Build, t_end: float, jumps: int)
     builder.rigid("bob", mass=1.3, inertia=0.2, center_of_mass=(0.7, 0)).revolute("pin", "ground.origin", "bob.origin")
     builder.torque("kick", "bob.origin", "where(sin(411 * t + 0.2) > 0.3, 8 * cos(9 * t), -3 * t)")
     model = model_of(builder.simulation(t_end=1.0, dt=0.005, scheme="rk4").build())
-    wanted, found = (simulate(model, scheme=scheme, t_end=t_end, save_every=10) for scheme in ("dop853", "radau"))
+    wanted, found = (simulate(model, scheme=scheme, t_end=t_end, seen_every=0.05) for scheme in ("dop853", "radau"))
     assert len(switching_times(model, model.constants(model.parameter_vector(None)), 0.0, t_end)) == jumps
     assert np.abs(found.q - wanted.q).max() < 1e-11 and np.abs(found.q_dot - wanted.q_dot).max() < 1e-11

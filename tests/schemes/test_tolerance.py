@@ -21,6 +21,8 @@ from symgen.scenes import generated_folder
 from tests.support.model_values import Array
 from tests.support.prepared_runs import PreparedRuns
 
+pytestmark = pytest.mark.long
+
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
 METHODS = ("dopri5", "exponential_rk4", "exponential")
@@ -69,7 +71,7 @@ def test_rates_are_accurate_where_positions_hardly_tell(model_of: Build) -> None
 def test_samples_are_as_far_apart_as_asked(built_in: Load, spacing: float) -> None:
     """dt with a tolerance is the time between samples; without one they are the steps, a thousand at most."""
     model = built_in("pendulum")
-    run = simulate(model, scheme="dopri5", tolerance=1e-4, dt=spacing, t_end=3.0)
+    run = simulate(model, scheme="dopri5", tolerance=1e-4, seen_every=spacing, t_end=3.0)
     assert run.t == pytest.approx(np.arange(round(3.0 / spacing) + 1) * spacing, abs=1e-12)
     free = simulate(model, scheme="single_rate", tolerance=1e-6, t_end=3.0)
     assert 300 < len(free.t) - 1 <= 1000 < free.stats["steps"]
@@ -250,8 +252,8 @@ def test_auto_takes_the_method_that_stiffness_asks_for(built_in: Load) -> None:
 def test_modes_that_ring_are_seen_by_the_estimate(built_in: Load) -> None:
     """Undamped oscillators, the fast one released: its phase is right to the tolerance over 150 periods."""
     model, p = built_in("two_oscillators"), {"c": 0.5, "k_L": 1.0, "w": 80.0, "zeta": 0.0}
-    settings = {"parameters": p, "initial": {"x_L": 1.0, "x_S": 1.0}, "t_end": 10.0, "dt": 0.05, "save_every": 1}
-    exact = simulate(model, scheme="dop853", **{**settings, "dt": 0.001, "save_every": 50})  # type: ignore[arg-type]
+    settings = {"parameters": p, "initial": {"x_L": 1.0, "x_S": 1.0}, "t_end": 10.0, "dt": 0.05, "seen_every": 0.0}
+    exact = simulate(model, scheme="dop853", **{**settings, "dt": 0.001, "seen_every": 0.05})  # type: ignore[arg-type]
     for scheme in ("exponential_rk4", "exponential"):
         run = simulate(model, scheme=scheme, tolerance=1e-3, **settings)  # type: ignore[arg-type]
         assert np.abs(run["x_S"] - exact["x_S"]).max() < 3e-3 * np.ptp(exact["x_S"])

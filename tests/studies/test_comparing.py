@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 import re
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,17 +17,24 @@ import pytest
 from runtime import Model, SchemeError, simulate
 from runtime.contract.errors import ModelError
 from runtime.results.motion_error import amplitudes
-from runtime.running.ladder import Ladder, Method
+from runtime.running.ladder import Ladder, Method, affordable
+from runtime.running.problem import Problem
+from runtime.running.singular.crossing import MOST_EVALUATIONS, BranchLost, TightIntegrator
 from runtime.studies.advice.advise import Advice, NoAdvice, advice_data, advice_lines, advise, advised_command
+from runtime.studies.stability.chart import USUAL_RATIOS, stability_chart
 from runtime.studies.work_precision import methods, trial
-from runtime.studies.work_precision.comparison import Comparison, WorkCurve, work_precision
-from runtime.studies.work_precision.comparison_files import write_comparison
+from runtime.studies.work_precision.comparison import Comparison, WorkCurve, energy_drift, order_of, work_precision
+from runtime.studies.work_precision.comparison_files import comparison_data, write_comparison
+from runtime.studies.work_precision.comparison_page import comparison_page
 from runtime.studies.work_precision.methods import candidates, left_out, methods_named, usual_adaptive, usual_methods
 from runtime.studies.work_precision.reference import NoReference, Reference, independent_reference
 from runtime.studies.work_precision.suite import SuiteResult, write_suite
 from runtime.studies.work_precision.trial import Trial, seconds_of, trial_of
 from symgen.generate import model_of as derived
+from symgen.scene import Scene, SceneRecord
 from symgen.scenes.arm import arm
+
+pytestmark = pytest.mark.long
 
 Load = Callable[[str], Model]
 T_END = 4.0
@@ -74,7 +84,7 @@ def test_errors_are_those_of_the_exact_motion(reference: Reference) -> None:
     """RMS over the motion relative to the amplitude about the mean, from an own formula."""
     ladder = Ladder(reference.problem, 1e-3)
     made = trial_of("rk4", ladder.rung(ladder.plan(Method("rk4"), 160)), reference)
-    how = {"scheme": "rk4", "dt": T_END / 160, "save_every": 1}
+    how = {"scheme": "rk4", "dt": T_END / 160, "seen_every": 0.0}
     run = simulate(reference.problem.model, t_end=T_END, parameters=PLAIN, initial=START, **how)
     truth = exact(run.t)[:, 0]
     wanted = np.sqrt(np.mean((run["x_L"] - truth) ** 2)) / exact(np.linspace(0, T_END, 2001))[:, 0].std()
@@ -110,7 +120,7 @@ def test_a_run_as_advised_delivers(advice: Advice, oscillators: Model) -> None:
         m=list(method.m) if method.m else None,
         options=method.options,
         dt=advice.dt,
-        save_every=1,
+        seen_every=0.0,
         t_end=T_END,
         parameters=PLAIN,
         initial=START,
@@ -242,3 +252,57 @@ def test_a_clock_that_misses_most_of_a_call_is_not_believed(
     monkeypatch.setattr(trial.time, "process_time", clock)
     assert seconds_of(rung) == pytest.approx(2e-3)
     assert asked > 8
+
+
+Build = Callable[[SceneRecord], Model]
+
+
+def test_what_is_not_as_the_scene_has_it_stands_on_the_page_of_a_comparison(built_in: Load) -> None:
+    problem = Problem.of(built_in("two_oscillators"), 1.0, {"M[0,0]": 2.5, "w": 30.0})
+    reference = Reference(problem, lambda t: np.ones((len(t), 2)), ["x_L", "x_S"])
+    found = Comparison(reference, 1e-3, [WorkCurve("rk4", Method("rk4"), [], 4.0, None)])
+    page = comparison_page(found, comparison_data(found))
+    assert "w = 30 rad/s" in page and "M[0,0] = 2.5 kg" in page and "M[1,1] =" not in page
+
+
+def test_the_order_of_a_method_takes_a_decade_of_errors() -> None:
+    """Errors 2 dt^2 down to a twelfth of the first: order 2. Down to a ninth: none."""
+    for steps, order in (((0.1, 0.05, 0.1 / math.sqrt(12)), 2.0), ((0.1, 0.05, 0.1 / 3), np.nan)):
+        errors = [(dt, 2 * dt * dt) for dt in steps] + [(1e-5, 1e-8)]
+        trials = [Trial("x", dt, 10, 1.0, 10, error) for dt, error in errors]
+        assert order_of(trials) == pytest.approx(order, nan_ok=True)
+
+
+def test_what_rests_has_no_drift_of_energy(model_of: Build) -> None:
+    builder = Scene("rest").rigid("m", mass=1.0, inertia=1.0, free=True).simulation(t_end=1.0, dt=0.1, scheme="printed")
+    ladder = Ladder(Problem.of(model_of(builder.build())), 1e-3)
+    assert energy_drift(ladder.rung(ladder.plan(Method("rk4"), 20))) is None
+
+
+@pytest.mark.parametrize("n, dense", [(32, True), (33, False)])
+def test_methods_with_dense_systems_are_tried_up_to_their_price(n: int, dense: bool) -> None:
+    """12 n^3 operations: 393,216 for 32 coordinates, 431,244 for 33, where 400,000 are too many."""
+    model: Any = SimpleNamespace(q_i=[f"x{k}" for k in range(n)])
+    assert affordable(model) == dense
+
+
+def test_a_question_may_take_so_many_evaluations_and_no_more(built_in: Load) -> None:
+    model = built_in("slider_crank")
+    p = model.parameter_vector()
+    integrator = TightIntegrator(model, p, model.constants(p))
+    y = integrator.pack(model.initial_q, model.initial_q_dot)
+    for _ in range(MOST_EVALUATIONS):
+        integrator.slope(0.0, y)
+    with pytest.raises(BranchLost, match="without end"):
+        integrator.slope(0.0, y)
+
+
+def test_usual_ratios_of_three_groups_sub_cycle_the_last(model_of: Build) -> None:
+    builder = Scene("three").structure(
+        coordinates=["a", "b", "c"], mass=np.eye(3), stiffness=np.diag([1.0, 9.0, 100.0])
+    )
+    builder.groups(A=["a"], B=["b"], C=["c"]).initial({"a": 1.0}).simulation(
+        t_end=0.2, dt=0.1, m=[1, 2], scheme="printed"
+    )
+    chart = stability_chart(model_of(builder.build()), "coupled", points=2, states=1, dt_range=(1e-3, 2e-3))
+    assert [curve.m for curve in chart.curves] == [[1, ratio] for ratio in USUAL_RATIOS]

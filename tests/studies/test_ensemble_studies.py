@@ -20,6 +20,8 @@ from runtime.studies.ensemble import parts, question
 from runtime.studies.ensemble.rows import Rows
 from tests.support.pendula import SHORT, pendula
 
+pytestmark = pytest.mark.long
+
 Load = Callable[[str], Model]
 
 
@@ -69,27 +71,27 @@ def test_an_interrupted_study_goes_on(built_in: Load, tmp_path: Path, runs_made:
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        pendula(model, 300, every=5, folder=folder, progress=stop_at_once, workers=1)
+        pendula(model, 300, seen_every=5e-3, folder=folder, progress=stop_at_once, workers=1)
     first = sorted(folder.glob("part-*.bin"))
     assert 0 < len(first) < 3
     before = set(runs_made)
     runs_made.clear()
-    found = pendula(model, 300, every=5, folder=folder)
+    found = pendula(model, 300, seen_every=5e-3, folder=folder)
     assert runs_made and all(span[0] >= 128 for span in runs_made) and before
-    assert found.identical(pendula(model, 300, every=5))
+    assert found.identical(pendula(model, 300, seen_every=5e-3))
     damaged = folder / "part-00001.bin"
     content = bytearray(damaged.read_bytes())
     content[100] ^= 1
     damaged.write_bytes(bytes(content))
     runs_made.clear()
-    assert found.identical(pendula(model, 300, every=5, folder=folder))
+    assert found.identical(pendula(model, 300, seen_every=5e-3, folder=folder))
     assert {span[0] // 128 for span in runs_made} == {1}
     with pytest.raises(ArgumentError, match="another study"):
-        pendula(model, 300, every=4, folder=folder)
+        pendula(model, 300, seen_every=4e-3, folder=folder)
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "letter.txt").write_text("dear reader")
     with pytest.raises(ArgumentError, match="not empty"):
-        pendula(model, 300, every=5, folder=tmp_path / "mine")
+        pendula(model, 300, seen_every=5e-3, folder=tmp_path / "mine")
 
 
 @pytest.mark.usefixtures("ctrl_c")
@@ -103,23 +105,23 @@ def test_ctrl_c_keeps_what_is_done(built_in: Load) -> None:
         told.append(done)
 
     model = built_in("pendulum")
-    found = pendula(model, 9000, every=5, workers=1, progress=press)
+    found = pendula(model, 9000, seen_every=5e-3, workers=1, progress=press)
     done = int(told[-1])
     assert 0 < done < 9000 and (found["status"][:done] == "completed").all()
     assert (found["status"][done:] == "interrupted").all() and np.isnan(found["tip_y"][done:]).all()
-    np.testing.assert_array_equal(found["tip_y"][:5], pendula(model, 9000, every=5)["tip_y"][:5])
+    np.testing.assert_array_equal(found["tip_y"][:5], pendula(model, 9000, seen_every=5e-3)["tip_y"][:5])
 
 
 @pytest.mark.usefixtures("small_parts")
 def test_executors_change_no_bit_and_may_die(built_in: Load, tmp_path: Path) -> None:
     model = built_in("pendulum")
-    expected = pendula(model, 300, every=5)
-    assert expected.identical(pendula(model, 300, every=5, executor=InThisProcess()))
+    expected = pendula(model, 300, seen_every=5e-3)
+    assert expected.identical(pendula(model, 300, seen_every=5e-3, executor=InThisProcess()))
     with pytest.raises(NoResult, match="InThisProcess.*BrokenProcessPool") as raised:
-        pendula(model, 300, every=5, executor=InThisProcess(lives=1), folder=tmp_path / "study")
+        pendula(model, 300, seen_every=5e-3, executor=InThisProcess(lives=1), folder=tmp_path / "study")
     assert str(tmp_path / "study") in str(raised.value)
     assert (tmp_path / "study" / "part-00000.bin").exists()
-    assert expected.identical(pendula(model, 300, every=5, folder=tmp_path / "study"))
+    assert expected.identical(pendula(model, 300, seen_every=5e-3, folder=tmp_path / "study"))
 
 
 # ---- what goes in and out -----------------------------------------------------------------------------------------
@@ -174,8 +176,8 @@ def test_samples_and_tables_go_straight_in(built_in: Load, monkeypatch: pytest.M
         ({"outputs": "tip_y"}, "outputs.*list"),
         ({"outputs": ["tip_y"], "reduce": {"tip_x": "max"}}, "tip_x.*none of the outputs"),
         ({"reduce": {"tip_y": "median"}}, "median.*max"),
-        ({"reduce": {"tip_y": "max"}, "every": 3}, "reduce and every"),
-        ({"every": 0}, "every"),
+        ({"reduce": {"tip_y": "max"}, "seen_every": 3e-3}, "reduce and seen_every"),
+        ({"seen_every": -1.0}, "seen_every"),
         ({"inputs": {"push": [1.0, 2.0]}}, "no input 'push'"),
         ({"workers": 0}, "workers"),
         ({"executor": "two"}, "executor"),

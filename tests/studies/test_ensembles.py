@@ -55,8 +55,8 @@ def test_every_case_is_the_run_by_itself(built_in: Load, scheme: str) -> None:
     model = built_in("slider_crank")
     given: dict[str, Any] = cases_of(model)
     settings: dict[str, Any] = {"scheme": scheme, "t_end": 40e-5, "dt": 2e-5, "outputs": OUTPUTS}
-    found = ensemble(model, **given, **settings, every=7)
-    expected = alone(model, given, CASES - 1, **settings, save_every=7)
+    found = ensemble(model, **given, **settings, seen_every=14e-5)
+    expected = alone(model, given, CASES - 1, **settings, seen_every=14e-5)
     np.testing.assert_array_equal(found["time"], expected.outputs["t"])
     for name in OUTPUTS:
         np.testing.assert_array_equal(found[name][-1], expected.outputs[name], err_msg=name)
@@ -90,7 +90,7 @@ def test_how_many_lanes_changes_no_bit(built_in: Load, width: int) -> None:
 def test_reductions_are_those_of_the_samples(built_in: Load) -> None:
     """Of a state, bit for bit; of a measure, whose every step is computed with own mathematics, to rounding."""
     model = built_in("pendulum")
-    samples = pendula(model, 40, every=1)
+    samples = pendula(model, 40, seen_every=0.0)
     every = ["max", "min", "peak", "mean", "rms", "end"]
     found = pendula(model, 40, reduce={"rod.theta": every, "tip_y": every})
     for name, tolerance in (("rod.theta", 0.0), ("tip_y", 1e-14)):
@@ -110,7 +110,7 @@ def test_reductions_are_those_of_the_samples(built_in: Load) -> None:
 
 def test_threads_change_no_bit(built_in: Load) -> None:
     model = built_in("pendulum")
-    one, three = (pendula(model, 700, every=5, workers=workers) for workers in (1, 3))
+    one, three = (pendula(model, 700, seen_every=5e-3, workers=workers) for workers in (1, 3))
     assert one.identical(three)
 
 
@@ -118,9 +118,13 @@ def test_jobs_are_as_long_as_what_python_does_for_them_asks(built_in: Load) -> N
     """Many short runs a job, never so many that a thread is left without, or that samples take much room."""
     model = built_in("pendulum")
 
-    def job(cases: int, workers: int, t_end: float, every: int | None = None) -> int:
+    def job(cases: int, workers: int, t_end: float, seen_every: float | None = None) -> int:
         names, _ = table_of(model, None, {"rod.theta_dot": np.zeros(cases)})
-        kept = {"every": every, "reduce": None} if every else {"every": None, "reduce": {"tip_y": ["end"]}}
+        kept = (
+            {"seen_every": seen_every, "reduce": None}
+            if seen_every is not None
+            else {"seen_every": None, "reduce": {"tip_y": ["end"]}}
+        )
         asked = Question.ask(model, names, cases, "rk4", 1e-3, None, None, 0.0, t_end, None, ["tip_y"], **kept)
         runs = LaneRuns(model, asked, 8)
         found = runs.job(cases, workers)
@@ -130,15 +134,17 @@ def test_jobs_are_as_long_as_what_python_does_for_them_asks(built_in: Load) -> N
     assert job(100_000, 2, 0.25) > 2000  # some ms of native code
     assert job(1000, 2, 0.25) == 256 and job(100_000, 2, 25.0) == 256
     assert job(10_000, 2, 0.25) <= 10_000 / 4 and job(10_000, 8, 0.25) < job(10_000, 2, 0.25)
-    assert job(100_000, 2, 0.25, every=1) * 251 * 8 <= 1 << 23
+    assert job(100_000, 2, 0.25, seen_every=0.0) * 251 * 8 <= 1 << 23
 
 
 def test_a_case_that_fails_disturbs_nobody(built_in: Load) -> None:
     """It has its status, the time that it reached and NaN from there on; the others have their bits."""
     model = built_in("pendulum")
     speeds = np.array([0.1, 0.2, 1e200, 0.3])
-    found = ensemble(model, initial={"rod.theta_dot": speeds}, **SHORT, outputs=["rod.theta"], every=1)
-    healthy = ensemble(model, initial={"rod.theta_dot": np.delete(speeds, 2)}, **SHORT, outputs=["rod.theta"], every=1)
+    found = ensemble(model, initial={"rod.theta_dot": speeds}, **SHORT, outputs=["rod.theta"], seen_every=0.0)
+    healthy = ensemble(
+        model, initial={"rod.theta_dot": np.delete(speeds, 2)}, **SHORT, outputs=["rod.theta"], seen_every=0.0
+    )
     np.testing.assert_array_equal(found["status"] == "completed", [True, True, False, True])
     np.testing.assert_array_equal(np.delete(np.asarray(found["rod.theta"]), 2, axis=0), healthy["rod.theta"])
     reached = float(found["time_reached"][2])
@@ -169,7 +175,7 @@ def test_what_cannot_be_assembled_has_a_status(built_in: Load) -> None:
     model = built_in("slider_crank")
     given = {"rod.tip.x": np.array([0.3, 0.05, 0.31])}
     settings: dict[str, Any] = {"initial": {"crank.theta": 1.2}, "t_end": 1e-4, "outputs": ["slider.x"]}
-    found = ensemble(model, given, **settings, every=1)
+    found = ensemble(model, given, **settings, seen_every=0.0)
     assert found["status"].values.tolist() == ["completed", "not_assembled", "completed"]
     assert np.isnan(found["slider.x"][1]).all() and np.isfinite(found["slider.x"][[0, 2]]).all()
 
@@ -178,8 +184,10 @@ def test_a_singular_position_is_passed_as_a_run_passes_it(built_in: Load) -> Non
     """The crank is longer than the rod: on the way q_i changes. That case is run by itself, its neighbour in lanes."""
     model = built_in("slider_crank")
     settings: dict[str, Any] = {"t_end": 0.017, "outputs": ["slider.x", "crank.theta"]}
-    found = ensemble(model, {"crank.tip.x": np.array([0.15, 0.32])}, **settings, every=100)
-    expected = simulate(model, parameters={"crank.tip.x": 0.32}, **settings, save_every=100)
+    found = ensemble(
+        model, {"crank.tip.x": np.array([0.15, 0.32])}, **settings, seen_every=100 * model.simulation["dt"]
+    )
+    expected = simulate(model, parameters={"crank.tip.x": 0.32}, **settings, seen_every=100 * model.simulation["dt"])
     assert [event.kind for event in expected.events] == ["repartition"]
     for name in settings["outputs"]:
         np.testing.assert_array_equal(found[name][1], expected.outputs[name])
@@ -197,8 +205,8 @@ def test_cases_without_an_event_stay_in_their_lanes(model_of: Build, monkeypatch
     model = model_of(scene.simulation(t_end=1.0, dt=1e-3, scheme="rk4").build())
     speeds, alone = [1.0, 6.0, 2.0, 7.0, 1.5], []
     monkeypatch.setattr(rows, "run_alone", lambda *given: alone.append(given[2].tolist()) or run_alone(*given))
-    found = ensemble(model, initial={"rod.theta_dot": speeds}, outputs=["rod.theta"], every=100)
-    runs = [simulate(model, initial={"rod.theta_dot": speed}, save_every=100) for speed in speeds]
+    found = ensemble(model, initial={"rod.theta_dot": speeds}, outputs=["rod.theta"], seen_every=0.1)
+    runs = [simulate(model, initial={"rod.theta_dot": speed}, seen_every=0.1) for speed in speeds]
     caught = [speed for speed, run in zip(speeds, runs, strict=True) if any(one.kind == "event" for one in run.events)]
     assert caught == [6.0, 7.0] and alone == [[speed] for speed in caught]
     for case, run in enumerate(runs):
@@ -231,8 +239,8 @@ def test_inputs_of_cases_are_those_of_runs(tmp_path: Path) -> None:
     model = load_model(generate(scene, tmp_path / "pushed"))
     forces = np.array([0.5, 1.0, 2.0])
     settings: dict[str, Any] = {"t0": 0.05, "outputs": ["cart.x", "cart.x_ddot"]}
-    found = ensemble(model, inputs={"force": forces, "wind": lambda t: np.sin(30 * t)}, every=3, **settings)
-    expected = simulate(model, inputs={"force": 2.0, "wind": lambda t: np.sin(30 * t)}, save_every=3, **settings)
+    found = ensemble(model, inputs={"force": forces, "wind": lambda t: np.sin(30 * t)}, seen_every=3e-2, **settings)
+    expected = simulate(model, inputs={"force": 2.0, "wind": lambda t: np.sin(30 * t)}, seen_every=3e-2, **settings)
     for name in settings["outputs"]:
         np.testing.assert_array_equal(found[name][2], expected.outputs[name])
     with pytest.raises(ArgumentError, match="wind.*samples"):

@@ -20,7 +20,7 @@ Load = Callable[[str], Model]
 
 def alone(model: Model, name: str, value: float, initial: dict[str, float], **settings: Any) -> Any:
     """The run of a case by itself."""
-    return simulate(model, parameters={name: value}, initial=initial, **settings, save_every=1)
+    return simulate(model, parameters={name: value}, initial=initial, **settings, seen_every=0.0)
 
 
 @pytest.mark.parametrize(
@@ -46,7 +46,7 @@ def test_lanes_settle_to_the_bits_of_a_run(
     expected = alone(model, mass.name, float(given[2]), {f"{turned}_dot": speed}, **settings)
     monkeypatch.setattr(rows, "run_alone", None)
     monkeypatch.setattr(starts, "start_state", None)
-    found = ensemble(model, {mass.name: given}, {f"{turned}_dot": speed}, **settings, every=1)
+    found = ensemble(model, {mass.name: given}, {f"{turned}_dot": speed}, **settings, seen_every=0.0)
     for output in settings["outputs"]:
         np.testing.assert_array_equal(found[output][2], expected.outputs[output])
     assert np.abs(found[f"{model.elastic[0]}_dot"][:, 0]).max() > 0
@@ -79,7 +79,7 @@ def test_a_case_without_an_equilibrium_disturbs_nobody(built_in: Load) -> None:
     stiffness = model.parameter_vector()[[entry.name for entry in model.parameters].index(name)]
     initial = {"crank.theta_dot": 0.0}
     settings: dict[str, Any] = {"t_end": 6e-5, "dt": 2e-5, "outputs": ["rod.q1"], "start": "quasi_static"}
-    found = ensemble(model, {name: [stiffness, 0.0, 2 * stiffness]}, initial, **settings, every=1)
+    found = ensemble(model, {name: [stiffness, 0.0, 2 * stiffness]}, initial, **settings, seen_every=0.0)
     assert found["status"].values.tolist() == ["completed", "not_assembled", "completed"]
     assert np.isnan(found["rod.q1"][1]).all()
     expected = alone(model, name, 2 * stiffness, initial, **settings)

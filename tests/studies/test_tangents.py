@@ -20,6 +20,8 @@ from runtime.studies.stability.tangent import TangentStep
 from symgen.scene import SceneRecord
 from tests.support.model_values import Array
 
+pytestmark = pytest.mark.long
+
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
 
@@ -149,7 +151,7 @@ def test_one_group_holds_nothing(model_of: Build, name: str) -> None:
     z = step.after(step.start(), 7)
     sizes = np.abs(np.linalg.eigvals(step.matrix(z)))
     assert np.sum(sizes > 0.5) == 2 * len(model.q_i)
-    runs = [simulate(model, scheme=scheme, t_end=1.0, dt=5e-4, save_every=2000) for scheme in (name, "rk4")]
+    runs = [simulate(model, scheme=scheme, t_end=1.0, dt=5e-4, seen_every=1.0) for scheme in (name, "rk4")]
     np.testing.assert_allclose(runs[0].q_i[-1], runs[1].q_i[-1], rtol=0, atol=2e-4)
 
 
@@ -198,14 +200,14 @@ def test_a_chart_of_one_state_across_the_end_of_a_load(built_in: Load) -> None:
 
 def test_a_sweep_arrives_where_a_group_passes_through_zero(built_in: Load) -> None:
     """x_S and its acceleration vanish together while x_L pushes: rounding of the coupling is all that is left."""
-    run = simulate(built_in("two_oscillators"), scheme="printed", m=[1], dt=0.01, t_end=200.0, save_every=2000)
+    run = simulate(built_in("two_oscillators"), scheme="printed", m=[1], dt=0.01, t_end=200.0, seen_every=20.0)
     direct = simulate(
         built_in("two_oscillators"),
         scheme="printed",
         m=[1],
         dt=0.01,
         t_end=200.0,
-        save_every=2000,
+        seen_every=20.0,
         options={"common_update": "direct"},
     )
     assert run.status.name == "completed" and run.error.measured

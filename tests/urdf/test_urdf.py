@@ -15,6 +15,8 @@ from symgen.scene import SceneError, SceneRecord
 from symgen.urdf import RobotBuilder, read
 from tests.urdf.robots import PENDULUM, joint, link, robot
 
+pytestmark = pytest.mark.long
+
 G = 9.81
 
 

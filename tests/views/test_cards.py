@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import io
 import re
+from collections.abc import Callable
 from dataclasses import replace
 from html.parser import HTMLParser
 from typing import Any
 
 import pytest
 
-from runtime import simulate
+from runtime import Model, simulate
 from runtime.contract.status import Status
 from runtime.results.meter import Meter, progress_text
 from runtime.studies.advice.advise import advise
@@ -102,3 +103,14 @@ def test_a_run_shows_progress_where_it_is_asked_for(built_in, monkeypatch) -> No
     assert "pendulum [" in terminal.getvalue()
     with Meter("quiet", io.StringIO()) as meter:
         meter(0.5, 1.0)
+
+
+Load = Callable[[str], Model]
+
+
+@pytest.mark.parametrize("steps, balanced", [(1, False), (2, True)])
+def test_the_card_of_a_solution_has_a_balance_from_three_samples_on(built_in: Load, steps: int, balanced: bool) -> None:
+    run = simulate(
+        built_in("pendulum"), scheme="rk4", dt=1e-3, t_end=steps * 1e-3, seen_every=0.0, engine="interpreted"
+    )
+    assert ("energy balance" in run._repr_html_()) == balanced

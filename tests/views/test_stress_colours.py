@@ -19,6 +19,8 @@ from symgen.scene import Scene, SceneError, SceneRecord
 from symgen.scenes import SCENES, generated_folder
 from tests.support.browser import used
 
+pytestmark = pytest.mark.long
+
 
 @pytest.mark.parametrize("aside", [0.0, -0.02])
 def test_a_cantilever_under_a_force(model_of: Callable[[SceneRecord], Model], aside: float) -> None:

@@ -23,6 +23,8 @@ from runtime.views.viewer.record import view_record
 from symgen.scenes import generated_folder
 from tests.support.browser import screenshot, used
 
+pytestmark = pytest.mark.long
+
 BUNDLES = Path(str(viewer.__file__)).parent / "bundles"
 FACTOR = 7.0
 PROBE = """

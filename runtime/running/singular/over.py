@@ -65,7 +65,7 @@ class Over:
             event = way.first_event(self.segment, quiet > way.t, min(plan.time(end), until), known)
             until = until if event is None else event[0]
             steps = [
-                k for k in range(done + 1, end + 1) if (k == end or k % plan.save_every == 0) and plan.time(k) <= until
+                k for k in range(done + 1, end + 1) if (k == end or k % plan.seen_steps == 0) and plan.time(k) <= until
             ]
             samples += self._states(z, way, np.array([plan.time(k) for k in steps]), steps)
             if until > plan.time(end):

@@ -15,6 +15,7 @@ from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
 from runtime.results.meter import Meter
 from runtime.running.plan import whole_number
+from runtime.running.problem import seen_every_of, span_of
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.switching.times import switching_times
 from runtime.start.start_state import start_state
@@ -40,7 +41,8 @@ def ensemble(
     start: str | None = None,
     outputs: Sequence[str] | None = None,
     reduce: Mapping[str, str | Sequence[str]] | None = None,
-    every: int | None = None,
+    seen_every: float | None = None,
+    samples: int | None = None,
     workers: int | None = None,
     executor: Executor | None = None,
     progress: Progress | bool | None = None,
@@ -53,7 +55,8 @@ def ensemble(
     (cases,), or functions of time that all cases share (called once with a symbolic t). scheme, dt [s], m, options, t0,
     t_end [s], start: as for `simulate`. outputs: names of coordinates, rates, accelerations, measures, energies,
     `lam.row` or joint forces. reduce: output to one or several of max, min, peak (largest magnitude), mean, rms, end,
-    over all major steps; an output without any is kept at its end. every: major steps between samples, instead.
+    over all major steps; an output without any is kept at its end. seen_every [s] or samples:
+    the time between samples of the outputs, or their number, instead.
 
     workers: threads (None: as many as processors), or with an executor threads of each task. executor: any
     concurrent.futures.Executor; its tasks get a folder and a hash. folder: where finished parts are kept, so that the
@@ -70,7 +73,8 @@ def ensemble(
         raise ModelError(f"every coordinate of model {model.name} is driven: use simulate, there is nothing to step")
     model, constant = with_functions(model, inputs, executor is not None)
     names, table = table_of(model, {**columns_by_name("parameters", parameters), **constant}, initial)
-    question = Question.ask(model, names, len(table), scheme, dt, m, options, t0, t_end, start, outputs, reduce, every)
+    seen = seen_every_of(seen_every, samples, *span_of(model, t0, t_end))
+    question = Question.ask(model, names, len(table), scheme, dt, m, options, t0, t_end, start, outputs, reduce, seen)
     _check_names(model, question, table)
     count = _count(workers, executor)
     if progress is True:

@@ -12,7 +12,7 @@ from typing import Any, get_args
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.contract.status import StatusName
-from runtime.running.plan import Plan, make_plan, whole_number
+from runtime.running.plan import Plan, make_plan
 from runtime.studies.ensemble.account import REDUCTIONS
 from runtime.studies.ensemble.observation import column
 
@@ -63,16 +63,14 @@ class Question:
         start: str | None,
         outputs: Sequence[str] | None,
         reduce: Mapping[str, str | Sequence[str]] | None,
-        every: int | None,
+        seen_every: float | None,
     ) -> Question:
         """Check all but the samples. Raises SchemeError, ModelError or ArgumentError."""
-        plan = make_plan(model, t_end, dt, m, scheme, None, options, t0, bounded=True)
+        plan = make_plan(model, t_end, dt, m, scheme, seen_every, options, t0, bounded=True)
         kept = _outputs(model, outputs, reduce)
-        if reduce is not None and every is not None:
-            raise ArgumentError("reduce and every", "are two answers", "give reduce for values of whole runs, or every")
-        interval = whole_number(model.simulation["save_every"] if every is None else every)
-        if interval is None or interval < 1:
-            raise ArgumentError("every", f"must be a whole number of major steps, not {every!r}", "every step is 1")
+        if reduce is not None and seen_every is not None:
+            remedy = "give reduce for values of whole runs, or seen_every (or samples)"
+            raise ArgumentError("reduce and seen_every", "are two answers", remedy)
         reduced = [] if reduce is None else _reduced(kept, reduce)
         return cls(
             model.name,
@@ -88,7 +86,7 @@ class Question:
             start or "",
             kept,
             reduced,
-            0 if reduced else interval,
+            0 if reduced else plan.seen_steps,
         )
 
     def plan(self, model: Model) -> Plan:

@@ -92,7 +92,7 @@ def run_alone(model: Model, question: Question, sample: np.ndarray) -> tuple[np.
             t_end=question.t_end,
             start=question.start or None,
             outputs=question.outputs,
-            save_every=1 if question.reduced else question.every,
+            seen_every=0.0 if question.reduced else question.every * question.dt,
             force=True,
             **given,
         )

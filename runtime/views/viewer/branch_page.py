@@ -47,7 +47,7 @@ def show_branch(branch: PeriodicBranch, path: str | Path | None, outputs: Sequen
 def _record(branch: PeriodicBranch, outputs: Sequence[str]) -> dict[str, Any]:
     motions = []
     for k, point in enumerate(branch.points):
-        run = branch.period_of(k, outputs=list(outputs), save_every=max(1, branch.first.steps // SAMPLES))
+        run = branch.period_of(k, outputs=list(outputs), samples=SAMPLES)
         values = [run.outputs[name] for name in outputs]
         counted = point.floquet.counted.astype(complex)
         motions.append(

@@ -33,6 +33,8 @@ from tests.hand_derived.spatial.twin_spatial import (
 )
 from tests.support.model_values import State, evaluate, make_state, relative_error
 
+pytestmark = pytest.mark.long
+
 TOLERANCE = 1e-12
 Build = Callable[[SceneRecord], Model]
 

@@ -14,6 +14,8 @@ from tests.hand_derived.spatial.twin_tree import Limb, M_and_Q
 from tests.hand_derived.twin_common import Array
 from tests.support.model_values import evaluate, make_state, relative_error
 
+pytestmark = pytest.mark.long
+
 FUNCTIONS = frozenset({"condensed", "forward_dynamics", "closure", "velocities"})
 GRAVITY = np.array([1.0, -2.0, -9.0])
 KINDS = {"revolute": ("angle",), "prismatic": ("travel",), "cylindrical": ("angle", "travel")}
