@@ -208,7 +208,7 @@ def test_errors_across_stops_and_events_are_told(model_of: Build) -> None:
     model = model_of(braked_rod())
     exact = simulate(model, dt=2e-4, seen_every=0.01, error="off").q_i[:, 0]
     runs = [simulate(model, dt=dt, seen_every=0.01) for dt in (0.01, 0.005, 0.0025)]
-    runs += [simulate(model, scheme="auto", tolerance=tolerance, dt=0.01) for tolerance in (1e-4, 1e-6)]
+    runs += [simulate(model, scheme="auto", tolerance=tolerance, seen_every=0.01) for tolerance in (1e-4, 1e-6)]
     for run, asked in zip(runs, (1e-2, 1e-3, 1e-4, 1e-4, 1e-6), strict=True):
         true = np.sqrt(np.mean((run.q_i[:, 0] - exact) ** 2)) / exact.std()
         assert true < asked and true / 10 < run.error.largest < 10 * true, (true, run.error.largest)

@@ -63,7 +63,7 @@ def test_events_within_a_passage_are_told_and_act(
         found = solve_ivp(angle, (t, 9), y, args=(torque,), events=reached, method="DOP853", rtol=1e-12, atol=1e-13)
         t, y = found.t[-1], found.y[:, -1]
         times.append(t)
-    settings: dict[str, Any] = {"scheme": scheme, "tolerance": tolerance, "dt": 1e-3, "t_end": 1.0, "seen_every": 0.0}
+    settings: dict[str, Any] = {"scheme": scheme, "tolerance": tolerance, "t_end": 1.0, "seen_every": 1e-3}
     for last in (0.03, 0.5):
         run = simulate(model, **settings, parameters={"last": last})
         told = [(event.kind, event.name) for event in run.events]

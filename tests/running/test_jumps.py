@@ -143,7 +143,7 @@ def test_a_run_across_jumps_is_gone_on_with_bit_for_bit(
     model = model_of(kicked_crank("where(t < jump, 0, 2 * (t - jump))"))
     for jump, stop in ((0.46, 0.46), (0.4567, 0.45)):
         settings: dict[str, Any] = {"parameters": {"jump": jump}, "scheme": scheme, "seen_every": 0.0}
-        settings |= {"tolerance": tolerance, "dt": 0.01}
+        settings |= {"tolerance": tolerance, "seen_every": 0.01}
         settings |= {"options": {"error_of": "step"}} if tolerance else {}
         whole = simulate(model, **settings)
 

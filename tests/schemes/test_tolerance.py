@@ -204,7 +204,7 @@ def test_the_least_step_ends_a_run_by_name(model_of: Build) -> None:
 @pytest.mark.parametrize("scheme", METHODS)
 def test_a_resumed_run_is_the_uninterrupted_one(built_in: Load, tmp_path: Path, scheme: str) -> None:
     model, path = built_in("slider_crank"), tmp_path / "run.npz"
-    settings = {"scheme": scheme, "tolerance": 1e-4, "dt": 1e-3, "t_end": 0.06, "options": LOCAL}
+    settings = {"scheme": scheme, "tolerance": 1e-4, "seen_every": 1e-3, "t_end": 0.06, "options": LOCAL}
     whole = simulate(model, **settings)  # type: ignore[arg-type]
 
     def stop(t: float, t_end: float) -> None:
@@ -221,7 +221,7 @@ def test_a_resumed_run_is_the_uninterrupted_one(built_in: Load, tmp_path: Path, 
 
 
 def test_both_engines_give_the_same_bits(built_in: Load) -> None:
-    settings = {"scheme": "exponential_rk4", "tolerance": 1e-3, "dt": 0.05, "t_end": 0.5, "options": LOCAL}
+    settings = {"scheme": "exponential_rk4", "tolerance": 1e-3, "seen_every": 0.05, "t_end": 0.5, "options": LOCAL}
     one, other = (
         simulate(built_in("hub_beam"), engine=name, **settings) for name in ("compiled-library", "interpreted")
     )  # type: ignore[arg-type]
