@@ -14,7 +14,10 @@ from runtime.contract.errors import ArgumentError
 from symgen.scene import SceneRecord
 
 Build = Callable[[SceneRecord], Model]
-KINDS: list[dict[str, Any]] = [{"scheme": "dopri5", "tolerance": 1e-4, "seen_every": 0.02}, {"scheme": "rk4", "dt": 0.01}]
+KINDS: list[dict[str, Any]] = [
+    {"scheme": "dopri5", "tolerance": 1e-4, "seen_every": 0.02},
+    {"scheme": "rk4", "dt": 0.01},
+]
 
 
 def rod(events: dict[str, Any], torque: str = "u") -> SceneRecord:
