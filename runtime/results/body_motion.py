@@ -90,9 +90,17 @@ def attached_forces(
 ) -> list[tuple[str, np.ndarray]]:
     """(name, force on the frame's coordinates (N, .)) of each joint and load; frame: columns in q.
 
-    A name comes twice where a joint has friction.
+    A name comes twice where a joint has viscous damping. Raises ModelError for a joint that sticks by friction: what
+    holds it then is no force of a law, and a sample does not know its mode.
     """
     model, N = solution.model, len(solution.t)
+    stick = {event.name for event in model.description.events if event.mode} & {f"{name}.friction" for name in names}
+    if stick:
+        raise ModelError(
+            f"{', '.join(sorted(stick))} at {body}",
+            "sticks and slides, and what holds it is not known to forces inside of the body",
+            'take way="modes"',
+        )
     values = {"q": solution.q, "q_dot": solution.q_dot, "t": solution.t[:, None]}
     c = model.constants(solution.parameters)
     rows = {name: [k for k, row in enumerate(model.description.constraints) if row.joint == name] for name in names}

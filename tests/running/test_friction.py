@@ -230,3 +230,22 @@ def test_friction_needs_one_free_direction_and_a_breakaway_that_stays(model_of: 
     model = model_of(block({"coulomb": 1.0, "breakaway": 2.0, "stribeck_velocity": 0.1}, 0.0))
     with pytest.raises(ModelError, match="breakaway - coulomb' would be -2 but must be at least zero"):
         simulate(model, parameters={"rail.friction.coulomb": 4.0})
+
+
+def test_what_friction_makes_wrong_is_refused(model_of: Build) -> None:
+    """Forces inside of a body on a joint that sticks, and the impulse of a prescribed velocity that jumps."""
+    flat = {"lateral": {"ends": "clamped-free", "modes": 1}, "second_moment": 1e-10}
+    arm = Scene("held_arm").gravity(0.0, -9.81).ground()
+    arm.beam("arm", length=1.0, density=2700.0, area=1e-4, youngs_modulus=7e10, **flat)
+    arm.revolute("pin", "ground.origin", "arm.start", friction={"coulomb": 0.5})
+    run = simulate(model_of(arm.simulation(t_end=0.2, dt=1e-3, scheme="exponential_rk4").build()))
+    assert run.status.whole and run.section_forces("arm", way="modes").moment.shape[0] == 201
+    with pytest.raises(ModelError, match='pin.friction at arm: sticks and slides.*way="modes"'):
+        run.section_forces("arm")
+    driven = Scene("driven").ground().rigid("crank", mass=1.0, inertia=0.1, markers={"tip": {"position": [1.0, 0.0]}})
+    driven.prescribed_angle("drive", "ground.origin", "crank.origin", motion="abs(t - 0.5)")
+    driven.rigid("bob", mass=1.0, inertia=0.1, center_of_mass=[0.5, 0.0])
+    driven.revolute("axle", "ground.origin", "crank.origin")
+    driven.revolute("pin", "crank.tip", "bob.origin", friction={"coulomb": 0.5})
+    with pytest.raises(ModelError, match="pin.friction.*prescribed velocity that jumps does not know"):
+        simulate(model_of(driven.simulation(t_end=1.0, dt=1e-2, scheme="rk4").build()))

@@ -14,7 +14,7 @@ import numpy as np
 
 from runtime.contract.coordinates import joined, parts
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import Model, refuse_elements
 from runtime.contract.tape import shared
 from runtime.schemes.sparse_lu import solve_symmetric
 from runtime.schemes.switching.times import SwitchTime
@@ -47,10 +47,17 @@ def moves_in_time(model: Model) -> bool:
 def may_give_impulses(model: Model, c: np.ndarray, switches: Sequence[SwitchTime]) -> list[SwitchTime]:
     """Those of the times at which the velocity of a prescribed motion may jump; c (c_size,): the model's constants.
 
-    All of them where that depends on coordinates or inputs too, or where no function tells.
+    All of them where that depends on coordinates or inputs too, or where no function tells. Raises ModelError where
+    joints stick by friction, whose locked equations give another impulse.
     """
-    if not switches or not moves_in_time(model):
-        return []
+    found = _may_jump(model, c, switches) if switches and moves_in_time(model) else []
+    if found:
+        remedy = "smooth the motion, or take a scene without friction"
+        refuse_elements(model, "the impulse of a prescribed velocity that jumps does not know", remedy)
+    return found
+
+
+def _may_jump(model: Model, c: np.ndarray, switches: Sequence[SwitchTime]) -> list[SwitchTime]:
     if not model.has("constraints"):
         return list(switches)
     q, q_dot = (ca.SX.sym(name, len(model.coordinates)) for name in ("q", "q_dot"))
