@@ -54,8 +54,7 @@ def main(picture: Path | None = None) -> None:
         run = simulate(load_model(generate(build(), folder)))
     camber = -np.degrees(2 * (run["upright.e0"] * run["upright.e1"] + run["upright.e2"] * run["upright.e3"]))
     print(f"{run.status}, energy and work agree to {np.abs(run.energy_balance()).max():.1e} J")
-    tyre = 2e5 * (HUB[1] - run["hub"][run.t < 1.5][-1])
-    print(f"tyre at rest {tyre:.1f} N, weight {9.81 * sum(MASSES.values()):.1f} N")
+    print(f"tyre at rest {2e5*(HUB[1] - run['hub'][run.t<1.5][-1]):.1f} N, weight {9.81 * sum(MASSES.values()):.1f} N")
     if picture:
         left, right = (figure := Figure(figsize=(10, 4.5), layout="constrained", dpi=120)).subplots(1, 2)
         plots.snapshots(run, ax=left, instants=[1.5, 1.6])

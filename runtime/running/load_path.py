@@ -22,7 +22,7 @@ from runtime.schemes.stage_equations import is_long_tree
 
 PLACES = 4096  # of the path
 MOST_STEPS = 4 * PLACES  # of a motion: more see what two places see
-RESTS = 1e-9  # m or rad: who moves no farther goes no way
+RESTS = 1e-6  # m or rad: who moves no farther goes no way, and rates by differences are rounding
 CHANGES = 1e-6  # of its largest value: a force that changes by less is constant
 FEWEST = 1000  # samples, of more steps
 MOST_NODES = 10_000  # of the forces: more take longer than a first motion

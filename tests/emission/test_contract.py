@@ -37,6 +37,7 @@ READERS_OF_TEXT = {
     "runtime/results/export.py",
     "runtime/results/samples.py",  # columns of the CSV
     "runtime/running/columns.py",
+    "runtime/running/load_path.py",  # q and q_dot of a row of numbers
     "runtime/studies/work_precision/comparison_page.py",  # a template in HTML
     "runtime/studies/work_precision/methods.py",
     "runtime/views/viewer/page.py",  # a template in HTML
@@ -104,20 +105,20 @@ def test_the_bound_of_a_parameter_belongs_to_its_use(model_of) -> None:
     """`a` is a mass, `b` a distance that may be negative, `mass` is not used as one; a*b**2/3 is an inertia."""
     model = model_of(rod().torque("motor", "bar.origin", "mass").build())
     bounds = {entry.name: entry.bound for entry in model.parameters if entry.kind == "declared"}
-    assert bounds == {"a": "positive", "b": "any", "mass": "any"}
+    assert bounds == {"a": "not negative", "b": "any", "mass": "any"}
     model.parameter_vector({"mass": -1.0, "b": -0.2})
-    with pytest.raises(ModelError, match="'a' must be positive"):
+    with pytest.raises(ModelError, match="'a' must be at least zero"):
         model.parameter_vector({"a": -0.2})
 
 
 def test_an_expression_must_keep_its_sign(model_of) -> None:
     model = model_of(rod(mass="a - b").build())
     assert [(entry.item, entry.bound) for entry in model.description.bounded] == [
-        ("bar.mass", "positive"),
+        ("bar.mass", "not negative"),
         ("bar.inertia", "not negative"),
     ]
     model.parameter_vector({"a": 0.6})
-    with pytest.raises(ModelError, match=r"bar.mass = 'a - b' would be -0.1 but must be positive"):
+    with pytest.raises(ModelError, match=r"bar.mass = 'a - b' would be -0.1 but must be at least zero"):
         model.parameter_vector({"a": 0.4})
 
 

@@ -69,7 +69,7 @@ def test_names_that_cannot_be_used(built_in: Load, outputs, by, error: type[Symg
 
 def test_values_that_cannot_be_used(built_in: Load) -> None:
     model = built_in("hub_beam")
-    run = DifferentiableRun(model, ["tip_y"], ["hub.inertia", "torque"], t_end=0.02)
+    run = DifferentiableRun(model, ["tip_y"], ["hub.inertia", "torque"], t_end=0.02, seen_every=0.01)
     for x, text in (([1.0], "has shape"), ([np.nan, 1.0], "value of hub.inertia is nan"), ({"torque": 1.0}, "missing")):
         with pytest.raises(ArgumentError, match=text):
             run.values(x)

@@ -162,7 +162,7 @@ def test_a_rotation_that_is_not_steady_is_told(model_of: Build) -> None:
         ({"held": {"rod.phi": 1.0}}, "no coordinate 'rod.phi'"),
         ({"inputs": {"push": None}}, "There must be as many"),
         ({"inputs": {"pull": None}, "held": {"rod.theta": 0.0}}, "no parameter 'pull'"),
-        ({"parameters": {"rod.mass": -1.0}}, "must be positive"),
+        ({"parameters": {"rod.mass": -1.0}}, "must be at least zero"),
     ],
 )
 def test_wrong_requests(model_of: Build, request_: dict, message: str) -> None:

@@ -183,8 +183,8 @@ def test_chattering_across_a_resume_is_found_when_it_would_have_been(model_of: B
     up = {"when": "x_dot", "direction": "rising", "action": {"push": "-40"}}
     down = {"when": "x_dot", "direction": "falling", "action": {"push": "40"}}
     model, path = model_of(falling(up=up, down=down)), tmp_path / "run.npz"
-    settings: dict[str, Any] = {"scheme": "dopri5", "tolerance": 1e-6, "initial": {"mass.x_dot": 1.0}, "dt": 0.01}
-    settings |= {"options": {"error_of": "step"}}
+    settings: dict[str, Any] = {"scheme": "dopri5", "tolerance": 1e-6, "initial": {"mass.x_dot": 1.0}}
+    settings |= {"options": {"error_of": "step"}, "seen_every": 0.01}
     whole = simulate(model, **settings)
     seen = []
 

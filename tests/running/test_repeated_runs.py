@@ -46,18 +46,23 @@ def prepared(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
 
 @pytest.mark.parametrize(
     "settings",
-    [{"scheme": "coupled"}, {"scheme": "dopri5", "tolerance": 1e-4}, {"scheme": "rk4", "engine": "interpreted"}],
+    [
+        {"scheme": "coupled"},
+        {"scheme": "dopri5", "tolerance": 1e-4, "dt": None},
+        {"scheme": "rk4", "engine": "interpreted"},
+    ],
 )
 def test_a_second_run_prepares_nothing_and_is_the_run_of_a_new_model(
     model: Model, prepared: list[str], settings: dict[str, Any]
 ) -> None:
     changed = {"parameters": {model.parameters[0].name: 1.1 * model.parameters[0].default}}
-    first = simulate(model, **SHORT, **settings)
+    settings = {**SHORT, **settings}
+    first = simulate(model, **settings)
     count = len(prepared)
-    second, again = simulate(model, **SHORT, **settings, **changed), simulate(model, **SHORT, **settings)
+    second, again = simulate(model, **settings, **changed), simulate(model, **settings)
     assert count and len(prepared) == count
     assert np.array_equal(again.q, first.q) and np.array_equal(again.t, first.t)
-    new = simulate(load_model(generated_folder(NAME)), **SHORT, **settings, **changed)
+    new = simulate(load_model(generated_folder(NAME)), **settings, **changed)
     assert np.array_equal(second.q, new.q) and not np.array_equal(second.q, first.q)
     assert second.error == new.error
 

@@ -117,7 +117,9 @@ def test_schemes_keep_their_order_across_kinks(model_of: Build, scheme: str, ord
 
 def test_a_tolerance_ends_steps_at_kinks(model_of: Build) -> None:
     """Energy of a rod on an elastic stop, by steps of a tolerance that end at both sides of each contact."""
-    run = simulate(model_of(stop_of_a_rod()), scheme="dopri5", tolerance=1e-9, options={"error_of": "step"}, dt=0.02)
+    run = simulate(
+        model_of(stop_of_a_rod()), scheme="dopri5", tolerance=1e-9, options={"error_of": "step"}, seen_every=0.02
+    )
     spring = 1000 * np.minimum(0, run["rod.theta"] + 1.2) ** 2
     energy = run.energy["kinetic"] + run.energy["potential"] + spring
     assert np.ptp(energy) < 1e-7 and int(run.stats["kinks"]) >= 2 and not run.events
