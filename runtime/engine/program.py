@@ -113,8 +113,12 @@ class Layout:
         return {name: z[self.slice(name)] for name in self.sizes}
 
     def pack(self, fields: Mapping[str, ca.SX]) -> ca.SX:
-        """z from its fields."""
-        return ca.densify(ca.vertcat(*(fields[name] for name in self.sizes)))
+        """z from its fields. Raises ValueError for one of another size: what stands behind it would be read amiss."""
+        parts = {name: ca.SX(fields[name]) for name in self.sizes}
+        wrong = [f"{name} ({part.numel()})" for name, part in parts.items() if part.numel() != self.sizes[name]]
+        if wrong:
+            raise ValueError(f"fields of z have other sizes than the layout: {', '.join(wrong)}")
+        return ca.densify(ca.vertcat(*parts.values()))
 
 
 Fields = dict[str, ca.SX]
