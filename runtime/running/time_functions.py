@@ -162,8 +162,22 @@ def all_stops(
     """
     known = switching_times(model, c, t0, t_end)
     forces = _forces_nearby(model, c, state)
-    pulses = [] if forces is None else pulse_times(forces, t0, t_end, known, step)
-    return sorted([*known, *pulses], key=lambda one: one.time)
+    if forces is None:
+        return known
+    seen = _kept_forces(model, forces, (t0, t_end, c.tobytes(), state.q.tobytes(), state.q_dot.tobytes()))
+    return sorted([*known, *pulse_times(forces, t0, t_end, known, step, seen)], key=lambda one: one.time)
+
+
+def _kept_forces(model: Model, forces: Forces, motion: tuple[float, float, bytes, bytes, bytes]) -> np.ndarray:
+    """Forces at POINTS + 1 times of a motion; those of the last one are kept for rungs and companions."""
+    kept: dict[tuple[float, float, bytes, bytes, bytes], np.ndarray] = model.derived("forces of a motion", dict)
+    found = kept.get(motion)
+    if found is None:
+        found = np.asarray(forces(np.linspace(*motion[:2], POINTS + 1)[None, :]))
+        kept.clear()
+        if found.nbytes <= MOST_KEPT:
+            kept[motion] = found
+    return found
 
 
 def _forces_nearby(model: Model, c: np.ndarray, state: ConsistentState) -> Forces | None:
@@ -239,6 +253,7 @@ def _missed_loads(
 
 LEVELS = ((256, 12), (64, 8), (16, 3))  # parts of a motion, and how many of them at most hold something short
 POINTS = 1 << 15  # of the motion, where loads are looked at
+MOST_KEPT = 1 << 23  # bytes of the forces there
 NOT_TOLD = 0.02  # of the whole impulse of a load
 BOOLE = np.array([7.0, 32.0, 12.0, 32.0, 7.0]) / 90
 ACTS = 1e-6  # of the largest second difference: where a pulse begins and ends
@@ -251,11 +266,19 @@ Forces = Callable[[np.ndarray], np.ndarray]  # (n_Q, N) at times (1, N)
 
 
 def pulse_times(
-    forces: Forces, t0: float, t_end: float, known: Sequence[SwitchTime], step: float = np.inf
+    forces: Forces,
+    t0: float,
+    t_end: float,
+    known: Sequence[SwitchTime],
+    step: float = np.inf,
+    seen: np.ndarray | None = None,
 ) -> list[SwitchTime]:
-    """Times within short pulses from t0 to t_end [s], rising; known: where steps end anyway; step: the longest [s]."""
+    """Times within short pulses from t0 to t_end [s], rising; known: where steps end anyway; step: the longest [s].
+
+    seen: the forces at POINTS + 1 times, where they are known.
+    """
     times = np.linspace(t0, t_end, POINTS + 1)
-    values = np.asarray(forces(times[None, :])).reshape(-1, POINTS + 1)
+    values = np.asarray(forces(times[None, :]) if seen is None else seen).reshape(-1, POINTS + 1)
     if not (np.abs(values) < 1e290).all():
         return []
     spans = sorted(
