@@ -13,6 +13,7 @@ own velocities and their rates, and what is beyond is to all before it a mass at
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -60,7 +61,7 @@ class Part:
     twist: Motion
 
 
-class Move:
+class Move(ABC):
     """From one frame to the next. What is not said is that of a move without coordinates."""
 
     @property
@@ -94,19 +95,19 @@ class Move:
         """`wrench` of the momentum that a unit rate of one of the move's columns gives to all beyond (composite)."""
         return self.wrench(after)
 
+    @abstractmethod
     def motion(self, before: FrameMotion, rates: Row, accelerations: Row) -> FrameMotion:
         """Motion after the move; rates and accelerations by column, zero where absent."""
-        raise NotImplementedError
 
+    @abstractmethod
     def wrench(self, after: Force) -> Force:
         """A wrench of the frame after the move, seen before it."""
-        raise NotImplementedError
 
+    @abstractmethod
     def composite(self, after: Mass) -> Mass:
         """Inertia of the frame after the move, seen before it."""
-        raise NotImplementedError
 
-    def lead(self, path: Path) -> None:
+    def lead(self, path: Path) -> None:  # noqa: B027 - nothing for axes of the world, which a ball follows
         """Continue a path through the move."""
 
 
