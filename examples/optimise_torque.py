@@ -1,6 +1,6 @@
 """Minimum-effort rest-to-rest swing of a hub with a flexible beam: a generated model in a CasADi Opti problem.
 
-Trapezoidal collocation; the torque, an entry of p, is a decision variable.
+Trapezoidal collocation; the torque, the input u, is a decision variable.
 """
 
 import sys
@@ -19,7 +19,7 @@ T_END, ANGLE = 1.5, 1.0  # s, rad
 
 def build():
     """A hub in the horizontal plane with a 1 m aluminium beam."""
-    builder = Scene("arm").parameter("torque", 0.0, "N m").rigid("hub", mass=1.0, inertia=0.02).beam(
+    builder = Scene("arm").input("torque", 0.0, "N m").rigid("hub", mass=1.0, inertia=0.02).beam(
         "beam", length=1.0, density=2700.0, area=4e-5, second_moment=1.3e-11, youngs_modulus=7e10,
         lateral={"ends": "clamped-free", "modes": 2})
     builder.revolute("pivot", "ground.origin", "hub.origin").weld("clamp", "hub.origin", "beam.start")
@@ -28,8 +28,8 @@ def build():
 
 def residual(model: Model, q: ca.MX, v: ca.MX, a: ca.MX, torque: ca.MX) -> ca.MX:
     """M_hat a - Q_hat at (q_i, q_i_dot, q_i_ddot), through q_d and q_d_dot (a tree: in closed form)."""
-    p, k = model.parameter_vector(), [entry.name for entry in model.parameters].index("torque")
-    values = {"q_i": q, "q_i_dot": v, "t": 0, "p": ca.vertcat(p[:k], torque, p[k + 1:])}
+    p = [entry.default for entry in model.description.parameters]
+    values = {"q_i": q, "q_i_dot": v, "t": 0, "u": torque, "p": p}
     for key, name in (("q_d", "closure"), ("q_d_dot", "velocities"), ("M_hat", "condensed")):
         function = model.function(name)  # unused arguments were dropped when the function was emitted
         values[key], *rest = function.call([values[given] for given in function.name_in()])

@@ -322,6 +322,11 @@ class Model:
         return [entry.name for entry in self.description.inputs if not entry.hidden]
 
     @cached_property
+    def input_entries(self) -> list[str]:
+        """Names of the entries of u: the inputs, rates behind those that have them, modes of friction at the end."""
+        return self.signals.entries
+
+    @cached_property
     def element_modes(self) -> np.ndarray:
         """(n_e,) positions of the modes of elements among the numbers of inputs."""
         names = self.signals.names
@@ -414,8 +419,15 @@ class Model:
         return name in self.builders
 
     def function(self, name: str) -> ca.Function:
-        """The Function `name` of the parameters p instead of c, for use in other CasADi expressions."""
-        return of_parameters(self.kernel(name), self.kernel("constants"))
+        """The Function `name` of the parameters p instead of c, for use in other CasADi expressions.
+
+        p: `description.parameters`. Where there are inputs and the Function uses them, u comes before p: the entries
+        that `input_entries` names, whatever values or functions of time the model holds for them.
+        """
+        self.kernel(name)  # refuses a function that was not generated
+        count, size = len(self.description.orientations), self.emitted_c_size
+        own, constants = (as_called(self.builders[key](), count, Signals([]), size) for key in (name, "constants"))
+        return of_parameters(own, constants)
 
     def evaluate(self, name: str, **values: Any) -> dict[str, Any]:
         """Outputs of the kernel `name` by name, at numbers or at CasADi expressions.

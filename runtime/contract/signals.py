@@ -43,6 +43,11 @@ class Signals:
         self.names = [parameter.name for parameter in self.parameters]
 
     @property
+    def entries(self) -> list[str]:
+        """Names of the entries of u."""
+        return [entry.name + end for entry in self.inputs for end in SUFFIXES[: 3 if entry.rates else 1]]
+
+    @property
     def size(self) -> int:
         """Length of w."""
         return len(self.names)

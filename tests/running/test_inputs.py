@@ -254,3 +254,16 @@ def test_a_memory_that_cannot_be_kept_is_refused(model_of: Build, tmp_path: Any)
         simulate(model_of(cart()), inputs={"force": Sampled(lambda t, x: 0.0, 0.01)}, checkpoint=tmp_path / "run.npz")
     with pytest.raises(SymgenError, match="no list of finite numbers"):
         simulate(model_of(cart()), inputs={"force": counting(["a"])})
+
+
+def test_a_function_of_a_model_takes_u_and_p(model_of: Build) -> None:
+    """theta'' = -(g sin theta + way'' cos theta) of the crane's load; u and p are arguments of their own."""
+    model = model_of(crane(rates=True))
+    assert model.input_entries == ["way", "way_dot", "way_ddot"]
+    p = [entry.default for entry in model.description.parameters]
+    values = {"q_i": 0.3, "q_i_dot": 0.7, "t": 0.0, "u": [0.1, 0.2, 1.7], "p": p}
+    for key, name in (("q_d", "closure"), ("q_d_dot", "velocities"), ("q_i_ddot", "forward_dynamics")):
+        function = model.function(name)
+        values[key] = function.call([values[given] for given in function.name_in()])[0]
+    assert function.size_in("u") == (3, 1) and function.size_in("p") == (len(p), 1)
+    np.testing.assert_allclose(float(values["q_i_ddot"]), -(9.81 * np.sin(0.3) + 1.7 * np.cos(0.3)), rtol=1e-13)
