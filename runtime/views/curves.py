@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from runtime.results.solution import Solution
 
 STILL = 1e-12  # m or rad: what moves less than this against its own size has nothing to show
+FAR = 20.0  # times as far as another moves a curve that gets an axis of its own
 SAME = 1e-9  # of a curve's size, by which it differs from one that covers it
 # colours of Okabe and Ito, told apart with every usual kind of colour vision; black is kept for totals
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6a4c93")
@@ -48,6 +49,13 @@ class Curves:
         names = [", ".join(self.names[k] for k in own) for own in groups]
         return replace(self, names=names, values=self.values[[own[0] for own in groups]])
 
+    def by_span(self) -> list[Curves]:
+        """Curves that move about as far share an axis: what moves by millimetres does not show beside metres."""
+        spans = np.ptp(self.values, axis=1) if self.values.size else np.zeros(len(self.names))
+        order = np.argsort(-spans, kind="stable")
+        parts = np.split(order, np.flatnonzero(spans[order[:-1]] > FAR * spans[order[1:]]) + 1)
+        return [replace(self, names=[self.names[k] for k in own], values=self.values[own]) for own in map(np.sort, parts)]
+
     @property
     def heading(self) -> str:
         """The title, with how many of how many are shown."""
@@ -80,7 +88,7 @@ def motion(solution: Solution) -> list[Curves]:
     for unit in dict.fromkeys(entry.unit for entry in measures):
         names = [entry.name for entry in measures if entry.unit == unit]
         groups.append(Curves("measures", unit, names, np.array([solution[name] for name in names])))
-    return [group for group in groups if group.names]
+    return [part for group in groups if group.names for part in group.by_span()]
 
 
 def every_coordinate(solution: Solution) -> list[Curves]:

@@ -380,6 +380,9 @@ def stresses(solution: Solution, body: str, path: str | Path | None = None) -> F
 MOST_NAMED = 12  # modes in the legend
 
 
+HIGHEST = 5.0  # times the largest speed: slower modes are drawn
+
+
 def campbell_picture(found: Campbell, path: str | Path | None = None) -> Figure:
     """Frequencies of the followed modes over the speed or parameter; with a path it also writes the file.
 
@@ -393,6 +396,7 @@ def campbell_picture(found: Campbell, path: str | Path | None = None) -> Figure:
         ax.plot(found.values, found.frequencies[:, k], color=COLOURS[k % len(COLOURS)], label=label)
     if found.is_speed:
         ax.plot(found.values, abs(found.values), color="0.4", lw=0.9, ls="--", label="frequency = speed")
+        _keep_to_speeds(ax, found)
     ax.set_xlabel(f"{found.over} [rad/s]" if found.is_speed else found.over)
     ax.set_ylabel("frequency [rad/s]")
     ax.set_ylim(bottom=0.0)
@@ -403,6 +407,19 @@ def campbell_picture(found: Campbell, path: str | Path | None = None) -> Figure:
         with replacing(path) as temporary:
             figure.savefig(temporary, dpi=130)
     return figure
+
+
+def _keep_to_speeds(ax: Axes, found: Campbell) -> None:
+    """Leave modes out of the picture that are far above all speeds: they would press the line of the speed flat."""
+    seen = np.nan_to_num(found.frequencies)  # a mode that is not there has none
+    fastest, lowest = float(np.abs(found.values).max()), seen.min(axis=0)
+    near = lowest <= max(HIGHEST * fastest, float(lowest.min(initial=np.inf)))
+    if near.all():
+        return
+    ax.set_ylim(top=1.05 * max(fastest, float(seen[:, near].max(initial=0.0))))
+    above = np.count_nonzero(~near)
+    words = f"{above} mode{'s' if above > 1 else ''} above, up to {seen.max():.3g} rad/s"
+    ax.text(0.99, 0.985, words, transform=ax.transAxes, ha="right", va="top", fontsize=8, color="0.4")
 
 
 # ---- The picture of an ensemble: values of whole runs over what was varied, or the bundle of all histories.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ import pytest
 from runtime import campbell, modes, unbalance_response
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
+from runtime.views.plots import campbell_picture
 from symgen.scene import Scene, SceneRecord
 from tests.support.rotor_scenes import gimbal, jeffcott
 
@@ -73,6 +75,15 @@ def test_whirl_along_the_speed(model_of: Build) -> None:
     critical = [value for mode, value in found.crossings() if mode != rigid]
     exact = math.sqrt(k / (I_t + I_p))  # w = speed: I_t w^2 + I_p w^2 = k, backward
     assert len(critical) == 1 and critical[0] == pytest.approx(exact, rel=2e-3)
+
+
+def test_the_line_of_the_speed_is_seen_beside_stiff_modes(model_of: Build) -> None:
+    """Modes at 54,000 rad/s lie above the picture of speeds to 200 rad/s, and the picture says so; the slow one stays."""
+    stiff = campbell(model_of(gimbal(45.0, 30.0)), "spin.omega", np.linspace(0.0, 200.0, 5))
+    high = replace(stiff, frequencies=stiff.frequencies + np.array([0.0, 0.0, 5.4e4])[np.argsort(stiff.frequencies[0])])
+    (ax,) = campbell_picture(high).axes
+    assert 200.0 < ax.get_ylim()[1] < 1000.0
+    assert [text.get_text()[:13] for text in ax.texts] == ["1 mode above,"]
 
 
 def test_steady_unbalance_response(model_of: Build) -> None:

@@ -74,6 +74,14 @@ def test_the_verdict_follows_the_tolerance(page: str, tmp_path: Path) -> None:
     assert places[0] < 768 and places[1] < 768  # seen without scrolling
 
 
+def test_nothing_is_cut_at_any_width(page: str, tmp_path: Path) -> None:
+    read = "const right = () => Math.max(...[...document.querySelectorAll('#both, #both *')].map((one) => "
+    read += "one.getBoundingClientRect().right)); const body = document.body; document.documentElement.dataset.probe = "
+    read += "JSON.stringify([1300, 1180, 850].map((width) => { body.style.width = `${width - 44}px`; return right(); }));"
+    found = used(page, tmp_path, read)["probe"]
+    assert all(right <= width for right, width in zip(found, (1300, 1180, 850), strict=True))
+
+
 def test_the_picture_is_there_and_small(page: str, tmp_path: Path) -> None:
     assert len(page.encode()) < 60_000
     seen = np.asarray(screenshot(page, tmp_path), dtype=int)[110:600, 90:660]

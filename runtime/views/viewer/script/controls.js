@@ -136,13 +136,18 @@ function remember() {
   const text = Object.entries(words).filter(([, value]) => value !== "").map(([key, value]) => `${key}=${encodeURIComponent(value)}`).join("&");
   try { history.replaceState(null, "", `#${text}`); } catch { /* inside a frame without an address */ }
 }
+const usualHint = $("#hint").textContent;
 function recall() {
   const words = new URLSearchParams(location.hash.slice(1));
   const list = (key) => (words.get(key) || "").split(",").filter(Boolean);
   if (words.get("view") in views) facing = words.get("view");
   if (words.has("parallel")) { flat = words.get("parallel") === "1"; parallel.classList.toggle("on", flat); }
-  for (const name of list("hide")) if (name in shown) setShown(name, false);
-  for (const name of list("with")) if (name in shown) setShown(name, true);
+  const missing = [];
+  for (const [key, on] of [["hide", false], ["with", true]]) for (const name of list(key)) {
+    const own = [name, `colour: ${name}`].find((one) => one in shown);
+    if (own) setShown(own, on); else missing.push(`${key}=${name}`);
+  }
+  $("#hint").textContent = missing.length ? `${missing.join(", ")}: not in this page, which has ${Object.keys(shown).join(", ")}` : usualHint;
   for (const name of Object.keys(shown)) setShown(name, shown[name]);
   for (const box of document.querySelectorAll("#show input")) box.checked = shown[box.dataset.name];
   resize();
@@ -156,5 +161,5 @@ window.addEventListener("hashchange", recall);
 new ResizeObserver(resize).observe($("#stage"));
 recall();
 setTimeout(moveCurves, 100); // the charts fill their legends once they are laid out
-window.symgenView = { run, state, show, place, setFactor };
+window.symgenView = { run, state, show, place, setFactor, digits };
 document.documentElement.dataset.ready = "1";

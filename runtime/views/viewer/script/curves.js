@@ -1,12 +1,18 @@
 // Curves beside the picture; the line at t and the values in the legend follow the slider.
 const colours = run.colours, charts = [], chosen = document.querySelector("#curves select");
-for (const name of ["all curves", ...run.curves.map((group) => group.title)]) chosen.add(new Option(name));
+for (const name of new Set(["all curves", ...run.curves.map((group) => group.title)])) chosen.add(new Option(name));
+
+// Four digits in the width of an axis: 1.2e8 for stresses in Pa
+function digits(value) {
+  if (value === null || value === undefined) return "";
+  const short = Number(value.toPrecision(4)), size = Math.abs(short);
+  return size >= 1e5 || (size > 0 && size < 1e-4) ? short.toExponential().replace("e+", "e") : short.toString();
+}
 
 function chart(group) {
   const holder = document.createElement("div"), heading = document.createElement("h2");
   heading.textContent = `${group.title} [${group.unit}]`;
   document.getElementById("charts").append(heading, holder);
-  const digits = (value) => (value === null || value === undefined ? "" : Number(value.toPrecision(4)).toString());
   const plot = new uPlot({
     width: 372, height: 150, cursor: { y: false, drag: { x: false, y: false } },
     legend: { live: true },
