@@ -54,7 +54,9 @@ class Curves:
         spans = np.ptp(self.values, axis=1) if self.values.size else np.zeros(len(self.names))
         order = np.argsort(-spans, kind="stable")
         parts = np.split(order, np.flatnonzero(spans[order[:-1]] > FAR * spans[order[1:]]) + 1)
-        return [replace(self, names=[self.names[k] for k in own], values=self.values[own]) for own in map(np.sort, parts)]
+        return [
+            replace(self, names=[self.names[k] for k in own], values=self.values[own]) for own in map(np.sort, parts)
+        ]
 
     @property
     def heading(self) -> str:

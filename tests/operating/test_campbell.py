@@ -78,7 +78,7 @@ def test_whirl_along_the_speed(model_of: Build) -> None:
 
 
 def test_the_line_of_the_speed_is_seen_beside_stiff_modes(model_of: Build) -> None:
-    """Modes at 54,000 rad/s lie above the picture of speeds to 200 rad/s, and the picture says so; the slow one stays."""
+    """Modes at 54,000 rad/s lie above the picture of speeds to 200 rad/s, which says so; the slow one stays."""
     stiff = campbell(model_of(gimbal(45.0, 30.0)), "spin.omega", np.linspace(0.0, 200.0, 5))
     high = replace(stiff, frequencies=stiff.frequencies + np.array([0.0, 0.0, 5.4e4])[np.argsort(stiff.frequencies[0])])
     (ax,) = campbell_picture(high).axes

@@ -104,7 +104,9 @@ def test_what_moves_by_millimetres_gets_an_axis_beside_metres() -> None:
     """A lift of metres, a buffer of 19 mm and one of 15 mm far from zero: two panels."""
     run = rod_solution()
     free = [Coordinate(f"{n}.y", n, "position", "m") for n in ("lift", "buffer", "stop")]
-    described = replace(run.model.description, coordinates=free, q_i=[entry.name for entry in free], q_d=[], measures=[])
+    described = replace(
+        run.model.description, coordinates=free, q_i=[entry.name for entry in free], q_d=[], measures=[]
+    )
     q = np.stack([3 * run.t, 0.0095 * np.cos(9 * run.t), 2.0 + 0.0075 * np.sin(9 * run.t)], axis=1)
     moved = replace(run, model=replace(run.model, description=described), q=q, q_dot=q, q_ddot=q, q_i=q)
     shown = [[line.get_label() for line in ax.lines] for ax in plots.motion(moved).axes]

@@ -77,7 +77,9 @@ def test_the_verdict_follows_the_tolerance(page: str, tmp_path: Path) -> None:
 def test_nothing_is_cut_at_any_width(page: str, tmp_path: Path) -> None:
     read = "const right = () => Math.max(...[...document.querySelectorAll('#both, #both *')].map((one) => "
     read += "one.getBoundingClientRect().right)); const body = document.body; document.documentElement.dataset.probe = "
-    read += "JSON.stringify([1300, 1180, 850].map((width) => { body.style.width = `${width - 44}px`; return right(); }));"
+    read += (
+        "JSON.stringify([1300, 1180, 850].map((width) => { body.style.width = `${width - 44}px`; return right(); }));"
+    )
     found = used(page, tmp_path, read)["probe"]
     assert all(right <= width for right, width in zip(found, (1300, 1180, 850), strict=True))
 

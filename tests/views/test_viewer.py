@@ -77,14 +77,15 @@ def test_a_notebook_gets_a_frame_that_shows_something(tmp_path: Path) -> None:
 
 
 def test_words_of_an_address_that_mean_nothing_here_are_said(tmp_path: Path) -> None:
-    """A layer goes by its short name; one that the page does not have is named beside those that it has."""
+    """A layer that the page does not have is named beside those that it has."""
     read = "document.documentElement.dataset.probe = JSON.stringify([document.querySelector('#hint').textContent, "
-    read += "symgenView.state.coloured, [1.5e8, 1234.56, 2e-5, 0].map(symgenView.digits)]);"
+    read += "document.querySelector('#show [data-name=reactions]').checked, "
+    read += "[1.5e8, 1234.56, 2e-5, 0].map(symgenView.digits)]);"
     page = view(solution("flexible_slider_crank")).text
-    hint, coloured, numbers = used(page, tmp_path, read, "with=displacement,stress")["probe"]
+    hint, reactions, numbers = used(page, tmp_path, read, "with=reactions,stress")["probe"]
     assert hint.startswith("with=stress: not in this page, which has bodies, joints")
-    assert coloured == "displacement" and numbers == ["1.5e8", "1235", "2e-5", "0"]
-    assert used(page, tmp_path, read, "with=displacement")["probe"][0].startswith("drag: turn")
+    assert reactions and numbers == ["1.5e8", "1235", "2e-5", "0"]
+    assert used(page, tmp_path, read, "with=reactions")["probe"][0].startswith("drag: turn")
 
 
 def test_pages_are_small_and_ask_nothing_of_the_network() -> None:
