@@ -29,6 +29,7 @@ LATERAL_ENDS = Literal[
 ]  # fmt: skip
 AXIAL_ENDS = Literal["fixed-free", "free-free", "fixed-fixed", "free-fixed", "fixed-loaded"]
 DEFAULT_ELEMENTS = 20
+LIGHT = "its modes need inertia: give a small density (1e-6 does no harm), or a link that is a rigid body with mass = 0"
 Modes = Annotated[int, Strict(), Field(ge=1, le=500)]
 Position = Annotated[tuple[Quantity, ...], Meaning("position in the body frame, (x, y) or (x, y, z)", "m")]
 Products = Annotated[tuple[Quantity, ...], Meaning("entries xy, xz, yz of the inertia tensor", "kg m^2")]
@@ -216,7 +217,7 @@ class BeamBody(StrictModel):
     type: Literal["beam"] = "beam"
     name: Name
     length: Annotated[Quantity, Meaning("length", "m", Bound.POSITIVE)]
-    density: Annotated[Quantity, Meaning("density", "kg/m^3", Bound.POSITIVE)]
+    density: Annotated[Quantity, Meaning("density", "kg/m^3", Bound.POSITIVE, remedy=LIGHT)]
     area: Annotated[Quantity, Meaning("area of the cross-section", "m^2", Bound.POSITIVE)]
     second_moment: Annotated[Quantity, Meaning("second moment of area", "m^4", Bound.POSITIVE)]
     youngs_modulus: Annotated[Quantity, Meaning("Young's modulus", "Pa", Bound.POSITIVE)]

@@ -324,7 +324,7 @@ class _QuantityCheck:
             shown = f"{number!r}" if not isinstance(value, str) else f"'{value[:60]}' = {number!r}"
             raise SceneError(
                 path, f"the {meaning.description} {shown} must be {meaning.bound.value}",
-                f"give a value in {meaning.unit} that is {meaning.bound.value}",
+                meaning.remedy or f"give a value in {meaning.unit} that is {meaning.bound.value}",
             )  # fmt: skip
 
 

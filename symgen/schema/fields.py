@@ -88,12 +88,16 @@ class Scope(Enum):
 
 @dataclass(frozen=True)
 class Meaning:
-    """What a quantity field stands for: description, SI unit, sign and the names it may use."""
+    """What a quantity field stands for: description, SI unit, sign and the names it may use.
+
+    remedy: what to do where the sign is wrong, if giving another value is not all.
+    """
 
     description: str
     unit: str = "1"
     bound: Bound = Bound.ANY
     scope: Scope = Scope.PARAMETERS
+    remedy: str = ""
 
     def __get_pydantic_json_schema__(self, core_schema: Any, handler: Any) -> dict[str, Any]:
         schema: dict[str, Any] = handler(core_schema)

@@ -63,6 +63,32 @@ def test_what_has_no_inertia_at_all_is_refused(model_of: Build, coordinate: str)
         model_of(scene.build())
 
 
+def test_a_light_beam_is_found_and_one_without_mass_says_what_to_do(model_of: Build) -> None:
+    """1 kg at the end of a strut that hangs as a pendulum: a strut of 1e-12 kg changes nothing; none is refused."""
+
+    def strut(density: float) -> Scene:
+        scene = Scene("strut").gravity(0, -9.81).initial({"strut.theta": -1.0})
+        scene.beam(
+            "strut",
+            length=1.0,
+            density=density,
+            area=1e-6,
+            second_moment=1e-9,
+            youngs_modulus=7e10,
+            lateral={"modes": 1},
+        )
+        scene.rigid("ball", mass=1.0, inertia=0.0)
+        return scene.revolute("a", "ground.origin", "strut.start").weld("w", "strut.end", "ball.origin")
+
+    run = simulate(model_of(strut(1e-6).build()), tolerance=1e-6, t_end=1.0)
+    twin = Scene("twin").gravity(0, -9.81).initial({"ball.theta": -1.0})
+    twin.rigid("ball", mass=1.0, inertia=0.0, center_of_mass=(1.0, 0)).revolute("a", "ground.origin", "ball.origin")
+    exact = simulate(model_of(twin.build()), tolerance=1e-9, t_end=1.0)
+    assert run.status.name == "completed" and run["strut.theta"][-1] == pytest.approx(exact["ball.theta"][-1], abs=1e-5)
+    with pytest.raises(SceneError, match="density 0.0 must be positive; .*rigid body with mass = 0"):
+        strut(0.0).build()
+
+
 def test_a_mass_that_a_run_takes_away_ends_by_name(model_of: Build) -> None:
     """A parameter may be zero as well: where nothing is left that is inert, the run says so."""
     scene = Scene("light").gravity(0, -9.81).rigid("arm", mass=1.0, inertia=0.1, center_of_mass=(0.1, 0))
