@@ -223,16 +223,17 @@ def as_function(name: str, tape: Tape) -> ca.Function:
     values: list[ca.SX] = []
     for node in tape.nodes:
         values.append(node_value(node, values, entries[node.a] if node.op == ca.OP_INPUT else []))
+    zeros = {k for k, node in enumerate(tape.nodes) if node.op == ca.OP_CONST and node.value == 0.0}
     outputs = [
-        ca.densify(_matrix(values, found, shape, tape.nodes))
+        ca.densify(_matrix(values, found, shape, zeros))
         for found, shape in zip(tape.outputs, tape.output_shapes, strict=True)
     ]
     return ca.Function(name, inputs, outputs, tape.input_names, tape.output_names)
 
 
-def _matrix(values: list[ca.SX], found: list[int], shape: tuple[int, int], nodes: list[Node]) -> ca.SX:
+def _matrix(values: list[ca.SX], found: list[int], shape: tuple[int, int], zeros: set[int]) -> ca.SX:
     """An output, its zeros left out."""
-    kept = [place for place, entry in enumerate(found) if nodes[entry].op != ca.OP_CONST or nodes[entry].value != 0.0]
+    kept = [place for place, entry in enumerate(found) if entry not in zeros]
     pattern = ca.Sparsity.nonzeros(*shape, kept) if kept else ca.Sparsity(*shape)
     return ca.SX(pattern, ca.vertcat(*(values[found[place]] for place in kept)) if kept else ca.SX(0, 1))
 

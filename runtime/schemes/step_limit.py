@@ -77,12 +77,15 @@ def central_difference_limit(A_q: np.ndarray, A_v: np.ndarray, predicted: bool) 
     s = float(eigenvalues(-A_q, -2 * A_v).real.max(initial=0.0)) if predicted else frequency
     if not s > 0:
         return None
-    decay = float((-eigenvalues(A_q, A_v).real).max(initial=0.0))
-    by_decay = predicted and decay / PREDICTED_DECAY_REACH > frequency / 2
+    decay = float((-eigenvalues(A_q, A_v).real).max(initial=0.0)) if predicted else 0.0
+    by_decay = decay / PREDICTED_DECAY_REACH > frequency / 2
     return StepLimit(2 / s, decay if by_decay else frequency, by_decay)
 
 
 def eigenvalues(A_q: np.ndarray, A_v: np.ndarray) -> np.ndarray:
     """Of w'' = A_q w + A_v w'. Raises LinAlgError if they are not finite."""
+    if np.abs(A_v).max(initial=0.0) ** 2 <= np.finfo(float).eps ** 2 * np.abs(A_q).max(initial=0.0):  # no rates count
+        roots = np.sqrt(dense_eigenvalues(A_q).astype(complex))
+        return np.concatenate([roots, -roots])
     n = len(A_q)
     return dense_eigenvalues(np.block([[np.zeros((n, n)), np.eye(n)], [A_q, A_v]]))
