@@ -197,12 +197,10 @@ def _rotated(e: np.ndarray, vector: np.ndarray) -> np.ndarray:
 # Orientations with velocities of their own: where they stand in q_i and q, and their charts.
 #
 # The turns of such a body are a rotation vector theta from a chart, a unit quaternion, and their velocities are the
-# angular velocity omega in body axes; its Euler parameters e are dependent coordinates. Of a body in a closed loop
-# some
+# angular velocity omega in body axes; its Euler parameters e are dependent coordinates. Of a body in a closed loop some
 # or all turns may be loop unknowns: they stand in q_d, which then is not of coordinates alone. What the runtime calls
 # takes [c, charts] instead of c, so whatever evaluates a model has the charts as well. Outside time steps, which have
-# one
-# chart a step, charts are 1.
+# one chart a step, charts are 1.
 
 IDENTITY = (1.0, 0.0, 0.0, 0.0)
 

@@ -10,12 +10,13 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
-from runtime.contract.coordinates import independent, independent_slopes, joined, loop_part
+from runtime.contract.coordinates import independent, independent_slopes, joined, loop_part, parameter_columns
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
+from runtime.contract.orientations import angular_velocity, chart_rates, exponential, parameter_rates, product
 from runtime.contract.tape import shared
 from runtime.gradients.observed_program import ObservedProgram
-from runtime.gradients.variables import Variables, parameters_at
+from runtime.gradients.variables import Variables, independent_turns, parameters_at
 from runtime.operating.given_state import given_state
 from runtime.running.monitor import Monitor
 from runtime.running.plan import Plan
@@ -66,18 +67,21 @@ class StartOfRun:
             x[k] = (state.q_dot if is_rate else state.q)[column]
         for k, value in self._variables.samples:
             x[k] = value
+        for k, body, axis, is_rate in self._variables.turns:
+            e = parameter_columns(self._model)[body]
+            x[k] = angular_velocity(state.q[e], state.q_dot[e])[axis] if is_rate else 0.0
         return x
 
     def begun(self, x: np.ndarray, slopes: bool) -> Begun:
         """The beginning for values x (n,), with its derivatives if they are asked for. Raises NoResult."""
         parameters, initial = self._variables.named(x)
-        given = {**self._initial, **initial}
+        given = turned_start(self._model, {**self._initial, **initial}, self._variables, x)
         model, scheme, plan = self._model, self._plan.scheme, self._plan
         p = parameters_at(model, {**self._parameters, **parameters}, plan.t0)
         c = model.constants(p)
         state = start_state(model, p, c, plan.t0, given, self._kind)
         z = self._program.prepared.widened(start_vector(scheme, plan.t0, state.q, state.q_dot, c))
-        moved = self._slopes(p, c, given, state) if slopes else np.zeros((0, 0))
+        moved = self._slopes(p, c, given, state, x) if slopes else np.zeros((0, 0))
         watch = Watch(plan, c, p)
         watch.begin(z)
         where = np.concatenate([p, *independent(model, state.q, state.q_dot), loop_part(model, state.q)])
@@ -85,11 +89,11 @@ class StartOfRun:
             z, self._program.prepared.ready(scheme.constants(c)), where, moved, x, watch, (state.q, state.q_dot)
         )
 
-    def _slopes(self, p: np.ndarray, c: np.ndarray, given: Given, state: ConsistentState) -> np.ndarray:
+    def _slopes(self, p: np.ndarray, c: np.ndarray, given: Given, state: ConsistentState, x: np.ndarray) -> np.ndarray:
         """d(p, q_i, q_i_dot, loop unknowns)/dx at the start's state."""
         model, t0 = self._model, self._plan.t0
         assembled = state if self._kind == "given" else given_state(model, p, c, t0, given)
-        slopes = start_slopes(model, p, t0, assembled, given, self._variables)
+        slopes = start_slopes(model, p, t0, assembled, given, self._variables, x)
         if self._kind == "given" or not set(model.elastic) & set(model.q_i):
             return slopes
         return settled_slopes(model, p, c, t0, assembled, slopes, self._kind == "quasi_static_unstable")
@@ -125,11 +129,17 @@ OPEN = 1e-8  # of the largest slope: more means that what was given had to move
 
 
 def start_slopes(
-    model: Model, p: np.ndarray, t0: float, state: ConsistentState, given: Mapping[str, float], by: Variables
+    model: Model,
+    p: np.ndarray,
+    t0: float,
+    state: ConsistentState,
+    given: Mapping[str, float],
+    by: Variables,
+    x: np.ndarray,
 ) -> np.ndarray:
     """d(p, q_i, q_i_dot, loop unknowns)/d(variables), (n_x, n); given: all initial values by name, the variables' too.
 
-    Raises InitialStateError where the assembly leaves open or moves what would have to be known.
+    x (n,): the variables. Raises InitialStateError where the assembly leaves open or moves what would have to be known.
     """
     n, n_p = len(model.coordinates), len(p)
     dp, dq, dv = np.zeros((n_p, len(by.names))), np.zeros((n, len(by.names))), np.zeros((n, len(by.names)))
@@ -137,10 +147,11 @@ def start_slopes(
         dp[entry, k] = 1.0
     for k, column, is_rate in by.initial:
         (dv if is_rate else dq)[column, k] = 1.0
+    _turn_slopes(model, state, by, x, dq, dv)
     free_q, free_v = _open(model, given, rates=False), _open(model, given, rates=True)
     _require_kept(model, given, free_q, model.initial_q, state.q, "")
     _require_kept(model, given, free_v, model.initial_q_dot, state.q_dot, "_dot")
-    dependent = set(map(int, model.dependent_columns))
+    dependent = set(map(int, model.dependent_columns)) - set(_independent_parameters(model))
     if model.constraints and (set(free_q) != dependent or set(free_v) != dependent):
         _assembled(model, p, t0, state, dp, dq, dv, free_q, free_v)
     return np.concatenate([dp, *independent_slopes(model, state.q, state.q_dot, dq, dv)])
@@ -150,8 +161,64 @@ def _open(model: Model, given: Mapping[str, float], rates: bool) -> list[int]:
     """Coordinates (or rates) that the assembly finds, in the way of runtime.operating.given_state."""
     end = "_dot" if rates else ""
     named = {name for name in model.coordinates if name + end in given}
-    kept = {name for name in model.q_i if named <= set(model.q_i) or name in model.elastic}
+    own = {*model.q_i, *(model.coordinates[k] for k in _independent_parameters(model))}
+    kept = {name for name in own if named <= own or name in model.elastic}
     return [k for k, name in enumerate(model.coordinates) if name not in named | kept]
+
+
+def _independent_parameters(model: Model) -> list[int]:
+    """Columns of q of the Euler parameters of orientations that are independent."""
+    return [int(column) for k in independent_turns(model) for column in model.places.parameters[k]]
+
+
+def turned_start(model: Model, given: Given, by: Variables, x: np.ndarray) -> dict[str, float]:
+    """Initial values by name, with the Euler parameters and their rates of orientations that x (n,) turns.
+
+    Raises InitialStateError for an orientation that is given by Euler angles.
+    """
+    found = dict(given)
+    for body in {one[1]: None for one in by.turns}:
+        columns = parameter_columns(model)[body]
+        names, axes = [model.coordinates[k] for k in columns], [f"{body}.omega_{axis}" for axis in "xyz"]
+        angles = [name for name in found if name.startswith(f"{body}.theta")]
+        if angles:
+            raise InitialStateError(
+                f"the start is turned further from {angles[0]}: give the orientation of {body} by its Euler parameters"
+            )
+        e = np.array([found.get(name, value) for name, value in zip(names, model.initial_q[columns], strict=True)])
+        e_dot = [found.pop(f"{name}_dot", v) for name, v in zip(names, model.initial_q_dot[columns], strict=True)]
+        omega = angular_velocity(e, np.array(e_dot))
+        omega = np.array([found.pop(name, value) for name, value in zip(axes, omega, strict=True)])
+        for k, owner, axis, is_rate in by.turns:
+            if owner == body and is_rate:
+                omega[axis] = x[k]
+        e = product(e, exponential(_rotation(by, body, x)))
+        found |= dict(zip(names, e.tolist(), strict=True))
+        found |= {f"{name}_dot": float(v) for name, v in zip(names, parameter_rates(e, omega), strict=True)}
+    return found
+
+
+def _rotation(by: Variables, body: str, x: np.ndarray) -> np.ndarray:
+    """(3,) the rotation vector among the variables that turns a body further."""
+    found = np.zeros(3)
+    for k, owner, axis, is_rate in by.turns:
+        if owner == body and not is_rate:
+            found[axis] = x[k]
+    return found
+
+
+def _turn_slopes(
+    model: Model, state: ConsistentState, by: Variables, x: np.ndarray, dq: np.ndarray, dv: np.ndarray
+) -> None:
+    """Fill the rows of Euler parameters: e moves by e o (0, turn) / 2, and the angular velocity is kept."""
+    for k, body, axis, is_rate in by.turns:
+        e = parameter_columns(model)[body]
+        omega = angular_velocity(state.q[e], state.q_dot[e])
+        if is_rate:
+            dv[e, k] = parameter_rates(state.q[e], np.eye(3)[axis])
+        else:
+            dq[e, k] = parameter_rates(state.q[e], np.linalg.inv(chart_rates(_rotation(by, body, x)))[:, axis])
+            dv[e, k] = parameter_rates(dq[e, k], omega)
 
 
 def _require_kept(

@@ -8,6 +8,7 @@ from difflib import get_close_matches
 
 import numpy as np
 
+from runtime.contract.coordinates import OMEGA
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
 from runtime.gradients.course import Hold
@@ -20,13 +21,15 @@ class Variables:
     """Names in the order asked for; parameters: of those that are, (position in the list, entry of p, its own name).
 
     initial: of initial values, (position, column of q, is it a rate?). samples: of held samples of inputs after the
-    start, (position, value); one that is held from the start on is a parameter.
+    start, (position, value); one that is held from the start on is a parameter. turns: of orientations, (position,
+    body, axis, is it an angular velocity?).
     """
 
     names: tuple[str, ...]
     parameters: tuple[tuple[int, int, str], ...]
     initial: tuple[tuple[int, int, bool], ...]
     samples: tuple[tuple[int, float], ...] = ()
+    turns: tuple[tuple[int, str, int, bool], ...] = ()
 
     def named(self, x: np.ndarray) -> tuple[dict[str, float], dict[str, float]]:
         """(parameters, initial values) by name, of the values x (n,)."""
@@ -58,6 +61,22 @@ def starting_values(model: Model) -> dict[str, tuple[int, bool]]:
     return {**found, **{f"{name}_dot": (k, True) for k, name in enumerate(model.coordinates)}}
 
 
+def independent_turns(model: Model) -> list[int]:
+    """Positions of the orientations whose turns are all in q_i."""
+    return [k for k, turns in enumerate(model.places.turns) if (turns < len(model.q_i)).all()]
+
+
+def starting_turns(model: Model) -> dict[str, tuple[str, int, bool]]:
+    """{name: (body, axis, is it an angular velocity?)} of orientations that are independent.
+
+    `body.turn_x` [rad] turns the start further, with y and z as one rotation vector in axes of the body;
+    `body.omega_x` is its angular velocity there.
+    """
+    records = [model.description.orientations[k] for k in independent_turns(model)]
+    turns = {name: (one.body, k, False) for one in records for k, name in enumerate(one.turns)}
+    return turns | {f"{one.body}.{name}": (one.body, k, True) for one in records for k, name in enumerate(OMEGA)}
+
+
 def variables_of(model: Model, by: Sequence[str], held: Sequence[HeldSample] = ()) -> Variables:
     """Checked names. Raises ModelError for a name that is neither a parameter nor a coordinate nor its rate.
 
@@ -74,15 +93,16 @@ def variables_of(model: Model, by: Sequence[str], held: Sequence[HeldSample] = (
     later = {one.name: one.value for one in held if one.step > 0}
     aliases = {name: name for name in own if name not in sampled} | first
     entries = {name: own[input_] for name, input_ in aliases.items()}
-    starts = starting_values(model)
+    starts, turns = starting_values(model), starting_turns(model)
     for name in by:
-        if name not in entries and name not in starts and name not in later:
-            raise _unknown(model, str(name), [*entries, *starts, *later])
+        if all(name not in known for known in (entries, starts, turns, later)):
+            raise _unknown(model, str(name), [*entries, *starts, *turns, *later])
     return Variables(
         tuple(by),
         tuple((k, entries[name], aliases[name]) for k, name in enumerate(by) if name in entries),
         tuple((k, *starts[name]) for k, name in enumerate(by) if name in starts and name not in entries),
         tuple((k, later[name]) for k, name in enumerate(by) if name in later),
+        tuple((k, *turns[name]) for k, name in enumerate(by) if name in turns),
     )
 
 

@@ -105,13 +105,12 @@ class PeriodicBranch:
             length: dict[str, Any] = {"speed": self.first.speed[0], "turns": self.first.speed[1]}
         else:
             length = {"period": "free", "guess": point.period} if self.first.free else {"period": point.period}
-        names = list(self.first.state)
         return periodic(
             self.model,
             **length,
             parameters={**self.first.parameters, self.over: point.value},
             inputs=self.first.inputs,
-            start=dict(zip(names, point.x[0].tolist(), strict=True)),
+            start=self.first.states.by_name(point.x[0]),
             settle=None,
             scheme=self.first.scheme,
             options=self.first.options,
@@ -126,7 +125,7 @@ class PeriodicBranch:
         found = replace(
             self.first,
             period=point.period,
-            state=dict(zip(self.first.state, point.x[0].tolist(), strict=True)),
+            x=point.x[0],
             parameters={**self.first.parameters, self.over: point.value},
         )
         return found.simulate(1, **changes)

@@ -190,7 +190,7 @@ class _Walk:
 
     def _conditions(self, shot: Shot, period: float, turn: np.ndarray) -> Conditions:
         moved = np.abs(np.vstack([shot.x, shot.ends])).max(axis=0)
-        return Conditions(self._map.sizes(moved, period), turn, self._first.free, shot.x[0], shot.rates[-1])
+        return Conditions(self._map.states.sizes(moved, period), turn, self._first.free, shot.x[0], shot.rates[-1])
 
     def _jacobian(self, shot: Shot, value: float, period: float, conditions: Conditions) -> np.ndarray:
         """(m - 1, m) of the residual by the numbers of the curve."""

@@ -29,7 +29,7 @@ def doubled(first: PeriodicMotion, over: str, at: Point) -> tuple[PeriodicMotion
     motion = replace(
         first,
         period=period,
-        state=dict(zip(first.state, x[0].tolist(), strict=True)),
+        x=x[0],
         turns={name: 2 * k for name, k in first.turns.items()},
         steps=2 * first.steps,
         parts=2 * first.parts,

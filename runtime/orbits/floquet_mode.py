@@ -29,7 +29,7 @@ FRAMES = 60  # a period
 
 def floquet_mode(motion: PeriodicMotion, k: int, periods: int, amplitude: float | None) -> Solution:
     """See PeriodicMotion.mode."""
-    model, count = motion.model, len(motion.state)
+    model, count = motion.model, len(motion.x)
     if not 0 <= k < count:
         raise ArgumentError(f"mode {k}", f"is not there: {model.name} has {count} Floquet modes", "they count from 0")
     if periods < 1:
@@ -41,12 +41,12 @@ def floquet_mode(motion: PeriodicMotion, k: int, periods: int, amplitude: float 
     run = DifferentiableRun(
         model,
         [f"{name}{end}" for end in ("", "_dot", "_ddot") for name in names],
-        list(motion.state),
+        motion.states.names,
         **motion.setting,
-        initial=motion.state,
+        initial=motion.states.upright,
         seen_every=max(1, motion.steps // FRAMES) * (motion.period / motion.steps),
     )
-    found = run.jacobian(list(motion.state.values()))
+    found = run.jacobian(motion.x)
     values = found.values.reshape(-1, 3, len(names))
     moved = (found.derivatives @ motion.floquet.vectors[:, k]).reshape(-1, 3, len(names))
     shape = moved * np.exp(-exponent.real * (run.t - motion.t0))[:, None, None]

@@ -25,6 +25,7 @@ from runtime.gradients.differentiable_run import DifferentiableRun, Gradient
 from runtime.gradients.objectives import Objective, Weighed
 from runtime.orbits.floquet import MEANINGS, Floquet
 from runtime.orbits.shooting import Closed, NoPeriodicMotion
+from runtime.orbits.states import States
 from runtime.results.motion_error import MotionError
 from runtime.results.solution import Solution
 from runtime.running.inputs import InputValue
@@ -38,7 +39,7 @@ SINGULAR = 1e-10  # of the largest singular value of I - M
 class PeriodicMotion:
     """A motion x(t + T) = x(t), angles that turn modulo whole turns.
 
-    period T [s]; state: initial values by name at t0 [s]; turns: whole turns a period, by coordinate that makes any;
+    period T [s]; x (n,): the state at t0 [s], see `state`; turns: whole turns a period, by coordinate that makes any;
     floquet: multipliers and what they mean; error: measured against the same motion with other steps, by coordinate;
     scheme, steps a period, parts that the period was cut into; iterations of Newton's method; parameters: those given;
     doublings: flips that its branch has passed.
@@ -46,7 +47,7 @@ class PeriodicMotion:
 
     model: Model
     period: float
-    state: dict[str, float]
+    x: np.ndarray
     turns: dict[str, int]
     floquet: Floquet
     error: MotionError
@@ -62,6 +63,16 @@ class PeriodicMotion:
     options: Mapping[str, Any] = field(repr=False)
     inputs: Mapping[str, InputValue] = field(repr=False)
     doublings: int = 0
+
+    @cached_property
+    def states(self) -> States:
+        """What the numbers of x are."""
+        return States(self.model)
+
+    @property
+    def state(self) -> dict[str, float]:
+        """Initial values by name at t0 [s]."""
+        return self.states.by_name(self.x)
 
     @property
     def stability(self) -> str:
@@ -134,20 +145,20 @@ class PeriodicMotion:
 
 @dataclass(frozen=True)
 class _AtEnd:
-    """An objective plus w . x(end), x the outputs `states`."""
+    """An objective plus w . y(end), y the outputs `shown`."""
 
     own: Objective
-    states: tuple[str, ...]
+    shown: tuple[str, ...]
     w: np.ndarray
 
     @property
     def outputs(self) -> tuple[str, ...]:
         """Of both, each once, the objective's first."""
-        return tuple(dict.fromkeys((*self.own.outputs, *self.states)))
+        return tuple(dict.fromkeys((*self.own.outputs, *self.shown)))
 
     def weighed(self, t: np.ndarray, y: np.ndarray) -> Weighed:
-        """J + w . x_N."""
-        count, columns = len(self.own.outputs), [self.outputs.index(name) for name in self.states]
+        """J + w . y_N."""
+        count, columns = len(self.own.outputs), [self.outputs.index(name) for name in self.shown]
         value, slope = self.own.weighed(t, y[:, :count])
         found = np.zeros_like(y)
         found[:, :count] = slope
@@ -162,14 +173,16 @@ def _gradient(motion: PeriodicMotion, of: Objective, by: Sequence[str]) -> Gradi
     unknown = [name for name in by if name not in own]
     if unknown:
         raise ArgumentError(f"by {unknown[0]!r}", f"is no parameter of model {model.name}", "see model.parameters")
-    states = tuple(motion.state)
-    outputs = tuple(dict.fromkeys((*of.outputs, *states)))
-    run = _gradient_run(motion, outputs, [*states, *by])
-    n, x = len(states), run.x0.copy()
-    x[:n] = list(motion.state.values())
+    states, n = motion.states, len(motion.x)
+    shown = tuple(states.outputs)
+    run = _gradient_run(motion, tuple(dict.fromkeys((*of.outputs, *shown))), [*states.names, *by])
+    x = run.x0.copy()
+    x[:n] = motion.x
     first = run.gradient(of, x)
     w = _adjoint(motion, run, of, x, first.derivatives[:n])
-    whole = run.gradient(_AtEnd(of, states, w), x, mode="reverse")
+    last = np.array([first.outputs[name][-1] for name in shown])
+    slopes = states.slopes(last, np.eye(len(shown)), motion.found.shot.ends[-1])
+    whole = run.gradient(_AtEnd(of, shown, w @ slopes), x, mode="reverse")
     found = whole.derivatives[n:].copy()
     if motion.speed is not None and motion.speed[0] in by:
         rate = -motion.period / x[n + list(by).index(motion.speed[0])]
@@ -184,7 +197,7 @@ def _gradient_run(motion: PeriodicMotion, outputs: Sequence[str], by: Sequence[s
 
     def first() -> DifferentiableRun:
         without = {name: value for name, value in motion.setting.items() if name != "parameters"}
-        return DifferentiableRun(model, outputs, by, **without, seen_every=0.0)
+        return DifferentiableRun(model, outputs, by, **without, initial=motion.states.upright, seen_every=0.0)
 
     key = f"gradient of an orbit by {motion.scheme} {dict(motion.options)} {tuple(outputs)} {tuple(by)}"
     run = first() if motion.inputs else model.derived(key, first)
@@ -195,7 +208,7 @@ def _adjoint(
     motion: PeriodicMotion, run: DifferentiableRun, of: Objective, x: np.ndarray, J_x: np.ndarray
 ) -> np.ndarray:
     """(n,) w; where the period is free with the phase, which holds x0 across the motion. NoPeriodicMotion at a fold."""
-    n = len(motion.state)
+    n = len(motion.x)
     matrix = np.eye(n) - motion.found.shot.monodromy
     right = J_x
     if motion.free:  # rows: (x, phase), columns: (x, T)

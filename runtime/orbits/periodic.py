@@ -12,12 +12,15 @@ import numpy as np
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import ArgumentError, SymgenError
 from runtime.contract.model import Model, refuse_elements, refuse_events
+from runtime.gradients.variables import parameters_at
+from runtime.operating.given_state import given_state
 from runtime.orbits.floquet import floquet
 from runtime.orbits.motion import PeriodicMotion
 from runtime.orbits.shooting import Closed, Conditions, NoPeriodicMotion, PeriodMap, Setting, closed, closed_beside
+from runtime.orbits.states import States
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.results.solution import Solution
-from runtime.running.inputs import InputValue
+from runtime.running.inputs import InputValue, bound
 from runtime.running.simulate import simulate
 from runtime.schemes.catalogue import scheme_kind
 
@@ -67,18 +70,18 @@ def periodic(
         raise ArgumentError("steps", f"is {steps!r}", "give a whole number of at least 1")
     if not 0 < tolerance < 1:
         raise ArgumentError("tolerance", f"is {tolerance!r}", "give a number between 0 and 1")
-    state, first = _beginning(asked, start, settle, guess, t0)
+    x, first = _beginning(asked, start, settle, guess, t0)
     count = steps if steps is not None else STEPS
     search = _Search(asked, dict(options or {}), parts, t0)
     while True:
         count = max(1, round(count / (MARKS * parts))) * MARKS * parts if steps is None else count
-        motion = search.solved(count, state, first, settle)
+        motion = search.solved(count, x, first, settle)
         if steps is not None or motion.error.largest <= tolerance or count >= MOST_STEPS:
             return motion
         order = scheme_kind(asked.scheme).make.order
         wanted = (motion.error.largest / (0.8 * tolerance)) ** (1.0 / order)
         count = min(MOST_STEPS, int(np.ceil(count * min(max(wanted, 1.2), 5.0))))
-        state, first = motion.state, motion.period
+        x, first = motion.x, motion.period
 
 
 def refuse_events_that_end(model: Model) -> None:
@@ -144,35 +147,30 @@ def speed_period(turns: float, speed: float) -> float:
 
 def _beginning(
     asked: _Asked, start: Any, settle: int | None, guess: float | None, t0: float
-) -> tuple[dict[str, float], float]:
-    """(initial values by name, period) that the search begins with."""
-    model = asked.model
+) -> tuple[np.ndarray, float]:
+    """(state (n,), period) that the search begins with."""
+    states = States(asked.model)
     if isinstance(start, PeriodicMotion):
-        return dict(start.state), start.period if asked.free else asked.length(asked.parameters)
-    state = _of_run(start) if isinstance(start, Solution) else dict(start or {})
-    for entry in model.description.coordinates:  # the state of a controller goes by its own name, too
-        if entry.kind == "state" and entry.owner in state:
-            state[f"{entry.name}_dot"] = state.pop(entry.owner)
+        return start.x, start.period if asked.free else asked.length(asked.parameters)
+    x = states.of(start.q[-1], start.q_dot[-1]) if isinstance(start, Solution) else _given(asked, states, start, t0)
     if not asked.free:
-        return state, asked.length(asked.parameters)
+        return x, asked.length(asked.parameters)
     if guess is not None and settle is None:
-        return state, float(guess)
-    return _settled_freely(asked, state, guess, settle or SETTLED, t0)
+        return x, float(guess)
+    return _settled_freely(asked, states, x, guess, settle or SETTLED, t0)
 
 
-def _of_run(run: Solution) -> dict[str, float]:
-    """q_i and their rates at the end of a run, by name."""
-    model = run.model
-    return {
-        name + end: float(values[-1, model.coordinates.index(name)])
-        for end, values in (("", run.q), ("_dot", run.q_dot))
-        for name in model.q_i
-    }
+def _given(asked: _Asked, states: States, start: Mapping[str, float] | None, t0: float) -> np.ndarray:
+    """(n,) of the model's own start with values by name. Raises InitialStateError."""
+    model = bound(asked.model, asked.inputs)
+    p = parameters_at(model, asked.parameters, t0)
+    state = given_state(model, p, model.constants(p), t0, start or {})
+    return states.of(state.q, state.q_dot)
 
 
 def _settled_freely(
-    asked: _Asked, state: dict[str, float], guess: float | None, settle: int, t0: float
-) -> tuple[dict[str, float], float]:
+    asked: _Asked, states: States, x: np.ndarray, guess: float | None, settle: int, t0: float
+) -> tuple[np.ndarray, float]:
     """End of a transient, and the time between the last two passages of the coordinate that moves most."""
     model = asked.model
     span = guess * settle if guess else max(float(model.simulation["t_end"]), 1e-3)
@@ -180,16 +178,16 @@ def _settled_freely(
     dt = span / (STEPS * settle)
     for _ in range(6):
         run = simulate(
-            model, scheme=asked.scheme, initial=state or None, t_end=t0 + span, dt=dt, seen_every=0.0, **given
+            model, scheme=asked.scheme, initial=states.by_name(x), t_end=t0 + span, dt=dt, seen_every=0.0, **given
         )
-        q = run.q[:, [model.coordinates.index(name) for name in model.q_i]]
+        q = run.q[:, followed(model)[1]]
         late = slice(len(run.t) // 2, None)
         column = int(np.ptp(q[late], axis=0).argmax())
         wave = q[late, column] - (q[late, column].max() + q[late, column].min()) / 2
         up = np.flatnonzero((wave[:-1] < 0) & (wave[1:] >= 0))
         if len(up) >= 3:
             times = run.t[late][up] - wave[up] * np.diff(run.t[late])[up] / (wave[up + 1] - wave[up])
-            return _of_run(run), float(times[-1] - times[-2])
+            return states.of(run.q[-1], run.q_dot[-1]), float(times[-1] - times[-2])
         span, dt = 4 * span, 4 * dt if guess is None else dt
     raise NoPeriodicMotion(
         f"model {model.name}",
@@ -215,10 +213,10 @@ class _Search:
             self._map = PeriodMap(setting, period, a.parameters, ())
         return self._map.with_steps(setting)
 
-    def solved(self, steps: int, state: dict[str, float], period: float, settle: int | None) -> PeriodicMotion:
+    def solved(self, steps: int, x: np.ndarray, period: float, settle: int | None) -> PeriodicMotion:
         """The motion with so many steps a period, compared with itself with other steps."""
         map_ = self.map_(steps, period)
-        found, conditions = self._found(map_, state, period, settle)
+        found, conditions = self._found(map_, x, period, settle)
         motion = self._motion(map_, found, steps)
         self._check_repeats(map_, motion)
         order = scheme_kind(self._asked.scheme).make.order
@@ -228,12 +226,8 @@ class _Search:
         margin = max(motion.floquet.margin, DOUBT * abs(motion.floquet.largest - beside.floquet.largest))
         return replace(motion, floquet=replace(motion.floquet, margin=margin), error=_difference(motion, beside))
 
-    def _found(
-        self, map_: PeriodMap, state: dict[str, float], period: float, settle: int | None
-    ) -> tuple[Closed, Conditions]:
-        """From the state, or where that fails (or settle asks for it) from the end of a transient."""
-        x = map_.start.copy()
-        x[:] = [state.get(name, value) for name, value in zip(map_.names, x, strict=True)]
+    def _found(self, map_: PeriodMap, x: np.ndarray, period: float, settle: int | None) -> tuple[Closed, Conditions]:
+        """From the state x (n,), or where that fails (or settle asks for it) from the end of a transient."""
         settled = settle or 0
         for _ in range(settled):
             x = self._wrapped(map_, x, map_.with_parts(1).ends(x[None], period, ())[0])
@@ -248,23 +242,23 @@ class _Search:
 
     def _wrapped(self, map_: PeriodMap, before: np.ndarray, after: np.ndarray) -> np.ndarray:
         """The end of a period with its whole turns taken off."""
-        return np.asarray(after - map_.whole_turns(after - before))
+        return np.asarray(after - map_.states.whole_turns(after - before))
 
     def _newton(self, map_: PeriodMap, x: np.ndarray, period: float) -> tuple[Closed, Conditions]:
         states = map_.along(x, period, ())
         shot = map_.shot(states, period, ())
-        turn = map_.whole_turns(shot.ends[-1] - x)
-        scale = map_.sizes(np.abs(np.vstack([states, shot.ends])).max(axis=0), period)
+        turn = map_.states.whole_turns(shot.ends[-1] - x)
+        scale = map_.states.sizes(np.abs(np.vstack([states, shot.ends])).max(axis=0), period)
         conditions = Conditions(scale, turn, self._asked.free, x, shot.rates[-1])
         return closed(map_, conditions, shot, period, ()), conditions
 
     def _motion(self, map_: PeriodMap, found: Closed, steps: int) -> PeriodicMotion:
         a = self._asked
-        turns = np.rint(found.turn[: len(map_.places)] / (2 * np.pi)).astype(int)
+        turns = np.rint(found.turn[: len(map_.states.places)] / (2 * np.pi)).astype(int)
         speed = None if a.speed is None else (a.speed, a.turns)
         return PeriodicMotion(
-            a.model, found.period, dict(zip(map_.names, found.shot.x[0].tolist(), strict=True)),
-            {name: int(k) for name, k in zip(map_.places, turns, strict=True) if k},
+            a.model, found.period, found.shot.x[0],
+            {name: int(k) for name, k in zip(map_.states.places, turns, strict=True) if k},
             floquet(found.shot.monodromy, found.period, a.free), MotionError(reason="not yet compared"),
             a.scheme, steps, self._parts, found.iterations, self._t0, a.parameters, a.free, speed,
             found, self._options, a.inputs,
@@ -274,14 +268,15 @@ class _Search:
         """Raises NoPeriodicMotion where drives, loads, inputs or what events did do not repeat with the period."""
         found, end = motion.found, motion.found.shot.ends[0]
         if any(event.sets for event in motion.model.description.events):  # what they set goes on in the next period
-            last = _of_run(motion.simulate(2, samples=2))
-            end, again = found.shot.x[0], np.array([last[name] for name in map_.names]) - 2 * found.turn
+            run = motion.simulate(2, samples=2)
+            end = found.shot.x[0]
+            again = map_.states.near(map_.states.of(run.q[-1], run.q_dot[-1]) - 2 * found.turn, end)
         else:
             again = map_.next_period(found.shot.x[0], found.period)
-        size = map_.sizes(np.abs(np.vstack([found.shot.x, found.shot.ends])).max(axis=0), found.period)
+        size = map_.states.sizes(np.abs(np.vstack([found.shot.x, found.shot.ends])).max(axis=0), found.period)
         off = np.abs(again - end) / size
         if off.max() > REPEATS:
-            name = map_.names[int(off.argmax())]
+            name = map_.states.names[int(off.argmax())]
             raise NoPeriodicMotion(
                 f"model {self._asked.model.name}",
                 f"drives, loads, inputs or events do not repeat after {found.period:.6g} s: in the next period {name} "

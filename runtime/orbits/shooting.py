@@ -21,9 +21,10 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from runtime.contract.errors import ArgumentError, ModelError, NoResult, SymgenError
+from runtime.contract.errors import ArgumentError, NoResult, SymgenError
 from runtime.contract.model import Model
 from runtime.gradients.differentiable_run import DifferentiableRun
+from runtime.orbits.states import States
 
 CLOSED = 1e-11  # of each coordinate's scale: what a closed motion may be open by
 ROUNDED = 1e-8  # the same, where Newton's method gets no nearer
@@ -76,21 +77,12 @@ class Setting:
 class PeriodMap:
     """The map of a period of T [s]; by: parameters that it is differentiated by. Raises what DifferentiableRun does.
 
-    names: of a state, its coordinates `places` and all rates. The state of a controller is a rate; its integral, on
-    which nothing depends, need not repeat and is left out.
+    states: what the numbers of a state are.
     """
 
     def __init__(self, setting: Setting, period: float, parameters: Mapping[str, float], by: Sequence[str]) -> None:
-        model = setting.model
-        if model.description.orientations and any(model.places.turns):
-            raise ModelError(
-                f"model {model.name} has bodies that turn freely in space, whose orientations are in q_i: periodic "
-                "motions are found of models whose q_i are lengths and angles; put hinges or universal joints there"
-            )
         self.setting, self.parameters, self.by = setting, dict(parameters), tuple(by)
-        self._places = [k for k in range(len(model.q_i)) if k not in model.states]
-        self.places = [model.q_i[k] for k in self._places]
-        self.names = [*self.places, *(f"{name}_dot" for name in model.q_i)]
+        self.states = States(setting.model)
         key = f"orbit by {setting.scheme} {dict(setting.options)} {self.by}"
         own = setting.model.derived(key, lambda: self._first(period)) if not setting.inputs else self._first(period)
         self._run = own.over(setting.t0, period / setting.parts, setting.steps, parameters=self.parameters)
@@ -98,31 +90,8 @@ class PeriodMap:
 
     @property
     def size(self) -> int:
-        """Numbers in a state: coordinates and rates."""
-        return len(self.names)
-
-    def sizes(self, x: np.ndarray, period: float) -> np.ndarray:
-        """(n,) by which a state x (n,) is judged: a coordinate's size, or what its rate makes of it; rates alike."""
-        v = np.abs(x[len(self.places) :])
-        q = np.zeros_like(v)
-        q[self._places] = np.abs(x[: len(self.places)])
-        own = np.maximum(q, v * period / (2 * np.pi))
-        own = np.maximum(own, 1e-6 * own.max(initial=1e-12))  # what hardly moves is judged by what does
-        return np.concatenate([own[self._places], own * 2 * np.pi / period])
-
-    def whole_turns(self, moved: np.ndarray) -> np.ndarray:
-        """(n,) 2 pi k of the angles in a change of state (n,), zero elsewhere."""
-        entries = {entry.name: entry for entry in self.setting.model.description.coordinates}
-        found = np.zeros(len(moved))
-        for k, name in enumerate(self.places):
-            if entries[name].unit == "rad" and not entries[name].elastic:
-                found[k] = 2 * np.pi * np.rint(moved[k] / (2 * np.pi))
-        return found
-
-    @property
-    def start(self) -> np.ndarray:
-        """(n,) the state that the model starts from."""
-        return self._run.x0[: self.size].copy()
+        """Numbers in a state."""
+        return len(self.states.names)
 
     def shot(self, x: np.ndarray, period: float, values: Sequence[float]) -> Shot:
         """From states x (K, n) at parameters `by` with these values. Raises NoPeriodicMotion."""
@@ -131,24 +100,27 @@ class PeriodMap:
         slopes, by_parameters = np.zeros((parts, n, n)), np.zeros((parts, n, len(self.by)))
         for k in range(parts):
             found = _told(self._part(k, period).jacobian, np.concatenate([x[k], values]))
-            last, slope = found.values[-1], found.derivatives[-1]
-            ends[k], rates[k] = last[:n], np.concatenate([last[len(self.places) : n][self._places], last[n:]])
-            slopes[k], by_parameters[k] = slope[:n, :n], slope[:n, n:]
+            ends[k], rates[k] = self.states.seen(found.values[-1], x[(k + 1) % parts])
+            slope = self.states.slopes(found.values[-1], found.derivatives[-1], ends[k])
+            slopes[k], by_parameters[k] = slope[:, :n], slope[:, n:]
         return Shot(x, ends, slopes, by_parameters, rates)
 
     def ends(self, x: np.ndarray, period: float, values: Sequence[float]) -> np.ndarray:
         """(K, n) where the parts end. Raises NoPeriodicMotion."""
-        n = self.size
-        given = [np.concatenate([state, values]) for state in x]
-        return np.array([_told(self._part(k, period).values, given[k])[-1, :n] for k in range(self.setting.parts)])
+        following = np.roll(x, -1, axis=0)
+        return np.array([self._end(k, x[k], period, values, following[k]) for k in range(len(x))])
 
     def along(self, x: np.ndarray, period: float, values: Sequence[float]) -> np.ndarray:
         """(K, n) starts of the parts of one motion from x (n,)."""
         found = [x]
         for k in range(self.setting.parts - 1):
-            part = self._part(k, period)
-            found.append(_told(part.values, np.concatenate([found[-1], values]))[-1, : self.size])
+            found.append(self._end(k, found[-1], period, values, found[-1]))
         return np.array(found)
+
+    def _end(self, k: int, x: np.ndarray, period: float, values: Sequence[float], beside: np.ndarray) -> np.ndarray:
+        """(n,) where a part ends, near to the state `beside`."""
+        shown = _told(self._part(k, period).values, np.concatenate([x, values]))
+        return self.states.seen(shown[-1], beside)[0]
 
     def with_steps(self, setting: Setting) -> PeriodMap:
         """The same with other steps and parts; what is compiled is shared."""
@@ -164,7 +136,7 @@ class PeriodMap:
     def next_period(self, x: np.ndarray, period: float) -> np.ndarray:
         """(n,) where the first part ends if it begins a period later, from a state x (n,). Raises NoPeriodicMotion."""
         later = self._run.over(self.setting.t0 + period, period / self.setting.parts, self.setting.steps)
-        return np.asarray(_told(later.values, x)[-1, : self.size])
+        return self.states.seen(_told(later.values, x)[-1], x)[0]
 
     def _part(self, k: int, period: float) -> DifferentiableRun:
         length = period / self.setting.parts
@@ -182,8 +154,9 @@ class PeriodMap:
         length = period / setting.parts
         return DifferentiableRun(
             own,
-            [*self.names, *(f"{name}_ddot" for name in own.q_i)],
-            [*self.names, *self.by],
+            self.states.outputs,
+            [*self.states.names, *self.by],
+            initial=self.states.upright,
             t_end=setting.t0 + length,
             dt=length / setting.steps,
             scheme=setting.scheme,
@@ -277,7 +250,7 @@ def closed(map_: PeriodMap, conditions: Conditions, shot: Shot, period: float, v
     worst = int(np.abs(residual[: shot.x.size]).argmax()) % map_.size
     raise NoPeriodicMotion(
         f"model {map_.setting.model.name}",
-        f"Newton's method leaves {map_.names[worst]} open by {np.abs(residual).max():.2g} of its size after "
+        f"Newton's method leaves {map_.states.names[worst]} open by {np.abs(residual).max():.2g} of its size after "
         f"{iteration + 1} iterations with a period of {period:.6g} s",
         START,
     )

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from runtime import SCHEMES, DifferentiableRun, Model, gradient, output_jacobian, simulate
+from runtime.contract.consistent_state import InitialStateError
 from runtime.gradients import passes
 from runtime.gradients.objectives import End, Formula, Integral, Largest, SquaredError
 from symgen.scene import Scene, SceneRecord
@@ -182,6 +183,24 @@ def test_a_quasi_static_start_moves_with_its_parameters(built_in: Load) -> None:
         h = 1e-3 * abs(value)
         difference = sum(w * run.values(run.x0 + n * h * np.eye(4)[k]) for n, w in weights.items()) / h
         np.testing.assert_allclose(slopes[:, :, k], difference, rtol=1e-7, atol=1e-9 * np.abs(difference).max())
+
+
+def test_the_start_of_a_free_body_is_turned_further(built_in: Load) -> None:
+    """By its turns, one rotation vector in its axes, and its angular velocity there, against differences."""
+    model, e = built_in("tumbling_body"), [f"body.e{k}" for k in range(4)]
+    by = [f"body.{name}_{axis}" for name in ("turn", "omega") for axis in "xyz"]
+    run = DifferentiableRun(model, [*e, "body.e1_dot", "body.x"], by, t_end=0.3, dt=0.01, scheme="rk4", samples=2)
+    x = run.x0 + [0.4, -0.3, 0.9, 0.5, 0.2, -1.0]
+    found, steps = run.jacobian(x).derivatives, 1e-5 * np.eye(6)
+    for k, step in enumerate(steps):
+        change = (run.values(x + step) - run.values(x - step)) / 2e-5
+        assert found[:, :, k] == pytest.approx(change, abs=1e-8)
+
+
+def test_a_start_by_euler_angles_is_not_turned_further(model_of: Build) -> None:
+    scene = Scene("angles", space="spatial").rigid("body", mass=1.0, inertia=[1.0] * 3, free=True, orientation="zyx")
+    with pytest.raises(InitialStateError, match=r"theta1.*Euler parameters"):
+        gradient(model_of(scene.build()), End("body.e1"), ["body.turn_x"], t_end=0.1, initial={"body.theta1": 0.1})
 
 
 def test_inputs_are_parameters_of_a_run(model_of: Build) -> None:

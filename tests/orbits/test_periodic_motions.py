@@ -11,7 +11,8 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import root
 from scipy.special import mathieu_a, mathieu_b
 
-from runtime import Model, Sampled, periodic, periodic_over, simulate
+from runtime import Model, periodic, periodic_over, simulate
+from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.errors import ArgumentError
 from runtime.gradients.objectives import Integral, Largest
 from runtime.orbits.shooting import NoPeriodicMotion
@@ -258,8 +259,8 @@ def test_wrong_questions_are_refused_by_name(duffing: Model, tmp_path: Path) -> 
         periodic(duffing, speed="omega", parameters={"omega": 0.0})
     with pytest.raises(NoPeriodicMotion, match="do not repeat after 3"):
         periodic(duffing, period=3.0)
-    with pytest.raises(ArgumentError, match="gamma.*controller"):
-        periodic(duffing, speed="omega", inputs={"gamma": Sampled(lambda t, x, m: 0.3, every=0.1, memory=[0.0])})
+    with pytest.raises(InitialStateError, match="mass.z"):
+        periodic(duffing, speed="omega", start={"mass.z": 1.0})
     with pytest.raises(ArgumentError, match="spun"):
         periodic_over(duffing, "spun", (1, 2), speed="omega")
     with pytest.raises(ArgumentError, match="nothing"):
