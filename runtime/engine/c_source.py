@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import isinf, isnan
 
 import casadi as ca
@@ -207,7 +207,13 @@ def tape_code(name: str, tape: Tape, outputs: Sequence[str], style: Style, kept:
     return _Writer(name, tape, stores, declared, [*outputs, *inputs], style, kept).code()
 
 
-def _number(value: float) -> str:
+def named(function: ca.Function, *names: str) -> Tape:
+    """The tape of a Function, its inputs by other names."""
+    return replace(read_tape(function), input_names=list(names))
+
+
+def number(value: float) -> str:
+    """As C reads it back."""
     if isnan(value):
         return "NAN"
     if isinf(value):
@@ -276,7 +282,7 @@ class _Writer:
     def _operand(self, k: int, names: dict[int, str]) -> str:
         node = self.tape.nodes[k]
         if node.op == ca.OP_CONST:
-            return _number(node.value)
+            return number(node.value)
         if node.op == ca.OP_INPUT:
             return f"{self.tape.input_names[node.a]}[{node.b}]"
         return names[k]

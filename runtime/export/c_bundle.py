@@ -20,16 +20,18 @@ from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.errors import ModelError
 from runtime.contract.files import write_text
 from runtime.contract.model import Model
-from runtime.contract.tape import Tape, read_tape, shared
-from runtime.engine.c_source import Code, Style, program_code, source, stage_code, tape_code
-from runtime.engine.prepare import Prepared, prepare
+from runtime.contract.tape import shared
+from runtime.engine.c_source import Code, Style, named, program_code, source, stage_code, tape_code
+from runtime.engine.prepare import Prepared
 from runtime.export.c_mathematics import own_c
+from runtime.export.c_stops import ENDS, kept, refuse_stops, stop_functions, stop_text
 from runtime.running.inputs import reading
 from runtime.running.plan import make_plan, steps_asked
-from runtime.running.stepping import may_jump
+from runtime.running.stepping import ModelStepper
 from runtime.schemes.scheme import Scheme
-from runtime.schemes.stepper import start_there, start_vector
+from runtime.schemes.stepper import prepared_step, start_there
 from runtime.schemes.switching.restart import restarted
+from runtime.schemes.switching.watched import watch_events, watches
 from runtime.start.start_state import start_state
 
 
@@ -98,28 +100,17 @@ def exported(
     """Prepare a model and a scheme, by default the scene's. Raises ModelError or SchemeError for what cannot leave."""
     if not model.q_i:
         raise ModelError(f"model {model.name}", "has no step: every coordinate is driven", "simulate it")
-    refuse_breaks(model)
+    p = model.parameter_vector(parameters)
+    refuse_stops(model, p)
     name_of_scheme, length = steps_asked(model, scheme, dt, m, options)
     plan = make_plan(model, 1e9 * length, length, m, name_of_scheme, None, options, 0.0, bounded=True)
     plan.scheme.of_one_length("exported code")
     built = plan.scheme
-    p = model.parameter_vector(parameters)
-    c = model.constants(p)
-    state = start_state(model, p, c, 0.0, None)
-    prepared = prepare(built.program(), built.layout.size, built.c_size)
-    z = prepared.widened(start_vector(built, 0.0, state.q, state.q_dot, c))
-    return Exported(model, name or model.name, built, prepared, p, z, _start_values(model, state.q, state.q_dot))
-
-
-def refuse_breaks(model: Model) -> None:
-    """Raises ModelError for models whose steps end at events or where loads jump in time."""
-    if not model.description.events and not may_jump(model):
-        return
-    events = [event.name for event in model.description.events]
-    what = f"events {', '.join(events)}" if events else f"jumps in time of {', '.join(model.description.switching)}"
-    raise ModelError(
-        f"{what} of model {model.name}", "are not part of exported code", "export a scene without them, or simulate it"
-    )
+    watch_events(built)
+    state = start_state(model, p, model.constants(p), 0.0, None)
+    own = ModelStepper(model, scheme=scheme, dt=dt, m=m, options=options, parameters=parameters, engine="interpreted")
+    z, x = np.append(own.save().z, np.zeros(kept(built))), _start_values(model, state.q, state.q_dot)
+    return Exported(model, name or model.name, built, prepared_step(built), p, z, x)
 
 
 def write_c(one: Exported, folder: str | Path) -> list[Path]:
@@ -142,12 +133,15 @@ def c_files(one: Exported) -> dict[str, str]:
     head = f'#include "{stem}.h"\n\n'
     own = own_c("".join(part.text for part in code.values()), one.prefix)
     body = source(list(code.values()), style, own + _constant_tables(one))
-    return {f"{stem}.h": _header(one, _work(one, code)), f"{stem}.c": f"{head}{body}\n{_doors(one, code)}"}
-
-
-def named(function: ca.Function, *names: str) -> Tape:
-    """The tape of a Function, its inputs by other names."""
-    return replace(read_tape(function), input_names=list(names))
+    stops, kept_work = (
+        stop_text(one.scheme, one.prepared, one.prefix)
+        if kept(one.scheme)
+        else (_WITHOUT_STOPS.format(p=one.prefix), 0)
+    )
+    return {
+        f"{stem}.h": _header(one, kept_work + _work(one, code)),
+        f"{stem}.c": f"{head}{body}\n{stops}\n{_doors(one)}",
+    }
 
 
 # ---- functions ------------------------------------------------------------------------------------------------
@@ -166,10 +160,10 @@ def _functions(one: Exported) -> dict[str, Code]:
         "prepare": stage_code(f"{p}prepare", named(one.prepared.constants, "c"), library),
         "begin": tape_code(f"{p}begin", named(starter, *arguments), ["z"], library),
         "observe": tape_code(f"{p}observe", named(observer, "z", "c"), ["y"], library, kept=""),
-        "step": program_code(f"{p}step", one.prepared.program, own),
+        "steps": program_code(f"{p}steps", one.prepared.program, own, "static "),
         "again": stage_code(f"{p}again", named(_restart(scheme), "z", "c"), own),
     }
-    return found
+    return found | (stop_functions(scheme, one.prepared, p, library, own) if kept(scheme) else {})
 
 
 def _starter(scheme: Scheme) -> tuple[ca.Function, list[str]]:
@@ -180,11 +174,11 @@ def _starter(scheme: Scheme) -> tuple[ca.Function, list[str]]:
 
 
 def _restart(scheme: Scheme) -> ca.Function:
-    """([state, dt before, dt, clock, inputs], c) -> the same with the state as the start of steps dt [s]."""
-    size, n_w = scheme.layout.size, _inputs(scheme)
-    z, c = ca.SX.sym("z", size + 3 + n_w), ca.SX.sym("c", scheme.c_size)
-    inputs = z[size + 3 :] if n_w else None
-    found = restarted(scheme, z[:size], c, z[size], z[size + 1], z[size + 2], inputs=inputs)
+    """([state, dt before, dt, clock, inputs, push], c) -> the same with the state as the start of steps dt [s]."""
+    size, n_w, n_v = scheme.layout.size, _inputs(scheme), len(scheme.model.q_i) if watches(scheme) else 0
+    z, c = ca.SX.sym("z", size + 3 + n_w + n_v), ca.SX.sym("c", scheme.c_size)
+    inputs, push = z[size + 3 : size + 3 + n_w] if n_w else None, z[size + 3 + n_w :] if n_v else None
+    found = restarted(scheme, z[:size], c, z[size], z[size + 1], z[size + 2], push, inputs)
     return ca.Function("again", [z, c], shared([ca.densify(ca.vertcat(found, z[size:]))]))
 
 
@@ -195,7 +189,7 @@ def _inputs(scheme: Scheme) -> int:
 
 def _work(one: Exported, code: Mapping[str, Code]) -> int:
     """Entries of w: of the longest function, and what stands before its own."""
-    before = {"again": one.scheme.layout.size + 3 + _inputs(one.scheme)}
+    before = {"again": one.scheme.layout.size + 3 + _inputs(one.scheme) + len(one.model.q_i)}
     return max([1, *(part.work + before.get(name, 0) for name, part in code.items())])
 
 
@@ -231,7 +225,12 @@ def _header(one: Exported, work: int) -> str:
     numbers |= {"P": len(one.p), "Z": len(one.z), "C": one.ready, "W": work}
     defined = "\n".join(f"#define {p}{name} {value}" for name, value in numbers.items())
     return _HEADER.format(
-        p=p, guard=f"{p}H", title=one.model.title or one.name, defined=defined, dt=one.scheme.grid.dt_L
+        p=p,
+        guard=f"{p}H",
+        title=one.model.title or one.name,
+        defined=defined,
+        dt=one.scheme.grid.dt_L,
+        ends=", ".join(f"{p}{name} = {number}" for name, number in ENDS.items()),
     )
 
 
@@ -274,14 +273,18 @@ void {p}first(double *z);
 /* the state at t from values in the order of `starts`; loops are closed near those given */
 void {p}start(double *z, const double *c, double t, const double *x, double *w);
 
-/* n steps */
-void {p}step(double *z, const double *c, double *w, long n);
+/* n steps; 0, or why the motion has ended before: z is there, and does not go on */
+enum {{ {ends} }};
+int {p}step(double *z, const double *c, double *w, long n);
 
-/* other inputs u[{p}INPUTS] from here on; c stays as it is */
+/* other inputs u[{p}INPUTS] from here on; c stays as it is. Also after `constants` with other p */
 void {p}hold(double *z, const double *c, const double *u, double *w);
 
 /* go on from z, which steps of dt_before led to, with steps of dt; then `constants` for dt */
 void {p}restart(double *z, const double *c, double dt_before, double dt, double *w);
+
+/* the inputs u[{p}INPUTS] that z holds: as given, or as events have set them */
+void {p}held(double *u, const double *z);
 
 double {p}time(const double *z, const double *c);
 void {p}observe(double *y, const double *z, const double *c, double *w);
@@ -296,7 +299,7 @@ int {p}finite(const double *z);
 """
 
 
-def _doors(one: Exported, code: Mapping[str, Code]) -> str:
+def _doors(one: Exported) -> str:
     scheme, model, p = one.scheme, one.model, one.prefix
     starter, names = _starter(scheme)
     given, at = list[str](), 0
@@ -320,8 +323,26 @@ def _doors(one: Exported, code: Mapping[str, Code]) -> str:
         inputs=n_w,
         first=first,
         anew=int(scheme.remembers),
+        pushed=len(model.q_i) if watches(scheme) else 0,
+        **_stop_doors(scheme),
     )
 
+
+def _stop_doors(scheme: Scheme) -> dict[str, str]:
+    """What starts, inputs and restarts do where steps may be broken."""
+    run, look = "\n  Run r = made_run(z, c, w);", "\n  look_anew(&r);" if watches(scheme) else ""
+    if not kept(scheme):
+        return {"set_out": "", "looked": "", "on_grid": ""}
+    looked = f"{run}{look}" if look else ""
+    return {"set_out": f"{run}\n  set_out_from(&r, t);", "looked": looked, "on_grid": f"\n  z[T0] = z[0];{looked}"}
+
+
+_WITHOUT_STOPS = """
+int {p}step(double *z, const double *c, double *w, long n) {{
+  {p}steps(z, c, w, n);
+  return 0;
+}}
+"""
 
 _DOORS = """
 int {p}find(const {p}quantity *table, const char *name) {{
@@ -350,14 +371,15 @@ void {p}first(double *z) {{ memcpy(z, {p}z0, sizeof {p}z0); }}
 
 void {p}start(double *z, const double *c, double t, const double *x, double *w) {{
 {used}  memset(z, 0, sizeof {p}z0);
-  {p}begin(z, {given}, w);
+  {p}begin(z, {given}, w);{set_out}
 }}
 
 static void {p}go_on(double *z, const double *c, double dt_before, double dt, const double *u, double *w) {{
   memcpy(w, z, {size} * sizeof(double));
   w[{size}] = dt_before, w[{size} + 1] = dt, w[{size} + 2] = z[0] + z[1] * dt_before;
   memcpy(w + {size} + 3, u, {inputs} * sizeof(double));
-  {p}again(w, c, w + {size} + 3 + {inputs});
+  memset(w + {size} + 3 + {inputs}, 0, {pushed} * sizeof(double));
+  {p}again(w, c, w + {size} + 3 + {inputs} + {pushed});
   memcpy(z, w, {size} * sizeof(double));
 }}
 
@@ -369,13 +391,15 @@ void {p}hold(double *z, const double *c, const double *u, double *w) {{
     if (k < {inputs}) {p}go_on(z, c, c[{end}], c[{end}], u, w);
     z[0] = t0, z[1] = n;
   }}
-  memcpy(z + {first}, u, {inputs} * sizeof(double));
+  memcpy(z + {first}, u, {inputs} * sizeof(double));{looked}
 }}
+
+void {p}held(double *u, const double *z) {{ memcpy(u, z + {first}, {inputs} * sizeof(double)); }}
 
 double {p}time(const double *z, const double *c) {{ return z[0] + z[1] * c[{end}]; }}
 
 void {p}restart(double *z, const double *c, double dt_before, double dt, double *w) {{
-  {p}go_on(z, c, dt_before, dt, z + {first}, w);
+  {p}go_on(z, c, dt_before, dt, z + {first}, w);{on_grid}
 }}
 
 int {p}finite(const double *z) {{

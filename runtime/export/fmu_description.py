@@ -43,11 +43,14 @@ class Variable:
 def variables(one: Exported) -> list[Variable]:
     """All that an FMU of the model shows, time first. Numbers of shapes, tables and arrays stay inside."""
     found = [Variable("time", 0, "independent", "continuous", "s")]
+    hidden = {each.name for each in one.model.description.inputs if each.hidden}
     for k, (entry, own) in enumerate(zip(one.model.parameters, [*one.parameters, *one.inputs], strict=True)):
         least = 0.0 if entry.bound != "any" else None
         about = (entry.unit, entry.meaning)
         if k >= len(one.parameters):
-            if entry.name != SINCE:
+            if entry.name in hidden:  # what events set beside inputs
+                found.append(Variable(entry.name, 1 + k, "local", "discrete", *about, "calculated"))
+            elif entry.name != SINCE:
                 found.append(Variable(entry.name, 1 + k, "input", "continuous", *about, start=own.start))
         elif entry.kind != "data" and not entry.array:
             found.append(Variable(entry.name, 1 + k, "parameter", "tunable", *about, "exact", own.start, least))

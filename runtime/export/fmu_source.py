@@ -12,8 +12,8 @@ from runtime.baselines.condensed_ode import CondensedOde
 from runtime.contract.coordinates import joined
 from runtime.contract.model import Model
 from runtime.contract.tape import Tape, shared
-from runtime.engine.c_source import Style, source, tape_code
-from runtime.export.c_bundle import Exported, constant_array, named, quoted
+from runtime.engine.c_source import Style, named, source, tape_code
+from runtime.export.c_bundle import Exported, constant_array, quoted
 
 _BOUNDS = {"any": 0, "not negative": 1, "positive": 2}
 SINCE = "inputs.since"

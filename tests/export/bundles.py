@@ -48,11 +48,11 @@ class Bundle:
         self.call("constants", self.c, self.p, self.dt, self.w)
         self.call("first", self.z)
 
-    def call(self, name: str, *arguments: np.ndarray | float | int) -> None:
+    def call(self, name: str, *arguments: np.ndarray | float | int) -> int:
         """A function of the bundle; whole numbers are counts."""
         kinds = {float: ctypes.c_double, int: ctypes.c_long}
         given = [kinds[type(a)](a) if type(a) in kinds else ctypes.c_void_p(a.ctypes.data) for a in arguments]
-        getattr(self._library, self.one.prefix + name)(*given)
+        return int(getattr(self._library, self.one.prefix + name)(*given))
 
     def step(self, n: int = 1) -> None:
         self.call("step", self.z, self.c, self.w, n)

@@ -16,8 +16,8 @@ enum { INSTANTIATED, INITIALISING, EVENT, CONTINUOUS, STEPPING, ENDED }; /* mode
 
 /* all that lasts; two instances with equal states go on alike */
 typedef struct {
-  int mode, fresh, stale, changed, moved, seen; /* at the start?; is it, are c, inputs, y to be made? */
-  double t, h, started;                         /* time, step [s], time of the start */
+  int mode, fresh, stale, changed, moved, seen, ended; /* at the start?; is it, are c, inputs, y to be made?; over? */
+  double t, h, started;                                /* time, step [s], time of the start */
   double p[NP + 1], slope[NU + 1], starts[N(STARTS) + 1], c[N(C)], z[N(Z)], y[NY], x[NX + 1];
 } State;
 
@@ -126,7 +126,7 @@ static int set(Instance *I, const unsigned int *vr, size_t n, const double *valu
       s->moved = 1;
       if (SINCE >= 0) s->p[NPAR + SINCE] = s->t;
     } else {
-      s->changed = 1;
+      s->changed = s->moved = 1;
     }
     if (before) s->changed = s->stale = 1;
   }
@@ -176,13 +176,35 @@ static void take_step(Instance *I, double h) {
   if (s->fresh) M(start)(s->z, s->c, s->started, s->starts, I->w);
 }
 
+/* how a step ends that nothing stops, or that an event does; others leave the state as it was */
+static int stepped(Instance *I, int why, double end) {
+  State *s = &I->s;
+  s->fresh = s->seen = 0;
+  M(held)(s->p + NPAR, s->z);
+  s->t = why == 0 ? end : M(time)(s->z, s->c);
+  if (why != 0 && why != N(BY_EVENT)) {
+    *s = I->before;
+    return said(I, DISCARD, why == N(CHATTERING)   ? "an event undoes itself for ever in this step"
+                            : why == N(NO_MODE)    ? "no choice of what sticks and what slides is consistent in this step"
+                            : why == N(NOT_FINITE) ? "an event sets what is not finite in this step"
+                                                   : "there are too many jumps in this step: take a shorter one of the scheme", end);
+  }
+  if (!M(finite)(s->z)) {
+    *s = I->before;
+    return said(I, DISCARD, "the motion is lost in this step: take shorter ones", end);
+  }
+  s->ended = why;
+  return OK;
+}
+
 static int do_step(Instance *I, double t, double H) {
   State *s = &I->s;
   double n, h, u[NU + 1];
-  int sloping = 0, k;
+  int sloping = 0, k, why = 0;
   long step;
   if (s->mode != STEPPING) return say(I, ERROR, "a step is made behind the initialisation, in co-simulation");
   if (!(H > 0.0) || H - H != 0.0) return said(I, ERROR, "the length of a step must be positive and finite", H);
+  if (s->ended) return said(I, ERROR, "an event has ended the motion", s->t);
   if (!(fabs(t - s->t) <= 1e-6 * H)) return said(I, ERROR, "the unit is at another time than the step begins at", s->t);
   n = ceil(H / N(DT) - 1e-6);
   n = n < 1.0 ? 1.0 : n;
@@ -192,24 +214,19 @@ static int do_step(Instance *I, double t, double H) {
   take_step(I, h);
   for (k = 0; k < NU; ++k) sloping = sloping || s->slope[k] != 0.0;
   if (sloping) { /* each step with the values at its middle */
-    for (step = 0; step < (long)n; ++step) {
+    for (step = 0; step < (long)n && why == 0; ++step) {
       for (k = 0; k < NU; ++k) u[k] = s->p[NPAR + k] + s->slope[k] * ((double)step + 0.5) * h;
       M(hold)(s->z, s->c, u, I->w);
-      M(step)(s->z, s->c, I->w, 1);
+      why = M(step)(s->z, s->c, I->w, 1);
     }
-    s->moved = 1;
-  } else {
-    if (s->moved) M(hold)(s->z, s->c, s->p + NPAR, I->w);
-    s->moved = 0;
-    M(step)(s->z, s->c, I->w, (long)n);
+    memcpy(u, s->p + NPAR, NU * sizeof(double));
+    if (stepped(I, why, t + H) != OK) return DISCARD;
+    memcpy(s->p + NPAR, u, NU * sizeof(double)), s->moved = 1; /* what the master gave is where slopes begin */
+    return OK;
   }
-  s->fresh = s->seen = 0;
-  s->t = t + H;
-  if (!M(finite)(s->z)) {
-    *s = I->before;
-    return said(I, DISCARD, "the motion is lost in this step: take shorter ones", H);
-  }
-  return OK;
+  if (s->moved) M(hold)(s->z, s->c, s->p + NPAR, I->w);
+  s->moved = 0;
+  return stepped(I, M(step)(s->z, s->c, I->w, (long)n), t + H);
 }
 
 /* ---- model exchange ---- */

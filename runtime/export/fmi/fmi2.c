@@ -89,7 +89,10 @@ DOOR int fmi2SetRealInputDerivatives(Instance *I, const unsigned int *vr, size_t
 DOOR int fmi2GetRealOutputDerivatives(Instance *I, const unsigned int *vr, size_t n, const int *order, double *value) {
   return say(I, ERROR, "derivatives of outputs are outputs themselves");
 }
-DOOR int fmi2DoStep(Instance *I, double t, double h, int no_set) { return do_step(I, t, h); }
+DOOR int fmi2DoStep(Instance *I, double t, double h, int no_set) {
+  const int status = do_step(I, t, h);
+  return status == OK && I->s.ended ? said(I, DISCARD, "an event has ended the motion", I->s.t) : status;
+}
 DOOR int fmi2CancelStep(Instance *I) { return say(I, ERROR, "a step is not asynchronous"); }
 #define STATUS(Kind, type)                                                                 \
   DOOR int fmi2Get##Kind(Instance *I, int kind, type *value) {                             \
@@ -97,6 +100,6 @@ DOOR int fmi2CancelStep(Instance *I) { return say(I, ERROR, "a step is not async
   }
 STATUS(Status, int)
 STATUS(IntegerStatus, int)
-STATUS(BooleanStatus, int)
+DOOR int fmi2GetBooleanStatus(Instance *I, int kind, int *value) { return *value = kind == 3 && I->s.ended, OK; }
 STATUS(StringStatus, const char *)
 DOOR int fmi2GetRealStatus(Instance *I, int kind, double *value) { return *value = I->s.t, OK; }

@@ -115,6 +115,6 @@ DOOR int fmi3GetNumberOfContinuousStates(Instance *I, size_t *n) { return *n = N
 DOOR int fmi3EnterStepMode(Instance *I) { return I->exchange ? say(I, ERROR, "there are no steps in model exchange") : OK; }
 DOOR int fmi3DoStep(Instance *I, double t, double h, bool no_set, bool *event, bool *terminate, bool *early, double *last) {
   const int status = (do_step(I, t, h));
-  *event = *terminate = *early = false, *last = I->s.t;
+  *event = false, *terminate = *early = I->s.ended != 0, *last = I->s.t;
   return status;
 }

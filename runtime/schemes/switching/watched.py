@@ -87,13 +87,15 @@ def event_slopes(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> np.ndarray:
 
 
 def _seen(scheme: Scheme, z: np.ndarray, c: np.ndarray, name: str) -> np.ndarray:
-    def build() -> ca.Function:
-        symbols = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
-        equations = scheme.equations(symbols[1], scheme.layout.unpack(symbols[0]))
-        found = values_at(scheme, symbols[0], equations).get(name, ca.SX(0, 1))
-        return ca.Function(name, list(symbols), [ca.densify(found)])
+    return direct(scheme, name, lambda: seen_function(scheme, name))(z[: scheme.layout.size], c)
 
-    return direct(scheme, name, build)(z[: scheme.layout.size], c)
+
+def seen_function(scheme: Scheme, name: str) -> ca.Function:
+    """(z, c) -> `events`, `slopes` or `actions` at a state; c as the stages read it."""
+    symbols = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
+    equations = scheme.equations(symbols[1], scheme.layout.unpack(symbols[0]))
+    found = values_at(scheme, symbols[0], equations).get(name, ca.SX(0, 1))
+    return ca.Function(name, list(symbols), [ca.densify(found)])
 
 
 def action_values(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> np.ndarray:

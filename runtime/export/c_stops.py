@@ -1,0 +1,209 @@
+"""Steps that end at jumps in time, at events and at kinks, in exported C: what `stops.c` has to know of a model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from importlib.resources import files
+from math import prod
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.errors import ModelError
+from runtime.contract.model import Model
+from runtime.contract.signals import SINCE
+from runtime.contract.tape import UNUSED, Node, Tape, read_tape, shared
+from runtime.engine.c_source import Code, Style, named, number, stage_code, tape_code
+from runtime.engine.prepare import Prepared
+from runtime.running.stepping import may_break, may_jump
+from runtime.running.time_functions import refuse_position_jumps
+from runtime.schemes.scheme import Scheme
+from runtime.schemes.switching.enclosure import EXACT
+from runtime.schemes.switching.impulse import may_give_impulses
+from runtime.schemes.switching.stop_program import StopProgram
+from runtime.schemes.switching.times import switching_times
+from runtime.schemes.switching.watched import seen_function, watched_events, watches
+
+ENDS = {"BY_EVENT": 1, "CHATTERING": 2, "NO_MODE": 3, "NOT_FINITE": 4, "TOO_MANY": 5}
+KEPT_OF_A_KINK = 22
+MOST_CLOSE = 502
+WAYS = {"rising": 1, "falling": -1}
+_BOUNDS = {
+    ca.OP_ADD: "I_add({a}, {b})",
+    ca.OP_SUB: "I_sub({a}, {b})",
+    ca.OP_MUL: "I_times({a}, {b})",
+    ca.OP_DIV: "I_times({a}, I_inv({b}))",
+    ca.OP_FMIN: "I_min({a}, {b})",
+    ca.OP_FMAX: "I_max({a}, {b})",
+    ca.OP_LT: "I_lt({a}, {b})",
+    ca.OP_LE: "I_le({a}, {b})",
+    ca.OP_AND: "I_of({a}.low * {b}.low, {a}.high * {b}.high)",
+    ca.OP_OR: "I_max({a}, {b})",
+    ca.OP_IF_ELSE_ZERO: "I_where({a}, {b})",
+    ca.OP_NEG: "I_neg({a})",
+    ca.OP_TWICE: "I_of(2 * {a}.low, 2 * {a}.high)",
+    ca.OP_NOT: "I_of(1 - {a}.high, 1 - {a}.low)",
+    ca.OP_SQ: "I_sq({a})",
+    ca.OP_FABS: "I_abs({a})",
+    ca.OP_INV: "I_inv({a})",
+    ca.OP_SIN: "I_sin({a})",
+    ca.OP_COS: "I_cos({a})",
+    ca.OP_SQRT: "I_mono(sqrt, {a})",
+    ca.OP_EXP: "I_mono(exp, {a})",
+    ca.OP_LOG: "I_mono(log, {a})",
+    ca.OP_ATAN: "I_mono(atan, {a})",
+    ca.OP_TANH: "I_mono(tanh, {a})",
+    ca.OP_FLOOR: "I_step(floor, {a})",
+    ca.OP_CEIL: "I_step(ceil, {a})",
+    ca.OP_SIGN: "I_step(sign_of, {a})",
+}
+
+
+def kept(scheme: Scheme) -> int:
+    """How many numbers z has behind those of the step: of the grid, and of kinks that come ever again."""
+    if not may_break(scheme):
+        return 0
+    return 2 + KEPT_OF_A_KINK * (len(watched_events(scheme)) - len(scheme.model.description.events))
+
+
+def refuse_stops(model: Model, p: np.ndarray) -> None:
+    """Raises ModelError for jumps and events that exported code does not know, by name."""
+    c, name = model.constants(p), f"of model {model.name}"
+    if model.sources:
+        raise ModelError(f"inputs {', '.join(model.sources)} {name}", "are functions of time", "give them as inputs")
+    sticking = [event.name for event in model.description.events if event.mode]
+    if sticking:
+        raise ModelError(
+            f"{', '.join(sticking)} {name}", "stick and slide, which exported code does not", "take a smooth law"
+        )
+    moving = [event.name for event in model.description.events if event.sets and SINCE in model.signals.names]
+    if moving:
+        raise ModelError(
+            f"the action of {', '.join(moving)} {name}", "is beside inputs with rates", "hold these inputs"
+        )
+    if not may_jump(model):
+        return
+    owners = model.description.switching
+    for owner, nodes in zip(owners, _nodes_of(_conditions(model)), strict=True):
+        if any(node.op not in _BOUNDS and node.op not in (ca.OP_INPUT, ca.OP_CONST) for node in nodes):
+            raise ModelError(
+                f"{owner} {name}",
+                "jumps where a function says that exported code has no bounds for",
+                "write the condition by sums, products, roots, sin, cos, exp, log, atan, tanh",
+            )
+    t_end = float(model.simulation["t_end"])
+    times = switching_times(model, c, 0.0, t_end)
+    refuse_position_jumps(model, c, ConsistentState(model.initial_q, model.initial_q_dot, {}), times, 0.0, t_end)
+    if jolts := may_give_impulses(model, c, times):
+        raise ModelError(
+            f"the motion of {', '.join(jolts[0].owners)} {name}",
+            f"has a velocity that jumps at {jolts[0].time:.6g} s, whose impulse is not in exported code",
+            "let its velocity change in a finite time",
+        )
+
+
+def _conditions(model: Model) -> ca.Function:
+    """(t, c) -> the conditions and their slopes, one after the other."""
+    t, c = ca.SX.sym("t"), ca.SX.sym("c", model.c_size)
+    g = ca.densify(ca.SX(model.evaluate("switching", t=t, c=c)["switching"]))
+    both = [ca.vertcat(one, ca.jacobian(one, t)) for one in ca.vertsplit(g)]
+    return ca.Function("conditions", [t, c], [ca.densify(ca.vertcat(*both))])
+
+
+def _nodes_of(conditions: ca.Function) -> Iterator[list[Node]]:
+    """The operations that each condition and its slope take."""
+    t, c = conditions.sx_in()
+    both = ca.SX(conditions(t, c))
+    for k in range(0, both.numel(), 2):
+        yield read_tape(ca.Function("one", [t, c], [ca.densify(both[k : k + 2])])).nodes
+
+
+def stop_functions(scheme: Scheme, prepared: Prepared, prefix: str, library: Style, own: Style) -> dict[str, Code]:
+    """The functions that `stops.c` calls, beside those of every export."""
+    made = StopProgram(scheme, prepared)
+    stages = {stage.name(): stage for stage in made.program().stages()}
+    found = {name: stage_code(f"{prefix}{name}", named(stages[name], "z", "c"), own) for name in ("set_out", "to_grid")}
+    if watches(scheme):
+        names = ["events", "slopes", *(["actions"] if _sets(scheme) else [])]
+        for name in names:
+            tape = named(seen_function(scheme, name), "z", "c")
+            found[name] = tape_code(f"{prefix}{name}", tape, ["y"], library)
+    if may_jump(scheme.model):
+        both = _conditions(scheme.model)
+        t, c = both.sx_in()
+        g = ca.densify(ca.SX(both(t, c))[::2])
+        found["conditions"] = tape_code(
+            f"{prefix}conditions", named(ca.Function("g", [t, c], shared([g])), "t", "c"), ["g"], library
+        )
+    return found
+
+
+def _sets(scheme: Scheme) -> list[int]:
+    """Which inputs actions set, event by event."""
+    names = scheme.model.signals.names
+    return [names.index(name) for event in watched_events(scheme) for name in event.sets]
+
+
+def stop_text(scheme: Scheme, prepared: Prepared, prefix: str) -> tuple[str, int]:
+    """(numbers of the model with `stops.c` behind them, how many entries of w they take)."""
+    made, model, own = StopProgram(scheme, prepared), scheme.model, scheme.layout.slice
+    place, events = made.layout.slice, watched_events(scheme)
+    jumps = len(model.description.switching) if may_jump(model) else 0
+    push = len(model.q_i) if "push" in made.layout.sizes else 0
+    ready, n_e, n_d = made.n_ready, len(events), len(model.description.events)
+    numbers = {"NZ": prepared.z_size, "NOWN": scheme.layout.size, "NS": made.layout.size, "NREADY": ready}
+    numbers |= {"NC": scheme.c_size, "DT_AT": model.c_size, "NU": model.signals.size, "NE": n_e, "ND": n_d}
+    numbers |= {"NT": jumps, "NSETS": len(_sets(scheme)), "NPUSH": push, "KEPT": kept(scheme)}
+    numbers |= {"SUB_STEPS": prod(scheme.grid.m), "KEPT_IN_W": 0}
+    numbers |= {"INPUTS_AT": own("inputs").start if model.signals.size else 0}
+    fields = {"VALUES_AT": "event_values", "STEP_AT": "event_step", "CHANGE_AT": "event_change"}
+    numbers |= {key: own(name).start for key, name in fields.items() if n_e}
+    numbers |= {"SLOPES_AT": own("event_slopes").start} if n_d else {"SLOPES_AT": 0}
+    numbers["QUIET_AT"] = own("event_quiet").start if "event_quiet" in scheme.layout.sizes else -1
+    names = {"NUMBER": "number", "SEEN": "dt_seen", "START": "start", "LENGTH": "length", "SHARE": "share"}
+    numbers |= {key: place(name).start for key, name in names.items()}
+    numbers |= {"EVENT_BEFORE": place("event_before").start, "READY": place("ready").start}
+    numbers |= {"INPUTS": place("inputs").start, "PUSH": place("push").start if push else 0}
+    numbers |= {"CLOCK": place("clock").stop - 1, "ORIGIN": place("origin").stop - 1}
+    numbers["KEPT_IN_W"] = sum((3 * numbers["NS"], numbers["NZ"], ready + 2 * numbers["NC"], MOST_CLOSE * (n_e + 1)))
+    lines = [f"#define {key} {value}" for key, value in numbers.items()]
+    lines += [f"#define M(name) {prefix}##name", "#define FRICTION 0"]
+    if n_e:
+        lines += [*_events(scheme), _whole_numbers("sets_of", _sets(scheme))]
+    text = files("runtime.export").joinpath("stops.c").read_text(encoding="utf-8")
+    if jumps:
+        times = files("runtime.export").joinpath("times.c").read_text(encoding="utf-8")
+        text = text.replace('#include "times.c"\n', times.replace("#define BOUNDS\n", _bounds(model, prefix)))
+    return "\n".join(["", *lines, "", text]), numbers["KEPT_IN_W"]
+
+
+def _events(scheme: Scheme) -> list[str]:
+    lines, at = ["static const struct { int way, terminal, from, to; double cool_down; } events_of[] = {"], 0
+    for event in watched_events(scheme):
+        way, end = WAYS.get(event.direction, 0), at + len(event.sets)
+        lines.append(f"  {{{way}, {int(event.terminal)}, {at}, {end}, {event.cool_down!r}}},")
+        at = end
+    return [*lines, "};"]
+
+
+def _whole_numbers(name: str, values: list[int]) -> str:
+    return f"static const int {name}[] = {{{', '.join(map(str, [*values, 0]))}}};"
+
+
+def _bounds(model: Model, prefix: str) -> str:
+    """`bounds`: of each condition and of its slope over an interval of time; may it jump there?"""
+    tape: Tape = read_tape(_conditions(model))
+    lines = [f"static void {prefix}bounds(I *found, int *jumps, I t, const double *c) {{"]
+    lines.append("  (void)c, (void)jumps;")
+    for k, node in enumerate(tape.nodes):
+        if node.op == ca.OP_INPUT:
+            text = "t" if node.a == 0 else f"I_of(c[{node.b}], c[{node.b}])"
+        elif node.op == ca.OP_CONST:
+            text = f"I_of({number(node.value)}, {number(node.value)})"
+        else:
+            text = _BOUNDS[node.op].format(a=f"v{node.a}", b=f"v{node.b}" if node.b != UNUSED else "")
+            text = text if node.op in EXACT else f"I_wide({text})"
+        lines.append(f"  const I v{k} = {text};")
+    lines += [f"  found[{k}] = v{node};" for k, node in enumerate(tape.outputs[0])]
+    return "\n".join([*lines, "}", ""])
