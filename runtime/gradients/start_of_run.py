@@ -177,10 +177,11 @@ def turned_start(model: Model, given: Given, by: Variables, x: np.ndarray) -> di
     Raises InitialStateError for an orientation that is given by Euler angles.
     """
     found = dict(given)
+    angles_of = {one.name: one.angles for one in model.description.bodies}
     for body in {one[1]: None for one in by.turns}:
         columns = parameter_columns(model)[body]
         names, axes = [model.coordinates[k] for k in columns], [f"{body}.omega_{axis}" for axis in "xyz"]
-        angles = [name for name in found if name.startswith(f"{body}.theta")]
+        angles = [name for name in angles_of.get(body, ()) if name in found]
         if angles:
             raise InitialStateError(
                 f"the start is turned further from {angles[0]}: give the orientation of {body} by its Euler parameters"

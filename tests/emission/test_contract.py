@@ -37,7 +37,6 @@ READERS_OF_TEXT = {
     "runtime/results/export.py",
     "runtime/results/samples.py",  # columns of the CSV
     "runtime/running/columns.py",
-    "runtime/running/load_path.py",  # q and q_dot of a row of numbers
     "runtime/studies/work_precision/comparison_page.py",  # a template in HTML
     "runtime/studies/work_precision/methods.py",
     "runtime/views/viewer/page.py",  # a template in HTML
@@ -50,7 +49,8 @@ def text_taken_apart(path: Path) -> set[str]:
     imported = {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}
     imported |= {node.module for node in nodes if isinstance(node, ast.ImportFrom) and node.module}
     assert not {"tomllib", "tomli"} & imported, path
-    called = {node.func.attr for node in nodes if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)}
+    methods = [node.func for node in nodes if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)]
+    called = {method.attr for method in methods if not (isinstance(method.value, ast.Name) and method.value.id == "np")}
     return {"re", "fnmatch"} & imported | called & TAKING_APART
 
 
