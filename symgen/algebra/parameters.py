@@ -116,7 +116,7 @@ class ParameterTable:
 
     def environment(self) -> Mapping[str, Any]:
         """Declared parameters by name, and tables as functions, for expressions in the scene."""
-        tables = {f"table {name}": table.curve.function() for name, table in self._scene.tables.items()}
+        tables = {name: table.symbol for name, table in self._scene.table_names().items()}
         return {**{name: self._symbols[name] for name in self._scene.fixed_parameters()}, **tables}
 
     def vector(self) -> ca.SX:

@@ -189,9 +189,8 @@ def data_text(derived: Derived) -> str:
         data["assembled"] = [text for _, text in initial.told]
     text = json.dumps(data, indent=1)
     if derived.scene.tables:  # each on a line
-        tables = (
-            f"  {json.dumps(name)}: {json.dumps(table.curve.plain())}" for name, table in derived.scene.tables.items()
-        )
+        parts = derived.scene.curves().items()
+        tables = (f"  {json.dumps(name)}: {json.dumps(table.plain())}" for name, table in parts)
         text = text[: -len("\n}")] + ',\n "tables": {\n' + ",\n".join(tables) + "\n }\n}"
     return text + "\n"
 

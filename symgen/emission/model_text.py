@@ -262,7 +262,7 @@ class Labels:
         moving = [f"{name}{end}" for name in names for end in ("", "_dot", "_ddot")]
         moving += [*omega.values(), *self.arguments["chart"]]
         self.arguments["p"] = local_names((entry.name for entry in derived.parameters), moving)
-        self.tables = {table.curve.key: name for name, table in derived.scene.tables.items()}
+        self.tables = {table.key: name for name, table in derived.scene.curves().items()}
         self.arguments["u"] = local_names(eq.u, [*moving, *self.arguments["p"]])
         self.arguments["c"] = self._constants(derived.tapes["constants"])
         independent = [reduced.names[c] for c in choice.independent]

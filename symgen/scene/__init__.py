@@ -47,6 +47,7 @@ from symgen.scene.simulation import (
     Partition,
     Simulation,
 )
+from symgen.scene.surfaces import SurfaceTable
 from symgen.scene.tables import CurveTable, s_curve, trapezoid
 from symgen.scene.toml_io import read_mesh
 from symgen.schema.errors import SceneError
@@ -55,7 +56,7 @@ from symgen.schema.fields import Quantity
 
 __all__ = [
     "AnyBody", "AnyMarker", "AxialModes", "Baumgarte", "BeamBody", "BeamMarker", "Body",
-    "CoordinateMeasure", "MarkerMeasure", "CurveTable", "COUPLINGS", "Coupling",
+    "CoordinateMeasure", "MarkerMeasure", "CurveTable", "SurfaceTable", "COUPLINGS", "Coupling",
     "Expression", "SpatialModalBody", "FlexibleMarker", "FlexibleStiffening",
     "Foreshortening", "CoordinateGroup", "GroundBody", "Initial",
     "InitialValue",

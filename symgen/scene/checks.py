@@ -21,7 +21,7 @@ from symgen.scene.flexible import ModalBody, SpatialModalBody
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import SECTIONS, item_path
 from symgen.schema.errors import SceneError, did_you_mean, raise_all
-from symgen.schema.expressions import RESERVED, parse_expression, table_name
+from symgen.schema.expressions import RESERVED, parse_expression
 from symgen.schema.fields import Bound, Fault, Meaning, Scope, StrictModel, components_fault, quantities, sized
 
 
@@ -289,7 +289,7 @@ class _QuantityCheck:
     def __init__(self, scene: SceneParts) -> None:
         self.switched = scene.switched_parameters()
         self.defaults, inputs = scene.parameter_defaults(), scene.input_defaults()
-        tables = {table_name(name): table.value for name, table in scene.tables.items()}
+        tables = {name: table.value for name, table in scene.table_names().items()}
         self.known: dict[str, Any] = {**self.defaults, **inputs, **tables, "t": 0.0}
         states = [name for state in scene.states for name in (state, f"{state}_dot")]
         self.states = frozenset(states)

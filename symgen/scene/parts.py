@@ -22,10 +22,11 @@ from functools import cached_property, reduce
 from operator import or_
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Protocol, Self
 
-from pydantic import AfterValidator, Field
+from pydantic import AfterValidator, Discriminator, Field, Tag
 
 from runtime.contract.orientations import angle_names, is_sequence
 from runtime.contract.records import UNITS, Coordinate, CoordinateKind
+from runtime.contract.tables import Table
 from symgen.couplings import COUPLINGS, Coupling
 from symgen.joints import JOINTS, Joint
 from symgen.joints.joint import Slide, Turn
@@ -34,6 +35,7 @@ from symgen.scene.bodies import BeamBody, BeamMarker, GroundBody, RigidBody, Rig
 from symgen.scene.flexible import FlexibleMarker, ModalBody, ModalMarker, SpatialModalBody, Structure
 from symgen.scene.measures import Measure
 from symgen.scene.simulation import Baumgarte, DeclaredEvent, Initial, Partition, Simulation
+from symgen.scene.surfaces import SurfaceTable
 from symgen.scene.tables import CurveTable
 from symgen.schema.errors import SceneError, did_you_mean
 from symgen.schema.expressions import Expression, parse_expression, table_name
@@ -188,6 +190,10 @@ ORIENTATIONS: dict[str, tuple[tuple[str, CoordinateKind], ...]] = {
     "parameters": tuple((f"e{k}", "euler_parameter") for k in range(4)),
 }
 Body = Annotated[AnyBody, Field(discriminator="type")]
+AnyTable = Annotated[
+    Annotated[CurveTable, Tag("curve")] | Annotated[SurfaceTable, Tag("surface")],
+    Discriminator(lambda given: "surface" if _has_z(given) else "curve"),
+]
 if TYPE_CHECKING:
     AnyJoint = Joint
     AnyLoad = Load
@@ -196,6 +202,10 @@ else:
     AnyJoint = Annotated[reduce(or_, JOINTS.values()), Field(discriminator="type")]
     AnyCoupling = Annotated[reduce(or_, COUPLINGS.values()), Field(discriminator="type")]
     AnyLoad = Annotated[reduce(or_, LOADS.values()), Field(discriminator="type")]
+
+
+def _has_z(given: object) -> bool:
+    return isinstance(given, SurfaceTable) or (isinstance(given, Mapping) and "z" in given)
 
 
 class SceneParts(StrictModel):
@@ -211,7 +221,7 @@ class SceneParts(StrictModel):
     )
     parameters: dict[Name, DeclaredParameter] = Field(default_factory=dict)
     inputs: dict[Name, DeclaredInput] = Field(default_factory=dict)
-    tables: dict[Name, CurveTable] = Field(default_factory=dict)
+    tables: dict[Name, AnyTable] = Field(default_factory=dict)
     states: dict[Name, DeclaredState] = Field(default_factory=dict)
     events: dict[Name, DeclaredEvent] = Field(default_factory=dict)
     bodies: tuple[Body, ...] = ()
@@ -354,5 +364,13 @@ class SceneParts(StrictModel):
 
     def expression(self, text: str | float, item: str, extra_names: tuple[str, ...] = ()) -> Expression:
         """Parse a quantity that may use the parameters, tables and ``extra_names`` ("t"); raises SceneError."""
-        tables = map(table_name, self.tables)
-        return parse_expression(text, frozenset((*self.fixed_parameters(), *tables, *extra_names)), item)
+        names = (*self.fixed_parameters(), *self.table_names(), *extra_names)
+        return parse_expression(text, frozenset(names), item)
+
+    def table_names(self) -> dict[str, AnyTable]:
+        """The tables by what expressions know them by."""
+        return {table_name(name, len(table.kinks())): table for name, table in self.tables.items()}
+
+    def curves(self) -> dict[str, Table]:
+        """The tables of one value that all tables are made of, by what emitted code calls them."""
+        return {name: curve for table, one in self.tables.items() for name, curve in one.tables(table).items()}

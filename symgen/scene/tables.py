@@ -12,6 +12,7 @@ from itertools import pairwise
 from pathlib import Path, PurePosixPath
 from typing import Annotated, Any, Literal
 
+import casadi as ca
 import numpy as np
 from pydantic import Field, Strict, model_validator
 
@@ -68,7 +69,7 @@ class CurveTable(StrictModel):
         x, y = np.array(self.x), np.array(self.y)
         with np.errstate(all="ignore"):
             h = np.diff(x)
-            pieces = {"linear": _lines, "cubic": _natural_spline, "monotone": _monotone}[self.interpolation](h, y)
+            pieces = along(self.interpolation, h, y)
             ends = np.zeros((2, len(pieces)))
             ends[:, 0] = y[0], y[-1]
             if self.outside == "extend":
@@ -79,9 +80,38 @@ class CurveTable(StrictModel):
                 powers = _integral(h, powers)
         return table_of(x, powers)
 
+    def tables(self, name: str) -> dict[str, Table]:
+        """What emitted code calls it."""
+        return {name: self.curve}
+
+    def symbol(self, x: ca.SX) -> ca.SX:
+        """y as an expression of x."""
+        return self.curve.function()(x)
+
     def value(self, x: float) -> float:
         """y at x as a number."""
         return float(self.curve(np.float64(x)))
+
+    def kinks(self) -> tuple[tuple[float, ...], ...]:
+        """Places along x where its slope jumps."""
+        return (kinks_of(self.x, self.interpolation, self.outside),)
+
+
+MOST_POINTS = 100  # a table with more is taken to be smooth
+
+
+def kinks_of(x: tuple[float, ...], interpolation: str, outside: str) -> tuple[float, ...]:
+    """All points of lines and of monotone pieces; of a natural spline the ends, if it is held there."""
+    if interpolation == "cubic":
+        return () if outside == "extend" else (x[0], x[-1])
+    return x if len(x) <= MOST_POINTS else ()
+
+
+def along(interpolation: str, h: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """(degree + 1, ..., n - 1) powers of the pieces between values (..., n), intervals of length h (n - 1,)."""
+    if values.ndim > 1:
+        return np.stack([along(interpolation, h, part) for part in values], axis=1)
+    return {"linear": _lines, "cubic": _natural_spline, "monotone": _monotone}[interpolation](h, values)
 
 
 def _integral(h: np.ndarray, powers: np.ndarray) -> np.ndarray:
@@ -201,8 +231,8 @@ def _read(item: str, entry: Any, folder: Path) -> Any:
     return {**kept, **read_points(folder / name, columns, item)}
 
 
-def read_points(path: str | Path, columns: Sequence[int], item: str) -> dict[str, Any]:
-    """{x, y} from two columns (counted from 0) of a CSV file. Raises SceneError."""
+def read_points(path: str | Path, columns: Sequence[int] | Literal["grid"], item: str) -> dict[str, Any]:
+    """{x, y} from two columns (counted from 0) of a CSV file, {x, y, z} from a "grid". Raises SceneError."""
     try:
         with open(path, encoding="utf-8-sig") as stream:
             text = stream.read(MAX_BYTES + 1)
@@ -211,18 +241,24 @@ def read_points(path: str | Path, columns: Sequence[int], item: str) -> dict[str
         raise SceneError(f"{item}.file", f"'{path}' cannot be read ({reason})", "give the path of a CSV file") from None
     if len(text) > MAX_BYTES:
         raise SceneError(f"{item}.file", f"'{path}' is larger than 20 MB", f"give at most {MAX_POINTS} points")
-    rows = _rows(f"{item}.file", text)
+    rows = _rows(f"{item}.file", text, names_above=columns != "grid")
+    if columns == "grid":
+        if len(rows) < 3 or {len(row) for row in rows[1:]} not in ({len(rows[0])}, {len(rows[0]) + 1}):
+            remedy = "put y into the first row, and below it rows of x and the z of each y"
+            raise SceneError(f"{item}.file", f"'{path}' is no grid", remedy)
+        y = rows[0][len(rows[0]) - len(rows[1]) + 1 :]  # a number in the corner is left out
+        return {"x": [row[0] for row in rows[1:]], "y": y, "z": [row[1:] for row in rows[1:]]}
     try:
         x, y = ([row[column] for row in rows] for column in columns)
     except (IndexError, TypeError, ValueError):
         raise SceneError(
-            f"{item}.columns", f"'{path}' has no columns {show(columns)}", "count columns from 0"
+            f"{item}.columns", f"'{path}' has no columns {show(columns)}", 'count columns from 0, or write "grid"'
         ) from None
     return {"x": x, "y": y}
 
 
-def _rows(item: str, text: str) -> list[list[float]]:
-    """Rows of numbers between commas, semicolons or blanks; # begins a comment, names above are left out."""
+def _rows(item: str, text: str, names_above: bool) -> list[list[float]]:
+    """Rows of numbers between commas, semicolons or blanks; # begins a comment, names above may be left out."""
     found: list[list[float]] = []
     for number, line in enumerate(text.splitlines(), 1):
         words = line.partition("#")[0].replace(";", ",").replace("\t", ",").split(",")
@@ -232,7 +268,7 @@ def _rows(item: str, text: str) -> list[list[float]]:
         try:
             values = [float(word) for word in words]
         except ValueError:
-            if found:
+            if found or not names_above:
                 raise SceneError(item, f"line {number} is not a row of numbers", "correct that line") from None
             continue
         if not all(map(math.isfinite, values)):

@@ -90,6 +90,8 @@ def _path(location: tuple[int | str, ...], data: Any) -> str:
         steps = steps[3:]  # the third is the entry's type, put there by pydantic
     else:
         path = ""
+        if steps[:1] == ["tables"]:
+            del steps[2:3]  # its kind
     for step in steps:
         path = f"{path}[{step}]" if isinstance(step, int) else _join(path, step)
     return path or "scene"

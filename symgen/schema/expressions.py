@@ -3,7 +3,7 @@
 Python's `ast` reads the text; only the nodes in the tables below pass. Numbers, + - * / **, unary - and +,
 parentheses, ``pi``, ``t`` and declared names, the functions of `ARITY`. Comparisons (also
 chained, ``0 <= t < 1``) stand only in the first argument of ``where(condition, a, b)``, and text only as the name of a
-declared table, ``table("name", x)``.
+declared table, ``table("name", x)`` or ``table("name", x, y)``.
 
 The immutable tree an expression is parsed into.
 
@@ -78,9 +78,9 @@ CASADI_FUNCTIONS: dict[str, Callable[..., ca.SX]] = {
 }
 
 
-def table_name(table: str) -> str:
-    """The entry of an environment that is a table: a function of one number."""
-    return f"table {table}"
+def table_name(table: str, takes: int = 1) -> str:
+    """The entry of an environment that is a table: a function of so many numbers."""
+    return f"table {table}" if takes == 1 else f"table {table} of {takes}"
 
 
 def float_value(node: Node, env: Mapping[str, Any]) -> float:
@@ -99,8 +99,9 @@ def float_value(node: Node, env: Mapping[str, Any]) -> float:
             return FLOAT_ARITHMETIC[sign](float_value(left, env), float_value(right, env))
         case FunctionCall(function, arguments):
             return FLOAT_FUNCTIONS[function](*(float_value(part, env) for part in arguments))
-        case TableValue(table, argument):
-            return float(env[table_name(table)](float_value(argument, env)))
+        case TableValue(table, arguments):
+            values = [float_value(part, env) for part in arguments]
+            return float(env[table_name(table, len(values))](*values))
         case Where(condition, chosen, otherwise):
             return float_value(chosen if _float_condition(condition, env) else otherwise, env)
 
@@ -124,8 +125,9 @@ def casadi_value(node: Node, env: Mapping[str, Any]) -> ca.SX:
             return ca.SX(ARITHMETIC[sign](casadi_value(left, env), casadi_value(right, env)))
         case FunctionCall(function, arguments):
             return CASADI_FUNCTIONS[function](*(casadi_value(part, env) for part in arguments))
-        case TableValue(table, argument):
-            return ca.SX(env[table_name(table)](casadi_value(argument, env)))
+        case TableValue(table, arguments):
+            symbols = [casadi_value(part, env) for part in arguments]
+            return ca.SX(env[table_name(table, len(symbols))](*symbols))
         case Where(condition, chosen, otherwise):
             holds = _casadi_condition(condition, env)
             return ca.if_else(holds, casadi_value(chosen, env), casadi_value(otherwise, env))
@@ -177,10 +179,10 @@ class FunctionCall:
 
 @dataclass(frozen=True)
 class TableValue:
-    """What a declared table gives at an argument."""
+    """What a declared table gives at its one or two arguments."""
 
     table: str
-    argument: Node
+    arguments: tuple[Node, ...]
 
 
 @dataclass(frozen=True)
@@ -364,13 +366,17 @@ class _Reader:
 
     def _table(self, arguments: list[ast.expr], keywords: bool, depth: int) -> Node:
         match arguments:
-            case [ast.Constant(value=str(name)), argument] if not keywords:
-                if table_name(name) in self.names:
-                    return TableValue(name, self.node(argument, depth + 1))
+            case [ast.Constant(value=str(name)), _, *_] if not keywords and len(arguments) <= 3:
+                takes = len(arguments) - 1
+                if table_name(name, takes) in self.names:
+                    return TableValue(name, tuple(self.node(part, depth + 1) for part in arguments[1:]))
+                if table_name(name, 3 - takes) in self.names:
+                    remedy = f'write table("{name}", {"x" if takes == 2 else "x, y"})'
+                    raise self._error(f"the table '{name}' takes {3 - takes} value(s), not {takes}", remedy)
                 first = table_name("")
-                known = sorted(each.removeprefix(first) for each in self.names if each.startswith(first))
+                known = sorted(each.split()[1] for each in self.names if each.startswith(first))
                 raise self._error(f"there is no table '{_short(name)}'", did_you_mean(name, known))
-        raise self._error("table() takes the name of a table and a value", 'write table("name", t)')
+        raise self._error("table() takes the name of a table and one value, or two", 'write table("name", t)')
 
     def _condition(self, tree: ast.expr, depth: int) -> Condition:
         if not isinstance(tree, ast.Compare) or any(type(sign) not in _COMPARISONS for sign in tree.ops):
@@ -394,8 +400,8 @@ def _names(node: Node | Condition) -> set[str]:
             return set().union(*(_names(part) for part in parts))
         case Where(condition, chosen, otherwise):
             return _names(condition) | _names(chosen) | _names(otherwise)
-        case TableValue(table, argument):
-            return {table_name(table)} | _names(argument)
+        case TableValue(table, parts):
+            return {table_name(table, len(parts))}.union(*(_names(part) for part in parts))
     return set()
 
 

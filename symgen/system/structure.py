@@ -18,11 +18,9 @@ from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, mul, total
 from symgen.scene import SceneRecord
-from symgen.scene.tables import CurveTable
+from symgen.scene.parts import AnyTable
 from symgen.schema.expressions import Binary, Condition, FunctionCall, Negative, Node, TableValue, Where, casadi_value
 from symgen.system.equations import Equations, blank_equations
-
-MOST_POINTS = 100  # of a table: one with more is taken to be smooth
 
 
 def switching_values(node: Node, env: Mapping[str, Any]) -> Iterator[ca.SX]:
@@ -45,13 +43,14 @@ def switching_values(node: Node, env: Mapping[str, Any]) -> Iterator[ca.SX]:
             yield from (values[k] - reduce(extreme, values[:k]) for k in range(1, len(values)))
 
 
-def knot_values(node: Node, env: Mapping[str, Any], tables: Mapping[str, CurveTable]) -> Iterator[ca.SX]:
+def knot_values(node: Node, env: Mapping[str, Any], tables: Mapping[str, AnyTable]) -> Iterator[ca.SX]:
     """What changes sign where the tables of the expression kink: their arguments, from their points."""
     for part in _parts(node):
         yield from knot_values(part, env, tables)
     if isinstance(node, TableValue):
-        x = casadi_value(node.argument, env)
-        yield from (x - tables[node.table].x[k] for k in _kinks(tables[node.table]))
+        for argument, places in zip(node.arguments, tables[node.table].kinks(), strict=True):
+            x = casadi_value(argument, env)
+            yield from (x - place for place in places)
 
 
 def _parts(node: Node | Condition) -> tuple[Node, ...]:
@@ -60,21 +59,11 @@ def _parts(node: Node | Condition) -> tuple[Node, ...]:
             return (operand,)
         case Binary(_, left, right):
             return (left, right)
-        case FunctionCall(_, arguments):
+        case FunctionCall(_, arguments) | TableValue(_, arguments):
             return arguments
         case Where(condition, chosen, otherwise):
             return (*condition.operands, chosen, otherwise)
-        case TableValue(_, argument):
-            return (argument,)
     return ()
-
-
-def _kinks(table: CurveTable) -> Sequence[int]:
-    """Points: all of lines and of monotone pieces; of a natural spline the ends, if it is held there."""
-    count = len(table.x)
-    if table.interpolation == "cubic":
-        return () if table.outside == "extend" else (0, count - 1)
-    return range(count) if count <= MOST_POINTS else ()
 
 
 Read = Callable[[float | str, str, Mapping[str, ca.SX]], ca.SX]  # an expression, its item, its local names
