@@ -12,6 +12,7 @@ import numpy as np
 from runtime.contract.doors import opened
 from runtime.contract.files import replacing, write_text
 from runtime.contract.model import Model
+from runtime.orbits.controllers import remembering
 from runtime.orbits.floquet import UNSTABLE, Floquet
 from runtime.orbits.motion import PeriodicMotion
 from runtime.orbits.periodic import periodic
@@ -109,7 +110,7 @@ class PeriodicBranch:
             self.model,
             **length,
             parameters={**self.first.parameters, self.over: point.value},
-            inputs=self.first.inputs,
+            inputs=remembering(self.first.inputs, point.x[0]),
             start=self.first.states.by_name(point.x[0]),
             settle=None,
             scheme=self.first.scheme,

@@ -22,11 +22,13 @@ from scipy.optimize import brentq
 from runtime.contract.errors import ArgumentError, SymgenError
 from runtime.contract.model import Model
 from runtime.orbits.branch import PeriodicBranch, Point, Special
+from runtime.orbits.controllers import refuse_samples
 from runtime.orbits.doubling import doubled, half_apart
 from runtime.orbits.floquet import FLIP, FOLD, NEIMARK_SACKER, REAL, UNSTABLE, floquet
 from runtime.orbits.motion import PeriodicMotion
 from runtime.orbits.periodic import periodic, speed_period
-from runtime.orbits.shooting import CLOSED, ROUNDED, Conditions, NoPeriodicMotion, PeriodMap, Setting, Shot
+from runtime.orbits.sampled import period_map
+from runtime.orbits.shooting import CLOSED, ROUNDED, Conditions, NoPeriodicMotion, Setting, Shot
 
 FIRST, LONGEST, SHORTEST = 0.02, 0.08, 1e-6  # steps along the curve, in parts of the range
 ITERATIONS, QUICK = 8, 3  # of Newton's method: at most, and so few that steps grow
@@ -101,11 +103,13 @@ class _Walk:
         self._model, self._over, self._span, self._first, self._longest = model, over, span, first, longest
         self._width = abs(span[1] - span[0])
         self._doubled = first.doublings > 0
+        if first.speed is not None and first.speed[0] == over:
+            refuse_samples(first.inputs, f"changes with {over}")
         setting = Setting(
             model, first.scheme, first.steps // first.parts, first.parts, first.t0, first.options, first.inputs
         )
         given = {name: value for name, value in first.parameters.items() if name != over}
-        self._map = PeriodMap(setting, first.period, given, (over,))
+        self._map = period_map(setting, first.period, given, (over,))
 
     def beside(self, first: PeriodicMotion) -> _Walk:
         """Along another branch over the same values."""

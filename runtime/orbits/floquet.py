@@ -62,7 +62,7 @@ def floquet(monodromy: np.ndarray, period: float, free: bool, margin: float = MA
     multipliers, vectors = np.linalg.eig(monodromy)
     order = np.argsort(-np.abs(multipliers), kind="stable")
     multipliers, vectors = multipliers[order], vectors[:, order]
-    with np.errstate(divide="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore"):
         exponents = np.log(multipliers.astype(complex)) / period
     trivial = int(np.abs(multipliers - 1.0).argmin()) if free else -1
     return Floquet(multipliers, vectors, exponents, trivial, margin)

@@ -23,6 +23,7 @@ from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.gradients.differentiable_run import DifferentiableRun, Gradient
 from runtime.gradients.objectives import Objective, Weighed
+from runtime.orbits.controllers import remembering, states_of
 from runtime.orbits.floquet import MEANINGS, Floquet
 from runtime.orbits.shooting import Closed, NoPeriodicMotion
 from runtime.orbits.states import States
@@ -67,7 +68,7 @@ class PeriodicMotion:
     @cached_property
     def states(self) -> States:
         """What the numbers of x are."""
-        return States(self.model)
+        return states_of(self.model, self.inputs)
 
     @property
     def state(self) -> dict[str, float]:
@@ -103,7 +104,7 @@ class PeriodicMotion:
         """One period of it as arguments of `simulate` and `DifferentiableRun`, without where it starts."""
         return {
             "parameters": self.parameters,
-            "inputs": self.inputs or None,
+            "inputs": remembering(self.inputs, self.x) or None,
             "scheme": self.scheme,
             "options": dict(self.options) or None,
             "start": "given",

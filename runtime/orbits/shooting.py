@@ -99,7 +99,7 @@ class PeriodMap:
         ends, rates = np.zeros((parts, n)), np.zeros((parts, n))
         slopes, by_parameters = np.zeros((parts, n, n)), np.zeros((parts, n, len(self.by)))
         for k in range(parts):
-            found = _told(self._part(k, period).jacobian, np.concatenate([x[k], values]))
+            found = told(self._part(k, period).jacobian, np.concatenate([x[k], values]))
             ends[k], rates[k] = self.states.seen(found.values[-1], x[(k + 1) % parts])
             slope = self.states.slopes(found.values[-1], found.derivatives[-1], ends[k])
             slopes[k], by_parameters[k] = slope[:, :n], slope[:, n:]
@@ -119,7 +119,7 @@ class PeriodMap:
 
     def _end(self, k: int, x: np.ndarray, period: float, values: Sequence[float], beside: np.ndarray) -> np.ndarray:
         """(n,) where a part ends, near to the state `beside`."""
-        shown = _told(self._part(k, period).values, np.concatenate([x, values]))
+        shown = told(self._part(k, period).values, np.concatenate([x, values]))
         return self.states.seen(shown[-1], beside)[0]
 
     def with_steps(self, setting: Setting) -> PeriodMap:
@@ -136,7 +136,7 @@ class PeriodMap:
     def next_period(self, x: np.ndarray, period: float) -> np.ndarray:
         """(n,) where the first part ends if it begins a period later, from a state x (n,). Raises NoPeriodicMotion."""
         later = self._run.over(self.setting.t0 + period, period / self.setting.parts, self.setting.steps)
-        return self.states.seen(_told(later.values, x)[-1], x)[0]
+        return self.states.seen(told(later.values, x)[-1], x)[0]
 
     def _part(self, k: int, period: float) -> DifferentiableRun:
         length = period / self.setting.parts
@@ -150,12 +150,18 @@ class PeriodMap:
         return self._placed[key]
 
     def _first(self, period: float) -> DifferentiableRun:
+        return self._prepared(period, self.states.outputs, self.by, self.setting.inputs)
+
+    def _prepared(
+        self, period: float, outputs: Sequence[str], by: Sequence[str], inputs: Mapping[str, Any]
+    ) -> DifferentiableRun:
+        """by: besides the state."""
         own, setting = self.setting.model, self.setting
         length = period / setting.parts
         return DifferentiableRun(
             own,
-            self.states.outputs,
-            [*self.states.names, *self.by],
+            outputs,
+            [*self.states.names, *by],
             initial=self.states.upright,
             t_end=setting.t0 + length,
             dt=length / setting.steps,
@@ -163,12 +169,12 @@ class PeriodMap:
             options=setting.options,
             start="given",
             t0=setting.t0,
-            inputs=setting.inputs or None,
+            inputs=inputs or None,
             samples=1,
         )
 
 
-def _told(run: Callable[[np.ndarray], T], x: np.ndarray) -> T:
+def told(run: Callable[[np.ndarray], T], x: np.ndarray) -> T:
     """What a run from x gives. Raises NoPeriodicMotion where it does not come to its end, and says why."""
     try:
         return run(x)
