@@ -19,6 +19,7 @@ from runtime.contract.files import OutputError, replacing
 from runtime.contract.model import Model
 from runtime.contract.records import as_plain, description
 from runtime.contract.status import Event, Status
+from runtime.results.friction import friction_columns, friction_units
 from runtime.results.samples import FORCE_PARTS, read_angles
 from runtime.results.stream import read_blocks, read_header
 
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
     from runtime.results.samples import Samples
 
 
-FORMAT = "symgen solution 5"
+FORMAT = "symgen solution 6"
 ARRAYS = (
     "parameters",
     "t",
@@ -42,6 +43,7 @@ ARRAYS = (
     "measures",
     "joint_forces",
     "load_forces",
+    "frictions",
 )
 MAT_CELLS = ("variables", "names", "units")
 LONGEST_VARIABLE = 58  # of the 63 characters that MATLAB reads, the rest tells names apart
@@ -169,6 +171,7 @@ def table(solution: Samples) -> dict[str, np.ndarray]:
         for k, load in enumerate(model.description.loads)
         for axis, part in enumerate(FORCE_PARTS[solution.load_forces.shape[2]])
     }
+    columns |= friction_columns(solution)
     columns |= {f"energy.{key}": series for key, series in solution.energy.items()}
     columns["constraint_error"] = solution.constraint_error
     columns["constraint_rate_error"] = solution.constraint_rate_error
@@ -188,6 +191,7 @@ def column_units(model: Model) -> dict[str, str]:
     for name in (*model.joints, *(f"load.{load.name}" for load in model.description.loads)):
         units |= {f"{name}.{part}": "N" if part.startswith("force") else "N m" for part in FORCE_PARTS[6]}
         units[f"{name}.moment"] = "N m"
+    units |= friction_units(model)
     energies = {key: "W" if key in POWERS else "J" for key in ("kinetic", "elastic", "potential", *POWERS)}
     for prefix in ("", "energy."):
         units |= {f"{prefix}{key}": unit for key, unit in energies.items()}
@@ -282,6 +286,8 @@ def to_xarray(solution: Samples) -> xarray.Dataset:
     variables["lam"] = (("t", "constraint"), solution.lam, {"description": "multipliers of Eq. (37)"})
     variables["joint_forces"] = (("t", "joint", "component"), solution.joint_forces, {"units": "N, N m"})
     variables["load_forces"] = (("t", "load", "load_component"), solution.load_forces, {"units": "N, N m"})
+    for name, values in friction_columns(solution).items():
+        variables[name] = ("t", values, {"units": column_units(model)[name]})
     for key, series in solution.energy.items():
         variables[f"energy_{key}"] = ("t", series, {"units": "W" if key in POWERS else "J"})
     variables["constraint_error"] = ("t", solution.constraint_error)

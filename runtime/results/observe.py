@@ -10,6 +10,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.coordinates import at_home, independent_part, whole
+from runtime.contract.doors import opened
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.engine.rows import evaluate
@@ -131,6 +132,7 @@ def assemble_solution(
         measures=Later(lambda: _measures(model, values, c)),  # type: ignore[arg-type]
         joint_forces=forces.part("joint_forces"),  # type: ignore[arg-type]
         load_forces=Later(lambda: _load_forces(model, values, c)),  # type: ignore[arg-type]
+        frictions=Later(lambda: opened("runtime.results.friction:frictions")(model, values, c)),  # type: ignore[arg-type]
         stats=stats,
         status=status,
     )

@@ -18,6 +18,7 @@ from runtime.contract.coordinates import (
     named_values,
     parameter_columns,
 )
+from runtime.contract.doors import opened
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
 from runtime.contract.orientations import NAMES, angle_motion, angle_names
@@ -137,7 +138,7 @@ def energy_balance(t: np.ndarray, energy: Mapping[str, np.ndarray], stops: np.nd
     inside = stops[(stops[:, 0] >= t[0]) & (stops[:, 0] < t[-1])]
     times, put_in = inside[np.argsort(inside[:, 0], kind="stable")].T
     with np.errstate(all="ignore"):  # of samples that are not finite
-        work = _integrals(t, P, times)
+        work = integrals(t, P, times)
         off = _difference_to_half(t, P, times, work)
         work = work + np.append(0.0, np.cumsum(put_in))[np.searchsorted(times, t, side="left")]
         return EnergyBalance(work, total - total[0] - work, off)
@@ -149,11 +150,11 @@ def _difference_to_half(t: np.ndarray, P: np.ndarray, stops: np.ndarray, work: n
     if n < 3:
         return np.append(0.0, np.abs(np.diff(t) * np.diff(P) / 2))
     half = np.array([*range(0, n - 1, 2), n - 1])
-    off = np.maximum.accumulate(np.abs(_integrals(t[half], P[half], stops) - work[half]))
+    off = np.maximum.accumulate(np.abs(integrals(t[half], P[half], stops) - work[half]))
     return np.asarray(off[np.searchsorted(half, np.arange(n))])
 
 
-def _integrals(t: np.ndarray, P: np.ndarray, stops: np.ndarray) -> np.ndarray:
+def integrals(t: np.ndarray, P: np.ndarray, stops: np.ndarray) -> np.ndarray:
     """(N,) integrals of P (N,) from the first sample on; stops (S,), rising, lie among the samples."""
     if len(t) < 2:
         return np.zeros(len(t))
@@ -218,7 +219,8 @@ class Samples(WithLater):
     that the impulse of a prescribed motion put in there [J];
     measures (N, len(model.measures)); joint_forces (N, joints, 3), in space (N, joints, 6): world force [N] and moment
     [N m] of each joint on its body b, at marker b; load_forces (N, loads, 3 or 6): those of each load on its marker or
-    its marker b; parameters: the vector p that was used; m: ratio of each next
+    its marker b; frictions (N, joints with friction, 2): force along the joint's coordinate on body b [N or N m], and
+    velocity; parameters: the vector p that was used; m: ratio of each next
     group's step; events: what happened on the way; outputs: the columns that a run with `outputs` kept at every saved
     sample, "t" first (all other arrays then hold the first and the last sample only); error: see MotionError.
     """
@@ -245,6 +247,7 @@ class Samples(WithLater):
     events: list[Event] = field(default_factory=list)
     outputs: dict[str, np.ndarray] = field(default_factory=dict)
     stops: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))
+    frictions: np.ndarray = field(default_factory=lambda: np.zeros((0, 0, 2)))
     error: MotionError = field(default_factory=lambda: MotionError(reason="it was not asked for"))
 
     def __repr__(self) -> str:
@@ -267,12 +270,15 @@ class Samples(WithLater):
         found = None if name in self.model.measures else self._column_of_table(name)
         if found is not None:
             return found
-        return self.measures[:, self._column(name, self.model.measures, "coordinate or measure")]
+        return self.measures[:, self.column_of(name, self.model.measures, "coordinate or measure")]
 
     def _column_of_table(self, name: str) -> np.ndarray | None:
         """(N,) a column of the CSV that is neither a coordinate nor a measure by its own name."""
         if name in ("t", "constraint_error", "constraint_rate_error"):
             return np.asarray(getattr(self, name))
+        if ".friction_" in name:
+            found: dict[str, np.ndarray] = opened("runtime.results.friction:friction_columns")(self)
+            return found.get(name)
         first, _, last = name.partition(".")
         if last in OMEGA and f"{first}.e0" in self.model.coordinates:
             return angular_velocities(self.model, self.q, self.q_dot)[name]
@@ -295,24 +301,24 @@ class Samples(WithLater):
 
     def rate(self, name: str) -> np.ndarray:
         """(N,) velocity of a coordinate [m/s, rad/s]. Raises ModelError for an unknown name."""
-        return self.q_dot[:, self._column(name, self.model.coordinates, "coordinate")]
+        return self.q_dot[:, self.column_of(name, self.model.coordinates, "coordinate")]
 
     def acceleration(self, name: str) -> np.ndarray:
         """(N,) acceleration of a coordinate [m/s^2, rad/s^2]. Raises ModelError for an unknown name."""
-        return self.q_ddot[:, self._column(name, self.model.coordinates, "coordinate")]
+        return self.q_ddot[:, self.column_of(name, self.model.coordinates, "coordinate")]
 
     def multiplier(self, row: str) -> np.ndarray:
         """(N,) multiplier of a constraint row `joint.row` [N, N m]; the force on q is -C_q^T lam (Eq. 22)."""
-        return self.lam[:, self._column(row, self.model.constraints, "constraint")]
+        return self.lam[:, self.column_of(row, self.model.constraints, "constraint")]
 
     def joint_force(self, joint: str) -> np.ndarray:
         """(N, 3), in space (N, 6): world force [N] and moment [N m] of a joint on body b, at its marker b."""
-        return self.joint_forces[:, self._column(joint, self.model.joints, "joint")]
+        return self.joint_forces[:, self.column_of(joint, self.model.joints, "joint")]
 
     def load_force(self, load: str) -> np.ndarray:
         """(N, 3), in space (N, 6): world force [N] and moment [N m] of a load on its marker, or on its marker b."""
         names = [record.name for record in self.model.description.loads]
-        return self.load_forces[:, self._column(load, names, "load")]
+        return self.load_forces[:, self.column_of(load, names, "load")]
 
     def motor(self, name: str) -> np.ndarray:
         """(N,) torque [N m] or force [N] of a prescribed motion: what its drive puts on body b along the motion.
@@ -328,7 +334,8 @@ class Samples(WithLater):
         rows = [k for k, row in enumerate(self.model.description.constraints) if row.joint == name]
         return -self.lam[:, rows[0]]
 
-    def _column(self, name: str, names: Sequence[str], kind: str) -> int:
+    def column_of(self, name: str, names: Sequence[str], kind: str) -> int:
+        """Place of a name. Raises ModelError for an unknown one."""
         if name not in names:
             known = [*self.model.coordinates, *self.model.measures] if "measure" in kind else list(names)
             listed = ", ".join(known[:20]) + (", ..." if len(known) > 20 else "")

@@ -61,6 +61,7 @@ class Solution(Samples):
     report = Door("runtime.views.report:run_report")
     section_forces = Door("runtime.results.section_forces:section_forces")
     stresses = Door("runtime.results.stresses:stresses")
+    friction = Door("runtime.results.friction:joint_friction")
     body_motion = Door("runtime.results.body_motion:body_motion")
     save = Door("runtime.results.export:write_npz")
     export = Door("runtime.results.export:export")

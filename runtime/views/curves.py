@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from runtime.contract.records import Coordinate
+from runtime.results.friction import friction_columns, friction_units, rubbing
 from runtime.views.mechanism import scenery
 
 if TYPE_CHECKING:
@@ -122,14 +123,26 @@ def deformation(solution: Solution) -> list[Curves]:
 def forces(solution: Solution) -> list[Curves]:
     """Size of the force of each joint and load; of its moment in space, or the moment itself about z in a plane.
 
-    Behind them what the motors of prescribed motions give, along the motion.
+    Behind them what the motors of prescribed motions give, along the motion, and friction in joints with its heat.
     """
     loads = [load.name for load in solution.model.description.loads]
     return [
         *_forces("joint", list(solution.model.joints), solution.joint_forces),
         *_forces("load", loads, solution.load_forces),
         *_motors(solution),
+        *_frictions(solution),
     ]
+
+
+def _frictions(solution: Solution) -> list[Curves]:
+    """Along the coordinates of joints with friction, and the heat that it makes."""
+    units, columns, found = friction_units(solution.model), friction_columns(solution), list[Curves]()
+    for part in ("force", "heat"):
+        names = {joint: f"{joint}.friction_{part}" for joint in rubbing(solution.model)}
+        for unit in dict.fromkeys(units[name] for name in names.values()):
+            own = {joint: columns[name] for joint, name in names.items() if units[name] == unit}
+            found.append(Curves(f"{part} of friction", unit, list(own), np.array(list(own.values()))))
+    return found
 
 
 def _motors(solution: Solution) -> list[Curves]:

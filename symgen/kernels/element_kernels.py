@@ -64,7 +64,7 @@ def _elements(locked: Locks, a: Arguments) -> Kernel:
 
 
 def _forces(locked: Locks, a: Arguments) -> Kernel:
-    """The force on each element, and how far it is from the end of its mode: holds - |f| stuck, s v sliding."""
+    """The force on each element, its rate, and the end of its mode: holds - |f| left stuck, s v sliding."""
     system, own = locked.system, locked.elements
     residual = system.generalised_force({c: a.q_i_ddot[k] for k, c in enumerate(system.choice.independent)})
     holding = locked.forces(residual)
@@ -74,7 +74,8 @@ def _forces(locked: Locks, a: Arguments) -> Kernel:
         for k, one in enumerate(own)
     ]
     inputs = a.select(*STATE, q_i_ddot=a.q_i_ddot)
-    return Kernel(inputs, {"f_rel": ca.densify(ca.vertcat(*forces)), "mode_left": ca.densify(ca.vertcat(*left))})
+    columns = {"f_rel": forces, "v_rel": [one.rate for one in own], "mode_left": left}
+    return Kernel(inputs, {name: ca.densify(ca.vertcat(*values)) for name, values in columns.items()})
 
 
 def _rates_left(name: str, locked: Locks, a: Arguments) -> Kernel:

@@ -194,10 +194,10 @@ FUNCTIONS: dict[str, FunctionSpec] = {
         _spec(
             "element_forces",
             "",
-            "Forces on directions that may stick, and how far each is from the end of its mode",
+            "Forces on directions that may stick, their rates, and how far each is from the end of its mode",
             "accelerations",
             f"{STATE} q_i_ddot t u c",
-            "f_rel mode_left",
+            "f_rel v_rel mode_left",
         ),
         _spec("poses", "", "Origin and rotation matrix of each body, for pictures", "condensed", "q c", "poses"),
         _spec(

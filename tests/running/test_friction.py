@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from runtime import Model, ModelError, ensemble, simulate
+from runtime import Model, ModelError, Solution, ensemble, simulate
 from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.switching.settle import complementary
 from symgen.scene import Scene, SceneError, SceneRecord
@@ -70,6 +71,39 @@ def test_a_release_and_reversals_are_located(model_of: Build) -> None:
     modes = run["rail.friction_mode"]
     assert [modes[0], modes[1000], modes[3000], modes[-1]] == [0, 1, -1, 1]
     assert np.abs(run.energy_balance()).max() < 1e-6
+
+
+def test_force_mode_and_heat_of_a_joint_are_outputs(model_of: Build, tmp_path: Path) -> None:
+    """By hand: 1 kg at 4 m/s, pulled by 2 N against 3 N, stops after 4 s; 8 J + 16 J become heat; then 2 N hold it.
+
+    The same in files; heat is of all samples, so that a run which keeps some columns only does not have it.
+    """
+    builder = Scene("braked").ground().rigid("block", mass=1.0, inertia=0.1).rates({"block.x": 4.0})
+    builder.prismatic("rail", "ground.origin", "block.origin", friction={"coulomb": 3.0})
+    builder.force("pull", "block.origin", 2.0, 0.0)
+    model = model_of(builder.simulation(t_end=5.0, dt=0.03, scheme="rk4").build())
+    run = simulate(model)
+    found = run.friction("rail")
+    moving = run.t < 4.0
+    assert found.force[moving] == pytest.approx(-3.0, abs=1e-12) and found.force[~moving] == pytest.approx(
+        -2.0, abs=1e-12
+    )
+    assert found.mode.tolist() == np.where(moving, 1.0, 0.0).tolist()
+    assert found.velocity == pytest.approx(np.maximum(4.0 - run.t, 0.0), abs=1e-11)
+    assert found.power == pytest.approx(3.0 * np.maximum(4.0 - run.t, 0.0), abs=1e-11)
+    assert found.heat[-1] == pytest.approx(24.0, abs=1e-10) and run.balance.largest < 1e-10
+    run.export(tmp_path / "run.csv")
+    table = np.genfromtxt(tmp_path / "run.csv", delimiter=",", names=True, deletechars="")
+    assert np.array_equal(table["rail.friction_heat_[J]"], found.heat)
+    assert np.array_equal(table["rail.friction_force_[N]"], run["rail.friction_force"])
+    run.save(tmp_path / "run.npz")
+    assert np.array_equal(Solution.load(tmp_path / "run.npz").friction("rail").heat, found.heat)
+    kept = simulate(model, outputs=["rail.friction_force", "rail.friction_power"])
+    assert np.array_equal(kept.outputs["rail.friction_power"], found.power)
+    with pytest.raises(ModelError, match=r"no output 'rail\.friction_heat'"):
+        simulate(model, outputs=["rail.friction_heat"])
+    with pytest.raises(ModelError, match="no joint with friction 'axle'; it has rail"):
+        run.friction("axle")
 
 
 @pytest.mark.parametrize("scheme", [name for name in SCHEMES if name not in ALL_COORDINATES])
