@@ -72,11 +72,6 @@ def refuse_stops(model: Model, p: np.ndarray) -> None:
     c, name = model.constants(p), f"of model {model.name}"
     if model.sources:
         raise ModelError(f"inputs {', '.join(model.sources)} {name}", "are functions of time", "give them as inputs")
-    sticking = [event.name for event in model.description.events if event.mode]
-    if sticking:
-        raise ModelError(
-            f"{', '.join(sticking)} {name}", "stick and slide, which exported code does not", "take a smooth law"
-        )
     moving = [event.name for event in model.description.events if event.sets and SINCE in model.signals.names]
     if moving:
         raise ModelError(
@@ -129,6 +124,8 @@ def stop_functions(scheme: Scheme, prepared: Prepared, prefix: str, library: Sty
         for name in names:
             tape = named(seen_function(scheme, name), "z", "c")
             found[name] = tape_code(f"{prefix}{name}", tape, ["y"], library)
+    if scheme.model.element_modes.size:
+        found |= _element_functions(scheme, prefix, library)
     if may_jump(scheme.model):
         both = _conditions(scheme.model)
         t, c = both.sx_in()
@@ -136,6 +133,32 @@ def stop_functions(scheme: Scheme, prepared: Prepared, prefix: str, library: Sty
         found["conditions"] = tape_code(
             f"{prefix}conditions", named(ca.Function("g", [t, c], shared([g])), "t", "c"), ["g"], library
         )
+    return found
+
+
+AT = ("q_i", "q_d", "q_i_dot", "q_d_dot", "t")
+OF_ELEMENTS = ("M_hat", "Q_hat", "G", "G_bias", "v_rel", "holds")
+
+
+def _element_functions(scheme: Scheme, prefix: str, library: Style) -> dict[str, Code]:
+    """`seen` (z, c) -> AT; `elements` and `velocities` of AT and the model's c: what `settle.c` calls."""
+    model = scheme.model
+    z, c_step = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
+    shown = scheme.observer(z=z, c=c_step)
+    seen = ca.Function("seen", [z, c_step], [ca.densify(ca.vertcat(*(shown[name] for name in AT)))])
+    n_i, n_d, c = len(model.q_i), len(model.q_d), ca.SX.sym("c", model.c_size)
+    at = ca.SX.sym("at", 2 * (n_i + n_d) + 1)
+    parts = ca.vertsplit(at, [0, n_i, n_i + n_d, 2 * n_i + n_d, 2 * (n_i + n_d), at.numel()])
+    given = {**dict(zip(AT, parts, strict=True)), "c": c}
+    own = model.evaluate("elements", **given)
+    y = ca.vertcat(*(ca.vec(ca.densify(own[name])) for name in OF_ELEMENTS))
+    found = {
+        "seen": tape_code(f"{prefix}seen", named(seen, "z", "c"), ["at"], library),
+        "elements": tape_code(f"{prefix}elements", named(ca.Function("e", [at, c], [y]), "at", "c"), ["y"], library),
+    }
+    if n_d:
+        rates = ca.Function("v", [at, c], [ca.densify(model.evaluate("velocities", **given)["q_d_dot"])])
+        found["velocities"] = tape_code(f"{prefix}velocities", named(rates, "at", "c"), ["rates"], library)
     return found
 
 
@@ -166,15 +189,26 @@ def stop_text(scheme: Scheme, prepared: Prepared, prefix: str) -> tuple[str, int
     numbers |= {"EVENT_BEFORE": place("event_before").start, "READY": place("ready").start}
     numbers |= {"INPUTS": place("inputs").start, "PUSH": place("push").start if push else 0}
     numbers |= {"CLOCK": place("clock").stop - 1, "ORIGIN": place("origin").stop - 1}
-    numbers["KEPT_IN_W"] = sum((3 * numbers["NS"], numbers["NZ"], ready + 2 * numbers["NC"], MOST_CLOSE * (n_e + 1)))
+    n_m, n_i, n_q = len(model.element_modes), len(model.q_i), len(model.coordinates)
+    numbers |= {"NM": n_m, "NI": n_i, "NQD": n_q - n_i, "NAT": 2 * n_q + 1, "NSEEN": (n_i + 1 + n_m) * n_i + 3 * n_m}
+    room = numbers["NAT"] + numbers["NSEEN"] + n_i * (2 * n_m + 1) + model.c_size if n_m else 0
+    numbers["KEPT_IN_W"] = room + sum(
+        (3 * numbers["NS"], numbers["NZ"], ready + 2 * numbers["NC"], MOST_CLOSE * (n_e + 1))
+    )
     lines = [f"#define {key} {value}" for key, value in numbers.items()]
-    lines += [f"#define M(name) {prefix}##name", "#define FRICTION 0"]
+    lines += [f"#define M(name) {prefix}##name"]
     if n_e:
         lines += [*_events(scheme), _whole_numbers("sets_of", _sets(scheme))]
-    text = files("runtime.export").joinpath("stops.c").read_text(encoding="utf-8")
+    if n_m:
+        lines.append(_whole_numbers("modes_at", model.element_modes.tolist()))
+    text, times, settle = (
+        files("runtime.export").joinpath(name).read_text(encoding="utf-8")
+        for name in ("stops.c", "times.c", "settle.c")
+    )
     if jumps:
-        times = files("runtime.export").joinpath("times.c").read_text(encoding="utf-8")
         text = text.replace('#include "times.c"\n', times.replace("#define BOUNDS\n", _bounds(model, prefix)))
+    if n_m:
+        text = text.replace('#include "settle.c"\n', settle)
     return "\n".join(["", *lines, "", text]), numbers["KEPT_IN_W"]
 
 

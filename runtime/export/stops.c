@@ -25,7 +25,7 @@ typedef struct {
   double start, length, before, after;
 } Part;
 typedef struct { /* arrays of the caller's w; S, F, T: of a step in parts, where a part leads, where a look leads */
-  double *z, *w, *S, *F, *T, *saved, *read, *cd, *looks;
+  double *z, *w, *S, *F, *T, *saved, *read, *cd, *looks, *room;
   const double *c;
   double dt, start, length, first[ROW], last[ROW]; /* of the part that is looked at, with values at its ends */
   int count[ROW], acted;
@@ -36,7 +36,7 @@ static Run made_run(double *z, const double *c, double *w) {
   memset(&r, 0, sizeof r);
   r.z = z, r.c = c, r.dt = c[DT_AT], r.w = w + KEPT_IN_W;
   r.S = w, r.F = r.S + NS, r.T = r.F + NS, r.saved = r.T + NS, r.read = r.saved + NZ;
-  r.cd = r.read + NREADY + NC, r.looks = r.cd + NC;
+  r.cd = r.read + NREADY + NC, r.looks = r.cd + NC, r.room = r.looks + MOST_CLOSE * ROW;
   memcpy(r.read, c, NREADY * sizeof(double)), memcpy(r.read + NREADY, c, NC * sizeof(double));
   return r;
 }
@@ -234,6 +234,29 @@ static int bracket(Run *r, double *from, double *to) {
   return declared;
 }
 
+/* events are looked for from here on */
+static void look_at_events(Run *r) {
+  double values[ROW], slopes[ROW], *z = r->z;
+  int k;
+  M(events)(values, z, r->c, r->w);
+  M(slopes)(slopes, z, r->c, r->w);
+  z[STEP_AT] = NEVER;
+  for (k = 0; k < NE; ++k) z[VALUES_AT + k] = values[k], z[CHANGE_AT + k] = NEVER;
+  for (k = 0; k < ND; ++k) z[SLOPES_AT + k] = slopes[k];
+}
+
+#if NM > 0
+#include "settle.c"
+#endif
+
+/* the same where inputs have changed: what sticks is decided anew */
+static void look_anew(Run *r) {
+  look_at_events(r);
+#if NM > 0
+  settle_there(r);
+#endif
+}
+
 /* kink k at t: where it comes ever again it is not looked for for ever longer */
 static void rest(Run *r, double *state, int k, double t) {
   double *own = r->z + KINKS + (k - ND) * (MOST_KINKS + 2), *steps = own + 2; /* sleeps, how many steps, steps */
@@ -249,15 +272,12 @@ static void rest(Run *r, double *state, int k, double t) {
 
 /* what events do at t to the state of S; inputs change at the next restart. Do they end the motion? */
 static int act(Run *r, double *S, double t, const int *happened) {
-  double held[NU + 1], values[NSETS + 1], *quiet = quiet_of(S);
+  double held[NU + 1], values[NSETS + 1] = {0}, *quiet = quiet_of(S);
   int k, j;
   r->acted = 1;
   memcpy(held, S + INPUTS_AT, NU * sizeof(double)), memcpy(S + INPUTS_AT, S + INPUTS, NU * sizeof(double));
 #if NSETS > 0
   M(actions)(values, S, shown_by(r, S[SEEN]), r->w);
-#endif
-#if FRICTION
-  memcpy(r->T, S, NS * sizeof(double)); /* as it is seen before anything is done */
 #endif
   for (k = 0; k < NE; ++k) {
     if (!happened[k]) continue;
@@ -273,8 +293,12 @@ static int act(Run *r, double *S, double t, const int *happened) {
     if (events_of[k].terminal && r->z[ENDED] == 0) r->z[ENDED] = M(BY_EVENT);
     if (++r->count[k] >= MOST_IN_A_STEP && r->z[ENDED] == 0) r->z[ENDED] = M(CHATTERING);
   }
-#if FRICTION
-  if (r->z[ENDED] == 0) settle(r, S + INPUTS_AT, S + PUSH, r->T, shown_by(r, S[SEEN]), happened + ND - NMODES);
+#if NM > 0
+  if (r->z[ENDED] == 0) {
+    double push[NI];
+    settle(r, S + INPUTS_AT, push, S, shown_by(r, S[SEEN]), happened + ND - NM);
+    for (k = 0; k < NI; ++k) S[PUSH + k] += push[k];
+  }
 #endif
   for (k = 0; k < NU; ++k) S[INPUTS + k] = S[INPUTS_AT + k], S[INPUTS_AT + k] = held[k];
   return r->z[ENDED] != 0;
@@ -401,16 +425,6 @@ static void with_events(Run *r) {
   z[STEP_AT] = NEVER;
 }
 
-/* events are looked for from here on */
-static void look_anew(Run *r) {
-  double values[ROW], slopes[ROW], *z = r->z;
-  int k;
-  M(events)(values, z, r->c, r->w);
-  M(slopes)(slopes, z, r->c, r->w);
-  z[STEP_AT] = NEVER;
-  for (k = 0; k < NE; ++k) z[VALUES_AT + k] = values[k], z[CHANGE_AT + k] = NEVER;
-  for (k = 0; k < ND; ++k) z[SLOPES_AT + k] = slopes[k];
-}
 #endif
 
 /* from the state at a time on as if nothing had happened yet */

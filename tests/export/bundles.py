@@ -30,7 +30,8 @@ def compiled(folder: Path, stem: str, *flags: str) -> Path:
         str(library),
         "-lm",
     ]
-    subprocess.run(command, cwd=folder, check=True, capture_output=True, text=True)
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
     return library
 
 

@@ -173,15 +173,8 @@ def kicked() -> Scene:
     return builder.prescribed_angle("drive", "ground.origin", "crank.origin", motion="where(t < 0.25, t, 0.25)")
 
 
-def dry() -> Scene:
-    """Friction that sticks."""
-    builder = Scene("dry").rigid("cart", mass=1.0, inertia=0.1)
-    return builder.prismatic("rail", "ground.origin", "cart.origin", friction={"coulomb": 1.0})
-
-
 def test_what_cannot_leave_is_refused_by_name(model_of: Build) -> None:
     refused = {
-        "rail.friction of model dry: stick and slide": dry(),
         "motion of drive of model kicked: has a velocity that jumps at 0.25 s": kicked(),
         "drive of model folded: jumps where a function says": cart("folded", "where(tan(t) > 0.5, 1, 0)"),
     }

@@ -60,6 +60,7 @@ static void begin(Instance *I) {
   prepare(I);
   if (!s->stale) return;
   M(start)(s->z, s->c, s->started, s->starts, I->w);
+  M(held)(s->p + NPAR, s->z); /* with what sticks at the start */
   M(observe)(s->y, s->z, s->c, I->w);
   for (k = 0; k < NX; ++k) s->x[k] = s->y[state_of[k]];
   s->t = s->started, s->stale = s->moved = 0, s->seen = 1;
