@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from importlib.resources import files
 from math import prod
 
@@ -120,7 +120,7 @@ def stop_functions(scheme: Scheme, prepared: Prepared, prefix: str, library: Sty
     stages = {stage.name(): stage for stage in made.program().stages()}
     found = {name: stage_code(f"{prefix}{name}", named(stages[name], "z", "c"), own) for name in ("set_out", "to_grid")}
     if watches(scheme):
-        names = ["events", "slopes", *(["actions"] if _sets(scheme) else [])]
+        names = ["events", "slopes", *(["actions"] if sets_of(scheme) else [])]
         for name in names:
             tape = named(seen_function(scheme, name), "z", "c")
             found[name] = tape_code(f"{prefix}{name}", tape, ["y"], library)
@@ -162,7 +162,7 @@ def _element_functions(scheme: Scheme, prefix: str, library: Style) -> dict[str,
     return found
 
 
-def _sets(scheme: Scheme) -> list[int]:
+def sets_of(scheme: Scheme) -> list[int]:
     """Which inputs actions set, event by event."""
     names = scheme.model.signals.names
     return [names.index(name) for event in watched_events(scheme) for name in event.sets]
@@ -177,7 +177,7 @@ def stop_text(scheme: Scheme, prepared: Prepared, prefix: str) -> tuple[str, int
     ready, n_e, n_d = made.n_ready, len(events), len(model.description.events)
     numbers = {"NZ": prepared.z_size, "NOWN": scheme.layout.size, "NS": made.layout.size, "NREADY": ready}
     numbers |= {"NC": scheme.c_size, "DT_AT": model.c_size, "NU": model.signals.size, "NE": n_e, "ND": n_d}
-    numbers |= {"NT": jumps, "NSETS": len(_sets(scheme)), "NPUSH": push, "KEPT": kept(scheme)}
+    numbers |= {"NT": jumps, "NSETS": len(sets_of(scheme)), "NPUSH": push, "KEPT": kept(scheme)}
     numbers |= {"SUB_STEPS": prod(scheme.grid.m), "KEPT_IN_W": 0}
     numbers |= {"INPUTS_AT": own("inputs").start if model.signals.size else 0}
     fields = {"VALUES_AT": "event_values", "STEP_AT": "event_step", "CHANGE_AT": "event_change"}
@@ -198,9 +198,9 @@ def stop_text(scheme: Scheme, prepared: Prepared, prefix: str) -> tuple[str, int
     lines = [f"#define {key} {value}" for key, value in numbers.items()]
     lines += [f"#define M(name) {prefix}##name"]
     if n_e:
-        lines += [*_events(scheme), _whole_numbers("sets_of", _sets(scheme))]
+        lines += [*event_table(scheme), whole_numbers("sets_of", sets_of(scheme))]
     if n_m:
-        lines.append(_whole_numbers("modes_at", model.element_modes.tolist()))
+        lines.append(whole_numbers("modes_at", model.element_modes.tolist()))
     text, times, settle = (
         files("runtime.export").joinpath(name).read_text(encoding="utf-8")
         for name in ("stops.c", "times.c", "settle.c")
@@ -212,7 +212,8 @@ def stop_text(scheme: Scheme, prepared: Prepared, prefix: str) -> tuple[str, int
     return "\n".join(["", *lines, "", text]), numbers["KEPT_IN_W"]
 
 
-def _events(scheme: Scheme) -> list[str]:
+def event_table(scheme: Scheme) -> list[str]:
+    """`events_of`: direction, end and actions of each, as C."""
     lines, at = ["static const struct { int way, terminal, from, to; double cool_down; } events_of[] = {"], 0
     for event in watched_events(scheme):
         way, end = WAYS.get(event.direction, 0), at + len(event.sets)
@@ -221,7 +222,8 @@ def _events(scheme: Scheme) -> list[str]:
     return [*lines, "};"]
 
 
-def _whole_numbers(name: str, values: list[int]) -> str:
+def whole_numbers(name: str, values: Sequence[int]) -> str:
+    """A static table, one entry longer."""
     return f"static const int {name}[] = {{{', '.join(map(str, [*values, 0]))}}};"
 
 

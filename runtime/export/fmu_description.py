@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from xml.sax.saxutils import quoteattr
 
 from runtime.export.c_bundle import Exported
-from runtime.export.fmu_source import SINCE, nominal, state_names
+from runtime.export.fmu_source import SINCE, indicator_names, nominal, state_names
 
 _BASE = {
     "m": {"m": 1},
@@ -78,6 +78,9 @@ def variables(one: Exported) -> list[Variable]:
                 derivative=place[of] if of != seen.name and of in states else None,
             )
         )
+    first += len(one.outputs)
+    for k, name in enumerate(indicator_names(one)):
+        found.append(Variable(f"passes zero: {name}", first + k, "local", "continuous", meaning="event indicator"))
     return found
 
 
@@ -96,7 +99,8 @@ def _second(one: Exported, token: str, known: list[Variable], states: list[str])
     kept += f'"{str(bool(states)).lower()}"'
     lines = [
         f'<fmiModelDescription fmiVersion="2.0" modelName={quoteattr(one.name)} guid="{token}" description={title}',
-        '  generationTool="symgen" variableNamingConvention="flat" numberOfEventIndicators="0">',
+        '  generationTool="symgen" variableNamingConvention="flat" '
+        f'numberOfEventIndicators="{len(indicator_names(one))}">',
     ]
     if states:
         lines.append(f'<ModelExchange modelIdentifier="{stem}" {kept}>{sources}</ModelExchange>')
@@ -148,6 +152,8 @@ def _third(one: Exported, token: str, known: list[Variable], states: list[str]) 
     names = {"Outputs": "Output", "Derivatives": "ContinuousStateDerivative", "InitialUnknowns": "InitialUnknown"}
     for kind, members in _structure(known, states).items():
         lines += [f'<{names[kind]} valueReference="{known[k].reference}"/>' for k in members]
+    indicators = [v.reference for v in known if v.meaning == "event indicator"]
+    lines += [f'<EventIndicator valueReference="{reference}"/>' for reference in indicators]
     return [*lines, "</ModelStructure>", "</fmiModelDescription>", ""]
 
 

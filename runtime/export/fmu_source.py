@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from importlib.resources import files
 
@@ -14,6 +13,9 @@ from runtime.contract.model import Model
 from runtime.contract.tape import Tape, shared
 from runtime.engine.c_source import Style, named, source, tape_code
 from runtime.export.c_bundle import Exported, constant_array, quoted
+from runtime.export.c_stops import event_table, sets_of, whole_numbers
+from runtime.running.stepping import may_jump
+from runtime.schemes.switching.watched import event_outputs, watched_events
 
 _BOUNDS = {"any": 0, "not negative": 1, "positive": 2}
 SINCE = "inputs.since"
@@ -28,6 +30,9 @@ _HEAD = """
 #define N(name) {p}##name
 #define TOKEN {token}
 #define NX {nx} /* states of model exchange; 0: it is not offered */
+#define NE {events} /* events that the scene declares */
+#define NG {indicators} /* event indicators of model exchange */
+#define NSETS {sets}
 #define WORK ({p}W > {work} ? {p}W : {work})
 #define INPUTS_IN_C {inputs}
 #define SINCE {since} /* which input is the time that inputs with rates count from */
@@ -42,10 +47,22 @@ _HEAD = """
 
 
 def state_names(model: Model) -> list[str]:
-    """Coordinates, rates and loop unknowns that are the states of model exchange; none where bodies turn freely."""
-    if model.places.turns.size:
+    """Coordinates, rates and loop unknowns that are the states of model exchange.
+
+    None where bodies turn freely, and where joints stick: masters do not lock equations.
+    """
+    if model.places.turns.size or model.element_modes.size:
         return []
     return [*model.q_i, *(f"{name}_dot" for name in model.q_i), *model.loop_unknowns]
+
+
+def indicator_names(one: Exported) -> list[str]:
+    """What passes zero in model exchange: at events, where loads kink, where they jump in time."""
+    if not state_names(one.model):
+        return []
+    text, found = one.model.description, [event.name for event in watched_events(one.scheme)]
+    jumps = text.switching if may_jump(one.model) else []
+    return [*found, *(f"{owner}, jump {jumps[:k].count(owner) + 1}" for k, owner in enumerate(jumps))]
 
 
 def fmu_source(one: Exported, fmi: int, token: str) -> str:
@@ -61,24 +78,33 @@ def fmu_source(one: Exported, fmi: int, token: str) -> str:
             tape_code(f"{p}ode", named(ode, "x", "t", "c"), ["y"], style),
             tape_code(f"{p}ode_along", _with_all_arguments(named(along, "x", "t", "c", "dx", "du")), ["dy"], style),
         ]
+    indicators, sets = indicator_names(one), sets_of(one.scheme) if states else []
+    if indicators:
+        found = event_equations(one)
+        code += [tape_code(f"{p}{name}", named(made, "x", "t", "c"), ["y"], style) for name, made in found.items()]
     head = _HEAD.format(
         stem=p[:-1],
         work=max([1, *(part.work for part in code)]),
         p=p,
         token=quoted(token),
         nx=len(states),
+        events=len(model.description.events) if states else 0,
+        indicators=len(indicators),
+        sets=len(sets),
         inputs=model.c_size - model.signals.size,
         since=inputs.index(SINCE) if SINCE in inputs else -1,
     )
     places = {name: k for k, name in enumerate(shown)}
     modal = {entry.name for entry in model.description.coordinates if entry.elastic}
     tables = [
-        _whole("state_of", [places[name] for name in states]),
-        _whole("derivative_of", [places[name] for name in rates]),
-        _whole("start_of", [places.get(quantity.name, -1) for quantity in one.x]),
-        _whole("bound_of", [_BOUNDS[parameter.bound] for parameter in model.parameters]),
+        whole_numbers("state_of", [places[name] for name in states]),
+        whole_numbers("derivative_of", [places[name] for name in rates]),
+        whole_numbers("start_of", [places.get(quantity.name, -1) for quantity in one.x]),
+        whole_numbers("bound_of", [_BOUNDS[parameter.bound] for parameter in model.parameters]),
         constant_array("nominal_of", [nominal(name, modal) for name in states] or [1.0]),
     ]
+    if states and model.description.events:
+        tables += [*event_table(one.scheme), whole_numbers("sets_of", sets)]
     body = [
         files("runtime.export.fmi").joinpath(name).read_text(encoding="utf-8") for name in ("core.c", f"fmi{fmi}.c")
     ]
@@ -111,10 +137,20 @@ def equations(one: Exported) -> tuple[ca.Function, ca.Function]:
     return ca.Function("ode", arguments, [y]), ca.Function("along", [*arguments, dx, du], along)
 
 
+def event_equations(one: Exported) -> dict[str, ca.Function]:
+    """(x, t, c) -> `indicators` by indicator_names, and what inputs become by `acts` where there are any."""
+    model, system = one.model, CondensedOde(one.model, 1)
+    seen = event_outputs(one.scheme, system.equations, system.motion, system.v, system.v_d)
+    jumps = model.evaluate("switching", t=system.t, c=system.c)["switching"] if may_jump(model) else ca.SX(0, 1)
+    found = {"indicators": ca.vertcat(seen["events"], jumps), "acts": seen.get("actions", ca.SX(0, 1))}
+    arguments = [system.y, system.t, system.c]
+    return {
+        name: ca.Function(name, arguments, shared([ca.densify(value)]))
+        for name, value in found.items()
+        if value.numel()
+    }
+
+
 def _with_all_arguments(tape: Tape) -> Tape:
     """C declares those without entries, too."""
     return replace(tape, input_sizes=[max(1, size) for size in tape.input_sizes])
-
-
-def _whole(name: str, values: Sequence[int]) -> str:
-    return f"static const int {name}[{len(values) + 1}] = {{{', '.join(map(str, [*values, 0]))}}};"

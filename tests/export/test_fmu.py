@@ -12,14 +12,15 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from runtime import ModelError, reference_solution
+from runtime import ModelError, reference_solution, simulate
 from runtime.contract.model import Model
 from runtime.engine.compiled import find_compiler
 from runtime.export import fmu
 from runtime.export.c_bundle import exported
 from runtime.export.fmu import this_platform, write_fmu
 from symgen.cli import main
-from symgen.scene import SceneRecord
+from symgen.scene import Scene, SceneRecord
+from tests.export.test_c_stops import kinks, relay
 from tests.support.input_scenes import cart
 
 pytestmark = pytest.mark.long
@@ -34,6 +35,7 @@ LOGGER = ctypes.CFUNCTYPE(
     None, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_char_p
 )
 EXCHANGE, CO_SIMULATION = 0, 1
+PAST = 1e-9  # s
 
 
 class Callbacks(ctypes.Structure):
@@ -204,6 +206,61 @@ def test_model_exchange_is_the_motion_of_the_model(built_in: Load, tmp_path: Pat
             np.testing.assert_allclose(
                 np.array(found)[order], expected, rtol=1e-8, atol=1e-8 * max(1.0, np.abs(expected).max())
             )
+
+
+def exchanged(master: Master, t_end: float) -> tuple[float, np.ndarray, int]:
+    """(time, states, events answered) by DOP853 that ends at roots of the indicators, with events as FMI 2 says."""
+    master.begin()
+    info, size = (ctypes.c_int * 8)(), ctypes.c_size_t(int(master.xml.get("numberOfEventIndicators", "")))
+    assert master.call("NewDiscreteStates", info) == OK and master.call("EnterContinuousTimeMode") == OK
+    t, x, answered = 0.0, master.get(master.states), 0
+
+    def slope(t: float, x: np.ndarray) -> np.ndarray:
+        assert master.call("SetTime", ctypes.c_double(t)) == OK
+        return master.derivatives(x)
+
+    def indicators(t: float, x: np.ndarray) -> np.ndarray:
+        slope(t, x)
+        found = (ctypes.c_double * size.value)()
+        assert master.call("GetEventIndicators", found, size) == OK
+        return np.array(found)
+
+    def root(k: int) -> Callable[[float, np.ndarray], float]:
+        def event(t: float, x: np.ndarray) -> float:
+            return float(indicators(t, x)[k])
+
+        event.terminal = True  # type: ignore[attr-defined]
+        return event
+
+    while t < t_end:
+        roots = [root(k) for k in range(size.value)]
+        run = solve_ivp(slope, (t, t_end), x, method="DOP853", rtol=1e-10, atol=1e-12, events=roots, max_step=0.01)
+        t, x = float(run.t[-1]), run.y[:, -1]
+        if not run.status:
+            break
+        t, x = t + PAST, x + PAST * slope(t, x)  # on the other side, as masters are
+        indicators(t, x)
+        assert master.call("EnterEventMode") == OK
+        assert master.call("NewDiscreteStates", info) == OK and not info[0]
+        answered += 1
+        if info[1]:
+            break
+        assert master.call("EnterContinuousTimeMode") == OK
+    return t, x, answered
+
+
+@needs_compiler
+@pytest.mark.parametrize("scene", [relay, kinks])
+def test_events_of_model_exchange_are_those_of_a_run(
+    model_of: Build, scene: Callable[[], Scene], tmp_path: Path
+) -> None:
+    """Actions, a cool-down, a jump in time, an end by an event; a spring that pushes only."""
+    model = model_of(scene().simulation(t_end=4.0 if scene is relay else 1.0, dt=2e-4, scheme="rk4").build())
+    run = simulate(model)
+    t, x, answered = exchanged(Master(model, tmp_path, EXCHANGE), float(model.simulation["t_end"]))
+    assert t == pytest.approx(float(run.t[-1]), abs=2 * PAST)
+    np.testing.assert_allclose(x, [run["cart.x"][-1], run["cart.x_dot"][-1]], rtol=0, atol=1e-7)
+    assert answered >= len(run.events) >= 4
 
 
 @needs_compiler

@@ -9,7 +9,8 @@
 #define NY N(OUTPUTS)
 #define VR_P 1u
 #define VR_Y (VR_P + NP)
-#define VR_END (VR_Y + NY)
+#define VR_G (VR_Y + NY)
+#define VR_END (VR_G + NG)
 
 enum { OK, WARNING, DISCARD, ERROR };                             /* as in both versions */
 enum { INSTANTIATED, INITIALISING, EVENT, CONTINUOUS, STEPPING, ENDED }; /* modes */
@@ -19,11 +20,13 @@ typedef struct {
   int mode, fresh, stale, changed, moved, seen, ended; /* at the start?; is it, are c, inputs, y to be made?; over? */
   double t, h, started;                                /* time, step [s], time of the start */
   double p[NP + 1], slope[NU + 1], starts[N(STARTS) + 1], c[N(C)], z[N(Z)], y[NY], x[NX + 1];
+  int happened[NE + 1], count;              /* of model exchange: events that nobody has answered; lately, how many */
+  double g[NG + 1], quiet[NE + 1], counted; /* indicators as they were last; asleep until; since when counted [s] */
 } State;
 
 typedef struct {
   State s, before;
-  int exchange; /* model exchange? else co-simulation */
+  int exchange, early; /* model exchange? else co-simulation: may a step end early? */
   char name[64];
   void *environment;
   void *logger;
@@ -44,6 +47,7 @@ static void defaults(Instance *I) {
   memset(s, 0, sizeof *s);
   M(defaults)(s->p);
   for (k = 0; k < N(STARTS); ++k) s->starts[k] = M(starts)[k].start;
+  for (k = 0; k < NE; ++k) s->quiet[k] = -1e300;
   s->mode = INSTANTIATED, s->h = N(DT), s->fresh = s->stale = s->changed = 1;
 }
 
@@ -82,12 +86,31 @@ static void look(Instance *I) {
   M(observe)(s->y, s->z, s->c, I->w);
 }
 
+/* what passes zero where events happen, behind it where loads kink, behind it where they jump in time */
+static void indicate(Instance *I, double *g) {
+  if (I->s.stale) begin(I);
+  prepare(I);
+#if NG > 0
+  memcpy(I->s.c + INPUTS_IN_C, I->s.p + NPAR, NU * sizeof(double));
+  if (!I->exchange) memset(g, 0, NG * sizeof(double));
+  else M(indicators)(g, I->s.x, &I->s.t, I->s.c, I->w);
+#else
+  (void)g;
+#endif
+}
+
 static int get(Instance *I, const unsigned int *vr, size_t n, double *value) {
+  double g[NG + 1];
   size_t k;
   if (n > 0 && (vr == NULL || value == NULL)) return say(I, ERROR, "no place to read from or to write to");
   for (k = 0; k < n; ++k) {
     if (vr[k] >= VR_END) return said(I, ERROR, "there is no variable with this value reference", (double)vr[k]);
     if (vr[k] >= VR_Y) look(I);
+    if (vr[k] >= VR_G) {
+      indicate(I, g);
+      value[k] = g[vr[k] - VR_G];
+      continue;
+    }
     value[k] = vr[k] == 0 ? (I->s.stale ? I->s.started : I->s.t) : vr[k] < VR_Y ? I->s.p[vr[k] - VR_P] : I->s.y[vr[k] - VR_Y];
   }
   return OK;
@@ -111,7 +134,7 @@ static int set(Instance *I, const unsigned int *vr, size_t n, const double *valu
   if (n > 0 && (vr == NULL || value == NULL)) return say(I, ERROR, "no place to read from or to write to");
   for (k = 0; k < n; ++k) {
     const unsigned int at = vr[k] - VR_P;
-    if (vr[k] == 0 || vr[k] >= VR_END) return said(I, ERROR, "nothing with this value reference can be set", (double)vr[k]);
+    if (vr[k] == 0 || vr[k] >= VR_G) return said(I, ERROR, "nothing with this value reference can be set", (double)vr[k]);
     if (!(value[k] - value[k] == 0.0)) return said(I, ERROR, "a value must be finite", value[k]);
     if (vr[k] >= VR_Y) {
       if (!before) return say(I, ERROR, "start values are set before the initialisation is left");
@@ -155,7 +178,7 @@ static int derivatives(Instance *I, const unsigned int *unknown, size_t n, const
   memcpy(I->s.c + INPUTS_IN_C, s->p + NPAR, NU * sizeof(double));
   M(ode_along)(dy, x, &s->t, s->c, dx, du, I->w);
   for (k = 0; k < n; ++k) {
-    if (unknown[k] < VR_Y || unknown[k] >= VR_END) return said(I, ERROR, "this variable has no derivatives", (double)unknown[k]);
+    if (unknown[k] < VR_Y || unknown[k] >= VR_G) return said(I, ERROR, "this variable has no derivatives", (double)unknown[k]);
     found[k] = dy[unknown[k] - VR_Y];
   }
   return OK;
@@ -254,6 +277,62 @@ static int get_states(Instance *I, double *x, size_t n, int what) { /* 0: states
   return OK;
 }
 
+static int get_indicators(Instance *I, double *g, size_t n) {
+  size_t k;
+  if (n != NG || (n > 0 && g == NULL)) return said(I, ERROR, "another number of event indicators", (double)n);
+  indicate(I, g);
+  for (k = 0; k < n; ++k) {
+    if (!(g[k] - g[k] == 0.0)) return said(I, DISCARD, "an event indicator is not finite", g[k]);
+  }
+  return OK;
+}
+
+/* which events have happened since the last look; has one? */
+static int look_for_events(Instance *I) {
+  int any = 0;
+#if NE > 0
+  State *s = &I->s;
+  double g[NG];
+  int k;
+  if (!I->exchange) return 0;
+  indicate(I, g);
+  for (k = 0; k < NE; ++k) {
+    const int way = events_of[k].way, rises = s->g[k] < 0 && g[k] >= 0, falls = s->g[k] > 0 && g[k] <= 0;
+    if (s->quiet[k] <= s->t && ((way >= 0 && rises) || (way <= 0 && falls))) s->happened[k] = 1;
+    any = any || s->happened[k];
+  }
+  memcpy(s->g, g, sizeof g);
+#endif
+  return any;
+}
+
+/* what events do, at the time and the states that the unit is at */
+static int answer_events(Instance *I, int *terminate) {
+  *terminate = I->s.ended;
+  if (!I->exchange || !look_for_events(I)) return OK;
+#if NE > 0
+  State *s = &I->s;
+  double values[NSETS + 1] = {0};
+  int k, j;
+#if NSETS > 0
+  M(acts)(values, s->x, &s->t, s->c, I->w);
+#endif
+  if (s->t > s->counted + N(DT)) s->counted = s->t, s->count = 0;
+  for (k = 0; k < NE; ++k) {
+    if (!s->happened[k]) continue;
+    s->happened[k] = 0, s->quiet[k] = s->t + events_of[k].cool_down;
+    for (j = events_of[k].from; j < events_of[k].to; ++j) {
+      if (!(values[j] - values[j] == 0.0)) return said(I, ERROR, "an event sets what is not finite", s->t);
+      s->p[NPAR + sets_of[j]] = values[j], s->seen = 0;
+    }
+    if (events_of[k].terminal) *terminate = s->ended = 1;
+    if (++s->count > 50) return said(I, ERROR, "an event undoes itself for ever", s->t);
+  }
+  indicate(I, s->g); /* what moves by that does not happen */
+#endif
+  return OK;
+}
+
 static int set_time(Instance *I, double t) {
   if (!(t - t == 0.0)) return said(I, ERROR, "time must be finite", t);
   if (I->s.t != t) I->s.seen = 0;
@@ -275,12 +354,14 @@ static int leave_initialisation(Instance *I) {
   begin(I);
   if (!M(finite)(I->s.z)) return say(I, ERROR, "the start values make no start: are the loops closed?");
   I->s.mode = I->exchange ? EVENT : STEPPING;
+  indicate(I, I->s.g);
   return OK;
 }
 
 static int go_to(Instance *I, int from, int mode) {
   if (!I->exchange || (I->s.mode != from && I->s.mode != mode)) return say(I, ERROR, "this mode cannot be entered from here");
   I->s.mode = mode;
+  if (mode == CONTINUOUS) indicate(I, I->s.g); /* inputs may have moved it */
   return OK;
 }
 

@@ -66,13 +66,18 @@ DOOR int fmi2GetDirectionalDerivative(Instance *I, const unsigned int *unknown, 
 }
 
 DOOR int fmi2EnterEventMode(Instance *I) { return go_to(I, CONTINUOUS, EVENT); }
-DOOR int fmi2NewDiscreteStates(Instance *I, EventInfo *info) { return memset(info, 0, sizeof *info), OK; }
+DOOR int fmi2NewDiscreteStates(Instance *I, EventInfo *info) {
+  memset(info, 0, sizeof *info);
+  return answer_events(I, &info->terminate);
+}
 DOOR int fmi2EnterContinuousTimeMode(Instance *I) { return go_to(I, EVENT, CONTINUOUS); }
-DOOR int fmi2CompletedIntegratorStep(Instance *I, int no_set, int *event, int *terminate) { return *event = *terminate = 0, OK; }
+DOOR int fmi2CompletedIntegratorStep(Instance *I, int no_set, int *event, int *terminate) {
+  return *event = look_for_events(I), *terminate = 0, OK;
+}
 DOOR int fmi2SetTime(Instance *I, double t) { return set_time(I, t); }
 DOOR int fmi2SetContinuousStates(Instance *I, const double *x, size_t n) { return set_states(I, x, n); }
 DOOR int fmi2GetDerivatives(Instance *I, double *x, size_t n) { return get_states(I, x, n, 1); }
-DOOR int fmi2GetEventIndicators(Instance *I, double *x, size_t n) { return n == 0 ? OK : say(I, ERROR, "there are no event indicators"); }
+DOOR int fmi2GetEventIndicators(Instance *I, double *x, size_t n) { return get_indicators(I, x, n); }
 DOOR int fmi2GetContinuousStates(Instance *I, double *x, size_t n) { return get_states(I, x, n, 0); }
 DOOR int fmi2GetNominalsOfContinuousStates(Instance *I, double *x, size_t n) { return get_states(I, x, n, 2); }
 

@@ -26,7 +26,9 @@ DOOR Instance *fmi3InstantiateModelExchange(const char *name, const char *token,
 }
 DOOR Instance *fmi3InstantiateCoSimulation(const char *name, const char *token, const char *place, bool visible, bool on, bool events, bool early,
                                            References wanted, size_t n, void *environment, Logger log, void (*update)(void)) {
-  return logged(name, token, 0, environment, log);
+  Instance *I = logged(name, token, 0, environment, log);
+  if (I != NULL) I->early = early;
+  return I;
 }
 DOOR Instance *fmi3InstantiateScheduledExecution(const char *name, const char *token, const char *place, bool visible, bool on, void *environment, Logger log,
                                                  void (*update)(void), void (*lock)(void), void (*unlock)(void)) {
@@ -99,22 +101,26 @@ DOOR int fmi3EnterConfigurationMode(Instance *I) { return OK; }
 DOOR int fmi3ExitConfigurationMode(Instance *I) { return OK; }
 DOOR int fmi3EvaluateDiscreteStates(Instance *I) { return OK; }
 DOOR int fmi3UpdateDiscreteStates(Instance *I, bool *again, bool *terminate, bool *nominals, bool *values, bool *defined, double *next) {
-  *again = *terminate = *nominals = *values = *defined = false, *next = 0.0;
-  return OK;
+  int ends;
+  const int status = answer_events(I, &ends);
+  *again = *nominals = *values = *defined = false, *terminate = ends != 0, *next = 0.0;
+  return status;
 }
 DOOR int fmi3EnterContinuousTimeMode(Instance *I) { return go_to(I, EVENT, CONTINUOUS); }
-DOOR int fmi3CompletedIntegratorStep(Instance *I, bool no_set, bool *event, bool *terminate) { return *event = *terminate = false, OK; }
+DOOR int fmi3CompletedIntegratorStep(Instance *I, bool no_set, bool *event, bool *terminate) {
+  return *event = look_for_events(I) != 0, *terminate = false, OK;
+}
 DOOR int fmi3SetTime(Instance *I, double t) { return set_time(I, t); }
 DOOR int fmi3SetContinuousStates(Instance *I, const double *x, size_t n) { return set_states(I, x, n); }
 DOOR int fmi3GetContinuousStateDerivatives(Instance *I, double *x, size_t n) { return get_states(I, x, n, 1); }
-DOOR int fmi3GetEventIndicators(Instance *I, double *x, size_t n) { return n == 0 ? OK : say(I, ERROR, "there are no event indicators"); }
+DOOR int fmi3GetEventIndicators(Instance *I, double *x, size_t n) { return get_indicators(I, x, n); }
 DOOR int fmi3GetContinuousStates(Instance *I, double *x, size_t n) { return get_states(I, x, n, 0); }
 DOOR int fmi3GetNominalsOfContinuousStates(Instance *I, double *x, size_t n) { return get_states(I, x, n, 2); }
-DOOR int fmi3GetNumberOfEventIndicators(Instance *I, size_t *n) { return *n = 0, OK; }
+DOOR int fmi3GetNumberOfEventIndicators(Instance *I, size_t *n) { return *n = NG, OK; }
 DOOR int fmi3GetNumberOfContinuousStates(Instance *I, size_t *n) { return *n = NX, OK; }
 DOOR int fmi3EnterStepMode(Instance *I) { return I->exchange ? say(I, ERROR, "there are no steps in model exchange") : OK; }
 DOOR int fmi3DoStep(Instance *I, double t, double h, bool no_set, bool *event, bool *terminate, bool *early, double *last) {
-  const int status = (do_step(I, t, h));
-  *event = false, *terminate = *early = I->s.ended != 0, *last = I->s.t;
+  const int status = do_step(I, t, h);
+  *event = false, *terminate = I->s.ended != 0, *early = *terminate && I->early && I->s.t < t + h, *last = I->s.t;
   return status;
 }
