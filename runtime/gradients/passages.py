@@ -17,9 +17,11 @@ from runtime.gradients.start_of_run import Begun
 from runtime.running.events import EventActions
 from runtime.running.plan import Plan
 from runtime.running.stepped_model import SteppedModel
+from runtime.schemes.switching.breaks import ON_THE_GRID
 from runtime.schemes.switching.watched import watch_events, watched_events, watches
 
 BATCH = 64  # steps after which events are looked at
+NEARER, NEARINGS = 16.0, 7  # steps end before a kink, and begin behind it, nearer by that factor so many times
 GRAZING = 1e-3  # least slope of a passage, over that of the way to it since the start of the step
 
 
@@ -68,6 +70,7 @@ class Passages:
         z = own.begin(own.broken.grid.clock(0), *begun.state)
         own.begin_events(z)
         happenings, passages = EventActions(own), dict[int, list[EventPassage]]()
+        kinks: list[float] = []
         while int(z[1]) < plan.steps:
             happenings.advance(z, min(BATCH, plan.steps - int(z[1])))
             if happenings.status is not None:
@@ -75,8 +78,28 @@ class Passages:
             if happenings.told:
                 happened = [event for event in happenings.told if event.kind != "kink_crossed"]
                 passages[int(z[1]) - 1] = self._told(own, happenings.start, happened)
+                kinks += [event.time for event in happened if event.kind == "kink"]
                 happenings.told.clear()
-        return passages
+        return self._approached(passages, kinks)
+
+    def _approached(
+        self, passages: dict[int, list[EventPassage]], kinks: Sequence[float]
+    ) -> dict[int, list[EventPassage]]:
+        """With steps that become shorter towards each kink and longer behind it.
+
+        A stage at a kink has the slope of either side, and stages of a whole step are no nearer to the motion than its
+        order says: they are on the right side only where they are further from the kink than that. Their force is the
+        same from both sides, so values do not need this.
+        """
+        t0, dt = self._plan.t0, self._plan.grid.dt_L
+        for clock in dict.fromkeys(kinks):
+            for k in range(1, NEARINGS + 1):
+                for near in (clock - dt * NEARER**-k, clock + dt * NEARER**-k):
+                    step = int(np.floor((near - t0) / dt))
+                    share = (near - t0) / dt - step
+                    if 0 <= step < self._plan.steps and ON_THE_GRID < share < 1 - ON_THE_GRID:
+                        passages.setdefault(step, []).append(EventPassage(near))
+        return {step: sorted(found, key=lambda one: one.clock) for step, found in passages.items()}
 
     def _told(self, own: SteppedModel, start: np.ndarray, told: Sequence[Event]) -> list[EventPassage]:
         """Of one step from a state (whole, flat)."""

@@ -42,7 +42,8 @@ class Special:
 class Point:
     """A motion on the branch: value of the parameter, period [s], states (K, n), shot, tangent (m,), sizes (n,).
 
-    begins: is it where a branch leaves another one?
+    begins: is it where a branch leaves another one? error: how far the branch is off here, in parts of sizes, by the
+    same with other steps; from that the margin of `floquet` follows, too.
     """
 
     value: float
@@ -53,6 +54,7 @@ class Point:
     conditions: Conditions
     floquet: Floquet
     begins: bool = False
+    error: float = np.inf
 
 
 @dataclass(frozen=True, repr=False)
@@ -88,6 +90,11 @@ class PeriodicBranch:
     def periods(self) -> np.ndarray:
         """(N,) [s]."""
         return np.array([point.period for point in self.points])
+
+    @property
+    def errors(self) -> np.ndarray:
+        """(N,) how far each is off, across the branch, in parts of sizes of coordinates and rates."""
+        return np.array([point.error for point in self.points])
 
     @property
     def multipliers(self) -> np.ndarray:
@@ -137,16 +144,16 @@ class PeriodicBranch:
         return np.array([float(np.abs(run.outputs[output]).max()) for run in runs])
 
     def write_csv(self, path: str | Path, outputs: Sequence[str] = ()) -> None:
-        """One row a motion: value, period, stability, largest multiplier, largest outputs, doublings of the period.
+        """One row a motion: value, period, stability, largest multiplier, largest outputs, doublings, error.
 
         Those of branches follow. Raises OutputError.
         """
-        rows = [",".join([self.over, "period [s]", "stability", "largest multiplier", *outputs, "doublings"])]
+        rows = [",".join([self.over, "period [s]", "stability", "largest multiplier", *outputs, "doublings", "error"])]
         for one in self.all:
             columns = [one.largest(name) for name in outputs]
             for k, point in enumerate(one.points):
                 size = point.floquet.largest
-                numbers = [size, *(float(column[k]) for column in columns), one.first.doublings]
+                numbers = [size, *(float(column[k]) for column in columns), one.first.doublings, point.error]
                 rows.append(",".join([repr(point.value), repr(point.period), one.stability[k], *map(repr, numbers)]))
         write_text(Path(path), "\n".join(rows) + "\n")
 
@@ -167,7 +174,7 @@ class PeriodicBranch:
         ended = f"; stopped: {self.stopped}" if self.stopped else ""
         return (
             f"<PeriodicBranch of {self.model.name}: {len(self.points)} motions over {self.over} from "
-            f"{self.values[0]:g} to {self.values[-1]:g}, {told}{more}{ended}>"
+            f"{self.values[0]:g} to {self.values[-1]:g}, {told}, errors up to {self.errors.max():.2g}{more}{ended}>"
         )
 
 

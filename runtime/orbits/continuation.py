@@ -14,6 +14,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -22,13 +24,15 @@ from scipy.optimize import brentq
 from runtime.contract.errors import ArgumentError, SymgenError
 from runtime.contract.model import Model
 from runtime.orbits.branch import PeriodicBranch, Point, Special
-from runtime.orbits.controllers import refuse_samples
+from runtime.orbits.controllers import refuse_samples, samples_in
 from runtime.orbits.doubling import doubled, half_apart
 from runtime.orbits.floquet import FLIP, FOLD, NEIMARK_SACKER, REAL, UNSTABLE, floquet
+from runtime.orbits.kept_branch import KeptBranch, Place
 from runtime.orbits.motion import PeriodicMotion
-from runtime.orbits.periodic import periodic, speed_period
+from runtime.orbits.periodic import companion_steps, doubted, periodic, speed_period
 from runtime.orbits.sampled import period_map
 from runtime.orbits.shooting import CLOSED, ROUNDED, Conditions, NoPeriodicMotion, Setting, Shot
+from runtime.running.inputs import bound
 
 FIRST, LONGEST, SHORTEST = 0.02, 0.08, 1e-6  # steps along the curve, in parts of the range
 ITERATIONS, QUICK = 8, 3  # of Newton's method: at most, and so few that steps grow
@@ -51,14 +55,16 @@ def periodic_over(
     flips: int = 0,
     progress: Progress | None = None,
     start: PeriodicMotion | PeriodicBranch | Mapping[str, float] | None = None,
+    resume: str | Path | None = None,
     **how: Any,
 ) -> PeriodicBranch:
     """Motions that repeat over a parameter, from the first value of `span` to the second, through folds on the way.
 
     points: at most so many; step: longest, in parts of the span (0.08); flips: so many doublings of the period are
     followed, too, each a branch in `branches`; progress(value reached, last value). start: as of `periodic`, a motion
-    with its parameters, or a branch, which is gone on with. how: further arguments of `periodic`. Ctrl-C keeps what is
-    there. Raises what `periodic` does for the first motion; later trouble ends the branch, told by `stopped`.
+    with its parameters, or a branch, which is gone on with. resume: a folder that keeps the points; the same question
+    goes on there after the last of them. how: further arguments of `periodic`. Ctrl-C keeps what is there. Raises what
+    `periodic` does for the first motion; later trouble ends the branch, told by `stopped`.
     """
     low, high = (float(value) for value in span)
     if over not in [entry.name for entry in model.parameters]:
@@ -73,7 +79,8 @@ def periodic_over(
         own = start.parameters if isinstance(start, PeriodicMotion) else {}
         parameters = {**own, **how.pop("parameters", {}), over: low}
         first, done = periodic(model, parameters=parameters, start=start, **how), []
-    walk = _Walk(model, over, (low, high), first, LONGEST if step is None else float(step))
+    folder = None if resume is None else Path(resume)
+    walk = _Walk(model, over, (low, high), first, LONGEST if step is None else float(step), folder)
     branch = walk.walked(done, points, progress, list(start.specials) if isinstance(start, PeriodicBranch) else [])
     return _with_doublings(branch, walk, flips, points, progress)
 
@@ -85,12 +92,14 @@ def _with_doublings(
     if not flips or branch.stopped == INTERRUPTED:
         return branch
     found: list[PeriodicBranch] = []
-    for special in branch.specials:
+    for k, special in enumerate(branch.specials):
         if special.kind == FLIP:
             first, start = doubled(branch.first, branch.over, special.point)
-            own = walk.beside(first)
+            own = walk.beside(first, k)
             piece = own.walked([own.anew(start)], points, progress, [])
             found.append(_with_doublings(piece, own, flips - 1, points, progress))
+            if found[-1].stopped == INTERRUPTED:
+                return replace(branch, branches=tuple(found), stopped=INTERRUPTED)
     return replace(branch, branches=tuple(found))
 
 
@@ -98,9 +107,11 @@ class _Walk:
     """Along a branch. Numbers of the curve: states over their scale, the period over the first where free, value."""
 
     def __init__(
-        self, model: Model, over: str, span: tuple[float, float], first: PeriodicMotion, longest: float
-    ) -> None:
+        self, model: Model, over: str, span: tuple[float, float], first: PeriodicMotion, longest: float,
+        folder: Path | None, name: str = "branch",
+    ) -> None:  # fmt: skip
         self._model, self._over, self._span, self._first, self._longest = model, over, span, first, longest
+        self._folder, self._name = folder, name
         self._width = abs(span[1] - span[0])
         self._doubled = first.doublings > 0
         if first.speed is not None and first.speed[0] == over:
@@ -110,10 +121,46 @@ class _Walk:
         )
         given = {name: value for name, value in first.parameters.items() if name != over}
         self._map = period_map(setting, first.period, given, (over,))
+        count = companion_steps(first.scheme, first.steps, first.parts, samples_in(first.period, first.inputs))
+        self._other = self._map.with_steps(replace(setting, steps=count // first.parts))
 
-    def beside(self, first: PeriodicMotion) -> _Walk:
-        """Along another branch over the same values."""
-        return _Walk(self._model, self._over, self._span, first, self._longest)
+    def beside(self, first: PeriodicMotion, k: int) -> _Walk:
+        """Along another branch over the same values, from special k of this one."""
+        own = f"{self._name}_{k}"
+        return _Walk(self._model, self._over, self._span, first, self._longest, self._folder, own)
+
+    @cached_property
+    def _kept(self) -> KeptBranch | None:
+        """Its file, if there is one."""
+        if self._folder is None:
+            return None
+        first = self._first
+        driven = bound(self._model, first.inputs).driven_by
+        asked = (self._model.digest, driven, self._over, self._span, first.scheme, dict(first.options), first.steps,
+                 first.parts, first.t0, first.speed, first.free or first.period, sorted(first.parameters.items()),
+                 first.doublings)  # fmt: skip
+        return KeptBranch(self._folder / f"{self._name}.npz", repr(asked))
+
+    def _read(self, done: list[Point], specials: list[Special]) -> bool:
+        """Replace what is done by what was kept; is that complete?"""
+        places, complete = self._kept.places() if self._kept is not None else ([], False)
+        if any(not one.kind for one in places):
+            done.clear()
+        for one in places:
+            point = self._place(one)
+            if one.kind:
+                specials.append(Special(one.kind, one.value, one.period, point.x[0], point))
+            else:
+                done.append(point)
+        return complete
+
+    def _place(self, kept: Place) -> Point:
+        """A point that was kept, with what is known of it computed anew."""
+        shot = self._map.shot(kept.x, kept.period, [kept.value])
+        conditions = self._conditions(shot, kept.period, self._first.found.turn * 2**self._first.doublings)
+        found = floquet(shot.monodromy, kept.period, conditions.free, self._first.floquet.margin)
+        own = (kept.value, kept.period, kept.x, shot, kept.tangent, conditions, found, kept.begins)
+        return self._judged(Point(*own))
 
     def walked(
         self, done: list[Point], most: int, progress: Progress | None, specials: list[Special]
@@ -121,20 +168,27 @@ class _Walk:
         """From the first motion, or from where a branch stopped, to the end of the range."""
         stopped = ""
         try:
-            if not done:
-                done.append(self._begun())
-            stopped = self._walked(done, most, progress, specials)
+            if not self._read(done, specials):
+                if not done:
+                    done.append(self._begun())
+                stopped = self._walked(done, most, progress, specials)
+                self._keep(done, specials, not stopped)
         except KeyboardInterrupt:
             stopped = INTERRUPTED
         if not done:
             raise KeyboardInterrupt
         return PeriodicBranch(self._model, self._over, self._span, tuple(done), tuple(specials), self._first, stopped)
 
+    def _keep(self, done: list[Point], specials: list[Special], complete: bool = False) -> None:
+        if self._kept is not None:
+            self._kept.keep(done, specials, complete)
+
     def _walked(self, done: list[Point], most: int, progress: Progress | None, specials: list[Special]) -> str:
         """Append points and what passes between them; why it ends before the range does, "" otherwise."""
         s = min(FIRST, self._longest)
         while True:
             at = done[-1]
+            self._keep(done, specials)
             if progress is not None:
                 progress(at.value, self._span[1])
             if len(done) >= most:
@@ -145,11 +199,12 @@ class _Walk:
             point, s = found
             if self._returns(at, point):
                 return ""
+            point = self._judged(point)
             if not at.begins:
                 specials += self._passed(at, point)
             if not self._inside(point.value):
                 end = self._span[0] if self._before(point.value) else self._span[1]
-                done.append(self._at_end(at, point, end))
+                done.append(self._judged(self._at_end(at, point, end)))
                 turned = end == self._span[0] and not self._doubled
                 return f"the branch turns back and leaves the range at {self._over} = {end:g}" if turned else ""
             done.append(point)
@@ -171,7 +226,7 @@ class _Walk:
         tangent = np.zeros(count + self._first.free + 1)
         tangent[:count] = (start.tangent.reshape(start.x.shape) / conditions.scale).ravel()
         tangent /= np.sqrt(self._dot(tangent, tangent, count))
-        return replace(start, shot=shot, conditions=conditions, tangent=tangent, floquet=found)
+        return self._judged(replace(start, shot=shot, conditions=conditions, tangent=tangent, floquet=found))
 
     # ---- points -----------------------------------------------------------------------------------------------
 
@@ -190,7 +245,20 @@ class _Walk:
         point = self._point(value, first.period, shot, conditions, None)
         if point.tangent[-1] * (self._span[1] - self._span[0]) < 0:
             point = replace(point, tangent=-point.tangent)
-        return point
+        return self._judged(point)
+
+    def _judged(self, point: Point) -> Point:
+        """With its error and its margin: across the branch, to first order, the same with other steps is so far off."""
+        try:
+            other = self._other.shot(point.x, point.period, [point.value])
+        except SymgenError:
+            return replace(point, error=np.inf)
+        gaps = [point.conditions.residual(point.x, shot.ends) for shot in (other, point.shot)]
+        inner = self._jacobian(point.shot, point.value, point.period, point.conditions)
+        along = point.tangent / self._weights(point.x.size) ** 2
+        off = np.linalg.lstsq(np.vstack([inner, along]), np.append(gaps[0] - gaps[1], 0.0), rcond=1e-14)[0]
+        found = doubted(point.floquet, floquet(other.monodromy, point.period, point.conditions.free))
+        return replace(point, floquet=found, error=float(np.abs(off[: point.x.size]).max()))
 
     def _conditions(self, shot: Shot, period: float, turn: np.ndarray) -> Conditions:
         moved = np.abs(np.vstack([shot.x, shot.ends])).max(axis=0)

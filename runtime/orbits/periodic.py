@@ -15,7 +15,7 @@ from runtime.contract.model import Model, refuse_elements, refuse_events
 from runtime.gradients.variables import parameters_at
 from runtime.operating.given_state import given_state
 from runtime.orbits.controllers import controllers_in, refuse_controllers, samples_in, states_of
-from runtime.orbits.floquet import floquet
+from runtime.orbits.floquet import MARGIN, Floquet, floquet
 from runtime.orbits.motion import PeriodicMotion
 from runtime.orbits.sampled import period_map
 from runtime.orbits.shooting import Closed, Conditions, NoPeriodicMotion, PeriodMap, Setting, closed, closed_beside
@@ -227,13 +227,11 @@ class _Search:
         found, conditions = self._found(map_, x, period, settle)
         motion = self._motion(map_, found, steps)
         self._check_repeats(map_, motion)
-        order = scheme_kind(self._asked.scheme).make.order
         samples = samples_in(found.period, self._asked.inputs)
-        other = _other_count(steps, 2.0 ** (1.0 / order), self._parts, samples)
+        other = companion_steps(self._asked.scheme, steps, self._parts, samples)
         twin = closed_beside(self.map_(other, found.period), conditions, found)
         beside = self._motion(map_, twin, other)
-        margin = max(motion.floquet.margin, DOUBT * abs(motion.floquet.largest - beside.floquet.largest))
-        return replace(motion, floquet=replace(motion.floquet, margin=margin), error=_difference(motion, beside))
+        return replace(motion, floquet=doubted(motion.floquet, beside.floquet), error=_difference(motion, beside))
 
     def _found(self, map_: PeriodMap, x: np.ndarray, period: float, settle: int | None) -> tuple[Closed, Conditions]:
         """From the state x (n,), or where that fails (or settle asks for it) from the end of a transient."""
@@ -295,8 +293,17 @@ class _Search:
             )
 
 
-def _other_count(steps: int, ratio: float, parts: int, samples: int) -> int:
-    """Fewer steps by the ratio; between two marks no common divisor, so that forces are seen at other phases."""
+def doubted(one: Floquet, beside: Floquet) -> Floquet:
+    """With the margin that follows from the same with other steps."""
+    return replace(one, margin=max(MARGIN, DOUBT * abs(one.largest - beside.largest)))
+
+
+def companion_steps(scheme: str, steps: int, parts: int, samples: int) -> int:
+    """Steps of the motion that one is compared with: fewer, of half the error.
+
+    Between two marks they have no common divisor, so that forces are seen at other phases.
+    """
+    ratio = 2.0 ** (1.0 / scheme_kind(scheme).make.order)
     unit, least = lcm(MARKS * parts, samples), lcm(parts, samples)
     if steps % unit:
         other = max(1, round(steps / ratio / least)) * least

@@ -167,10 +167,13 @@ def periodic(arguments: argparse.Namespace) -> Outcome:
     how["start"] = arguments.initial or None
     if arguments.flips and not arguments.over:
         raise UsageError("--flips goes with --over")
+    if arguments.resume and not arguments.over:
+        raise UsageError("--resume goes with --over")
     if arguments.over:
         name, first, last = arguments.over
+        further = {"flips": arguments.flips, "resume": arguments.resume}
         with Progress(f"symgen {model.name}") as progress:
-            branch = periodic_over(model, name, (first, last), progress=progress, flips=arguments.flips, **how)
+            branch = periodic_over(model, name, (first, last), progress=progress, **further, **how)
         return _branch(branch, arguments.output or [model.q_i[0]], arguments.out)
     found = periodic(model, **how)
     files = []
@@ -214,11 +217,13 @@ def _branch(branch: PeriodicBranch, outputs: list[str], out: str | None) -> Outc
         "values": branch.values.tolist(),
         "periods": branch.periods.tolist(),
         "stability": branch.stability,
+        "errors": branch.errors.tolist(),
         "specials": specials,
         "stopped": branch.stopped,
         "files": files,
     }
-    lines = [f"{branch.model.name}: {len(branch.points)} motions over {branch.over}"]
+    told = f"errors up to {branch.errors.max():.2g} of sizes"
+    lines = [f"{branch.model.name}: {len(branch.points)} motions over {branch.over}, {told}"]
     lines += [f"{one.kind} at {branch.over} = {one.value:.9g}" for one in kinds]
     lines += [f"stopped: {branch.stopped}"] if branch.stopped else []
     code = INTERRUPTED if branch.stopped == "interrupted" else FAILED if branch.stopped else OK

@@ -405,6 +405,7 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             opt("--speed NAME", "the parameter that is the speed [rad/s]: the period is that of its --turns"),
             opt("--turns COUNT", "turns a period (default: %(default)s)", positive, default=1.0),
             opt("--over NAME=FROM:TO", "follow the motion over a parameter, through folds", words.span),
+            opt("--resume DIR", "with --over: where points are kept; the same words go on there after the last one"),
             opt("--flips COUNT", "with --over: doublings of the period that are followed", int, default=0),
             opt("--output NAMES", "whose largest values are written and drawn (default: the first coordinate)", names),
             opt("--settle PERIODS", "simulate so many first", int),
