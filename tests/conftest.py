@@ -43,9 +43,22 @@ def pytest_configure_node(node: Any) -> None:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leave out what is long, unless it was asked for."""
     if not config.stash[LONG]:
-        long = [item for item in items if item.get_closest_marker("long")]
-        items[:] = [item for item in items if not item.get_closest_marker("long")]
-        config.hook.pytest_deselected(items=long)
+        long = {item: is_long(item) for item in items}
+        all_cases = {item.nodeid.partition("[")[0] for item in items if item.get_closest_marker("every_push")}
+        nothing = all_cases - {item.nodeid.partition("[")[0] for item in items if not long[item]}
+        if nothing and not config.option.keyword:
+            raise pytest.UsageError(f"every_push names no case that is there: {sorted(nothing)}")
+        items[:] = [item for item in items if not long[item]]
+        config.hook.pytest_deselected(items=[item for item in long if long[item]])
+
+
+def is_long(item: pytest.Item) -> bool:
+    """Marked long, or a case of a matrix that its mark `every_push` does not name."""
+    if item.get_closest_marker("long"):
+        return True
+    kept = item.get_closest_marker("every_push")
+    case = getattr(item, "callspec", None)
+    return kept is not None and not any(case and f"-{name}-" in f"-{case.id}-" for name in kept.args)
 
 
 @pytest.fixture(scope="session", autouse=True)

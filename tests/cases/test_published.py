@@ -104,6 +104,7 @@ def test_f3_peak_and_residual_with_stiffening(spin_up: Solution) -> None:
     assert abs(np.abs(lag[spin_up.t > 15.0]).max() / 3.64e-3 - 1) < 3e-3
 
 
+@pytest.mark.long
 def test_f3_without_stiffening_diverges_physically(tmp_path) -> None:  # type: ignore[no-untyped-def]
     generate(spin_up_beam(stiffening=False), tmp_path / "spin")
     solution = simulate(load_model(tmp_path / "spin"), t_end=20.0, dt=1e-3, seen_every=0.005)

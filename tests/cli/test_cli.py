@@ -176,6 +176,7 @@ def test_a_run_that_fails_exits_with_one_and_keeps_its_report(capsys, folder, tm
     assert data["report"]["status"]["name"] in capsys.readouterr().out
 
 
+@pytest.mark.long
 def test_demo_leaves_everything(capsys, tmp_path, monkeypatch) -> None:
     page = (Path(__file__).parents[2] / "docs" / "guide" / "cli.md").read_text()
     monkeypatch.chdir(tmp_path)

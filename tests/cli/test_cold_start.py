@@ -46,6 +46,7 @@ def all_imported_by(words: list[str], folder: Path) -> set[str]:
     return set((folder / "modules").read_text().split())
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["pendulum", "flexible_slider_crank_free"])
 def test_a_built_in_scene_runs_without_the_generator(name: str, tmp_path: Path, monkeypatch) -> None:
     monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path / "cache"))

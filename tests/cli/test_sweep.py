@@ -18,6 +18,7 @@ from symgen.cli import main
 SWEEP = ["sweep", "pendulum", "--over", "length=lin:0.9:1.1:3", "--over", "rod.theta_dot=0.5,2", "--t-end", "0.02"]
 
 
+@pytest.mark.long
 def test_every_combination_is_a_case(built_in: Callable[[str], Model], capsys, tmp_path: Path) -> None:
     """NetCDF reads back as the answer of `ensemble`, bit for bit; the picture lies beside it."""
     path = tmp_path / "study.nc"

@@ -66,6 +66,7 @@ def test_completion_knows_every_command(capsys) -> None:
         assert all(command in script for command in commands) and "--t-end" in script
 
 
+@pytest.mark.long
 def test_advice_prints_a_command_that_works_for_what_was_given(capsys, tmp_path: Path, monkeypatch) -> None:
     from symgen.scenes import SCENES
 

@@ -41,6 +41,7 @@ def bent_chain(kinds: tuple[str, ...], closing: str = "") -> SceneRecord:
     return builder.build()
 
 
+@pytest.mark.every_push("tree of 8", "bricard")
 @pytest.mark.parametrize(
     "scene",
     [skew_tree().scene, SCENES["bricard"](), SCENES["spatial_slider_crank"](), bent_chain(ALL)],

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import casadi as ca
 import numpy as np
+import pytest
 
 from symgen.scene import Scene, SceneRecord
 from symgen.system.build import build_system
@@ -70,6 +71,7 @@ def solution(equations: Equations, force: ca.SX) -> tuple[list[int], ca.SX]:
     return columns, ca.vertcat(*(found[column] for column in columns))
 
 
+@pytest.mark.long
 def test_accelerations_give_the_force_back() -> None:
     system = build_system(mixed_chain())
     equations, rng = system.reduced, np.random.default_rng(6)

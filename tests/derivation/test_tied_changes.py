@@ -24,6 +24,7 @@ def twice_tied() -> SceneRecord:
     return builder.build()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "scene",
     [bent_chain(("universal", "revolute"), "spherical"), twice_tied()],

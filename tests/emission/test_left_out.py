@@ -46,6 +46,7 @@ def test_what_ran_is_written_and_the_rest_named(ran: Model, folder: Path) -> Non
     assert all(f"`{name}`" in page.split("Not in this folder:")[1] for name in named)
 
 
+@pytest.mark.long
 def test_the_folder_runs_with_the_bits_of_the_run_it_was_left_by(ran: Model, folder: Path) -> None:
     loaded = load_model(folder)
     for scheme in ("single_rate", "exponential"):  # the latter asks for what is left out
@@ -84,6 +85,7 @@ def test_a_generator_that_derives_another_model_is_refused(folder: Path, monkeyp
         load_model(folder).kernel("augmented")
 
 
+@pytest.mark.long
 def test_a_long_tree_is_written_without_what_grows_with_its_square(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

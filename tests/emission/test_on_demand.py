@@ -64,6 +64,7 @@ def test_values_are_those_of_the_emitted_functions(name: str) -> None:
             assert np.abs(near - exact).max(initial=0.0) <= ROUNDING * np.abs(exact).max(initial=1e-300), (key, output)
 
 
+@pytest.mark.long
 def test_a_run_along_a_long_tree_derives_nothing_quadratic(emitted: Model, on_demand: Model) -> None:
     settings = {"t_end": 0.02, "dt": 5e-4, "scheme": "single_rate", "seen_every": 0.02}
     found, wanted = simulate(on_demand, **settings), simulate(emitted, **settings)

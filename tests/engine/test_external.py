@@ -16,6 +16,7 @@ from runtime.engine.external import External
 Load = Callable[..., Model]
 
 
+@pytest.mark.every_push("tumbling_body-idas", "flexible_joint_arm-cvodes")
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("name", ["flexible_joint_arm", "flexible_slider_crank_free", "tumbling_body"])
 def test_derivatives_are_those_of_the_values(built_in: Load, method: str, name: str) -> None:

@@ -60,6 +60,7 @@ def same(one: Solution, other: Solution) -> bool:
     return all(np.array_equal(getattr(one, key), getattr(other, key)) for key in ("t", "q", "q_dot", "q_ddot", "lam"))
 
 
+@pytest.mark.every_push("four_bar-rk4-0.001", "two_oscillators-printed-0.001")
 @pytest.mark.parametrize("scene, scheme, dt", RUNS)
 def test_a_kept_step_has_the_bits_of_a_derived_one(scene: str, scheme: str, dt: float, prepared: list[str]) -> None:
     first = run(fresh(scene), scheme, dt)
@@ -104,6 +105,7 @@ def test_what_cannot_be_read_is_derived_again(
     assert len(prepared) == 2
 
 
+@pytest.mark.long
 def test_functions_among_the_inputs_are_part_of_the_step(tmp_path: Path, prepared: list[str]) -> None:
     """They are not in the folder whose digest the key tells: such a step is derived each time."""
     folder = generate(cart(), tmp_path / "model")

@@ -53,6 +53,7 @@ ANGLES = {
 }
 
 
+@pytest.mark.every_push("below 1", "below 100000")
 @pytest.mark.parametrize("x", ANGLES.values(), ids=ANGLES.keys())
 def test_sine_and_cosine(x: np.ndarray) -> None:
     found = evaluated(lambda a: [ca.sin(a), ca.cos(a)], x[:, None], Form())
@@ -62,6 +63,7 @@ def test_sine_and_cosine(x: np.ndarray) -> None:
             assert ulps(cosine, mpmath.cos(mpmath.mpf(value))) <= MOST_ULP
 
 
+@pytest.mark.every_push("5", "9")
 @pytest.mark.parametrize("count", [2, 3, 5, 8, 9, 20])
 def test_angles_together_have_the_bits_of_angles_alone(count: int) -> None:
     """By vectors of 2, 4 and 8, some not full; half of the angles wait for sines of the others, and a few have no
@@ -82,6 +84,7 @@ def test_angles_together_have_the_bits_of_angles_alone(count: int) -> None:
     assert f"@own_sincos_{width}(<{width} x double> %" in program_ir(Call(stage), {"f": read_tape(stage)}, Form())[0]
 
 
+@pytest.mark.every_push("30.0")
 @pytest.mark.parametrize("limit", [1.0, 30.0, 708.0])
 def test_exponential(limit: float) -> None:
     x = RANDOM.uniform(-limit, limit, 600)

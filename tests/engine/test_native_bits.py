@@ -40,6 +40,9 @@ def scalar(given: StepProgram, lane: int, form: Form, effort: Effort) -> np.ndar
     return moved.run(STEPS, form._replace(width=1), effort)[0]
 
 
+@pytest.mark.every_push(
+    "slider_crank-single_rate", "best-flexible_slider_crank_free-printed", "best-flexible_slider_crank_torque-coupled"
+)
 @pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case[0]}-{case[1]}")
 @pytest.mark.parametrize("form, effort", [(Form(), BEST), (Form(chunk=25, inline=False), FIRST)], ids=["best", "first"])
 def test_library_mathematics_equals_the_virtual_machine(built_in: Load, case, form: Form, effort: Effort) -> None:
@@ -51,6 +54,7 @@ def test_library_mathematics_equals_the_virtual_machine(built_in: Load, case, fo
     assert not np.array_equal(found, given.start)
 
 
+@pytest.mark.every_push("slider_crank-radau", "flexible_slider_crank_torque-coupled")
 @pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case[0]}-{case[1]}")
 def test_effort_and_chunks_change_no_bit(built_in: Load, case) -> None:
     given = program(built_in, case)
@@ -60,6 +64,7 @@ def test_effort_and_chunks_change_no_bit(built_in: Load, case) -> None:
         np.testing.assert_array_equal(found, expected, err_msg=f"{chunk} {effort}")
 
 
+@pytest.mark.every_push("4-slider_crank-single_rate", "8-flexible_slider_crank_free-printed")
 @pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case[0]}-{case[1]}")
 @pytest.mark.parametrize("width", [2, 4, 8])
 def test_every_lane_is_the_run_of_its_own(built_in: Load, case, width: int) -> None:
@@ -80,6 +85,7 @@ def levels() -> list[Processor]:
     return [Processor(name, "") for name, feature in needed.items() if feature in features]
 
 
+@pytest.mark.every_push("slider_crank-single_rate", "x86-64-v3-hub_beam-exponential")
 @pytest.mark.parametrize("case", LEVELLED, ids=lambda case: f"{case[0]}-{case[1]}")
 @pytest.mark.parametrize("processor", levels(), ids=lambda processor: processor.name)
 def test_levels_of_the_processor_change_no_bit(built_in: Load, case, processor: Processor) -> None:

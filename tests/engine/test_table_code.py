@@ -60,6 +60,7 @@ def stage(one: Table) -> Call:
     return Call(ca.Function("looked_up", [z, c], [ca.densify(found)], ["z", "c"], ["z_next"]))
 
 
+@pytest.mark.every_push("geometric-cubic", "scattered-monotone")
 @pytest.mark.parametrize("interpolation", KINDS)
 @pytest.mark.parametrize("grid", GRIDS)
 def test_engines_and_lanes_give_the_same_bits(grid: str, interpolation: str) -> None:
@@ -126,6 +127,7 @@ def test_derivatives_of_every_order(interpolation: str) -> None:
             y = ways[2]
 
 
+@pytest.mark.long
 def test_many_points_cost_no_more_than_few() -> None:
     few, many = (table(np.linspace(0, 7, n), "cubic") for n in (10, 100_000))
     assert few.instructions(0) == many.instructions(0) <= 30
@@ -189,6 +191,7 @@ def car(model_of: Build) -> Model:
     return model_of(quarter_car())
 
 
+@pytest.mark.long
 def test_a_step_over_a_long_road_is_cheap(car: Model) -> None:
     """10,214 operations of a step went into the road's 241 points when every point was looked at."""
     run = simulate(car)
@@ -212,6 +215,7 @@ def test_a_table_of_what_is_known_is_taken_out(car: Model) -> None:
     assert [node.op for node in read_tape(car.kernel("constants")).nodes].count(ca.OP_CALL) == 1
 
 
+@pytest.mark.long
 def test_runs_have_the_same_bits_however_they_run(car: Model, tmp_path: Path) -> None:
     """Interpreted and compiled, in an ensemble, saved seldom, and resumed behind a checkpoint."""
     whole = simulate(car, engine="compiled-library")
@@ -231,6 +235,7 @@ def test_runs_have_the_same_bits_however_they_run(car: Model, tmp_path: Path) ->
     np.testing.assert_array_equal(resume(car, kept).q, own.q)
 
 
+@pytest.mark.every_push("rk4")
 @pytest.mark.parametrize("scheme", ["rk4", "exponential"])
 def test_gradients_of_runs_through_tables(car: Model, scheme: str) -> None:
     """By the speed, along which the road is read, and by a mass: forward and back, against complex numbers."""

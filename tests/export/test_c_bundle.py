@@ -53,6 +53,7 @@ def on_a_table() -> SceneRecord:
     )
 
 
+@pytest.mark.every_push("flexible_slider_crank_free-exponential", "flexible_slider_crank-printed")
 @needs_compiler
 @pytest.mark.parametrize("name, scheme", SCENES)
 def test_exported_steps_have_the_bits_of_the_runtime(built_in: Load, name: str, scheme: str, tmp_path: Path) -> None:
@@ -113,6 +114,7 @@ def test_a_restart_goes_on_with_other_steps(model_of: Build, tmp_path: Path) -> 
     assert own.observe()[place] == pytest.approx(t**2 / 4, rel=1e-12)
 
 
+@pytest.mark.every_push("flags1")
 @needs_compiler
 @pytest.mark.parametrize(
     "flags", [("-O0",), ("-O2",), ("-O3", "-march=native"), ("-std=gnu11", "-O3", "-march=native")]
@@ -125,6 +127,7 @@ def test_flags_of_the_compiler_change_no_bit(built_in: Load, flags: tuple[str, .
     np.testing.assert_array_equal(own.z, stepper.save().z)
 
 
+@pytest.mark.long
 @needs_compiler
 def test_long_stages_pass_values_through_the_callers_array(
     built_in: Load, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -90,6 +90,7 @@ def same(own: Bundle, stepper: object) -> None:
     np.testing.assert_array_equal(own.z[: len(z)], z)
 
 
+@pytest.mark.every_push("relay-rk4-0.001-4000-1", "kinks-exponential-0.001-2000-0")
 @pytest.mark.parametrize(("scene", "scheme", "dt", "steps", "end"), CASES)
 def test_steps_with_stops_have_the_bits_of_the_runtime(
     model_of: Build, tmp_path: Path, scene: Callable[[], Scene], scheme: str, dt: float, steps: int, end: int
@@ -113,6 +114,7 @@ def test_steps_with_stops_have_the_bits_of_the_runtime(
         np.testing.assert_array_equal(own.z, before)
 
 
+@pytest.mark.long
 def test_a_load_that_jumps_has_the_bits_of_a_run(built_in: Load, tmp_path: Path) -> None:
     """A flexible mechanism whose torque is switched off, with sub-steps; the samples of simulate."""
     model = built_in("flexible_slider_crank_torque")
@@ -125,6 +127,7 @@ def test_a_load_that_jumps_has_the_bits_of_a_run(built_in: Load, tmp_path: Path)
     assert own.one.model.description.switching
 
 
+@pytest.mark.every_push("flags1")
 @pytest.mark.parametrize("flags", [("-O0",), ("-O2",), ("-std=gnu11", "-O3", "-march=native")])
 def test_flags_change_no_event(model_of: Build, tmp_path: Path, flags: tuple[str, ...]) -> None:
     model = model_of(relay().build())
@@ -134,6 +137,7 @@ def test_flags_change_no_event(model_of: Build, tmp_path: Path, flags: tuple[str
     same(own, stepper)
 
 
+@pytest.mark.long
 def test_inputs_and_parameters_move_jumps_and_events(model_of: Build, tmp_path: Path) -> None:
     model = model_of(jumping().event("far", "way - 0.2", action={"late": "late + 0.3"}).build())
     own, stepper = bundle(model, tmp_path, scheme="rk4", dt=1e-3), model.stepper(scheme="rk4", dt=1e-3)

@@ -15,6 +15,7 @@ from tests.fe.test_mode_acceleration import MATERIAL, L, bar
 HELD = {"mode_set": "mixed", "fixed": ["root"], "cells": 6}
 
 
+@pytest.mark.long
 def test_a_measure_of_a_turning_bar() -> None:
     """rho w^2 (L^2 - x^2) / 2 by the modes themselves, which a bending mode alone does not have and says so."""
     speed = 30.0

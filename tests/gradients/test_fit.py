@@ -38,6 +38,7 @@ def test_exact_data_give_the_truth(swing: DifferentiableRun, tmp_path: Path) -> 
     assert "length = 1.3" in str(found) and "<table>" in found._repr_html_()
 
 
+@pytest.mark.long
 def test_noise_spreads_results_as_the_covariance_says(model_of: Build) -> None:
     """v = a t (1 - t / 2) + ...: a linear model, so the estimates of many measurements have the stated covariance."""
     model = model_of(sliding("a * (1 - t) + b * t + c * t", a=1.0, b=0.5, c=0.25))

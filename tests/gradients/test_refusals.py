@@ -31,6 +31,7 @@ def test_jumps_that_move_apart_are_refused(model_of: Build) -> None:
     assert later["T"] == 0.0  # it does not switch in this run
 
 
+@pytest.mark.long
 def test_a_jump_that_the_motion_decides_is_refused_and_a_bend_is_not(model_of: Build) -> None:
     """x'' = 1 until x = 0.1, then more: by a jump of the force, or by a spring that begins there."""
     run = {"scheme": "rk4", "dt": 0.01}
@@ -105,6 +106,7 @@ def test_inputs_that_are_not_differentiated(model_of: Build) -> None:
         gradient(model, End("cart.x"), ["force[7]"], inputs={"force": ([0.0, 0.5], [0.0, 0.1])})
 
 
+@pytest.mark.long
 def test_a_change_of_coordinates_on_the_way_is_refused(model_of: Build) -> None:
     """The top's Euler parameters as q_i: a simulation goes on with another one of them."""
     model = model_of(with_parameters(heavy_top(), "top"))

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+import pytest
 
 from runtime import DifferentiableRun, Model
 
 SETTINGS = {"scheme": "exponential_rk4", "samples": 5}
 
 
+@pytest.mark.long
 def test_over_another_time_and_number_of_steps(built_in: Callable[[str], Model]) -> None:
     model, names = built_in("hub_beam"), ["hub.theta", "hub.theta_dot"]  # its torque stops at 2 s
     by = ["hub.theta", "hub.inertia"]

@@ -73,6 +73,7 @@ RODS: dict[str, tuple[RodParams, Any, Any]] = {
 }
 
 
+@pytest.mark.every_push("f1")
 @pytest.mark.parametrize("case", RODS)
 def test_slider_crank_free(model_of: Build, case: str) -> None:
     params, scale, rate = RODS[case]
@@ -86,6 +87,7 @@ def test_slider_crank_free(model_of: Build, case: str) -> None:
     )
 
 
+@pytest.mark.every_push("general")
 @pytest.mark.parametrize("case", RODS)
 def test_slider_crank_driven(model_of: Build, case: str) -> None:
     params, scale, rate = RODS[case]
@@ -139,6 +141,7 @@ def test_hub_beam(model_of: Build, stiffening: bool) -> None:
     compare(model_of(builder.build()), twin_hub_beam, params, scale, rate, TIMES)
 
 
+@pytest.mark.long
 def test_random_rods(model_of: Build) -> None:
     """More rods with every integral non-zero: no accidental zero hides a term."""
     for seed in (1, 2):

@@ -198,6 +198,7 @@ def f1_errors(rtol: float = 1e-11, atol: float = 1e-13) -> dict[str, float]:
     return errors
 
 
+@pytest.mark.long
 def test_f1_published_values() -> None:
     """At the tight default tolerances (twice the time) the errors are q1 5e-11, q2 3e-11, q3 and q4 4e-10."""
     errors = f1_errors(rtol=1e-8, atol=1e-12)

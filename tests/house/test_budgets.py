@@ -9,12 +9,15 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "inside" / "decisions" / "budgets.md"
 OWN = ("runtime", "symgen")
 ANONYMOUS = ("<module>", "<genexpr>", "<listcomp>", "<dictcomp>", "<lambda>", "<setcomp>")
 WALKS = """
 import importlib, json, pkgutil, sys
+
 import runtime
 from runtime import load_model, simulate
 from symgen.scenes import generated_folder
@@ -55,6 +58,7 @@ def lines(path: Path) -> int:
     return len(path.read_text(encoding="utf-8").splitlines())
 
 
+@pytest.mark.long
 def test_walks_stay_within_their_budget(tmp_path: Path) -> None:
     """In a fresh process with an empty cache, so that all of a first run is walked."""
     environment = {

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+import pytest
 
 from runtime import augmented_solution, reference_solution
 from runtime.contract.model import Model
@@ -29,6 +30,7 @@ def test_augmented_path_follows_the_condensed_one(model_of: Callable[[SceneRecor
     assert np.abs(augmented.lam - condensed.lam).max() < 1e-4 * np.abs(condensed.lam).max()
 
 
+@pytest.mark.long
 def test_drift_and_baumgarte(model_of: Callable[[SceneRecord], Model]) -> None:
     """Without the terms the constraint error grows by the integration error; with them it stays far below."""
     loose = {"rtol": 1e-5, "atol": 1e-7}

@@ -61,6 +61,7 @@ def test_integrals_about_a_node_that_the_modes_move() -> None:
     assert np.abs(numbers(integrals(nodes).about(point)) - numbers(integrals(seen))).max() < 1e-14
 
 
+@pytest.mark.every_push("balls")
 @pytest.mark.parametrize("kinds", [("cylindrical", "revolute"), ("spherical", "spherical")], ids=["hinges", "balls"])
 def test_rod_held_at_its_end(
     build: Callable[[SceneRecord, frozenset[str] | None], Model], kinds: tuple[str, str]

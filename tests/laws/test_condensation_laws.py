@@ -31,6 +31,15 @@ Load = Callable[[str], Model]
 STATES = 4
 
 
+@pytest.mark.every_push(
+    "flexible_slider_crank_torque",
+    "flyball_governor",
+    "spatial_chain",
+    "chain",
+    "n_four_bar",
+    "pendulum",
+    "flexible_four_bar",
+)
 @pytest.mark.parametrize("name", SCENES)
 def test_condensed_equals_augmented(built_in: Load, name: str) -> None:
     model = built_in(name)
@@ -142,6 +151,7 @@ def body_rotation(theta: Array) -> Array:
     return np.eye(3) - (1 - np.cos(size)) / size**2 * cross + (size - np.sin(size)) / size**3 * cross @ cross
 
 
+@pytest.mark.every_push("flexible_slider_crank", "flyball_governor", "chain", "hub_beam", "four_bar", "heavy_top")
 @pytest.mark.parametrize("name", SCENES)
 def test_jacobians_equal_automatic_differentiation(built_in: Load, name: str) -> None:
     model = built_in(name)

@@ -22,6 +22,7 @@ STEPS = {"four_bar": 5e-3, "slider_crank": 2e-4, "flexible_slider_crank": 4e-5, 
 COARSE = {("coupled", "four_bar")}
 
 
+@pytest.mark.every_push("rk4-four_bar", "printed-flexible_slider_crank", "coupled-four_bar", "exponential-slider_crank")
 @pytest.mark.parametrize("name", STEPS)
 @pytest.mark.parametrize("scheme", CLOSING)
 def test_constraints_hold_at_both_levels(built_in: Load, name: str, scheme: str) -> None:

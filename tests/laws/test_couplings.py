@@ -32,6 +32,7 @@ def turned(run: Solution, shaft: str) -> np.ndarray:
     return run[f"{shaft}.theta" if f"{shaft}.theta" in run.model.coordinates else f"h_{shaft}.angle"]
 
 
+@pytest.mark.every_push("planar-a", "spatial-b")
 @pytest.mark.parametrize("chosen", ["", "a", "b"])
 @pytest.mark.parametrize("space", SPACES)
 def test_a_gear_over_a_hundred_turns(space: str, chosen: str) -> None:

@@ -31,6 +31,7 @@ def swing(space: str, kind: str) -> Scene:
     return builder
 
 
+@pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", ["planar", "spatial"])
 def test_a_line_does_what_a_spring_damper_does(space: str) -> None:
     runs = [

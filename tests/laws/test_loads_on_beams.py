@@ -36,6 +36,7 @@ def tip(builder: Scene) -> float:
     return float(simulate(found.model, t_end=1e-6, dt=1e-6, scheme="rk4", initial=found)["tip"][0])
 
 
+@pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", SPACES)
 @pytest.mark.parametrize(
     ("load", "part", "exact"),
@@ -53,6 +54,7 @@ def test_a_cantilever_under_a_distributed_load(space: str, load: str, part: tupl
     assert tip(builder) == pytest.approx(-exact, rel=1e-10)
 
 
+@pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", SPACES)
 def test_section_forces_have_the_load_on_the_part_beyond(space: str) -> None:
     """p = -(2 + 3 s)/10^4 from 0.5 m to 2 m on a cantilever: shear and moment by integration, at any section."""
@@ -69,6 +71,7 @@ def test_section_forces_have_the_load_on_the_part_beyond(space: str) -> None:
     assert forces.moment[0] == pytest.approx(first - x * force, abs=1e-13)
 
 
+@pytest.mark.long
 def test_section_axes_turn_with_the_section() -> None:
     """A pressure of 1 N/m does what a vertical load does to first order, and pushes the tip back to second."""
     along = {}
@@ -83,6 +86,7 @@ def test_section_axes_turn_with_the_section() -> None:
     assert along["section"][1] != 0.0 and abs(along["world"][1]) < 1e-15
 
 
+@pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", SPACES)
 def test_the_weight_of_a_swinging_beam_is_a_distributed_load(space: str) -> None:
     """Gravity against the same as a load, while the beam turns and bends: the same motion, and the power adds up."""
@@ -109,6 +113,7 @@ def pinned(space: str, modes: int) -> Scene:
     return builder.measure("mid", "y", "rod.mid")
 
 
+@pytest.mark.long
 def test_a_force_moves_over_a_beam() -> None:
     """Modes by hand: q_k'' + w_k^2 q_k = (2 P / m L) sin(k pi v t / L), then free once the force has left."""
     modes, P, v = 5, 50.0, 0.5 * np.pi / L * (EI / RHO_A) ** 0.5
@@ -131,6 +136,7 @@ def test_a_force_moves_over_a_beam() -> None:
     assert np.abs(run.balance.error).max() < 1e-4 * run.energy["elastic"].max()
 
 
+@pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", SPACES)
 def test_a_mass_moves_over_a_beam(space: str) -> None:
     """M_ff + m phi phi^T with the drift of phi(s(t)): a mass of half the modal one at half the critical speed."""
@@ -155,6 +161,7 @@ def test_a_mass_moves_over_a_beam(space: str) -> None:
     assert np.abs(run["mid"] - mid).max() < 1e-7 * np.abs(mid).max()
 
 
+@pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", SPACES)
 def test_a_bead_on_a_beam_that_flies_keeps_energy_and_momenta(space: str) -> None:
     """Free beam, free bead: nothing acts from outside, however the beam turns and bends."""

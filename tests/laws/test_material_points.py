@@ -16,6 +16,7 @@ from tests.support.model_values import condensed_accelerations, random_states
 Build = Callable[[SceneRecord], Model]
 
 
+@pytest.mark.every_push("f1_smooth", "joint_arm")
 @pytest.mark.parametrize("name", ["f1_smooth", "f2_heavy_hub", "four_bar", "joint_arm"])
 def test_accelerations_are_those_of_the_points(model_of: Build, name: str) -> None:
     """All coordinates, bent and turning: modal data, a prescribed motion, shortening, loops, loads, springs."""

@@ -37,6 +37,7 @@ def test_both_velocities_are_second_order(built_in: Callable[[str], Model], choi
     assert found[-1] < cap
 
 
+@pytest.mark.long
 def test_large_trees_take_the_linear_path(model_of: Callable[[SceneRecord], Model]) -> None:
     """14 links: no Jacobian and no M_hat in the step, an order of magnitude fewer operations, second order."""
     model = model_of(chain(14))

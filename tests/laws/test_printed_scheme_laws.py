@@ -48,6 +48,7 @@ def trajectory(model: Model, steps: int, dt: float, **given: Any) -> Any:
     return solution.q
 
 
+@pytest.mark.every_push("two_oscillators", "flexible_slider_crank")
 @pytest.mark.parametrize("name", RUNS)
 def test_one_sub_step_is_single_rate(built_in: Load, name: str) -> None:
     """To rounding, where both iterations are converged; with one Newton iteration (default) to 1e-7."""
@@ -59,6 +60,7 @@ def test_one_sub_step_is_single_rate(built_in: Load, name: str) -> None:
     np.testing.assert_allclose(single, converged, rtol=0, atol=1e-7 * np.max(np.abs(converged)))
 
 
+@pytest.mark.every_push("two_oscillators", "3-flexible_slider_crank")
 @pytest.mark.parametrize("name", RUNS)
 @pytest.mark.parametrize("m", [1, 3])
 def test_starting_guesses_lead_to_the_same_step(built_in: Load, name: str, m: int) -> None:
@@ -70,6 +72,7 @@ def test_starting_guesses_lead_to_the_same_step(built_in: Load, name: str, m: in
     np.testing.assert_allclose(previous, taylor, rtol=0, atol=1e-10 * np.max(np.abs(taylor)))
 
 
+@pytest.mark.every_push("two_oscillators", "flexible_slider_crank")
 @pytest.mark.parametrize("name", RUNS)
 def test_the_sweep_solves_the_coupled_equations(built_in: Load, name: str) -> None:
     """The fixed point of (52)-(53) is the direct solution of (39), also with sub-steps."""
@@ -197,6 +200,7 @@ def test_three_groups_of_one_sub_step_are_single_rate(model_of: Build, damping: 
     np.testing.assert_allclose(nested, single, rtol=0, atol=1e-12)
 
 
+@pytest.mark.every_push("m1")
 @pytest.mark.parametrize("name, m", [("flexible_slider_crank_free", [1, 1]), ("flexible_slider_crank_free", [2, 2])])
 def test_three_groups_on_a_mechanism(model_of: Build, name: str, m: list[int]) -> None:
     """Crank, lateral and axial modes as three groups: m = 1 is single-rate, m = 2, 2 stays near it for a while."""
@@ -231,6 +235,7 @@ def three_group_slope(model: Model, **options: Any) -> tuple[float, float]:
     return float(np.polyfit(np.log(steps), np.log(errors), 1)[0]), float(errors[-1])
 
 
+@pytest.mark.every_push("constant_acceleration", "chord-0.3")
 @pytest.mark.parametrize("damping", [0.0, 0.3])
 @pytest.mark.parametrize("reading", ["end_point_sum", "constant_acceleration", "chord", "held_at_the_middle"])
 def test_three_groups_without_inertia_coupling_are_second_order(model_of: Build, reading: str, damping: float) -> None:

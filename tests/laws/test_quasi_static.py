@@ -138,6 +138,7 @@ def geared_arm(stiffness: float) -> SceneRecord:
     )
 
 
+@pytest.mark.long
 def test_stiff_gears_settle_with_the_rest(model_of: Callable[[SceneRecord], Model]) -> None:
     """Springs of 2e4 N m/rad wound by 0.2 rad throw the beams about: no elastic equilibrium is there, which is said.
 

@@ -133,6 +133,7 @@ def test_condensed_equals_augmented_with_the_least_multipliers(case: tuple[Model
         assert relative_error(np.asarray(numbers[1]).ravel(), least) < 1e-8
 
 
+@pytest.mark.every_push("parallelogram", "ring of welds")
 def test_all_rows_hold_and_energy_is_kept(case: tuple[Model, int]) -> None:
     model, _ = case
     solution = simulate(model, t_end=1.0, dt=5e-4, scheme="single_rate", seen_every=0.0025, engine="interpreted")
@@ -153,6 +154,7 @@ def test_the_third_bar_carries_load_but_does_not_change_the_motion(tmp_path: Pat
     assert min(np.abs(feet)) > 1.0  # the least-norm choice spreads the weight over all three
 
 
+@pytest.mark.every_push("rk4")
 @pytest.mark.parametrize("scheme", ["generalized_alpha", "rk4"])
 def test_other_paths_agree(tmp_path: Path, scheme: str) -> None:
     model = load_model(generate(parallelogram().build(), tmp_path / "bars"))

@@ -35,6 +35,7 @@ def run(model: Model, dt: float, t_end: float, samples: int = 10, **given: objec
     return solution.q
 
 
+@pytest.mark.every_push("hub_beam", "elastic_pendulum", "flexible_slider_crank_free")
 @pytest.mark.parametrize("name", ORDERS)
 def test_second_order(built_in: Load, name: str) -> None:
     t_end, dt, cap = ORDERS[name]

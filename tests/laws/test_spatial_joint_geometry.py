@@ -44,6 +44,7 @@ def near_start(model: Model, seed: int) -> State:
     return assembled(model, model.initial_q + 0.5 * rng.uniform(-1, 1, n), rng.uniform(-1, 1, n), 0.9)
 
 
+@pytest.mark.long
 def test_joints_hold_what_they_say(build: Build) -> None:
     """Relative position and rotation of the markers of every joint type, and its coordinates at a large deformation."""
 

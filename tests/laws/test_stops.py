@@ -35,6 +35,7 @@ def returned(damping: float, speed: float) -> float:
     return low
 
 
+@pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", ["planar", "spatial"])
 @pytest.mark.parametrize("exponent, order, most", [(1.0, 3.7, 4e-9), (2.0, 3.9, 5e-11), (1.5, 2.2, 4e-8)])
 def test_a_stop_returns_what_hunt_and_crossley_say(
@@ -50,6 +51,7 @@ def test_a_stop_returns_what_hunt_and_crossley_say(
     assert np.log2(errors[0] / errors[1]) > order and errors[1] < most, errors
 
 
+@pytest.mark.long
 def test_limits_without_damping_keep_the_energy(model_of: Build) -> None:
     """Between two ends, nine times there and back."""
     limits = {"lower": -0.2, "upper": "reach", "stiffness": 4e4}
@@ -61,6 +63,7 @@ def test_limits_without_damping_keep_the_energy(model_of: Build) -> None:
     assert run["m.x"].max() == pytest.approx(0.3 + sqrt(2 / 4e4), abs=1e-5)
 
 
+@pytest.mark.long
 def test_play_of_a_joint_is_its_expression(model_of: Build) -> None:
     """k d + c d', no less than 0, no more than 2 k d, on both sides; the same as a torque by where, min and max."""
 
@@ -81,6 +84,7 @@ def test_play_of_a_joint_is_its_expression(model_of: Build) -> None:
     assert abs(record.balance.largest) < 1e-3 * record.energy["kinetic"].max()
 
 
+@pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", ["planar", "spatial"])
 def test_a_gear_with_play_lags_by_half_of_it(model_of: Build, space: str) -> None:
     """Driven slowly one way the wheel follows half the gap and the give of the teeth behind, M / k."""
@@ -122,6 +126,7 @@ def test_a_ball_that_slides_comes_to_roll(model_of: Build, space: str, up: str) 
     assert run["m.x"][-1] == pytest.approx(2 * slide - 0.3 * 9.81 * slide**2 / 2 + 10 / 7 * (1 - slide), abs=2e-3)
 
 
+@pytest.mark.long
 def test_two_discs_exchange_momentum(model_of: Build) -> None:
     """Linear and angular momentum stay; in an exchange head on the speeds are those of an elastic one."""
 

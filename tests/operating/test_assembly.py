@@ -39,6 +39,7 @@ def told(model: Model, **settings: object) -> list[str]:
     return [event.text for event in simulate(model, **settings).events if event.kind == "assembled"]  # type: ignore[arg-type]
 
 
+@pytest.mark.long
 def test_far_moves_and_other_branches_are_told(model_of: Build, tmp_path: Path) -> None:
     """The rocker, not given, ends beyond a quarter turn; at 2.5 rad the other branch is about as near (by hand).
 

@@ -108,6 +108,7 @@ def test_what_cannot_be_is_refused(model_of: Build, built_in: Load) -> None:
         model_of(short.build()).gravity([math.pi])  # the tip is 2 m from where the other can be
 
 
+@pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", ["planar", "spatial"])
 def test_jacobians_are_the_rates_of_measures(model_of: Build, space: str) -> None:
     """Of a point of a stiffened beam on a moving hub: x, y, z and the angle, elastic parts and foreshortening too."""

@@ -211,6 +211,7 @@ def test_linearise_takes_what_was_held_as_locked(built_in: Load) -> None:
     assert linearise(model, found, locked=()).names == model.q_i
 
 
+@pytest.mark.every_push("zigzag")
 @pytest.mark.parametrize("start", ["up", "zigzag"])
 def test_a_chain_comes_to_rest_from_anywhere(model_of: Build, start: str) -> None:
     """Hand: with the horizontal force H the link k of weight w hangs at tan theta_k = (k - (n - 1) / 2) w / H.
@@ -236,6 +237,7 @@ def test_a_chain_comes_to_rest_from_anywhere(model_of: Build, start: str) -> Non
     np.testing.assert_allclose(np.sin(turned / 2), 0.0, atol=1e-9)
 
 
+@pytest.mark.long
 def test_a_top_that_precesses(model_of: Callable[..., Model], built_in: Callable[..., Model]) -> None:
     """By hand: m g l = C (spin + p cos theta) p - A p^2 cos theta, where the tilt theta is sought.
 
@@ -266,6 +268,7 @@ def test_a_top_that_precesses(model_of: Callable[..., Model], built_in: Callable
         equilibrium(built_in("heavy_top"), rates={"top.e2": 75.0, "top.e3": -2.30769})
 
 
+@pytest.mark.long
 def test_a_beam_of_pieces_of_very_different_density(model_of: Build) -> None:
     """Densities that differ by 1e9 do not change what a tip force bends: F L^3 / (3 E I) of the whole, to 1e-3."""
     E, second, F = 7e10, 1e-9, 1.0

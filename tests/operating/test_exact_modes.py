@@ -56,6 +56,7 @@ def rotating(model: Model, speed: float, clamped: float) -> np.ndarray:
     return np.asarray(found.frequencies / clamped)
 
 
+@pytest.mark.long
 def test_a_rotating_cantilever(model_of: Build) -> None:
     """Exact: in the plane of rotation w^2 is that out of plane less the speed squared; 16 modes in closed form."""
     model = model_of(spinning(16))
@@ -64,6 +65,7 @@ def test_a_rotating_cantilever(model_of: Build) -> None:
         assert np.abs(error[:2]).max() < 1e-5 and abs(error[2]) < 1e-5, (speed, error)
 
 
+@pytest.mark.long
 def test_a_rotating_cantilever_out_of_plane(build: Callable[[SceneRecord, frozenset[str]], Model]) -> None:
     """Exact: out of the plane of rotation and in it at once, in space; 8 modes each way on 400 elements."""
     ends = {"ends": "clamped-free", "modes": 8}
@@ -83,6 +85,7 @@ def test_a_rotating_cantilever_out_of_plane(build: Callable[[SceneRecord, frozen
         np.testing.assert_allclose(modes(model, parameters={"omega": speed}).frequencies[:6], exact, rtol=2e-5)
 
 
+@pytest.mark.long
 def test_convergence_in_modes(model_of: Build) -> None:
     """From above, as Ritz has it: at speed 10 the first frequency in the plane is off by these parts."""
     exact = math.sqrt(ROTATING[10.0][0] ** 2 - 100.0)

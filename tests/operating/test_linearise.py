@@ -40,6 +40,7 @@ def differences(model: Model, at: dict[str, float]) -> tuple[np.ndarray, np.ndar
     return A, system.A_state[n:]
 
 
+@pytest.mark.every_push("flexible_four_bar-at2", "four_bar-at1", "slider_crank-at0")
 @pytest.mark.parametrize(
     "name, at",
     [
@@ -131,6 +132,7 @@ def test_parameters_of_loads_as_inputs(built_in: Load) -> None:
     np.testing.assert_allclose(system.B[:, 0], (forces[0] - forces[1]) / 2e-4, rtol=1e-8)
 
 
+@pytest.mark.long
 def test_a_small_basis_is_told(model_of: Build) -> None:
     """Two modes at 12 times the unit speed are off by more than a per cent, and the system says so; twelve do not."""
     few, many = (model_of(hub_beam(modes=count)) for count in (2, 10))

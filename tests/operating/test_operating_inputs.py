@@ -120,6 +120,7 @@ def test_a_function_that_takes_numbers_only_is_refused(model_of: Build) -> None:
     assert simulate(model, inputs={"force": lambda t: np.sin(t)}, scheme="rk4").status.ok
 
 
+@pytest.mark.long
 def test_runs_begin_where_others_rest_or_end(model_of: Build) -> None:
     """An equilibrium and a solution as `initial`: of runs, ensembles, steppers, equilibria; runs go on."""
     model = model_of(accelerated("0.1 * t"))

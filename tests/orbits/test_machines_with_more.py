@@ -42,6 +42,7 @@ def relay() -> Scene:
     return builder.initial({"mass.x": 0.0}).rates({"mass.x": 1.2}).simulation(t_end=10.0, dt=1e-2, scheme="rk4")
 
 
+@pytest.mark.long
 def test_a_relay_swings_by_itself(model_of: Build) -> None:
     """x = 1 - s / c + (v + 1 / c) (1 - exp(-c s)) / c after the change at x = 1; x = -1 with -v half a period later."""
     model, c = model_of(relay().build()), 0.4
@@ -67,6 +68,7 @@ def test_a_relay_swings_by_itself(model_of: Build) -> None:
     assert found.stability == "stable"
 
 
+@pytest.mark.long
 def test_what_events_did_must_repeat(model_of: Build) -> None:
     """A force that an event turns on once and for all is on at the end of the period and not at its start."""
     builder = Scene("latched").parameter("omega", 2.0).input("u", 0.0, "N").rigid("mass", mass=1.0, inertia=1.0)
@@ -102,6 +104,7 @@ def rotor(rotating: bool, omega: float) -> SceneRecord:
     return builder.simulation(t_end=1.0, dt=1e-3, scheme="rk4").build()
 
 
+@pytest.mark.long
 def test_a_jeffcott_rotor_is_the_same_in_rotating_and_in_fixed_axes(model_of: Build) -> None:
     """(k - m w^2 + i c_o w) r = m e w^2, whatever the inner damping; multipliers of a turn are those of both axes.
 

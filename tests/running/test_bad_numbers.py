@@ -45,6 +45,7 @@ def no_warning() -> Iterator[None]:
         yield
 
 
+@pytest.mark.every_push("steps")
 @pytest.mark.parametrize("kind", KINDS, ids=["tolerance", "steps"])
 def test_whose_numbers_are_not_finite_is_said(model_of: Build, kind: dict[str, Any]) -> None:
     """At t = 1 s a load, from -0.4 rad on a condition, and by an action: with what was computed until then."""
@@ -61,6 +62,7 @@ def test_whose_numbers_are_not_finite_is_said(model_of: Build, kind: dict[str, A
     assert action["rod.theta"][-1] == pytest.approx(-0.4, abs=1e-6)
 
 
+@pytest.mark.every_push("steps")
 @pytest.mark.parametrize("kind", KINDS, ids=["tolerance", "steps"])
 def test_what_controllers_and_settings_may_not_be(model_of: Build, kind: dict[str, Any]) -> None:
     model = model_of(rod({"over": {"when": "t - 2"}, "half": {"when": "1 - t"}}))

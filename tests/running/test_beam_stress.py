@@ -51,6 +51,7 @@ def test_a_cantilever_pulled_and_pushed(model_of: Build) -> None:
     assert found["tip"] == pytest.approx(np.hypot(PULL / AREA, np.sqrt(3) * 1.5 * PUSH / AREA), rel=1e-4)
 
 
+@pytest.mark.long
 def test_a_shaft_bent_and_twisted_in_space(model_of: Build) -> None:
     """A round bar with a force across and a torque: sqrt((M / W)^2 + 3 (T / W_t)^2), and 4/3 of Q / A."""
     d, torque, push = 0.02, 30.0, 15.0

@@ -36,6 +36,7 @@ def test_a_column_between_pins(model_of: Build) -> None:
         assert ("column is pushed with 1.4 of its buckling load" in str(run.status)) == (push > 1)
 
 
+@pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", ["planar", "spatial"])
 def test_a_cantilever_under_its_weight_and_a_mass(model_of: Build, space: str) -> None:
     """(m + M / 2) g over pi^2 E I / (2 L)^2 with the weaker second moment; what hangs at its tip holds nothing."""
@@ -70,6 +71,7 @@ def steel_column(**choices: Any) -> FlexibleBody:
     return FlexibleBody.from_mesh(mesh, STEEL, interface=ends, modes=2, **choices)
 
 
+@pytest.mark.long
 def test_columns_of_finite_elements(model_of: Build) -> None:
     """pi^2 E I / L^2 between a hinge and a slide, a quarter of it for a mast, by the line between the interfaces."""
     euler = math.pi**2 * STEEL.E * SECTION.I_z / L**2

@@ -162,6 +162,7 @@ def test_wrong_requests(model_of: Build, built_in: Load) -> None:
         stability_chart(model_of(scotch_yoke()))
 
 
+@pytest.mark.long
 def test_on_the_command_line(tmp_path, capsys: pytest.CaptureFixture[str]) -> None:  # type: ignore[no-untyped-def]
     path = tmp_path / "scotch_yoke.toml"
     path.write_text(scotch_yoke().to_toml(), encoding="utf-8")

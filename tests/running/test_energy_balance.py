@@ -40,6 +40,7 @@ def test_work_of_a_constant_torque_is_torque_times_angle(model_of: Build, scheme
     assert np.abs(run.energy_balance()).max() < 1e-10 and run.balance.uncertainty[-1] < 1e-10
 
 
+@pytest.mark.every_push("rk4")
 @pytest.mark.parametrize("scheme", ["rk4", "exponential_adams", "single_rate"])
 def test_work_between_stops_of_all_kinds(model_of: Build, scheme: str) -> None:
     """Jumps of a load, samples of an input, an event: constant torques in between; steps of 1 ms.
@@ -107,6 +108,7 @@ def test_a_mechanism_that_nothing_feeds_has_no_work(built_in: Load) -> None:
     assert not run.work().any() and run.balance.resolved
 
 
+@pytest.mark.long
 def test_stops_are_kept_by_files_and_checkpoints(model_of: Build, tmp_path: Path) -> None:
     """A load that jumps, and the impulse of a prescribed motion behind the place where the run stops."""
     builder = Scene("driven_bob").rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
@@ -131,6 +133,7 @@ def test_stops_are_kept_by_files_and_checkpoints(model_of: Build, tmp_path: Path
     assert np.array_equal(Solution.load(tmp_path / "solution.npz", model).work(), whole.work())
 
 
+@pytest.mark.every_push("weight-single_rate", "hinge-exponential")
 @pytest.mark.parametrize("scheme", ["single_rate", "printed", "coupled", "exponential", "exponential_rk4", "rk4"])
 @pytest.mark.parametrize("load", ["hinge", "weight"])
 def test_a_mechanism_at_rest_on_a_load_stays_there(model_of: Build, load: str, scheme: str) -> None:

@@ -30,6 +30,7 @@ def falling(**events: dict[str, Any]) -> SceneRecord:
     return builder.simulation(t_end=0.5, dt=0.03, scheme="rk4").build()
 
 
+@pytest.mark.every_push("rk4", "single_rate", "hht")
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_an_event_is_located_acts_and_keeps_what_is_exact(model_of: Build, scheme: str) -> None:
     """At x = height the push becomes 3 m g: from there the mass rises with 2 g, by hand; two events in one step too."""
@@ -48,6 +49,7 @@ def test_an_event_is_located_acts_and_keeps_what_is_exact(model_of: Build, schem
         assert times == pytest.approx([t, t + back[0], t + back[1]], rel=0, abs=1e-10)
 
 
+@pytest.mark.every_push("exponential_rk4")
 @pytest.mark.parametrize("scheme", ["dopri5", "exponential", "exponential_rk4"])
 def test_events_with_a_tolerance(model_of: Build, tmp_path: Path, scheme: str) -> None:
     """The same law; steps are long beside the time between the events, and samples lie where they were asked for."""
@@ -107,6 +109,7 @@ def swinging(**event: Any) -> SceneRecord:
     return builder.simulation(t_end=3.0, dt=0.01, scheme="dopri5").build()
 
 
+@pytest.mark.every_push("1e-09")
 @pytest.mark.parametrize("tolerance", [None, 1e-9])
 def test_a_cool_down_leaves_out_what_comes_too_soon(model_of: Build, tolerance: float | None) -> None:
     """Crossings at 1/4, 3/4 ... s: 0.6 s leave out every other one, 0.49 s none."""
@@ -118,6 +121,7 @@ def test_a_cool_down_leaves_out_what_comes_too_soon(model_of: Build, tolerance: 
         swinging(cool_down=-1.0)
 
 
+@pytest.mark.every_push("rk4")
 @pytest.mark.parametrize("scheme", ["rk4", "hht", "coupled"])
 def test_steppers_know_events_bit_for_bit(model_of: Build, scheme: str) -> None:
     """In calls of one or of many steps, across an action, to a terminal event, and again from a state that was kept."""
@@ -178,6 +182,7 @@ def test_an_action_that_undoes_itself_is_named(model_of: Build) -> None:
     assert "event down happens 50 times within one step" in run.status.cause
 
 
+@pytest.mark.long
 def test_chattering_across_a_resume_is_found_when_it_would_have_been(model_of: Build, tmp_path: Path) -> None:
     """Gone on with after some of the fifty; an older checkpoint does not know of them, and goes on all the same."""
     up = {"when": "x_dot", "direction": "rising", "action": {"push": "-40"}}
@@ -200,6 +205,7 @@ def test_chattering_across_a_resume_is_found_when_it_would_have_been(model_of: B
     assert again.status == whole.status and again.events == whole.events and whole.status.name == "chattering"
 
 
+@pytest.mark.every_push("rk4", "printed")
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_there_and_back_within_one_step(model_of: Build, scheme: str) -> None:
     """Thrown up, the mass is above its height for 9 ms in steps of 30 ms; what it misses by 1 um changes no bit."""
@@ -228,6 +234,7 @@ TURNS = 2 * np.pi * np.arange(81)
 DIPS = np.sort(np.concatenate([TURNS + np.arccos(-0.99), TURNS - np.arccos(-0.99)]))
 
 
+@pytest.mark.every_push("sin(angle)-rising-times0-dopri5", "sin(angle)-rising-times0-exponential_rk4")
 @pytest.mark.parametrize("scheme", ["dopri5", "exponential", "exponential_rk4"])
 @pytest.mark.parametrize(
     "when, direction, times",
@@ -245,6 +252,7 @@ def test_long_steps_of_a_tolerance_pass_nothing_over(
     assert [event.time for event in run.events] == pytest.approx(times[(times > 0) & (times < 5)], rel=0, abs=1e-9)
 
 
+@pytest.mark.every_push("100")
 @pytest.mark.parametrize("every", [1, 10, 100])
 def test_samples_far_apart_miss_no_event(model_of: Build, every: int) -> None:
     """A mass on a spring turns back at k pi / w; each time is told, however many states are made in one call."""

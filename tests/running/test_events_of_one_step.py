@@ -12,6 +12,7 @@ from symgen.scene import Scene, SceneRecord
 Build = Callable[[SceneRecord], Model]
 
 
+@pytest.mark.every_push("single_rate", "rk4")
 @pytest.mark.parametrize("scheme", ["rk4", "exponential", "single_rate"])
 def test_all_passages_of_one_step_are_told_in_order(model_of: Build, scheme: str) -> None:
     """Values with three and four zeros in a step of 50 mm, at 1 m/s: also where its ends tell of one, or none."""
@@ -27,6 +28,7 @@ def test_all_passages_of_one_step_are_told_in_order(model_of: Build, scheme: str
     assert [event.time for event in run.events] == pytest.approx(exact, rel=0, abs=1e-9)
 
 
+@pytest.mark.every_push("places0-rk4")
 @pytest.mark.parametrize("scheme", ["rk4", "single_rate"])
 @pytest.mark.parametrize("places", [(0.65, 1.22), (0.35, -0.22)])
 def test_a_short_dip_of_a_cubic_is_told(model_of: Build, scheme: str, places: tuple[float, float]) -> None:
@@ -43,6 +45,7 @@ def test_a_short_dip_of_a_cubic_is_told(model_of: Build, scheme: str, places: tu
     assert [event.time for event in run.events] == pytest.approx(zeros, rel=0, abs=1e-9)
 
 
+@pytest.mark.every_push("0.5-rk4", "0.512-single_rate")
 @pytest.mark.parametrize("scheme", ["rk4", "single_rate"])
 @pytest.mark.parametrize("at", [0.512, 0.5])
 def test_an_event_just_where_a_load_jumps(model_of: Build, at: float, scheme: str) -> None:

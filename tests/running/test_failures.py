@@ -175,6 +175,7 @@ def test_damaged_cache_is_built_again(built_in: Load, tmp_path: Path, monkeypatc
     assert CompiledProgram(program).library.stat().st_size > 0
 
 
+@pytest.mark.every_push("flexible_slider_crank")
 @needs_compiler
 @pytest.mark.parametrize("name", ["flexible_slider_crank", "chain"])
 def test_chunked_code_agrees_bit_for_bit(built_in: Load, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -200,6 +201,7 @@ def test_chunked_code_agrees_bit_for_bit(built_in: Load, name: str, monkeypatch:
         assert np.array_equal(state, expected)
 
 
+@pytest.mark.long
 def test_printed_scheme_with_default_tolerance_keeps_its_order(built_in: Load) -> None:
     """m = 1 with strong inertia coupling: the stopping test must not spoil small steps."""
     model = built_in("hub_beam")

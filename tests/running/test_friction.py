@@ -43,6 +43,7 @@ def links(n: int, frictions: dict[int, dict[str, Any]], space: str = "planar") -
     return builder.simulation(t_end=1.0, dt=0.01, scheme="rk4").build()
 
 
+@pytest.mark.every_push("exponential-4", "single_rate-2")
 @pytest.mark.parametrize(
     ("scheme", "order"), [("rk4", 4), ("exponential", 4), ("dopri5", 5), ("single_rate", 2), ("coupled", 2)]
 )
@@ -106,6 +107,7 @@ def test_force_mode_and_heat_of_a_joint_are_outputs(model_of: Build, tmp_path: P
         run.friction("axle")
 
 
+@pytest.mark.every_push("rk4", "single_rate", "radau")
 @pytest.mark.parametrize("scheme", [name for name in SCHEMES if name not in ALL_COORDINATES])
 def test_what_holds_holds_without_creep(model_of: Build, scheme: str) -> None:
     """100 s under a load that swings below the bound: no digit moves; regularised laws creep by millimetres."""
@@ -129,6 +131,7 @@ def test_a_spring_lets_a_block_stick_for_good(model_of: Build) -> None:
     assert np.ptp(run["x"][1000:]) == 0.0
 
 
+@pytest.mark.every_push("rubbing2-spatial", "rubbing0-planar")
 @pytest.mark.parametrize("space", ["planar", "spatial"])
 @pytest.mark.parametrize("rubbing", [(0,), (1,), (0, 2), (0, 1, 2, 3)])
 def test_locked_equations_are_those_of_constraints(model_of: Build, space: str, rubbing: tuple[int, ...]) -> None:
@@ -159,6 +162,7 @@ def test_locked_equations_are_those_of_constraints(model_of: Build, space: str, 
         assert np.abs(forces + viscous + found[4:]).max(initial=0.0) < 1e-11 * scale
 
 
+@pytest.mark.long
 def test_an_arm_with_friction_in_both_joints_changes_modes_alike_at_every_step(model_of: Build) -> None:
     """Driven, with Stribeck in both; energy balances with the heat, and both joints stick at times."""
     law = {"coulomb": 0.6, "breakaway": 1.0, "stribeck_velocity": 0.1, "viscous": 0.05}
@@ -187,6 +191,7 @@ def test_an_arm_with_friction_in_both_joints_changes_modes_alike_at_every_step(m
     assert not relative[stuck].any()
 
 
+@pytest.mark.long
 def test_what_settles_solves_the_complementarity_problem() -> None:
     """Random symmetric A with bounds of friction and of stops, against projected Gauss-Seidel to 1e-13."""
     random = np.random.default_rng(7)

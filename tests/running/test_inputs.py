@@ -28,6 +28,7 @@ Build = Callable[[SceneRecord], Model]
 # ---- loads --------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.every_push("rk4", "printed", "hht")
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_every_scheme_takes_inputs(model_of: Build, scheme: str) -> None:
     """x = (t - sin(w t) / w) / (m w) for a force sin(w t) from rest."""
@@ -188,6 +189,7 @@ def test_what_cannot_be_an_input_is_refused_by_name(model_of: Build, inputs: dic
         simulate(model_of(cart()), inputs=inputs)
 
 
+@pytest.mark.long
 def test_on_the_command_line(tmp_path: Any, capsys: pytest.CaptureFixture[str]) -> None:
     """Constants as parameters, samples from a CSV, what is wrong by its row."""
     (tmp_path / "cart.toml").write_text(cart().to_toml(), encoding="utf-8")
@@ -204,6 +206,7 @@ def test_on_the_command_line(tmp_path: Any, capsys: pytest.CaptureFixture[str]) 
     assert "row 3" in capsys.readouterr().out
 
 
+@pytest.mark.every_push("single_rate", "printed")
 @pytest.mark.parametrize("scheme", ["single_rate", "printed", "coupled", "generalized_alpha", "hht"])
 def test_schemes_that_remember_keep_their_order_where_held_values_change(model_of: Build, scheme: str) -> None:
     """x'' = u - 4 x by hand, piece by piece: half a step's delay of a change would be an error of first order."""

@@ -40,6 +40,7 @@ def exact_pendulum() -> np.ndarray:
     return y
 
 
+@pytest.mark.every_push("rk4", "exponential_adams", "single_rate")
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_every_scheme_keeps_its_order_across_jumps(model_of: Build, scheme: str) -> None:
     """Jumps within steps, and a kink at the end of one. Doubling the steps divides the error by 2^order."""
@@ -75,6 +76,7 @@ def pushed_masses() -> SceneRecord:
     return builder.simulation(t_end=1.0, dt=0.1, scheme="rk4").build()
 
 
+@pytest.mark.every_push("rk4", "printed")
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_each_side_has_its_own_value(model_of: Build, scheme: str) -> None:
     """A constant force from a to b gives v = F (b - a) and x = F (b - a) (t - (a + b) / 2), to rounding.
@@ -100,6 +102,7 @@ def kicked_crank(motion: str, **settings: Any) -> SceneRecord:
     return builder.simulation(**{"t_end": 1.0, "dt": 1e-2, "scheme": "rk4", **settings}).build()
 
 
+@pytest.mark.every_push("dopri5-1e-09-0.4567", "exponential_rk4-1e-10-0.46")
 @pytest.mark.parametrize("jump", [0.4567, 0.46])
 @pytest.mark.parametrize(
     "scheme, tolerance", [("dop853", None), ("dopri5", 1e-9), ("exponential", 1e-10), ("exponential_rk4", 1e-10)]
@@ -135,6 +138,7 @@ def test_a_position_that_jumps_is_refused_by_name(model_of: Build) -> None:
         simulate(model)
 
 
+@pytest.mark.every_push("single_rate-None")
 @pytest.mark.parametrize("scheme, tolerance", [("single_rate", None), ("dopri5", 1e-6)])
 def test_a_run_across_jumps_is_gone_on_with_bit_for_bit(
     model_of: Build, tmp_path: Path, scheme: str, tolerance: float | None
@@ -158,6 +162,7 @@ def test_a_run_across_jumps_is_gone_on_with_bit_for_bit(
         assert again.events == whole.events and len(again.events) == 1
 
 
+@pytest.mark.every_push("0.43-0.01-exponential")
 @pytest.mark.parametrize("scheme", ["dopri5", "exponential", "exponential_rk4"])
 @pytest.mark.parametrize("jump, dt", [(0.402, 0.1), (0.43, 0.01)])
 def test_an_impulse_is_no_error(model_of: Build, scheme: str, jump: float, dt: float) -> None:
@@ -194,6 +199,7 @@ def test_a_stepper_gives_the_run(model_of: Build) -> None:
         late.step(5100)
 
 
+@pytest.mark.every_push("where(t < jump, 0, 2 * (t - jump))-rk4")
 @pytest.mark.parametrize("scheme", ["rk4", "single_rate", "exponential_adams"])
 @pytest.mark.parametrize("motion", ["where(t < jump, 0, 2 * (t - jump))", "0.02 * abs(sin(30 * t / jump))"])
 def test_cases_of_an_ensemble_have_their_own_jumps(

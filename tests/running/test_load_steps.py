@@ -45,6 +45,7 @@ def test_so_many_steps_see_a_load(model_of: Build, torque: str, least: int, most
     assert least <= steps(model_of(rotor(torque))) <= most
 
 
+@pytest.mark.every_push("auto")
 @pytest.mark.parametrize("scheme", ["dopri5", "exponential_rk4", "auto"])
 def test_a_pulse_shorter_than_coarse_steps_is_not_missed(model_of: Build, scheme: str) -> None:
     """A pulse of 3 ms in 10 s of slow motion gives the speed its integral, A w sqrt(pi); trials of 24 steps miss it."""
@@ -72,6 +73,7 @@ def struck(width: float, t: np.ndarray) -> np.ndarray:
     return np.asarray(found.y[0])
 
 
+@pytest.mark.every_push("dopri5-0.001")
 @pytest.mark.parametrize("width", [1e-3, 5e-3, 0.05])
 @pytest.mark.parametrize("scheme", ["dopri5", "rk4"])
 def test_a_load_narrow_in_angle_is_stepped_into(model_of: Build, scheme: str, width: float) -> None:

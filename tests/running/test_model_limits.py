@@ -41,6 +41,7 @@ def strut(share: float) -> SceneRecord:
     return builder.initial({"rod.q1": 1e-4}).simulation(t_end=1.0, dt=2e-5, scheme="single_rate").build()
 
 
+@pytest.mark.every_push("1.1-deflection_too_large")
 @pytest.mark.parametrize(
     "share, name", [(0.9, "completed"), (1.1, "deflection_too_large"), (1.5, "deflection_too_large")]
 )

@@ -42,6 +42,7 @@ def turned(width: float, t: np.ndarray) -> np.ndarray:
     return (0.03 * (1 - np.cos(t)) + KICK * pulse) / INERTIA
 
 
+@pytest.mark.every_push("0.01-settings4-0.001", "0.001-settings3-0.02")
 @pytest.mark.parametrize(
     ("width", "settings", "off"),
     [
@@ -60,6 +61,7 @@ def test_short_pulses(model_of: Build, width: float, settings: dict[str, Any], o
     assert (true < 1e-6 or true / 10 < run.error.largest) and run.error.largest < max(10 * true, 1e-6)
 
 
+@pytest.mark.long
 def test_a_pulse_that_the_motion_makes_a_load(model_of: Build) -> None:
     """theta'' = 1 - B(t) theta' from rest, a brake of 4 ms: it leaves exp(-sqrt(pi)) of the speed AT, and none is felt
     at the start."""
@@ -84,6 +86,7 @@ def test_pulses_are_those_at_the_start_of_the_run(model_of: Build) -> None:
     assert run.rate("rod.theta")[-1] == pytest.approx(5e-3 * math.sqrt(math.pi) / INERTIA, rel=0.01)
 
 
+@pytest.mark.long
 def test_a_pulse_that_an_eighth_of_the_step_misses_too(model_of: Build) -> None:
     """It lies four widths from the nearest of those points; steps end within it."""
     run = simulate(model_of(rod(f"0.1 + 1000*exp(-(((t - {AT})/2.5e-4)**2))")), scheme="rk4", dt=0.048)

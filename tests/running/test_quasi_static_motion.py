@@ -31,6 +31,7 @@ def swung_beam() -> SceneRecord:
     )  # fmt: skip
 
 
+@pytest.mark.long
 def test_inertia_bends_as_statics_has_it(model_of: Build) -> None:
     """Hand: a load rho A a x deflects the tip by 11 rho A a L^5 / (120 E I); the motor gives a J = rho A a L^3 / 3."""
     model = model_of(swung_beam())

@@ -96,6 +96,7 @@ def test_turning_beam(model_of: Build) -> None:
     np.testing.assert_allclose(moment, expected, rtol=1e-5, atol=1e-6)
 
 
+@pytest.mark.long
 def test_bending_moment_of_a_fast_rod_and_the_modes_that_each_way_needs(model_of: Build) -> None:
     """Five modes: both ways agree to 1 % of the largest moment. Equilibrium is there with one, the sum is 13 % off."""
 
@@ -139,6 +140,7 @@ def test_what_a_measure_leaves_out_is_told(model_of: Build) -> None:
     assert run["root"][0] == pytest.approx(-3.0 * L, rel=1e-6)
 
 
+@pytest.mark.long
 def test_what_shapes_leave_out_is_told_by_the_run_and_before_it(
     model_of: Build, tmp_path: Any, capsys: pytest.CaptureFixture[str]
 ) -> None:

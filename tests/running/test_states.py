@@ -64,6 +64,7 @@ CLOSED = np.array([[-(D + KP) / J, KI / J], [-1.0, 0.0]])
 REST = -np.linalg.solve(CLOSED, [KP * WANTED / J, WANTED])
 
 
+@pytest.mark.every_push("rk4", "coupled", "hht")
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_every_scheme_closes_the_loop(model_of: Build, scheme: str) -> None:
     """(w, total) = x_0 + exp(A t) (0 - x_0) of the loop by hand."""
@@ -98,6 +99,7 @@ def test_a_filter_and_an_actuator_in_a_row(model_of: Build) -> None:
         np.testing.assert_allclose(run[name], exact[:, k], atol=1e-10)
 
 
+@pytest.mark.long
 def test_states_beside_loops_groups_and_partitions(model_of: Build) -> None:
     """A four-bar whose motor follows a filtered torque: condensed and stepped with sub-steps, and with others chosen.
 

@@ -95,6 +95,7 @@ def test_failed_run_ends_its_stream_with_the_last_good_state(built_in: Load, tmp
     assert np.all(np.diff(back.t) > 0)
 
 
+@pytest.mark.every_push("stream")
 @pytest.mark.parametrize("kept", ["stream", "outputs"])
 def test_memory_stays_bounded(built_in: Load, tmp_path: Path, kept: str) -> None:
     """Four times the samples do not take more memory than a few blocks of them."""

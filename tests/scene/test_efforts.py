@@ -51,6 +51,7 @@ def forces(model: Model) -> list[np.ndarray]:
     return [evaluate(model, "condensed", **state.values())["Q_hat"] for state in random_states(model, 3, rigid=0.1)]
 
 
+@pytest.mark.every_push("revolute.angle")
 @pytest.mark.parametrize("coordinate", COORDINATES)
 def test_in_space_it_is_the_force_on_that_coordinate(model_of: Build, coordinate: str) -> None:
     """Q_hat rises by the value in the row of the coordinate and in no other; the power is the value times its rate."""
@@ -65,6 +66,7 @@ def test_in_space_it_is_the_force_on_that_coordinate(model_of: Build, coordinate
         assert power == pytest.approx(2.5 * state.q_dot[driven.coordinates.index(f"j.{part}")])
 
 
+@pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", ["planar", "spatial"])
 def test_on_a_hinge_it_is_a_torque_with_its_reaction(model_of: Build, space: str) -> None:
     plain = links(space, "revolute").torque("motor", "b.tip", VALUE, reaction="a.tip").build()
@@ -73,6 +75,7 @@ def test_on_a_hinge_it_is_a_torque_with_its_reaction(model_of: Build, space: str
         assert other == pytest.approx(one, rel=1e-12, abs=1e-12)
 
 
+@pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", ["planar", "spatial"])
 def test_on_the_slide_of_a_jack_it_is_two_forces(model_of: Build, space: str) -> None:
     """F along the slide on the rod, -F on the barrel."""

@@ -94,6 +94,7 @@ components = ["1 + 0.5*way", 0]
 """
 
 
+@pytest.mark.long
 def test_a_joint_is_one_file(tmp_path: Path) -> None:
     """The page's joint in a copy of the package, from TOML to a film, in the plane and in space: the same motion."""
     shutil.copytree(ROOT / "symgen", tmp_path / "symgen", ignore=shutil.ignore_patterns("__pycache__"))

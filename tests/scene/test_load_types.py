@@ -52,6 +52,7 @@ def test_every_load_type_has_a_method_of_the_builder(kind: str) -> None:
     assert callable(getattr(Scene, kind))
 
 
+@pytest.mark.long
 def test_a_load_is_one_file(tmp_path: Path) -> None:
     """The page's load in a copy of the package: a ball falls as tanh, in the plane and in space."""
     shutil.copytree(ROOT / "symgen", tmp_path / "symgen", ignore=shutil.ignore_patterns("__pycache__"))

@@ -104,6 +104,7 @@ def test_a_gyroscope_on_a_free_frame_precesses_as_by_hand(tmp_path: Path) -> Non
     assert np.abs(found["frame.e1"]).max() < 1e-2
 
 
+@pytest.mark.long
 def test_a_body_on_a_rod_exchanges_the_angle_that_no_longer_changes_the_length(tmp_path: Path) -> None:
     """Where rod and arm come to lie in line every lever arm is zero there: the mechanism's size is that elsewhere."""
     scene = (

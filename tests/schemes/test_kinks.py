@@ -76,6 +76,7 @@ def backlash() -> SceneRecord:
     return wheels.simulation(t_end=4.0, dt=0.008, scheme="rk4", seen_every=0.0).build()
 
 
+@pytest.mark.every_push("stop_of_a_rod")
 @pytest.mark.parametrize(
     "scene, dt, order, most, lost",
     [
@@ -105,6 +106,7 @@ def test_steps_end_at_kinks_by_themselves(
     assert owner in crossed.events[0].text and "kinks" in crossed.events[0].text
 
 
+@pytest.mark.every_push("exponential_rk4-3.8", "single_rate-1.9")
 @pytest.mark.parametrize(
     "scheme, order", [("exponential_rk4", 3.8), ("exponential", 3.8), ("single_rate", 1.9), ("dopri5", 4.5)]
 )
@@ -132,6 +134,7 @@ def sticking() -> SceneRecord:
     return mass.rates({"m.x": 1.0}).simulation(t_end=1.0, dt=0.001, scheme="rk4", seen_every=0.0).build()
 
 
+@pytest.mark.every_push("exponential-None")
 @pytest.mark.parametrize("scheme, tolerance", [("exponential", None), ("dopri5", 1e-6)])
 def test_a_kink_that_comes_ever_again_is_crossed(model_of: Build, scheme: str, tolerance: float | None) -> None:
     """The run goes on as with steps that cross it, and says so: it slides from 1 m/s, then stays."""
@@ -172,6 +175,7 @@ def test_a_scene_without_kinks_watches_nothing(model_of: Build) -> None:
     assert model.description.kinks == [] and not model.has("events")
 
 
+@pytest.mark.long
 def test_kinks_stand_beside_friction_and_events(model_of: Build) -> None:
     """Friction that sticks, a stop and an event on one rail, with kinks located and crossed."""
     rail = Scene("rubbing").rigid("m", mass=1.0, inertia=0.1)

@@ -49,6 +49,7 @@ def alone(model: Model, given: dict[str, Any], case: int, **settings: Any) -> An
     return simulate(model, **picked, **settings)
 
 
+@pytest.mark.every_push("rk4", "printed", "exponential")
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_every_case_is_the_run_by_itself(built_in: Load, scheme: str) -> None:
     """Samples of all kinds of outputs, of cases that are assembled anew in lanes, bit for bit."""
@@ -64,6 +65,7 @@ def test_every_case_is_the_run_by_itself(built_in: Load, scheme: str) -> None:
     assert not np.array_equal(found["slider.x_ddot"][0], found["slider.x_ddot"][-1])
 
 
+@pytest.mark.every_push("2", "8")
 @pytest.mark.parametrize("width", [1, 2, 4, 8, 16])
 def test_how_many_lanes_changes_no_bit(built_in: Load, width: int) -> None:
     """Nor which lane a case is in: 21 cases leave lanes over at every width above one."""
@@ -180,6 +182,7 @@ def test_what_cannot_be_assembled_has_a_status(built_in: Load) -> None:
     assert np.isnan(found["slider.x"][1]).all() and np.isfinite(found["slider.x"][[0, 2]]).all()
 
 
+@pytest.mark.long
 def test_a_singular_position_is_passed_as_a_run_passes_it(built_in: Load) -> None:
     """The crank is longer than the rod: on the way q_i changes. That case is run by itself, its neighbour in lanes."""
     model = built_in("slider_crank")
@@ -194,6 +197,7 @@ def test_a_singular_position_is_passed_as_a_run_passes_it(built_in: Load) -> Non
     assert (found["status"] == "completed").all()
 
 
+@pytest.mark.every_push("0")
 @pytest.mark.parametrize("torque", ["0", "where(t < 0.1234, 1, 0)"])
 def test_cases_without_an_event_stay_in_their_lanes(model_of: Build, monkeypatch, torque: str) -> None:
     """A pendulum that a brake catches at an angle: only the cases that come there are run by themselves; same bits."""

@@ -23,6 +23,7 @@ def alone(model: Model, name: str, value: float, initial: dict[str, float], **se
     return simulate(model, parameters={name: value}, initial=initial, **settings, seen_every=0.0)
 
 
+@pytest.mark.every_push("near_singular_slider_crank-quasi_static")
 @pytest.mark.parametrize(
     "name, start",
     [
@@ -72,6 +73,7 @@ def test_it_is_the_equilibrium_of_the_general_method(
     np.testing.assert_allclose(quick.q_dot, general.q_dot, rtol=0, atol=1e-12 * np.abs(general.q_dot).max())
 
 
+@pytest.mark.long
 def test_a_case_without_an_equilibrium_disturbs_nobody(built_in: Load) -> None:
     """A mode without stiffness at rest: that case is `not_assembled`, as its run by itself is refused."""
     model = built_in("flexible_slider_crank_free")

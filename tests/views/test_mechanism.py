@@ -21,6 +21,7 @@ def solution(name: str) -> Solution:
     return simulate(load_model(generated_folder(name)), t_end=0.02)
 
 
+@pytest.mark.every_push("flexible_slider_crank-0.5", "flexible_four_bar-0.5")
 @pytest.mark.parametrize("factor", [0.5, 1.0, 100.0])
 @pytest.mark.parametrize("name", ["flexible_slider_crank", "spatial_slider_crank", "flexible_four_bar", "bricard"])
 def test_exaggeration_opens_no_gap_at_a_joint(name: str, factor: float) -> None:

@@ -25,6 +25,7 @@ from symgen.scene import Scene
 from tests.running.test_solution import rod_solution
 
 
+@pytest.mark.every_push("coordinates", "snapshots", "energies")
 @pytest.mark.parametrize("draw", [plots.coordinates, plots.energy_balance, plots.constraint_error, plots.phase])
 def test_every_picture_is_written_and_labelled_with_units(draw, tmp_path) -> None:
     figure = draw(rod_solution(), tmp_path / "picture.png")
@@ -71,6 +72,7 @@ def test_many_coordinates_and_bodies_stay_readable() -> None:
     assert len(plots.phase(many).axes) == plots.MAX_PANELS
 
 
+@pytest.mark.every_push("motion")
 @pytest.mark.parametrize("draw", [plots.motion, plots.deformation, plots.forces, plots.energy_balance])
 def test_what_is_looked_at_first_has_units_with_prefixes(draw) -> None:
     figure = draw(rod_solution())
@@ -125,6 +127,7 @@ def test_own_axes_are_drawn_into_in_their_own_colours() -> None:
         plots.phase(rod_solution(), ax=ax)
 
 
+@pytest.mark.long
 def test_two_runs_are_drawn_with_their_difference(tmp_path) -> None:
     """The second run's q1 is larger by 1 mm at all times; theta is the same."""
     first, second = rod_solution(), rod_solution(81)
@@ -146,6 +149,7 @@ def test_several_runs_are_drawn_with_their_differences_to_the_first() -> None:
     assert all(np.allclose(line.get_ydata(), k, atol=2e-3) for line, k in zip(q1.lines, (1, 2), strict=True))
 
 
+@pytest.mark.long
 def test_section_forces_along_a_cantilever(model_of, tmp_path) -> None:
     """Hand, to first order: M = -F (L - x) and Q = -F at every section; nothing is pulled."""
     builder = Scene("cantilever").beam("arm", length=0.5, density=7800.0, youngs_modulus=2e11, area=2e-4,
@@ -212,6 +216,7 @@ def test_automatic_exaggeration_shows_five_per_cent() -> None:
     assert film(still).exaggeration == 1.0
 
 
+@pytest.mark.long
 def test_gif_has_all_frames_and_is_quick(tmp_path) -> None:
     started = time.perf_counter()
     animate(rod_solution(), tmp_path / "motion.gif", frames=60, fps=25)

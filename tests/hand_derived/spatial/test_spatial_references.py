@@ -25,6 +25,7 @@ def test_bricard_at_the_start() -> None:
     assert values[4] < 1e-14 and values[3] > 0.1  # one constraint too many, one degree of freedom
 
 
+@pytest.mark.long
 def test_bricard_published_values() -> None:
     solution = solve_ivp(bricard_rate, (0, 1), np.zeros(10), method="DOP853", rtol=1e-11, atol=1e-12, t_eval=[0.5, 1.0])
     for y, expected in zip(solution.y.T, (P3_HALF, P3_ONE), strict=True):
@@ -59,6 +60,7 @@ def test_bricard_closure_and_its_rates() -> None:
     assert abs(np.imag(kinetic + potential)) / STEP < 1e-11 * abs(np.imag(potential)) / STEP
 
 
+@pytest.mark.every_push("0")
 @pytest.mark.parametrize("k", range(5))
 def test_bricard_condensed_form(k: int) -> None:
     """M_hat q_k'' = Q_hat for any hinge as the independent one; M_hat is the kinetic energy of the poses."""
@@ -74,6 +76,7 @@ def test_bricard_condensed_form(k: int) -> None:
     assert abs(0.5 * M_hat * v[k] ** 2 - kinetic) < 1e-12 * kinetic
 
 
+@pytest.mark.long
 def test_fast_top_computed_values() -> None:
     solution = solve_ivp(
         twin_fast_top.rate, (0, 1), twin_fast_top.START, method="DOP853", rtol=1e-12, atol=1e-13, t_eval=[0.2, 1.0]

@@ -15,6 +15,7 @@ from collections.abc import Callable
 
 import casadi as ca
 import numpy as np
+import pytest
 
 from runtime.contract.model import Model
 from symgen.scene import Scene, SceneRecord
@@ -84,6 +85,7 @@ def twin() -> ca.Function:
     return ca.Function("twin", [q, v], [M, Q])
 
 
+@pytest.mark.long
 def test_bending_and_torsion_coupled_by_an_offset_mass(model_of: Build) -> None:
     """Equal but for what is of third order in the twist of thick sections: a tenth of it leaves a hundredth at most."""
     model, derived = model_of(scene()), twin()
