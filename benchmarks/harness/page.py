@@ -8,6 +8,7 @@ from typing import Any
 
 from benchmarks.harness.result import Line, Result
 
+TABLES = frozenset({"others", "hard_steps", "arms", "tolerance"})  # have tables on the page of speed
 MOST_OTHERS = 6  # lines without a goal in a section
 INTRODUCTION = """# Benchmarks
 
@@ -45,16 +46,21 @@ def with_sections(page: str, machine: dict[str, str], results: list[Result]) -> 
     """A page with the sections of `results` replaced, or added at the end; they say where they were run."""
     head, *parts = page.split("\n## ")
     sections = {part.split("\n", 1)[0]: f"## {part}" for part in parts}
-    alone = f"This section was run on its own, on {machine['processor']}."
+    alone = f", run on its own on {machine['processor']}"
     for result in results:
         sections[result.title] = _section(result, alone)
     return "\n".join([head, *(section.rstrip("\n") + "\n" for section in sections.values())])
 
 
 def _section(result: Result, place: str = "") -> str:
-    rows = ["| | value | goal | | |", "|---|---:|---:|---|---|", *map(_row, _shown(_gathered(result.lines)))]
-    remarks = "".join(f"{text}\n\n" for text in (place, result.remark) if text)
-    return f"## {result.title}\n\n`python -m benchmarks --only {result.name}`\n\n{remarks}" + "\n".join(rows) + "\n"
+    lines = _shown(_gathered(result.lines))
+    if result.name in TABLES:
+        lines = [line for line in lines if line.met is False or line.goal is not None and ": " not in line.name]
+    rows = ["| | value | goal | | |", "|---|---:|---:|---|---|", *map(_row, lines)] if lines else []
+    told = f"`python -m benchmarks --only {result.name}`{place}." + (f" {result.remark}" if result.remark else "")
+    if result.name in TABLES:
+        told += "\n\nBy case: [speed](speed.md). Here are the goals of all cases together, and what a case does not meet."
+    return "\n".join([f"## {result.title}", told, *([""] if rows else []), *rows, ""])
 
 
 def _shown(lines: list[Line]) -> list[Line]:

@@ -29,6 +29,11 @@ HEADER = (
     "| rate [1/s] | agreement | evaluations |",
     "|---|---|---|---:|---|---|---:|---:|---:|",
 )
+REASONS = (
+    "| case | why it is hard | changes of the scene | amplitude, end value of graded coordinates |",
+    "|---|---|---|---|",
+)
+GRADED = 5  # graded coordinates told of
 
 INTRODUCTION = """# Hard suite
 
@@ -100,23 +105,23 @@ def row(one: Measured) -> str:
     case = one.case
     decay = "-" if one.decay is None else f"{one.decay:.4g}"
     return (
-        f"| [{case.name}](#{case.name}) | `{one.solution.model.name}` | {case.start} | {case.t_end:g} | "
+        f"| {case.name} | `{one.solution.model.name}` | {case.start} | {case.t_end:g} | "
         f"{_listed(one.start)} | {_listed(one.largest)} | {decay} | {one.agreement:.0e} | "
         f"{one.solution.stats['evaluations']} |"
     )
 
 
-def section(one: Measured) -> str:
-    """Why a case is hard, its changes to the scene, and the graded coordinates."""
+def reason(one: Measured) -> str:
+    """A case in the second table: why it is hard, its changes to the scene, the first graded coordinates."""
     case, solution = one.case, one.solution
     changes = [
-        f"{what}: " + ", ".join(f"`{name}` = {value:.6g}" for name, value in values.items()) + "."
-        for what, values in (("Parameters", case.parameters), ("Initial values", case.initial))
+        ", ".join(f"`{name}` = {value:.6g}" for name, value in values.items())
+        for values in (case.parameters, case.initial)
         if values
     ]
-    told = (f"`{name}` {amplitude(solution[name]):.3g}, {solution[name][-1]:.6g}" for name in case.graded)
-    text = f"{case.why[0].upper()}{case.why[1:]}."
-    return "\n".join([f"## {case.name}", " ".join([text, *changes, f"Amplitude, end value: {'; '.join(told)}."]), ""])
+    shown = list(case.graded)[:GRADED]
+    told = "; ".join(f"`{name}` {amplitude(solution[name]):.3g}, {solution[name][-1]:.6g}" for name in shown)
+    return f"| {case.name} | {case.why[0].upper()}{case.why[1:]} | {'; '.join(changes)} | {told} |"
 
 
 def _listed(values: np.ndarray) -> str:
@@ -125,19 +130,21 @@ def _listed(values: np.ndarray) -> str:
     return f"{values[0]:.4g} to {values[-1]:.4g} ({len(values)})"
 
 
-def page(rows: Mapping[str, str], sections: Mapping[str, str]) -> str:
-    """The page docs/evidence/hard-suite.md, from the texts of its cases by name."""
+def page(rows: Mapping[str, str], reasons: Mapping[str, str]) -> str:
+    """The page docs/evidence/hard-suite.md, from the rows of its cases by name."""
     introduction = INTRODUCTION.format(coarse=TOLERANCES[0], fine=TOLERANCES[1])
-    table = "\n".join([*HEADER, *rows.values()]) + "\n"
-    return "\n".join([introduction, table, *sections.values()]).rstrip() + "\n"
+    return "\n".join([introduction, *HEADER, *rows.values(), "", *REASONS, *reasons.values(), ""])
 
 
 def published() -> tuple[dict[str, str], dict[str, str]]:
-    """(rows, sections) by case, as the page has them."""
-    text = PAGE.read_text(encoding="utf-8")
-    rows = {name: line for line in text.splitlines() for name in HARD_SUITE if line.startswith(f"| [{name}](")}
-    parts = text.split("\n## ")[1:]
-    return rows, {part.split("\n", 1)[0]: f"## {part.rstrip()}\n" for part in parts}
+    """(rows, reasons) by case, as the page has them."""
+    first, second = (part.splitlines() for part in PAGE.read_text(encoding="utf-8").split(REASONS[0]))
+    return by_case(first), by_case(second)
+
+
+def by_case(lines: list[str]) -> dict[str, str]:
+    """Rows of a table by the case that they begin with."""
+    return {name: line for line in lines for name in HARD_SUITE if line.startswith(f"| {name} |")}
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -151,14 +158,14 @@ def main(arguments: list[str] | None = None) -> int:
     )
     options = parser.parse_args(arguments)
     chosen = options.only or list(HARD_SUITE)
-    rows, sections = published() if options.publish and options.only else ({}, {})
+    rows, reasons = published() if options.publish and options.only else ({}, {})
     with tempfile.TemporaryDirectory() as folder:
         for name in chosen:
             print(f"{name} ...", file=sys.stderr, flush=True)
             one = measure(HARD_SUITE[name], Path(folder))
-            rows[name], sections[name] = row(one), section(one)
+            rows[name], reasons[name] = row(one), reason(one)
     names = [name for name in HARD_SUITE if name in rows]
-    text = page({name: rows[name] for name in names}, {name: sections[name] for name in names})
+    text = page({name: rows[name] for name in names}, {name: reasons[name] for name in names})
     if options.publish:
         PAGE.write_text(text, encoding="utf-8")
     print(text)

@@ -327,7 +327,7 @@ class Scheme(ABC):
         return ca.Function("observe", [z, c], [ca.densify(output) for output in outputs], ["z", "c"], list(OBSERVED))
 
 
-# The fields of z, the state of a scheme as one vector, by how long they matter. docs/names.md says what each is.
+# The fields of z, the state of a scheme as one vector, by how long they matter; symgen/notation/fields.py has each.
 
 
 class Lasting(Enum):

@@ -158,7 +158,7 @@ BY_NAME = {entry.code: entry for entry in SYMBOLS}
 
 
 def table(entries: tuple[Notation, ...]) -> str:
-    """Names as a Markdown table (docs/theory/names.md holds both; a test compares)."""
+    """Names as a Markdown table (docs/theory/names.md holds it; a test compares)."""
     lines = ["| code | paper | Eq. | shape | unit | meaning |", "|---|---|---|---|---|---|"]
     for entry in entries:
         paper, equation = entry.paper and f"`{entry.paper}`", entry.equation and f"({entry.equation})"

@@ -26,7 +26,6 @@ DOCS = ROOT / "docs"
 GUIDE, THEORY, EVIDENCE = (DOCS / shelf for shelf in ("guide", "theory", "evidence"))
 MEASURED = EVIDENCE / "benchmarks.md"  # written by the benchmark program
 PAGES = [README, ROOT / "CHANGELOG.md", *(page for page in sorted(DOCS.rglob("*.md")) if page != MEASURED)]
-ONE_PROGRAM = DOCS / "inside" / "symgen-from-scratch.md"  # its blocks belong together: test_from_scratch.py
 LAST_EQUATION = 72
 
 
@@ -42,9 +41,20 @@ def page_id(page: Path) -> str:
     return page.stem
 
 
-@pytest.mark.parametrize(
-    "page", [page for page in PAGES if blocks(page, "python") and page != ONE_PROGRAM], ids=page_id
+@pytest.mark.every_push(
+    "README",
+    "scenes",
+    "bodies",
+    "events",
+    "errors",
+    "stepping",
+    "motions",
+    "operating-points",
+    "generated-code",
+    "constraints",
+    "friction",
 )
+@pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "python")], ids=page_id)
 def test_python_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """All Python of a page, as one program, in an empty folder."""
     monkeypatch.chdir(tmp_path)
@@ -66,6 +76,7 @@ def test_scenes_in_toml_are_scenes(page: Path) -> None:
         assert SceneRecord.from_toml_text(scene.to_toml()) == scene
 
 
+@pytest.mark.long
 def test_commands_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     """Those of the page about the command line, in their order; the demo's is in `test_demo_leaves_everything`."""
     monkeypatch.chdir(tmp_path)
@@ -181,6 +192,7 @@ def test_pages_name_every_command_and_function() -> None:
         assert re.search(rf"^- `{command}\b", text, re.MULTILINE), command
 
 
+@pytest.mark.long
 def test_the_first_steps_lead_there(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

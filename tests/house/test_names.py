@@ -107,7 +107,5 @@ def test_fields_of_z_are_the_table(built_in: Load, model_of: Callable[[SceneReco
     assert not (found ^ codes(FIELDS)), found ^ codes(FIELDS)
 
 
-def test_the_page_of_names_holds_the_tables() -> None:
-    text = PAGE.read_text(encoding="utf-8")
-    assert table(SYMBOLS) in text
-    assert table(FIELDS) in text
+def test_the_page_of_names_holds_the_table() -> None:
+    assert table(SYMBOLS) in PAGE.read_text(encoding="utf-8")

@@ -97,7 +97,7 @@ def test_planar_scene_in_space(build: Build, scene: SceneRecord) -> None:
 
 def test_the_plane_is_cheaper(build: Build) -> None:
     """M_hat and Q_hat of planar scenes have no more operations than those of their twins in space: why the plane
-    has equations of its own (docs/inside/decisions/two-spaces.md)."""
+    has equations of its own (docs/inside/decisions/README.md)."""
     for scene in (pendulum(), double_pendulum(), chain(4), slider_crank()):
         planar = build(scene, frozenset({"condensed", "constraints"}))
         twin = derive(posed(scene, planar), frozenset({"condensed"}))

@@ -1,28 +1,17 @@
-# symgen from scratch
+"""symgen from scratch: the whole idea on a pendulum, in one program that uses nothing of symgen.
 
-The whole idea on a pendulum, in one program of less than 300 lines that uses nothing of symgen. Each part is what a
-folder of `symgen` or `runtime` does for every body, joint and scheme. The blocks below are one program; a test runs
-it (`test_the_page_from_scratch_runs`) and compares it with closed forms and with equations derived by hand.
+Each part is what a folder of `symgen` or `runtime` does for every body, joint and scheme. A test runs it
+(`test_the_program_from_scratch_runs`) and compares it with closed forms and with equations derived by hand.
 
-| part | here | in the project |
-|---|---|---|
-| template | one bar, one hinge | `symgen/algebra`, `symgen/bodies`, `symgen/joints` |
-| substitution, condensation | 20 lines | `symgen/condensed` |
-| kernel | one CasADi function | `symgen/kernels` |
-| tape | a list of nodes, split by what is known | `symgen/tapes`, `runtime/engine` |
-| step | central difference | `runtime/schemes` |
+    template                    one bar, one hinge                          symgen/algebra, symgen/bodies, symgen/joints
+    substitution, condensation  20 lines                                    symgen/condensed
+    kernel                      one CasADi function                         symgen/kernels
+    tape                        a list of nodes, split by what is known     symgen/tapes, runtime/engine
+    step                        central difference                          runtime/schemes
+"""
 
-## Template: SymPy, once for each type
+from __future__ import annotations
 
-A bar is a line of mass points. The point at the distance xi from the bar's origin (x, y) is at
-
-    r = (x + xi cos(theta), y + xi sin(theta)).
-
-The virtual work of its inertia force is delta_r . r'' dm, with r'' = J q'' + bias. Summed over the bar, every power
-of xi becomes a moment of the bar: its mass m, its first moment s, its second moment I. That is Eq. (20) of the paper,
-without modes.
-
-```python
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -30,9 +19,18 @@ from dataclasses import dataclass
 import casadi as ca
 import sympy as sp
 
+# --- Template: SymPy, once for each type ---
+# A bar is a line of mass points. The point at the distance xi from the bar's origin (x, y) is at
+#
+#     r = (x + xi cos(theta), y + xi sin(theta)).
+#
+# The virtual work of its inertia force is delta_r . r'' dm, with r'' = J q'' + bias. Summed over the bar, every power
+# of xi becomes a moment of the bar: its mass m, its first moment s, its second moment I. That is Eq. (20) of the
+# paper, without modes.
+
 x, y, theta, x_dot, y_dot, theta_dot = q_and_q_dot = sp.symbols("x y theta x_dot y_dot theta_dot")
 q, q_dot = sp.Matrix(q_and_q_dot[:3]), sp.Matrix(q_and_q_dot[3:])
-xi, m, s, I, g = sp.symbols("xi m s I g")
+xi, m, s, I, g = sp.symbols("xi m s I g")  # noqa: E741
 MOMENTS = {0: m, 1: s, 2: I}
 
 
@@ -47,25 +45,22 @@ J = r.jacobian(q)
 bias = (J * q_dot).jacobian(q) * q_dot
 M_template = (J.T * J).applyfunc(over_the_bar)
 Q_template = (J.T * (sp.Matrix([0, -g]) - bias)).applyfunc(over_the_bar)
-```
 
-A hinge holds the origin of a bar at the tip of the bar before it. It states only its rows C = 0. The rest follows:
-C_q, and gamma of C_q q'' = gamma (Eqs. 24-27).
 
-```python
-l, x_p, y_p, theta_p, theta_p_dot = sp.symbols("l x_p y_p theta_p theta_p_dot")
+# A hinge holds the origin of a bar at the tip of the bar before it. It states only its rows C = 0. The rest follows:
+# C_q, and gamma of C_q q'' = gamma (Eqs. 24-27).
+
+l, x_p, y_p, theta_p, theta_p_dot = sp.symbols("l x_p y_p theta_p theta_p_dot")  # noqa: E741
 TIP = {"x": x_p + l * sp.cos(theta_p), "y": y_p + l * sp.sin(theta_p)}  # C = x - TIP["x"], y - TIP["y"]
 E_template = {name: sp.diff(row, theta_p) for name, row in TIP.items()}  # x'' = x_p'' + e theta_p'' + c
 C_template = {name: sp.diff(row, theta_p, 2) * theta_p_dot**2 for name, row in TIP.items()}
-```
 
-## From SymPy to CasADi
 
-A template is evaluated with each body's own values. SymPy is slow and knows much; CasADi's SX is fast and knows how
-to fold 0 x and x + 0. So what is zero in a scene never reaches its code. Only the operations that occur are
-translated, and no text is evaluated.
+# --- From SymPy to CasADi ---
+# A template is evaluated with each body's own values. SymPy is slow and knows much; CasADi's SX is fast and knows how
+# to fold 0 x and x + 0. So what is zero in a scene never reaches its code. Only the operations that occur are
+# translated, and no text is evaluated.
 
-```python
 SX = ca.SX
 
 
@@ -85,18 +80,17 @@ def evaluated(expression: sp.Expr, values: dict[sp.Symbol, SX]) -> SX:
             result = two(result, argument)
         return result
     return {sp.sin: ca.sin, sp.cos: ca.cos}[expression.func](*arguments)
-```
 
-## The system
 
-The scene is a chain of bars, one hung to the tip of the other, in the parameters p = (g, then m, s, I, l of each
-bar). Angles are independent, the origins of the bars dependent: q_i and q_d of Eq. (29). The rows are linear in x and
-y with the coefficient 1, so q_d is known in closed form (Eq. 31), and each dependent acceleration is one
-*substitution*
+# --- The system ---
+# The scene is a chain of bars, one hung to the tip of the other, in the parameters p = (g, then m, s, I, l of each
+# bar). Angles are independent, the origins of the bars dependent: q_i and q_d of Eq. (29). The rows are linear in x
+# and y with the coefficient 1, so q_d is known in closed form (Eq. 31), and each dependent acceleration is one
+# *substitution*
+#
+#     x_d'' = sum of e_j x_j'' + c.
 
-    x_d'' = sum of e_j x_j'' + c.
 
-```python
 @dataclass
 class Substitution:
     """The acceleration number `target` by others: sum of terms[j] a_j, plus rest."""
@@ -128,14 +122,13 @@ def chain(bars: int, q_i: SX, q_i_dot: SX, p: SX) -> tuple[SX, SX, list[Substitu
                 substitutions.append(Substitution(3 * k + axis, terms, rest))
             origin = {name: evaluated(row, before) for name, row in TIP.items()}
     return M, Q, substitutions[::-1]
-```
 
-## Condensation: one congruence for each substitution
 
-Put x_d'' into M q'' = Q, and let virtual displacements follow the same rule. Column d and row d go to the others.
-Done from the tip to the root, nothing is ever inverted, and S of M_hat = S^T M S is never formed (Eqs. 32-38).
+# --- Condensation: one congruence for each substitution ---
+# Put x_d'' into M q'' = Q, and let virtual displacements follow the same rule. Column d and row d go to the others.
+# Done from the tip to the root, nothing is ever inverted, and S of M_hat = S^T M S is never formed (Eqs. 32-38).
 
-```python
+
 def substituted(M: SX, Q: SX, rule: Substitution) -> tuple[SX, SX]:
     """M q'' = Q without the target of the rule: its row and column are zero afterwards."""
     M, Q, d = SX(M), SX(Q), rule.target
@@ -156,12 +149,12 @@ def condensed(bars: int, q_i: SX, q_i_dot: SX, p: SX) -> tuple[SX, SX]:
         M, Q = substituted(M, Q, rule)
     angles = [3 * k + 2 for k in range(bars)]
     return ca.densify(M[angles, angles]), Q[angles]
-```
 
-The solution of M_hat q_i'' = Q_hat is the same idea again. The last equation is a substitution for its own
-acceleration.
 
-```python
+# The solution of M_hat q_i'' = Q_hat is the same idea again. The last equation is a substitution for its own
+# acceleration.
+
+
 def solved(M: SX, Q: SX) -> SX:
     """q_i'': each equation gives its own acceleration by those before it; the last ones go first."""
     rules = []
@@ -174,14 +167,13 @@ def solved(M: SX, Q: SX) -> SX:
         terms = (e * accelerations[j] for j, e in rule.terms.items())
         accelerations[rule.target] = sum(terms, rule.rest)
     return ca.vertcat(*(accelerations[k] for k in range(len(rules))))
-```
 
-## Kernel
 
-A kernel is a CasADi function: inputs and outputs with names, and a graph without anything that is zero. Of the
-pendulum's nine mass terms and four constraint terms one equation is left: I theta'' = -g s cos(theta).
+# --- Kernel ---
+# A kernel is a CasADi function: inputs and outputs with names, and a graph without anything that is zero. Of the
+# pendulum's nine mass terms and four constraint terms one equation is left: I theta'' = -g s cos(theta).
 
-```python
+
 def kernel(bars: int) -> ca.Function:
     """(q_i, q_i_dot, p) -> M_hat, Q_hat."""
     q_i, q_i_dot, p = SX.sym("q_i", bars), SX.sym("q_i_dot", bars), SX.sym("p", 1 + 4 * bars)
@@ -190,15 +182,14 @@ def kernel(bars: int) -> ca.Function:
 
 
 print(kernel(1)(*kernel(1).sx_in()))
-```
 
-## Step
 
-One step is a pure function z -> z. For the central difference z holds the positions q, the increment d = q(t) - q(t -
-h) and the last acceleration a (Eqs. 40-43); the velocity at t is d/h + h a/2, with a from the step before. The start
-makes d of the initial velocity (Eqs. 68-71).
+# --- Step ---
+# One step is a pure function z -> z. For the central difference z holds the positions q, the increment d = q(t) - q(t
+# - h) and the last acceleration a (Eqs. 40-43); the velocity at t is d/h + h a/2, with a from the step before. The
+# start makes d of the initial velocity (Eqs. 68-71).
 
-```python
+
 def step(bars: int) -> ca.Function:
     """(z, c) -> z with z = (q, d, a) and c = (h, p)."""
     z, c = SX.sym("z", 3 * bars), SX.sym("c", 2 + 4 * bars)
@@ -214,15 +205,14 @@ def start(bars: int, q_i: Sequence[float], h: float, p: Sequence[float]) -> list
     M_hat, Q_hat = kernel(bars)(q_i, [0.0] * bars, p)
     a = ca.solve(M_hat, Q_hat).full().ravel()
     return [*q_i, *(-0.5 * h * h * a), *a]
-```
 
-## Tape
 
-CasADi gives a function as a list of instructions. We take it over as our own straight-line code: a *tape* of nodes,
-each an operation on nodes before it. From here on nothing of CasADi is needed, and everything is an interpreter over
-the tape.
+# --- Tape ---
+# CasADi gives a function as a list of instructions. We take it over as our own straight-line code: a *tape* of nodes,
+# each an operation on nodes before it. From here on nothing of CasADi is needed, and everything is an interpreter
+# over the tape.
 
-```python
+
 @dataclass(frozen=True)
 class Node:
     """An operation on earlier nodes, an input ("z", "c" or "once", element) or a number."""
@@ -290,15 +280,14 @@ def run(tape: Tape, **inputs: Sequence[float]) -> list[float]:
         else:
             values.append(VALUE[node.op](*(values[i] for i in node.arguments)))
     return [values[i] for i in tape.results]
-```
 
-## Splitting by what is known
 
-During a run c = (h, p) does not change. What depends on c only is computed once: the tape is split into one for
-before the run, and one for each step that reads the values of the first. This is partial evaluation with known and
-unknown inputs. Physical numbers so stay inputs at no cost per step.
+# --- Splitting by what is known ---
+# During a run c = (h, p) does not change. What depends on c only is computed once: the tape is split into one for
+# before the run, and one for each step that reads the values of the first. This is partial evaluation with known and
+# unknown inputs. Physical numbers so stay inputs at no cost per step.
 
-```python
+
 def split(tape: Tape) -> tuple[Tape, Tape]:
     """What depends on c only, with the largest such values as results, and the rest that reads them as "once"."""
     known: set[int] = set()
@@ -327,12 +316,12 @@ def needed(tape: Tape) -> Tape:
 def operations(tape: Tape) -> int:
     """How many operations one evaluation takes."""
     return sum(bool(node.arguments) for node in tape.nodes)
-```
 
-The second interpreter writes C instead of computing. The compiler must not contract a product and a sum
-(`-ffp-contract=off`); then both engines give the same bits.
 
-```python
+# The second interpreter writes C instead of computing. The compiler must not contract a product and a sum (-ffp-
+# contract=off); then both engines give the same bits.
+
+
 def c_source(tape: Tape) -> str:
     """The tape as a C function of (z, once) that writes z."""
     lines = []
@@ -347,16 +336,15 @@ def c_source(tape: Tape) -> str:
     lines += [f"  z[{element}] = v{k};" for element, k in enumerate(tape.results)]
     body = "\n".join(lines)
     return f"#include <math.h>\nvoid step(double *z, const double *once) {{\n{body}\n}}\n"
-```
 
-## A run
 
-A pendulum of 1 kg at 1 m, released from the horizontal. Its period is 2 pi sqrt(l/g) over the arithmetic-geometric
-mean of 1 and cos(45 degrees). It passes the lowest point after one and after three quarters; there the acceleration
-vanishes, so a straight line between two samples finds the time. The period's error is of second order, and two step
-sizes take it out.
+# --- A run ---
+# A pendulum of 1 kg at 1 m, released from the horizontal. Its period is 2 pi sqrt(l/g) over the arithmetic-geometric
+# mean of 1 and cos(45 degrees). It passes the lowest point after one and after three quarters; there the acceleration
+# vanishes, so a straight line between two samples finds the time. The period's error is of second order, and two step
+# sizes take it out.
 
-```python
+
 def motion(bars: int, q_i: Sequence[float], h: float, p: Sequence[float], steps: int) -> list[list[float]]:
     """z at 0, h, 2 h, ..."""
     before, each = split(recorded(step(bars)))
@@ -389,9 +377,9 @@ extrapolated = (4 * fine - coarse) / 3
 whole = recorded(step(1))
 print(f"operations a step: {operations(whole)}, of which once a run: {operations(split(whole)[0])}")
 print(f"period {fine:.9f} s, extrapolated {extrapolated:.12f} s, exact {exact_period(1.0, 9.81, math.pi / 2):.12f} s")
-```
 
-A second bar hung on the first is `chain(2, ...)`: nothing else changes. What the project adds is more types of
-bodies, joints and loads, flexible bodies, loops whose dependent coordinates need Newton steps, reactions and
-Jacobians, steps of different size for slow and fast coordinates, and the checks that tell whether a run can be
-believed. [Architecture](architecture.md) says where each is.
+
+# A second bar hung on the first is chain(2, ...): nothing else changes. What the project adds is more types of
+# bodies, joints and loads, flexible bodies, loops whose dependent coordinates need Newton steps, reactions and
+# Jacobians, steps of different size for slow and fast coordinates, and the checks that tell whether a run can be
+# believed. Architecture says where each is.
