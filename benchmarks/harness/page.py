@@ -59,7 +59,7 @@ def _section(result: Result, place: str = "") -> str:
     rows = ["| | value | goal | | |", "|---|---:|---:|---|---|", *map(_row, lines)] if lines else []
     told = f"`python -m benchmarks --only {result.name}`{place}." + (f" {result.remark}" if result.remark else "")
     if result.name in TABLES:
-        told += "\n\nBy case: [speed](speed.md). Here are the goals of all cases together, and what a case does not meet."
+        told += "\n\nBy case: [speed](speed.md). Here are the goals of all cases together and those that a case misses."
     return "\n".join([f"## {result.title}", told, *([""] if rows else []), *rows, ""])
 
 

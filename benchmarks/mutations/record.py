@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from tests.mutations.sites import ROOT, Site
+from benchmarks.mutations.sites import ROOT, Site
 
 Key = tuple[str, str, str]  # file, line, fault with its column in the line
 FIELDS = ("file", "line", "fault", "verdict", "by")
@@ -65,8 +65,12 @@ class Record:
         rows = [dict(zip(FIELDS, (*one, *found), strict=True)) for one, found in sorted(self.rows.items())]
         self.path.write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
 
+    def seen(self) -> tuple[int, int, int]:
+        """How many faults are seen, can be told, and change nothing."""
+        count = Counter(verdict for verdict, _ in self.rows.values())
+        return sum(count[verdict] for verdict in SEEN), len(self.rows) - count[SAME], count[SAME]
+
     def score(self) -> str:
         """In a line."""
-        count = Counter(verdict for verdict, _ in self.rows.values())
-        seen, same = sum(count[verdict] for verdict in SEEN), count[SAME]
-        return f"{seen} of {len(self.rows) - same} faults that can be told are seen; {same} change nothing"
+        seen, told, same = self.seen()
+        return f"{seen} of {told} faults that can be told are seen, {100 * seen / told:.1f} %; {same} change nothing"

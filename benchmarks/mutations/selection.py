@@ -8,7 +8,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from tests.mutations.sites import ROOT, Site
+from benchmarks.mutations.sites import ROOT, Site
 
 DERIVED = ["tests/laws/test_single_terms.py", "tests/hand_derived", "tests/laws"]
 ROOMS = {

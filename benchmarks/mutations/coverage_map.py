@@ -1,4 +1,4 @@
-"""Which tests execute which lines, and how long they take: pytest -p tests.mutations.coverage_map --map FILE.
+"""Which tests execute which lines, and how long they take: pytest -p benchmarks.mutations.coverage_map --map FILE.
 
 Models are made once and serve many tests, so what the generator executes for one is counted for all tests that ask
 for it. The file is one JSON text: seconds (test -> s) and lines (file -> line -> tests, as positions in `tests`).

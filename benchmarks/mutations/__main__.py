@@ -1,4 +1,4 @@
-"""Put faults into a copy of the project, one at a time, and run the tests: python -m tests.mutations --sites 200.
+"""Put faults into a copy of the project, one at a time, and run the tests: python -m benchmarks.mutations --sites 200.
 
 A fault is killed if a test fails. Tests are those that execute its line (coverage_map.py finds them once, by running
 all tests), in the order of selection.py, until one fails. Models of built-in scenes are generated anew
@@ -21,10 +21,11 @@ import time
 from importlib.util import cache_from_source
 from pathlib import Path
 
-from tests.mutations.record import OPEN, Record, drawn
-from tests.mutations.selection import LEFT_OUT, CoverageMap
-from tests.mutations.sites import ROOT, Site, sites
+from benchmarks.mutations.record import OPEN, Record, drawn
+from benchmarks.mutations.selection import LEFT_OUT, CoverageMap
+from benchmarks.mutations.sites import ROOT, Site, sites
 
+LEAST = 0.95  # share of the faults that can be told that must be seen
 SLOWER, AT_LEAST = 4.0, 60.0  # a fault that makes tests last so many times longer, or so many seconds, is noticed too
 PYTEST = ["-m", "pytest", "-q", "-x", "-n", "0", "-p", "no:cacheprovider", "--fresh-models"]
 NOT_ALL = ["tests/emission/test_drift.py", "tests/views", "tests/house/test_docs.py", "tests/house/test_examples.py"]
@@ -41,7 +42,7 @@ def make_map(path: Path) -> None:
     """Run all tests once, traced."""
     left_out = [f"--ignore={place}" for place in NOT_ALL]
     command = [part for part in PYTEST if part != "-x"]
-    traced = ["-p", "tests.mutations.coverage_map", "--map", str(path.resolve())]
+    traced = ["-p", "benchmarks.mutations.coverage_map", "--map", str(path.resolve())]
     subprocess.run([sys.executable, *command, *traced, *left_out, "tests"], cwd=ROOT, check=False)
 
 
@@ -86,7 +87,7 @@ def _put(target: Path, text: str) -> None:
 
 def main() -> None:
     """Draw sites, judge them, leave a table."""
-    parser = argparse.ArgumentParser(prog="python -m tests.mutations", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.mutations", description=__doc__)
     parser.add_argument("--sites", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", default="", help="part of a path")
@@ -94,8 +95,14 @@ def main() -> None:
     parser.add_argument("--map", type=Path, default=Path("mutations-map.json"), help="made where it is not there")
     parser.add_argument("--record", type=Path, default=Path(__file__).with_name("record.json"))
     parser.add_argument("--seconds", type=float, default=float("inf"), help="begin no other fault after so long")
+    parser.add_argument("--score", action="store_true", help=f"of the record; fails below {LEAST:.0%}")
     parser.add_argument("--again", action="store_true", help="judge again what survived")
     arguments = parser.parse_args()
+    if arguments.score:
+        record = Record.read(arguments.record)
+        seen, told, _ = record.seen()
+        print(record.score())
+        sys.exit(seen < LEAST * told)
     if not arguments.map.exists():
         make_map(arguments.map)
     found, record = CoverageMap.read(arguments.map), Record.read(arguments.record)

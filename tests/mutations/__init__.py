@@ -1,1 +1,0 @@
-"""Faults put into the code at random, to see whether the tests see them: python -m tests.mutations --help."""
