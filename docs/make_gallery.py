@@ -25,7 +25,7 @@ SECTIONS = {
         "end_stops",
         "bouncing_ball",
     ],
-    "Driven mechanisms and robots": ["five_bar_robot", "quick_return", "four_bar_300rpm", "urdf_arm"],
+    "Driven mechanisms and robots": ["five_bar_robot", "quick_return", "four_bar_300rpm", "geared_arm", "urdf_arm"],
     "In space": ["double_wishbone", "build_spatial_arm", "gyroscope", "tumbling_body", "spinning_satellite"],
     "Flexible bodies": ["overhung_rotor", "rotor_blades", "spin_up", "finite_element_bar", "mesh_connecting_rod"],
     "Control, optimisation, studies": [

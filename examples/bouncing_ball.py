@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 from matplotlib.figure import Figure
 
-from runtime import plots, simulate
-from symgen.scene import Scene
+from runtime import plots
+from symgen import Scene
 
 RADIUS, DAMPING, GRAVITY = 0.1, 0.15, 9.81  # m, s/m, m/s^2
 SPEED, SPIN, HEIGHT = 3.0, 60.0, 1.0  # m/s, rad/s, m
@@ -42,7 +42,7 @@ def returned(v: float) -> float:
 
 def main(picture: Path | None = None) -> None:
     """Compare the height of the first bounce with Hunt and Crossley's law, and the last speed with that of rolling."""
-    run = simulate(build().model())
+    run = build().model().simulate()
     height = run["ball.y"] - RADIUS
     summit = np.flatnonzero(np.diff(np.sign(run["ball.y_dot"])) < 0)[1]
     fall = (2 * GRAVITY * (HEIGHT - RADIUS)) ** 0.5

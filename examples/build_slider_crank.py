@@ -1,14 +1,12 @@
-"""A flexible slider-crank in Python: build the scene, generate its code, load it, simulate, look."""
+"""A flexible slider-crank in Python: build the scene, derive its model, simulate, look."""
 
 import sys
-import tempfile
 from pathlib import Path
 
 from matplotlib.figure import Figure
 
-from runtime import load_model, plots, simulate
-from symgen.generate import generate
-from symgen.scene import Scene
+from runtime import plots
+from symgen import Scene
 
 
 def build():
@@ -35,10 +33,9 @@ def build():
 
 
 def main(picture: Path | None = None) -> None:
-    """Generate code, simulate with the scene's own settings, print the end."""
-    with tempfile.TemporaryDirectory() as folder:
-        model = load_model(generate(build(), folder))
-    solution = simulate(model)
+    """Simulate with the settings of the scene, print the end."""
+    model = build().model()
+    solution = model.simulate()
     print(solution.status)
     for name in (*model.q_i, "stroke"):
         print(f"{name:12} {solution[name][-1]: .6e}")

@@ -1,13 +1,11 @@
 """A two-link arm in space: a turning base, an elbow, and a flexible forearm that bends in both planes."""
 
 import sys
-import tempfile
 from pathlib import Path
 
 import numpy as np
 
-from runtime import load_model, plots, simulate
-from symgen.generate import generate
+from runtime import plots
 from symgen.scene import Scene, SceneRecord
 
 
@@ -35,18 +33,17 @@ def arm() -> SceneRecord:
 
 def main(picture: Path | None = None) -> None:
     """Simulate it and say where the load ends and how well the energy balances."""
-    with tempfile.TemporaryDirectory() as folder:
-        solution = simulate(load_model(generate(arm(), folder)))
-        print(solution.status)
-        print(f"base turned {solution['swivel.angle'][-1]:.4f} rad, elbow {solution['elbow.angle'][-1]:.4f} rad, "
-              f"load at z = {solution['height'][-1]:.4f} m")
-        print(f"largest deflections {np.abs(solution['forearm.q1']).max():.2e} m, "
-              f"{np.abs(solution['forearm.q2']).max():.2e} m")
-        print(f"energy balance within {np.abs(solution.energy_balance()).max():.1e} J")
-        force, moment = np.split(solution.joint_force("elbow")[-1], 2)
-        print(f"force in the elbow {np.round(force, 2)} N, moment {np.round(moment, 2)} N m")
-        if picture:
-            plots.snapshots(solution, picture, instants=[0.0, 0.15, 0.3, 0.45, 0.6], traces=["load.origin"])
+    solution = arm().model().simulate()
+    print(solution.status)
+    print(f"base turned {solution['swivel.angle'][-1]:.4f} rad, elbow {solution['elbow.angle'][-1]:.4f} rad, "
+          f"load at z = {solution['height'][-1]:.4f} m")
+    print(f"largest deflections {np.abs(solution['forearm.q1']).max():.2e} m, "
+          f"{np.abs(solution['forearm.q2']).max():.2e} m")
+    print(f"energy balance within {np.abs(solution.energy_balance()).max():.1e} J")
+    force, moment = np.split(solution.joint_force("elbow")[-1], 2)
+    print(f"force in the elbow {np.round(force, 2)} N, moment {np.round(moment, 2)} N m")
+    if picture:
+        plots.snapshots(solution, picture, instants=[0.0, 0.15, 0.3, 0.45, 0.6], traces=["load.origin"])
 
 
 if __name__ == "__main__":

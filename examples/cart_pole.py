@@ -1,7 +1,6 @@
 """A pole balanced on a cart: linearise the model where it stands, design a controller, close the loop in time."""
 
 import sys
-import tempfile
 from math import sqrt
 from pathlib import Path
 
@@ -9,9 +8,8 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.linalg import solve_continuous_are
 
-from runtime import linearise, load_model, plots, simulate
-from symgen.generate import generate
-from symgen.scene import Scene
+from runtime import plots
+from symgen import Scene
 
 CART, POLE, LENGTH, GRAVITY = 1.0, 0.1, 0.5, 9.81  # kg, kg at the tip, m, m/s^2
 LAW = "push - k1 * x - k2 * angle - k3 * x_dot - k4 * angle_dot"
@@ -32,13 +30,12 @@ def build():
 
 def main(picture: Path | None = None) -> None:
     """Compare the unstable root with its closed form, and say where the controlled pole is after five seconds."""
-    with tempfile.TemporaryDirectory() as folder:
-        model = load_model(generate(build(), folder))
-    system = linearise(model, {"pole.theta": 0.0}, inputs=["push"])
+    model = build().model()
+    system = model.linearise({"pole.theta": 0.0}, inputs=["push"])
     A, B = system.A_state, system.B_state
     gains = (B.T @ solve_continuous_are(A, B, np.diag([10.0, 10.0, 1.0, 1.0]), np.eye(1))).ravel()
     law = {f"k{k + 1}": gain for k, gain in enumerate(gains)}
-    run = simulate(model, parameters=law, initial={"pole.theta": 0.3})
+    run = model.simulate(parameters=law, initial={"pole.theta": 0.3})
     print(run.status)
     print(f"unstable root {np.linalg.eigvals(A).real.max():.6f} per second, closed form "
           f"{sqrt((CART + POLE) * GRAVITY / CART / LENGTH):.6f}")

@@ -1,16 +1,14 @@
 """A crane moves a hanging load: accelerate for one whole period of the swing, and the load arrives at rest."""
 
 import sys
-import tempfile
 from math import pi, sqrt
 from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from runtime import load_model, plots, simulate
-from symgen.generate import generate
-from symgen.scene import Scene
+from runtime import plots
+from symgen import Scene
 
 ROPE, GRAVITY, PUSH = 6.0, 9.81, 0.5  # m, m/s^2, m/s^2
 PERIOD = 2 * pi * sqrt(ROPE / GRAVITY)
@@ -41,10 +39,9 @@ def residual(run) -> float:
 
 def main(picture: Path | None = None) -> None:
     """The same way twice: pushed for half a period, then for a whole one."""
-    with tempfile.TemporaryDirectory() as folder:
-        model = load_model(generate(build(), folder))
-    abrupt = simulate(model, parameters={"T": PERIOD / 2, "a": PUSH})
-    shaped = simulate(model, parameters={"T": PERIOD, "a": PUSH / 2})
+    model = build().model()
+    abrupt = model.simulate(parameters={"T": PERIOD / 2, "a": PUSH})
+    shaped = model.simulate(parameters={"T": PERIOD, "a": PUSH / 2})
     print(shaped.status)
     print(f"swing left {np.degrees(residual(abrupt)):.3f} deg (small swings: {np.degrees(4 * PUSH / GRAVITY):.3f} deg)")
     print(f"swing left {np.degrees(residual(shaped)):.3f} deg when pushed for one period")

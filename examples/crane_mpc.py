@@ -9,8 +9,8 @@ from do_mpc.controller import MPC
 from do_mpc.model import Model
 from matplotlib.figure import Figure
 
+from symgen import Scene
 from symgen.generate import model_of
-from symgen.scene import Scene
 
 GOAL, STEP, AHEAD, MOST, STEPS = 2.0, 0.1, 20, 8.0, 70  # m, s, steps that are predicted, N, steps
 

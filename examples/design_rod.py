@@ -1,16 +1,14 @@
 """The heights of a rod in three parts for the least peak deflection of a fast slider-crank at the same mass."""
 
 import sys
-import tempfile
 from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
 from scipy.optimize import minimize
 
-from runtime import DifferentiableRun, load_model
-from symgen.generate import generate
-from symgen.scene import Scene
+from runtime import DifferentiableRun
+from symgen import Scene
 
 PARTS, HEIGHT, SPEED = ("heel", "middle", "toe"), 8.0, 150.0  # mm, rad/s
 FROM_CHORD = 1e3 * np.array([[1, 0, -1 / 3], [0, 1, -2 / 3]])  # mm, of the welds from the line between the hinges
@@ -35,8 +33,7 @@ def build():
 
 def main(picture: Path | None = None) -> None:
     """Minimise s with |deflection| <= s at every saved time, by SciPy and the derivatives of the run."""
-    with tempfile.TemporaryDirectory() as folder:
-        model = load_model(generate(build(), folder))
+    model = build().model()
     run = DifferentiableRun(model, [f"{k}_y" for k in PARTS], [f"{k}_height" for k in PARTS])
 
     def bend(x, outputs=run.values):

@@ -1,15 +1,13 @@
 """A double-wishbone suspension with a damper by a table meets a bump: travel, camber, force of the tyre."""
 
 import sys
-import tempfile
 from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from runtime import load_model, plots, simulate
-from symgen.generate import generate
-from symgen.scene import Scene
+from runtime import plots
+from symgen import Scene
 
 MASSES = {"chassis": 350.0, "lower": 6.0, "upper": 4.0, "upright": 25.0}  # kg on this corner; the wheel on the upright
 ARMS = {"lower": (0.3, 0.20, 0.70, 0.18), "upper": (0.35, 0.50, 0.66, 0.52)}  # m: y, z inside and outside
@@ -50,8 +48,7 @@ def build():
 
 def main(picture: Path | None = None) -> None:
     """Compare the force of the tyre at rest with the weight, and say how much the wheel leans."""
-    with tempfile.TemporaryDirectory() as folder:
-        run = simulate(load_model(generate(build(), folder)))
+    run = build().model().simulate()
     camber = -np.degrees(2 * (run["upright.e0"] * run["upright.e1"] + run["upright.e2"] * run["upright.e3"]))
     print(f"{run.status}, energy and work agree to {np.abs(run.energy_balance()).max():.1e} J")
     print(f"tyre at rest {2e5*(HUB[1] - run['hub'][run.t<1.5][-1]):.1f} N, weight {9.81 * sum(MASSES.values()):.1f} N")

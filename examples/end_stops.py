@@ -1,16 +1,14 @@
 """A flap between two elastic end stops: steps end where it touches and leaves them, and an event stops the run."""
 
 import sys
-import tempfile
 from math import pi, sqrt
 from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from runtime import load_model, plots, simulate
-from symgen.generate import generate
-from symgen.scene import Scene
+from runtime import plots
+from symgen import Scene
 
 INERTIA, STIFFNESS, REACH, SPEED, ENOUGH = 0.4, 2000.0, 0.6, 3.0, 8  # kg m^2, N m/rad, rad, rad/s, touches
 
@@ -36,8 +34,7 @@ def build():
 
 def main(picture: Path | None = None) -> None:
     """Compare the time of a whole swing with 4 a / w + 2 pi sqrt(J / k), and the energy with that of the start."""
-    with tempfile.TemporaryDirectory() as folder:
-        run = simulate(load_model(generate(build(), folder)))
+    run = build().model().simulate()
     upper = [event.time for event in run.events if event.name == "upper"]
     period, closed_form = np.diff(upper).mean(), 4 * REACH / SPEED + 2 * pi * sqrt(INERTIA / STIFFNESS)
     print(run.status)

@@ -12,16 +12,15 @@ from pathlib import Path
 import numpy as np
 from dask.distributed import Client, LocalCluster
 
-from runtime import ensemble, load_model
 from runtime.views.plots import ensemble_picture
-from symgen.scenes import generated_folder
+from symgen.scenes import SCENES
 
 CASES = 6000
 
 
 def main(picture: Path | None = None) -> None:
     """Compare all values of both, and say how many workers there were."""
-    model = load_model(generated_folder("pendulum"))
+    model = SCENES["pendulum"]().model()
     study = {
         "parameters": {"length": np.linspace(0.9, 1.1, CASES)},
         "initial": {"rod.theta_dot": np.linspace(0.0, 2.0, CASES)},
@@ -29,7 +28,7 @@ def main(picture: Path | None = None) -> None:
         "outputs": ["tip_y"],
         "seen_every": 0.01,
     }
-    here = ensemble(model, **study)
+    here = model.ensemble(**study)
     with (
         tempfile.TemporaryDirectory() as scratch,
         LocalCluster(
@@ -37,7 +36,7 @@ def main(picture: Path | None = None) -> None:
         ) as cluster,
         Client(cluster) as client,
     ):
-        there = ensemble(model, **study, executor=client.get_executor())
+        there = model.ensemble(**study, executor=client.get_executor())
         print(f"{len(client.scheduler_info()['workers'])} workers, {there.sizes['case']} cases")
     print("equal bit for bit:", here.identical(there))
     if picture:

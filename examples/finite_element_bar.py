@@ -1,7 +1,6 @@
 """From a mesh to a motion: a bar of solid finite elements is turned quickly, stops, and rings at its own frequency."""
 
 import sys
-import tempfile
 from math import pi, sqrt
 from pathlib import Path
 
@@ -9,10 +8,9 @@ import numpy as np
 import skfem
 from matplotlib.figure import Figure
 
-from runtime import load_model, plots, simulate
+from runtime import plots
+from symgen import Scene
 from symgen.fe import STEEL, FlexibleBody
-from symgen.generate import generate
-from symgen.scene import Scene
 
 LENGTH, WIDTH, HEIGHT, TURN = 0.5, 0.02, 0.006, 0.1  # m, m, m, s: duration of the turn
 
@@ -39,8 +37,7 @@ def build(body: FlexibleBody):
 def main(picture: Path | None = None) -> None:
     """Compare the frequency of the ringing with that of a clamped beam, 1.875^2 sqrt(E I / rho A L^4)."""
     body = bar()
-    with tempfile.TemporaryDirectory() as folder:
-        run = simulate(load_model(generate(build(body), folder)))
+    run = build(body).model().simulate()
     late, q = run.t > TURN, run["bar.q1"]
     up = np.flatnonzero(np.diff(np.sign(q[late])) > 0)
     measured = (len(up) - 1) / (run.t[late][up[-1]] - run.t[late][up[0]])

@@ -1,16 +1,14 @@
 """A five-bar robot: two driven cranks carry a tool along a closed path; what torque do the motors need?"""
 
 import sys
-import tempfile
 from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
 from scipy.interpolate import CubicSpline
 
-from runtime import load_model, plots, simulate
-from symgen.generate import generate
-from symgen.scene import Scene
+from runtime import plots
+from symgen import Scene
 
 BASE, CRANK, ARM = 0.10, 0.20, 0.32  # m: half the distance of the motors, lengths of the links
 
@@ -35,8 +33,7 @@ def build():
 
 def main(picture: Path | None = None) -> None:
     """Compare the tool with the intersection of two circles, and the motors' power with the change of energy."""
-    with tempfile.TemporaryDirectory() as folder:
-        run = simulate(load_model(generate(build(), folder)))
+    run = build().model().simulate()
     elbows = [np.array([x + CRANK * np.cos(run[f"crank{k}.theta"]), CRANK * np.sin(run[f"crank{k}.theta"])])
               for k, x in ((1, -BASE), (2, BASE))]
     half = (elbows[1] - elbows[0]) / 2

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 from matplotlib.figure import Figure
 
-from runtime import load_model, plots, simulate
-from symgen.scenes import generated_folder
+from runtime import plots
+from symgen.scenes import SCENES
 
 ROOTS = np.array([1.875104, 4.694091, 7.854757])  # of a clamped beam: cos(b) cosh(b) = -1
 
@@ -23,8 +23,8 @@ def mass_matrix(model, run, sample: int) -> np.ndarray:
 
 def main(picture: Path | None = None) -> None:
     """Compare the coupling M_LS = rho A L^2 / b^2 and the modal masses rho A L / 4 with those of the exact beam."""
-    model = load_model(generated_folder("hub_beam"))
-    run = simulate(model, t_end=2.0, parameters={"torque": 30.0})
+    model = SCENES["hub_beam"]().model()
+    run = model.simulate(t_end=2.0, parameters={"torque": 30.0})
     M, line, length = mass_matrix(model, run, 0), 2766.7 * 7.2968e-5, 8.0
     print(run.status)
     print(f"coupling M_LS {np.round(M[0, 1:], 4)}, exact {np.round(line * length**2 / ROOTS**2, 4)} kg m")

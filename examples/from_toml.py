@@ -1,11 +1,9 @@
 """A scene from TOML text: read, check, derive, simulate, and what an error looks like."""
 
 import sys
-import tempfile
 from pathlib import Path
 
-from runtime import load_model, plots, simulate
-from symgen.generate import generate
+from runtime import plots
 from symgen.scene import SceneError, SceneRecord
 
 TEXT = """
@@ -47,8 +45,7 @@ def main(picture: Path | None = None) -> None:
     """The scene survives the way to TOML and back; a misspelt key is refused with a suggestion."""
     scene = SceneRecord.from_toml_text(TEXT)
     assert SceneRecord.from_toml_text(scene.to_toml()) == scene
-    with tempfile.TemporaryDirectory() as folder:
-        solution = simulate(load_model(generate(scene, folder)))
+    solution = scene.model().simulate()
     for t in (0.0, 0.5, 1.0, 1.5, 2.0):
         print(f"t = {t:.1f} s   height {solution.interpolate(t, 'height'): .4f} m")
     try:

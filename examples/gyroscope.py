@@ -1,16 +1,14 @@
 """A gyroscope: let go it nods as it goes round; with the right push it goes round evenly, at a rate in closed form."""
 
 import sys
-import tempfile
 from math import cos, pi, sqrt
 from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from runtime import load_model, plots, simulate
-from symgen.generate import generate
-from symgen.scene import Scene
+from runtime import plots
+from symgen import Scene
 
 MASS, ARM, RADIUS, SPIN, TILT, GRAVITY = 0.5, 0.15, 0.08, 100.0, pi / 3, 9.81  # kg, m, m, rad/s, rad, m/s^2
 AXIAL, ACROSS = MASS * RADIUS**2 / 2, MASS * (RADIUS**2 / 4 + ARM**2)  # kg m^2 about the axis, about the foot
@@ -30,12 +28,11 @@ def build():
 
 def main(picture: Path | None = None) -> None:
     """Even precession W solves A' W^2 cos(tilt) - C s W + m g l = 0, where s is the spin about the axis."""
-    with tempfile.TemporaryDirectory() as folder:
-        model = load_model(generate(build(), folder))
+    model = build().model()
     square = (AXIAL * SPIN) ** 2 - 4 * ACROSS * cos(TILT) * MASS * GRAVITY * ARM
     even = (AXIAL * SPIN - sqrt(square)) / (2 * ACROSS * cos(TILT))
-    free = simulate(model)
-    pushed = simulate(model, initial={"disk.theta1_dot": even, "disk.theta3_dot": SPIN - even * cos(TILT)})
+    free = model.simulate()
+    pushed = model.simulate(initial={"disk.theta1_dot": even, "disk.theta3_dot": SPIN - even * cos(TILT)})
     print(pushed.status)
     round_ = np.unwrap(pushed["disk.theta1"])  # angles are read off between -pi and pi
     print(f"goes round at {round_[-1] / pushed.t[-1]:.6f} rad/s, closed form {even:.6f} rad/s")

@@ -1,7 +1,6 @@
 """Where a chain between two hooks comes to rest: its equilibrium, against the catenary."""
 
 import sys
-import tempfile
 from math import sinh
 from pathlib import Path
 
@@ -9,9 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.optimize import brentq
 
-from runtime import equilibrium, load_model
-from symgen.generate import generate
-from symgen.scene import Scene
+from symgen import Scene
 
 LINKS, LENGTH, SPAN = 12, 1.5, 1.0  # m: of the whole chain, between the hooks
 
@@ -32,8 +29,7 @@ def build():
 
 def main(picture: Path | None = None) -> None:
     """The catenary through the hooks is y = a cosh(x / a) with 2 a sinh(SPAN / 2 a) = LENGTH."""
-    with tempfile.TemporaryDirectory() as folder:
-        rest = equilibrium(load_model(generate(build(), folder)))
+    rest = build().model().equilibrium()
     x = np.array([rest[f"link{k}.x"] for k in range(LINKS)] + [SPAN])
     y = np.array([rest[f"link{k}.y"] for k in range(LINKS)] + [0.0])
     a = brentq(lambda a: 2 * a * sinh(SPAN / 2 / a) - LENGTH, 0.05, 10.0)

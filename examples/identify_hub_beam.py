@@ -1,14 +1,12 @@
 """Modulus, damping and hub inertia of a turning beam from one noisy record of its tip, with confidence."""
 
 import sys
-import tempfile
 from pathlib import Path
 
 import numpy as np
 
-from runtime import DifferentiableRun, fit, load_model
-from symgen.generate import generate
-from symgen.scene import Scene
+from runtime import DifferentiableRun
+from symgen import Scene
 
 TRUTH = {"beam.youngs_modulus": 6.8952e10, "beam.damping_ratio": 0.02, "hub.inertia": 10.0}
 GUESS = {"beam.youngs_modulus": 5.5e10, "beam.damping_ratio": 0.05, "hub.inertia": 14.0}
@@ -28,13 +26,12 @@ def build():
 
 def main(picture: Path | None = None, repetitions: int = 1, seed: int = 7) -> None:
     """Fit with the derivatives of the run; measured again and again, how often does the 95 % region hold the truth?"""
-    with tempfile.TemporaryDirectory() as folder:
-        model = load_model(generate(build(), folder))
+    model = build().model()
     true = DifferentiableRun(model, ["tip_y"], list(TRUTH))
     path, noise, inside = true.values(TRUTH)[:, 0], np.random.default_rng(seed), 0
     for k in range(repetitions):
         data = {"t": true.t, "tip_y": path + noise.normal(0.0, NOISE, len(true.t))}
-        found = fit(model, data, list(TRUTH), guess=GUESS, bounds={"beam.damping_ratio": (0.0, 0.3)})
+        found = model.fit(data, list(TRUTH), guess=GUESS, bounds={"beam.damping_ratio": (0.0, 0.3)})
         inside += found.contains(TRUTH)
         if k == 0:
             print(found)

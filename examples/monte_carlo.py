@@ -11,9 +11,8 @@ from pathlib import Path
 import numpy as np
 from scipy.stats import norm, qmc
 
-from runtime import ensemble, load_model
 from runtime.views.plots import ensemble_picture
-from symgen.scenes import generated_folder
+from symgen.scenes import SCENES
 
 NAMES = ("crank speed [rad/s]", "crank angle [rad]", "slider mass [kg]")
 CENTRE, SPREAD = np.array([150.0, 0.0, 0.075552]), np.array([1.5, 0.01, 0.002])
@@ -21,11 +20,10 @@ CENTRE, SPREAD = np.array([150.0, 0.0, 0.075552]), np.array([1.5, 0.01, 0.002])
 
 def main(picture: Path | None = None, cases: int = 2000) -> None:
     """Say how wide the scatter is, and how much of its variance a linear fit lays to each cause."""
-    model = load_model(generated_folder("flexible_slider_crank_free"))
+    model = SCENES["flexible_slider_crank_free"]().model()
     scatter = norm.ppf(qmc.LatinHypercube(3, rng=1).random(cases))
     points = CENTRE + SPREAD * scatter
-    found = ensemble(
-        model,
+    found = model.ensemble(
         parameters={"slider.mass": points[:, 2]},
         initial={("crank.theta_dot", "crank.theta"): points[:, :2]},
         scheme="exponential",

@@ -4,15 +4,13 @@ Trapezoidal collocation; the torque, the input u, is a decision variable.
 """
 
 import sys
-import tempfile
 from pathlib import Path
 
 import casadi as ca
 from matplotlib.figure import Figure
 
-from runtime import Model, load_model
-from symgen.generate import generate
-from symgen.scene import Scene
+from runtime import Model
+from symgen import Scene
 
 T_END, ANGLE = 1.5, 1.0  # s, rad
 
@@ -38,8 +36,7 @@ def residual(model: Model, q: ca.MX, v: ca.MX, a: ca.MX, torque: ca.MX) -> ca.MX
 
 def main(picture: Path | None = None, intervals: int = 60) -> None:
     """Solve with IPOPT (exact second derivatives), print the torque."""
-    with tempfile.TemporaryDirectory() as folder:
-        model = load_model(generate(build(), folder))
+    model = build().model()
     n, h, opti = len(model.q_i), T_END / intervals, ca.Opti()
     q, v, a, u = (opti.variable(rows, intervals + 1) for rows in (n, n, n, 1))
     opti.subject_to(ca.horzcat(*(residual(model, q[:, k], v[:, k], a[:, k], u[k]) for k in range(intervals + 1))) == 0)

@@ -1,15 +1,12 @@
 """Fig. 1 of the paper, Eqs. (3)-(14): a bar takes small steps where its mesh is fine and large ones elsewhere."""
 
 import sys
-import tempfile
 from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from runtime import load_model, simulate
-from symgen.generate import generate
-from symgen.scene import Scene
+from symgen import Scene
 
 SIZES = np.array([0.05] * 12 + [0.0125] * 32)  # m: lengths of the elements from the wall on; together 1 m
 PULSE, STEP, RATIO = 1.0, 0.04, 4  # s, s; stiffness and mass per length are 1, so waves travel at 1 m/s
@@ -33,10 +30,9 @@ def build():
 
 def main(picture: Path | None = None) -> None:
     """Compare with d'Alembert: f(t - 1 + x) - f(t - 1 - x), f the impulse of the force, after the echo at the wall."""
-    with tempfile.TemporaryDirectory() as folder:
-        model = load_model(generate(build(), folder))
-    x, run = np.cumsum(SIZES), simulate(model)
-    better, single = simulate(model, scheme="exponential"), simulate(model, scheme="single_rate")
+    model = build().model()
+    x, run = np.cumsum(SIZES), model.simulate()
+    better, single = model.simulate(scheme="exponential"), model.simulate(scheme="single_rate")
 
     def f(s):
         s = np.clip(s, 0.0, PULSE)

@@ -1,16 +1,14 @@
 """A quick-return mechanism, driven at constant speed: the torque of its motor, and how much faster it comes back."""
 
 import sys
-import tempfile
 from math import asin, pi
 from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from runtime import load_model, plots, simulate
-from symgen.generate import generate
-from symgen.scene import Scene
+from runtime import plots
+from symgen import Scene
 
 CRANK, PIVOT, INERTIA, SPEED = 0.10, 0.25, 0.2, 10.0  # m, m below the crank's axle, kg m^2, rad/s
 
@@ -33,8 +31,7 @@ def build():
 
 def main(picture: Path | None = None) -> None:
     """Compare the torque with the closed form J w^2 g g', where g is the rate of the rocker per rate of the crank."""
-    with tempfile.TemporaryDirectory() as folder:
-        run = simulate(load_model(generate(build(), folder)))
+    run = build().model().simulate()
     phi, square = run["crank.theta"], CRANK**2 + PIVOT**2 + 2 * CRANK * PIVOT * np.sin(run["crank.theta"])
     g = (CRANK**2 + CRANK * PIVOT * np.sin(phi)) / square
     slope = CRANK * PIVOT * np.cos(phi) * (PIVOT**2 - CRANK**2) / square**2

@@ -1,16 +1,13 @@
 """A rotor with two flexible blades: its Campbell diagram against the published frequencies of a turning beam."""
 
 import sys
-import tempfile
 from math import sqrt
 from pathlib import Path
 
 import numpy as np
 
-from runtime import campbell, equilibrium, load_model
 from runtime.views.plots import campbell_picture
-from symgen.generate import generate
-from symgen.scene import Scene
+from symgen import Scene
 
 BLADE = {"length": 10.0, "density": 1200.0, "area": 1e-3, "second_moment": 5e-7, "youngs_modulus": 2.8e10}
 UNIT = sqrt(2.8e10 * 5e-7 / (1200.0 * 1e-3 * 10.0**4))  # rad/s, sqrt(EI / (rho A L^4))
@@ -29,14 +26,13 @@ def build():
 
 def main(picture: Path | None = None) -> None:
     """Lead-lag and flap of a beam on an axle differ by the square of the speed: lag^2 = flap^2 - speed^2."""
-    with tempfile.TemporaryDirectory() as folder:
-        model = load_model(generate(build(), folder))
-    found = campbell(model, "hub.omega", UNIT * np.linspace(0.0, 12.0, 13))
+    model = build().model()
+    found = model.campbell("hub.omega", UNIT * np.linspace(0.0, 12.0, 13))
     print("speed    first lag frequency    published    (all over sqrt(EI / rho A L^4))")
     for speed, flap in FLAP.items():
         row = found.frequencies[round(speed)] / UNIT
         print(f"{speed:5.1f}    {np.min(row[row > 0.5]):19.4f}    {sqrt(flap**2 - speed**2):9.4f}")
-    print(f"blades stretched straight: {equilibrium(model, rates={'hub.omega': 6 * UNIT})['a.q1']:.1e} m")
+    print(f"blades stretched straight: {model.equilibrium(rates={'hub.omega': 6 * UNIT})['a.q1']:.1e} m")
     if picture:
         campbell_picture(found, picture)
 

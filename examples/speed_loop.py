@@ -1,16 +1,14 @@
 """A motor holds a speed: a PI controller inside the scene, as equations, and outside it, as a function of Python."""
 
 import sys
-import tempfile
 from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
 from scipy.linalg import expm
 
-from runtime import Sampled, load_model, modes, simulate
-from symgen.generate import generate
-from symgen.scene import Scene
+from runtime import Sampled
+from symgen import Scene
 
 J, FRICTION, WANTED, PERIOD = 0.02, 0.01, 30.0, 0.1  # kg m^2, N m s, rad/s, s between two samples
 W, Z = 5.0, 0.6  # the frequency [rad/s] and damping ratio that the loop shall have
@@ -37,11 +35,10 @@ def sampled_law():
 
 def main(picture: Path | None = None) -> None:
     """Compare the loop with what it was designed for, and the sampled one with its difference equation."""
-    with tempfile.TemporaryDirectory() as folder:
-        inside = load_model(generate(build(f"{KP} * (wanted - angle_dot) + {KI} * total"), Path(folder) / "inside"))
-        outside = load_model(generate(build("command"), Path(folder) / "outside"))
-    loop, run = modes(inside, {"total": 0.0}), simulate(inside)
-    held = simulate(outside, inputs={"command": sampled_law()})
+    inside = build(f"{KP} * (wanted - angle_dot) + {KI} * total").model()
+    outside = build("command").model()
+    loop, run = inside.modes({"total": 0.0}), inside.simulate()
+    held = outside.simulate(inputs={"command": sampled_law()})
     A = np.array([[-(FRICTION + KP) / J, KI / J], [-1.0, 0.0]])
     rest = np.array([WANTED, FRICTION * WANTED / KI])
     exact = [(rest - expm(A * t) @ rest)[0] for t in run.t[::100]]

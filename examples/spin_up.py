@@ -1,15 +1,13 @@
 """A beam brought to speed: with geometric stiffening it settles, without it bends away (Kane et al. 1987)."""
 
 import sys
-import tempfile
 from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from runtime import load_model, plots, simulate
-from symgen.generate import generate
-from symgen.scenes import generated_folder
+from runtime import plots
+from symgen.scenes import SCENES
 from symgen.scenes.spin_up_beam import spin_up_beam
 
 
@@ -21,10 +19,9 @@ def lag(run) -> np.ndarray:
 
 def main(picture: Path | None = None) -> None:
     """The lag of the tip while the beam is brought to 6 rad/s in 15 s, and the vibration that is left."""
-    stiffened = simulate(load_model(generated_folder("spin_up_beam")), dt=2e-3, seen_every=0.01)
-    with tempfile.TemporaryDirectory() as folder:
-        model = load_model(generate(spin_up_beam(stiffening=False, modes=2), folder))
-        linear = simulate(model, dt=2e-3, seen_every=0.01)
+    stiffened = SCENES["spin_up_beam"]().model().simulate(dt=2e-3, seen_every=0.01)
+    model = spin_up_beam(stiffening=False, modes=2).model()
+    linear = model.simulate(dt=2e-3, seen_every=0.01)
     print(stiffened.status)
     left_over = np.abs(lag(stiffened)[stiffened.t > 15.0]).max()
     print(f"largest lag {lag(stiffened).min():.5f} m, afterwards {left_over:.3e} m")

@@ -1,15 +1,13 @@
 """A satellite that wobbles as it spins: damping of its panels takes the wobble away, the angular momentum stays."""
 
 import sys
-import tempfile
 from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from runtime import load_model, plots, simulate
-from symgen.generate import generate
-from symgen.scene import Scene
+from runtime import plots
+from symgen import Scene
 
 SPIN, WOBBLE, HUB = 2.0, 0.6, np.array([4.0, 6.0, 9.0])  # rad/s, rad/s, kg m^2
 REACH, ROOT, LINE = 2.0, 0.3, 1.0  # m, m, kg/m: length of a panel, where it is held, its mass per length
@@ -36,8 +34,7 @@ def build():
 
 def main(picture: Path | None = None) -> None:
     """Compare spin and direction at the end with what conservation of the angular momentum says."""
-    with tempfile.TemporaryDirectory() as folder:
-        run = simulate(load_model(generate(build(), folder)))
+    run = build().model().simulate()
     panels = 2 * LINE * ((ROOT + REACH) ** 3 - ROOT**3) / 3  # kg m^2 about an axis across them
     along_x, along_z = (HUB[0] + panels) * WOBBLE, (HUB[2] + panels) * SPIN  # the angular momentum, in world axes
     one, two, three = (run[f"{hinge}.angle"] for hinge in ("yaw", "pitch", "roll"))

@@ -1,17 +1,14 @@
 """Coupler and rocker of a fast four-bar, as thin as the peak stress over a range of speeds allows."""
 
 import sys
-import tempfile
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 from scipy.optimize import minimize
 
-from runtime import load_model, periodic, periodic_over, simulate
 from runtime.gradients.objectives import Largest
-from symgen.generate import generate
-from symgen.scene import Scene
+from symgen import Scene
 
 WIDTH, BOUND, SPEEDS = 0.012, 40.0, (20.0, 30.0, 40.0, 50.0)  # m, MPa, rad/s
 LINKS = {"coupler": 0.30, "rocker": 0.25}  # m
@@ -35,13 +32,12 @@ def build():
 
 def main(picture: Path | None = None) -> None:
     """Least mass by SciPy's SLSQP: stresses and their derivatives are those of the motions that repeat."""
-    with tempfile.TemporaryDirectory() as folder:
-        model = load_model(generate(build(), folder))
+    model = build().model()
     names = [f"{link}_height" for link in LINKS]
 
     def motion(heights, speed):
         given = dict(zip(names, 1e-3 * np.array(heights), strict=True))
-        return periodic(model, speed="omega", parameters={"omega": speed, **given}, steps=200)
+        return model.periodic(speed="omega", parameters={"omega": speed, **given}, steps=200)
 
     @cache
     def peaks(*heights):
@@ -57,11 +53,11 @@ def main(picture: Path | None = None) -> None:
     for name, x in (("start", np.array([6, 6])), ("best", best.x)):
         print(f"{name} {x.round(3)} mm, {PER_MM @ x:.4f} kg, peaks {peaks(*x)[0].max(axis=1).round(2)} MPa")
     turn = motion(best.x, SPEEDS[-1])
-    run = simulate(model, **{**turn.setting, "t_end": 30 * turn.period}, seen_every=0.0)
+    run = model.simulate(**{**turn.setting, "t_end": 30 * turn.period}, seen_every=0.0)
     off = np.abs(run["coupler_M"][-200:]).max() / np.abs(turn.simulate(1, seen_every=0.0)["coupler_M"]).max() - 1
     print(f"{best.message}; the coupler's peak after 30 turns is off by {abs(off):.1e}")
     if picture:
-        branch = periodic_over(model, "omega", (20.0, 50.0), speed="omega", steps=200, parameters=turn.parameters)
+        branch = model.periodic_over("omega", (20.0, 50.0), speed="omega", steps=200, parameters=turn.parameters)
         branch.picture("coupler_M", picture)
 
 

@@ -8,15 +8,15 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.special import ellipk
 
-from runtime import load_model, plots, simulate
-from symgen.scenes import generated_folder
+from runtime import plots
+from symgen.scenes import SCENES
 
 A, B, C = 1.0, 2.0, 3.0  # kg m^2, principal moments of the built-in scene; it starts with (0.01, 1, 0.01) rad/s
 
 
 def main(picture: Path | None = None) -> None:
     """Time between two turns, from the energy and the angular momentum (Landau and Lifshitz, Mechanics, 37)."""
-    run = simulate(load_model(generated_folder("tumbling_body")), t_end=60.0, dt=0.02, scheme="rk4", seen_every=0.0)
+    run = SCENES["tumbling_body"]().model().simulate(t_end=60.0, dt=0.02, scheme="rk4", seen_every=0.0)
     e0, e1, e2, e3 = (run[f"body.e{k}"] for k in range(4))
     r0, r1, r2, r3 = (run.rate(f"body.e{k}") for k in range(4))
     spin = 2 * np.array([e0 * r1 - e1 * r0 - e2 * r3 + e3 * r2, e0 * r2 - e2 * r0 + e1 * r3 - e3 * r1,

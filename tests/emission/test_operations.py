@@ -20,6 +20,7 @@ from symgen.scenes.chain import chain
 from symgen.scenes.spatial_chain import spatial_chain
 from tests.hand_derived.spatial.spatial_scenes import flexible
 from tests.hand_derived.spatial.twin_flexible_nodes import scattered
+from tests.support.scenes import on_hinge
 
 pytestmark = pytest.mark.long
 
@@ -195,7 +196,7 @@ def test_stamped_counts_are_the_counts_of_the_loaded_functions(name: str) -> Non
 
 def test_planar_scenes_pay_only_for_what_they_have(tmp_path: Path) -> None:
     """Without gravity, damping or motion the kernels do not take what they do not need."""
-    plain = Scene("plain").rigid("rod", mass=1.0, inertia=0.1).revolute("hinge", "ground.origin", "rod.origin")
+    plain = on_hinge("plain", "rod", "hinge", mass=1.0, inertia=0.1)
     model = load_model(generate(plain.build(), tmp_path / "plain"))
     assert model.kernel("condensed").name_in() == ["c"]
     assert model.operations["condensed"] == 0

@@ -13,6 +13,7 @@ from runtime.contract.errors import ArgumentError, NoResult
 from runtime.gradients import passes
 from runtime.gradients.objectives import End
 from symgen.scene import Scene, SceneRecord
+from tests.support.scenes import on_rail
 
 pytestmark = pytest.mark.long
 
@@ -157,8 +158,7 @@ def test_what_has_no_derivative_is_refused_by_name(model_of: Build) -> None:
     with pytest.raises(NoResult, match="events event0, event1 of model thrown: act at one time"):
         refused({"when": "x - 0.1", **act}, {"when": "2 * x - 0.2", **act}).jacobian()
     for at in (0.1, 0.09):
-        builder = Scene("relieved").input("own", 0.0, "N").rigid("ball", mass=1.0, inertia=0.1)
-        builder.prismatic("rail", "ground.origin", "ball.origin")
+        builder = on_rail("relieved", "ball", "rail", mass=1.0, inertia=0.1).input("own", 0.0, "N")
         builder.force("push", "ball.origin", f"where(t < {at}, 2, own)", 0.0)
         builder.event("takes", f"t - {at}", action={"own": "3"})
         model = model_of(builder.simulation(t_end=0.3, dt=0.03, scheme="rk4").build())

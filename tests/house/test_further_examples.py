@@ -166,3 +166,14 @@ def test_urdf_arm(said) -> None:
     text = said("urdf_arm")
     assert line(text, "held at rest off by hand by")[0] < 1e-12
     assert line(text, "computed torque")[0] < 0.02 < 1 < line(text, "feedback alone")[0]
+
+
+def test_geared_arm(said) -> None:
+    """A joint holds up to its breakaway torque, whatever the gear; at rest rates are zero and friction holds."""
+    text = said("geared_arm")
+    found, given = line(text, "breaks away at")
+    assert found == pytest.approx(given, rel=1e-6)
+    *errors, first, second = numbers(text.splitlines()[1].partition("errors")[2])
+    assert len(errors) == 2 and max(map(abs, errors)) < 0.1 and first == second == 0
+    shoulder, elbow, *holds = line(text, "torques beyond the weights")
+    assert abs(shoulder) <= holds[0] and abs(elbow) <= holds[1] and len(holds) == 2

@@ -11,6 +11,7 @@ from runtime import augmented_solution, reference_solution
 from runtime.contract.model import Model
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes import SCENES
+from tests.support.scenes import on_hinge
 
 TIMES = np.linspace(0.0, 1.0, 11)
 
@@ -43,7 +44,7 @@ def test_drift_and_baumgarte(model_of: Callable[[SceneRecord], Model]) -> None:
 def test_terms_are_run_time_inputs(model_of: Callable[[SceneRecord], Model]) -> None:
     model = model_of(linkage(50.0))
     assert {"baumgarte.alpha", "baumgarte.beta"} <= {parameter.name for parameter in model.parameters}
-    plain = Scene("plain").rigid("rod", mass=1.0, inertia=0.1).revolute("hinge", "ground.origin", "rod.origin")
+    plain = on_hinge("plain", "rod", "hinge", mass=1.0, inertia=0.1)
     assert not any("baumgarte" in parameter.name for parameter in model_of(plain.build()).parameters)
 
 

@@ -15,6 +15,7 @@ from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.start.start_state import start_state
 from symgen.scene import Scene, SceneRecord
+from tests.support.scenes import on_hinge
 
 Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
@@ -24,11 +25,9 @@ G = 9.81
 def inverted_pendulum(stiffness: float = 0.0) -> SceneRecord:
     """A point of 2 kg on 0.5 m, upright at theta = 0, with a torsional spring and a torque."""
     builder = (
-        Scene("inverted")
+        on_hinge("inverted", "rod", "hinge", mass=2.0, inertia=0.0, center_of_mass=(0.0, 0.5))
         .parameter("push", 0.0, "N m", "constant torque")
         .gravity(0.0, -G)
-        .rigid("rod", mass=2.0, inertia=0.0, center_of_mass=(0.0, 0.5))
-        .revolute("hinge", "ground.origin", "rod.origin")
         .torque("motor", "rod.origin", "push")
     )
     if stiffness:
@@ -138,10 +137,8 @@ def test_a_slider_crank_held_by_its_slider(built_in: Load) -> None:
 def test_no_equilibrium_is_told(model_of: Build) -> None:
     """A constant torque on a free rotor: the residual names the coordinate and the torque."""
     scene = (
-        Scene("free_rotor")
+        on_hinge("free_rotor", "rotor", "axle", mass=1.0, inertia=0.1)
         .parameter("push", 2.5, "N m", "constant torque")
-        .rigid("rotor", mass=1.0, inertia=0.1)
-        .revolute("axle", "ground.origin", "rotor.origin")
         .torque("motor", "rotor.origin", "push")
         .build()
     )

@@ -15,6 +15,7 @@ from runtime.contract.model import Model
 from runtime.gradients.objectives import End
 from symgen.scene import Scene, SceneRecord
 from tests.support.input_scenes import cart, crane, wave
+from tests.support.scenes import on_hinge
 
 Build = Callable[[SceneRecord], Model]
 
@@ -42,11 +43,9 @@ def test_a_sample_is_linearised_with_the_inputs_of_its_time(model_of: Build) -> 
 def test_the_linear_system_is_the_slope_of_the_simulation(model_of: Build) -> None:
     """exp(A T) and its integral against central differences of runs over T: a PD loop about a bent crane."""
     scene = (
-        Scene("arm")
+        on_hinge("arm", "arm", "joint", mass=1.0, inertia=0.02, center_of_mass=(0.5, 0.0))
         .input("torque", 0.0, "N m")
         .gravity(0, -9.81)
-        .rigid("arm", mass=1.0, inertia=0.02, center_of_mass=(0.5, 0.0))
-        .revolute("joint", "ground.origin", "arm.origin")
         .measure("angle", "angle", "arm.origin")
         .torque("motor", "arm.origin", "torque - 6 * angle - 0.8 * angle_dot")
         .simulation(t_end=1.0, dt=1e-3, scheme="dop853")

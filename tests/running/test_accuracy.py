@@ -15,6 +15,7 @@ from runtime.contract.coordinates import followed
 from runtime.results.motion_error import floored
 from runtime.running.companion import coprime, steps_of_mark
 from symgen.scene import Scene, SceneRecord
+from tests.support.scenes import driven_bob, on_hinge
 
 pytestmark = pytest.mark.long
 
@@ -47,8 +48,7 @@ class Rod:
     method: str = "DOP853"
 
     def scene(self) -> SceneRecord:
-        builder = Scene("rod").rigid("rod", mass=1.0, inertia=1.0)
-        builder.revolute("pin", "ground.origin", "rod.origin").measure("a", "coordinate", "rod.theta")
+        builder = on_hinge("rod", "rod", "pin", mass=1.0, inertia=1.0).measure("a", "coordinate", "rod.theta")
         builder.torque("drive", "rod.origin", self.torque)
         builder.initial({"rod.theta": self.start[0]}).rates({"rod.theta": self.start[1]})
         return builder.simulation(t_end=self.t_end, dt=0.01, scheme="rk4").build()
@@ -338,11 +338,7 @@ def rod(damping: float = 0.0, kick: str | None = None) -> SceneRecord:
 
 def driven(motion: str) -> SceneRecord:
     """A bob on the tip of a crank that a prescribed angle turns."""
-    builder = Scene("driven").gravity(0, -9.81)
-    builder.rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
-    builder.rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
-    builder.revolute("pin", "ground.origin", "crank.origin").revolute("hinge", "crank.tip", "bob.origin")
-    builder.prescribed_angle("drive", "ground.origin", "crank.origin", motion=motion).initial({"bob.theta": -1.57})
+    builder = driven_bob("driven", motion).gravity(0, -9.81).initial({"bob.theta": -1.57})
     return builder.simulation(t_end=1.0, dt=1e-3, scheme="single_rate").build()
 
 

@@ -14,6 +14,7 @@ from runtime.contract.model import Model
 from runtime.studies.stability.chart import stability_chart
 from symgen.cli import main
 from symgen.scene import Scene, SceneRecord
+from tests.support.scenes import on_rail
 
 Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
@@ -189,9 +190,7 @@ MOTION = "abs(t - 0.005) + where(t > 0.007, t - 0.007, 0)"
 def test_a_driven_velocity_that_jumps_is_told_with_its_impulse(model_of: Callable[[SceneRecord], Model]) -> None:
     """A slider of 2 kg on |t - 0.005|: its velocity turns from -1 to 1 m/s, no energy is gained; then to 2 m/s: 3 J."""
     scene = (
-        Scene("turned")
-        .rigid("slider", mass=2.0, inertia=0.1)
-        .prismatic("rail", "ground.origin", "slider.origin")
+        on_rail("turned", "slider", "rail", mass=2.0, inertia=0.1)
         .prescribed_displacement("drive", "ground.origin", "slider.origin", motion=MOTION)
         .simulation(t_end=0.01, dt=1e-3)
         .build()

@@ -12,6 +12,7 @@ import pytest
 from runtime import Model, Sampled, Solution, resume, simulate
 from runtime.results.samples import energy_balance
 from symgen.scene import Scene, SceneRecord
+from tests.support.scenes import driven_bob, on_hinge
 
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
@@ -49,8 +50,7 @@ def test_work_between_stops_of_all_kinds(model_of: Build, scheme: str) -> None:
     """
     torque = "where(t < 0.0153, 4, where(t < 0.035, -60, where(t < 0.0571, 50, -7))) + extra"
     torque += " + where(t < 0.1019, boost, where(t < 0.1219, -20, 500))"  # the last jump is behind the end
-    builder = Scene("driven_wheel").rigid("wheel", mass=1.0, inertia=2.0)
-    builder.revolute("axle", "ground.origin", "wheel.origin")
+    builder = on_hinge("driven_wheel", "wheel", "axle", mass=1.0, inertia=2.0)
     builder.input("extra", 0.0, "N*m").input("boost", 0.0, "N*m").event("later", "t - 0.0837", action={"boost": "25"})
     builder.torque("motor", "wheel.origin", torque).rates({"wheel.theta": 3.0})
     model = model_of(builder.simulation(t_end=0.12, dt=0.001, scheme="rk4").build())
@@ -111,11 +111,8 @@ def test_a_mechanism_that_nothing_feeds_has_no_work(built_in: Load) -> None:
 @pytest.mark.long
 def test_stops_are_kept_by_files_and_checkpoints(model_of: Build, tmp_path: Path) -> None:
     """A load that jumps, and the impulse of a prescribed motion behind the place where the run stops."""
-    builder = Scene("driven_bob").rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
-    builder.rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
-    builder.revolute("pin", "ground.origin", "crank.origin").revolute("hinge", "crank.tip", "bob.origin")
     motion = "where(t < 0.0201, 0, t - 0.0201) + where(t < 0.07, 0, 3*(t - 0.07))"
-    builder.prescribed_angle("drive", "ground.origin", "crank.origin", motion=motion)
+    builder = driven_bob("driven_bob", motion)
     builder.torque("push", "bob.origin", "where(sin(300 * t) > 0, 1, -1)")
     model = model_of(builder.simulation(t_end=0.1, dt=0.001, scheme="rk4").build())
 

@@ -12,17 +12,16 @@ import pytest
 from runtime import Environment
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneRecord
+from symgen.scene import SceneRecord
+from tests.support.scenes import on_rail
 
 Build = Callable[[SceneRecord], Model]
 
 
 def cart() -> SceneRecord:
     return (
-        Scene("cart")
+        on_rail("cart", "cart", "rail", mass=2.0, inertia=0.1)
         .input("force", 0.0, "N")
-        .rigid("cart", mass=2.0, inertia=0.1)
-        .prismatic("rail", "ground.origin", "cart.origin")
         .force("push", "cart.origin", "force", 0.0)
         .simulation(dt=1e-3, scheme="rk4")
         .build()

@@ -15,6 +15,7 @@ from runtime.running.checkpoint import read_checkpoint
 from runtime.schemes.catalogue import SCHEMES
 from runtime.studies.work_precision.reference import independent_reference
 from symgen.scene import Scene, SceneError, SceneRecord
+from tests.support.scenes import on_rail
 
 Build = Callable[[SceneRecord], Model]
 G = 9.81
@@ -103,8 +104,7 @@ def test_an_action_on_a_parameter(model_of: Build, scheme: str, tolerance: float
 
 def swinging(**event: Any) -> SceneRecord:
     """x = cos(2 pi t) passes zero every half second."""
-    builder = Scene("swinging_mass").rigid("mass", mass=1.0, inertia=0.1)
-    builder.prismatic("rail", "ground.origin", "mass.origin").measure("x", "x", "mass.origin")
+    builder = on_rail("swinging_mass", "mass", "rail", mass=1.0, inertia=0.1).measure("x", "x", "mass.origin")
     builder.force("spring", "mass.origin", "-4 * pi ** 2 * x", 0.0).initial({"mass.x": 1.0}).event("zero", "x", **event)
     return builder.simulation(t_end=3.0, dt=0.01, scheme="dopri5").build()
 
@@ -256,7 +256,7 @@ def test_long_steps_of_a_tolerance_pass_nothing_over(
 @pytest.mark.parametrize("every", [1, 10, 100])
 def test_samples_far_apart_miss_no_event(model_of: Build, every: int) -> None:
     """A mass on a spring turns back at k pi / w; each time is told, however many states are made in one call."""
-    mass = Scene("turning_back").rigid("m", mass=1.0, inertia=0.1).prismatic("rail", "ground.origin", "m.origin")
+    mass = on_rail("turning_back", "m", "rail", mass=1.0, inertia=0.1)
     mass.measure("x", "coordinate", "m.x").force("spring", "m.origin", "-4e4 * x", 0.0).event("turns", "x_dot")
     mass.rates({"m.x": 5.0}).simulation(t_end=1.0, dt=0.001, scheme="dopri5")
     options = {"error_of": "step"}

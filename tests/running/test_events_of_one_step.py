@@ -8,6 +8,7 @@ import pytest
 
 from runtime import Model, simulate
 from symgen.scene import Scene, SceneRecord
+from tests.support.scenes import on_rail
 
 Build = Callable[[SceneRecord], Model]
 
@@ -50,8 +51,7 @@ def test_a_short_dip_of_a_cubic_is_told(model_of: Build, scheme: str, places: tu
 @pytest.mark.parametrize("at", [0.512, 0.5])
 def test_an_event_just_where_a_load_jumps(model_of: Build, at: float, scheme: str) -> None:
     """The force of 2 N that ends at a time is 3 N from there on, by an event at that time."""
-    builder = Scene("relieved").input("own", 0.0, "N").rigid("mass", mass=1.0, inertia=0.1)
-    builder.prismatic("rail", "ground.origin", "mass.origin")
+    builder = on_rail("relieved", "mass", "rail", mass=1.0, inertia=0.1).input("own", 0.0, "N")
     builder.force("push", "mass.origin", f"where(t < {at}, 2, own)", 0.0)
     builder.event("takes", f"t - {at}", direction="rising", action={"own": "3"})
     run = simulate(model_of(builder.simulation(t_end=1.0, dt=0.05, scheme="rk4").build()), scheme=scheme)

@@ -21,6 +21,7 @@ from runtime.contract.model import Model
 from symgen.cli import main
 from symgen.scene import Scene, SceneError, SceneRecord
 from tests.support.input_scenes import cart, crane, wave
+from tests.support.scenes import on_rail
 
 Build = Callable[[SceneRecord], Model]
 
@@ -126,10 +127,8 @@ def test_a_stepper_takes_rate_and_acceleration(model_of: Build) -> None:
 
 def test_driven_mechanisms_follow_samples(model_of: Build) -> None:
     scene = (
-        Scene("slide")
+        on_rail("slide", "cart", "rail", mass=2.0, inertia=0.1)
         .input("way", 0.0, "m", rates=True)
-        .rigid("cart", mass=2.0, inertia=0.1)
-        .prismatic("rail", "ground.origin", "cart.origin")
         .prescribed_displacement("drive", "ground.origin", "cart.origin", motion="way")
         .simulation(t_end=1.0, dt=0.01, scheme="printed")
         .build()

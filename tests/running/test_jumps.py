@@ -13,6 +13,7 @@ from scipy.integrate import solve_ivp
 from runtime import Model, ModelError, ensemble, resume, simulate
 from runtime.schemes.catalogue import SCHEMES
 from symgen.scene import Scene, SceneRecord
+from tests.support.scenes import driven_bob, on_hinge
 
 Build = Callable[[SceneRecord], Model]
 ON, OFF, BACK = 0.2713, 0.611, 0.8
@@ -21,8 +22,7 @@ CAPS = {2: 1e-2, 4: 2e-5, 5: 1e-6, 8: 1e-9}  # of the error at 40 steps, by orde
 
 def pendulum() -> SceneRecord:
     """m = 1, centre at 0.5 m, inertia 0.35 about the hinge; a torque that is switched on, off, and kinks."""
-    builder = Scene("kicked").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
-    builder.revolute("pin", "ground.origin", "rod.origin")
+    builder = on_hinge("kicked", "rod", "pin", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0)).gravity(0, -9.81)
     builder.torque("kick", "rod.origin", f"where({ON} <= t < {OFF}, 5, 0) + 20 * max(t - {BACK}, 0)")
     return builder.simulation(t_end=1.0, dt=0.01, scheme="rk4").build()
 
@@ -94,11 +94,9 @@ def test_each_side_has_its_own_value(model_of: Build, scheme: str) -> None:
 
 def kicked_crank(motion: str, **settings: Any) -> SceneRecord:
     """A bob (1 kg, centre at 0.5 m, 0.35 kg m2 about its hinge) on the tip of a driven crank of 0.5 m."""
-    builder = Scene("kicked_crank").gravity(0, -9.81).parameter("jump", 0.4567, "s")
-    builder.rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
-    builder.rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
-    builder.revolute("pin", "ground.origin", "crank.origin").revolute("hinge", "crank.tip", "bob.origin")
-    builder.prescribed_angle("drive", "ground.origin", "crank.origin", motion=motion).initial({"bob.theta": -1.0})
+    builder = (
+        driven_bob("kicked_crank", motion).gravity(0, -9.81).parameter("jump", 0.4567, "s").initial({"bob.theta": -1.0})
+    )
     return builder.simulation(**{"t_end": 1.0, "dt": 1e-2, "scheme": "rk4", **settings}).build()
 
 

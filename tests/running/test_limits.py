@@ -18,6 +18,7 @@ from runtime.running.plan import make_plan
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import start_vector
 from symgen.scene import Scene, SceneRecord
+from tests.support.scenes import driven_bob
 
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
@@ -120,11 +121,8 @@ def test_a_word_about_the_error_and_a_status(built_in: Load) -> None:
 
 def test_a_small_jump_of_a_prescribed_velocity_is_refused(model_of: Build) -> None:
     """A ten-thousandth of the largest velocity."""
-    builder = Scene("driven").rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
-    builder.rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
-    builder.revolute("pin", "ground.origin", "crank.origin").revolute("hinge", "crank.tip", "bob.origin")
     motion = "sin(3 * t) + 3e-4 * ((t - 0.05003) ** 2 + 1e-40) ** 0.5"  # a kink that no condition tells of
-    builder.prescribed_angle("drive", "ground.origin", "crank.origin", motion=motion)
+    builder = driven_bob("driven", motion)
     model = model_of(builder.simulation(t_end=0.1, dt=1e-3, scheme="single_rate").build())
     with pytest.raises(ModelError, match="its velocity jumps by 0.0003"):
         simulate(model)

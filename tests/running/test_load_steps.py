@@ -13,6 +13,7 @@ from runtime.running.load_steps import steps_that_see_loads
 from runtime.schemes.switching.times import switching_times
 from runtime.start.start_state import start_state
 from symgen.scene import Scene, SceneRecord
+from tests.support.scenes import on_hinge
 
 Build = Callable[[SceneRecord], Model]
 PULSE, AT, WIDTH = 5.0, 3.33, 0.002
@@ -20,8 +21,7 @@ PULSE, AT, WIDTH = 5.0, 3.33, 0.002
 
 def rotor(torque: str) -> SceneRecord:
     """theta'' = torque(t), with I = 1."""
-    builder = Scene("rotor").rigid("rotor", mass=1.0, inertia=1.0)
-    builder.revolute("axle", "ground.origin", "rotor.origin").torque("motor", "rotor.origin", torque)
+    builder = on_hinge("rotor", "rotor", "axle", mass=1.0, inertia=1.0).torque("motor", "rotor.origin", torque)
     return builder.simulation(t_end=10.0, dt=0.1, scheme="rk4").build()
 
 

@@ -19,6 +19,7 @@ from runtime.schemes.switching.stop_program import KNOWN, StopProgram
 from runtime.schemes.switching.times import switching_times
 from symgen.generate import model_of as on_demand
 from symgen.scene import Scene, SceneRecord
+from tests.support.scenes import driven_bob, on_rail
 
 pytestmark = pytest.mark.long
 
@@ -29,8 +30,7 @@ SCHEMES = ["rk4", "exponential_adams", "single_rate", "hht", "coupled"]
 
 
 def pushed_mass() -> SceneRecord:
-    builder = Scene("pushed_mass").rigid("mass", mass=1.0, inertia=0.1)
-    builder.prismatic("rail", "ground.origin", "mass.origin")
+    builder = on_rail("pushed_mass", "mass", "rail", mass=1.0, inertia=0.1)
     builder.force("push", "mass.origin", f"where(sin(40 * t + 30 * t**2) > {ABOVE}, {UP}, {DOWN})", 0.0)
     return builder.simulation(t_end=3.9, dt=0.002, scheme="rk4").build()
 
@@ -151,11 +151,8 @@ def two_waves(flexible: bool = True) -> SceneRecord:
 
 def test_an_impulse_among_many_jumps(model_of: Build, calls: list[int]) -> None:
     """A drive turns smoothly, then at once; a bob on it is pushed by a wave: momentum about its hinge stays."""
-    builder = Scene("driven_bob").rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
-    builder.rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
-    builder.revolute("pin", "ground.origin", "crank.origin").revolute("hinge", "crank.tip", "bob.origin")
     motion = "where(t < 0.4, 0, (t - 0.4)**2) + where(t < 0.7, 0, t - 0.7)"
-    builder.prescribed_angle("drive", "ground.origin", "crank.origin", motion=motion)
+    builder = driven_bob("driven_bob", motion)
     builder.torque("push", "bob.origin", "where(sin(300 * t) > 0, 1, -1)")
     model = model_of(builder.simulation(t_end=1.0, dt=0.004, scheme="rk4").build())
     assert len([event for event in simulate(model, error="off", seen_every=1.0).events]) == 1
@@ -217,8 +214,7 @@ def test_the_bits_do_not_depend_on_how_many_jumps_there_are(model_of: Build) -> 
 
 def test_an_action_among_jumps_of_a_model_made_on_demand() -> None:
     """Whose functions are derived when they are asked for: does a condition in time depend on the input that is set?"""
-    builder = Scene("on_demand").input("force", 1.0, "N").rigid("mass", mass=1.0, inertia=0.1)
-    builder.prismatic("rail", "ground.origin", "mass.origin")
+    builder = on_rail("on_demand", "mass", "rail", mass=1.0, inertia=0.1).input("force", 1.0, "N")
     builder.force("push", "mass.origin", "where(t < 0.25, force, 0)", 0.0)
     builder.event("later", "t - 0.1", action={"force": "3 * force"})
     run = simulate(on_demand(builder.simulation(t_end=0.5, dt=0.01, scheme="rk4").build()))

@@ -11,7 +11,8 @@ from scipy.linalg import expm
 from runtime import SchemeError, equilibrium, simulate
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
-from symgen.scene import Scene, SceneRecord
+from symgen.scene import SceneRecord
+from tests.support.scenes import on_rail
 
 Build = Callable[[SceneRecord], Model]
 Load = Callable[[str], Model]
@@ -80,10 +81,8 @@ def test_what_is_read(built_in: Load) -> None:
 def cart() -> SceneRecord:
     """1 kg on a rail under a force u."""
     return (
-        Scene("cart")
+        on_rail("cart", "cart", "rail", mass=1.0, inertia=1.0)
         .parameter("u", 0.0, "N", "force")
-        .rigid("cart", mass=1.0, inertia=1.0)
-        .prismatic("rail", "ground.origin", "cart.origin")
         .force("drive", "cart.origin", "u", 0.0)
         .initial({"cart.x": 1.0})
         .simulation(t_end=1.0, dt=1e-3, scheme="rk4")

@@ -16,15 +16,14 @@ from runtime.contract import loading
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from symgen.generate import generate
-from symgen.scene import Scene, SceneRecord
+from symgen.scene import SceneRecord
+from tests.support.scenes import on_rail
 
 
 def pushed(mass: float) -> SceneRecord:
     return (
-        Scene("pushed")
+        on_rail("pushed", "cart", "rail", mass=mass, inertia=0.1)
         .input("force", 0.0, "N")
-        .rigid("cart", mass=mass, inertia=0.1)
-        .prismatic("rail", "ground.origin", "cart.origin")
         .force("push", "cart.origin", "force", 0.0)
         .simulation(t_end=0.1, dt=1e-3, scheme="rk4")
         .build()

@@ -14,6 +14,7 @@ from runtime.contract.consistent_state import ConsistentState
 from runtime.running.time_functions import PARTS, all_stops, pulse_times
 from runtime.schemes.switching.times import SwitchTime
 from symgen.scene import Scene, SceneRecord
+from tests.support.scenes import on_hinge
 
 Build = Callable[[SceneRecord], Model]
 AT, KICK, INERTIA = 3.337, 0.3, 0.1  # s, N m s / sqrt(pi), kg m^2
@@ -29,8 +30,7 @@ def kicked() -> SceneRecord:
 
 def rod(torque: str) -> SceneRecord:
     """A rod about a pin through its centre, at rest."""
-    builder = Scene("rod").rigid("rod", mass=1.0, inertia=INERTIA)
-    builder.revolute("pin", "ground.origin", "rod.origin").measure("turn", "coordinate", "rod.theta")
+    builder = on_hinge("rod", "rod", "pin", mass=1.0, inertia=INERTIA).measure("turn", "coordinate", "rod.theta")
     return builder.torque("drive", "rod.origin", torque).simulation(t_end=5.0, dt=0.05, scheme="dopri5").build()
 
 

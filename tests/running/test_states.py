@@ -24,6 +24,7 @@ from runtime import (
 from runtime.contract.model import Model
 from runtime.gradients.objectives import End
 from symgen.scene import Scene, SceneError, SceneRecord
+from tests.support.scenes import on_rail
 
 Build = Callable[[SceneRecord], Model]
 J, D, KP, KI, WANTED = 0.02, 0.01, 0.2, 0.5, 30.0  # a rotor with friction and its PI controller
@@ -81,10 +82,8 @@ def test_a_filter_and_an_actuator_in_a_row(model_of: Build) -> None:
     """A force through two lags of first order: the mass moves as the transfer function's step response says."""
     a, b = 20.0, 5.0
     scene = (
-        Scene("lag")
+        on_rail("lag", "cart", "rail", mass=1.0, inertia=0.1)
         .input("wish", 0.0, "N")
-        .rigid("cart", mass=1.0, inertia=0.1)
-        .prismatic("rail", "ground.origin", "cart.origin")
         .state("signal", f"{a} * (wish - signal)", unit="N")
         .state("force", f"{b} * (signal - force)", initial=0.25, unit="N")
         .force("push", "cart.origin", "force", 0.0)

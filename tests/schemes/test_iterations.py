@@ -10,7 +10,8 @@ import pytest
 from runtime import simulate
 from runtime.contract.model import Model
 from runtime.schemes.baselines.radau import lagrange
-from symgen.scene import Scene, SceneRecord
+from symgen.scene import SceneRecord
+from tests.support.scenes import on_rail
 
 pytestmark = pytest.mark.long
 
@@ -19,8 +20,7 @@ Build = Callable[[SceneRecord], Model]
 
 def slider(force: str, x: float) -> SceneRecord:
     """One kilogram on a slide along x under a force, from rest at x [m]."""
-    builder = Scene("slider").gravity(0, 0).rigid("m", mass=1.0, inertia=1.0)
-    builder.prismatic("slide", "ground.origin", "m.origin").measure("x", "x", of="m.origin")
+    builder = on_rail("slider", "m", "slide", mass=1.0, inertia=1.0).gravity(0, 0).measure("x", "x", of="m.origin")
     return builder.force("pull", "m.origin", force, 0).initial({"m.x": x}).build()
 
 

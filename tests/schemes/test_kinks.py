@@ -12,6 +12,7 @@ from runtime.running.simulate import simulate
 from runtime.running.stepping import ModelStepper
 from symgen.scene import Scene, SceneRecord
 from tests.support.prepared_runs import PreparedRuns
+from tests.support.scenes import on_hinge, on_rail
 
 Build = Callable[[SceneRecord], Model]
 T_END, DT = 0.16, 0.01
@@ -129,7 +130,7 @@ def test_a_tolerance_ends_steps_at_kinks(model_of: Build) -> None:
 
 def sticking() -> SceneRecord:
     """Dry friction by its sign, which sticks half of the time: the velocity comes to zero ever again."""
-    mass = Scene("sticking").rigid("m", mass=1.0, inertia=0.1).prismatic("rail", "ground.origin", "m.origin")
+    mass = on_rail("sticking", "m", "rail", mass=1.0, inertia=0.1)
     mass.measure("x", "coordinate", "m.x").force("f", "m.origin", "-3*sign(x_dot) + 2*sin(2*pi*t)", 0.0)
     return mass.rates({"m.x": 1.0}).simulation(t_end=1.0, dt=0.001, scheme="rk4", seen_every=0.0).build()
 
@@ -146,7 +147,7 @@ def test_a_kink_that_comes_ever_again_is_crossed(model_of: Build, scheme: str, t
 
 def test_drag_of_what_stands_still_finds_no_kink(model_of: Build) -> None:
     """abs(v) of velocities that die down to rounding: no search at every step."""
-    disc = Scene("drag").rigid("disc", mass=1.0, inertia=0.1).revolute("pin", "ground.origin", "disc.origin")
+    disc = on_hinge("drag", "disc", "pin", mass=1.0, inertia=0.1)
     disc.measure("a", "coordinate", "disc.theta").torque("air", "disc.origin", "-abs(a_dot)*a_dot - 5*a - 3*a_dot")
     disc.rates({"disc.theta": 0.5}).simulation(t_end=50.0, dt=0.005, scheme="rk4", seen_every=0.5)
     run = simulate(model_of(disc.build()))
@@ -169,7 +170,7 @@ def test_steppers_and_resumed_runs_end_steps_at_kinks(model_of: Build) -> None:
 
 def test_a_scene_without_kinks_watches_nothing(model_of: Build) -> None:
     """Conditions in time alone, and smooth loads, are no kinks: their steps have nothing of it."""
-    rod = Scene("smooth").rigid("rod", mass=1.0, inertia=0.1).revolute("pin", "ground.origin", "rod.origin")
+    rod = on_hinge("smooth", "rod", "pin", mass=1.0, inertia=0.1)
     rod.measure("a", "coordinate", "rod.theta").torque("drive", "rod.origin", "where(t < 1, 1, 0) - 2*sin(a)")
     model = model_of(rod.simulation(t_end=0.1, dt=0.01, scheme="rk4").build())
     assert model.description.kinks == [] and not model.has("events")

@@ -16,10 +16,11 @@ from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.scheme import LARGEST
 from runtime.schemes.switching.times import SwitchTime
-from symgen.scene import Scene, SceneRecord
+from symgen.scene import SceneRecord
 from symgen.scenes import generated_folder
 from tests.support.model_values import Array
 from tests.support.prepared_runs import PreparedRuns
+from tests.support.scenes import on_hinge, on_rail
 
 pytestmark = pytest.mark.long
 
@@ -32,9 +33,7 @@ LOCAL = {"error_of": "step"}
 def rotor(torque: str, **simulation: object) -> SceneRecord:
     """theta'' = torque(t), with I = 1."""
     return (
-        Scene("rotor")
-        .rigid("rotor", mass=1.0, inertia=1.0)
-        .revolute("axle", "ground.origin", "rotor.origin")
+        on_hinge("rotor", "rotor", "axle", mass=1.0, inertia=1.0)
         .torque("motor", "rotor.origin", torque)
         .simulation(t_end=1.0, dt=0.01, scheme="dopri5", **simulation)
         .build()
@@ -57,7 +56,7 @@ def test_what_is_asked_is_delivered_and_told(built_in: Load, scheme: str) -> Non
 
 def test_rates_are_accurate_where_positions_hardly_tell(model_of: Build) -> None:
     """x'' = -w^2 (x - cos t) by hand: a vibration of 0.005 m within the tolerance has half of the rate."""
-    scene = Scene("chaser").rigid("mass", mass=1.0, inertia=0.1).prismatic("rail", "ground.origin", "mass.origin")
+    scene = on_rail("chaser", "mass", "rail", mass=1.0, inertia=0.1)
     scene.measure("place", "x", "mass.origin").initial({"mass.x": 1.005})
     scene.force("spring", "mass.origin", "-40000 * (place - cos(t))", 0.0)
     model, w = model_of(scene.simulation(t_end=5.0, dt=1e-3, scheme="rk4").build()), 200.0

@@ -23,6 +23,7 @@ from runtime.studies.ensemble.starts import CaseStarts, table_of
 from symgen.generate import generate
 from symgen.scene import Scene, SceneRecord
 from tests.support.pendula import SHORT, pendula
+from tests.support.scenes import on_rail
 
 Load = Callable[[str], Model]
 Build = Callable[[SceneRecord], Model]
@@ -231,11 +232,9 @@ def test_turning_bodies_start_with_their_angular_velocities(built_in: Load) -> N
 def test_inputs_of_cases_are_those_of_runs(tmp_path: Path) -> None:
     """A cart pushed by a number of each case, along a function of time that all share, from a time of its own."""
     scene = (
-        Scene("pushed")
+        on_rail("pushed", "cart", "rail", mass=2.0, inertia=0.1)
         .input("force", 1.0, "N", "push")
         .input("wind", 0.0, "N", "on all")
-        .rigid("cart", mass=2.0, inertia=0.1)
-        .prismatic("rail", "ground.origin", "cart.origin")
         .force("push", "cart.origin", "force + wind", 0.0)
         .simulation(t_end=0.1, dt=1e-2, scheme="rk4")
         .build()

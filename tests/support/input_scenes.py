@@ -7,15 +7,14 @@ from typing import Any
 import numpy as np
 
 from symgen.scene import Scene, SceneRecord
+from tests.support.scenes import on_rail
 
 
 def cart(**simulation: Any) -> SceneRecord:
     """2 kg on a rail, pushed by an input."""
     return (
-        Scene("cart")
+        on_rail("cart", "cart", "rail", mass=2.0, inertia=0.1)
         .input("force", 0.0, "N", "push")
-        .rigid("cart", mass=2.0, inertia=0.1)
-        .prismatic("rail", "ground.origin", "cart.origin")
         .force("push", "cart.origin", "force", 0.0)
         .simulation(**{"t_end": 1.0, "dt": 1e-3, "scheme": "rk4", **simulation})
         .build()
