@@ -42,8 +42,8 @@ class Special:
 class Point:
     """A motion on the branch: value of the parameter, period [s], states (K, n), shot, tangent (m,), sizes (n,).
 
-    begins: is it where a branch leaves another one? error: how far the branch is off here, in parts of sizes, by the
-    same with other steps; from that the margin of `floquet` follows, too.
+    begins: is it where a branch leaves another one? error: how far coordinates are off across the branch, in parts of
+    their sizes, by the same with other steps; from that the margin of `floquet` follows, too.
     """
 
     value: float
@@ -93,7 +93,7 @@ class PeriodicBranch:
 
     @property
     def errors(self) -> np.ndarray:
-        """(N,) how far each is off, across the branch, in parts of sizes of coordinates and rates."""
+        """(N,) how far coordinates are off, across the branch, in parts of their sizes."""
         return np.array([point.error for point in self.points])
 
     @property

@@ -258,7 +258,8 @@ class _Walk:
         along = point.tangent / self._weights(point.x.size) ** 2
         off = np.linalg.lstsq(np.vstack([inner, along]), np.append(gaps[0] - gaps[1], 0.0), rcond=1e-14)[0]
         found = doubted(point.floquet, floquet(other.monodromy, point.period, point.conditions.free))
-        return replace(point, floquet=found, error=float(np.abs(off[: point.x.size]).max()))
+        places = off[: point.x.size].reshape(point.x.shape)[:, : len(self._map.states.places)]
+        return replace(point, floquet=found, error=float(np.abs(places).max()))
 
     def _conditions(self, shot: Shot, period: float, turn: np.ndarray) -> Conditions:
         moved = np.abs(np.vstack([shot.x, shot.ends])).max(axis=0)

@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.doors import opened
+from runtime.contract.doors import Door, opened
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.gradients.differentiable_run import DifferentiableRun, Gradient
@@ -129,6 +129,8 @@ class PeriodicMotion:
         ArgumentError, ModelError, NoResult, and NoPeriodicMotion at a fold, where there is no derivative.
         """
         return _gradient(self, of, by)
+
+    response = Door("runtime.orbits.response:harmonic_response")
 
     def remarks(self) -> list[str]:
         """What to know about it."""
