@@ -31,15 +31,16 @@ _CHOICES = {
     "larger": "static inline double {0}larger(double a, double b) {{ return a > b || b != b ? a : b; }}\n",
     "smaller": "static inline double {0}smaller(double a, double b) {{ return a < b || b != b ? a : b; }}\n",
 }
-# bits are those of operations one by one: no product is joined with a sum (gcc does so outside of ISO C)
+# bits are those of operations one by one: no product is joined with a sum. gcc does so outside of ISO C, gcc 12 joins
+# pairs of both (vfmaddsub) where it makes vectors of statements, even where contraction is off
 HEAD = """#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
-#elif defined(__GNUC__) && !defined(__STRICT_ANSI__)
-#pragma GCC optimize ("fp-contract=off")
+#elif defined(__GNUC__)
+#pragma GCC optimize ("fp-contract=off", "no-tree-slp-vectorize")
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)
 #endif

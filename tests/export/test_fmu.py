@@ -264,6 +264,43 @@ def test_events_of_model_exchange_are_those_of_a_run(
 
 
 @needs_compiler
+def test_an_event_ends_co_simulation_at_its_time(model_of: Build, tmp_path: Path) -> None:
+    """fmi2Discard with fmi2Terminated and the time of the event, and no step from there on."""
+    model = model_of(relay().simulation(t_end=4.0, dt=1e-3, scheme="rk4").build())
+    master, stepper = Master(model, tmp_path), model.stepper()
+    master.begin()
+    h, terminated, value = 0.05, ctypes.c_int(), ctypes.c_double()
+    answers = [master.step(k * h, h) for k in range(75)]
+    assert answers == [OK] * 75
+    assert master.call("GetBooleanStatus", 3, ctypes.byref(terminated)) == OK and not terminated.value
+    assert master.step(75 * h, h) == DISCARD and b"an event has ended" in master.said.pop()
+    assert master.call("GetBooleanStatus", 3, ctypes.byref(terminated)) == OK and terminated.value
+    assert master.call("GetRealStatus", 2, ctypes.byref(value)) == OK
+    assert value.value == pytest.approx(3.7654321, abs=1e-11)
+    stepper.step(4000)
+    np.testing.assert_array_equal(master.get(master.outputs), stepper.reader(master.outputs)())
+    assert master.step(value.value, h) == ERROR and b"has ended" in master.said.pop()
+
+
+@needs_compiler
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_the_standards_own_simulator_meets_events(model_of: Build, tmp_path: Path, fmi: int) -> None:
+    """Both kinds end where the event is; CVODE's motion is that of the scheme."""
+    fmpy = pytest.importorskip("fmpy")
+    from fmpy.validation import validate_fmu
+
+    path = tmp_path / "unit.fmu"
+    write_fmu(exported(model_of(relay().simulation(t_end=4.0, dt=1e-3, scheme="rk4").build())), path, fmi)
+    assert not validate_fmu(str(path))
+    how = {"stop_time": 4.0, "output_interval": 0.01, "output": ["cart.x"]}
+    exchanged = fmpy.simulate_fmu(str(path), fmi_type="ModelExchange", solver="CVode", relative_tolerance=1e-10, **how)
+    steps = fmpy.simulate_fmu(str(path), fmi_type="CoSimulation", step_size=0.01, **how)
+    assert exchanged[-1]["time"] == pytest.approx(3.7654321, abs=1e-8)
+    assert steps[-1]["time"] < 3.78
+    assert exchanged[-1]["cart.x"] == pytest.approx(steps[-1]["cart.x"], abs=1e-7)
+
+
+@needs_compiler
 def test_nonsense_is_answered_with_a_status_and_a_line(built_in: Load, tmp_path: Path) -> None:
     master = Master(built_in("double_pendulum"), tmp_path, scheme="rk4")
     nowhere = (ctypes.c_uint * 1)(10_000)
