@@ -2,6 +2,8 @@
 
 #define AT_REST 1e-9
 #define NIL 1e-12
+#define SINGULAR 1e-11
+#define PASSES 1e-6
 #define EACH(k, n) for ((k) = 0; (k) < (n); ++(k))
 
 /* A x = b for m columns of B, by elimination; A is lost, B becomes x */
@@ -29,22 +31,53 @@ static void solve(double *A, double *B, int n, int m) {
   }
 }
 
-/* those at a bound have its force, the others what keeps them from accelerating */
+/* side becomes x of least norm with A x = side, A symmetric: a combination of columns of A that are independent */
+static void least(double *A, double *side, int n) {
+  double left[NM * NM], gram[NM * NM], z[NM], largest = 0;
+  int chosen[NM] = {0}, taken[NM] = {0}, m = 0, k, i, j;
+  memcpy(left, A, n * n * sizeof(double));
+  EACH(k, n) largest = A[k + n * k] > largest ? A[k + n * k] : largest;
+  for (;;) {
+    int p = -1;
+    EACH(k, n) if (!taken[k] && (p < 0 || left[k + n * k] > left[p + n * p])) p = k;
+    if (p < 0 || left[p + n * p] <= SINGULAR * largest) break;
+    EACH(i, n) EACH(j, n) if (i != p && j != p) left[i + n * j] -= left[i + n * p] * left[p + n * j] / left[p + n * p];
+    taken[p] = 1, chosen[m++] = p;
+  }
+  if (m == n) {
+    solve(A, side, n, 1);
+    return;
+  }
+  EACH(i, m) {
+    z[i] = side[chosen[i]];
+    EACH(j, m) {
+      gram[i + m * j] = 0;
+      EACH(k, n) gram[i + m * j] += A[k + n * chosen[i]] * A[k + n * chosen[j]];
+    }
+  }
+  solve(gram, z, m, 1);
+  EACH(k, n) {
+    side[k] = 0;
+    EACH(i, m) side[k] += A[k + n * chosen[i]] * z[i];
+  }
+}
+
+/* those at a bound have its force, the others what keeps them from accelerating, with the least sum of (f / bound)^2 */
 static void forces(double *f, const double *A, const double *b, const double *most, const int *at, int n) {
-  double own[NM * NM], side[NM], found[NM], again[NM * NM];
+  double own[NM * NM], side[NM], H[NM] = {0}, largest = 0;
   int held[NM], m = 0, k, j;
   EACH(k, n) f[k] = at[k] * most[k];
   EACH(k, n) if (at[k] == 0) held[m++] = k;
+  EACH(k, m) largest = most[held[k]] > largest ? most[held[k]] : largest;
+  EACH(k, m) H[k] = most[held[k]] > 0 ? most[held[k]] : largest > 0 ? largest : 1;
   EACH(k, m) {
     side[k] = -b[held[k]];
     EACH(j, n) side[k] -= A[held[k] + n * j] * f[j];
-    found[k] = side[k];
-    EACH(j, m) own[k + m * j] = again[k + m * j] = A[held[k] + n * held[j]] * (k == j ? 1 + 1e-9 : 1);
+    side[k] *= H[k];
+    EACH(j, m) own[k + m * j] = H[k] * A[held[k] + n * held[j]] * H[j];
   }
-  solve(own, found, m, 1);
-  EACH(k, m) EACH(j, m) side[k] -= A[held[k] + n * held[j]] * found[j];
-  solve(again, side, m, 1);
-  EACH(k, m) f[held[k]] = found[k] + side[k];
+  least(own, side, m);
+  EACH(k, m) f[held[k]] = H[k] * side[k];
 }
 
 /* -1, 0, 1: at its bound, held, at the other one, of v' = b + A f; 0: no choice is consistent */
@@ -78,9 +111,14 @@ static int complementary(int *at, const double *A, const double *b, const double
 
 /* v (NI) so that these rates become zero; where a coordinate can do it alone, to the last bit */
 static void bring_to_rest(double *v, double *G, const double *rate, const int *rest, double *left, double *push) {
-  double side[NM];
+  double side[NM], fastest = 0;
   int rows[NM], column[NM], k, j, i, n = 0, m = 0;
-  EACH(k, NM) if (rest[k]) rows[n++] = k;
+  EACH(j, NI) fastest = fabs(v[j]) > fastest ? fabs(v[j]) : fastest;
+  EACH(k, NM) if (rest[k]) { /* one whose rate is zero since its G is passes on */
+    double most = 0;
+    EACH(j, NI) most = fabs(G[k + NM * j]) > most ? fabs(G[k + NM * j]) : most;
+    if (fabs(rate[k]) <= PASSES * most * (1.0 + fastest)) rows[n++] = k;
+  }
   EACH(k, n) {
     side[k] = rate[rows[k]];
     EACH(j, NI) left[k * NI + j] = G[rows[k] + NM * j];

@@ -7,7 +7,7 @@ with inputs as they are given (or their defaults): springs, dampers and elastic 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import casadi as ca
@@ -15,8 +15,9 @@ import numpy as np
 
 from runtime.contract.consistent_state import MAX_ITERATIONS, InitialStateError
 from runtime.contract.coordinates import at_home, dependent_part, whole
+from runtime.contract.doors import opened
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model, refuse_elements
+from runtime.contract.model import Model
 from runtime.operating.given_state import closing
 
 POSSIBLE = 1e-9  # of the largest force: what motors may leave over
@@ -37,12 +38,12 @@ class Dynamics:
 
     Turns in q are rotation vectors from the axes of the world, in v and a angular velocities and accelerations in axes
     of their body. near (n,): all coordinates from which loop unknowns are found, by default those of the scene's start.
-    parameters: changes of parameters and inputs by name. Raises ModelError for arrays of another length and unknown
-    names, InitialStateError for q at which the loops do not close.
+    parameters: changes of parameters and inputs by name. Friction that sticks acts in joints that move, by the sign of
+    their rate; joints at rest have none, but in `forward_dynamics`, where it holds what it can. Raises ModelError for
+    arrays of another length and unknown names, InitialStateError for q at which the loops do not close.
     """
 
     def __init__(self, model: Model) -> None:
-        refuse_elements(model, "is open at a state by itself", "take a scene without friction, or step it")
         self.model = model
 
     def place(
@@ -80,8 +81,29 @@ class Dynamics:
         return {key: np.asarray(value) for key, value in self.model.evaluate(name, **given).items()}
 
     def _condensed(self, at: Place, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        if self.model.element_modes.size:
+            found_ = self._unlocked(at, v)
+            return found_.M, found_.Q
         found = self._call("condensed", at, v)
         return found["M_hat"], found["Q_hat"].ravel()
+
+    def _unlocked(self, at: Place, v: np.ndarray) -> Any:
+        q_d_dot = np.zeros(0)
+        if self.model.q_d:
+            q_d_dot = self._call("velocities", at, v)["q_d_dot"].ravel()
+        state = {"q_i": at.q_i, "q_d": at.q_d, "q_i_dot": v, "q_d_dot": q_d_dot, "t": at.t}
+        return opened("runtime.operating.held_by_friction:unlocked")(self.model, state, at.c)
+
+    def _held(self, at: Place, v: np.ndarray, tau: np.ndarray | None) -> np.ndarray:
+        """Accelerations with what rests held by friction. Raises ModelError where no choice is consistent."""
+        found = self._unlocked(at, v)
+        a = replace(found, Q=found.Q if tau is None else found.Q + tau).accelerations()
+        if a is None:
+            raise ModelError(
+                f"friction of model {self.model.name}", "no choice of what sticks is consistent at this state",
+                "look at joints that share a loop",
+            )  # fmt: skip
+        return np.asarray(a)
 
     def mass_matrix(self, q: Any, **where: Any) -> np.ndarray:
         """M(q) (n_i, n_i)."""
@@ -99,6 +121,8 @@ class Dynamics:
     def forward_dynamics(self, q: Any, v: Any, tau: Any = None, **where: Any) -> np.ndarray:
         """a (n_i,) under the loads of the scene, and tau (n_i,) if it is given."""
         at, v = self.place(q, **where), self._vector("v", v)
+        if self.model.element_modes.size:
+            return self._held(at, v, None if tau is None else self._vector("tau", tau))
         if tau is None and self.model.has("forward_dynamics"):
             return self._call("forward_dynamics", at, v)["q_i_ddot"].ravel()
         M, Q = self._condensed(at, v)

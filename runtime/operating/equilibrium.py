@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import casadi as ca
 import numpy as np
@@ -11,6 +11,8 @@ import numpy as np
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import (
     Initial,
+    at_home,
+    dependent_part,
     euler_angles,
     followed,
     independent_part,
@@ -18,9 +20,11 @@ from runtime.contract.coordinates import (
     loop_part,
     named_values,
     parameter_columns,
+    rate_parts,
 )
+from runtime.contract.doors import opened
 from runtime.contract.errors import ModelError, NoResult
-from runtime.contract.model import Model, refuse_elements
+from runtime.contract.model import Model
 from runtime.contract.orientations import angle_names, angles
 from runtime.contract.signals import SUFFIXES
 from runtime.operating.balance import Balance, Clamped, Found, balanced, clamped_directions, steady_rates, trimmed
@@ -50,7 +54,8 @@ class Equilibrium:
     [N, N m] that each of them needs to stay so; trimmed: inputs that were solved for; eigenvalues [1/s] and stable: of
     small motions with the held coordinates clamped; steady: do the forces stay the same as the motion goes on? (If
     not, this is an instant of a motion that is not steady.) drives: are prescribed motions `held` where they are at t,
-    or `moving` with the rates and accelerations that they have then; "" without any.
+    or `moving` with the rates and accelerations that they have then; "" without any. friction: force [N, N m] of each
+    joint that friction holds at rest, by `joint.friction`; they stay locked in `eigenvalues`.
     """
 
     model: Model
@@ -67,6 +72,7 @@ class Equilibrium:
     steady: bool
     iterations: int
     drives: str = ""
+    friction: dict[str, float] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> float:
         """A coordinate, rate (`_dot`) or state by name. Raises ModelError for an unknown name."""
@@ -94,6 +100,7 @@ class Equilibrium:
     def __repr__(self) -> str:
         words = [self.kind, "stable" if self.stable else "unstable"] + ([] if self.steady else ["not steady"])
         words += [f"drives {self.drives} as at t = {self.state.t:g} s"] if self.drives else []
+        words += [f"held by {', '.join(self.friction)}"] if self.friction else []
         values = ", ".join(f"{name} = {self[name]:.6g}" for name in followed(self.model)[0][:6])
         return f"<{', '.join(words)} of {self.model.name}: {values}{', ...' if len(self.model.q_i) > 6 else ''}>"
 
@@ -116,10 +123,11 @@ def equilibrium(
     that no held or turning coordinate needs a force (there must be as many); parameters, initial: changes by name;
     t [s]: the time at which loads and prescribed motions are taken; motions are held there, without rates and
     accelerations. at_time [s], in its place: they have those of that time (as they have where `inputs` or `parameters`
-    name a rate of an input). Newton with exact derivatives, led away from unstable equilibria unless it starts in one.
+    name a rate of an input). Joints with friction hold where they start, and slide where they have a rate; what each
+    holds is told, and one that would have to hold more than it can is refused. Newton with exact derivatives, led away
+    from unstable equilibria unless it starts in one.
     Raises NoEquilibrium, InitialStateError and ModelError.
     """
-    refuse_elements(model, "holds wherever friction can", "take a scene without friction")
     inputs, initial = inputs or {}, _places(model, initial)
     held = {named(model, name): float(value) for name, value in (held or {}).items()}
     rates = {turning_name(model, name): float(value) for name, value in (rates or {}).items()}
@@ -131,6 +139,8 @@ def equilibrium(
     moving = at_time is not None or names_rates(model, {**(parameters or {}), **inputs})
     functions = PointFunctions(model, model.constants(p), moving)
     clamped, q_i = _clamped(functions, p, t if at_time is None else at_time, held, rates, fixed, initial)
+    if model.element_modes.size:
+        p = _sliding(clamped, q_i, p)
     # a controller that wants something else than what is held has no balance before its inputs are solved for
     found = Found(q_i, True, np.zeros(0), 0) if trim and model.states else clamped.solve(q_i)
     if not found.converged:
@@ -258,7 +268,9 @@ def _told(
     model, at = clamped.model, clamped.values(q_i)
     assert at is not None
     states, v = model.states, clamped.rates(q_i)
-    Z = clamped_directions(at.S[[model.coordinates.index(name) for name in held]], states)
+    friction, locked = _held_by(clamped, at, q_i) if model.element_modes.size else ({}, np.zeros((0, len(v))))
+    fixed = [model.coordinates.index(name) for name in held]
+    Z = clamped_directions(np.vstack([at.S[fixed], locked]), states)
     K = -clamped.slope(q_i, at)
     K[:, states] = 0.0
     moving = clamped.functions.in_moving_axes(at, clamped.state(q_i), np.zeros(len(v)))
@@ -281,7 +293,44 @@ def _told(
         steady=is_steady(at, v),
         iterations=iterations,
         drives="" if not has_drives(model) else "moving" if clamped.functions.drives_move else "held",
+        friction=friction,
     )
+
+
+def _state_of(clamped: Clamped, at: PointValues, q_i: np.ndarray) -> tuple[dict[str, np.ndarray], np.ndarray]:
+    """Arguments of the functions of friction, and c: turns are zero, charts are where the bodies are."""
+    model = clamped.model
+    c, q_d = at_home(model, clamped.functions.c, dependent_part(model, at.q))
+    places = np.where(np.isin(np.arange(len(q_i)), independent_turns(model)), 0.0, q_i)
+    state = {"q_i": places, "q_d": q_d, "q_i_dot": clamped.rates(q_i), "q_d_dot": rate_parts(model, at.q, at.q_dot)[1]}
+    return {**state, "t": np.array(clamped.t)}, c
+
+
+def _sliding(clamped: Clamped, q_i: np.ndarray, p: np.ndarray) -> np.ndarray:
+    """p with the modes of friction by the rates where the search starts, as `clamped` has them from here on."""
+    model, at = clamped.model, clamped.values(q_i)
+    if at is None:
+        return p
+    modes = opened("runtime.operating.held_by_friction:signs")(model, *_state_of(clamped, at, q_i))
+    found: np.ndarray = opened("runtime.operating.held_by_friction:with_modes")(model, p, modes)
+    clamped.functions.c = model.constants(found)
+    return found
+
+
+def _held_by(clamped: Clamped, at: PointValues, q_i: np.ndarray) -> tuple[dict[str, float], np.ndarray]:
+    """Forces of friction that holds, and its rows G (k, n_i). Raises NoEquilibrium."""
+    model, (state, c) = clamped.model, _state_of(clamped, at, q_i)
+    modes = c[len(c) - model.signals.size + model.element_modes]
+    forces, beyond = opened("runtime.operating.held_by_friction:held")(model, state, c)
+    if beyond or (opened("runtime.operating.held_by_friction:signs")(model, state, c) != modes).any():
+        name, force = next(iter(beyond.items()), ("", 0.0))
+        text = f"{name} would have to hold {force:.6g}, more than it can" if beyond else "one turns back on the way"
+        raise NoEquilibrium(
+            f"model {model.name} has no equilibrium where its joints with friction start: {text}. Begin elsewhere with "
+            "`initial`, or take a scene with more or without friction",
+            beyond,
+        )
+    return forces, np.asarray(model.evaluate("elements", **state, c=c)["G"])[modes == 0]
 
 
 def is_steady(at: PointValues, v: np.ndarray) -> bool:

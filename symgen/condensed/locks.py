@@ -14,9 +14,12 @@ positive definite for every set of modes, so that whoever solves M_hat q_i'' = Q
 element is what is left over, f = T^T (M_hat q_i'' - Q_hat).
 
 Where G is constant and of full rank, as of joints of a tree, T is a right inverse of it in whole numbers where those of
-G are, times w: a coordinate of its own is then decoupled by its w alone, without any rounding. Otherwise
-T = G^T X with X = (W G G^T W + 1 - W)^-1 W, where rows that say the same leave X singular: 1e-9 of its diagonal is
-added, and one step of X <- X (2 - N X) takes back what that changes of motions.
+G are, times w: a coordinate of its own is then decoupled by its w alone, without any rounding. Otherwise the rows that
+stick are reduced to echelon form, one after the other, each by its largest entry: Pi is the sum of e_j R_k, where row
+R_k is one at its own column j and zero at those of others, to the last bit, so that what is held whole gets exactly
+a_0. Rows of which nothing is left follow from others, and lock nothing: they hold the same motion once more. The forces
+share what is to be held so that the sum of (f / holds)^2 is least: with C = H G E of the own columns E and
+H = diag(holds w), f = H C (C^T C)^-1 E^T (M_hat q_i'' - Q_hat).
 """
 
 from __future__ import annotations
@@ -33,7 +36,7 @@ from symgen.algebra.scalar import ZERO, add, mul, sub, total
 from symgen.condensed.condensation import Condensed
 from symgen.system.equations import Element
 
-REGULARISED = 1e-9  # of the diagonal
+FOLLOWS = 1e-9  # of the largest entry of a row: what is left of one that follows from others
 
 
 @dataclass(frozen=True)
@@ -72,26 +75,37 @@ class Locks:
 
     @cached_property
     def T(self) -> ca.SX:
-        """(n_i, n_e), zero in the columns of elements that move."""
+        """(n_i, n_e) with f = T^T (M_hat q_i'' - Q_hat), zero in the columns of elements that move."""
         if self.right_inverse is not None:
             return ca.sparsify(ca.SX(ca.DM(self.right_inverse))) @ ca.diag(self.stuck)
-        n, G = len(self.elements), ca.sparsify(self.G)
-        W = ca.diag(self.stuck)
-        gram = W @ G @ G.T @ W + ca.diag(1 - self.stuck)
-        X = ca.inv(ca.densify(gram + REGULARISED * ca.diag(ca.diag(gram))))
-        X = X @ (2 * ca.SX.eye(n) - gram @ X)
-        return G.T @ W @ X @ W
+        H = ca.diag(self.stuck * ca.vertcat(*(one.holds for one in self.elements)))
+        E = ca.horzcat(*self._echelon[0])
+        C = H @ self.G @ E
+        gram = C.T @ C + ca.diag(1 - ca.sum1(E).T)
+        return E @ ca.inv(ca.densify(gram)) @ C.T @ H
+
+    @cached_property
+    def _echelon(self) -> tuple[list[ca.SX], list[ca.SX]]:
+        return echelon(self.stuck, self.G, ca.vertcat(*self.bias))
+
+    @cached_property
+    def _projection(self) -> tuple[ca.SX, ca.SX]:
+        """(Pi (n_i, n_i), a_0 (n_i,))."""
+        if self.right_inverse is not None:
+            return ca.sparsify(self.T @ ca.sparsify(self.G)), -self.T @ ca.vertcat(*self.bias)
+        columns, rows = self._echelon
+        Pi = ca.horzcat(*columns) @ ca.vertcat(*(row[:, :-1] for row in rows))
+        return Pi, -ca.horzcat(*columns) @ ca.vertcat(*(row[:, -1] for row in rows))
 
     def locked(self) -> tuple[ca.SX, ca.SX]:
         """M_hat and Q_hat with what sticks locked."""
         M_hat, Q_hat = self.system.M_hat(), self.system.generalised_force({})
         M, D = ca.sparsify(M_hat), ca.diag(ca.diag(M_hat))
-        Pi = ca.sparsify(self.T @ ca.sparsify(self.G))
+        Pi, a = self._projection
         P = ca.SX.eye(M.shape[0]) - Pi
         left = P.T @ M @ P + Pi.T @ D @ Pi
         if all(value.is_zero() for value in self.bias):
             return ca.densify(left), ca.densify(P.T @ Q_hat)
-        a = -self.T @ ca.vertcat(*self.bias)
         return ca.densify(left), ca.densify(P.T @ (Q_hat - M @ a) + Pi.T @ D @ a)
 
     def rates_left(self, change: ca.SX) -> ca.SX:
@@ -101,6 +115,32 @@ class Locks:
     def forces(self, residual: ca.SX) -> ca.SX:
         """(n_e,) of what sticks, zero of the others; residual (n_i,): Q_hat - M_hat q_i''."""
         return -self.T.T @ residual
+
+
+def echelon(stuck: ca.SX, G: ca.SX, bias: ca.SX) -> tuple[list[ca.SX], list[ca.SX]]:
+    """Of rows that stick: own columns (n_i, 1), one there and zero elsewhere, and the reduced rows (1, n_i + 1) with
+    their bias; zero where a row does not stick or follows from others.
+    """
+    n, columns, rows = G.shape[1], list[ca.SX](), list[ca.SX]()
+    for k in range(G.shape[0]):
+        given = stuck[k] * ca.horzcat(G[k, :], bias[k])
+        left = given
+        for own, row in zip(columns, rows, strict=True):
+            left = (left - (left[:, :n] @ own) * row) * ca.horzcat(1 - own.T, 1)
+        size, whole = (ca.mmax(ca.fabs(one[:, :n])) for one in (left, given))
+        open_ = size > FOLLOWS * whole
+        entries = list[ca.SX]()
+        for j in range(n):  # the first of the largest
+            here = open_ * (ca.fabs(left[j]) >= size)
+            entries.append(here)
+            open_ = open_ * (1 - here)
+        own = ca.vertcat(*entries)
+        lives = ca.sum1(own)
+        row = left / (left[:, :n] @ own + (1 - lives))
+        row = lives * (row * ca.horzcat(1 - own.T, 1) + ca.horzcat(own.T, 0))
+        rows = [(one - (one[:, :n] @ own) * row) * ca.horzcat(1 - own.T, 1) for one in rows] + [row]
+        columns.append(own)
+    return columns, rows
 
 
 def locks(system: Condensed) -> Locks:

@@ -41,15 +41,17 @@ def links(n: int) -> Scene:
     return builder.effort("drive2", coordinate="joint1.angle", value="1.8 * sin(7.1 * t)")
 
 
-def four_bar() -> Scene:
-    """A loop in which two joints rub, under a torque that swings and one that jumps."""
+def four_bar(joints: str = "ad") -> Scene:
+    """A loop in which some joints rub, two or all four, under a torque that swings and one that jumps."""
     builder = Scene("rubbing_loop").gravity(0.0, -9.81)
     builder.ground(markers={"far": {"position": [1.0, 0.0]}})
     for name, length in (("crank", 0.3), ("coupler", 0.9), ("rocker", 0.6)):
         tip = {"tip": {"position": [length, 0.0]}}
         builder.rigid(name, mass=length, inertia=length**3 / 12, center_of_mass=[length / 2, 0.0], markers=tip)
     builder.revolute("a", "ground.origin", "crank.origin", friction={"coulomb": 0.4})
-    builder.revolute("b", "crank.tip", "coupler.origin").revolute("c", "coupler.tip", "rocker.tip")
+    between = {name: {"friction": {"coulomb": 0.1}} if name in joints else {} for name in "bc"}
+    builder.revolute("b", "crank.tip", "coupler.origin", **between["b"])
+    builder.revolute("c", "coupler.tip", "rocker.tip", **between["c"])
     builder.revolute("d", "ground.far", "rocker.origin", friction=STRIBECK)
     builder.initial({"crank.theta": 0.9, "coupler.theta": 0.3, "rocker.theta": 1.7})
     return builder.effort("drive", coordinate="a.angle", value="2.5 * sin(9 * t) + where(t < 0.7123, 0, 1)")
@@ -70,6 +72,7 @@ CASES: list[Any] = [
     (lambda: links(4), "rk4", 0.01, 600, 50),
     (four_bar, "rk4", 1e-3, 1500, 10),
     (four_bar, "single_rate", 1e-3, 1500, 10),
+    (lambda: four_bar("abcd"), "rk4", 1e-3, 1500, 10),
     (arm, "exponential", 1e-3, 1000, 1),
 ]
 

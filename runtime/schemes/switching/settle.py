@@ -7,7 +7,7 @@ infinity. Among those at rest, with v' = b + A f and A = G M_hat^-1 G^T,
 
 This box-constrained complementarity problem is solved by pivots: all hold; the one whose force is beyond its bound by
 most, measured by what that would accelerate, lets go; one that would then accelerate against its force holds again.
-Where rows say the same, A is singular: 1e-9 of its diagonal is added.
+Where rows say the same, A is singular: then those that hold do so with the least sum of (f / bound)^2.
 """
 
 from __future__ import annotations
@@ -21,10 +21,12 @@ from runtime.contract.model import Model
 
 HOLDS = 0
 MOST = 20  # solutions beyond two for each element
-REGULARISED = 1e-9  # of the diagonal of A
+SINGULAR = 1e-11  # of the largest of the diagonal: what is left of that of a row that follows from others
 ROUNDING = 1e-12  # of the largest bound, and of the accelerations that forces make
 AT_REST = 1e-9  # m/s or rad/s, and of the largest rate: what is slower has come to rest
 PIVOT = 1e-9
+# of the largest rate: what stops one that rests is less; an element whose rate is zero since its G is passes on
+PASSES = 1e-6
 
 
 @dataclass(frozen=True)
@@ -48,10 +50,10 @@ def complementary(
     named = np.zeros(n, dtype=bool) if let_go is None else let_go.astype(bool)
     largest = max(float(np.abs(one[np.isfinite(one)]).max(initial=0.0)) for one in (lower, upper))
     dust, still = ROUNDING * largest, ROUNDING * (np.abs(b).max() + np.abs(A).max() * largest)
-    at[named] = _nearest(_forces(A, b, lower, upper, at), lower, upper)[named]
+    at[named] = _nearest(balancing(A, b, lower, upper, at), lower, upper)[named]
     slack = np.where(named, 1e6 * still, still)
     for _ in range(2 * n + MOST):
-        f = _forces(A, b, lower, upper, at)
+        f = balancing(A, b, lower, upper, at)
         beyond = np.where(at == HOLDS, np.maximum(f - upper, lower - f) + dust, -np.inf)
         worst = int(np.argmax(beyond * np.diag(A)))
         if beyond[worst] > 0:
@@ -70,16 +72,30 @@ def _nearest(f: np.ndarray, lower: np.ndarray, upper: np.ndarray) -> np.ndarray:
     return np.where(upper - f <= f - lower, 1, -1)
 
 
-def _forces(A: np.ndarray, b: np.ndarray, lower: np.ndarray, upper: np.ndarray, at: np.ndarray) -> np.ndarray:
-    """(n,) at the bounds, and what keeps the others from accelerating."""
+def balancing(A: np.ndarray, b: np.ndarray, lower: np.ndarray, upper: np.ndarray, at: np.ndarray) -> np.ndarray:
+    """(n,) forces: at the bounds, and what keeps the others from accelerating."""
     f, held = np.where(at > 0, upper, np.where(at < 0, lower, 0.0)), at == HOLDS
     if held.any():
-        own = A[np.ix_(held, held)]
-        side = -(b + A @ np.where(held, 0.0, f))[held]
-        regular = own + REGULARISED * np.diag(np.diag(own))
-        found = np.linalg.solve(regular, side)
-        f[held] = found + np.linalg.solve(regular, side - own @ found)
+        bound = np.where(np.isfinite(upper), upper, np.where(np.isfinite(lower), -lower, 0.0))[held]
+        H = np.where(bound > 0, bound, bound.max(initial=0.0) or 1.0)
+        own = H[:, None] * A[np.ix_(held, held)] * H
+        side = -H * (b + A @ np.where(held, 0.0, f))[held]
+        f[held] = H * _least(own, side)
     return f
+
+
+def _least(A: np.ndarray, side: np.ndarray) -> np.ndarray:
+    """x (n,) of least norm with A x = side, A (n, n) symmetric: a combination of columns of A that are independent."""
+    left, largest, chosen = A.copy(), float(np.diag(A).max()), list[int]()
+    while len(chosen) < len(A):
+        k = int(np.argmax(np.diag(left)))
+        if left[k, k] <= SINGULAR * largest:
+            own = A[:, chosen]
+            return np.asarray(own @ np.linalg.solve(own.T @ own, side[chosen])) if chosen else np.zeros(len(A))
+        left = left - np.outer(left[:, k], left[k]) / left[k, k]
+        chosen.append(k)
+        left[chosen, chosen] = -1.0
+    return np.asarray(np.linalg.solve(A, side))
 
 
 def settled(
@@ -91,16 +107,19 @@ def settled(
     stick no longer; come (n_e,): rates below which one has come to rest.
     """
     start = at["q_i_dot"]
-    c, own, v = c.copy(), _elements(model, at, c), at["q_i_dot"]
+    c, own, v = c.copy(), elements(model, at, c), at["q_i_dot"]
     rate = own["v_rel"]
     rest = np.abs(rate) <= np.maximum(come, AT_REST * (1.0 + np.abs(v).max(initial=0.0)))
     found = np.where(rest, 0.0, np.sign(rate))
     c[len(c) - model.signals.size + model.element_modes] = found
     for _ in range(2 if rest.any() else 1):  # the second time what the first one rounded
-        v = v + _at_rest(own["G"][rest], own["v_rel"][rest])
+        stops = rest & (
+            np.abs(own["v_rel"]) <= PASSES * np.abs(own["G"]).max(axis=1) * (1.0 + np.abs(v).max(initial=0.0))
+        )
+        v = v + _at_rest(own["G"][stops], own["v_rel"][stops])
         q_d_dot = np.asarray(model.evaluate("velocities", **at, c=c)["q_d_dot"]).ravel() if model.q_d else at["q_d_dot"]
         at = {**at, "q_i_dot": v, "q_d_dot": q_d_dot}
-        own = _elements(model, at, c)  # with the laws of those that move
+        own = elements(model, at, c)  # with the laws of those that move
     G, M_hat = own["G"], own["M_hat"]
     free, by = np.linalg.solve(M_hat, own["Q_hat"]), np.linalg.solve(M_hat, G.T)
     A, b = (G @ by)[np.ix_(rest, rest)], (G @ free + own["G_bias"])[rest]
@@ -132,7 +151,8 @@ def _at_rest(G: np.ndarray, rate: np.ndarray) -> np.ndarray:
     return push
 
 
-def _elements(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
+def elements(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
+    """The function `elements` at a state with constants c; vectors are flat."""
     found = model.evaluate("elements", **at, c=c)
     shaped = {name: np.asarray(value, dtype=float) for name, value in found.items()}
     return {name: value if name in ("M_hat", "G") else value.ravel() for name, value in shaped.items()}

@@ -1,0 +1,72 @@
+"""Friction at a state that no run leads to: joints that move slide by the signs of their rates, the others hold."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from runtime.contract.model import Model
+from runtime.schemes.switching.settle import AT_REST, balancing, complementary, elements
+
+BEYOND = 1e-9  # of what holds: how far a force may be beyond it
+
+
+@dataclass(frozen=True)
+class Unlocked:
+    """M_hat and Q_hat with the friction of joints that slide and none of those that rest; G, G_bias and bounds (k,) of
+    the latter.
+    """
+
+    M: np.ndarray
+    Q: np.ndarray
+    G: np.ndarray
+    G_bias: np.ndarray
+    holds: np.ndarray
+
+    def accelerations(self) -> np.ndarray | None:
+        """q_i_ddot (n_i,) with what rests held as far as friction can; None where no choice is consistent."""
+        free, by = np.linalg.solve(self.M, self.Q), np.linalg.solve(self.M, self.G.T)
+        A, b = self.G @ by, self.G @ free + self.G_bias
+        sides = complementary(A, b, -self.holds, self.holds)
+        return None if sides is None else free + by @ balancing(A, b, -self.holds, self.holds, sides)
+
+
+def with_modes(model: Model, values: np.ndarray, modes: np.ndarray) -> np.ndarray:
+    """p or c, whose last entries are the inputs, with modes (n_e,) of friction."""
+    found = values.copy()
+    found[len(found) - model.signals.size + model.element_modes] = modes
+    return found
+
+
+def signs(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
+    """(n_e,) of the rates of joints with friction, zero at rest; at: q_i, q_d, q_i_dot, q_d_dot, t."""
+    rate = elements(model, at, c)["v_rel"]
+    rest = AT_REST * (1.0 + np.abs(at["q_i_dot"]).max(initial=0.0))
+    return np.where(np.abs(rate) <= rest, 0.0, np.sign(rate))
+
+
+def unlocked(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> Unlocked:
+    """At a state: q_i, q_d, q_i_dot, q_d_dot, t, with constants c."""
+    modes = signs(model, at, c)
+    own, rest = elements(model, at, with_modes(model, c, modes)), modes == 0
+    return Unlocked(own["M_hat"], own["Q_hat"], own["G"][rest], own["G_bias"][rest], own["holds"][rest])
+
+
+def held(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> tuple[dict[str, float], dict[str, float]]:
+    """(forces of joints that friction holds at rest, those of them that are beyond what it can), by name.
+
+    c: with their modes; nothing accelerates.
+    """
+    modes = c[len(c) - model.signals.size + model.element_modes]
+    still = {**at, "q_i_ddot": np.zeros(len(model.q_i))}
+    found = np.asarray(model.evaluate("element_forces", **still, c=c)["f_rel"]).ravel()
+    holds, names = elements(model, at, c)["holds"], [one.name for one in model.description.events if one.mode]
+    rest = {
+        name: (float(f), float(most))
+        for name, f, most, mode in zip(names, found, holds, modes, strict=True)
+        if not mode
+    }
+    forces = {name: f for name, (f, _) in rest.items()}
+    return forces, {name: f for name, (f, most) in rest.items() if abs(f) > most * (1 + BEYOND)}
