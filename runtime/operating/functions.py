@@ -136,7 +136,8 @@ def tangents(model: Model, equations: StageEquations, motion: ClosedConfiguratio
     """S = dq/dq_i (n x n_i), along rotations for turns: the rates are affine in q_i_dot."""
     v = ca.SX.sym("v", len(model.q_i))
     rates = equations.rates(motion, v)
-    B = ca.jacobian(rates, v) if model.q_d else ca.SX(0, len(model.q_i))
+    # of a function that calls a table the Jacobian names v, though it does not depend on it
+    B = ca.substitute(ca.jacobian(rates, v), v, ca.SX.zeros(v.shape)) if model.q_d else ca.SX(0, len(model.q_i))
     unit = ca.SX.eye(len(model.q_i))
     return ca.densify(ca.horzcat(*(joined(model, unit[:, k], B[:, k]) for k in range(len(model.q_i)))))
 

@@ -201,6 +201,8 @@ def _times(solution: Solution, instants: int | Sequence[float]) -> np.ndarray:
         times = np.linspace(solution.t[0], solution.t[-1], max(instants, 0))
     else:
         times = np.asarray(instants, dtype=float)
+        ends = np.clip(times, solution.t[0], solution.t[-1])
+        times = np.where(np.abs(times - ends) <= 1e-9 * np.ptp(solution.t), ends, times)  # 3.0 of a run to 3 - 4e-16 s
     if not 1 <= times.size <= MAX_FRAMES or times.min() < solution.t[0] or times.max() > solution.t[-1]:
         raise ArgumentError(f"instants must be a number from 1 to {MAX_FRAMES}, or times of the run, not {instants}")
     return np.sort(times)

@@ -278,3 +278,17 @@ def test_a_beam_of_pieces_of_very_different_density(model_of: Build) -> None:
     assert equilibrium(model).stable
     sag = simulate(model, start="equilibrium", t_end=1e-6, dt=1e-6, scheme="exponential", force=True)["sag"][0]
     assert sag == pytest.approx(-F * 2.0**3 / (3 * E * second), rel=1e-3)
+
+
+def test_a_drive_by_a_table_holds_what_hangs_on_it(model_of: Build) -> None:
+    """A light boom at 0.6 rad carries 100 kg on a hinge: by hand its end bends by m g cos(0.6) L^3 / 3 E I."""
+    builder = Scene("boom").gravity(0, -G).table("luff", x=[0.0, 1.0, 2.0], y=[0.6, 0.6, 0.9])
+    builder.beam(
+        "boom", length=4.0, density=1.0, area=1e-5, second_moment=1e-6, youngs_modulus=2e11, lateral={"modes": 1}
+    )
+    builder.rigid("load", mass=100.0, inertia=0.0, center_of_mass=(0, -1.0))
+    builder.revolute("foot", "ground.origin", "boom.start").revolute("hook", "boom.end", "load.origin")
+    builder.prescribed_angle("cylinder", "ground.origin", "boom.start", motion="table('luff', t)")
+    rest = equilibrium(model_of(builder.build()), t=0.5)
+    assert abs(rest["boom.q1"]) == pytest.approx(100 * G * np.cos(0.6) * 4.0**3 / (3 * 2e11 * 1e-6), rel=1e-6)
+    assert rest["load.theta"] == pytest.approx(0.0, abs=1e-8) and rest.stable

@@ -256,5 +256,6 @@ def test_snapshots_are_the_film_at_their_times_with_paths(built_in, tmp_path) ->
     assert np.allclose(rods, length[0] * np.column_stack([np.cos(angles), np.sin(angles)]), atol=1e-6)
     with pytest.raises(ModelError, match="rod.tip"):
         plots.snapshots(run, traces=["rod.end"])
+    plots.snapshots(run, instants=[-1e-13, 0.5 + 1e-13])  # ends of the run, but for rounding
     with pytest.raises(ArgumentError):
         plots.snapshots(run, instants=[0.6])
