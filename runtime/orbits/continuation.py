@@ -136,9 +136,9 @@ class _Walk:
             return None
         first = self._first
         driven = bound(self._model, first.inputs).driven_by
+        numbers = {name: float(value) for name, value in sorted(first.parameters.items())}
         asked = (self._model.digest, driven, self._over, self._span, first.scheme, dict(first.options), first.steps,
-                 first.parts, first.t0, first.speed, first.free or first.period, sorted(first.parameters.items()),
-                 first.doublings)  # fmt: skip
+                 first.parts, first.t0, first.speed, first.free or float(first.period), numbers)  # fmt: skip
         return KeptBranch(self._folder / f"{self._name}.npz", repr(asked))
 
     def _read(self, done: list[Point], specials: list[Special]) -> bool:

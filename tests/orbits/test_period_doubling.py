@@ -90,11 +90,30 @@ def test_the_branch_of_twice_the_period_leaves_at_the_flip(cascade: PeriodicBran
     assert branch.motion(3).period == pytest.approx(2 * PERIOD)
 
 
+def test_branches_of_twice_the_period_go_on_from_their_folder(wells: Model, tmp_path: Path) -> None:
+    how = {"period": PERIOD, "scheme": "dop853", "steps": 100, "flips": 1, "resume": tmp_path}
+    seen: list[float] = []
+
+    def stop(value: float, end: float) -> None:
+        seen.append(value)
+        if len(list(tmp_path.iterdir())) == 2 and len(seen) > 20:
+            raise KeyboardInterrupt
+
+    part = periodic_over(wells, "gamma", (0.2, 0.32), progress=stop, **how)
+    assert part.stopped == "interrupted" and part.branches[0].stopped == "interrupted"
+    count = len(part.branches[0].points)
+    rest = periodic_over(wells, "gamma", (0.2, 0.32), **how)
+    assert not rest.stopped and rest.values == pytest.approx(part.values, abs=0)
+    assert rest.branches[0].values[:count] == pytest.approx(part.branches[0].values, abs=0)
+    assert rest.branches[0].values[-1] == 0.32 and rest.branches[0].first.doublings == 1
+
+
 def test_tables_and_pictures_hold_all_branches(cascade: PeriodicBranch, tmp_path: Path) -> None:
     cascade.write_csv(tmp_path / "branch.csv", ["mass.x"])
     rows = (tmp_path / "branch.csv").read_text().splitlines()
     assert len(rows) == 1 + len(cascade.points) + len(cascade.branches[0].points)
-    assert rows[-1].endswith(",1") and rows[1].endswith(",0")
+    assert rows[0].endswith(",doublings,error")
+    assert rows[-1].split(",")[-2] == "1" and rows[1].split(",")[-2] == "0" and float(rows[1].split(",")[-1]) < 1e-9
     lines = cascade.picture("mass.x", tmp_path / "branch.png").axes[0].lines
     assert {"-", "--"} <= {line.get_linestyle() for line in lines}
 
