@@ -11,6 +11,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.baselines.condensed_ode import CondensedOde, start_of
+from runtime.contract.arguments import BY_NAME, arguments
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.contract.tape import shared
@@ -53,6 +54,7 @@ class Ode:
         return ca.Function("jacobian", list(given.values()), shared(list(found.values())), list(given), list(found))
 
 
+@arguments(parameters=BY_NAME, initial=BY_NAME)
 def ode(
     model: Model,
     loops: Literal["states", "algebraic"] = "states",

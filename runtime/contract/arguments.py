@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from difflib import get_close_matches
 from functools import wraps
-from inspect import signature
+from inspect import Parameter, signature
 from os import PathLike
 from typing import Any, NamedTuple, ParamSpec, TypeVar
+
+import numpy as np
 
 from runtime.contract.errors import ArgumentError
 
@@ -26,6 +28,14 @@ def _are_names(value: Any) -> bool:
     return isinstance(value, Sequence) and not isinstance(value, str) and all(isinstance(one, str) for one in value)
 
 
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float | np.number) and not isinstance(value, bool) and bool(np.isfinite(value))
+
+
+def _are_numbers(value: Any) -> bool:
+    return isinstance(value, Sequence | np.ndarray) and not isinstance(value, str) and all(map(_is_number, value))
+
+
 BY_NAME = Kind(lambda value: isinstance(value, Mapping), 'give a dictionary, such as {"rod.mass": 2.0}')
 START = Kind(
     lambda value: isinstance(value, Mapping) or hasattr(value, "initial_values"),
@@ -36,7 +46,9 @@ CALLED = Kind(
     lambda value: callable(value) or isinstance(value, bool), "give a function (t, t_end), or True for a line"
 )
 FLAG = Kind(lambda value: isinstance(value, bool), "give True or False")
-PLACE = Kind(lambda value: isinstance(value, str | PathLike), "give a path")
+PLACE = Kind(lambda value: isinstance(value, str | PathLike) and value != "", "give a path")
+NUMBER = Kind(_is_number, "give a finite number")
+NUMBERS = Kind(_are_numbers, "give a list of finite numbers")
 
 
 def arguments(**kinds: Kind) -> Callable[[Callable[P, R]], Callable[P, R]]:
@@ -46,13 +58,16 @@ def arguments(**kinds: Kind) -> Callable[[Callable[P, R]], Callable[P, R]]:
     """
 
     def door(function: Callable[P, R]) -> Callable[P, R]:
-        known = [*signature(function).parameters]
+        given = signature(function).parameters
+        known = [*given]
+        closed = all(one.kind is not Parameter.VAR_KEYWORD for one in given.values())
+        title = "it" if function.__name__ == "__init__" else function.__name__
 
         @wraps(function)
         def called(*values: P.args, **named: P.kwargs) -> R:
             for name, value in {**dict(zip(known, values, strict=False)), **named}.items():
-                if name not in known:
-                    raise ArgumentError(name, f"{function.__name__} has no such argument", _near(name, known))
+                if closed and name not in known:
+                    raise ArgumentError(name, f"{title} has no such argument", _near(name, known))
                 if name in kinds and value is not None and not kinds[name].holds(value):
                     raise ArgumentError(name, f"cannot be {_short(value)}", kinds[name].wanted)
             return function(*values, **named)

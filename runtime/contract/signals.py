@@ -102,9 +102,10 @@ class Signals:
                 raise ArgumentError(f"there is no input {name!r}; there are {', '.join(self.names) or 'none'}")
             if name in self.sources:
                 raise ArgumentError(f"input {name!r} is a function of time in this run: it cannot be set")
-            if isinstance(value, bool) or not np.isfinite(value):
+            number = value.item() if isinstance(value, np.ndarray) and value.ndim == 0 else value
+            if isinstance(value, bool) or not isinstance(number, int | float | np.number) or not np.isfinite(number):
                 raise ArgumentError(f"input {name!r} must be a finite number, not {value!r}")
-            found[self.names.index(name)] = value
+            found[self.names.index(name)] = number
         return found
 
 

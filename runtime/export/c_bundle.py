@@ -16,6 +16,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NUMBER, arguments
 from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.errors import ModelError
 from runtime.contract.files import write_text
@@ -88,6 +89,7 @@ class Exported:
         return found + [Quantity(one.name, one.unit, "measure") for one in self.model.description.measures]
 
 
+@arguments(options=BY_NAME, parameters=BY_NAME, dt=NUMBER)
 def exported(
     model: Model,
     scheme: str | None = None,
@@ -115,6 +117,8 @@ def exported(
 
 def write_c(one: Exported, folder: str | Path) -> list[Path]:
     """NAME.h, NAME.c, main.c and CMakeLists.txt in a folder. Raises OutputError."""
+    if one.prefix == "main_":
+        raise ModelError(f"model {one.name}", "has the name of the example, main.c", "give exported(..., name=...)")
     files = {**c_files(one), "main.c": _main(one), "CMakeLists.txt": _cmake(one.prefix[:-1])}
     return write_all(files, folder)
 

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, arguments
 from runtime.contract.errors import ArgumentError, ModelError, NoResult
 from runtime.contract.model import Model
 from runtime.engine.derivatives import Recorder, TangentCode, most_lanes
@@ -88,6 +89,7 @@ class DifferentiableRun:
     `simulate`. Raises ModelError, SchemeError, InitialStateError, ArgumentError for what cannot be used.
     """
 
+    @arguments(parameters=BY_NAME, initial=BY_NAME, options=BY_NAME, inputs=BY_NAME)
     def __init__(
         self,
         model: Model,
@@ -339,6 +341,8 @@ def gradient(model: Model, of: Objective, by: Sequence[str], *, mode: str = "aut
     of DifferentiableRun, those of `simulate`. Who asks again and again keeps a DifferentiableRun. Raises ModelError,
     SchemeError, InitialStateError, ArgumentError for what cannot be used, NoResult for a run without a derivative.
     """
+    if not hasattr(of, "outputs"):
+        raise ArgumentError("of", f"is {of!r}", 'give an objective, such as End("tip_y")')
     return DifferentiableRun(model, of.outputs, by, **run).gradient(of, mode=mode)
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from scipy import stats
 from scipy.optimize import least_squares
 
+from runtime.contract.arguments import BY_NAME, NAMES, arguments
 from runtime.contract.errors import ArgumentError, NoResult
 from runtime.contract.files import replacing
 from runtime.contract.model import Model
@@ -24,6 +25,7 @@ FAR = 1e3  # times the largest residual of the guess: what a run that fails on t
 Bounds = Mapping[str, tuple[float, float]]
 
 
+@arguments(data=BY_NAME, parameters=NAMES, bounds=BY_NAME, guess=BY_NAME, fixed=BY_NAME)
 def fit(
     model: Model,
     data: Mapping[str, Any],

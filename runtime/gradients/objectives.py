@@ -157,7 +157,12 @@ class Formula:
     def _function(self, samples: int) -> ca.Function:
         if samples not in self._functions:
             t, y = ca.SX.sym("t", samples), ca.SX.sym("y", samples, len(self.outputs))
-            value: Any = self.build(t, {name: y[:, k] for k, name in enumerate(self.outputs)})
+            columns = {name: y[:, k] for k, name in enumerate(self.outputs)}
+            try:
+                value: Any = self.build(t, columns)
+            except KeyError as missing:
+                listed = f"name it among the outputs, which are {', '.join(self.outputs)}"
+                raise ArgumentError("objective", f"reads the column {missing} that it has not", listed) from None
             if not isinstance(value, ca.SX | int | float) or ca.SX(value).numel() != 1:
                 raise ArgumentError("objective", f"gives {value!r}", "it must be one number made of t and y by CasADi")
             slope = ca.densify(ca.reshape(ca.gradient(ca.SX(value), ca.vec(y)), samples, len(self.outputs)))

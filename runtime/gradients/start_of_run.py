@@ -24,7 +24,14 @@ from runtime.running.singular.guard import Guard
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.stepper import start_vector
-from runtime.start.quasi_static import CLOSURE_ITERATIONS, PASSES, ElasticEquilibrium, elastic_residual, small_motion
+from runtime.start.quasi_static import (
+    CLOSURE_ITERATIONS,
+    PASSES,
+    ElasticEquilibrium,
+    elastic_residual,
+    small_motion,
+    smooth_sides,
+)
 from runtime.start.start_state import start_state
 
 Given = Mapping[str, float]
@@ -311,18 +318,20 @@ def settled_slopes(
         return reached, moved
 
     still = np.zeros(found.shape[1])
+    later, before = (float(side) for side in smooth_sides(model)(t, step, c))
+    span = (later + before) * step
     for _ in range(PASSES):
         q, dq[:] = settled(t, q, dq, still)
-        if not step:
+        if not span:
             continue
         ends = []
-        for sign in (1, -1):
+        for sign in (later, -before):
             place, dplace = q.copy(), dq.copy()
             place[rigid] += sign * step * v[rigid]
             dplace[rigid] += sign * (step * dv[rigid] + np.outer(v[rigid], dstep))
             ends.append(settled(t + sign * step, place, dplace, sign * dstep))
-        v[elastic] = (ends[0][0] - ends[1][0])[elastic] / (2 * step)
-        dv[elastic] = (ends[0][1] - ends[1][1])[elastic] / (2 * step) - np.outer(v[elastic], dstep / step)
+        v[elastic] = (ends[0][0] - ends[1][0])[elastic] / span
+        dv[elastic] = (ends[0][1] - ends[1][1])[elastic] / span - np.outer(v[elastic], dstep / step)
     return found
 
 

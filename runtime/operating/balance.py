@@ -314,6 +314,11 @@ def force_by_parameters(model: Model, names: Sequence[str], drives_move: bool = 
     return ca.Function("by_parameters", [t, q, v, a, loop, p], [ca.densify(slope)])
 
 
+def _reciprocal(sizes: np.ndarray) -> np.ndarray:
+    """1 / sizes; 1 for what has none, as the row of a coordinate on which nothing depends."""
+    return 1.0 / np.where(sizes > 1e-300, sizes, 1.0)
+
+
 @dataclass(frozen=True)
 class Trimmed:
     """q_i, p and the iterations it took; converged."""
@@ -344,8 +349,8 @@ def trimmed(model: Model, clamped: Clamped, q_i: np.ndarray, p: np.ndarray, name
         k = len(clamped.rows)
         matrix = np.block([[clamped.unknowns_slope(at), Q_p], [at.directions[clamped.rows], np.zeros((k, len(index)))]])
         side = np.concatenate([at.Q, at.places[clamped.rows] - clamped.goal])
-        scale = 1.0 / np.maximum(np.abs(matrix).max(axis=1), 1e-300)
-        columns = 1.0 / np.maximum(np.abs(matrix * scale[:, None]).max(axis=0), 1e-300)
+        scale = _reciprocal(np.abs(matrix).max(axis=1))
+        columns = _reciprocal(np.abs(matrix * scale[:, None]).max(axis=0))
         step = -columns * np.linalg.lstsq(matrix * np.outer(scale, columns), scale * side, rcond=1e-13)[0]
         size = float(np.abs(at.Q).max())
         start = size if iteration == 0 else start

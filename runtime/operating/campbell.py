@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NAMES, NUMBER, NUMBERS, arguments
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.files import write_text
@@ -193,6 +194,7 @@ class Campbell:
         )
 
 
+@arguments(held=BY_NAME, rates=BY_NAME, parameters=BY_NAME, locked=NAMES, t=NUMBER)
 def campbell(
     model: Model,
     over: str,
@@ -291,6 +293,7 @@ class UnbalanceResponse:
     amplitudes: np.ndarray
 
 
+@arguments(speeds=NUMBERS, at=NAMES, unbalance=NUMBER, outputs=NAMES, held=BY_NAME, parameters=BY_NAME, locked=NAMES)
 def unbalance_response(
     model: Model,
     over: str,

@@ -67,7 +67,10 @@ class Dynamics:
         return Place(np.where(np.isin(np.arange(len(q_i)), turns), 0.0, q_i), q_d, c, t)
 
     def _vector(self, name: str, values: Any) -> np.ndarray:
-        found = np.array(values, dtype=float)
+        try:
+            found = np.array(values, dtype=float)
+        except (TypeError, ValueError):
+            found = np.zeros(0)
         if found.shape != (len(self.model.q_i),) or not np.all(np.isfinite(found)):
             known = ", ".join(self.model.q_i[:12])
             raise ModelError(f"{name} must be {len(self.model.q_i)} finite numbers, for {known}")

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import casadi as ca
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NUMBER, START, arguments
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import (
     Initial,
@@ -105,6 +106,7 @@ class Equilibrium:
         return f"<{', '.join(words)} of {self.model.name}: {values}{', ...' if len(self.model.q_i) > 6 else ''}>"
 
 
+@arguments(held=BY_NAME, rates=BY_NAME, inputs=BY_NAME, parameters=BY_NAME, initial=START, t=NUMBER, at_time=NUMBER)
 def equilibrium(
     model: Model,
     held: Mapping[str, float] | None = None,

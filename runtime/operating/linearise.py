@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import casadi as ca
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NAMES, NUMBER, Kind, arguments
 from runtime.contract.coordinates import independent, independent_rates, loop_part
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
@@ -39,6 +41,17 @@ from runtime.schemes.turned_axes import along_rotations, turning
 Place = Equilibrium | State | Mapping[str, float] | tuple[Solution, int] | None
 
 
+def _is_place(value: Any) -> bool:
+    if isinstance(value, tuple):
+        count = len(value[0].t) if len(value) == 2 and isinstance(value[0], Solution) else 0
+        return count > 0 and value[1] in range(-count, count)
+    return isinstance(value, State | Mapping) or hasattr(value, "initial_values")
+
+
+AT = Kind(_is_place, "give an equilibrium, coordinates by name, a solution, or (solution, number of a sample)")
+
+
+@arguments(at=AT, inputs=NAMES, outputs=NAMES, parameters=BY_NAME, locked=NAMES, t=NUMBER)
 def linearise(
     model: Model,
     at: Place = None,

@@ -8,12 +8,13 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NAMES, NUMBER, arguments
 from runtime.contract.coordinates import mechanism_length, turning_columns
 from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.operating.linearisation import Linearisation
-from runtime.operating.linearise import Place, linearise
+from runtime.operating.linearise import AT, Place, linearise
 from runtime.results.observe import assemble_solution
 from runtime.results.solution import Solution
 
@@ -93,6 +94,7 @@ class ModeTable:
         return f"<{len(self)} modes of {self.system.model.name} [rad/s]: {listed}{', ...' if len(self) > 8 else ''}>"
 
 
+@arguments(at=AT, parameters=BY_NAME, locked=NAMES, t=NUMBER)
 def modes(
     model: Model,
     at: Place = None,

@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq
 
+from runtime.contract.arguments import NUMBER, NUMBERS, arguments
 from runtime.contract.errors import ArgumentError, SymgenError
 from runtime.contract.model import Model
 from runtime.orbits.branch import PeriodicBranch, Point, Special
@@ -45,6 +46,7 @@ INTERRUPTED = "interrupted"
 Progress = Callable[[float, float], None]
 
 
+@arguments(span=NUMBERS, step=NUMBER)
 def periodic_over(
     model: Model,
     over: str,
@@ -66,6 +68,8 @@ def periodic_over(
     goes on there after the last of them. how: further arguments of `periodic`. Ctrl-C keeps what is there. Raises what
     `periodic` does for the first motion; later trouble ends the branch, told by `stopped`.
     """
+    if len(span) != 2:
+        raise ArgumentError("span", f"is {span!r}", "give two different numbers, the first and the last value")
     low, high = (float(value) for value in span)
     if over not in [entry.name for entry in model.parameters]:
         raise ArgumentError(f"over {over!r}", f"is no parameter of model {model.name}", "see model.parameters")

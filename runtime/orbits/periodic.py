@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NUMBER, START, Kind, arguments
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import ArgumentError, SymgenError
 from runtime.contract.model import Model, refuse_elements, refuse_events
@@ -34,7 +35,13 @@ SETTLED = 20  # periods of a transient, where Newton's method does not find the 
 REPEATS = 1e-5  # of a coordinate's size: what is driven, and loads, repeat up to this
 DOUBT = 20  # times the difference between two numbers of steps: how well the largest multiplier is known
 
+BEGINNING = Kind(
+    lambda value: isinstance(value, PeriodicMotion) or START.holds(value),
+    "give initial values by name, a run, or another periodic motion",
+)
 
+
+@arguments(parameters=BY_NAME, inputs=BY_NAME, start=BEGINNING, options=BY_NAME, t0=NUMBER)
 def periodic(
     model: Model,
     *,

@@ -399,6 +399,8 @@ class Samples(WithLater):
         time outside the saved ones.
         """
         times = np.asarray(t, dtype=float)
+        dust = 64 * np.finfo(float).eps * max(abs(self.t[0]), abs(self.t[-1]))  # a sample at a jump is behind it
+        times = np.where((times < self.t[0]) & (times >= self.t[0] - dust), self.t[0], times)
         if times.size and not (times.min() >= self.t[0] and times.max() <= self.t[-1]):
             raise ArgumentError(f"interpolation time outside the saved ones, {self.t[0]:.9g} ... {self.t[-1]:.9g} s")
         values, slopes = self._samples(what)

@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, CALLED, PLACE, arguments
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.errors import ModelError
 from runtime.contract.files import OutputError, replacing, try_writing
@@ -278,6 +279,7 @@ def header_of(run: Run) -> CheckpointHeader:
 # ---- Go on with a run from its checkpoint.
 
 
+@arguments(options=BY_NAME, inputs=BY_NAME, progress=CALLED, stream=PLACE, checkpoint=PLACE, path=PLACE)
 def resume(
     model: Model,
     path: str | Path,

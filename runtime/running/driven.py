@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NUMBER, arguments
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import at_home, dependent_part, parts, whole
 from runtime.contract.errors import ModelError
@@ -162,6 +163,7 @@ class _Follower:
 QUASI_STATIC = "quasi_static"
 
 
+@arguments(parameters=BY_NAME, t0=NUMBER)
 def quasi_static_motion(
     model: Model,
     *,

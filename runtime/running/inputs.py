@@ -58,8 +58,9 @@ def bound(model: Model, inputs: Mapping[str, InputValue] | None) -> Model:
     digest = hashlib.sha256()
     for name, function in sorted(found.sources.items()):
         digest.update(f"{name} {function.serialize()}".encode())
-    for name, (times, values) in sorted(arrays.items()):
-        digest.update(f"{name} {list(map(float, times))} {list(map(float, values))}".encode())
+    for name, samples in sorted(arrays.items()):
+        times, values = (part.tolist() for part in _arrays(name, samples))
+        digest.update(f"{name} {times} {values}".encode())
     for name, controller in sorted(controllers.items()):
         digest.update(f"{name} {controller.every!r} {list(controller.reads)}".encode())
     return replace(found, driven_by=digest.hexdigest())

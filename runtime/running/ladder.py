@@ -263,13 +263,14 @@ class Ladder:
     def solution(self, rungs: list[Rung], total: float) -> Solution:
         """What the last whole rung is, with its error, and how the ladder ended."""
         whole = [one for one in rungs if not one.lost]
-        if not whole:
+        further, interrupted = self.further, rungs[-1].status.name == "interrupted"
+        chance = rungs[-1].lost and not interrupted and not (whole and whole[-1].told.measured)
+        if not whole or chance:  # a motion that coarse steps alone bring to its end is none
             rungs[-1].run.events += loads_missed(rungs[-1].run) if len(rungs) > 1 else []
             return finished(rungs[-1].run, lambda run, solution: rungs[-1].told)
         answer = whole[-1]
-        error = replace(answer.told)
+        error = _doubted(answer, rungs)
         run = answer.run
-        further, interrupted = self.further, rungs[-1].status.name == "interrupted"
         if further.bounded or (further.checkpoint is not None and not interrupted):  # once more, to keep what it makes
             plan = replace(run.record.segments[0].plan, outputs=tuple(further.outputs or ()))
             run = begun(self.problem, plan, marks_of(self.problem, plan), further)
@@ -288,7 +289,7 @@ class Ladder:
         status = found.status
         if interrupted:
             status = replace(rungs[-1].status, time=found.status.time, cause="stopped by the user on a finer rung")
-        elif status.name == "completed" and not answer.error <= self.tolerance:
+        elif status.name == "completed" and error.measured and not answer.error <= self.tolerance:
             stats["remark"] = (
                 f"the error is {answer.error:.2g} of an amplitude, where {self.tolerance:g} was asked: "
                 "more steps do not bring it down"
@@ -299,6 +300,17 @@ class Ladder:
 def _at(rung: Rung) -> dict[int, int]:
     """Step of each mark, by its number."""
     return {step // rung.marks.every: step for step in rung.marks.states}
+
+
+def _doubted(answer: Rung, rungs: list[Rung]) -> MotionError:
+    """The error of the answer; where no two rungs came to the end, why it is not to be relied on."""
+    lost = [one for one in rungs if one.lost and one.status.name != "interrupted"]
+    if answer.told.measured or not lost:
+        return replace(answer.told)
+    first = min((one.status for one in lost), key=lambda status: status.time)
+    return MotionError(
+        reliable_until=first.time, reason=f"with other steps the motion ends as {first.name} at t = {first.time:.4g} s"
+    )
 
 
 def _same_end(one: Status, other: Status, span: float) -> bool:

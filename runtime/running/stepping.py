@@ -10,6 +10,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, arguments
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import Initial
 from runtime.contract.errors import ArgumentError, ModelError
@@ -31,6 +32,7 @@ from runtime.schemes.switching.times import has_switching_times, switches_by_inp
 from runtime.schemes.switching.watched import watch_events, watched_events
 from runtime.start.start_state import start_state
 
+KNOWN = (float, int, np.number)  # kinds of numbers that need no closer look
 HORIZON = 1e9  # major steps: no end is meant
 
 
@@ -58,6 +60,7 @@ class ModelStepper:
     `ended`, after which there is no further step.
     """
 
+    @arguments(options=BY_NAME, parameters=BY_NAME)
     def __init__(
         self,
         model: Model,
@@ -145,6 +148,8 @@ class ModelStepper:
                 self._hold(u)
                 if self._across is not None:
                     self._across.look_anew()
+        if not (isinstance(n, int | np.integer) and n >= 0):
+            raise ArgumentError("n", f"is {n!r}", "give a whole number of steps")
         self._advance(n)
         self._sample = None
 
@@ -154,6 +159,8 @@ class ModelStepper:
             self._across.take_inputs()
         names, own = self.model.inputs, self._own_inputs.copy() if self.scheme.remembers else self._own_inputs
         if not isinstance(u, Mapping):
+            if not isinstance(u, Sequence | np.ndarray):
+                raise ArgumentError("u", f"is {u!r}", "give inputs by name, a list of numbers, or a number of steps")
             if len(u) != len(names):
                 raise ArgumentError(f"{len(u)} numbers for {len(names)} inputs: {', '.join(names) or 'none'}")
             u = dict(zip(names, u, strict=True))
@@ -161,9 +168,9 @@ class ModelStepper:
             own[:] = self.model.signals.changed(own, self.time, u)
         for name, value in u.items() if self._plain_inputs else ():
             k = self._plain_inputs.get(name)
-            if k is None or not isfinite(value):
-                self.model.signals.changed(own, 0.0, u)  # says what is wrong
-                return
+            if k is None or not isinstance(value, KNOWN) or not isfinite(value):
+                own[:] = self.model.signals.changed(own, 0.0, u)  # says what is wrong
+                break
             own[k] = value
         if self.scheme.remembers:
             self._own.hold(self._z, own)
@@ -175,6 +182,8 @@ class ModelStepper:
         """
         if n < 1 or every < 1:
             raise ArgumentError(f"n and every must be at least 1, not {n} and {every}")
+        if not callable(call):
+            raise ArgumentError("call", f"is {call!r}", "give a function of the stepper")
         for first in range(0, n, every):
             if self.ended is not None:
                 return
@@ -207,6 +216,8 @@ class ModelStepper:
 
     def restore(self, kept: SteppedState) -> None:
         """Go back to what was saved. Raises ArgumentError if it is of another stepper."""
+        if not isinstance(kept, SteppedState):
+            raise ArgumentError("the saved state", f"is {kept!r}", "give what `save` gave")
         if len(kept.z) != len(self._z) or len(kept.p) != len(self.parameters):
             raise ArgumentError(
                 "the saved state", "is of a stepper of another model or scheme", "save it from this one"

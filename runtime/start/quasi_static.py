@@ -25,6 +25,7 @@ from runtime.operating.linearise import rigid_rates
 from runtime.schemes.scheme import LARGEST
 from runtime.schemes.sparse_lu import Number, factor, solve, solve_symmetric
 from runtime.schemes.stage_equations import StageEquations
+from runtime.schemes.switching.times import conditions
 
 # ---- What is left of the equations of motion where elastic coordinates have no acceleration.
 
@@ -137,6 +138,25 @@ def leading(model: Model) -> ca.Function:
     return model.derived("leading", build)
 
 
+def smooth_sides(model: Model) -> ca.Function:
+    """(t, lead, c) -> (1 where nothing jumps in time from t to a lead [s] later, the same to a lead before).
+
+    Rates are differences of two equilibria, and a jump between them is no rate. Built once for a model.
+    """
+
+    def build() -> ca.Function:
+        t, lead, c = ca.SX.sym("t"), ca.SX.sym("lead"), ca.SX.sym("c", model.c_size)
+        here, later, before = (
+            ca.vertcat(ca.SX(1), *(value for _, value in conditions(model, c, at))) for at in (t, t + lead, t - lead)
+        )
+        # at the very time of a jump it is what lies behind it that begins
+        jumped = ca.fmax(here * before < 0, ca.logic_and(here == 0, later * before < 0))
+        sides = [1 - ca.mmax(here * later < 0), 1 - ca.mmax(jumped)]
+        return ca.Function("smooth_sides", [t, lead, c], sides)
+
+    return model.derived("smooth_sides", build)
+
+
 def settled(
     model: Model, c: np.ndarray, t: float, q_i: np.ndarray, v: np.ndarray, q_d: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray] | None:
@@ -150,6 +170,7 @@ def settled(
     rigid = [k for k in range(len(q_i)) if k not in elastic]
     loop = q_d[[model.q_d.index(name) for name in model.loop_unknowns]]
     lead = float(leading(model)(q_i, v, q_d, t, c))
+    later, before = (float(side) for side in smooth_sides(model)(t, lead, c))
 
     def solved(t: float, start: np.ndarray) -> np.ndarray | None:
         q, before = start, LARGEST
@@ -166,16 +187,16 @@ def settled(
         if found is None:
             return None
         q_i = found
-        if lead > 0:
+        if lead > 0 and later + before > 0:
             ends = []
-            for at in (lead, -lead):
+            for at in (later * lead, -before * lead):
                 moved = q_i.copy()
                 moved[rigid] = moved[rigid] + at * v[rigid]
                 end = solved(t + at, moved)
                 if end is None:
                     return None
                 ends.append(end[elastic])
-            v[elastic] = (ends[0] - ends[1]) / (2 * lead)
+            v[elastic] = (ends[0] - ends[1]) / ((later + before) * lead)
     q_d, q_d_dot = elastic_residual(model)(t, q_i, v, loop, c)[3:]
     return whole(model, q_i, np.asarray(q_d).ravel()), whole(model, v, np.asarray(q_d_dot).ravel())
 
@@ -202,15 +223,16 @@ def quasi_static_state(
     loop = loop_part(model, state.q)
     rigid = [k for k in range(len(q_i)) if k not in elastic]
     step, _ = small_motion(model, state.q_dot)
+    later, before = (float(side) for side in smooth_sides(model)(t, step, c))
     for _ in range(PASSES):
         q_i = solver.solve(t, q_i, v, loop)
-        if step > 0:
+        if step > 0 and later + before > 0:
             moved = []
-            for sign in (1, -1):
+            for sign in (later, -before):
                 at = q_i.copy()
                 at[rigid] += sign * step * v[rigid]
                 moved.append(solver.solve(t + sign * step, at, v, loop)[elastic])
-            v[elastic] = (moved[0] - moved[1]) / (2 * step)
+            v[elastic] = (moved[0] - moved[1]) / ((later + before) * step)
     return _told(model, c, t, _with_elastic(model, state, *solver.closed(t, q_i, v, loop)))
 
 

@@ -106,6 +106,9 @@ def unknown_coordinate(key: str, name: str, names: list[str]) -> Fault:
     problem = f"there is no coordinate '{name}'"
     if "*" in name or "?" in name:
         problem = f"the pattern '{name}' matches no coordinate"
+    if name.endswith("_dot") and name.removesuffix("_dot") in names:
+        own = name.removesuffix("_dot")
+        return Fault(key, problem, f"a rate stands by its coordinate among the rates: [initial.rates] '{own}' = ...")
     return Fault(key, problem, did_you_mean(name, names))
 
 

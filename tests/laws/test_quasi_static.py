@@ -171,3 +171,49 @@ def test_a_start_in_equilibrium_keeps_what_turns_and_what_drives(model_of: Calla
     run = simulate(model_of(scene))
     assert np.abs(run["load.theta"]).max() < 1e-10 and run["trolley.x_dot"][0] == pytest.approx(0.2)
     assert run["trolley.x"][-1] == pytest.approx(0.2)
+
+
+def braked_arm() -> SceneRecord:
+    """An arm driven by a velocity that rises for half a second at 2 rad/s^2, and falls as fast."""
+    return (
+        Scene("braked_arm")
+        .beam(
+            "arm",
+            length=1.0,
+            density=2700.0,
+            area=4e-5,
+            second_moment=1.3e-10,
+            youngs_modulus=7e10,
+            lateral={"modes": 2},
+        )
+        .revolute("axle", "ground.origin", "arm.start")
+        .table("speed", x=[0.0, 0.5, 1.0], y=[0.0, 1.0, 0.0], integrated=1)
+        .prescribed_angle("drive", "ground.origin", "arm.start", motion="table('speed', t)")
+        .build()
+    )
+
+
+@pytest.mark.parametrize("t0, side", [(0.49995, 1), (0.5, -1), (0.50005, -1)])
+def test_a_jump_beside_the_start_is_no_rate(model_of: Callable[[SceneRecord], Model], t0: float, side: int) -> None:
+    """Deflections are those of the acceleration on this side, opposite ones on the other, and stay: no vibration.
+
+    As differences across the jump the rates were 20 m/s.
+    """
+    model = model_of(braked_arm())
+    before = simulate(model, t0=0.4, t_end=0.401, start="quasi_static", scheme="rk4", dt=1e-5)
+    run = simulate(model, t0=t0, t_end=t0 + 4e-5, start="quasi_static", scheme="rk4", dt=1e-5)
+    assert run["arm.q1"][0] == pytest.approx(side * before["arm.q1"][0], rel=1e-3)
+    assert abs(run["arm.q1_dot"][0]) < 0.01
+    case = model.ensemble(
+        {"arm.density": [2700.0, 2700.0]}, t0=t0, t_end=t0 + 4e-5, start="quasi_static", scheme="rk4", dt=1e-5,
+        outputs=["arm.q1"], seen_every=0.0,
+    )  # fmt: skip
+    np.testing.assert_array_equal(np.asarray(case["arm.q1"])[0], run["arm.q1"])
+    assert run.interpolate(t0).shape == (len(model.coordinates),)
+
+
+def test_a_motion_that_only_coarse_steps_end_is_not_completed(model_of: Callable[[SceneRecord], Model]) -> None:
+    """A beam that is hit at 22 m/s bends by more than its modes describe; twenty steps of 25 ms pass that by."""
+    hit = {"arm.q1_dot": 21.9, "arm.q1": -0.0257}
+    run = simulate(model_of(braked_arm()), t0=0.5, t_end=1.0, initial=hit, tolerance=1e-3)
+    assert run.status.name == "deflection_too_large", run.status

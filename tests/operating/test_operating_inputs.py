@@ -13,6 +13,7 @@ from runtime import ensemble, equilibrium, gradient, linearise, simulate
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.gradients.objectives import End
+from runtime.operating.equilibrium import NoEquilibrium
 from symgen.scene import Scene, SceneRecord
 from tests.support.input_scenes import cart, crane, wave
 from tests.support.scenes import on_hinge
@@ -29,6 +30,26 @@ def test_trim_and_columns_of_inputs(model_of: Build) -> None:
     system = linearise(model_of(cart()), at={"cart.x": 0.0}, inputs=["force"], outputs=["cart.x", "force"])
     np.testing.assert_array_equal(system.B_state, [[0.0], [0.5]])
     np.testing.assert_array_equal(system.D_state, [[0.0], [1.0]])
+
+
+def test_a_trim_beside_what_nothing_moves(model_of: Build) -> None:
+    """A block that slides freely beside a held pendulum has no stiffness: the torque is m g L cos(angle) still."""
+    scene = (
+        Scene("beside")
+        .input("torque", 0.0, "N m")
+        .gravity(0, -9.81)
+        .rigid("arm", mass=1.0, inertia=0.02, center_of_mass=(0.5, 0))
+        .rigid("block", mass=1.0, inertia=0.02)
+        .revolute("axle", "ground.origin", "arm.origin")
+        .prismatic("rail", "ground.origin", "block.origin")
+        .torque("motor", "arm.origin", "torque")
+    )
+    model = model_of(scene.build())
+    with np.errstate(over="raise", invalid="raise"):
+        found = equilibrium(model, held={"arm.theta": 0.3}, inputs={"torque": None})
+        assert found.trimmed["torque"] == pytest.approx(9.81 * 0.5 * np.cos(0.3), rel=1e-12)
+        with pytest.raises(NoEquilibrium, match=r"arm.inertia"):  # which does not act on it
+            equilibrium(model, held={"arm.theta": 0.3}, inputs={"arm.inertia": None})
 
 
 def test_a_sample_is_linearised_with_the_inputs_of_its_time(model_of: Build) -> None:

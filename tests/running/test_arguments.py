@@ -6,11 +6,15 @@ import inspect
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 import pytest
 
 from runtime import ensemble, simulate
-from runtime.contract.errors import ArgumentError
+from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
+from runtime.export.c_bundle import exported
+from runtime.gradients.objectives import Formula
+from tests.support.input_scenes import cart
 
 SHORT: dict[str, Any] = {"t_end": 0.01, "dt": 1e-3, "scheme": "rk4"}
 
@@ -55,3 +59,59 @@ def test_help_shows_the_arguments(built_in: Callable[..., Model]) -> None:
 def test_cases_are_numbers(built_in: Callable[..., Model], value: Any) -> None:
     with pytest.raises(ArgumentError, match=r"upper.theta_dot.*number"):
         ensemble(built_in("double_pendulum"), initial={"upper.theta_dot": [value, 0.2]}, **SHORT)
+
+
+DOORS = (
+    "resume equilibrium modes linearise campbell unbalance_response periodic quasi_static_motion advise stability "
+    "report stepper ode"
+)
+
+
+@pytest.mark.parametrize("name", DOORS.split())
+def test_unknown_keywords_of_every_door_are_named(built_in: Callable[..., Model], name: str) -> None:
+    with pytest.raises(ArgumentError, match="bogus.*no such argument"):
+        getattr(built_in("hub_beam"), name)(bogus=3)
+
+
+@pytest.mark.parametrize(
+    "ask, words",
+    [
+        (lambda model: model.equilibrium(held=["hub.theta"]), "held.*dictionary"),
+        (lambda model: model.equilibrium(t="now"), "t: .*number"),
+        (lambda model: model.modes("rest"), "at: .*equilibrium"),
+        (lambda model: model.linearise([1, 2]), "at: .*equilibrium"),
+        (lambda model: model.linearise((model.simulate(**SHORT), 10**6)), "at: .*sample"),
+        (lambda model: model.linearise(outputs="tip_y"), "outputs.*list of names"),
+        (lambda model: model.gradient("tip_y", ["hub.inertia"], **SHORT), "of: .*objective"),
+        (lambda model: model.gradient(Formula(("tip_y",), lambda t, y: y["x"]), ["hub.inertia"], **SHORT), "column"),
+        (lambda model: model.fit([[0.0], [1.0]], ["hub.inertia"], **SHORT), "data.*dictionary"),
+        (lambda model: model.periodic(period=0.1, start=3), "start.*initial values"),
+        (lambda model: model.periodic_over("hub.inertia", 3.0, period=0.1), "span"),
+        (lambda model: model.simulate(**SHORT, stream=""), "stream.*path"),
+        (lambda model: exported(model, "rk4", "1 ms"), "dt: .*number"),
+    ],
+)
+def test_other_kinds_are_named_at_every_door(
+    built_in: Callable[..., Model], ask: Callable[[Model], object], words: str
+) -> None:
+    with pytest.raises(ArgumentError, match=words):
+        ask(built_in("hub_beam"))
+
+
+def test_what_a_stepper_cannot_take_is_named(model_of: Callable[..., Model]) -> None:
+    stepper = model_of(cart()).stepper(dt=1e-3, scheme="rk4")
+    for wrong in (-1, 1.5, {"force": [1.0]}, {"force": abs}, "abc"):
+        with pytest.raises(ArgumentError):
+            stepper.step(wrong)
+    for call in (lambda: stepper.run(3, 5), lambda: stepper.restore(None)):
+        with pytest.raises(ArgumentError):
+            call()
+    assert stepper.time == 0.0
+    stepper.step({"force": np.array(2.0)}, 1000)
+    assert stepper.state["cart.x"] == pytest.approx(0.5, rel=1e-12)  # F t^2 / 2 m, m = 2 kg
+
+
+def test_samples_that_are_no_pair_are_named(model_of: Callable[..., Model]) -> None:
+    for wrong in ([1.0, 2.0, 3.0], (1.0,), ("a", "b")):
+        with pytest.raises(ModelError, match="input 'force'"):
+            model_of(cart()).simulate(inputs={"force": wrong}, **SHORT)

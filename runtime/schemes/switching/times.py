@@ -63,7 +63,7 @@ def switching_times(model: Model, c: np.ndarray, t0: float, t_end: float) -> lis
     if not has_switching_times(model) or not t_end > t0:
         return found
     t = ca.SX.sym("t")
-    for owner, value in _conditions(model, c, t):
+    for owner, value in conditions(model, ca.SX(ca.DM(c)), t):
         if not ca.depends_on(value, t):
             continue
         found += [SwitchTime(*clocks, (owner,)) for clocks in _changes(value, t, t0, t_end)]
@@ -76,10 +76,10 @@ def switching_times(model: Model, c: np.ndarray, t0: float, t_end: float) -> lis
     return _merged(found, NARROW * (t_end - t0))
 
 
-def _conditions(model: Model, c: np.ndarray, t: ca.SX) -> Iterator[tuple[str, ca.SX]]:
-    """(owner, value that changes its sign), of the scene and of functions given for inputs."""
+def conditions(model: Model, c: ca.SX, t: ca.SX) -> Iterator[tuple[str, ca.SX]]:
+    """(owner, value that changes its sign), of the scene and of functions given for inputs; constants c (c_size,)."""
     if model.has("switching"):
-        values = model.evaluate("switching", t=t, c=ca.SX(ca.DM(c)))["switching"]
+        values = model.evaluate("switching", t=t, c=c)["switching"]
         yield from zip(model.description.switching, ca.vertsplit(ca.SX(values)), strict=True)
     for name, source in model.sources.items():
         yield from ((f"input {name}", value) for value in _of_function(source, t))

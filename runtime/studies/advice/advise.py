@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NAMES, START, arguments
 from runtime.contract.coordinates import Initial, independent, loop_part
 from runtime.contract.errors import NoResult, SymgenError
 from runtime.contract.model import Model
@@ -125,6 +126,7 @@ class NoAdvice(NoResult):
     """No method met the tolerance; the message says what was tried."""
 
 
+@arguments(graded=NAMES, parameters=BY_NAME, initial=START)
 def advise(
     model: Model,
     *,

@@ -25,7 +25,16 @@ from runtime.schemes.stepper import start_there
 from runtime.schemes.switching.impulse import moves_in_time
 from runtime.schemes.switching.stop_program import StopProgram
 from runtime.schemes.switching.watched import looking, watch_events, with_events
-from runtime.start.quasi_static import MAX_STEPS, PASSES, elastic_residual, leading, positions, settles, settling
+from runtime.start.quasi_static import (
+    MAX_STEPS,
+    PASSES,
+    elastic_residual,
+    leading,
+    positions,
+    settles,
+    settling,
+    smooth_sides,
+)
 from runtime.studies.ensemble.account import FIELDS, LaneAccount, looked
 from runtime.studies.ensemble.observation import Observation
 from runtime.studies.ensemble.question import Question
@@ -310,12 +319,17 @@ def settle_program(model: Model, row: Layout, stage: StageMaker) -> Program:
         return z["q_d"][loops] if loops else ca.SX(0, 1)
 
     def placed(z: Fields, q_i: ca.SX, at: int) -> dict[str, ca.SX]:
-        """To be settled: the state `at` leads away from its time."""
-        q, lead = ca.SX(q_i), at * z["settle_lead"]
+        """To be settled: the state a lead later (at 1) or before (-1), or where something jumps in between, here."""
+        later, before = sides(z)
+        q, lead = ca.SX(q_i), (later if at > 0 else -before if at else 0) * z["settle_lead"]
         if at and rigid:
             q[rigid] = q[rigid] + lead * z["q_i_dot"][rigid]
         open_ = z["settle"] * (z["settle_lead"] > 0 if at else 1)
         return {"settle_q": q, "settle_t": z["t"] + lead, "settle_open": open_, "settle_work": ca.SX(LARGEST)}
+
+    def sides(z: Fields) -> tuple[ca.SX, ca.SX]:
+        later, before = smooth_sides(model)(z["t"], z["settle_lead"], z["c"])
+        return later, before
 
     def begin(z: Fields) -> Mapping[str, ca.SX]:
         return {"settled": ca.SX(1), "settle_lead": leading(model)(z["q_i"], z["q_i_dot"], z["q_d"], z["t"], z["c"])}
@@ -338,8 +352,10 @@ def settle_program(model: Model, row: Layout, stage: StageMaker) -> Program:
         return {**kept(z), "settle_ahead": z["settle_q"][elastic], **placed(z, z["q_i"], -1)}
 
     def rate(z: Fields) -> Mapping[str, ca.SX]:
-        v, moving = ca.SX(z["q_i_dot"]), ca.logic_and(z["settle"] > 0, z["settle_lead"] > 0)
-        found = (z["settle_ahead"] - z["settle_q"][elastic]) / (2 * z["settle_lead"])
+        v, (later, before) = ca.SX(z["q_i_dot"]), sides(z)
+        span = (later + before) * z["settle_lead"]
+        moving = ca.logic_and(z["settle"] > 0, span > 0)
+        found = (z["settle_ahead"] - z["settle_q"][elastic]) / span
         v[elastic] = ca.if_else(moving, found, v[elastic])
         return {**kept(z), "q_i_dot": v}
 

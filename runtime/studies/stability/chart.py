@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NUMBERS, arguments
 from runtime.contract.errors import ModelError
 from runtime.contract.files import write_text
 from runtime.contract.model import Model
@@ -81,6 +82,7 @@ def _growth_below(curve: StabilityCurve) -> float | None:
     return float(below.max()) if len(below) else 0.0
 
 
+@arguments(options=BY_NAME, parameters=BY_NAME, initial=BY_NAME, dt_range=NUMBERS)
 def stability_chart(
     model: Model,
     scheme: str | None = None,

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from runtime.contract.arguments import BY_NAME, NAMES, arguments
 from runtime.contract.errors import NoResult, SymgenError
 from runtime.contract.model import Model
 from runtime.running.ladder import Ladder, Method, Rung
@@ -108,6 +109,7 @@ class Comparison:
         return f"{first.label}: {time}, {gain:.2g} times as fast as the best method with one step for all coordinates"
 
 
+@arguments(graded=NAMES, parameters=BY_NAME)
 def work_precision(
     model: Model,
     methods: Sequence[Method | str],
