@@ -98,7 +98,7 @@ class Case:
         steps = sorted(rung.marks.states)
         exact = self.reference[[round(step * KEPT / rung.steps) for step in steps]]
         with np.errstate(all="ignore"):
-            rms = np.sqrt(np.mean((rung.marks.told(steps, self.model) - exact) ** 2, axis=0))
+            rms = np.sqrt(np.mean((rung.marks.told(steps, self.model)[0] - exact) ** 2, axis=0))
         found = float((rms / floored(self.model, self.reference.std(axis=0))).max())
         return found if np.isfinite(found) else np.inf
 

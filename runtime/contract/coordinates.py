@@ -30,9 +30,14 @@ def charts_in(model: Model) -> slice:
 
 def followed(model: Model) -> tuple[list[str], np.ndarray]:
     """(names, columns of q) of what tells a motion: q_i, with Euler parameters in place of turns."""
-    e = [name for record in model.description.orientations for name in record.parameters]
-    names = [*(model.q_i[k] for k in model.places.plain), *e]
-    return names, np.concatenate([model.places.columns, model.places.parameters.ravel()])
+    at, turns = model.places, model.description.orientations
+    return model.derived(
+        "what tells a motion",
+        lambda: (
+            [*(model.q_i[k] for k in at.plain), *(name for record in turns for name in record.parameters)],
+            np.concatenate([at.columns, at.parameters.ravel()]),
+        ),
+    )
 
 
 def told_state(model: Model, told: np.ndarray) -> np.ndarray:

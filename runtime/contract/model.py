@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
+from threading import Lock
 from typing import Any, TypeVar, cast
 
 import casadi as ca
@@ -171,6 +172,8 @@ def model_card(described: Description, sketch: str = "") -> str:
 
 
 T = TypeVar("T")
+LATELY = 8  # numbers of which a model keeps what was made of them
+_LOCK = Lock()  # threads may run one model at once
 
 
 @dataclass(frozen=True, repr=False)
@@ -414,6 +417,21 @@ class Model:
             self._derived[name] = build()
         return cast(T, self._derived[name])
 
+    def of_numbers(self, name: str, numbers: tuple[Any, ...], build: Callable[[], T]) -> T:
+        """What `build` makes of some numbers, parameters or a state, say: kept for those that were asked for lately.
+
+        Nobody changes what is kept.
+        """
+        known: dict[tuple[Any, ...], T] = self.derived(f"of numbers: {name}", dict)
+        if numbers not in known:
+            found = build()
+            with _LOCK:
+                known[numbers] = found
+                while len(known) > LATELY:
+                    del known[next(iter(known))]
+            return found
+        return known[numbers]
+
     def has(self, name: str) -> bool:
         """Was the function generated? (A tree has no closure iterations, a scene without measures no measures.)"""
         return name in self.builders
@@ -533,10 +551,18 @@ class Model:
 
     def constants(self, p: np.ndarray) -> np.ndarray:
         """c (c_size,) for a parameter vector p (n_p,). Raises ModelError if one of them is infinite or NaN."""
-        c = np.asarray(self.kernel("constants")(p)).ravel()
+        c = self.of_numbers("constants", (p.tobytes(),), lambda: np.asarray(self.kernel("constants")(p)).ravel())
         if not np.all(np.isfinite(c)):
             raise ModelError(f"model {self.name}: a parameter makes the constants infinite (division by zero?)")
-        return c
+        return c.copy()
+
+    def geometry(self, p: np.ndarray) -> dict[str, np.ndarray]:
+        """Places and shapes of the drawn points in their bodies by name, for a parameter vector p (n_p,)."""
+        return self.of_numbers(
+            "geometry",
+            (p.tobytes(),),
+            lambda: {name: np.asarray(value) for name, value in self.kernel("geometry")(p=p).items()},
+        )
 
 
 # Who does not look for events refuses models that have them.

@@ -47,18 +47,22 @@ class Direct:
             self._call()
             return self._result.copy()
 
-    def many(self, points: np.ndarray, sizes: list[int], size: int) -> np.ndarray:
-        """(N, size) of what it gives at points (N, sum of sizes), arguments one after another."""
-        found = np.empty((len(points), size))
-        ends = np.cumsum([0, *sizes]).tolist()
+    def many(self, arguments: list[np.ndarray], shape: tuple[int, int]) -> np.ndarray:
+        """(N, size), its shape, of what it gives for arguments (N, .); a vector is that of all points."""
+        found = np.empty(shape)
         with self._lock:
-            own = [(array, ends[k], ends[k + 1]) for k, array in enumerate(self._arguments) if sizes[k]]
+            rows = []
+            for own, one in zip(self._arguments, arguments, strict=True):
+                if one.ndim == 1:
+                    own[:] = one
+                elif one.shape[1]:
+                    rows.append((own, one))
             call, result = self._call, self._result
-            for point, row in zip(points, found, strict=True):
-                for array, first, last in own:
-                    array[:] = point[first:last]
+            for k in range(len(found)):
+                for own, one in rows:
+                    own[:] = one[k]
                 call()
-                row[:] = result
+                found[k] = result
         return found
 
 
@@ -82,22 +86,17 @@ class RowFunction:
         self._lock = Lock()
 
     def __call__(self, values: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
-        n = next(iter(values.values())).shape[0]
-        points = np.empty((n, sum(self._sizes)))
-        first = 0
-        for name, size in zip(self._names, self._sizes, strict=True):
-            given = (c if c.ndim == 1 else c[:n]) if name == CONSTANTS else np.reshape(values[name], (n, size))
-            points[:, first : first + size] = given
-            first += size
-        found = self._by_native(points) if self._worth(n) else self._by_calls(points)
+        n, whole = len(next(iter(values.values()))), sum(self._outputs.values())
+        arguments = [
+            (c if c.ndim == 1 else c[:n]) if name == CONSTANTS else np.reshape(values[name], (n, size))
+            for name, size in zip(self._names, self._sizes, strict=True)
+        ]
+        if n * self._operations > FEW and not find_llvm():
+            found = self._by_native(np.hstack([np.broadcast_to(one, (n, one.shape[-1])) for one in arguments]))
+        else:
+            found = self._direct.many(arguments, (n, whole))
         ends = np.cumsum([0, *self._outputs.values()]).tolist()
         return {name: found[:, ends[k] : ends[k + 1]].copy() for k, name in enumerate(self._outputs)}
-
-    def _worth(self, n: int) -> bool:
-        return n * self._operations > FEW and not find_llvm()
-
-    def _by_calls(self, points: np.ndarray) -> np.ndarray:
-        return self._direct.many(points, self._sizes, sum(self._outputs.values()))
 
     def _by_native(self, points: np.ndarray) -> np.ndarray:
         with self._lock:

@@ -205,7 +205,7 @@ class Dynamics:
             used = ", ".join(filter(None, known))
             raise ModelError(f"model {self.model.name} has no marker {marker!r} in use; it has {used}")
         p = self.model.parameter_vector(parameters)
-        values = {key: np.asarray(value) for key, value in self.model.kernel("geometry")(p=p).items()}
+        values = self.model.geometry(p)
         k = known.index(marker)
         nf, first = points[k].modes, sum(point.modes for point in points[:k])
         before = sum(point.modes**2 for point in points[:k] if point.stiffened)

@@ -165,7 +165,7 @@ def body_motion(solution: Samples, body: str) -> BodyMotion:
 
 def _places(model: Model, body: str, p: np.ndarray) -> dict[str, tuple[np.ndarray, np.ndarray]]:
     """Marker -> its position (3,) and shapes (3, nf)."""
-    values = {key: np.asarray(value) for key, value in model.kernel("geometry")(p=p).items()}
+    values = model.geometry(p)
     found, first = {}, 0
     for k, point in enumerate(model.description.drawing.points):
         if point.body == body and point.name:

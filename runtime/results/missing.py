@@ -124,7 +124,7 @@ def missing_sections(solution: Solution) -> tuple[dict[str, float], list[Event]]
 
 def _markers(solution: Solution, body: str) -> list[float]:
     """Fractions of the length at which the beam has markers."""
-    geometry = np.asarray(solution.model.kernel("geometry")(p=solution.parameters)["positions"])
+    geometry = solution.model.geometry(solution.parameters)["positions"]
     own = [k for k, one in enumerate(solution.model.description.drawing.points) if one.body == body]
     points = [solution.model.description.drawing.points[k] for k in own]
     length = float(geometry[0, own].max())

@@ -11,6 +11,7 @@ import numpy as np
 
 from runtime.contract.coordinates import followed
 from runtime.contract.model import Model
+from runtime.contract.records import Coordinate
 
 # ---- What errors of coordinates are measured by.
 
@@ -24,11 +25,24 @@ def floored(model: Model, amplitudes: np.ndarray, share: float = SHARE) -> np.nd
 
     A mode that symmetry leaves at rounding is then measured by the modes that do move.
     """
-    entries = {entry.name: (entry.kind, entry.unit) for entry in model.description.coordinates}
-    kinds = [entries[name] for name in followed(model)[0]]
-    least = np.array([share * max(a for a, k in zip(amplitudes, kinds, strict=True) if k == kind) for kind in kinds])
-    found = np.maximum(amplitudes, least)
+    found = np.maximum(amplitudes, share * _largest_of_kind(model, amplitudes))
     return np.where(found > 0, found, 1.0)
+
+
+def _entries(model: Model) -> list[Coordinate]:
+    """Of `followed`."""
+    known, names = {entry.name: entry for entry in model.description.coordinates}, followed(model)[0]
+    return model.derived("entries of what tells a motion", lambda: [known[name] for name in names])
+
+
+def _largest_of_kind(model: Model, values: np.ndarray) -> np.ndarray:
+    """(N,) of each of `followed` the largest value (N,) of its kind and unit."""
+    entries = _entries(model)
+    alike = model.derived(
+        "coordinates of a kind",
+        lambda: np.array([[(a.kind, a.unit) == (b.kind, b.unit) for b in entries] for a in entries]),
+    )
+    return np.asarray(np.where(alike, values, -np.inf).max(axis=1, initial=-np.inf))
 
 
 TURN = np.pi / np.sqrt(3.0)  # rad: RMS about its mean of an angle that turns on and on, modulo a turn
@@ -93,9 +107,7 @@ class MotionError:
 
 def amplitudes(model: Model, q: np.ndarray) -> np.ndarray:
     """(n_told,) RMS about the mean of what tells a motion, from samples q (N, n_told); a turn's of what turns on."""
-    entries = {entry.name: entry for entry in model.description.coordinates}
-    own = [entries[name] for name in followed(model)[0]]
-    turns = np.array([entry.unit == "rad" and not entry.elastic for entry in own], dtype=bool)
+    turns = np.array([entry.unit == "rad" and not entry.elastic for entry in _entries(model)], dtype=bool)
     found = np.sqrt(np.mean((q - q.mean(axis=0)) ** 2, axis=0))
     return np.asarray(np.where(turns & (np.ptp(q, axis=0) > ROUND), np.minimum(found, TURN), found))
 
@@ -105,11 +117,9 @@ def with_rates(error: MotionError, model: Model, v: np.ndarray, other: np.ndarra
 
     What moves less than others of its kind is not judged by its own.
     """
-    entries = {entry.name: (entry.kind, entry.unit) for entry in model.description.coordinates}
     names = followed(model)[0]
-    kinds = [entries[name] for name in names]
     sizes = np.sqrt(np.mean(np.concatenate([v, other]) ** 2, axis=0))
-    largest = np.array([max(a for a, k in zip(sizes, kinds, strict=True) if k == kind) for kind in kinds])
+    largest = _largest_of_kind(model, sizes)
     rms = np.sqrt(np.mean((v - other) ** 2, axis=0))
     judged = rms / np.maximum(np.maximum(sizes, STATIONARY * largest), RESTS)
     named = {f"{name}_dot": float(value) for name, value in zip(names, judged, strict=True)}

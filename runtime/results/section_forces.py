@@ -101,7 +101,7 @@ def beam_of(model: Model, name: str, p: np.ndarray) -> Beam:
     own = [(k, entry.elastic) for k, entry in enumerate(described.coordinates) if entry.owner == name]
     frame, elastic = ([k for k, bent in own if bent is kind] for kind in (False, True))
     dimension = 2 if described.drawing.space == "planar" else 3
-    geometry = {key: np.asarray(value) for key, value in model.kernel("geometry")(p=p).items()}
+    geometry = model.geometry(p)
     points = [
         (point, float(x))
         for point, x in zip(described.drawing.points, geometry["positions"][0], strict=True)

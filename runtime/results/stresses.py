@@ -96,7 +96,7 @@ def stresses(solution: Samples, body: str, way: StressWay = "equilibrium") -> St
 def _by_equilibrium(solution: Samples, body: str, gauges: list[GaugeRecord]) -> list[np.ndarray]:
     motion = body_motion(solution, body)
     described = solution.model.description
-    geometry = np.asarray(solution.model.kernel("geometry")(p=solution.parameters)["positions"])
+    geometry = solution.model.geometry(solution.parameters)["positions"]
     places = {point.name: geometry[:, k] for k, point in enumerate(described.drawing.points) if point.body == body}
     size = float(np.ptp(np.array(list(places.values())), axis=0).max())
     found = []

@@ -22,7 +22,8 @@ from runtime.results.solution import Solution
 from runtime.running.outcome import LARGEST, passed_by
 from runtime.running.plan import Plan
 from runtime.running.problem import Problem
-from runtime.running.run import Marks, Run, begun
+from runtime.running.record import Marks
+from runtime.running.run import Run, begun, integrate
 from runtime.running.time_functions import INSIDE, check_time_functions
 
 MARKS = 20  # times at which two motions are compared, about
@@ -130,7 +131,7 @@ def _compared(
     )
     if ratio == 1 / INSIDE and (missed := [one for one in loads_missed(other) if one.kind == "load_missed"]):
         return MotionError(reliable_until=missed[0].time, reason=missed[0].text)
-    status = other.go()
+    status = integrate(other)
     if status.name == "interrupted":
         raise KeyboardInterrupt
     step = marks.early if early else marks.every
@@ -141,11 +142,11 @@ def _compared(
         reason = f"made again with steps of {other.segment.plan.grid.dt_L:.3g} s the motion ends as {status.name}"
         return MotionError(reliable_until=status.time, reason=f"{reason} at t = {status.time:.4g} s")
     model = problem.model
-    mine, theirs = marks.told([k * step for k in common], model), own.told([k * every for k in common], model)
+    mine, v = marks.told([k * step for k in common], model)
+    theirs, other_v = own.told([k * every for k in common], model)
     t = np.array([plan.time(k * step) for k in common])
     seen = np.concatenate([mine, theirs, solution.q[:, followed(model)[1]]])
-    rates = marks.told([k * step for k in common], model, True), own.told([k * every for k in common], model, True)
-    return with_rates(motion_error(model, t, mine, theirs, amplitudes(model, seen)), model, *rates)
+    return with_rates(motion_error(model, t, mine, theirs, amplitudes(model, seen)), model, v, other_v)
 
 
 def loads_missed(run: Run) -> list[Event]:
@@ -156,7 +157,8 @@ def loads_missed(run: Run) -> list[Event]:
 
 def stepped_by(problem: Problem, plan: Plan, dt: float, steps: int, every: int, ratio: float) -> Plan:
     """The plan of a companion."""
-    options = dict(plan.options)
+    options = None
     if plan.scheme.adaptive:
-        dt, options["tolerance"] = plan.grid.dt_L, min(options["tolerance"] * (2 if ratio > 1 else 0.5), 0.1)
+        dt, tolerance = plan.grid.dt_L, min(plan.options["tolerance"] * (2 if ratio > 1 else 0.5), 0.1)
+        options = {**plan.options, "tolerance": tolerance}
     return replace(plan.with_steps(problem.model, dt, steps, options), seen_steps=every, outputs=(), force=True)

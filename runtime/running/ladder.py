@@ -9,24 +9,28 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from math import ceil, gcd, inf
 from typing import Any
 
 import numpy as np
 
+from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
 from runtime.contract.status import Status
+from runtime.engine.rows import ManyPoints
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.motion_error import MotionError, amplitudes, motion_error, with_rates
 from runtime.results.solution import Solution
 from runtime.running.companion import loads_missed, marks_of
-from runtime.running.load_steps import steps_that_see_loads
+from runtime.running.monitor import known_slopes
 from runtime.running.outcome import LARGEST, finished, passed_by
-from runtime.running.plan import MAX_SAMPLES, Plan, make_plan
+from runtime.running.plan import AUTO, DEFAULT, MAX_SAMPLES, Plan, make_plan
 from runtime.running.problem import ROUNDING, Problem, common_time
-from runtime.running.run import Further, Marks, Run, begun, told_by
-from runtime.running.tolerance import AUTO, DEFAULT
+from runtime.running.record import Marks, told_by
+from runtime.running.run import Further, Run, begun, integrate
+from runtime.running.time_functions import force_of_time
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import LARGE_SYSTEM, SchemeError
 from runtime.schemes.scheme import Scheme, evaluation_operations
@@ -94,6 +98,13 @@ class Rung:
     differs: float = np.nan
     error: float = np.nan
     told: MotionError = field(default_factory=lambda: MotionError(reason="there is no rung before it"))
+
+    @cached_property
+    def seen(self) -> tuple[np.ndarray, np.ndarray]:
+        """(numbers of its marks (N,), what tells the motion and its rates at them (2, N, n_told))."""
+        steps = sorted(self.marks.states)
+        told = self.marks.told(steps, self.run.problem.model) if steps else np.zeros((2, 0, 0))
+        return np.array([step // self.marks.every for step in steps], dtype=int), told
 
     @property
     def lost(self) -> bool:
@@ -206,23 +217,20 @@ class Ladder:
         further = Further(progress=self.further.progress)
         run = begun(self.problem, replace(plan, outputs=()), marks, further, quiet=quiet)
         began = time.process_time()
-        status = run.status if run.status is not None else run.go()
+        status = integrate(run)
         return Rung(plan.steps, run, marks, status, time.process_time() - began)
 
     def judge(self, before: list[Rung], rung: Rung, order: int) -> None:
         """The error of a rung by the one before it, in place; by extrapolation where three rungs show the order."""
         last = before[-1]
-        common = sorted(set(_at(last)) & set(_at(rung)))
-        if not common:
+        common, here, there = np.intersect1d(rung.seen[0], last.seen[0], return_indices=True)
+        if not len(common):
             return
         model, segment, record = self.problem.model, rung.run.segment, rung.run.record
-        (mine, v), (theirs, other) = (
-            [one.marks.told([_at(one)[k] for k in common], model, rates) for rates in (False, True)]
-            for one in (rung, last)
-        )
+        (mine, v), (theirs, other) = (rung.seen[1].take(here, axis=1), last.seen[1].take(there, axis=1))
         samples = [rows for own, rows in record.samples if record.segments[own] is segment]
-        seen = [mine, theirs, *([told_by(segment, np.concatenate(samples), model)] if samples else [])]
-        t = np.array([segment.plan.time(_at(rung)[k]) for k in common])
+        seen = [mine, theirs, *([told_by(segment, np.concatenate(samples), model)[0]] if samples else [])]
+        t = np.array([segment.plan.time(int(k) * rung.marks.every) for k in common])
         found = motion_error(model, t, mine, theirs, amplitudes(model, np.concatenate(seen)))
         rung.told = with_rates(found, model, v, other)
         rung.error = rung.differs = self._asked(rung.told)
@@ -275,10 +283,7 @@ class Ladder:
             plan = replace(run.record.segments[0].plan, outputs=tuple(further.outputs or ()))
             run = begun(self.problem, plan, marks_of(self.problem, plan), further)
         elif answer is not rungs[0]:
-            run.events[:] = [
-                *loads_missed(run),
-                *(one for one in run.events if one.kind not in ("load_missed", "load_not_finite")),
-            ]
+            run.events[:0] = loads_missed(run)
         found = finished(run, lambda run, solution: error)
         stats: dict[str, float | int | str] = dict(found.stats) | {
             "tolerance": self.tolerance,
@@ -295,11 +300,6 @@ class Ladder:
                 "more steps do not bring it down"
             )
         return found.but(stats=stats, status=status)
-
-
-def _at(rung: Rung) -> dict[int, int]:
-    """Step of each mark, by its number."""
-    return {step // rung.marks.every: step for step in rung.marks.states}
 
 
 def _doubted(answer: Rung, rungs: list[Rung]) -> MotionError:
@@ -322,6 +322,10 @@ def _same_end(one: Status, other: Status, span: float) -> bool:
 
 def chosen_method(problem: Problem) -> tuple[Method, str]:
     """The method whose first rung takes the fewest operations, and why; nothing is compiled for it."""
+    return problem.model.of_numbers("method", problem.numbers, lambda: _chosen(problem))
+
+
+def _chosen(problem: Problem) -> tuple[Method, str]:
     slopes, seen = _slopes(problem), _seen_loads(problem)
     prices: list[tuple[float, Method]] = []
     evaluation = 0
@@ -378,8 +382,7 @@ def _stable_steps(scheme: Scheme, slopes: tuple[np.ndarray, np.ndarray] | None, 
 
 def _seen_loads(problem: Problem) -> int:
     c = problem.model.constants(problem.p)
-    switches = switching_times(problem.model, c, problem.t0, problem.t_end)
-    return steps_that_see_loads(problem.model, c, problem.state, problem.t0, problem.t_end, switches)
+    return steps_that_see_loads(problem.model, c, problem.state, problem.t0, problem.t_end)
 
 
 def _exponentials(model: Model) -> list[str]:
@@ -405,9 +408,62 @@ def _slopes(problem: Problem) -> tuple[np.ndarray, np.ndarray] | None:
     if not ModeSolver.possible(model):
         return None
     q_i, rates = independent(model, problem.state.q, problem.state.q_dot)
-    try:
-        state = State(problem.t0, q_i, rates, loop_part(model, problem.state.q))
-        found = ModeSolver(model, model.constants(problem.p)).slopes(state)
-    except np.linalg.LinAlgError:
-        return None
-    return found if all(np.isfinite(slope).all() for slope in found) else None
+    state = State(problem.t0, q_i, rates, loop_part(model, problem.state.q))
+    return known_slopes(model, model.constants(problem.p), state)
+
+
+# How many steps see what loads do. Coarse motions that miss a load agree with each other, as do those that see a fast
+# one at like phases. So forces along q_i, which are known functions of time while all else is held as at the start, are
+# integrated twice as steps see them, by Simpson's rule, and once by FINE steps. So many steps are enough from which on
+# that is off by SEES at most.
+
+FINE, COARSE = 8192, 4  # numbers of steps that are compared, by factors of two
+SEES = 0.02  # of what a force alone would move in the whole time (RMS)
+VARIES = 1e-6  # of its largest value: a force that changes by less is constant
+MOST_LEGS = 50  # between jumps; where there are more, steps see them
+
+
+def steps_that_see_loads(model: Model, c: np.ndarray, state: ConsistentState, t0: float, t_end: float) -> int:
+    """The least number of steps over the time [s], which end where loads jump; 0 where no force depends on time."""
+    switches = switching_times(model, c, t0, t_end)
+    function = force_of_time(model, c, state) if len(switches) < MOST_LEGS else None
+    if function is None:
+        return 0
+    inside = [one for one in switches if t0 < one.time < t_end]
+    legs = list(zip([t0, *(one.after for one in inside)], [*(one.before for one in inside), t_end], strict=True))
+    forces = ManyPoints(function)
+    fine = _moved_by_loads(forces, legs, FINE)
+    varies = np.ptp(fine[2], axis=1) > VARIES * np.abs(fine[2]).max(axis=1)
+    if not varies.any():
+        return 0
+    exact, size = fine[1][varies], fine[1][varies].std(axis=1)
+    least, steps = FINE, FINE // 2
+    while steps >= COARSE:
+        at, found, _ = _moved_by_loads(forces, legs, steps)
+        off = found[varies] - np.array([np.interp(at, fine[0], row) for row in exact])
+        if not (np.sqrt(np.mean(off**2, axis=1)) <= SEES * size).all():
+            break
+        least, steps = steps, steps // 2
+    return least
+
+
+def _moved_by_loads(
+    function: ManyPoints, legs: Sequence[tuple[float, float]], steps: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(times of ends of steps, what each force alone moves until then, forces that were seen), (n_i, .) each."""
+    span = legs[-1][1] - legs[0][0]
+    times, rises, moves, seen = [np.array([legs[0][0]])], [], [], []
+    for begin, end in legs:
+        count = max(1, round(steps * (end - begin) / span))
+        t = np.linspace(begin, end, 2 * count + 1)
+        forces, h = function(np.zeros(0), t[:, None]).T, (end - begin) / count
+        first, middle, last = forces[:, 0:-1:2], forces[:, 1::2], forces[:, 2::2]
+        rises.append(h / 6 * (first + 4 * middle + last))
+        moves.append(h * h / 6 * (first + 2 * middle))
+        times.append(t[2::2])
+        seen.append(forces)
+    ends, rise, move = np.concatenate(times), np.concatenate(rises, axis=1), np.concatenate(moves, axis=1)
+    none = np.zeros((len(rise), 1))
+    rate = np.concatenate([none, np.cumsum(rise, axis=1)], axis=1)
+    place = np.cumsum(rate[:, :-1] * np.diff(ends) + move, axis=1)
+    return ends, np.concatenate([none, place], axis=1), np.concatenate(seen, axis=1)

@@ -89,7 +89,7 @@ def buckling(solution: Solution) -> tuple[dict[str, float], list[Event]]:
     model = solution.model
     if not model.elastic or not model.has("geometry"):
         return {}, []
-    geometry = {key: np.asarray(value) for key, value in model.kernel("geometry")(p=solution.parameters).items()}
+    geometry = model.geometry(solution.parameters)
     struts = [*beam_struts(model.description, geometry), *element_struts(model.description, geometry)]
     acting = acting_forces(solution) if struts else []
     shares: dict[str, float] = {}

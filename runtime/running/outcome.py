@@ -13,7 +13,7 @@ from runtime.contract.doors import opened
 from runtime.contract.status import Status
 from runtime.results.motion_error import MotionError
 from runtime.results.solution import Solution
-from runtime.running.run import Run
+from runtime.running.run import Run, integrate
 from runtime.running.stepped_model import SteppedModel
 
 LARGEST = 0.1  # of an amplitude: the error from which a run is not accurate
@@ -39,10 +39,11 @@ def passed_by(run: Run, steps: float) -> list[Any]:
 
 
 def _ended(run: Run, measure: Measure) -> Solution:
-    status = run.status if run.step == 0 and run.status is not None else run.go()
+    status = integrate(run)
     if status.ok:
         run.events += [one.told for one in passed_by(run, 1.0)[:1]]
-    status = _explained(status, run)
+    else:
+        status = opened("runtime.running.diagnose:laid_to_loads")(status, run.events, 2 * run.plan.grid.dt_L)
     run.record.flush()
     solution = run.seen()
     stats = {**statistics(run.segment, run.z, run.set_up, run.seconds), **solution.stats, **_circumstances(run)}
@@ -88,7 +89,7 @@ def with_error(solution: Solution, error: MotionError) -> Solution:
     worst = max(error.relative, key=lambda name: error.judged[name])
     rates = [name for name in error.judged if name not in error.relative]
     rate = max(rates, key=lambda name: error.judged[name], default=worst)
-    bad = error.judged[worst] > LARGEST
+    bad, advice = error.judged[worst] > LARGEST, ADVICE[0].lower() + ADVICE[1:]
     if not bad and error.judged[rate] > LARGEST_OF_RATES:  # a rate is named where positions are right
         bad, worst = True, rate
     if error.reliable_until is not None:
@@ -99,23 +100,10 @@ def with_error(solution: Solution, error: MotionError) -> Solution:
             cause = f"{cause}; the motion is not to be relied on after t = {error.reliable_until:.4g} s"
         status = Status("inaccurate", status.time, worst, cause, ADVICE)
     elif error.judged[rate] > LARGEST:
-        stats["remark"] = f"{rate} is off by {error.judged[rate]:.2g} of its size: {ADVICE[0].lower()}{ADVICE[1:]}"
+        stats["remark"] = f"{rate} is off by {error.judged[rate]:.2g} of its size: {advice}"
     elif error.largest > WORTH_A_WORD:
-        stats["remark"] = (
-            f"the error of {error.of} is {error.largest:.2g} of its amplitude: {ADVICE[0].lower()}{ADVICE[1:]}"
-        )
+        stats["remark"] = f"the error of {error.of} is {error.largest:.2g} of its amplitude: {advice}"
     return solution.but(error=error, stats=stats, status=status)
-
-
-def _explained(status: Status, run: Run) -> Status:
-    """A breakdown where a load has no finite value, or acts between the steps, is its doing."""
-    near = 2 * run.segment.plan.grid.dt_L
-    endless = [one for one in run.events if one.kind == "load_not_finite" and one.time <= status.time + near]
-    missed = [one for one in run.events if one.kind == "load_missed" and abs(one.time - status.time) <= near]
-    if status.name not in ("not_finite", "diverged", "step_too_short") or not endless + missed:
-        return status
-    advice = "Let it be finite, or end the run before." if endless else "Give it a smaller step there."
-    return Status(status.name, status.time, status.coordinate, (endless + missed)[0].text, advice)
 
 
 def _circumstances(run: Run) -> dict[str, float | int | str]:
@@ -139,7 +127,6 @@ def statistics(segment: SteppedModel, z: np.ndarray, setup: float, wall: float) 
     iterations = int(z[layout.slice("iterations")][0])
     full, partial = scheme.evaluations()
     full_evaluations, sub_steps = iterations or steps * full, steps * partial
-    taken: dict[str, float | int | str] = {}
     taken = scheme.taken(z)
     if taken:
         del taken["reached"]

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from itertools import accumulate
 from math import ceil
-from operator import index
+from operator import index, truediv
 from typing import Any
 
 from runtime.contract.doors import opened
 from runtime.contract.model import Model
 from runtime.running.problem import own_spacing, span_of
-from runtime.running.tolerance import AUTO
 from runtime.schemes.catalogue import scheme_kind
-from runtime.schemes.options import Grid, SchemeError
+from runtime.schemes.options import LARGEST_TOLERANCE, Grid, SchemeError
 from runtime.schemes.scheme import Scheme
 
+AUTO = "auto"
+DEFAULT = 1e-3  # of `auto`
+LEAST_TOLERANCE = 1e-13
 MAX_SAMPLES = 10_000_000
 MAX_STEPS = 1e15
 TOLD_APART = 2.0**-49  # dt over a time, at least
@@ -56,9 +59,11 @@ class Plan:
 
     def with_steps(self, model: Model, dt: float, steps: int, options: Mapping[str, Any] | None = None) -> Plan:
         """The same plan with so many steps of dt [s], and perhaps other options. Raises SchemeError."""
-        chosen = dict(self.options if options is None else options)
-        built = scheme_kind(self.name).build(self.name, model, dt, list(self.grid.m) or None, chosen)
-        return replace(self, scheme=built, options=chosen, steps=steps)
+        if options is None:
+            h = list(accumulate([dt, *self.grid.m], truediv))
+            return replace(self, scheme=self.scheme.on(replace(self.grid, h=h)), steps=steps)
+        built = scheme_kind(self.name).build(self.name, model, dt, list(self.grid.m) or None, options)
+        return replace(self, scheme=built, options=options, steps=steps)
 
     def on(self, model: Model) -> Plan:
         """The same plan for a variant of the model with as many groups, on the way: its step is not judged again.
@@ -123,6 +128,24 @@ def steps_asked(
         raise SchemeError("auto chooses m and options itself; leave them out, or name a scheme")
     found, step = opened("runtime.running.ladder:usual_steps")(model, t0, t_end)
     return found, step if dt is None else dt
+
+
+def tolerance_of(model: Model, scheme: str | None, tolerance: float | None, dt: float | None = None) -> float | None:
+    """The tolerance of a run: what was given, that of the scene where its own scheme runs without a step dt, or that of
+    `auto`; None for a run with steps of its own. Raises SchemeError for one out of range, and for an unknown scheme.
+    """
+    name = scheme or (AUTO if tolerance is not None else str(model.simulation["scheme"]))
+    if name != AUTO:
+        scheme_kind(name)
+    if tolerance is None and scheme in (None, AUTO):
+        tolerance = model.simulation.get("tolerance") or (DEFAULT if name == AUTO else None)
+    if tolerance is None:
+        return None
+    if isinstance(tolerance, bool) or not isinstance(tolerance, int | float) or not 0 < tolerance <= LARGEST_TOLERANCE:
+        raise SchemeError(f"tolerance must be between 0 and {LARGEST_TOLERANCE:g}, not {tolerance!r}")
+    if tolerance < LEAST_TOLERANCE:
+        raise SchemeError(f"tolerance = {tolerance:g} is below what rounding leaves; give at least {LEAST_TOLERANCE:g}")
+    return float(tolerance)
 
 
 def whole_number(value: Any) -> int | None:

@@ -63,6 +63,12 @@ class Problem:
         return scheduled(self.model, self.inputs, self.t0, dt)
 
     @cached_property
+    def numbers(self) -> tuple[float | bytes, ...]:
+        """What the motion of a model, with its inputs, depends on."""
+        state = self.state
+        return self.t0, self.t_end, self.p.tobytes(), state.q.tobytes(), state.q_dot.tobytes()
+
+    @cached_property
     def spacing(self) -> float | None:
         """The longest step at whose multiples all inputs are sampled [s]; None: nothing is sampled."""
         return spacing_of(self.inputs, self.t0)

@@ -19,10 +19,9 @@ from runtime.results.solution import Solution
 from runtime.running.companion import marks_of, measured
 from runtime.running.inputs import InputValue, bound, scheduled, started
 from runtime.running.outcome import finished
-from runtime.running.plan import make_plan
+from runtime.running.plan import AUTO, make_plan, tolerance_of
 from runtime.running.problem import Problem, common_time, own_spacing, seen_every_of, spacing_of, span_of
 from runtime.running.run import Further, Progress, begun
-from runtime.running.tolerance import AUTO, tolerance_of
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 

@@ -55,7 +55,7 @@ class SteppedModel:
     @classmethod
     def prepared(cls, model: Model, plan: Plan, p: np.ndarray, engine: str, wait: bool = False) -> Self:
         """Prepare and compile, for parameters p (n_p,); wait: for the best code. Raises ModelError or CompilerError."""
-        c = model.constants(p).copy()
+        c = model.constants(p)
         stepper = kept_stepper(plan.scheme, engine, wait)
         plan = replace(plan, scheme=stepper.scheme)
         return cls(model, plan, stepper, p.copy(), c, stepper.ready(c, plan.grid.dt_L).copy())

@@ -84,6 +84,11 @@ def _of_time(model: Model, c: np.ndarray, state: ConsistentState, name: str, out
     """t -> an output of a kernel at the state; None if it does not depend on t."""
     if not model.has(name) or "t" not in model.kernel(name).name_in():
         return None
+    numbers = (name, output, c.tobytes(), state.q.tobytes(), state.q_dot.tobytes())
+    return model.of_numbers("of time", numbers, lambda: _with_time_left(model, c, state, name, output))
+
+
+def _with_time_left(model: Model, c: np.ndarray, state: ConsistentState, name: str, output: str) -> ca.Function | None:
     t = ca.SX.sym("t")
     (q_i, q_d), (q_i_dot, q_d_dot) = parts(model, state.q), rate_parts(model, state.q, state.q_dot)
     values = {
@@ -160,24 +165,14 @@ def all_stops(
     state: at the start of the run. step [s]: no longer ones are made, so that those may stay out which lie farther
     apart.
     """
-    known = switching_times(model, c, t0, t_end)
-    forces = _forces_nearby(model, c, state)
-    if forces is None:
-        return known
-    seen = _kept_forces(model, forces, (t0, t_end, c.tobytes(), state.q.tobytes(), state.q_dot.tobytes()))
-    return sorted([*known, *pulse_times(forces, t0, t_end, known, step, seen)], key=lambda one: one.time)
 
-
-def _kept_forces(model: Model, forces: Forces, motion: tuple[float, float, bytes, bytes, bytes]) -> np.ndarray:
-    """Forces at POINTS + 1 times of a motion; those of the last one are kept for rungs and companions."""
-    kept: dict[tuple[float, float, bytes, bytes, bytes], np.ndarray] = model.derived("forces of a motion", dict)
-    found = kept.get(motion)
-    if found is None:
-        found = np.asarray(forces(np.linspace(*motion[:2], POINTS + 1)[None, :]))
-        kept.clear()
-        if found.nbytes <= MOST_KEPT:
-            kept[motion] = found
-    return found
+    motion, forces = (t0, t_end, c.tobytes(), state.q.tobytes(), state.q_dot.tobytes()), _forces_nearby(model, c, state)
+    known, short = model.of_numbers(
+        "stops",
+        motion,
+        lambda: (switching_times(model, c, t0, t_end), [] if forces is None else pulses(forces, t0, t_end)),
+    )
+    return sorted([*known, *pulse_times(short, t0, t_end, known, step)], key=lambda one: one.time)
 
 
 def _forces_nearby(model: Model, c: np.ndarray, state: ConsistentState) -> Forces | None:
@@ -253,7 +248,6 @@ def _missed_loads(
 
 LEVELS = ((256, 12), (64, 8), (16, 3))  # parts of a motion, and how many of them at most hold something short
 POINTS = 1 << 15  # of the motion, where loads are looked at
-MOST_KEPT = 1 << 23  # bytes of the forces there
 NOT_TOLD = 0.02  # of the whole impulse of a load
 BOOLE = np.array([7.0, 32.0, 12.0, 32.0, 7.0]) / 90
 ACTS = 1e-6  # of the largest second difference: where a pulse begins and ends
@@ -265,35 +259,29 @@ REACH = 8  # parts of the motion on each side
 Forces = Callable[[np.ndarray], np.ndarray]  # (n_Q, N) at times (1, N)
 
 
-def pulse_times(
-    forces: Forces,
-    t0: float,
-    t_end: float,
-    known: Sequence[SwitchTime],
-    step: float = np.inf,
-    seen: np.ndarray | None = None,
-) -> list[SwitchTime]:
-    """Times within short pulses from t0 to t_end [s], rising; known: where steps end anyway; step: the longest [s].
-
-    seen: the forces at POINTS + 1 times, where they are known.
-    """
+def pulses(forces: Forces, t0: float, t_end: float) -> list[tuple[float, float]]:
+    """(begin, end) [s] of what acts for a short time from t0 to t_end [s], rising."""
     times = np.linspace(t0, t_end, POINTS + 1)
-    values = np.asarray(forces(times[None, :]) if seen is None else seen).reshape(-1, POINTS + 1)
+    values = np.asarray(forces(times[None, :])).reshape(-1, POINTS + 1)
     if not (np.abs(values) < 1e290).all():
         return []
-    spans = sorted(
-        {
-            span
-            for k, row in enumerate(values)
-            if np.ptp(row) > 0
-            for span in short_spans(row)
-            if _has_height(forces, times, k, row, span)
-        }
-    )
+    spans = {
+        span
+        for k, row in enumerate(values)
+        if np.ptp(row) > 0
+        for span in short_spans(row)
+        if _has_height(forces, times, k, row, span)
+    }
+    return [(times[first], times[last]) for first, last in sorted(spans)]
+
+
+def pulse_times(
+    short: Sequence[tuple[float, float]], t0: float, t_end: float, known: Sequence[SwitchTime], step: float = np.inf
+) -> list[SwitchTime]:
+    """Times within pulses from t0 to t_end [s], rising; known: where steps end anyway; step: the longest [s]."""
     jumps = np.array([one.time for one in known])
     found: set[float] = set()
-    for first, last in spans:
-        low, high = times[first], times[last]
+    for low, high in short:
         if high - low < PARTS * step and not ((jumps >= low) & (jumps <= high)).any():
             found |= set(np.linspace(low, high, PARTS + 1).tolist())
     margins = [(t, MARGIN * max(abs(t), t_end - t0)) for t in sorted(found) if t0 < t < t_end]

@@ -187,7 +187,7 @@ def bodies(model: Model, p: np.ndarray) -> list[Body]:
             "solution loaded without its model)"
         )
     record = model.drawing
-    values = {key: np.asarray(value) for key, value in model.kernel("geometry")(p=p).items()}
+    values = model.geometry(p)
     points = _points(record["points"], values)
     surfaces = {one.body: one for one in model.description.drawing.surfaces}
     sections = dict(zip(record["sections"], np.reshape(values.get("sections", ()), (2, -1)).T, strict=True))

@@ -9,8 +9,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from runtime import Model, simulate
-from runtime.running.load_steps import steps_that_see_loads
-from runtime.schemes.switching.times import switching_times
+from runtime.running.ladder import steps_that_see_loads
 from runtime.start.start_state import start_state
 from symgen.scene import Scene, SceneRecord
 from tests.support.scenes import on_hinge
@@ -28,7 +27,7 @@ def rotor(torque: str) -> SceneRecord:
 def steps(model: Model) -> int:
     c = model.constants(model.parameter_vector())
     state = start_state(model, model.parameter_vector(), c, 0.0, None, None)
-    return steps_that_see_loads(model, c, state, 0.0, 10.0, switching_times(model, c, 0.0, 10.0))
+    return steps_that_see_loads(model, c, state, 0.0, 10.0)
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ import pytest
 
 from runtime import Model, simulate
 from runtime.contract.consistent_state import ConsistentState
-from runtime.running.time_functions import PARTS, all_stops, pulse_times
+from runtime.running.time_functions import PARTS, all_stops, pulse_times, pulses
 from runtime.schemes.switching.times import SwitchTime
 from symgen.scene import Scene, SceneRecord
 from tests.support.scenes import on_hinge
@@ -111,10 +111,13 @@ def test_where_steps_end_within_a_pulse() -> None:
     def pulse(t: np.ndarray, at: float = AT) -> np.ndarray:
         return 100 * np.exp(-(((t - at) / 3e-3) ** 2))
 
-    found = [one.time for one in pulse_times(lambda t: slow(t) + pulse(t), 0.0, 5.0, [])]
+    def times(forces: Callable[[np.ndarray], np.ndarray], *known: SwitchTime) -> list[float]:
+        return [one.time for one in pulse_times(pulses(forces, 0.0, 5.0), 0.0, 5.0, known)]
+
+    found = times(lambda t: slow(t) + pulse(t))
     assert len(found) == PARTS + 1 and found == sorted(found)
     assert found[0] == pytest.approx(AT - 0.012, abs=2e-3) and found[-1] == pytest.approx(AT + 0.012, abs=2e-3)
-    assert pulse_times(slow, 0.0, 5.0, []) == []
-    assert pulse_times(lambda t: np.sin(100 * t) ** 8, 0.0, 5.0, []) == []
-    assert pulse_times(lambda t: sum(pulse(t, 0.1 + 0.2 * k) for k in range(25)), 0.0, 5.0, []) == []
-    assert pulse_times(lambda t: slow(t) + pulse(t), 0.0, 5.0, [SwitchTime(AT, AT, AT, ())]) == []
+    assert times(slow) == []
+    assert times(lambda t: np.sin(100 * t) ** 8) == []
+    assert times(lambda t: sum(pulse(t, 0.1 + 0.2 * k) for k in range(25))) == []
+    assert times(lambda t: slow(t) + pulse(t), SwitchTime(AT, AT, AT, ())) == []

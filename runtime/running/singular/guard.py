@@ -13,7 +13,6 @@ import numpy as np
 
 from runtime.contract.coordinates import parts, rate_parts
 from runtime.contract.model import Model
-from runtime.contract.status import Status
 
 NEAR = 0.15  # of the largest determinant so far: below this a better q_i, or a singular position, is looked for
 LOWERED = 0.3  # times the threshold, where nothing better was found and no singular position lies ahead
@@ -77,12 +76,6 @@ class Guard:
     def remembered(cls, memory: list[list[float]]) -> Guard:
         """From `memory`."""
         return cls(np.array(memory[0]), np.array(memory[1]), float(memory[2][0]))
-
-
-def lost_unguarded(time: float) -> Status:
-    """Of a run whose next step after `time` [s] had to be taken although the guard gave alarm."""
-    cause = "the loop closure is singular within the next step"
-    return Status("branch_lost", time, None, cause, "Reduce the step, start elsewhere, or change a length a little.")
 
 
 # Numbers of a model along a motion: C_q, and the determinants of the loop blocks with their rates.

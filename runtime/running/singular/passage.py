@@ -6,7 +6,6 @@ All of it depends on states only, never on how many steps a native call made, so
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,10 +13,11 @@ import numpy as np
 from runtime.contract.coordinates import mechanism_length
 from runtime.contract.status import Event, Status, StatusName
 from runtime.results.solution import Solution
-from runtime.running.events import EventActions
+from runtime.running.events import note_impulses
+from runtime.running.run import Run
 from runtime.running.singular.crossing import BranchLost, TightIntegrator, approach, cross
 from runtime.running.singular.exchange import CLEARLY, Exchange, NoVariant, best_exchange, carried, variant_of
-from runtime.running.singular.guard import LAST, Guard, LoopDeterminants
+from runtime.running.singular.guard import FLOOR, LAST, Guard, LoopDeterminants
 from runtime.running.singular.over import Over, Way
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.options import SchemeError
@@ -73,22 +73,69 @@ def locate(
     return low_z, previous, True
 
 
-class Passage:
-    """Looks at a place where the alarm was raised, and decides. asked: was Ctrl-C pressed? happenings: its own."""
+def pass_by(run: Run, before: np.ndarray, n: int) -> None:
+    """A determinant of a loop block is small within n steps from `before`: decide how the run goes on, and see that."""
+    _go_on(run, before, n)
+    run.status = run.status or run.checked()
+    note_impulses(run.segment, run.step, run.events)
 
-    def __init__(
-        self,
-        segment: SteppedModel,
-        guard: Guard,
-        segments: list[SteppedModel],
-        engine: str,
-        asked: Callable[[], bool],
-        happenings: EventActions,
-    ) -> None:
-        self.segment, self.guard, self.segments, self.engine = segment, guard, segments, engine
-        self.asked, self.happenings = asked, happenings
-        self.loops = LoopDeterminants(segment.model, segment.c)
-        self.length = mechanism_length(segment.model, self.loops.jacobian(0.0, segments[0].model.initial_q))
+
+def _go_on(run: Run, before: np.ndarray, n: int) -> None:
+    run.z = before.copy()  # what Ctrl-C during the search leaves
+    z, previous, alarm = locate(run.segment, run.guard, run.earlier, before, n)
+    if not alarm:
+        run.z, run.earlier = z, before
+        return
+    if run.guard.threshold < FLOOR:
+        _step_unguarded(run, z)
+        return
+    last = z if previous is None else previous
+    found = Passage(run).go_on(last)
+    if run.left.get(id(found.segment)) == found.segment.step_of(found.z):  # exchanges would go in a circle
+        _step_unguarded(run, last)
+        return
+    happened, event = run.happenings, found.event
+    if event is not None and (event.kind != "no_variant" or not any(event.text == one.text for one in run.events)):
+        happened.told.append(event)  # said once
+    run.events += sorted(happened.told, key=lambda event: event.time)
+    happened.told.clear()
+    if found.drop_from is None and found.status is None:  # look again later
+        run.z, run.earlier = z, previous
+        return
+    if found.drop_from is not None:
+        run.record.drop_from(found.drop_from)
+        if run.marks is not None:
+            run.marks.drop_from(found.drop_from)
+    for sample in found.samples:
+        run.keep(sample[None])
+    run.status = found.status
+    if found.segment is not run.segment:
+        run.left[id(run.segment)] = found.segment.step_of(found.z)
+        run.segment, run.guard = found.segment, found.segment.new_guard()
+        if found.segment not in run.record.segments:
+            run.record.segments.append(found.segment)
+    run.z, run.earlier = found.z, None
+
+
+def _step_unguarded(run: Run, z: np.ndarray) -> None:
+    """A step that nothing better was found for: if the other checks find nothing wrong, the branch is lost."""
+    run.z, run.earlier = z.copy(), None
+    run.segment.run(run.z, 1)
+    run.status = run.checked(closely=True)
+    if run.status is None:
+        run.z = z
+        run.status = run.failed("branch")
+
+
+class Passage:
+    """Looks at a place where a run raised the alarm, and decides."""
+
+    def __init__(self, run: Run) -> None:
+        self.segment, self.guard = run.segment, run.guard
+        self.segments, self.engine = run.record.segments, run.problem.engine
+        self.asked, self.happenings = lambda: run.interrupts.asked, run.happenings
+        self.loops = LoopDeterminants(run.segment.model, run.segment.c)
+        self.length = mechanism_length(run.segment.model, self.loops.jacobian(0.0, self.segments[0].model.initial_q))
 
     def go_on(self, z: np.ndarray) -> Continuation:
         """From z, the last state whose determinants were good, if it passes the other checks."""

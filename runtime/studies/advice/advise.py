@@ -20,8 +20,8 @@ from runtime.contract.model import Model
 from runtime.contract.status import card, line, table
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.running.ladder import Ladder, Method, Rung, chosen_method
+from runtime.running.plan import AUTO, tolerance_of
 from runtime.running.problem import Problem
-from runtime.running.tolerance import AUTO, tolerance_of
 from runtime.studies.advice.frequencies import Groups, ModeRange, mode_ranges, propose_groups
 from runtime.studies.work_precision.comparison_page import command
 from runtime.studies.work_precision.methods import candidates, left_out, multirate

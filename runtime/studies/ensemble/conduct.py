@@ -13,7 +13,7 @@ import numpy as np
 
 from runtime.contract.errors import NoResult, SymgenError
 from runtime.contract.model import Model
-from runtime.running.run import Interrupts, heard_interrupts
+from runtime.running.pace import Interrupts, heard_interrupts
 from runtime.studies.ensemble.parts import StudyFolder
 from runtime.studies.ensemble.question import NAMES, Question
 from runtime.studies.ensemble.rows import Rows, work_on
