@@ -24,6 +24,7 @@ SECTIONS = {
         "four_bar_crossing",
         "end_stops",
         "bouncing_ball",
+        "stacked_balls",
     ],
     "Driven mechanisms and robots": ["five_bar_robot", "quick_return", "four_bar_300rpm", "geared_arm", "urdf_arm"],
     "In space": ["double_wishbone", "build_spatial_arm", "gyroscope", "tumbling_body", "spinning_satellite"],

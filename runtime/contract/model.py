@@ -16,7 +16,16 @@ import numpy as np
 from runtime.contract.doors import Door, opened
 from runtime.contract.errors import ModelError
 from runtime.contract.orientations import Places, places_of, with_charts
-from runtime.contract.records import Bound, BoundedQuantity, Coordinate, Description, Group, InputRecord, Parameter
+from runtime.contract.records import (
+    Bound,
+    BoundedQuantity,
+    Coordinate,
+    Description,
+    EventRecord,
+    Group,
+    InputRecord,
+    Parameter,
+)
 from runtime.contract.signals import Signals, traced, with_signals
 from runtime.contract.status import card, fold, table
 from runtime.contract.tape import arithmetic
@@ -331,9 +340,14 @@ class Model:
 
     @cached_property
     def element_modes(self) -> np.ndarray:
-        """(n_e,) positions of the modes of elements among the numbers of inputs."""
+        """(n_m,) positions of the modes of elements among the numbers of inputs."""
         names = self.signals.names
-        return np.array([names.index(one.mode) for one in self.description.events if one.mode], dtype=int)
+        return np.array([names.index(one.mode) for one in self.mode_events], dtype=int)
+
+    @cached_property
+    def mode_events(self) -> list[EventRecord]:
+        """Of friction and rigid stops, in the order of `element_modes`: the last of all events."""
+        return [one for one in self.description.events if one.mode]
 
     @cached_property
     def signals(self) -> Signals:
@@ -580,7 +594,16 @@ def refuse_events(model: Model, who: str) -> None:
 
 
 def refuse_elements(model: Model, who: str, remedy: str) -> None:
-    """Raises ModelError for a model with friction that sticks, of which `who` does not know."""
-    names = [event.name for event in model.description.events if event.mode]
-    if names:
-        raise ModelError(f"{', '.join(names)} of model {model.name}", f"sticks and slides, which {who}", remedy)
+    """Raises ModelError for a model with friction that sticks or rigid stops, of which `who` does not know."""
+    kinds = sorted({bool(event.side) for event in model.mode_events})
+    if kinds:
+        names = ", ".join(event.name for event in model.mode_events)
+        does = " and ".join(("sticks and slides", "opens and closes")[stop] for stop in kinds)
+        more = "; limits with a stiffness in place of a restitution are forces like others" if kinds[-1] else ""
+        raise ModelError(f"{names} of model {model.name}", f"{does}, which {who}", remedy + more)
+
+
+def refuse_rigid_stops(model: Model, who: str, remedy: str) -> None:
+    """Raises ModelError for a model with rigid stops, of which `who` does not know."""
+    if any(event.side for event in model.mode_events):
+        refuse_elements(model, who, remedy)

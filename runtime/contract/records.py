@@ -136,7 +136,8 @@ class EventRecord:
     """An event: rising, falling or either; terminal: does it end a run?; inputs that its action sets, in order.
 
     cool_down: for how long [s] it is not looked for once it has happened. mode: the hidden input of an element that
-    begins to stick or to slide there; those of elements come last.
+    begins to stick or to slide there, or of a stop that opens or closes; those of elements come last. row: of the
+    element; side: of a stop, gap' = side v, 0 for friction; moves: is a start beyond the stop moved to it?
     """
 
     name: str
@@ -145,6 +146,9 @@ class EventRecord:
     sets: list[str] = field(default_factory=list)
     cool_down: float = 0.0
     mode: str = ""
+    row: int = 0
+    side: int = 0
+    moves: bool = False
 
 
 # A beam as the manifest names it; its shapes follow from the names.
@@ -535,10 +539,11 @@ def as_plain(description: Description) -> dict[str, Any]:
     for joint in plain["joints"]:
         if joint["drawing"] == "pivot":
             del joint["drawing"]
-    for table, key in (("inputs", "hidden"), ("events", "mode")):
+    for table, keys in (("inputs", ("hidden",)), ("events", ("mode", "row", "side", "moves"))):
         for entry in plain[table]:
-            if not entry[key]:
-                del entry[key]
+            for key in keys:
+                if not entry[key]:
+                    del entry[key]
     return {key: value for key, value in plain.items() if value or key not in _MAY_LACK}
 
 

@@ -116,6 +116,8 @@ EventKind = Literal[
     "kink",
     "event",
     "mode",
+    "impact",
+    "rest",
 ]
 
 

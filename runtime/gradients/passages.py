@@ -42,7 +42,7 @@ class Passages:
 
     def refuse(self, samples: bool) -> None:
         """Raises ArgumentError for events that are not differentiated; samples: do inputs change in the run?"""
-        refuse_elements(self._model, "is not differentiated", "take a scene without friction, or differences")
+        refuse_elements(self._model, "is not differentiated", "take a scene without it, or differences")
         events = self._model.description.events
         ends = [event.name for event in events if event.terminal]
         if ends:

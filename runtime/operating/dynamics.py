@@ -17,7 +17,7 @@ from runtime.contract.consistent_state import MAX_ITERATIONS, InitialStateError
 from runtime.contract.coordinates import at_home, dependent_part, whole
 from runtime.contract.doors import opened
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model
+from runtime.contract.model import Model, refuse_rigid_stops
 from runtime.operating.given_state import closing
 
 POSSIBLE = 1e-9  # of the largest force: what motors may leave over
@@ -44,6 +44,7 @@ class Dynamics:
     """
 
     def __init__(self, model: Model) -> None:
+        refuse_rigid_stops(model, "is open at a state by itself", "take a scene without them, or step it")
         self.model = model
 
     def place(

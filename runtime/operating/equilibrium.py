@@ -156,7 +156,10 @@ def equilibrium(
             raise _no_trim(model, trim, fixed)
         q_i, p, iterations = trim_found.q_i, trim_found.p, iterations + trim_found.iterations
     values = dict(zip([parameter.name for parameter in model.parameters], p, strict=True))
-    return _told(clamped, q_i, p, tuple(held), tuple(rates), {name: float(values[name]) for name in trim}, iterations)
+    told = _told(clamped, q_i, p, tuple(held), tuple(rates), {name: float(values[name]) for name in trim}, iterations)
+    if any(event.side for event in model.mode_events):
+        opened("runtime.operating.at_stops:refuse_beyond")(model, model.constants(p), t, told.q, told.q_dot)
+    return told
 
 
 def _places(model: Model, initial: Initial) -> Mapping[str, float]:

@@ -8,7 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.contract.model import Model
-from runtime.schemes.switching.settle import AT_REST, balancing, complementary, elements
+from runtime.schemes.switching.complementarity import balancing, complementary
+from runtime.schemes.switching.settle import elements
+from runtime.schemes.switching.stops import AT_REST
 
 BEYOND = 1e-9  # of what holds: how far a force may be beyond it
 
@@ -34,23 +36,25 @@ class Unlocked:
 
 
 def with_modes(model: Model, values: np.ndarray, modes: np.ndarray) -> np.ndarray:
-    """p or c, whose last entries are the inputs, with modes (n_e,) of friction."""
+    """p or c, whose last entries are the inputs, with modes (n_m,)."""
     found = values.copy()
     found[len(found) - model.signals.size + model.element_modes] = modes
     return found
 
 
 def signs(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
-    """(n_e,) of the rates of joints with friction, zero at rest; at: q_i, q_d, q_i_dot, q_d_dot, t."""
-    rate = elements(model, at, c)["v_rel"]
+    """(n_m,) of the rates of joints with friction, zero at rest, one of stops; at: q_i, q_d, q_i_dot, q_d_dot, t."""
+    rate = elements(model, at, c)["v_rel"][[one.row for one in model.mode_events]]
     rest = AT_REST * (1.0 + np.abs(at["q_i_dot"]).max(initial=0.0))
-    return np.where(np.abs(rate) <= rest, 0.0, np.sign(rate))
+    sides = np.array([one.side for one in model.mode_events])
+    return np.where(sides != 0, 1.0, np.where(np.abs(rate) <= rest, 0.0, np.sign(rate)))
 
 
 def unlocked(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> Unlocked:
     """At a state: q_i, q_d, q_i_dot, q_d_dot, t, with constants c."""
     modes = signs(model, at, c)
-    own, rest = elements(model, at, with_modes(model, c, modes)), modes == 0
+    own = elements(model, at, with_modes(model, c, modes))
+    rest = [one.row for one, mode in zip(model.mode_events, modes, strict=True) if mode == 0]
     return Unlocked(own["M_hat"], own["Q_hat"], own["G"][rest], own["G_bias"][rest], own["holds"][rest])
 
 
@@ -62,10 +66,10 @@ def held(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> tuple[dic
     modes = c[len(c) - model.signals.size + model.element_modes]
     still = {**at, "q_i_ddot": np.zeros(len(model.q_i))}
     found = np.asarray(model.evaluate("element_forces", **still, c=c)["f_rel"]).ravel()
-    holds, names = elements(model, at, c)["holds"], [one.name for one in model.description.events if one.mode]
+    holds = elements(model, at, c)["holds"]
     rest = {
-        name: (float(f), float(most))
-        for name, f, most, mode in zip(names, found, holds, modes, strict=True)
+        one.name: (float(found[one.row]), float(holds[one.row]))
+        for one, mode in zip(model.mode_events, modes, strict=True)
         if not mode
     }
     forces = {name: f for name, (f, _) in rest.items()}

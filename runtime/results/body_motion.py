@@ -90,15 +90,17 @@ def attached_forces(
 ) -> list[tuple[str, np.ndarray]]:
     """(name, force on the frame's coordinates (N, .)) of each joint and load; frame: columns in q.
 
-    A name comes twice where a joint has viscous damping. Raises ModelError for a joint that sticks by friction: what
-    holds it then is no force of a law, and a sample does not know its mode.
+    A name comes twice where a joint has viscous damping. Raises ModelError for a joint that sticks by friction or has
+    rigid stops: what holds it then is no force of a law, and a sample does not know its mode.
     """
     model, N = solution.model, len(solution.t)
-    stick = {event.name for event in model.description.events if event.mode} & {f"{name}.friction" for name in names}
-    if stick:
+    own = {f"{name}.{what}" for name in names for what in ("friction", "limits.lower", "limits.upper")}
+    held = [event for event in model.mode_events if event.name in own]
+    if held:
+        does = " and ".join(("sticks and slides", "opens and closes")[k] for k in sorted({bool(e.side) for e in held}))
         raise ModelError(
-            f"{', '.join(sorted(stick))} at {body}",
-            "sticks and slides, and what holds it is not known to forces inside of the body",
+            f"{', '.join(sorted(event.name for event in held))} at {body}",
+            f"{does}, and what holds it is not known to forces inside of the body",
             'take way="modes"',
         )
     values = {"q": solution.q, "q_dot": solution.q_dot, "t": solution.t[:, None]}

@@ -18,8 +18,8 @@ PARTS = ("force", "velocity", "power", "heat")
 @dataclass(frozen=True)
 class JointFriction:
     """Over N samples: force (N,) on body b along the joint's coordinate [N or N m], against the sliding or what keeps
-    the joint at rest; mode (N,) 0 stuck, 1 or -1 sliding; velocity (N,) [m/s or rad/s]; power (N,) that becomes heat
-    [W]; heat (N,) since the first sample [J].
+    the joint at rest, its closed stop too; mode (N,) 0 stuck, 1 or -1 sliding; velocity (N,) [m/s or rad/s]; power
+    (N,) that becomes heat [W]; heat (N,) since the first sample [J].
     """
 
     force: np.ndarray
@@ -60,7 +60,7 @@ def friction_units(model: Model) -> dict[str, str]:
 def rubbing(model: Model) -> list[str]:
     """Names of the joints with friction that sticks."""
     joints = {f"{joint.name}.friction": joint.name for joint in model.description.joints}
-    return [joints[event.name] for event in model.description.events if event.mode]
+    return [joints[event.name] for event in model.mode_events if not event.side]
 
 
 def frictions(model: Model, values: Mapping[str, np.ndarray], c: np.ndarray) -> np.ndarray:
@@ -74,4 +74,5 @@ def frictions(model: Model, values: Mapping[str, np.ndarray], c: np.ndarray) -> 
     at["q_i"][..., [k for k in model.places.turns.ravel() if k < model.places.n_i]] = 0.0
     own, at["q_d"] = at_home(model, c, at["q_d"])
     found = evaluate(model.kernel("element_forces"), at, own)
-    return np.stack([found["f_rel"], found["v_rel"]], axis=-1)
+    rows = [event.row for event in model.mode_events if not event.side]
+    return np.stack([found["f_rel"][:, rows], found["v_rel"][:, rows]], axis=-1)

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from math import ceil
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from runtime.contract.coordinates import whole
 from runtime.contract.doors import opened
 from runtime.contract.records import EventRecord
 from runtime.contract.status import Event, Status
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.switching.breaks import ON_THE_GRID
-from runtime.schemes.switching.impulse import impulse_text
+from runtime.schemes.switching.impulse import Impulse, impulse_text
 from runtime.schemes.switching.watched import (
     Acted,
     action_values,
@@ -26,6 +27,7 @@ from runtime.schemes.switching.watched import (
 )
 
 MOST_IN_A_STEP = 50  # events of one name
+MOST_BOUNCES = 20_000  # upon one stop in a step: of restitution .999 there are so many before they come too close
 MOST_KINKS, OF_STEPS = 20, 60  # of one name within so many steps: then it is crossed for 1 step, for 2, for 4, ...
 CHATTER = 1e-3  # of the time between states that are seen, in place of a step: where steps follow from a tolerance
 MOST_TOLD = 100  # impulses of prescribed motions
@@ -197,19 +199,43 @@ class EventActions:
         if (own & (before != 0)).any():
             come = np.where(own, LOCATED * np.abs(event_slopes(scheme, seen.z, seen.c))[first : self._declared], 0.0)
         c = np.concatenate([self.own.c[: len(self.own.c) - len(inputs)], inputs])
-        found = opened("runtime.schemes.switching.settle:settled")(model, at, c, own & (before == 0), come)
+        settled = opened("runtime.schemes.switching.settle:settled")
+        found = settled(model, at, c, own & (before == 0), come, own & (before != 0))
         if found is None:
             self.status = Status(
-                "no_mode", t, None, "no choice of what sticks and what slides is consistent",
-                "Look at the friction of joints that share a loop, or take a smaller friction.",
+                "no_mode", t, None, "no choice of what is held and what moves is consistent",
+                "Look at the friction and the stops of joints that share a loop, or take a smaller friction.",
             )  # fmt: skip
             return np.zeros(len(model.q_i))
         inputs[modes] = found.modes
         z[self._inputs], push = inputs, np.asarray(found.push)
+        if found.hits:
+            # where an event ends a step of one length, what is seen there is after it
+            self._tell_hits(found, at, c, t, t if scheme.adaptive or not happened else float(np.nextafter(t, -np.inf)))
         for k in np.flatnonzero(found.modes != before):
             name = self._events[first + k].name
-            self.told.append(Event(t, "mode", _mode_text(name, float(found.modes[k])), name))
+            if text := _mode_text(self._events[first + k], float(before[k]), float(found.modes[k])):
+                self.told.append(Event(t, "mode", f"{name} {text}", name))
         return push
+
+    def _tell_hits(self, found: Any, at: Mapping[str, np.ndarray], c: np.ndarray, t: float, before: float) -> None:
+        """Impacts on stops at t [s], the energy that they took; before [s]: what is seen there is before them."""
+        model, lost = self.own.model, ""
+        if model.has("energy"):
+            ends = [(at["q_i_dot"], at["q_d_dot"]), (at["q_i_dot"] + found.push, found.q_d_dot)]
+            q, rates = whole(model, at["q_i"], at["q_d"]), [whole(model, *one) for one in ends]
+            kinetic = [float(model.evaluate("energy", q=q, q_dot=v, t=t, c=c)["kinetic"]) for v in rates]
+            earlier = self.own.impulses.get(before)
+            taken = kinetic[1] - kinetic[0] + (0.0 if earlier is None else earlier.energy)
+            self.own.impulses[before] = Impulse(taken, rates[1] - rates[0])
+            lost = f", {kinetic[0] - kinetic[1]:.6g} J lost"
+        for hit in found.hits:
+            name = model.mode_events[hit.k].name
+            text = f"{name} is hit at {-hit.before:.6g} and left at {hit.after:.6g}{lost}"
+            self.told.append(Event(t, "impact", text, name))
+            if hit.rests is not None:
+                text = f"{name}: its bounces are over, summed from t = {t:.9g} s on"
+                self.told.append(Event(t + hit.rests, "rest", text, name))
 
     def _rest(self, z: np.ndarray, k: int, t: float) -> None:
         """Kink k at t [s]: where it comes ever again, z does not look for it for ever longer."""
@@ -237,23 +263,26 @@ class EventActions:
         if event.terminal:
             self.status = Status("event", t, None, f"event {event.name}", "It ends the run, as the scene says.")
             return
-        recent = [*self._recent.get(event.name, ()), t][-MOST_IN_A_STEP:]
+        most = MOST_IN_A_STEP if not event.side else MOST_BOUNCES
+        recent = [*self._recent.get(event.name, ()), t][-most:]
         self._recent[event.name] = recent
         window = self.own.plan.grid.dt_L * (CHATTER if self._scheme.adaptive else 1)
-        if len(recent) == MOST_IN_A_STEP and t - recent[0] <= window:
+        if len(recent) == most and t - recent[0] <= window:
             within = f"{window:.3g} s" if self._scheme.adaptive else "one step"
             self.status = Status(
                 "chattering",
                 t,
                 None,
-                f"event {event.name} happens {MOST_IN_A_STEP} times within {within}: its action undoes itself",
+                f"event {event.name} happens {most} times within {within}: its action undoes itself",
                 "Give it a cool_down or a hysteresis (two events at two values), or let the force change smoothly.",
             )
 
 
-def _mode_text(name: str, mode: float) -> str:
-    """Of an element that begins to stick, or to slide."""
-    return f"{name} {'sticks' if mode == 0 else 'slides forwards' if mode > 0 else 'slides backwards'}"
+def _mode_text(event: EventRecord, before: float, mode: float) -> str:
+    """What an element does from here on; nothing where a stop stays open."""
+    if event.side:
+        return "closes" if mode == 0 else "opens" if before == 0 else ""
+    return "sticks" if mode == 0 else "slides forwards" if mode > 0 else "slides backwards"
 
 
 def _text(event: EventRecord, direction: str, changes: dict[str, float]) -> str:
@@ -264,6 +293,9 @@ def _text(event: EventRecord, direction: str, changes: dict[str, float]) -> str:
 def note_impulses(segment: SteppedModel, step: int, events: list[Event]) -> None:
     """Append an event for each impulse of a prescribed motion until the end of a step, unless it is told already."""
     told = {event.time for event in events if event.kind == "velocity_jump"}
+    told |= {
+        time for event in events if event.kind == "impact" for time in (event.time, np.nextafter(event.time, -np.inf))
+    }
     until = segment.plan.time(step) + NEAR * segment.plan.grid.dt_L
     for at, impulse in sorted(segment.impulses.items()):
         if at <= until and at not in told and len(told) < MOST_TOLD:

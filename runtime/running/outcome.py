@@ -47,7 +47,7 @@ def _ended(run: Run, measure: Measure) -> Solution:
     run.record.flush()
     solution = run.seen()
     stats = {**statistics(run.segment, run.z, run.set_up, run.seconds), **solution.stats, **_circumstances(run)}
-    events = [event for event in run.events if event.kind != "kink"]
+    events = sorted((event for event in run.events if event.kind != "kink"), key=lambda event: event.time)
     if run.segment.model.description.kinks and run.segment.plan.scheme.options.kinks == "crossed":
         events += opened("runtime.results.kinks:crossed_kinks")(solution)
     elif len(events) < len(run.events):
@@ -69,7 +69,7 @@ def _stops(run: Run) -> np.ndarray:
     plan, segments = run.segment.plan, run.record.segments
     impulses = {at: one.energy for segment in segments for at, one in segment.impulses.items()}
     found = {float(one.before): 0.0 for one in run.segment.switches if one.time not in impulses}
-    found |= {event.time: 0.0 for event in run.events if event.kind in ("event", "mode")}
+    found |= {event.time: 0.0 for event in run.events if event.kind in ("event", "mode", "rest")}
     if run.schedule is not None:
         found |= {plan.time(step): 0.0 for step in run.schedule.changes(run.step)}
     found |= impulses

@@ -144,6 +144,8 @@ class Run:
     def settle(self, told: bool = True) -> None:
         """Decide which elements stick from here on."""
         self._hold(self.happenings.settle(self.z))
+        if not told:
+            self.segment.impulses.clear()  # the first sample shows what is after them
         self._tell(told)
         self.status = self.status or self.happenings.status
 
@@ -190,7 +192,7 @@ class Run:
         self.status = self.checked() or self.happenings.status
 
     def _tell(self, told: bool = True) -> None:
-        self.events += self.happenings.told if told else []
+        self.events += [event for event in self.happenings.told if told or event.kind != "mode"]
         self.happenings.told.clear()
 
     def _hold(self, w: np.ndarray | None) -> None:

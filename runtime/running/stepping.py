@@ -240,7 +240,7 @@ class ModelStepper:
     def events(self) -> list[Event]:
         """Events of the model since `reset`, in order."""
         told = [] if self._across is None else self._across.happenings.told
-        return [event for event in told if event.kind != "kink"]
+        return sorted((event for event in told if event.kind != "kink"), key=lambda event: event.time)
 
     @property
     def ended(self) -> Status | None:

@@ -21,20 +21,28 @@ def start_state(
 ) -> ConsistentState:
     """Consistent q and q_dot for parameters p at t0, keeping the model's q_i except for the user's changes.
 
-    initial: what has a state, or coordinate names and `<coordinate>_dot` rates; they are kept exactly. start: one of
-    STARTS, the scene's own by default; elastic coordinates that the user changed are `given`. Raises InitialStateError.
+    initial: what has a state, or coordinate names and `<coordinate>_dot` rates; they are kept exactly, within rigid
+    stops. start: one of STARTS, the scene's own by default; elastic coordinates that the user changed are `given`.
+    Raises InitialStateError.
     """
     chosen = start or str(model.simulation.get("start", "given"))
     if chosen not in STARTS:
         raise InitialStateError(f"start must be one of {', '.join(STARTS)}, not {chosen!r}")
     changes = values_by_name(initial)
-    state = given_state(model, p, c, t0, changes)
-    if chosen == "given" or (start is None and _names_elastic(model, changes or {})):
-        return state
-    if chosen == "equilibrium":
-        return cast(ConsistentState, opened("runtime.start.quasi_static:equilibrium_state")(model, p, c, t0, state))
-    settled = opened("runtime.start.quasi_static:quasi_static_state")
-    return cast(ConsistentState, settled(model, c, t0, state, unstable=chosen == "quasi_static_unstable"))
+
+    def begun(more: Mapping[str, float]) -> ConsistentState:
+        state = given_state(model, p, c, t0, {**(changes or {}), **more} if more else changes)
+        if chosen == "given" or (start is None and _names_elastic(model, changes or {})):
+            return state
+        if chosen == "equilibrium":
+            return cast(ConsistentState, opened("runtime.start.quasi_static:equilibrium_state")(model, p, c, t0, state))
+        settled = opened("runtime.start.quasi_static:quasi_static_state")
+        return cast(ConsistentState, settled(model, c, t0, state, unstable=chosen == "quasi_static_unstable"))
+
+    state = begun({})
+    if any(event.side for event in model.mode_events):
+        return cast(ConsistentState, opened("runtime.operating.at_stops:within_stops")(model, c, t0, state, begun))
+    return state
 
 
 def _names_elastic(model: Model, changes: Mapping[str, float]) -> bool:

@@ -71,7 +71,7 @@ def locked_order(locks: Locks, topology: Topology) -> LockedOrder | None:
         far = max(entries, key=lambda column: (topology.distance_of(body_of[column]), column))
         if far in masks or far in relative:
             return None
-        moves = mul(one.mode, one.mode)
+        moves = one.moves
         if len(entries) == 1:
             masks[far] = moves
             continue

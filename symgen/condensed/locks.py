@@ -34,6 +34,7 @@ import numpy as np
 from symgen.algebra.rows import Row, add_scaled
 from symgen.algebra.scalar import ZERO, add, mul, sub, total
 from symgen.condensed.condensation import Condensed
+from symgen.system.constraint import DerivationError
 from symgen.system.equations import Element
 
 FOLLOWS = 1e-9  # of the largest entry of a row: what is left of one that follows from others
@@ -144,12 +145,17 @@ def echelon(stuck: ca.SX, G: ca.SX, bias: ca.SX) -> tuple[list[ca.SX], list[ca.S
 
 
 def locks(system: Condensed) -> Locks:
-    """Of a system with elements."""
+    """Of a system with elements. Raises DerivationError for a stop on a way that is prescribed."""
     elements, still = system.reduced.elements, system.accelerations({})
+    rows = [system.projected(one.row) for one in elements]
+    for one, row in zip(elements, rows, strict=True):
+        if one.stops and all(row.get(c, ZERO).is_zero() for c in system.choice.independent):
+            remedy = "leave the limits out, or let the joint move by forces"
+            raise DerivationError(f"{one.joint}.limits", "are on a way that is prescribed: no stop can hold it", remedy)
     bias = [
         sub(total(mul(value, still[c]) for c, value in one.row.items() if c in still), one.gamma) for one in elements
     ]
-    return Locks(system, elements, [system.projected(one.row) for one in elements], [add(b, ZERO) for b in bias])
+    return Locks(system, elements, rows, [add(b, ZERO) for b in bias])
 
 
 def add_stuck_forces(system: Condensed, force: Row) -> None:

@@ -71,7 +71,7 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
             EventRecord(name, event.direction, event.terminal, list(event.action), event.cool_down)
             for name, event in scene.events.items()
         ]
-        + [EventRecord(one.name, "falling", mode=one.mode.name()) for one in eq.elements],
+        + [part.record(row) for row, one in enumerate(eq.elements) for part in one.parts],
         switching=[item for item, _ in eq.switching],
         kinks=[item for item, _ in eq.kinks.values()],
         flexible=[LoadedBody(body, loads) for body in eq.flexible if (loads := eq.loads_on(body))],

@@ -207,6 +207,12 @@ class Joint(StrictModel):
         """The friction of its one free direction, which the types have that leave one free."""
         return getattr(self, "friction", None)
 
+    def rigid_ends(self) -> list[str]:
+        """Ends of its way that are rigid stops: lower, upper."""
+        limits = getattr(self, "limits", None)
+        given = ("lower", "upper") if limits is not None and limits.rigid else ()
+        return [key for key in given if getattr(limits, key) is not None]
+
     def _angle_faults(self, key: str, scene: Surroundings) -> Iterator[Fault]:
         """Of what needs a coordinate of its own, where the joint closes a loop in space."""
         turns = any(motion.kind == "angle" for motion in self.motions or ())

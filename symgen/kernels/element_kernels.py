@@ -1,4 +1,4 @@
-"""Functions of a system with elements that stick and slide: what holds them, when that ends, what decides then.
+"""Functions of a system with elements that are held and let go: what holds them, when that ends, what decides then.
 
 Whoever solves for accelerations finds M_hat and Q_hat with what sticks locked, and on a tree its elimination by masked
 pivots. The functions of stiff deflections are left out: runs do without them.
@@ -13,7 +13,7 @@ import casadi as ca
 
 from runtime.contract.records import Group
 from symgen.algebra.rows import Row
-from symgen.algebra.scalar import add, mul
+from symgen.algebra.scalar import ONE, add, mul, sub
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.forward_dynamics import LockedOrder, locked_accelerations, locked_order
 from symgen.condensed.locks import Locks, locks
@@ -21,8 +21,10 @@ from symgen.condensed.variations import variations
 from symgen.kernels.jacobians import directions, jacobian_kernels
 from symgen.kernels.kernel import Arguments, Kernel
 from symgen.kernels.specification import block_signals, substep_name
+from symgen.system.equations import Element
 from symgen.system.topology import Topology
 
+TOUCH = 1e-9  # m or rad: so far beyond a stop is on it, for what was left at rest and is pressed again
 LEAST = 1e-12  # m/s or rad/s: what has just begun to slide at rest has not come to rest
 STATE = ("q_i", "q_d", "q_i_dot", "q_d_dot")
 WITHOUT = ("deflections", "deflection_response", "shifted_solution", "forward_dynamics")
@@ -60,22 +62,38 @@ def _elements(locked: Locks, a: Arguments) -> Kernel:
         "v_rel": ca.densify(ca.vertcat(*(one.rate for one in own))),
         "holds": ca.densify(ca.vertcat(*(one.holds for one in own))),
     }
+    if stops := [stop for one in own for stop in one.stops]:
+        outputs["gap"] = ca.densify(ca.vertcat(*(one.gap for one in stops)))
+        outputs["restitution"] = ca.densify(ca.vertcat(*(one.restitution for one in stops)))
     return Kernel(a.select(*STATE), outputs)
 
 
 def _forces(locked: Locks, a: Arguments) -> Kernel:
-    """The force on each element, its rate, and the end of its mode: holds - |f| left stuck, s v sliding."""
+    """The force on each element, its rate, and what is left of each mode.
+
+    Of friction holds - |f| stuck, s v sliding; of a stop the gap while it is open, and what presses while it is closed.
+    """
     system, own = locked.system, locked.elements
     residual = system.generalised_force({c: a.q_i_ddot[k] for k, c in enumerate(system.choice.independent)})
     holding = locked.forces(residual)
     forces = [add(holding[k], one.law) for k, one in enumerate(own)]
-    left = [
-        one.stuck * (one.holds - ca.fabs(holding[k])) + mul(one.mode, one.rate) + LEAST * one.mode * one.mode
-        for k, one in enumerate(own)
-    ]
+    left = [value for k, one in enumerate(own) for value in _left(one, holding[k])]
     inputs = a.select(*STATE, q_i_ddot=a.q_i_ddot)
     columns = {"f_rel": forces, "v_rel": [one.rate for one in own], "mode_left": left}
     return Kernel(inputs, {name: ca.densify(ca.vertcat(*values)) for name, values in columns.items()})
+
+
+def _left(one: Element, force: ca.SX) -> list[ca.SX]:
+    """By mode. Friction lets nothing go that rests on a stop: the stop does, where that and friction hold no longer."""
+    found = []
+    if one.friction is not None:
+        s, stuck = one.friction.mode, sub(ONE, mul(one.friction.mode, one.friction.mode))
+        slack = add(mul(one.open, one.holds - ca.fabs(force)), sub(ONE, one.open))
+        found.append(stuck * slack + mul(s, one.rate) + LEAST * s * s)
+    for stop in one.stops:
+        away = mul(stop.mode, stop.mode)
+        found.append(away * (stop.gap + TOUCH * (1 - stop.mode) / 2) + (1 - away) * (stop.side * force + one.holds))
+    return found
 
 
 def _rates_left(name: str, locked: Locks, a: Arguments) -> Kernel:

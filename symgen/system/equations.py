@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, reduce
 from typing import Protocol
 
 import casadi as ca
 
-from runtime.contract.records import Coordinate, InputRecord, ModeSetRecord
+from runtime.contract.records import Coordinate, EventRecord, InputRecord, ModeSetRecord
 from symgen.algebra.rows import Row, add_scaled, add_to
 from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, sub, total
 from symgen.bodies.outlines import Picture
@@ -58,25 +58,85 @@ class Rotor:
 
 
 @dataclass(frozen=True)
-class Element:
-    """A direction that may stick: v = row . q', v' = row . q'' - gamma.
+class Rubbing:
+    """What rubs on an element. mode: 0 while it is stuck, else the sign of v, an input that a run sets.
 
-    mode: 0 while it is stuck, else the sign of v, an input that a run sets; holds: the force on v that keeps it so lies
-    between -holds and holds. Where it moves, its law is among the forces.
+    holds: the force on v that keeps it stuck lies between -holds and holds. Where it moves, its law is a force.
     """
 
     name: str
     mode: ca.SX
-    row: Row
-    rate: ca.SX
-    gamma: ca.SX
     law: ca.SX
     holds: ca.SX
 
+    def record(self, row: int) -> EventRecord:
+        """Of the event that ends a mode; row: of the element."""
+        return EventRecord(self.name, "falling", mode=self.mode.name(), row=row)
+
+
+@dataclass(frozen=True)
+class Stop:
+    """An end of the way of an element: gap' = side v. mode: 0 while it is closed, then side times the force on v is
+    positive; 1 while it is open, -1 where it was left at rest. moves: is a start beyond it moved to it?
+    """
+
+    name: str
+    mode: ca.SX
+    side: int
+    gap: ca.SX
+    restitution: ca.SX
+    moves: bool
+
+    def record(self, row: int) -> EventRecord:
+        """Of the event that ends a mode; row: of the element."""
+        return EventRecord(self.name, "falling", mode=self.mode.name(), row=row, side=self.side, moves=self.moves)
+
+
+@dataclass(frozen=True)
+class Element:
+    """A direction that may be held: v = row . q', v' = row . q'' - gamma; by friction that sticks, by a closed stop."""
+
+    joint: str
+    row: Row
+    rate: ca.SX
+    gamma: ca.SX
+    friction: Rubbing | None
+    stops: Sequence[Stop]
+
+    @property
+    def parts(self) -> list[Rubbing | Stop]:
+        """What has a mode, in the order of the modes."""
+        return [*([] if self.friction is None else [self.friction]), *self.stops]
+
+    @property
+    def moves(self) -> ca.SX:
+        """One, or zero where it is held."""
+        return product([mul(part.mode, part.mode) for part in self.parts])
+
+    @property
+    def open(self) -> ca.SX:
+        """One, or zero where a stop is closed."""
+        return product([mul(part.mode, part.mode) for part in self.stops])
+
     @property
     def stuck(self) -> ca.SX:
-        """One or zero."""
-        return sub(ONE, mul(self.mode, self.mode))
+        """One where it is held, or zero."""
+        return sub(ONE, self.moves)
+
+    @property
+    def law(self) -> ca.SX:
+        """Force of friction that slides."""
+        return ZERO if self.friction is None else self.friction.law
+
+    @property
+    def holds(self) -> ca.SX:
+        """Force up to which friction holds."""
+        return ZERO if self.friction is None else self.friction.holds
+
+
+def product(factors: Sequence[ca.SX]) -> ca.SX:
+    """Of all; one of none."""
+    return reduce(mul, factors, ONE)
 
 
 InertiaForces = Callable[[Row], Row]  # of a tree of frames: accelerations -> by column
@@ -124,7 +184,7 @@ class Equations:
     placed_columns: coordinates of the frames of placed bodies, which no mass and no other constraint knows of;
     felt_columns: those of them that forces depend on, by measures of coordinates, with those that they follow from.
     Energies [J] and powers [W] are scalars.
-    rotors: of motors, which M and Q_v hold. elements: of friction, whose laws Q_F holds.
+    rotors: of motors, which M and Q_v hold. elements: of friction, whose laws Q_F holds, and rigid stops.
     springs: loads that are linear springs, by name. joint_columns: coordinates of joints; gravity: its components
     [m/s^2]; measure_units: SI unit of each measure. u: the entries of the inputs by name, each a symbol.
     load_forces: generalised force of each load and each joint's friction, by its name. beams: mode sets of the

@@ -33,9 +33,9 @@ from symgen.scene.flexible import ALL_GAUGES
 from symgen.scene.measures import Measure, SectionForceMeasure, StressMeasure
 from symgen.schema.fields import Scope, StrictModel
 from symgen.system.constraint import ConstraintRow, DerivationError, Motion, combined
-from symgen.system.equations import Element, Equations, Rotor
+from symgen.system.equations import Element, Equations, Rotor, Rubbing, Stop
 from symgen.system.one_sided import Push, against, beyond_play, hunt_crossley
-from symgen.system.signals import mode_of, motion_derivatives
+from symgen.system.signals import modes_of, motion_derivatives
 from symgen.system.structure import ExpressionReader, Read
 from symgen.system.topology import Topology
 
@@ -231,19 +231,43 @@ class Mechanism(Generic[Marker]):
             self._add_effect(joint.name, effect)
         if (motor := getattr(joint, "motor", None)) is not None:
             self._add_rotor(joint, motor)
-        limits, backlash = getattr(joint, "limits", None), getattr(joint, "backlash", None)
-        if limits is not None or backlash is not None:
-            own = self.space.coordinate_row(f"{joint.name}.{(joint.motions or ())[0].name}")
-            if limits is not None:
+        limits: Limits | None = getattr(joint, "limits", None)
+        backlash, modes = getattr(joint, "backlash", None), modes_of(joint)
+        if limits is None and backlash is None and not modes:
+            return
+        own = self.space.coordinate_row(f"{joint.name}.{(joint.motions or ())[0].name}")
+        if backlash is not None:
+            self._add_one_sided(joint.name, own.C_q, self._backlash(joint.name, backlash, own))
+        if limits is not None:
+            self._bound_limits(joint.name, limits)
+            if not limits.rigid:
                 self._add_one_sided(joint.name, own.C_q, self._limits(joint.name, limits, own))
-            if backlash is not None:
-                self._add_one_sided(joint.name, own.C_q, self._backlash(joint.name, backlash, own))
-        if (friction := joint.rubs()) is not None:
-            self._add_friction(joint, friction)
+        if modes:
+            friction = joint.rubs()
+            rubbing = None if friction is None else self._friction(joint.name, friction, own, eq.u[modes["friction"]])
+            ends = [] if limits is None else [(limits, end) for end in joint.rigid_ends()]
+            stops = [self._stop(joint.name, limits, end, own, eq.u[modes[end]]) for limits, end in ends]
+            eq.elements.append(Element(joint.name, dict(own.C_q), self._rate(own), own.gamma, rubbing, stops))
 
-    def _add_friction(self, joint: Joint, friction: Friction) -> None:
+    def _stop(self, name: str, limits: Limits, end: str, own: ConstraintRow, mode: ca.SX) -> Stop:
+        item, side = f"{name}.limits", 1 if end == "lower" else -1
+        gap = mul(ca.SX(side), sub(own.C, self._quantity(limits, end, item)))
+        restitution = self._quantity(limits, "restitution", item)
+        return Stop(f"{item}.{end}", mode, side, gap, restitution, limits.beyond == "moved")
+
+    def _bound_limits(self, name: str, limits: Limits) -> None:
+        """Parameters may not cross them later, nor take a restitution above one."""
+        item = f"{name}.limits"
+        if limits.lower is not None and limits.upper is not None:
+            lower, upper = (self._quantity(limits, key, item) for key in ("lower", "upper"))
+            self.table.require(item, "upper - lower", sub(upper, lower))
+        if limits.rigid:
+            e = self._quantity(limits, "restitution", item)
+            self.table.require(f"{item}.restitution", "1 - restitution", sub(ONE, e))
+
+    def _friction(self, name: str, friction: Friction, own: ConstraintRow, s: ca.SX) -> Rubbing:
         """-s (coulomb + stribeck exp(-s v / v_s)) - viscous v where v slides to the side s, nothing where it sticks."""
-        eq, (motion, *_), item = self.equations, joint.motions or (), f"{joint.name}.friction"
+        item = f"{name}.friction"
 
         def of(key: str, otherwise: ca.SX = ZERO) -> ca.SX:
             return otherwise if getattr(friction, key) is None else self._quantity(friction, key, item)
@@ -253,14 +277,13 @@ class Mechanism(Generic[Marker]):
         beyond = of("stribeck", sub(holds, coulomb))
         if friction.breakaway is not None:
             self.table.require(f"{item}.breakaway", "breakaway - coulomb", sub(holds, coulomb))
-        own = self.space.coordinate_row(f"{joint.name}.{motion.name}")
-        s, v, law = eq.u[mode_of(joint)], self._rate(own), coulomb
+        v, law = self._rate(own), coulomb
         if not beyond.is_zero():  # steps look behind a reversal before they end there: it must not explode
             law = add(law, mul(beyond, ca.exp(ca.fmin(neg(div(mul(s, v), speed)), 1))))
         force = neg(add(mul(s, law), mul(viscous, v)))
         row = {column: mul(force, value) for column, value in own.C_q.items()}
-        self._add_effect(joint.name, LoadEffect(row, dissipated=neg(mul(force, v))))
-        eq.elements.append(Element(item, s, dict(own.C_q), v, own.gamma, force, holds))
+        self._add_effect(name, LoadEffect(row, dissipated=neg(mul(force, v))))
+        return Rubbing(item, s, force, holds)
 
     def _add_one_sided(self, name: str, row: Row, sides: Sequence[tuple[int, Push]]) -> None:
         self._add_effect(name, against(row, sides))
@@ -284,10 +307,11 @@ class Mechanism(Generic[Marker]):
         ends = {
             key: self._quantity(limits, key, item) for key in ("lower", "upper") if getattr(limits, key) is not None
         }
-        stiffness, damping = (self._quantity(limits, key, item) for key in ("stiffness", "damping"))
+        stiffness = self._quantity(limits, "stiffness", item)
+        damping = ZERO if limits.damping is None else self._quantity(limits, "damping", item)
         rate, sides = self._rate(own), {"lower": -1, "upper": 1}
         return [
-            (side, hunt_crossley(side * (own.C - ends[key]), side * rate, stiffness, damping, limits.exponent))
+            (side, hunt_crossley(side * (own.C - ends[key]), side * rate, stiffness, damping, limits.exponent or 1.0))
             for key, side in sides.items()
             if key in ends
         ]

@@ -18,17 +18,26 @@ def input_records(scene: SceneRecord) -> list[InputRecord]:
         InputRecord(name, entry.unit, entry.description, entry.default, entry.has_rates, entry.filter or 0.0)
         for name, entry in scene.all_inputs().items()
     ]
-    return found + [InputRecord(mode, "", "0 stuck, 1 or -1 sliding", 0.0, hidden=True) for mode in modes(scene)]
+    sliding, open_ = ("0 stuck, 1 or -1 sliding", 0.0), ("0 closed, 1 open, -1 left at rest", 1.0)
+    return found + [
+        InputRecord(mode, "", *(sliding if end == "friction" else open_), hidden=True)
+        for joint in scene.joints
+        for end, mode in modes_of(joint).items()
+    ]
 
 
-def mode_of(joint: Joint) -> str:
-    """The input that says whether a joint sticks, or to which side it slides."""
-    return f"{joint.name}.friction_mode"
+def modes_of(joint: Joint) -> dict[str, str]:
+    """The inputs that say whether a joint sticks or to which side it slides, and whether its rigid stops are closed.
+
+    By `friction`, `lower`, `upper`.
+    """
+    friction = ["friction"] if joint.rubs() is not None else []
+    return {end: f"{joint.name}.{end}_mode" for end in (*friction, *joint.rigid_ends())}
 
 
 def modes(scene: SceneRecord) -> list[str]:
-    """Of the joints with friction."""
-    return [mode_of(joint) for joint in scene.joints if joint.rubs() is not None]
+    """Of the joints with friction and rigid stops."""
+    return [mode for joint in scene.joints for mode in modes_of(joint).values()]
 
 
 def input_units(scene: SceneRecord) -> dict[str, str]:

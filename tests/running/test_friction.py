@@ -11,7 +11,7 @@ import pytest
 
 from runtime import Model, ModelError, Solution, ensemble, simulate
 from runtime.schemes.catalogue import SCHEMES
-from runtime.schemes.switching.settle import complementary
+from runtime.schemes.switching.complementarity import complementary
 from symgen.scene import Scene, SceneError, SceneRecord
 
 Build = Callable[[SceneRecord], Model]

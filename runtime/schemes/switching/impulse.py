@@ -52,7 +52,7 @@ def may_give_impulses(model: Model, c: np.ndarray, switches: Sequence[SwitchTime
     """
     found = _may_jump(model, c, switches) if switches and moves_in_time(model) else []
     if found:
-        remedy = "smooth the motion, or take a scene without friction"
+        remedy = "smooth the motion, or take a scene without it"
         refuse_elements(model, "the impulse of a prescribed velocity that jumps does not know", remedy)
     return found
 

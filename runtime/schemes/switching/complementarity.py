@@ -1,0 +1,83 @@
+"""Forces between bounds on directions that are at rest: a box-constrained linear complementarity problem.
+
+With v' = b + A f, A = G M_hat^-1 G^T,
+
+    f at its lower bound: v' >= 0,    f between its bounds: v' = 0,    f at its upper bound: v' <= 0.
+
+It is solved by pivots: all hold; the one whose force is beyond its bound by most, measured by what that would
+accelerate, lets go; one that would then accelerate against its force holds again. Where rows say the same, A is
+singular: then those that hold do so with the least sum of (f / bound)^2.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+HOLDS = 0
+MOST = 20  # solutions beyond two for each direction
+SINGULAR = 1e-11  # of the largest of the diagonal: what is left of that of a row that follows from others
+ROUNDING = 1e-12  # of the largest bound, and of the accelerations that forces make
+
+
+def complementary(
+    A: np.ndarray, b: np.ndarray, lower: np.ndarray, upper: np.ndarray, let_go: np.ndarray | None = None
+) -> np.ndarray | None:
+    """(n,) -1 at the lower bound, 0 between, 1 at the upper one, of v' = b + A f; None where no set was found.
+
+    let_go (n,): those that are at a bound, where rounding leaves it open.
+    """
+    n, at = len(b), np.zeros(len(b), dtype=int)
+    if not n:
+        return at
+    named = np.zeros(n, dtype=bool) if let_go is None else let_go.astype(bool)
+    largest = max(float(np.abs(one[np.isfinite(one)]).max(initial=0.0)) for one in (lower, upper))
+    # what presses on a stop by rounding only does not hold it closed
+    alone = ROUNDING * np.abs(b).max() / np.maximum(np.diag(A), 1e-300)
+    dust = ROUNDING * largest + np.where(np.isfinite(lower) & np.isfinite(upper), 0.0, alone + 1e-300)
+    still = ROUNDING * (np.abs(b).max() + np.abs(A).max() * largest)
+    at[named] = _nearest(balancing(A, b, lower, upper, at), lower, upper)[named]
+    slack = np.where(named, 1e6 * still, still)
+    for _ in range(2 * n + MOST):
+        f = balancing(A, b, lower, upper, at)
+        beyond = np.where(at == HOLDS, np.maximum(f - upper, lower - f) + dust, -np.inf)
+        worst = int(np.argmax(beyond * np.diag(A)))
+        if beyond[worst] > 0:
+            at[worst] = _nearest(f, lower, upper)[worst]
+            continue
+        wrong = np.where(at != HOLDS, at * (b + A @ f), -np.inf) - slack
+        worst = int(np.argmax(wrong))
+        if wrong[worst] <= 0:
+            return at
+        at[worst] = HOLDS
+    return None
+
+
+def _nearest(f: np.ndarray, lower: np.ndarray, upper: np.ndarray) -> np.ndarray:
+    """(n,) the bound that each force is at, or beyond: 1 the upper one, -1 the lower one."""
+    return np.where(upper - f <= f - lower, 1, -1)
+
+
+def balancing(A: np.ndarray, b: np.ndarray, lower: np.ndarray, upper: np.ndarray, at: np.ndarray) -> np.ndarray:
+    """(n,) forces: at the bounds, and what keeps the others from accelerating."""
+    f, held = np.where(at > 0, upper, np.where(at < 0, lower, 0.0)), at == HOLDS
+    if held.any():
+        bound = np.where(np.isfinite(upper), upper, np.where(np.isfinite(lower), -lower, 0.0))[held]
+        H = np.where(bound > 0, bound, bound.max(initial=0.0) or 1.0)
+        own = H[:, None] * A[np.ix_(held, held)] * H
+        side = -H * (b + A @ np.where(held, 0.0, f))[held]
+        f[held] = H * _least(own, side)
+    return f
+
+
+def _least(A: np.ndarray, side: np.ndarray) -> np.ndarray:
+    """x (n,) of least norm with A x = side, A (n, n) symmetric: a combination of columns of A that are independent."""
+    left, largest, chosen = A.copy(), float(np.diag(A).max()), list[int]()
+    while len(chosen) < len(A):
+        k = int(np.argmax(np.diag(left)))
+        if left[k, k] <= SINGULAR * largest:
+            own = A[:, chosen]
+            return np.asarray(own @ np.linalg.solve(own.T @ own, side[chosen])) if chosen else np.zeros(len(A))
+        left = left - np.outer(left[:, k], left[k]) / left[k, k]
+        chosen.append(k)
+        left[chosen, chosen] = -1.0
+    return np.asarray(np.linalg.solve(A, side))
