@@ -153,6 +153,12 @@ def test_long_stages_pass_values_through_the_callers_array(
         np.testing.assert_array_equal(state, stepper.save().z)
 
 
+def test_no_model_takes_the_name_of_the_example(built_in: Load, tmp_path: Path) -> None:
+    with pytest.raises(ModelError, match=r"name of the example, main\.c"):
+        write_c(exported(built_in("double_pendulum"), name="main"), tmp_path)
+    assert not list(tmp_path.iterdir())
+
+
 @needs_compiler
 @pytest.mark.skipif(shutil.which("nm") is None, reason="no nm")
 def test_names_are_prefixed_and_nothing_is_writable(built_in: Load, tmp_path: Path) -> None:
