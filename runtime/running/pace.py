@@ -11,7 +11,7 @@ from types import FrameType
 
 CALL_SECONDS = 0.25  # a call lasts about this long
 LONGEST_CALL = 1 << 20
-FIRST_CALL = 4_000_000  # operations: some ms, a quarter of a second where they are interpreted
+FIRST_SAVED = 32  # of the first look: what goes wrong and heals within a stretch is not seen
 MOST_SAVED = 256  # states that are saved between two looks
 
 
@@ -23,13 +23,8 @@ class Pace:
     """
 
     steps: int = 64
-    saves: int = MOST_SAVED
+    saves: int = FIRST_SAVED
     slow_until: int = 0
-
-    @classmethod
-    def of(cls, operations: int) -> Pace:
-        """Of steps of so many operations, before it is known how long they last: a power of two."""
-        return cls(1 << max(cls.steps, FIRST_CALL // max(1, operations)).bit_length() - 1)
 
     def slow(self, step: int) -> bool:
         """Is each saved state looked at closely here?"""

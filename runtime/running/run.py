@@ -336,7 +336,7 @@ def begun(
     changes = ", ".join(f"{key}: {a:.9g} -> {b:.9g}" for key, (a, b) in state.changed.items() if _differ(a, b))
     record = record_of(segment, z, further.stream, keep_rows=further.bounded)
     run = Run(problem, segment, z, record, further, changes or "none", events, guard=segment.new_guard(), marks=marks)
-    run.pace = Pace.of(segment.stepper.operations)
+    run.pace = Pace()
     run.settle(told=False)
     with record.closed_on_error():
         run.status = run.status or segment.monitor.first(segment.state(z))
