@@ -91,6 +91,7 @@ def test_commands_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: p
 
 
 MOST_LINES, MOST_CHARACTERS = 150, 100  # of a guide
+RESULTS = ("view.html", "motion.png", "solution.csv", "report.md")  # of the last commands of the first steps
 
 
 @pytest.mark.parametrize("page", sorted(GUIDE.glob("*.md")), ids=page_id)
@@ -196,12 +197,13 @@ def test_pages_name_every_command_and_function() -> None:
 def test_the_first_steps_lead_there(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The scene and the commands of the page leave what the page says."""
+    """The program and the commands of the page leave what the page says."""
     page = GUIDE / "first-steps.md"
     monkeypatch.chdir(tmp_path)
-    (scene,) = blocks(page, "toml")
-    (tmp_path / "pump.toml").write_text(scene, encoding="utf-8")
+    (tmp_path / "pump.py").write_text("\n".join(blocks(page, "python")), encoding="utf-8")
+    runpy.run_path("pump.py", run_name="__main__")
     for line in blocks(page, "sh")[0].splitlines():
         assert main(shlex.split(line)[1:]) == 0, (line, capsys.readouterr().err)
-    left = re.findall(r"`((?:results|report)/\w+\.\w+)`", read(page))
-    assert len(left) > 5 and not [name for name in left if not (tmp_path / name).is_file()]
+    assert {"motion.png", "pump.html", "pump.csv"} <= set(re.findall(r"`([\w.]+)`", read(page)))
+    left = ["motion.png", "pump.html", "pump.csv", *(f"results/{name}" for name in RESULTS)]
+    assert not [name for name in left if not (tmp_path / name).is_file()]
