@@ -337,10 +337,15 @@ static int reach(Run *r, double start, double length, double *clock) {
 /* events that pass zero where something jumps between two clocks */
 static int jumped(Run *r, double before, double after) {
   double here[ROW], there[ROW], *quiet = quiet_of(r->S);
-  int happened[ROW];
+  const double clock = r->S[0];
+  int happened[ROW], ends;
   values_shown(r, here, r->S);
   M(events)(there, r->T, set_out(r, r->S, r->S[SEEN], after), r->w);
-  return passed(here, there, quiet, before, ALL, happened) && act(r, r->S, (before + after) / 2, happened);
+  if (!passed(here, there, quiet, before, ALL, happened)) return 0;
+  r->S[0] += after - before; /* what holds or lets go is decided by the loads behind the jump */
+  ends = act(r, r->S, (before + after) / 2, happened);
+  r->S[0] = clock;
+  return ends;
 }
 #endif
 

@@ -74,6 +74,7 @@ CASES: list[Any] = [
     (four_bar, "single_rate", 1e-3, 1500, 10),
     (lambda: four_bar("abcd"), "rk4", 1e-3, 1500, 10),
     (arm, "exponential", 1e-3, 1000, 1),
+    (lambda: block("20 * step(t - 0.433)"), "rk4", 0.01, 100, 1),
 ]
 
 

@@ -74,6 +74,15 @@ def test_a_release_and_reversals_are_located(model_of: Build) -> None:
     assert np.abs(run.energy_balance()).max() < 1e-6
 
 
+@pytest.mark.parametrize("how", [{}, {"scheme": "dopri5", "options": {"tolerance": 1e-6}}])
+@pytest.mark.parametrize("start", [0.43, 0.433])
+def test_a_load_that_jumps_lets_go_of_what_was_held(model_of: Build, how: dict[str, Any], start: float) -> None:
+    """At the end of a step and within one: 5 N against 3 N that hold, x = t^2 from there on."""
+    run = simulate(model_of(block({"coulomb": 3.0}, f"5 * step(t - {start})", t_end=1.0)), **how)
+    assert [event.text for event in run.events] == ["rail.friction slides forwards"]
+    assert run.status.ok and run["x"][-1] == pytest.approx((1.0 - start) ** 2, abs=1e-11)
+
+
 def test_force_mode_and_heat_of_a_joint_are_outputs(model_of: Build, tmp_path: Path) -> None:
     """By hand: 1 kg at 4 m/s, pulled by 2 N against 3 N, stops after 4 s; 8 J + 16 J become heat; then 2 N hold it.
 

@@ -382,7 +382,12 @@ class _EventStep:
                 steps.impulses[(before + after) / 2] = Impulse(float(found[n]), found[n + 1 :])
         there = event_values(scheme, *self._set_out(z, float(z[self._at("dt_seen")][0]), after))
         happened = passed(scheme, event_values(scheme, state, constants), there, quiet_until(scheme, z) > before)
-        return bool(happened) and self._act(z, (before + after) / 2, happened)
+        if not happened:
+            return False
+        clock = float(z[0])
+        z[0] += after - before  # what holds or lets go is decided by the loads behind the jump
+        ends, z[0] = self._act(z, (before + after) / 2, happened), clock
+        return ends
 
 
 def _impulse(stepper: Stepper) -> Callable[..., np.ndarray]:
