@@ -90,6 +90,7 @@ static int complementary(int *at, const double *A, const double *b, const double
   dust = NIL * largest, still = NIL * (still + all * largest);
   forces(f, A, b, most, at, n);
   EACH(k, n) if (let_go[k]) at[k] = f[k] >= 0 ? 1 : -1;
+  EACH(k, n) at[k] = most[k] > 0 ? at[k] : 1; /* what holds nothing goes where it is pulled */
   for (turn = 0; turn < 2 * n + 20; ++turn) {
     int beyond = -1, wrong = -1;
     double worst = 0, against = 0;
@@ -98,9 +99,10 @@ static int complementary(int *at, const double *A, const double *b, const double
       const double over = (fabs(f[k]) - most[k] + dust) * A[k + n * k];
       double a = b[k];
       EACH(j, n) a += A[k + n * j] * f[j];
+      if (most[k] <= 0) at[k] = a > 0 ? -1 : 1;
       a = at[k] * a - (let_go[k] ? 1e6 * still : still);
       if (at[k] == 0 && over > worst) worst = over, beyond = k;
-      if (at[k] != 0 && a > against) against = a, wrong = k;
+      if (at[k] != 0 && most[k] > 0 && a > against) against = a, wrong = k;
     }
     if (beyond < 0 && wrong < 0) return 1;
     if (beyond >= 0) at[beyond] = f[beyond] >= 0 ? 1 : -1;

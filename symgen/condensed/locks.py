@@ -19,7 +19,7 @@ stick are reduced to echelon form, one after the other, each by its largest entr
 R_k is one at its own column j and zero at those of others, to the last bit, so that what is held whole gets exactly
 a_0. Rows of which nothing is left follow from others, and lock nothing: they hold the same motion once more. The forces
 share what is to be held so that the sum of (f / holds)^2 is least: with C = H G E of the own columns E and
-H = diag(holds w), f = H C (C^T C)^-1 E^T (M_hat q_i'' - Q_hat).
+H = diag(holds w), f = H C (C^T C)^-1 E^T (M_hat q_i'' - Q_hat). A stop holds like the strongest friction there.
 """
 
 from __future__ import annotations
@@ -79,11 +79,18 @@ class Locks:
         """(n_i, n_e) with f = T^T (M_hat q_i'' - Q_hat), zero in the columns of elements that move."""
         if self.right_inverse is not None:
             return ca.sparsify(ca.SX(ca.DM(self.right_inverse))) @ ca.diag(self.stuck)
-        H = ca.diag(self.stuck * ca.vertcat(*(one.holds for one in self.elements)))
+        H = ca.diag(self._shares)
         E = ca.horzcat(*self._echelon[0])
         C = H @ self.G @ E
         gram = C.T @ C + ca.diag(1 - ca.sum1(E).T)
         return E @ ca.inv(ca.densify(gram)) @ C.T @ H
+
+    @property
+    def _shares(self) -> ca.SX:
+        """(n_e,) holds w; of what has no bound, a stop, the largest of them, or 1 where there is none."""
+        own = self.stuck * ca.vertcat(*(one.holds for one in self.elements))
+        largest = ca.mmax(own)
+        return self.stuck * ca.if_else(own > 0, own, ca.if_else(largest > 0, largest, 1))
 
     @cached_property
     def _echelon(self) -> tuple[list[ca.SX], list[ca.SX]]:

@@ -65,6 +65,13 @@ def arm() -> Scene:
     return builder.revolute("pin", "ground.origin", "arm.start", friction={"coulomb": 0.5})
 
 
+def slippery() -> Scene:
+    """A coefficient of zero: nothing holds when the pull begins."""
+    builder = Scene("slippery").parameter("mu", 0.0, "N").ground().rigid("block", mass=1.0, inertia=0.1)
+    builder.prismatic("rail", "ground.origin", "block.origin", friction={"coulomb": "mu"})
+    return builder.force("pull", "block.origin", "2 * max(t - 1, 0)", 0.0)
+
+
 CASES: list[Any] = [
     (block, "rk4", 0.01, 1000, 5),
     (block, "single_rate", 0.01, 1000, 5),
@@ -75,6 +82,7 @@ CASES: list[Any] = [
     (lambda: four_bar("abcd"), "rk4", 1e-3, 1500, 10),
     (arm, "exponential", 1e-3, 1000, 1),
     (lambda: block("20 * step(t - 0.433)"), "rk4", 0.01, 100, 1),
+    (slippery, "rk4", 0.01, 200, 1),
 ]
 
 

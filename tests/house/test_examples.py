@@ -166,6 +166,7 @@ def test_end_stops(said) -> None:
 def test_stacked_balls(said) -> None:
     assert (text := said("stacked_balls")).startswith("completed")
     assert np.diff(line(text, "thrown to"))[0] == pytest.approx(0.0, abs=2e-4)  # between two samples
+    assert np.diff(line(text, "the block sticks at"))[0] == pytest.approx(0.0, abs=1e-8)
     assert line(text, "fastest in the end")[0] < 1e-9
 
 

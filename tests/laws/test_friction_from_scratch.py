@@ -1,4 +1,4 @@
-"""Friction by modes against two other ways, by hand: velocity-level time stepping, and steep smooth laws.
+"""Friction and stops by modes against two other ways, by hand: velocity-level time stepping, and steep smooth laws.
 
 Time stepping after Moreau knows no modes and no events: every step solves for impulses within their bounds. Its error
 falls with the step, that of the smooth law F tanh(v / eps) with eps; both tend to what runs by modes give.
@@ -7,8 +7,6 @@ falls with the step, that of the smooth law F tanh(v / eps) with eps; both tend 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 import pytest
@@ -16,94 +14,12 @@ from scipy.integrate import solve_ivp
 
 from runtime import Model, simulate
 from symgen.scene import Scene, SceneRecord
+from tests.support.time_stepping import Law, Links, moreau
 
 Build = Callable[[SceneRecord], Model]
-Law = dict[str, float]
 GRAVITY = 9.81
 ARM: Law = {"coulomb": 0.6, "breakaway": 1.0, "stribeck_velocity": 0.1, "viscous": 0.05}
 LOOP: Law = {"coulomb": 0.3, "breakaway": 0.5, "stribeck_velocity": 0.2, "viscous": 0.02}
-
-
-def bound(law: Law, v: np.ndarray) -> np.ndarray:
-    """coulomb + (breakaway - coulomb) exp(-|v| / v_s)."""
-    falls = (law["breakaway"] - law["coulomb"]) * np.exp(-np.abs(v) / law["stribeck_velocity"])
-    return np.asarray(law["coulomb"] + falls)
-
-
-@dataclass(frozen=True)
-class Links:
-    """Links by their absolute angles, from the ground one after the other; with `span` the last one is the rocker of a
-    four-bar that stands on the ground at (span, 0).
-
-    Rates of the joints are G phi'; the drives act on joints.
-    """
-
-    lengths: Sequence[float]
-    inertia: Sequence[float]
-    law: Law
-    drives: Sequence[Callable[[float], float]]
-    gravity: float = 0.0
-    span: float = 0.0
-
-    @cached_property
-    def G(self) -> np.ndarray:
-        """(joints, links)."""
-        rows = np.eye(len(self.lengths)) - np.eye(len(self.lengths), k=-1)
-        return np.vstack([rows, [0.0, 0.0, 1.0]]) if self.span else rows
-
-    @cached_property
-    def _levers(self) -> np.ndarray:
-        """(links, links): the centre of link i is sum_j levers[i, j] e(phi_j)."""
-        found = np.tril(np.tile(np.array(self.lengths), (len(self.lengths), 1)), -1) + np.diag(self.lengths) / 2
-        if self.span:
-            found[2] = [0.0, 0.0, self.lengths[2] / 2]
-        return found
-
-    def mass(self, phi: np.ndarray) -> np.ndarray:
-        """M of masses of 1 kg."""
-        return np.asarray(self._levers.T @ self._levers * np.cos(phi[:, None] - phi) + np.diag(self.inertia))
-
-    def force(self, t: float, phi: np.ndarray, rates: np.ndarray) -> np.ndarray:
-        """All but friction that sticks."""
-        turning = -(self._levers.T @ self._levers * np.sin(phi[:, None] - phi)) @ rates**2
-        weight = -self.gravity * self._levers.sum(axis=0) * np.cos(phi)
-        driven = self.G[: len(self.drives)].T @ np.array([drive(t) for drive in self.drives])
-        return np.asarray(turning + weight + driven - self.law["viscous"] * self.G.T @ self.G @ rates)
-
-    def closure(self, phi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """C and C_q of the loop."""
-        if not self.span:
-            return np.zeros(0), np.zeros((0, len(phi)))
-        signed = np.array([*self.lengths[:2], -self.lengths[2]])
-        C = np.array([signed @ np.cos(phi) - self.span, signed @ np.sin(phi)])
-        return C, np.array([-signed * np.sin(phi), signed * np.cos(phi)])
-
-
-def moreau(links: Links, phi: np.ndarray, h: float, t_end: float) -> tuple[np.ndarray, np.ndarray]:
-    """(steps + 1, links) angles, (steps + 1, joints) rates: midpoint, impulses by projected Gauss-Seidel."""
-    G, n, rates, at = links.G, round(t_end / h), np.zeros(len(phi)), phi.copy()
-    p, angles, joints = np.zeros(len(G)), [at], [G @ rates]
-    for k in range(n):
-        middle = at + h / 2 * rates
-        C, J = links.closure(middle)
-        inverse = np.linalg.inv(links.mass(middle))
-        S = np.linalg.inv(J @ inverse @ J.T)
-        free = rates + h * inverse @ links.force((k + 0.5) * h, middle, rates)
-        free = free - inverse @ J.T @ S @ (J @ free + 0.1 * C / h)
-        by = (inverse - inverse @ J.T @ S @ J @ inverse) @ G.T
-        A, v = G @ by, G @ free
-        most = h * bound(links.law, G @ rates)
-        for _ in range(200):
-            before = p.copy()
-            for i in range(len(p)):
-                p[i] = np.clip(p[i] - (v[i] + A[i] @ p) / A[i, i], -most[i], most[i])
-            if np.abs(p - before).max() < 1e-10 * most.max():
-                break
-        rates = free + by @ p
-        at = middle + h / 2 * rates
-        angles.append(at)
-        joints.append(G @ rates)
-    return np.array(angles), np.array(joints)
 
 
 def courses(t: np.ndarray, rates: np.ndarray, still: float, least: float = 0.03) -> list[list[int]]:
@@ -122,7 +38,7 @@ def courses(t: np.ndarray, rates: np.ndarray, still: float, least: float = 0.03)
 
 def arm(drives: Sequence[Callable[[float], float]]) -> Links:
     """Two links of 0.6 m in a plane without weight."""
-    return Links((0.6, 0.6), (0.1, 0.1), ARM, drives)
+    return Links([ARM] * 2, (), (0.6, 0.6), (0.1, 0.1), drives)
 
 
 def drive(t: float) -> float:
@@ -150,6 +66,11 @@ def arm_scene(dt: float) -> SceneRecord:
 
 
 LENGTHS, SPAN = (0.4, 1.0, 0.8), 1.2
+
+
+def four_bar() -> Links:
+    """Driven by its crank."""
+    return Links([LOOP] * 4, (), LENGTHS, [length**2 / 12 for length in LENGTHS], (crank,), GRAVITY, SPAN)
 
 
 def four_bar_scene(law: Law, torque: str | None, **simulation: object) -> SceneRecord:
@@ -187,7 +108,7 @@ def test_a_four_bar_with_four_frictions_holds_to_the_last_bit(model_of: Build) -
     assert run.status.ok and not run.events
     angles, rates = seen(run, 3, 4)
     assert not np.ptp(angles, axis=0).any() and not rates.any()
-    links = Links(LENGTHS, (0.0, 0.0, 0.0), LOOP, (), GRAVITY, SPAN)
+    links = Links([LOOP] * 4, (), LENGTHS, (0.0, 0.0, 0.0), (), GRAVITY, SPAN)
     phi = angles[0]
     motion = np.linalg.svd(links.closure(phi)[1])[2][-1]
     ratio = links.G @ motion
@@ -201,7 +122,7 @@ def test_a_four_bar_slides_and_sticks_as_time_stepping_has_it(model_of: Build) -
     """The first 1.5 s: all slide, rates of single joints pass through zero within the motion, and two reversals."""
     run = simulate(model_of(four_bar_scene(LOOP, "2.5 * sin(2 * t)")), t_end=1.5, dt=0.005, samples=301)
     angles, rates = seen(run, 3, 4)
-    links = Links(LENGTHS, [length**2 / 12 for length in LENGTHS], LOOP, (crank,), GRAVITY, SPAN)
+    links = four_bar()
     errors = []
     for every in (1, 2):
         by_steps, joints = moreau(links, angles[0], 0.005 / every, 1.5)
@@ -222,7 +143,7 @@ def test_a_four_bar_changes_alike_at_every_step(model_of: Build) -> None:
     fine, rates = seen(runs[0.0025], 3, 4)
     errors = [np.abs(seen(runs[dt], 3, 4)[0] - fine).max() for dt in (0.01, 0.005)]
     assert errors[1] < 1e-4 and errors[0] / errors[1] > 6
-    links = Links(LENGTHS, [length**2 / 12 for length in LENGTHS], LOOP, (crank,), GRAVITY, SPAN)
+    links = four_bar()
     by_steps = {h: moreau(links, fine[0], h, 6.0) for h in (4e-3, 2e-3)}
     off = [np.abs(angles[:: round(0.02 / h)] - fine).max() for h, (angles, _) in by_steps.items()]
     assert off[1] < 0.015 and off[0] / off[1] > 1.5
@@ -253,7 +174,7 @@ def _smooth(links: Links, phi: np.ndarray, eps: float, t: np.ndarray) -> np.ndar
     def rates_of(t: float, y: np.ndarray) -> np.ndarray:
         phi, rates = np.split(y, 2)
         v = links.G @ rates
-        rubbing = links.G.T @ (bound(links.law, v) * np.tanh(v / eps))
+        rubbing = links.G.T @ (links.bounds(v) * np.tanh(v / eps))
         return np.concatenate([rates, np.linalg.solve(links.mass(phi), links.force(t, phi, rates) - rubbing)])
 
     start = np.concatenate([phi, np.zeros(len(phi))])

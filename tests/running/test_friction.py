@@ -127,6 +127,17 @@ def test_what_holds_holds_without_creep(model_of: Build, scheme: str) -> None:
     assert not run["block.x_dot"].any()
 
 
+@pytest.mark.parametrize("angle", [0.0, 0.3])
+def test_friction_whose_coefficient_is_zero_holds_nothing(model_of: Build, angle: float) -> None:
+    """By hand: pulled by 2 (t - 1) N from 1 s on along a rail of any angle, 1/3 m cos(angle) at 2 s."""
+    scene = Scene("slippery").ground(markers={"rail": {"position": (0, 0), "angle": angle}}).parameter("mu", 0.0, "N")
+    scene.rigid("m", mass=1.0, inertia=0.1).initial({"m.theta": angle})
+    scene.prismatic("rail", "ground.rail", "m.origin", friction={"coulomb": "mu"})
+    scene.force("pull", "m.origin", "2 * max(t - 1, 0)", 0.0)
+    run = simulate(model_of(scene.simulation(t_end=2.0, dt=0.01, scheme="rk4").build()))
+    assert run["m.x"][-1] == pytest.approx(np.cos(angle) ** 2 / 3, abs=1e-9)
+
+
 def test_a_spring_lets_a_block_stick_for_good(model_of: Build) -> None:
     """Case (b) of the same example from its stop on: it sticks at -.2475140 m, .985376654 s later, and stays."""
     friction = {"coulomb": 3.0, "stribeck": 5.0, "breakaway": 8.008, "stribeck_velocity": 0.5, "viscous": 1.0}

@@ -250,6 +250,19 @@ def test_a_stop_lets_go_when_it_would_pull(model_of: Build, coulomb: float) -> N
     assert run["m.x"][-1] == pytest.approx(0.1 - 10 * s**3 / 6, abs=1e-9)
 
 
+def test_a_stop_beside_friction_opens_where_it_would_pull(model_of: Build) -> None:
+    """1 kg on its stop along an upright rail, lifted by 20 t N, beside a block that rubs: off at 9.81 / 20 s."""
+    scene = ball(0.5).rigid("block", mass=1.0, inertia=0.1).rates({"block.x": 1.0})
+    scene.prismatic(
+        "table", "ground.origin", "block.origin", friction={"coulomb": 1.0}, limits={"upper": 0.1, "restitution": 0.5}
+    )
+    scene.force("lift", "ball.origin", 0.0, "20 * t").initial({"ball.y": 0.0})
+    run = simulate(model_of(scene.build()), t_end=1.0)
+    assert [one.time for one in run.events if one.text.endswith("opens")] == pytest.approx([0.4905], abs=1e-9)
+    assert run["ball.y"][-1] == pytest.approx(20 * (1 - 0.4905) ** 3 / 6, abs=1e-9)
+    assert run["block.x"][-1] == pytest.approx(0.1 - 0.25 * (1 - 2 * 0.1) / 2, abs=1e-9)
+
+
 @pytest.mark.parametrize("pull", [-1.0, 1.0])
 def test_what_came_to_rest_without_a_load_neither_sticks_nor_passes(model_of: Build, pull: float) -> None:
     """Plastic upon a stop and nothing presses: a pull takes it away, a push does not take it through."""

@@ -36,6 +36,8 @@ def complementary(
     dust = ROUNDING * largest + np.where(np.isfinite(lower) & np.isfinite(upper), 0.0, alone + 1e-300)
     still = ROUNDING * (np.abs(b).max() + np.abs(A).max() * largest)
     at[named] = _nearest(balancing(A, b, lower, upper, at), lower, upper)[named]
+    without = upper <= lower  # friction whose coefficient is zero holds nothing, and goes where it is pulled
+    at[without] = 1
     slack = np.where(named, 1e6 * still, still)
     for _ in range(2 * n + MOST):
         f = balancing(A, b, lower, upper, at)
@@ -44,10 +46,11 @@ def complementary(
         if beyond[worst] > 0:
             at[worst] = _nearest(f, lower, upper)[worst]
             continue
-        wrong = np.where(at != HOLDS, at * (b + A @ f), -np.inf) - slack
+        accelerations = b + A @ f
+        wrong = np.where((at != HOLDS) & ~without, at * accelerations, -np.inf) - slack
         worst = int(np.argmax(wrong))
         if wrong[worst] <= 0:
-            return at
+            return np.where(without, np.where(accelerations > 0, -1, 1), at)
         at[worst] = HOLDS
     return None
 

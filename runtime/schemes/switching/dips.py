@@ -26,6 +26,7 @@ import numpy as np
 NODES = (0.17, 0.53, 0.83)
 SAFE = 3.0  # times the second difference of a step that is looked at closely
 NEAR = 0.05  # of the range of four looks: a fifth one that cubics through them foretell
+ROUNDED = 1e-13  # of the largest of them: what is constant, as the force of what rests, is not looked at for ever
 FINEST = 1e-6  # of a step: intervals are halved no further
 LEAST = 1e-3  # of the time between states that are seen
 AT_ONCE = 16  # intervals that are halved, from the left
@@ -150,7 +151,8 @@ def _foretold(s: np.ndarray, e: np.ndarray, k: np.ndarray, x: np.ndarray, new: n
         others = [i for i in range(4) if i != j]
         weight = np.prod([(x - at[:, i]) / (at[:, j] - at[:, i]) for i in others], axis=0)
         cubic += weight[:, None] * seen[:, j]
-    return np.asarray((np.abs(new - cubic) <= NEAR * np.ptp(seen, axis=1)).all(axis=1))
+    allowed = NEAR * np.ptp(seen, axis=1) + ROUNDED * np.abs(seen).max(axis=1)
+    return np.asarray((np.abs(new - cubic) <= allowed).all(axis=1))
 
 
 def _unsettled(s: np.ndarray, e: np.ndarray) -> np.ndarray:
