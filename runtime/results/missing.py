@@ -1,7 +1,6 @@
 """What the shapes of flexible bodies leave out of a motion: deflections, section forces, stresses.
 
-The bending moment from equilibrium less that of the shapes is what the shapes lack; both are integrated twice to
-deflections from the chord, w'' = M / EI. Asked only of beams whose shapes cannot carry what is attached to them.
+Deflections are asked only of beams whose shapes cannot carry what is attached to them.
 """
 
 from __future__ import annotations
@@ -21,9 +20,12 @@ WORTH_OF_SHAPES = 1e-3  # of a deflection
 WORTH_A_WORD = 0.05  # of a stress or a force
 
 
-def looked_at(solution: Solution) -> list[int]:
-    """Solution that are looked at, evenly spread, the first and the last among them."""
-    return sorted({int(row) for row in np.linspace(0, len(solution.t) - 1, LOOKS)})
+def looked_at(solution: Solution) -> Solution:
+    """Samples that are looked at, evenly spread, the first and the last among them."""
+    rows = sorted({int(row) for row in np.linspace(0, len(solution.t) - 1, LOOKS)})
+    return solution.but(
+        **{key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam", "measures")}
+    )
 
 
 def missing_shapes(solution: Solution) -> tuple[dict[str, float], list[Event]]:
@@ -48,17 +50,10 @@ def missing_shapes(solution: Solution) -> tuple[dict[str, float], list[Event]]:
 
 def missing_deflection(solution: Solution, body: str) -> tuple[float, float]:
     """(largest deflection from the chord that the shapes lack over the largest one, its time [s])."""
-    rows = looked_at(solution)
-    series = {key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam")}
-    some = solution.but(**series)
-    whole, shapes = (some.section_forces(body, way=way) for way in ("equilibrium", "modes"))
-    radii = opened("runtime.results.section_forces:beam_of")(solution.model, body, solution.parameters).radii
-    pairs = [(whole.moment, shapes.moment, radii[0]), (whole.moment_y, shapes.moment_y, radii[1])]
-    known = [(all_, found, radius) for all_, found, radius in pairs if np.isfinite(found).all()]
-    lacking, bent = (
-        np.sqrt(sum(np.square(_deflections(moment, whole.at) / radius) for moment, radius in of))
-        for of in ([(all_ - found, radius) for all_, found, radius in known], [(a, radius) for a, _, radius in known])
-    )
+    some = looked_at(solution)
+    whole, shapes = (some.deflections(body, way=way) for way in ("equilibrium", "modes"))
+    pairs = (whole.y - shapes.y, whole.z - shapes.z), (whole.y, whole.z)
+    lacking, bent = (np.hypot(*(_from_chord(w, whole.at) for w in pair)) for pair in pairs)
     worst = lacking.max(axis=1)
     largest = float(bent.max())
     if not (np.isfinite(worst).all() and largest > 0.0):
@@ -66,11 +61,8 @@ def missing_deflection(solution: Solution, body: str) -> tuple[float, float]:
     return float(worst.max()) / largest, float(some.t[int(worst.argmax())])
 
 
-def _deflections(moment: np.ndarray, at: np.ndarray) -> np.ndarray:
-    """(N, n) w with w'' = moment (N, n) at equidistant fractions, by finite differences; zero at both ends."""
-    n, h = len(at), at[1] - at[0]
-    second = (np.diag(np.full(n - 3, 1.0), 1) + np.diag(np.full(n - 3, 1.0), -1) - 2.0 * np.eye(n - 2)) / h**2
-    return np.asarray(np.linalg.solve(second, moment[:, 1:-1].T).T)
+def _from_chord(w: np.ndarray, at: np.ndarray) -> np.ndarray:
+    return np.asarray(w - (1 - at) * w[:, :1] - at * w[:, -1:])
 
 
 SAME = 1e-9  # of its largest value: the sum over shapes that a measure is
@@ -94,9 +86,7 @@ def missing_sections(solution: Solution) -> tuple[dict[str, float], list[Event]]
         return {}, []
     shares: dict[str, float] = {}
     events = []
-    rows = looked_at(solution)
-    series = {key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam", "measures")}
-    some = solution.but(**series)
+    some = looked_at(solution)
     for record in described.beams:
         try:
             at = _markers(solution, record.body)
@@ -143,12 +133,10 @@ def missing_stresses(solution: Solution) -> tuple[dict[str, float], list[Event]]
             _missing_of_beam(solution, record, shares, events)
     if not solution.model.description.gauges:
         return shares, events
-    rows = looked_at(solution)
-    series = {key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam")}
+    few = looked_at(solution)
     for body in dict.fromkeys(one.body for one in solution.model.description.gauges):
         try:
-            some = solution.but(**series)
-            whole, modal = some.stresses(body), some.stresses(body, way="modes")
+            whole, modal = few.stresses(body), few.stresses(body, way="modes")
         except ModelError:  # gauges without the causes, or loads whose place on the body is not known
             continue
         lacking, largest = (
@@ -172,9 +160,7 @@ def missing_stresses(solution: Solution) -> tuple[dict[str, float], list[Event]]
 
 def _missing_of_beam(solution: Solution, record: BeamRecord, shares: dict[str, float], events: list[Event]) -> None:
     """Adds the share of the measures of a beam's stress, and the event."""
-    rows = looked_at(solution)
-    series = {key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam")}
-    some = solution.but(**series)
+    some = looked_at(solution)
     try:
         whole, shapes = (some.section_forces(record.body, way=way) for way in ("equilibrium", "modes"))
     except ModelError:  # loads whose place on the beam is not known

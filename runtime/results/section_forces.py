@@ -44,15 +44,17 @@ if TYPE_CHECKING:
 
 STRETCHING, ALONG_Y, ALONG_Z, TORSION = range(4)
 BENDING = (ALONG_Y, ALONG_Z)
+MOVING = [0.0, 1.0, -1.0]  # `along` of a force at one place that moves
 
 
 @dataclass(frozen=True, eq=False)
 class BeamShapes:
     """Shapes of one direction: their columns in q.
 
-    stiffness: E I / L^3 [N/m], of stretching E A / L [N/m], of torsion G J / L [N m].
+    ends: their name; stiffness: E I / L^3 [N/m], of stretching E A / L [N/m], of torsion G J / L [N m].
     """
 
+    ends: str
     columns: list[int]
     functions: ShapeFunctions
     stiffness: float
@@ -64,7 +66,7 @@ class Beam:
 
     length [m], mass [kg]; radii (2,): I / A [m^2] of the section along y and z; sets: shapes by axis (x, y, z, 3 for
     torsion). stiffened: are bent beams shorter? attached: its joints and loads, with the places xi of their markers.
-    spread: its loads along the beam, with `along` of `LoadRecord`.
+    spread: its loads along the beam, with `along` of `LoadRecord`, and what slides on it.
     """
 
     name: str
@@ -118,8 +120,13 @@ def beam_of(model: Model, name: str, p: np.ndarray) -> Beam:
         functions, eigenvalues = (bending_shapes if one.axis in BENDING else stretching_shapes)(one.ends, one.modes)
         xi, weights = gauss_points(panels_for(one.modes))
         square = float(weights @ functions.at(xi)[:, 0] ** 2)
-        sets[one.axis] = BeamShapes(mine, functions, float(K[mine[0], mine[0]] / (eigenvalues[0] * square)))
+        sets[one.axis] = BeamShapes(one.ends, mine, functions, float(K[mine[0], mine[0]] / (eigenvalues[0] * square)))
     places = {point.name: x / length for point, x in points if point.name}
+    spread = {
+        one.name: one.along for one in described.loads if one.along and (name, one.name) in described.load_columns
+    }
+    spread |= {one.name: MOVING for one in described.joints if one.type == "slides_on" and one.body_a == name}
+    attached = {key: own for key, own in attached_markers(model, name).items() if key not in spread}
     return Beam(
         name,
         frame[:dimension],
@@ -129,8 +136,8 @@ def beam_of(model: Model, name: str, p: np.ndarray) -> Beam:
         sides**2 / 12,
         sets,
         any(point.stiffened for point, _ in points),
-        {load: [places[marker] for marker in own] for load, own in attached_markers(model, name).items()},
-        {one.name: one.along for one in described.loads if one.along and (name, one.name) in described.load_columns},
+        {key: [places[marker] for marker in own] for key, own in attached.items()},
+        spread,
     )
 
 
@@ -333,19 +340,25 @@ def section_forces(
     of modal forces. at: 33 sections if left out. Raises ModelError for a body that is no beam with exact shapes or for
     a load with two markers on it, ArgumentError for fractions outside [0, 1] and unknown ways.
     """
+    xi = sections_of(at, way)
+    beam = beam_of(solution.model, body, solution.parameters)
+    order = np.argsort(xi)
+    field = SectionField(beam, xi[order])
+    values = field.of_shapes(solution.q) if way == "modes" else by_equilibrium(solution, beam, field)
+    return SectionForces(body, solution.t, xi, *values[:, :, np.argsort(order)])
+
+
+def sections_of(at: float | Sequence[float] | None, way: str) -> np.ndarray:
+    """(n,) fractions of the length. Raises ArgumentError for those off the beam, and for unknown ways."""
     if way not in WAYS:
         raise ArgumentError(f"way {way!r} is not known; give one of {', '.join(WAYS)}")
     xi = np.atleast_1d(np.asarray(STATIONS if at is None else at, dtype=float))
     if not ((xi >= 0.0) & (xi <= 1.0)).all():
         raise ArgumentError(f"sections {at!r} are off the beam; give fractions of its length from 0 to 1")
-    beam = beam_of(solution.model, body, solution.parameters)
-    order = np.argsort(xi)
-    field = SectionField(beam, xi[order])
-    values = field.of_shapes(solution.q) if way == "modes" else _by_equilibrium(solution, beam, field)
-    return SectionForces(body, solution.t, xi, *values[:, :, np.argsort(order)])
+    return xi
 
 
-def _by_equilibrium(solution: Samples, beam: Beam, field: SectionField) -> np.ndarray:
+def by_equilibrium(solution: Samples, beam: Beam, field: SectionField) -> np.ndarray:
     """(6, N, n) from the forces on the part beyond each section."""
     for name, along in beam.spread.items():
         if along[2] > 1:
@@ -356,7 +369,7 @@ def _by_equilibrium(solution: Samples, beam: Beam, field: SectionField) -> np.nd
     gravity = np.resize([*solution.model.description.gravity, 0.0, 0.0, 0.0], 3)
     found = np.empty((6, len(solution.t), len(field.sections)))
     places = {name: _one_place(name, where, beam) for name, where in beam.attached.items()}
-    parts = attached_forces(solution, beam.name, [*beam.place, *beam.turning], list(places))
+    parts = attached_forces(solution, beam.name, [*beam.place, *beam.turning], [*places, *beam.spread])
     for first in range(0, len(solution.t), LONGEST):
         rows = slice(first, first + LONGEST)
         moved = solution.q[rows], solution.q_dot[rows], solution.q_ddot[rows]
@@ -379,9 +392,7 @@ def _beyond(along: Sequence[float], load: np.ndarray, length: float, xi: np.ndar
     F, M = load.T[:3, :, None], load.T[3:, :, None]
     first = np.stack([F[0] * (start + end) / 2, M[2], -M[1]])  # int x p dx of a straight beam
     if power < 0:
-        size = F[1] ** 2 + F[2] ** 2
-        place = np.divide(first[1] * F[1] + first[2] * F[2], size, out=np.zeros_like(size), where=size > 0)
-        beyond = place > xi * length
+        beyond = moving_place(load)[:, None] > xi * length
         return F * beyond, M * beyond
     A, B, C = end - start, (end**2 - start**2) / 2, (end**3 - start**3) / 3
     p_1 = (A * first - B * F) / (A * C - B * B) if power else np.zeros_like(F)
@@ -396,6 +407,13 @@ def _beyond(along: Sequence[float], load: np.ndarray, length: float, xi: np.ndar
     force, moment = integrals(low)
     _, straight = integrals(np.array([start]))
     return force, moment + (M - straight) * (end - low) / A
+
+
+def moving_place(load: np.ndarray) -> np.ndarray:
+    """(N,) [m] from the start where a force acts, by it and its moment about the frame origin (N, 6); 0 of none."""
+    _, F_y, F_z, _, M_y, M_z = load.T
+    size = F_y**2 + F_z**2
+    return np.asarray(np.divide(M_z * F_y - M_y * F_z, size, out=np.zeros_like(size), where=size > 0))
 
 
 def _one_place(name: str, where: Sequence[float], beam: Beam) -> float:

@@ -60,6 +60,7 @@ class Solution(Samples):
     animate = Door("runtime.views.animation:animate")
     report = Door("runtime.views.report:run_report")
     section_forces = Door("runtime.results.section_forces:section_forces")
+    deflections = Door("runtime.results.deflections:deflections")
     stresses = Door("runtime.results.stresses:stresses")
     friction = Door("runtime.results.friction:joint_friction")
     body_motion = Door("runtime.results.body_motion:body_motion")

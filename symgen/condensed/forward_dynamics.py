@@ -16,7 +16,7 @@ import casadi as ca
 
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, ZERO, add, div, mul, neg, sub
-from symgen.condensed.condensation import Condensed, Substitution, congruence
+from symgen.condensed.condensation import Condensed, congruence
 from symgen.condensed.locks import Locks
 from symgen.system.equations import FreeJointAccelerations
 from symgen.system.topology import Topology
@@ -38,53 +38,48 @@ class Side:
 
 @dataclass
 class _Pivot:
-    """An eliminated coordinate: less its row over the pivot, 1 / pivot, and its force in each right-hand side."""
+    """An eliminated coordinate: x'' = sum weights_j x_j'' + a constant in each right-hand side."""
 
     weights: Row
-    inverse: ca.SX
-    forces: list[ca.SX]
+    constants: list[ca.SX]
 
 
 @dataclass(frozen=True)
-class LockedOrder:
-    """How elements that stick are pivots of the elimination along a tree.
+class Lock:
+    """An element that may stick, as the pivot of a column: moves is one, or zero where x'' = sum e_j x_j'' + c.
 
-    masks: by column, one where its element moves and zero where it sticks: it multiplies 1 / pivot, so that the
-    acceleration and all that it passes on vanish. relative: coordinates in which an element is not alone, less those
-    nearer to the ground; what is left of each is a coordinate of its own, `beyond` by column.
+    It multiplies 1 / pivot; what is held passes its row on by e.
     """
 
-    masks: Mapping[int, ca.SX]
-    relative: Mapping[int, Substitution]
-    beyond: Mapping[int, int]
+    moves: ca.SX
+    e: Row
+    c: ca.SX
+
+    @property
+    def alone(self) -> bool:
+        """Is x'' zero where it is held?"""
+        return not self.e and self.c.is_zero()
 
 
-def locked_order(locks: Locks, topology: Topology) -> LockedOrder | None:
-    """Of the elements of a tree, each of which has a coordinate of its own; None where that is not so."""
+FREE = Lock(ONE, {}, ZERO)
+
+
+def locked_pivots(locks: Locks, topology: Topology) -> dict[int, Lock] | None:
+    """By column, of the elements of a tree; None where two of them would have the same."""
     system = locks.system
     if locks.right_inverse is None or not is_tree(system, topology):
         return None
     body_of = {column: body for body, columns in system.reduced.body_columns.items() for column in columns}
-    masks, relative, beyond = dict[int, ca.SX](), dict[int, Substitution](), dict[int, int]()
-    for row, one in zip(locks.rows, locks.elements, strict=True):
+    found: dict[int, Lock] = {}
+    for row, bias, one in zip(locks.rows, locks.bias, locks.elements, strict=True):
         entries = {column: value for column, value in row.items() if not value.is_zero()}
         far = max(entries, key=lambda column: (topology.distance_of(body_of[column]), column))
-        if far in masks or far in relative:
+        if far in found:
             return None
-        moves = one.moves
-        if len(entries) == 1:
-            masks[far] = moves
-            continue
-        factor, own = entries.pop(far), len(system.reduced.M) + len(beyond)
+        factor = entries.pop(far)
         e = {column: neg(div(value, factor)) for column, value in entries.items()}
-        relative[far] = Substitution(far, {**e, own: div(ONE, factor)}, ZERO, ZERO)
-        beyond[far], masks[own] = own, moves
-    return LockedOrder(masks, relative, beyond)
-
-
-def locked_accelerations(system: Condensed, topology: Topology, order: LockedOrder) -> dict[int, ca.SX]:
-    """q_ddot of every coordinate of a tree, by column, with what sticks locked."""
-    return tree_solutions(system, topology, [forces_side(system)], locked=order)[0]
+        found[far] = Lock(one.moves, e, neg(div(bias, factor)))
+    return found
 
 
 def is_tree(system: Condensed, topology: Topology) -> bool:
@@ -116,22 +111,23 @@ def force_side(force: Row) -> Side:
     return Side(force, {})
 
 
-def tree_accelerations(system: Condensed, topology: Topology) -> list[dict[int, ca.SX]]:
+def tree_accelerations(system: Condensed, topology: Topology, locked: Mapping[int, Lock]) -> list[dict[int, ca.SX]]:
     """q_ddot of every independent coordinate of a tree, by column, in one or two ways of which the shorter is wanted.
 
     Elimination of M, which has no fill, or the recursion of articulated bodies where joints place all bodies.
+    locked: elements that may stick, by column.
     """
     columns = system.choice.independent
-    solve = free_joints(system)
+    solve = free_joints(system) if all(lock.alone for lock in locked.values()) else None
     if solve is None:
-        return tree_solutions(system, topology, [forces_side(system)])
+        return tree_solutions(system, topology, [forces_side(system)], locked=locked)
     imposed = {s.column: s.c_acceleration for s in system.inner}
     force = system.projected(dict(enumerate(system.reduced.outer_forces)))
-    other = solve(force, frozenset(columns), imposed)
+    other = solve(force, frozenset(columns), {column: lock.moves for column, lock in locked.items()}, imposed)
     other |= {column: force[column] for column in system.reduced.states.values()}  # of controllers: unit inertia
     if len(columns) > LONGEST_ELIMINATION:
         return [other]
-    return [*tree_solutions(system, topology, [forces_side(system)]), other]
+    return [*tree_solutions(system, topology, [forces_side(system)], locked=locked), other]
 
 
 def free_joints(system: Condensed) -> FreeJointAccelerations | None:
@@ -148,31 +144,31 @@ def tree_solutions(
     topology: Topology,
     sides: Sequence[Side],
     attached: Sequence[tuple[int, int, ca.SX]] = (),
-    locked: LockedOrder | None = None,
+    locked: Mapping[int, Lock] | None = None,
 ) -> list[dict[int, ca.SX]]:
     """q_ddot of every coordinate of a tree, by column, for each right-hand side, from one elimination.
 
-    attached: further entries (row, column, value) of M, both triangles; locked: elements that may stick.
+    attached: further entries (row, column, value) of M, both triangles; locked: elements that may stick, by column.
     Raises NoInertia.
     """
-    eq, locked = system.reduced, locked or LockedOrder({}, {}, {})
-    by_column = {**{one.column: one for one in system.substitutions}, **locked.relative}
-    M = [*(dict(row) for row in eq.M), *({} for _ in locked.beyond)]
+    by_column, locked = {one.column: one for one in system.substitutions}, locked or {}
+    M = [dict(row) for row in system.reduced.M]
     for row, column, value in attached:
         add_to(M[row], column, value)
     forces = [dict(side.force) for side in sides]
     order, pivots = _elimination_order(system, topology, locked), dict[int, _Pivot]()
     for column in order:
         if column in by_column:
-            _substitute(M, forces, sides, by_column[column])
+            known = [side.constants.get(column, ZERO) for side in sides]
+            _substitute(M, forces, column, by_column[column].e, known)
         else:
-            pivots[column] = _eliminate(M, forces, column, locked.masks.get(column, ONE))
+            pivots[column] = _eliminate(M, forces, column, locked.get(column, FREE))
     solutions: list[dict[int, ca.SX]] = []
     for k, side in enumerate(sides):  # from the root to the tips
         found: dict[int, ca.SX] = {}
         for column in reversed(order):
             if column in pivots:
-                total, weights = mul(pivots[column].forces[k], pivots[column].inverse), pivots[column].weights
+                total, weights = pivots[column].constants[k], pivots[column].weights
             else:
                 total, weights = side.constants.get(column, ZERO), by_column[column].e
             for other, weight in weights.items():  # what is known last is waited for last
@@ -182,45 +178,44 @@ def tree_solutions(
     return solutions
 
 
-def _elimination_order(system: Condensed, topology: Topology, locked: LockedOrder) -> list[int]:
+def _elimination_order(system: Condensed, topology: Topology, locked: Mapping[int, Lock]) -> list[int]:
     """All columns, from the tips to the root."""
     evaluated = {substitution.column: k for k, substitution in enumerate(system.substitutions)}
-    follows = {one.column: one.e for one in (*system.substitutions, *locked.relative.values())}
+    follows = {one.column: one.e for one in system.substitutions}
     order: list[int] = []
     for body in sorted(system.reduced.body_columns, key=lambda name: -topology.distance_of(name)):
         columns = system.reduced.body_columns[body]
-        columns = [*columns, *(own for column, own in locked.beyond.items() if column in columns)]
-        dependent = sorted((c for c in columns if c in follows), key=lambda c: -evaluated.get(c, -1))
+        dependent = sorted((c for c in columns if c in follows), key=lambda c: -evaluated[c])
         own = {other for c in dependent for other in follows[c]}
+        own |= {other for c in own.intersection(columns, locked) for other in locked[c].e}
         independent = [c for c in reversed(columns) if c not in follows]
         # what the body's place does not depend on has no neighbours on the parent yet: its pivots are short
         order += [*(c for c in independent if c not in own), *dependent, *(c for c in independent if c in own)]
     return order
 
 
-def _substitute(M: list[Row], forces: list[Row], sides: Sequence[Side], substitution: Substitution) -> None:
-    """x_d'' = sum e_j x_j'' + c: rows j lose M_jd c and gain e_j times row d."""
-    d = substitution.column
-    for force, side in zip(forces, sides, strict=True):
-        c = side.constants.get(d, ZERO)
+def _substitute(M: list[Row], forces: list[Row], d: int, e: Row, constants: Sequence[ca.SX]) -> None:
+    """x_d'' = sum e_j x_j'' + c: rows j lose M_jd c and gain e_j times row d; constants: c by right-hand side."""
+    for force, c in zip(forces, constants, strict=True):
         if not c.is_zero():
             for column, value in M[d].items():
                 force[column] = sub(force.get(column, ZERO), mul(value, c))
         value = force.pop(d, ZERO)
         if not value.is_zero():
-            for column, factor in substitution.e.items():
+            for column, factor in e.items():
                 force[column] = add(force.get(column, ZERO), mul(factor, value))
     if M[d]:
-        congruence(M, d, substitution.e)
+        congruence(M, d, e)
 
 
-def _eliminate(M: list[Row], forces: list[Row], k: int, mask: ca.SX) -> _Pivot:
-    """Gauss elimination of column k; mask: one, or zero where the coordinate is locked."""
+def _eliminate(M: list[Row], forces: list[Row], k: int, lock: Lock) -> _Pivot:
+    """Gauss elimination of column k, which may be held."""
     row = M[k]
     M[k] = {}
     if k not in row:
         raise NoInertia(k)
-    inverse = mul(mask, div(ONE, row.pop(k)))
+    whole = dict(row)
+    inverse = mul(lock.moves, div(ONE, row.pop(k)))
     values = [force.pop(k, ZERO) for force in forces]
     for column in row:
         M[column].pop(k, None)
@@ -234,4 +229,14 @@ def _eliminate(M: list[Row], forces: list[Row], k: int, mask: ca.SX) -> _Pivot:
             add_to(M[i], j, mul(factor, row[j]))
             if i != j and j in M[i]:
                 M[j][i] = M[i][j]
-    return _Pivot(weights, inverse, values)
+    constants = [mul(value, inverse) for value in values]
+    if not lock.alone:
+        held = sub(ONE, lock.moves)
+        M[k] = {column: mul(held, value) for column, value in whole.items()}
+        for force, value in zip(forces, values, strict=True):
+            force[k] = mul(held, value)
+        _substitute(M, forces, k, lock.e, [lock.c] * len(forces))
+        for column, factor in lock.e.items():
+            weights[column] = add(weights.get(column, ZERO), mul(held, factor))
+        constants = [add(own, mul(held, lock.c)) for own in constants]
+    return _Pivot(weights, constants)

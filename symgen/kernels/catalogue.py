@@ -30,7 +30,7 @@ from symgen.kernels.all_coordinates import (
     reactions,
     switching,
 )
-from symgen.kernels.kernel import Arguments, Kernel, arguments_of, shortest
+from symgen.kernels.kernel import Arguments, Kernel, arguments_of, q_i_ddot_by_shortest
 from symgen.kernels.specification import block_signals, substep_name
 from symgen.system.constraint import DerivationError
 from symgen.system.topology import Topology
@@ -87,7 +87,9 @@ def kernel_builders(
         further = opened("symgen.kernels.deflection_kernels:deflection_kernels")
         builders |= further(system, topology, arguments, deflections, tree)
     if tree:
-        builders["forward_dynamics"] = lambda: _forward_dynamics(system, topology, arguments)
+        builders["forward_dynamics"] = lambda: q_i_ddot_by_shortest(
+            system, arguments, tree_accelerations(system, topology, {})
+        )
     if len(groups) > 1:
         builders["blocks"] = partial(_blocks, system, arguments, named_groups)
     for level in range(1, len(groups)):
@@ -141,13 +143,6 @@ def _jacobian(name: str, system: Condensed, a: Arguments) -> Kernel:
     """One of `JACOBIANS`."""
     found: Kernel = opened("symgen.kernels.jacobians:jacobian_kernels")(system, a)[name]()
     return found
-
-
-def _forward_dynamics(system: Condensed, topology: Topology, a: Arguments) -> Kernel:
-    """q_i_ddot of a tree by topology-ordered elimination, O(N)."""
-    columns = system.choice.independent
-    forms = [ca.vertcat(*(found[c] for c in columns)) for found in tree_accelerations(system, topology)]
-    return shortest(a.select("q_i", "q_d", "q_i_dot", "q_d_dot"), [{"q_i_ddot": ca.densify(form)} for form in forms])
 
 
 def _blocks(system: Condensed, a: Arguments, groups: list[Group]) -> Kernel:

@@ -15,11 +15,11 @@ from runtime.contract.records import Group
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ONE, add, mul, sub
 from symgen.condensed.condensation import Condensed
-from symgen.condensed.forward_dynamics import LockedOrder, locked_accelerations, locked_order
+from symgen.condensed.forward_dynamics import locked_pivots, tree_accelerations
 from symgen.condensed.locks import Locks, locks
 from symgen.condensed.variations import variations
 from symgen.kernels.jacobians import directions, jacobian_kernels
-from symgen.kernels.kernel import Arguments, Kernel
+from symgen.kernels.kernel import Arguments, Kernel, q_i_ddot_by_shortest
 from symgen.kernels.specification import block_signals, substep_name
 from symgen.system.equations import Element
 from symgen.system.topology import Topology
@@ -42,8 +42,10 @@ def with_elements(
     found["condensed"] = lambda: Kernel(a.select(*STATE), dict(zip(("M_hat", "Q_hat"), locked.locked(), strict=True)))
     for name in jacobian_kernels(system, a):
         found[name] = partial(_rates_left, name, locked, a)
-    if (order := locked_order(locked, topology)) is not None:
-        found["forward_dynamics"] = partial(_locked_dynamics, system, topology, a, order)
+    if (pivots := locked_pivots(locked, topology)) is not None:
+        found["forward_dynamics"] = lambda: q_i_ddot_by_shortest(
+            system, a, tree_accelerations(system, topology, pivots)
+        )
     if len(groups) > 1:
         found["blocks"] = partial(_blocks, locked, a, groups)
     for level in range(1, len(groups)):
@@ -123,13 +125,6 @@ def _along_motions(locked: Locks, q_i_ddot: ca.SX) -> tuple[ca.SX, ca.SX]:
     J_q = [ca.jtimes(residual, ca.vertcat(q, rates), ca.vertcat(moved(one.S), moved(one.S_dot))) for one in found]
     J_v = [ca.jtimes(residual, rates, moved(one.S)) for one in found]
     return ca.densify(ca.horzcat(*J_q)), ca.densify(ca.horzcat(*J_v))
-
-
-def _locked_dynamics(system: Condensed, topology: Topology, a: Arguments, order: LockedOrder) -> Kernel:
-    """q_i_ddot of a tree by the elimination along it, with the pivot of what sticks masked."""
-    found = locked_accelerations(system, topology, order)
-    q_i_ddot = ca.vertcat(*(found[c] for c in system.choice.independent))
-    return Kernel(a.select(*STATE), {"q_i_ddot": ca.densify(q_i_ddot)})
 
 
 def _blocks(locked: Locks, a: Arguments, groups: list[Group]) -> Kernel:

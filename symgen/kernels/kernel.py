@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import casadi as ca
 
 from runtime.contract.tape import Tape, read_tape, shared
+from symgen.algebra.rows import Row
 from symgen.algebra.scalar import length
 from symgen.condensed.condensation import Condensed
 
@@ -77,3 +78,10 @@ def arguments_of(system: Condensed) -> Arguments:
         eq.signals,
         dependent,
     )
+
+
+def q_i_ddot_by_shortest(system: Condensed, a: Arguments, forms: Sequence[Row]) -> Kernel:
+    """Accelerations by the shortest of several forms, each by column."""
+    stacked = [ca.vertcat(*(found[c] for c in system.choice.independent)) for found in forms]
+    inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot")
+    return shortest(inputs, [{"q_i_ddot": ca.densify(form)} for form in stacked])

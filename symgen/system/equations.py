@@ -162,8 +162,8 @@ class RowRates(Protocol):
 class FreeJointAccelerations(Protocol):
     """Accelerations of a tree of frames in O(N)."""
 
-    def __call__(self, force: Row, free: frozenset[int], imposed: Row | None = None) -> Row:
-        """M_hat^-1 force by column; free: the columns that accelerate.
+    def __call__(self, force: Row, free: frozenset[int], masks: Row, imposed: Row | None = None) -> Row:
+        """M_hat^-1 force by column; free: the columns that accelerate; masks: one, or zero where a column is held.
 
         imposed: accelerations of the others; then also by rates and weight, which `force` does not have.
         """

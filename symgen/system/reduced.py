@@ -258,18 +258,18 @@ class TreeForces:
         moving = self._rates, accelerations
         return loop_changes(self.tree, len(self.equations.q), self._base, moving, found, directions)
 
-    def free_joints(self, force: Row, free: frozenset[int], imposed: Row | None = None) -> Row:
+    def free_joints(self, force: Row, free: frozenset[int], masks: Row, imposed: Row | None = None) -> Row:
         """Accelerations by a force, and with `imposed` ones by rates and weight too.
 
         These are solved for as differences from a motion in which no hinge turns its body faster: less wrenches.
         """
         if imposed is None:
-            return free_joint_accelerations(self.tree, force, free)
-        hinges = lone_hinges(self.tree) & free
+            return free_joint_accelerations(self.tree, force, free, masks)
+        hinges = lone_hinges(self.tree) & free - masks.keys()
         wrenches, modes, chosen = own_wrenches(self.tree, self._base, self._rates, imposed, hinges)
         left = dict(force)
         add_scaled(left, neg(ONE), modes)
-        found = free_joint_accelerations(self.tree, left, free, wrenches)
+        found = free_joint_accelerations(self.tree, left, free, masks, wrenches)
         return {column: add(value, chosen.get(column, ZERO)) for column, value in found.items()}
 
 

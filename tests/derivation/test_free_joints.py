@@ -1,4 +1,4 @@
-"""The recursion of articulated bodies solves M x'' = force, and costs the same for each further body."""
+"""The recursion of articulated bodies solves M x'' = force, what sticks held, and costs the same for each body."""
 
 from __future__ import annotations
 
@@ -63,11 +63,12 @@ def hinges(n: int) -> SceneRecord:
     return builder.build()
 
 
-def solution(equations: Equations, force: ca.SX) -> tuple[list[int], ca.SX]:
-    """(columns of the tree, accelerations)."""
+def solution(equations: Equations, force: ca.SX, moves: ca.SX | None = None) -> tuple[list[int], ca.SX]:
+    """(columns of the tree, accelerations); moves: of each column, zero where it is held."""
     columns = [column for column, row in enumerate(equations.M) if row]
     assert equations.free_joints is not None
-    found = equations.free_joints({c: force[k] for k, c in enumerate(columns)}, frozenset(columns))
+    masks = {} if moves is None else {column: moves[k] for k, column in enumerate(columns)}
+    found = equations.free_joints({c: force[k] for k, c in enumerate(columns)}, frozenset(columns), masks)
     return columns, ca.vertcat(*(found[column] for column in columns))
 
 
@@ -100,3 +101,22 @@ def test_each_further_body_costs_the_same() -> None:
         columns, accelerations = solution(equations, ca.SX.sym("force", n))
         counts.append(ca.n_nodes(ca.cse(accelerations)))
     assert abs((counts[2] - counts[1]) - (counts[1] - counts[0])) <= 0.02 * (counts[1] - counts[0])
+
+
+def test_what_sticks_is_held_as_by_multipliers() -> None:
+    """M x'' + S f = force with x'' = 0 of the columns S that stick, at random states, for random modes."""
+    n, rng, system = 8, np.random.default_rng(7), build_system(hinges(8))
+    equations, force, moves = system.reduced, ca.SX.sym("force", n), ca.SX.sym("moves", n)
+    columns, accelerations = solution(equations, force, moves)
+    M = [ca.horzcat(*(equations.M[row].get(column, ca.SX(0)) for column in columns)) for row in columns]
+    given = [ca.vertcat(*equations.q), system.parameters.vector(), force, moves]
+    values = ca.Function("values", given, [ca.vertcat(*M), accelerations])
+    defaults = [entry.default for entry in system.parameters.entries]
+    for _ in range(20):
+        given, free = rng.normal(size=n), rng.permutation([0, 1, *rng.integers(0, 2, n - 2)])
+        mass, a = (np.asarray(value) for value in values(rng.normal(size=len(equations.q)), defaults, given, free))
+        S = np.eye(n)[:, free == 0]
+        whole = np.block([[mass, S], [S.T, np.zeros((S.shape[1], S.shape[1]))]])
+        expected = np.linalg.solve(whole, np.concatenate([given, np.zeros(S.shape[1])]))[:n]
+        assert np.abs(a.ravel() - expected).max() < 1e-13 * np.abs(expected).max()
+        assert not a.ravel()[free == 0].any()

@@ -22,7 +22,9 @@ def beam(space: str, modes: int, ends: str, **more: Any) -> Scene:
     across = {} if space == "planar" else {"second_moment_z": 1e-4, "lateral_z": {"modes": modes, "ends": ends}}
     section = {"density": 1000.0, "area": 1e-2, "second_moment": 1e-4, "youngs_modulus": 1e6, **across}
     lateral = {"lateral": {"modes": modes, "ends": ends}}
-    return builder.beam("rod", length=L, **section, **lateral, markers={"mid": {"at": 0.5}}, **more)
+    along = {} if space == "planar" else {"axis": [1.0, 0.0, 0.0], "x_axis": [0.0, 1.0, 0.0]}
+    markers = {"mid": {"at": 0.5}, "tip": {"at": 1.0, **along}}
+    return builder.beam("rod", length=L, **section, **lateral, markers=markers, **more)
 
 
 def vector(space: str, x: object, y: object) -> list[object]:
@@ -52,6 +54,66 @@ def test_a_cantilever_under_a_distributed_load(space: str, load: str, part: tupl
     builder = beam(space, 2, "welded-welded")
     builder.distributed("snow", "rod", vector(space, 0.0, load), start=part[0], end=part[1])
     assert tip(builder) == pytest.approx(-exact, rel=1e-10)
+
+
+HELD = {  # under 1 N/m: ends, modes, joint of the end, deflection over L^4 / E I and moment over L^2 at x = u L
+    "cantilever": ("clamped-free", 2, "", lambda u: u**2 * (6 - 4 * u + u**2) / 24, lambda u: (1 - u) ** 2 / 2),
+    "hinged": (
+        "pinned-pinned",
+        1,
+        "point_on_line",
+        lambda u: u * (1 - 2 * u**2 + u**3) / 24,
+        lambda u: u * (u - 1) / 2,
+    ),
+    "propped": (
+        *("welded-pinned", 2, "point_on_line"),
+        lambda u: u**2 * (3 - 5 * u + 2 * u**2) / 48,
+        lambda u: 1 / 8 - 5 * u / 8 + u**2 / 2,
+    ),
+    "guided": (
+        *("welded-welded", 3, "prismatic"),
+        lambda u: u**2 * (1 - u) ** 2 / 24,
+        lambda u: 1 / 12 - u / 2 + u**2 / 2,
+    ),
+}
+
+
+@pytest.mark.every_push("propped-planar", "hinged-spatial")
+@pytest.mark.parametrize("space", SPACES)
+@pytest.mark.parametrize("kind", HELD)
+def test_static_deflections_and_moments_are_exact_with_any_shapes(kind: str, space: str) -> None:
+    """A uniform load on beams that are clamped, hinged, propped, guided: formulas, with shapes that lack the load."""
+    ends, modes, joint, bent, moment = HELD[kind]
+    builder, line = (
+        beam(space, modes, ends),
+        {} if space == "planar" else {"axis": [1.0, 0.0, 0.0], "x_axis": [0.0, 1.0, 0.0]},
+    )
+    builder.ground(markers={"far": {"position": vector(space, L, 0.0), **line}})
+    builder.joint("revolute" if kind == "hinged" else "weld", "root", "ground.origin", "rod.start")
+    if joint:
+        builder.joint(joint, "guide", "ground.far", "rod.tip")
+    p = 1e-4
+    builder.distributed("snow", "rod", vector(space, 0.0, -p))
+    found = equilibrium(model_of(builder.build()))
+    run = simulate(found.model, t_end=1e-6, dt=1e-6, scheme="rk4", initial=found)
+    u = np.array([0.1, 0.5, 0.8, 1.0])
+    sag = run.deflections("rod", at=u)
+    assert -sag.y[0] == pytest.approx(p * L**4 / EI * bent(u), abs=1e-10 * p * L**4 / EI)
+    assert np.abs(sag.z).max() < 1e-10 * p * L**4 / EI
+    assert -run.section_forces("rod", at=u).moment[0] == pytest.approx(p * L**2 * moment(u), abs=1e-10 * p * L**2)
+    shapes = run.deflections("rod", at=u, way="modes").y[0]
+    assert np.abs(shapes - sag.y[0]).max() > 5e-4 * np.abs(sag.y).max()  # what the shapes lack
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("frame", "share"), [("world", np.cos(0.6)), ("body", 1.0)])
+def test_loads_have_fixed_directions_or_follow(frame: str, share: float) -> None:
+    """On a cantilever that stands at 0.6 rad: a fixed direction bends it by its part across, others by all."""
+    builder = beam("planar", 2, "clamped-free").ground(markers={"root": {"angle": 0.6}})
+    builder.weld("root", "ground.root", "rod.start").distributed("wind", "rod", [0.0, -1e-6], frame=frame)
+    found = equilibrium(model_of(builder.build()))
+    run = simulate(found.model, t_end=1e-6, dt=1e-6, scheme="rk4", initial=found)
+    assert run.deflections("rod", at=1.0).y[0, 0] == pytest.approx(-share * 1e-6 * L**4 / (8 * EI), rel=1e-8)
 
 
 @pytest.mark.every_push("planar")
@@ -134,6 +196,44 @@ def test_a_force_moves_over_a_beam() -> None:
     assert np.abs(run["mid"] - exact).max() < 1e-9 * np.abs(exact).max()
     assert run.view() is not None  # a load at no marker has no arrow
     assert np.abs(run.balance.error).max() < 1e-4 * run.energy["elastic"].max()
+
+
+def test_the_static_rest_under_a_moving_force_is_the_published_deflection() -> None:
+    """Five modes: the middle over P L^3 / 48 E I at places v t / L, alpha = 1/2, and at alpha = 1 at the end."""
+    published = {0.5: {0.25: 0.2644641941, 0.5: 1.3288777963, 0.6665: 1.70544468, 0.75: 1.5746103802}}
+    published[1.0] = {1.0: 1.5480736528}
+    off = {"equilibrium": 0.0, "modes": 0.0}
+    for alpha, values in published.items():
+        v = alpha * np.pi / L * (EI / RHO_A) ** 0.5
+        builder = pinned("planar", 5).moving_force("wheel", "rod", f"{v!r}*t", [0.0, -1.0])
+        run = simulate(model_of(builder.build()), t_end=L / v, dt=L / v / 2000, scheme="rk4")
+        at = [int(np.abs(run.t - place * L / v).argmin()) for place in values]
+        assert run.t[at] * v / L == pytest.approx(list(values), abs=1e-12)
+        for way in off:
+            middle = -run.deflections("rod", at=0.5, way=way).y[at, 0] * 48 * EI / L**3
+            off[way] = max(off[way], np.abs(middle - list(values.values())).max())
+    assert off["equilibrium"] < 6e-5 < 5e-4 < off["modes"]
+
+
+@pytest.mark.every_push("planar")
+@pytest.mark.parametrize("space", SPACES)
+@pytest.mark.parametrize("place", [0.3, 0.5])
+def test_what_slides_on_a_beam_presses_where_it_is(space: str, place: float) -> None:
+    """A trolley stands on a girder of one mode: moments a b P / L, and the deflection of a beam on two hinges."""
+    builder, P, a = pinned(space, 1).gravity(*vector(space, 0.0, -1e-4)), 5.0 * 1e-4, place * L
+    builder.rigid("trolley", mass=5.0, inertia=1.0 if space == "planar" else [1.0, 1.0, 1.0])
+    builder.slides_on("rail", "rod.start", "trolley.center")
+    builder.prescribed_displacement("drive", "ground.along", "trolley.center", f"{a!r} + 0*t")
+    builder.initial({"trolley.x": a})
+    found = equilibrium(model_of(builder.build()))
+    run = simulate(found.model, t_end=1e-6, dt=1e-6, scheme="rk4", initial=found)
+    u, weight = np.array([0.1, 0.2, 0.4, 0.9]), RHO_A * 1e-4
+    x, b = u * L, L - a
+    moment = P * np.where(x < a, b * x, a * (L - x)) / L + weight * x * (L - x) / 2
+    near, far = b * x * (L**2 - b**2 - x**2), a * (L - x) * (L**2 - a**2 - (L - x) ** 2)
+    sag = P * np.where(x < a, near, far) / (6 * L * EI) + weight * x * (L**3 - 2 * L * x**2 + x**3) / (24 * EI)
+    assert run.section_forces("rod", at=u).moment[0] == pytest.approx(moment, rel=1e-6)
+    assert -run.deflections("rod", at=u).y[0] == pytest.approx(sag, rel=1e-6)
 
 
 @pytest.mark.every_push("planar")

@@ -182,6 +182,21 @@ def test_locked_equations_are_those_of_constraints(model_of: Build, space: str, 
         assert np.abs(forces + viscous + found[4:]).max(initial=0.0) < 1e-11 * scale
 
 
+def test_a_link_that_sticks_on_a_driven_crank_turns_with_it(model_of: Build) -> None:
+    """Angle a = sin(3 t) + 3 at both; what holds the link is its inertia, the hinge's acceleration and no weight."""
+    builder = Scene("driven").ground().rigid("crank", mass=1.0, inertia=0.1, markers={"tip": {"position": [0.5, 0.0]}})
+    builder.rigid("link", mass=2.0, inertia=0.1, center_of_mass=[0.3, 0.0])
+    builder.revolute("base", "ground.origin", "crank.origin")
+    builder.prescribed_angle("motor", "ground.origin", "crank.origin", motion="sin(3*t)")
+    builder.revolute("hinge", "crank.tip", "link.origin", friction={"coulomb": 100.0})
+    builder.rates({"link.theta": 3.0}).simulation(t_end=1.0, dt=0.005, scheme="rk4")
+    run = model_of(builder.build()).simulate()
+    assert np.abs(run["link.theta"] - np.sin(3 * run.t)).max() < 1e-8
+    # about the hinge: (J + m c^2) a'' + m c l a'', the centripetal part of the hinge points along the link
+    moment = -(0.1 + 2.0 * 0.3**2 + 2.0 * 0.3 * 0.5) * 9 * np.sin(3 * run.t)
+    assert run.friction("hinge").force == pytest.approx(moment, abs=1e-6)
+
+
 @pytest.mark.long
 def test_an_arm_with_friction_in_both_joints_changes_modes_alike_at_every_step(model_of: Build) -> None:
     """Driven, with Stribeck in both; energy balances with the heat, and both joints stick at times."""

@@ -6,6 +6,8 @@ the last move on this way that depends on it, and on the way out its acceleratio
 
     I^A -= U U^T / D,    p^A += U u / D,    x'' = (u - U.a) / D.
 
+1 / D is multiplied by zero where a coordinate is held: it passes on all that is beyond, and its x'' is zero.
+
 Coordinates that several moves depend on, as modes, have their U carried along until then, and common masses D_ij. Rates
 and weight are in the force already, or in wrenches on the frames: nothing here depends on them.
 """
@@ -41,14 +43,15 @@ def floats(tree: FrameTree) -> bool:
 
 
 def free_joint_accelerations(
-    tree: FrameTree, force: Row, free: frozenset[int], wrenches: Sequence[Force] | None = None
+    tree: FrameTree, force: Row, free: frozenset[int], masks: Row, wrenches: Sequence[Force] | None = None
 ) -> Row:
     """x'' of M x'' = force by column; free: the columns that accelerate. Only for a tree in which no body floats.
 
-    wrenches: what the masses of each frame need at rates and weight, and do not get by `force`.
+    masks: by column, one where a coordinate moves and zero where it is held. wrenches: what the masses of each frame
+    need at rates and weight, and do not get by `force`.
     """
     frames = [replace(frame, moves=_turning_last(frame.moves)) for frame in tree.frames]
-    solution = _ArticulatedBodies(FrameTree(frames, tree.body_frames), {c: force.get(c, ZERO) for c in free})
+    solution = _ArticulatedBodies(FrameTree(frames, tree.body_frames), {c: force.get(c, ZERO) for c in free}, masks)
     solution.inward(wrenches or [NOTHING] * len(frames))
     return solution.outward()
 
@@ -79,8 +82,8 @@ class _Freed:
 class _ArticulatedBodies:
     """One solution of M x'' = tau; columns that are not in tau do not accelerate."""
 
-    def __init__(self, tree: FrameTree, tau: Row) -> None:
-        self._tree, self._tau, self._u = tree, tau, dict(tau)
+    def __init__(self, tree: FrameTree, tau: Row, masks: Row) -> None:
+        self._tree, self._tau, self._masks, self._u = tree, tau, masks, dict(tau)
         self._D: dict[tuple[int, int], ca.SX] = {}
         self._freed: dict[Place, list[_Freed]] = {}
         self._last: dict[int, Place] = {}
@@ -112,7 +115,9 @@ class _ArticulatedBodies:
     def _through(self, move: Move, place: Place, here: _Subtree) -> None:
         S = {column: twist for column, twist in move.twists.items() if column in self._tau}
         U = {column: here.I_A.momentum(twist) for column, twist in S.items()}
-        alone = isinstance(move, JointNode) and move.turns and move.column in S and move.column not in here.U
+        alone = (
+            isinstance(move, JointNode) and move.turns and move.column in S.keys() - here.U.keys() - self._masks.keys()
+        )
         for position, (column, twist) in enumerate(S.items()):
             self._u[column] = sub(self._u[column], here.p_A.along(twist))
             for other, known in here.U.items():
@@ -130,7 +135,7 @@ class _ArticulatedBodies:
         for column in sorted(column for column in here.U if self._last[column] == place):
             U, u = here.U.pop(column), self._u.pop(column)
             # a product with 1 / D is turned into a division where the emitted text is read, one with -1 / D is not
-            inverse = div(neg(ONE), self._D.pop((column, column)))
+            inverse = mul(self._masks.get(column, ONE), div(neg(ONE), self._D.pop((column, column))))
             masses = {c: self._D.pop(_pair(c, column)) for c in here.U if _pair(c, column) in self._D}
             others = {other: mul(inverse, mass) for other, mass in masses.items()}
             freed = _Freed(column, mul(inverse, u), U.scaled(inverse), others, hinge)
