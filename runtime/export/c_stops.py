@@ -11,7 +11,7 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.errors import ModelError
-from runtime.contract.model import Model, refuse_rigid_stops
+from runtime.contract.model import Model
 from runtime.contract.signals import SINCE
 from runtime.contract.tape import UNUSED, Node, Tape, read_tape, shared
 from runtime.engine.c_source import Code, Style, named, number, stage_code, tape_code
@@ -21,11 +21,12 @@ from runtime.running.time_functions import refuse_position_jumps
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.enclosure import EXACT
 from runtime.schemes.switching.impulse import may_give_impulses
+from runtime.schemes.switching.settle import weights
 from runtime.schemes.switching.stop_program import StopProgram
 from runtime.schemes.switching.times import switching_times
 from runtime.schemes.switching.watched import seen_function, watched_events, watches
 
-ENDS = {"BY_EVENT": 1, "CHATTERING": 2, "NO_MODE": 3, "NOT_FINITE": 4, "TOO_MANY": 5}
+ENDS = {"BY_EVENT": 1, "CHATTERING": 2, "NO_MODE": 3, "NOT_FINITE": 4, "TOO_MANY": 5, "BEYOND_A_STOP": 6}
 KEPT_OF_A_KINK = 22
 MOST_CLOSE = 502
 WAYS = {"rising": 1, "falling": -1}
@@ -72,7 +73,6 @@ def refuse_stops(model: Model, p: np.ndarray) -> None:
     c, name = model.constants(p), f"of model {model.name}"
     if model.sources:
         raise ModelError(f"inputs {', '.join(model.sources)} {name}", "are functions of time", "give them as inputs")
-    refuse_rigid_stops(model, "exported code does not", "simulate it")
     moving = [event.name for event in model.description.events if event.sets and SINCE in model.signals.names]
     if moving:
         raise ModelError(
@@ -138,11 +138,10 @@ def stop_functions(scheme: Scheme, prepared: Prepared, prefix: str, library: Sty
 
 
 AT = ("q_i", "q_d", "q_i_dot", "q_d_dot", "t")
-OF_ELEMENTS = ("M_hat", "Q_hat", "G", "G_bias", "v_rel", "holds")
 
 
 def _element_functions(scheme: Scheme, prefix: str, library: Style) -> dict[str, Code]:
-    """`seen` (z, c) -> AT; `elements` and `velocities` of AT and the model's c: what `settle.c` calls."""
+    """`seen` (z, c) -> AT; `weights` and `velocities` of AT and the model's c: what `settle.c` calls."""
     model = scheme.model
     z, c_step = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
     shown = scheme.observer(z=z, c=c_step)
@@ -151,11 +150,11 @@ def _element_functions(scheme: Scheme, prefix: str, library: Style) -> dict[str,
     at = ca.SX.sym("at", 2 * (n_i + n_d) + 1)
     parts = ca.vertsplit(at, [0, n_i, n_i + n_d, 2 * n_i + n_d, 2 * (n_i + n_d), at.numel()])
     given = {**dict(zip(AT, parts, strict=True)), "c": c}
-    own = model.evaluate("elements", **given)
-    y = ca.vertcat(*(ca.vec(ca.densify(own[name])) for name in OF_ELEMENTS))
+    of, found_there = weights(model), weights(model).call(given)
+    y = ca.vertcat(*(ca.vec(found_there[name]) for name in of.name_out()))
     found = {
         "seen": tape_code(f"{prefix}seen", named(seen, "z", "c"), ["at"], library),
-        "elements": tape_code(f"{prefix}elements", named(ca.Function("e", [at, c], [y]), "at", "c"), ["y"], library),
+        "weights": tape_code(f"{prefix}weights", named(ca.Function("y", [at, c], [y]), "at", "c"), ["y"], library),
     }
     if n_d:
         rates = ca.Function("v", [at, c], [ca.densify(model.evaluate("velocities", **given)["q_d_dot"])])
@@ -190,9 +189,11 @@ def stop_text(scheme: Scheme, prepared: Prepared, prefix: str) -> tuple[str, int
     numbers |= {"EVENT_BEFORE": place("event_before").start, "READY": place("ready").start}
     numbers |= {"INPUTS": place("inputs").start, "PUSH": place("push").start if push else 0}
     numbers |= {"CLOCK": place("clock").stop - 1, "ORIGIN": place("origin").stop - 1}
-    n_m, n_i, n_q = len(model.element_modes), len(model.q_i), len(model.coordinates)
-    numbers |= {"NM": n_m, "NI": n_i, "NQD": n_q - n_i, "NAT": 2 * n_q + 1, "NSEEN": (n_i + 1 + n_m) * n_i + 3 * n_m}
-    room = numbers["NAT"] + numbers["NSEEN"] + n_i * (2 * n_m + 1) + model.c_size if n_m else 0
+    modes, n_i, n_q = model.mode_events, len(model.q_i), len(model.coordinates)
+    n_m, n_v = len(modes), 1 + max((one.row for one in modes), default=-1)
+    numbers |= {"NM": n_m, "NV": n_v, "NSTOPS": sum(one.side != 0 for one in modes), "NI": n_i, "NQD": n_q - n_i}
+    numbers |= {"NAT": 2 * n_q + 1, "NSEEN": weights(model).nnz_out() if n_m else 0}
+    room = 2 * numbers["NAT"] + numbers["NSEEN"] + model.c_size + n_i * n_v if n_m else 0
     numbers["KEPT_IN_W"] = room + sum(
         (3 * numbers["NS"], numbers["NZ"], ready + 2 * numbers["NC"], MOST_CLOSE * (n_e + 1))
     )
@@ -202,6 +203,7 @@ def stop_text(scheme: Scheme, prepared: Prepared, prefix: str) -> tuple[str, int
         lines += [*event_table(scheme), whole_numbers("sets_of", sets_of(scheme))]
     if n_m:
         lines.append(whole_numbers("modes_at", model.element_modes.tolist()))
+        lines += [whole_numbers(f"{name}_of", [getattr(one, name) for one in modes]) for name in ("row", "side")]
     text, times, settle = (
         files("runtime.export").joinpath(name).read_text(encoding="utf-8")
         for name in ("stops.c", "times.c", "settle.c")

@@ -1,33 +1,60 @@
-/* Which elements stick and which slide where that is open, as in runtime/schemes/switching/settle.py. */
+/* What is held and what moves where that is open, as in runtime/schemes/switching: settle.py, stops.py,
+   complementarity.py. Matrices stand by columns; sums begin with the first entry, as in small_systems.py. */
 
 #define AT_REST 1e-9
-#define NIL 1e-12
-#define SINGULAR 1e-11
 #define PASSES 1e-6
+#define PIVOT 1e-9
+#define ROUNDING 1e-12
+#define SINGULAR 1e-11
+#define TOUCH 1e-9
+#define TOO_CLOSE 1e-4
+#define MOST_HITS 50
 #define EACH(k, n) for ((k) = 0; (k) < (n); ++(k))
+/* entries of y, what `weights` says: of v = G q_i' and v' = b + A f */
+#define V_REL (NV * NI)
+#define HOLDS (V_REL + NV)
+#define GAP (HOLDS + NV)
+#define BACK (GAP + NSTOPS)
+#define BY (BACK + NSTOPS)
+#define A_OF (BY + NI * NV)
+#define B_OF (A_OF + NV * NV)
 
-/* A x = b for m columns of B, by elimination; A is lost, B becomes x */
-static void solve(double *A, double *B, int n, int m) {
+static double larger(double a, double b) { return a > b ? a : b; }
+
+static double largest_of(const double *x, long n) {
+  double found = 0;
+  while (n-- > 0) found = larger(fabs(x[n]), found);
+  return found;
+}
+
+/* row k of A x; one row stands so far from the next column */
+static double row_times(const double *A, int k, int apart, const double *x, int n) {
+  double sum = 0;
+  int j;
+  EACH(j, n) sum += A[k + apart * j] * x[j];
+  return sum;
+}
+
+/* A x = b, by elimination; A is lost, b becomes x */
+static void solve(double *A, double *b, int n) {
   int k, i, j;
-  for (k = 0; k < n; ++k) {
+  EACH(k, n) {
     int p = k;
     for (i = k + 1; i < n; ++i) p = fabs(A[i + n * k]) > fabs(A[p + n * k]) ? i : p;
-    for (j = 0; j < n + m; ++j) {
-      double *column = j < n ? A + n * j : B + n * (j - n);
+    for (j = 0; j <= n; ++j) {
+      double *column = j < n ? A + n * j : b;
       const double one = column[k];
       column[k] = column[p], column[p] = one;
     }
     for (i = k + 1; i < n; ++i) {
       const double factor = A[i + n * k] / A[k + n * k];
       for (j = k; j < n; ++j) A[i + n * j] -= factor * A[k + n * j];
-      for (j = 0; j < m; ++j) B[i + n * j] -= factor * B[k + n * j];
+      b[i] -= factor * b[k];
     }
   }
   for (k = n - 1; k >= 0; --k) {
-    for (j = 0; j < m; ++j) {
-      for (i = k + 1; i < n; ++i) B[k + n * j] -= A[k + n * i] * B[i + n * j];
-      B[k + n * j] /= A[k + n * k];
-    }
+    for (i = k + 1; i < n; ++i) b[k] -= A[k + n * i] * b[i];
+    b[k] /= A[k + n * k];
   }
 }
 
@@ -36,7 +63,7 @@ static void least(double *A, double *side, int n) {
   double left[NM * NM], gram[NM * NM], z[NM], largest = 0;
   int chosen[NM] = {0}, taken[NM] = {0}, m = 0, k, i, j;
   memcpy(left, A, n * n * sizeof(double));
-  EACH(k, n) largest = A[k + n * k] > largest ? A[k + n * k] : largest;
+  EACH(k, n) largest = larger(A[k + n * k], largest);
   for (;;) {
     int p = -1;
     EACH(k, n) if (!taken[k] && (p < 0 || left[k + n * k] > left[p + n * p])) p = k;
@@ -45,7 +72,7 @@ static void least(double *A, double *side, int n) {
     taken[p] = 1, chosen[m++] = p;
   }
   if (m == n) {
-    solve(A, side, n, 1);
+    solve(A, side, n);
     return;
   }
   EACH(i, m) {
@@ -55,81 +82,94 @@ static void least(double *A, double *side, int n) {
       EACH(k, n) gram[i + m * j] += A[k + n * chosen[i]] * A[k + n * chosen[j]];
     }
   }
-  solve(gram, z, m, 1);
+  solve(gram, z, m);
   EACH(k, n) {
     side[k] = 0;
     EACH(i, m) side[k] += A[k + n * chosen[i]] * z[i];
   }
 }
 
+/* forces on n directions, between bounds: v' = b + A f; at: -1, 1 at the lower, the upper one, 0 held between them */
+typedef struct {
+  int n, at[NM], let_go[NM];
+  double A[NM * NM], b[NM], lower[NM], upper[NM], f[NM];
+} Bounded;
+
+static double accelerates(const Bounded *o, int k, const double *f) { return o->b[k] + row_times(o->A, k, o->n, f, o->n); }
+
 /* those at a bound have its force, the others what keeps them from accelerating, with the least sum of (f / bound)^2 */
-static void forces(double *f, const double *A, const double *b, const double *most, const int *at, int n) {
+static void balance(Bounded *o) {
   double own[NM * NM], side[NM], H[NM] = {0}, largest = 0;
   int held[NM], m = 0, k, j;
-  EACH(k, n) f[k] = at[k] * most[k];
-  EACH(k, n) if (at[k] == 0) held[m++] = k;
-  EACH(k, m) largest = most[held[k]] > largest ? most[held[k]] : largest;
-  EACH(k, m) H[k] = most[held[k]] > 0 ? most[held[k]] : largest > 0 ? largest : 1;
+  EACH(k, o->n) {
+    o->f[k] = o->at[k] > 0 ? o->upper[k] : o->at[k] < 0 ? o->lower[k] : 0.0;
+    if (o->at[k] != 0) continue;
+    H[m] = o->upper[k] < INFINITY ? o->upper[k] : o->lower[k] > -INFINITY ? -o->lower[k] : 0.0;
+    largest = larger(H[m], largest), held[m++] = k;
+  }
+  EACH(k, m) H[k] = H[k] > 0 ? H[k] : largest > 0 ? largest : 1;
   EACH(k, m) {
-    side[k] = -b[held[k]];
-    EACH(j, n) side[k] -= A[held[k] + n * j] * f[j];
-    side[k] *= H[k];
-    EACH(j, m) own[k + m * j] = H[k] * A[held[k] + n * held[j]] * H[j];
+    side[k] = -H[k] * accelerates(o, held[k], o->f);
+    EACH(j, m) own[k + m * j] = H[k] * o->A[held[k] + o->n * held[j]] * H[j];
   }
   least(own, side, m);
-  EACH(k, m) f[held[k]] = H[k] * side[k];
+  EACH(k, m) o->f[held[k]] = H[k] * side[k];
 }
 
-/* -1, 0, 1: at its bound, held, at the other one, of v' = b + A f; 0: no choice is consistent */
-static int complementary(int *at, const double *A, const double *b, const double *most, const int *let_go, int n) {
-  double f[NM], largest = 0, still = 0, all = 0, dust;
-  int k, j, turn;
-  memset(at, 0, NM * sizeof(int));
-  EACH(k, n) largest = most[k] > largest ? most[k] : largest, still = fabs(b[k]) > still ? fabs(b[k]) : still;
-  EACH(k, n * n) all = fabs(A[k]) > all ? fabs(A[k]) : all;
-  dust = NIL * largest, still = NIL * (still + all * largest);
-  forces(f, A, b, most, at, n);
-  EACH(k, n) if (let_go[k]) at[k] = f[k] >= 0 ? 1 : -1;
-  EACH(k, n) at[k] = most[k] > 0 ? at[k] : 1; /* what holds nothing goes where it is pulled */
-  for (turn = 0; turn < 2 * n + 20; ++turn) {
-    int beyond = -1, wrong = -1;
-    double worst = 0, against = 0;
-    forces(f, A, b, most, at, n);
-    EACH(k, n) {
-      const double over = (fabs(f[k]) - most[k] + dust) * A[k + n * k];
-      double a = b[k];
-      EACH(j, n) a += A[k + n * j] * f[j];
-      if (most[k] <= 0) at[k] = a > 0 ? -1 : 1;
-      a = at[k] * a - (let_go[k] ? 1e6 * still : still);
-      if (at[k] == 0 && over > worst) worst = over, beyond = k;
-      if (at[k] != 0 && most[k] > 0 && a > against) against = a, wrong = k;
-    }
-    if (beyond < 0 && wrong < 0) return 1;
-    if (beyond >= 0) at[beyond] = f[beyond] >= 0 ? 1 : -1;
-    else at[wrong] = 0;
+static int nearest(const Bounded *o, int k) { return o->upper[k] - o->f[k] <= o->f[k] - o->lower[k] ? 1 : -1; }
+
+/* which are held and which are at a bound; 0: no choice is consistent */
+static int complementary(Bounded *o) {
+  const double most = largest_of(o->b, o->n);
+  double largest = 0, still;
+  int k, turn;
+  EACH(k, o->n) {
+    if (o->upper[k] < INFINITY) largest = larger(fabs(o->upper[k]), largest);
+    if (o->lower[k] > -INFINITY) largest = larger(fabs(o->lower[k]), largest);
+    o->at[k] = 0;
   }
-  return n == 0;
+  still = ROUNDING * (most + largest_of(o->A, (long)o->n * o->n) * largest);
+  balance(o);
+  EACH(k, o->n) o->at[k] = o->upper[k] <= o->lower[k] ? 1 : o->let_go[k] ? nearest(o, k) : 0;
+  for (turn = 0; turn < 2 * o->n + 20; ++turn) {
+    int beyond = -1, wrong = -1, pulled[NM] = {0};
+    double worst = 0, against = 0;
+    balance(o);
+    EACH(k, o->n) {
+      const double pivot = o->A[k + o->n * k], open = !(o->upper[k] < INFINITY && o->lower[k] > -INFINITY);
+      /* what presses on a stop by rounding only does not hold it closed */
+      const double dust = ROUNDING * largest + (open ? ROUNDING * most / larger(pivot, 1e-300) + 1e-300 : 0.0);
+      const double over = (larger(o->f[k] - o->upper[k], o->lower[k] - o->f[k]) + dust) * pivot;
+      const double moves = accelerates(o, k, o->f), a = o->at[k] * moves - (o->let_go[k] ? 1e6 * still : still);
+      if (o->at[k] == 0 && over > worst) worst = over, beyond = k;
+      if (o->upper[k] <= o->lower[k]) pulled[k] = moves > 0 ? -1 : 1; /* holds nothing, and goes where it is pulled */
+      else if (o->at[k] != 0 && a > against) against = a, wrong = k;
+    }
+    if (beyond < 0 && wrong < 0) {
+      EACH(k, o->n) if (pulled[k] != 0) o->at[k] = pulled[k];
+      return 1;
+    }
+    if (beyond >= 0) o->at[beyond] = nearest(o, beyond);
+    else o->at[wrong] = 0;
+  }
+  return o->n == 0;
 }
 
 /* v (NI) so that these rates become zero; where a coordinate can do it alone, to the last bit */
-static void bring_to_rest(double *v, double *G, const double *rate, const int *rest, double *left, double *push) {
-  double side[NM], fastest = 0;
-  int rows[NM], column[NM], k, j, i, n = 0, m = 0;
-  EACH(j, NI) fastest = fabs(v[j]) > fastest ? fabs(v[j]) : fastest;
-  EACH(k, NM) if (rest[k]) { /* one whose rate is zero since its G is passes on */
-    double most = 0;
-    EACH(j, NI) most = fabs(G[k + NM * j]) > most ? fabs(G[k + NM * j]) : most;
-    if (fabs(rate[k]) <= PASSES * most * (1.0 + fastest)) rows[n++] = k;
+static void bring_to_rest(double *v, const double *y, const int *rest, double *left) {
+  const double *G = y, most_of_v = 1.0 + largest_of(v, NI);
+  double side[NV], most[NV], push[NI] = {0};
+  int rows[NV], column[NV], k, j, i, n = 0;
+  EACH(k, NV) {
+    most[k] = 0;
+    EACH(j, NI) most[k] = larger(fabs(G[k + NV * j]), most[k]);
+    if (!rest[k] || fabs(y[V_REL + k]) > PASSES * most[k] * most_of_v) continue; /* G is zero: it passes on */
+    EACH(j, NI) left[n * NI + j] = G[k + NV * j];
+    side[n] = y[V_REL + k], rows[n++] = k;
   }
   EACH(k, n) {
-    side[k] = rate[rows[k]];
-    EACH(j, NI) left[k * NI + j] = G[rows[k] + NM * j];
-  }
-  EACH(k, n) {
-    double most = 0;
     column[k] = -1;
-    EACH(j, NI) most = fabs(G[rows[k] + NM * j]) > most ? fabs(G[rows[k] + NM * j]) : most;
-    EACH(j, NI) if (fabs(left[k * NI + j]) > NIL * 1000 * most) column[k] = j;
+    EACH(j, NI) if (fabs(left[k * NI + j]) > PIVOT * most[rows[k]]) column[k] = j;
     for (i = 0; i < n && column[k] >= 0; ++i) {
       if (i != k && left[i * NI + column[k]] != 0) {
         const double factor = left[i * NI + column[k]] / left[k * NI + column[k]];
@@ -138,71 +178,185 @@ static void bring_to_rest(double *v, double *G, const double *rate, const int *r
       }
     }
   }
-  memset(push, 0, NI * sizeof(double));
-  EACH(m, n) if (column[m] >= 0) push[column[m]] = -side[m] / left[m * NI + column[m]];
+  EACH(k, n) if (column[k] >= 0) push[column[k]] = -side[k] / left[k * NI + column[k]];
   EACH(j, NI) v[j] = v[j] + push[j];
+}
+
+/* what is added to q_i' by impacts on stops, which ones are hit; 0: no impulses are consistent */
+static int struck(double *push, int *hit, const double *y, const int *on, const double *e, double slow) {
+  double speed[NM];
+  int count, k, j;
+  EACH(k, NM) speed[k] = side_of[k] * y[V_REL + row_of[k]];
+  EACH(count, MOST_HITS + 1) {
+    const int last = count == MOST_HITS;
+    int some[NM], any = 0;
+    Bounded o;
+    o.n = 0;
+    EACH(k, NM) {
+      const int comes = on[k] && speed[k] < -slow;
+      if (!on[k] || !(last || speed[k] <= slow)) continue;
+      any = any || comes, hit[k] = hit[k] || comes, some[o.n] = k;
+      o.b[o.n] = (1 + (comes && !last ? e[k] : 0.0)) * speed[k];
+      o.lower[o.n] = 0.0, o.upper[o.n] = INFINITY, o.let_go[o.n++] = 0;
+    }
+    if (!any) return 1;
+    EACH(k, o.n) EACH(j, o.n) {
+      o.A[k + o.n * j] = side_of[some[k]] * y[A_OF + row_of[some[k]] + NV * row_of[some[j]]] * side_of[some[j]];
+    }
+    if (!complementary(&o)) return 0;
+    balance(&o);
+    EACH(k, o.n) o.f[k] = larger(o.f[k], 0.0);
+    EACH(k, NM) {
+      double sum = 0;
+      EACH(j, o.n) sum += side_of[k] * y[A_OF + row_of[k] + NV * row_of[some[j]]] * side_of[some[j]] * o.f[j];
+      speed[k] = speed[k] + sum;
+    }
+    EACH(k, NI) {
+      double sum = 0;
+      EACH(j, o.n) sum += y[BY + k + NI * row_of[some[j]]] * side_of[some[j]] * o.f[j];
+      push[k] = push[k] + sum;
+    }
+  }
+  return 1;
+}
+
+/* a state (q_i, q_d, q_i', q_d', t), its constants, what `weights` says of it, room for rows */
+typedef struct {
+  double *at, *c, *y, *left, *w;
+} Place;
+
+static void weigh(const Place *o) { M(weights)(o->y, o->at, o->c, o->w); }
+
+static void moved(const Place *o) { /* rates of q_d by those of q_i */
+#if NQD > 0
+  double rates[NQD];
+  M(velocities)(rates, o->at, o->c, o->w);
+  memcpy(o->at + 2 * NI + NQD, rates, sizeof rates);
+#else
+  (void)o;
+#endif
+}
+
+/* modes (NM) at a place, whose rates are moved; soon: stops that are to rest. -1: none are consistent, 1: once more */
+static int once(const Place *o, double *modes, const int *happened, const double *come, int *soon) {
+  double *v = o->at + NI + NQD, *y = o->y, push[NI] = {0}, rate[NV], e[NM], until[NM], force[NV] = {0};
+  const double slow = AT_REST * (1.0 + largest_of(v, NI));
+  int on[NM], touched[NM], hit[NM] = {0}, rest[NV] = {0}, open[NV] = {0}, k, j, s = 0, any = 0, again = 0;
+  Bounded b;
+  memcpy(until, modes, sizeof until);
+  weigh(o);
+  EACH(k, NM) {
+    const int stop = side_of[k] != 0, near = until[k] == 0 || (happened != NULL && happened[k]);
+    on[k] = stop && (near || y[GAP + s] <= 0), touched[k] = stop && (near || y[GAP + s] <= TOUCH);
+    e[k] = stop && !soon[k] ? y[BACK + s] : 0.0, s += stop;
+  }
+  if (!struck(push, hit, y, on, e, slow)) return -1;
+  EACH(k, NV) rate[k] = y[V_REL + k] + row_times(y, k, NV, push, NI);
+  EACH(k, NM) {
+    const double speed = fabs(rate[row_of[k]]);
+    touched[k] = touched[k] && speed <= slow;
+    if (touched[k] || (side_of[k] == 0 && speed <= larger(come[k], slow))) rest[row_of[k]] = any = 1;
+    open[row_of[k]] = open[row_of[k]] || (happened != NULL && happened[k] && until[k] == 0);
+  }
+  EACH(k, NM) {
+    const double moves = rate[row_of[k]];
+    modes[k] = side_of[k] != 0 ? 1.0 : rest[row_of[k]] ? 0.0 : (double)((moves > 0) - (moves < 0));
+    o->c[DT_AT - NU + modes_at[k]] = modes[k];
+  }
+  EACH(j, NI) v[j] = v[j] + push[j];
+  moved(o);
+  EACH(k, any ? 2 : 1) { /* the second time what the first one rounded */
+    weigh(o);
+    bring_to_rest(v, y, rest, o->left);
+    moved(o);
+  }
+  weigh(o); /* with the laws of those that move */
+  b.n = 0;
+  EACH(k, NV) {
+    if (!rest[k]) continue;
+    b.b[b.n] = y[B_OF + k], b.lower[b.n] = -y[HOLDS + k], b.upper[b.n] = y[HOLDS + k], b.let_go[b.n] = open[k];
+    EACH(j, NM) {
+      if (row_of[j] == k && touched[j] && side_of[j] > 0) b.upper[b.n] = INFINITY;
+      if (row_of[j] == k && touched[j] && side_of[j] < 0) b.lower[b.n] = -INFINITY;
+    }
+    rest[k] = ++b.n; /* its number among them, from 1 */
+  }
+  EACH(k, NV) EACH(j, NV) if (rest[k] && rest[j]) b.A[rest[k] - 1 + b.n * (rest[j] - 1)] = y[A_OF + k + NV * j];
+  if (!complementary(&b)) return -1;
+  balance(&b);
+  EACH(k, NV) if (rest[k]) force[k] = b.f[rest[k] - 1];
+  EACH(k, NM) {
+    const int number = rest[row_of[k]];
+    if (side_of[k] == 0 && number) modes[k] = -(double)b.at[number - 1];
+    if (touched[k]) modes[k] = number && b.at[number - 1] == 0 ? 0.0 : -1.0;
+  }
+  EACH(k, NM) { /* bounces that come too close are over at once */
+    const double a = side_of[k] * (y[B_OF + row_of[k]] + row_times(y + A_OF, row_of[k], NV, force, NV));
+    const double speed = side_of[k] * y[V_REL + row_of[k]];
+    if (hit[k] && !soon[k] && 0 < 2 * speed && 2 * speed < -a * (1 - e[k]) * TOO_CLOSE) soon[k] = again = 1;
+  }
+  return again;
+}
+
+/* modes among the inputs u (NU) and rates at a state `at`; happened: elements that ask, or NULL; come: rates below which
+   one has come to rest. 0: no modes are consistent, and nothing has changed */
+static int decide(double *at, double *u, const double *c, const int *happened, const double *come, double *room, double *w) {
+  double modes[NM];
+  int soon[NM] = {0}, k, found;
+  Place o;
+  o.y = room, o.c = o.y + NSEEN, o.at = o.c + DT_AT, o.left = o.at + NAT, o.w = w;
+  do {
+    memcpy(o.at, at, NAT * sizeof(double)), memcpy(o.c, c, DT_AT * sizeof(double));
+    memcpy(o.c + DT_AT - NU, u, NU * sizeof(double));
+    EACH(k, NM) modes[k] = u[modes_at[k]];
+    found = once(&o, modes, happened, come, soon);
+  } while (found > 0);
+  if (found < 0) return 0;
+  memcpy(at, o.at, NAT * sizeof(double));
+  EACH(k, NM) u[modes_at[k]] = modes[k];
+  return 1;
 }
 
 /* modes into inputs and what is added to the rates, at a state S that constants show; happened: elements that ask */
 static void settle(Run *r, double *inputs, double *push, const double *S, const double *shown, const int *happened) {
-  double *at = r->room, *y = at + NAT, *by = y + NSEEN, *c = by + NI * (NM + 1), *left = c + DT_AT;
-  double *G = y + NI * NI + NI, *bias = G + NM * NI, *rate = bias + NM, *holds = rate + NM, *v = at + NI + NQD;
-  double slopes[ROW], start[NI], before[NM], fastest = 0, A[NM * NM] = {0}, b[NM] = {0}, most[NM] = {0};
-  int rest[NM], let_go[NM] = {0}, side[NM], k, j, i, n = 0, turn, any = 0;
-  M(slopes)(slopes, S, shown, r->w);
+  double *at = r->room, *v = at + NI + NQD, slopes[ROW], start[NI], come[NM] = {0};
+  int k;
   M(seen)(at, S, shown, r->w);
-  memcpy(c, r->c, DT_AT * sizeof(double)), memcpy(c + DT_AT - NU, inputs, NU * sizeof(double));
-  M(elements)(y, at, c, r->w);
   memcpy(start, v, sizeof start);
-  EACH(k, NM) any = any || (happened != NULL && happened[k] && inputs[modes_at[k]] != 0);
-  EACH(j, NI) fastest = fabs(v[j]) > fastest ? fabs(v[j]) : fastest;
-  EACH(k, NM) {
-    const double come = any && happened[k] ? LOST * fabs(slopes[ND - NM + k]) : 0.0, slow = AT_REST * (1.0 + fastest);
-    const int asks = happened != NULL && happened[k] && inputs[modes_at[k]] == 0;
-    rest[k] = fabs(rate[k]) <= (come > slow ? come : slow);
-    if (rest[k]) side[n] = k, let_go[n++] = asks;
-    before[k] = inputs[modes_at[k]];
-    inputs[modes_at[k]] = c[DT_AT - NU + modes_at[k]] = rest[k] ? 0.0 : rate[k] > 0 ? 1.0 : -1.0;
+  if (happened != NULL) {
+    M(slopes)(slopes, S, shown, r->w);
+    EACH(k, NM) if (happened[k] && inputs[modes_at[k]] != 0) come[k] = LOST * fabs(slopes[ND - NM + k]);
   }
-  for (turn = 0; turn < (n > 0 ? 2 : 1); ++turn) { /* the second time what the first one rounded */
-#if NQD > 0 /* of the rates before the push, as in the runtime */
-    M(velocities)(at + 2 * NI + NQD, at, c, r->w);
-#endif
-    bring_to_rest(v, G, rate, rest, left, push);
-    M(elements)(y, at, c, r->w); /* with the laws of those that move */
-  }
-  EACH(j, NI) push[j] = v[j] - start[j], by[NI * NM + j] = y[NI * NI + j];
-  EACH(k, NM) EACH(j, NI) by[j + NI * k] = G[k + NM * j];
-  solve(y, by, NI, NM + 1);
-  EACH(i, n) {
-    b[i] = bias[side[i]], most[i] = holds[side[i]];
-    EACH(j, NI) b[i] += G[side[i] + NM * j] * by[NI * NM + j];
-    EACH(k, n) {
-      A[i + n * k] = 0;
-      EACH(j, NI) A[i + n * k] += G[side[i] + NM * j] * by[j + NI * side[k]];
-    }
-  }
-  if (!complementary(rest, A, b, most, let_go, n)) {
-    memset(push, 0, NI * sizeof(double));
-    EACH(k, NM) inputs[modes_at[k]] = before[k];
-    r->z[ENDED] = M(NO_MODE);
-    return;
-  }
-  EACH(i, n) inputs[modes_at[side[i]]] = -(double)rest[i];
+  if (!decide(at, inputs, r->c, happened, come, at + NAT, r->w)) r->z[ENDED] = M(NO_MODE);
+  EACH(k, NI) push[k] = v[k] - start[k];
 }
 
 /* at a start, and where inputs change */
 static void settle_there(Run *r) {
   const double clock[2] = {r->z[0], r->z[1]};
   double *T = r->T, *inputs = T + NOWN + 3, *push = inputs + NU;
-  int k, moved = 0;
+  int k, moves = 0;
   memcpy(T, r->z, NOWN * sizeof(double)), memcpy(inputs, r->z + INPUTS_AT, NU * sizeof(double));
   T[NOWN] = T[NOWN + 1] = r->dt, T[NOWN + 2] = clock[0] + clock[1] * r->dt;
   settle(r, inputs, push, r->z, r->c, NULL);
-  EACH(k, NI) moved = moved || push[k] != 0;
-  EACH(k, NU) moved = moved || inputs[k] != r->z[INPUTS_AT + k];
-  if (!moved) return;
+  EACH(k, NI) moves = moves || push[k] != 0;
+  EACH(k, NU) moves = moves || inputs[k] != r->z[INPUTS_AT + k];
+  if (!moves) return;
   M(again)(T, r->c, r->w);
   memcpy(r->z, T, NOWN * sizeof(double)), r->z[0] = clock[0], r->z[1] = clock[1];
   look_at_events(r);
 }
+
+#if NSTOPS > 0
+/* is a start on the right side of its stops? */
+static int within_stops(Run *r) {
+  Place o;
+  int k;
+  o.at = r->room, o.y = o.at + NAT, o.c = o.y + NSEEN, o.w = r->w;
+  M(seen)(o.at, r->z, r->c, o.w);
+  memcpy(o.c, r->c, DT_AT * sizeof(double));
+  weigh(&o);
+  EACH(k, NSTOPS) if (!(o.y[GAP + k] >= -TOUCH)) return 0;
+  return 1;
+}
+#endif

@@ -11,6 +11,7 @@
 #define MOST_LOOKS 100
 #define MOST_CLOSE 500
 #define MOST_IN_A_STEP 50
+#define MOST_BOUNCES 20000
 #define MOST_KINKS 20
 #define OF_STEPS 60
 #define T0 (NZ)
@@ -161,8 +162,8 @@ static int unsure(const Run *r, const double *slopes, const double *ends, const 
 
 /* intervals of the part are halved until none before the first change of sign has room for a zero; 0: there is none */
 static int first_bracket(Run *r, double *from, double *to) {
-  double *e = r->looks;
-  int known[MOST_CLOSE] = {0}, n = 5, k, j, i, first, halved[16], count;
+  double *e = r->looks, new[16 * ROW];
+  int known[MOST_CLOSE] = {0}, n = 5, k, j, i, m, first, halved[16], foretold[16], count;
   for (k = 0; k < n; ++k) {
     e[k * ROW + NE] = k < 4 ? k * (r->length / 4) : r->length;
     look(r, e[k * ROW + NE], e + k * ROW);
@@ -179,7 +180,7 @@ static int first_bracket(Run *r, double *from, double *to) {
           const double bend = fabs(((s[j] - q[j]) / (s[NE] - q[NE]) - (q[j] - p[j]) / (q[NE] - p[NE])) / (s[NE] - p[NE]));
           most = bend > most ? bend : most;
         }
-        open = a * b > 0 ? 3 * most * width * width / 4 > least : 3 * most * width > fabs((b - a) / width);
+        open = a * b > 0 ? 3 * most * (width * width) / 4 > least : 3 * most * width > fabs((b - a) / width);
       }
       if (open && width > 1e-6 * r->length) halved[count++] = k;
     }
@@ -187,28 +188,32 @@ static int first_bracket(Run *r, double *from, double *to) {
       if (first < n - 1) *from = e[first * ROW + NE], *to = e[(first + 1) * ROW + NE];
       return first < n - 1;
     }
-    while (count-- > 0) { /* from the right, so that what is left of it stays; each by what was known before */
-      double now[ROW];
-      const int at = halved[count], near = at - 1 < 0 ? 0 : at - 1 > n - 4 ? n - 4 : at - 1;
-      int foretold = 1;
+    for (m = 0; m < count; ++m) { /* all by what was known before */
+      double *now = new + m * ROW;
+      const int at = halved[m], near = at - 1 < 0 ? 0 : at - 1 > n - 4 ? n - 4 : at - 1;
       now[NE] = (e[at * ROW + NE] + e[(at + 1) * ROW + NE]) / 2;
       look(r, now[NE], now);
+      foretold[m] = 1;
       for (j = 0; j < NE; ++j) {
-        double cubic = 0, least = INFINITY, most = -INFINITY;
+        double cubic = 0, least = INFINITY, most = -INFINITY, size = 0;
         for (k = near; k < near + 4; ++k) {
+          const double one = e[k * ROW + j];
           double weight = 1;
           for (i = near; i < near + 4; ++i) {
             if (i != k) weight *= (now[NE] - e[i * ROW + NE]) / (e[k * ROW + NE] - e[i * ROW + NE]);
           }
-          cubic += weight * e[k * ROW + j];
-          least = e[k * ROW + j] < least ? e[k * ROW + j] : least, most = e[k * ROW + j] > most ? e[k * ROW + j] : most;
+          cubic += weight * one;
+          least = one < least ? one : least, most = one > most ? one : most, size = fabs(one) > size ? fabs(one) : size;
         }
-        foretold = foretold && fabs(now[j] - cubic) <= 0.05 * (most - least);
+        foretold[m] = foretold[m] && fabs(now[j] - cubic) <= 0.05 * (most - least) + 1e-13 * size;
       }
+    }
+    while (count-- > 0) { /* from the right, so that what is left of it stays */
+      const int at = halved[count];
       memmove(e + (at + 2) * ROW, e + (at + 1) * ROW, (size_t)(n - at - 1) * ROW * sizeof(double));
-      memcpy(e + (at + 1) * ROW, now, sizeof now);
+      memcpy(e + (at + 1) * ROW, new + count * ROW, sizeof(double) * ROW);
       memmove(known + at + 2, known + at + 1, (size_t)(n - at - 2) * sizeof(int));
-      known[at] = known[at + 1] = foretold ? known[at] + 1 : 0;
+      known[at] = known[at + 1] = foretold[count] ? known[at] + 1 : 0;
       ++n;
     }
   }
@@ -247,6 +252,9 @@ static void look_at_events(Run *r) {
 
 #if NM > 0
 #include "settle.c"
+#define MOST_OF(k) ((k) >= ND - NM && side_of[(k) - (ND - NM)] != 0 ? MOST_BOUNCES : MOST_IN_A_STEP)
+#else
+#define MOST_OF(k) MOST_IN_A_STEP
 #endif
 
 /* the same where inputs have changed: what sticks is decided anew */
@@ -291,7 +299,7 @@ static int act(Run *r, double *S, double t, const int *happened) {
       S[INPUTS_AT + sets_of[j]] = values[j];
     }
     if (events_of[k].terminal && r->z[ENDED] == 0) r->z[ENDED] = M(BY_EVENT);
-    if (++r->count[k] >= MOST_IN_A_STEP && r->z[ENDED] == 0) r->z[ENDED] = M(CHATTERING);
+    if (++r->count[k] >= MOST_OF(k) && r->z[ENDED] == 0) r->z[ENDED] = M(CHATTERING);
   }
 #if NM > 0
   if (r->z[ENDED] == 0) {
@@ -440,6 +448,12 @@ static void set_out_from(Run *r, double t) {
 #if NE > 0
   int k;
   for (k = 0; k < NE && QUIET_AT >= 0; ++k) quiet_of(z)[k] = -NEVER;
+#if NSTOPS > 0
+  if (!within_stops(r)) {
+    z[ENDED] = M(BEYOND_A_STOP);
+    return;
+  }
+#endif
   look_anew(r);
 #endif
 }

@@ -353,6 +353,7 @@ static int leave_initialisation(Instance *I) {
   if (I->s.mode != INITIALISING) return say(I, ERROR, "the initialisation was not entered");
   begin(I);
   if (!M(finite)(I->s.z)) return say(I, ERROR, "the start values make no start: are the loops closed?");
+  if (M(step)(I->s.z, I->s.c, I->w, 0) == N(BEYOND_A_STOP)) return say(I, ERROR, "the motion starts beyond a stop");
   I->s.mode = I->exchange ? EVENT : STEPPING;
   indicate(I, I->s.g);
   return OK;

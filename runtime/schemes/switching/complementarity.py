@@ -13,6 +13,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from runtime.schemes.switching.small_systems import solved, times
+
 HOLDS = 0
 MOST = 20  # solutions beyond two for each direction
 SINGULAR = 1e-11  # of the largest of the diagonal: what is left of that of a row that follows from others
@@ -41,12 +43,12 @@ def complementary(
     slack = np.where(named, 1e6 * still, still)
     for _ in range(2 * n + MOST):
         f = balancing(A, b, lower, upper, at)
-        beyond = np.where(at == HOLDS, np.maximum(f - upper, lower - f) + dust, -np.inf)
-        worst = int(np.argmax(beyond * np.diag(A)))
+        beyond = np.where(at == HOLDS, np.maximum(f - upper, lower - f) + dust, 0.0) * np.diag(A)
+        worst = int(np.argmax(beyond))
         if beyond[worst] > 0:
             at[worst] = _nearest(f, lower, upper)[worst]
             continue
-        accelerations = b + A @ f
+        accelerations = b + times(A, f)
         wrong = np.where((at != HOLDS) & ~without, at * accelerations, -np.inf) - slack
         worst = int(np.argmax(wrong))
         if wrong[worst] <= 0:
@@ -67,7 +69,7 @@ def balancing(A: np.ndarray, b: np.ndarray, lower: np.ndarray, upper: np.ndarray
         bound = np.where(np.isfinite(upper), upper, np.where(np.isfinite(lower), -lower, 0.0))[held]
         H = np.where(bound > 0, bound, bound.max(initial=0.0) or 1.0)
         own = H[:, None] * A[np.ix_(held, held)] * H
-        side = -H * (b + A @ np.where(held, 0.0, f))[held]
+        side = -H * (b + times(A, np.where(held, 0.0, f)))[held]
         f[held] = H * _least(own, side)
     return f
 
@@ -79,8 +81,8 @@ def _least(A: np.ndarray, side: np.ndarray) -> np.ndarray:
         k = int(np.argmax(np.diag(left)))
         if left[k, k] <= SINGULAR * largest:
             own = A[:, chosen]
-            return np.asarray(own @ np.linalg.solve(own.T @ own, side[chosen])) if chosen else np.zeros(len(A))
+            return times(own, solved(times(own.T, own), side[chosen])) if chosen else np.zeros(len(A))
         left = left - np.outer(left[:, k], left[k]) / left[k, k]
         chosen.append(k)
         left[chosen, chosen] = -1.0
-    return np.asarray(np.linalg.solve(A, side))
+    return solved(A, side)

@@ -10,10 +10,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+import casadi as ca
 import numpy as np
 
 from runtime.contract.model import Model
+from runtime.contract.tape import shared
+from runtime.schemes.sparse_lu import Number, factor, solve
 from runtime.schemes.switching.complementarity import balancing, complementary
+from runtime.schemes.switching.small_systems import times
 from runtime.schemes.switching.stops import AT_REST, Hit, Stops
 
 PIVOT = 1e-9
@@ -70,28 +74,26 @@ def _once(
     soon: Mapping[int, float],
 ) -> tuple[Settled, np.ndarray, np.ndarray] | None:
     """Settled, and by row of G rates v and accelerations v'; soon: stops without restitution, and when they close."""
-    start, c, own = at["q_i_dot"], c.copy(), elements(model, at, c)
+    start, c, own = at["q_i_dot"], c.copy(), weighed(model, at, c)
     slow = AT_REST * (1.0 + np.abs(start).max(initial=0.0))
-    struck = stops.struck(own, start, slow, soon)
+    struck = stops.struck(own, slow, soon)
     if struck is None:
         return None
-    v, hits = struck
-    rate = own["v_rel"] + own["G"] @ (v - start)
+    push, hits = struck
+    rate = own["v_rel"] + times(own["G"], push)
     bounds = _Bounds(stops, rate, np.maximum(come, slow), stops.touched(own, rate, slow))
     rest, rubs, modes = bounds.rest, stops.side == 0, np.ones(len(stops.side))
     modes[rubs] = np.where(rest, 0.0, np.sign(rate))[stops.row[rubs]]
     c[len(c) - model.signals.size + model.element_modes] = modes
-    at = _moved(model, at, v, c)
+    at = _moved(model, at, start + push, c)
     for _ in range(2 if rest.any() else 1):  # the second time what the first one rounded
-        own, v = elements(model, at, c), at["q_i_dot"]
+        own, v = weighed(model, at, c), at["q_i_dot"]
         most = PASSES * np.abs(own["G"]).max(axis=1) * (1.0 + np.abs(v).max(initial=0.0))
         stay = rest & (np.abs(own["v_rel"]) <= most)
         at = _moved(model, at, v + _at_rest(own["G"][stay], own["v_rel"][stay]), c)
-    own = elements(model, at, c)  # with the laws of those that move
-    G, M_hat = own["G"], own["M_hat"]
-    free, by = np.linalg.solve(M_hat, own["Q_hat"]), np.linalg.solve(M_hat, G.T)
+    own = weighed(model, at, c)  # with the laws of those that move
     lower, upper = bounds.of(own["holds"])
-    A, b = (G @ by)[np.ix_(rest, rest)], (G @ free + own["G_bias"])[rest]
+    A, b = own["A"][np.ix_(rest, rest)], own["b"][rest]
     sides = complementary(A, b, lower[rest], upper[rest], bounds.by_row(let_go)[rest])
     if sides is None:
         return None
@@ -101,7 +103,7 @@ def _once(
     modes[rubs] = np.where(rest, moving, np.sign(rate))[bounds.row[rubs]]
     modes[bounds.touched] = np.where(held, 0.0, -1.0)[bounds.row[bounds.touched]]
     settled_ = Settled(modes, at["q_i_dot"] - start, hits, at["q_d_dot"])
-    return settled_, own["v_rel"], G @ (free + by @ force) + own["G_bias"]
+    return settled_, own["v_rel"], own["b"] + times(own["A"], force)
 
 
 class _Bounds:
@@ -161,3 +163,34 @@ def elements(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> dict[
     found = model.evaluate("elements", **at, c=c)
     shaped = {name: np.asarray(value, dtype=float) for name, value in found.items()}
     return {name: value if name in ("M_hat", "G") else value.ravel() for name, value in shaped.items()}
+
+
+def weighed(model: Model, at: Mapping[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
+    """What `weights` gives at a state with constants c; vectors are flat."""
+    found = weights(model)(**at, c=c)
+    shaped = {name: np.asarray(value, dtype=float) for name, value in found.items()}
+    return {name: value if name in ("G", "by", "A") else value.ravel() for name, value in shaped.items()}
+
+
+def weights(model: Model) -> ca.Function:
+    """(q_i, q_d, q_i_dot, q_d_dot, t, c) -> what `elements` says of v = G q_i', with v' = b + A f of forces f (n_e,) on
+    it: A = G by, b = G M_hat^-1 Q_hat + G_bias, by = M_hat^-1 G^T (n_i, n_e). Exported C has this function, too.
+    """
+
+    def build() -> ca.Function:
+        n_i, n_d = len(model.q_i), len(model.q_d)
+        sizes = {"q_i": n_i, "q_d": n_d, "q_i_dot": n_i, "q_d_dot": n_d, "t": 1, "c": model.c_size}
+        at = {name: ca.SX.sym(name, size) for name, size in sizes.items()}
+        own = model.evaluate("elements", **at)
+        G = own["G"]
+        factors = factor(Number(ca.sparsify(own["M_hat"])), symmetric=True)
+        *columns, free = (solve(factors, Number(one)).re for one in (*ca.horzsplit(G.T), own["Q_hat"]))
+        by = ca.horzcat(*columns)
+        found: dict[str, ca.SX] = {}
+        found |= {name: own[name] for name in ("G", "v_rel", "holds", "gap", "restitution") if name in own}
+        found |= {"by": by, "A": ca.triu2symm(ca.triu(G @ by)), "b": G @ free + own["G_bias"]}
+        names = list(found)
+        return ca.Function("weights", list(at.values()), shared([ca.densify(one) for one in found.values()]),
+                           list(at), names)  # fmt: skip
+
+    return model.derived("weights", build)

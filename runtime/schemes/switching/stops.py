@@ -19,6 +19,7 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.schemes.switching.complementarity import balancing, complementary
+from runtime.schemes.switching.small_systems import times
 
 AT_REST = 1e-9  # m/s or rad/s, and of the largest rate: what is slower has come to rest
 TOUCH = 1e-9  # m or rad: the gap of what lies on a stop
@@ -72,37 +73,35 @@ class Stops:
         return np.asarray((self.side != 0) & ((self.until_now == 0) | self.hit | (gap <= 0)))
 
     def struck(
-        self, own: Mapping[str, np.ndarray], start: np.ndarray, slow: float, soon: Mapping[int, float]
+        self, own: Mapping[str, np.ndarray], slow: float, soon: Mapping[int, float]
     ) -> tuple[np.ndarray, list[Hit]] | None:
-        """(n_i,) q_i' behind all impacts at once, and these; soon: stops that are to rest, by the time until then.
+        """(n_i,) what all impacts at once add to q_i', and these; soon: stops that are to rest, by the time until then.
 
         None where no impulses are consistent.
         """
-        v, hits, on = start.copy(), dict[int, Hit](), self._on(own)
+        push, hits, on = np.zeros(len(own["by"])), dict[int, Hit](), self._on(own)
         if not on.any():
-            return v, []
+            return push, []
         e = self._of_stops(own.get("restitution"), 0.0)
         e[list(soon)] = 0.0
-        G = self.side[:, None] * own["G"][self.row]
-        drift = self.side * own["v_rel"][self.row] - G @ start
-        by = np.linalg.solve(own["M_hat"], G.T)
+        A = self.side[:, None] * own["A"][np.ix_(self.row, self.row)] * self.side
+        by, speed = own["by"][:, self.row] * self.side, self.side * own["v_rel"][self.row]
         for count in range(MOST_HITS + 1):
-            speed = G @ v + drift
             comes = on & (speed < -slow)
             if not comes.any():
                 break
             last = count == MOST_HITS
             some = np.flatnonzero(on if last else on & (speed <= slow))
             back = np.where(comes, 0.0 if last else e, 0.0)
-            p = _impulses((G @ by)[np.ix_(some, some)], ((1 + back) * speed)[some])
+            p = _impulses(A[np.ix_(some, some)], ((1 + back) * speed)[some])
             if p is None:
                 return None
-            v = v + by[:, some] @ p
-            after = G @ v + drift
+            before, speed = speed, speed + times(A[:, some], p)
+            push = push + times(by[:, some], p)
             for k in map(int, np.flatnonzero(comes)):
-                first = hits[k].before if k in hits else float(speed[k])
-                hits[k] = Hit(k, first, float(after[k]), float(e[k]), soon.get(k))
-        return v, list(hits.values())
+                first = hits[k].before if k in hits else float(before[k])
+                hits[k] = Hit(k, first, float(speed[k]), float(e[k]), soon.get(k))
+        return push, list(hits.values())
 
     def touched(self, own: Mapping[str, np.ndarray], rate: np.ndarray, slow: float) -> np.ndarray:
         """(n_m,) stops on which their rows, with rates (n_e,), lie."""
