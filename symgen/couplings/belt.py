@@ -9,7 +9,7 @@ from symgen.schema.fields import Bound, Coordinate, Flag, Meaning, Quantity
 
 
 class Belt(Coupling):
-    """radius a times angle a = radius b times angle b: a belt or chain that does not slip [m]."""
+    """A belt or chain that does not slip: radius a times angle a = radius b times angle b [m]."""
 
     type: Literal["belt"] = "belt"
     coordinate_a: Coordinate

@@ -9,7 +9,7 @@ from symgen.schema.fields import Coordinate, Meaning, Quantity
 
 
 class Differential(Coupling):
-    """input angle = ratio (angle a + angle b) / 2: equal torques on a and b whatever their speeds."""
+    """A differential: input angle = ratio (angle a + angle b) / 2, with equal torques on a and b."""
 
     type: Literal["differential"] = "differential"
     input: Coordinate

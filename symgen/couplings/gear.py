@@ -9,7 +9,7 @@ from symgen.schema.fields import Coordinate, Meaning, Quantity
 
 
 class Gear(Coupling):
-    """angle a = ratio times angle b. ratio: turns of a for a turn of b, negative where they turn against each other.
+    """A gear: angle a = ratio times angle b. ratio: turns of a for a turn of b, negative where they turn oppositely.
 
     Two wheels in mesh on the outside: ratio = -(teeth of b) / (teeth of a).
     """

@@ -9,7 +9,7 @@ from symgen.schema.fields import Coordinate, Meaning, Quantity
 
 
 class Mimic(Coupling):
-    """coordinate = multiplier times the one it follows + offset [rad or m]."""
+    """Ties a coordinate to another one: coordinate = multiplier times that + offset [rad or m]."""
 
     type: Literal["mimic"] = "mimic"
     coordinate: Coordinate

@@ -9,7 +9,7 @@ from symgen.schema.fields import Coordinate, Meaning, Quantity
 
 
 class Rack(Coupling):
-    """travel of the rack = radius times angle of the pinion; radius [m] negative where the rack runs against it."""
+    """A rack and pinion: travel = radius times angle; radius [m] negative where the rack runs against the pinion."""
 
     type: Literal["rack"] = "rack"
     rack: Coordinate

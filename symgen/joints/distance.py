@@ -9,7 +9,7 @@ from symgen.schema.fields import Bound, Meaning, Quantity
 
 
 class DistanceJoint(Joint):
-    """Row |r_b - r_a|^2 - length^2: a massless rod between two points. length [m]."""
+    """A massless rod between two points: row |r_b - r_a|^2 - length^2. length [m]."""
 
     type: Literal["distance"] = "distance"
     length: Annotated[Quantity, Meaning("length of the rod", "m", Bound.POSITIVE)]

@@ -8,7 +8,7 @@ from symgen.joints.joint import Equation, InPlane, Joint
 
 
 class PointOnLineJoint(Joint):
-    """Row n_a.(r_b - r_a): marker_b's point stays on marker_a's x-axis; in space two rows, on its z-axis."""
+    """Keeps marker_b's point on marker_a's x-axis, in space its z-axis: row n_a.(r_b - r_a), in space two."""
 
     type: Literal["point_on_line"] = "point_on_line"
 

@@ -9,7 +9,7 @@ from symgen.schema.fields import Meaning, Quantity, Scope
 
 
 class PrescribedAngle(Joint):
-    """Row phi_b - phi_a - f(t), f = motion [rad]; in space the angle about marker a's z-axis.
+    """Prescribes an angle, in space about marker a's z-axis: row phi_b - phi_a - f(t), f = motion [rad].
 
     Between the markers of a joint with an angle of its own it prescribes that angle, over any number of turns.
     """

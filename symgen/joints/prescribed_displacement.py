@@ -9,7 +9,7 @@ from symgen.schema.fields import Meaning, Quantity, Scope
 
 
 class PrescribedDisplacement(Joint):
-    """Row t_a.(r_b - r_a) - f(t), f = motion [m], along marker_a's x-axis; in space along its z-axis."""
+    """Prescribes a way along marker_a's x-axis, in space its z-axis: row t_a.(r_b - r_a) - f(t), f = motion [m]."""
 
     type: Literal["prescribed_displacement"] = "prescribed_displacement"
     motion: Annotated[Quantity, Meaning("displacement as a function of t", "m", scope=Scope.TIME)]

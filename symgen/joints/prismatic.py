@@ -12,7 +12,7 @@ from symgen.schema.fields import Bound, Meaning, Quantity
 
 
 class PrismaticJoint(Joint):
-    """Rows n_a.(r_b - r_a), phi_b - phi_a: slides along marker_a's x-axis, in space its z-axis. damping [N s/m]."""
+    """A slide along marker_a's x-axis, in space its z-axis: rows n_a.(r_b - r_a), phi_b - phi_a. damping [N s/m]."""
 
     type: Literal["prismatic"] = "prismatic"
     damping: Annotated[Quantity, Meaning("damping of the sliding", "N s/m", Bound.NON_NEGATIVE)] = 0.0

@@ -12,7 +12,7 @@ from symgen.schema.fields import Bound, Meaning, Quantity
 
 
 class RevoluteJoint(Joint):
-    """Rows (r_b - r_a)_x, (r_b - r_a)_y; in space r_b - r_a and z_b parallel to z_a: a hinge about marker a's z-axis.
+    """A hinge about marker a's z-axis: rows (r_b - r_a)_x, (r_b - r_a)_y; in space r_b - r_a and z_b parallel to z_a.
 
     damping [N m s/rad] resists the relative rotation.
     """

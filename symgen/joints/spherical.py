@@ -8,7 +8,7 @@ from symgen.joints.joint import Joint
 
 
 class SphericalJoint(Joint):
-    """Rows r_b - r_a (spatial scenes)."""
+    """A ball joint, free to turn about all axes: rows r_b - r_a (spatial)."""
 
     type: Literal["spherical"] = "spherical"
 

@@ -8,7 +8,7 @@ from symgen.joints.joint import AxisPair, Joint, Turn, X, Z
 
 
 class UniversalJoint(Joint):
-    """Rows r_b - r_a and x_b perpendicular to z_a (spatial): turns about marker a's z-axis, then about b's x-axis."""
+    """Turns about marker a's z-axis, then about b's x-axis: rows r_b - r_a and x_b perpendicular to z_a (spatial)."""
 
     type: Literal["universal"] = "universal"
 

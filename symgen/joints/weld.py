@@ -8,7 +8,7 @@ from symgen.joints.joint import ALIGNED, Equation, InPlane, Joint
 
 
 class WeldJoint(Joint):
-    """Rows (r_b - r_a)_x, (r_b - r_a)_y, phi_b - phi_a; in space r_b - r_a and axes along axes."""
+    """Fixes b to a: rows (r_b - r_a)_x, (r_b - r_a)_y, phi_b - phi_a; in space r_b - r_a and axes along axes."""
 
     type: Literal["weld"] = "weld"
 

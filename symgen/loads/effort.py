@@ -12,7 +12,7 @@ from symgen.schema.fields import Coordinate, Fault, Meaning, Quantity, Scope
 
 
 class Effort(Load):
-    """What a motor puts on a joint's own coordinate: a torque [N m] on an angle, a force [N] on a travel.
+    """A motor on a joint's own coordinate: a torque [N m] on an angle, a force [N] on a travel.
 
     coordinate: "joint.angle" or "joint.travel", and in space "joint.angle1", "joint.angle2", "joint.x", "joint.y" where
     the joint has these. It acts on marker b along the coordinate, and its opposite on marker a.

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from inspect import Parameter, Signature
+from inspect import Parameter, Signature, cleandoc
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from symgen.couplings import COUPLINGS
 from symgen.joints import JOINTS
 from symgen.loads import LOADS
+from symgen.scene.bodies import BeamBody, RigidBody
+from symgen.scene.flexible import ModalBody, SpatialModalBody
 from symgen.scene.scene import SceneRecord
 from symgen.scene.tables import read_points
 from symgen.schema.errors import SceneError, show
-from symgen.schema.fields import StrictModel
+from symgen.schema.fields import Meaning, StrictModel
 
 if TYPE_CHECKING:
     from runtime.contract.model import Model
@@ -22,127 +24,106 @@ MAX_NESTING = 20
 
 
 class Scene:
-    """A mechanism as it is written down: each call adds an entry and returns the scene; `model()` derives.
+    """A mechanism to be written down: each method adds an entry and returns the scene; `model()` derives it.
 
-    `Scene("arm", title="...", space="spatial")`. The keyword arguments are the fields of a scene file (SI units), NumPy
-    arrays included. Each type of joint, coupling and load has a method of its name:
-    `revolute("hinge", "ground.origin", "arm.start", damping=0.1)`. `build`, which `model` calls, raises SceneError for
-    everything that is wrong: the item, what is wrong, what to do.
+        Scene("arm").rigid("rod", mass=1.0, inertia=0.1).revolute("hinge", "ground.origin", "rod.origin").model()
+
+    Each type of body, joint, coupling and load has a method of its name; `help(Scene.revolute)` lists its fields.
+    Values are in SI units: numbers, expressions in quotes, lists or NumPy arrays. Nothing is checked before `build`,
+    which `model` calls: it raises SceneError with the item, the problem and the remedy.
     """
 
     def __init__(self, name: str, **fields: Any) -> None:
-        """``fields``: title, description, space ("planar" or "spatial")."""
+        """An empty scene. fields: title, description, space ("planar" by default, or "spatial")."""
         self._data: dict[str, Any] = {"name": name, **_plain(fields, "scene")}
 
     @classmethod
     def from_toml(cls, path: str | Path) -> Scene:
-        """The scene of a TOML file, to which more can be added. Raises SceneError."""
+        """Read a scene from a TOML file; entries can be added. Raises SceneError."""
         found = cls("")
         found._data = SceneRecord.from_toml(path).to_dict()
         return found
 
     def parameter(self, name: str, default: float, unit: str = "", description: str = "") -> Self:
-        """Declare a run-time input."""
-        parameters = self._data.setdefault("parameters", {})
-        if name in parameters:
-            raise SceneError(f"parameters.{name}", "is declared twice", "remove one of them")
-        parameters[name] = _plain({"default": default, "unit": unit, "description": description}, "parameters")
-        return self
+        """Declare a number that runs can change by name, without a new derivation; expressions may use it."""
+        return self._declare("parameters", name, {"default": default, "unit": unit, "description": description})
 
     def input(self, name: str, default: float = 0.0, unit: str = "", description: str = "", **fields: Any) -> Self:
-        """Declare a number that comes from outside during a run; fields: `rates`, `filter` of `DeclaredInput`."""
-        inputs = self._data.setdefault("inputs", {})
-        if name in inputs:
-            raise SceneError(f"inputs.{name}", "is declared twice", "remove one of them")
-        inputs[name] = _plain({"default": default, "unit": unit, "description": description, **fields}, "inputs")
-        return self
+        """Declare a value that comes from outside during a run.
+
+        rates: it comes with `<name>_dot` and `<name>_ddot`; filter [rad/s]: the name stands for the filtered value.
+        """
+        return self._declare("inputs", name, {"default": default, "unit": unit, "description": description, **fields})
 
     def table(self, name: str, **fields: Any) -> Self:
-        """A `CurveTable`: x and y, or the file of a CSV, which is read now."""
-        tables = self._data.setdefault("tables", {})
-        if name in tables:
-            raise SceneError(f"tables.{name}", "is declared twice", "remove one of them")
+        """Declare a table for expressions: a curve through x and y (n,), a surface z over a grid, or a CSV file.
+
+        interpolation: "linear", "cubic", "monotone"; outside: "hold", "extend"; integrated: 1 or 2; file, columns: of a
+        CSV, which is read now. Raises SceneError for a file that cannot be read.
+        """
         if "file" in fields:
             path, columns = fields.pop("file"), fields.pop("columns", (0, 1))
             fields |= read_points(path, columns, f"tables.{name}")
-        tables[name] = _plain(fields, "tables")
-        return self
+        return self._declare("tables", name, fields)
 
     def event(self, name: str, when: float | str, **fields: Any) -> Self:
-        """Declare a `DeclaredEvent`: direction, terminal, action."""
-        events = self._data.setdefault("events", {})
-        if name in events:
-            raise SceneError(f"events.{name}", "is declared twice", "remove one of them")
-        events[name] = _plain({"when": when, **fields}, "events")
-        return self
+        """Declare an event where the expression `when` passes zero.
+
+        direction: "rising", "falling", "either"; terminal: the run ends; action: new values of inputs and parameters;
+        cool_down [s]: not looked for again.
+        """
+        return self._declare("events", name, {"when": when, **fields})
 
     def state(self, name: str, rate: float | str, initial: float = 0.0, unit: str = "", description: str = "") -> Self:
-        """Declare a state s' = rate of a controller, a filter or an actuator."""
-        states = self._data.setdefault("states", {})
-        if name in states:
-            raise SceneError(f"states.{name}", "is declared twice", "remove one of them")
-        states[name] = _plain({"rate": rate, "initial": initial, "unit": unit, "description": description}, "states")
-        return self
+        """Declare a state with s' = rate [unit/s], of a controller, a filter or an actuator."""
+        fields = {"rate": rate, "initial": initial, "unit": unit, "description": description}
+        return self._declare("states", name, fields)
 
     def gravity(self, *components: float | str) -> Self:
-        """Acceleration of gravity [m/s^2] in world axes: x, y and, in a spatial scene, z."""
+        """Set the acceleration of gravity [m/s^2] in world axes: x, y and, in a spatial scene, z."""
         return self._set("gravity", list(components))
 
     def ground(self, **fields: Any) -> Self:
-        """Markers on the ground."""
+        """Add markers to the ground: markers={"name": {"position": [x, y], "angle": ...}} [m, rad]."""
         return self._add("bodies", "ground", "ground", fields)
 
-    def rigid(self, name: str, **fields: Any) -> Self:
-        """A `RigidBody`."""
-        return self._add("bodies", "rigid", name, fields)
-
-    def beam(self, name: str, **fields: Any) -> Self:
-        """A `BeamBody`."""
-        return self._add("bodies", "beam", name, fields)
-
-    def modal(self, name: str, **fields: Any) -> Self:
-        """A `ModalBody`."""
-        return self._add("bodies", "modal", name, fields)
-
-    def flexible(self, name: str, **fields: Any) -> Self:
-        """A `SpatialModalBody`."""
-        return self._add("bodies", "flexible", name, fields)
-
     def joint(self, type: str, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
-        """A joint of any type by its name in a scene file; each type has a method of that name, too."""
+        """Add a joint of the type with this name; each type has a method of its name, too."""
         return self._add("joints", type, name, {"marker_a": marker_a, "marker_b": marker_b, **fields})
 
     if TYPE_CHECKING:
 
         def __getattr__(self, type: str) -> Callable[..., Self]:
-            """A method for each type of joint, coupling and load, see below."""
+            """A method for each type of body, joint, coupling and load, see below."""
 
     def force(self, name: str, marker: str, *components: float | str, **fields: Any) -> Self:
-        """A `Force` with components x, y (and z) [N]."""
+        """Add a force at a marker: components x, y (and z) [N], numbers or expressions; frame: "world" or "body"."""
         return self._add("loads", "force", name, {"marker": marker, "components": list(components), **fields})
 
     def load(self, type: str, name: str, **fields: Any) -> Self:
-        """A load of any type by its name in a scene file; each type has a method of that name, too."""
+        """Add a load of the type with this name; each type has a method of its name, too."""
         return self._add("loads", type, name, fields)
 
     def measure(self, name: str, type: str, of: str, relative_to: str = "ground.origin", **fields: Any) -> Self:
-        """A measure: angle, distance, x, y or z of a marker relative to another one, coordinate of a coordinate,
-        normal_force, shear_force, bending_moment, ... of a beam at a marker, or stress of a finite-element body at
-        `body.gauge` with its component.
+        """Add a measure, which results have by its name, and expressions with its rate `<name>_dot`.
+
+        type: angle [rad], distance, x, y or z [m] of a marker relative to another one; coordinate; normal_force,
+        shear_force [N], bending_moment [N m], ... at a marker of a beam; stress [Pa] at a marker of a beam or at
+        `body.gauge` of a finite-element body, with its component.
         """
         base = {} if relative_to == "ground.origin" else {"relative_to": relative_to}
         return self._add("measures", type, name, {"of": of, **base, **fields})
 
     def structure(self, **fields: Any) -> Self:
-        """A `Structure`."""
+        """Describe M x'' + D x' + K x = F(t) instead of bodies: coordinates, mass, stiffness, damping (n, n), force."""
         return self._set("structure", fields)
 
     def independent(self, *coordinates: str) -> Self:
-        """Choose the independent coordinates."""
+        """Choose the independent coordinates, by name; left out, they are found."""
         return self._merge("partition", {"independent": list(coordinates)})
 
     def groups(self, **groups: Any) -> Self:
-        """Groups by name, slow to fast, each a list of coordinate names or patterns."""
+        """Name groups of coordinates, slow to fast, for schemes with sub-steps: lists of names or patterns."""
         entries = [{"name": name, "coordinates": coordinates} for name, coordinates in groups.items()]
         return self._merge("partition", {"groups": entries})
 
@@ -151,15 +132,15 @@ class Scene:
         return self._merge("partition", {"stiff": list(names)})
 
     def initial(self, coordinates: dict[str, Any]) -> Self:
-        """Starting coordinates, besides those of earlier calls: numbers or {"value": ..., "fixed": ...}."""
+        """Set starting coordinates [m, rad] by name: numbers or {"value": ..., "fixed": ...}; calls add up."""
         return self._start("coordinates", coordinates)
 
     def rates(self, rates: dict[str, Any]) -> Self:
-        """Starting rates, besides those of earlier calls: numbers or {"value": ..., "fixed": ...}."""
+        """Set starting rates [m/s, rad/s] by name: numbers or {"value": ..., "fixed": ...}; calls add up."""
         return self._start("rates", rates)
 
     def simulation(self, **fields: Any) -> Self:
-        """The fields of `Simulation`."""
+        """Set what runs use by default: t_end [s], scheme, tolerance, dt [s], m, seen_every [s], start."""
         return self._set("simulation", fields)
 
     def baumgarte(self, alpha: float, beta: float) -> Self:
@@ -167,15 +148,22 @@ class Scene:
         return self._set("baumgarte", {"alpha": alpha, "beta": beta})
 
     def build(self) -> SceneRecord:
-        """The scene, checked and from now on as it is. Raises SceneError."""
+        """Check the scene and freeze it. Raises SceneError with the item, the problem and the remedy."""
         return SceneRecord.from_dict(self._data)
 
     def model(self) -> Model:
-        """The equations, ready to run: derived and generated once, then kept in the cache. Raises SceneError.
+        """Derive the equations, ready to run; the generated code is kept in the cache. Raises SceneError.
 
-        To keep the generated code in a folder of its own: `generate(scene.build(), folder)`, `load_model(folder)`.
+        To keep it in a folder of your own: `symgen.generate.generate(scene.build(), folder)`.
         """
         return self.build().model()
+
+    def _declare(self, section: str, name: str, fields: dict[str, Any]) -> Self:
+        declared = self._data.setdefault(section, {})
+        if name in declared:
+            raise SceneError(f"{section}.{name}", "is declared twice", "remove one of them")
+        declared[name] = _plain(fields, section)
+        return self
 
     def _set(self, section: str, value: Any) -> Self:
         self._data[section] = _plain(value, section)
@@ -211,7 +199,7 @@ def _plain(value: Any, item: str, depth: int = 0) -> Any:
 
 
 def _method(section: str, type: str, record: type[StrictModel]) -> Callable[..., Scene]:
-    """Adds an entry of this type: what it needs by place or by name, the rest by name."""
+    """A method that adds an entry of this type: required fields by place or by name, the others by name."""
     own = {key: field for key, field in record.model_fields.items() if key not in ("type", "name")}
     needed = [key for key, field in own.items() if field.is_required()]
     free = [key for key in own if key not in needed]
@@ -227,13 +215,32 @@ def _method(section: str, type: str, record: type[StrictModel]) -> Callable[...,
 
     either, named = Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY
     known = [Parameter(key, either) for key in ("self", "name", *needed)]
-    optional = [Parameter(key, named, default=own[key].default) for key in free]
-    add.__name__, add.__doc__ = type, record.__doc__
+    defaults = {key: None if own[key].default_factory else own[key].default for key in free}
+    optional = [Parameter(key, named, default=default) for key, default in defaults.items()]
+    add.__name__, add.__doc__ = type, _described(record)
     add.__signature__ = Signature([*known, *optional])  # type: ignore[attr-defined]
     return add
 
 
-for _section, _records in (("joints", JOINTS), ("couplings", COUPLINGS), ("loads", LOADS)):
+def _described(record: type[StrictModel]) -> str:
+    """The docstring of a record, and below it its quantities with their units."""
+    found = [
+        f"- {key} [{one.unit}]: {one.description}"
+        for key, field in record.model_fields.items()
+        for one in field.metadata
+        if isinstance(one, Meaning)
+    ]
+    return "\n".join([cleandoc(record.__doc__ or "").rstrip(), *(["", *found] if found else [])])
+
+
+BODIES: dict[str, type[StrictModel]] = {
+    "rigid": RigidBody,
+    "beam": BeamBody,
+    "modal": ModalBody,
+    "flexible": SpatialModalBody,
+}
+
+for _section, _records in (("bodies", BODIES), ("joints", JOINTS), ("couplings", COUPLINGS), ("loads", LOADS)):
     for _type, _record in _records.items():
         if not hasattr(Scene, _type):
             setattr(Scene, _type, _method(_section, _type, _record))
