@@ -62,7 +62,7 @@ def ode(
     initial: Mapping[str, float] | None = None,
     start: str | None = None,
 ) -> Ode:
-    """The system of a model; parameters, initial, start: as of `simulate`, for p0, u0, x0 and z0.
+    """Give x' = f(x, u, p, t) as CasADi functions; parameters, initial, start: as of `simulate`, for p0, u0, x0, z0.
 
     loops: loop unknowns as states, each evaluation closing the loops by a Newton step from them, or as algebraic
     unknowns. Raises ModelError for models with events, and for turns in loops that are to be algebraic.

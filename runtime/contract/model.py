@@ -187,17 +187,18 @@ _LOCK = Lock()  # threads may run one model at once
 
 @dataclass(frozen=True, repr=False)
 class Model:
-    """The equations of one scene. `builders` maps a function name to what builds it from the emitted code.
+    """A mechanism ready to run: its equations as CasADi functions, and the studies that can be made of them.
 
-    description: the records of the contract; the properties below are views of it by name.
-    initial_q, initial_q_dot (n) [m, rad, 1; per s]: the consistent initial state.
-    initial_changes: {coordinate or rate: (given, used)} where the scene's initial state had to be corrected;
-    assembly: what else closing its loops did that may not be what was meant.
-    digest: SHA-256 of the manifest; scene_toml: an opaque text that only the generator reads; folder: where it was
-    loaded from, by which it is pickled; "" if not known. input_values, sources: constants and functions of time given
-    for inputs (see `with_inputs`); driven_by: hash of what else drives a run. steppers, schemes: see
-    runtime.schemes.stepper and catalogue.
-    Kernels take the run's constants c = constants(p); `function(name)` gives the same function of p.
+    Runs: simulate, resume, ensemble, stepper. States: equilibrium, modes, linearise, campbell, unbalance_response,
+    quasi_static_motion. Motions that repeat: periodic, periodic_over. Derivatives: gradient, output_jacobian, fit.
+    Methods: advise. Dynamics: mass_matrix, coriolis, gravity, inverse_dynamics, forward_dynamics, jacobian, ode.
+    Names: q_i, q_d, coordinates, parameters, inputs, measures, joints, constraints. Functions: function, evaluate.
+
+    description: all records; builders: function name -> what builds it. initial_q, initial_q_dot (n,) [m, rad, 1; per
+    s]: the consistent initial state; initial_changes: {name: (given, used)} where the scene's start was corrected;
+    assembly: remarks of closing its loops. digest: SHA-256 of the manifest; scene_toml: the scene, for the generator;
+    folder: where it was loaded from, by which it is pickled. input_values, sources: see `with_inputs`; driven_by: hash
+    of what else drives a run. steppers, schemes: see runtime.schemes.stepper and catalogue.
     """
 
     description: Description
@@ -253,12 +254,12 @@ class Model:
 
     @property
     def title(self) -> str:
-        """What a picture calls it."""
+        """Title of the scene, for pictures."""
         return self.description.title
 
     @cached_property
     def coordinates(self) -> list[str]:
-        """Names of q, in order; their kinds and units stand in `description.coordinates`."""
+        """Names of all coordinates q, in order; `description.coordinates` has kinds and units."""
         return [coordinate.name for coordinate in self.description.coordinates]
 
     @cached_property
@@ -284,7 +285,7 @@ class Model:
 
     @property
     def loop_unknowns(self) -> list[str]:
-        """Names of the dependent coordinates that Newton iterations find."""
+        """Names of the dependent coordinates that Newton's method finds to close loops."""
         return self.description.loop_unknowns
 
     @property
@@ -299,7 +300,7 @@ class Model:
 
     @cached_property
     def joints(self) -> list[str]:
-        """Names of the joints that have constraint rows, in the order of their first."""
+        """Names of the joints that have constraint rows."""
         return list(dict.fromkeys(row.joint for row in self.description.constraints if row.joint))
 
     @cached_property
@@ -322,15 +323,15 @@ class Model:
 
     @cached_property
     def parameters(self) -> list[Parameter]:
-        """Entries of p, and behind them the numbers that inputs are made of (kind `input`).
+        """Parameters with default, unit and meaning, in the order of p; behind them numbers of inputs (kind `input`).
 
-        Printed, those that the scene has; numbers of shapes, tables and meshes (kind `data`) are counted.
+        Its print counts numbers of shapes, tables and meshes (kind `data`).
         """
         return ParameterList([*self.description.parameters, *self.signals.parameters])
 
     @cached_property
     def inputs(self) -> list[str]:
-        """Names of the inputs: what comes from outside during a run."""
+        """Names of the inputs: values that come from outside during a run."""
         return [entry.name for entry in self.description.inputs if not entry.hidden]
 
     @cached_property
@@ -355,7 +356,7 @@ class Model:
         return Signals(self.description.inputs, self.sources)
 
     def with_inputs(self, values: Mapping[str, float | Callable[[Any], Any]]) -> Model:
-        """The model with inputs given by name: constants, or functions of time, which are called with a symbolic t.
+        """A copy with inputs by name: constants, or functions of time, which are called with a symbolic t.
 
         Raises ModelError or ArgumentError for an unknown input or a value that cannot be used.
         """
@@ -375,17 +376,17 @@ class Model:
 
     @property
     def redundant(self) -> list[str]:
-        """Labels of the rows that the others imply."""
+        """Labels of the redundant constraint rows, which the others imply."""
         return self.description.redundant
 
     @property
     def simulation(self) -> Mapping[str, Any]:
-        """What runs use where nothing else is said."""
+        """Default arguments of runs, from the scene."""
         return self.description.simulation
 
     @property
     def operations(self) -> dict[str, int]:
-        """Operations of each function; where they are derived on demand, of those that were asked for until now."""
+        """{function: arithmetic operations}; of functions derived on demand only those asked for until now."""
         emitted = {spec.name: spec.operations for spec in self.description.functions}
         return {name: self.operations_of(name) for name in self._kernels} | emitted
 
@@ -413,7 +414,7 @@ class Model:
         return model_card(self.description, opened("runtime.views.model_sketch:model_sketch")(self))
 
     def kernel(self, name: str) -> ca.Function:
-        """The emitted Function `name`, with c as its last argument. Raises ModelError if it was not generated."""
+        """The Function `name` as runs call it, with c as its last argument. Raises ModelError if there is none."""
         if name not in self._kernels:
             if name not in self.builders:
                 driven = "Every coordinate is driven: there are no equations of motion"
@@ -426,16 +427,13 @@ class Model:
         return self._kernels[name]
 
     def derived(self, name: str, build: Callable[[], T]) -> T:
-        """What is made of the emitted functions by `build`, once for a model."""
+        """Make something of the emitted functions by `build`, once for a model."""
         if name not in self._derived:
             self._derived[name] = build()
         return cast(T, self._derived[name])
 
     def of_numbers(self, name: str, numbers: tuple[Any, ...], build: Callable[[], T]) -> T:
-        """What `build` makes of some numbers, parameters or a state, say: kept for those that were asked for lately.
-
-        Nobody changes what is kept.
-        """
+        """Make something of numbers (parameters, a state) by `build`; kept, and not to be changed, for the latest."""
         known: dict[tuple[Any, ...], T] = self.derived(f"of numbers: {name}", dict)
         if numbers not in known:
             found = build()
@@ -451,10 +449,10 @@ class Model:
         return name in self.builders
 
     def function(self, name: str) -> ca.Function:
-        """The Function `name` of the parameters p instead of c, for use in other CasADi expressions.
+        """The Function `name` of the parameters p, for other CasADi expressions and derivatives.
 
-        p: `description.parameters`. Where there are inputs and the Function uses them, u comes before p: the entries
-        that `input_entries` names, whatever values or functions of time the model holds for them.
+        p (n_p,): `description.parameters`. Where there are inputs that it uses, u comes before p, in the order of
+        `input_entries`. Raises ModelError for a function that the model does not have.
         """
         self.kernel(name)  # refuses a function that was not generated
         count, size = len(self.description.orientations), self.emitted_c_size
@@ -462,10 +460,10 @@ class Model:
         return of_parameters(own, constants)
 
     def evaluate(self, name: str, **values: Any) -> dict[str, Any]:
-        """Outputs of the kernel `name` by name, at numbers or at CasADi expressions.
+        """Evaluate the Function `name` at numbers or CasADi expressions; its outputs by name.
 
-        values: arguments by name in the shapes of the kernel, `c` among them; what it does not take is left alone.
-        Raises ModelError for a function that the model does not have and for an argument that is missing.
+        values: arguments by name, `c` among them; those that it does not take are ignored. Raises ModelError for a
+        function that the model does not have and for an argument that is missing.
         """
         kernel = self.kernel(name)
         missing = [argument for argument in kernel.name_in() if argument not in values]
@@ -489,34 +487,37 @@ class Model:
         return output in self._zero_outputs[name]
 
     def inverse_dynamics(self, q: Any, v: Any, a: Any, motors: Sequence[str] = (), **where: Any) -> np.ndarray:
-        """tau for the motion q, v, a; see runtime.operating.dynamics.Dynamics for this and the next five."""
+        """Generalised forces tau (n_i,) [N, N m] for the motion q, v, a (n_i,); motors: inputs to solve for instead.
+
+        where: t [s], parameters, near (a configuration that closes the loops), of this and the next five methods.
+        """
         found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).inverse_dynamics(
             q, v, a, motors, **where
         )
         return found
 
     def forward_dynamics(self, q: Any, v: Any, tau: Any = None, **where: Any) -> np.ndarray:
-        """Accelerations under the loads of the scene and tau."""
+        """Accelerations (n_i,) [m/s^2, rad/s^2] under the loads of the scene and tau (n_i,)."""
         found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).forward_dynamics(q, v, tau, **where)
         return found
 
     def mass_matrix(self, q: Any, **where: Any) -> np.ndarray:
-        """M(q)."""
+        """Mass matrix M(q) (n_i, n_i) of the independent coordinates."""
         found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).mass_matrix(q, **where)
         return found
 
     def gravity(self, q: Any, **where: Any) -> np.ndarray:
-        """tau that holds the mechanism still at q."""
+        """Generalised forces (n_i,) that hold the mechanism still at q, springs and other loads included."""
         found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).gravity(q, **where)
         return found
 
     def coriolis(self, q: Any, v: Any, **where: Any) -> np.ndarray:
-        """C(q, v) v."""
+        """Generalised forces C(q, v) v (n_i,): centrifugal, gyroscopic and damping."""
         found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).coriolis(q, v, **where)
         return found
 
     def jacobian(self, marker: str, q: Any, **where: Any) -> np.ndarray:
-        """Velocity and angular velocity of "body.marker" by v."""
+        """Jacobian (6, n_i), in the plane (3, n_i): velocity and angular velocity of "body.marker" by v."""
         found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).jacobian(marker, q, **where)
         return found
 

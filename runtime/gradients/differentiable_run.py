@@ -335,10 +335,10 @@ class Gradient:
 
 
 def gradient(model: Model, of: Objective, by: Sequence[str], *, mode: str = "auto", **run: Any) -> Gradient:
-    """d(of)/d(by) of a run: `of` an objective of outputs at saved times, `by` parameters and initial values by name.
+    """Differentiate an objective `of` a run by parameters, initial values and inputs, named in `by`.
 
     mode: `forward` (one direction a lane), `reverse` (one way back for all), or by what costs less. run: the arguments
-    of DifferentiableRun, those of `simulate`. Who asks again and again keeps a DifferentiableRun. Raises ModelError,
+    of DifferentiableRun, those of `simulate`. For repeated gradients keep a DifferentiableRun. Raises ModelError,
     SchemeError, InitialStateError, ArgumentError for what cannot be used, NoResult for a run without a derivative.
     """
     if not hasattr(of, "outputs"):
@@ -347,5 +347,5 @@ def gradient(model: Model, of: Objective, by: Sequence[str], *, mode: str = "aut
 
 
 def output_jacobian(model: Model, outputs: Sequence[str], by: Sequence[str], **run: Any) -> OutputJacobian:
-    """d(outputs at every saved time)/d(by) of a run; the arguments and errors of `gradient`."""
+    """Differentiate outputs (k,) at stored times by `by` (n,): (times, k, n); arguments as of `gradient`."""
     return DifferentiableRun(model, outputs, by, **run).jacobian()

@@ -37,7 +37,7 @@ def fit(
     deviation: float | Mapping[str, Any] | None = None,
     **run: Any,
 ) -> Fit:
-    """Values of `parameters` (parameters, coordinates and rates at the start, by name) for which outputs come nearest.
+    """Fit `parameters` (parameters, coordinates and rates at the start, by name) to measured outputs.
 
         minimise sum over outputs and saved times of ((output - data) / deviation)^2
 

@@ -206,7 +206,7 @@ def campbell(
     locked: Sequence[str] | None = None,
     t: float = 0.0,
 ) -> Campbell:
-    """Modes at equilibria along `values` of `over`: a parameter, a rate (`hub.theta_dot`), or `hub.omega`.
+    """Follow the modes over a speed or parameter: `over` is a parameter, a rate (`hub.theta_dot`), or `hub.omega`.
 
     Each equilibrium starts from the one before. held, rates, parameters: see `equilibrium`;
     t: its `at_time` [s], so that prescribed motions move; locked: see `linearise`.
@@ -306,7 +306,7 @@ def unbalance_response(
     parameters: Mapping[str, float] | None = None,
     locked: Sequence[str] | None = None,
 ) -> UnbalanceResponse:
-    """Amplitudes under an unbalance U [kg m] of a rotor that turns at each speed, to first order.
+    """Find the steady whirl of a rotor with an unbalance [kg m] at each of `speeds` (k,) [rad/s], to first order.
 
     over: the rate that is the speed, such as `disk.omega`; at: the two coordinates [m] across the axle at which the
     force U speed^2 (cos, sin)(speed t) acts, for a rotor that turns from the first to the second; outputs: these two by

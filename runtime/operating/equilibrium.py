@@ -118,16 +118,14 @@ def equilibrium(
     t: float = 0.0,
     at_time: float | None = None,
 ) -> Equilibrium:
-    """The equilibrium reached from the model's initial state: Q_hat = 0 at constant rates.
+    """Find the equilibrium, Q_hat = 0 at constant rates, that is reached from the model's initial state.
 
-    held: coordinates clamped at a value [m, rad]; rates: coordinates that go on at a constant rate [m/s, rad/s], from
-    their held or initial position; inputs: inputs or parameters of the scene, set to a value, or None: solved for, so
-    that no held or turning coordinate needs a force (there must be as many); parameters, initial: changes by name;
-    t [s]: the time at which loads and prescribed motions are taken; motions are held there, without rates and
-    accelerations. at_time [s], in its place: they have those of that time (as they have where `inputs` or `parameters`
-    name a rate of an input). Joints with friction hold where they start, and slide where they have a rate; what each
-    holds is told, and one that would have to hold more than it can is refused. Newton with exact derivatives, led away
-    from unstable equilibria unless it starts in one.
+    held: coordinates clamped at a value [m, rad]. rates: coordinates that go on at a constant rate [m/s, rad/s].
+    inputs: inputs or parameters, set to a value, or None: solved for, as many as are held or turning, so that these
+    need no force. parameters, initial: changes by name. t [s]: time of loads and prescribed motions, which stand still
+    there; at_time [s], in its place: prescribed motions have their rates and accelerations (also where `inputs` or
+    `parameters` name a rate of an input). Joints with friction hold where they start, and slide where they turn.
+    Newton's method with exact derivatives, led away from unstable equilibria unless it starts in one.
     Raises NoEquilibrium, InitialStateError and ModelError.
     """
     inputs, initial = inputs or {}, _places(model, initial)

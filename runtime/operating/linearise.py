@@ -62,10 +62,10 @@ def linearise(
     locked: Sequence[str] | None = None,
     t: float = 0.0,
 ) -> Linearisation:
-    """M x'' + D x' + K x = B u, y = C (x, x') + D u about a state, from the exact derivatives of Eq. (38).
+    """Linearise about a state: M x'' + D x' + K x = B u, y = C (x, x') + D u, by exact derivatives of Eq. (38).
 
-    at: an `equilibrium(...)`; coordinates and rates by name (`_dot`), taken as they are; (solution, sample); or None:
-    the equilibrium reached from the initial state at the rigid rates that it has, prescribed motions moving. inputs:
+    at: an `equilibrium(...)`; coordinates and rates by name (`_dot`); (solution, sample); or None: the equilibrium
+    reached from the initial state at the rigid rates that it has, prescribed motions moving. inputs:
     coordinates (a generalised force [N, N m]), inputs or parameters of the scene; all independent coordinates by
     default. outputs: measures, coordinates, or rates (`_dot`); the scene's measures by default, else the independent
     coordinates. parameters: changes by name, not with an equilibrium or a solution, which have their own. locked:

@@ -103,9 +103,9 @@ def modes(
     locked: Sequence[str] | None = None,
     t: float = 0.0,
 ) -> ModeTable:
-    """The modes about a state, sorted by frequency: those of `linearise(model, at, ...)`, see there for the arguments.
+    """Find the modes about a state, sorted by frequency [rad/s]; the arguments are those of `linearise`.
 
-    With damping, gyroscopic and geometric terms. Raises ModelError, InitialStateError and NoEquilibrium.
+    Damping, gyroscopic and geometric terms are included. Raises ModelError, InitialStateError and NoEquilibrium.
     """
     return ModeTable(linearise(model, at, inputs=(), outputs=(), parameters=parameters, locked=locked, t=t))
 

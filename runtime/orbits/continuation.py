@@ -60,7 +60,7 @@ def periodic_over(
     resume: str | Path | None = None,
     **how: Any,
 ) -> PeriodicBranch:
-    """Motions that repeat over a parameter, from the first value of `span` to the second, through folds on the way.
+    """Follow a motion that repeats over a parameter, from the first value of `span` to the second, through folds.
 
     points: at most so many; step: longest, in parts of the span (0.08); flips: so many doublings of the period are
     followed, too, each a branch in `branches`; progress(value reached, last value). start: as of `periodic`, a motion

@@ -60,15 +60,14 @@ def periodic(
     parts: int = 1,
     t0: float = 0.0,
 ) -> PeriodicMotion:
-    """The motion that repeats after a period, its stability and its error.
+    """Find a motion that repeats after a period, its stability and its error, by shooting.
 
-    period: of a driven mechanism [s], or "free" where nothing depends on time (a self-excited vibration); or speed: the
-    parameter that is its speed [rad/s], and the period is that of so many `turns`. parameters, inputs: as of
-    `simulate`. start: where the search begins: another periodic motion, a run (its end), or initial values by name;
-    settle: periods that are simulated first (None: 20 of them, only where the search fails without, and for a free
-    period); guess: of a free period [s] (None: from that simulation). scheme: steps of one length; tolerance: of the
-    error, relative to amplitudes; steps: a period, instead of a tolerance. parts: that the period is cut into, for
-    motions so unstable that they do not last one (multiple shooting).
+    period [s], or "free" where nothing depends on time; or speed: the parameter that is the speed [rad/s], with the
+    period of so many `turns`. parameters, inputs: as of `simulate`. start: where the search begins: another periodic
+    motion, a run (its end), or initial values by name. settle: periods that are simulated first (None: 20, only if the
+    search fails, and for a free period). guess: of a free period [s]. scheme: steps of one length. tolerance: error
+    relative to amplitudes; steps: number in a period, instead. parts: the period is divided (multiple shooting), for
+    motions too unstable to last one.
     Raises NoPeriodicMotion, ArgumentError, ModelError, SchemeError, NoResult.
     """
     asked = _Asked(model, period, speed, turns, dict(parameters or {}), dict(inputs or {}), scheme or SCHEME)

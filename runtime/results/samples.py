@@ -70,7 +70,7 @@ class WithLater:
         return {**vars(self), "_later": {}}
 
     def but(self, **changes: Any) -> Self:
-        """A copy with other values of some fields; what is computed later stays so."""
+        """A copy with other values of some fields."""
         found = object.__new__(type(self))
         vars(found).update(vars(self))
         vars(found)["_later"] = {name: one for name, one in vars(self)["_later"].items() if name not in changes}
@@ -257,7 +257,7 @@ class Samples(WithLater):
         )
 
     def __getitem__(self, name: str) -> np.ndarray:
-        """(N,) a coordinate, its rate or acceleration (`_dot`, `_ddot`), a measure, or a column of the CSV by name.
+        """Column (N,) by name: a coordinate, its rate or acceleration (`_dot`, `_ddot`), a measure, or one of the CSV.
 
         Columns of the CSV: `t`, `J1.force_x`, `load.motor.moment`, `lam.J1.x`, `energy.kinetic`, `measure.tip`, with
         their unit in brackets or without. Raises ModelError for an unknown name.
@@ -300,28 +300,28 @@ class Samples(WithLater):
         return self.joint_force(joint)[:, parts.index(part)] if joint in self.model.joints and part in parts else None
 
     def rate(self, name: str) -> np.ndarray:
-        """(N,) velocity of a coordinate [m/s, rad/s]. Raises ModelError for an unknown name."""
+        """Velocity (N,) of a coordinate [m/s, rad/s]. Raises ModelError for an unknown name."""
         return self.q_dot[:, self.column_of(name, self.model.coordinates, "coordinate")]
 
     def acceleration(self, name: str) -> np.ndarray:
-        """(N,) acceleration of a coordinate [m/s^2, rad/s^2]. Raises ModelError for an unknown name."""
+        """Acceleration (N,) of a coordinate [m/s^2, rad/s^2]. Raises ModelError for an unknown name."""
         return self.q_ddot[:, self.column_of(name, self.model.coordinates, "coordinate")]
 
     def multiplier(self, row: str) -> np.ndarray:
-        """(N,) multiplier of a constraint row `joint.row` [N, N m]; the force on q is -C_q^T lam (Eq. 22)."""
+        """Multiplier (N,) of a constraint row `joint.row` [N, N m]; the force on q is -C_q^T lam (Eq. 22)."""
         return self.lam[:, self.column_of(row, self.model.constraints, "constraint")]
 
     def joint_force(self, joint: str) -> np.ndarray:
-        """(N, 3), in space (N, 6): world force [N] and moment [N m] of a joint on body b, at its marker b."""
+        """Force [N] and moment [N m] (N, 3), in space (N, 6), of a joint on body b, at marker b, in world axes."""
         return self.joint_forces[:, self.column_of(joint, self.model.joints, "joint")]
 
     def load_force(self, load: str) -> np.ndarray:
-        """(N, 3), in space (N, 6): world force [N] and moment [N m] of a load on its marker, or on its marker b."""
+        """Force [N] and moment [N m] (N, 3), in space (N, 6), of a load on its marker (marker b), in world axes."""
         names = [record.name for record in self.model.description.loads]
         return self.load_forces[:, self.column_of(load, names, "load")]
 
     def motor(self, name: str) -> np.ndarray:
-        """(N,) torque [N m] or force [N] of a prescribed motion: what its drive puts on body b along the motion.
+        """Torque [N m] or force [N] (N,) of a prescribed motion: what its drive puts on body b along the motion.
 
         -lam of its row (Eq. 22), so that motor times prescribed rate is the power of the drive. Raises ModelError for a
         joint that is not a prescribed motion.
@@ -366,7 +366,7 @@ class Samples(WithLater):
 
     @property
     def total_energy(self) -> np.ndarray:
-        """(N,) kinetic + elastic + potential energy [J]."""
+        """Kinetic + elastic + potential energy (N,) [J]."""
         return np.asarray(np.sum([self.energy[key] for key in STORED], axis=0))
 
     @property
@@ -375,7 +375,7 @@ class Samples(WithLater):
         return energy_balance(self.t, self.energy, self.stops)
 
     def work(self) -> np.ndarray:
-        """(N,) work done on the system since the first sample [J]: of loads, drives and dampers, over the samples."""
+        """Work (N,) [J] done since the first sample by loads, drives and dampers, summed over the samples."""
         return self.balance.work
 
     def energy_balance(self) -> np.ndarray:

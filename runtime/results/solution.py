@@ -52,7 +52,12 @@ def solution_card(solution: Samples) -> str:
 
 @dataclass(repr=False)
 class Solution(Samples):
-    """Samples that can be saved, loaded, exported and looked at."""
+    """The result of a run: samples of the motion, how it ended, how far it is off, and what can be made of them.
+
+    status, error, events, balance, stats: how it went. t (N,) [s]; q, q_dot, q_ddot (N, n) [m, rad; per s, s^2];
+    `run["name"]` (N,): a coordinate, rate, measure or energy. joint_force, load_force, motor, friction, section_forces,
+    stresses: forces. view, plot, animate, report, export, save: to look at and to keep. initial_values: to go on from.
+    """
 
     # What is made of a solution: each is the function that it names, with the solution as its first argument.
     view = Door("runtime.views.viewer.page:show")
@@ -73,7 +78,7 @@ class Solution(Samples):
 
     @classmethod
     def load(cls, path: str | Path, model: Model | None = None) -> Solution:
-        """Read what `save` wrote, or the folder of a stream. Without `model` there are names, but no functions.
+        """Read a solution that `save` wrote, or the folder of a stream; without `model` it has no functions.
 
         A stream of chosen outputs is read by runtime.results.stream.read_blocks instead. Raises OutputError if the
         file is not a saved solution or is damaged, ModelError if it belongs to another model.

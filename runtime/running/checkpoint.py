@@ -295,12 +295,12 @@ def resume(
     options: Mapping[str, Any] | None = None,
     inputs: Mapping[str, InputValue] | None = None,
 ) -> Solution:
-    """Go on with the run of a checkpoint to its end; the Solution is that of an uninterrupted run, bit for bit.
+    """Continue a run from its checkpoint to its end; the Solution is that of an uninterrupted run, bit for bit.
 
-    stream: the run's own folder where it has moved. checkpoint: where further ones go (the same file by default).
-    inputs: those of the run, where they are functions of time, samples or controllers.
-    scheme, dt [s], m and options need not be said again; they are compared with the run's own. Raises ModelError for a
-    checkpoint of another model or a damaged file, SchemeError for other settings, and what `simulate` raises.
+    stream: the run's folder, if it was moved. checkpoint: where further ones go (the same file by default). inputs:
+    those of the run, where they are functions of time, samples or controllers. scheme, dt [s], m, options: need not be
+    given; if they are, they must be those of the run. Raises ModelError for a checkpoint of another model or a damaged
+    file, SchemeError for other settings, and what `simulate` raises.
     """
     kept, model = read_checkpoint(path), bound(model, inputs)
     header = kept.header

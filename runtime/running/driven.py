@@ -173,11 +173,11 @@ def quasi_static_motion(
     parameters: Mapping[str, float] | None = None,
     t0: float = 0.0,
 ) -> Solution:
-    """Positions, deformations, reactions and motors of a driven mechanism from t0 to t_end [s].
+    """Follow a driven mechanism from t0 to t_end [s] with elastic bodies that deform without vibrating.
 
-    seen_every [s] or samples: the time from sample to sample, or how many there are besides the first (200).
+    seen_every [s] or samples: the time between stored samples, or their number besides the first (200).
 
-    Every rigid coordinate must be driven. What is not given comes from the scene. Elastic accelerations are zero.
+    Every rigid coordinate must be driven; elastic accelerations are zero. Arguments left out are those of the scene.
     Raises ModelError for free rigid coordinates, SchemeError for times, NoEquilibrium with the time where there is
     none.
     """

@@ -68,21 +68,20 @@ def simulate(
     checkpoint: str | Path | None = None,
     checkpoint_every: int | None = None,
 ) -> Solution:
-    """Simulate a model from t0 until t_end [s]; what is not given is the scene's own.
+    """Compute the motion of a model from t0 to t_end [s]. Arguments left out are those of the scene.
 
-    scheme: `auto`, which chooses a method and its steps for a tolerance (1e-3), or a name of runtime.SCHEMES with its
-    step dt [s] and ratios m. tolerance: of the error of the motion, RMS over its amplitudes; it takes the place of dt.
-    seen_every [s] or samples: the time from sample to sample (0: every step), or how many there are besides the first;
-    a whole number of steps lies between them. options: changes to the scheme's Options by name.
-    parameters, initial: changes by name (rates as `<coordinate>_dot`); initial may also be an equilibrium, or a
-    solution, from whose last sample the run goes on (`run.initial_values(at=0.3)`: from another). start: `given`,
-    `quasi_static` (elastic coordinates in equilibrium) or `equilibrium` (all but those that turn). inputs: by name
-    a number, a function of time (called once with a symbol), (times, values) held in between, or a `Sampled`
-    controller. error: `measured` makes the motion twice and tells Solution.error, `off` makes it once. engine: `auto`,
-    `compiled`, `interpreted`. progress(t, t_end): called on the way; True shows a line. force: run although the step is
-    above the stability limit at the start. outputs: names of coordinates, rates, measures or energies; only these are
-    kept, in Solution.outputs. stream: a folder that takes the samples instead of memory. checkpoint: a file that
-    `resume` goes on from, written every `checkpoint_every` major steps (None: every minute) and on Ctrl-C.
+    scheme: `auto` chooses a method and its steps; or a name of runtime.SCHEMES, with its step dt [s] and ratios m.
+    tolerance: RMS error of the motion over its amplitudes (1e-3 with `auto`); it takes the place of dt.
+    seen_every [s] or samples: time between stored samples (0: every step), or their number besides the first.
+    parameters, initial: changes by name, rates as `<coordinate>_dot`. initial may be an equilibrium, or a solution
+    from whose last sample the run goes on (`run.initial_values(at=0.3)`: from another).
+    start: `given`, `quasi_static` (elastic coordinates in equilibrium), `equilibrium` (all but those that turn).
+    inputs: by name a number, a function of time (called once with a symbol), (times, values), or a `Sampled`.
+    outputs: names of coordinates, rates, measures, energies; only these are kept, in Solution.outputs.
+    stream: a folder that takes the samples. checkpoint: a file for `resume`, written every `checkpoint_every` steps
+    (None: every minute) and on Ctrl-C. progress: True shows a line, or a function of (t, t_end).
+    error: `measured` computes the motion twice for Solution.error, `off` once. engine: `auto`, `compiled`,
+    `interpreted`. options: those of the scheme. force: run although the step is above the stability limit.
 
     Numerical failure does not raise: see Solution.status. Raises ArgumentError, SchemeError, ModelError,
     InitialStateError, OutputError or CompilerError for arguments that cannot be used.

@@ -53,11 +53,11 @@ class SteppedState:
 
 
 class ModelStepper:
-    """A scheme on a model, compiled once. `step` makes major steps; what they led to is read from it.
+    """Step a model from outside: a scheme, compiled once, whose state can be read, set, saved and restored.
 
-    Between calls nothing is checked: `check` says what a run would have found. Singular positions are not passed by
-    changing coordinates, as a run does. Both step the same `SteppedModel`. Events happen as in a run: see `events`, and
-    `ended`, after which there is no further step.
+    scheme, dt [s], m, options, parameters, engine: as of `simulate`. `step` makes steps without checks; `check` tells
+    what a run would have found. Singular positions are not passed. Events happen as in a run: see `events`, and
+    `ended`, after which there is no further step. Raises SchemeError and ModelError for what cannot be used.
     """
 
     @arguments(options=BY_NAME, parameters=BY_NAME)

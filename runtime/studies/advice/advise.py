@@ -138,7 +138,7 @@ def advise(
     start: str | None = None,
     note: Note = lambda text: None,
 ) -> Advice:
-    """Advice for a motion of t_end [s].
+    """Find the method and step that compute a motion of t_end [s] to a tolerance with the fewest operations.
 
     tolerance: on the RMS error over the motion of every graded coordinate, relative to its amplitude. graded: names
     in q_i (all by default); of the others the motion is accurate to a tenth of an amplitude. note is told what is being

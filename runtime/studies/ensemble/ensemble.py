@@ -48,15 +48,15 @@ def ensemble(
     progress: Progress | bool | None = None,
     folder: str | Path | None = None,
 ) -> Any:
-    """Run a model once a case, many cases side by side; each is bit for bit the run that `simulate` makes of it.
+    """Run many cases of a model side by side; each is, bit for bit, the run that `simulate` makes.
 
     parameters, initial: names (rates as `<coordinate>_dot`) to arrays (cases,) or to one number for all; a DataFrame;
-    or ("a", "b"): array (cases, 2), as scipy.stats.qmc samples them. inputs: of the scene, by name to numbers, arrays
-    (cases,), or functions of time that all cases share (called once with a symbolic t). scheme, dt [s], m, options, t0,
+    or ("a", "b"): array (cases, 2), as scipy.stats.qmc samples them. inputs: by name numbers, arrays (cases,), or
+    functions of time that all cases share (called once with a symbolic t). scheme, dt [s], m, options, t0,
     t_end [s], start: as for `simulate`. outputs: names of coordinates, rates, accelerations, measures, energies,
     `lam.row` or joint forces. reduce: output to one or several of max, min, peak (largest magnitude), mean, rms, end,
-    over all major steps; an output without any is kept at its end. seen_every [s] or samples:
-    the time between samples of the outputs, or their number, instead.
+    over all steps; an output without any is kept at its end. seen_every [s] or samples: histories instead, by the
+    time between samples or their number.
 
     workers: threads (None: as many as processors), or with an executor threads of each task. executor: any
     concurrent.futures.Executor; its tasks get a folder and a hash. folder: where finished parts are kept, so that the
