@@ -177,9 +177,6 @@ def model_card(described: Description, sketch: str = "") -> str:
     )
 
 
-# A model in memory: names, partition, parameters, and its CasADi Functions (built on demand).
-
-
 T = TypeVar("T")
 LATELY = 8  # numbers of which a model keeps what was made of them
 _LOCK = Lock()  # threads may run one model at once
@@ -486,40 +483,35 @@ class Model:
             self._zero_outputs[name] = frozenset(own for own, value in found if value.is_zero())
         return output in self._zero_outputs[name]
 
+    def _dynamics(self) -> Any:
+        return opened("runtime.operating.dynamics:Dynamics")(self)
+
     def inverse_dynamics(self, q: Any, v: Any, a: Any, motors: Sequence[str] = (), **where: Any) -> np.ndarray:
         """Generalised forces tau (n_i,) [N, N m] for the motion q, v, a (n_i,); motors: inputs to solve for instead.
 
         where: t [s], parameters, near (a configuration that closes the loops), of this and the next five methods.
         """
-        found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).inverse_dynamics(
-            q, v, a, motors, **where
-        )
-        return found
+        return np.asarray(self._dynamics().inverse_dynamics(q, v, a, motors, **where))
 
     def forward_dynamics(self, q: Any, v: Any, tau: Any = None, **where: Any) -> np.ndarray:
         """Accelerations (n_i,) [m/s^2, rad/s^2] under the loads of the scene and tau (n_i,)."""
-        found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).forward_dynamics(q, v, tau, **where)
-        return found
+        return np.asarray(self._dynamics().forward_dynamics(q, v, tau, **where))
 
     def mass_matrix(self, q: Any, **where: Any) -> np.ndarray:
         """Mass matrix M(q) (n_i, n_i) of the independent coordinates."""
-        found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).mass_matrix(q, **where)
-        return found
+        return np.asarray(self._dynamics().mass_matrix(q, **where))
 
     def gravity(self, q: Any, **where: Any) -> np.ndarray:
         """Generalised forces (n_i,) that hold the mechanism still at q, springs and other loads included."""
-        found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).gravity(q, **where)
-        return found
+        return np.asarray(self._dynamics().gravity(q, **where))
 
     def coriolis(self, q: Any, v: Any, **where: Any) -> np.ndarray:
         """Generalised forces C(q, v) v (n_i,): centrifugal, gyroscopic and damping."""
-        found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).coriolis(q, v, **where)
-        return found
+        return np.asarray(self._dynamics().coriolis(q, v, **where))
 
     def jacobian(self, marker: str, q: Any, **where: Any) -> np.ndarray:
         """Jacobian (6, n_i), in the plane (3, n_i): velocity and angular velocity of "body.marker" by v."""
-        found: np.ndarray = opened("runtime.operating.dynamics:Dynamics")(self).jacobian(marker, q, **where)
-        return found
+        return np.asarray(self._dynamics().jacobian(marker, q, **where))
 
     @cached_property
     def emitted_c_size(self) -> int:

@@ -11,14 +11,11 @@ from runtime.contract.model import Model
 from runtime.contract.status import badge, card, line, sparkline, table
 from runtime.results.samples import Samples
 
-# ---- A solution in a notebook: how it ended, what it cost, how exact it is, and its coordinates as small
-# curves.
-
-MOST = 10
+MOST = 10  # coordinates that a notebook shows
 
 
 def solution_card(solution: Samples) -> str:
-    """HTML of a solution."""
+    """HTML of a solution: how it ended, what it cost, how exact it is, and its coordinates as small curves."""
     model, stats, status = solution.model, solution.stats, solution.status
     m = ",".join(map(str, solution.m)) or "-"
     wall = stats.get("wall_seconds")
@@ -55,11 +52,9 @@ class Solution(Samples):
     """The result of a run: samples of the motion, how it ended, how far it is off, and what can be made of them.
 
     status, error, events, balance, stats: how it went. t (N,) [s]; q, q_dot, q_ddot (N, n) [m, rad; per s, s^2];
-    `run["name"]` (N,): a coordinate, rate, measure or energy. joint_force, load_force, motor, friction, section_forces,
-    stresses: forces. view, plot, animate, report, export, save: to look at and to keep. initial_values: to go on from.
+    `run["name"]` (N,): any column. joint_force, load_force, motor, friction, section_forces, stresses; view, plot, ...
     """
 
-    # What is made of a solution: each is the function that it names, with the solution as its first argument.
     view = Door("runtime.views.viewer.page:show")
     plot = Door("runtime.views.plots:coordinates")
     animate = Door("runtime.views.animation:animate")

@@ -154,7 +154,7 @@ class Scene:
     def model(self) -> Model:
         """Derive the equations, ready to run; the generated code is kept in the cache. Raises SceneError.
 
-        To keep it in a folder of your own: `symgen.generate.generate(scene.build(), folder)`.
+        `symgen.generate.generate(scene.build(), folder)` keeps it in a folder of your own.
         """
         return self.build().model()
 
@@ -233,12 +233,8 @@ def _described(record: type[StrictModel]) -> str:
     return "\n".join([cleandoc(record.__doc__ or "").rstrip(), *(["", *found] if found else [])])
 
 
-BODIES: dict[str, type[StrictModel]] = {
-    "rigid": RigidBody,
-    "beam": BeamBody,
-    "modal": ModalBody,
-    "flexible": SpatialModalBody,
-}
+BODIES: dict[str, type[StrictModel]]
+BODIES = {"rigid": RigidBody, "beam": BeamBody, "modal": ModalBody, "flexible": SpatialModalBody}
 
 for _section, _records in (("bodies", BODIES), ("joints", JOINTS), ("couplings", COUPLINGS), ("loads", LOADS)):
     for _type, _record in _records.items():
