@@ -2,12 +2,12 @@
 
     run = Scene("arm")...model().simulate(t_end=1.0)
 
-Behind `Scene` is a compiler from scenes to straight-line code. Its stages are its folders, in this order: `scene` (what is there), `system` (equations in all coordinates, with the
-topology), `choice` (dependent coordinates and groups), `condensed` (the dependent ones substituted), `kernels` (named
-functions), `tapes` (straight-line code), `emission` (files). Bodies, joints and loads state what a system is made of,
-in the `algebra` of templates; `modes` and `fe` compute numbers for scenes; `urdf` reads robots; `scenes` are built in;
-`cli` is the command line, `schema` what the text of scenes is made of. `pipeline.py` says the same with equation
-numbers, `notation` names the symbols.
+Behind `Scene` is a compiler from scenes to straight-line code. Its stages are its folders, in this order: `scene`
+(what is there), `system` (equations in all coordinates, with the topology), `choice` (dependent coordinates and
+groups), `condensed` (the dependent ones substituted), `kernels` (named functions), `tapes` (straight-line code),
+`emission` (files). Bodies, joints and loads state what a system is made of, in the `algebra` of templates; `modes`
+and `fe` compute numbers for scenes; `urdf` reads robots; `scenes` are built in; `cli` is the command line, `schema`
+what the text of scenes is made of. `pipeline.py` says the same with equation numbers, `notation` names the symbols.
 """
 
 from typing import TYPE_CHECKING, Any
