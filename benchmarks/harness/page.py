@@ -9,6 +9,9 @@ from typing import Any
 from benchmarks.harness.result import Line, Result
 
 TABLES = frozenset({"others", "hard_steps", "arms", "tolerance"})  # have tables on the page of speed
+TOLD_THERE = (
+    "What is measured, and by case: [speed](speed.md). Here are goals of all cases and those that a case misses."
+)
 MOST_OTHERS = 6  # lines without a goal in a section
 INTRODUCTION = """# Benchmarks
 
@@ -57,10 +60,9 @@ def _section(result: Result, place: str = "") -> str:
     if result.name in TABLES:
         lines = [line for line in lines if line.met is False or line.goal is not None and ": " not in line.name]
     rows = ["| | value | goal | | |", "|---|---:|---:|---|---|", *map(_row, lines)] if lines else []
-    told = f"`python -m benchmarks --only {result.name}`{place}." + (f" {result.remark}" if result.remark else "")
-    if result.name in TABLES:
-        told += "\n\nBy case: [speed](speed.md). Here are the goals of all cases together and those that a case misses."
-    return "\n".join([f"## {result.title}", told, *([""] if rows else []), *rows, ""])
+    told = f"`python -m benchmarks --only {result.name}`{place}. "
+    told += TOLD_THERE if result.name in TABLES else result.remark
+    return "\n".join([f"## {result.title}", told, *([""] if rows else []), *rows, ""]).replace(" \n", "\n")
 
 
 def _shown(lines: list[Line]) -> list[Line]:
