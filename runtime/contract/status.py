@@ -90,6 +90,7 @@ StatusName = Literal[
     "partition_lost",
     "branch_lost",
     "deflection_too_large",
+    "off_the_beam",
     "integrator_refused",
     "output_failed",
     "not_assembled",

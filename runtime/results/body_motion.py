@@ -140,6 +140,14 @@ def into_body(frame: FrameMotion, world: np.ndarray) -> np.ndarray:
     return np.asarray(np.einsum("sji,sj->si", frame.A, world))
 
 
+def poses_of(model: Model, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(N, bodies, 3) [m] and (N, bodies, 3, 3) of the drawn bodies, by one call for all q side by side."""
+    count, kernel = len(model.description.drawing.poses), model.kernel("poses")
+    flat = np.asarray(kernel(q=q.T)["poses"]).reshape(12, len(q), count)
+    values = np.moveaxis(flat, 0, -1)  # (N, bodies, 12)
+    return values[..., :3], np.swapaxes(values[..., 3:].reshape(len(q), count, 3, 3), 2, 3)
+
+
 def body_motion(solution: Samples, body: str) -> BodyMotion:
     """Motion of a flexible body in space and the forces at its markers, for `FlexibleBody.equilibrium_stresses()`.
 

@@ -11,7 +11,8 @@ import numpy as np
 
 from runtime.contract.doors import opened
 from runtime.contract.records import Description
-from runtime.contract.status import Event
+from runtime.contract.status import Event, Status
+from runtime.results.body_motion import poses_of
 from runtime.results.missing import missing_sections, missing_shapes, missing_stresses, singular_angles
 from runtime.results.solution import Solution
 from runtime.running.monitor import flexible_bodies
@@ -26,7 +27,7 @@ def with_limits(solution: Solution) -> Solution:
     not_held, unloaded = missing_sections(solution)
     pushed, beyond = buckling(solution)
     events = [*solution.events, *missing, *unstressed, *unloaded, *beyond, *singular_angles(solution)]
-    status = solution.status
+    status = (off_a_beam(solution) if solution.status.ok else None) or solution.status
     if beyond and status.ok:
         status = replace(status, cause=beyond[0].text, advice=ADVICE)
     stats = {**solution.stats, **limits(solution), **pushed, **shares, **left_out, **not_held}
@@ -52,6 +53,30 @@ def _largest(columns: np.ndarray, q: np.ndarray) -> float:
     blocks = (q[first : first + AT_ONCE] for first in range(0, len(q), AT_ONCE))
     sizes = [float(np.square(columns @ block.T).sum(axis=1).max(initial=0.0)) for block in blocks]
     return float(np.sqrt(max(sizes, default=0.0)))
+
+
+def off_a_beam(solution: Solution) -> Status | None:
+    """Where what slides on a beam first was beyond its ends in a saved sample: shapes mean nothing there."""
+    model = solution.model
+    rails = [joint for joint in model.description.joints if joint.type == "slides_on"]
+    if not rails or not (model.has("poses") and model.has("geometry")):
+        return None
+    (r, A), drawing = poses_of(model, solution.q), model.description.drawing
+    places = model.geometry(solution.parameters)["positions"].T
+    positions = {(one.body, one.name): place for one, place in zip(drawing.points, places, strict=True)}
+    for joint in rails:
+        a, beam = drawing.poses.index(joint.body_a), joint.body_a
+        length = max(place[0] for (body, _), place in positions.items() if body == beam)
+        point = positions[joint.body_b, joint.marker_b.partition(".")[2]]
+        if joint.body_b in drawing.poses:
+            point = r[:, (b := drawing.poses.index(joint.body_b))] + A[:, b] @ point
+        way = np.einsum("sj,sj->s", A[:, a, :, 0], point - r[:, a])
+        off = np.flatnonzero((way < -END * length) | (way > (1 + END) * length))
+        if len(off):
+            cause = f"{joint.marker_b} is {way[off[0]]:.4g} m along {beam}, which is {length:.4g} m long"
+            advice = "Start on the beam, and end the run where it is left, by an event on the way along it"
+            return Status("off_the_beam", float(solution.t[off[0]]), joint.name, cause, advice)
+    return None
 
 
 # How much of its buckling load each flexible body carried in a run, by the forces that its two ends take.

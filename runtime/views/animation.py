@@ -231,7 +231,7 @@ def _style(line: Line, frame: int, count: int) -> dict[str, Any]:
 
 
 def _heading(times: np.ndarray, shown: Film) -> str:
-    first, last = times[0], times[-1]
+    first, last = np.where(np.abs(times[[0, -1]]) > 1e-9 * np.abs(times).max(), times[[0, -1]], 0.0)
     span = f"t = {last:.4g} s" if len(times) == 1 else f"{len(times)} instants, t = {first:.4g} to {last:.4g} s"
     factor = shown.exaggeration
     return span + (f", deformation x {factor:.3g}" if any(line.kind == "ghost" for line in shown.lines) else "")

@@ -11,10 +11,10 @@ import numpy as np
 from runtime.contract.errors import ModelError
 from runtime.contract.model import Model
 from runtime.contract.records import ShapeRecord
+from runtime.results.body_motion import poses_of
 
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
-
 
 AROUND = 48  # sides of a cylinder, and of a ball
 RINGS = 12
@@ -433,18 +433,10 @@ def still(model: Model) -> Scenery:
 def _at(model: Model, p: np.ndarray, t: np.ndarray, q: np.ndarray) -> Scenery:
     """With parameters p (n_p,) at coordinates q (frames, n)."""
     found = bodies(model, p)
-    origin, turn = _poses(model, q)
+    origin, turn = poses_of(model, q)
     at_joints = {joint[key] for joint in model.drawing["joints"] for key in ("marker_a", "marker_b")}
     follow = [
         following(body.markers, [k for k, name in enumerate(body.markers.names) if f"{body.name}.{name}" in at_joints])
         for body in found
     ]
     return Scenery(model, t, q, origin, turn, found, follow)
-
-
-def _poses(model: Model, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(frames, bodies, 3) and (frames, bodies, 3, 3): one call of the function for all frames, side by side."""
-    count, kernel = len(model.drawing["poses"]), model.kernel("poses")
-    flat = np.asarray(kernel(q=q.T)["poses"]).reshape(12, len(q), count)
-    values = np.moveaxis(flat, 0, -1)  # (frames, bodies, 12)
-    return values[..., :3], np.swapaxes(values[..., 3:].reshape(len(q), count, 3, 3), 2, 3)

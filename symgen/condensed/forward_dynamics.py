@@ -114,8 +114,7 @@ def force_side(force: Row) -> Side:
 def tree_accelerations(system: Condensed, topology: Topology, locked: Mapping[int, Lock]) -> list[dict[int, ca.SX]]:
     """q_ddot of every independent coordinate of a tree, by column, in one or two ways of which the shorter is wanted.
 
-    Elimination of M, which has no fill, or the recursion of articulated bodies where joints place all bodies.
-    locked: elements that may stick, by column.
+    Elimination of M, which has no fill, or the articulated bodies' recursion where joints place all. locked: by column.
     """
     columns = system.choice.independent
     solve = free_joints(system) if all(lock.alone for lock in locked.values()) else None
@@ -159,8 +158,7 @@ def tree_solutions(
     order, pivots = _elimination_order(system, topology, locked), dict[int, _Pivot]()
     for column in order:
         if column in by_column:
-            known = [side.constants.get(column, ZERO) for side in sides]
-            _substitute(M, forces, column, by_column[column].e, known)
+            _substitute(M, forces, column, by_column[column].e, [side.constants.get(column, ZERO) for side in sides])
         else:
             pivots[column] = _eliminate(M, forces, column, locked.get(column, FREE))
     solutions: list[dict[int, ca.SX]] = []

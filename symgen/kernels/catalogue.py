@@ -30,7 +30,7 @@ from symgen.kernels.all_coordinates import (
     reactions,
     switching,
 )
-from symgen.kernels.kernel import Arguments, Kernel, arguments_of, q_i_ddot_by_shortest
+from symgen.kernels.kernel import Arguments, Kernel, arguments_of, dynamics
 from symgen.kernels.specification import block_signals, substep_name
 from symgen.system.constraint import DerivationError
 from symgen.system.topology import Topology
@@ -87,9 +87,7 @@ def kernel_builders(
         further = opened("symgen.kernels.deflection_kernels:deflection_kernels")
         builders |= further(system, topology, arguments, deflections, tree)
     if tree:
-        builders["forward_dynamics"] = lambda: q_i_ddot_by_shortest(
-            system, arguments, tree_accelerations(system, topology, {})
-        )
+        builders["forward_dynamics"] = lambda: dynamics(system, arguments, tree_accelerations(system, topology, {}))
     if len(groups) > 1:
         builders["blocks"] = partial(_blocks, system, arguments, named_groups)
     for level in range(1, len(groups)):

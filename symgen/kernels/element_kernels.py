@@ -19,7 +19,7 @@ from symgen.condensed.forward_dynamics import locked_pivots, tree_accelerations
 from symgen.condensed.locks import Locks, locks
 from symgen.condensed.variations import variations
 from symgen.kernels.jacobians import directions, jacobian_kernels
-from symgen.kernels.kernel import Arguments, Kernel, q_i_ddot_by_shortest
+from symgen.kernels.kernel import Arguments, Kernel, dynamics
 from symgen.kernels.specification import block_signals, substep_name
 from symgen.system.equations import Element
 from symgen.system.topology import Topology
@@ -43,9 +43,7 @@ def with_elements(
     for name in jacobian_kernels(system, a):
         found[name] = partial(_rates_left, name, locked, a)
     if (pivots := locked_pivots(locked, topology)) is not None:
-        found["forward_dynamics"] = lambda: q_i_ddot_by_shortest(
-            system, a, tree_accelerations(system, topology, pivots)
-        )
+        found["forward_dynamics"] = lambda: dynamics(system, a, tree_accelerations(system, topology, pivots))
     if len(groups) > 1:
         found["blocks"] = partial(_blocks, locked, a, groups)
     for level in range(1, len(groups)):

@@ -80,8 +80,7 @@ def arguments_of(system: Condensed) -> Arguments:
     )
 
 
-def q_i_ddot_by_shortest(system: Condensed, a: Arguments, forms: Sequence[Row]) -> Kernel:
+def dynamics(system: Condensed, a: Arguments, forms: Sequence[Row]) -> Kernel:
     """Accelerations by the shortest of several forms, each by column."""
-    stacked = [ca.vertcat(*(found[c] for c in system.choice.independent)) for found in forms]
-    inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot")
-    return shortest(inputs, [{"q_i_ddot": ca.densify(form)} for form in stacked])
+    rows = [ca.vertcat(*(found[c] for c in system.choice.independent)) for found in forms]
+    return shortest(a.select("q_i", "q_d", "q_i_dot", "q_d_dot"), [{"q_i_ddot": ca.densify(form)} for form in rows])

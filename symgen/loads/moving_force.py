@@ -41,3 +41,6 @@ class MovingForce(Load):
         """No beam with exact shapes; components."""
         yield from beam_faults("beam", self.beam, scene, moving=True)
         yield from components_fault("components", self.components, scene)
+        length = next((one.length for one in scene.bodies if one.name == self.beam and one.type == "beam"), None)
+        if isinstance(self.place, float) and isinstance(length, float) and not 0 <= self.place <= length:
+            yield Fault("place", f"is off '{self.beam}', which is {length:g} m long", "give a place on the beam")

@@ -7,8 +7,10 @@ import pytest
 
 from runtime import simulate
 from runtime.results.solution import Solution
+from runtime.views.film import film
+from runtime.views.viewer.record import view_record
 from symgen.generate import model_of
-from symgen.scene import Scene, SceneError
+from symgen.scene import Scene, SceneError, SceneRecord, s_curve
 
 J_A, J_B = 0.0302378293, 0.4838052687  # kg m^2, published case of a gear of ratio 10
 SPACES = ("planar", "spatial")
@@ -180,3 +182,53 @@ def test_a_rotor_in_the_plane() -> None:
 def test_what_couples_nothing_is_refused_by_name(add, said: str) -> None:  # type: ignore[no-untyped-def]
     with pytest.raises(SceneError, match=said):
         add(shafts("planar", 1.0, 1.0)).build()
+
+
+def machine(space: str) -> Scene:
+    """A gear, a belt, a rack, a differential, a mimic, a motor, driven by a profile on a base that a table shakes."""
+    flat = space == "planar"
+    across = {} if flat else {"axis": [1.0, 0.0, 0.0], "x_axis": [0.0, 1.0, 0.0]}
+    builder = Scene("machine", space=space).table("shake", x=[0.0, 0.2, 0.5, 1.0], y=[0.0, 1e-2, -1e-2, 0.0])
+    places = {f"m{k}": {"position": [0.5 * k, 0.0, 0.0][: 2 if flat else 3]} for k in range(7)}
+    builder.table("way", **s_curve(0.5, speed=1.0, acceleration=2.0, jerk=20.0))
+    builder.ground(markers={"floor": across})
+    rail = {"rail": {"position": [0.0, 1.0, 0.0][: 2 if flat else 3], **across}, "floor": across}
+    builder.rigid("base", mass=5.0, inertia=1.0 if flat else [1.0] * 3, markers={**places, **rail})
+    builder.prismatic("guide", "ground.floor", "base.floor")
+    builder.prescribed_displacement("shaker", "ground.floor", "base.floor", "table('shake', t)")
+    motor = {"motor": {"inertia": 1e-3, "ratio": 5.0}}
+    for k in range(7):
+        inertia = 0.1 + 0.05 * k
+        builder.rigid(f"w{k}", mass=1.0, inertia=inertia if flat else [1.0, 1.0, inertia])
+        builder.revolute(f"h{k}", f"base.m{k}", f"w{k}.origin", **(motor if k == 1 else {}))
+    builder.rigid("rack", mass=1.0, inertia=0.1 if flat else [0.1] * 3, markers={"rail": across})
+    builder.prismatic("slide", "base.rail", "rack.rail").prescribed_angle(
+        "drive", "base.m0", "w0.origin", "table('way', t)"
+    )
+    builder.gear("gear", "h1.angle", "h0.angle", -2.0).belt("belt", "h2.angle", "h0.angle", 0.1, 0.3)
+    builder.rack("teeth", "slide.travel", "h0.angle", 0.2).mimic(
+        "follow", "h3.angle", "h0.angle", multiplier=-1.5, offset=0.25
+    )
+    return builder.differential("axle", "h4.angle", "h5.angle", "h6.angle", ratio=3.0)
+
+
+@pytest.mark.every_push("planar")
+@pytest.mark.parametrize("space", SPACES)
+def test_every_coupling_from_a_file_holds_and_is_drawn(space: str) -> None:
+    """A machine that was written to TOML and read again: ratios by hand, inertia of the motor, lines in pictures."""
+    scene = SceneRecord.from_toml_text(machine(space).build().to_toml())
+    run = simulate(model_of(scene), t_end=1.2, dt=5e-3, scheme="rk4")
+    angle = [run[f"w{k}.theta" if space == "planar" else f"h{k}.angle"] for k in range(7)]
+    turn = angle[0]
+    assert turn[-1] == pytest.approx(0.5, abs=1e-12)  # the profile has arrived
+    assert angle[1] == pytest.approx(-2.0 * turn, abs=1e-12)
+    assert angle[2] == pytest.approx(3.0 * turn, abs=1e-12)
+    assert angle[3] == pytest.approx(0.25 - 1.5 * turn, abs=1e-12)
+    assert np.abs(angle[4] - 1.5 * (angle[5] + angle[6])).max() < 1e-12
+    travel = run["rack.x"] - run["base.x"] if space == "planar" else run["slide.travel"]
+    assert travel == pytest.approx(0.2 * turn, abs=1e-12)
+    assert np.ptp(run["base.x" if space == "planar" else "guide.travel"]) > 1e-2
+    drawn = {line.name for line in film(run).lines if line.kind == "rod"}
+    assert drawn == {"gear", "belt", "teeth", "follow", "axle"}
+    joints = {joint["name"]: joint for joint in view_record(run, {})["joints"]}
+    assert all(joints[name]["line"] and joints[name]["shown"] for name in drawn)

@@ -261,6 +261,43 @@ def test_a_mass_moves_over_a_beam(space: str) -> None:
     assert np.abs(run["mid"] - mid).max() < 1e-7 * np.abs(mid).max()
 
 
+def test_a_crane_is_its_twin() -> None:
+    """A trolley runs over a girder of three modes, a load swings from it: Newton's equations by hand for q and theta.
+
+    y = phi(x) q of the trolley at x(t), N = m (y'' + g) + M (y'' + g + l (sin(theta) theta'' + cos(theta) theta'^2)),
+    rho A L / 2 q'' + k q = weight - phi N, l theta'' + cos(theta) x'' + sin(theta) (y'' + g) = 0.
+    """
+    modes, m, M, rope, g = 3, 5.0, 8.0, 0.7, 1.0
+    builder = pinned("planar", modes).gravity(0.0, -g).rigid("trolley", mass=m, inertia=1.0)
+    builder.rigid("load", mass=M, inertia=0.0, center_of_mass=(0.0, -rope))
+    builder.slides_on("wheels", "rod.start", "trolley.origin").revolute("rope", "trolley.origin", "load.origin")
+    builder.prescribed_angle("upright", "ground.along", "trolley.origin", "0")
+    builder.prescribed_displacement("drive", "ground.along", "trolley.origin", "0.5 + 0.4*t + 0.1*sin(3*t)")
+    builder.initial({"trolley.x": 0.5})
+    run = simulate(model_of(builder.build()), t_end=1.5, dt=1e-3, scheme="rk4")
+    b = np.arange(1, modes + 1) * np.pi / L
+    weight = -g * RHO_A * L * np.where(np.arange(1, modes + 1) % 2, 2 / (b * L), 0.0)
+
+    def rates(t: float, z: np.ndarray) -> np.ndarray:
+        q, p, theta, w = z[:modes], z[modes : 2 * modes], z[-2], z[-1]
+        x, v, a = 0.5 + 0.4 * t + 0.1 * np.sin(3 * t), 0.4 + 0.3 * np.cos(3 * t), -0.9 * np.sin(3 * t)
+        phi, d1, d2 = np.sin(b * x), b * np.cos(b * x), -(b**2) * np.sin(b * x)
+        s, c = np.sin(theta), np.cos(theta)
+        known = 2 * v * d1 @ p + v**2 * d2 @ q + a * d1 @ q + g  # y'' + g = phi q'' + known
+        A = np.zeros((modes + 1, modes + 1))
+        A[:-1, :-1] = RHO_A * L / 2 * np.eye(modes) + (m + M) * np.outer(phi, phi)
+        A[:-1, -1], A[-1, :-1], A[-1, -1] = M * rope * s * phi, s * phi, rope
+        held = (m + M) * known + M * rope * c * w**2
+        force = np.append(weight - EI * L / 2 * b**4 * q - phi * held, -c * a - s * known)
+        found = np.linalg.solve(A, force)
+        return np.concatenate([p, found[:-1], [w, found[-1]]])
+
+    exact = solve_ivp(rates, (0, 1.5), np.zeros(2 * modes + 2), "DOP853", t_eval=run.t, rtol=1e-11, atol=1e-13).y
+    for k in range(modes):
+        assert np.abs(run[f"rod.q{k + 1}"] - exact[k]).max() < 1e-8
+    assert np.abs(run["load.theta"] - exact[-2]).max() < 1e-8 < np.ptp(exact[-2])
+
+
 @pytest.mark.every_push("planar")
 @pytest.mark.parametrize("space", SPACES)
 def test_a_bead_on_a_beam_that_flies_keeps_energy_and_momenta(space: str) -> None:
@@ -276,6 +313,20 @@ def test_a_bead_on_a_beam_that_flies_keeps_energy_and_momenta(space: str) -> Non
     assert np.ptp(run["bead.x"]) > 0.1
 
 
+@pytest.mark.every_push("planar")
+@pytest.mark.parametrize("space", SPACES)
+def test_what_leaves_a_beam_is_not_completed(space: str) -> None:
+    """A bead at 1 m/s from 1.5 m: it is at the end after half a second."""
+    builder = beam(space, 2, "clamped-free").weld("root", "ground.origin", "rod.start")
+    builder.rigid("bead", mass=1e-6, inertia=1.0 if space == "planar" else [1.0, 1.0, 1.0])
+    builder.slides_on("rail", "rod.start", "bead.center").initial({"bead.x": 1.5}).rates({"bead.x": 1.0})
+    run = simulate(model_of(builder.build()), t_end=0.7, dt=1e-3, scheme="rk4")
+    assert run.status.name == "off_the_beam" and run.status.coordinate == "rail"
+    assert run.status.time == pytest.approx(0.5, abs=2e-3)
+    assert "along rod, which is 2 m long" in run.status.cause
+    assert simulate(run.model, t_end=0.4, dt=1e-3, scheme="rk4").status.name == "completed"
+
+
 @pytest.mark.parametrize(
     ("add", "said"),
     [
@@ -284,6 +335,7 @@ def test_a_bead_on_a_beam_that_flies_keeps_energy_and_momenta(space: str) -> Non
         (lambda b: b.distributed("d", "rod", [0.0, 1.0], start=0.5, end=0.2), "is not beyond start"),
         (lambda b: b.distributed("d", "rod", [0.0, 1.0, 0.0]), "3 components"),
         (lambda b: b.moving_force("d", "ball", "t", [0.0, 1.0]), "is no beam"),
+        (lambda b: b.moving_force("d", "rod", 5.0, [0.0, 1.0]), "'d'.place: is off 'rod', which is 2 m long"),
         (lambda b: b.slides_on("d", "ball.origin", "rod.start"), "is no beam"),
     ],
 )

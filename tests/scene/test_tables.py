@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline, PchipInterpolator
 
-from runtime import simulate
+from runtime import DifferentiableRun, simulate
 from runtime.contract.model import Model
 from symgen.scene import CurveTable, Scene, SceneError, SceneRecord
 
@@ -95,6 +95,28 @@ def test_a_spring_with_two_rates_has_the_exact_period(model_of: Build) -> None:
     run = simulate(model, t_end=period, dt=period / 4000)
     np.testing.assert_allclose([run["cart.x"][-1], run["cart.x_dot"][-1]], [0.1, 0.0], atol=2e-7)
     np.testing.assert_allclose(run["cart.x"].min(), -0.05, atol=1e-7)
+
+
+@pytest.mark.every_push("cubic")
+@pytest.mark.parametrize("interpolation", ["linear", "cubic"])
+def test_derivatives_by_a_point_of_a_table(model_of: Build, interpolation: str) -> None:
+    """A curve through points is linear in their y: a table that is one at a point and zero at the others, times a
+    parameter, moves that point. Against runs of scenes whose point is moved."""
+
+    def scene(y: np.ndarray, point: bool) -> SceneRecord:
+        builder = Scene("pushed").table("curve", x=X, y=y, interpolation=interpolation)
+        builder.table("unit", x=X, y=np.eye(len(X))[2], interpolation=interpolation).parameter("moved", 0.0)
+        builder.rigid("cart", mass=1.0, inertia=0.1).prismatic("rail", "ground.origin", "cart.origin")
+        more = ' + moved * table("unit", way)' if point else ""
+        builder.measure("way", "x", "cart.origin").force("push", "cart.origin", f'table("curve", way){more}', 0.0)
+        return builder.initial({"cart.x": 0.15}).build()
+
+    at = {"t_end": 0.5, "dt": 5e-3, "scheme": "rk4"}
+    run = DifferentiableRun(model_of(scene(Y, True)), by=["moved"], outputs=["cart.x"], **at)
+    found = run.jacobian()["cart.x", "moved"][-1]
+    ends = [simulate(model_of(scene(Y + h * np.eye(len(X))[2], False)), **at)["cart.x"][-1] for h in (-1e-4, 1e-4)]
+    assert found == pytest.approx((ends[1] - ends[0]) / 2e-4, rel=1e-6)
+    assert abs(found) > 1e-2
 
 
 def test_a_motion_over_time(model_of: Build) -> None:

@@ -251,7 +251,8 @@ def parts(solution: Solution, shown: Scenery) -> dict[str, Any]:
                 "axes": axes(joint["marker_a"]),
                 "rail": _rail(shown, joint) if joint["drawing"] == "slide" else None,
                 "force": force,
-                "shown": joint["drawing"] not in ("drive", "coupling"),
+                "line": joint["drawing"] in ("rod", "coupling"),
+                "shown": joint["drawing"] != "drive",
             }
         )
     vectors = force_vectors(solution.load_forces) + moment_vectors(solution.load_forces)  # a load has one of them

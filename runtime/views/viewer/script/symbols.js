@@ -27,7 +27,7 @@ function symbol(joint) {
 // A grey block behind what the ground holds.
 for (const part of [...run.joints, ...run.loads]) {
   for (const end of [part.a, part.b]) {
-    if (!end || !run.bodies[end[0]].ground || part.rail || part.type.startsWith("prescribed") || part.type === "distance") continue;
+    if (!end || !run.bodies[end[0]].ground || part.rail || part.type.startsWith("prescribed") || part.line) continue;
     const block = new THREE.Mesh(new THREE.BoxGeometry(3.4 * s, 3.4 * s, run.planar ? 1.2 * s : 3.4 * s), matter("#b4bac5"));
     block.position.set(...run.bodies[end[0]].points.x.slice(3 * end[1], 3 * end[1] + 3));
     if (run.planar) block.position.z -= 2 * s;
@@ -40,7 +40,7 @@ for (const part of [...run.joints, ...run.loads]) {
 }
 
 for (const joint of run.joints) {
-  joint.object = joint.type === "distance" ? new THREE.Mesh(unitRod, matter(steel)) : symbol(joint);
+  joint.object = joint.line ? new THREE.Mesh(unitRod, matter(steel)) : symbol(joint);
   layers.joints.add(joint.object);
   if (joint.rail) {
     joint.track = new THREE.Mesh(unitRod, matter(steel));
@@ -111,9 +111,13 @@ for (const load of run.loads) {
 function moveSymbols(frame) {
   for (const joint of run.joints) {
     const a = place(joint.a), b = place(joint.b);
-    if (joint.type === "distance") { span(joint.object, a, b, 0.5 * s); continue; }
-    joint.object.position.copy(b);
-    joint.object.quaternion.setFromRotationMatrix(turned(joint));
+    if (joint.line) {
+      span(joint.object, a, b, 0.5 * s);
+      joint.object.visible = a.distanceTo(b) > 1e-6 * size; // wheels on one axis have none
+    } else {
+      joint.object.position.copy(b);
+      joint.object.quaternion.setFromRotationMatrix(turned(joint));
+    }
     if (joint.track) {
       const along = new THREE.Vector3(...(run.planar ? [1, 0, 0] : [0, 0, 1])).applyMatrix4(turned(joint));
       span(joint.track, a.clone().addScaledVector(along, joint.rail[0]), a.clone().addScaledVector(along, joint.rail[1]), 0.45 * s);
