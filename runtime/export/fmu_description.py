@@ -134,7 +134,7 @@ def _third(one: Exported, token: str, known: list[Variable], states: list[str]) 
     lines = [
         f'<fmiModelDescription fmiVersion="3.0" modelName={quoteattr(one.name)} instantiationToken="{token}"',
         f'  description={title} generationTool="symgen" variableNamingConvention="flat">',
-        *([f"<ModelExchange {kept}/>"] if states else []),
+        *([f'<ModelExchange {kept} needsCompletedIntegratorStep="true"/>'] if states else []),
         f'<CoSimulation {kept} canHandleVariableCommunicationStepSize="true"/>',
         *_units(known),
         _categories(),

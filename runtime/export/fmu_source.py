@@ -15,6 +15,7 @@ from runtime.engine.c_source import Style, named, source, tape_code
 from runtime.export.c_bundle import Exported, constant_array, quoted
 from runtime.export.c_stops import event_table, sets_of, whole_numbers
 from runtime.running.stepping import may_jump
+from runtime.schemes.switching.times import switches_by_inputs
 from runtime.schemes.switching.watched import event_outputs, watched_events
 
 _BOUNDS = {"any": 0, "not negative": 1, "positive": 2}
@@ -32,6 +33,12 @@ _HEAD = """
 #define NX {nx} /* states of model exchange; 0: it is not offered */
 #define NE {events} /* events that the scene declares */
 #define NG {indicators} /* event indicators of model exchange */
+#define NM {modes} /* elements that stick, stops that close: the last of them */
+#define NI {free}
+#define V_AT {rates}
+#define NAT {places}
+#define NJ {jumps} /* loads that jump in time */
+#define JUMPS_BY_INPUTS {by_inputs}
 #define NSETS {sets}
 #define WORK ({p}W > {work} ? {p}W : {work})
 #define INPUTS_IN_C {inputs}
@@ -43,26 +50,24 @@ _HEAD = """
 #else
 #define DOOR
 #endif
+int {p}settle(double *at, double *u, const double *c, const int *happened, double *w);
+int {p}next_jump(double *found, const double *c, double t, double until, double *w);
 """
 
 
 def state_names(model: Model) -> list[str]:
     """Coordinates, rates and loop unknowns that are the states of model exchange.
 
-    None where bodies turn freely, and where joints stick: masters do not lock equations.
+    None where bodies turn freely: masters do not know rotations.
     """
-    if model.places.turns.size or model.element_modes.size:
+    if model.places.turns.size:
         return []
     return [*model.q_i, *(f"{name}_dot" for name in model.q_i), *model.loop_unknowns]
 
 
 def indicator_names(one: Exported) -> list[str]:
-    """What passes zero in model exchange: at events, where loads kink, where they jump in time."""
-    if not state_names(one.model):
-        return []
-    text, found = one.model.description, [event.name for event in watched_events(one.scheme)]
-    jumps = text.switching if may_jump(one.model) else []
-    return [*found, *(f"{owner}, jump {jumps[:k].count(owner) + 1}" for k, owner in enumerate(jumps))]
+    """What passes zero in model exchange: at events, where loads kink; where they jump in time is known beforehand."""
+    return [event.name for event in watched_events(one.scheme)] if state_names(one.model) else []
 
 
 def fmu_source(one: Exported, fmi: int, token: str) -> str:
@@ -89,6 +94,12 @@ def fmu_source(one: Exported, fmi: int, token: str) -> str:
         token=quoted(token),
         nx=len(states),
         events=len(model.description.events) if states else 0,
+        modes=len(model.element_modes) if states else 0,
+        free=len(model.q_i),
+        rates=len(model.coordinates),
+        places=2 * len(model.coordinates) + 1,
+        jumps=len(model.description.switching) if states and may_jump(model) else 0,
+        by_inputs=int(switches_by_inputs(model)),
         indicators=len(indicators),
         sets=len(sets),
         inputs=model.c_size - model.signals.size,
@@ -138,11 +149,14 @@ def equations(one: Exported) -> tuple[ca.Function, ca.Function]:
 
 
 def event_equations(one: Exported) -> dict[str, ca.Function]:
-    """(x, t, c) -> `indicators` by indicator_names, and what inputs become by `acts` where there are any."""
+    """(x, t, c) -> `indicators` by indicator_names, what inputs become by `acts`, and the `place` (q_i, q_d, rates of
+    both, t) where elements are held and let go; those that there are.
+    """
     model, system = one.model, CondensedOde(one.model, 1)
     seen = event_outputs(one.scheme, system.equations, system.motion, system.v, system.v_d)
-    jumps = model.evaluate("switching", t=system.t, c=system.c)["switching"] if may_jump(model) else ca.SX(0, 1)
-    found = {"indicators": ca.vertcat(seen["events"], jumps), "acts": seen.get("actions", ca.SX(0, 1))}
+    found = {"indicators": seen["events"], "acts": seen.get("actions", ca.SX(0, 1))}
+    if model.element_modes.size:
+        found["place"] = ca.vertcat(system.q_i, system.motion.q_d, system.v, system.v_d, system.t)
     arguments = [system.y, system.t, system.c]
     return {
         name: ca.Function(name, arguments, shared([ca.densify(value)]))

@@ -360,3 +360,11 @@ static int within_stops(Run *r) {
   return 1;
 }
 #endif
+
+/* the same at a state of model exchange, whose master says roughly when something comes to rest */
+int M(settle)(double *at, double *u, const double *c, const int *happened, double *w) {
+  double come[NM];
+  int k;
+  EACH(k, NM) come[k] = happened[k] ? PASSES * (1.0 + largest_of(at + NI + NQD, NI)) : 0.0;
+  return decide(at, u, c, happened, come, w, w + NSEEN + DT_AT + NAT + NI * NV);
+}

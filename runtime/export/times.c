@@ -212,3 +212,25 @@ static int parts_of(Run *r, Part *parts, double *clock) {
   if (end.after > *clock) *clock = end.after;
   return count;
 }
+
+/* found: the first jump behind t, up to a time, and clocks that show its two sides; where there is none, that time */
+int M(next_jump)(double *found, const double *c, double t, double until, double *w) {
+  double z[NZ + KEPT] = {0}, step = 64 * c[DT_AT], end;
+  Run r = made_run(z, c, w);
+  Stop all[MOST_STOPS];
+  memcpy(r.cd, c, NC * sizeof(double)), z[T0] = -NEVER;
+  for (;;) {
+    int n = -1;
+    for (end = t + step; n < 0; step /= 2) {
+      end = t + step < until ? t + step : until;
+      n = changes(&r, t, end, all);
+      if (n < 0 && step < 1e-6 * c[DT_AT]) return 0;
+    }
+    if (n > 0 || end >= until) {
+      found[0] = n > 0 ? all[0].time : until;
+      found[1] = n > 0 ? all[0].before : until, found[2] = n > 0 ? all[0].after : until;
+      return 1;
+    }
+    t = end, step *= 4;
+  }
+}

@@ -234,11 +234,13 @@ def exchanged(master: Master, t_end: float) -> tuple[float, np.ndarray, int]:
 
     while t < t_end:
         roots = [root(k) for k in range(size.value)]
-        run = solve_ivp(slope, (t, t_end), x, method="DOP853", rtol=1e-10, atol=1e-12, events=roots, max_step=0.01)
+        end = min(t_end, ctypes.c_double.from_buffer(info, 24).value) if info[4] else t_end
+        run = solve_ivp(slope, (t, end), x, method="DOP853", rtol=1e-10, atol=1e-12, events=roots, max_step=0.01)
         t, x = float(run.t[-1]), run.y[:, -1]
-        if not run.status:
+        if t == t_end:
             break
-        t, x = t + PAST, x + PAST * slope(t, x)  # on the other side, as masters are
+        if run.status:
+            t, x = t + PAST, x + PAST * slope(t, x)  # on the other side, as masters are
         indicators(t, x)
         assert master.call("EnterEventMode") == OK
         assert master.call("NewDiscreteStates", info) == OK and not info[0]

@@ -7,10 +7,14 @@
 #define NPAR N(PARAMETERS)
 #define NU N(INPUTS)
 #define NY N(OUTPUTS)
+#define MOST_EVENTS 50 /* within a step of the scheme */
+#define MOST_BOUNCES 20000
 #define VR_P 1u
 #define VR_Y (VR_P + NP)
 #define VR_G (VR_Y + NY)
 #define VR_END (VR_G + NG)
+
+#define NEVER 1e300
 
 enum { OK, WARNING, DISCARD, ERROR };                             /* as in both versions */
 enum { INSTANTIATED, INITIALISING, EVENT, CONTINUOUS, STEPPING, ENDED }; /* modes */
@@ -22,6 +26,8 @@ typedef struct {
   double p[NP + 1], slope[NU + 1], starts[N(STARTS) + 1], c[N(C)], z[N(Z)], y[NY], x[NX + 1];
   int happened[NE + 1], count;              /* of model exchange: events that nobody has answered; lately, how many */
   double g[NG + 1], quiet[NE + 1], counted; /* indicators as they were last; asleep until; since when counted [s] */
+  int due;                                  /* is the next jump in time to be looked for? */
+  double jump[3], shown;                    /* the next one, clocks on its two sides; the clock behind the last one */
 } State;
 
 typedef struct {
@@ -47,8 +53,9 @@ static void defaults(Instance *I) {
   memset(s, 0, sizeof *s);
   M(defaults)(s->p);
   for (k = 0; k < N(STARTS); ++k) s->starts[k] = M(starts)[k].start;
-  for (k = 0; k < NE; ++k) s->quiet[k] = -1e300;
-  s->mode = INSTANTIATED, s->h = N(DT), s->fresh = s->stale = s->changed = 1;
+  for (k = 0; k < NE; ++k) s->quiet[k] = -NEVER;
+  s->mode = INSTANTIATED, s->h = N(DT), s->fresh = s->stale = s->changed = s->due = 1;
+  s->jump[0] = s->jump[1] = s->jump[2] = NEVER, s->shown = -NEVER;
 }
 
 /* the constants for what p and h are now */
@@ -70,6 +77,9 @@ static void begin(Instance *I) {
   s->t = s->started, s->stale = s->moved = 0, s->seen = 1;
 }
 
+/* the time that loads see: up to a jump in time that before it, from there on that behind it */
+static double clock_of(const State *s) { return s->t < s->shown ? s->shown : s->t > s->jump[1] ? s->jump[1] : s->t; }
+
 static void look(Instance *I) {
   State *s = &I->s;
   if (s->stale) begin(I);
@@ -78,22 +88,27 @@ static void look(Instance *I) {
   s->seen = 1;
 #if NX > 0
   if (I->exchange) {
+    const double t = clock_of(s);
     memcpy(s->c + INPUTS_IN_C, s->p + NPAR, NU * sizeof(double));
-    M(ode)(s->y, s->x, &s->t, s->c, I->w);
+    M(ode)(s->y, s->x, &t, s->c, I->w);
     return;
   }
 #endif
   M(observe)(s->y, s->z, s->c, I->w);
 }
 
-/* what passes zero where events happen, behind it where loads kink, behind it where they jump in time */
+/* what passes zero where events happen, behind it where loads kink */
 static void indicate(Instance *I, double *g) {
   if (I->s.stale) begin(I);
   prepare(I);
 #if NG > 0
   memcpy(I->s.c + INPUTS_IN_C, I->s.p + NPAR, NU * sizeof(double));
-  if (!I->exchange) memset(g, 0, NG * sizeof(double));
-  else M(indicators)(g, I->s.x, &I->s.t, I->s.c, I->w);
+  if (I->exchange) {
+    const double t = clock_of(&I->s);
+    M(indicators)(g, I->s.x, &t, I->s.c, I->w);
+  } else {
+    memset(g, 0, NG * sizeof(double));
+  }
 #else
   (void)g;
 #endif
@@ -147,10 +162,10 @@ static int set(Instance *I, const unsigned int *vr, size_t n, const double *valu
     if (s->p[at] == value[k]) continue;
     s->p[at] = value[k], s->seen = 0;
     if ((int)at >= NPAR) {
-      s->moved = 1;
+      s->moved = 1, s->due = s->due || JUMPS_BY_INPUTS;
       if (SINCE >= 0) s->p[NPAR + SINCE] = s->t;
     } else {
-      s->changed = s->moved = 1;
+      s->changed = s->moved = s->due = 1;
     }
     if (before) s->changed = s->stale = 1;
   }
@@ -287,9 +302,9 @@ static int get_indicators(Instance *I, double *g, size_t n) {
   return OK;
 }
 
-/* which events have happened since the last look; has one? */
+/* which events have happened since the last look, what sticks or is closed asks for another mode; is there one? */
 static int look_for_events(Instance *I) {
-  int any = 0;
+  int any = NJ > 0 && I->s.due;
 #if NE > 0
   State *s = &I->s;
   double g[NG];
@@ -306,16 +321,63 @@ static int look_for_events(Instance *I) {
   return any;
 }
 
-/* what events do, at the time and the states that the unit is at */
-static int answer_events(Instance *I, int *terminate) {
-  *terminate = I->s.ended;
-  if (!I->exchange || !look_for_events(I)) return OK;
+/* jumps in time that the unit has come to are over; the next one */
+static int pass_jumps(Instance *I) {
+#if NJ > 0
+  State *s = &I->s;
+  const double near = 1e-9 * (fabs(s->t) + N(DT)); /* masters take times so close together for one */
+  if (!s->due && s->t < s->jump[0] - near) return OK;
+  if (!s->due) s->shown = s->jump[2];
+  s->due = s->seen = 0;
+  prepare(I);
+  memcpy(s->c + INPUTS_IN_C, s->p + NPAR, NU * sizeof(double));
+  for (;;) {
+    const double from = s->shown > s->t - near ? s->shown : s->t - near;
+    if (!M(next_jump)(s->jump, s->c, from, s->t + 1e5 * N(DT), I->w)) return said(I, ERROR, "there are too many jumps in a step", s->t);
+    if (s->jump[0] > s->t + near) return OK;
+    s->shown = s->jump[2];
+  }
+#else
+  (void)I;
+  return OK;
+#endif
+}
+
+#if NM > 0
+/* which elements stick, which stops are closed, at the states and inputs as they are; rates may change */
+static int decide_modes(Instance *I, int *moved) {
+  State *s = &I->s;
+  double at[NAT];
+  const double t = clock_of(s);
+  int k, any = 0, asks[NM];
+  for (k = 0; k < NM; ++k) asks[k] = s->g[NE - NM + k] <= 0, any = any || asks[k];
+  if (!any) return OK;
+  M(place)(at, s->x, &t, s->c, I->w);
+  if (!M(settle)(at, s->p + NPAR, s->c, asks, I->w)) return said(I, ERROR, "no choice of what sticks and what slides is consistent", s->t);
+  for (k = 0; k < NI; ++k) {
+    *moved = *moved || s->x[NI + k] != at[V_AT + k];
+    s->x[NI + k] = at[V_AT + k];
+  }
+  s->seen = 0;
+  return OK;
+}
+#endif
+
+/* what events do, at the time and the states that the unit is at; moved: do they change states? */
+static int answer_events(Instance *I, int *terminate, int *moved) {
+  *moved = 0, *terminate = I->s.ended;
+  if (!I->exchange) return OK;
+  if (pass_jumps(I) != OK) return ERROR;
 #if NE > 0
   State *s = &I->s;
   double values[NSETS + 1] = {0};
   int k, j;
+  (void)look_for_events(I);
 #if NSETS > 0
-  M(acts)(values, s->x, &s->t, s->c, I->w);
+  {
+    const double t = clock_of(s);
+    M(acts)(values, s->x, &t, s->c, I->w);
+  }
 #endif
   if (s->t > s->counted + N(DT)) s->counted = s->t, s->count = 0;
   for (k = 0; k < NE; ++k) {
@@ -323,12 +385,17 @@ static int answer_events(Instance *I, int *terminate) {
     s->happened[k] = 0, s->quiet[k] = s->t + events_of[k].cool_down;
     for (j = events_of[k].from; j < events_of[k].to; ++j) {
       if (!(values[j] - values[j] == 0.0)) return said(I, ERROR, "an event sets what is not finite", s->t);
-      s->p[NPAR + sets_of[j]] = values[j], s->seen = 0;
+      s->p[NPAR + sets_of[j]] = values[j], s->seen = 0, s->due = s->due || JUMPS_BY_INPUTS;
     }
     if (events_of[k].terminal) *terminate = s->ended = 1;
-    if (++s->count > 50) return said(I, ERROR, "an event undoes itself for ever", s->t);
+    if (++s->count > (NM > 0 ? MOST_BOUNCES : MOST_EVENTS)) return said(I, ERROR, "an event undoes itself for ever", s->t);
   }
+  if (pass_jumps(I) != OK) return ERROR;
   indicate(I, s->g); /* what moves by that does not happen */
+#if NM > 0
+  if (decide_modes(I, moved) != OK) return ERROR;
+  indicate(I, s->g);
+#endif
 #endif
   return OK;
 }

@@ -68,7 +68,9 @@ DOOR int fmi2GetDirectionalDerivative(Instance *I, const unsigned int *unknown, 
 DOOR int fmi2EnterEventMode(Instance *I) { return go_to(I, CONTINUOUS, EVENT); }
 DOOR int fmi2NewDiscreteStates(Instance *I, EventInfo *info) {
   memset(info, 0, sizeof *info);
-  return answer_events(I, &info->terminate);
+  const int status = answer_events(I, &info->terminate, &info->values);
+  info->next = I->s.jump[0], info->defined = info->next < NEVER;
+  return status;
 }
 DOOR int fmi2EnterContinuousTimeMode(Instance *I) { return go_to(I, EVENT, CONTINUOUS); }
 DOOR int fmi2CompletedIntegratorStep(Instance *I, int no_set, int *event, int *terminate) {

@@ -101,9 +101,10 @@ DOOR int fmi3EnterConfigurationMode(Instance *I) { return OK; }
 DOOR int fmi3ExitConfigurationMode(Instance *I) { return OK; }
 DOOR int fmi3EvaluateDiscreteStates(Instance *I) { return OK; }
 DOOR int fmi3UpdateDiscreteStates(Instance *I, bool *again, bool *terminate, bool *nominals, bool *values, bool *defined, double *next) {
-  int ends;
-  const int status = answer_events(I, &ends);
-  *again = *nominals = *values = *defined = false, *terminate = ends != 0, *next = 0.0;
+  int ends, moved;
+  const int status = answer_events(I, &ends, &moved);
+  *again = *nominals = false, *terminate = ends != 0, *values = moved != 0;
+  *next = I->s.jump[0], *defined = *next < NEVER;
   return status;
 }
 DOOR int fmi3EnterContinuousTimeMode(Instance *I) { return go_to(I, EVENT, CONTINUOUS); }
