@@ -334,7 +334,7 @@ def view_record(
         "deformation": max(deformation, 1e-300),
         "stress": stress,
         "colours": COLOURS,
-        "t": packed(shown.t, "<f8"),
+        "t": packed(np.round(shown.t, 15), "<f8"),
         "bodies": [
             *({**body, "pale": False, "stress": stresses.get(body["name"])} for body in _bodies(shown, meshes)),
             *(
@@ -344,7 +344,7 @@ def view_record(
             ),
         ],
         **parts(solution, shown),
-        "curve_t": packed(solution.t[kept], "<f8"),
+        "curve_t": packed(np.round(solution.t[kept], 15), "<f8"),
         "curves": [_group(group, solution.t[kept], solution, beside) for group in _curves(solution)],
     }
 
