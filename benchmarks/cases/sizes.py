@@ -19,7 +19,6 @@ CASES: tuple[tuple[str, dict[str, int], str], ...] = (
     ("chain", {"links": 100, "modes": 2}, "single_rate"),
     ("chain", {"links": 100, "modes": 1}, "coupled"),
     ("chain", {"links": 100, "modes": 1}, "exponential_rk4"),
-    ("chain", {"links": 100, "modes": 1}, "hht"),
 )
 MOST_SECONDS, MOST_MB = 10.0, 1000.0
 

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks.harness.models import model_of, workplace
 from runtime import load_model, simulate
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import State
@@ -17,7 +16,6 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper
 from runtime.studies.stability.spectrum import StepSpectrum
 from symgen.scenes import generated_folder
-from symgen.scenes.arm import arm
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "evidence" / "long-runs.md"
 SUB_STEPS = 10_000_000
@@ -27,12 +25,6 @@ FREE = {"c": 0.5, "w": 20.0, "k_L": 0.0, "zeta": 0.0}
 BOUND = {**FREE, "k_L": 1.0}
 FAST = 20.0 / np.sqrt(1 - 0.5**2)  # coupled frequency of the oscillators, rad/s
 FOLDINGS = 12.0  # powers of e that a mode is left to grow
-RINGING = {f"link3.q{k}_dot": rate for k, rate in ((1, 0.1), (2, 0.07), (3, 0.05))}
-RINGING_FASTEST = 2360.0  # rad/s
-RINGING_RUNS = (
-    *(("exponential_midpoint", reach) for reach in (50.0, 16 * np.pi, 17 * np.pi)),
-    ("exponential_rk4", 16 * np.pi),
-)
 REST = State(0.0, np.zeros(2), np.zeros(2), np.zeros(0))
 
 
@@ -94,39 +86,6 @@ def long_table() -> list[list[str]]:
             ]
         )
     return rows
-
-
-def ringing_table() -> list[list[str]]:
-    """Swinging arm of three links (`symgen/scenes/arm.py`) with ringing modes, undamped, fastest at w = 2,360 rad/s:
-    energy error relative to the energy above that of the arm hanging at rest.
-    """
-    rows = [["scheme", "H w", "steps", "ended", "largest energy error", f"mean energy error in {BLOCKS} parts"]]
-    with workplace() as folder:
-        model = model_of(arm(3), folder)
-        hanging = hanging_energy(model)
-        for scheme, reach in RINGING_RUNS:
-            dt = reach / RINGING_FASTEST
-            found = simulate(
-                model,
-                t_end=SUB_STEPS * dt,
-                dt=dt,
-                scheme=scheme,
-                initial=RINGING,
-                samples=4000,
-                force=True,
-            )
-            total = found.total_energy
-            error = (total - total[0]) / (total[0] - hanging)
-            parts = ", ".join(f"{part.mean():.1e}" for part in np.array_split(error, BLOCKS))
-            largest, steps = f"{np.abs(error).max():.1e}", f"{found.stats['steps']:.2g}"
-            rows.append([scheme, f"{reach / np.pi:.4g} pi", steps, found.status.name, largest, parts])
-    return rows
-
-
-def hanging_energy(model: Model) -> float:
-    """Energy of the arm that hangs at rest [J]."""
-    initial = {name: -np.pi / 2 if name.endswith("theta") else 0.0 for name in model.q_i}
-    return float(simulate(model, t_end=1e-6, dt=1e-6, scheme="rk4", initial=initial).total_energy[0])
 
 
 def spectrum(model: Model, scheme: str, m: int, parameters: dict) -> StepSpectrum:
@@ -194,9 +153,6 @@ def page() -> str:
                 "## Ten million sub-steps of an undamped mechanism",
                 str(long_table.__doc__),
                 _markdown(long_table()),
-                "## Ten million steps of many periods of the stiff modes",
-                " ".join(str(ringing_table.__doc__).split()),
-                _markdown(ringing_table()),
                 "## m from 1 to 200",
                 str(ratio_table.__doc__),
                 _markdown(ratio_table()),

@@ -34,13 +34,10 @@ SchemeName = Literal[
     "exponential",
     "exponential_rk4",
     "exponential_adams",
-    "exponential_midpoint",
     "rk4",
     "dopri5",
     "dop853",
     "radau",
-    "generalized_alpha",
-    "hht",
 ]
 SCHEME_NAMES: tuple[str, ...] = get_args(SchemeName)
 # schemes with a step of its own for each group: only they need the ratios m between groups

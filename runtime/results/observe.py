@@ -66,7 +66,7 @@ def observe_samples(
     if "inputs" in scheme.layout.sizes:  # each sample has its own
         c = np.tile(c, (len(samples), 1))
         c[:, -model.signals.size :] = samples[:, scheme.layout.slice("inputs")]
-    if scheme.closes and model.loop_unknowns:
+    if model.loop_unknowns:
         _close_tightly(model, observed, c)
     q = join(model, observed["q_i"], observed["q_d"])
     q_dot = join(model, observed["q_i_dot"], observed["q_d_dot"])

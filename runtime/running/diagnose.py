@@ -13,7 +13,6 @@ from runtime.running.monitor import Failure, Monitor
 from runtime.schemes.step_limit import eigenvalues
 
 NEARLY_LOST = 0.1  # of M_hat at the start: below this a breakdown of the numbers is laid to it
-NEARLY_SINGULAR = 0.05  # smallest of the largest singular value of C_q, angles counted times the mechanism's length
 STRONG = 5.0  # times that a motion decays by e in a step, from which advice names the damper
 
 BREAKDOWNS = ("not_finite", "diverged", "constraints_lost", "iteration_failed")  # that M_hat may be the cause of
@@ -87,21 +86,6 @@ def _of_deflections(monitor: Monitor) -> str:
     )
 
 
-def _of_iterations(monitor: Monitor) -> str:
-    """For a scheme on all coordinates: is the last good state near a position where C_q loses rank?"""
-    if monitor.scheme.closes or not monitor.look.constrained or monitor.good is None:
-        return monitor.scheme.if_not_converged
-    C_q = monitor.look.constraints(monitor.good, monitor.c)[1][monitor.model.kept_rows]
-    scale = np.where([entry.unit == "m" for entry in monitor.model.description.coordinates], 1.0, monitor.length)
-    values = np.linalg.svd(C_q / scale, compute_uv=False)
-    if not values[-1] < NEARLY_SINGULAR * values[0]:
-        return monitor.scheme.if_not_converged
-    return (
-        "The mechanism is near a singular position, where C_q loses rank and the multipliers are not determined: "
-        "take a scheme that steps over it (single_rate, rk4, dop853), or stop before it."
-    )
-
-
 at_dead_centre = partial(step_advice, below=DEAD_CENTRE)
 CHECKS: dict[str, tuple[StatusName, str, str | Callable[[Monitor], str]]] = {  # status, cause, advice
     "finite at the start": (
@@ -120,7 +104,11 @@ CHECKS: dict[str, tuple[StatusName, str, str | Callable[[Monitor], str]]] = {  #
     "growth": ("diverged", "the coordinate grows without bound", step_advice),
     "closure": ("constraints_lost", "the loop closure moves too far in one step for Newton", at_dead_centre),
     "constraints": ("constraints_lost", "a constraint no longer holds", at_dead_centre),
-    "iterations": ("iteration_failed", "the update of a step did not converge in {} iterations", _of_iterations),
+    "iterations": (
+        "iteration_failed",
+        "the update of a step did not converge in {} iterations",
+        lambda monitor: monitor.scheme.if_not_converged,
+    ),
     "least step": (
         "step_too_short",
         "the least step does not meet the tolerance behind t = {:.9g} s",

@@ -128,12 +128,6 @@ SCHEMES: dict[str, SchemeKind] = {
         "none",
         "exponential_adams:ExponentialAdamsOptions",
     ),
-    "exponential_midpoint": SchemeKind(
-        "exponential_midpoint:ExponentialMidpoint",
-        "symmetric exponential midpoint on the stiff deflections, order 2",
-        "none",
-        "exponential_midpoint:ExponentialMidpointOptions",
-    ),
     "rk4": SchemeKind(
         "baselines.runge_kutta:ClassicalRungeKutta",
         "classical Runge-Kutta, order 4",
@@ -155,18 +149,6 @@ SCHEMES: dict[str, SchemeKind] = {
     ),
     "radau": SchemeKind(
         "baselines.radau:Radau", "Radau IIA, order 5, fixed step", "none", "baselines.radau:RadauOptions"
-    ),
-    "generalized_alpha": SchemeKind(
-        "baselines.generalized_alpha:GeneralizedAlpha",
-        "generalized-alpha on all coordinates, order 2",
-        "none",
-        "baselines.generalized_alpha:GeneralizedAlphaOptions",
-    ),
-    "hht": SchemeKind(
-        "baselines.generalized_alpha:HilberHughesTaylor",
-        "Hilber-Hughes-Taylor on all coordinates, order 2",
-        "none",
-        "baselines.generalized_alpha:HilberHughesTaylorOptions",
     ),
 }
 

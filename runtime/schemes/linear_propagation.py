@@ -234,8 +234,8 @@ class StoredSystem:
 
 def _others(model: Model) -> list[str]:
     """Schemes for many coordinates."""
-    stiff = ["exponential_rk4", "exponential_midpoint"] if model.has("deflections") else []
-    return [*stiff, *(["coupled"] if len(model.groups) == 2 else []), "single_rate", "hht"]
+    stiff = ["exponential_rk4"] if model.has("deflections") else []
+    return [*stiff, *(["coupled"] if len(model.groups) == 2 else []), "single_rate"]
 
 
 def _entries(matrix: ca.SX, sparsity: ca.Sparsity) -> ca.SX:

@@ -42,8 +42,6 @@ class Scheme(ABC):
     """
 
     order: int = 2
-    closes: bool = True  # are all coordinates found from q_i by the closure, in every evaluation?
-
     damps: bool = False  # do its steps damp vibrations that they do not resolve?
     adaptive: bool = False  # are its steps as long as a tolerance asks for, and dt the time between states to be seen?
     if_not_converged: str = "Use a smaller step, a larger eps, or (printed) common_update = direct."
@@ -55,7 +53,7 @@ class Scheme(ABC):
         self._derived: dict[str, ca.Function] = {}
         self.called: dict[str, Direct] = {}  # by `direct`
         self.options = options.checked(len(grid.groups))
-        blocks = loop_blocks(model) if self.closes else 0
+        blocks = loop_blocks(model)
         common = {
             "t0": account(1),
             "n": account(1),
@@ -70,7 +68,7 @@ class Scheme(ABC):
         if model.signals.size:
             common["inputs"] = given(model.signals.size)
         self.charts = Charts(model)
-        if self.charts.size and self.closes:
+        if self.charts.size:
             common["chart"] = state(self.charts.size)
         self._fields = {**common, **self.fields()}
         self.layout = Layout({name: one.size for name, one in self._fields.items()})
@@ -80,7 +78,7 @@ class Scheme(ABC):
 
     @abstractmethod
     def fields(self) -> dict[str, StateField]:
-        """The fields of z beyond the common ones; a common one may be given another meaning."""
+        """The fields of z beyond the common ones."""
 
     @abstractmethod
     def program(self) -> Program:
@@ -395,11 +393,6 @@ def verdict(scheme: Scheme, z: np.ndarray) -> StatusName | None:
 # What an iteration can reach in double precision.
 
 ROUNDING = 4e-16  # relative, of the sums of a step
-
-
-def unseen_acceleration(position: ca.SX, velocity: ca.SX, h: ca.SX) -> ca.SX:
-    """The acceleration [m/s^2 or rad/s^2] that rounding of positions and velocities (vectors) hides in a step h [s]."""
-    return ROUNDING * (ca.norm_inf(position) / h + ca.norm_inf(velocity)) / h
 
 
 # Functions of a scheme's states, called on arrays between steps.

@@ -75,8 +75,6 @@ class MotionStage:
 class StiffMotion:
     """Motions from the start (x, v) of a step of h [s], with what they share.
 
-    halves: never go through both halves of a step at once: undamped motion that is not resolved keeps its energy better
-    over very many steps.
     decaying: modes that are not resolved die out, and one set of matrices serves the whole step and its half, where
     the approximation is of order 5 only.
     """
@@ -87,14 +85,13 @@ class StiffMotion:
         v: ca.SX,
         found: StiffResponse,
         h: ca.SX,
-        halves: bool = False,
         decaying: bool = False,
     ) -> None:
         self.x, self.v, self.a, self.B, self.h = x, v, found.a, found.B, h
         self.A, self.A_v = (ca.sparsify(-ca.mtimes(found.X, one)) for one in (found.K, found.D))
         self.J, self.J_v = (ca.sparsify(ca.mtimes(found.B.T, one)) for one in (self.A, self.A_v))
         self.rate, self._none = ca.mtimes(found.B.T, v), ca.SX.zeros(found.B.shape[1])
-        self.decaying, self.whole = decaying, decaying or (not halves and found.B.shape[1] <= FEW)
+        self.decaying, self.whole = decaying, decaying or found.B.shape[1] <= FEW
         self._back = ca.sparsify(ca.SX(np.linalg.pinv(np.array(ca.DM(found.B))).T))
         self._known: dict[tuple[int, bool], Resolvents] = {}
         often = self.whole and not decaying and self.B.shape[1]  # else inverses are shorter

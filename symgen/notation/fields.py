@@ -80,9 +80,6 @@ FIELDS: tuple[Notation, ...] = (
     Notation("J_v", "", "", "non-zeros", "SI", "J_v of the linear system"),
     Notation("lu_0", "", "", "non-zeros", "SI", "factors of r^2 M - r h J_v - h^2 J_q for the real r"),
     Notation("lu_1", "", "", "2 x non-zeros", "SI", "the same for the complex r, real parts first"),
-    Notation("x_end", "", "", "n_i", "mixed", "last iterate of q_i at the end of the step"),
-    Notation("v_end", "", "", "n_i", "mixed", "last iterate of q_i_dot there"),
-    Notation("response", "", "", "n_i (1 + n_s)", "mixed", "its forces: accelerations without K and D, M_hat^-1 B"),
     # radau
     Notation("K", "", "", "3 x n_i", "mixed", "accelerations of the three stages"),
     Notation("loop_stages", "", "", "3 x loops", "mixed", "loop unknowns of the stages"),
@@ -90,11 +87,4 @@ FIELDS: tuple[Notation, ...] = (
     Notation("stage_error", "", "", "1", "m, rad", "largest C_loop of the stages"),
     Notation("eta", "", "", "1", "1", "theta / (1 - theta), theta the ratio of two corrections"),
     Notation("correction", "", "", "1", "mixed", "largest entry of the last correction"),
-    # generalized_alpha, hht
-    Notation("q", "q", "15", "n", "mixed", "all coordinates"),
-    Notation("q_dot", "q'", "24", "n", "mixed", "their rates"),
-    Notation("q_ddot", "q''", "25", "n", "mixed", "their accelerations"),
-    Notation("q_ddot_old", "q''", "25", "n", "mixed", "those at the start of the running step"),
-    Notation("a_alpha", "", "", "n", "mixed", "Arnold and Bruls's algorithmic acceleration"),
-    Notation("lam", "lambda", "37", "kept rows", "N, N m", "multipliers"),
 )

@@ -15,7 +15,6 @@ from runtime.results.observe import assemble_solution
 from runtime.schemes.catalogue import SCHEMES
 
 Load = Callable[[str], Model]
-CLOSING = [name for name, kind in SCHEMES.items() if kind.make.closes]
 STEPS = {"four_bar": 5e-3, "slider_crank": 2e-4, "flexible_slider_crank": 4e-5, "near_singular_slider_crank": 1e-4}
 
 # where the run says that at this step its error passes a tenth of an amplitude
@@ -24,7 +23,7 @@ COARSE = {("coupled", "four_bar")}
 
 @pytest.mark.every_push("rk4-four_bar", "printed-flexible_slider_crank", "coupled-four_bar", "exponential-slider_crank")
 @pytest.mark.parametrize("name", STEPS)
-@pytest.mark.parametrize("scheme", CLOSING)
+@pytest.mark.parametrize("scheme", SCHEMES)
 def test_constraints_hold_at_both_levels(built_in: Load, name: str, scheme: str) -> None:
     """At coarse steps, prescribed motion included: C to 1e-10 m, its rate to 1e-10 of the fastest coordinate."""
     run = simulate(

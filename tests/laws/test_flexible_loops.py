@@ -103,8 +103,6 @@ SCHEMES: list[tuple[str, int | None, dict[str, Any], float, float, float]] = [
     ("exponential_rk4", None, {}, 4e-3, 4, 6.5e-8),
     ("exponential_adams", None, {}, 2e-3, 4, 7e-8),
     ("radau", None, {}, 4e-3, 5, 1.2e-7),
-    ("generalized_alpha", None, {}, 5e-4, 2, 7e-7),
-    ("hht", None, {}, 5e-4, 2, 8e-7),
 ]
 
 

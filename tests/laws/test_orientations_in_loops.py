@@ -196,7 +196,6 @@ SCHEMES: list[tuple[str, dict[str, Any], float, float, float]] = [  # scheme, se
     ("rk4", {}, 2e-3, 4, 1e-7),
     ("exponential", {"m": [2]}, 4e-3, 4, 3e-6),
     ("exponential_adams", {}, 4e-3, 4, 3e-5),
-    ("exponential_midpoint", {}, 4e-3, 2, 1e-4),
     ("radau", {}, 8e-3, 5, 3e-7),
 ]
 

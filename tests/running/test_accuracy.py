@@ -125,7 +125,6 @@ RODS = {
         3.0,
         [
             ("radau", 30, "completed"),
-            ("hht", 60, "completed"),
         ],
         "Radau",
     ),

@@ -18,7 +18,6 @@ Build = Callable[[SceneRecord], Model]
 # the Friction example of the Modelica Standard Library: F = v + 5 + 10 exp(-2 v), and 1.001 of F(0) holds
 PUBLISHED = {"coulomb": 5.0, "stribeck": 10.0, "breakaway": 15.015, "stribeck_velocity": 0.5, "viscous": 1.0}
 PULLED = {2.0: 11.498782452, 5.0: 1.768489613}
-ALL_COORDINATES = {"generalized_alpha", "hht"}
 
 
 def block(friction: dict[str, Any], pull: str | float, **simulation: Any) -> SceneRecord:
@@ -117,7 +116,7 @@ def test_force_mode_and_heat_of_a_joint_are_outputs(model_of: Build, tmp_path: P
 
 
 @pytest.mark.every_push("rk4", "single_rate", "radau")
-@pytest.mark.parametrize("scheme", [name for name in SCHEMES if name not in ALL_COORDINATES])
+@pytest.mark.parametrize("scheme", list(SCHEMES))
 def test_what_holds_holds_without_creep(model_of: Build, scheme: str) -> None:
     """100 s under a load that swings below the bound: no digit moves; regularised laws creep by millimetres."""
     model = model_of(block({"coulomb": 8.0}, "2 + 3 * sin(2 * pi * t)"))
@@ -267,13 +266,6 @@ def test_modes_are_not_inputs_of_the_user(model_of: Build) -> None:
     assert [event.text for event in stepper.events] == [event.text for event in run.events]
     many = ensemble(model, {"more": [7.0, 9.0]}, outputs=["block.x"], t_end=1.0)
     assert np.asarray(many["block.x"])[:, -1] == pytest.approx([0.0, 0.5], abs=1e-9)
-
-
-@pytest.mark.parametrize("scheme", sorted(ALL_COORDINATES))
-def test_schemes_in_all_coordinates_refuse_friction(model_of: Build, scheme: str) -> None:
-    """What sticks is an equation between q_i there."""
-    with pytest.raises(ModelError, match=r"rail\.friction of model block: sticks and slides, .*take rk4"):
-        simulate(model_of(block(PUBLISHED, 1.0)), scheme=scheme)
 
 
 @pytest.mark.parametrize(

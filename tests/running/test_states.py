@@ -65,7 +65,7 @@ CLOSED = np.array([[-(D + KP) / J, KI / J], [-1.0, 0.0]])
 REST = -np.linalg.solve(CLOSED, [KP * WANTED / J, WANTED])
 
 
-@pytest.mark.every_push("rk4", "coupled", "hht")
+@pytest.mark.every_push("rk4", "coupled")
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_every_scheme_closes_the_loop(model_of: Build, scheme: str) -> None:
     """(w, total) = x_0 + exp(A t) (0 - x_0) of the loop by hand."""

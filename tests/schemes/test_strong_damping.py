@@ -54,7 +54,7 @@ def creep(damping: float, rate: float) -> float:
 
 @pytest.mark.parametrize("rate", [0.0, -1.0])
 @pytest.mark.parametrize("damping", [1e4, 1e6, 1e8])
-@pytest.mark.parametrize("scheme", ["single_rate", "exponential", "radau", "generalized_alpha"])
+@pytest.mark.parametrize("scheme", ["single_rate", "exponential", "radau"])
 def test_strong_damping_is_right_or_named(model_of: Build, scheme: str, damping: float, rate: float) -> None:
     """Positions within 1e-4 rad of the creep and rates that have died out, or another status than completed.
 
@@ -70,7 +70,7 @@ def test_strong_damping_is_right_or_named(model_of: Build, scheme: str, damping:
         seen_every=10 * DT,
     )
     if run.status.name == "inaccurate":
-        assert rate or (scheme in ("single_rate", "generalized_alpha") and np.ptp(run.q_i) < 1e-3)
+        assert rate or (scheme == "single_rate" and np.ptp(run.q_i) < 1e-3)
     elif run.balance.resolved and run.balance.largest > damping / 100:
         # a decay too fast for any step to see leaves a rate that does not die out: the balance of energy tells it
         assert rate and scheme in ("single_rate", "exponential")
@@ -81,7 +81,7 @@ def test_strong_damping_is_right_or_named(model_of: Build, scheme: str, damping:
         assert run.status.name in ("diverged", "step_too_long", "iteration_failed")
         advice, decays = run.status.advice, damping * 3  # D / (m l^2 / 3)
         assert f"decay at {decays:.3g} 1/s" in advice and "radau" in advice and "propagation = decaying" in advice
-        assert rate or scheme == "generalized_alpha"  # without a transient there is nothing to fail on
+        assert rate  # without a transient there is nothing to fail on
 
 
 @pytest.mark.parametrize("damping", [1e4, 1e6, 1e8])

@@ -107,7 +107,7 @@ class Observation:
         self.dependent = [suffix for suffix in ORDERS if suffix in needed or f"q{suffix}" in read]
         independent = {suffix for one in self.columns for suffix in one.suffixes} | set(self.dependent)
         self.independent = [suffix for suffix in ORDERS if suffix in independent or f"q{suffix}" in read]
-        if model.q_d and scheme.closes and model.loop_unknowns and self.dependent:
+        if model.q_d and model.loop_unknowns and self.dependent:
             # the closure is looked at again, with the rates that follow from it
             self.dependent = [suffix for suffix in ORDERS if suffix in {"", "_dot", *self.dependent}]
             self.independent = [suffix for suffix in ORDERS if suffix in {"", "_dot", *self.independent}]

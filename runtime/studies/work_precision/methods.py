@@ -24,7 +24,7 @@ ONE_OF_EACH = (Method("exponential", (1,)), RADAU)
 ALL_DENSE = (
     *(Method("exponential", (m,)) for m in (1, 2, 4)),
     *(Method("exponential", (m,), {"order": 5}) for m in (1, 2)),
-    *(RADAU, Method("generalized_alpha"), Method("hht")),
+    RADAU,
 )
 WORTH_TRYING = (*ALL_DENSE[:2], *ALL_DENSE[3:5], RADAU)
 PREDICTED = Method("single_rate", None, {"common_velocity": "predictor"})
