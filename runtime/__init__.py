@@ -25,7 +25,6 @@ from typing import TYPE_CHECKING, Any
 from runtime.contract.doors import opened
 
 if TYPE_CHECKING:
-    from runtime.baselines.augmented import augmented_solution
     from runtime.baselines.scipy_methods import reference_solution
     from runtime.contract.consistent_state import InitialStateError
     from runtime.contract.errors import ModelError, SymgenError
@@ -71,7 +70,6 @@ __all__ = [
     "Status",
     "SymgenError",
     "animation",
-    "augmented_solution",
     "campbell",
     "ensemble",
     "equilibrium",
@@ -93,7 +91,6 @@ __all__ = [
 ]
 
 _HOMES = {
-    "augmented_solution": "baselines.augmented",
     "reference_solution": "baselines.scipy_methods",
     "InitialStateError": "contract.consistent_state",
     "SymgenError": "contract.errors",

@@ -16,8 +16,8 @@ from runtime import load_model
 from runtime.contract.model import Model
 from runtime.engine.c_source import Style, program_code
 from runtime.engine.choose import operations_per_step
-from runtime.engine.compiled import find_compiler
 from runtime.export.c_bundle import exported, write_c
+from runtime.export.fmu import find_compiler
 from symgen.scenes import generated_folder
 
 CASES = (

@@ -6,11 +6,11 @@ import json
 
 from benchmarks.cases.scenes import MAJOR_STEP, RATIO, pinned_rod
 from benchmarks.cases.step_case import Case, counts, difference, make_case, worker
+from benchmarks.contenders.by_c_compiler import CompiledProgram
 from benchmarks.contenders.hand_stepper import HandStepper
 from benchmarks.harness.models import workplace
 from benchmarks.harness.timing import interleave, ratio
 from runtime.engine.choose import Engine
-from runtime.engine.compiled import CompiledProgram
 from runtime.engine.native import NativeProgram
 
 AGREEMENT_STEPS = 300

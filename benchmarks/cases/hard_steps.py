@@ -10,13 +10,13 @@ from scipy.interpolate import CubicSpline
 
 from benchmarks.harness.fewest import Timed, fewest
 from benchmarks.harness.models import model_of, workplace
+from benchmarks.harness.reference import Reference
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.tolerance_runs import KEPT, Case
+from benchmarks.harness.trial import Trial
 from runtime.contract.model import Model
 from runtime.running.ladder import Method
-from runtime.studies.work_precision.methods import stiff_methods
-from runtime.studies.work_precision.reference import Reference
-from runtime.studies.work_precision.trial import Trial
+from runtime.studies.advice.methods import stiff_methods
 from symgen.scenes.hard_suite import CASES, HardCase
 
 TOLERANCE, MOST = 1e-3, 200_000

@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.cases.right_hand_side import FUNCTIONS, evaluated, routes, worker
+from benchmarks.contenders.by_c_compiler import CompiledProgram
 from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.timing import interleave
 from runtime.contract.model import Model
-from runtime.engine.compiled import CompiledProgram
 from symgen.scenes.chain import chain
 
 LINKS = 10

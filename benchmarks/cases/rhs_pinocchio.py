@@ -10,11 +10,11 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.cases.right_hand_side import FUNCTIONS, evaluated, expression, routes, worker
+from benchmarks.contenders.by_c_compiler import CompiledProgram
 from benchmarks.contenders.pinocchio_tree import Hinge, PinocchioTree, library, version
 from benchmarks.harness.models import model_of, workplace
 from benchmarks.harness.result import Line, Result
 from benchmarks.harness.timing import interleave, ratio
-from runtime.engine.compiled import CompiledProgram
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes.chain import chain
 

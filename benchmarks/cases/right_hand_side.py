@@ -7,9 +7,9 @@ from collections.abc import Callable
 import casadi as ca
 import numpy as np
 
+from benchmarks.contenders.by_c_compiler import CompiledProgram
 from benchmarks.harness.models import constants_size
 from runtime.contract.model import Model
-from runtime.engine.compiled import CompiledProgram
 from runtime.engine.program import Call, Fields, Layout, make_stage
 from runtime.schemes.sparse_lu import solve_symmetric
 from runtime.schemes.stage_equations import StageEquations

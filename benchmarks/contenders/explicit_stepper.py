@@ -7,7 +7,7 @@ from collections.abc import Callable
 import casadi as ca
 import numpy as np
 
-from runtime.engine.compiled import CompiledProgram
+from benchmarks.contenders.by_c_compiler import CompiledProgram
 from runtime.engine.prepare import Prepared, prepare
 from runtime.engine.program import Fields, Layout, make_stage
 from runtime.schemes.baselines.runge_kutta import DormandPrince8

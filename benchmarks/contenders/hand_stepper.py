@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.cases import scenes
-from runtime.engine.compiled import compile_source
+from benchmarks.contenders.by_c_compiler import compile_source
 from runtime.engine.program import Layout
 
 SOURCE = Path(__file__).parent / "hand_c" / "slider_crank.c"

@@ -10,14 +10,14 @@ from math import inf
 import casadi as ca
 import numpy as np
 
+from benchmarks.contenders.external import SLOPES, VALUES
+from benchmarks.contenders.sundials import Sundials
 from benchmarks.harness.matched import Attempt, Matched, match
+from benchmarks.harness.reference import Reference
 from runtime.baselines.condensed_ode import TO_ROUNDING, CondensedOde, start_of
 from runtime.baselines.scipy_methods import refuse_impulses
-from runtime.baselines.sundials import Sundials
 from runtime.contract.coordinates import followed, whole
-from runtime.engine.external import SLOPES, VALUES
 from runtime.engine.rows import evaluate
-from runtime.studies.work_precision.reference import Reference
 
 SAMPLES = 100
 MOST_STEPS = 10_000  # between two samples

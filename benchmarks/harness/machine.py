@@ -8,7 +8,8 @@ import subprocess
 from importlib.metadata import version
 from pathlib import Path
 
-from runtime.engine.compiled import COMMON_FLAGS, SMALL_FLAGS, find_compiler
+from benchmarks.contenders.by_c_compiler import COMMON_FLAGS, SMALL_FLAGS
+from runtime.export.fmu import find_compiler
 
 
 def describe_machine() -> dict[str, str]:

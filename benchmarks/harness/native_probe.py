@@ -12,10 +12,10 @@ from collections.abc import Callable
 
 import numpy as np
 
+from benchmarks.contenders.by_c_compiler import CompiledProgram
 from benchmarks.harness.timing import interleave, ratio
 from runtime.contract.loading import load_model
 from runtime.engine.choose import Engine
-from runtime.engine.compiled import CompiledProgram
 from runtime.engine.llvm_code import host
 from runtime.engine.native import NativeProgram
 from runtime.engine.prepare import prepare

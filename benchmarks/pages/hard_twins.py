@@ -21,9 +21,9 @@ import numpy as np
 from benchmarks.cases.hard_by_points import BY_POINTS
 from benchmarks.harness import figures
 from runtime import Model, Solution, SymgenError, load_model, reference_solution
-from runtime.baselines.augmented import augmented_solution
 from symgen.generate import generate
 from symgen.scenes.hard_suite import HARD_SUITE, HardCase
+from tests.support.augmented import augmented_run
 
 SAMPLES = 41
 RTOL, ATOL = 1e-9, 1e-12
@@ -49,7 +49,7 @@ def compared(case: HardCase, by_points: bool) -> tuple[float, str, float]:
 
 def augmented(case: HardCase, model: Model, condensed: Solution, motion: dict[str, Any]) -> dict[str, np.ndarray]:
     """Graded coordinates over time by the emitted functions in all coordinates."""
-    twin = augmented_solution(model, **motion, start=case.start, rtol=RTOL, atol=ATOL)
+    twin = augmented_run(model, **motion, start=case.start, rtol=RTOL, atol=ATOL)
     return {name: twin[name] for name in case.graded}
 
 

@@ -101,10 +101,10 @@ stepped, checked and judged.
 {start[0]}
 
 - [First steps](guide/first-steps.md), then the [gallery](gallery.md)
-- [Which method is fast enough?](guide/schemes.md) Error against CPU time for your own model
+- [Which method is fast enough?](guide/schemes.md) Error against operations for your own model
 - [Coming from another program](guide/coming-from.md)
 
-[![Error against CPU time](images/report_page.png)](guide/schemes.md)
+[![Error against operations](images/advice.png)](guide/schemes.md)
 """
 
 

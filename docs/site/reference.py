@@ -32,7 +32,6 @@ TOPICS: dict[str, list[str]] = {
     "Judging": [
         "runtime.studies.advice.advise.advise",
         "runtime.baselines.scipy_methods.reference_solution",
-        "runtime.baselines.augmented.augmented_solution",
     ],
     "Pictures": [
         "runtime.views.plots",

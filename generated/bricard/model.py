@@ -2198,7 +2198,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q (Eq. 28).
 
     takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 40) [mixed]: rates of all coordinates
@@ -2209,7 +2209,7 @@ def augmented() -> ca.Function:
     gives Q_F (n = 40) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 40) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 40 x 40) [SI]: constraint Jacobian
-    gives gamma_b (n_c = 40) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    gives gamma (n_c = 40) [m/s^2, rad/s^2]: right-hand side at acceleration level
     1884 operations.
     """
     q = ca.SX.sym("q", 40)
@@ -3573,7 +3573,7 @@ def augmented() -> ca.Function:
     C_q[39, 32] = w210 * w498 - w503
     C_q[39, 33] = w504 - w497
     C_q[39, 34] = w215 * w498 - w199 * w496
-    gamma_b = ca.vertcat(
+    gamma = ca.vertcat(
         w525 * (w508 * w525) * c46,  # hinge0.e0
         w528,  # hinge0.e1
         w525 * (w506 * w525) * c31,  # hinge0.e2
@@ -3615,8 +3615,8 @@ def augmented() -> ca.Function:
         w612 * w614 - w610 * w611,  # hinge5.y
         w610 * w613 - w609 * w614,  # hinge5.z
     )
-    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma)]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma"])
 
 
 def reactions() -> ca.Function:

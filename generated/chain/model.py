@@ -907,7 +907,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q (Eq. 28).
 
     takes q (n = 30) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 30) [mixed]: rates of all coordinates
@@ -918,7 +918,7 @@ def augmented() -> ca.Function:
     gives Q_F (n = 30) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 30) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 20 x 30) [SI]: constraint Jacobian
-    gives gamma_b (n_c = 20) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    gives gamma (n_c = 20) [m/s^2, rad/s^2]: right-hand side at acceleration level
     163 operations.
     """
     q = ca.SX.sym("q", 30)
@@ -1369,7 +1369,7 @@ def augmented() -> ca.Function:
     C_q[19, 25] = -1.0
     C_q[19, 26] = -w105
     C_q[19, 28] = 1.0
-    gamma_b = ca.vertcat(
+    gamma = ca.vertcat(
         0.0,  # hinge1.x
         0.0,  # hinge1.y
         -(w48 * w89),  # hinge2.x
@@ -1391,8 +1391,8 @@ def augmented() -> ca.Function:
         -(w72 * w105),  # hinge10.x
         -(w72 * w104),  # hinge10.y
     )
-    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma)]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma"])
 
 
 def reactions() -> ca.Function:

@@ -233,7 +233,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q (Eq. 28).
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
@@ -244,7 +244,7 @@ def augmented() -> ca.Function:
     gives Q_F (n = 6) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 6) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 4 x 6) [SI]: constraint Jacobian
-    gives gamma_b (n_c = 4) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    gives gamma (n_c = 4) [m/s^2, rad/s^2]: right-hand side at acceleration level
     27 operations.
     """
     q = ca.SX.sym("q", 6)
@@ -343,11 +343,11 @@ def augmented() -> ca.Function:
     C_q[3, 1] = -1.0
     C_q[3, 2] = -w17
     C_q[3, 4] = 1.0
-    gamma_b = ca.SX(4, 1)
-    gamma_b[2] = -(w8 * w17)  # elbow.x
-    gamma_b[3] = -(w8 * w16)  # elbow.y
-    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+    gamma = ca.SX(4, 1)
+    gamma[2] = -(w8 * w17)  # elbow.x
+    gamma[3] = -(w8 * w16)  # elbow.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma)]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma"])
 
 
 def reactions() -> ca.Function:

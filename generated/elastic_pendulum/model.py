@@ -86,7 +86,7 @@ def condensed() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q (Eq. 28).
 
     takes q (n = 3) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 3) [mixed]: rates of all coordinates

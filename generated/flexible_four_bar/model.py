@@ -678,7 +678,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q (Eq. 28).
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
@@ -689,7 +689,7 @@ def augmented() -> ca.Function:
     gives Q_F (n = 13) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 13) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 8 x 13) [SI]: constraint Jacobian
-    gives gamma_b (n_c = 8) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    gives gamma (n_c = 8) [m/s^2, rad/s^2]: right-hand side at acceleration level
     274 operations.
     """
     q = ca.SX.sym("q", 13)
@@ -985,13 +985,13 @@ def augmented() -> ca.Function:
     C_q[6, 8] = 1.0
     # D.y
     C_q[7, 9] = 1.0
-    gamma_b = ca.SX(8, 1)
-    gamma_b[2] = -(w57 * w68)  # B.x
-    gamma_b[3] = -(w56 * w68)  # B.y
-    gamma_b[4] = w31 * (w0 * w69) - (w4 * w70 + w30 * w62) - (w41 * (w15 * w71) - (w19 * w72 + w40 * w67))  # C.x
-    gamma_b[5] = w15 * w72 + w41 * (w19 * w71) + w40 * w66 - (w0 * w70 + w31 * (w4 * w69) + w30 * w61)  # C.y
-    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+    gamma = ca.SX(8, 1)
+    gamma[2] = -(w57 * w68)  # B.x
+    gamma[3] = -(w56 * w68)  # B.y
+    gamma[4] = w31 * (w0 * w69) - (w4 * w70 + w30 * w62) - (w41 * (w15 * w71) - (w19 * w72 + w40 * w67))  # C.x
+    gamma[5] = w15 * w72 + w41 * (w19 * w71) + w40 * w66 - (w0 * w70 + w31 * (w4 * w69) + w30 * w61)  # C.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma)]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma"])
 
 
 def reactions() -> ca.Function:

@@ -317,7 +317,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q (Eq. 28).
 
     takes q (n = 12) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 12) [mixed]: rates of all coordinates
@@ -329,7 +329,7 @@ def augmented() -> ca.Function:
     gives Q_F (n = 12) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 12) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 8 x 12) [SI]: constraint Jacobian
-    gives gamma_b (n_c = 8) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    gives gamma (n_c = 8) [m/s^2, rad/s^2]: right-hand side at acceleration level
     42 operations.
     """
     q = ca.SX.sym("q", 12)
@@ -482,13 +482,13 @@ def augmented() -> ca.Function:
     C_q[7, 1] = -1.0
     C_q[7, 2] = w23
     C_q[7, 10] = 1.0
-    gamma_b = ca.SX(8, 1)
-    gamma_b[4] = w24  # joint2.x
-    gamma_b[5] = w25  # joint2.y
-    gamma_b[6] = w24  # motor2.x
-    gamma_b[7] = w25  # motor2.y
-    inputs, outputs = [q, q_dot, t, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+    gamma = ca.SX(8, 1)
+    gamma[4] = w24  # joint2.x
+    gamma[5] = w25  # joint2.y
+    gamma[6] = w24  # motor2.x
+    gamma[7] = w25  # motor2.y
+    inputs, outputs = [q, q_dot, t, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma)]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma"])
 
 
 def reactions() -> ca.Function:

@@ -1204,7 +1204,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q (Eq. 28).
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
@@ -1215,7 +1215,7 @@ def augmented() -> ca.Function:
     gives Q_F (n = 32) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 32) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 28 x 32) [SI]: constraint Jacobian
-    gives gamma_b (n_c = 28) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    gives gamma (n_c = 28) [m/s^2, rad/s^2]: right-hand side at acceleration level
     1675 operations.
     """
     q = ca.SX.sym("q", 32)
@@ -2278,7 +2278,7 @@ def augmented() -> ca.Function:
     C_q[27, 5] = w412 - w399
     C_q[27, 6] = w19 * w400 - w6 * w398
     C_q[27, 23] = 1.0
-    gamma_b = ca.vertcat(
+    gamma = ca.vertcat(
         -(w415 * w428),  # spin.e0
         0.0,  # spin.e1
         0.0,  # spin.e2
@@ -2308,8 +2308,8 @@ def augmented() -> ca.Function:
         w432 * w477 - w430 * w475,  # left_swing.y
         w430 * w476 - w429 * w477,  # left_swing.z
     )
-    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma)]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma"])
 
 
 def reactions() -> ca.Function:

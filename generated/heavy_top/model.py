@@ -395,7 +395,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q (Eq. 28).
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
@@ -406,7 +406,7 @@ def augmented() -> ca.Function:
     gives Q_F (n = 7) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 7) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 4 x 7) [SI]: constraint Jacobian
-    gives gamma_b (n_c = 4) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    gives gamma (n_c = 4) [m/s^2, rad/s^2]: right-hand side at acceleration level
     201 operations.
     """
     q = ca.SX.sym("q", 7)
@@ -539,14 +539,14 @@ def augmented() -> ca.Function:
         ca.horzcat(0.0, 0.0, 1.0, w0 * w38 - w42, w44 - w7 * w40, w39 - w45, w5 * w38 - w0 * w40),  # foot.z
         ca.horzcat(0.0, 0.0, 0.0, top_e0, top_e1, top_e2, top_e3),  # top.norm
     )
-    gamma_b = ca.vertcat(
+    gamma = ca.vertcat(
         w49 * w50 - w46 * w48,  # foot.x
         w47 * w48 - w49 * w51,  # foot.y
         w46 * w51 - w47 * w50,  # foot.z
         -(top_e0_dot**2 + top_e1_dot**2 + top_e2_dot**2 + top_e3_dot**2),  # top.norm
     )
-    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma)]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma"])
 
 
 def reactions() -> ca.Function:

@@ -543,7 +543,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q (Eq. 28).
 
     takes q (n = 15) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 15) [mixed]: rates of all coordinates
@@ -554,7 +554,7 @@ def augmented() -> ca.Function:
     gives Q_F (n = 15) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 15) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 14 x 15) [SI]: constraint Jacobian
-    gives gamma_b (n_c = 14) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    gives gamma (n_c = 14) [m/s^2, rad/s^2]: right-hand side at acceleration level
     84 operations.
     """
     q = ca.SX.sym("q", 15)
@@ -807,17 +807,17 @@ def augmented() -> ca.Function:
     C_q[12, 12] = 1.0
     # A2.y
     C_q[13, 13] = 1.0
-    gamma_b = ca.SX(14, 1)
-    gamma_b[2] = -(w25 * w46)  # B0.x
-    gamma_b[3] = -(w25 * w45)  # B0.y
-    gamma_b[4] = w55 - w28 * w48  # C1.x
-    gamma_b[5] = w56 - w28 * w47  # C1.y
-    gamma_b[8] = -w55  # B1.x
-    gamma_b[9] = -w56  # B1.y
-    gamma_b[10] = w37 * w54 - w34 * w52  # C2.x
-    gamma_b[11] = w37 * w53 - w34 * w51  # C2.y
-    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+    gamma = ca.SX(14, 1)
+    gamma[2] = -(w25 * w46)  # B0.x
+    gamma[3] = -(w25 * w45)  # B0.y
+    gamma[4] = w55 - w28 * w48  # C1.x
+    gamma[5] = w56 - w28 * w47  # C1.y
+    gamma[8] = -w55  # B1.x
+    gamma[9] = -w56  # B1.y
+    gamma[10] = w37 * w54 - w34 * w52  # C2.x
+    gamma[11] = w37 * w53 - w34 * w51  # C2.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma)]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma"])
 
 
 def reactions() -> ca.Function:

@@ -128,7 +128,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q (Eq. 28).
 
     takes q (n = 3) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 3) [mixed]: rates of all coordinates
@@ -139,7 +139,7 @@ def augmented() -> ca.Function:
     gives Q_F (n = 3) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 3) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 2 x 3) [SI]: constraint Jacobian
-    gives gamma_b (n_c = 2) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    gives gamma (n_c = 2) [m/s^2, rad/s^2]: right-hand side at acceleration level
     10 operations.
     """
     q = ca.SX.sym("q", 3)
@@ -175,9 +175,9 @@ def augmented() -> ca.Function:
     C_q[0, 0] = 1.0
     # hinge.y
     C_q[1, 1] = 1.0
-    gamma_b = ca.SX(2, 1)
-    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+    gamma = ca.SX(2, 1)
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma)]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma"])
 
 
 def reactions() -> ca.Function:

@@ -317,7 +317,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q (Eq. 28).
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
@@ -328,7 +328,7 @@ def augmented() -> ca.Function:
     gives Q_F (n = 9) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 9) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 8 x 9) [SI]: constraint Jacobian
-    gives gamma_b (n_c = 8) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    gives gamma (n_c = 8) [m/s^2, rad/s^2]: right-hand side at acceleration level
     34 operations.
     """
     q = ca.SX.sym("q", 9)
@@ -451,13 +451,13 @@ def augmented() -> ca.Function:
     C_q[7, 4] = -1.0
     C_q[7, 5] = -w21
     C_q[7, 7] = 1.0
-    gamma_b = ca.SX(8, 1)
-    gamma_b[2] = -(w10 * w19)  # B.x
-    gamma_b[3] = -(w10 * w18)  # B.y
-    gamma_b[6] = -(w13 * w21)  # C.x
-    gamma_b[7] = -(w13 * w20)  # C.y
-    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+    gamma = ca.SX(8, 1)
+    gamma[2] = -(w10 * w19)  # B.x
+    gamma[3] = -(w10 * w18)  # B.y
+    gamma[6] = -(w13 * w21)  # C.x
+    gamma[7] = -(w13 * w20)  # C.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma)]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma"])
 
 
 def reactions() -> ca.Function:

@@ -973,7 +973,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q (Eq. 28).
 
     takes q (n = 21) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 21) [mixed]: rates of all coordinates
@@ -984,7 +984,7 @@ def augmented() -> ca.Function:
     gives Q_F (n = 21) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 21) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 12 x 21) [SI]: constraint Jacobian
-    gives gamma_b (n_c = 12) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    gives gamma (n_c = 12) [m/s^2, rad/s^2]: right-hand side at acceleration level
     763 operations.
     """
     q = ca.SX.sym("q", 21)
@@ -1620,7 +1620,7 @@ def augmented() -> ca.Function:
     C_q[11, 18] = link3_e1
     C_q[11, 19] = link3_e2
     C_q[11, 20] = link3_e3
-    gamma_b = ca.vertcat(
+    gamma = ca.vertcat(
         0.0,  # joint1.x
         0.0,  # joint1.y
         0.0,  # joint1.z
@@ -1634,8 +1634,8 @@ def augmented() -> ca.Function:
         -(link2_e0_dot**2 + link2_e1_dot**2 + link2_e2_dot**2 + link2_e3_dot**2),  # link2.norm
         -(link3_e0_dot**2 + link3_e1_dot**2 + link3_e2_dot**2 + link3_e3_dot**2),  # link3.norm
     )
-    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma)]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma"])
 
 
 def reactions() -> ca.Function:

@@ -3131,7 +3131,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q (Eq. 28).
 
     takes q (n = 31) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 31) [mixed]: rates of all coordinates
@@ -3142,7 +3142,7 @@ def augmented() -> ca.Function:
     gives Q_F (n = 31) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 31) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 24 x 31) [SI]: constraint Jacobian
-    gives gamma_b (n_c = 24) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    gives gamma (n_c = 24) [m/s^2, rad/s^2]: right-hand side at acceleration level
     2786 operations.
     """
     q = ca.SX.sym("q", 31)
@@ -4508,23 +4508,23 @@ def augmented() -> ca.Function:
     C_q[23, 23] = w285 * rod_big_end_shape_2_2
     C_q[23, 24] = w284 * rod_big_end_shape_1_3
     C_q[23, 25] = w285 * rod_big_end_shape_2_4
-    gamma_b = ca.SX(24, 1)
-    gamma_b[0] = w548 * crank_axle_quaternion_0_0_0 - w552  # axle.e0
-    gamma_b[1] = w655  # axle.e1
-    gamma_b[2] = w553  # axle.e2
-    gamma_b[3] = w554  # axle.e3
-    gamma_b[14] = w623 + (slider_e0 * w609 - (slider_e1 * w612 + slider_e2 * w615 + slider_e3 * w618) + w623)  # fork.e0
-    gamma_b[15] = w624 + (slider_e0 * w612 + slider_e1 * w609 + (slider_e2 * w618 - slider_e3 * w615) + w624)  # fork.e1
-    gamma_b[16] = w625 + (slider_e0 * w615 + slider_e2 * w609 + (slider_e3 * w612 - slider_e1 * w618) + w625)  # fork.e2
-    gamma_b[17] = w626 + (slider_e0 * w618 + slider_e3 * w609 + (slider_e1 * w615 - slider_e2 * w612) + w626)  # fork.e3
-    gamma_b[18] = w633 * w635 - w627 * w632  # fork.x
-    gamma_b[19] = w628 * w632 - w633 * w637  # fork.y
-    gamma_b[20] = w627 * w637 - w628 * w635  # fork.z
-    gamma_b[21] = w638 * w640 - w641 * w642 - (w627 * w646 - w633 * w648)  # pin.x
-    gamma_b[22] = w641 * w649 - w639 * w640 - (w633 * w651 - w628 * w646)  # pin.y
-    gamma_b[23] = w639 * w642 - w638 * w649 - (w628 * w648 - w627 * w651)  # pin.z
-    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+    gamma = ca.SX(24, 1)
+    gamma[0] = w548 * crank_axle_quaternion_0_0_0 - w552  # axle.e0
+    gamma[1] = w655  # axle.e1
+    gamma[2] = w553  # axle.e2
+    gamma[3] = w554  # axle.e3
+    gamma[14] = w623 + (slider_e0 * w609 - (slider_e1 * w612 + slider_e2 * w615 + slider_e3 * w618) + w623)  # fork.e0
+    gamma[15] = w624 + (slider_e0 * w612 + slider_e1 * w609 + (slider_e2 * w618 - slider_e3 * w615) + w624)  # fork.e1
+    gamma[16] = w625 + (slider_e0 * w615 + slider_e2 * w609 + (slider_e3 * w612 - slider_e1 * w618) + w625)  # fork.e2
+    gamma[17] = w626 + (slider_e0 * w618 + slider_e3 * w609 + (slider_e1 * w615 - slider_e2 * w612) + w626)  # fork.e3
+    gamma[18] = w633 * w635 - w627 * w632  # fork.x
+    gamma[19] = w628 * w632 - w633 * w637  # fork.y
+    gamma[20] = w627 * w637 - w628 * w635  # fork.z
+    gamma[21] = w638 * w640 - w641 * w642 - (w627 * w646 - w633 * w648)  # pin.x
+    gamma[22] = w641 * w649 - w639 * w640 - (w633 * w651 - w628 * w646)  # pin.y
+    gamma[23] = w639 * w642 - w638 * w649 - (w628 * w648 - w627 * w651)  # pin.z
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma)]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma"])
 
 
 def reactions() -> ca.Function:

@@ -542,7 +542,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q (Eq. 28).
 
     takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 8) [mixed]: rates of all coordinates
@@ -554,7 +554,7 @@ def augmented() -> ca.Function:
     gives Q_F (n = 8) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 8) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 3 x 8) [SI]: constraint Jacobian
-    gives gamma_b (n_c = 3) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    gives gamma (n_c = 3) [m/s^2, rad/s^2]: right-hand side at acceleration level
     293 operations.
     """
     q = ca.SX.sym("q", 8)
@@ -792,9 +792,9 @@ def augmented() -> ca.Function:
     C_q[1, 1] = 1.0
     # spin.angle
     C_q[2, 2] = 1.0
-    gamma_b = ca.vertcat(0.0, 0.0, ca.if_else(t < ramp, (1.0 - ca.cos(t * 6.283185307179586 / ramp) * c14) * c13, 0))
-    inputs, outputs = [q, q_dot, t, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+    gamma = ca.vertcat(0.0, 0.0, ca.if_else(t < ramp, (1.0 - ca.cos(t * 6.283185307179586 / ramp) * c14) * c13, 0))
+    inputs, outputs = [q, q_dot, t, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma)]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma"])
 
 
 def reactions() -> ca.Function:

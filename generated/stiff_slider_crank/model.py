@@ -477,7 +477,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q (Eq. 28).
 
     takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 13) [mixed]: rates of all coordinates
@@ -488,7 +488,7 @@ def augmented() -> ca.Function:
     gives Q_F (n = 13) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 13) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 8 x 13) [SI]: constraint Jacobian
-    gives gamma_b (n_c = 8) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    gives gamma (n_c = 8) [m/s^2, rad/s^2]: right-hand side at acceleration level
     141 operations.
     """
     q = ca.SX.sym("q", 13)
@@ -719,13 +719,13 @@ def augmented() -> ca.Function:
     C_q[7, 5] = -w44
     C_q[7, 9] = w5 * c32
     C_q[7, 11] = 1.0
-    gamma_b = ca.SX(8, 1)
-    gamma_b[2] = -(w26 * w41)  # B.x
-    gamma_b[3] = -(w26 * w40)  # B.y
-    gamma_b[6] = -(w29 * w44 + w30 * (w5 * w45))  # C.x
-    gamma_b[7] = w30 * (w7 * w45) - w29 * w43  # C.y
-    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+    gamma = ca.SX(8, 1)
+    gamma[2] = -(w26 * w41)  # B.x
+    gamma[3] = -(w26 * w40)  # B.y
+    gamma[6] = -(w29 * w44 + w30 * (w5 * w45))  # C.x
+    gamma[7] = w30 * (w7 * w45) - w29 * w43  # C.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma)]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma"])
 
 
 def reactions() -> ca.Function:

@@ -254,7 +254,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q (Eq. 28).
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
@@ -265,7 +265,7 @@ def augmented() -> ca.Function:
     gives Q_F (n = 7) [N, N m]: force of loads, weight and damping in all coordinates
     gives Q_star (n = 7) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
     gives C_q (n_c x n = 1 x 7) [SI]: constraint Jacobian
-    gives gamma_b (n_c = 1) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    gives gamma (n_c = 1) [m/s^2, rad/s^2]: right-hand side at acceleration level
     124 operations.
     """
     q = ca.SX.sym("q", 7)
@@ -371,9 +371,9 @@ def augmented() -> ca.Function:
     C_q[0, 4] = body_e1
     C_q[0, 5] = body_e2
     C_q[0, 6] = body_e3
-    gamma_b = ca.vertcat(-(body_e0_dot**2 + body_e1_dot**2 + body_e2_dot**2 + body_e3_dot**2))
-    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+    gamma = ca.vertcat(-(body_e0_dot**2 + body_e1_dot**2 + body_e2_dot**2 + body_e3_dot**2))
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma)]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma"])
 
 
 def reactions() -> ca.Function:

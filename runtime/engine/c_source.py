@@ -94,14 +94,10 @@ _PARTNER = {ca.OP_SIN: ca.OP_COS, ca.OP_COS: ca.OP_SIN}
 
 @dataclass(frozen=True)
 class Style:
-    """How code is called and computes: prefix of its names; own: sin, cos and exp of runtime/engine/mathematics.py.
-
-    tables: are their numbers written out, or are they arrays of this process?
-    """
+    """How code is called and computes: prefix of its names; own: sin, cos and exp of runtime/engine/mathematics.py."""
 
     prefix: str = ""
     own: bool = False
-    tables: bool = False
 
 
 @dataclass(frozen=True)
@@ -113,19 +109,10 @@ class Code:
     tables: tuple[float, ...] = ()
 
 
-def program_source(program: Program) -> str:
-    """C source with `void run(double *z, const double *c, double *w, long n)`, which applies the program n times.
-
-    w: of `work_size` entries, for one call at a time.
-    """
-    code = program_code("run", program, Style())
-    return source([code], Style()) + f"const long work_size = {code.work};\n"
-
-
 def source(parts: Sequence[Code], style: Style, between: str = "") -> str:
     """The text of a file: includes, what the parts call, something between, the parts."""
     marks = dict.fromkeys(mark for part in parts for mark in part.tables)
-    text = "\n".join([*(table_c(mark, style.prefix, style.tables) for mark in marks), *(part.text for part in parts)])
+    text = "\n".join([*(table_c(mark, style.prefix) for mark in marks), *(part.text for part in parts)])
     called = [one.format(style.prefix) for name, one in _CHOICES.items() if f"{style.prefix}{name}(" in text]
     return "\n".join([HEAD, *called, between, text])
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Protocol, cast
+from typing import Protocol
 
 import numpy as np
 
@@ -15,8 +15,8 @@ from runtime.engine.native import NativeProgram
 from runtime.engine.program import Program, Repeat, Until
 
 # auto: compiled where LLVM is there; compiled-library: with sin, cos and exp of the C library, equal to interpreted bit
-# for bit; c: by the machine's C compiler, a second opinion
-ENGINES = ("auto", "compiled", "interpreted", "compiled-library", "c")
+# for bit
+ENGINES = ("auto", "compiled", "interpreted", "compiled-library")
 
 
 class Engine(Protocol):
@@ -73,8 +73,6 @@ def choose_engine(
     """
     if requested not in ENGINES:
         raise ArgumentError(f"engine must be one of {', '.join(ENGINES)}, not {requested!r}")
-    if requested == "c":
-        return cast(Engine, opened("runtime.engine.compiled:CompiledProgram")(program))
     missing = find_llvm() if requested == "auto" else ""
     if requested == "interpreted" or missing:
         engine: Engine = opened("runtime.engine.interpreted:InterpretedProgram")(program, z_size, c_size)

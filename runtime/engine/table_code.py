@@ -1,14 +1,14 @@
-"""Tables in machine code: one function each, LLVM IR for any number of lanes or C, over arrays of this process.
+"""Tables in machine code: one function each, LLVM IR for any number of lanes or C.
 
-The same operations in the same order as runtime/contract/tables.py says. Code holds no numbers of tables but where to
-look; a program's code lists the marks of its tables (`table_marks`) and has room for the addresses of their arrays
+The same operations in the same order as runtime/contract/tables.py says. C has the numbers of its tables written out.
+Code by LLVM holds no numbers but where to look, in arrays of this process; it lists the marks of its tables
+(`table_marks`) and has room for the addresses of their arrays
 (`table_arrays`: knots, powers, starts of each), which are filled in when it is loaded.
 """
 
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Iterable
 from functools import cache
 from typing import Any
 
@@ -42,13 +42,6 @@ def bind_native(engine: Any) -> None:
         marks = (ctypes.c_int64 * count).from_address(engine.get_global_value_address(MARKS))
         room = (ctypes.c_void_p * (PLACES * count)).from_address(engine.get_global_value_address(ARRAYS))
         room[:] = [address for value in marks for address in arrays(float(value))]
-
-
-def bind_library(library: ctypes.CDLL, values: Iterable[float]) -> None:
-    """The same for a shared library of C."""
-    for value in values:
-        room = (ctypes.c_void_p * PLACES).in_dll(library, f"{ARRAYS}_{int(value)}")
-        room[:] = list(arrays(value))
 
 
 def table_name(value: float) -> str:
@@ -129,17 +122,12 @@ class _Lines:
         return self.line(f"{gather}({kind} {places}, i32 8, {self.lanes.bit} {self.lanes.true}, {D} poison)")
 
 
-def table_c(value: float, prefix: str = "", written: bool = False) -> str:
-    """C of the function of a table, and of its arrays: their place, or written out."""
+def table_c(value: float, prefix: str = "") -> str:
+    """C of the function of a table, and of its arrays, whose numbers are written out."""
     (table, order), name = marked(value), prefix + table_name(value)
-    degree, places = len(table.coefficients(order)), [f"{prefix}{ARRAYS}_{int(value)}[{k}]" for k in range(PLACES)]
-    if written:
-        places = [f"{name}_{what}" for what in ("knots", "powers", "starts")]
-        arrays = [_written(*one) for one in zip(places, _arrays(value), strict=True) if one[1].size]
-    else:
-        arrays = [f"const double *{ARRAYS}_{int(value)}[{PLACES}];"]
+    degree, places = len(table.coefficients(order)), [f"{name}_{what}" for what in ("knots", "powers", "starts")]
     lines = [
-        *arrays,
+        *(_written(*one) for one in zip(places, _arrays(value), strict=True) if one[1].size),
         f"static double {name}(double x) {{",
         f"  const double *knots = {places[0]}, *powers = {places[1]};",
         f"  const double inside = {prefix}smaller(x, {table.last!r});",

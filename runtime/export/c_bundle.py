@@ -132,7 +132,7 @@ def write_all(files: Mapping[str, str], folder: str | Path) -> list[Path]:
 
 def c_files(one: Exported) -> dict[str, str]:
     """NAME.h and NAME.c."""
-    stem, style = one.prefix[:-1], Style(one.prefix, own=True, tables=True)
+    stem, style = one.prefix[:-1], Style(one.prefix, own=True)
     code = _functions(one)
     head = f'#include "{stem}.h"\n\n'
     own = own_c("".join(part.text for part in code.values()), one.prefix)
@@ -154,7 +154,7 @@ def c_files(one: Exported) -> dict[str, str]:
 def _functions(one: Exported) -> dict[str, Code]:
     """What stands behind the doors by name, static functions but for `step`."""
     p, scheme = one.prefix, one.scheme
-    own = Style(p, own=True, tables=True)
+    own = Style(p, own=True)
     library = replace(own, own=False)
     starter, arguments = _starter(scheme)
     names = [quantity.name for quantity in one.outputs]

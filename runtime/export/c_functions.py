@@ -31,7 +31,7 @@ def function_files(model: Model, functions: Sequence[str] | None = None, name: s
     """
     wanted = list(functions) if functions else [one for one in USUAL if model.has(one)]
     stem = re.sub(r"\W", "_", name or model.name)
-    style, declared = Style(f"{stem}_", tables=True), list[str]()
+    style, declared = Style(f"{stem}_"), list[str]()
     code = []
     for one in dict.fromkeys(["constants", *wanted]):
         kernel = model.kernel(one)

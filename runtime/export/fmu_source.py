@@ -76,7 +76,7 @@ def fmu_source(one: Exported, fmi: int, token: str) -> str:
     states, shown = state_names(model), [quantity.name for quantity in one.outputs]
     rates = [name.removesuffix("_dot") + ("_ddot" if name.endswith("_dot") else "_dot") for name in states]
     inputs = [quantity.name for quantity in one.inputs]
-    style, code = Style(p, tables=True), []
+    style, code = Style(p), []
     if states:
         ode, along = equations(one)
         code = [

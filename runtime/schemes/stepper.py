@@ -122,7 +122,7 @@ def kept_stepper(scheme: Scheme, engine: str = "auto", wait: bool = False) -> St
 
     Its `scheme` is to be used in place of the one given: what was built of that is there already. Alike are schemes of
     a kind with the same groups, ratios, options and fields of z, whatever their steps: these are data of a program.
-    What a C compiler made is not kept; the oldest goes first.
+    The oldest goes first.
     """
     known: dict[tuple[Any, ...], Stepper] = scheme.model.steppers
     alike = (repr(scheme.grid.groups), repr(scheme.grid.m), repr(scheme.options), repr(scheme.layout.sizes))
@@ -134,7 +134,7 @@ def kept_stepper(scheme: Scheme, engine: str = "auto", wait: bool = False) -> St
             return found if found.scheme.grid == scheme.grid else _with_steps(found, scheme.grid)
     stepper = Stepper(scheme, engine, wait)
     _ = stepper.sub_step_cost  # counted once: copies with other steps take it along
-    if stepper.engine.name != "c" and stepper.operations <= MOST_OPERATIONS:
+    if stepper.operations <= MOST_OPERATIONS:
         with _LOCK:
             known[key] = stepper
             while sum(one.operations for one in known.values()) > MOST_OPERATIONS:

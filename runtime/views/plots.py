@@ -475,3 +475,26 @@ def _over(figure: NotebookFigure, ax: Axes, varied: Mapping[str, np.ndarray], fo
         return
     points = ax.scatter(varied[names[0]], found, c=varied[names[1]], s=8, cmap="viridis", linewidths=0, zorder=3)
     figure.colorbar(points, ax=ax, label=names[1], pad=0.01)
+
+
+# ---- The picture of advice: error against operations, a curve a method.
+
+MARKERS = "osD^vP*X<>hp"
+
+
+def work_precision(
+    title: str, ladders: Mapping[str, np.ndarray], tolerance: float, path: str | Path | None = None
+) -> NotebookFigure:
+    """Error over operations of every rung: of each method (N, 2), operations and error. Raises OutputError."""
+    figure, (ax,) = grid(1, title)
+    for k, (name, rungs) in enumerate(ladders.items()):
+        seen = rungs[np.isfinite(rungs).all(axis=1)]
+        if len(seen):
+            style = {"color": COLOURS[k % len(COLOURS)], "marker": MARKERS[k % len(MARKERS)], "ms": 4, "lw": 1.2}
+            ax.loglog(*seen.T, label=name, **style)
+    ax.axhline(tolerance, color="0.4", lw=0.8, ls="--", label="tolerance")
+    ax.set_xlabel("operations", fontsize=9)
+    ax.set_ylabel("error of the motion, of its amplitudes", fontsize=9)
+    legend(ax)
+    finish(figure, path)
+    return figure

@@ -201,8 +201,8 @@ def exit_code(solution: Solution) -> int:
     return INTERRUPTED if solution.status.name == "interrupted" else FAILED
 
 
-def summary(solution: Solution, judged: float | None = None) -> list[str]:
-    """A few lines on a run for a person. judged: its error, where a reference knows it better than its estimate."""
+def summary(solution: Solution) -> list[str]:
+    """A few lines on a run for a person."""
     from runtime.contract.coordinates import followed
 
     model, stats = solution.model, solution.stats
@@ -220,13 +220,11 @@ def summary(solution: Solution, judged: float | None = None) -> list[str]:
             f"the energy balance is off by {balance.largest / scale:.2g} of the energy in motion: the step is too long "
             "for the scheme; take a smaller one, or compare with --scheme single_rate"
         )
-    if judged is not None:
-        lines.append(f"error: {judged:.2g} of the amplitudes, RMS over the motion, against the comparison's reference")
-    elif "error" in stats:
+    if "error" in stats:
         lines.append(f"measured error: {float(stats['error']):.2g} of the amplitude of {stats['error_of']}")
     elif "error_not_measured" in stats:
         lines.append(f"error not measured: {stats['error_not_measured']}")
-    if "remark" in stats and judged is None:
+    if "remark" in stats:
         lines.append(str(stats["remark"]))
     lines += [str(event) for event in solution.events]
     if stats.get("initial_changes", "none") != "none":

@@ -1,9 +1,8 @@
-"""`symgen sweep`, `stability`, `periodic`, `advise`, `report`: many runs of a scene."""
+"""`symgen sweep`, `stability`, `periodic`, `advise`: many runs of a scene."""
 
 from __future__ import annotations
 
 import argparse
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,8 +15,6 @@ if TYPE_CHECKING:
     from runtime.orbits.branch import PeriodicBranch
     from runtime.studies.advice.advise import Advice
     from runtime.studies.stability.chart import StabilityChart
-    from runtime.studies.work_precision.comparison import Comparison
-    from runtime.studies.work_precision.suite import SuiteResult
 
 MOST_CASES = 10_000_000
 LISTED = 12  # values in the summary of a sweep
@@ -258,7 +255,8 @@ def advise(arguments: argparse.Namespace) -> Outcome:
     """Find the method and step that suit a scene.
 
     Every method makes the whole motion with ever more steps until its error meets the tolerance; the one with the
-    fewest operations is advised, beside frequencies and damping over the motion and groups by the widest gap.
+    fewest operations is advised, beside frequencies and damping over the motion and groups by the widest gap. With
+    --out it leaves a picture of error against operations of every method.
     """
     from runtime.studies.advice.advise import advice_data, advice_lines, advise
 
@@ -266,104 +264,8 @@ def advise(arguments: argparse.Namespace) -> Outcome:
     with Progress(f"symgen {model.name}") as progress:
         how = settings(arguments, ("tolerance", "graded", *MOTION))
         advice: Advice = advise(model, note=progress.note, **how)
-    return Outcome({"advice": advice_data(advice)}, advice_lines(advice, motion_words(arguments)))
-
-
-def report(arguments: argparse.Namespace) -> Outcome:
-    """Compare methods on a scene: error against CPU time and evaluations.
-
-    All rungs of the ladder of every method, judged by an independent reference. Leaves comparison.json,
-    .csv, .md, .html, error_time.png and error_evaluations.png in --out.
-    """
-    if (arguments.suite is None) == (arguments.scene is None):
-        raise UsageError("give a scene, or --suite hard")
-    if arguments.cases and not arguments.suite:
-        raise UsageError("--cases belongs to --suite")
-    return _suite(arguments) if arguments.suite else _scene(arguments)
-
-
-def _scene(arguments: argparse.Namespace) -> Outcome:
-    from runtime.studies.work_precision.comparison_files import FILES, comparison_data
-    from runtime.studies.work_precision.methods import left_out
-
-    model = opened_model(arguments.scene, arguments.made_with)
-    motion = {"graded": arguments.graded, **settings(arguments, MOTION)}
-    folder = Path(arguments.out) if arguments.out else Path("out") / "report" / model.name
-    comparison = _compared(model, motion, arguments, folder, motion_words(arguments))
-    said = [] if arguments.methods else [one for one in [left_out(model)] if one]
-    data = {"comparison": comparison_data(comparison), "files": {name: str(folder / name) for name in FILES}}
-    return Outcome(data, [*table(comparison), *said, f"in {folder}"])
-
-
-def _compared(
-    model: Model, motion: dict[str, Any], arguments: argparse.Namespace, folder: Path, words: str
-) -> Comparison:
-    """Its tables are in the folder after each method: an interrupted report keeps what it has."""
-    with Progress(f"symgen {model.name}") as progress:
-        found: Comparison = model.report(
-            folder,
-            methods=arguments.methods,
-            tolerance=arguments.tolerance,
-            longest=arguments.longest,
-            note=progress.note,
-            words=words,
-            **motion,
-        )
-    return found
-
-
-def table(comparison: Comparison) -> list[str]:
-    """Methods by time to the tolerance, and the recommendation."""
-    lines = [f"{'method':36} {'ms':>9} {'evaluations':>12} {'order':>6}   to an error of {comparison.tolerance:g}"]
-    for curve in comparison.ranked():
-        seconds, count = curve.seconds_to(comparison.tolerance), curve.evaluations_to(comparison.tolerance)
-        reached = f"{seconds * 1e3:9.3g} {count:12.4g}" if seconds < float("inf") else f"{'-':>9} {'-':>12}"
-        order = f"{curve.order:6.2f}" if curve.order == curve.order else f"{'-':>6}"
-        lines.append(f"{curve.label:36} {reached} {order}   {curve.failure}".rstrip())
-    return [*lines, f"recommended: {comparison.recommendation()}"]
-
-
-def _suite(arguments: argparse.Namespace) -> Outcome:
-    from runtime.studies.work_precision.suite import suite_markdown, write_suite
-    from symgen.scenes.hard_suite import HARD_SUITE
-
-    chosen = arguments.cases or list(HARD_SUITE)
-    unknown = [name for name in chosen if name not in HARD_SUITE]
-    if unknown:
-        raise UsageError(f"the hard suite has no case {unknown[0]!r}; it has {', '.join(HARD_SUITE)}")
-    folder = Path(arguments.out) if arguments.out else Path("out") / "report" / "hard"
-    results: list[SuiteResult] = []
-    for name in chosen:  # what is done is kept when a later case is interrupted
-        results.append(_case(name, folder / name, arguments))
-        files = write_suite(results, folder)
-    rows = suite_markdown(results).rstrip().splitlines()[4:]
-    return Outcome({"cases": [result.row() for result in results], "files": files}, [*rows, f"in {folder}"])
-
-
-def _case(name: str, folder: Path, arguments: argparse.Namespace) -> SuiteResult:
-    from runtime.contract.errors import NoResult
-    from runtime.contract.loading import load_model
-    from runtime.studies.work_precision.suite import SuiteResult
-    from symgen.generate import generate
-    from symgen.scenes.hard_suite import HARD_SUITE
-
-    case = HARD_SUITE[name]
-    motion: dict[str, Any] = {
-        "t_end": case.t_end,
-        "start": case.start,
-        "graded": list(case.graded),
-        "parameters": dict(case.parameters),
-        "initial": dict(case.initial),
-    }
-    with tempfile.TemporaryDirectory() as place:
-        model = load_model(generate(case.make(), Path(place) / "model"))
-    try:
-        comparison = _compared(model, motion, arguments, folder, name)
-    except NoResult as error:
-        return SuiteResult(name, None, None, str(error))
-    try:
-        with Progress(f"symgen {name}") as progress:
-            advice = model.advise(tolerance=arguments.tolerance, note=progress.note, **motion)
-            return SuiteResult(name, comparison, advice)
-    except NoResult as error:
-        return SuiteResult(name, comparison, None, str(error))
+    files = [str(arguments.out)] if arguments.out else []
+    if files:
+        advice.picture(files[0])
+    lines = advice_lines(advice, motion_words(arguments))
+    return Outcome({"advice": advice_data(advice), "files": files}, [*left(files), *lines])

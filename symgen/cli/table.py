@@ -89,7 +89,7 @@ ENGINE = opt(
     "--engine",
     "compiled (by LLVM; auto means this where it is there), interpreted (by CasADi), compiled-library (equal to it "
     "bit for bit), c (by the machine's C compiler)",
-    choices=("auto", "compiled", "interpreted", "compiled-library", "c"),
+    choices=("auto", "compiled", "interpreted", "compiled-library"),
     default="auto",
 )
 SEEN = (
@@ -417,30 +417,7 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             opt("--out DIR", "folder for the motion of a period, or for branch.csv, branch.png and branch.html"),
         ),
     ),
-    "advise": (studies.advise, (*SCENE, *ACCURACY, MOTION)),
-    "report": (
-        studies.report,
-        (
-            *SCENE_OR_NONE,
-            opt("--suite", "the hard suite instead of a scene", choices=("hard",)),
-            opt("--cases NAMES", "only these cases of the suite", names),
-            opt(
-                "--methods NAMES",
-                "such as exponential:2,coupled:4,rk4,cvodes_bdf; compiled for all but the adaptive ones (default: all "
-                "that make sense)",
-                names,
-            ),
-            opt(
-                "--longest SECONDS",
-                "a method's curve ends with a run this long (default: %(default)s)",
-                number,
-                default=0.3,
-            ),
-            opt("--out DIR", "folder for the report (default: out/report/SCENE)"),
-            *ACCURACY,
-            MOTION,
-        ),
-    ),
+    "advise": (studies.advise, (*SCENE, *ACCURACY, MOTION, opt("--out FILE", "a picture: error against operations"))),
     "demo": (
         demo.demo,
         (

@@ -203,9 +203,9 @@ def settings(arguments: argparse.Namespace, names: Iterable[str]) -> dict[str, A
     return {name: getattr(arguments, name) for name in names}
 
 
-def motion_words(arguments: argparse.Namespace, scene: str = "") -> str:
+def motion_words(arguments: argparse.Namespace) -> str:
     """The scene and its motion in the words that they were given in, for a command that is to be run again."""
-    words = [shlex.quote(scene or arguments.scene)]
+    words = [shlex.quote(arguments.scene)]
     for flag, given in ("with", arguments.made_with), ("set", arguments.parameters), ("initial", arguments.initial):
         words += [f"--{flag} {shlex.quote(f'{name}={value:.12g}')}" for name, value in given.items()]
     words += [f"--t-end {arguments.t_end:.12g}"] if arguments.t_end is not None else []

@@ -203,10 +203,7 @@ def clean(value: float) -> float:
 def manifest_text(derived: Derived, files: Mapping[str, str]) -> str:
     """The manifest, with sha256 of every other file of the model."""
     scene = derived.scene
-    more: dict[str, Any] = {
-        "description": scene.description,
-        "baumgarte": scene.baumgarte.model_dump(mode="json") if scene.baumgarte else None,
-    }
+    more: dict[str, Any] = {"description": scene.description}
     if derived.left_out:
         more["left_out"] = derived.left_out
     versions = {package: version(package) for package in ("casadi", "sympy", "symgen")}

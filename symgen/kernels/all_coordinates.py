@@ -13,7 +13,6 @@ from symgen.choice.elimination import constraint_jacobian
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.loops import solve_transposed
 from symgen.kernels.kernel import Kernel
-from symgen.system.constraint import ConstraintRow
 from symgen.system.equations import Equations, matrix_times
 
 
@@ -32,10 +31,7 @@ def constraints(system: Condensed) -> Kernel:
 
 
 def augmented(system: Condensed) -> Kernel:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and the constraints' right-hand side of Eq. (28), all coordinates.
-
-    gamma_b = gamma - 2 alpha (C_q q_dot + C_t) - beta^2 C with the scene's Baumgarte terms, gamma without.
-    """
+    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and the constraints' right-hand side of Eq. (28), all coordinates."""
     eq = system.equations
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
     outputs = {
@@ -47,14 +43,8 @@ def augmented(system: Condensed) -> Kernel:
     }
     if eq.constraints:
         outputs["C_q"] = constraint_jacobian(eq)
-        outputs["gamma_b"] = ca.vertcat(*(_stabilised(eq, row) for row in eq.constraints))
+        outputs["gamma"] = ca.vertcat(*(row.gamma for row in eq.constraints))
     return Kernel(inputs, outputs)
-
-
-def _stabilised(eq: Equations, row: ConstraintRow) -> ca.SX:
-    alpha, beta = eq.baumgarte
-    rate = row.C_t + sum((value * eq.q_dot[column] for column, value in row.C_q.items()), ca.SX(0))
-    return row.gamma - 2 * alpha * rate - beta**2 * row.C
 
 
 def reactions(system: Condensed) -> Kernel:

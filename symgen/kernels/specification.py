@@ -96,10 +96,10 @@ FUNCTIONS: dict[str, FunctionSpec] = {
         _spec(
             "augmented",
             "28",
-            "Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms",
+            "Parts of the augmented form; Q_star = Q_F + Q_v - K q",
             "condensed",
             "q q_dot t u c",
-            "M K Q_v Q_F Q_star C_q gamma_b",
+            "M K Q_v Q_F Q_star C_q gamma",
         ),
         _spec(
             "dQ_hat_dq_i",

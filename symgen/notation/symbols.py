@@ -74,7 +74,6 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("nu", "nu", "26", "n_c", "m/s, rad/s", "right-hand side at velocity level, nu = -C_t"),
     Notation("gamma", "gamma", "27", "n_c", "m/s^2, rad/s^2", "right-hand side at acceleration level"),
     Notation("lam", "lambda", "37", "n_c", "N, N m", "Lagrange multipliers; the constraint force on q is -C_q^T lam"),
-    Notation("gamma_b", "gamma", "28", "n_c", "m/s^2, rad/s^2", "gamma with Baumgarte terms"),
     Notation("lam_R", "", "", "n_R", "N, N m", "multipliers of the redundant rows, which no equation determines"),
     # condensation
     Notation("M_hat", "M^", "38", "n_i x n_i", "SI", "condensed mass matrix S^T M S"),

@@ -39,7 +39,6 @@ from symgen.scene.measures import (
 from symgen.scene.parts import AnyBody, AnyMarker, Body, DeclaredInput, DeclaredParameter, DeclaredState, Placement
 from symgen.scene.scene import SceneRecord
 from symgen.scene.simulation import (
-    Baumgarte,
     CoordinateGroup,
     DeclaredEvent,
     Initial,
@@ -55,7 +54,7 @@ from symgen.schema.expressions import Expression, parse_expression
 from symgen.schema.fields import Quantity
 
 __all__ = [
-    "AnyBody", "AnyMarker", "AxialModes", "Baumgarte", "BeamBody", "BeamMarker", "Body",
+    "AnyBody", "AnyMarker", "AxialModes", "BeamBody", "BeamMarker", "Body",
     "CoordinateMeasure", "MarkerMeasure", "CurveTable", "SurfaceTable", "COUPLINGS", "Coupling",
     "Expression", "SpatialModalBody", "FlexibleMarker", "FlexibleStiffening",
     "Foreshortening", "CoordinateGroup", "GroundBody", "Initial",

@@ -143,10 +143,6 @@ class Scene:
         """Set what runs use by default: t_end [s], scheme, tolerance, dt [s], m, seen_every [s], start."""
         return self._set("simulation", fields)
 
-    def baumgarte(self, alpha: float, beta: float) -> Self:
-        """Stabilisation of the augmented form [1/s]."""
-        return self._set("baumgarte", {"alpha": alpha, "beta": beta})
-
     def build(self) -> SceneRecord:
         """Check the scene and freeze it. Raises SceneError with the item, the problem and the remedy."""
         return SceneRecord.from_dict(self._data)

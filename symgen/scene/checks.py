@@ -153,8 +153,6 @@ def _contents(scene: SceneParts) -> Iterator[SceneError]:
         yield SceneError("events", "a structure has no measures to look at", "remove them, or build it from bodies")
     if scene.states:
         yield SceneError("states", "a structure has no controllers", "remove them, or build the scene from bodies")
-    if scene.baumgarte is not None:
-        yield SceneError("baumgarte", "a structure has no constraints to stabilise", "remove it")
 
 
 # ---- references ------------------------------------------------------------------------------------------------

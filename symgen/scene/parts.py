@@ -34,7 +34,7 @@ from symgen.loads import LOADS, Load
 from symgen.scene.bodies import BeamBody, BeamMarker, GroundBody, RigidBody, RigidMarker
 from symgen.scene.flexible import FlexibleMarker, ModalBody, ModalMarker, SpatialModalBody, Structure
 from symgen.scene.measures import Measure
-from symgen.scene.simulation import Baumgarte, DeclaredEvent, Initial, Partition, Simulation
+from symgen.scene.simulation import DeclaredEvent, Initial, Partition, Simulation
 from symgen.scene.surfaces import SurfaceTable
 from symgen.scene.tables import CurveTable
 from symgen.schema.errors import SceneError, did_you_mean
@@ -233,7 +233,6 @@ class SceneParts(StrictModel):
     partition: Partition = Partition()
     initial: Initial = Initial()
     simulation: Simulation = Simulation()
-    baumgarte: Baumgarte | None = None
 
     @property
     def ground(self) -> GroundBody:

@@ -161,13 +161,6 @@ class Initial(StrictModel):
                 yield Fault(f"{section}['{angle}']", f"'{parameter}' says {what} too", "give one or the other")
 
 
-class Baumgarte(StrictModel):
-    """Stabilisation terms of the augmented form: gamma - 2 alpha C_dot - beta^2 C, alpha and beta [1/s]."""
-
-    alpha: Annotated[float, Strict(), Field(ge=0, le=1e12)]
-    beta: Annotated[float, Strict(), Field(ge=0, le=1e12)]
-
-
 class Simulation(StrictModel):
     """t_end [s]; dt [s]: the step of a scheme that is named (of its slowest group); m: ratio of each next group's.
 

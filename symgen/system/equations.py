@@ -228,7 +228,6 @@ class Equations:
     picture: Picture = field(default_factory=lambda: Picture([], {}, {}))
     u: dict[str, ca.SX] = field(default_factory=dict)
     inputs: list[InputRecord] = field(default_factory=list)
-    baumgarte: tuple[ca.SX, ca.SX] = field(default_factory=lambda: (ca.SX(0), ca.SX(0)))
     inertia_forces: InertiaForces | None = None
     force_changes: ForceChanges | None = None
     curvatures: Mapping[str, Curvature] = field(default_factory=dict)

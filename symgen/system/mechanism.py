@@ -168,15 +168,6 @@ class Mechanism(Generic[Marker]):
             equations.load_spans[load.name] = [min(part, MOST_POWER) for part in effect.along]
         self._add_events()
         equations.picture = space.picture()
-        if scene.baumgarte is not None:
-            equations.baumgarte = (
-                table.quantity(
-                    scene.baumgarte.alpha, "baumgarte.alpha", "1/s", "damping of constraint errors", "not negative"
-                ),
-                table.quantity(
-                    scene.baumgarte.beta, "baumgarte.beta", "1/s", "stiffness of constraint errors", "not negative"
-                ),
-            )
 
     def _add_bodies(self) -> None:
         eq, first = self.equations, 0

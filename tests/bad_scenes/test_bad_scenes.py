@@ -137,7 +137,6 @@ BAD: list[tuple[str, str, str, Any, str, str]] = [
     ("end negative", S, "simulation/t_end", -1, "simulation.t_end", "not positive"),
     ("too many steps", S, "simulation/dt", 1e-300, "simulation.dt", "more than"),
     ("seen never", S, "simulation/seen_every", -1, "simulation.seen_every", "out of range"),
-    ("negative Baumgarte", S, "baumgarte", {"alpha": -1, "beta": 1}, "baumgarte.alpha", "out of range"),
 ]  # fmt: skip
 
 

@@ -187,17 +187,6 @@ def test_demo_leaves_everything(capsys, tmp_path, monkeypatch) -> None:
     assert (tmp_path / "demo" / "model" / "model.py").is_file()
 
 
-def test_a_run_that_a_reference_has_judged_says_that_error() -> None:
-    """What it has measured itself does not stand beside it."""
-    from runtime import load_model, simulate
-    from symgen.cli.runs import summary
-    from symgen.scenes import generated_folder
-
-    run = simulate(load_model(generated_folder("pendulum")), scheme="single_rate", dt=0.05, t_end=20.0)
-    own, judged = "\n".join(summary(run)), "\n".join(summary(run, 2e-4))
-    assert "measured error" in own and "measured error" not in judged and "error: 0.0002 of the amplitudes" in judged
-
-
 MISTAKES = [
     [],
     ["nonsense"],

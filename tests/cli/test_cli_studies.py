@@ -1,11 +1,10 @@
-"""`symgen stability`, `periodic`, `advise` and `report` as a user calls them."""
+"""`symgen stability`, `periodic` and `advise` as a user calls them."""
 
 from __future__ import annotations
 
 import csv
 import json
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -158,75 +157,12 @@ def test_advise_refuses(capsys: pytest.CaptureFixture[str], words: list[str], me
 
 
 def test_a_motion_without_result_is_a_numerical_failure(capsys: pytest.CaptureFixture[str]) -> None:
-    code, _, err = said(capsys, "report", *MOTION, "--set", "k_L=-1e6", "--initial", "x_L=1", "--methods", "rk4")
+    code, _, err = said(capsys, "advise", *MOTION, "--set", "k_L=-1e6", "--initial", "x_L=1")
     assert code == 1
-    assert "the reference stopped at" in err
+    assert "loosen the tolerance" in err
 
 
-def test_report_leaves_one_page(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    code, out, _ = said(
-        capsys, "report", *MOTION, "--methods", "exponential:1,rk4", "--longest", "0.002", "--out", str(tmp_path)
-    )
-    assert code == 0
-    assert "recommended: " in out
-    assert (tmp_path / "comparison.html").exists()
-
-
-def test_an_interrupted_report_keeps_what_it_has(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Stopped in the second of two methods: the tables of the first are there."""
-    from runtime.studies.work_precision import comparison
-
-    honest, begun = comparison.curve_of, []
-
-    def interrupted(*arguments: Any) -> Any:
-        begun.append(arguments)
-        if len(begun) == 2:
-            raise KeyboardInterrupt
-        return honest(*arguments)
-
-    monkeypatch.setattr(comparison, "curve_of", interrupted)
-    words = ["--methods", "exponential:1,rk4", "--longest", "0.002", "--out", str(tmp_path)]
-    assert said(capsys, "report", *MOTION, *words)[0] == 130
-    kept = json.loads((tmp_path / "comparison.json").read_text())
-    assert [entry["method"] for entry in kept["methods"]] == ["exponential m=1"]
-    assert {path.suffix for path in tmp_path.iterdir()} == {".json", ".csv", ".md"}
-
-
-def test_report_runs_cases_of_the_suite(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    code, out, _ = said(
-        capsys,
-        "report",
-        "--suite",
-        "hard",
-        "--cases",
-        "oscillators_10",
-        "--methods",
-        "exponential:1,dop853",
-        "--longest",
-        "0.002",
-        "--out",
-        str(tmp_path),
-        "--json",
-    )
-    assert code == 0
-    assert json.loads(out)["cases"][0][0] == "oscillators_10"
-    assert (tmp_path / "oscillators_10" / "comparison.html").exists()
-    assert "oscillators_10/comparison.html" in (tmp_path / "suite.html").read_text()
-
-
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
-        ([], "give a scene, or --suite hard"),
-        (["pendulum", "--suite", "hard"], "give a scene"),
-        (["pendulum", "--cases", "x"], "belongs to --suite"),
-        (["--suite", "hard", "--cases", "x"], "has no case 'x'"),
-        (["pendulum", "--methods", "leapfrog"], "no method 'leapfrog'"),
-    ],
-)
-def test_report_refuses(capsys: pytest.CaptureFixture[str], words: list[str], message: str) -> None:
-    code, _, err = said(capsys, "report", *words)
-    assert code == 2
-    assert message in err
+def test_advice_leaves_a_picture(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    code, out, _ = said(capsys, "advise", *MOTION, "--tolerance", "1e-2", "--out", str(tmp_path / "advice.png"))
+    assert code == 0 and "advice.png" in out
+    assert (tmp_path / "advice.png").read_bytes().startswith(b"\x89PNG")

@@ -18,7 +18,6 @@ MOST = 135  # modules of this project that a run brings in
 METHODS = {"printed", "coupled", "single_rate", "exponential_rk4", "exponential_adams"}
 SELDOM = {  # what only some runs ask for, and what prints code that the cache has
     "runtime.baselines",
-    "runtime.engine.compiled",
     "runtime.engine.interpreted",
     "runtime.engine.llvm_ir",
     "runtime.operating.equilibrium",

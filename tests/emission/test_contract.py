@@ -33,12 +33,9 @@ READERS_OF_TEXT = {
     "runtime/export/fmu_source.py",  # rates by their ending
     "runtime/contract/tables.py",  # names of functions in emitted code
     "runtime/results/stream.py",
-    "runtime/engine/compiled.py",
     "runtime/results/export.py",
     "runtime/results/samples.py",  # columns of the CSV
     "runtime/running/columns.py",
-    "runtime/studies/work_precision/comparison_page.py",  # a template in HTML
-    "runtime/studies/work_precision/methods.py",
     "runtime/views/viewer/page.py",  # a template in HTML
 }
 

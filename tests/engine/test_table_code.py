@@ -12,16 +12,17 @@ import casadi as ca
 import numpy as np
 import pytest
 
+from benchmarks.contenders.by_c_compiler import CompiledProgram
 from runtime import DifferentiableRun, ensemble, load_model, resume, simulate
 from runtime.contract.model import Model
 from runtime.contract.tables import Table, mark
 from runtime.contract.tape import as_function, read_tape, shared
 from runtime.engine.choose import choose_engine, operations_per_step
-from runtime.engine.compiled import find_compiler
 from runtime.engine.ensemble_code import LaneCode, blocks_of
 from runtime.engine.llvm_code import BEST, FIRST
 from runtime.engine.program import Call, Form
 from runtime.engine.rows import ManyPoints
+from runtime.export.fmu import find_compiler
 from runtime.gradients.objectives import End
 from runtime.schemes.switching.table_bounds import TableBounds
 from symgen.generate import generate
@@ -68,8 +69,11 @@ def test_engines_and_lanes_give_the_same_bits(grid: str, interpolation: str) -> 
     one, x = table(GRIDS[grid], interpolation), places(GRIDS[grid])
     program, c = stage(one), np.zeros(1)
     expected = np.array([one(x, order) for order in range(3)]).T
-    for name in ("interpreted", "compiled", *(("c",) if find_compiler() else ())):
-        engine, found = choose_engine(name, program, 4, 1, wait=True), np.zeros((len(x), 4))
+    engines: dict[str, Any] = {
+        name: choose_engine(name, program, 4, 1, wait=True) for name in ("interpreted", "compiled")
+    }
+    for name, engine in (engines | ({"C": CompiledProgram(program)} if find_compiler() else {})).items():
+        found = np.zeros((len(x), 4))
         found[:, 0] = x
         for row in found:
             engine.run(row, c, 1)

@@ -142,7 +142,7 @@ def test_sizes_have_limits_with_names() -> None:
     "arguments",
     [
         ["animate", "pendulum", "--frames", "1000000000"],
-        ["report", "pendulum", "--tolerance", "-1"],
+        ["advise", "pendulum", "--tolerance", "-1"],
         ["advise", "pendulum", "--tolerance", "0"],
         ["generate", "n_four_bar", "--with", "windows=0", "--out", "nowhere"],
         ["generate", "pendulum", "--functions", "substep_99", "--out", "nowhere"],

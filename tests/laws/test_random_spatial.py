@@ -9,12 +9,12 @@ import pytest
 from hypothesis import HealthCheck, Phase, assume, given, settings
 
 from runtime import load_model
-from runtime.baselines.augmented import augmented_accelerations
 from runtime.contract.coordinates import independent_part, loop_part, turned_by
 from runtime.contract.model import Model
 from runtime.running.singular.exchange import by_velocities
 from symgen.generate import generate
 from symgen.scene import SceneRecord
+from tests.support.augmented import augmented_accelerations
 from tests.support.model_values import (
     Array,
     State,

@@ -9,12 +9,11 @@ import numpy as np
 import pytest
 from scipy.linalg import null_space
 
-from runtime import augmented_solution as integrate_augmented
 from runtime import load_model, simulate
-from runtime.baselines.augmented import augmented_accelerations
 from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
+from tests.support.augmented import augmented_accelerations, augmented_run
 from tests.support.model_values import (
     augmented_solution,
     condensed_accelerations,
@@ -157,7 +156,7 @@ def test_the_third_bar_carries_load_but_does_not_change_the_motion(tmp_path: Pat
 def test_other_paths_agree(tmp_path: Path) -> None:
     model = load_model(generate(parallelogram().build(), tmp_path / "bars"))
     times = np.array([0.0, 0.25, 0.5])
-    reference = integrate_augmented(model, t_end=0.5, times=times)
+    reference = augmented_run(model, t_end=0.5, times=times)
     solution = simulate(model, t_end=0.5, dt=1e-3, scheme="rk4", seen_every=0.25, engine="interpreted")
     assert np.max(np.abs(solution.q - reference.q)) < 1e-5
     assert np.max(np.abs(solution.lam - reference.lam)) < 1e-2 * np.max(np.abs(reference.lam))

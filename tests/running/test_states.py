@@ -11,7 +11,6 @@ from scipy.linalg import expm
 
 from runtime import (
     SCHEMES,
-    augmented_solution,
     campbell,
     ensemble,
     equilibrium,
@@ -24,6 +23,7 @@ from runtime import (
 from runtime.contract.model import Model
 from runtime.gradients.objectives import End
 from symgen.scene import Scene, SceneError, SceneRecord
+from tests.support.augmented import augmented_run
 from tests.support.scenes import on_rail
 
 Build = Callable[[SceneRecord], Model]
@@ -244,7 +244,7 @@ def test_in_space_both_derivations_agree(model_of: Build) -> None:
     )
     model = model_of(scene).with_inputs({"wanted": 0.7})
     run = simulate(model)
-    other = augmented_solution(model, t_end=0.3, times=run.t)
+    other = augmented_run(model, t_end=0.3, times=run.t)
     for name in ("total", "effort", "boom.x", "load.z", "wanted_ddot"):
         np.testing.assert_allclose(run[name], other[name], atol=1e-8)
 

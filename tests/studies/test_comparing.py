@@ -1,11 +1,8 @@
-"""Comparisons, advice and `auto`: what they measure, what they write, and what they refuse."""
+"""Advice, `auto`, and the reference of benchmarks: what they measure, what they write, and what they refuse."""
 
 from __future__ import annotations
 
-import csv
 import json
-import math
-import re
 from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
@@ -14,22 +11,18 @@ from typing import Any
 import numpy as np
 import pytest
 
+from benchmarks.harness import trial
+from benchmarks.harness.reference import NoReference, Reference, independent_reference
+from benchmarks.harness.trial import seconds_of, trial_of
 from runtime import Model, SchemeError, simulate
 from runtime.contract.errors import ModelError
 from runtime.results.motion_error import amplitudes
 from runtime.running.ladder import Ladder, Method, affordable
-from runtime.running.problem import Problem
 from runtime.running.singular.crossing import MOST_EVALUATIONS, BranchLost, TightIntegrator
+from runtime.studies.advice import methods
 from runtime.studies.advice.advise import Advice, NoAdvice, advice_data, advice_lines, advise, advised_command
+from runtime.studies.advice.methods import candidates, left_out
 from runtime.studies.stability.chart import USUAL_RATIOS, stability_chart
-from runtime.studies.work_precision import methods, trial
-from runtime.studies.work_precision.comparison import Comparison, WorkCurve, energy_drift, order_of, work_precision
-from runtime.studies.work_precision.comparison_files import comparison_data, write_comparison
-from runtime.studies.work_precision.comparison_page import comparison_page
-from runtime.studies.work_precision.methods import candidates, left_out, methods_named, usual_adaptive, usual_methods
-from runtime.studies.work_precision.reference import NoReference, Reference, independent_reference
-from runtime.studies.work_precision.suite import SuiteResult, write_suite
-from runtime.studies.work_precision.trial import Trial, seconds_of, trial_of
 from symgen.generate import model_of as derived
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes.arm import arm
@@ -58,12 +51,6 @@ def reference(oscillators: Model) -> Reference:
 @pytest.fixture(scope="module")
 def advice(oscillators: Model) -> Advice:
     return advise(oscillators, t_end=T_END, parameters=PLAIN, initial=START, graded=["x_L"])
-
-
-@pytest.fixture(scope="module")
-def comparison(oscillators: Model) -> Comparison:
-    named = methods_named(oscillators, ["exponential:2", "rk4", "printed:4", "cvodes_bdf"])
-    return work_precision(oscillators, named, longest=0.01, t_end=T_END, parameters=PLAIN, initial=START)
 
 
 def exact(t: np.ndarray) -> np.ndarray:
@@ -96,19 +83,6 @@ def test_unstable_runs_are_failures(reference: Reference) -> None:
     ladder = Ladder(reference.problem, 1e-3)
     made = trial_of("single_rate", ladder.rung(ladder.plan(Method("single_rate"), 20)), reference)
     assert made.failure and not made.error < 1
-
-
-def test_time_to_a_tolerance_is_interpolated() -> None:
-    """Between (1 s, 1e-2) and (4 s, 1e-4): 1e-3 takes 2 s; a failure before it cannot be interpolated from."""
-
-    def made(seconds: float, error: float, failure: str = "") -> Trial:
-        return Trial("x", 1.0, 10, seconds, 100, error, failure=failure)
-
-    curve = WorkCurve("x", None, [made(1.0, 1e-2), made(4.0, 1e-4)], np.nan, None)
-    assert curve.seconds_to(1e-3) == pytest.approx(2.0)
-    assert curve.seconds_to(1e-5) == np.inf
-    failed = WorkCurve("x", None, [made(1.0, np.inf, "not finite"), made(4.0, 1e-4)], np.nan, None)
-    assert failed.seconds_to(1e-3) == pytest.approx(4.0)
 
 
 def test_a_run_as_advised_delivers(advice: Advice, oscillators: Model) -> None:
@@ -162,14 +136,10 @@ def test_auto_refuses_what_it_cannot_use(oscillators: Model, arguments: dict, me
         simulate(oscillators, t_end=T_END, scheme="auto", **arguments)
 
 
-def test_unknown_grades_and_methods_are_named(oscillators: Model) -> None:
+def test_unknown_grades_are_named(oscillators: Model) -> None:
     for ask in (independent_reference, advise):
         with pytest.raises(ModelError, match="'nothing' cannot be graded"):
             ask(oscillators, graded=["nothing"])
-    with pytest.raises(SchemeError, match="no method 'leapfrog'"):
-        methods_named(oscillators, ["leapfrog"])
-    with pytest.raises(SchemeError, match="whole numbers"):
-        methods_named(oscillators, ["coupled:many"])
 
 
 def test_no_advice_says_what_was_tried(oscillators: Model, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -188,51 +158,28 @@ def test_a_motion_without_reference_is_said_so(oscillators: Model) -> None:
         advise(oscillators, **given)
 
 
-def test_comparison_shows_order_failures_and_a_reason(comparison: Comparison) -> None:
-    by_name = {curve.label: curve for curve in comparison.curves}
-    assert by_name["rk4"].order == pytest.approx(4.0, abs=0.4)
-    assert by_name["CVODES BDF"].seconds_to(1e-2) < np.inf
-    assert by_name["exponential m=2"].energy is not None
-    assert comparison.recommendation().startswith(comparison.ranked()[0].method.label)
-
-
-def test_comparison_files_agree_with_each_other(comparison: Comparison, tmp_path: Path) -> None:
-    files = write_comparison(comparison, tmp_path)
-    data = json.loads(Path(files["comparison.json"]).read_text())
-    assert data["recommendation"] == comparison.recommendation()
-    with Path(files["comparison.csv"]).open() as lines:
-        rows = list(csv.DictReader(lines))
-    assert len(rows) == sum(len(curve.trials) for curve in comparison.curves)
-    page = Path(files["comparison.html"]).read_text()
-    assert not re.search(r'(src|href)="(?!data:)', page)  # opens without a network
-    for curve in comparison.curves:
-        assert curve.label in page
-        assert curve.label in Path(files["comparison.md"]).read_text()
-
-
-def test_suite_page_lists_every_case(comparison: Comparison, advice: Advice, tmp_path: Path) -> None:
-    results = [SuiteResult("good", comparison, advice), SuiteResult("bad", None, None, "no reference")]
-    files = write_suite(results, tmp_path)
-    text = Path(files["suite.md"]).read_text()
-    assert "| good |" in text and "| bad | no reference |" in text
-    assert results[0].advised_over_best() > 0
-
-
-def test_usual_methods_leave_dense_ones_out_for_large_models(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
-    """In reports and in advice alike; those that are not tried are named with the command that tries them."""
+def test_dense_methods_are_left_out_for_large_models(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Those that are not tried are named."""
     small, model = built_in("flexible_slider_crank_free"), derived(arm(20))
-    labels = {one.label for one in usual_methods(small)}
-    assert {"exponential m=1", "coupled m=4", "radau eps=1e-06"} <= labels and "IDAS" in usual_adaptive(small)
-    assert methods_named(small, ["compiled"]) == usual_methods(small)
-    dense = {"exponential_rk4", "exponential m=1", "radau eps=1e-06"}
-    assert dense <= {one.label for one in usual_methods(model)} and {"CVODES BDF", "IDAS"} <= {*usual_adaptive(model)}
-    assert dense <= {one.label for one in candidates(model)}
-    assert "beside exponential, radau" in left_out(model) and "--methods" in left_out(model)
+    labels = {one.label for one in candidates(small)}
+    assert {"exponential m=1", "exponential m=2 order=5", "coupled m=5", "radau eps=1e-06"} <= labels
+    assert {"exponential_rk4", "exponential m=1", "radau eps=1e-06"} <= {one.label for one in candidates(model)}
+    assert "beside exponential, radau" in left_out(model)
     assert left_out(built_in("pendulum")) == ""
     monkeypatch.setattr(methods, "affordable", lambda model: False)
     assert "exponential, radau and other dense methods, 0.1 million operations a step" in left_out(model)
     assert "radau eps=1e-06" not in {one.label for one in candidates(model)}
-    assert "IDAS" not in usual_adaptive(model)
+
+
+def test_rungs_of_advice_fall_as_the_order_says(advice: Advice, tmp_path: Path) -> None:
+    """On two oscillators without damping rk4 is of order 4, central difference of order 2."""
+    for one in advice.climbed:
+        order = {"rk4": 4, "single_rate common_velocity=predictor": 2}.get(one.label)
+        if order:
+            work, error = one.rungs[one.rungs[:, 1] < 3e-2].T
+            assert np.polyfit(np.log(work), np.log(error), 1)[0] == pytest.approx(-order, abs=0.4)
+    advice.picture(tmp_path / "advice.png")
+    assert (tmp_path / "advice.png").stat().st_size > 10_000
 
 
 def test_a_clock_that_misses_most_of_a_call_is_not_believed(
@@ -255,28 +202,6 @@ def test_a_clock_that_misses_most_of_a_call_is_not_believed(
 
 
 Build = Callable[[SceneRecord], Model]
-
-
-def test_what_is_not_as_the_scene_has_it_stands_on_the_page_of_a_comparison(built_in: Load) -> None:
-    problem = Problem.of(built_in("two_oscillators"), 1.0, {"M[0,0]": 2.5, "w": 30.0})
-    reference = Reference(problem, lambda t: np.ones((len(t), 2)), ["x_L", "x_S"])
-    found = Comparison(reference, 1e-3, [WorkCurve("rk4", Method("rk4"), [], 4.0, None)])
-    page = comparison_page(found, comparison_data(found))
-    assert "w = 30 rad/s" in page and "M[0,0] = 2.5 kg" in page and "M[1,1] =" not in page
-
-
-def test_the_order_of_a_method_takes_a_decade_of_errors() -> None:
-    """Errors 2 dt^2 down to a twelfth of the first: order 2. Down to a ninth: none."""
-    for steps, order in (((0.1, 0.05, 0.1 / math.sqrt(12)), 2.0), ((0.1, 0.05, 0.1 / 3), np.nan)):
-        errors = [(dt, 2 * dt * dt) for dt in steps] + [(1e-5, 1e-8)]
-        trials = [Trial("x", dt, 10, 1.0, 10, error) for dt, error in errors]
-        assert order_of(trials) == pytest.approx(order, nan_ok=True)
-
-
-def test_what_rests_has_no_drift_of_energy(model_of: Build) -> None:
-    builder = Scene("rest").rigid("m", mass=1.0, inertia=1.0, free=True).simulation(t_end=1.0, dt=0.1, scheme="printed")
-    ladder = Ladder(Problem.of(model_of(builder.build())), 1e-3)
-    assert energy_drift(ladder.rung(ladder.plan(Method("rk4"), 20))) is None
 
 
 @pytest.mark.parametrize("n, dense", [(32, True), (33, False)])

@@ -6,16 +6,18 @@ What is advised was made: a whole motion with that step, whose error is told as 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from html import escape
 from math import floor, isfinite, log10
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from runtime.contract.arguments import BY_NAME, NAMES, START, arguments
-from runtime.contract.coordinates import Initial, independent, loop_part
-from runtime.contract.errors import NoResult, SymgenError
+from runtime.contract.coordinates import Initial, followed, independent, loop_part
+from runtime.contract.doors import opened
+from runtime.contract.errors import ModelError, NoResult, SymgenError
 from runtime.contract.model import Model
 from runtime.contract.status import card, line, table
 from runtime.operating.mode_solver import ModeSolver, State
@@ -23,10 +25,10 @@ from runtime.running.ladder import Ladder, Method, Rung, chosen_method
 from runtime.running.plan import AUTO, tolerance_of
 from runtime.running.problem import Problem
 from runtime.studies.advice.frequencies import Groups, ModeRange, mode_ranges, propose_groups
-from runtime.studies.work_precision.comparison_page import command
-from runtime.studies.work_precision.methods import candidates, left_out, multirate
-from runtime.studies.work_precision.reference import checked_grades
-from runtime.studies.work_precision.trial import seconds_of
+from runtime.studies.advice.methods import candidates, left_out, multirate
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 STATES = 12  # at which frequencies are looked at
 HOPELESS = 2.0  # times the operations of the best answer so far: a ladder that needs more is given up
@@ -39,7 +41,7 @@ class Climbed:
     """What the ladder of a method came to: the coarsest rung that meets the tolerance, by the next finer one.
 
     answer: None where none met it in useful time; error: of it, as compared with the tolerance; operations: of its
-    steps.
+    steps. rungs (N, 2): operations and error of each rung whose error is known.
     """
 
     method: Method
@@ -47,6 +49,7 @@ class Climbed:
     error: float = np.nan
     operations: float = np.inf
     failure: str = ""
+    rungs: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))
 
     @property
     def label(self) -> str:
@@ -67,10 +70,9 @@ class Climbed:
 class Advice:
     """What to use, and why.
 
-    best: the ladder whose answer takes the fewest operations; climbed: all of them, the cheapest first; seconds: CPU
-    of its steps; gain: how many times the operations of the best method with one step for all coordinates are those of
-    the best (1 where it is such a one, inf where none got there); automatic: the scheme that `auto` would take, and
-    why.
+    best: the ladder whose answer takes the fewest operations; climbed: all of them, the cheapest first; gain: how many
+    times the operations of the best method with one step for all coordinates are those of the best (1 where it is such
+    a one, inf where none got there); automatic: the scheme that `auto` would take, and why.
     """
 
     model: Model
@@ -80,7 +82,6 @@ class Advice:
     modes: list[ModeRange]
     groups: Groups | None
     climbed: list[Climbed]
-    seconds: float
     gain: float
     automatic: tuple[str, str]
 
@@ -109,6 +110,13 @@ class Advice:
             return f"{self.best.label}: {step}; no method with one step for all coordinates got there in useful time"
         few = f"{self.gain:.2g} times fewer operations than" if self.gain >= 1.05 else "as many operations as"
         return f"{self.best.label} takes {few} the best method with one step for all coordinates ({step})"
+
+    def picture(self, path: str | Path | None = None) -> Figure:
+        """Error against operations of every rung of every method. Raises OutputError."""
+        draw = opened("runtime.views.plots:work_precision")
+        title = f"{self.model.title or self.model.name}, {self.t_end:g} s"
+        found: Figure = draw(title, {one.label: one.rungs for one in self.climbed}, self.tolerance, path)
+        return found
 
     def _repr_html_(self) -> str:
         rows = [
@@ -173,10 +181,21 @@ def advise(
         mode_ranges(model, solver, states) if solver else [],
         propose_groups(model, solver, states) if solver else None,
         climbed,
-        seconds_of(best.answer),
         single / best.operations,
         (chosen.scheme, reason),
     )
+
+
+def checked_grades(model: Model, graded: Sequence[str] | None) -> list[str]:
+    """Names of what tells the motion, all by default. Raises ModelError."""
+    known = followed(model)[0]
+    for name in graded or ():
+        if name not in known:
+            raise ModelError(
+                f"{name!r} cannot be graded: it is not an independent coordinate of {model.name}; those "
+                f"are {', '.join(known)}"
+            )
+    return list(graded or known)
 
 
 def _climbed(ladder: Ladder, method: Method, best: float) -> Climbed:
@@ -191,11 +210,13 @@ def _climbed(ladder: Ladder, method: Method, best: float) -> Climbed:
                 break
     except SymgenError as error:  # a scheme that this model does not allow
         return Climbed(method, failure=str(error).splitlines()[0])
-    found = Climbed(method, failure="not reached in useful time")
-    for rung, finer in zip(rungs[-2::-1], rungs[:0:-1], strict=True):
+    pairs = list(zip(rungs, rungs[1:], strict=False))
+    seen = np.array([(_operations(rung), finer.differs) for rung, finer in pairs]).reshape(-1, 2)
+    found = Climbed(method, failure="not reached in useful time", rungs=seen)
+    for rung, finer in reversed(pairs):
         if not finer.differs <= ladder.tolerance:
             break
-        found = Climbed(method, rung, finer.differs, _operations(rung))
+        found = Climbed(method, rung, finer.differs, _operations(rung), rungs=seen)
     return found
 
 
@@ -232,7 +253,6 @@ def advice_data(advice: Advice) -> dict[str, Any]:
         "dt": advice.dt,
         "error": advice.best.error,
         "operations": advice.best.operations,
-        "seconds": advice.seconds,
         "gain": advice.gain if isfinite(advice.gain) else None,
         "reason": advice.reason,
         "left_out": left_out(advice.model),
@@ -271,7 +291,7 @@ def advice_lines(advice: Advice, scene: str = "") -> list[str]:
     for one in advice.climbed:
         came = f"dt = {one.dt:<8g} s  {one.operations:9.3g} operations  error {one.error:.2g}"
         lines.append(f"  {one.label:34} {came if one.answer else one.failure}")
-    lines += [one for one in (left_out(advice.model), f"{advice.reason}, {advice.seconds * 1e3:.3g} ms") if one]
+    lines += [one for one in (left_out(advice.model), advice.reason) if one]
     words = f"symgen simulate {scene or advice.model.name} --scheme auto --tolerance {advice.tolerance:g}"
     lines += [f"to a tolerance ({advice.automatic[1]}): {words}"]
     return [*lines, f"run it with: {advised_command(advice, scene)}"]
@@ -279,4 +299,9 @@ def advice_lines(advice: Advice, scene: str = "") -> list[str]:
 
 def advised_command(advice: Advice, scene: str = "") -> str:
     """The words for `symgen simulate`; scene: what it calls the scene (the model's name by default)."""
-    return f"{command(advice.method, scene or advice.model.name)} --dt {advice.dt:g}"
+    method = advice.method
+    words = ["symgen simulate", scene or advice.model.name, f"--scheme {method.scheme}"]
+    words += [f"--m {','.join(map(str, method.m))}"] if method.m else []
+    for name, value in method.options.items():
+        words.append(f"--option {name}={','.join(map(str, value)) if isinstance(value, tuple) else value}")
+    return " ".join([*words, f"--dt {advice.dt:g}"])

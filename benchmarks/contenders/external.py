@@ -18,8 +18,8 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from benchmarks.contenders.by_c_compiler import compile_source
 from runtime.contract.tape import code_length, shared
-from runtime.engine.compiled import compile_source
 from runtime.engine.native import NativeProgram
 from runtime.engine.prepare import prepare
 from runtime.engine.program import Call

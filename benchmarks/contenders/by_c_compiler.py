@@ -1,4 +1,4 @@
-"""Compile C with the machine's compiler, into a cache keyed by content: on request, and for tests."""
+"""Step programs by the machine's C compiler: a second opinion on the compiled engine. Libraries are kept by content."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import ctypes
 import hashlib
 import os
 import shlex
-import shutil
 import subprocess
 import tempfile
 from collections.abc import Callable
@@ -17,9 +16,9 @@ import numpy as np
 
 from runtime.contract.errors import CompilerError
 from runtime.contract.files import cache_folder
-from runtime.engine.c_source import program_source, program_tables
+from runtime.engine.c_source import Style, program_code, source
 from runtime.engine.program import Program
-from runtime.engine.table_code import bind_library
+from runtime.export.fmu import find_compiler
 
 # -ffp-contract=off keeps compiled code bit-identical to the CasADi virtual machine (no fused multiply-add)
 COMMON_FLAGS = ("-shared", "-fPIC", "-march=native", "-ffp-contract=off", "-fno-math-errno")
@@ -27,14 +26,6 @@ LARGE_SOURCE = 10_000  # lines
 SMALL_FLAGS = ("-O3",)
 # of -O1, without the passes that take quadratic time on long straight-line code (a third of the time, same speed)
 LARGE_FLAGS = ("-O1", "-fno-dse", "-fno-tree-dse", "-fno-tree-pta", "-fno-ivopts", "-fno-schedule-insns2")
-
-
-def find_compiler() -> str | None:
-    """The command of the C compiler to use: $CC alone if set, else cc, gcc or clang; None if there is none."""
-    chosen = os.environ.get("CC")
-    if chosen:
-        return chosen if shutil.which(shlex.split(chosen)[0]) else None
-    return next((path for name in ("cc", "gcc", "clang") if (path := shutil.which(name))), None)
 
 
 @cache
@@ -53,7 +44,7 @@ def compile_source(source: str, large: bool = False) -> Path:
     """Shared library of a C source, from the cache if it is there. Raises CompilerError."""
     compiler = find_compiler()
     if compiler is None:
-        raise CompilerError("no C compiler found (set CC, or install gcc); the interpreted engine needs none")
+        raise CompilerError("no C compiler found; set CC, or install gcc")
     flags = (*(LARGE_FLAGS if large else SMALL_FLAGS), *COMMON_FLAGS)
     key = hashlib.sha256("\n".join([source, *flags, compiler, _identity(compiler)]).encode()).hexdigest()
     folder = cache_folder()
@@ -78,6 +69,15 @@ def _build(compiler: str, flags: tuple[str, ...], source: str, folder: Path, tar
         raise CompilerError(f"cannot compile in {folder}: {error}; set SYMGEN_CACHE to a writable folder") from error
 
 
+def program_source(program: Program) -> str:
+    """C source with `void run(double *z, const double *c, double *w, long n)`, which applies the program n times.
+
+    w: of `work_size` entries, for one call at a time.
+    """
+    code = program_code("run", program, Style())
+    return source([code], Style()) + f"const long work_size = {code.work};\n"
+
+
 class CompiledProgram:
     """A program as native code by the machine's C compiler."""
 
@@ -85,27 +85,22 @@ class CompiledProgram:
 
     def __init__(self, program: Program) -> None:
         self.note = ""
-        source = program_source(program)
-        self.source_lines = source.count("\n")
+        text = program_source(program)
+        self.source_lines = text.count("\n")
         large = self.source_lines > LARGE_SOURCE
-        self.library = compile_source(source, large)
+        self.library = compile_source(text, large)
         try:
-            loaded = self._loaded(program)
+            loaded = ctypes.CDLL(str(self.library))
         except (OSError, AttributeError):  # a damaged file in the cache: build it again, once
             self.library.unlink(missing_ok=True)
-            self.library = compile_source(source, large)
+            self.library = compile_source(text, large)
             try:
-                loaded = self._loaded(program)
+                loaded = ctypes.CDLL(str(self.library))
             except (OSError, AttributeError) as error:
                 raise CompilerError(f"the compiled program cannot be loaded: {error}") from error
         self._run, self._work = loaded.run, ctypes.c_long.in_dll(loaded, "work_size").value
         self._run.argtypes = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long)
         self._run.restype = None
-
-    def _loaded(self, program: Program) -> ctypes.CDLL:
-        library = ctypes.CDLL(str(self.library))
-        bind_library(library, program_tables(program))
-        return library
 
     def run_rows(self, z: np.ndarray, c: np.ndarray, counts: np.ndarray, rows: np.ndarray) -> None:
         """Apply the program counts (N,) times, each count followed by a copy of z to the next of rows (N, z_size)."""

@@ -8,10 +8,10 @@ import casadi as ca
 import numpy as np
 import pytest
 
+from benchmarks.contenders.external import External
+from benchmarks.contenders.sundials import METHODS, Sundials
 from runtime.baselines.condensed_ode import start_of
-from runtime.baselines.sundials import METHODS, Sundials
 from runtime.contract.model import Model
-from runtime.engine.external import External
 
 Load = Callable[..., Model]
 

@@ -14,15 +14,15 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from benchmarks.contenders.external import External
 from runtime.baselines.condensed_ode import CondensedOde, Start, observed_solution, start_of
 from runtime.baselines.scipy_methods import refuse_impulses
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.contract.tape import shared
-from runtime.engine.compiled import find_compiler
-from runtime.engine.external import External
 from runtime.engine.llvm_code import find_llvm
+from runtime.export.fmu import find_compiler
 from runtime.results.solution import Solution
 from runtime.schemes.sparse_lu import Number, factor, solve, solve_symmetric
 

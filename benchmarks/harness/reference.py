@@ -12,11 +12,12 @@ import numpy as np
 from runtime.baselines.condensed_ode import CondensedOde, integrated
 from runtime.baselines.scipy_methods import counted, in_pieces
 from runtime.contract.coordinates import followed
-from runtime.contract.errors import ModelError, NoResult
+from runtime.contract.errors import NoResult
 from runtime.contract.model import Model, refuse_events
 from runtime.engine.rows import evaluator
 from runtime.results.motion_error import MotionError, amplitudes, motion_error
 from runtime.running.problem import Problem
+from runtime.studies.advice.advise import checked_grades
 
 RTOL, ATOL = 1e-11, 1e-13
 LOOSER = 100.0  # its own error is estimated from a path with tolerances this much looser
@@ -66,18 +67,6 @@ class Reference:
         """The same at the end of the motion."""
         sizes = {name: error.over_motion[name] / error.relative[name] for name in self.graded if error.relative[name]}
         return max((error.at_end[name] / size for name, size in sizes.items()), default=0.0)
-
-
-def checked_grades(model: Model, graded: Sequence[str] | None) -> list[str]:
-    """Names of what tells the motion, all by default. Raises ModelError."""
-    known = followed(model)[0]
-    for name in graded or ():
-        if name not in known:
-            raise ModelError(
-                f"{name!r} cannot be graded: it is not an independent coordinate of {model.name}; those "
-                f"are {', '.join(known)}"
-            )
-    return list(graded or known)
 
 
 def independent_reference(

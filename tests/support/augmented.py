@@ -1,7 +1,7 @@
-"""The augmented form (Eq. 28) solved as it stands: cross-check of the condensed form and baseline for reports.
+"""The augmented form (Eq. 28) solved as it stands, by SciPy: cross-check of the condensed form.
 
 All coordinates and all multipliers are unknowns; constraints are satisfied at acceleration level only, so positions
-drift away from them unless the scene has Baumgarte terms.
+drift away from them.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from runtime.start.start_state import start_state
 
 
 def augmented_accelerations(model: Model) -> ca.Function:
-    """(t, q, q_dot, c) -> q_ddot (n), lam (n_c): [M C_q^T; C_q 0][q_ddot; lam] = [Q*; gamma_b].
+    """(t, q, q_dot, c) -> q_ddot (n), lam (n_c): [M C_q^T; C_q 0][q_ddot; lam] = [Q*; gamma].
 
     Redundant rows are left out of the system; lam has least norm then.
     """
@@ -31,7 +31,7 @@ def augmented_accelerations(model: Model) -> ca.Function:
     c = ca.SX.sym("c", model.kernel("constants").size1_out(0))
     result = model.evaluate("augmented", q=q, q_dot=q_dot, t=t, c=c)
     parts = [result["M"], result["Q_star"]]
-    parts += [result["C_q"], result["gamma_b"]] if rows else [ca.SX(0, n), ca.SX(0, 1)]
+    parts += [result["C_q"], result["gamma"]] if rows else [ca.SX(0, n), ca.SX(0, 1)]
     blocks = ca.Function("blocks", [t, q, q_dot, c], [ca.densify(part) for part in parts])
     arguments = [ca.MX.sym("t"), ca.MX.sym("q", n), ca.MX.sym("q_dot", n), ca.MX.sym("c", c.numel())]
     M, Q_star, all_C_q, all_gamma = blocks(*arguments)
@@ -48,7 +48,7 @@ def _spread(C_q: ca.MX, all_C_q: ca.MX, lam: ca.MX) -> ca.MX:
     return ca.mtimes(E, ca.solve(ca.mtimes(E.T, E), lam, "lapacklu"))
 
 
-def augmented_solution(
+def augmented_run(
     model: Model,
     *,
     t_end: float,
@@ -95,7 +95,7 @@ def augmented_solution(
             float(result.t[-1]),
             None,
             str(result.message),
-            "Loosen the tolerances or add Baumgarte terms.",
+            "Loosen the tolerances.",
         )
     )
     return assemble_solution(

@@ -8,27 +8,22 @@ from math import nan
 
 import numpy as np
 
+from benchmarks.harness.reference import Reference
 from runtime.contract.coordinates import followed
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from runtime.running.ladder import Rung
 from runtime.running.outcome import statistics
-from runtime.studies.work_precision.methods import ADAPTIVE
-from runtime.studies.work_precision.reference import Reference
 
 REPEATS = (5, 100)  # at least, at most
 ENOUGH = 0.03  # s: repeats last this long together; a single run that does is timed once
 LOW = 0.25  # quantile of the repeats that counts: where others run, a clock of CPU time may miss most of a call
 HOPELESS = 1.0  # relative error from which a run counts as failed
-TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9)  # of adaptive integrators
-SAMPLES = 101
-FINEST = 3e-8  # relative error at which a curve has gone far enough
-PATIENCE = 10  # times as long a run of an adaptive integrator may take as one of a scheme
 
 
 @dataclass(frozen=True)
 class Trial:
-    """setting: the step dt [s] of a scheme, or rtol of an adaptive integrator; seconds: of CPU.
+    """setting: the step dt [s]; seconds: of CPU.
 
     error, end_error: of the worst graded coordinate, over the motion and at its end; errors: of each, by name. told:
     what the ladder says of the error. failure: how it ended, if not well.
@@ -81,25 +76,3 @@ def seconds_of(rung: Rung) -> float:
         first.advance(z, rung.steps)
         times.append(time.process_time() - began)
     return float(np.quantile(times, LOW))
-
-
-def adaptive_trials(label: str, reference: Reference, seconds: float) -> list[Trial]:
-    """Of an established integrator to ever tighter tolerances, until one takes far longer than so many seconds."""
-    trials: list[Trial] = []
-    problem = reference.problem
-    times = np.linspace(0.0, problem.t_end, SAMPLES)
-    for rtol in TOLERANCES:
-        atol = rtol * min(1.0, *reference.amplitudes.values())
-        how = {"t_end": problem.t_end, "times": times, "rtol": rtol, "atol": atol}
-        seen = ADAPTIVE[label](problem.model, **how, **reference.arguments)
-        spent, evaluations = float(seen.stats["wall_seconds"]), int(seen.stats["evaluations"])
-        made = rtol, evaluations, spent, evaluations
-        if not seen.status.whole or len(seen.t) != SAMPLES:
-            trials.append(Trial(label, *made, np.inf, np.inf, failure=seen.status.cause or "failed"))
-            continue
-        error = reference.error(times, told(problem.model, seen))
-        errors = {name: error.relative[name] for name in reference.graded}
-        trials.append(Trial(label, *made, reference.worst(error), reference.at_end(error), errors))
-        if spent > PATIENCE * seconds or trials[-1].error < FINEST:
-            break
-    return trials

@@ -1,0 +1,66 @@
+"""Which methods are worth trying on a model.
+
+A step with dense matrices takes about 12 n^3 operations with n independent coordinates (measured on arms of 20 and 40
+links), and some 60 us of the compiler for each of them. Beyond LARGE coordinates one such method of each kind stands
+for the others, beyond what can be compiled there is none. Methods whose work is in proportion to n are always tried.
+"""
+
+from __future__ import annotations
+
+from runtime.contract.model import Model
+from runtime.running.ladder import DENSE, Method, affordable
+from runtime.schemes.catalogue import SCHEMES
+
+LARGE = 20  # independent coordinates
+RADAU = Method("radau", None, {"eps": (1e-6,)})
+ONE_OF_EACH = (Method("exponential", (1,)), RADAU)
+DENSE_METHODS = (
+    *(Method("exponential", (m,)) for m in (1, 2)),
+    *(Method("exponential", (m,), {"order": 5}) for m in (1, 2)),
+    RADAU,
+)
+PREDICTED = Method("single_rate", None, {"common_velocity": "predictor"})
+
+
+def multirate(method: Method) -> bool:
+    """Does it take sub-steps?"""
+    return SCHEMES[method.scheme].multirate
+
+
+def candidates(model: Model) -> list[Method]:
+    """Methods worth trying for advice, the likeliest first."""
+    found = [*stiff_methods(model), *_dense(model), PREDICTED, Method("rk4"), Method("dop853")]
+    if len(model.groups) > 1:
+        inner = (1,) * (len(model.groups) - 2)
+        found += [Method("coupled", (*inner, ratio)) for ratio in (2, 5, 10)]
+    return found
+
+
+def stiff_methods(model: Model) -> list[Method]:
+    """Those for stiff deflections, the likeliest first; `exponential_adams` not where these are many along a tree."""
+    if not model.has("deflections"):
+        return []
+    many = model.has("shifted_solution")
+    return [*([] if many else [Method("exponential_adams")]), Method("exponential_rk4")]
+
+
+def _dense(model: Model) -> list[Method]:
+    if not model.has("residual_jacobian"):
+        return []
+    if len(model.q_i) <= LARGE:
+        return list(DENSE_METHODS)
+    return list(ONE_OF_EACH) if affordable(model) else []
+
+
+def left_out(model: Model) -> str:
+    """What is not tried on a model; "" where all of them are."""
+    n = len(model.q_i)
+    if n <= LARGE:
+        return ""
+    if not model.has("residual_jacobian"):
+        return f"not tried with {n} coordinates: methods with a Jacobian, which the model is too large to have"
+    names = ", ".join(one.scheme for one in ONE_OF_EACH)
+    if affordable(model):
+        return f"not tried with {n} coordinates: dense methods beside {names}"
+    price = f"{DENSE * n**3 / 1e6:.1f} million operations a step"
+    return f"not tried with {n} coordinates: {names} and other dense methods, {price}"

@@ -1,1 +1,0 @@
-"""Methods compared on one problem: error against CPU time, with an independent reference."""
