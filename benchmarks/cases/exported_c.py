@@ -14,10 +14,9 @@ from benchmarks.harness.result import Line, Result, Skipped
 from benchmarks.harness.timing import interleave, ratio
 from runtime import load_model
 from runtime.contract.model import Model
-from runtime.engine.c_source import Style, program_code
+from runtime.engine.c_source import Style, find_compiler, program_code
 from runtime.engine.choose import operations_per_step
 from runtime.export.c_bundle import exported, write_c
-from runtime.export.fmu import find_compiler
 from symgen.scenes import generated_folder
 
 CASES = (

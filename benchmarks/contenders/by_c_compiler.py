@@ -16,9 +16,8 @@ import numpy as np
 
 from runtime.contract.errors import CompilerError
 from runtime.contract.files import cache_folder
-from runtime.engine.c_source import Style, program_code, source
+from runtime.engine.c_source import Style, find_compiler, program_code, source
 from runtime.engine.program import Program
-from runtime.export.fmu import find_compiler
 
 # -ffp-contract=off keeps compiled code bit-identical to the CasADi virtual machine (no fused multiply-add)
 COMMON_FLAGS = ("-shared", "-fPIC", "-march=native", "-ffp-contract=off", "-fno-math-errno")

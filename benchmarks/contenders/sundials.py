@@ -21,8 +21,8 @@ from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.contract.tape import shared
+from runtime.engine.c_source import find_compiler
 from runtime.engine.llvm_code import find_llvm
-from runtime.export.fmu import find_compiler
 from runtime.results.solution import Solution
 from runtime.schemes.sparse_lu import Number, factor, solve, solve_symmetric
 

@@ -9,7 +9,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 from benchmarks.contenders.by_c_compiler import COMMON_FLAGS, SMALL_FLAGS
-from runtime.export.fmu import find_compiler
+from runtime.engine.c_source import find_compiler
 
 
 def describe_machine() -> dict[str, str]:

@@ -10,7 +10,10 @@ those of one statement an operation, in half the text.
 
 from __future__ import annotations
 
+import os
 import re
+import shlex
+import shutil
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import isinf, isnan
@@ -389,3 +392,11 @@ class _Writer:
         # nothing is read where it is written: loads of w need not wait for stores
         apart = self.declared.replace("double *w", "double *restrict w")
         return self._function(f"{self.name}_{n}", lines, "static APART ", apart)
+
+
+def find_compiler() -> str | None:
+    """The command of the C compiler to use: $CC alone if set, else cc, gcc or clang; None if there is none."""
+    chosen = os.environ.get("CC")
+    if chosen:
+        return chosen if shutil.which(shlex.split(chosen)[0]) else None
+    return next((path for name in ("cc", "gcc", "clang") if (path := shutil.which(name))), None)

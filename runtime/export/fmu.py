@@ -6,7 +6,6 @@ import hashlib
 import os
 import platform
 import shlex
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -18,6 +17,7 @@ from pathlib import Path
 
 from runtime.contract.errors import CompilerError, ModelError
 from runtime.contract.files import replacing
+from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import Exported, c_files
 from runtime.export.fmu_description import description
 from runtime.export.fmu_source import fmu_source
@@ -109,14 +109,6 @@ def fmu_texts(one: Exported, fmi: int) -> dict[str, str]:
             "</fmiBuildDescription>\n"
         )
     return texts
-
-
-def find_compiler() -> str | None:
-    """The command of the C compiler to use: $CC alone if set, else cc, gcc or clang; None if there is none."""
-    chosen = os.environ.get("CC")
-    if chosen:
-        return chosen if shutil.which(shlex.split(chosen)[0]) else None
-    return next((path for name in ("cc", "gcc", "clang") if (path := shutil.which(name))), None)
 
 
 def _compiler(name: str) -> list[str] | None:

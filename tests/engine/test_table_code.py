@@ -17,12 +17,12 @@ from runtime import DifferentiableRun, ensemble, load_model, resume, simulate
 from runtime.contract.model import Model
 from runtime.contract.tables import Table, mark
 from runtime.contract.tape import as_function, read_tape, shared
+from runtime.engine.c_source import find_compiler
 from runtime.engine.choose import choose_engine, operations_per_step
 from runtime.engine.ensemble_code import LaneCode, blocks_of
 from runtime.engine.llvm_code import BEST, FIRST
 from runtime.engine.program import Call, Form
 from runtime.engine.rows import ManyPoints
-from runtime.export.fmu import find_compiler
 from runtime.gradients.objectives import End
 from runtime.schemes.switching.table_bounds import TableBounds
 from symgen.generate import generate

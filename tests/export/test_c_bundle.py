@@ -14,9 +14,9 @@ import pytest
 from runtime import ModelError
 from runtime.contract.model import Model
 from runtime.engine import c_source
+from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import exported, write_c
 from runtime.export.c_functions import function_files
-from runtime.export.fmu import find_compiler
 from symgen.cli import main
 from symgen.scene import Scene, SceneRecord
 from tests.export.bundles import STRICT, bundle, compiled

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from runtime.contract.model import Model
-from runtime.export.fmu import find_compiler
+from runtime.engine.c_source import find_compiler
 from symgen.scene import Scene, SceneRecord
 from tests.export.bundles import bundle
 

@@ -14,8 +14,8 @@ import pytest
 
 from runtime import ModelError, simulate
 from runtime.contract.model import Model
+from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import exported, write_c
-from runtime.export.fmu import find_compiler
 from symgen.scene import Scene, SceneRecord
 from tests.export.bundles import STRICT, Bundle, bundle
 

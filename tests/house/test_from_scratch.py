@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runtime.export.fmu import find_compiler
+from runtime.engine.c_source import find_compiler
 from tests.hand_derived import twin_double_pendulum as twin
 
 PROGRAM = Path(__file__).resolve().parents[2] / "docs" / "inside" / "symgen_from_scratch.py"

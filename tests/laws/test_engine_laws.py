@@ -10,8 +10,8 @@ import pytest
 from benchmarks.contenders.by_c_compiler import CompiledProgram
 from runtime import simulate
 from runtime.contract.model import Model
+from runtime.engine.c_source import find_compiler
 from runtime.engine.interpreted import InterpretedProgram
-from runtime.export.fmu import find_compiler
 from runtime.running.simulate import make_plan
 from runtime.schemes.stepper import start_vector
 from symgen.scenes import SCENES

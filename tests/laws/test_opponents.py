@@ -12,8 +12,8 @@ from benchmarks.contenders.sundials import sundials_solution
 from runtime import Solution, reference_solution, simulate
 from runtime.baselines.scipy_methods import scipy_solution
 from runtime.contract.model import Model
+from runtime.engine.c_source import find_compiler
 from runtime.engine.llvm_code import find_llvm
-from runtime.export.fmu import find_compiler
 from runtime.schemes.baselines.radau import NODES, SHIFTS, A
 from runtime.schemes.options import SchemeError
 
