@@ -1,13 +1,12 @@
-"""A Solution as files and tables: .npz without pickle, CSV, MATLAB, Parquet, xarray, NetCDF."""
+"""A Solution as files and columns: .npz without pickle, CSV, MATLAB."""
 
 from __future__ import annotations
 
 import json
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import asdict
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,8 +23,6 @@ from runtime.results.samples import FORCE_PARTS, read_angles
 from runtime.results.stream import read_blocks, read_header
 
 if TYPE_CHECKING:
-    import xarray
-
     from runtime.results.samples import Samples
 
 
@@ -151,35 +148,37 @@ def _plain(value: Any) -> Any:
     return value.item() if isinstance(value, np.generic) else value
 
 
-def table(solution: Samples) -> dict[str, np.ndarray]:
-    """Columns by name: t, coordinates, rates `_dot`, accelerations `_ddot`, `lam.row`, joint forces, the rest."""
+def columns(solution: Samples) -> dict[str, np.ndarray]:
+    """(N,) by name, as pandas.DataFrame takes them: t, coordinates, rates `_dot`, accelerations `_ddot`, `lam.row`,
+    joint forces, the rest.
+    """
     model = solution.model
-    columns = {"t": solution.t}
+    found = {"t": solution.t}
     for suffix, values in (("", solution.q), ("_dot", solution.q_dot), ("_ddot", solution.q_ddot)):
-        columns |= {f"{name}{suffix}": values[:, k] for k, name in enumerate(model.coordinates)}
-    columns |= angular_velocities(model, solution.q, solution.q_dot)
+        found |= {f"{name}{suffix}": values[:, k] for k, name in enumerate(model.coordinates)}
+    found |= angular_velocities(model, solution.q, solution.q_dot)
     for body in euler_angles(model):
-        columns |= read_angles(model, solution.q, solution.q_dot, solution.q_ddot, body)
-    columns |= {f"lam.{row}": solution.lam[:, k] for k, row in enumerate(model.constraints)}
-    columns |= {
+        found |= read_angles(model, solution.q, solution.q_dot, solution.q_ddot, body)
+    found |= {f"lam.{row}": solution.lam[:, k] for k, row in enumerate(model.constraints)}
+    found |= {
         f"{joint}.{part}": solution.joint_forces[:, k, axis]
         for k, joint in enumerate(model.joints)
         for axis, part in enumerate(FORCE_PARTS[solution.joint_forces.shape[2]])
     }
-    columns |= {
+    found |= {
         f"load.{load.name}.{part}": solution.load_forces[:, k, axis]
         for k, load in enumerate(model.description.loads)
         for axis, part in enumerate(FORCE_PARTS[solution.load_forces.shape[2]])
     }
-    columns |= friction_columns(solution)
-    columns |= {f"energy.{key}": series for key, series in solution.energy.items()}
-    columns["constraint_error"] = solution.constraint_error
-    columns["constraint_rate_error"] = solution.constraint_rate_error
-    return columns | {f"measure.{name}": solution.measures[:, k] for k, name in enumerate(model.measures)}
+    found |= friction_columns(solution)
+    found |= {f"energy.{key}": series for key, series in solution.energy.items()}
+    found["constraint_error"] = solution.constraint_error
+    found["constraint_rate_error"] = solution.constraint_rate_error
+    return found | {f"measure.{name}": solution.measures[:, k] for k, name in enumerate(model.measures)}
 
 
 def column_units(model: Model) -> dict[str, str]:
-    """SI units of the columns of `table`, and of energies and measures by their own names."""
+    """SI units of these columns, and of energies and measures by their own names."""
     described = model.description
     units = {"t": "s", "constraint_error": "m or rad", "constraint_rate_error": "m/s or rad/s"}
     for order, suffix in enumerate(("", "_dot", "_ddot")):
@@ -201,10 +200,9 @@ def column_units(model: Model) -> dict[str, str]:
 
 
 def export(solution: Samples, path: str | Path) -> None:
-    """One row a sample with names and units, as .csv, .mat (MATLAB), .parquet or .nc (NetCDF) by the name's end.
+    """One row a sample with names and units, as .csv or .mat (MATLAB) by the name's end.
 
-    Of the outputs if only those were kept. Raises ModelError for another ending, ImportError naming the extra that
-    is missing (`parquet`, `netcdf`), or OutputError.
+    Of the outputs if only those were kept. Raises ModelError for another ending, or OutputError.
     """
     suffix = Path(path).suffix.lower()
     if suffix not in WRITERS:
@@ -214,8 +212,8 @@ def export(solution: Samples, path: str | Path) -> None:
 
 def _columns(solution: Samples) -> tuple[dict[str, np.ndarray], list[str]]:
     """The columns, or the outputs if only those were kept, and their units."""
-    columns, units = solution.outputs or table(solution), column_units(solution.model)
-    return dict(columns), [units.get(name, "") for name in columns]
+    kept, units = solution.outputs or columns(solution), column_units(solution.model)
+    return dict(kept), [units.get(name, "") for name in kept]
 
 
 def to_csv(solution: Samples, path: str | Path) -> None:
@@ -252,94 +250,9 @@ def to_mat(solution: Samples, path: str | Path) -> None:
         savemat(temporary, content, do_compression=True, oned_as="column", long_field_names=True)
 
 
-def to_parquet(solution: Samples, path: str | Path) -> None:
-    """A Parquet file, the unit of each column in its metadata. Raises ImportError naming the extra, or OutputError."""
-    try:
-        import pyarrow
-        from pyarrow import parquet
-    except ImportError as error:
-        raise ImportError("pyarrow is not installed; install it with: pip install 'symgen[parquet]'") from error
-    columns, units = _columns(solution)
-    fields = [
-        pyarrow.field(name, pyarrow.float64(), nullable=False, metadata={"unit": unit})
-        for name, unit in zip(columns, units, strict=True)
-    ]
-    about = {"model": solution.model.name, "scheme": solution.scheme, "status": str(solution.status)}
-    arrays = [pyarrow.array(np.asarray(values, dtype=float)) for values in columns.values()]
-    with replacing(path) as temporary:
-        parquet.write_table(pyarrow.Table.from_arrays(arrays, schema=pyarrow.schema(fields, metadata=about)), temporary)
-
-
-def to_xarray(solution: Samples) -> xarray.Dataset:
-    """A labelled Dataset with units. Raises ImportError naming the extra `netcdf` if xarray is missing."""
-    try:
-        import xarray
-    except ImportError as error:
-        raise ImportError("xarray is not installed; install it with: pip install 'symgen[netcdf]'") from error
-    model = solution.model
-    kinds = (("q", solution.q, 0), ("q_dot", solution.q_dot, 1), ("q_ddot", solution.q_ddot, 2))
-    variables: dict[str, Any] = {}
-    for key, values, order in kinds:
-        units = ", ".join(f"{entry.name}: {entry.unit_of(order)}" for entry in model.description.coordinates)
-        variables[key] = (("t", "coordinate"), values, {"units": units})
-    variables["q_i"] = (("t", "independent"), solution.q_i)
-    variables["lam"] = (("t", "constraint"), solution.lam, {"description": "multipliers of Eq. (37)"})
-    variables["joint_forces"] = (("t", "joint", "component"), solution.joint_forces, {"units": "N, N m"})
-    variables["load_forces"] = (("t", "load", "load_component"), solution.load_forces, {"units": "N, N m"})
-    for name, values in friction_columns(solution).items():
-        variables[name] = ("t", values, {"units": column_units(model)[name]})
-    for key, series in solution.energy.items():
-        variables[f"energy_{key}"] = ("t", series, {"units": "W" if key in POWERS else "J"})
-    variables["constraint_error"] = ("t", solution.constraint_error)
-    variables["constraint_rate_error"] = ("t", solution.constraint_rate_error)
-    variables["measures"] = (("t", "measure"), solution.measures)
-    variables["parameters"] = ("parameter", solution.parameters)
-    dataset = xarray.Dataset(
-        variables,
-        coords={
-            "t": ("t", solution.t, {"units": "s"}),
-            "coordinate": _labels(model.coordinates),
-            "independent": _labels(model.q_i),
-            "constraint": _labels(model.constraints),
-            "joint": _labels(model.joints),
-            "load": _labels([load.name for load in model.description.loads]),
-            "component": _labels(FORCE_PARTS[solution.joint_forces.shape[2]]),
-            "load_component": _labels(FORCE_PARTS[solution.load_forces.shape[2]]),
-            "measure": _labels(model.measures),
-            "parameter": _labels([entry.name for entry in model.parameters]),
-        },
-        attrs={
-            "model": model.name,
-            "title": model.title,
-            "scheme": solution.scheme,
-            "dt": solution.dt,
-            "m": np.array(solution.m, dtype=int),
-            "status": str(solution.status),
-        },
-    )
-    return dataset
-
-
-def _labels(names: Sequence[str]) -> np.ndarray:
-    return np.array(names, dtype=np.str_ if names else "U1")
-
-
-def to_netcdf(solution: Samples, path: str | Path) -> None:
-    """NetCDF 4 through h5netcdf. Raises ImportError naming the extra, or OutputError."""
-    dataset = to_xarray(solution)
-    for package in ("h5netcdf", "h5py"):  # h5netcdf does not require the library that it writes with
-        if find_spec(package) is None:
-            raise ImportError(f"{package} is not installed; install it with: pip install 'symgen[netcdf]'")
-    empty = [name for name, values in dataset.variables.items() if values.size == 0]
-    with replacing(path) as temporary:
-        dataset.drop_vars(empty).to_netcdf(temporary, engine="h5netcdf")
-
-
 WRITERS: dict[str, Callable[[Samples, str | Path], None]] = {
     ".csv": to_csv,
     ".mat": to_mat,
-    ".parquet": to_parquet,
-    ".nc": to_netcdf,
 }
 
 

@@ -66,7 +66,7 @@ class Solution(Samples):
     body_motion = Door("runtime.results.body_motion:body_motion")
     save = Door("runtime.results.export:write_npz")
     export = Door("runtime.results.export:export")
-    to_xarray = Door("runtime.results.export:to_xarray")
+    columns = Door("runtime.results.export:columns")
 
     def _repr_html_(self) -> str:
         return solution_card(self)

@@ -139,8 +139,8 @@ def columns_of(solution: Solution, outputs: Sequence[str]) -> Columns:
 
 
 def output_values(solution: Solution) -> dict[str, np.ndarray]:
-    """All columns by the names that outputs are asked for: those of export.table, energies and measures bare too."""
-    table = export.table(solution)
+    """All columns by the names that outputs are asked for: those of export.columns, energies and measures bare too."""
+    table = export.columns(solution)
     table = {name: values for name, values in table.items() if not name.endswith(".friction_heat")}  # of all samples
     bare = {
         name.partition(".")[2]: values for name, values in table.items() if name.startswith(("energy.", "measure."))

@@ -21,7 +21,7 @@ SAMPLES = 500  # about so many are kept of the main run
 def demo(arguments: argparse.Namespace) -> Outcome:
     """Generate a built-in scene, simulate it, and show the results.
 
-    Leaves model/, report.json, report.md, motion.gif, view.html, motion.png, deformation.png, forces.png,
+    Leaves model/, report.json, motion.gif, view.html, motion.png, deformation.png, forces.png,
     energy.png, solution.npz and .csv, and a comparison of methods, advice.png. What is advised is the main run; the
     scene's own scheme is beside it in difference.png.
     """

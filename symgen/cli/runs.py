@@ -22,7 +22,7 @@ MODEL_FOLDER, SOLUTION_FILE = "model", "solution.npz"
 def simulate(arguments: argparse.Namespace) -> Outcome:
     """Simulate a scene or a generated model.
 
-    With --out it leaves model/, solution.npz, solution.csv, report.json, report.md and pictures.
+    With --out it leaves model/, solution.npz, solution.csv, report.json and pictures.
     """
     if arguments.plots and not arguments.out:
         raise UsageError("--plots needs --out DIR")
@@ -178,15 +178,17 @@ def leave_all(solution: Solution, folder: Path, pictures: bool) -> dict[str, str
 
 
 def leave_results(solution: Solution, folder: Path, pictures: bool = True) -> dict[str, str]:
-    """solution.npz and .csv, report.json and .md; motion.png, energy.png, where there are any deformation.png and
+    """solution.npz and .csv, report.json; motion.png, energy.png, where there are any deformation.png and
     forces.png; {what: path}. Raises OutputError.
     """
-    from runtime.views.report import run_report, write_report
+    from runtime.contract.files import write_text
+    from runtime.results.export import as_json
+    from runtime.views.report import run_report
 
     solution.save(folder / SOLUTION_FILE)
     solution.export(folder / "solution.csv")
-    write_report(run_report(solution), folder, solution.model.title or solution.model.name)
-    names = [SOLUTION_FILE, "solution.csv", "report.json", "report.md"]
+    write_text(folder / "report.json", as_json(run_report(solution)))
+    names = [SOLUTION_FILE, "solution.csv", "report.json"]
     if pictures:
         from runtime.views import plots
 

@@ -272,7 +272,7 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             opt("source SOURCE", "results: folder that `symgen simulate --out` left; else a scene or generated folder"),
             opt(
                 "--out PATH",
-                "results: a .csv, .mat, .parquet or .nc; fmu: a .fmu; c and functions: a folder",
+                "results: a .csv or .mat; fmu: a .fmu; c and functions: a folder",
                 required=True,
             ),
             WITH,

@@ -17,7 +17,6 @@ from symgen.cli.outcome import Progress
 
 DEMO_FILES = (
     "report.json",
-    "report.md",
     "motion.gif",
     "motion.png",
     "forces.png",

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from benchmarks.harness.reference import independent_reference
-from runtime import Environment, Model, ModelError, ensemble, resume, simulate
+from runtime import Model, ModelError, ensemble, resume, simulate
 from runtime.contract.errors import ArgumentError
 from runtime.running.checkpoint import read_checkpoint
 from runtime.schemes.catalogue import SCHEMES
@@ -147,18 +147,6 @@ def test_steppers_know_events_bit_for_bit(model_of: Build, scheme: str) -> None:
             with pytest.raises(ArgumentError, match="event high has ended the motion.*reset or restore"):
                 stepper.step()
             stepper.restore(kept)
-
-
-def test_a_terminal_event_ends_an_episode(model_of: Build) -> None:
-    """Pushed up with 2 g from 0.85 m, the mass passes 0.9 m within its third step."""
-    model = model_of(falling(high={"when": "x - 0.9", "direction": "rising", "terminal": True}))
-    environment = Environment(
-        model, actions={"push": (0.0, 6 * G)}, observe=["mass.x"], reward=lambda seen, taken: float(seen[0])
-    )
-    environment.reset(options={"mass.x": 0.85})
-    told = [environment.step([6 * G]) for _ in range(3)]
-    assert [over for _, _, over, _, _ in told] == [False, False, True]
-    assert told[-1][1] == pytest.approx(0.9, abs=1e-9) and told[-1][4] == {"status": "event"}
 
 
 def test_a_terminal_event_ends_the_run_there(model_of: Build, tmp_path: Path) -> None:
