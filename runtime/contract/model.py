@@ -233,7 +233,6 @@ class Model:
     output_jacobian = Door("runtime.gradients.differentiable_run:output_jacobian")
     fit = Door("runtime.gradients.fit:fit")
     advise = Door("runtime.studies.advice.advise:advise")
-    stability = Door("runtime.studies.stability.chart:stability_chart")
     stepper = Door("runtime.running.stepping:ModelStepper")
     ode = Door("runtime.baselines.ode:ode")
 

@@ -382,21 +382,6 @@ COMMANDS: dict[str, tuple[Callable[[argparse.Namespace], Outcome], Options]] = {
             opt("--out DIR", "folder for response.csv"),
         ),
     ),
-    "stability": (
-        studies.stability,
-        (
-            *SCENE,
-            SCHEME,
-            M.but(action="append", help="ratios to look at; may be repeated"),
-            opt("--dt-from SECONDS", "smallest step of the fastest group", number),
-            opt("--dt-to SECONDS", "largest step of the fastest group", number),
-            POINTS.but(default=20),
-            opt("--states COUNT", "states along the motion (default: %(default)s)", int, default=16),
-            SCHEME_OPTION,
-            opt("--out DIR", "folder for stability.csv and stability.png"),
-            MOTION,
-        ),
-    ),
     "periodic": (
         studies.periodic,
         (

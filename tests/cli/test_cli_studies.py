@@ -1,4 +1,4 @@
-"""`symgen stability`, `periodic` and `advise` as a user calls them."""
+"""`symgen periodic` and `advise` as a user calls them."""
 
 from __future__ import annotations
 
@@ -20,42 +20,6 @@ def said(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str
     code = main(list(words))
     captured = capsys.readouterr()
     return code, captured.out, captured.err
-
-
-def test_stability_leaves_its_chart(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    """Central difference on L1: the limit is 2 / w of the fastest coupled mode, for every m."""
-    code, out, _ = said(
-        capsys,
-        "stability",
-        *MOTION,
-        "--scheme",
-        "coupled",
-        "--m",
-        "2",
-        "--m",
-        "5",
-        "--states",
-        "1",
-        "--points",
-        "6",
-        "--set",
-        "k_L=0",
-        "--set",
-        "zeta=0",
-        "--out",
-        str(tmp_path),
-        "--json",
-    )
-    assert code == 0
-    limits = json.loads(out)["limits"]
-    assert [row["m"] for row in limits] == [[2], [5]]
-    with (tmp_path / "stability.csv").open() as lines:
-        rows = list(csv.DictReader(lines))
-    assert len(rows) == 12
-    assert all(float(row["spectral_radius"]) > 0 for row in rows)
-    assert (tmp_path / "stability.png").stat().st_size > 1000
-    fine = [row["dt_S_limit"] for row in limits]
-    assert fine[0] == pytest.approx(fine[1], rel=0.01)
 
 
 CRANK = ["periodic", "flexible_slider_crank", "--speed", "omega", "--tolerance", "1e-3"]
@@ -108,23 +72,6 @@ def test_periodic_goes_on_after_ctrl_c(
     found = json.loads(out)
     assert code == 0 and found["values"][: len(kept["values"])] == kept["values"] and found["values"][-1] == 141
     assert max(found["errors"]) < 1e-3
-
-
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
-        (["--dt-from", "1e-3"], "belong together"),
-        (["--dt-from", "1", "--dt-to", "0.1"], "below --dt-to"),
-        (["--points", "1"], "--points must be"),
-        (["--scheme", "nothing"], "no scheme 'nothing'"),
-        (["--scheme", "coupled", "--m", "2,2"], "m must hold one number"),
-        (["--option", "guess=x", "--scheme", "rk4"], "rk4 has no option"),
-    ],
-)
-def test_stability_refuses(capsys: pytest.CaptureFixture[str], words: list[str], message: str) -> None:
-    code, _, err = said(capsys, "stability", *MOTION, *words)
-    assert code == 2
-    assert message in err
 
 
 def test_advise_ends_with_a_command(capsys: pytest.CaptureFixture[str]) -> None:

@@ -10,12 +10,10 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
-from runtime.studies.stability import limits
-from runtime.studies.stability.along import states_along
-from runtime.studies.stability.limits import StabilityStudy
-from runtime.studies.stability.spectrum import ExactMotion
 from symgen.scene import Scene, SceneRecord
+from tests.support import stability as limits
 from tests.support.prepared_runs import PreparedRuns
+from tests.support.stability import ExactMotion, StabilityStudy, states_along
 
 pytestmark = pytest.mark.long
 

@@ -14,11 +14,9 @@ from runtime.contract.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.solution import Solution
 from runtime.schemes.catalogue import scheme_kind
-from runtime.studies.stability import limits
-from runtime.studies.stability.along import states_along
-from runtime.studies.stability.limits import StabilityStudy
-from runtime.studies.stability.spectrum import ExactMotion, StepSpectrum
+from tests.support import stability as limits
 from tests.support.model_values import Array
+from tests.support.stability import ExactMotion, StabilityStudy, StepSpectrum, states_along
 
 pytestmark = pytest.mark.long
 

@@ -14,7 +14,7 @@ from runtime.contract.model import Model
 from runtime.operating.mode_solver import ModeSolver
 from runtime.schemes.baselines.runge_kutta import ClassicalRungeKutta, DormandPrince8, ExplicitRungeKutta
 from runtime.schemes.step_limit import central_difference_limit, limit_between_the_axes
-from runtime.studies.stability.limits import usual_steps
+from tests.support.stability import usual_steps
 
 Load = Callable[[str], Model]
 CLOSE = 0.03  # of a limit

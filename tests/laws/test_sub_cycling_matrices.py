@@ -11,9 +11,6 @@ import pytest
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import State
 from runtime.schemes.catalogue import scheme_kind
-from runtime.studies.stability.limits import SHARE_OF_FREQUENCY, StabilityStudy
-from runtime.studies.stability.spectrum import ExactMotion
-from runtime.studies.stability.tangent import TangentStep
 from tests.hand_derived.twin_oscillators import Params
 from tests.hand_derived.twin_subcycling import (
     held_slow_matrix,
@@ -23,6 +20,7 @@ from tests.hand_derived.twin_subcycling import (
     runge_kutta_matrix,
 )
 from tests.support.model_values import Array
+from tests.support.stability import SHARE_OF_FREQUENCY, ExactMotion, StabilityStudy, TangentStep
 
 Load = Callable[[str], Model]
 REST = State(0.0, np.zeros(2), np.zeros(2), np.zeros(0))

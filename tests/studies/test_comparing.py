@@ -22,9 +22,8 @@ from runtime.running.singular.crossing import MOST_EVALUATIONS, BranchLost, Tigh
 from runtime.studies.advice import methods
 from runtime.studies.advice.advise import Advice, NoAdvice, advice_data, advice_lines, advise, advised_command
 from runtime.studies.advice.methods import candidates, left_out
-from runtime.studies.stability.chart import USUAL_RATIOS, stability_chart
 from symgen.generate import model_of as derived
-from symgen.scene import Scene, SceneRecord
+from symgen.scene import SceneRecord
 from symgen.scenes.arm import arm
 
 pytestmark = pytest.mark.long
@@ -220,14 +219,3 @@ def test_a_question_may_take_so_many_evaluations_and_no_more(built_in: Load) -> 
         integrator.slope(0.0, y)
     with pytest.raises(BranchLost, match="without end"):
         integrator.slope(0.0, y)
-
-
-def test_usual_ratios_of_three_groups_sub_cycle_the_last(model_of: Build) -> None:
-    builder = Scene("three").structure(
-        coordinates=["a", "b", "c"], mass=np.eye(3), stiffness=np.diag([1.0, 9.0, 100.0])
-    )
-    builder.groups(A=["a"], B=["b"], C=["c"]).initial({"a": 1.0}).simulation(
-        t_end=0.2, dt=0.1, m=[1, 2], scheme="printed"
-    )
-    chart = stability_chart(model_of(builder.build()), "coupled", points=2, states=1, dt_range=(1e-3, 2e-3))
-    assert [curve.m for curve in chart.curves] == [[1, ratio] for ratio in USUAL_RATIOS]

@@ -13,12 +13,9 @@ from runtime.contract.model import Model
 from runtime.schemes.catalogue import SCHEMES, scheme_kind
 from runtime.schemes.stepper import Stepper
 from runtime.start.start_state import start_state
-from runtime.studies.stability.along import states_along
-from runtime.studies.stability.chart import stability_chart
-from runtime.studies.stability.spectrum import ExactMotion
-from runtime.studies.stability.tangent import TangentStep
 from symgen.scene import SceneRecord
 from tests.support.model_values import Array
+from tests.support.stability import ExactMotion, StabilityStudy, TangentStep, states_along
 
 pytestmark = pytest.mark.long
 
@@ -165,32 +162,14 @@ def test_a_short_step_has_the_multipliers_of_the_motion(built_in: Load, name: st
 def test_stability_of_the_default_sweep_is_that_of_the_direct_update(built_in: Load) -> None:
     """Neutral up to 2 over the fastest frequency: both routes to the common update say so."""
     model = built_in("two_oscillators")
+    c = model.constants(model.parameter_vector())
+    states, exact = states_along(model, t_end=5.0, count=3), ExactMotion(model, c)
     limits = [
-        stability_chart(model, "printed", m=[[1]], options=options, states=3, points=8).curves[0].limit
+        StabilityStudy(model, "printed", [1], options, c, states, 5.0, exact).curve(np.geomspace(0.02, 0.3, 8)).limit
         for options in ({}, {"common_update": "direct"})
     ]
     assert limits[0] is not None and limits[0] == pytest.approx(0.0866, rel=2e-3)
     assert limits[0] == pytest.approx(limits[1], rel=1e-6)
-
-
-def test_an_unstable_chart_says_how_fast_it_grows(built_in: Load) -> None:
-    """Steps far above the limit only: none is stable, and no growth is claimed to be zero."""
-    (row,) = stability_chart(
-        built_in("two_oscillators"), "printed", m=[[8]], states=2, points=3, dt_range=(0.05, 0.08)
-    ).table()
-    assert row["dt_limit"] is None and row["largest_growth_below_limit"] is None
-    assert row["growth_at_smallest_dt"] > 0
-
-
-def test_a_chart_of_one_state_across_the_end_of_a_load(built_in: Load) -> None:
-    """The torque on the hub ends at 2 s, behind which no state is asked for: the chart is that of the start."""
-    (row,) = stability_chart(
-        built_in("hub_beam"), "printed", m=[[10]], dt_range=(1e-3, 1e-3), points=1, states=1, t_end=5.0
-    ).table()
-    (short,) = stability_chart(
-        built_in("hub_beam"), "printed", m=[[10]], dt_range=(1e-3, 1e-3), points=1, states=1, t_end=1.0
-    ).table()
-    assert row == short
 
 
 def test_a_sweep_arrives_where_a_group_passes_through_zero(built_in: Load) -> None:
