@@ -23,11 +23,11 @@ from scipy.integrate import solve_ivp
 from runtime import Solution, SymgenError, reference_solution, simulate
 from runtime.contract.coordinates import followed
 from runtime.contract.model import Model
-from runtime.operating.mode_solver import modes_at
 from runtime.results.motion_error import amplitudes, floored
 from symgen.generate import model_of
 from symgen.scene import Scene, SceneRecord
 from symgen.scenes.hard_suite import HARD_SUITE
+from tests.support.modes import modes_at
 from tests.support.random_mechanisms import four_bars, trees
 
 SCHEMES = ("single_rate", "rk4", "dopri5", "exponential", "exponential_rk4")

@@ -14,10 +14,10 @@ import numpy as np
 from runtime import load_model
 from runtime.baselines.scipy_methods import reference_solution
 from runtime.contract.model import Model
-from runtime.operating.mode_solver import modes_at
 from runtime.results.solution import Solution
 from symgen.generate import generate
 from symgen.scenes.hard_suite import HARD_SUITE, HardCase
+from tests.support.modes import modes_at
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "evidence" / "hard-suite.md"
 TOLERANCES = (1e-9, 1e-11)  # rtol; atol is 1/100 of it
@@ -43,7 +43,7 @@ Written by `python -m benchmarks.pages.hard_tables --publish`; every number is c
 A scheme is judged on the graded coordinates: the rigid and lateral ones of q_i. Axial coordinates are not graded, and
 of the two oscillators only the slow one is.
 
-Frequencies are `Modes.undamped` of `runtime/operating/mode_solver.py`: those of the condensed equations linearised
+Frequencies are `Modes.undamped` of `tests/support/modes.py`: those of the condensed equations linearised
 without their velocity terms, at the start and the largest of each over the motion. Zero is a direction without
 stiffness or with negative stiffness. Where something dissipates, the rate is the fastest decay at the start, the
 largest -Re of the eigenvalues of the linearised equations: an `rk4` step must stay below 2.785 / rate, while central

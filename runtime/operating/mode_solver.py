@@ -1,4 +1,4 @@
-"""Coupled, condensed modes: eigenvalues of the equations linearised at a state, with damping, and who takes part.
+"""The condensed equations linearised at a state, by whose frequencies and decays steps are limited.
 
 M_hat w'' = J_q w + J_v w' with the emitted Jacobians; J_q includes d(M_hat a)/dq_i. Step limits follow from these, not
 from a body's clamped modes.
@@ -6,13 +6,12 @@ from a body's clamped modes.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
 
-from runtime.contract.consistent_state import dense_eigenvalues, one_thread
+from runtime.contract.consistent_state import one_thread
 from runtime.contract.coordinates import independent, loop_part
 from runtime.contract.model import Model
 from runtime.contract.orientations import tilde
@@ -68,28 +67,8 @@ class State:
     loop: np.ndarray
 
 
-@dataclass(frozen=True)
-class Modes:
-    """At a state: eigenvalues (2 n) [1/s]; frequencies |lambda| [rad/s] and damping ratios of the n modes, ascending;
-    participation (mode, coordinate), rows of sum 1: shares of kinetic energy.
-
-    undamped: frequencies [rad/s] of M_hat w'' = J_q w, ascending; directions of negative stiffness count as zero.
-    """
-
-    eigenvalues: np.ndarray
-    frequencies: np.ndarray
-    damping: np.ndarray
-    participation: np.ndarray
-    undamped: np.ndarray
-
-    @property
-    def fastest_decay(self) -> float:
-        """Largest -Re of the eigenvalues [1/s]; 0 if nothing decays."""
-        return float((-self.eigenvalues.real).max(initial=0.0))
-
-
 class ModeSolver:
-    """Modes of a model with constants c. Raises ModelError if the model was generated without its Jacobians."""
+    """Linear systems of a model with constants c. Raises ModelError if it was generated without its Jacobians."""
 
     def __init__(self, model: Model, c: np.ndarray) -> None:
         self.model, self.n, self.c = model, len(model.q_i), c
@@ -153,24 +132,6 @@ class ModeSolver:
         slopes = [*(ca.densify(ca.jtimes(a, by, to)) for by, to in ((q, rates), (v, along))), ca.densify(a)]
         return ca.Function("slopes", [t, q, v, loop, constants, along], slopes)
 
-    def __call__(self, state: State) -> Modes:
-        """The modes at a state. Raises LinAlgError if it is not finite or M_hat is singular."""
-        M, n = self.matrices(state)[0], self.n
-        A = np.zeros((2 * n, 2 * n))
-        A[:n, n:] = np.eye(n)
-        A[n:, :n], A[n:, n:] = self.slopes(state, moving=True)
-        undamped = np.sort(np.sqrt(np.maximum(dense_eigenvalues(-A[n:, :n]).real, 0.0)))
-        with one_thread(2 * n):
-            values, vectors = np.linalg.eig(A)
-        chosen = _one_of_each(values, n)
-        size = np.abs(values[chosen])
-        with np.errstate(divide="ignore", invalid="ignore"):
-            damping = np.where(size > 0, -values[chosen].real / size, 0.0)
-        moving = np.abs(vectors[n:, chosen].T)  # rates
-        weight = moving * (moving @ np.abs(M))
-        total = weight.sum(axis=1, keepdims=True)
-        return Modes(values, size, damping, weight / np.where(total > 0, total, 1.0), undamped)
-
 
 def state_at(solution: Solution, k: int) -> State:
     """Sample k of a solution."""
@@ -186,22 +147,3 @@ def parameters_at(solution: Solution, k: int) -> np.ndarray:
         u = {name: float(solution.measures[k, position]) for position, name in enumerate(model.measures)}
         p[-model.signals.size :] = model.signals.held_as(u, float(solution.t[k]))
     return p
-
-
-def modes_at(solution: Solution, samples: Iterable[int]) -> list[Modes]:
-    """Modes at some samples of a solution. Raises ModelError if the model was generated without its Jacobians."""
-    model = solution.model
-    found, solver = [], None
-    for k in samples:
-        if solver is None or model.signals.size:
-            solver = ModeSolver(model, model.constants(parameters_at(solution, k)))
-        found.append(solver(state_at(solution, k)))
-    return found
-
-
-def _one_of_each(values: np.ndarray, n: int) -> np.ndarray:
-    """Indices of n eigenvalues, ascending by size: one of each conjugate pair, every second of the real ones."""
-    upper = [k for k in range(len(values)) if values[k].imag > 0]
-    real = sorted((k for k in range(len(values)) if values[k].imag == 0), key=lambda k: abs(values[k]))
-    chosen = upper + real[1::2]
-    return np.array(sorted(chosen, key=lambda k: abs(values[k]))[:n], dtype=int)

@@ -196,8 +196,7 @@ def advise(arguments: argparse.Namespace) -> Outcome:
     """Find the method and step that suit a scene.
 
     Every method makes the whole motion with ever more steps until its error meets the tolerance; the one with the
-    fewest operations is advised, beside frequencies and damping over the motion and groups by the widest gap. With
-    --out it leaves a picture of error against operations of every method.
+    fewest operations is advised. With --out it leaves a picture of error against operations of every method.
     """
     from runtime.studies.advice.advise import advice_data, advice_lines, advise
 

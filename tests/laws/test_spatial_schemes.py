@@ -12,6 +12,7 @@ from runtime import simulate
 from runtime.contract.model import Model
 from symgen.scene import Scene, SceneRecord
 from tests.support import stability as limits
+from tests.support.modes import modes_of
 from tests.support.prepared_runs import PreparedRuns
 from tests.support.stability import ExactMotion, StabilityStudy, states_along
 
@@ -90,7 +91,7 @@ def test_predicted_limits_are_real(
     t_end, c = 2.0, model.constants(model.parameter_vector())
     monkeypatch.setattr(limits, "BISECTIONS", 4)  # of 8 %: to 0.25 %
     states, exact = states_along(model, t_end=t_end, count=6, start=START), ExactMotion(model, c)
-    edge = 2 * reach / max(exact.modes(state).frequencies[-1] for state in states)
+    edge = 2 * reach / max(modes_of(exact.modes, state).frequencies[-1] for state in states)
     limit = (
         StabilityStudy(model, scheme, m, {}, c, states, t_end, exact)
         .curve(np.geomspace(0.96 * edge, 1.04 * edge, 2))

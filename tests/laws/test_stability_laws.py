@@ -16,6 +16,7 @@ from runtime.results.solution import Solution
 from runtime.schemes.catalogue import scheme_kind
 from tests.support import stability as limits
 from tests.support.model_values import Array
+from tests.support.modes import modes_of
 from tests.support.stability import ExactMotion, StabilityStudy, StepSpectrum, states_along
 
 pytestmark = pytest.mark.long
@@ -58,7 +59,7 @@ class Ground:
         self.c = model.constants(model.parameter_vector(given.get("parameters")))
         self.states = states_along(model, t_end=t_end, count=count, **given)
         self.exact = ExactMotion(model, self.c)
-        self.edge = 2 / max(self.exact.modes(state).frequencies[-1] for state in self.states)
+        self.edge = 2 / max(modes_of(self.exact.modes, state).frequencies[-1] for state in self.states)
         fine = simulate(
             model,
             t_end=t_end,

@@ -14,7 +14,6 @@ from runtime.contract.model import Model
 from runtime.operating.mode_solver import ModeSolver
 from runtime.schemes.baselines.runge_kutta import ClassicalRungeKutta, DormandPrince8, ExplicitRungeKutta
 from runtime.schemes.step_limit import central_difference_limit, limit_between_the_axes
-from tests.support.stability import usual_steps
 
 Load = Callable[[str], Model]
 CLOSE = 0.03  # of a limit
@@ -139,17 +138,3 @@ def test_the_limit_of_a_slow_mechanism() -> None:
         limit = central_difference_limit(np.array([[-0.01]]), np.zeros((1, 1)), predicted=predicted)
         assert limit is not None and limit.h == pytest.approx(20.0, rel=1e-12)
         assert limit.rate == pytest.approx(0.1) and not limit.by_decay
-
-
-def test_stability_is_looked_at_about_the_fastest_mode(built_in: Load) -> None:
-    """Up to four times, and from a fiftieth of, two over the fastest frequency, times the sub-steps."""
-
-    class Modes:
-        frequencies = np.array([1.0, 50.0])
-
-    class Exact:
-        def modes(self, state: object) -> Modes:
-            return Modes()
-
-    steps = usual_steps(built_in("two_oscillators"), [None], Exact(), 1000.0, 3, 5)  # type: ignore[list-item, arg-type]
-    assert steps[0] == pytest.approx(0.02 * 0.04 * 3) and steps[-1] == pytest.approx(4 * 0.04 * 3)

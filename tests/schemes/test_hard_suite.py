@@ -11,11 +11,11 @@ import pytest
 from runtime import simulate
 from runtime.contract.coordinates import followed
 from runtime.contract.model import Model
-from runtime.operating.mode_solver import Modes, modes_at
 from runtime.results.solution import Solution
 from symgen.generate import model_of as on_demand
 from symgen.scene import SceneRecord
 from symgen.scenes.hard_suite import HARD_SUITE, HardCase
+from tests.support.modes import Modes, modes_at
 from tests.support.prepared_runs import PreparedRuns
 
 pytestmark = pytest.mark.long

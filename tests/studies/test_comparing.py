@@ -101,9 +101,6 @@ def test_a_run_as_advised_delivers(advice: Advice, oscillators: Model) -> None:
     off = np.sqrt(np.mean((run.q - exact(run.t)) ** 2, axis=0)) / amplitudes(oscillators, exact(run.t))
     assert run.status.ok and off[0] < advice.tolerance
     assert advice.best.operations == min(one.operations for one in advice.climbed) and advice.gain >= 1
-    assert advice.groups is not None
-    assert advice.groups.slow == ["x_L"]
-    assert advice.modes[1].highest == pytest.approx(20 / np.sqrt(0.75), rel=0.01)
 
 
 def test_advice_in_words(advice: Advice) -> None:
@@ -170,14 +167,14 @@ def test_dense_methods_are_left_out_for_large_models(built_in: Load, monkeypatch
     assert "radau eps=1e-06" not in {one.label for one in candidates(model)}
 
 
-def test_rungs_of_advice_fall_as_the_order_says(advice: Advice, tmp_path: Path) -> None:
-    """On two oscillators without damping rk4 is of order 4, central difference of order 2."""
-    for one in advice.climbed:
-        order = {"rk4": 4, "single_rate common_velocity=predictor": 2}.get(one.label)
-        if order:
-            work, error = one.rungs[one.rungs[:, 1] < 3e-2].T
-            assert np.polyfit(np.log(work), np.log(error), 1)[0] == pytest.approx(-order, abs=0.4)
-    advice.picture(tmp_path / "advice.png")
+def test_rungs_of_advice_fall_as_the_order_says(oscillators: Model, tmp_path: Path) -> None:
+    """On two oscillators without damping the last rungs of rk4 are of order 4, of central difference of order 2."""
+    found = advise(oscillators, t_end=T_END, parameters=PLAIN, initial=START, tolerance=1e-8)
+    rungs = {one.method.scheme: one.rungs[-2:] for one in found.climbed}
+    for scheme, order in (("rk4", 4), ("single_rate", 2)):
+        (work, finer), (error, less) = np.log(rungs[scheme].T)
+        assert (error - less) / (finer - work) == pytest.approx(order, abs=0.2)
+    found.picture(tmp_path / "advice.png")
     assert (tmp_path / "advice.png").stat().st_size > 10_000
 
 

@@ -19,6 +19,7 @@ from runtime.engine.program import Repeat, Until
 from runtime.operating.mode_solver import ModeSolver, State, state_at
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
+from tests.support.modes import modes_of
 
 # The exact Jacobian of a major step, stage by stage: the amplification matrix of the scheme at a state.
 #
@@ -218,7 +219,7 @@ class ExactMotion:
 
     def _frozen(self, state: State) -> np.ndarray:
         if state.t not in self._eigenvalues:
-            values = self.modes(state).eigenvalues
+            values = modes_of(self.modes, state).eigenvalues
             self._eigenvalues[state.t] = values[np.argsort(np.abs(values), kind="stable")]
         return self._eigenvalues[state.t]
 
@@ -323,7 +324,7 @@ class StabilityStudy:
         scheme = scheme_kind(name).build(name, model, 1.0, m, options)
         self.m, self.states, self.t_end = list(scheme.grid.m), states, t_end
         self._spectrum = StepSpectrum(model, scheme, c, exact)
-        modes = [self._spectrum.exact.modes(state).frequencies for state in states]
+        modes = [modes_of(self._spectrum.exact.modes, state).frequencies for state in states]
         self._allowed = np.maximum(TENFOLD / t_end, SHARE_OF_FREQUENCY * np.mean(modes, axis=0))
 
     def at(self, dt: float) -> tuple[float, float, bool]:
@@ -355,16 +356,6 @@ class StabilityStudy:
             else:
                 high = middle
         return float((low * high) ** 0.5)
-
-
-def usual_steps(
-    model: Model, states: list[State], exact: ExactMotion, t_end: float, sub_steps: int, count: int
-) -> np.ndarray:
-    """Major steps (count,) [s] to look at: around what the fastest mode allows a sub-step, at most t_end / 4."""
-    fastest = max(float(exact.modes(state).frequencies[-1]) for state in states)
-    edge = 2.0 / fastest if fastest > 0 else t_end / 100
-    high = min(4.0 * edge * sub_steps, t_end / 4)
-    return np.geomspace(min(0.02 * edge * sub_steps, high / 20), high, count)
 
 
 # States along a trajectory, at which stability and frequencies are looked at.

@@ -15,22 +15,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from runtime.contract.arguments import BY_NAME, NAMES, START, arguments
-from runtime.contract.coordinates import Initial, followed, independent, loop_part
+from runtime.contract.coordinates import Initial, followed
 from runtime.contract.doors import opened
 from runtime.contract.errors import ModelError, NoResult, SymgenError
 from runtime.contract.model import Model
 from runtime.contract.status import card, line, table
-from runtime.operating.mode_solver import ModeSolver, State
 from runtime.running.ladder import Ladder, Method, Rung, chosen_method
 from runtime.running.plan import AUTO, tolerance_of
 from runtime.running.problem import Problem
-from runtime.studies.advice.frequencies import Groups, ModeRange, mode_ranges, propose_groups
 from runtime.studies.advice.methods import candidates, left_out, multirate
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-STATES = 12  # at which frequencies are looked at
 HOPELESS = 2.0  # times the operations of the best answer so far: a ladder that needs more is given up
 DIGITS = 3  # of an advised step, which is rounded down
 Note = Callable[[str], None]
@@ -79,8 +76,6 @@ class Advice:
     tolerance: float
     graded: list[str]
     t_end: float
-    modes: list[ModeRange]
-    groups: Groups | None
     climbed: list[Climbed]
     gain: float
     automatic: tuple[str, str]
@@ -169,17 +164,12 @@ def advise(
             f"none of {', '.join(one.label for one in climbed)} reached {tolerance:g} on {model.name}; "
             "loosen the tolerance or grade fewer coordinates"
         )
-    note("computing frequencies")
-    solver = ModeSolver(model, model.constants(problem.p)) if ModeSolver.possible(model) else None
-    states = _states(best.answer) if solver else []
     single = min((one.operations for one in climbed if not multirate(one.method)), default=np.inf)
     return Advice(
         model,
         tolerance,
         names,
         problem.t_end,
-        mode_ranges(model, solver, states) if solver else [],
-        propose_groups(model, solver, states) if solver else None,
         climbed,
         single / best.operations,
         (chosen.scheme, reason),
@@ -224,24 +214,12 @@ def _operations(rung: Rung) -> float:
     return float(rung.steps) * rung.run.segment.stepper.operations
 
 
-def _states(rung: Rung) -> list[State]:
-    """States along a motion."""
-    run = rung.run
-    seen = run.seen()
-    model = seen.model
-    places = np.linspace(0, len(seen.t) - 1, min(STATES, len(seen.t))).round().astype(int)
-    q_i, v = independent(model, seen.q[places], seen.q_dot[places])
-    return [
-        State(float(seen.t[k]), q, rate, loop_part(model, seen.q[k])) for k, q, rate in zip(places, q_i, v, strict=True)
-    ]
-
-
 # ---- in words ----------------------------------------------------------------------------------------------------
 
 
 def advice_data(advice: Advice) -> dict[str, Any]:
     """Plain values, SI units."""
-    method, groups = advice.method, advice.groups
+    method = advice.method
     return {
         "model": advice.model.name,
         "tolerance": advice.tolerance,
@@ -257,16 +235,6 @@ def advice_data(advice: Advice) -> dict[str, Any]:
         "reason": advice.reason,
         "left_out": left_out(advice.model),
         "automatic": {"scheme": advice.automatic[0], "tolerance": advice.tolerance, "reason": advice.automatic[1]},
-        "modes": [
-            {
-                "lowest": mode.lowest,
-                "highest": mode.highest,
-                "least_damping": mode.least_damping,
-                "coordinates": mode.coordinates,
-            }
-            for mode in advice.modes
-        ],
-        "groups": None if groups is None else {"slow": groups.slow, "fast": groups.fast, "gap": groups.gap},
         "candidates": [
             {"method": one.label, "dt": one.dt, "operations": one.operations, "error": one.error}
             if one.answer
@@ -277,17 +245,10 @@ def advice_data(advice: Advice) -> dict[str, Any]:
 
 
 def advice_lines(advice: Advice, scene: str = "") -> list[str]:
-    """For a person: frequencies, groups, candidates, advice, the command; scene: the words that it was given by."""
-    lines = [f"{advice.model.name}: coupled frequencies over {advice.t_end:g} s [rad/s]"]
-    for mode in advice.modes:
-        damped = f", damping {mode.least_damping:.2g}" if mode.least_damping > 1e-3 else ""
-        lines.append(f"  {mode.lowest:10.5g} to {mode.highest:<10.5g} {', '.join(mode.coordinates)}{damped}")
-    if advice.groups is not None:
-        lines.append(
-            f"widest gap {advice.groups.gap:.3g}: slow {', '.join(advice.groups.slow)}; "
-            f"fast {', '.join(advice.groups.fast)}"
-        )
-    lines.append(f"to reach {advice.tolerance:g} in {', '.join(advice.graded)}:")
+    """For a person: candidates, advice, the command; scene: the words that it was given by."""
+    lines = [
+        f"{advice.model.name}: to reach {advice.tolerance:g} in {', '.join(advice.graded)} over {advice.t_end:g} s:"
+    ]
     for one in advice.climbed:
         came = f"dt = {one.dt:<8g} s  {one.operations:9.3g} operations  error {one.error:.2g}"
         lines.append(f"  {one.label:34} {came if one.answer else one.failure}")
