@@ -16,8 +16,8 @@ import numpy as np
 
 from benchmarks.contenders.external import External
 from runtime.baselines.condensed_ode import CondensedOde, Start, observed_solution, start_of
-from runtime.baselines.scipy_methods import refuse_impulses
-from runtime.contract.errors import ArgumentError
+from runtime.baselines.scipy_methods import Impulses
+from runtime.contract.errors import ArgumentError, ModelError
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.contract.tape import shared
@@ -25,6 +25,8 @@ from runtime.engine.c_source import find_compiler
 from runtime.engine.llvm_code import find_llvm
 from runtime.results.solution import Solution
 from runtime.schemes.sparse_lu import Number, factor, solve, solve_symmetric
+from runtime.schemes.switching.impulse import moves_in_time
+from runtime.schemes.switching.times import SwitchTime, switching_times
 
 # ---- What SUNDIALS integrates, with exact derivatives: y' = f(t, y) for CVODES, and M_hat a = Q_hat beside it
 # for IDAS.
@@ -102,6 +104,19 @@ def _with_accelerations(ode: CondensedOde, slope: ca.SX, by_state: ca.SX) -> ca.
     if ode.y.numel() > 2 * n:
         rows[2 * n :, :] = ca.jacobian(slope[2 * n :], ode.y)
     return ca.sparsify(rows)
+
+
+def refuse_impulses(model: Model, c: np.ndarray, t_end: float, y: np.ndarray, who: str) -> None:
+    """Raises ModelError for a prescribed motion whose velocity jumps, by the start y."""
+    impulses = Impulses(model, c)
+    times: list[SwitchTime] = switching_times(model, c, 0.0, t_end) if moves_in_time(model) else []
+    for one in times:
+        if 0 < one.time < t_end and impulses.across(y, one.before, one.after) is not y:
+            raise ModelError(
+                f"{', '.join(one.owners)} of model {model.name}",
+                f"its velocity jumps at t = {one.time:.6g} s, and {who} knows no impulses",
+                "take simulate, or let the velocity change in a finite time",
+            )
 
 
 METHODS = {"cvodes": explicit, "idas": implicit}

@@ -11,11 +11,10 @@ import casadi as ca
 import numpy as np
 
 from benchmarks.contenders.external import SLOPES, VALUES
-from benchmarks.contenders.sundials import Sundials
+from benchmarks.contenders.sundials import Sundials, refuse_impulses
 from benchmarks.harness.matched import Attempt, Matched, match
 from benchmarks.harness.reference import Reference
 from runtime.baselines.condensed_ode import TO_ROUNDING, CondensedOde, start_of
-from runtime.baselines.scipy_methods import refuse_impulses
 from runtime.contract.coordinates import followed, whole
 from runtime.engine.rows import evaluate
 

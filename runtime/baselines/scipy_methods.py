@@ -1,4 +1,4 @@
-"""SciPy's adaptive integrators on the condensed equations, right-hand side and Jacobian as native code."""
+"""SciPy's adaptive integrators on the condensed equations."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ import numpy as np
 
 from runtime.baselines.condensed_ode import TO_ROUNDING, CondensedOde, observed_solution, start_of
 from runtime.contract.coordinates import whole
-from runtime.contract.errors import ArgumentError, ModelError, NoResult
+from runtime.contract.errors import ArgumentError, NoResult
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.engine.rows import evaluator
 from runtime.results.solution import Solution
 from runtime.schemes.switching.impulse import impulse_at, moves_in_time
-from runtime.schemes.switching.times import SwitchTime, switching_times
+from runtime.schemes.switching.times import switching_times
 
 # ---- Adaptive integrators go from jump to jump: none of their steps searches for what is known; impulses are
 # given.
@@ -70,51 +70,37 @@ class Impulses:
         return np.concatenate([y[:n], y[n : 2 * n] + found[0], y[2 * n :]])
 
 
-def refuse_impulses(model: Model, c: np.ndarray, t_end: float, y: np.ndarray, who: str) -> None:
-    """Raises ModelError for a prescribed motion whose velocity jumps, by the start y."""
-    impulses = Impulses(model, c)
-    times: list[SwitchTime] = switching_times(model, c, 0.0, t_end) if moves_in_time(model) else []
-    for one in times:
-        if 0 < one.time < t_end and impulses.across(y, one.before, one.after) is not y:
-            raise ModelError(
-                f"{', '.join(one.owners)} of model {model.name}",
-                f"its velocity jumps at t = {one.time:.6g} s, and {who} knows no impulses",
-                "take simulate, or let the velocity change in a finite time",
-            )
-
-
 EXPLICIT = ("RK23", "RK45", "DOP853")
 IMPLICIT = ("Radau", "BDF", "LSODA")
 MOST_EVALUATIONS = 5_000_000  # minutes of work: at a singular position steps would shrink for ever
 
 
-def scipy_solution(
+def reference_solution(
     model: Model,
     method: str = "DOP853",
     *,
     t_end: float,
     times: np.ndarray | None = None,
-    rtol: float = 1e-9,
-    atol: float = 1e-11,
+    rtol: float = 1e-11,
+    atol: float = 1e-13,
     parameters: Mapping[str, float] | None = None,
     initial: Mapping[str, float] | None = None,
     start: str | None = None,
-    compiled: bool = True,
-    closure_iterations: int = 1,
 ) -> Solution:
-    """Integrate the condensed equations from 0 to t_end with one of EXPLICIT or IMPLICIT (exact Jacobian).
+    """A tight path to judge schemes by: the condensed equations from 0 to t_end by SciPy, loops closed to rounding.
 
-    times: where to report (the end only by default). Raises ArgumentError for an unknown method, ModelError or
-    InitialStateError for bad arguments, NoResult after MOST_EVALUATIONS.
+    method: one of EXPLICIT or IMPLICIT (exact Jacobian); times: where to report (the end only by default). Raises
+    ArgumentError for an unknown method, ModelError or InitialStateError for bad arguments, NoResult after
+    MOST_EVALUATIONS.
     """
     if method not in EXPLICIT + IMPLICIT:
         raise ArgumentError(f"method must be one of {', '.join(EXPLICIT + IMPLICIT)}, not {method!r}")
     given = start_of(model, parameters, initial, start)
-    ode = CondensedOde(model, closure_iterations)
-    slope, size = evaluator(ode.right_hand_side(), given.c, compiled), len(given.y)
+    ode = CondensedOde(model, TO_ROUNDING)
+    slope, size = evaluator(ode.right_hand_side(), given.c, compiled=False), len(given.y)
     more: dict[str, Any] = {}
     if method in IMPLICIT:
-        jacobian = evaluator(ode.jacobian(), given.c, compiled)
+        jacobian = evaluator(ode.jacobian(), given.c, compiled=False)
         more["jac"] = lambda t, y: jacobian(t, y).reshape(size, size).T.copy()
     t = np.array([t_end]) if times is None else np.asarray(times, dtype=float)
     started = time.perf_counter()
@@ -132,9 +118,6 @@ def scipy_solution(
         "rtol": rtol,
         "atol": atol,
     }
-    if method in IMPLICIT:
-        stats |= {"jacobians": sum(int(one.njev) for one in results)}
-        stats |= {"factorisations": sum(int(one.nlu) for one in results)}
     return observed_solution(model, given, reached, states.T, method, stats, status)
 
 
@@ -185,36 +168,3 @@ def counted(slope: Slope, method: str) -> Slope:
         return slope(t, y).copy()
 
     return evaluated
-
-
-# ---- A tight reference path: DOP853 on the emitted functions, for judging the step schemes by.
-
-
-def reference_solution(
-    model: Model,
-    *,
-    t_end: float,
-    times: np.ndarray | None = None,
-    rtol: float = 1e-11,
-    atol: float = 1e-13,
-    parameters: Mapping[str, float] | None = None,
-    initial: Mapping[str, float] | None = None,
-    start: str | None = None,
-) -> Solution:
-    """Integrate the condensed equations from 0 to t_end with DOP853 at the given tolerances, loops closed to rounding.
-
-    times: where to report (the end only by default). Raises ModelError or InitialStateError for bad arguments.
-    """
-    return scipy_solution(
-        model,
-        "DOP853",
-        t_end=t_end,
-        times=times,
-        rtol=rtol,
-        atol=atol,
-        parameters=parameters,
-        initial=initial,
-        start=start,
-        compiled=False,
-        closure_iterations=TO_ROUNDING,
-    )

@@ -40,13 +40,6 @@ def followed(model: Model) -> tuple[list[str], np.ndarray]:
     )
 
 
-def told_state(model: Model, told: np.ndarray) -> np.ndarray:
-    """q (..., n) of what tells a motion (..., n_told); dependent coordinates that it does not tell are zero."""
-    q = np.zeros((*told.shape[:-1], len(model.coordinates)))
-    q[..., followed(model)[1]] = told
-    return q
-
-
 def _parts(model: Model, q: np.ndarray, of_turns: Callable[[np.ndarray], np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     """(independent, dependent) part of a vector (..., n) of all coordinates; of_turns: columns of e -> (..., 3)."""
     at = model.places

@@ -14,7 +14,6 @@ from runtime.operating.modal import Modal, modal_analysis
 from runtime.operating.mode_solver import State
 
 if TYPE_CHECKING:
-    import control
     from scipy.signal import StateSpace
 
 COUPLED = 1e-7  # relative change of a frequency without an assumed mode that is more than rounding
@@ -177,22 +176,6 @@ class Linearisation:
 
         return StateSpace(self.A_state, self.B_state, self.C_state, self.D_state)
 
-    def to_control(self) -> control.StateSpace:
-        """control.StateSpace with names. Raises ImportError naming the extra `control` if python-control is missing."""
-        try:
-            import control
-        except ImportError as error:
-            raise ImportError("to_control needs python-control: pip install 'symgen[control]'") from error
-        return control.StateSpace(
-            self.A_state,
-            self.B_state,
-            self.C_state,
-            self.D_state,
-            states=_plain(self.state_names),
-            inputs=_plain(self.input_names),
-            outputs=_plain(self.output_names),
-        )
-
     def output(self, name: str) -> int:
         """Row of an output. Raises ModelError for an unknown name."""
         if name not in self.output_names:
@@ -204,11 +187,6 @@ class Linearisation:
             f"<Linearisation of {self.model.name}: {len(self.names)} coordinates, {len(self.input_names)} inputs, "
             f"{len(self.output_names)} outputs, {'stable' if self.modal.stable else 'unstable'}>"
         )
-
-
-def _plain(names: list[str]) -> list[str]:
-    """Signal names without dots, which python-control keeps for subsystems."""
-    return [name.replace(".", "_") for name in names]
 
 
 def _solved(matrix: np.ndarray, side: np.ndarray) -> np.ndarray:

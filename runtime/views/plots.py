@@ -1,4 +1,4 @@
-"""Pictures of a run: motion, deformation, forces, energy, snapshots, coordinates, constraints, phase plane, two runs.
+"""Pictures of a run: motion, deformation, forces, energy, snapshots, coordinates, two runs.
 
 Every function takes (solution, path or None) and returns the figure; with a path it also writes the file, whose ending
 chooses the format (png, svg, pdf). Units get a prefix and angles degrees in pictures only: data stay in SI. No pyplot,
@@ -110,58 +110,6 @@ def energy_balance(solution: Solution, path: str | Path | None = None) -> Figure
     name = f"balance error, at most {part:.1e} of the energy{told}"
     panel(bottom, solution.t, Curves(name, "J", [""], found.error[None]))
     bottom.axhline(0.0, color="0.6", lw=0.7)
-    return finish(figure, path)
-
-
-def constraint_error(solution: Solution, path: str | Path | None = None, ax: Axes | None = None) -> Figure:
-    """Largest constraint violation max |C| [m, rad] against time, logarithmic."""
-    figure: Figure
-    if ax is None:
-        figure, (ax,) = grid(1, title(solution))
-    else:
-        figure = owner(ax)
-    positive = solution.constraint_error[solution.constraint_error > np.finfo(float).tiny]
-    if positive.size:
-        lowest = max(float(positive.min()), 1e-18)
-        ax.semilogy(solution.t, np.maximum(solution.constraint_error, lowest), color=COLOURS[0], lw=1.2)
-    else:
-        ax.plot(solution.t, np.zeros_like(solution.t), color=COLOURS[0], lw=1.2)
-    ax.set_title("constraint error", fontsize=9.5, loc="left", fontweight="bold")
-    ax.set_ylabel("max |C| [m, rad]", fontsize=9)
-    ax.set_xlabel("time [s]", fontsize=9)
-    return finish(figure, path)
-
-
-def phase(
-    solution: Solution,
-    path: str | Path | None = None,
-    names: Sequence[str] | None = None,
-    ax: Axes | None = None,
-) -> Figure:
-    """Rate against coordinate, one panel each (the independent ones by default, at most twelve).
-
-    Raises ModelError for an unknown name, ArgumentError where `ax` is given for more than one name.
-    """
-    chosen = list(names) if names is not None else followed(solution.model)[0]
-    if ax is not None and len(chosen) != 1:
-        raise ArgumentError("ax takes one phase plane; give one name")
-    figure: Figure
-    if ax is None:
-        figure, axes = grid(min(len(chosen), MAX_PANELS), title(solution, "phase planes"), shared=False)
-    else:
-        figure, axes = owner(ax), [ax]
-    for own, name in zip(axes, chosen, strict=False):
-        x, v, coordinate = solution[name], solution.rate(name), solution.model.coordinate(name)
-        (factor, unit), (fast, _) = prefixed(x, coordinate.unit), prefixed(v, coordinate.unit)
-        rate_unit = prefixed(v, coordinate.unit)[1] + "/s"
-        own.plot(factor * x, fast * v, color=COLOURS[0], lw=0.9)
-        own.plot(factor * x[:1], fast * v[:1], "o", color=COLOURS[2], ms=5, label="start")
-        own.plot(factor * x[-1:], fast * v[-1:], "s", color=COLOURS[1], ms=5, label="end")
-        own.set_title(name, fontsize=9.5, loc="left", fontweight="bold")
-        own.set_xlabel(f"{name} [{unit}]", fontsize=9)
-        own.set_ylabel(f"rate [{rate_unit}]", fontsize=9)
-    if axes:
-        legend(axes[0])
     return finish(figure, path)
 
 

@@ -10,7 +10,6 @@ import pytest
 
 from benchmarks.contenders.sundials import sundials_solution
 from runtime import Solution, reference_solution, simulate
-from runtime.baselines.scipy_methods import scipy_solution
 from runtime.contract.model import Model
 from runtime.engine.c_source import find_compiler
 from runtime.engine.llvm_code import find_llvm
@@ -87,10 +86,9 @@ ADAPTIVE: dict[str, tuple[Callable[..., Solution], str, dict[str, str]]] = {
     "cvodes bdf": (sundials_solution, "cvodes", {}),
     "cvodes adams": (sundials_solution, "cvodes", {"multistep": "adams"}),
     "idas": (sundials_solution, "idas", {}),
-    "DOP853": (scipy_solution, "DOP853", {}),
-    "Radau": (scipy_solution, "Radau", {}),
-    "BDF": (scipy_solution, "BDF", {}),
-    "LSODA": (scipy_solution, "LSODA", {}),
+    "Radau": (reference_solution, "Radau", {}),
+    "BDF": (reference_solution, "BDF", {}),
+    "LSODA": (reference_solution, "LSODA", {}),
 }
 
 
@@ -141,4 +139,4 @@ def test_unknown_methods_are_named(built_in: Load) -> None:
     with pytest.raises(ValueError, match="cvodes, idas"):
         sundials_solution(built_in("pendulum"), "arkode", t_end=1.0)
     with pytest.raises(ValueError, match="DOP853"):
-        scipy_solution(built_in("pendulum"), "Euler", t_end=1.0)
+        reference_solution(built_in("pendulum"), "Euler", t_end=1.0)

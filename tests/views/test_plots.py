@@ -26,7 +26,7 @@ from tests.running.test_solution import rod_solution
 
 
 @pytest.mark.every_push("coordinates", "snapshots", "energies")
-@pytest.mark.parametrize("draw", [plots.coordinates, plots.energy_balance, plots.constraint_error, plots.phase])
+@pytest.mark.parametrize("draw", [plots.coordinates, plots.energy_balance])
 def test_every_picture_is_written_and_labelled_with_units(draw, tmp_path) -> None:
     figure = draw(rod_solution(), tmp_path / "picture.png")
     with Image.open(tmp_path / "picture.png") as image:
@@ -69,7 +69,6 @@ def test_many_coordinates_and_bodies_stay_readable() -> None:
     legends = [ax.get_legend() for ax in figure.axes]
     assert len(legends[0].get_texts()) == 40  # complete, and a single curve is named in the title
     assert legends[1] is None and "link0.q1" in figure.axes[1].get_title(loc="left")
-    assert len(plots.phase(many).axes) == plots.MAX_PANELS
 
 
 @pytest.mark.every_push("motion")
@@ -122,9 +121,6 @@ def test_own_axes_are_drawn_into_in_their_own_colours() -> None:
     assert returned is ax.figure and ax.lines[0].get_color() == "magenta"
     with pytest.raises(ArgumentError, match="one unit"):
         plots.coordinates(rod_solution(), names=["rod.q1", "rod.theta"], ax=ax)
-    plots.constraint_error(rod_solution(), ax=Figure().add_subplot())
-    with pytest.raises(ArgumentError, match="one name"):
-        plots.phase(rod_solution(), ax=ax)
 
 
 @pytest.mark.long
@@ -182,10 +178,9 @@ def test_a_run_that_failed_says_so_in_the_title() -> None:
     assert "diverged" in figure.get_suptitle()
 
 
-def test_one_sample_and_exact_zeros_can_be_drawn() -> None:
+def test_one_sample_can_be_drawn() -> None:
     solution = rod_solution(1)
-    solution.constraint_error[:] = 0.0
-    for draw in (plots.coordinates, plots.energy_balance, plots.constraint_error, plots.phase):
+    for draw in (plots.coordinates, plots.energy_balance):
         draw(solution)
 
 
