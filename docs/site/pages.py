@@ -109,9 +109,11 @@ stepped, checked and judged.
 
 
 def navigation(places: list[str], topics: list[str]) -> list[object]:
-    """The tabs and what is below them."""
+    """The tabs and what is below them, in the order of docs/pages.md."""
+    listed = (DOCS / "pages.md").read_text(encoding="utf-8")
     tabs: list[object] = [{"Home": ["index.md", "search.md", "changes.md", "contributing.md"]}]
     tabs.append({"Gallery": ["gallery.md", *sorted(place for place in places if place.startswith("gallery/"))]})
     for shelf, title in SHELVES.items():
-        tabs.append({title: [place for place in places if place.startswith(f"{shelf}/")]})
+        own = [place for place in places if place.startswith(f"{shelf}/")]
+        tabs.append({title: sorted(own, key=lambda place: (place not in listed, listed.find(f"({place})")))})
     return [*tabs, {"Reference": topics}]
