@@ -105,6 +105,17 @@ def test_static_deflections_and_moments_are_exact_with_any_shapes(kind: str, spa
     assert np.abs(shapes - sag.y[0]).max() > 5e-4 * np.abs(sag.y).max()  # what the shapes lack
 
 
+def test_deflections_across_are_exact_under_forces_at_places() -> None:
+    """A force at 0.8 m of a cantilever by its place, one at a marker, along z: x^2 (3 a - x) / 6 E I before a."""
+    builder = beam("spatial", 2, "clamped-free").weld("root", "ground.origin", "rod.start")
+    builder.moving_force("wheel", "rod", "0.8 + 0*t", [0.0, 0.0, -1e-4]).force("push", "rod.mid", 0.0, 0.0, -1e-4)
+    found = equilibrium(model_of(builder.build()))
+    run = simulate(found.model, t_end=1e-6, dt=1e-6, scheme="rk4", initial=found)
+    x = np.array([0.4, 0.9, 1.4, 2.0])
+    exact = sum(1e-4 * np.where(x < a, x**2 * (3 * a - x), a**2 * (3 * x - a)) / (6 * EI) for a in (0.8, 1.0))
+    assert -run.deflections("rod", at=x / L).z[0] == pytest.approx(exact, rel=1e-10)
+
+
 @pytest.mark.long
 @pytest.mark.parametrize(("frame", "share"), [("world", np.cos(0.6)), ("body", 1.0)])
 def test_loads_have_fixed_directions_or_follow(frame: str, share: float) -> None:
