@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from runtime.contract.model import Model
-from runtime.engine.compiled import find_compiler
+from runtime.engine.c_source import find_compiler
 from runtime.export.c_bundle import exported
 from runtime.export.fmu import write_fmu
 from symgen.scene import Scene, SceneRecord
