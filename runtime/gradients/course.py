@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import NoReturn
 
 import casadi as ca
@@ -15,7 +15,7 @@ from runtime.running.plan import Plan
 from runtime.schemes.switching.breaks import ON_THE_GRID, Breaks, within
 from runtime.schemes.switching.times import SwitchTime, switching_times
 
-JUMPS = -1  # of a turn where no event acts, but the time of a jump moves
+JUMPS, EVENT = "jumps", "event"  # of turns whose time moves, as that of a jump or of an event
 Moves = Callable[[Sequence[SwitchTime]], np.ndarray]  # of jumps at one time: its derivative by p (n_p,)
 
 
@@ -47,14 +47,20 @@ class Jump:
 
 @dataclass(frozen=True)
 class EventPassage:
-    """Events happen at a clock [s]. event: the position of the one that acts (-1: none).
+    """Events happen at a clock [s]. event: the position of the one whose time counts (-1: of none).
 
-    least: the rate of its value [1/s] below which it grazes zero.
+    least: the rate of its value [1/s] below which it grazes zero. sets: does an action change inputs?; modes: those of
+    elements behind it. push (n_i,): what impacts add to the rates; rows, hit: see impacts.py; empty without elements.
     """
 
     clock: float
     event: int = -1
     least: float = 0.0
+    sets: bool = False
+    modes: tuple[Hold, ...] = ()
+    push: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    rows: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    hit: np.ndarray = field(default_factory=lambda: np.zeros(0))
 
 
 @dataclass(frozen=True)
@@ -75,11 +81,11 @@ class Turn:
     holds: tuple[Hold, ...] = ()
 
     @property
-    def event(self) -> int | None:
-        """The position of the event that acts; JUMPS where the time of a jump moves; None where neither is."""
+    def kind(self) -> str:
+        """EVENT; JUMPS where the time of a jump moves; nothing where neither is."""
         if self.passage is not None and self.passage.event >= 0:
-            return self.passage.event
-        return JUMPS if self.jump is not None and self.jump.moves.any() else None
+            return EVENT
+        return JUMPS if self.jump is not None and self.jump.moves.any() else ""
 
 
 @dataclass(frozen=True)
@@ -163,7 +169,8 @@ def _broken(
     for start, length, jump, passage in _parts(grid, step, moves, passages):
         turn = replace(turn, dt=within(length, m), clock=start, t0=start, goes_on=True)
         yield Stop(1, turn=turn)
-        turn = Turn(turn.dt, grid.dt, 0.0, 0.0, 0, jump=jump, passage=passage)
+        holds = () if passage is None else passage.modes
+        turn = Turn(turn.dt, grid.dt, 0.0, 0.0, 0, jump=jump, passage=passage, holds=holds)
     clock = grid.clock(step + 1)
     yield Stop(0, turn=replace(turn, clock=clock, t0=grid.t0 + (clock - grid.time(step + 1)), n=step + 1))
 
@@ -178,7 +185,7 @@ def _parts(
         if before is not None:
             there = next(inside, None)
             jump = Jump(before, after, moves(grid.on[step + 1] if there is None else [there]))
-        while last is None and waiting and waiting[0].clock <= end:
+        while last is None and waiting and waiting[0].clock <= (end if before is None else after):
             passage = waiting.pop(0)
             left = end - passage.clock
             if passage.clock < start:
@@ -186,10 +193,12 @@ def _parts(
             if left > ON_THE_GRID * grid.dt:
                 yield start, passage.clock - start, None, passage
                 start, length = passage.clock, left
-            elif jump is not None:
-                _refuse(passage)
-            else:
+            elif jump is None:
                 last, length = passage, passage.clock - start
+            elif passage.clock < jump.before or passage.sets:
+                _refuse(passage)
+            else:  # what sticks lets go by the jump itself
+                last = replace(passage, event=-1)
         yield start, length, jump, last
     if waiting:
         _refuse(waiting[0])

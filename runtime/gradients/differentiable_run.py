@@ -37,7 +37,7 @@ class RunCode:
 
     def __init__(self, program: ObservedProgram, count: int, wait: bool) -> None:
         self._program, self._count, self._wait = program, count, wait
-        self._turns: dict[int | None, TurnProgram] = {}
+        self._turns: dict[str, TurnProgram] = {}
 
     @property
     def width(self) -> int:
@@ -46,9 +46,9 @@ class RunCode:
 
     def turns(self, turn: Turn) -> TurnProgram:
         """The program of a turn."""
-        if turn.event not in self._turns:
-            self._turns[turn.event] = TurnProgram(self._program, turn.event, self.width, self._wait)
-        return self._turns[turn.event]
+        if turn.kind not in self._turns:
+            self._turns[turn.kind] = TurnProgram(self._program, turn.kind, self.width, self._wait)
+        return self._turns[turn.kind]
 
     def turned(self, stop: Stop, z: np.ndarray, begun: Begun) -> np.ndarray:
         """What is done at a stop before its steps, to z (n_z,) in place; what the steps read."""

@@ -5,20 +5,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 from copy import copy
 from dataclasses import replace
+from typing import Any
 
+import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import ArgumentError, NoResult
-from runtime.contract.model import Model, refuse_elements
+from runtime.contract.model import Model
 from runtime.contract.signals import SINCE
-from runtime.contract.status import Event
-from runtime.gradients.course import EventPassage
+from runtime.gradients.course import ALIKE, EventPassage, Hold
+from runtime.gradients.impacts import rows_of
 from runtime.gradients.start_of_run import Begun
-from runtime.running.events import EventActions
+from runtime.running.events import EventActions, Passage, state_of
 from runtime.running.plan import Plan
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.switching.breaks import ON_THE_GRID
-from runtime.schemes.switching.watched import watch_events, watched_events, watches
+from runtime.schemes.switching.watched import are_kinks, values_at, watch_events, watched_events, watches
 
 BATCH = 64  # steps after which events are looked at
 NEARER, NEARINGS = 16.0, 7  # steps end before a kink, and begin behind it, nearer by that factor so many times
@@ -42,7 +44,6 @@ class Passages:
 
     def refuse(self, samples: bool) -> None:
         """Raises ArgumentError for events that are not differentiated; samples: do inputs change in the run?"""
-        refuse_elements(self._model, "is not differentiated", "take a scene without it, or differences")
         events = self._model.description.events
         ends = [event.name for event in events if event.terminal]
         if ends:
@@ -51,7 +52,7 @@ class Passages:
                 "end the run at a time that moves, of which the derivative of a run does not know",
                 "take a scene without them, or let them not be terminal",
             )
-        sets = any(event.sets for event in events)
+        sets = any(event.sets or event.mode for event in events)
         if sets and (samples or SINCE in self._model.signals.names):
             raise ArgumentError(
                 f"events of model {self._model.name}",
@@ -69,16 +70,16 @@ class Passages:
         assert own.broken is not None
         z = own.begin(own.broken.grid.clock(0), *begun.state)
         own.begin_events(z)
-        happenings, passages = EventActions(own), dict[int, list[EventPassage]]()
-        kinks: list[float] = []
+        made, passages, kinks = list[Passage](), dict[int, list[EventPassage]](), list[float]()
+        happenings = EventActions(own, made)
         while int(z[1]) < plan.steps:
             happenings.advance(z, min(BATCH, plan.steps - int(z[1])))
             if happenings.status is not None:
                 raise NoResult(f"model {self._model.name}", f"the run has no derivative, it ends: {happenings.status}")
-            if happenings.told:
-                happened = [event for event in happenings.told if event.kind != "kink_crossed"]
-                passages[int(z[1]) - 1] = self._told(own, happenings.start, happened)
-                kinks += [event.time for event in happened if event.kind == "kink"]
+            if made:
+                passages[int(z[1]) - 1] = self._told(own, happenings.start, made)
+                kinks += [one.t for one in made if are_kinks(plan.scheme)[one.events].any()]
+                made.clear()
                 happenings.told.clear()
         return self._approached(passages, kinks)
 
@@ -101,23 +102,44 @@ class Passages:
                         passages.setdefault(step, []).append(EventPassage(near))
         return {step: sorted(found, key=lambda one: one.clock) for step, found in passages.items()}
 
-    def _told(self, own: SteppedModel, start: np.ndarray, told: Sequence[Event]) -> list[EventPassage]:
+    def _told(self, own: SteppedModel, start: np.ndarray, made: Sequence[Passage]) -> list[EventPassage]:
         """Of one step from a state (whole, flat)."""
-        scheme, events = own.plan.scheme, self._events
+        scheme, found = own.plan.scheme, list[EventPassage]()
         t, values = float(start[0] + start[1] * self._plan.grid.dt_L), start[scheme.layout.slice("event_values")]
-        found = list[EventPassage]()
-        for clock in dict.fromkeys(event.time for event in told):
-            here = [self._names.index(event.name) for event in told if event.time == clock]
-            acting = [k for k in here if events[k].sets]
-            if len(acting) > 1:
+        for one in made:
+            acting = [k for k in one.events if self._events[k].sets or self._events[k].mode]
+            if not acting:
+                found.append(EventPassage(one.t))
+                continue
+            sets = any(self._events[k].sets for k in acting)
+            if len(acting) > 1 and (sets or not self._alike(one, acting)):
                 raise NoResult(
-                    f"events {', '.join(self._names[k] for k in acting)} of model {self._model.name}",
-                    f"act at one time, t = {clock:.6g} s, and move apart with what is differentiated by",
+                    f"events {', '.join(self._events[k].name for k in acting)} of model {self._model.name}",
+                    f"act at one time, t = {one.t:.6g} s, and move apart with what is differentiated by",
                     "move one of them a little, or let one event do both",
                 )
-            if acting:
-                least = GRAZING * abs(float(values[acting[0]])) / max(clock - t, 1e-300)
-                found.append(EventPassage(clock, acting[0], least))
-            else:
-                found.append(EventPassage(clock))
+            way = abs(float(values[acting[0]])) / max(one.t - t, 1e-300) if one is made[0] else 0.0
+            found.append(EventPassage(one.t, acting[0], GRAZING * way, sets, *self._settled(own, one)))
         return found
+
+    def _settled(self, own: SteppedModel, one: Passage) -> Sequence[Any]:
+        """Modes, push, rows and hit of what elements did, see EventPassage."""
+        scheme, model = own.plan.scheme, self._model
+        if one.settled is None:
+            return ()
+        at = state_of(scheme, one.seen.z, one.seen.c)
+        c = np.concatenate([own.c[: len(own.c) - len(one.inputs)], one.inputs])
+        first = scheme.layout.slice("inputs").start
+        modes = tuple(Hold(0, first + int(k), float(one.inputs[k])) for k in model.element_modes)
+        return (modes, one.settled.push, *rows_of(model, at, c, one.settled))
+
+    def _alike(self, one: Passage, acting: Sequence[int]) -> bool:
+        """Do these events stay together, whatever disturbs the motion?"""
+        scheme = self._plan.scheme
+        z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
+        seen = values_at(scheme, z, scheme.equations(c, scheme.layout.unpack(z)))
+        moving = np.setdiff1d(np.arange(z.numel()), scheme.layout.slice("inputs").start + self._model.element_modes)
+        by = ca.jacobian(seen["events"][list(acting)], ca.vertcat(z[moving.tolist()], c[: self._model.c_size]))
+        moves = ca.Function("moves", [z, c], [ca.densify(ca.diag(1 / seen["slopes"][list(acting)]) @ by)])
+        found = np.asarray(moves(one.seen.z[: scheme.layout.size], one.seen.c))
+        return bool(np.abs(found - found[0]).max() <= ALIKE * np.abs(found).max())

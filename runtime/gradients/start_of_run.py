@@ -15,6 +15,7 @@ from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
 from runtime.contract.orientations import angular_velocity, chart_rates, exponential, parameter_rates, product
 from runtime.contract.tape import shared
+from runtime.gradients.impacts import held_at_start, held_slopes
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.gradients.variables import Variables, independent_turns, parameters_at
 from runtime.operating.given_state import given_state
@@ -88,10 +89,15 @@ class StartOfRun:
         c = model.constants(p)
         state = start_state(model, p, c, plan.t0, given, self._kind)
         z = self._program.prepared.widened(start_vector(scheme, plan.t0, state.q, state.q_dot, c))
+        if (held := held_at_start(scheme, z, c, p)) is not None:
+            c = model.constants(p)
+            z = self._program.prepared.widened(start_vector(scheme, plan.t0, state.q, state.q_dot, c))
         moved = self._slopes(p, c, given, state, x) if slopes else np.zeros((0, 0))
         watch = Watch(plan, c, p)
         watch.begin(z)
         where = np.concatenate([p, *independent(model, state.q, state.q_dot), loop_part(model, state.q)])
+        if slopes and held is not None:
+            moved = held_slopes(model, plan.t0, where, moved, self._variables.names, held)
         return Begun(
             z, self._program.prepared.ready(scheme.constants(c)), where, moved, x, watch, (state.q, state.q_dot)
         )

@@ -91,11 +91,9 @@ class Switches:
             middle = (low + high) / 2
             at = before + middle * (after - before)
             low, high = (middle, high) if self._conditions(at, c)[k] == held[k] else (low, middle)
-        at = before + high * (after - before)
-        one = self._conditions(at, c)
-        other = one.copy()
-        other[k] = held[k]
-        Q = [np.asarray(self._watched.forces(at, c, values)).ravel() for values in (one, other)]
+        at, until = (before + share * (after - before) for share in (high, low))
+        values = (self._conditions(at, c), self._conditions(until, c))
+        Q = [np.asarray(self._watched.forces(at, c, one)).ravel() for one in values]
         gap = np.abs(Q[0] - Q[1])
         scale = max(np.abs(Q[0]).max(), np.abs(Q[1]).max(), 1e-300)
         if gap.max() > MEETING * scale:

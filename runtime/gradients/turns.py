@@ -1,13 +1,15 @@
 """Turns of a differentiated run: restarts where steps of another length follow, loads jump, events act, inputs change.
 
-The restart is that of a run (`restarted`), as a program that is differentiated like a step. Where accelerations jump
-from a- to a+ at a time T, positions and rates are continuous, and a state that goes on from there has besides
+The restart is that of a run (`restarted`), as a program that is differentiated like a step. Where at a time T rates go
+from v- to v+ and accelerations from a- to a+, a state that goes on from there has besides
 
-    dv = (a- - a+) dT                                      (saltation)
+    dq = (v- - v+) dT,    dv = (a- - a+) dT                                      (saltation)
 
 dT is data where a load jumps. An event happens where g(q, q', t, p) = 0 and sets w = A(q, q', t, p), so that with the
-rates g' and A' along the motion dT = -dg / g', dw = dA + A' dT. A stage measures g, g' and a- - a+, which do not count
-as differentiated; the next one adds (a- - a+) (g measured - g) / g', whose value is zero and whose derivative is dv.
+rates g' and A' along the motion dT = -dg / g', dw = dA + A' dT. Impacts, and what holds from there on, add r to the
+rates (impacts.py), so that dv has dr + r' dT, too. Which event it is, what is struck, and the modes behind it are data.
+A stage measures g, g', a-, a+ and r, which do not count as differentiated; the next one adds terms such as
+(a- - a+) (g measured - g) / g', whose value is zero and whose derivative is dv.
 """
 
 from __future__ import annotations
@@ -21,24 +23,28 @@ from runtime.contract.errors import ArgumentError, NoResult
 from runtime.engine.derivatives import Active, LaneArrays, Recorder, TangentCode
 from runtime.engine.native import NativeProgram
 from runtime.engine.program import Fields, Layout, Program, Sequence, make_stage
-from runtime.gradients.course import JUMPS, Turn
+from runtime.gradients.course import EVENT, EventPassage, Turn
+from runtime.gradients.impacts import sizes, thrown
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.gradients.start_of_run import Begun
 from runtime.schemes.switching.restart import loop_guess, restarted, with_steps
-from runtime.schemes.switching.watched import values_at
+from runtime.schemes.switching.watched import values_at, watched_events
 
+OFF = 1e-6  # of the largest rate: impacts at one time that are none after another
 DATA = ("dt_before", "dt", "share", "clock", "before", "after")  # of a turn, see there; share: dt over that of the grid
 
 
 class TurnProgram:
-    """Turns of an observed program at which the same happens (see Turn.event), with `width` directions in lanes.
+    """Turns of an observed program of one kind (see Turn.kind), with `width` directions in lanes.
 
     Fields of z besides the state of the scheme and the data: moved, zero, of which dT is the derivative; held: numbers
-    of inputs, those that are set by holds; value, rate, gap: as measured; ready: what the step program reads behind it.
+    of inputs, those that are set by holds; of an event acts, one for the one that counts; push, rows, hit, see
+    EventPassage; value, rate, ends, begins, thrown: g, g', a-, a+, r as measured; ready: what the step program reads
+    behind it.
     """
 
-    def __init__(self, program: ObservedProgram, event: int | None, width: int, wait: bool) -> None:
-        self._of, self._scheme, self._event = program, program.scheme, event
+    def __init__(self, program: ObservedProgram, kind: str, width: int, wait: bool) -> None:
+        self._of, self._scheme, self._kind = program, program.scheme, kind
         scheme, active = program.scheme, program.active
         if scheme.remembers and scheme.charts.size:
             raise ArgumentError(
@@ -47,9 +53,13 @@ class TurnProgram:
                 "take a scheme of one step, such as exponential or rk4",
             )
         n_w = scheme.layout.sizes.get("inputs", 0)
-        sizes = {"state": scheme.layout.size, **dict.fromkeys(DATA, 1), "moved": 1, "holds": n_w, "held": n_w}
-        sizes |= {"value": 1, "rate": 1, "gap": len(scheme.model.q_i), "ready": active.c_size}
-        self.layout = Layout(sizes)
+        n_i, acts = len(scheme.model.q_i), len(watched_events(scheme)) if kind == EVENT else 0
+        self._struck = kind == EVENT and bool(scheme.model.element_modes.size)
+        rows, stops = sizes(scheme.model) if self._struck else (0, 0)
+        own = {"state": scheme.layout.size, **dict.fromkeys(DATA, 1), "moved": 1, "holds": n_w, "held": n_w}
+        own |= {"acts": acts, "push": n_i if self._struck else 0, "rows": rows, "hit": stops, "value": 1, "rate": 1}
+        own |= {"ends": n_i, "begins": n_i, "thrown": n_i if self._struck else 0, "ready": active.c_size}
+        self.layout = Layout(own)
         at = self.layout.slice
         self._rows = [row for row in active.z if row < scheme.layout.size]
         ready = [at("ready").start + row for row in active.c]
@@ -120,6 +130,10 @@ class TurnProgram:
         for hold in turn.holds:
             row = hold.row - self._scheme.layout.slice("inputs").start
             given[at("holds")][row], given[at("held")][row] = 1.0, hold.number(begun.values)
+        if self._kind == EVENT and turn.passage is not None:
+            given[at("acts")][turn.passage.event] = 1.0
+            for name in ("push", "rows", "hit") if self._struck else ():
+                given[at(name)] = getattr(turn.passage, name)
         return given
 
     def _seeded(self, turn: Turn) -> list[tuple[int, int]]:
@@ -128,18 +142,31 @@ class TurnProgram:
         return [(1 + hold.row - start, hold.place) for hold in turn.holds if hold.place >= 0]
 
     def _taken(self, turn: Turn, own: np.ndarray, z: np.ndarray, begun: Begun) -> np.ndarray:
-        """Into z; what steps read. Raises NoResult for an event that only grazes zero."""
-        rate = float(own[self.layout.slice("rate")][0])
-        if turn.passage is not None and turn.passage.event >= 0 and abs(rate) <= turn.passage.least:
-            event = self._scheme.model.description.events[turn.passage.event]
-            raise NoResult(
-                f"event {event.name} of model {self._scheme.model.name}",
-                f"grazes zero at t = {turn.passage.clock:.6g} s (rate {rate:.3g} 1/s): its time has no derivative",
-                "let it pass zero faster, or leave out of `by` what moves it",
-            )
+        """Into z; what steps read. Raises NoResult where an event grazes zero, or impacts follow one another."""
+        if self._kind == EVENT and turn.passage is not None:
+            self._check(turn.passage, own)
         z[: self._scheme.layout.size] = own[: self._scheme.layout.size]
         z[0], z[1] = turn.t0, turn.n
         return own[self.layout.slice("ready")].copy() if turn.goes_on else begun.ready
+
+    def _check(self, passage: EventPassage, own: np.ndarray) -> None:
+        rate, at = float(own[self.layout.slice("rate")][0]), self.layout.slice
+        event = watched_events(self._scheme)[passage.event]
+        who = f"event {event.name} of model {self._scheme.model.name}"
+        if abs(rate) <= passage.least:
+            raise NoResult(
+                who,
+                f"grazes zero at t = {passage.clock:.6g} s (rate {rate:.3g} 1/s): its time has no derivative",
+                "let it pass zero faster, or leave out of `by` what moves it",
+            )
+        if np.abs(own[at("thrown")] - own[at("push")]).max(initial=0.0) > OFF * (
+            1 + np.abs(passage.push).max(initial=0)
+        ):
+            raise NoResult(
+                who,
+                f"leads to impacts that follow one another at t = {passage.clock:.6g} s: they have no derivative",
+                "start a little beside that motion, so that they come one after the other",
+            )
 
     # ---- its stages, and their code -------------------------------------------------------------------------
 
@@ -157,7 +184,7 @@ class TurnProgram:
 
     @cached_property
     def _program(self) -> Program:
-        parts = [("measured", self._measured)] if self._event is not None else []
+        parts = [("measured", self._measured)] if self._kind else []
         stages = [*parts, ("turned", self._turned)]
         return Sequence(tuple(make_stage(name, self.layout, self._active.c_size, body) for name, body in stages))
 
@@ -165,49 +192,58 @@ class TurnProgram:
         """The scheme's fields, the constants that show them, and what events are there."""
         fields = self._scheme.layout.unpack(z["state"])
         c = with_steps(self._scheme, z["state"], c[: self._scheme.c_size], z["dt_before"])
-        acting = self._event is not None and self._event != JUMPS
-        return fields, c, values_at(self._scheme, z["state"], self._scheme.equations(c)) if acting else {}
+        if self._kind != EVENT:
+            return fields, c, {}
+        seen = values_at(self._scheme, z["state"], self._scheme.equations(c))
+        for name in ("events", "slopes"):  # of the event that counts
+            values = zip(ca.vertsplit(z["acts"]), ca.vertsplit(seen[name]), strict=True)
+            seen[name] = sum((ca.if_else(acts, value, 0) for acts, value in values), ca.SX(0))
+        return fields, c, seen
+
+    def _motion(self, z: Fields, fields: Fields, c: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
+        """q_i, their rates, and a guess of the loop unknowns."""
+        if not self._scheme.remembers:
+            return fields["x"], fields["v"], fields["loop"]
+        shown = self._scheme.observer(z=z["state"], c=c)
+        return shown["q_i"], shown["q_i_dot"], loop_guess(self._scheme, shown["q_d"])
 
     def _measured(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
-        """The event and its rate, and the gap of the accelerations."""
+        """The event and its rate, the accelerations on both sides, and what is added to the rates."""
         fields, c, seen = self._seen(z, c)
-        scheme, k = self._scheme, self._event
-        assert k is not None
         t = (seen["t"], seen["t"]) if seen else (z["before"], z["after"])
-        w = (fields.get("inputs"), self._acted(fields, seen, ca.SX(0)))
-        if scheme.remembers:
-            shown = scheme.observer(z=z["state"], c=c)
-            q_i, v, loop = shown["q_i"], shown["q_i_dot"], loop_guess(scheme, shown["q_d"])
-        else:
-            q_i, v, loop = fields["x"], fields["v"], fields["loop"]
-        a = []
-        for clock, inputs in zip(t, w, strict=True):
-            equations = scheme.equations(c, {**fields, "inputs": inputs} if inputs is not None else fields)
-            a.append(equations.accelerations(equations.close_well(q_i, loop, clock), v))
-        found = {"gap": a[0] - a[1]}
-        return found | {"value": seen["events"][k], "rate": seen["slopes"][k]} if seen else found
+        w = (fields.get("inputs"), self._inputs(z, fields, seen, ca.SX(0)))
+        q_i, v, loop = self._motion(z, fields, c)
+        rates, a = (v, v + z["push"] if self._struck else v), []
+        for clock, inputs, rate in zip(t, w, rates, strict=True):
+            equations = self._scheme.equations(c, {**fields, "inputs": inputs} if inputs is not None else fields)
+            a.append(equations.accelerations(equations.close_well(q_i, loop, clock), rate))
+        found = {"ends": a[0], "begins": a[1]}
+        if self._struck:
+            found["thrown"] = thrown(self._scheme.equations(c, fields), (q_i, loop, t[0]), v, z["rows"], z["hit"])
+        return found | {"value": seen["events"], "rate": seen["slopes"]} if seen else found
 
-    def _acted(self, fields: Fields, seen: dict[str, ca.SX], moved: ca.SX) -> ca.SX | None:
-        """The inputs (n_w,) behind the event, whose time moves by so much; None where there are none."""
-        if not seen or self._event is None:
-            return fields.get("inputs")
-        events, inputs = self._scheme.model.description.events, ca.SX(fields["inputs"])
-        first = sum(len(event.sets) for event in events[: self._event])
-        for j, name in enumerate(events[self._event].sets, first):
-            place = self._scheme.model.signals.names.index(name)
-            inputs[place] = seen["actions"][j] + seen["drifts"][j] * moved
-        return inputs
+    def _inputs(self, z: Fields, fields: Fields, seen: dict[str, ca.SX], moved: ca.SX) -> ca.SX | None:
+        """The inputs (n_w,) behind the turn, whose time moves by so much; None where there are none."""
+        if "inputs" not in fields:
+            return None
+        found, names, events = ca.SX(fields["inputs"]), self._scheme.model.signals.names, watched_events(self._scheme)
+        sets = [(k, name) for k, event in enumerate(events) for name in event.sets] if seen else []
+        for j, (k, name) in enumerate(sets):
+            value, place = seen["actions"][j] + seen["drifts"][j] * moved, names.index(name)
+            found[place] = ca.if_else(z["acts"][k], value, found[place])
+        return ca.if_else(z["holds"], z["held"], found)
 
     def _turned(self, z: Fields, c: ca.SX) -> dict[str, ca.SX]:
         """The restart, and what the step program reads behind it."""
-        fields, _, seen = self._seen(z, c)
+        fields, shown, seen = self._seen(z, c)
         scheme, end, c = self._scheme, self._scheme.model.c_size, c[: self._scheme.c_size]
-        moved = z["moved"]
-        if seen and self._event is not None:
-            moved = (z["value"] - seen["events"][self._event]) / z["rate"]
-        inputs = self._acted(fields, seen, moved)
-        if inputs is not None:
-            inputs = ca.if_else(z["holds"], z["held"], inputs)
-        push = None if self._event is None else z["gap"] * moved
-        found = restarted(scheme, z["state"], c, z["dt_before"], z["dt"], z["clock"], push, inputs)
+        moved = (z["value"] - seen["events"]) / z["rate"] if seen else z["moved"]
+        push, shift = (z["ends"] - z["begins"]) * moved if self._kind else None, ca.SX(0)
+        if push is not None and self._struck:
+            q_i, v, loop = self._motion(z, fields, shown)
+            place = q_i + v * moved, loop, seen["t"] + moved
+            added = thrown(scheme.equations(shown, fields), place, v + z["ends"] * moved, z["rows"], z["hit"])
+            push, shift = push + z["push"] + (added - z["thrown"]), -z["push"] * moved
+        inputs = self._inputs(z, fields, seen, moved)
+        found = restarted(scheme, z["state"], c, z["dt_before"], z["dt"], z["clock"], push, inputs, shift)
         return {"state": found, "ready": self._of.prepared.constants(ca.vertcat(c[:end], c[end:] * z["share"]))}

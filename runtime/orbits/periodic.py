@@ -12,7 +12,7 @@ import numpy as np
 from runtime.contract.arguments import BY_NAME, NUMBER, START, Kind, arguments
 from runtime.contract.coordinates import followed
 from runtime.contract.errors import ArgumentError, SymgenError
-from runtime.contract.model import Model, refuse_elements, refuse_events
+from runtime.contract.model import Model, refuse_events
 from runtime.gradients.variables import parameters_at
 from runtime.operating.given_state import given_state
 from runtime.orbits.controllers import controllers_in, refuse_controllers, samples_in, states_of
@@ -98,8 +98,7 @@ def periodic(
 
 
 def refuse_events_that_end(model: Model) -> None:
-    """Raises ModelError for events that are terminal, and for friction."""
-    refuse_elements(model, "is not searched over a period", "simulate it until it repeats")
+    """Raises ModelError for events that are terminal."""
     if any(event.terminal for event in model.description.events):
         refuse_events(model, "a periodic motion")
 

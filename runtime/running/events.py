@@ -13,6 +13,7 @@ from runtime.contract.doors import opened
 from runtime.contract.records import EventRecord
 from runtime.contract.status import Event, Status
 from runtime.running.stepped_model import SteppedModel
+from runtime.schemes.scheme import Scheme
 from runtime.schemes.switching.breaks import ON_THE_GRID
 from runtime.schemes.switching.impulse import Impulse, impulse_text
 from runtime.schemes.switching.watched import (
@@ -44,11 +45,24 @@ class _Seen(NamedTuple):
     values: np.ndarray
 
 
-class EventActions:
-    """Steps of a model in which events happen: told (of one step, or of a run) and status say what happened."""
+class Passage(NamedTuple):
+    """Events (positions) at t [s] in a state that was seen; inputs (n_w,) behind them, what elements did, if any."""
 
-    def __init__(self, own: SteppedModel) -> None:
-        self.own, self.told = own, list[Event]()
+    t: float
+    events: list[int]
+    seen: _Seen
+    inputs: np.ndarray
+    settled: Any
+
+
+class EventActions:
+    """Steps of a model in which events happen: told (of one step, or of a run) and status say what happened.
+
+    passages: all of them, where somebody keeps them.
+    """
+
+    def __init__(self, own: SteppedModel, passages: list[Passage] | None = None) -> None:
+        self.own, self.told, self._passages = own, list[Event](), passages
         self.status: Status | None = None
         self._scheme, self._events = own.plan.scheme, watched_events(own.plan.scheme)
         self._declared = len(own.model.description.events)
@@ -101,7 +115,7 @@ class EventActions:
             return None
         found, scheme = z.copy(), self._scheme
         seen = _Seen(z, scheme.constants(self.own.c), np.zeros(len(self._events)))
-        push = self._settle(found, float(z[0] + z[1] * self.own.plan.grid.dt_L), [], seen)
+        push = self._push(self._settle(found, float(z[0] + z[1] * self.own.plan.grid.dt_L), [], seen))
         w = found[self._inputs]
         changed = not np.array_equal(w, z[self._inputs])
         if changed or push.any():
@@ -161,6 +175,7 @@ class EventActions:
         seen: before they do anything.
         """
         values, values_now = action_values(self._scheme, seen.z, seen.c), seen.values
+        kept = None if self._passages is None else seen._replace(z=seen.z.copy())
         rates = event_slopes(self._scheme, seen.z, seen.c) if (values_now == 0).any() else values_now
         first = np.cumsum([0, *(len(event.sets) for event in self._events)])  # kinks set nothing
         changes: dict[str, float] = {}
@@ -184,15 +199,21 @@ class EventActions:
             self.status = Status("not_finite", t, None, cause, "Let its action have a finite value there.")
         elif changes:
             z[self._inputs] = self.own.model.signals.changed(z[self._inputs].copy(), t, changes)
+        settled = None
         if self.status is None and self.own.model.element_modes.size:
-            return self._settle(z, t, happened, seen)
-        return np.zeros(len(self.own.model.q_i))
+            settled = self._settle(z, t, happened, seen)
+        if self._passages is not None and kept is not None:
+            self._passages.append(Passage(t, happened, kept, z[self._inputs].copy(), settled))
+        return self._push(settled)
 
-    def _settle(self, z: np.ndarray, t: float, happened: list[int], seen: _Seen) -> np.ndarray:
-        """The modes of elements behind these events at t [s] as inputs of z; (n_i,) what is added to the rates."""
+    def _push(self, settled: Any) -> np.ndarray:
+        """(n_i,) what is added to the rates."""
+        return np.zeros(len(self.own.model.q_i)) if settled is None else np.asarray(settled.push)
+
+    def _settle(self, z: np.ndarray, t: float, happened: list[int], seen: _Seen) -> Any:
+        """What elements do behind these events at t [s], or None where that ends the run; their modes go into z."""
         scheme, model, modes = self._scheme, self.own.model, self.own.model.element_modes
-        shown = scheme.observer(z=seen.z[: scheme.layout.size], c=seen.c)
-        at = {name: np.asarray(shown[name]).ravel() for name in ("q_i", "q_d", "q_i_dot", "q_d_dot", "t")}
+        at = state_of(scheme, seen.z, seen.c)
         inputs, first = z[self._inputs].copy(), self._declared - len(modes)
         before, own = inputs[modes].copy(), np.isin(np.arange(first, self._declared), happened)
         come = np.zeros(len(modes))
@@ -206,9 +227,9 @@ class EventActions:
                 "no_mode", t, None, "no choice of what is held and what moves is consistent",
                 "Look at the friction and the stops of joints that share a loop, or take a smaller friction.",
             )  # fmt: skip
-            return np.zeros(len(model.q_i))
+            return None
         inputs[modes] = found.modes
-        z[self._inputs], push = inputs, np.asarray(found.push)
+        z[self._inputs] = inputs
         if found.hits:
             # where an event ends a step of one length, what is seen there is after it
             self._tell_hits(found, at, c, t, t if scheme.adaptive or not happened else float(np.nextafter(t, -np.inf)))
@@ -216,7 +237,7 @@ class EventActions:
             name = self._events[first + k].name
             if text := _mode_text(self._events[first + k], float(before[k]), float(found.modes[k])):
                 self.told.append(Event(t, "mode", f"{name} {text}", name))
-        return push
+        return found
 
     def _tell_hits(self, found: Any, at: Mapping[str, np.ndarray], c: np.ndarray, t: float, before: float) -> None:
         """Impacts on stops at t [s], the energy that they took; before [s]: what is seen there is before them."""
@@ -276,6 +297,12 @@ class EventActions:
                 f"event {event.name} happens {most} times within {within}: its action undoes itself",
                 "Give it a cool_down or a hysteresis (two events at two values), or let the force change smoothly.",
             )
+
+
+def state_of(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> dict[str, np.ndarray]:
+    """q_i, q_d, q_i_dot, q_d_dot, t that a state z shows with constants c as stages read them."""
+    shown = scheme.observer(z=z[: scheme.layout.size], c=c)
+    return {name: np.asarray(shown[name]).ravel() for name in ("q_i", "q_d", "q_i_dot", "q_d_dot", "t")}
 
 
 def _mode_text(event: EventRecord, before: float, mode: float) -> str:

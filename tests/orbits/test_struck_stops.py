@@ -102,13 +102,9 @@ def test_a_stop_comes_into_a_branch_where_the_amplitude_meets_it(hammering: Mode
     assert (largest[branch.values > 1.1 * met] < 0.98 * per_newton * branch.values[branch.values > 1.1 * met]).all()
 
 
-def test_what_cannot_be_crossed_is_refused_by_name(model_of: Build) -> None:
-    sticking = Scene("sticking").parameter("omega", OMEGA).rigid("mass", mass=M, inertia=1.0)
-    sticking.prismatic("rail", "ground.origin", "mass.origin", friction={"coulomb": 1.0})
-    sticking.force("f", "mass.origin", "2*cos(omega*t)", 0.0)
+def test_an_event_that_ends_the_run_is_refused_by_name(model_of: Build) -> None:
     ending = Scene("ending").parameter("omega", OMEGA).rigid("mass", mass=M, inertia=1.0)
     ending.prismatic("rail", "ground.origin", "mass.origin").measure("x", "x", "mass.origin")
     ending.force("f", "mass.origin", "cos(omega*t) - x_dot", 0.0).event("there", "x - 0.1", terminal=True)
-    for scene, message in ((sticking, "rail.*sticks and slides.*over a period"), (ending, "there")):
-        with pytest.raises(ModelError, match=message):
-            periodic(model_of(scene.simulation(t_end=1.0, dt=1e-3, scheme="rk4").build()), speed="omega")
+    with pytest.raises(ModelError, match="there"):
+        periodic(model_of(ending.simulation(t_end=1.0, dt=1e-3, scheme="rk4").build()), speed="omega")

@@ -324,8 +324,6 @@ def test_an_equilibrium_is_found_between_stops_and_refused_beyond(model_of: Buil
 def test_what_cannot_cross_an_impact_says_so(model_of: Build) -> None:
     model = model_of(ball(0.8).build())
     does = r"rail\.limits\.lower of model ball: opens and closes, which "
-    with pytest.raises(ModelError, match=does + "is not searched over a period.*limits with a stiffness"):
-        model.periodic(period=1.0)
     with pytest.raises(ModelError, match=does + "is open at a state by itself"):
         model.mass_matrix([0.5])
 

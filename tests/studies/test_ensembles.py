@@ -218,6 +218,28 @@ def test_cases_without_an_event_stay_in_their_lanes(model_of: Build, monkeypatch
         np.testing.assert_array_equal(found["rod.theta"][case], run["rod.theta"])
 
 
+@pytest.mark.parametrize("scheme", ["rk4", "exponential", "single_rate"])
+def test_friction_and_rigid_stops_stay_in_lanes_until_something_changes(
+    model_of: Build, monkeypatch: pytest.MonkeyPatch, scheme: str
+) -> None:
+    """Blocks that are held, slide at once, are let go by a load, or strike a stop: only the last two leave their lanes.
+
+    What remembers forces begins anew where it slides at once, which is a run by itself, too.
+    """
+    scene = Scene("pulled").rigid("block", mass=2.0, inertia=0.1).input("more", 0.0, "N")
+    limits = {"upper": 0.2, "restitution": 0.5}
+    scene.prismatic("rail", "ground.origin", "block.origin", friction={"coulomb": 3.0}, limits=limits)
+    scene.force("pull", "block.origin", "more + 2*t", 0.0)
+    model = model_of(scene.simulation(t_end=0.5, dt=0.01, scheme=scheme).build())
+    pulls, leave = [-1.0, 2.5, 4.0, -9.0, 9.0], list[float]()
+    monkeypatch.setattr(rows, "run_alone", lambda *given: leave.extend(given[2].tolist()) or run_alone(*given))
+    found = ensemble(model, {"more": pulls}, outputs=["block.x"], seen_every=0.1)
+    runs = [simulate(model, inputs={"more": pull}, seen_every=0.1) for pull in pulls]
+    assert [any(event.time > 0 for event in run.events) for run in runs] == [False, True, False, False, True]
+    np.testing.assert_array_equal(np.asarray(found["block.x"]), np.array([run["block.x"] for run in runs]))
+    assert leave == ([2.5, 9.0] if scheme != "single_rate" else [2.5, 4.0, -9.0, 9.0])
+
+
 def test_turning_bodies_start_with_their_angular_velocities(built_in: Load) -> None:
     model, spins = built_in("tumbling_body"), [-1.0, 2.5]
     given: dict[str, Any] = {"scheme": "rk4", "dt": 0.01, "t_end": 0.5}

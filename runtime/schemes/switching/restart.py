@@ -32,26 +32,36 @@ def restarted(
     clock: ca.SX,
     push: ca.SX | None = None,
     inputs: ca.SX | None = None,
+    shift: ca.SX | float = 0,
 ) -> ca.SX:
     """(n_z,) a state shown by steps dt_before as the start of steps dt at a clock [s]; where nothing is remembered it
-    goes on as it is. push (n_i,): what an impulse adds to the rates; inputs (n_w,): from there on.
+    goes on as it is. push (n_i,): what an impulse adds to the rates; inputs (n_w,): from there on; shift (n_i,): what
+    is added to positions, whose value is zero where its derivative is not.
     """
     found, own, end = ca.SX(state), scheme.layout.slice, scheme.model.c_size
     if scheme.remembers:
         before, after = (with_steps(scheme, state, c, one) for one in (dt_before, dt))
         if inputs is not None:
             after = ca.vertcat(after[: end - inputs.numel()], inputs, after[end:])
-        found = started_anew(scheme, state, clock, before, after, 0.0 if push is None else push)
+        found = started_anew(scheme, state, clock, before, after, 0.0 if push is None else push, shift)
     else:
         if push is not None:
-            found[own("v")] = found[own("v")] + push
+            found[own("v")], found[own("x")] = found[own("v")] + push, found[own("x")] + shift
         if inputs is not None:
             found[own("inputs")] = inputs
     found[own("t0")], found[own("n")] = clock, 0.0
     return ca.densify(found)
 
 
-def started_anew(scheme: Scheme, z: ca.SX, t: ca.SX, before: ca.SX, after: ca.SX, push: ca.SX | float = 0.0) -> ca.SX:
+def started_anew(
+    scheme: Scheme,
+    z: ca.SX,
+    t: ca.SX,
+    before: ca.SX,
+    after: ca.SX,
+    push: ca.SX | float = 0.0,
+    shift: ca.SX | float = 0.0,
+) -> ca.SX:
     """(n_z,) a start at t [s] with the positions and rates that z (n_z,) shows, and its accounts.
 
     before, after (c_size,): constants as the stages read them, with inputs: z is shown by those before, steps go on
@@ -64,7 +74,7 @@ def started_anew(scheme: Scheme, z: ca.SX, t: ca.SX, before: ca.SX, after: ca.SX
         (q_i, q_d), charts = scheme.charts.seen_in(model, q), charts_in(model)
         parameters = q[model.places.parameters.ravel().tolist()]
         after = ca.vertcat(after[: charts.start], parameters, after[charts.stop :])
-    found = ca.SX(scheme.starter(t, q_i, seen["q_i_dot"] + push, loop_guess(scheme, q_d), after))
+    found = ca.SX(scheme.starter(t, q_i + shift, seen["q_i_dot"] + push, loop_guess(scheme, q_d), after))
     for name in scheme.lasting(Lasting.ACCOUNT):
         found[scheme.layout.slice(name)] = fields[name]
     return found

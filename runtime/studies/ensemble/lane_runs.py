@@ -8,8 +8,10 @@ from math import ceil
 
 import numpy as np
 
+from runtime.contract.doors import opened
 from runtime.contract.model import Model
 from runtime.engine.ensemble_code import blocks_of
+from runtime.running.events import state_of
 from runtime.studies.ensemble.account import ALONE, FOUND, cause_of, judged
 from runtime.studies.ensemble.lane_programs import programs_of
 from runtime.studies.ensemble.lane_stops import LaneStops
@@ -59,7 +61,7 @@ class LaneRuns:
         alone = starts.close & ~(self.values(blocks, cases, "fits")[:, 0] > 0)
         if "settled" in self.programs.row.sizes:
             alone |= starts.settle & ~(self.values(blocks, cases, "settled")[:, 0] > 0)
-        alone |= stops.alone
+        alone |= stops.alone | self._decided(blocks, cases)
         watch = _Watch(self._looked(blocks, cases))
         samples, done = self._first_samples(blocks, cases), 0
         for step, looking, sampled in self._stations():
@@ -110,6 +112,25 @@ class LaneRuns:
                 self._put(blocks, name, table)
         programs.begin.run(blocks, 0, 0, 1)
         return blocks
+
+    def _decided(self, blocks: np.ndarray, cases: int) -> np.ndarray:
+        """(cases,) those whose start is not one of lanes; what is held in the others is among their parameters now."""
+        model, scheme, alone = self.programs.model, self.programs.scheme, np.zeros(cases, dtype=bool)
+        modes, none = model.element_modes, np.zeros(len(model.element_modes))
+        if not len(modes):
+            return alone
+        settled = opened("runtime.schemes.switching.settle:settled")
+        states, constants = self.values(blocks, cases, "scheme"), self.values(blocks, cases, "c")
+        first = len(model.parameters) - model.signals.size
+        decided = self.values(blocks, cases, "p")[:, first + modes]
+        for k, (z, c) in enumerate(zip(states, constants, strict=True)):
+            found = settled(model, state_of(scheme, z, scheme.constants(c)), c, none, none)
+            alone[k] = found is None or found.push.any() or (scheme.remembers and (found.modes != decided[k]).any())
+            decided[k] = decided[k] if alone[k] else found.modes
+        for position, values in zip(modes, decided.T, strict=True):
+            self._put(blocks, "p", values[:, None], first + int(position))
+        self.programs.begin.run(blocks, 0, 0, 1)
+        return alone
 
     def advance(self, blocks: np.ndarray, steps: int) -> None:
         """Make major steps."""

@@ -21,7 +21,7 @@ from runtime.studies.ensemble.starts import Starts
 
 
 class LaneStops:
-    """Of some cases. alone (cases,): those that lanes do not bring to their end: within short pulses, with friction.
+    """Of some cases. alone (cases,): those that lanes do not bring to their end: within short pulses.
 
     clocks (cases,): at which steps begin [s]. part: names of the fields of a part; none where nothing may jump.
     """
@@ -29,7 +29,7 @@ class LaneStops:
     def __init__(self, plan: Plan, starts: Starts, part: tuple[str, ...]) -> None:
         model, cases = plan.scheme.model, len(starts.close)
         self._plan, self.part = plan, part
-        self.alone = np.full(cases, bool(model.element_modes.size))
+        self.alone = np.zeros(cases, dtype=bool)
         self.clocks = np.full(cases, plan.t0)
         self._parts, self._of = [np.zeros((len(part), 0))], np.zeros(cases, dtype=int)
         if part:
