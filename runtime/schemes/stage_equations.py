@@ -210,9 +210,9 @@ def loop_blocks(model: Model) -> int:
 def tree_is_shorter(model: Model) -> bool:
     """Is there an elimination along a tree, and is it shorter than a factorisation of M_hat?
 
-    M_hat of a long tree is not even looked at: it has n_i^2 entries.
+    M_hat of a long tree is not even looked at: it has n_i^2 entries. Masked pivots hold what sticks to the last bit.
     """
-    if not model.has("forward_dynamics") or not model.has("condensed"):
+    if not model.has("forward_dynamics") or not model.has("condensed") or model.mode_events:
         return model.has("forward_dynamics")
     n, tree = len(model.q_i), model.operations_of("forward_dynamics")
     factorisation = n**3 / 6 + n**2
